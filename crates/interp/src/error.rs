@@ -1,0 +1,75 @@
+//! What can go wrong, with the numbers that say why.
+
+use std::io;
+
+/// Any failure of this crate.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum Error {
+    /// A value that no physical system has.
+    #[error("{name} = {value} is not physical: it must be {allowed}")]
+    Unphysical {
+        /// The parameter's name.
+        name: &'static str,
+        /// The value given.
+        value: f64,
+        /// What is allowed, in words.
+        allowed: &'static str,
+    },
+    /// A query outside the box that the table covers.
+    #[error("{axis} = {value} is outside the table, which covers {axis} from {from} to {to}")]
+    OutsideTable {
+        /// The axis that does not hold the value.
+        axis: &'static str,
+        /// The value asked for.
+        value: f64,
+        /// The smallest value of the axis.
+        from: f64,
+        /// The largest value of the axis.
+        to: f64,
+    },
+    /// A rigid sphere asked of a table for compliant ones, or the other way round.
+    #[error("the table is normalised by {table}, the query needs one normalised by {query}")]
+    Normalisation {
+        /// The modulus that normalises the table.
+        table: &'static str,
+        /// The modulus that would normalise the query's result.
+        query: &'static str,
+    },
+    /// A quantity that the scene of the table did not ask for.
+    #[error("the table does not hold {0}: its scene did not ask for it")]
+    MissingQuantity(&'static str),
+    /// Bytes that are no table of this project.
+    #[error("not a coated-contact table: {0}")]
+    Foreign(String),
+    /// A table written by a later version of the format.
+    #[error("the table has format version {found}, this program reads version {supported}")]
+    Version {
+        /// The version in the file.
+        found: u32,
+        /// The only version that is read.
+        supported: u32,
+    },
+    /// Bytes that are missing or too many.
+    #[error("the table is truncated or has trailing bytes: {expected} bytes expected, {found} found")]
+    Length {
+        /// The length that the header states.
+        expected: u64,
+        /// The length there is.
+        found: u64,
+    },
+    /// Bytes that changed after they were written.
+    #[error("the table is corrupt: checksum {found:08x}, stored {stored:08x}")]
+    Checksum {
+        /// The checksum in the file.
+        stored: u32,
+        /// The checksum of the bytes.
+        found: u32,
+    },
+    /// A table whose parts contradict each other or the schema.
+    #[error("the table is malformed: {0}")]
+    Malformed(String),
+    /// The operating system failed to read or write.
+    #[error(transparent)]
+    Io(#[from] io::Error),
+}

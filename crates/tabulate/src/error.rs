@@ -1,0 +1,37 @@
+//! What can go wrong in making a table, with the numbers that say why.
+
+/// Any failure of the solve, of a scene, or of a file.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum Error {
+    /// A parameter that the solve is not made for.
+    #[error("{name} = {value} is outside the domain of the solve, {from} to {to}")]
+    Domain {
+        /// The parameter's name.
+        name: &'static str,
+        /// The value given.
+        value: f64,
+        /// The smallest value allowed.
+        from: f64,
+        /// The largest value allowed.
+        to: f64,
+    },
+    /// A tolerance that was not reached.
+    #[error("tolerance {tolerance:e} is not reached: the estimated error is {reached:.1e}")]
+    NotConverged {
+        /// What was asked for.
+        tolerance: f64,
+        /// The estimated relative error that was reached.
+        reached: f64,
+    },
+    /// A failure of the table or of its parameters.
+    #[error(transparent)]
+    Table(#[from] interp::Error),
+}
+
+impl Error {
+    /// Accepts a value of `[from, to]`.
+    pub(crate) fn check(name: &'static str, value: f64, [from, to]: [f64; 2]) -> Result<(), Self> {
+        if value >= from && value <= to { Ok(()) } else { Err(Self::Domain { name, value, from, to }) }
+    }
+}

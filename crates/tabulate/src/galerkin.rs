@@ -1,0 +1,250 @@
+//! Galerkin's method in even Legendre polynomials, with the results in energy form.
+//!
+//! With `x = a/t` and `g` in units of half the normalising modulus, the contact is
+//!
+//! ```text
+//! g(rho)/es + (x/e1) int_0^1 [k(x(rho-s)) + k(x(rho+s))] g(s) ds = f(rho),    k(y) = 1/pi int_0^inf (X(q)-1) cos(qy) dq
+//! f = 1 -> g1:  Eeq = int g1,  Gamma = g1(1)        f = rho^2 -> g2:  Delta0 = g2(1)/Gamma,  Pi0 = 4 int (Delta0 g1 - g2)
+//! ```
+//!
+//! (Barthel, eq. 3, with the sphere's compliance as the diagonal term). In the orthonormal basis `phi_n = sqrt(4n+1) P_2n`, whose
+//! cosine transforms are [`EvenBessel`], the kernel becomes
+//! `A = I/es + M/e1` with `M_mn = (2/pi) int_0^inf (X-1) J_m J_n dz`, `z = q x`, and the right-hand sides have one and two entries.
+//!
+//! The edge values come from the exact identity `Gamma^2 = es d(x Eeq)/dx` and from its bilinear form, not from sums at the edge: with
+//! `C_mn = (2/pi) int q X' J_m J_n dz`,
+//!
+//! ```text
+//! Gamma^2     = es (Eeq     + g1.C.g1 / e1)
+//! Gamma g2(1) = es (3 g2[0] + g1.C.g2 / e1)
+//! ```
+//!
+//! Both are stationary in the error of `g`, as `Eeq` is, and so converge twice as fast as `g` itself.
+//!
+//! `M` and `C` hold nothing of the sphere: one pair serves every `E1/E2` at fixed `a/t`, `nu1`, `nu0` and `E0/E1`
+//! ([`Operator::solve`]); the Bessel values hold nothing of the material ([`Abscissae`]).
+
+use std::borrow::Borrow;
+use std::f64::consts::FRAC_2_PI;
+
+use faer::dyn_stack::{MemBuffer, MemStack};
+use faer::linalg::cholesky::llt::factor::{LltRegularization, cholesky_in_place, cholesky_in_place_scratch};
+use faer::linalg::matmul::triangular::{BlockStructure, matmul};
+use faer::linalg::triangular_solve::{solve_lower_triangular_in_place, solve_upper_triangular_in_place};
+use faer::{Accum, Mat, MatRef, Par, Spec};
+use interp::{Material, Quantities};
+
+use crate::bessel::{EvenBessel, LANES};
+use crate::compliance::{Compliance, Sample};
+use crate::quadrature::Panels;
+
+/// Abscissae handled at once: the Bessel values of a block stay in the processor's cache.
+const BLOCK: usize = 512;
+
+/// The quadrature of one `a/t` and the number of modes: all that does not depend on the material.
+#[derive(Clone, Debug)]
+pub struct Abscissae {
+    x: f64,
+    modes: usize,
+    panels: Panels,
+    /// `q`, panel by panel, padded to a multiple of [`LANES`].
+    q: Vec<f64>,
+    /// The weight `(2/pi) x w` of every abscissa, zero for the padding.
+    weights: Vec<f64>,
+}
+
+/// The Bessel values at up to [`BLOCK`] consecutive abscissae.
+pub struct Block {
+    /// Index of the first abscissa.
+    first: usize,
+    rows: usize,
+    /// `rows x modes`, one column after the other.
+    values: Vec<f64>,
+}
+
+impl Abscissae {
+    /// For `modes` modes at `x = a/t`, on the given panels.
+    pub fn new(x: f64, modes: usize, panels: Panels) -> Self {
+        let (mut q, mut weights) = (Vec::new(), Vec::new());
+        for ends in panels.edges.windows(2) {
+            let (middle, half) = (0.5 * (ends[0] + ends[1]), 0.5 * (ends[1] - ends[0]));
+            q.extend(panels.rule.abscissae.iter().map(|t| middle + half * t));
+            weights.extend(panels.rule.weights.iter().map(|w| FRAC_2_PI * x * half * w));
+        }
+        let padded = q.len().next_multiple_of(LANES);
+        q.resize(padded, q[q.len() - 1]);
+        weights.resize(padded, 0.0);
+        Self { x, modes, panels, q, weights }
+    }
+
+    /// The number of abscissae.
+    pub fn count(&self) -> usize {
+        self.q.len()
+    }
+
+    /// The Bessel values, a block at a time.
+    pub fn blocks(&self) -> impl Iterator<Item = Block> {
+        let bessel = EvenBessel::new(self.modes);
+        self.q.chunks(BLOCK).enumerate().map(move |(i, q)| {
+            let rows = q.len();
+            let mut values = vec![0.0; rows * self.modes];
+            for (j, q) in q.chunks_exact(LANES).enumerate() {
+                let z = std::array::from_fn(|l| q[l] * self.x);
+                bessel.fill(&z, &mut values, rows, j * LANES);
+            }
+            Block { first: i * BLOCK, rows, values }
+        })
+    }
+}
+
+/// The matrices `M` and `C` of one film on one substrate at one `a/t`. Only their lower triangles are held.
+#[derive(Clone, Debug)]
+pub struct Operator {
+    kernel: Mat<f64>,
+    slope: Mat<f64>,
+    /// What the panels may miss of `X` and `q X'`, in `g.M.g / (int g)^2`.
+    resolution_error: f64,
+    /// What they may miss of the Bessel products, in `g.C.g / g(1)^2`.
+    design_error: f64,
+}
+
+/// The solution of one contact, with what limits its accuracy.
+#[derive(Clone, Copy, Debug)]
+pub struct Solved {
+    /// The four quantities.
+    pub quantities: Quantities,
+    /// Estimated relative error from the finite number of modes.
+    pub truncation: f64,
+    /// Estimated relative error from the quadrature.
+    pub quadrature: f64,
+    /// Estimated relative error from rounding.
+    pub rounding: f64,
+}
+
+impl Operator {
+    /// Sums `M` and `C` over the abscissae. `blocks` are those of `abscissae`, made on the fly or kept for many materials.
+    pub fn assemble<B: Borrow<Block>>(compliance: &Compliance, abscissae: &Abscissae, blocks: impl IntoIterator<Item = B>) -> Self {
+        let n = abscissae.modes;
+        let samples: Vec<Sample> = abscissae.q.iter().map(|&q| compliance.sample(q)).collect();
+        let mut operator = Self {
+            kernel: Mat::zeros(n, n),
+            slope: Mat::zeros(n, n),
+            resolution_error: resolution_error(abscissae, &samples),
+            design_error: abscissae.panels.design_error,
+        };
+        let mut scaled = Vec::new();
+        for block in blocks {
+            let Block { first, rows, values } = block.borrow();
+            let samples = &samples[*first..first + rows];
+            let weights = &abscissae.weights[*first..first + rows];
+            let bessel = MatRef::from_column_major_slice(values, *rows, n);
+            let mut add = |target: &mut Mat<f64>, symbol: fn(&Sample) -> f64| {
+                let factors: Vec<f64> = samples.iter().zip(weights).map(|(sample, w)| w * symbol(sample)).collect();
+                scaled.clear();
+                for column in values.chunks_exact(*rows) {
+                    scaled.extend(column.iter().zip(&factors).map(|(value, factor)| value * factor));
+                }
+                let scaled = MatRef::from_column_major_slice(&scaled, *rows, n);
+                let (lower, full) = (BlockStructure::TriangularLower, BlockStructure::Rectangular);
+                matmul(target, lower, Accum::Add, bessel.transpose(), full, scaled, full, 1.0, Par::Seq);
+            };
+            add(&mut operator.kernel, |sample| sample.excess);
+            add(&mut operator.slope, |sample| sample.slope);
+        }
+        operator
+    }
+
+    /// Solves both right-hand sides for one sphere on the film and substrate of this operator.
+    ///
+    /// Returns `None` where rounding has cost the matrix its positive definiteness.
+    pub fn solve(&self, material: &Material) -> Option<Solved> {
+        let n = self.kernel.nrows();
+        let (film, es) = (material.film_modulus(), material.sphere_film_modulus());
+        let mut factor = Mat::from_fn(n, n, |i, j| self.kernel[(i, j)] / film + if i == j { 1.0 / es } else { 0.0 });
+        let mut memory = MemBuffer::new(cholesky_in_place_scratch::<f64>(n, Par::Seq, Spec::default()));
+        let stack = MemStack::new(&mut memory);
+        cholesky_in_place(factor.as_mut(), LltRegularization::default(), Par::Seq, stack, Spec::default()).ok()?;
+
+        // f = 1 and f = rho^2 in the basis.
+        let mut g = Mat::zeros(n, 2);
+        g[(0, 0)] = 1.0;
+        g[(0, 1)] = 1.0 / 3.0;
+        g[(1, 1)] = 2.0 / (3.0 * 5.0_f64.sqrt());
+        solve_lower_triangular_in_place(factor.as_ref(), g.as_mut(), Par::Seq);
+        // The lower modes do not know how many follow: the forms of any smaller number of modes are partial sums over these.
+        let missing = missing_modes(g.col_as_slice(0)).max(missing_modes(g.col_as_slice(1)));
+        solve_upper_triangular_in_place(factor.transpose(), g.as_mut(), Par::Seq);
+
+        let (g1, g2) = (g.col_as_slice(0), g.col_as_slice(1));
+        let eeq = g1[0];
+        let gamma_squared = es * (eeq + self.slope_form(g1, g1) / film);
+        let delta0 = es * (3.0 * g2[0] + self.slope_form(g1, g2) / film) / gamma_squared;
+        let quantities = Quantities { pi0: 4.0 * (delta0 * eeq - g2[0]), eeq, gamma: gamma_squared.sqrt(), delta0 };
+
+        let edge = (es * eeq / gamma_squared).max(1.0);
+        let diagonal = g1.iter().map(|g| g * g).sum::<f64>() / es;
+        Some(Solved {
+            quantities,
+            truncation: TRUNCATION_SAFETY * missing / eeq * edge,
+            quadrature: (self.resolution_error * eeq * edge + self.design_error * es) / film,
+            rounding: ROUNDING * (diagonal + (eeq - diagonal).abs()) / eeq * edge,
+        })
+    }
+
+    /// `u.C.v`.
+    fn slope_form(&self, u: &[f64], v: &[f64]) -> f64 {
+        let mut form = 0.0;
+        for j in 0..u.len() {
+            let column = &self.slope.col_as_slice(j)[j..];
+            let (u_j, v_j) = (u[j], v[j]);
+            form += column[0] * u_j * v_j;
+            for ((c, u), v) in column.iter().zip(&u[j..]).zip(&v[j..]).skip(1) {
+                form += c * (u * v_j + u_j * v);
+            }
+        }
+        form
+    }
+}
+
+/// Extrapolates `sum_{i >= n} y_i^2`, what the modes left out would add to a form, from the sums over the last two stretches of modes.
+///
+/// A stretch spans the beats that the `y_i` show at large `a/t`, so that a node of a beat is not mistaken for convergence.
+fn missing_modes(y: &[f64]) -> f64 {
+    let n = y.len();
+    let stretch = (2 + n / 8).min(n / 2);
+    let sum = |y: &[f64]| y.iter().map(|y| y * y).sum::<f64>();
+    let (before, last) = (sum(&y[n - 2 * stretch..n - stretch]), sum(&y[n - stretch..]));
+    let ratio = (last / before.max(f64::MIN_POSITIVE)).clamp(0.1, 0.9);
+    last * ratio / (1.0 - ratio)
+}
+
+/// Brings the extrapolation above the true truncation error in 98.5 % of 3730 random points, and within a factor of 7 in the rest.
+const TRUNCATION_SAFETY: f64 = 20.0;
+
+/// Rounding error of the assembled matrices, relative to the sum of absolute values.
+const ROUNDING: f64 = 12.0 * f64::EPSILON;
+
+/// Estimates the error of the quadrature in `q` from how fast the Legendre coefficients of `X - 1` and `q X'` fall on each panel.
+///
+/// An `n`-point rule is blind to an integrand's coefficients from degree `2n` on. They are extrapolated from the largest of the last
+/// four, which the panel's own values give: geometrically, at the mean rate since degree 0, which poles prescribe, or at the present
+/// rate, which is faster for exponentials. The Bessel product's share is kept small by the panel's width.
+fn resolution_error(abscissae: &Abscissae, samples: &[Sample]) -> f64 {
+    let rule = abscissae.panels.rule;
+    let n = rule.abscissae.len();
+    let panels = samples.chunks_exact(n).zip(abscissae.weights.chunks_exact(n));
+    let error = |(samples, weights): (&[Sample], &[f64])| {
+        let length: f64 = weights.iter().sum();
+        let missed = |symbol: fn(&Sample) -> f64| {
+            let largest = samples.iter().map(|s| symbol(s).abs()).fold(f64::MIN_POSITIVE, f64::max);
+            let coefficients =
+                rule.coefficients.each_ref().map(|row| row.iter().zip(samples).map(|(c, s)| c * symbol(s)).sum::<f64>().abs());
+            let [before, last] = [0, 4].map(|from| coefficients[from..from + 4].iter().fold(f64::MIN_POSITIVE, |a, &b| a.max(b)));
+            let mean_rate = (last / largest).powf(n as f64 / (n as f64 - 2.5));
+            let present_rate = (last / before).powf(0.25 * n as f64);
+            last * mean_rate.min(present_rate).min(1.0)
+        };
+        length * missed(|s| s.excess).max(missed(|s| s.slope))
+    };
+    panels.map(error).sum()
+}

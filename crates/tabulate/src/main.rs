@@ -1,0 +1,5 @@
+//! The command line program `tabulate`.
+
+#![forbid(unsafe_code)]
+
+fn main() {}

@@ -1,0 +1,63 @@
+//! Finds a libhdf5 to link, or what is needed to build one.
+//!
+//! In this order: a system library (`HDF5_DIR`, or pkg-config's `hdf5`), then a static build from source with cmake from
+//! `$CMAKE`, from the path, or from PyPI.
+
+use std::env;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+use crate::python;
+
+/// libhdf5's own build refuses anything older.
+const OLDEST_CMAKE: (u32, u32) = (3, 26);
+
+/// A cargo command, with the feature and the environment that HDF5 needs on this machine.
+pub fn cargo(args: &[&str]) -> Result<Command, String> {
+    let mut command = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
+    let Some((subcommand, rest)) = args.split_first() else {
+        return Err("no cargo command given".into());
+    };
+    command.arg(subcommand);
+    if !system_library() {
+        command.args(["--features", "tabulate/hdf5-static"]).env("CMAKE", cmake()?);
+    }
+    command.args(rest);
+    Ok(command)
+}
+
+fn system_library() -> bool {
+    env::var_os("HDF5_DIR").is_some() || runs(Command::new("pkg-config").args(["--exists", "hdf5"]))
+}
+
+fn cmake() -> Result<PathBuf, String> {
+    let given = env::var_os("CMAKE").map(PathBuf::from);
+    let candidates = given.into_iter().chain([PathBuf::from("cmake")]);
+    for candidate in candidates {
+        if cmake_version(&candidate).is_some_and(|version| version >= OLDEST_CMAKE) {
+            return Ok(candidate);
+        }
+    }
+    let package = python::package("cmake", ">=3.26,<4").map_err(|why| {
+        format!(
+            "libhdf5 has to be built and there is no cmake {}.{} or newer: {why}\n\
+             Install one of: libhdf5 with its headers and pkg-config file (Debian: libhdf5-dev pkg-config); \
+             cmake >= {0}.{1} (or set CMAKE to it); python3 with pip",
+            OLDEST_CMAKE.0, OLDEST_CMAKE.1
+        )
+    })?;
+    Ok(package.join("cmake/data/bin/cmake"))
+}
+
+/// `(major, minor)` of "cmake version 3.31.2".
+fn cmake_version(cmake: &Path) -> Option<(u32, u32)> {
+    let output = Command::new(cmake).arg("--version").output().ok()?;
+    let text = String::from_utf8(output.stdout).ok()?;
+    let mut numbers = text.lines().next()?.rsplit(' ').next()?.split('.');
+    Some((numbers.next()?.parse().ok()?, numbers.next()?.parse().ok()?))
+}
+
+fn runs(command: &mut Command) -> bool {
+    let silent = command.stdout(Stdio::null()).stderr(Stdio::null());
+    silent.status().is_ok_and(|status| status.success())
+}

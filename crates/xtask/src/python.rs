@@ -1,0 +1,29 @@
+//! Python packages for the project's own use, kept in the target directory and never in the user's environment.
+
+use std::fs;
+use std::path::PathBuf;
+use std::process::Command;
+
+use crate::workspace;
+
+/// The folder (for `PYTHONPATH`) that holds `name` at a version in `range`, fetched by pip at the first call.
+pub fn package(name: &str, range: &str) -> Result<PathBuf, String> {
+    let folder = workspace::target().join("tools").join(name);
+    if folder.exists() {
+        return Ok(folder);
+    }
+    eprintln!("xtask: fetching {name} {range} from PyPI into {}", folder.display());
+    // Renamed when complete, so that an interrupted download is never taken for a finished one.
+    let unfinished = folder.with_extension(format!("partial-{}", std::process::id()));
+    let status = Command::new("python3")
+        .args(["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--target"])
+        .arg(&unfinished)
+        .arg(format!("{name}{range}"))
+        .status()
+        .map_err(|e| format!("cannot run python3: {e}; install python3 with pip"))?;
+    if !status.success() {
+        return Err(format!("`python3 -m pip install {name}{range}` failed; install python3 with pip, or {name} itself"));
+    }
+    fs::rename(&unfinished, &folder).map_err(|e| format!("cannot rename {}: {e}", unfinished.display()))?;
+    Ok(folder)
+}

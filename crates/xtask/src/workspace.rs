@@ -1,0 +1,15 @@
+//! Where the workspace and its build products are.
+
+use std::env;
+use std::path::{Path, PathBuf};
+
+/// The folder of the workspace's `Cargo.toml`.
+pub fn root() -> PathBuf {
+    let here = Path::new(env!("CARGO_MANIFEST_DIR"));
+    here.ancestors().nth(2).expect("xtask lives two folders below the workspace root").to_path_buf()
+}
+
+/// The target directory, outside the workspace where `CARGO_TARGET_DIR` says so.
+pub fn target() -> PathBuf {
+    env::var_os("CARGO_TARGET_DIR").map_or_else(|| root().join("target"), |dir| root().join(dir))
+}

@@ -1,0 +1,1 @@
+//! Acceptance tests; see the files beside this one.
