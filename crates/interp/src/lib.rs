@@ -1,10 +1,36 @@
 //! Adhesive contact of a sphere on a coated substrate, from a precomputed table.
+//!
+//! A sphere (body 2) touches a film (1) bonded to a substrate (0) and sticks to it. Barthel's model, *Adhesive contact of a
+//! compliant sphere to an elastic coated substrate: the thin film limit*, needs four dimensionless functions of (`a/t`, `E1/E2`, `nu1`,
+//! `E0/E2`), the [`Quantities`]. They are tabulated once, by the crate `tabulate`; this crate interpolates them and does the
+//! arithmetic of eqs. 2, 8 and 9:
+//!
+//! * [`Table::read`] (packed) and `Table::open` (HDF5, feature `hdf5`) load a table;
+//! * [`Table::curve`] makes the [`Curve`] of one [`Material`]: the quantities as functions of `a/t`;
+//! * [`Table::contact`] makes the [`Contact`] of one [`System`] in SI units: load and penetration from contact radius and work of
+//!   adhesion.
+//!
+//! No numerics happen here, no value is clamped and none is extrapolated: outside the table there is an [`Error`] with the axis, the
+//! value and the range.
+
 #![forbid(unsafe_code)]
 
+mod contact;
 mod error;
+#[cfg(feature = "hdf5")]
+mod h5;
+mod lookup;
 mod material;
+mod pack;
 mod quantity;
+pub mod schema;
+mod spline;
+mod table;
 
+pub use contact::{Contact, Elastic, JkrPoint, Mechanics, State, System};
 pub use error::Error;
+pub use lookup::Curve;
 pub use material::{Material, Normalisation};
+pub use pack::is_packed;
 pub use quantity::{Quantities, Quantity};
+pub use table::{Certificate, Description, Table};

@@ -1,0 +1,110 @@
+//! Reads the HDF5 table without a C library.
+
+use std::collections::HashMap;
+use std::path::Path;
+
+use hdf5_pure::{AttrValue, DType, File};
+
+use crate::schema::{AXES, FORMAT, FORMAT_VERSION, Parameter, VALUES, attribute};
+use crate::{Certificate, Description, Error, Normalisation, Quantity, Table};
+
+impl Table {
+    /// Reads an HDF5 table (feature `hdf5`).
+    ///
+    /// # Errors
+    /// [`Error::Io`] if the file cannot be opened, [`Error::Foreign`] if it is no HDF5 file or holds no table, [`Error::Version`] for
+    /// another version, [`Error::Malformed`] for missing, mistyped or contradicting parts.
+    pub fn open(path: impl AsRef<Path>) -> Result<Self, Error> {
+        // Opened here first, so that a missing file is told from a foreign one.
+        drop(std::fs::File::open(path.as_ref())?);
+        let file = File::open(path).map_err(|e| Error::Foreign(e.to_string()))?;
+        let attributes = Attributes(file.root().attrs().map_err(malformed)?);
+        match attributes.text(attribute::FORMAT) {
+            Ok(FORMAT) => {}
+            _ => return Err(Error::Foreign(format!("its attribute {} is not {FORMAT:?}", attribute::FORMAT))),
+        }
+        let version = attributes.integer(attribute::FORMAT_VERSION)?;
+        if version != u64::from(FORMAT_VERSION) {
+            let found = u32::try_from(version).unwrap_or(u32::MAX);
+            return Err(Error::Version { found, supported: FORMAT_VERSION });
+        }
+        let normalised_by = attributes.text(attribute::NORMALISED_BY)?;
+        let normalisation = [Normalisation::Sphere, Normalisation::Film]
+            .into_iter()
+            .find(|normalisation| normalisation.symbol() == normalised_by)
+            .ok_or_else(|| Error::Malformed(format!("it is normalised by {normalised_by:?}")))?;
+        let description = Description {
+            title: attributes.text(attribute::TITLE)?.to_owned(),
+            scene: attributes.text(attribute::SCENE)?.to_owned(),
+            nu0: attributes.number(attribute::NU0)?,
+            normalisation,
+            tolerance: attributes.number(attribute::TOLERANCE)?,
+            created_by: attributes.text(attribute::CREATED_BY)?.to_owned(),
+            certificate: Certificate {
+                max_error: attributes.number(attribute::CERTIFIED_MAX_ERROR)?,
+                median_error: attributes.number(attribute::CERTIFIED_MEDIAN_ERROR)?,
+                points: attributes.integer(attribute::CERTIFIED_POINTS)?,
+                seed: attributes.integer(attribute::CERTIFIED_SEED)?,
+            },
+        };
+        let mut axes = [const { Vec::new() }; 4];
+        for (axis, parameter) in axes.iter_mut().zip(Parameter::ALL) {
+            *axis = dataset(&file, &format!("{AXES}/{}", parameter.name()), None)?;
+        }
+        let shape: Vec<u64> = axes.iter().map(|nodes| nodes.len() as u64).collect();
+        let held = file.group(VALUES).and_then(|group| group.datasets()).map_err(malformed)?;
+        let mut values = [const { None }; 4];
+        for quantity in Quantity::ALL {
+            if held.iter().any(|name| name == quantity.name()) {
+                values[quantity as usize] = Some(dataset(&file, &format!("{VALUES}/{}", quantity.name()), Some(&shape))?);
+            }
+        }
+        Self::new(description, axes, values)
+    }
+}
+
+/// The f64 values of a dataset, which must have the given shape.
+fn dataset(file: &File, path: &str, shape: Option<&[u64]>) -> Result<Vec<f64>, Error> {
+    let dataset = file.dataset(path).map_err(malformed)?;
+    let kind = dataset.dtype().map_err(malformed)?;
+    if !matches!(kind, DType::F64) {
+        return Err(Error::Malformed(format!("{path} holds {kind}, not f64")));
+    }
+    let found = dataset.shape().map_err(malformed)?;
+    if shape.is_some_and(|shape| shape != found) {
+        return Err(Error::Malformed(format!("{path} has shape {found:?}, its axes have {shape:?}")));
+    }
+    dataset.read_f64().map_err(malformed)
+}
+
+struct Attributes(HashMap<String, AttrValue>);
+
+impl Attributes {
+    fn get(&self, name: &str) -> Result<&AttrValue, Error> {
+        self.0.get(name).ok_or_else(|| Error::Malformed(format!("attribute {name} is missing")))
+    }
+
+    fn text(&self, name: &str) -> Result<&str, Error> {
+        let value = self.get(name)?;
+        value.as_str().ok_or_else(|| Error::Malformed(format!("attribute {name} is no string")))
+    }
+
+    fn number(&self, name: &str) -> Result<f64, Error> {
+        match self.get(name)? {
+            AttrValue::F64(value) => Ok(*value),
+            _ => Err(Error::Malformed(format!("attribute {name} is no f64"))),
+        }
+    }
+
+    fn integer(&self, name: &str) -> Result<u64, Error> {
+        match self.get(name)? {
+            AttrValue::U32(value) => Ok(u64::from(*value)),
+            AttrValue::U64(value) => Ok(*value),
+            _ => Err(Error::Malformed(format!("attribute {name} is no unsigned integer"))),
+        }
+    }
+}
+
+fn malformed(error: hdf5_pure::Error) -> Error {
+    Error::Malformed(error.to_string())
+}

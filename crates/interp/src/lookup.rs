@@ -1,0 +1,237 @@
+//! Interpolation: a table's spline coefficients, and the curve of one material.
+
+use splines::{Interpolate, Interpolation, Key, Spline};
+
+use crate::schema::Parameter;
+use crate::spline::{Basis, DEGREE, Weights};
+use crate::table::{Table, locate};
+use crate::{Error, Material, Quantities, Quantity};
+
+/// The logarithms of the four quantities at one `a/t`: what is splined. The moduli are relative to `es`, their value at `a/t = 0`.
+#[derive(Clone, Copy, Debug, Default)]
+struct Logarithms([f64; 4]);
+
+impl Logarithms {
+    fn each(value: impl Fn(usize) -> f64) -> Self {
+        Self(std::array::from_fn(value))
+    }
+
+    /// `self + factor other`.
+    fn plus(self, factor: f64, other: Self) -> Self {
+        Self::each(|i| self.0[i] + factor * other.0[i])
+    }
+}
+
+/// Component by component, so that one search in the spline serves all four.
+impl Interpolate<f64> for Logarithms {
+    fn step(t: f64, threshold: f64, a: Self, b: Self) -> Self {
+        Self::each(|i| f64::step(t, threshold, a.0[i], b.0[i]))
+    }
+    fn lerp(t: f64, a: Self, b: Self) -> Self {
+        Self::each(|i| f64::lerp(t, a.0[i], b.0[i]))
+    }
+    fn cosine(t: f64, a: Self, b: Self) -> Self {
+        Self::each(|i| f64::cosine(t, a.0[i], b.0[i]))
+    }
+    fn cubic_hermite(t: f64, x: (f64, Self), a: (f64, Self), b: (f64, Self), y: (f64, Self)) -> Self {
+        Self::each(|i| f64::cubic_hermite(t, (x.0, x.1.0[i]), (a.0, a.1.0[i]), (b.0, b.1.0[i]), (y.0, y.1.0[i])))
+    }
+    fn quadratic_bezier(t: f64, a: Self, u: Self, b: Self) -> Self {
+        Self::each(|i| f64::quadratic_bezier(t, a.0[i], u.0[i], b.0[i]))
+    }
+    fn cubic_bezier(t: f64, a: Self, u: Self, v: Self, b: Self) -> Self {
+        Self::each(|i| f64::cubic_bezier(t, a.0[i], u.0[i], v.0[i], b.0[i]))
+    }
+    fn cubic_bezier_mirrored(t: f64, a: Self, u: Self, v: Self, b: Self) -> Self {
+        Self::each(|i| f64::cubic_bezier_mirrored(t, a.0[i], u.0[i], v.0[i], b.0[i]))
+    }
+}
+
+/// The tensor B-spline of a table along its material axes.
+///
+/// What is splined is `ln(Pi0/es)`, `ln(Eeq/es)`, `ln(Gamma/es)` and `ln Delta0` over `ln(E1/E2)`, `c(nu1)` and `ln(E0/E2)`.
+#[derive(Debug)]
+pub(crate) struct Coefficients {
+    /// The bases of `e1_over_e2`, `nu1` and `e0_over_e2`.
+    bases: [Basis; 3],
+    /// One row for each combination of material coefficients, `e1_over_e2` slowest; a row holds [`Logarithms`] for each `a_over_t`.
+    rows: Vec<Logarithms>,
+}
+
+impl Coefficients {
+    pub(crate) fn new(table: &Table) -> Self {
+        let [n_a, n_e1, n_nu, n_e0] = table.shape();
+        let materials = n_e1 * n_nu * n_e0;
+        let nodes =
+            |parameter: Parameter| -> Vec<f64> { table.axis(parameter).iter().map(|&value| parameter.coordinate(value)).collect() };
+        let bases = [Parameter::E1OverE2, Parameter::Nu1, Parameter::E0OverE2].map(|p| Basis::new(&nodes(p), DEGREE));
+
+        // Material-major, so that a curve sums whole rows.
+        let mut flat = vec![0.0; 4 * n_a * materials];
+        for quantity in Quantity::ALL {
+            let Some(values) = table.values(quantity) else { continue };
+            for (material, row) in flat.chunks_exact_mut(4 * n_a).enumerate() {
+                let (e1, nu) = (material / (n_nu * n_e0), material / n_e0 % n_nu);
+                let scale = scale(quantity, film_limit(table, e1, nu));
+                for (a, group) in row.chunks_exact_mut(4).enumerate() {
+                    group[quantity as usize] = (values[a * materials + material] / scale).ln();
+                }
+            }
+        }
+        let row = 4 * n_a;
+        bases[0].interpolate(&mut flat, n_nu * n_e0 * row);
+        for slab in flat.chunks_exact_mut(n_nu * n_e0 * row) {
+            bases[1].interpolate(slab, n_e0 * row);
+            slab.chunks_exact_mut(n_e0 * row).for_each(|slab| bases[2].interpolate(slab, row));
+        }
+        let rows = flat.chunks_exact(4).map(|c| Logarithms([c[0], c[1], c[2], c[3]])).collect();
+        Self { bases, rows }
+    }
+
+    pub(crate) fn curve(&self, table: &Table, material: &Material) -> Result<Curve, Error> {
+        let (table_unit, unit) = (table.description().normalisation, material.normalisation());
+        if table_unit != unit {
+            return Err(Error::Normalisation { table: table_unit.symbol(), query: unit.symbol() });
+        }
+        let material = material.with_substrate_poisson_ratio(table.description().nu0)?;
+        let weights = [
+            (Parameter::E1OverE2, material.e1_over_e2()),
+            (Parameter::Nu1, material.nu1()),
+            (Parameter::E0OverE2, material.e0_over_e2()),
+        ];
+        let [e1, nu, e0] = [0, 1, 2].map(|i| table.locate(weights[i].0, weights[i].1).map(|u| self.bases[i].weights(u)));
+        let values = self.contract(table.shape(), &e1?, &nu?, &e0?);
+        let held = Quantity::ALL.map(|quantity| table.values(quantity).is_some());
+        Ok(Curve::new(table.axis(Parameter::AOverT), &values, material, held))
+    }
+
+    /// Sums the rows around one material: the logarithms at each node of `a_over_t`.
+    fn contract(&self, [n_a, _, n_nu, n_e0]: [usize; 4], e1: &Weights, nu: &Weights, e0: &Weights) -> Vec<Logarithms> {
+        let mut sum = vec![Logarithms::default(); n_a];
+        for i in 0..e1.count {
+            for j in 0..nu.count {
+                for k in 0..e0.count {
+                    let weight = e1.values[i] * nu.values[j] * e0.values[k];
+                    let row = ((e1.first + i) * n_nu + nu.first + j) * n_e0 + e0.first + k;
+                    for (sum, value) in sum.iter_mut().zip(&self.rows[row * n_a..][..n_a]) {
+                        *sum = sum.plus(weight, *value);
+                    }
+                }
+            }
+        }
+        sum
+    }
+}
+
+/// `es` at a node of `e1_over_e2` and one of `nu1`.
+fn film_limit(table: &Table, e1: usize, nu: usize) -> f64 {
+    let (e1, nu1) = (table.axis(Parameter::E1OverE2)[e1], table.axis(Parameter::Nu1)[nu]);
+    let e0 = table.axis(Parameter::E0OverE2)[0];
+    let material = Material::new(e1, nu1, e0, table.description().nu0).expect("a table's axes are checked when it is made");
+    material.sphere_film_modulus()
+}
+
+/// What a quantity is divided by before its logarithm is taken.
+fn scale(quantity: Quantity, es: f64) -> f64 {
+    if quantity == Quantity::Delta0 { 1.0 } else { es }
+}
+
+/// The four quantities as functions of `a/t` for one material.
+///
+/// Made once by [`Table::curve`]; each evaluation is then one search in a one-dimensional cubic spline over `ln(a/t)`, which follows
+/// the quintic not-a-knot spline through the table's nodes.
+#[derive(Clone, Debug)]
+pub struct Curve {
+    spline: Spline<f64, Logarithms>,
+    /// The nodes of `a/t`, first and last.
+    range: [f64; 2],
+    material: Material,
+    es: f64,
+    held: [bool; 4],
+}
+
+impl Curve {
+    fn new(nodes: &[f64], values: &[Logarithms], material: Material, held: [bool; 4]) -> Self {
+        let spline = Spline::from_vec(keys(nodes, values));
+        Self { spline, range: [nodes[0], nodes[nodes.len() - 1]], es: material.sphere_film_modulus(), material, held }
+    }
+
+    /// The material, on a substrate with the table's Poisson ratio.
+    pub fn material(&self) -> &Material {
+        &self.material
+    }
+
+    /// The smallest and the largest `a/t`.
+    pub fn range(&self) -> [f64; 2] {
+        self.range
+    }
+
+    /// One quantity at `a_over_t`.
+    ///
+    /// # Errors
+    /// [`Error::OutsideTable`] outside the table's `a/t`, NaN included; [`Error::MissingQuantity`] if the table does not hold it.
+    pub fn quantity(&self, quantity: Quantity, a_over_t: f64) -> Result<f64, Error> {
+        self.require(quantity)?;
+        let logarithms = self.logarithms(a_over_t)?;
+        Ok(scale(quantity, self.es) * logarithms.0[quantity as usize].exp())
+    }
+
+    /// All four quantities at `a_over_t`.
+    ///
+    /// # Errors
+    /// As [`Curve::quantity`].
+    pub fn quantities(&self, a_over_t: f64) -> Result<Quantities, Error> {
+        Quantity::ALL.into_iter().try_for_each(|quantity| self.require(quantity))?;
+        let logarithms = self.logarithms(a_over_t)?;
+        Ok(Quantities::from_array(Quantity::ALL.map(|q| scale(q, self.es) * logarithms.0[q as usize].exp())))
+    }
+
+    /// `Pi0` and `Eeq/Gamma`, all that the force of eq. 9 needs.
+    pub(crate) fn load_factors(&self, a_over_t: f64) -> Result<(f64, f64), Error> {
+        [Quantity::Pi0, Quantity::Eeq, Quantity::Gamma].into_iter().try_for_each(|quantity| self.require(quantity))?;
+        let Logarithms([pi0, eeq, gamma, _]) = self.logarithms(a_over_t)?;
+        Ok((self.es * pi0.exp(), (eeq - gamma).exp()))
+    }
+
+    fn require(&self, quantity: Quantity) -> Result<(), Error> {
+        if self.held[quantity as usize] { Ok(()) } else { Err(Error::MissingQuantity(quantity.name())) }
+    }
+
+    fn logarithms(&self, a_over_t: f64) -> Result<Logarithms, Error> {
+        let u = locate(Parameter::AOverT, &self.range, a_over_t)?;
+        Ok(self.spline.clamped_sample(u).expect("a table has at least one a_over_t, and u is in range and no NaN"))
+    }
+}
+
+/// Keys of the cubic spline between one node and the next. Its error is this to the minus fourth power of what a cubic through the nodes
+/// alone would have, and so below that of the quintic.
+const KEYS_PER_INTERVAL: usize = 5;
+
+/// The quintic not-a-knot spline through the values over `ln(a/t)`, as cubic Bezier pieces with its values and slopes.
+fn keys(nodes: &[f64], values: &[Logarithms]) -> Vec<Key<f64, Logarithms>> {
+    let u: Vec<f64> = nodes.iter().map(|&node| Parameter::AOverT.coordinate(node)).collect();
+    let basis = Basis::new(&u, DEGREE);
+    let mut coefficients: Vec<f64> = values.iter().flat_map(|value| value.0).collect();
+    basis.interpolate(&mut coefficients, 4);
+    let sum = |first: usize, weights: &[f64]| {
+        let coefficients = coefficients[4 * first..].chunks_exact(4);
+        coefficients.zip(weights).fold(Logarithms::default(), |sum, (c, &w)| sum.plus(w, Logarithms([c[0], c[1], c[2], c[3]])))
+    };
+    let mut knots = Vec::with_capacity(u.len() * KEYS_PER_INTERVAL);
+    for pair in u.windows(2) {
+        let step = (pair[1] - pair[0]) / KEYS_PER_INTERVAL as f64;
+        knots.extend((0..KEYS_PER_INTERVAL).map(|k| pair[0] + k as f64 * step));
+    }
+    knots.push(u[u.len() - 1]);
+    let key = |i: usize| {
+        let weights = basis.weights(knots[i]);
+        let used = weights.count;
+        let (value, slope) = (sum(weights.first, &weights.values[..used]), sum(weights.first, &weights.slopes[..used]));
+        // The Bezier handles of a cubic lie a third of the neighbouring intervals away.
+        let before = if i > 0 { knots[i] - knots[i - 1] } else { 0.0 };
+        let after = if i + 1 < knots.len() { knots[i + 1] - knots[i] } else { 0.0 };
+        let handles = Interpolation::StrokeBezier(value.plus(-before / 3.0, slope), value.plus(after / 3.0, slope));
+        Key::new(knots[i], value, handles)
+    };
+    (0..knots.len()).map(key).collect()
+}

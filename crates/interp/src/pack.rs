@@ -1,0 +1,120 @@
+//! The packed table: one self-describing binary file, lossless and quick to load.
+//!
+//! ```text
+//! offset  size  content (little-endian)
+//! 0       8     magic, "COATTBL\n"
+//! 8       4     format version, u32
+//! 12      8     length of the payload, u64
+//! 20      4     CRC-32 of the payload
+//! 24      -     payload: header (bincode, fixed-width integers), then the values as f64, quantity after quantity
+//! ```
+//!
+//! Nothing is allocated on the word of the file: the values' number must match the bytes there are, and the header is limited.
+
+use std::fs;
+use std::path::Path;
+
+use serde::{Deserialize, Serialize};
+
+use crate::schema::{FORMAT_VERSION, Parameter};
+use crate::{Description, Error, Quantity, Table};
+
+const MAGIC: [u8; 8] = *b"COATTBL\n";
+const PREFIX: usize = 24;
+/// Axes, scene and description fit many times over.
+const HEADER_LIMIT: usize = 1 << 20;
+
+#[derive(Serialize, Deserialize)]
+struct Header {
+    description: Description,
+    axes: [Vec<f64>; 4],
+    quantities: Vec<Quantity>,
+}
+
+fn configuration() -> impl bincode::config::Config {
+    bincode::config::standard().with_little_endian().with_fixed_int_encoding().with_limit::<HEADER_LIMIT>()
+}
+
+/// True if the bytes begin like a packed table of any version.
+pub fn is_packed(bytes: &[u8]) -> bool {
+    bytes.starts_with(&MAGIC)
+}
+
+impl Table {
+    /// Reads a packed table from a file.
+    ///
+    /// # Errors
+    /// [`Error::Io`], and those of [`Table::from_packed`].
+    pub fn read(path: impl AsRef<Path>) -> Result<Self, Error> {
+        Self::from_packed(&fs::read(path)?)
+    }
+
+    /// The packed form, which [`Table::from_packed`] turns back into the same table, bit for bit.
+    ///
+    /// # Errors
+    /// [`Error::Malformed`] if title, scene and axes exceed a megabyte.
+    pub fn to_packed(&self) -> Result<Vec<u8>, Error> {
+        let quantities: Vec<Quantity> = Quantity::ALL.into_iter().filter(|&q| self.values(q).is_some()).collect();
+        let axes = Parameter::ALL.map(|parameter| self.axis(parameter).to_vec());
+        let header = Header { description: self.description().clone(), axes, quantities };
+        let mut payload = bincode::serde::encode_to_vec(&header, configuration()).map_err(|e| Error::Malformed(e.to_string()))?;
+        if payload.len() > HEADER_LIMIT {
+            return Err(Error::Malformed(format!("its header has {} bytes, at most {HEADER_LIMIT} are allowed", payload.len())));
+        }
+        for quantity in header.quantities {
+            let values = self.values(quantity).into_iter().flatten();
+            payload.extend(values.flat_map(|value| value.to_le_bytes()));
+        }
+        let mut bytes = Vec::with_capacity(PREFIX + payload.len());
+        bytes.extend(MAGIC);
+        bytes.extend(FORMAT_VERSION.to_le_bytes());
+        bytes.extend((payload.len() as u64).to_le_bytes());
+        bytes.extend(crc32fast::hash(&payload).to_le_bytes());
+        bytes.extend(payload);
+        Ok(bytes)
+    }
+
+    /// Reads a packed table from bytes, `include_bytes!` for instance.
+    ///
+    /// # Errors
+    /// [`Error::Foreign`] without the magic bytes, [`Error::Version`] for another version, [`Error::Length`] for missing or trailing
+    /// bytes, [`Error::Checksum`] for changed ones, [`Error::Malformed`] for a forged content.
+    pub fn from_packed(bytes: &[u8]) -> Result<Self, Error> {
+        if !is_packed(bytes) {
+            return Err(Error::Foreign("it does not begin with the magic bytes of a packed table".into()));
+        }
+        let Some((prefix, payload)) = bytes.split_at_checked(PREFIX) else {
+            return Err(Error::Length { expected: PREFIX as u64, found: bytes.len() as u64 });
+        };
+        let word = |at: usize| u32::from_le_bytes([prefix[at], prefix[at + 1], prefix[at + 2], prefix[at + 3]]);
+        let version = word(8);
+        if version != FORMAT_VERSION {
+            return Err(Error::Version { found: version, supported: FORMAT_VERSION });
+        }
+        let length = u64::from(word(12)) | u64::from(word(16)) << 32;
+        if length != payload.len() as u64 {
+            return Err(Error::Length { expected: length, found: payload.len() as u64 });
+        }
+        let (stored, found) = (word(20), crc32fast::hash(payload));
+        if stored != found {
+            return Err(Error::Checksum { stored, found });
+        }
+
+        let limited = &payload[..payload.len().min(HEADER_LIMIT)];
+        let (header, used): (Header, usize) =
+            bincode::serde::decode_from_slice(limited, configuration()).map_err(|e| Error::Malformed(e.to_string()))?;
+        let values = &payload[used..];
+        let count = header.axes.iter().try_fold(8_usize, |bytes, nodes| bytes.checked_mul(nodes.len()));
+        let expected = count.and_then(|count| count.checked_mul(header.quantities.len()));
+        if expected != Some(values.len()) || !header.quantities.is_sorted_by(|a, b| a < b) {
+            return Err(Error::Malformed(format!("{} bytes of values for {:?}", values.len(), header.quantities)));
+        }
+        let mut quantities = [const { None }; 4];
+        // Without nodes there is nothing to split; `Table::new` then names the empty axis.
+        for (quantity, bytes) in header.quantities.iter().zip(values.chunks_exact(count.unwrap_or(0).max(1))) {
+            let numbers = bytes.as_chunks().0.iter().map(|bytes| f64::from_le_bytes(*bytes));
+            quantities[*quantity as usize] = Some(numbers.collect());
+        }
+        Self::new(header.description, header.axes, quantities)
+    }
+}

@@ -1,0 +1,198 @@
+//! Interpolating splines in one variable, on nodes of any spacing.
+//!
+//! A spline of degree `p` through `n` nodes has the knots of the "not-a-knot" choice: the nodes without the `(p+1)/2 - 1` next to
+//! each end, so that it has exactly `n` coefficients and reproduces polynomials of degree `p`. Its error falls like `h^{p+1}`.
+
+/// The highest degree used.
+pub const DEGREE: usize = 5;
+
+/// The B-splines of one set of nodes, with the factorised collocation matrix.
+#[derive(Clone, Debug)]
+pub struct Basis {
+    degree: usize,
+    knots: Vec<f64>,
+    /// Row `i` holds the entries `i - degree ..= i + degree` of `L` (unit diagonal, below) and `U` of the collocation matrix.
+    factors: Vec<[f64; 2 * DEGREE + 1]>,
+}
+
+/// The B-splines that do not vanish at one point: those from `first` on, with their values and first derivatives.
+#[derive(Clone, Copy, Debug)]
+pub struct Weights {
+    /// Index of the first of them.
+    pub first: usize,
+    /// Their values; the first [`Weights::count`] entries are used.
+    pub values: [f64; DEGREE + 1],
+    /// Their derivatives.
+    pub slopes: [f64; DEGREE + 1],
+    /// How many there are: the degree plus one.
+    pub count: usize,
+}
+
+impl Basis {
+    /// The basis of the given degree, or of `n - 1` where there are fewer nodes. `nodes` must be strictly ascending and not empty.
+    pub fn new(nodes: &[f64], degree: usize) -> Self {
+        let n = nodes.len();
+        let degree = degree.min(n - 1);
+        let dropped = degree.div_ceil(2);
+        let mut knots = vec![nodes[0]; degree + 1];
+        if n > degree + 1 {
+            knots.extend(&nodes[dropped..n - dropped]);
+        }
+        knots.extend(vec![nodes[n - 1]; degree + 1]);
+        let mut basis = Self { degree, knots, factors: Vec::new() };
+        basis.factors = basis.factorise(nodes);
+        basis
+    }
+
+    /// The number of nodes, and of coefficients.
+    fn len(&self) -> usize {
+        self.knots.len() - self.degree - 1
+    }
+
+    /// The non-vanishing B-splines at `u`, which must lie between the first and the last node.
+    pub fn weights(&self, u: f64) -> Weights {
+        let p = self.degree;
+        let inner = &self.knots[p + 1..self.len()];
+        let span = p + inner.partition_point(|&knot| knot <= u);
+        let mut values = [0.0; DEGREE + 1];
+        let mut lower = [0.0; DEGREE + 1];
+        values[0] = 1.0;
+        // Cox-de Boor, one degree after the other.
+        for degree in 1..=p {
+            lower = values;
+            let mut carried = 0.0;
+            for (i, &value) in lower[..degree].iter().enumerate() {
+                let (left, right) = (self.knots[span + 1 + i - degree], self.knots[span + 1 + i]);
+                let share = value / (right - left);
+                values[i] = carried + (right - u) * share;
+                carried = (u - left) * share;
+            }
+            values[degree] = carried;
+        }
+        let mut slopes = [0.0; DEGREE + 1];
+        for (i, &value) in lower[..p].iter().enumerate() {
+            let share = p as f64 * value / (self.knots[span + 1 + i] - self.knots[span + 1 + i - p]);
+            slopes[i] -= share;
+            slopes[i + 1] += share;
+        }
+        Weights { first: span - p, values, slopes, count: p + 1 }
+    }
+
+    /// Banded elimination of the collocation matrix `B_j(nodes_i)`. It is totally positive and needs no pivoting.
+    fn factorise(&self, nodes: &[f64]) -> Vec<[f64; 2 * DEGREE + 1]> {
+        let p = self.degree;
+        let mut rows: Vec<[f64; 2 * DEGREE + 1]> = nodes
+            .iter()
+            .enumerate()
+            .map(|(i, &node)| {
+                let weights = self.weights(node);
+                let mut row = [0.0; 2 * DEGREE + 1];
+                for (k, value) in weights.values[..weights.count].iter().enumerate() {
+                    // A vanishing value may stand outside the band, at the last node for instance.
+                    if let Some(entry) = (weights.first + k + p).checked_sub(i).and_then(|at| row.get_mut(at)) {
+                        *entry = *value;
+                    }
+                }
+                row
+            })
+            .collect();
+        for i in 0..rows.len() {
+            let pivot = rows[i];
+            for below in i + 1..rows.len().min(i + p + 1) {
+                let offset = below - i;
+                let factor = rows[below][p - offset] / pivot[p];
+                rows[below][p - offset] = factor;
+                for k in 1..=p {
+                    rows[below][p - offset + k] -= factor * pivot[p + k];
+                }
+            }
+        }
+        rows
+    }
+
+    /// Turns values at the nodes into coefficients, in place, for many splines at once: `values` holds `len` rows of `width` numbers,
+    /// and every column is one spline.
+    pub fn interpolate(&self, values: &mut [f64], width: usize) {
+        let (n, p) = (self.len(), self.degree);
+        for i in 0..n {
+            for k in 1..=p.min(i) {
+                subtract_row(values, width, i, i - k, self.factors[i][p - k]);
+            }
+        }
+        for i in (0..n).rev() {
+            for k in 1..=p.min(n - 1 - i) {
+                subtract_row(values, width, i, i + k, self.factors[i][p + k]);
+            }
+            let pivot = self.factors[i][p];
+            values[i * width..][..width].iter_mut().for_each(|value| *value /= pivot);
+        }
+    }
+}
+
+/// `values[target] -= factor values[source]`, for rows of `width` numbers.
+fn subtract_row(values: &mut [f64], width: usize, target: usize, source: usize, factor: f64) {
+    if factor == 0.0 {
+        return;
+    }
+    let (low, high) = values.split_at_mut(target.max(source) * width);
+    let (low, high) = (&mut low[target.min(source) * width..][..width], &mut high[..width]);
+    let (target, source) = if target > source { (high, low) } else { (low, high) };
+    for (target, source) in target.iter_mut().zip(source) {
+        *target -= factor * *source;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn nodes(n: usize) -> Vec<f64> {
+        (0..n).map(|i| (i as f64 + 0.3 * (i as f64).sin()) / n as f64).collect()
+    }
+
+    fn evaluate(weights: &Weights, factors: &[f64; DEGREE + 1], coefficients: &[f64]) -> f64 {
+        (0..weights.count).map(|k| factors[k] * coefficients[weights.first + k]).sum()
+    }
+
+    #[test]
+    fn reproduces_polynomials_of_its_degree_with_their_slopes() {
+        for degree in [1, 3, 5] {
+            for n in 1..20 {
+                let order = degree.min(n - 1) as i32;
+                let nodes = nodes(n);
+                let basis = Basis::new(&nodes, degree);
+                let mut coefficients: Vec<f64> = nodes.iter().map(|x| (x - 0.4).powi(order)).collect();
+                basis.interpolate(&mut coefficients, 1);
+                for i in 0..=50 {
+                    let u = nodes[0] + (nodes[n - 1] - nodes[0]) * f64::from(i) / 50.0;
+                    let weights = basis.weights(u);
+                    let value = evaluate(&weights, &weights.values, &coefficients);
+                    let slope = evaluate(&weights, &weights.slopes, &coefficients);
+                    assert!((value - (u - 0.4).powi(order)).abs() < 1e-13, "degree {degree}, {n} nodes, u = {u}: {value}");
+                    let expected = if order == 0 { 0.0 } else { f64::from(order) * (u - 0.4).powi(order - 1) };
+                    assert!((slope - expected).abs() < 1e-11, "degree {degree}, {n} nodes, u = {u}: slope {slope}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn goes_through_the_values_at_its_nodes_and_converges_with_its_order() {
+        for (degree, order) in [(3, 4), (5, 6)] {
+            let error = |n: usize| {
+                let nodes: Vec<f64> = (0..n).map(|i| i as f64 / (n - 1) as f64).collect();
+                let basis = Basis::new(&nodes, degree);
+                let mut coefficients: Vec<f64> = nodes.iter().map(|x| (3.0 * x).sin()).collect();
+                basis.interpolate(&mut coefficients, 1);
+                let error = |u: f64| {
+                    let weights = basis.weights(u);
+                    (evaluate(&weights, &weights.values, &coefficients) - (3.0 * u).sin()).abs()
+                };
+                assert!(nodes.iter().all(|&u| error(u) < 1e-15 * 8.0));
+                (0..=997).map(|i| error(f64::from(i) / 997.0)).fold(0.0, f64::max)
+            };
+            let measured = (error(30) / error(59)).log2();
+            assert!((measured - f64::from(order)).abs() < 0.5, "degree {degree}: order {measured}");
+        }
+    }
+}

@@ -1,0 +1,161 @@
+//! The table: axes, values, where they come from, and how accurate they are between the nodes.
+
+use std::sync::OnceLock;
+
+use serde::{Deserialize, Serialize};
+
+use crate::lookup::Coefficients;
+use crate::material::{Normalisation, poisson_ratio};
+use crate::schema::Parameter;
+use crate::{Curve, Error, Material, Quantity};
+
+/// The measured accuracy of a table: relative errors of the interpolated quantities against direct solves off the nodes.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Certificate {
+    /// The largest relative error of any quantity at any point.
+    pub max_error: f64,
+    /// The median over the points of the largest relative error at a point.
+    pub median_error: f64,
+    /// How many points were solved.
+    pub points: u64,
+    /// The seed of the random points.
+    pub seed: u64,
+}
+
+/// What a table says of itself.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Description {
+    /// The scene's title.
+    pub title: String,
+    /// The scene, as TOML.
+    pub scene: String,
+    /// The substrate's Poisson ratio, the same in the whole table.
+    pub nu0: f64,
+    /// The modulus in whose units the values are.
+    pub normalisation: Normalisation,
+    /// The relative tolerance that the scene asks for.
+    pub tolerance: f64,
+    /// Program and version.
+    pub created_by: String,
+    /// The measured accuracy.
+    pub certificate: Certificate,
+}
+
+/// Values of the quantities on a grid of (`a_over_t`, `e1_over_e2`, `nu1`, `e0_over_e2`).
+#[derive(Debug)]
+pub struct Table {
+    description: Description,
+    axes: [Vec<f64>; 4],
+    values: [Option<Vec<f64>>; 4],
+    /// Made at the first interpolation: a table may also be read only to be written elsewhere.
+    coefficients: OnceLock<Coefficients>,
+}
+
+impl Table {
+    /// A table from its parts. `values[quantity]` is row-major over the four axes, `a_over_t` slowest; `None` where the scene did
+    /// not ask for the quantity.
+    ///
+    /// # Errors
+    /// [`Error::Malformed`] if an axis is empty or not strictly ascending, holds a value outside physics, or has another number of
+    /// nodes than the values; or if no quantity is given, or a value is not positive and finite. An axis with more than one
+    /// node must be finite, and positive unless it is `nu1`.
+    pub fn new(description: Description, axes: [Vec<f64>; 4], values: [Option<Vec<f64>>; 4]) -> Result<Self, Error> {
+        let malformed = |what: String| Err(Error::Malformed(what));
+        for (parameter, nodes) in Parameter::ALL.into_iter().zip(&axes) {
+            let name = parameter.name();
+            if nodes.is_empty() {
+                return malformed(format!("axis {name} is empty"));
+            }
+            if let Some(pair) = nodes.windows(2).find(|pair| !(pair[0] < pair[1])) {
+                return malformed(format!("axis {name} is not ascending: {} is followed by {}", pair[0], pair[1]));
+            }
+            let physical = |&node: &f64| match parameter {
+                Parameter::Nu1 => poisson_ratio(name, node).is_ok(),
+                Parameter::AOverT => node > 0.0 && node.is_finite(),
+                // A rigid sphere or substrate is a fixed parameter, never a node among others.
+                Parameter::E1OverE2 => node.is_finite() && (node > 0.0 || (node == 0.0 && nodes.len() == 1)),
+                Parameter::E0OverE2 => node > 0.0 && (node.is_finite() || nodes.len() == 1),
+            };
+            if let Some(node) = nodes.iter().find(|node| !physical(node)) {
+                return malformed(format!("axis {name} holds {node}"));
+            }
+        }
+        let rigid_sphere = axes[1][0] == 0.0;
+        if rigid_sphere != (description.normalisation == Normalisation::Film) {
+            let symbol = description.normalisation.symbol();
+            return malformed(format!("normalised by {symbol} with e1_over_e2 from {}", axes[1][0]));
+        }
+        if let Err(error) = poisson_ratio("nu0", description.nu0) {
+            return malformed(error.to_string());
+        }
+        let count = axes.iter().try_fold(1_usize, |product, nodes| product.checked_mul(nodes.len()));
+        for (quantity, values) in Quantity::ALL.into_iter().zip(&values) {
+            let Some(values) = values else { continue };
+            if Some(values.len()) != count {
+                return malformed(format!("{} has {} values on {count:?} nodes", quantity.name(), values.len()));
+            }
+            if let Some(value) = values.iter().find(|&&value| !(value > 0.0 && value < f64::INFINITY)) {
+                return malformed(format!("{} holds {value}", quantity.name()));
+            }
+        }
+        if values.iter().all(Option::is_none) {
+            return malformed("it holds no quantity".into());
+        }
+        Ok(Self { description, axes, values, coefficients: OnceLock::new() })
+    }
+
+    /// What the table says of itself.
+    pub fn description(&self) -> &Description {
+        &self.description
+    }
+
+    /// The nodes of a parameter, ascending; a single one where the scene fixes it.
+    pub fn axis(&self, parameter: Parameter) -> &[f64] {
+        &self.axes[parameter as usize]
+    }
+
+    /// The number of nodes on each axis, in the order of [`Parameter::ALL`].
+    pub fn shape(&self) -> [usize; 4] {
+        self.axes.each_ref().map(Vec::len)
+    }
+
+    /// The values of a quantity at the nodes, row-major with `a_over_t` slowest, if the table holds it.
+    pub fn values(&self, quantity: Quantity) -> Option<&[f64]> {
+        self.values[quantity as usize].as_deref()
+    }
+
+    /// The quantities as functions of `a/t` for one material, from tensor splines of degree 5 along the material axes.
+    ///
+    /// A material on a substrate with another Poisson ratio than the table's `nu0` is replaced by its exact
+    /// [equivalent](Material::with_substrate_poisson_ratio). A parameter may miss the box, or a fixed value, by `1e-12`
+    /// relative, which is rounding.
+    ///
+    /// # Errors
+    /// [`Error::Normalisation`] for a rigid sphere in a table for compliant ones or the reverse; [`Error::OutsideTable`] for a
+    /// material outside the box.
+    pub fn curve(&self, material: &Material) -> Result<Curve, Error> {
+        self.coefficients.get_or_init(|| Coefficients::new(self)).curve(self, material)
+    }
+
+    /// The coordinate at which an axis is to be interpolated for `value`.
+    pub(crate) fn locate(&self, parameter: Parameter, value: f64) -> Result<f64, Error> {
+        locate(parameter, self.axis(parameter), value)
+    }
+}
+
+/// The coordinate of `value` on an axis with the given nodes, or why it is not on it.
+pub(crate) fn locate(parameter: Parameter, nodes: &[f64], value: f64) -> Result<f64, Error> {
+    /// What the rounding of a ratio of SI values may add up to.
+    const ROUNDING: f64 = 1e-12;
+    let (from, to) = (nodes[0], nodes[nodes.len() - 1]);
+    let near = |end: f64| (value - end).abs() <= ROUNDING * end.abs();
+    if value >= from && value <= to {
+        Ok(parameter.coordinate(value))
+    } else if near(from) {
+        Ok(parameter.coordinate(from))
+    } else if near(to) {
+        Ok(parameter.coordinate(to))
+    } else {
+        Err(Error::OutsideTable { axis: parameter.name(), value, from, to })
+    }
+}
