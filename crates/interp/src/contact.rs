@@ -85,15 +85,6 @@ pub struct JkrPoint {
     pub ordinate: f64,
 }
 
-/// Load and penetration of one adhesive contact.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct State {
-    /// Load `F`, N, positive in compression.
-    pub load: f64,
-    /// Penetration `delta`, m, positive when the sphere moves in.
-    pub penetration: f64,
-}
-
 /// The arithmetic of eqs. 2 to 9 for one system, from the four quantities at the contact's `a/t`, wherever they come from.
 #[derive(Clone, Copy, Debug)]
 pub struct Mechanics {
@@ -136,10 +127,10 @@ impl Mechanics {
         a * a * a * self.modulus * pi0 / (2.0 * self.radius) - 4.0 * a * edge * eeq_over_gamma
     }
 
-    /// Load and penetration, the latter `delta = a^2 Delta0 / R - 2 g / (E* Gamma)`.
-    pub fn state(&self, a: f64, edge: f64, q: &Quantities) -> State {
+    /// Load (N) and penetration (m, positive when the sphere moves in), the latter `delta = a^2 Delta0 / R - 2 g / (E* Gamma)`.
+    pub fn load_and_penetration(&self, a: f64, edge: f64, q: &Quantities) -> (f64, f64) {
         let load = self.load(a, edge, q.pi0, q.eeq / q.gamma);
-        State { load, penetration: a * a * q.delta0 / self.radius - 2.0 * edge / (self.modulus * q.gamma) }
+        (load, a * a * q.delta0 / self.radius - 2.0 * edge / (self.modulus * q.gamma))
     }
 
     /// The point of the reduced JKR plot for a load `F` (N) at contact radius `a` (m).
@@ -192,13 +183,13 @@ impl Contact {
         Ok(self.mechanics.load(a, edge, pi0, eeq_over_gamma))
     }
 
-    /// Load and penetration at contact radius `a` (m) and work of adhesion `w` (J/m^2).
+    /// Load (N) and penetration (m, positive when the sphere moves in) at contact radius `a` (m) and work of adhesion `w` (J/m^2).
     ///
     /// # Errors
     /// As [`Contact::load`], and [`Error::MissingQuantity`] without `delta0`.
-    pub fn state(&self, a: f64, w: f64) -> Result<State, Error> {
+    pub fn load_and_penetration(&self, a: f64, w: f64) -> Result<(f64, f64), Error> {
         let edge = self.mechanics.edge_singularity(a, w)?;
-        Ok(self.mechanics.state(a, edge, &self.curve.quantities(a / self.film_thickness)?))
+        Ok(self.mechanics.load_and_penetration(a, edge, &self.curve.quantities(a / self.film_thickness)?))
     }
 
     /// Contact stiffness `S = 2 a E* Eeq` (N/m) at contact radius `a` (m), eq. 5.

@@ -27,7 +27,7 @@ pub mod schema;
 mod spline;
 mod table;
 
-pub use contact::{Contact, Elastic, JkrPoint, Mechanics, State, System};
+pub use contact::{Contact, Elastic, JkrPoint, Mechanics, System};
 pub use error::Error;
 pub use lookup::Curve;
 pub use material::{Material, Normalisation};

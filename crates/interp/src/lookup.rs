@@ -143,6 +143,8 @@ fn scale(quantity: Quantity, es: f64) -> f64 {
 #[derive(Clone, Debug)]
 pub struct Curve {
     spline: Spline<f64, Logarithms>,
+    /// The spacing of the spline's keys if it is uniform, so that the right one is found without a search.
+    step: Option<f64>,
     /// The nodes of `a/t`, first and last.
     range: [f64; 2],
     material: Material,
@@ -153,7 +155,8 @@ pub struct Curve {
 impl Curve {
     fn new(nodes: &[f64], values: &[Logarithms], material: Material, held: [bool; 4]) -> Self {
         let spline = Spline::from_vec(keys(nodes, values));
-        Self { spline, range: [nodes[0], nodes[nodes.len() - 1]], es: material.sphere_film_modulus(), material, held }
+        let step = uniform_step(spline.keys());
+        Self { spline, step, range: [nodes[0], nodes[nodes.len() - 1]], es: material.sphere_film_modulus(), material, held }
     }
 
     /// The material, on a substrate with the table's Poisson ratio.
@@ -172,8 +175,12 @@ impl Curve {
     /// [`Error::OutsideTable`] outside the table's `a/t`, NaN included; [`Error::MissingQuantity`] if the table does not hold it.
     pub fn quantity(&self, quantity: Quantity, a_over_t: f64) -> Result<f64, Error> {
         self.require(quantity)?;
-        let logarithms = self.logarithms(a_over_t)?;
-        Ok(scale(quantity, self.es) * logarithms.0[quantity as usize].exp())
+        let i = quantity as usize;
+        let logarithm = match self.piece(a_over_t)? {
+            Piece::Cubic { t, ends: [a, b], handles: [u, v] } => f64::cubic_bezier(t, a.0[i], u.0[i], v.0[i], b.0[i]),
+            Piece::Value(value) => value.0[i],
+        };
+        Ok(scale(quantity, self.es) * logarithm.exp())
     }
 
     /// All four quantities at `a_over_t`.
@@ -198,9 +205,47 @@ impl Curve {
     }
 
     fn logarithms(&self, a_over_t: f64) -> Result<Logarithms, Error> {
-        let u = locate(Parameter::AOverT, &self.range, a_over_t)?;
-        Ok(self.spline.clamped_sample(u).expect("a table has at least one a_over_t, and u is in range and no NaN"))
+        Ok(match self.piece(a_over_t)? {
+            Piece::Cubic { t, ends: [a, b], handles: [u, v] } => Logarithms::cubic_bezier(t, *a, *u, *v, *b),
+            Piece::Value(value) => value,
+        })
     }
+
+    /// Finds the piece of the spline at `a_over_t`: by index on uniform keys, which takes a third of the time of the search.
+    fn piece(&self, a_over_t: f64) -> Result<Piece<'_>, Error> {
+        let u = locate(Parameter::AOverT, &self.range, a_over_t)?;
+        let keys = self.spline.keys();
+        if let Some(step) = self.step {
+            let i = ((u - keys[0].t) / step) as usize;
+            let i = i.min(keys.len() - 2);
+            let [a, b] = [&keys[i], &keys[i + 1]];
+            if let (Interpolation::StrokeBezier(_, after), Interpolation::StrokeBezier(before, _)) =
+                (&a.interpolation, &b.interpolation)
+            {
+                let t = (u - a.t) / step;
+                return Ok(Piece::Cubic { t, ends: [&a.value, &b.value], handles: [after, before] });
+            }
+        }
+        let value = self.spline.clamped_sample(u);
+        Ok(Piece::Value(value.expect("a table has at least one a_over_t, and u is in range and no NaN")))
+    }
+}
+
+/// What a curve is at one `a/t`.
+enum Piece<'a> {
+    /// A cubic at `t` of the way between two keys.
+    Cubic { t: f64, ends: [&'a Logarithms; 2], handles: [&'a Logarithms; 2] },
+    /// The value found by the spline's own search.
+    Value(Logarithms),
+}
+
+/// The common distance of the keys, if there are several and they have one.
+fn uniform_step(keys: &[Key<f64, Logarithms>]) -> Option<f64> {
+    let (first, last) = (keys.first()?.t, keys.last()?.t);
+    let step = (last - first) / (keys.len() - 1) as f64;
+    let expected = |i: usize| first + i as f64 * step;
+    let even = keys.iter().enumerate().all(|(i, key)| (key.t - expected(i)).abs() <= 1e-9 * step);
+    (keys.len() > 1 && even).then_some(step)
 }
 
 /// Keys of the cubic spline between one node and the next. Its error is this to the minus fourth power of what a cubic through the nodes

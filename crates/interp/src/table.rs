@@ -109,6 +109,11 @@ impl Table {
         &self.description
     }
 
+    /// Replaces the certificate, which is measured when the table is there.
+    pub fn set_certificate(&mut self, certificate: Certificate) {
+        self.description.certificate = certificate;
+    }
+
     /// The nodes of a parameter, ascending; a single one where the scene fixes it.
     pub fn axis(&self, parameter: Parameter) -> &[f64] {
         &self.axes[parameter as usize]

@@ -101,11 +101,6 @@ impl Compliance {
         }
     }
 
-    /// An upper bound of `|X - 1|` for every `q' >= q >= 4`, where the denominator is above a half.
-    pub fn tail(&self, q: f64) -> f64 {
-        2.0 * ((self.a + self.b).abs() + 4.0 * self.b.abs() * q * (1.0 + q) + 2.0) * (-2.0 * q).exp()
-    }
-
     /// `N`, `D`, `N'`, `D'`.
     fn fraction(&self, q: f64) -> [f64; 4] {
         let [c0, c1, c2, c3, c4] = self.c;

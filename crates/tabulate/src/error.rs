@@ -1,5 +1,8 @@
 //! What can go wrong in making a table, with the numbers that say why.
 
+use std::io;
+use std::path::PathBuf;
+
 /// Any failure of the solve, of a scene, or of a file.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
@@ -23,6 +26,30 @@ pub enum Error {
         tolerance: f64,
         /// The estimated relative error that was reached.
         reached: f64,
+    },
+    /// A scene that says something impossible.
+    #[error("{}: {what}", path.display())]
+    Scene {
+        /// The scene file.
+        path: PathBuf,
+        /// What is wrong: key, value and range.
+        what: String,
+    },
+    /// A file that cannot be read.
+    #[error("cannot read {}: {source}", path.display())]
+    Read {
+        /// The file.
+        path: PathBuf,
+        /// The reason.
+        source: io::Error,
+    },
+    /// A file that cannot be written.
+    #[error("cannot write {}: {source}", path.display())]
+    Write {
+        /// The file.
+        path: PathBuf,
+        /// The reason.
+        source: io::Error,
     },
     /// A failure of the table or of its parameters.
     #[error(transparent)]

@@ -121,6 +121,13 @@ pub struct Solved {
     pub rounding: f64,
 }
 
+impl Solved {
+    /// Estimated relative error from all sources.
+    pub fn error(&self) -> f64 {
+        self.truncation + self.quadrature + self.rounding
+    }
+}
+
 impl Operator {
     /// Sums `M` and `C` over the abscissae. `blocks` are those of `abscissae`, made on the fly or kept for many materials.
     pub fn assemble<B: Borrow<Block>>(compliance: &Compliance, abscissae: &Abscissae, blocks: impl IntoIterator<Item = B>) -> Self {

@@ -3,16 +3,25 @@
 //! Data flows one way:
 //!
 //! ```text
-//! scene -> sweep( solve <- galerkin <- bessel, quadrature, compliance <- material ) -> table -> archive (.h5) / pack (.bin)
+//! scene -> sweep( solve <- galerkin <- bessel, quadrature, compliance <- material ) -> certify -> archive (.h5), pack (.bin)
 //! ```
+//!
+//! Data flows one way along this line, and each word is a module here or, from the table on, in the crate `interp`.
 
-#![forbid(unsafe_code)]
+#![deny(unsafe_code)]
 
+pub mod archive;
 pub mod bessel;
+pub mod certify;
+pub mod cli;
 pub mod compliance;
+mod dimension_scale;
 mod error;
 pub mod galerkin;
+pub mod output;
 pub mod quadrature;
+pub mod scene;
 pub mod solve;
+pub mod sweep;
 
 pub use error::Error;

@@ -46,7 +46,7 @@ pub fn solve(a_over_t: f64, material: &Material, tolerance: f64) -> Result<Solut
         let abscissae = Abscissae::new(a_over_t, modes, panels.clone());
         let operator = Operator::assemble(&compliance, &abscissae, abscissae.blocks());
         let solved = operator.solve(material).ok_or(Error::NotConverged { tolerance, reached: 1.0 })?;
-        let error = solved.truncation + solved.quadrature + solved.rounding;
+        let error = solved.error();
         if error <= tolerance {
             return Ok(Solution { quantities: solved.quantities, error, modes });
         }

@@ -1,0 +1,29 @@
+//! Time of making a curve and of evaluating it. Ratios within one run are what counts.
+
+use std::hint::black_box;
+
+use criterion::{Criterion, criterion_group, criterion_main};
+use interp::{Elastic, Material, Quantity, System, Table};
+
+fn lookup(criterion: &mut Criterion) {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tables/paper.bin");
+    let table = Table::read(path).expect("the paper's table is in the repository");
+    let material = Material::new(1.75, 0.5, 1e5, 0.25).expect("physical");
+    let curve = table.curve(&material).expect("in the table");
+    let substrate = Elastic::new(2e11, 0.25).expect("physical");
+    let film = Elastic::new(3.5e6, 0.5).expect("physical");
+    let system = System { sphere_radius: 1e-3, sphere_modulus: 2e6, film, film_thickness: 1e-6, substrate };
+    let contact = table.contact(&system).expect("in the table");
+    // Points in no order, so that neither cache nor branch predictor can know the next.
+    let points: Vec<f64> = (0..1000).map(|i| 10_f64.powf(-3.0 + 6.0 * (f64::from(i) * 0.618_034 % 1.0))).collect();
+    let mut next = points.iter().cycle();
+    let mut point = || *next.next().expect("endless");
+
+    criterion.bench_function("curve of a new material, paper table", |b| b.iter(|| table.curve(black_box(&material))));
+    criterion.bench_function("one quantity on a curve", |b| b.iter(|| curve.quantity(Quantity::Eeq, black_box(point()))));
+    criterion.bench_function("four quantities on a curve", |b| b.iter(|| curve.quantities(black_box(point()))));
+    criterion.bench_function("load, eq. 9", |b| b.iter(|| contact.load(black_box(1e-7 * point() + 1e-6), black_box(0.04))));
+}
+
+criterion_group!(benches, lookup);
+criterion_main!(benches);

@@ -1,0 +1,56 @@
+//! The measured accuracy of a table: direct solves off the nodes.
+
+use interp::schema::Parameter;
+use interp::{Certificate, Material, Quantity, Table};
+use rand::{RngExt, SeedableRng};
+use rand_pcg::Pcg64Mcg;
+use rayon::prelude::*;
+
+use crate::Error;
+use crate::solve::solve;
+use crate::sweep::solve_tolerance;
+
+/// Compares the table with direct solves at `points` random points, evenly distributed in the axes' coordinates.
+///
+/// The error at a point is the largest relative error of the quantities that the table holds.
+///
+/// # Errors
+/// Those of the solve.
+pub fn certify(table: &Table, points: usize, seed: u64, progress: &(dyn Fn(usize) + Sync)) -> Result<Certificate, Error> {
+    let mut random = Pcg64Mcg::seed_from_u64(seed);
+    let places: Vec<[f64; 4]> = (0..points).map(|_| Parameter::ALL.map(|parameter| place(table, parameter, &mut random))).collect();
+    let mut errors: Vec<f64> = places
+        .par_iter()
+        .map(|&point| {
+            let error = error_at(table, point)?;
+            progress(1);
+            Ok(error)
+        })
+        .collect::<Result<_, Error>>()?;
+    errors.sort_by(f64::total_cmp);
+    Ok(Certificate { max_error: errors[points - 1], median_error: errors[points / 2], points: points as u64, seed })
+}
+
+/// A random value on an axis, or its fixed value.
+fn place(table: &Table, parameter: Parameter, random: &mut Pcg64Mcg) -> f64 {
+    let nodes = table.axis(parameter);
+    let (first, last) = (nodes[0], nodes[nodes.len() - 1]);
+    if nodes.len() == 1 {
+        return first;
+    }
+    let (from, to) = (parameter.coordinate(first), parameter.coordinate(last));
+    parameter.value(from + (to - from) * random.random::<f64>()).clamp(first, last)
+}
+
+/// The largest relative error of the interpolated quantities at one point.
+fn error_at(table: &Table, [a_over_t, e1, nu1, e0]: [f64; 4]) -> Result<f64, Error> {
+    let material = Material::new(e1, nu1, e0, table.description().nu0)?;
+    let solved = solve(a_over_t, &material, solve_tolerance(table.description().tolerance))?.quantities;
+    let curve = table.curve(&material)?;
+    let mut worst: f64 = 0.0;
+    for quantity in Quantity::ALL.into_iter().filter(|&quantity| table.values(quantity).is_some()) {
+        let (interpolated, truth) = (curve.quantity(quantity, a_over_t)?, solved.get(quantity));
+        worst = worst.max((interpolated / truth - 1.0).abs());
+    }
+    Ok(worst)
+}

@@ -1,0 +1,95 @@
+//! `tabulate curve`
+
+use std::path::PathBuf;
+
+use anyhow::{Context, ensure};
+use interp::{Elastic, Mechanics, System};
+
+use super::points::number;
+use super::{read_table, write_text};
+use crate::solve::solve;
+
+/// Print the force curve of one system as CSV, in SI units
+///
+/// The columns are contact_radius (m), load (N), penetration (m), and the coordinates of the reduced JKR plot, jkr_abscissa =
+/// a^(3/2) / (sqrt(pi) R) and jkr_ordinate = F / (sqrt(6 pi) a^(3/2)). The defaults are those of the paper (Tables 1 and 2).
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// The table, HDF5 or packed; without one, every point is solved directly
+    table: Option<PathBuf>,
+    /// Thickness of the film, m
+    #[arg(long, default_value_t = 1e-6, allow_negative_numbers = true)]
+    film_thickness: f64,
+    /// Young's modulus of the film, Pa
+    #[arg(long, default_value_t = 3.5e6, allow_negative_numbers = true)]
+    film_modulus: f64,
+    /// Poisson ratio of the film
+    #[arg(long, default_value_t = 0.5, allow_negative_numbers = true)]
+    film_poisson_ratio: f64,
+    /// Young's modulus of the substrate, Pa; inf: rigid
+    #[arg(long, default_value_t = 2e11, allow_negative_numbers = true)]
+    substrate_modulus: f64,
+    /// Poisson ratio of the substrate
+    #[arg(long, default_value_t = 0.25, allow_negative_numbers = true)]
+    substrate_poisson_ratio: f64,
+    /// Radius of the sphere, m
+    #[arg(long, default_value_t = 1e-3, allow_negative_numbers = true)]
+    sphere_radius: f64,
+    /// Reduced modulus E2* = E2/(1 - nu2^2) of the sphere, Pa; inf: rigid
+    #[arg(long, default_value_t = 2e6, allow_negative_numbers = true)]
+    sphere_modulus: f64,
+    /// Work of adhesion, J/m^2
+    #[arg(long, default_value_t = 0.04, allow_negative_numbers = true)]
+    work_of_adhesion: f64,
+    /// Smallest contact radius, m
+    #[arg(long, default_value_t = 1e-6, allow_negative_numbers = true)]
+    from: f64,
+    /// Largest contact radius, m
+    #[arg(long, default_value_t = 1.5e-4, allow_negative_numbers = true)]
+    to: f64,
+    /// Number of contact radii, equally spaced
+    #[arg(long, default_value_t = 150)]
+    points: usize,
+    /// Relative tolerance of direct solves
+    #[arg(long, default_value_t = 1e-10, conflicts_with = "table", allow_negative_numbers = true)]
+    tolerance: f64,
+    /// Write the CSV here instead of to standard output
+    #[arg(short, long, value_name = "OUT.csv")]
+    output: Option<PathBuf>,
+}
+
+pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
+    let Arguments { from, to, points, work_of_adhesion, .. } = *arguments;
+    ensure!(
+        from > 0.0 && to > from && to < f64::INFINITY,
+        "the contact radii must run from > 0 to more than that: from {from} to {to}"
+    );
+    ensure!(points >= 2, "--points is {points}, at least 2 are needed");
+    let system = System {
+        sphere_radius: arguments.sphere_radius,
+        sphere_modulus: arguments.sphere_modulus,
+        film: Elastic::new(arguments.film_modulus, arguments.film_poisson_ratio).context("film")?,
+        film_thickness: arguments.film_thickness,
+        substrate: Elastic::new(arguments.substrate_modulus, arguments.substrate_poisson_ratio).context("substrate")?,
+    };
+    let mechanics = Mechanics::new(&system)?;
+    let material = system.material()?;
+    let contact = arguments.table.as_ref().map(|path| anyhow::Ok(read_table(path)?.contact(&system)?)).transpose()?;
+
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    writer.write_record(["contact_radius", "load", "penetration", "jkr_abscissa", "jkr_ordinate"])?;
+    for i in 0..points {
+        let a = from + (to - from) * (i as f64 / (points - 1) as f64);
+        let (load, penetration) = match &contact {
+            Some(contact) => contact.load_and_penetration(a, work_of_adhesion)?,
+            None => {
+                let edge = mechanics.edge_singularity(a, work_of_adhesion)?;
+                let solution = solve(a / system.film_thickness, &material, arguments.tolerance)?;
+                mechanics.load_and_penetration(a, edge, &solution.quantities)
+            }
+        };
+        let jkr = mechanics.jkr_point(a, load);
+        writer.write_record([a, load, penetration, jkr.abscissa, jkr.ordinate].map(number))?;
+    }
+    write_text(arguments.output.as_deref(), &writer.into_inner()?)
+}

@@ -1,0 +1,51 @@
+//! `tabulate info`
+
+use std::fmt::Write;
+use std::path::PathBuf;
+
+use interp::schema::Parameter;
+use interp::{Quantity, Table};
+
+use super::{read_table, write_text};
+
+/// Print what a table covers and how accurate it is
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// The table, HDF5 or packed
+    table: PathBuf,
+}
+
+pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
+    let bytes = std::fs::metadata(&arguments.table).map(|data| data.len());
+    let table = read_table(&arguments.table)?;
+    let text = format!("{}{:15} {} bytes\n", describe(&table)?, "size", bytes?);
+    write_text(None, text.as_bytes())
+}
+
+/// Everything but the values, a line each.
+pub fn describe(table: &Table) -> Result<String, std::fmt::Error> {
+    let mut text = String::new();
+    let description = table.description();
+    writeln!(text, "{:15} {}", "title", description.title)?;
+    for parameter in Parameter::ALL {
+        let nodes = table.axis(parameter);
+        let (first, last) = (nodes[0], nodes[nodes.len() - 1]);
+        match nodes.len() {
+            1 => writeln!(text, "{:15} {first}", parameter.name())?,
+            n => writeln!(text, "{:15} {first} to {last}, {n} nodes ({})", parameter.name(), parameter.scale())?,
+        }
+    }
+    writeln!(text, "{:15} {}", "nu0", description.nu0)?;
+    let held = Quantity::ALL.into_iter().filter(|&quantity| table.values(quantity).is_some());
+    let held: Vec<&str> = held.map(Quantity::name).collect();
+    writeln!(text, "{:15} {} (normalised by {})", "quantities", held.join(", "), description.normalisation.symbol())?;
+    writeln!(text, "{:15} {:e}", "tolerance", description.tolerance)?;
+    let certificate = &description.certificate;
+    writeln!(
+        text,
+        "{:15} max {:.1e}, median {:.1e} (relative, {} direct solves, seed {})",
+        "certified error", certificate.max_error, certificate.median_error, certificate.points, certificate.seed
+    )?;
+    writeln!(text, "{:15} {}", "created by", description.created_by)?;
+    Ok(text)
+}

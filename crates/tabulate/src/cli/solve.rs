@@ -1,0 +1,84 @@
+//! `tabulate solve`
+
+use std::path::PathBuf;
+
+use anyhow::Context;
+use interp::Material;
+use rayon::prelude::*;
+
+use super::points::{self, Point, number};
+use super::{progress_bar, write_text};
+use crate::solve::solve;
+
+/// Solve the contact directly, at one point or at every point of a CSV file
+///
+/// Prints pi0, eeq, gamma, delta0 and the estimated relative error. See `tabulate --help` for the meaning of the parameters.
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// Contact radius over film thickness
+    #[arg(long, required_unless_present = "points", allow_negative_numbers = true)]
+    a_over_t: Option<f64>,
+    /// Young's modulus of the film over the sphere's reduced modulus E2*; 0: rigid sphere
+    #[arg(long, required_unless_present = "points", allow_negative_numbers = true)]
+    e1_over_e2: Option<f64>,
+    /// Poisson ratio of the film
+    #[arg(long, required_unless_present = "points", allow_negative_numbers = true)]
+    nu1: Option<f64>,
+    /// Young's modulus of the substrate over the sphere's reduced modulus E2*; inf: rigid substrate; under a rigid sphere E0/E1
+    #[arg(long, required_unless_present = "points", allow_negative_numbers = true)]
+    e0_over_e2: Option<f64>,
+    /// Poisson ratio of the substrate
+    #[arg(long, default_value_t = 0.25, allow_negative_numbers = true)]
+    nu0: f64,
+    /// CSV with the columns a_over_t, e1_over_e2, nu1, e0_over_e2 and perhaps nu0, in any order
+    #[arg(long, value_name = "IN.csv", conflicts_with_all = ["a_over_t", "e1_over_e2", "nu1", "e0_over_e2", "json"])]
+    points: Option<PathBuf>,
+    /// Write the CSV here instead of to standard output
+    #[arg(short, long, value_name = "OUT.csv", requires = "points")]
+    output: Option<PathBuf>,
+    /// Relative tolerance on every quantity
+    #[arg(long, default_value_t = 1e-10, allow_negative_numbers = true)]
+    tolerance: f64,
+    /// Print one JSON object
+    #[arg(long)]
+    json: bool,
+}
+
+pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
+    if let Some(path) = &arguments.points {
+        return solve_file(arguments, points::read(path, arguments.nu0)?);
+    }
+    let given = |value: Option<f64>| value.expect("clap requires the parameters without --points");
+    let (a_over_t, e1, nu1, e0) =
+        (given(arguments.a_over_t), given(arguments.e1_over_e2), given(arguments.nu1), given(arguments.e0_over_e2));
+    let material = Material::new(e1, nu1, e0, arguments.nu0)?;
+    let solution = solve(a_over_t, &material, arguments.tolerance)?;
+    let q = solution.quantities;
+    let unit = material.normalisation().symbol();
+    let text = if arguments.json {
+        let infinite = |value: f64| if value.is_finite() { serde_json::json!(value) } else { serde_json::json!("inf") };
+        let object = serde_json::json!({
+            "a_over_t": a_over_t, "e1_over_e2": e1, "nu1": nu1, "e0_over_e2": infinite(e0), "nu0": arguments.nu0,
+            "pi0": q.pi0, "eeq": q.eeq, "gamma": q.gamma, "delta0": q.delta0,
+            "error": solution.error, "normalised_by": unit, "modes": solution.modes,
+        });
+        format!("{object}\n")
+    } else {
+        let rows = [("pi0", q.pi0), ("eeq", q.eeq), ("gamma", q.gamma), ("delta0", q.delta0), ("error", solution.error)];
+        let rows: String = rows.iter().map(|(name, value)| format!("{name:13} = {}\n", number(*value))).collect();
+        format!("{rows}normalised_by = {unit}\n")
+    };
+    write_text(None, text.as_bytes())
+}
+
+fn solve_file(arguments: &Arguments, points: Vec<Point>) -> anyhow::Result<()> {
+    let bar = progress_bar(points.len(), "solving");
+    let solve_point = |(i, point): (usize, &Point)| {
+        let solution = solve(point.a_over_t, &point.material, arguments.tolerance).with_context(|| format!("point {}", i + 1))?;
+        bar.inc(1);
+        Ok((solution.quantities.to_array().map(Some), solution.error))
+    };
+    let results = points.par_iter().enumerate().map(solve_point).collect::<anyhow::Result<Vec<_>>>()?;
+    bar.finish_and_clear();
+    write_text(arguments.output.as_deref(), &points::format(&points, &results)?)
+}

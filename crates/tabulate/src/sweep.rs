@@ -1,0 +1,121 @@
+//! The solve over all nodes of a scene, on all cores.
+//!
+//! Work is shared as far as it reaches: the Bessel values of one `a/t` serve every material, and the matrices of one (`a/t`, `nu1`,
+//! `E0/E1`) serve every sphere. Where the nodes of `E1/E2` and `E0/E2` have a common spacing, the ratios `E0/E1` repeat along diagonals,
+//! and a grid of `n x n` materials has `2n - 1` pairs of matrices only.
+
+use interp::Material;
+use rayon::prelude::*;
+
+use crate::Error;
+use crate::compliance::Compliance;
+use crate::galerkin::{Abscissae, Block, Operator};
+use crate::quadrature::Panels;
+use crate::scene::Scene;
+use crate::solve::{self, TOLERANCE, homogeneous, solve};
+
+/// The relative tolerance of the solves behind a table: what they add to its error is not seen.
+pub fn solve_tolerance(table_tolerance: f64) -> f64 {
+    (0.01 * table_tolerance).clamp(TOLERANCE[0], 1e-6)
+}
+
+/// Solves every node of the scene. Returns the values of each quantity asked for, row-major with `a_over_t` slowest.
+///
+/// `progress` is called with the number of points finished since the last call, from any thread. The result does not depend on the
+/// number of threads.
+///
+/// # Errors
+/// [`Error::NotConverged`] with the point where double precision does not allow the tolerance.
+pub fn sweep(scene: &Scene, progress: &(dyn Fn(usize) + Sync)) -> Result<[Option<Vec<f64>>; 4], Error> {
+    let tolerance = solve_tolerance(scene.tolerance);
+    let [a_over_t, e1, nu1, e0] = &scene.axes;
+    let mut materials = Vec::with_capacity(e1.len() * nu1.len() * e0.len());
+    for &e1 in e1 {
+        for &nu1 in nu1 {
+            for &e0 in e0 {
+                materials.push(Material::new(e1, nu1, e0, scene.nu0)?);
+            }
+        }
+    }
+    let layers = layers(&materials);
+    let mut values = [const { None }; 4];
+    for &quantity in &scene.quantities {
+        values[quantity as usize] = Some(vec![0.0; a_over_t.len() * materials.len()]);
+    }
+    for (i, &x) in a_over_t.iter().enumerate() {
+        let shared = Shared::new(x, &layers, tolerance);
+        let solved: Vec<Vec<[f64; 4]>> = layers
+            .par_iter()
+            .map(|layer| {
+                let solved = shared.solve(layer, &materials)?;
+                progress(solved.len());
+                Ok(solved)
+            })
+            .collect::<Result<_, Error>>()?;
+        for (layer, solved) in layers.iter().zip(solved) {
+            for (&member, solved) in layer.members.iter().zip(solved) {
+                for (values, value) in values.iter_mut().zip(solved) {
+                    if let Some(values) = values {
+                        values[i * materials.len() + member] = value;
+                    }
+                }
+            }
+        }
+    }
+    Ok(values)
+}
+
+/// One film on one substrate, with the indices of the materials that differ by the sphere only.
+struct Layer {
+    compliance: Compliance,
+    members: Vec<usize>,
+}
+
+/// Groups the materials by `nu1` and `E1/E0`. Ratios that differ by rounding count as equal.
+fn layers(materials: &[Material]) -> Vec<Layer> {
+    const ROUNDING: f64 = 1e-14;
+    let key = |&i: &usize| (materials[i].nu1(), materials[i].film_over_substrate());
+    let mut order: Vec<usize> = (0..materials.len()).collect();
+    order.sort_by(|a, b| key(a).partial_cmp(&key(b)).expect("materials hold no NaN"));
+    let same = |a: &usize, b: &usize| {
+        let ((nu_a, ratio_a), (nu_b, ratio_b)) = (key(a), key(b));
+        nu_a == nu_b && (ratio_a - ratio_b).abs() <= ROUNDING * ratio_a
+    };
+    let group = |members: &[usize]| Layer { compliance: Compliance::new(&materials[members[0]]), members: members.to_vec() };
+    order.chunk_by(same).map(group).collect()
+}
+
+/// What all materials share at one `a/t`.
+struct Shared {
+    x: f64,
+    tolerance: f64,
+    abscissae: Abscissae,
+    blocks: Vec<Block>,
+}
+
+impl Shared {
+    fn new(x: f64, layers: &[Layer], tolerance: f64) -> Self {
+        let smallest_scale = layers.iter().map(|layer| layer.compliance.smallest_scale()).fold(1.0, f64::min);
+        let abscissae = Abscissae::new(x, solve::modes(x, tolerance), Panels::new(x, smallest_scale, tolerance));
+        let blocks = abscissae.blocks().collect();
+        Self { x, tolerance, abscissae, blocks }
+    }
+
+    /// The quantities of every member of a layer.
+    fn solve(&self, layer: &Layer, materials: &[Material]) -> Result<Vec<[f64; 4]>, Error> {
+        let members = layer.members.iter().map(|&member| &materials[member]);
+        if layer.compliance.is_homogeneous() {
+            return Ok(members.map(|material| homogeneous(material).quantities.to_array()).collect());
+        }
+        let operator = Operator::assemble(&layer.compliance, &self.abscissae, &self.blocks);
+        let solve_member = |material: &Material| {
+            let solved = operator.solve(material).filter(|solved| solved.error() <= self.tolerance);
+            match solved {
+                Some(solved) => Ok(solved.quantities.to_array()),
+                // Rare: this material needs more modes or panels of its own.
+                None => solve(self.x, material, self.tolerance).map(|solution| solution.quantities.to_array()),
+            }
+        };
+        members.map(solve_member).collect()
+    }
+}
