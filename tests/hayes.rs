@@ -28,8 +28,8 @@ fn the_stiffness_agrees_with_the_printed_table() {
 }
 
 #[test]
-fn the_incompressible_layer_agrees_with_independent_solves() {
-    // Two other solvers, to the digits given.
+fn the_incompressible_layer_agrees_with_an_independent_solve() {
+    // Computed apart from this workspace, to the digits given.
     for (x, digits, value) in [(0.2, 5, 1.28064), (1.0, 4, 3.6187), (2.0, 3, 9.149)] {
         let kappa = kappa(x, 0.5);
         assert!((kappa - value).abs() <= 0.5 * 0.1_f64.powi(digits), "a/t = {x}: {kappa}, not {value}");

@@ -1,4 +1,4 @@
-//! The solve against double-double values of two independent methods.
+//! The solve against double-double values, whose origin `data/barthel_reference.csv` states.
 
 use acceptance::{Case, Data, larger, relative_error};
 use tabulate::solve::solve;
