@@ -148,7 +148,8 @@ impl Material {
     /// `(1 - k)/(2 - k)` with `k = k1 + r (k(nu0) - k0)`.
     ///
     /// # Errors
-    /// [`Error::Unphysical`] if `nu0` is, or if the equivalent film would need a Poisson ratio outside `(-1, 0.5]`.
+    /// [`Error::Unphysical`] if `nu0` is, or if the equivalent film would need a Poisson ratio outside `(-1, 0.5]` or an
+    /// infinite modulus.
     pub fn with_substrate_poisson_ratio(&self, nu0: f64) -> Result<Self, Error> {
         poisson_ratio("nu0", nu0)?;
         if nu0 == self.nu0 {
@@ -156,7 +157,11 @@ impl Material {
         }
         let k = |nu: f64| (1.0 - 2.0 * nu) / (1.0 - nu);
         let film_over_substrate = self.film_modulus() / self.substrate_modulus();
-        let k1 = k(self.nu1) + film_over_substrate * (k(nu0) - k(self.nu0));
+        let mut k1 = k(self.nu1) + film_over_substrate * (k(nu0) - k(self.nu0));
+        if (-8.0 * f64::EPSILON..0.0).contains(&k1) {
+            // An incompressible film, but for rounding.
+            k1 = 0.0;
+        }
         let nu1 = (1.0 - k1) / (2.0 - k1);
         if !(0.0..1.5).contains(&k1) {
             let allowed = "in (-1, 0.5] for the equivalent film on a substrate with another Poisson ratio";
@@ -164,12 +169,10 @@ impl Material {
         }
         let film_ratio = one_minus_square(nu1) / one_minus_square(self.nu1);
         let substrate_ratio = one_minus_square(nu0) / one_minus_square(self.nu0);
-        Ok(match self.normalisation() {
-            Normalisation::Sphere => {
-                Self { e1_over_e2: self.e1_over_e2 * film_ratio, nu1, e0_over_e2: self.e0_over_e2 * substrate_ratio, nu0 }
-            }
-            Normalisation::Film => Self { nu1, e0_over_e2: self.e0_over_e2 * substrate_ratio / film_ratio, nu0, ..*self },
-        })
+        match self.normalisation() {
+            Normalisation::Sphere => Self::new(self.e1_over_e2 * film_ratio, nu1, self.e0_over_e2 * substrate_ratio, nu0),
+            Normalisation::Film => Self::new(0.0, nu1, self.e0_over_e2 * substrate_ratio / film_ratio, nu0),
+        }
     }
 }
 

@@ -72,7 +72,7 @@ impl Compliance {
         (0.5 * self.c[3] / self.c[0]).min(1.0)
     }
 
-    /// `X(q)` for `q >= 0`, to 14 digits.
+    /// `X(q)` for finite `q >= 0`, to 14 digits.
     pub fn x(&self, q: f64) -> f64 {
         if q <= SWITCH {
             let [n, d, ..] = self.fraction(q);
@@ -82,7 +82,7 @@ impl Compliance {
         }
     }
 
-    /// `X(q) - 1` and `q X'(q)` for `q >= 0`, with an absolute error of a few rounding units of `max(X, 1)`.
+    /// `X(q) - 1` and `q X'(q)` for finite `q >= 0`, with an absolute error of a few rounding units of `max(X, 1)`.
     pub fn sample(&self, q: f64) -> Sample {
         if q <= SWITCH {
             let [n, d, n_prime, d_prime] = self.fraction(q);

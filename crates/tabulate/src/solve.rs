@@ -41,7 +41,8 @@ pub fn solve(a_over_t: f64, material: &Material, tolerance: f64) -> Result<Solut
         return Ok(homogeneous(material));
     }
     let mut modes = modes(a_over_t, tolerance);
-    let panels = Panels::new(a_over_t, compliance.smallest_scale(), tolerance);
+    let mut panels = Panels::new(a_over_t, compliance.smallest_scale(), tolerance);
+    let mut quadrature_tolerance = tolerance;
     loop {
         let abscissae = Abscissae::new(a_over_t, modes, panels.clone());
         let operator = Operator::assemble(&compliance, &abscissae, abscissae.blocks());
@@ -50,12 +51,20 @@ pub fn solve(a_over_t: f64, material: &Material, tolerance: f64) -> Result<Solut
         if error <= tolerance {
             return Ok(Solution { quantities: solved.quantities, error, modes });
         }
-        if solved.truncation < 0.5 * error || modes > MOST_MODES {
+        // More of what the error comes from, unless that is rounding.
+        if solved.truncation >= 0.5 * error && modes < MOST_MODES {
+            modes += 2 + modes / 4;
+        } else if solved.quadrature >= 0.5 * error && quadrature_tolerance > FINEST_QUADRATURE {
+            quadrature_tolerance *= 0.01;
+            panels = Panels::new(a_over_t, compliance.smallest_scale(), quadrature_tolerance);
+        } else {
             return Err(Error::NotConverged { tolerance, reached: error });
         }
-        modes += 2 + modes / 4;
     }
 }
+
+/// Rounding hides what still finer panels would gain.
+const FINEST_QUADRATURE: f64 = 1e-15;
 
 /// More modes than any point of the domain needs at the tightest tolerance.
 const MOST_MODES: usize = 1500;
@@ -70,7 +79,7 @@ pub(crate) fn homogeneous(material: &Material) -> Solution {
 /// that grows like `sqrt(x)`. The coefficients were measured over the whole domain of materials.
 pub(crate) fn modes(x: f64, tolerance: f64) -> usize {
     let digits = -tolerance.log10();
-    (1.6 + 0.35 * (digits - 6.0) + (2.4 + 0.38 * (digits - 6.0)) * x.sqrt()).ceil().max(3.0) as usize
+    (1.6 + 0.35 * (digits - 6.0) + (2.5 + 0.42 * (digits - 6.0)) * x.sqrt()).ceil().max(3.0) as usize
 }
 
 /// Accepts the points that the solve is made for.

@@ -49,18 +49,16 @@ fn main() -> ExitCode {
 /// `tabulate generate`, built optimised.
 fn table(args: &[String]) -> Result<(), String> {
     let mut command = vec!["run", "--release", "-p", "tabulate", "--", "generate"];
+    // Without arguments the workspace's own default scene, wherever the command is run; the table is written beside it.
+    let default = [workspace::root().join("tables/default.toml").display().to_string()];
+    let args = if args.is_empty() { &default } else { args };
     command.extend(args.iter().map(String::as_str));
-    let mut run = hdf5::cargo(&command)?;
-    if args.is_empty() {
-        // Without arguments the scene and the output are those of the workspace, wherever the command is run.
-        run.current_dir(workspace::root());
-    }
-    succeed(&mut run)
+    succeed(&mut hdf5::cargo(&command)?)
 }
 
 /// Every test of every member with every feature, documentation examples included.
 fn test(args: &[String]) -> Result<(), String> {
-    let mut command = vec!["test", "--workspace", "--features", "interp/hdf5"];
+    let mut command = vec!["test", "--release", "--workspace", "--features", "interp/hdf5"];
     command.extend(args.iter().map(String::as_str));
     succeed(hdf5::cargo(&command)?.env("H5PY_PATH", python::package("h5py", H5PY)?))
 }

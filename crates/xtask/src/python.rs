@@ -18,6 +18,7 @@ pub fn package(name: &str, range: &str) -> Result<PathBuf, String> {
     let status = Command::new("python3")
         .args(["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--target"])
         .arg(&unfinished)
+        .env("PIP_ROOT_USER_ACTION", "ignore")
         .arg(format!("{name}{range}"))
         .status()
         .map_err(|e| format!("cannot run python3: {e}; install python3 with pip"))?;
