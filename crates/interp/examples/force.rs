@@ -1,3 +1,4 @@
+//! The README's program.
 use interp::{Elastic, System, Table};
 
 fn main() -> Result<(), interp::Error> {

@@ -18,9 +18,7 @@ impl Elastic {
     /// # Errors
     /// [`Error::Unphysical`] unless `young > 0` and `poisson` is in `(-1, 0.5]`.
     pub fn new(young: f64, poisson: f64) -> Result<Self, Error> {
-        if !(young > 0.0) {
-            return Err(Error::Unphysical { name: "Young's modulus", value: young, allowed: "> 0 (inf is rigid)" });
-        }
+        Error::unless(young > 0.0, "Young's modulus", young, "> 0 (inf is rigid)")?;
         poisson_ratio("Poisson ratio", poisson)?;
         Ok(Self { young, poisson })
     }
@@ -65,10 +63,7 @@ impl System {
         positive("sphere_radius", self.sphere_radius)?;
         positive("film_thickness", self.film_thickness)?;
         positive("film modulus", self.film.young)?;
-        if !(self.sphere_modulus > 0.0) {
-            let allowed = "> 0 (inf is a rigid sphere)";
-            return Err(Error::Unphysical { name: "sphere_modulus", value: self.sphere_modulus, allowed });
-        }
+        Error::unless(self.sphere_modulus > 0.0, "sphere_modulus", self.sphere_modulus, "> 0 (inf is a rigid sphere)")?;
         let rigid = self.sphere_modulus == f64::INFINITY;
         let unit = if rigid { self.film.young } else { self.sphere_modulus };
         let e1_over_e2 = if rigid { 0.0 } else { self.film.young / unit };
@@ -112,13 +107,11 @@ impl Mechanics {
     /// `2 g^2 / (pi a Es*) = w` (eq. 8). Other crack-tip laws would replace this line alone.
     ///
     /// # Errors
-    /// [`Error::Unphysical`] for a negative or infinite `w`, NaN included.
+    /// [`Error::Unphysical`] for an `a` that is not positive, a negative or infinite `w`, or NaN.
     pub fn edge_singularity(&self, a: f64, w: f64) -> Result<f64, Error> {
-        if w >= 0.0 && w < f64::INFINITY {
-            Ok((0.5 * PI * a * w * self.sphere_film_modulus).sqrt())
-        } else {
-            Err(Error::Unphysical { name: "work of adhesion", value: w, allowed: ">= 0 and finite" })
-        }
+        positive("contact radius", a)?;
+        Error::unless((0.0..f64::INFINITY).contains(&w), "work of adhesion", w, ">= 0 and finite")?;
+        Ok((0.5 * PI * a * w * self.sphere_film_modulus).sqrt())
     }
 
     /// Load (N) at contact radius `a` (m) with the edge singularity `g` (N/m):
@@ -175,8 +168,8 @@ impl Contact {
     /// Each of its two terms has the relative error of the table.
     ///
     /// # Errors
-    /// [`Error::OutsideTable`] where the table does not cover `a/t`; [`Error::Unphysical`] for `w < 0`;
-    /// [`Error::MissingQuantity`] without `pi0`, `eeq` and `gamma`. NaN is an error too.
+    /// [`Error::OutsideTable`] where the table does not cover `a/t`; [`Error::Unphysical`] for `a <= 0`, `w < 0` or NaN;
+    /// [`Error::MissingQuantity`] without `pi0`, `eeq` and `gamma`.
     pub fn load(&self, a: f64, w: f64) -> Result<f64, Error> {
         let edge = self.mechanics.edge_singularity(a, w)?;
         let (pi0, eeq_over_gamma) = self.curve.load_factors(a / self.film_thickness)?;
@@ -203,5 +196,5 @@ impl Contact {
 
 /// Accepts a positive finite value.
 fn positive(name: &'static str, value: f64) -> Result<(), Error> {
-    if value > 0.0 && value < f64::INFINITY { Ok(()) } else { Err(Error::Unphysical { name, value, allowed: "> 0 and finite" }) }
+    Error::unless(value > 0.0 && value.is_finite(), name, value, "> 0 and finite")
 }

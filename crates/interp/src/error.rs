@@ -73,3 +73,10 @@ pub enum Error {
     #[error(transparent)]
     Io(#[from] io::Error),
 }
+
+impl Error {
+    /// Accepts a value of which `holds` is true; comparisons with NaN are not.
+    pub(crate) const fn unless(holds: bool, name: &'static str, value: f64, allowed: &'static str) -> Result<(), Self> {
+        if holds { Ok(()) } else { Err(Self::Unphysical { name, value, allowed }) }
+    }
+}

@@ -48,14 +48,9 @@ impl Material {
     /// # Errors
     /// [`Error::Unphysical`] unless `0 <= e1_over_e2 < inf`, `0 < e0_over_e2 <= inf` and both Poisson ratios are in `(-1, 0.5]`.
     pub fn new(e1_over_e2: f64, nu1: f64, e0_over_e2: f64, nu0: f64) -> Result<Self, Error> {
-        if !(e1_over_e2 >= 0.0 && e1_over_e2 < f64::INFINITY) {
-            let allowed = "finite and >= 0 (0 is a rigid sphere)";
-            return Err(Error::Unphysical { name: "e1_over_e2", value: e1_over_e2, allowed });
-        }
-        if !(e0_over_e2 > 0.0) {
-            let allowed = "> 0 (inf is a rigid substrate)";
-            return Err(Error::Unphysical { name: "e0_over_e2", value: e0_over_e2, allowed });
-        }
+        let finite = (0.0..f64::INFINITY).contains(&e1_over_e2);
+        Error::unless(finite, "e1_over_e2", e1_over_e2, "finite and >= 0 (0 is a rigid sphere)")?;
+        Error::unless(e0_over_e2 > 0.0, "e0_over_e2", e0_over_e2, "> 0 (inf is a rigid substrate)")?;
         poisson_ratio("nu1", nu1)?;
         poisson_ratio("nu0", nu0)?;
         Ok(Self { e1_over_e2, nu1, e0_over_e2, nu0 })
@@ -163,10 +158,8 @@ impl Material {
             k1 = 0.0;
         }
         let nu1 = (1.0 - k1) / (2.0 - k1);
-        if !(0.0..1.5).contains(&k1) {
-            let allowed = "in (-1, 0.5] for the equivalent film on a substrate with another Poisson ratio";
-            return Err(Error::Unphysical { name: "nu1", value: nu1, allowed });
-        }
+        let allowed = "in (-1, 0.5] for the equivalent film on a substrate with another Poisson ratio";
+        Error::unless((0.0..1.5).contains(&k1), "nu1", nu1, allowed)?;
         let film_ratio = one_minus_square(nu1) / one_minus_square(self.nu1);
         let substrate_ratio = one_minus_square(nu0) / one_minus_square(self.nu0);
         match self.normalisation() {
@@ -183,5 +176,5 @@ pub(crate) const fn one_minus_square(nu: f64) -> f64 {
 
 /// Accepts a Poisson ratio in `(-1, 0.5]`.
 pub(crate) fn poisson_ratio(name: &'static str, nu: f64) -> Result<(), Error> {
-    if nu > -1.0 && nu <= 0.5 { Ok(()) } else { Err(Error::Unphysical { name, value: nu, allowed: "in (-1, 0.5]" }) }
+    Error::unless(nu > -1.0 && nu <= 0.5, name, nu, "in (-1, 0.5]")
 }

@@ -1,5 +1,6 @@
 //! The table: axes, values, where they come from, and how accurate they are between the nodes.
 
+use std::cmp::Ordering;
 use std::sync::OnceLock;
 
 use serde::{Deserialize, Serialize};
@@ -66,7 +67,7 @@ impl Table {
             if nodes.is_empty() {
                 return malformed(format!("axis {name} is empty"));
             }
-            if let Some(pair) = nodes.windows(2).find(|pair| !(pair[0] < pair[1])) {
+            if let Some(pair) = nodes.windows(2).find(|pair| pair[0].partial_cmp(&pair[1]) != Some(Ordering::Less)) {
                 return malformed(format!("axis {name} is not ascending: {} is followed by {}", pair[0], pair[1]));
             }
             let physical = |&node: &f64| match parameter {

@@ -7,11 +7,8 @@
 //! j_{v+2} = [(2v+1)(2v+3)/z^2 - 1 - (2v+3)/(2v-1)] j_v - (2v+3)/(2v-1) j_{v-2},      v = 2n
 //! ```
 //!
-//! which is run upwards where all orders are below `z` and downwards (Miller) elsewhere, then scaled to the closed forms of `j_0` and
-//! `j_2`.
-
-/// The largest argument of a group is at most this many times the smallest, or all of the group are above all orders.
-pub const SPREAD: f64 = 4.0;
+//! which is run upwards where all orders are below `z` and downwards (Miller) elsewhere, then scaled to
+//! `sum_n (4n+1) j_2n(z)^2 = (1 + sin(2z)/(2z))/2` (Abramowitz and Stegun 10.1.50 and 10.1.51), or to `j_0` where that does not vanish.
 
 /// Arguments handled at once; the recurrences of a group are independent and fill the processor's vectors.
 pub const LANES: usize = 8;
@@ -22,8 +19,6 @@ type Group = [f64; LANES];
 #[derive(Clone, Debug)]
 pub struct EvenBessel {
     modes: usize,
-    /// `(2v+1)(2v+3)` and `(2v+3)/(2v-1)` for `v = 2n`.
-    steps: Vec<(f64, f64)>,
     /// `(-1)^n sqrt(4n+1)`.
     scale: Vec<f64>,
 }
@@ -31,24 +26,18 @@ pub struct EvenBessel {
 impl EvenBessel {
     /// For `modes >= 1` orders.
     pub fn new(modes: usize) -> Self {
-        // Arguments of a group that is not all above the orders reach this far at most, see `start`.
-        let highest = start(2.0 * SPREAD * modes as f64, modes);
-        let step = |n| {
-            let v = 4.0 * n as f64;
-            ((v + 1.0) * (v + 3.0), (v + 3.0) / (v - 1.0))
-        };
         let scale = |n| {
             let root = ((4 * n + 1) as f64).sqrt();
             if n % 2 == 0 { root } else { -root }
         };
-        Self { modes, steps: (0..highest).map(step).collect(), scale: (0..modes).map(scale).collect() }
+        Self { modes, scale: (0..modes).map(scale).collect() }
     }
 
     /// Fills `column(n)[at..at + LANES]` with `J_n(z)`; `values` holds `modes` columns of `stride` values each.
     ///
-    /// `z` must be positive and ascending. The error is a few rounding units of `max_n |J_n|`, times `1 + z`
-    /// for the phase of a large argument.
+    /// `z` must be positive and ascending, and span no more than 64, which no panel does. The absolute error is a few rounding units of `max_n |J_n(z)|`.
     pub fn fill(&self, z: &Group, values: &mut [f64], stride: usize, at: usize) {
+        debug_assert!(z[0] > 0.0 && z[LANES - 1] <= z[0] + 64.0, "{z:?}");
         let sines: Group = z.map(f64::sin);
         let cosines: Group = z.map(f64::cos);
         let inverse_square: Group = z.map(|z| 1.0 / (z * z));
@@ -69,7 +58,7 @@ impl EvenBessel {
             let (mut before, mut now) = (j0, j2);
             for n in 1..self.modes {
                 store(n, &now, &ONE);
-                let (alpha, gamma) = self.steps[n];
+                let (alpha, gamma) = step(n);
                 let next = std::array::from_fn(|l| (alpha * inverse_square[l] - (1.0 + gamma)) * now[l] - gamma * before[l]);
                 (before, now) = (now, next);
             }
@@ -78,11 +67,16 @@ impl EvenBessel {
 
         let top = start(z[LANES - 1], self.modes);
         let mut orders = vec![[0.0; LANES]; self.modes.max(top) + 1];
-        orders[top - 1] = [1e-250; LANES];
+        let mut squares = [0.0; LANES];
+        // Nothing overflows from here: with the span of a group, lanes above 2 grow by less than 1e170 and lanes below by less than 1e200.
+        orders[top - 1] = [1e-100; LANES];
         for n in (1..top).rev() {
-            let (alpha, gamma) = self.steps[n];
-            let inverse = 1.0 / gamma;
+            let (alpha, gamma) = step(n);
+            let (inverse, weight) = (1.0 / gamma, (4 * n + 1) as f64);
             let (now, after) = (orders[n], orders[n + 1]);
+            for l in 0..LANES {
+                squares[l] += weight * now[l] * now[l];
+            }
             orders[n - 1] = std::array::from_fn(|l| ((alpha * inverse_square[l] - (1.0 + gamma)) * now[l] - after[l]) * inverse);
         }
         let factor: Group = std::array::from_fn(|l| {
@@ -90,15 +84,19 @@ impl EvenBessel {
             if z[l] < 2.0 {
                 return j0[l] / u;
             }
-            // Projected on (j_0, j_2), which never vanish together.
-            let largest = u.abs().max(v.abs());
-            let (u, v) = (u / largest, v / largest);
-            (j0[l] * u + j2[l] * v) / (u * u + v * v) / largest
+            let norm = 0.5 * (1.0 + j0[l] * cosines[l]);
+            (norm / (squares[l] + u * u)).sqrt().copysign(j0[l] * u + j2[l] * v)
         });
-        for n in 0..self.modes {
-            store(n, &orders[n], &factor);
+        for (n, order) in orders[..self.modes].iter().enumerate() {
+            store(n, order, &factor);
         }
     }
+}
+
+/// `(2v+1)(2v+3)` and `(2v+3)/(2v-1)` for `v = 2n`.
+fn step(n: usize) -> (f64, f64) {
+    let v = 4.0 * n as f64;
+    ((v + 1.0) * (v + 3.0), (v + 3.0) / (v - 1.0))
 }
 
 /// The number of orders that the downward recurrence needs for arguments up to `z`.
@@ -114,4 +112,66 @@ fn start(z: f64, modes: usize) -> usize {
     let converged = 0.5 * (z + 9.0 * airy + 6.0);
     let above_modes = modes as f64 + 4.0 + 2.0 * (modes as f64).cbrt();
     converged.max(negligible.min(above_modes)).ceil() as usize
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn fill(modes: usize, z: Group) -> Vec<f64> {
+        let mut values = vec![f64::NAN; modes * LANES];
+        EvenBessel::new(modes).fill(&z, &mut values, LANES, 0);
+        values
+    }
+
+    /// `cos(z rho) = sum_n J_n(z) phi_n(rho)`.
+    #[test]
+    fn expands_the_cosine() {
+        let mut worst: f64 = 0.0;
+        for start in [1e-12, 1e-7, 9e-4, 0.01, 0.4, 1.9, 3.0, 10.0, 31.0, 90.0] {
+            let z: Group = std::array::from_fn(|l| start * (1.0 + l as f64 * 0.37));
+            let modes = (0.7 * z[LANES - 1] + 20.0) as usize;
+            let values = fill(modes, z);
+            for l in 0..LANES {
+                for rho in [0.0, 0.3, 0.77, 1.0] {
+                    let cosine: f64 =
+                        (0..modes).map(|n| values[n * LANES + l] * legendre(2 * n, rho) * ((4 * n + 1) as f64).sqrt()).sum();
+                    worst = worst.max((cosine - (z[l] * rho).cos()).abs());
+                }
+            }
+        }
+        println!("cos(z rho) to {worst:.1e}");
+        assert!(worst < 3e-14, "{worst:e}");
+    }
+
+    fn legendre(n: usize, x: f64) -> f64 {
+        let step = |(before, now): (f64, f64), k: usize| (now, ((2 * k + 1) as f64 * x * now - k as f64 * before) / (k + 1) as f64);
+        (0..n).fold((0.0, 1.0), step).1
+    }
+
+    /// The first three orders in closed form, where those do not cancel, in both directions of recurrence and in groups of any spread.
+    #[test]
+    fn low_orders_are_the_closed_forms() {
+        let mut worst: f64 = 0.0;
+        for z in [
+            [3.0, 3.1, 3.2, 3.5, 4.0, 4.5, 5.0, 6.0],
+            [3.0, 6.0, 10.0, 20.0, 30.0, 40.0, 50.0, 67.0],
+            std::array::from_fn(|l| std::f64::consts::PI * (l + 1) as f64),
+            std::array::from_fn(|l| 1000.0 + l as f64),
+        ] {
+            for modes in [3, 7, 40, 300] {
+                let values = fill(modes, z);
+                for l in 0..LANES {
+                    let (z, sin, cos) = (z[l], z[l].sin(), z[l].cos());
+                    let j2 = (3.0 / (z * z) - 1.0) * sin / z - 3.0 * cos / (z * z);
+                    let j4 = (105.0 / z.powi(4) - 45.0 / (z * z) + 1.0) * sin / z - (105.0 / z.powi(4) - 10.0 / (z * z)) * cos;
+                    let amplitude = 1.0 / z;
+                    for (n, expected) in [sin / z, -5.0_f64.sqrt() * j2, 3.0 * j4].into_iter().enumerate() {
+                        worst = worst.max((values[n * LANES + l] - expected).abs() / amplitude);
+                    }
+                }
+            }
+        }
+        assert!(worst < 1e-13, "{worst:e}");
+    }
 }
