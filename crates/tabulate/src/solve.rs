@@ -79,7 +79,7 @@ pub(crate) fn homogeneous(material: &Material) -> Solution {
 /// that grows like `sqrt(x)`. The coefficients were measured over the whole domain of materials.
 pub(crate) fn modes(x: f64, tolerance: f64) -> usize {
     let digits = -tolerance.log10();
-    (1.6 + 0.35 * (digits - 6.0) + (2.5 + 0.42 * (digits - 6.0)) * x.sqrt()).ceil().max(3.0) as usize
+    (2.4 + 0.35 * (digits - 6.0) + (2.6 + 0.42 * (digits - 6.0)) * x.sqrt()).ceil().max(3.0) as usize
 }
 
 /// Accepts the points that the solve is made for.
