@@ -3,6 +3,8 @@
 use std::io;
 use std::path::PathBuf;
 
+use interp::Material;
+
 /// Any failure of the solve, of a scene, or of a file.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
@@ -20,8 +22,16 @@ pub enum Error {
         to: f64,
     },
     /// A tolerance that was not reached.
-    #[error("tolerance {tolerance:e} is not reached: the estimated error is {reached:.1e}")]
+    #[error(
+        "tolerance {tolerance:e} is not reached at a_over_t = {a_over_t:?}, e1_over_e2 = {:?}, nu1 = {:?}, e0_over_e2 = {:?}, nu0 = {:?}: \
+         the estimated error is {reached:.1e}",
+        material.e1_over_e2(), material.nu1(), material.e0_over_e2(), material.nu0()
+    )]
     NotConverged {
+        /// The contact radius over the film thickness.
+        a_over_t: f64,
+        /// The material.
+        material: Material,
         /// What was asked for.
         tolerance: f64,
         /// The estimated relative error that was reached.

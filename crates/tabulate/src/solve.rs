@@ -43,10 +43,11 @@ pub fn solve(a_over_t: f64, material: &Material, tolerance: f64) -> Result<Solut
     let mut modes = modes(a_over_t, tolerance);
     let mut panels = Panels::new(a_over_t, compliance.smallest_scale(), tolerance);
     let mut quadrature_tolerance = tolerance;
+    let not_converged = |reached: f64| Error::NotConverged { a_over_t, material: *material, tolerance, reached };
     loop {
         let abscissae = Abscissae::new(a_over_t, modes, panels.clone());
         let operator = Operator::assemble(&compliance, &abscissae, abscissae.blocks());
-        let solved = operator.solve(material).ok_or(Error::NotConverged { tolerance, reached: 1.0 })?;
+        let solved = operator.solve(material).ok_or_else(|| not_converged(1.0))?;
         let error = solved.error();
         if error <= tolerance {
             return Ok(Solution { quantities: solved.quantities, error, modes });
@@ -58,7 +59,7 @@ pub fn solve(a_over_t: f64, material: &Material, tolerance: f64) -> Result<Solut
             quadrature_tolerance *= 0.01;
             panels = Panels::new(a_over_t, compliance.smallest_scale(), quadrature_tolerance);
         } else {
-            return Err(Error::NotConverged { tolerance, reached: error });
+            return Err(not_converged(error));
         }
     }
 }

@@ -8,7 +8,7 @@ use crate::workspace;
 
 /// The folder (for `PYTHONPATH`) that holds `name` at a version in `range`, fetched by pip at the first call.
 pub fn package(name: &str, range: &str) -> Result<PathBuf, String> {
-    let folder = workspace::target().join("tools").join(name);
+    let folder = workspace::target()?.join("tools").join(name);
     if folder.exists() {
         return Ok(folder);
     }

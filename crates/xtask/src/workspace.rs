@@ -9,7 +9,8 @@ pub fn root() -> PathBuf {
     here.ancestors().nth(2).expect("xtask lives two folders below the workspace root").to_path_buf()
 }
 
-/// The target directory, outside the workspace where `CARGO_TARGET_DIR` says so.
-pub fn target() -> PathBuf {
-    env::var_os("CARGO_TARGET_DIR").map_or_else(|| root().join("target"), |dir| root().join(dir))
+/// The target directory, which `CARGO_TARGET_DIR` may put anywhere; if relative, cargo reads it from the current folder.
+pub fn target() -> Result<PathBuf, String> {
+    let current = env::current_dir().map_err(|e| format!("no current folder: {e}"))?;
+    Ok(env::var_os("CARGO_TARGET_DIR").map_or_else(|| root().join("target"), |dir| current.join(dir)))
 }
