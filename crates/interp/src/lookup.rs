@@ -40,11 +40,18 @@ impl Interpolate<f64> for Four {
         Self::each(|i| f64::quadratic_bezier(t, a.0[i], u.0[i], b.0[i]))
     }
     fn cubic_bezier(t: f64, a: Self, u: Self, v: Self, b: Self) -> Self {
-        Self::each(|i| f64::cubic_bezier(t, a.0[i], u.0[i], v.0[i], b.0[i]))
+        let [p, q, r, s] = bernstein(t);
+        Self::each(|i| p * a.0[i] + q * u.0[i] + r * v.0[i] + s * b.0[i])
     }
     fn cubic_bezier_mirrored(t: f64, a: Self, u: Self, v: Self, b: Self) -> Self {
         Self::each(|i| f64::cubic_bezier_mirrored(t, a.0[i], u.0[i], v.0[i], b.0[i]))
     }
+}
+
+/// The cubic Bernstein polynomials at `t`: the weights of the ends and handles of a Bezier piece.
+fn bernstein(t: f64) -> [f64; 4] {
+    let s = 1.0 - t;
+    [s * s * s, 3.0 * s * s * t, 3.0 * s * t * t, t * t * t]
 }
 
 /// The tensor B-spline of a table along its material axes.
@@ -177,7 +184,10 @@ impl Curve {
         self.require(quantity)?;
         let i = quantity as usize;
         Ok(match self.piece(a_over_t)? {
-            Piece::Cubic { t, ends: [a, b], handles: [u, v] } => f64::cubic_bezier(t, a.0[i], u.0[i], v.0[i], b.0[i]),
+            Piece::Cubic { t, ends: [a, b], handles: [u, v] } => {
+                let [p, q, r, s] = bernstein(t);
+                p * a.0[i] + q * u.0[i] + r * v.0[i] + s * b.0[i]
+            }
             Piece::Value(value) => value.0[i],
         })
     }
@@ -279,4 +289,46 @@ fn keys(nodes: &[f64], logarithms: &[Four], es: f64) -> Vec<Key<f64, Four>> {
         Key::new(knots[i], value, handles)
     };
     (0..knots.len()).map(key).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn curve(nodes: &[f64]) -> Curve {
+        let value = |&x: &f64| Four([x.ln().sin(), (x / (1.0 + x)).ln(), 1.0 / (1.0 + x), 0.1 * x.ln()]);
+        let values: Vec<Four> = nodes.iter().map(value).collect();
+        let material = Material::new(1.75, 0.5, 1e5, 0.25).expect("physical");
+        Curve::new(nodes, &values, material, [true; 4])
+    }
+
+    /// The index on uniform keys finds the same piece as the search of `splines`, and the piece has the same value.
+    #[test]
+    fn index_and_search_agree_to_rounding() {
+        let nodes: Vec<f64> = (0..=60).map(|i| 10_f64.powf(-3.0 + 0.1 * f64::from(i))).collect();
+        let curve = curve(&nodes);
+        assert!(curve.density.is_some());
+        let at_keys = curve.spline.keys().iter().map(|key| key.t.exp().clamp(nodes[0], nodes[60]));
+        let between = (0..10_000).map(|i| 10_f64.powf(-3.0 + 6.0 * (f64::from(i) * 0.618_034 % 1.0)));
+        for x in at_keys.chain(between) {
+            let found = curve.spline.clamped_sample(x.ln()).expect("in range");
+            let indexed = curve.values(x).expect("in range");
+            for quantity in Quantity::ALL {
+                let (found, indexed) = (found.0[quantity as usize], indexed.0[quantity as usize]);
+                assert!((indexed / found - 1.0).abs() < 1e-14, "{x}: {indexed} by index, {found} by search");
+                assert_eq!(curve.quantity(quantity, x).expect("in range"), indexed);
+            }
+        }
+    }
+
+    #[test]
+    fn uneven_nodes_are_searched_and_met() {
+        let nodes = [0.1, 0.13, 0.3, 0.31, 0.7, 2.0, 2.5];
+        let curve = curve(&nodes);
+        assert!(curve.density.is_none());
+        for x in nodes {
+            let expected = curve.material.sphere_film_modulus() * x / (1.0 + x);
+            assert!((curve.quantity(Quantity::Eeq, x).expect("in range") / expected - 1.0).abs() < 1e-13);
+        }
+    }
 }
