@@ -1,5 +1,6 @@
 //! The command line: one module per subcommand.
 
+mod check;
 mod curve;
 mod generate;
 mod info;
@@ -7,6 +8,7 @@ mod pack;
 mod points;
 mod query;
 mod solve;
+mod unpack;
 
 use std::fs::File;
 use std::io::{self, Read, Write};
@@ -39,7 +41,9 @@ enum Command {
     Query(query::Arguments),
     Curve(curve::Arguments),
     Info(info::Arguments),
+    Check(check::Arguments),
     Pack(pack::Arguments),
+    Unpack(unpack::Arguments),
 }
 
 /// Runs the program on the process's arguments. Exit status 0, 1 (the work failed) or 2 (usage).
@@ -50,7 +54,9 @@ pub fn run() -> ExitCode {
         Command::Query(arguments) => query::run(&arguments),
         Command::Curve(arguments) => curve::run(&arguments),
         Command::Info(arguments) => info::run(&arguments),
+        Command::Check(arguments) => check::run(&arguments),
         Command::Pack(arguments) => pack::run(&arguments),
+        Command::Unpack(arguments) => unpack::run(&arguments),
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,

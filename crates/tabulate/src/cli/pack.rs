@@ -2,6 +2,8 @@
 
 use std::path::PathBuf;
 
+use anyhow::Context;
+
 use crate::{archive, output};
 
 /// Convert an HDF5 table to the packed form that `interp` loads without HDF5, value for value
@@ -16,6 +18,7 @@ pub struct Arguments {
 }
 
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
-    let bytes = archive::read(&arguments.table)?.to_packed()?;
+    let table = archive::read(&arguments.table).with_context(|| arguments.table.display().to_string())?;
+    let bytes = table.to_packed()?;
     Ok(output::atomically(&arguments.output, |unfinished| std::fs::write(unfinished, &bytes))?)
 }
