@@ -91,6 +91,8 @@ pub struct Mechanics {
 }
 
 impl Mechanics {
+    /// For the geometry and the moduli of a system.
+    ///
     /// # Errors
     /// Those of [`System::material`].
     pub fn new(system: &System) -> Result<Self, Error> {
@@ -156,6 +158,11 @@ impl Contact {
     /// The dimensionless quantities as functions of `a/t`.
     pub fn curve(&self) -> &Curve {
         &self.curve
+    }
+
+    /// The smallest and the largest contact radius (m) that the table covers.
+    pub fn contact_radius_range(&self) -> [f64; 2] {
+        self.curve.range().map(|a_over_t| a_over_t * self.film_thickness)
     }
 
     /// The arithmetic, for quantities from elsewhere.

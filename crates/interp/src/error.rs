@@ -1,13 +1,14 @@
 //! What can go wrong, with the numbers that say why.
 
 use std::io;
+use std::path::PathBuf;
 
 /// Any failure of this crate.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
     /// A value that no physical system has.
-    #[error("{name} = {value} is not physical: it must be {allowed}")]
+    #[error("{name} = {value:?} is not physical: it must be {allowed}")]
     Unphysical {
         /// The parameter's name.
         name: &'static str,
@@ -17,7 +18,7 @@ pub enum Error {
         allowed: &'static str,
     },
     /// A query outside the box that the table covers.
-    #[error("{axis} = {value} is outside the table, which covers {axis} from {from} to {to}")]
+    #[error("{axis} = {value:?} is outside the table, which covers {axis} from {from:?} to {to:?}")]
     OutsideTable {
         /// The axis that does not hold the value.
         axis: &'static str,
@@ -27,6 +28,18 @@ pub enum Error {
         from: f64,
         /// The largest value of the axis.
         to: f64,
+    },
+    /// A material on a substrate with another Poisson ratio than the table's, whose equivalent the table does not cover.
+    #[error("nu1 = {nu1:?} with nu0 = {nu0:?} has no equivalent in a table made for nu0 = {table_nu0:?}")]
+    Equivalent {
+        /// The film's Poisson ratio.
+        nu1: f64,
+        /// The substrate's Poisson ratio.
+        nu0: f64,
+        /// The Poisson ratio of the table's substrate.
+        table_nu0: f64,
+        /// What is wrong with the equivalent.
+        source: Box<Error>,
     },
     /// A rigid sphere asked of a table for compliant ones, or the other way round.
     #[error("the table is normalised by {table}, the query needs one normalised by {query}")]
@@ -69,9 +82,14 @@ pub enum Error {
     /// A table whose parts contradict each other or the schema.
     #[error("the table is malformed: {0}")]
     Malformed(String),
-    /// The operating system failed to read or write.
-    #[error(transparent)]
-    Io(#[from] io::Error),
+    /// A file that cannot be read.
+    #[error("cannot read {}", path.display())]
+    Io {
+        /// The file.
+        path: PathBuf,
+        /// The reason.
+        source: io::Error,
+    },
 }
 
 impl Error {

@@ -16,7 +16,10 @@ impl Table {
     /// another version, [`Error::Malformed`] for missing, mistyped or contradicting parts.
     pub fn open(path: impl AsRef<Path>) -> Result<Self, Error> {
         // Opened here first, so that a missing file is told from a foreign one.
-        drop(std::fs::File::open(path.as_ref())?);
+        let path = path.as_ref();
+        let io = |source| Error::Io { path: path.to_owned(), source };
+        let bytes = std::fs::metadata(path).map_err(io)?.len();
+        drop(std::fs::File::open(path).map_err(io)?);
         let file = File::open(path).map_err(|e| Error::Foreign(e.to_string()))?;
         let attributes = Attributes(file.root().attrs().map_err(malformed)?);
         match attributes.text(attribute::FORMAT) {
@@ -49,22 +52,25 @@ impl Table {
         };
         let mut axes = [const { Vec::new() }; 4];
         for (axis, parameter) in axes.iter_mut().zip(Parameter::ALL) {
-            *axis = dataset(&file, &format!("{AXES}/{}", parameter.name()), None)?;
+            *axis = dataset(&file, bytes, &format!("{AXES}/{}", parameter.name()), None)?;
         }
         let shape: Vec<u64> = axes.iter().map(|nodes| nodes.len() as u64).collect();
         let held = file.group(VALUES).and_then(|group| group.datasets()).map_err(malformed)?;
         let mut values = [const { None }; 4];
         for quantity in Quantity::ALL {
             if held.iter().any(|name| name == quantity.name()) {
-                values[quantity as usize] = Some(dataset(&file, &format!("{VALUES}/{}", quantity.name()), Some(&shape))?);
+                values[quantity as usize] = Some(dataset(&file, bytes, &format!("{VALUES}/{}", quantity.name()), Some(&shape))?);
             }
         }
         Self::new(description, axes, values)
     }
 }
 
-/// The f64 values of a dataset, which must have the given shape.
-fn dataset(file: &File, path: &str, shape: Option<&[u64]>) -> Result<Vec<f64>, Error> {
+/// More than deflate can shrink anything: a dataset larger than the file times this is a forged one.
+const COMPRESSION: u64 = 1032;
+
+/// The f64 values of a dataset, which must have the given shape (or one dimension), in a file of the given size.
+fn dataset(file: &File, bytes: u64, path: &str, shape: Option<&[u64]>) -> Result<Vec<f64>, Error> {
     let dataset = file.dataset(path).map_err(malformed)?;
     let kind = dataset.dtype().map_err(malformed)?;
     if !matches!(kind, DType::F64) {
@@ -73,6 +79,10 @@ fn dataset(file: &File, path: &str, shape: Option<&[u64]>) -> Result<Vec<f64>, E
     let found = dataset.shape().map_err(malformed)?;
     if shape.is_some_and(|shape| shape != found) {
         return Err(Error::Malformed(format!("{path} has shape {found:?}, its axes have {shape:?}")));
+    }
+    let size = found.iter().try_fold(8_u64, |size, &length| size.checked_mul(length));
+    if found.len() != shape.map_or(1, <[u64]>::len) || size.is_none_or(|size| size > bytes.saturating_mul(COMPRESSION)) {
+        return Err(Error::Malformed(format!("{path} has shape {found:?} in a file of {bytes} bytes")));
     }
     dataset.read_f64().map_err(malformed)
 }

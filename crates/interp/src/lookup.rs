@@ -57,13 +57,13 @@ fn bernstein(t: f64) -> [f64; 4] {
 /// The tensor B-spline of a table along its material axes.
 ///
 /// What is splined is `ln(Pi0/es)`, `ln(Eeq/es)`, `ln(Gamma/es)` and `ln Delta0` over `ln(E1/E2)`, `c(nu1)` and `ln(E0/E2)`.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Coefficients {
     /// The bases of `e1_over_e2`, `nu1` and `e0_over_e2`.
     bases: [Basis; 3],
     /// One row for each combination of material coefficients, `e1_over_e2` slowest; a row holds the four
     /// logarithms for each `a_over_t`.
-    rows: Vec<Four>,
+    rows: Vec<f64>,
 }
 
 impl Coefficients {
@@ -75,10 +75,10 @@ impl Coefficients {
         let bases = [Parameter::E1OverE2, Parameter::Nu1, Parameter::E0OverE2].map(|p| Basis::new(&nodes(p), DEGREE));
 
         // Material-major, so that a curve sums whole rows.
-        let mut flat = vec![0.0; 4 * n_a * materials];
+        let mut rows = vec![0.0; 4 * n_a * materials];
         for quantity in Quantity::ALL {
             let Some(values) = table.values(quantity) else { continue };
-            for (material, row) in flat.chunks_exact_mut(4 * n_a).enumerate() {
+            for (material, row) in rows.chunks_exact_mut(4 * n_a).enumerate() {
                 let (e1, nu) = (material / (n_nu * n_e0), material / n_e0 % n_nu);
                 let scale = scale(quantity, film_limit(table, e1, nu));
                 for (a, group) in row.chunks_exact_mut(4).enumerate() {
@@ -87,12 +87,11 @@ impl Coefficients {
             }
         }
         let row = 4 * n_a;
-        bases[0].interpolate(&mut flat, n_nu * n_e0 * row);
-        for slab in flat.chunks_exact_mut(n_nu * n_e0 * row) {
+        bases[0].interpolate(&mut rows, n_nu * n_e0 * row);
+        for slab in rows.chunks_exact_mut(n_nu * n_e0 * row) {
             bases[1].interpolate(slab, n_e0 * row);
             slab.chunks_exact_mut(n_e0 * row).for_each(|slab| bases[2].interpolate(slab, row));
         }
-        let rows = flat.chunks_exact(4).map(|c| Four([c[0], c[1], c[2], c[3]])).collect();
         Self { bases, rows }
     }
 
@@ -101,14 +100,20 @@ impl Coefficients {
         if table_unit != unit {
             return Err(Error::Normalisation { table: table_unit.symbol(), query: unit.symbol() });
         }
-        let material = material.with_substrate_poisson_ratio(table.description().nu0)?;
-        let weights = [
-            (Parameter::E1OverE2, material.e1_over_e2()),
-            (Parameter::Nu1, material.nu1()),
-            (Parameter::E0OverE2, material.e0_over_e2()),
-        ];
-        let [e1, nu, e0] = [0, 1, 2].map(|i| table.locate(weights[i].0, weights[i].1).map(|u| self.bases[i].weights(u)));
-        let values = self.contract(table.shape(), &e1?, &nu?, &e0?);
+        let table_nu0 = table.description().nu0;
+        let place = || {
+            let material = material.with_substrate_poisson_ratio(table_nu0)?;
+            let e1 = table.locate(Parameter::E1OverE2, material.e1_over_e2())?;
+            let nu = table.locate(Parameter::Nu1, material.nu1())?;
+            let e0 = table.locate(Parameter::E0OverE2, material.e0_over_e2())?;
+            Ok((material, self.bases[0].weights(e1), self.bases[1].weights(nu), self.bases[2].weights(e0)))
+        };
+        let (nu1, nu0) = (material.nu1(), material.nu0());
+        let (material, e1, nu, e0) = place().map_err(|error| match error {
+            error if nu0 == table_nu0 => error,
+            error => Error::Equivalent { nu1, nu0, table_nu0, source: Box::new(error) },
+        })?;
+        let values = self.contract(table.shape(), &e1, &nu, &e0);
         let held = Quantity::ALL.map(|quantity| table.values(quantity).is_some());
         Ok(Curve::new(table.axis(Parameter::AOverT), &values, material, held))
     }
@@ -121,8 +126,9 @@ impl Coefficients {
                 for k in 0..e0.count {
                     let weight = e1.values[i] * nu.values[j] * e0.values[k];
                     let row = ((e1.first + i) * n_nu + nu.first + j) * n_e0 + e0.first + k;
-                    for (sum, value) in sum.iter_mut().zip(&self.rows[row * n_a..][..n_a]) {
-                        *sum = sum.plus(weight, *value);
+                    let values = self.rows[4 * row * n_a..][..4 * n_a].chunks_exact(4);
+                    for (sum, c) in sum.iter_mut().zip(values) {
+                        *sum = sum.plus(weight, Four([c[0], c[1], c[2], c[3]]));
                     }
                 }
             }

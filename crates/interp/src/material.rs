@@ -153,7 +153,7 @@ impl Material {
         let k = |nu: f64| (1.0 - 2.0 * nu) / (1.0 - nu);
         let film_over_substrate = self.film_modulus() / self.substrate_modulus();
         let mut k1 = k(self.nu1) + film_over_substrate * (k(nu0) - k(self.nu0));
-        if (-8.0 * f64::EPSILON..0.0).contains(&k1) {
+        if (-8.0 * f64::EPSILON * (1.0 + film_over_substrate)..0.0).contains(&k1) {
             // An incompressible film, but for rounding.
             k1 = 0.0;
         }

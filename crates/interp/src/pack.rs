@@ -46,7 +46,8 @@ impl Table {
     /// # Errors
     /// [`Error::Io`], and those of [`Table::from_packed`].
     pub fn read(path: impl AsRef<Path>) -> Result<Self, Error> {
-        Self::from_packed(&fs::read(path)?)
+        let path = path.as_ref();
+        Self::from_packed(&fs::read(path).map_err(|source| Error::Io { path: path.to_owned(), source })?)
     }
 
     /// The packed form, which [`Table::from_packed`] turns back into the same table, bit for bit.

@@ -47,7 +47,7 @@ pub const AXES: &str = "axes";
 pub const VALUES: &str = "values";
 
 /// One of the table's four parameters, in the order of the table's dimensions (row-major, the first varies slowest).
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Parameter {
     /// Contact radius over film thickness.
     AOverT,

@@ -1,6 +1,7 @@
 //! The table: axes, values, where they come from, and how accurate they are between the nodes.
 
 use std::cmp::Ordering;
+use std::ops::RangeInclusive;
 use std::sync::OnceLock;
 
 use serde::{Deserialize, Serialize};
@@ -42,8 +43,14 @@ pub struct Description {
     pub certificate: Certificate,
 }
 
+/// What moduli, `a/t` and quantities may be: far more than is solved, and far from where arithmetic overflows.
+const REASONABLE: RangeInclusive<f64> = 1e-30..=1e30;
+
+/// The closest that nodes may be, relative to the length of their axis.
+const CLOSEST: f64 = 1e-7;
+
 /// Values of the quantities on a grid of (`a_over_t`, `e1_over_e2`, `nu1`, `e0_over_e2`).
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Table {
     description: Description,
     axes: [Vec<f64>; 4],
@@ -57,9 +64,9 @@ impl Table {
     /// not ask for the quantity.
     ///
     /// # Errors
-    /// [`Error::Malformed`] if an axis is empty or not strictly ascending, holds a value outside physics, or has another number of
-    /// nodes than the values; or if no quantity is given, or a value is not positive and finite. An axis with more than one
-    /// node must be finite, and positive unless it is `nu1`.
+    /// [`Error::Malformed`] if an axis is empty or not strictly ascending, holds a value outside physics, has two nodes that a spline
+    /// could not tell apart, or has another number of nodes than the values; or if no quantity is given. Moduli, `a_over_t` and the
+    /// quantities must be in `[1e-30, 1e30]`, but for a rigid sphere or substrate, which is a fixed parameter.
     pub fn new(description: Description, axes: [Vec<f64>; 4], values: [Option<Vec<f64>>; 4]) -> Result<Self, Error> {
         let malformed = |what: String| Err(Error::Malformed(what));
         for (parameter, nodes) in Parameter::ALL.into_iter().zip(&axes) {
@@ -68,17 +75,22 @@ impl Table {
                 return malformed(format!("axis {name} is empty"));
             }
             if let Some(pair) = nodes.windows(2).find(|pair| pair[0].partial_cmp(&pair[1]) != Some(Ordering::Less)) {
-                return malformed(format!("axis {name} is not ascending: {} is followed by {}", pair[0], pair[1]));
+                return malformed(format!("axis {name} is not ascending: {:?} is followed by {:?}", pair[0], pair[1]));
             }
             let physical = |&node: &f64| match parameter {
                 Parameter::Nu1 => poisson_ratio(name, node).is_ok(),
-                Parameter::AOverT => node > 0.0 && node.is_finite(),
+                Parameter::AOverT => REASONABLE.contains(&node),
                 // A rigid sphere or substrate is a fixed parameter, never a node among others.
-                Parameter::E1OverE2 => node.is_finite() && (node > 0.0 || (node == 0.0 && nodes.len() == 1)),
-                Parameter::E0OverE2 => node > 0.0 && (node.is_finite() || nodes.len() == 1),
+                Parameter::E1OverE2 => REASONABLE.contains(&node) || (node == 0.0 && nodes.len() == 1),
+                Parameter::E0OverE2 => REASONABLE.contains(&node) || (node == f64::INFINITY && nodes.len() == 1),
             };
             if let Some(node) = nodes.iter().find(|node| !physical(node)) {
-                return malformed(format!("axis {name} holds {node}"));
+                return malformed(format!("axis {name} holds {node:?}"));
+            }
+            let span = parameter.coordinate(nodes[nodes.len() - 1]) - parameter.coordinate(nodes[0]);
+            let gap = |pair: &&[f64]| parameter.coordinate(pair[1]) - parameter.coordinate(pair[0]) < CLOSEST * span;
+            if let Some(pair) = nodes.windows(2).find(gap) {
+                return malformed(format!("axis {name} has nodes too close to each other: {:?} and {:?}", pair[0], pair[1]));
             }
         }
         let rigid_sphere = axes[1][0] == 0.0;
@@ -95,8 +107,8 @@ impl Table {
             if Some(values.len()) != count {
                 return malformed(format!("{} has {} values on {count:?} nodes", quantity.name(), values.len()));
             }
-            if let Some(value) = values.iter().find(|&&value| !(value > 0.0 && value < f64::INFINITY)) {
-                return malformed(format!("{} holds {value}", quantity.name()));
+            if let Some(value) = values.iter().find(|&value| !REASONABLE.contains(value)) {
+                return malformed(format!("{} holds {value:?}", quantity.name()));
             }
         }
         if values.iter().all(Option::is_none) {
@@ -133,12 +145,12 @@ impl Table {
     /// The quantities as functions of `a/t` for one material, from tensor splines of degree 5 along the material axes.
     ///
     /// A material on a substrate with another Poisson ratio than the table's `nu0` is replaced by its exact
-    /// [equivalent](Material::with_substrate_poisson_ratio). A parameter may miss the box, or a fixed value, by `1e-12`
-    /// relative, which is rounding.
+    /// [equivalent](Material::with_substrate_poisson_ratio), where there is one: for `nu0` below the table's, an incompressible film has none.
+    /// A parameter may miss the box, or a fixed value, by `1e-12` relative, which is rounding.
     ///
     /// # Errors
     /// [`Error::Normalisation`] for a rigid sphere in a table for compliant ones or the reverse; [`Error::OutsideTable`] for a
-    /// material outside the box.
+    /// material outside the box; [`Error::Equivalent`] where the equivalent does not exist or is outside the box.
     pub fn curve(&self, material: &Material) -> Result<Curve, Error> {
         self.coefficients.get_or_init(|| Coefficients::new(self)).curve(self, material)
     }
@@ -154,7 +166,8 @@ pub(crate) fn locate(parameter: Parameter, nodes: &[f64], value: f64) -> Result<
     /// What the rounding of a ratio of SI values may add up to.
     const ROUNDING: f64 = 1e-12;
     let (from, to) = (nodes[0], nodes[nodes.len() - 1]);
-    let near = |end: f64| (value - end).abs() <= ROUNDING * end.abs();
+    let size = |end: f64| if parameter == Parameter::Nu1 { 1.0 } else { end.abs() };
+    let near = |end: f64| end.is_finite() && (value - end).abs() <= ROUNDING * size(end);
     if value >= from && value <= to {
         Ok(parameter.coordinate(value))
     } else if near(from) {

@@ -1,16 +1,15 @@
-//! The HDF5 file of a table: written atomically, read with every type and shape checked.
+//! Writes the HDF5 file of a table. It is read by `interp::Table::open`, which needs no C library.
 
-use std::fs::File;
 use std::io;
 use std::path::Path;
 
-use hdf5::types::{FloatSize, IntSize, TypeDescriptor, VarLenUnicode};
-use hdf5::{Dataset, H5Type, Location};
+use hdf5::types::VarLenUnicode;
+use hdf5::{H5Type, Location};
 use interp::schema::{AXES, FORMAT, FORMAT_VERSION, Parameter, VALUES, attribute};
-use interp::{Certificate, Description, Normalisation, Quantity, Table};
+use interp::{Quantity, Table};
 use ndarray::{ArrayView1, ArrayView4};
 
-use crate::dimension_scale::{attach_scale, make_scale};
+use crate::bindings::{attach_scale, create_group, make_scale};
 use crate::{Error, output};
 
 /// Values compressed together: a chunk spans all substrates and Poisson ratios of a few films.
@@ -47,11 +46,12 @@ fn fill(table: &Table, path: &Path) -> hdf5::Result<()> {
     number(&file, attribute::CERTIFIED_POINTS, certificate.points)?;
     number(&file, attribute::CERTIFIED_SEED, certificate.seed)?;
 
-    let axes = file.create_group(AXES)?;
+    let axes = create_group(&file, AXES)?;
     let mut scales = Vec::new();
     for parameter in Parameter::ALL {
         let nodes = table.axis(parameter);
-        let builder = axes.new_dataset_builder().obj_track_times(false);
+        // One chunk, because only chunks can have a checksum.
+        let builder = axes.new_dataset_builder().obj_track_times(false).chunk(nodes.len()).fletcher32();
         let axis = builder.with_data(ArrayView1::from(nodes)).create(parameter.name())?;
         text(&axis, attribute::UNITS, "1")?;
         text(&axis, attribute::LONG_NAME, parameter.long_name())?;
@@ -60,7 +60,7 @@ fn fill(table: &Table, path: &Path) -> hdf5::Result<()> {
         scales.push(axis);
     }
 
-    let values = file.create_group(VALUES)?;
+    let values = create_group(&file, VALUES)?;
     let shape = table.shape();
     let chunk = chunk(shape);
     for quantity in Quantity::ALL {
@@ -96,91 +96,4 @@ fn text(location: &Location, name: &str, value: &str) -> hdf5::Result<()> {
 
 fn number<T: H5Type>(location: &Location, name: &str, value: T) -> hdf5::Result<()> {
     location.new_attr::<T>().create(name)?.write_scalar(&value)
-}
-
-/// Reads a table.
-///
-/// # Errors
-/// [`Error::Read`] if there is no such file; [`Error::Table`] for a file that is no table, another format version, or malformed parts.
-pub fn read(path: &Path) -> Result<Table, Error> {
-    // Opened here first, so that a missing file is told from a foreign one.
-    drop(File::open(path).map_err(|source| Error::Read { path: path.to_owned(), source })?);
-    let foreign = |what: String| Error::from(interp::Error::Foreign(what));
-    let file = hdf5::File::open(path).map_err(|e| foreign(e.to_string()))?;
-    if !read_text(&file, attribute::FORMAT).is_ok_and(|format| format == FORMAT) {
-        return Err(foreign(format!("its attribute {} is not {FORMAT:?}", attribute::FORMAT)));
-    }
-    let version: u32 = read_number(&file, attribute::FORMAT_VERSION, TypeDescriptor::Unsigned(IntSize::U4)).map_err(malformed)?;
-    if version != FORMAT_VERSION {
-        return Err(interp::Error::Version { found: version, supported: FORMAT_VERSION }.into());
-    }
-    let (description, axes, values) = parts(&file).map_err(malformed)?;
-    Ok(Table::new(description, axes, values)?)
-}
-
-type Parts = (Description, [Vec<f64>; 4], [Option<Vec<f64>>; 4]);
-
-fn parts(file: &hdf5::File) -> hdf5::Result<Parts> {
-    let real = |name| read_number::<f64>(file, name, TypeDescriptor::Float(FloatSize::U8));
-    let count = |name| read_number::<u64>(file, name, TypeDescriptor::Unsigned(IntSize::U8));
-    let symbol = read_text(file, attribute::NORMALISED_BY)?;
-    let normalisation = [Normalisation::Sphere, Normalisation::Film]
-        .into_iter()
-        .find(|normalisation| normalisation.symbol() == symbol)
-        .ok_or_else(|| format!("it is normalised by {symbol:?}"))?;
-    let description = Description {
-        title: read_text(file, attribute::TITLE)?,
-        scene: read_text(file, attribute::SCENE)?,
-        nu0: real(attribute::NU0)?,
-        normalisation,
-        tolerance: real(attribute::TOLERANCE)?,
-        created_by: read_text(file, attribute::CREATED_BY)?,
-        certificate: Certificate {
-            max_error: real(attribute::CERTIFIED_MAX_ERROR)?,
-            median_error: real(attribute::CERTIFIED_MEDIAN_ERROR)?,
-            points: count(attribute::CERTIFIED_POINTS)?,
-            seed: count(attribute::CERTIFIED_SEED)?,
-        },
-    };
-    let group = file.group(AXES)?;
-    let mut axes = [const { Vec::new() }; 4];
-    for (axis, parameter) in axes.iter_mut().zip(Parameter::ALL) {
-        let dataset = group.dataset(parameter.name())?;
-        *axis = read_dataset(&dataset, &[dataset.size()])?;
-    }
-    let shape = axes.each_ref().map(Vec::len);
-    let group = file.group(VALUES)?;
-    let mut values = [const { None }; 4];
-    for quantity in Quantity::ALL {
-        if group.link_exists(quantity.name()) {
-            values[quantity as usize] = Some(read_dataset(&group.dataset(quantity.name())?, &shape)?);
-        }
-    }
-    Ok((description, axes, values))
-}
-
-/// The values of a dataset of the given shape. The stored type is checked, because the library would convert any other silently.
-fn read_dataset(dataset: &Dataset, shape: &[usize]) -> hdf5::Result<Vec<f64>> {
-    let (kind, found) = (dataset.dtype()?.to_descriptor()?, dataset.shape());
-    if kind != TypeDescriptor::Float(FloatSize::U8) || found != shape {
-        return Err(format!("{} holds {kind} of shape {found:?}, not float64 of shape {shape:?}", dataset.name()).into());
-    }
-    dataset.read_raw()
-}
-
-fn read_text(location: &Location, name: &str) -> hdf5::Result<String> {
-    Ok(location.attr(name)?.read_scalar::<VarLenUnicode>()?.as_str().to_owned())
-}
-
-fn read_number<T: H5Type>(location: &Location, name: &str, kind: TypeDescriptor) -> hdf5::Result<T> {
-    let attribute = location.attr(name)?;
-    let found = attribute.dtype()?.to_descriptor()?;
-    if found != kind {
-        return Err(format!("attribute {name} holds {found}, not {kind}").into());
-    }
-    attribute.read_scalar()
-}
-
-fn malformed(error: hdf5::Error) -> Error {
-    interp::Error::Malformed(error.to_string()).into()
 }

@@ -53,10 +53,9 @@ fn error_at(table: &Table, [a_over_t, e1, nu1, e0]: [f64; 4]) -> Result<f64, Err
     let material = Material::new(e1, nu1, e0, table.description().nu0)?;
     let solved = solve(a_over_t, &material, solve_tolerance(table.description().tolerance))?.quantities;
     let curve = table.curve(&material)?;
-    let mut worst: f64 = 0.0;
-    for quantity in Quantity::ALL.into_iter().filter(|&quantity| table.values(quantity).is_some()) {
-        let (interpolated, truth) = (curve.quantity(quantity, a_over_t)?, solved.get(quantity));
-        worst = worst.max((interpolated / truth - 1.0).abs());
-    }
-    Ok(worst)
+    let held = Quantity::ALL.into_iter().filter(|&quantity| table.values(quantity).is_some());
+    let mut errors = held.map(|quantity| Ok((curve.quantity(quantity, a_over_t)? / solved.get(quantity) - 1.0).abs()));
+    errors.try_fold(0.0, |worst, error: Result<f64, Error>| {
+        error.map(|error| if error >= worst || error.is_nan() { error } else { worst })
+    })
 }

@@ -20,7 +20,7 @@ use clap::{Parser, Subcommand};
 use indicatif::{ProgressBar, ProgressStyle};
 use interp::Table;
 
-use crate::{archive, output};
+use crate::output;
 
 /// Adhesive contact of a sphere (2) on a film (1) bonded to a substrate (0): solve it, tabulate it, look it up.
 ///
@@ -74,7 +74,8 @@ fn read_table(path: &Path) -> anyhow::Result<Table> {
     let context = || path.display().to_string();
     let mut start = Vec::new();
     File::open(path).and_then(|file| file.take(8).read_to_end(&mut start)).with_context(context)?;
-    if interp::is_packed(&start) { Table::read(path).with_context(context) } else { archive::read(path).with_context(context) }
+    let table = if interp::is_packed(&start) { Table::read(path) } else { Table::open(path) };
+    table.with_context(context)
 }
 
 /// Writes text to a file, complete or not at all, or to standard output.

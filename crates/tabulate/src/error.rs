@@ -10,7 +10,7 @@ use interp::Material;
 #[non_exhaustive]
 pub enum Error {
     /// A parameter that the solve is not made for.
-    #[error("{name} = {value} is outside the domain of the solve, {from} to {to}")]
+    #[error("{name} = {value:?} is outside the domain of the solve, {from:?} to {to:?}")]
     Domain {
         /// The parameter's name.
         name: &'static str,
@@ -46,7 +46,7 @@ pub enum Error {
         what: String,
     },
     /// A file that cannot be read.
-    #[error("cannot read {}: {source}", path.display())]
+    #[error("cannot read {}", path.display())]
     Read {
         /// The file.
         path: PathBuf,
@@ -54,7 +54,7 @@ pub enum Error {
         source: io::Error,
     },
     /// A file that cannot be written.
-    #[error("cannot write {}: {source}", path.display())]
+    #[error("cannot write {}", path.display())]
     Write {
         /// The file.
         path: PathBuf,

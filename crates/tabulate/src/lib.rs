@@ -1,7 +1,5 @@
 //! Solves the adhesive contact of a sphere on a coated substrate and tabulates it.
 //!
-//! Data flows one way:
-//!
 //! ```text
 //! scene -> sweep( solve <- galerkin <- bessel, quadrature, compliance <- material ) -> certify -> archive (.h5), pack (.bin)
 //! ```
@@ -11,15 +9,15 @@
 #![deny(unsafe_code)]
 
 pub mod archive;
-pub mod bessel;
+mod bessel;
+mod bindings;
 pub mod certify;
 pub mod cli;
 pub mod compliance;
-mod dimension_scale;
 mod error;
-pub mod galerkin;
+mod galerkin;
 pub mod output;
-pub mod quadrature;
+mod quadrature;
 pub mod scene;
 pub mod solve;
 pub mod sweep;

@@ -1,54 +1,64 @@
 //! Files that are either complete or not there.
 
-use std::fs;
+use std::fs::File;
 use std::io;
-use std::path::Path;
+use std::path::{Path, PathBuf};
+
+use tempfile::TempPath;
 
 use crate::Error;
 
-/// Accepts a path at which a file can be made.
+/// Accepts a path at which a file can be made or replaced.
 ///
 /// # Errors
 /// [`Error::Write`] naming `path`.
 pub fn check_writable(path: &Path) -> Result<(), Error> {
-    let attempt = || match path.is_dir() {
-        true => Err(io::Error::from(io::ErrorKind::IsADirectory)),
-        false => temporary(path).map(drop),
-    };
-    attempt().map_err(|source| Error::Write { path: path.to_owned(), source })
+    temporary(path).map(drop).map_err(|source| Error::Write { path: path.to_owned(), source })
 }
 
 /// Calls `fill` with a temporary path beside `path`, then flushes the file to disk and renames it to `path`.
 ///
 /// # Errors
-/// [`Error::Write`] naming `path`; an existing file is then untouched.
+/// [`Error::Write`] naming `path`; an existing file is then untouched. Anything there but a file, a device for instance, is an error.
 pub fn atomically(path: &Path, fill: impl FnOnce(&Path) -> io::Result<()>) -> Result<(), Error> {
     let attempt = || {
-        let unfinished = temporary(path)?;
+        let (unfinished, target) = temporary(path)?;
         fill(&unfinished)?;
-        let file = fs::File::open(&unfinished)?;
-        file.sync_all()?;
-        share(&file)?;
-        unfinished.persist(path).map_err(|e| e.error)
+        File::open(&unfinished)?.sync_all()?;
+        unfinished.persist(&target).map_err(|e| e.error)?;
+        sync_folder(&target)
     };
     attempt().map_err(|source| Error::Write { path: path.to_owned(), source })
 }
 
-/// A new file in the same folder, removed when dropped.
-fn temporary(path: &Path) -> io::Result<tempfile::TempPath> {
-    // A bare file name has the empty path as its parent.
-    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    Ok(tempfile::Builder::new().prefix(".unfinished-").tempfile_in(folder)?.into_temp_path())
+/// A new file, removed when dropped, in the same folder as the file that `path` means, and that file's path.
+fn temporary(path: &Path) -> io::Result<(TempPath, PathBuf)> {
+    // The file behind a link is replaced, not the link.
+    let target = match path.canonicalize() {
+        Ok(existing) if existing.is_file() => existing,
+        Ok(_) => return Err(io::Error::other("it exists and is not a file")),
+        Err(_) => path.to_owned(),
+    };
+    let mut builder = tempfile::Builder::new();
+    // Temporary files are private; this one becomes what any program would have created.
+    #[cfg(unix)]
+    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+    let unfinished = builder.prefix(".unfinished-").tempfile_in(folder(&target))?.into_temp_path();
+    Ok((unfinished, target))
 }
 
-/// Temporary files are private; a finished one is for everybody to read.
+/// The folder of a file; a bare file name has an empty parent.
+fn folder(path: &Path) -> &Path {
+    path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
+}
+
+/// Makes a rename survive a loss of power.
 #[cfg(unix)]
-fn share(file: &fs::File) -> io::Result<()> {
-    use std::os::unix::fs::PermissionsExt;
-    file.set_permissions(fs::Permissions::from_mode(0o644))
+fn sync_folder(path: &Path) -> io::Result<()> {
+    File::open(folder(path))?.sync_all()
 }
 
 #[cfg(not(unix))]
-fn share(_: &fs::File) -> io::Result<()> {
+fn sync_folder(_: &Path) -> io::Result<()> {
     Ok(())
 }

@@ -71,9 +71,8 @@ impl<'de> Deserialize<'de> for Values {
             fn visit_f64<E>(self, value: f64) -> Result<Values, E> {
                 Ok(Values::Fixed(value))
             }
-            fn visit_i64<E: serde::de::Error>(self, value: i64) -> Result<Values, E> {
-                // Every integer that a scene can sensibly hold is exact.
-                i32::try_from(value).map(|value| Values::Fixed(f64::from(value))).map_err(E::custom)
+            fn visit_i64<E>(self, value: i64) -> Result<Values, E> {
+                Ok(Values::Fixed(value as f64))
             }
             fn visit_map<M: MapAccess<'de>>(self, map: M) -> Result<Values, M::Error> {
                 Range::deserialize(serde::de::value::MapAccessDeserializer::new(map)).map(Values::Range).map_err(M::Error::custom)
@@ -178,7 +177,7 @@ fn nodes(parameter: Parameter, values: &Values, tolerance: f64) -> Result<Vec<f6
     let logarithmic = parameter != Parameter::Nu1;
     let intervals = match (range.nodes, range.nodes_per_decade) {
         (Some(_), Some(_)) => return Err(format!("{name} has both nodes and nodes_per_decade")),
-        (Some(nodes), None) => nodes.saturating_sub(1) as f64,
+        (Some(nodes), None) => nodes as f64 - 1.0,
         (None, Some(_)) if !logarithmic => return Err(format!("{name} is not logarithmic: give nodes, not nodes_per_decade")),
         (None, Some(per_decade)) => {
             within(&format!("{name}.nodes_per_decade"), per_decade, [1.0, 1000.0])?;

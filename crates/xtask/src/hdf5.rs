@@ -27,7 +27,7 @@ pub fn cargo(args: &[&str]) -> Result<Command, String> {
 }
 
 fn system_library() -> bool {
-    env::var_os("HDF5_DIR").is_some() || runs(Command::new("pkg-config").args(["--exists", "hdf5"]))
+    env::var_os("HDF5_DIR").is_some_and(|dir| !dir.is_empty()) || runs(Command::new("pkg-config").args(["--exists", "hdf5"]))
 }
 
 fn cmake() -> Result<PathBuf, String> {
@@ -42,7 +42,7 @@ fn cmake() -> Result<PathBuf, String> {
         format!(
             "libhdf5 has to be built and there is no cmake {}.{} or newer: {why}\n\
              Install one of: libhdf5 with its headers and pkg-config file (Debian: libhdf5-dev pkg-config); \
-             cmake >= {0}.{1} (or set CMAKE to it); python3 with pip",
+             cmake >= {0}.{1} and make (or set CMAKE to it); python3 with pip",
             OLDEST_CMAKE.0, OLDEST_CMAKE.1
         )
     })?;

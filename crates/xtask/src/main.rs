@@ -15,9 +15,10 @@ use std::process::{Command, ExitCode};
 const USAGE: &str = "\
 usage: cargo xtask COMMAND
 
-  table [ARGS]   make a table: `tabulate generate ARGS`; without ARGS the default scene into tables/default.h5
+  table [SCENE] [ARGS]
+                 make a table: `tabulate generate SCENE ARGS`; without SCENE the default one, into tables/default.h5
   test [ARGS]    run the whole test suite, optimised; ARGS go to `cargo test`
-  cargo ARGS     run any cargo command with HDF5 set up, for example `cargo xtask cargo bench -p tabulate`
+  cargo ARGS     run a cargo command that builds tabulate, with HDF5 set up: `cargo xtask cargo bench -p tabulate`
 ";
 
 fn main() -> ExitCode {
@@ -49,21 +50,23 @@ fn main() -> ExitCode {
 /// `tabulate generate`, built optimised.
 fn table(args: &[String]) -> Result<(), String> {
     let mut command = vec!["run", "--release", "-p", "tabulate", "--", "generate"];
-    // Without arguments the workspace's own default scene, wherever the command is run; the table is written beside it.
-    let default = [workspace::root().join("tables/default.toml").display().to_string()];
-    let args = if args.is_empty() { &default } else { args };
+    // Without a scene it is the workspace's default one, wherever the command is run; the table is written beside it.
+    let scene = workspace::root().join("tables/default.toml").display().to_string();
+    if args.first().is_none_or(|first| first.starts_with('-')) {
+        command.push(&scene);
+    }
     command.extend(args.iter().map(String::as_str));
     succeed(&mut hdf5::cargo(&command)?)
 }
 
 /// Every test of every member with every feature, documentation examples included.
 fn test(args: &[String]) -> Result<(), String> {
-    let mut command = vec!["test", "--release", "--workspace", "--features", "interp/hdf5"];
+    let mut command = vec!["test", "--release", "--workspace"];
     command.extend(args.iter().map(String::as_str));
     succeed(hdf5::cargo(&command)?.env("H5PY_PATH", python::package("h5py", H5PY)?))
 }
 
-/// The oldest and newest h5py that one test of the HDF5 file is known to pass with.
+/// The h5py versions that one test of the HDF5 file is known to pass with.
 const H5PY: &str = ">=3.8,<4";
 
 fn cargo(args: &[String]) -> Result<(), String> {

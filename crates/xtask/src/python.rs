@@ -8,7 +8,9 @@ use crate::workspace;
 
 /// The folder (for `PYTHONPATH`) that holds `name` at a version in `range`, fetched by pip at the first call.
 pub fn package(name: &str, range: &str) -> Result<PathBuf, String> {
-    let folder = workspace::target()?.join("tools").join(name);
+    // Another range is another folder.
+    let folder =
+        workspace::target()?.join("tools").join(format!("{name}{range}").replace(|c: char| !c.is_ascii_alphanumeric(), "-"));
     if folder.exists() {
         return Ok(folder);
     }
@@ -23,7 +25,7 @@ pub fn package(name: &str, range: &str) -> Result<PathBuf, String> {
         .status()
         .map_err(|e| format!("cannot run python3: {e}; install python3 with pip"))?;
     if !status.success() {
-        return Err(format!("`python3 -m pip install {name}{range}` failed; install python3 with pip, or {name} itself"));
+        return Err(format!("`python3 -m pip install {name}{range}` failed; it needs python3 with pip, and PyPI within reach"));
     }
     fs::rename(&unfinished, &folder).map_err(|e| format!("cannot rename {}: {e}", unfinished.display()))?;
     Ok(folder)

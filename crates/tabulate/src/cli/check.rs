@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use anyhow::ensure;
+use clap::value_parser;
 
 use super::{progress_bar, read_table, write_text};
 use crate::certify::certify;
@@ -15,20 +16,20 @@ pub struct Arguments {
     /// The table, HDF5 or packed
     table: PathBuf,
     /// Number of random points
-    #[arg(long, default_value_t = 4000)]
-    points: usize,
+    #[arg(long, default_value_t = 4000, value_parser = value_parser!(u32).range(1..))]
+    points: u32,
     /// Seed of the random points [default: another than the certificate's]
     #[arg(long)]
     seed: Option<u64>,
 }
 
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
-    ensure!(arguments.points > 0, "--points is 0, at least 1 is needed");
     let table = read_table(&arguments.table)?;
     let description = table.description();
     let seed = arguments.seed.unwrap_or(description.certificate.seed.wrapping_add(1));
-    let bar = progress_bar(arguments.points, "checking");
-    let measured = certify(&table, arguments.points, seed, &|count| bar.inc(count as u64))?;
+    let points = arguments.points as usize;
+    let bar = progress_bar(points, "checking");
+    let measured = certify(&table, points, seed, &|count| bar.inc(count as u64))?;
     bar.finish_and_clear();
     let text = format!(
         "measured  max {:.1e}, median {:.1e} ({} points, seed {seed})\ncertified max {:.1e}, median {:.1e}; tolerance {:e}\n",

@@ -3,10 +3,12 @@
 use std::path::PathBuf;
 
 use anyhow::{Context, ensure};
+use clap::value_parser;
 use interp::{Elastic, Mechanics, System};
+use rayon::prelude::*;
 
 use super::points::number;
-use super::{read_table, write_text};
+use super::{progress_bar, read_table, write_text};
 use crate::solve::solve;
 
 /// Print the force curve of one system as CSV, in SI units
@@ -48,8 +50,8 @@ pub struct Arguments {
     #[arg(long, default_value_t = 1.5e-4, allow_negative_numbers = true)]
     to: f64,
     /// Number of contact radii, equally spaced
-    #[arg(long, default_value_t = 150)]
-    points: usize,
+    #[arg(long, default_value_t = 150, value_parser = value_parser!(u32).range(2..=1_000_000))]
+    points: u32,
     /// Relative tolerance of direct solves
     #[arg(long, default_value_t = 1e-10, conflicts_with = "table", allow_negative_numbers = true)]
     tolerance: f64,
@@ -64,7 +66,6 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         from > 0.0 && to > from && to < f64::INFINITY,
         "the contact radii must run from > 0 to more than that: from {from} to {to}"
     );
-    ensure!(points >= 2, "--points is {points}, at least 2 are needed");
     let system = System {
         sphere_radius: arguments.sphere_radius,
         sphere_modulus: arguments.sphere_modulus,
@@ -76,10 +77,9 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let material = system.material()?;
     let contact = arguments.table.as_ref().map(|path| anyhow::Ok(read_table(path)?.contact(&system)?)).transpose()?;
 
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    writer.write_record(["contact_radius", "load", "penetration", "jkr_abscissa", "jkr_ordinate"])?;
-    for i in 0..points {
-        let a = from + (to - from) * (i as f64 / (points - 1) as f64);
+    let bar = progress_bar(points as usize, "solving");
+    let row = |i: u32| {
+        let a = from + (to - from) * (f64::from(i) / f64::from(points - 1));
         let (load, penetration) = match &contact {
             Some(contact) => contact.load_and_penetration(a, work_of_adhesion)?,
             None => {
@@ -88,8 +88,16 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
                 mechanics.load_and_penetration(a, edge, &solution.quantities)
             }
         };
+        bar.inc(1);
         let jkr = mechanics.jkr_point(a, load);
-        writer.write_record([a, load, penetration, jkr.abscissa, jkr.ordinate].map(number))?;
+        Ok([a, load, penetration, jkr.abscissa, jkr.ordinate])
+    };
+    let rows = (0..points).into_par_iter().map(row).collect::<anyhow::Result<Vec<_>>>()?;
+    bar.finish_and_clear();
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    writer.write_record(["contact_radius", "load", "penetration", "jkr_abscissa", "jkr_ordinate"])?;
+    for row in rows {
+        writer.write_record(row.map(number))?;
     }
     write_text(arguments.output.as_deref(), &writer.into_inner()?)
 }

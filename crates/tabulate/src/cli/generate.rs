@@ -3,7 +3,8 @@
 use std::path::PathBuf;
 use std::time::Instant;
 
-use anyhow::{Context, bail};
+use anyhow::{Context, bail, ensure};
+use clap::value_parser;
 use interp::{Description, Material, Table};
 
 use super::{info, progress_bar, write_text};
@@ -19,6 +20,7 @@ const DEFAULT_SCENE: &str = include_str!("../../../../tables/default.toml");
 ///
 /// Afterwards the table is compared with direct solves at random points between its nodes; the largest and the median error are
 /// stored in it. If the largest exceeds the tolerance the table is kept and the exit status is 1.
+/// In a scene the moduli are Young's moduli over the sphere's reduced modulus E2*, see `tabulate --help`.
 #[derive(clap::Args)]
 pub struct Arguments {
     /// The scene; without one, the default four-parameter box
@@ -31,23 +33,17 @@ pub struct Arguments {
     #[arg(long, allow_negative_numbers = true)]
     tolerance: Option<f64>,
     /// Number of threads [default: one per core]
-    #[arg(long)]
-    jobs: Option<usize>,
+    #[arg(long, value_parser = value_parser!(u16).range(1..=1024))]
+    jobs: Option<u16>,
     /// Number of random points of the certificate
-    #[arg(long, default_value_t = 4000)]
-    certificate_points: usize,
+    #[arg(long, default_value_t = 4000, value_parser = value_parser!(u32).range(1..))]
+    certificate_points: u32,
     /// Seed of the random points
     #[arg(long, default_value_t = 1)]
     seed: u64,
 }
 
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
-    if arguments.jobs == Some(0) {
-        bail!("--jobs is 0, at least 1 is needed");
-    }
-    if arguments.certificate_points == 0 {
-        bail!("--certificate-points is 0, at least 1 is needed");
-    }
     let scene = match &arguments.scene {
         Some(path) => Scene::read(path, arguments.tolerance)?,
         None => Scene::parse(DEFAULT_SCENE, arguments.tolerance).map_err(anyhow::Error::msg).context("the default scene")?,
@@ -57,13 +53,21 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         (None, Some(scene)) => scene.with_extension("h5"),
         (None, None) => PathBuf::from("default.h5"),
     };
+    let same = |scene: &PathBuf| scene.canonicalize().ok() == path.canonicalize().ok() && scene.exists();
+    ensure!(
+        !arguments.scene.as_ref().is_some_and(same),
+        "the table would replace its scene, {}: name another with -o",
+        path.display()
+    );
     // Better now than after the work.
     output::check_writable(&path)?;
-    let threads =
-        rayon::ThreadPoolBuilder::new().num_threads(arguments.jobs.unwrap_or(0)).build().context("cannot start threads")?;
+    let threads = rayon::ThreadPoolBuilder::new()
+        .num_threads(usize::from(arguments.jobs.unwrap_or(0)))
+        .build()
+        .context("cannot start threads")?;
 
     let start = Instant::now();
-    let (points, certificate_points) = (scene.points(), arguments.certificate_points);
+    let (points, certificate_points) = (scene.points(), arguments.certificate_points as usize);
     let bar = progress_bar(points, "solving");
     let values = threads.install(|| sweep(&scene, &|count| bar.inc(count as u64)))?;
     bar.finish_and_clear();
@@ -97,7 +101,9 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     );
     write_text(None, summary.as_bytes())?;
     let error = certificate.max_error;
-    if error > table.description().tolerance {
+    // Not an ordered comparison the other way round: NaN must not pass.
+    let held = error <= table.description().tolerance;
+    if !held {
         bail!(
             "{} is written, but its measured error {error:.1e} exceeds the tolerance {:e}: give its axes more nodes",
             path.display(),

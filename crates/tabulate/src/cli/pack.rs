@@ -3,8 +3,9 @@
 use std::path::PathBuf;
 
 use anyhow::Context;
+use interp::Table;
 
-use crate::{archive, output};
+use crate::output;
 
 /// Convert an HDF5 table to the packed form that `interp` loads without HDF5, value for value
 #[derive(clap::Args)]
@@ -18,7 +19,7 @@ pub struct Arguments {
 }
 
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
-    let table = archive::read(&arguments.table).with_context(|| arguments.table.display().to_string())?;
+    let table = Table::open(&arguments.table).with_context(|| arguments.table.display().to_string())?;
     let bytes = table.to_packed()?;
     Ok(output::atomically(&arguments.output, |unfinished| std::fs::write(unfinished, &bytes))?)
 }

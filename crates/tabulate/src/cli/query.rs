@@ -11,7 +11,7 @@ use super::{read_table, write_text};
 /// Look up every point of a CSV file in a table
 ///
 /// Prints the points with the interpolated pi0, eeq, gamma and delta0 and, as error, the table's certified relative error. A point outside
-/// the table is an error.
+/// the table is an error. The moduli are Young's moduli over the sphere's reduced modulus E2*, see `tabulate --help`.
 #[derive(clap::Args)]
 pub struct Arguments {
     /// The table, HDF5 or packed
@@ -28,8 +28,11 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let table = read_table(&arguments.table)?;
     let points = points::read(&arguments.points, table.description().nu0)?;
     let error = table.description().certificate.max_error;
-    let look_up = |(i, point): (usize, &Point)| Ok((look_up(&table, point).with_context(|| format!("point {}", i + 1))?, error));
-    let results = points.iter().enumerate().map(look_up).collect::<anyhow::Result<Vec<_>>>()?;
+    let look_up = |point: &Point| {
+        let values = look_up(&table, point).with_context(|| points::place(&arguments.points, point.line))?;
+        Ok((values, error))
+    };
+    let results = points.iter().map(look_up).collect::<anyhow::Result<Vec<_>>>()?;
     write_text(arguments.output.as_deref(), &points::format(&points, &results)?)
 }
 

@@ -1,6 +1,6 @@
 //! `tabulate solve`
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use anyhow::Context;
 use interp::Material;
@@ -34,7 +34,7 @@ pub struct Arguments {
     #[arg(long, value_name = "IN.csv", conflicts_with_all = ["a_over_t", "e1_over_e2", "nu1", "e0_over_e2", "json"])]
     points: Option<PathBuf>,
     /// Write the CSV here instead of to standard output
-    #[arg(short, long, value_name = "OUT.csv", requires = "points")]
+    #[arg(short, long, value_name = "OUT.csv", requires = "points", conflicts_with_all = ["a_over_t", "e1_over_e2", "nu1", "e0_over_e2", "json"])]
     output: Option<PathBuf>,
     /// Relative tolerance on every quantity
     #[arg(long, default_value_t = 1e-10, allow_negative_numbers = true)]
@@ -46,7 +46,7 @@ pub struct Arguments {
 
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     if let Some(path) = &arguments.points {
-        return solve_file(arguments, points::read(path, arguments.nu0)?);
+        return solve_file(arguments, path);
     }
     let given = |value: Option<f64>| value.expect("clap requires the parameters without --points");
     let (a_over_t, e1, nu1, e0) =
@@ -71,14 +71,16 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     write_text(None, text.as_bytes())
 }
 
-fn solve_file(arguments: &Arguments, points: Vec<Point>) -> anyhow::Result<()> {
+fn solve_file(arguments: &Arguments, path: &Path) -> anyhow::Result<()> {
+    let points = points::read(path, arguments.nu0)?;
     let bar = progress_bar(points.len(), "solving");
-    let solve_point = |(i, point): (usize, &Point)| {
-        let solution = solve(point.a_over_t, &point.material, arguments.tolerance).with_context(|| format!("point {}", i + 1))?;
+    let solve_point = |point: &Point| {
+        let solution = solve(point.a_over_t, &point.material, arguments.tolerance);
+        let solution = solution.with_context(|| points::place(path, point.line))?;
         bar.inc(1);
         Ok((solution.quantities.to_array().map(Some), solution.error))
     };
-    let results = points.par_iter().enumerate().map(solve_point).collect::<anyhow::Result<Vec<_>>>()?;
+    let results = points.par_iter().map(solve_point).collect::<anyhow::Result<Vec<_>>>()?;
     bar.finish_and_clear();
     write_text(arguments.output.as_deref(), &points::format(&points, &results)?)
 }
