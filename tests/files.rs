@@ -291,21 +291,33 @@ fn a_truncated_hdf5_file_is_an_error_and_one_with_trailing_bytes_is_not_changed_
     }
 }
 
-/// What the checksums of the file cover is wrong in no reading: the values, and the numbers among the attributes. The text of
-/// attributes lies in a heap without a checksum, and the axes are stored without one.
+/// The heaps in which HDF5 keeps the text of attributes: `GCOL`, a version, and after eight bytes the size.
+fn heaps(bytes: &[u8]) -> Vec<std::ops::Range<usize>> {
+    let starts = (0..bytes.len()).filter(|&at| bytes[at..].starts_with(b"GCOL\x01"));
+    let size = |at: usize| u64::from_le_bytes(bytes[at + 8..at + 16].try_into().expect("eight bytes")) as usize;
+    starts.map(|at| at..at + size(at)).collect()
+}
+
+/// The values have checksums and are wrong in no reading. The axes have none: a changed one may be read as it is. Those of the
+/// attributes' numbers are checked by the C library alone, and their text has none; a broken heap of text can keep that library busy
+/// for ever, so it is not shown any.
 #[test]
 fn a_changed_byte_of_an_hdf5_file_is_an_error_or_leaves_the_values_as_they_are() {
     let desk = desk();
     let bytes = desk.read("table.h5");
+    let heaps = heaps(&bytes);
+    assert!(!heaps.is_empty());
     let (sender, results) = mpsc::channel();
     let (original, path) = (bytes.clone(), desk.path("changed.h5"));
-    // In a thread of its own, which a reader without end cannot stop from being noticed.
+    // In a thread of its own, so that a reader without end is noticed.
     thread::spawn(move || {
         for at in 0..original.len() {
             let mut changed = original.clone();
             changed[at] ^= 0xff;
             fs::write(&path, &changed).expect("the folder is there");
-            let _ = sender.send(panic::catch_unwind(|| readers(&path)));
+            let by_c = !heaps.iter().any(|heap| heap.contains(&at));
+            let read = || if by_c { Vec::from(readers(&path)) } else { vec![Table::open(&path)] };
+            let _ = sender.send(panic::catch_unwind(read));
             let _ = fs::remove_file(&path);
         }
     });
@@ -316,25 +328,35 @@ fn a_changed_byte_of_an_hdf5_file_is_an_error_or_leaves_the_values_as_they_are()
             panics.push(at);
             continue;
         };
-        for (counts, result) in counts.iter_mut().zip(results) {
+        for (counts, result) in counts.iter_mut().rev().zip(results.into_iter().rev()) {
             let Ok(found) = result else {
                 counts[0] += 1;
                 continue;
             };
             let (found_bits, expected_bits) = (all_bits(&found), all_bits(&TABLE));
             assert_eq!(found_bits[4..], expected_bits[4..], "byte {at}: values");
-            let (description, expected) = (found.description(), TABLE.description());
-            assert_eq!(description.certificate, expected.certificate, "byte {at}");
-            assert_eq!((description.nu0, description.tolerance), (expected.nu0, expected.tolerance), "byte {at}");
-            counts[if found_bits != expected_bits {
-                1
-            } else if description != expected {
-                2
-            } else {
-                3
-            }] += 1;
+            let same = found.description() == TABLE.description();
+            counts[if found_bits != expected_bits { 1 } else { 2 + usize::from(same) }] += 1;
         }
     }
-    println!("{} bytes, by the C library and in Rust: errors, other axes, other texts, no difference: {counts:?}", bytes.len());
+    println!(
+        "{} bytes, by the C library and in Rust: errors, other axes, other attributes, no difference: {counts:?}",
+        bytes.len()
+    );
+    assert_eq!(counts[0][2], 0, "the C library has read other attributes");
     assert!(panics.is_empty(), "panics at the bytes {panics:?}");
+}
+
+#[test]
+fn text_that_is_no_utf_8_is_malformed_to_both_readers() {
+    let desk = desk();
+    let mut bytes = desk.read("table.h5");
+    let texts: Vec<usize> = (0..bytes.len()).filter(|&at| bytes[at..].starts_with(b"E2*\0")).collect();
+    assert_eq!(texts.len(), 1);
+    bytes[texts[0] + 2] = 0xff;
+    let path = desk.write("changed.h5", &bytes);
+    let results = panic::catch_unwind(|| readers(&path)).expect("no panic");
+    for result in results {
+        assert!(matches!(result, Err(Error::Malformed(_))), "{result:?}");
+    }
 }
