@@ -1,15 +1,22 @@
-//! What the acceptance tests beside this file share: reading `data/*.csv`, random materials, and how errors are measured.
+//! What the acceptance tests beside this file share: reading CSV, random contacts, small tables, the program under test, and how errors
+//! are measured.
 
 #![forbid(unsafe_code)]
 
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
 
-use interp::{Material, Quantities};
+use interp::schema::Parameter;
+use interp::{Certificate, Description, Elastic, Material, Quantities, Quantity, System, Table};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
+use tabulate::certify::certify;
+use tabulate::scene::Scene;
+use tabulate::sweep::sweep;
+use tempfile::TempDir;
 
-/// A data file: one row of numbers per case, with named columns. Lines that begin with `#` are comments.
+/// Numbers as CSV, a data file or an output: one row of numbers per case, with named columns. Lines that begin with `#` are comments.
 #[derive(Clone, Debug)]
 pub struct Data {
     columns: Vec<String>,
@@ -31,13 +38,26 @@ impl Data {
     pub fn read(name: &str) -> Self {
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("data").join(format!("{name}.csv"));
         let text = fs::read_to_string(&path).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
+        Self::parse(name, &text)
+    }
+
+    /// Reads CSV text; `name` is for messages.
+    ///
+    /// # Panics
+    /// If it holds no case or a field that is no number.
+    pub fn parse(name: &str, text: &str) -> Self {
         let mut lines = text.lines().filter(|line| !line.starts_with('#') && !line.is_empty());
         let columns: Vec<String> = lines.next().expect("a header line").split(',').map(str::to_owned).collect();
-        let number = |field: &str| field.parse().unwrap_or_else(|_| panic!("{name}.csv: {field:?} is no number"));
+        let number = |field: &str| field.parse().unwrap_or_else(|_| panic!("{name}: {field:?} is no number"));
         let rows: Vec<Vec<f64>> = lines.map(|line| line.split(',').map(number).collect()).collect();
-        assert!(!rows.is_empty(), "{name}.csv holds no case");
-        assert!(rows.iter().all(|row| row.len() == columns.len()), "{name}.csv has rows of different lengths");
+        assert!(!rows.is_empty(), "{name} holds no case");
+        assert!(rows.iter().all(|row| row.len() == columns.len()), "{name} has rows of different lengths");
         Self { columns, rows }
+    }
+
+    /// The names of the columns, in the order of the file.
+    pub fn columns(&self) -> Vec<&str> {
+        self.columns.iter().map(String::as_str).collect()
     }
 
     /// The cases, in the order of the file.
@@ -125,11 +145,183 @@ impl Contacts {
         }
     }
 
+    /// A point of a table's box, evenly distributed in the axes' coordinates: `a/t` and the material.
+    pub fn point_of(&mut self, table: &Table) -> (f64, Material) {
+        let [x, e1, nu1, e0] = Parameter::ALL.map(|parameter| {
+            let (first, last) = ends(table, parameter);
+            if first == last {
+                return first;
+            }
+            let coordinate = self.uniform(parameter.coordinate(first), parameter.coordinate(last));
+            parameter.value(coordinate).clamp(first, last)
+        });
+        (x, material([e1, nu1, e0, table.description().nu0]))
+    }
+
     /// A material with film and substrate moduli between the given bounds; one in six has a rigid substrate.
     pub fn material(&mut self, e1_over_e2: [f64; 2], e0_over_e2: [f64; 2]) -> Material {
         let e1 = self.log_uniform(e1_over_e2[0], e1_over_e2[1]);
         let e0 = self.log_uniform(e0_over_e2[0], e0_over_e2[1]);
         let e0 = if self.generator.random_range(0..6) == 0 { f64::INFINITY } else { e0 };
         material([e1, self.poisson_ratio(), e0, self.poisson_ratio()])
+    }
+}
+
+/// The table of a scene, with a certificate of 400 points.
+///
+/// # Panics
+/// If the scene is wrong or a point is not solved.
+pub fn table(scene: &str) -> Table {
+    let scene = Scene::parse(scene, None).expect("the tests' scenes are sound");
+    let values = sweep(&scene, &|_| {}).expect("the tests' scenes are within reach");
+    let [_, e1, nu1, e0] = scene.axes.each_ref().map(|axis| axis[0]);
+    let description = Description {
+        title: scene.title,
+        scene: scene.text,
+        nu0: scene.nu0,
+        normalisation: material([e1, nu1, e0, scene.nu0]).normalisation(),
+        tolerance: scene.tolerance,
+        created_by: "acceptance tests".into(),
+        certificate: Certificate { max_error: f64::NAN, median_error: f64::NAN, points: 0, seed: 0 },
+    };
+    let mut table = Table::new(description, scene.axes, values).expect("a sweep makes a whole table");
+    table.set_certificate(certify(&table, 400, 1, &|_| {}).expect("the tests' scenes are within reach"));
+    table
+}
+
+/// The path of a table or scene that comes with the project.
+pub fn shipped(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../tables").join(name)
+}
+
+/// The first and the last node of an axis.
+pub fn ends(table: &Table, parameter: Parameter) -> (f64, f64) {
+    let nodes = table.axis(parameter);
+    (nodes[0], nodes[nodes.len() - 1])
+}
+
+/// The quantities that a table holds.
+pub fn held(table: &Table) -> Vec<Quantity> {
+    Quantity::ALL.into_iter().filter(|&quantity| table.values(quantity).is_some()).collect()
+}
+
+/// The bits of numbers: equal bits are more than equal values, and say so of NaN.
+pub fn bits(values: &[f64]) -> Vec<u64> {
+    values.iter().map(|value| value.to_bits()).collect()
+}
+
+/// The bits of everything numeric in a table: axes, then the values of each quantity.
+pub fn all_bits(table: &Table) -> Vec<Option<Vec<u64>>> {
+    let axes = Parameter::ALL.map(|parameter| Some(bits(table.axis(parameter))));
+    axes.into_iter().chain(Quantity::ALL.map(|quantity| table.values(quantity).map(bits))).collect()
+}
+
+/// The system of Barthel's Tables 1 and 2 with a film of the given thickness (m).
+pub fn paper_system(film_thickness: f64) -> System {
+    let solid = |young, poisson| Elastic::new(young, poisson).expect("physical");
+    System { sphere_radius: 1e-3, sphere_modulus: 2e6, film: solid(3.5e6, 0.5), film_thickness, substrate: solid(2e11, 0.25) }
+}
+
+/// A folder for one test, and the command line program run inside it.
+#[derive(Debug)]
+pub struct Desk {
+    program: &'static str,
+    folder: TempDir,
+}
+
+/// What a run of the program left.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Run {
+    /// Exit status.
+    pub status: i32,
+    /// Standard output.
+    pub stdout: String,
+    /// Standard error.
+    pub stderr: String,
+}
+
+impl Desk {
+    /// An empty folder for the program, which only the test itself knows: `env!("CARGO_BIN_EXE_tabulate-under-test")`.
+    ///
+    /// # Panics
+    /// If no folder can be made.
+    pub fn new(program: &'static str) -> Self {
+        Self { program, folder: TempDir::new().expect("a temporary folder") }
+    }
+
+    /// The path of a file in the folder.
+    pub fn path(&self, name: &str) -> PathBuf {
+        self.folder.path().join(name)
+    }
+
+    /// Writes a file and returns its path.
+    ///
+    /// # Panics
+    /// If it cannot be written.
+    pub fn write(&self, name: &str, content: impl AsRef<[u8]>) -> PathBuf {
+        let path = self.path(name);
+        fs::write(&path, content).unwrap_or_else(|e| panic!("{name}: {e}"));
+        path
+    }
+
+    /// The bytes of a file.
+    ///
+    /// # Panics
+    /// If it cannot be read.
+    pub fn read(&self, name: &str) -> Vec<u8> {
+        fs::read(self.path(name)).unwrap_or_else(|e| panic!("{name}: {e}"))
+    }
+
+    /// The names of everything in the folder, hidden files too, sorted.
+    ///
+    /// # Panics
+    /// If the folder cannot be read.
+    pub fn files(&self) -> Vec<String> {
+        let entries = fs::read_dir(self.folder.path()).expect("the folder is there");
+        let mut names: Vec<String> = entries.map(|entry| entry.expect("an entry").file_name().to_string_lossy().into()).collect();
+        names.sort();
+        names
+    }
+
+    /// Runs the program in the folder, its output caught and so not a terminal.
+    ///
+    /// # Panics
+    /// If it cannot be run, is killed, or prints something that is no UTF-8.
+    pub fn run(&self, args: &[&str]) -> Run {
+        let mut command = Command::new(self.program);
+        let output = command.args(args).current_dir(self.folder.path()).stdin(Stdio::null()).output().expect("the program runs");
+        let text = |bytes| String::from_utf8(bytes).expect("UTF-8");
+        let status = output.status.code().unwrap_or_else(|| panic!("{args:?}: {}", output.status));
+        Run { status, stdout: text(output.stdout), stderr: text(output.stderr) }
+    }
+
+    /// Runs the program, which must succeed and say nothing on standard error; returns its standard output.
+    ///
+    /// # Panics
+    /// If it fails or complains.
+    pub fn succeed(&self, args: &[&str]) -> String {
+        let run = self.run(args);
+        assert!(run.status == 0 && run.stderr.is_empty(), "{args:?}: {run:?}");
+        run.stdout
+    }
+
+    /// Runs the program, which must end with `status` and print nothing on standard output; returns its standard error.
+    ///
+    /// # Panics
+    /// If it ends otherwise.
+    pub fn fail(&self, status: i32, args: &[&str]) -> String {
+        let run = self.run(args);
+        assert!(run.status == status && run.stdout.is_empty() && !run.stderr.contains("panicked"), "{args:?}: {run:?}");
+        run.stderr
+    }
+}
+
+/// Asserts that a message holds every one of the words.
+///
+/// # Panics
+/// If one is missing.
+pub fn assert_names(message: &str, words: &[&str]) {
+    for word in words {
+        assert!(message.contains(word), "{word:?} is not in: {message}");
     }
 }
