@@ -29,7 +29,7 @@ fn unphysical_parameters_are_refused_by_name_value_and_range() {
         for &value in values {
             let [e1, nu1, e0, nu0] = parameters(name, value);
             let error = Material::new(e1, nu1, e0, nu0).expect_err("unphysical");
-            assert_eq!(error.to_string(), format!("{name} = {value} is not physical: it must be {range}"));
+            assert_eq!(error.to_string(), format!("{name} = {value:?} is not physical: it must be {range}"));
         }
     }
 }
@@ -74,7 +74,10 @@ fn points_outside_the_domain_of_the_solve_are_refused_by_name_value_and_range() 
         for &value in values.iter().chain(&[from.next_down(), to.next_up()]) {
             match solve_with(name, value) {
                 Err(error @ Error::Domain { .. }) => {
-                    assert_eq!(error.to_string(), format!("{name} = {value} is outside the domain of the solve, {from} to {to}"));
+                    assert_eq!(
+                        error.to_string(),
+                        format!("{name} = {value:?} is outside the domain of the solve, {from:?} to {to:?}")
+                    );
                 }
                 other => panic!("{name} = {value}: {other:?}"),
             }

@@ -140,13 +140,28 @@ fn a_wrong_scene_is_named_with_key_value_and_range() {
 #[test]
 fn wrong_arguments_are_named() {
     let desk = desk();
-    for (arguments, words) in [
-        (["--jobs", "0"], ["--jobs", "0"]),
-        (["--certificate-points", "0"], ["--certificate-points", "0"]),
-        (["--tolerance", "-1"], ["tolerance", "-1"]),
-        (["--tolerance", "nan"], ["tolerance", "NaN"]),
+    for (status, arguments, words) in [
+        (2, ["--jobs", "0"], ["--jobs", "0"]),
+        (2, ["--certificate-points", "0"], ["--certificate-points", "0"]),
+        (1, ["--tolerance", "-1"], ["tolerance", "-1"]),
+        (1, ["--tolerance", "nan"], ["tolerance", "NaN"]),
+        (1, ["-o", "scene.toml"], ["scene.toml", "would replace its scene"]),
     ] {
-        assert_names(&desk.fail(1, &[&["generate", "scene.toml"][..], &arguments].concat()), &words);
+        assert_names(&desk.fail(status, &[&["generate", "scene.toml"][..], &arguments].concat()), &words);
     }
     assert_eq!(desk.files(), ["out_of_reach.toml", "scene.toml"]);
+}
+
+#[cfg(unix)]
+#[test]
+fn only_files_are_replaced_and_links_stay_links() {
+    let desk = desk();
+    let generate = |output| ["generate", "scene.toml", "-o", output, "--certificate-points", "50"];
+    desk.write("real.h5", "something else");
+    std::os::unix::fs::symlink("real.h5", desk.path("link.h5")).expect("a link");
+    desk.succeed(&generate("link.h5"));
+    assert!(desk.path("link.h5").is_symlink());
+    Table::open(desk.path("real.h5")).expect("the table is behind the link");
+    let _socket = std::os::unix::net::UnixListener::bind(desk.path("socket")).expect("a socket");
+    assert_names(&desk.fail(1, &generate("socket")), &["socket", "not a file"]);
 }

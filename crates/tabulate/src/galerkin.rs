@@ -77,11 +77,6 @@ impl Abscissae {
         Self { x, modes, panels, q, weights }
     }
 
-    /// The number of abscissae.
-    pub fn count(&self) -> usize {
-        self.q.len()
-    }
-
     /// The Bessel values, a block at a time.
     pub fn blocks(&self) -> impl Iterator<Item = Block> {
         let bessel = EvenBessel::new(self.modes);
