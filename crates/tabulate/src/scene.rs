@@ -205,9 +205,9 @@ fn default_density(parameter: Parameter, tolerance: f64) -> f64 {
     let refinement = (1e-5 / tolerance).powf(1.0 / 6.0);
     refinement
         * match parameter {
-            Parameter::AOverT => 10.0 / LN_10,
-            Parameter::E1OverE2 | Parameter::E0OverE2 => 7.0 / LN_10,
-            Parameter::Nu1 => 68.0,
+            Parameter::AOverT => 11.0 / LN_10,
+            Parameter::E1OverE2 | Parameter::E0OverE2 => 7.5 / LN_10,
+            Parameter::Nu1 => 74.0,
         }
 }
 
