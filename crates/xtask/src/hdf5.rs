@@ -1,7 +1,7 @@
 //! Finds a libhdf5 to link, or what is needed to build one.
 //!
 //! In this order: a system library (`HDF5_DIR`, or pkg-config's `hdf5`), then a static build from source with cmake from
-//! `$CMAKE`, from the path, or from PyPI.
+//! `$CMAKE`, from the path, or from PyPI, and with ninja from there where there is no make.
 
 use std::env;
 use std::path::{Path, PathBuf};
@@ -21,6 +21,12 @@ pub fn cargo(args: &[&str]) -> Result<Command, String> {
     command.arg(subcommand);
     if !system_library() {
         command.args(["--features", "tabulate/hdf5-static"]).env("CMAKE", cmake()?);
+        if !runs(Command::new("make").arg("--version")) && !runs(Command::new("ninja").arg("--version")) {
+            let folders = env::var_os("PATH").unwrap_or_default();
+            let ninja = python::package("ninja", ">=1.11,<2")?.join("bin");
+            let folders = env::join_paths([ninja].into_iter().chain(env::split_paths(&folders)));
+            command.env("PATH", folders.map_err(|e| e.to_string())?).env("CMAKE_GENERATOR", "Ninja");
+        }
     }
     command.args(rest);
     Ok(command)
@@ -42,7 +48,7 @@ fn cmake() -> Result<PathBuf, String> {
         format!(
             "libhdf5 has to be built and there is no cmake {}.{} or newer: {why}\n\
              Install one of: libhdf5 with its headers and pkg-config file (Debian: libhdf5-dev pkg-config); \
-             cmake >= {0}.{1} and make (or set CMAKE to it); python3 with pip",
+             cmake >= {0}.{1} (or set CMAKE to it); python3 with pip",
             OLDEST_CMAKE.0, OLDEST_CMAKE.1
         )
     })?;
