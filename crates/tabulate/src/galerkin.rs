@@ -158,7 +158,7 @@ impl Operator {
 
     /// Solves both right-hand sides for one sphere on the film and substrate of this operator.
     ///
-    /// Returns `None` where rounding has cost the matrix its positive definiteness.
+    /// Returns `None` where rounding has cost the matrix its positive definiteness, or too few modes `Gamma` its square root.
     pub fn solve(&self, material: &Material) -> Option<Solved> {
         let n = self.kernel.nrows();
         let (film, es) = (material.film_modulus(), material.sphere_film_modulus());
@@ -179,7 +179,7 @@ impl Operator {
 
         let (g1, g2) = (g.col_as_slice(0), g.col_as_slice(1));
         let eeq = g1[0];
-        let gamma_squared = es * (eeq + self.slope_form(g1, g1) / film);
+        let gamma_squared = Some(es * (eeq + self.slope_form(g1, g1) / film)).filter(|&square| square > 0.0)?;
         let delta0 = es * (3.0 * g2[0] + self.slope_form(g1, g2) / film) / gamma_squared;
         let quantities = Quantities { pi0: 4.0 * (delta0 * eeq - g2[0]), eeq, gamma: gamma_squared.sqrt(), delta0 };
 

@@ -40,14 +40,21 @@ pub fn solve(a_over_t: f64, material: &Material, tolerance: f64) -> Result<Solut
     if compliance.is_homogeneous() {
         return Ok(homogeneous(material));
     }
-    let mut modes = modes(a_over_t, tolerance);
+    let (mut modes, ample) = (modes(a_over_t, tolerance), modes(a_over_t, TOLERANCE[0]));
     let mut panels = Panels::new(a_over_t, compliance.smallest_scale(), tolerance);
     let mut quadrature_tolerance = tolerance;
     let not_converged = |reached: f64| Error::NotConverged { a_over_t, material: *material, tolerance, reached };
     loop {
         let abscissae = Abscissae::new(a_over_t, modes, panels.clone());
         let operator = Operator::assemble(&compliance, &abscissae, abscissae.blocks());
-        let solved = operator.solve(material).ok_or_else(|| not_converged(1.0))?;
+        let Some(solved) = operator.solve(material) else {
+            // Too few modes, or too much rounding.
+            if modes >= ample {
+                return Err(not_converged(1.0));
+            }
+            modes = ample;
+            continue;
+        };
         let error = solved.error();
         if error <= tolerance {
             return Ok(Solution { quantities: solved.quantities, error, modes });
