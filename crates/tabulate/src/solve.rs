@@ -29,7 +29,7 @@ pub const TOLERANCE: [f64; 2] = [1e-13, 1e-2];
 
 /// Solves the contact at `a_over_t` to the relative `tolerance`.
 ///
-/// Film = substrate is answered in closed form, everything else by [Galerkin's method](crate::galerkin).
+/// Film = substrate is answered in closed form, everything else by Galerkin's method (`galerkin.rs`).
 ///
 /// # Errors
 /// [`Error::Domain`] for a parameter outside the domain; [`Error::NotConverged`] where double precision does not allow the tolerance.
