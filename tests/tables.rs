@@ -168,7 +168,7 @@ fn a_fixed_parameter_has_one_node_and_settles_the_normalisation() {
 }
 
 #[test]
-fn only_the_quantities_of_the_scene_are_computed_and_another_is_an_error_that_names_it() {
+fn only_the_quantities_of_the_scene_are_held_and_another_is_an_error_that_names_it() {
     let table = table(TWO_QUANTITIES);
     assert_eq!(held(&table), [Quantity::Eeq, Quantity::Delta0]);
     let curve = table.curve(&material([1.75, 0.5, 1e5, 0.25])).expect("the scene's material");
