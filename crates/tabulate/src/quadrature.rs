@@ -108,7 +108,7 @@ impl Panels {
 
 /// Where the integral may end for an error of at most `tolerance`.
 ///
-/// There `q X'` is the larger symbol, at most `28 q^3 e^{-2q}` as `|a|, |b| <= 1`. It comes times `a/t` where the Bessel product has not
+/// There `q X'` is the larger symbol, at most `28 q^3 e^{-2q}` as `|b| <= 1` and `|a| <= 7`. It comes times `a/t` where the Bessel product has not
 /// begun to decay and times `x/z^2` where it has.
 fn cutoff(x: f64, tolerance: f64) -> f64 {
     let mut q: f64 = 4.0;

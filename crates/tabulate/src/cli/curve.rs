@@ -20,40 +20,40 @@ pub struct Arguments {
     /// The table, HDF5 or packed; without one, every point is solved directly
     table: Option<PathBuf>,
     /// Thickness of the film, m
-    #[arg(long, default_value_t = 1e-6, allow_negative_numbers = true)]
+    #[arg(long, default_value = "1e-6", allow_negative_numbers = true)]
     film_thickness: f64,
     /// Young's modulus of the film, Pa
-    #[arg(long, default_value_t = 3.5e6, allow_negative_numbers = true)]
+    #[arg(long, default_value = "3.5e6", allow_negative_numbers = true)]
     film_modulus: f64,
     /// Poisson ratio of the film
     #[arg(long, default_value_t = 0.5, allow_negative_numbers = true)]
     film_poisson_ratio: f64,
     /// Young's modulus of the substrate, Pa; inf: rigid
-    #[arg(long, default_value_t = 2e11, allow_negative_numbers = true)]
+    #[arg(long, default_value = "2e11", allow_negative_numbers = true)]
     substrate_modulus: f64,
     /// Poisson ratio of the substrate
     #[arg(long, default_value_t = 0.25, allow_negative_numbers = true)]
     substrate_poisson_ratio: f64,
     /// Radius of the sphere, m
-    #[arg(long, default_value_t = 1e-3, allow_negative_numbers = true)]
+    #[arg(long, default_value = "1e-3", allow_negative_numbers = true)]
     sphere_radius: f64,
     /// Reduced modulus E2* = E2/(1 - nu2^2) of the sphere, Pa; inf: rigid
-    #[arg(long, default_value_t = 2e6, allow_negative_numbers = true)]
+    #[arg(long, default_value = "2e6", allow_negative_numbers = true)]
     sphere_modulus: f64,
     /// Work of adhesion, J/m^2
     #[arg(long, default_value_t = 0.04, allow_negative_numbers = true)]
     work_of_adhesion: f64,
     /// Smallest contact radius, m
-    #[arg(long, default_value_t = 1e-6, allow_negative_numbers = true)]
+    #[arg(long, default_value = "1e-6", allow_negative_numbers = true)]
     from: f64,
     /// Largest contact radius, m
-    #[arg(long, default_value_t = 1.5e-4, allow_negative_numbers = true)]
+    #[arg(long, default_value = "1.5e-4", allow_negative_numbers = true)]
     to: f64,
     /// Number of contact radii, equally spaced
     #[arg(long, default_value_t = 150, value_parser = value_parser!(u32).range(2..=1_000_000))]
     points: u32,
     /// Relative tolerance of direct solves
-    #[arg(long, default_value_t = 1e-10, conflicts_with = "table", allow_negative_numbers = true)]
+    #[arg(long, default_value = "1e-10", conflicts_with = "table", allow_negative_numbers = true)]
     tolerance: f64,
     /// Write the CSV here instead of to standard output
     #[arg(short, long, value_name = "OUT.csv")]

@@ -37,7 +37,7 @@ pub struct Arguments {
     #[arg(short, long, value_name = "OUT.csv", requires = "points", conflicts_with_all = ["a_over_t", "e1_over_e2", "nu1", "e0_over_e2", "json"])]
     output: Option<PathBuf>,
     /// Relative tolerance on every quantity
-    #[arg(long, default_value_t = 1e-10, allow_negative_numbers = true)]
+    #[arg(long, default_value = "1e-10", allow_negative_numbers = true)]
     tolerance: f64,
     /// Print one JSON object
     #[arg(long)]
