@@ -1,6 +1,6 @@
 //! The rigid sphere on a layer bonded to a rigid base against the table of Hayes et al. (1972).
 
-use acceptance::{Data, larger, material};
+use acceptance::{Data, larger, material, relative_error};
 use tabulate::solve::solve;
 
 /// Largest relative difference from the printed values, which lose accuracy as `a/t` grows. Measured: 8.8e-3 at `a/t = 2`.
@@ -34,4 +34,16 @@ fn the_incompressible_layer_agrees_with_an_independent_solve() {
         let kappa = kappa(x, 0.5);
         assert!((kappa - value).abs() <= 0.5 * 0.1_f64.powi(digits), "a/t = {x}: {kappa}, not {value}");
     }
+}
+
+/// The same layer, between bodies that are a million times stiffer, in the reference file. Measured: 1.2e-13.
+#[test]
+fn the_nearly_rigid_sphere_agrees_with_the_reference_file() {
+    let (data, mut worst, mut count) = (Data::read("barthel_reference"), 0.0, 0);
+    for case in data.cases().filter(|case| case.get("e1_over_e2") <= 1e-6 && case.get("e0_over_e2") == 1e12) {
+        let solution = solve(case.get("a_over_t"), &case.material(), 1e-10).expect("a benign contact");
+        (worst, count) = (larger(worst, relative_error(&solution.quantities, &case.quantities())), count + 1);
+    }
+    println!("{count} references of a layer between nearly rigid bodies: {worst:.1e}");
+    assert!(count >= 10 && worst <= 1e-11);
 }

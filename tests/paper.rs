@@ -101,7 +101,7 @@ fn a_line_through_the_jkr_plot_gives_the_papers_modulus_and_work_of_adhesion() {
 
 #[test]
 fn the_pull_off_loads_of_the_papers_system() {
-    /// The values below were found on a grid of radii; under displacement control the load is not stationary, and the last digit is
+    /// The values below come from two scripts apart from this workspace, on a grid of radii; under displacement control the load is not stationary, and the last digit is
     /// uncertain. Measured: 8.1e-5.
     const GRID: f64 = 2e-4;
     /// Difference of the table from direct solves. Measured: 1.1e-8.

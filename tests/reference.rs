@@ -40,7 +40,8 @@ fn quantities_agree_at_1e_10() {
 #[test]
 fn the_stated_error_bounds_the_true_one_at_looser_tolerances_too() {
     for tolerance in [1e-4, 1e-6, 1e-8] {
-        assert!(largest_error(tolerance, |case| case.get("a_over_t") <= 1000.0) <= tolerance);
+        // Measured: 1.0e-6, 2.5e-8, 1.1e-10.
+        assert!(largest_error(tolerance, |case| case.get("a_over_t") <= 1000.0) <= 0.1 * tolerance);
     }
 }
 

@@ -10,8 +10,8 @@
 //! * [`Table::contact`] makes the [`Contact`] of one [`System`] in SI units: load and penetration from contact radius and work of
 //!   adhesion.
 //!
-//! No numerics happen here, no value is clamped and none is extrapolated: outside the table there is an [`Error`] with the axis, the
-//! value and the range.
+//! No numerics happen here, no value is clamped and none is extrapolated: outside the table, but for rounding (1e-12), there is an [`Error`]
+//! with the axis, the value and the range.
 
 #![forbid(unsafe_code)]
 

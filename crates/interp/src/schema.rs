@@ -13,7 +13,7 @@ pub mod attribute {
     pub const FORMAT_VERSION: &str = "format_version";
     /// Root: the scene's title.
     pub const TITLE: &str = "title";
-    /// Root: the scene, as TOML.
+    /// Root: the scene, as TOML, as it was given; [`TOLERANCE`] is the one that was used.
     pub const SCENE: &str = "scene";
     /// Root: the substrate's Poisson ratio.
     pub const NU0: &str = "nu0";

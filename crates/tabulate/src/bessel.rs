@@ -35,7 +35,7 @@ impl EvenBessel {
 
     /// Fills `column(n)[at..at + LANES]` with `J_n(z)`; `values` holds `modes` columns of `stride` values each.
     ///
-    /// `z` must be positive and ascending, and span no more than 64, which no panel does. The absolute error is a few rounding units of `max_n |J_n(z)|`.
+    /// `z` must be positive and ascending, and span no more than 64, which two neighbouring panels hardly do. The absolute error is a few rounding units of `max_n |J_n(z)|`.
     pub fn fill(&self, z: &Group, values: &mut [f64], stride: usize, at: usize) {
         debug_assert!(z[0] > 0.0 && z[LANES - 1] <= z[0] + 64.0, "{z:?}");
         let sines: Group = z.map(f64::sin);

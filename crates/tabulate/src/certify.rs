@@ -7,8 +7,7 @@ use rand_pcg::Pcg64Mcg;
 use rayon::prelude::*;
 
 use crate::Error;
-use crate::solve::solve;
-use crate::sweep::solve_tolerance;
+use crate::sweep::solve_for_table;
 
 /// Compares the table with direct solves at `points` random points, evenly distributed in the axes' coordinates but for one in five, which
 /// lies on a face, edge or corner of the box.
@@ -17,7 +16,11 @@ use crate::sweep::solve_tolerance;
 ///
 /// # Errors
 /// Those of the solve.
+///
+/// # Panics
+/// If `points` is 0.
 pub fn certify(table: &Table, points: usize, seed: u64, progress: &(dyn Fn(usize) + Sync)) -> Result<Certificate, Error> {
+    assert!(points > 0, "a certificate needs points");
     let mut random = Pcg64Mcg::seed_from_u64(seed);
     let places: Vec<[f64; 4]> = (0..points).map(|_| Parameter::ALL.map(|parameter| place(table, parameter, &mut random))).collect();
     let mut errors: Vec<f64> = places
@@ -51,7 +54,7 @@ fn place(table: &Table, parameter: Parameter, random: &mut Pcg64Mcg) -> f64 {
 /// The largest relative error of the interpolated quantities at one point.
 fn error_at(table: &Table, [a_over_t, e1, nu1, e0]: [f64; 4]) -> Result<f64, Error> {
     let material = Material::new(e1, nu1, e0, table.description().nu0)?;
-    let solved = solve(a_over_t, &material, solve_tolerance(table.description().tolerance))?.quantities;
+    let solved = solve_for_table(a_over_t, &material, table.description().tolerance)?;
     let curve = table.curve(&material)?;
     let held = Quantity::ALL.into_iter().filter(|&quantity| table.values(quantity).is_some());
     let mut errors = held.map(|quantity| Ok((curve.quantity(quantity, a_over_t)? / solved.get(quantity) - 1.0).abs()));

@@ -23,8 +23,8 @@ pub enum Error {
     },
     /// A tolerance that was not reached.
     #[error(
-        "tolerance {tolerance:e} is not reached at a_over_t = {a_over_t:?}, e1_over_e2 = {:?}, nu1 = {:?}, e0_over_e2 = {:?}, nu0 = {:?}: \
-         the estimated error is {reached:.1e}",
+        "tolerance {tolerance:.1e} is not reached at a_over_t = {a_over_t:?}, e1_over_e2 = {:?}, nu1 = {:?}, e0_over_e2 = {:?}, nu0 = {:?}: \
+         the estimated error is {reached:.1e}; ask for a larger tolerance",
         material.e1_over_e2(), material.nu1(), material.e0_over_e2(), material.nu0()
     )]
     NotConverged {
@@ -34,7 +34,7 @@ pub enum Error {
         material: Material,
         /// What was asked for.
         tolerance: f64,
-        /// The estimated relative error that was reached.
+        /// The estimated relative error that was reached; infinite where there is no answer at all.
         reached: f64,
     },
     /// A scene that says something impossible.

@@ -16,7 +16,7 @@ pub mod cli;
 pub mod compliance;
 mod error;
 mod galerkin;
-pub mod output;
+mod output;
 mod quadrature;
 pub mod scene;
 pub mod solve;

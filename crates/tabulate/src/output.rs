@@ -8,12 +8,18 @@ use tempfile::TempPath;
 
 use crate::Error;
 
-/// Accepts a path at which a file can be made or replaced.
+/// Accepts an output, before any work, if a file can be made or replaced there and it is not the input.
 ///
 /// # Errors
-/// [`Error::Write`] naming `path`.
-pub fn check_writable(path: &Path) -> Result<(), Error> {
-    temporary(path).map(drop).map_err(|source| Error::Write { path: path.to_owned(), source })
+/// [`Error::Write`] naming the output.
+pub fn check(output: Option<&Path>, input: Option<&Path>) -> Result<(), Error> {
+    let Some(path) = output else { return Ok(()) };
+    let same = |input: &Path| input.canonicalize().is_ok_and(|input| path.canonicalize().is_ok_and(|path| path == input));
+    let attempt = || match input {
+        Some(input) if same(input) => Err(io::Error::other("it is the input")),
+        _ => temporary(path).map(drop),
+    };
+    attempt().map_err(|source| Error::Write { path: path.to_owned(), source })
 }
 
 /// Calls `fill` with a temporary path beside `path`, then flushes the file to disk and renames it to `path`.
@@ -39,11 +45,15 @@ fn temporary(path: &Path) -> io::Result<(TempPath, PathBuf)> {
         Ok(_) => return Err(io::Error::other("it exists and is not a file")),
         Err(_) => path.to_owned(),
     };
+    let folder = folder(&target);
+    if !folder.is_dir() {
+        return Err(io::Error::new(io::ErrorKind::NotFound, format!("there is no folder {}", folder.display())));
+    }
     let mut builder = tempfile::Builder::new();
     // Temporary files are private; this one becomes what any program would have created.
     #[cfg(unix)]
     builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-    let unfinished = builder.prefix(".unfinished-").tempfile_in(folder(&target))?.into_temp_path();
+    let unfinished = builder.prefix(".unfinished-").tempfile_in(folder)?.into_temp_path();
     Ok((unfinished, target))
 }
 

@@ -24,7 +24,7 @@ pub struct GaussLegendre {
 }
 
 impl GaussLegendre {
-    /// Newton's method on `P_n` from Tricomi's initial guess; nodes and weights to a few rounding units for `n <= 64`.
+    /// Newton's method on `P_n` from Tricomi's initial guess; abscissae and weights to a few rounding units for `n <= 64`.
     pub fn new(n: usize) -> Self {
         let mut rule = Self { abscissae: vec![0.0; n], weights: vec![0.0; n], coefficients: Default::default() };
         for i in 0..n.div_ceil(2) {

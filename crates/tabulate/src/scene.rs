@@ -120,7 +120,7 @@ impl Scene {
     /// # Errors
     /// What is wrong, with key, value and range.
     pub fn parse(text: &str, tolerance: Option<f64>) -> Result<Self, String> {
-        let scene: Text = toml::from_str(text).map_err(|e| e.to_string())?;
+        let scene: Text = toml::from_str(text).map_err(|e| e.to_string().trim_end().to_owned())?;
         let tolerance = tolerance.unwrap_or(scene.tolerance);
         within("tolerance", tolerance, TOLERANCE)?;
         let mut quantities = scene.quantities;
@@ -162,14 +162,14 @@ fn nodes(parameter: Parameter, values: &Values, tolerance: f64) -> Result<Vec<f6
                 Parameter::AOverT | Parameter::Nu1 => false,
             };
             if !rigid {
-                within(name, *value, domain(parameter))?;
+                in_domain(parameter, name, *value)?;
             }
             return Ok(vec![*value]);
         }
         Values::Range(range) => range,
     };
-    within(&format!("{name}.from"), range.from, domain(parameter))?;
-    within(&format!("{name}.to"), range.to, domain(parameter))?;
+    in_domain(parameter, &format!("{name}.from"), range.from)?;
+    in_domain(parameter, &format!("{name}.to"), range.to)?;
     if range.from >= range.to {
         return Err(format!("{name} is an empty range: from = {} is not below to = {}", range.from, range.to));
     }
@@ -211,15 +211,17 @@ fn default_density(parameter: Parameter, tolerance: f64) -> f64 {
         }
 }
 
-fn domain(parameter: Parameter) -> [f64; 2] {
+/// Accepts a value that can be solved.
+fn in_domain(parameter: Parameter, key: &str, value: f64) -> Result<(), String> {
     match parameter {
-        Parameter::AOverT => A_OVER_T,
-        Parameter::E1OverE2 => E1_OVER_E2,
-        Parameter::Nu1 => [-0.99, 0.5],
-        Parameter::E0OverE2 => E0_OVER_E2,
+        Parameter::AOverT => within(key, value, A_OVER_T),
+        Parameter::E1OverE2 => within(key, value, E1_OVER_E2),
+        Parameter::Nu1 if value > -1.0 && value <= 0.5 => Ok(()),
+        Parameter::Nu1 => Err(format!("{key} = {value:?} is outside (-1, 0.5]")),
+        Parameter::E0OverE2 => within(key, value, E0_OVER_E2),
     }
 }
 
 fn within(key: &str, value: f64, [from, to]: [f64; 2]) -> Result<(), String> {
-    if value >= from && value <= to { Ok(()) } else { Err(format!("{key} = {value} is outside {from:e} to {to:e}")) }
+    if value >= from && value <= to { Ok(()) } else { Err(format!("{key} = {value:?} is outside {from:e} to {to:e}")) }
 }

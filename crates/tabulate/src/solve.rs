@@ -50,7 +50,7 @@ pub fn solve(a_over_t: f64, material: &Material, tolerance: f64) -> Result<Solut
         let Some(solved) = operator.solve(material) else {
             // Too few modes, or too much rounding.
             if modes >= ample {
-                return Err(not_converged(1.0));
+                return Err(not_converged(f64::INFINITY));
             }
             modes = ample;
             continue;

@@ -4,7 +4,7 @@
 //! `E0/E1`) serve every sphere. Where the nodes of `E1/E2` and `E0/E2` have a common spacing, the ratios `E0/E1` repeat along diagonals,
 //! and a grid of `n x n` materials has `2n - 1` pairs of matrices only.
 
-use interp::Material;
+use interp::{Material, Quantities};
 use rayon::prelude::*;
 
 use crate::Error;
@@ -19,6 +19,16 @@ pub fn solve_tolerance(table_tolerance: f64) -> f64 {
     (0.01 * table_tolerance).clamp(TOLERANCE[0], 1e-6)
 }
 
+/// Solves one contact as accurately as a table of the given tolerance needs it: to a hundredth of that, or, in the corners where double
+/// precision does not allow this, to a fifth.
+///
+/// # Errors
+/// Those of [`solve()`].
+pub(crate) fn solve_for_table(a_over_t: f64, material: &Material, table_tolerance: f64) -> Result<Quantities, Error> {
+    let solution = solve(a_over_t, material, solve_tolerance(table_tolerance));
+    Ok(solution.or_else(|_| solve(a_over_t, material, (0.2 * table_tolerance).min(TOLERANCE[1])))?.quantities)
+}
+
 /// Solves every node of the scene. Returns the values of each quantity asked for, row-major with `a_over_t` slowest.
 ///
 /// `progress` is called with the number of points finished since the last call, from any thread. The result does not depend on the
@@ -27,7 +37,6 @@ pub fn solve_tolerance(table_tolerance: f64) -> f64 {
 /// # Errors
 /// [`Error::NotConverged`] with the point where double precision does not allow the tolerance.
 pub fn sweep(scene: &Scene, progress: &(dyn Fn(usize) + Sync)) -> Result<[Option<Vec<f64>>; 4], Error> {
-    let tolerance = solve_tolerance(scene.tolerance);
     let [a_over_t, e1, nu1, e0] = &scene.axes;
     let mut materials = Vec::with_capacity(e1.len() * nu1.len() * e0.len());
     for &e1 in e1 {
@@ -43,7 +52,7 @@ pub fn sweep(scene: &Scene, progress: &(dyn Fn(usize) + Sync)) -> Result<[Option
         values[quantity as usize] = Some(vec![0.0; a_over_t.len() * materials.len()]);
     }
     for (i, &x) in a_over_t.iter().enumerate() {
-        let shared = Shared::new(x, &layers, tolerance);
+        let shared = Shared::new(x, &layers, scene.tolerance);
         let solved: Vec<Vec<[f64; 4]>> = layers
             .par_iter()
             .map(|layer| {
@@ -88,17 +97,18 @@ fn layers(materials: &[Material]) -> Vec<Layer> {
 /// What all materials share at one `a/t`.
 struct Shared {
     x: f64,
-    tolerance: f64,
+    table_tolerance: f64,
     abscissae: Abscissae,
     blocks: Vec<Block>,
 }
 
 impl Shared {
-    fn new(x: f64, layers: &[Layer], tolerance: f64) -> Self {
+    fn new(x: f64, layers: &[Layer], table_tolerance: f64) -> Self {
+        let tolerance = solve_tolerance(table_tolerance);
         let smallest_scale = layers.iter().map(|layer| layer.compliance.smallest_scale()).fold(1.0, f64::min);
         let abscissae = Abscissae::new(x, solve::modes(x, tolerance), Panels::new(x, smallest_scale, tolerance));
         let blocks = abscissae.blocks().collect();
-        Self { x, tolerance, abscissae, blocks }
+        Self { x, table_tolerance, abscissae, blocks }
     }
 
     /// The quantities of every member of a layer.
@@ -109,11 +119,11 @@ impl Shared {
         }
         let operator = Operator::assemble(&layer.compliance, &self.abscissae, &self.blocks);
         let solve_member = |material: &Material| {
-            let solved = operator.solve(material).filter(|solved| solved.error() <= self.tolerance);
+            let solved = operator.solve(material).filter(|solved| solved.error() <= solve_tolerance(self.table_tolerance));
             match solved {
                 Some(solved) => Ok(solved.quantities.to_array()),
                 // Rare: this material needs more modes or panels of its own.
-                None => solve(self.x, material, self.tolerance).map(|solution| solution.quantities.to_array()),
+                None => solve_for_table(self.x, material, self.table_tolerance).map(|quantities| quantities.to_array()),
             }
         };
         members.map(solve_member).collect()

@@ -25,7 +25,11 @@ pub fn package(name: &str, range: &str) -> Result<PathBuf, String> {
         .status()
         .map_err(|e| format!("cannot run python3: {e}; install python3 with pip"))?;
     if !status.success() {
-        return Err(format!("`python3 -m pip install {name}{range}` failed; it needs python3 with pip, and PyPI within reach"));
+        // What there is of it is of no use; if it cannot be removed either, the error below still says what to do.
+        let _ = fs::remove_dir_all(&unfinished);
+        return Err(format!(
+            "`python3 -m pip install {name}{range}` failed; it needs python3 with pip (Debian: python3-pip), and PyPI within reach"
+        ));
     }
     fs::rename(&unfinished, &folder).map_err(|e| format!("cannot rename {}: {e}", unfinished.display()))?;
     Ok(folder)

@@ -9,6 +9,7 @@ use rayon::prelude::*;
 
 use super::points::number;
 use super::{progress_bar, read_table, write_text};
+use crate::output;
 use crate::solve::solve;
 
 /// Print the force curve of one system as CSV, in SI units
@@ -53,7 +54,7 @@ pub struct Arguments {
     #[arg(long, default_value_t = 150, value_parser = value_parser!(u32).range(2..=1_000_000))]
     points: u32,
     /// Relative tolerance of direct solves
-    #[arg(long, default_value = "1e-10", conflicts_with = "table", allow_negative_numbers = true)]
+    #[arg(long, default_value = "1e-8", conflicts_with = "table", allow_negative_numbers = true)]
     tolerance: f64,
     /// Write the CSV here instead of to standard output
     #[arg(short, long, value_name = "OUT.csv")]
@@ -62,6 +63,7 @@ pub struct Arguments {
 
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let Arguments { from, to, points, work_of_adhesion, .. } = *arguments;
+    output::check(arguments.output.as_deref(), arguments.table.as_deref())?;
     ensure!(
         from > 0.0 && to > from && to < f64::INFINITY,
         "the contact radii must run from > 0 to more than that: from {from} to {to}"

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::time::Instant;
 
-use anyhow::{Context, bail, ensure};
+use anyhow::{Context, bail};
 use clap::value_parser;
 use interp::{Description, Material, Table};
 
@@ -53,14 +53,8 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         (None, Some(scene)) => scene.with_extension("h5"),
         (None, None) => PathBuf::from("default.h5"),
     };
-    let same = |scene: &PathBuf| scene.canonicalize().ok() == path.canonicalize().ok() && scene.exists();
-    ensure!(
-        !arguments.scene.as_ref().is_some_and(same),
-        "the table would replace its scene, {}: name another with -o",
-        path.display()
-    );
     // Better now than after the work.
-    output::check_writable(&path)?;
+    output::check(Some(&path), arguments.scene.as_deref())?;
     let threads = rayon::ThreadPoolBuilder::new()
         .num_threads(usize::from(arguments.jobs.unwrap_or(0)))
         .build()

@@ -2,9 +2,7 @@
 
 use std::path::PathBuf;
 
-use anyhow::Context;
-use interp::Table;
-
+use super::read_table;
 use crate::output;
 
 /// Convert an HDF5 table to the packed form that `interp` loads without HDF5, value for value
@@ -19,7 +17,7 @@ pub struct Arguments {
 }
 
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
-    let table = Table::open(&arguments.table).with_context(|| arguments.table.display().to_string())?;
-    let bytes = table.to_packed()?;
+    output::check(Some(&arguments.output), Some(&arguments.table))?;
+    let bytes = read_table(&arguments.table)?.to_packed()?;
     Ok(output::atomically(&arguments.output, |unfinished| std::fs::write(unfinished, &bytes))?)
 }

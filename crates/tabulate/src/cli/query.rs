@@ -7,6 +7,7 @@ use interp::{Quantity, Table};
 
 use super::points::{self, Point};
 use super::{read_table, write_text};
+use crate::output;
 
 /// Look up every point of a CSV file in a table
 ///
@@ -25,6 +26,7 @@ pub struct Arguments {
 }
 
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
+    output::check(arguments.output.as_deref(), Some(&arguments.points))?;
     let table = read_table(&arguments.table)?;
     let points = points::read(&arguments.points, table.description().nu0)?;
     let error = table.description().certificate.max_error;

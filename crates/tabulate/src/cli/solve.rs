@@ -8,11 +8,13 @@ use rayon::prelude::*;
 
 use super::points::{self, Point, number};
 use super::{progress_bar, write_text};
+use crate::output;
 use crate::solve::solve;
 
 /// Solve the contact directly, at one point or at every point of a CSV file
 ///
-/// Prints pi0, eeq, gamma, delta0 and the estimated relative error. See `tabulate --help` for the meaning of the parameters.
+/// Prints pi0, eeq, gamma, delta0 and the estimated relative error. See `tabulate --help` for the meaning of the parameters; rows with
+/// e1_over_e2 = 0 are normalised by E1*, all others by E2*.
 #[derive(clap::Args)]
 pub struct Arguments {
     /// Contact radius over film thickness
@@ -27,7 +29,7 @@ pub struct Arguments {
     /// Young's modulus of the substrate over the sphere's reduced modulus E2*; inf: rigid substrate; under a rigid sphere E0/E1
     #[arg(long, required_unless_present = "points", allow_negative_numbers = true)]
     e0_over_e2: Option<f64>,
-    /// Poisson ratio of the substrate
+    /// Poisson ratio of the substrate, where a CSV has no column nu0
     #[arg(long, default_value_t = 0.25, allow_negative_numbers = true)]
     nu0: f64,
     /// CSV with the columns a_over_t, e1_over_e2, nu1, e0_over_e2 and perhaps nu0, in any order
@@ -72,6 +74,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
 }
 
 fn solve_file(arguments: &Arguments, path: &Path) -> anyhow::Result<()> {
+    output::check(arguments.output.as_deref(), Some(path))?;
     let points = points::read(path, arguments.nu0)?;
     let bar = progress_bar(points.len(), "solving");
     let solve_point = |point: &Point| {

@@ -2,10 +2,8 @@
 
 use std::path::PathBuf;
 
-use anyhow::Context;
-use interp::Table;
-
-use crate::archive;
+use super::read_table;
+use crate::{archive, output};
 
 /// Convert a packed table back to HDF5, value for value
 #[derive(clap::Args)]
@@ -19,6 +17,6 @@ pub struct Arguments {
 }
 
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
-    let table = Table::read(&arguments.table).with_context(|| arguments.table.display().to_string())?;
-    Ok(archive::write(&table, &arguments.output)?)
+    output::check(Some(&arguments.output), Some(&arguments.table))?;
+    Ok(archive::write(&read_table(&arguments.table)?, &arguments.output)?)
 }
