@@ -10,6 +10,22 @@
 //! * [`Table::contact`] makes the [`Contact`] of one [`System`] in SI units: load and penetration from contact radius and work of
 //!   adhesion.
 //!
+//! ```no_run
+//! # fn main() -> Result<(), interp::Error> {
+//! use interp::{Elastic, System, Table};
+//!
+//! let table = Table::read("tables/paper.bin")?;
+//! let film = Elastic::new(3.5e6, 0.5)?; // Young's modulus (Pa), Poisson ratio
+//! let substrate = Elastic::new(2e11, 0.25)?;
+//! let system = System { sphere_radius: 1e-3, sphere_modulus: 2e6, film, film_thickness: 1e-6, substrate };
+//! let contact = table.contact(&system)?;
+//! for a in [40e-6, 65e-6, 90e-6] {
+//!     let (load, penetration) = contact.load_and_penetration(a, 0.040)?; // work of adhesion, J/m^2
+//!     println!("{a:e} m: {load:e} N, {penetration:e} m");
+//! }
+//! # Ok(()) }
+//! ```
+//!
 //! No numerics happen here, no value is clamped and none is extrapolated: outside the table, but for rounding (1e-12), there is an [`Error`]
 //! with the axis, the value and the range.
 
