@@ -10,11 +10,11 @@ use tabulate::sweep::solve_tolerance;
 
 /// Largest relative difference of a curve at a node from the value stored there. Measured: 2.7e-15.
 const AT_NODES: f64 = 5e-14;
-/// Largest relative error of stored values where solves to 1e-6 were asked for. Measured: 1.8e-8.
+/// Largest relative error of stored values where solves to 1e-6 were asked for. Measured: 2.0e-8.
 const STORED: f64 = 5e-7;
 /// The tolerance of the direct solves that are taken for the truth.
 const TRUTH: f64 = 1e-11;
-/// By how much the largest error of some hundred fresh points may exceed that of a certificate's points. Measured: 1.4.
+/// By how much the largest error of some hundred fresh points may exceed that of a certificate's points. Measured: 1.5.
 const BEYOND_CERTIFICATE: f64 = 3.0;
 /// The median errors of two independent samples of the same table agree within this factor. Measured: 1.2.
 const MEDIANS: f64 = 2.0;
@@ -174,7 +174,8 @@ fn values_at_the_nodes_are_the_solves_to_rounding() {
         }
     }
     println!("nodes of a tight table: largest difference from solves {worst:.1e}");
-    assert!(worst <= 1e-12);
+    // Measured: 6.7e-16.
+    assert!(worst <= 2e-14);
 }
 
 #[test]

@@ -4,6 +4,7 @@ use std::hint::black_box;
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use interp::{Elastic, Material, Quantity, System, Table};
+use splines::{Interpolation, Key, Spline};
 
 fn lookup(criterion: &mut Criterion) {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tables/paper.bin");
@@ -20,6 +21,13 @@ fn lookup(criterion: &mut Criterion) {
     let mut point = || *next.next().expect("endless");
 
     criterion.bench_function("curve of a new material, paper table", |b| b.iter(|| table.curve(black_box(&material))));
+    // What a curve would pay for the search in its keys, were they not uniform: one value, as many keys, in the same order of points.
+    let key = |i: i32| {
+        let u = 0.022 * f64::from(i) - 6.907_755;
+        Key::new(u, u, Interpolation::StrokeBezier(u - 0.022 / 3.0, u + 0.022 / 3.0))
+    };
+    let spline = Spline::from_vec((0..630).map(key).collect());
+    criterion.bench_function("search and one value, splines", |b| b.iter(|| spline.clamped_sample(black_box(point().ln()))));
     criterion.bench_function("one quantity on a curve", |b| b.iter(|| curve.quantity(Quantity::Eeq, black_box(point()))));
     criterion.bench_function("four quantities on a curve", |b| b.iter(|| curve.quantities(black_box(point()))));
     criterion.bench_function("load, eq. 9", |b| b.iter(|| contact.load(black_box(1e-7 * point() + 1e-6), black_box(0.04))));

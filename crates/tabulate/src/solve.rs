@@ -91,7 +91,7 @@ pub(crate) fn modes(x: f64, tolerance: f64) -> usize {
 }
 
 /// Accepts the points that the solve is made for.
-pub(crate) fn check_domain(a_over_t: f64, material: &Material) -> Result<(), Error> {
+fn check_domain(a_over_t: f64, material: &Material) -> Result<(), Error> {
     Error::check("a_over_t", a_over_t, A_OVER_T)?;
     if material.e1_over_e2() != 0.0 {
         Error::check("e1_over_e2", material.e1_over_e2(), E1_OVER_E2)?;

@@ -14,7 +14,7 @@ use crate::quadrature::Panels;
 use crate::scene::Scene;
 use crate::solve::{self, TOLERANCE, homogeneous, solve};
 
-/// The relative tolerance of the solves behind a table: what they add to its error is not seen.
+/// The relative tolerance of the solves behind a table: a hundredth of the table's, too little to show in its error.
 pub fn solve_tolerance(table_tolerance: f64) -> f64 {
     (0.01 * table_tolerance).clamp(TOLERANCE[0], 1e-6)
 }
