@@ -3,10 +3,10 @@
 //! Prints the table that the README quotes. The achieved error is the largest of the four relative deviations from the solve at
 //! the tightest tolerance that converges, over an ordinary and a hard material; the time is that of the ordinary one.
 
-use std::hint::black_box;
-use std::time::Instant;
+mod measure;
 
-use interp::{Material, Quantities};
+use interp::Material;
+use measure::{deviation, human, median_seconds, tightest};
 use tabulate::solve::solve;
 
 const A_OVER_T: [f64; 6] = [0.01, 1.0, 10.0, 30.0, 100.0, 1000.0];
@@ -29,31 +29,4 @@ fn main() {
         };
         println!("| {x} |{}", TOLERANCES.map(cell).concat());
     }
-}
-
-/// The most accurate answer that there is.
-fn tightest(x: f64, material: &Material) -> Quantities {
-    let tolerances = [1e-13, 1e-12, 1e-11, 1e-10];
-    let answer = tolerances.iter().find_map(|&tolerance| solve(x, material, tolerance).ok());
-    answer.expect("these materials converge to 1e-10").quantities
-}
-
-fn deviation(a: &Quantities, b: &Quantities) -> f64 {
-    a.to_array().iter().zip(b.to_array()).map(|(a, b)| (a / b - 1.0).abs()).fold(0.0, f64::max)
-}
-
-fn median_seconds(x: f64, material: &Material, tolerance: f64) -> f64 {
-    let mut times: Vec<f64> = (0..if x > 300.0 { 5 } else { 101 })
-        .map(|_| {
-            let start = Instant::now();
-            let _ = black_box(solve(black_box(x), black_box(material), tolerance));
-            start.elapsed().as_secs_f64()
-        })
-        .collect();
-    times.sort_by(f64::total_cmp);
-    times[times.len() / 2]
-}
-
-fn human(seconds: f64) -> String {
-    if seconds < 1e-3 { format!("{:.0} µs", seconds * 1e6) } else { format!("{:.1} ms", seconds * 1e3) }
 }

@@ -1,7 +1,7 @@
 //! The project's own commands, run as `cargo xtask COMMAND`.
 //!
-//! They need Rust, a C compiler and python3, and fetch the rest (cmake for libhdf5, h5py for one test) from PyPI into the
-//! target directory.
+//! They need Rust, a C compiler and python3, and fetch the rest (cmake for libhdf5, h5py for one test, scipy for one bench) from
+//! PyPI into the target directory.
 
 #![forbid(unsafe_code)]
 
@@ -18,6 +18,7 @@ usage: cargo xtask COMMAND
   table [SCENE] [ARGS]
                  make a table: `tabulate generate SCENE ARGS`; without SCENE the default one, into tables/default.h5
   test [ARGS]    run the whole test suite, optimised; ARGS go to `cargo test`
+  compare        time the solve against numpy and scipy on the same equation
   cargo ARGS     run a cargo command that builds tabulate, with HDF5 set up: `cargo xtask cargo bench -p tabulate`
 ";
 
@@ -28,6 +29,7 @@ fn main() -> ExitCode {
     let outcome = match command.as_deref() {
         Some("table") => table(&rest),
         Some("test") => test(&rest),
+        Some("compare") if rest.is_empty() => compare(),
         Some("cargo") if !rest.is_empty() => cargo(&rest),
         Some("help" | "--help" | "-h") => {
             print!("{USAGE}");
@@ -68,6 +70,15 @@ fn test(args: &[String]) -> Result<(), String> {
 
 /// The h5py versions that one test of the HDF5 file is known to pass with.
 const H5PY: &str = ">=3.8,<4";
+
+/// The bench that needs scipy; pip fetches numpy with it.
+fn compare() -> Result<(), String> {
+    let bench = ["bench", "-p", "tabulate", "--bench", "nystrom"];
+    succeed(hdf5::cargo(&bench)?.env("PYTHONPATH", python::package("scipy", SCIPY)?))
+}
+
+/// The scipy versions that the bench is known to run with.
+const SCIPY: &str = ">=1.11,<2";
 
 fn cargo(args: &[String]) -> Result<(), String> {
     let args: Vec<&str> = args.iter().map(String::as_str).collect();

@@ -1,0 +1,144 @@
+//! The solve against the same equation solved with numpy and scipy (`nystrom.py`), in one run and on one thread.
+//!
+//! Prints a table of errors and times. An error is the largest of the four relative deviations from the solve at the tightest
+//! tolerance that converges. The Python is given the smallest sizes with which it keeps the tolerance, found with knowledge of the
+//! answer; the solve has to choose its sizes itself, and estimates its error.
+
+mod measure;
+
+use std::io::{BufRead, BufReader, Lines, Write};
+use std::iter::successors;
+use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
+
+use interp::{Material, Quantities};
+use measure::{deviation, human, median, median_seconds, tightest};
+use serde::Deserialize;
+use serde_json::json;
+use tabulate::solve::solve;
+
+const A_OVER_T: [f64; 6] = [0.01, 1.0, 10.0, 30.0, 100.0, 300.0];
+const TOLERANCES: [f64; 2] = [1e-6, 1e-10];
+/// The two take turns, so that a machine that slows down does so for both.
+const ROUNDS: usize = 7;
+
+fn main() {
+    let Some(mut python) = Python::start() else {
+        println!("nystrom: skipped, as it needs python3 with numpy and scipy; `cargo xtask compare` fetches them");
+        return;
+    };
+    let material = Material::new(1.75, 0.5, 1e5, 0.25).expect("physical");
+    println!("{}\n", python.versions);
+    println!("| a/t | tolerance | solve | error | numpy | error | nodes in s, panels in q | ratio |");
+    println!("|---|---|---|---|---|---|---|---|");
+    for x in A_OVER_T {
+        let truth = tightest(x, &material);
+        for tolerance in TOLERANCES {
+            let error = |quantities: &Quantities| deviation(quantities, &truth);
+            let sizes = Sizes::smallest(x, |sizes| error(&python.solve(x, &material, sizes, 0).quantities) <= tolerance);
+            let own = solve(x, &material, tolerance).expect("the truth converged").quantities;
+            let theirs = python.solve(x, &material, sizes, 0).quantities;
+            let repetitions = if x > 30.0 { 5 } else { 101 };
+            let round = |_| {
+                let theirs = python.solve(x, &material, sizes, repetitions).seconds;
+                (median_seconds(x, &material, tolerance), median(theirs))
+            };
+            let (own_seconds, their_seconds): (Vec<f64>, Vec<f64>) = (0..ROUNDS).map(round).unzip();
+            let (own_seconds, their_seconds) = (median(own_seconds), median(their_seconds));
+            println!(
+                "| {x} | {tolerance:e} | {} | {:.0e} | {} | {:.0e} | {}, {} | {:.0} |",
+                human(own_seconds),
+                error(&own),
+                human(their_seconds),
+                error(&theirs),
+                sizes.nodes,
+                sizes.panels,
+                their_seconds / own_seconds
+            );
+        }
+    }
+    python.stop();
+}
+
+/// What the accuracy of Nystrom's method depends on.
+#[derive(Clone, Copy)]
+struct Sizes {
+    /// Nodes in `s`.
+    nodes: usize,
+    /// Panels in `q`.
+    panels: usize,
+    /// Where the integral over `q` ends.
+    cutoff: usize,
+}
+
+impl Sizes {
+    /// Each as small as is `enough`, one after the other. A kernel of width `1/x` asks for nodes, and its oscillation for panels, in
+    /// proportion to `x`.
+    fn smallest(x: f64, mut enough: impl FnMut(Self) -> bool) -> Self {
+        let ample = Self { nodes: 40 + (6.0 * x) as usize, panels: 16 + (4.0 * x) as usize, cutoff: 20 };
+        let mut sizes = ample;
+        sizes.nodes = smallest(ample.nodes, |nodes| enough(Self { nodes, ..sizes }));
+        sizes.cutoff = smallest(ample.cutoff, |cutoff| enough(Self { cutoff, ..sizes }));
+        sizes.panels = smallest(ample.panels, |panels| enough(Self { panels, ..sizes }));
+        sizes
+    }
+}
+
+/// The first that is enough of numbers that grow by a tenth; `ample` where none is.
+fn smallest(ample: usize, mut enough: impl FnMut(usize) -> bool) -> usize {
+    let numbers = successors(Some(1), |n: &usize| Some(n + n.div_ceil(10)));
+    numbers.take_while(|&n| n < ample).find(|&n| enough(n)).unwrap_or(ample)
+}
+
+/// The running `nystrom.py`, which answers one line with one line.
+struct Python {
+    process: Child,
+    cases: ChildStdin,
+    answers: Lines<BufReader<ChildStdout>>,
+    versions: String,
+}
+
+#[derive(Deserialize)]
+struct Answer {
+    quantities: Quantities,
+    seconds: Vec<f64>,
+}
+
+impl Python {
+    /// `None` where there is no python3, or one without the packages.
+    fn start() -> Option<Self> {
+        let script = concat!(env!("CARGO_MANIFEST_DIR"), "/benches/nystrom.py");
+        // One thread, whichever BLAS there is.
+        let threads =
+            ["OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS", "VECLIB_MAXIMUM_THREADS"].map(|name| (name, "1"));
+        let mut command = Command::new("python3");
+        command.arg(script).envs(threads).stdin(Stdio::piped()).stdout(Stdio::piped());
+        let mut process = command.spawn().ok()?;
+        let cases = process.stdin.take().expect("piped");
+        let mut answers = BufReader::new(process.stdout.take().expect("piped")).lines();
+        let versions = answers.next()?.ok()?;
+        Some(Self { process, cases, answers, versions })
+    }
+
+    fn solve(&mut self, x: f64, material: &Material, sizes: Sizes, repetitions: usize) -> Answer {
+        let case = json!({
+            "a_over_t": x,
+            "e1_over_e2": material.e1_over_e2(),
+            "nu1": material.nu1(),
+            "e0_over_e2": material.e0_over_e2(),
+            "nu0": material.nu0(),
+            "nodes": sizes.nodes,
+            "panels": sizes.panels,
+            "cutoff": sizes.cutoff,
+            "repetitions": repetitions,
+        });
+        writeln!(self.cases, "{case}").expect("nystrom.py reads");
+        let answer = self.answers.next().expect("nystrom.py answers").expect("text");
+        serde_json::from_str(&answer).expect("an answer")
+    }
+
+    /// It ends with its input.
+    fn stop(mut self) {
+        drop(self.cases);
+        self.process.wait().expect("nystrom.py ends");
+    }
+}
