@@ -20,8 +20,19 @@
 //! ```text
 //! X - 1 = [(a + b + 4 b q (1+q)) e^{-2q} - 2 a b e^{-4q}] / [1 - (a + b + 4 b q^2) e^{-2q} + a b e^{-4q}]
 //! ```
+//!
+//! Both forms continue `X` into the right half of the complex plane, where `wiener_hopf.rs` uses it. `N` and `D` are neither even nor
+//! odd: on the real line `X` is a function of `|q|`, and its continuations from the right and from the left differ on the imaginary axis.
+
+use std::ops::{Add, Mul};
 
 use interp::Material;
+use num_complex::ComplexFloat;
+
+/// Real and complex wave numbers.
+pub(crate) trait WaveNumber: ComplexFloat<Real = f64> + Add<f64, Output = Self> + Mul<f64, Output = Self> {}
+
+impl<T: ComplexFloat<Real = f64> + Add<f64, Output = T> + Mul<f64, Output = T>> WaveNumber for T {}
 
 /// Where the series form hands over to the exponential one. Both keep 14 digits of `X` on either side.
 const SWITCH: f64 = 1.0;
@@ -74,18 +85,34 @@ impl Compliance {
 
     /// `X(q)` for finite `q >= 0`, to 14 digits.
     pub fn x(&self, q: f64) -> f64 {
-        if q <= SWITCH {
-            let [n, d, ..] = self.fraction(q);
+        self.continued(q)
+    }
+
+    /// `X(q)` where `Re q >= 0`.
+    pub(crate) fn continued<T: WaveNumber>(&self, q: T) -> T {
+        if q.abs() <= SWITCH {
+            let [n, d] = self.fraction(q);
             n / d
         } else {
-            1.0 + self.sample(q).excess
+            let (sum, product) = (self.a + self.b, self.a * self.b);
+            let e = (q * -2.0).exp();
+            let numerator = ((q * q + q) * (4.0 * self.b) + sum) * e + e * e * (-2.0 * product);
+            let denominator = (q * q * (4.0 * self.b) + sum) * e * -1.0 + e * e * product + 1.0;
+            numerator / denominator + 1.0
         }
+    }
+
+    /// The coefficients of `1`, `q`, `q^2` and `q^3` in the power series of `N` and of `D`. All that follow are positive.
+    pub(crate) fn leading(&self) -> [[f64; 4]; 2] {
+        let [c0, c1, c2, c3, c4] = self.c;
+        [[0.5 * c0, c2, c0, 2.0 / 3.0 * c1], [0.5 * c3, c0, c4, 2.0 / 3.0 * c0]]
     }
 
     /// `X(q) - 1` and `q X'(q)` for finite `q >= 0`, with an absolute error of a few rounding units of `max(X, 1)`.
     pub fn sample(&self, q: f64) -> Sample {
         if q <= SWITCH {
-            let [n, d, n_prime, d_prime] = self.fraction(q);
+            let [n, d] = self.fraction(q);
+            let [n_prime, d_prime] = self.slopes(q);
             let x = n / d;
             Sample { excess: (n - d) / d, slope: q * (n_prime - x * d_prime) / d }
         } else {
@@ -101,32 +128,35 @@ impl Compliance {
         }
     }
 
-    /// `N`, `D`, `N'`, `D'`.
-    fn fraction(&self, q: f64) -> [f64; 4] {
+    /// `N` and `D` for `|q| <= 1`.
+    pub(crate) fn fraction<T: WaveNumber>(&self, q: T) -> [T; 2] {
         let [c0, c1, c2, c3, c4] = self.c;
-        let s = 2.0 * q;
-        let (sinh_rest, cosh_rest) = hyperbolic_rests(s);
-        let sinh = s + sinh_rest;
-        let cosh = 1.0 + 0.5 * s * s + cosh_rest;
-        [
-            0.5 * (c0 * cosh + c1 * sinh_rest) + c2 * q,
-            0.5 * (c3 + c1 * cosh_rest + c0 * sinh) + c4 * q * q,
-            c0 * sinh + c1 * (cosh - 1.0) + c2,
-            c1 * sinh_rest + c0 * cosh + 2.0 * c4 * q,
-        ]
+        let [sinh_rest, cosh_rest] = hyperbolic_rests(q * 2.0);
+        let square = q * q;
+        let sinh = sinh_rest + q * 2.0;
+        let cosh = cosh_rest + square * 2.0 + 1.0;
+        [cosh * (0.5 * c0) + sinh_rest * (0.5 * c1) + q * c2, cosh_rest * (0.5 * c1) + sinh * (0.5 * c0) + square * c4 + 0.5 * c3]
+    }
+
+    /// `N'` and `D'` for `q <= 1`.
+    fn slopes(&self, q: f64) -> [f64; 2] {
+        let [c0, c1, c2, _, c4] = self.c;
+        let [sinh_rest, cosh_rest] = hyperbolic_rests(2.0 * q);
+        let (sinh, cosh_less_one) = (sinh_rest + 2.0 * q, cosh_rest + 2.0 * q * q);
+        [c0 * sinh + c1 * cosh_less_one + c2, c1 * sinh_rest + c0 * (cosh_less_one + 1.0) + 2.0 * c4 * q]
     }
 }
 
-/// `sinh s - s` and `cosh s - 1 - s^2/2` for `0 <= s <= 2`, to rounding, by their power series.
-fn hyperbolic_rests(s: f64) -> (f64, f64) {
+/// `sinh s - s` and `cosh s - 1 - s^2/2` for `|s| <= 2`, to rounding, by their power series.
+fn hyperbolic_rests<T: WaveNumber>(s: T) -> [T; 2] {
     /// The first neglected term at `s = 2` is below 1e-18 of the sum.
     const TERMS: u32 = 11;
     let square = s * s;
-    let (mut sinh, mut cosh) = (1.0, 1.0);
+    let (mut sinh, mut cosh) = (T::one(), T::one());
     for k in (2..=TERMS).rev() {
         let k = f64::from(2 * k);
-        sinh = 1.0 + sinh * (square / (k * (k + 1.0)));
-        cosh = 1.0 + cosh * (square / ((k + 1.0) * (k + 2.0)));
+        sinh = sinh * square * (1.0 / (k * (k + 1.0))) + 1.0;
+        cosh = cosh * square * (1.0 / ((k + 1.0) * (k + 2.0))) + 1.0;
     }
-    (sinh * s * square / 6.0, cosh * square * square / 24.0)
+    [s * square * sinh * (1.0 / 6.0), square * square * cosh * (1.0 / 24.0)]
 }

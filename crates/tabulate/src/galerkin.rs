@@ -34,9 +34,56 @@ use faer::linalg::triangular_solve::{solve_lower_triangular_in_place, solve_uppe
 use faer::{Accum, Mat, MatRef, Par, Spec};
 use interp::{Material, Quantities};
 
+use crate::answer::Answer;
 use crate::bessel::{EvenBessel, LANES};
 use crate::compliance::{Compliance, Sample};
 use crate::quadrature::Panels;
+
+/// Solves one contact at `x = a/t` with as many modes and panels as the tolerance takes, or as rounding allows.
+pub fn solve(x: f64, material: &Material, tolerance: f64) -> Answer {
+    let compliance = Compliance::new(material);
+    let (mut modes, ample) = (modes(x, tolerance), modes(x, FINEST));
+    let mut panels = Panels::new(x, compliance.smallest_scale(), tolerance);
+    let mut quadrature_tolerance = tolerance;
+    loop {
+        let abscissae = Abscissae::new(x, modes, panels.clone());
+        let operator = Operator::assemble(&compliance, &abscissae, abscissae.blocks());
+        let Some(solved) = operator.solve(material) else {
+            // Too few modes, or too much rounding.
+            if modes >= ample {
+                return Answer::FAILED;
+            }
+            modes = ample;
+            continue;
+        };
+        let error = solved.error();
+        if error <= tolerance {
+            return Answer { quantities: solved.quantities, error, modes };
+        }
+        // More of what the error comes from, unless that is rounding.
+        if solved.truncation >= 0.5 * error && modes < MOST_MODES {
+            modes += 2 + modes / 4;
+        } else if solved.quadrature >= 0.5 * error && quadrature_tolerance > FINEST {
+            quadrature_tolerance *= 0.01;
+            panels = Panels::new(x, compliance.smallest_scale(), quadrature_tolerance);
+        } else {
+            return Answer { quantities: solved.quantities, error, modes };
+        }
+    }
+}
+
+/// Rounding hides what a still smaller error of truncation or quadrature would gain.
+const FINEST: f64 = 1e-15;
+
+/// More modes than any point within reach needs at the tightest tolerance.
+const MOST_MODES: usize = 1500;
+
+/// The modes that the worst material needs at `x = a/t`: the edge layer has width `1/x`, which Legendre modes resolve with a number
+/// that grows like `sqrt(x)`. The coefficients were measured over the whole domain of materials.
+pub fn modes(x: f64, tolerance: f64) -> usize {
+    let digits = -tolerance.log10();
+    (2.4 + 0.35 * (digits - 6.0) + (2.6 + 0.42 * (digits - 6.0)) * x.sqrt()).ceil().max(3.0) as usize
+}
 
 /// Abscissae handled at once: the Bessel values of a block stay in the processor's cache.
 const BLOCK: usize = 512;
@@ -224,7 +271,7 @@ fn missing_modes(y: &[f64]) -> f64 {
 const TRUNCATION_SAFETY: f64 = 20.0;
 
 /// Rounding error of the assembled matrices, relative to the sum of absolute values.
-const ROUNDING: f64 = 12.0 * f64::EPSILON;
+const ROUNDING: f64 = 20.0 * f64::EPSILON;
 
 /// Estimates the error of the quadrature in `q` from how fast the Legendre coefficients of `X - 1` and `q X'` fall on each panel.
 ///

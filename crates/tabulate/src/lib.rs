@@ -8,18 +8,23 @@
 
 #![deny(unsafe_code)]
 
+mod answer;
 pub mod archive;
 mod bessel;
 mod bindings;
 pub mod certify;
 pub mod cli;
 pub mod compliance;
+mod contour;
 mod error;
 mod galerkin;
+mod krylov;
 mod output;
 mod quadrature;
 pub mod scene;
 pub mod solve;
 pub mod sweep;
+mod symbol;
+mod wiener_hopf;
 
 pub use error::Error;

@@ -1,11 +1,12 @@
-//! One contact: which method, how many modes, and how accurate the answer is.
+//! One contact: which method, and how accurate the answer is.
 
 use interp::{Material, Quantities};
 
 use crate::Error;
-use crate::compliance::Compliance;
-use crate::galerkin::{Abscissae, Operator};
-use crate::quadrature::Panels;
+use crate::answer::Answer;
+use crate::contour::{LARGEST_A_OVER_T, Path};
+use crate::symbol::Symbol;
+use crate::{galerkin, wiener_hopf};
 
 /// The four quantities at one point, with their estimated error.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -14,12 +15,49 @@ pub struct Solution {
     pub quantities: Quantities,
     /// Estimated largest relative error of the four: truncation, quadrature and rounding together.
     pub error: f64,
-    /// Legendre modes used; 0 where a closed form is exact.
+    /// The size of the system solved: Legendre modes, or real unknowns along a contour; 0 for the closed form.
     pub modes: usize,
+    /// How they were found.
+    pub method: Method,
+}
+
+/// The methods of solution, one for each regime.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Method {
+    /// Film = substrate: Hertz and the flat punch, whatever `a/t`.
+    ClosedForm,
+    /// Galerkin's method in even Legendre polynomials (`galerkin.rs`): film thicker than the contact is wide, or not much thinner.
+    Galerkin,
+    /// The Wiener-Hopf method along the imaginary axis (`wiener_hopf.rs`): thin films, and no zero of the symbol in the way.
+    Axis,
+    /// The Wiener-Hopf method along a ray: thin films of all other materials.
+    Ray,
+}
+
+impl Method {
+    /// The name, as `tabulate solve --json` prints it.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::ClosedForm => "closed form",
+            Self::Galerkin => "Galerkin",
+            Self::Axis => "Wiener-Hopf, axis",
+            Self::Ray => "Wiener-Hopf, ray",
+        }
+    }
+
+    /// Solves a contact with this method, as far as it goes.
+    fn solve(self, a_over_t: f64, material: &Material, symbol: &Symbol, tolerance: f64) -> Answer {
+        match self {
+            Self::ClosedForm => homogeneous(material),
+            Self::Galerkin => galerkin::solve(a_over_t, material, tolerance),
+            Self::Axis => wiener_hopf::solve(a_over_t, symbol, Path::Axis, tolerance),
+            Self::Ray => wiener_hopf::solve(a_over_t, symbol, Path::Ray, tolerance),
+        }
+    }
 }
 
 /// The values of `a/t` that [`solve`] takes.
-pub const A_OVER_T: [f64; 2] = [1e-6, 1e4];
+pub const A_OVER_T: [f64; 2] = [1e-6, LARGEST_A_OVER_T];
 /// The values of `E1/E2` that [`solve`] takes, besides 0.
 pub const E1_OVER_E2: [f64; 2] = [1e-8, 1e8];
 /// The values of `E0/E2` that [`solve`] takes, besides infinity.
@@ -29,65 +67,49 @@ pub const TOLERANCE: [f64; 2] = [1e-13, 1e-2];
 
 /// Solves the contact at `a_over_t` to the relative `tolerance`.
 ///
-/// Film = substrate is answered in closed form, everything else by Galerkin's method (`galerkin.rs`).
-///
 /// # Errors
 /// [`Error::Domain`] for a parameter outside the domain; [`Error::NotConverged`] where double precision does not allow the tolerance.
 pub fn solve(a_over_t: f64, material: &Material, tolerance: f64) -> Result<Solution, Error> {
     check_domain(a_over_t, material)?;
     Error::check("tolerance", tolerance, TOLERANCE)?;
-    let compliance = Compliance::new(material);
-    if compliance.is_homogeneous() {
-        return Ok(homogeneous(material));
-    }
-    let (mut modes, ample) = (modes(a_over_t, tolerance), modes(a_over_t, TOLERANCE[0]));
-    let mut panels = Panels::new(a_over_t, compliance.smallest_scale(), tolerance);
-    let mut quadrature_tolerance = tolerance;
-    let not_converged = |reached: f64| Error::NotConverged { a_over_t, material: *material, tolerance, reached };
-    loop {
-        let abscissae = Abscissae::new(a_over_t, modes, panels.clone());
-        let operator = Operator::assemble(&compliance, &abscissae, abscissae.blocks());
-        let Some(solved) = operator.solve(material) else {
-            // Too few modes, or too much rounding.
-            if modes >= ample {
-                return Err(not_converged(f64::INFINITY));
-            }
-            modes = ample;
-            continue;
-        };
-        let error = solved.error();
+    let symbol = Symbol::new(material);
+    let mut reached = f64::INFINITY;
+    for method in methods(a_over_t, &symbol, tolerance) {
+        let Answer { quantities, error, modes } = method.solve(a_over_t, material, &symbol, tolerance);
         if error <= tolerance {
-            return Ok(Solution { quantities: solved.quantities, error, modes });
+            return Ok(Solution { quantities, error, modes, method });
         }
-        // More of what the error comes from, unless that is rounding.
-        if solved.truncation >= 0.5 * error && modes < MOST_MODES {
-            modes += 2 + modes / 4;
-        } else if solved.quadrature >= 0.5 * error && quadrature_tolerance > FINEST_QUADRATURE {
-            quadrature_tolerance *= 0.01;
-            panels = Panels::new(a_over_t, compliance.smallest_scale(), quadrature_tolerance);
-        } else {
-            return Err(not_converged(error));
-        }
+        reached = reached.min(error);
     }
+    Err(Error::NotConverged { a_over_t, material: *material, tolerance, reached })
 }
 
-/// Rounding hides what still finer panels would gain.
-const FINEST_QUADRATURE: f64 = 1e-15;
+/// The methods that may answer, the cheapest one first.
+fn methods(x: f64, symbol: &Symbol, tolerance: f64) -> impl Iterator<Item = Method> {
+    let closed_form = symbol.is_constant();
+    let axis = x >= THIN && wiener_hopf::reaches(Path::Axis, x, symbol, tolerance);
+    let galerkin = x <= GALERKIN_REACH;
+    let ray = x >= THIN;
+    let galerkin_first = galerkin && 0.05 * x * x < wiener_hopf::ray_cost(x, symbol, tolerance);
+    let candidates = [
+        (closed_form, Method::ClosedForm),
+        (axis, Method::Axis),
+        (galerkin_first, Method::Galerkin),
+        (ray, Method::Ray),
+        (galerkin && !galerkin_first, Method::Galerkin),
+    ];
+    candidates.into_iter().filter_map(|(applies, method)| applies.then_some(method))
+}
 
-/// More modes than any point of the domain needs at the tightest tolerance.
-const MOST_MODES: usize = 1500;
+/// From this `a/t` on, the Wiener-Hopf method is as fast as Galerkin's.
+const THIN: f64 = 10.0;
+
+/// Galerkin's method costs `(a/t)^2`: half a second here.
+const GALERKIN_REACH: f64 = 1e4;
 
 /// Film = substrate: Hertz and the flat punch, whatever `a/t`.
-pub(crate) fn homogeneous(material: &Material) -> Solution {
-    let quantities = Quantities::homogeneous(material.sphere_film_modulus());
-    Solution { quantities, error: 4.0 * f64::EPSILON, modes: 0 }
-}
-
-/// The modes that the worst material needs at `x = a/t`: the edge layer has width `1/x`, which Legendre modes resolve with a number
-/// that grows like `sqrt(x)`. The coefficients were measured over the whole domain of materials.
-pub(crate) fn modes(x: f64, tolerance: f64) -> usize {
-    let digits = -tolerance.log10();
-    (2.4 + 0.35 * (digits - 6.0) + (2.6 + 0.42 * (digits - 6.0)) * x.sqrt()).ceil().max(3.0) as usize
+pub(crate) fn homogeneous(material: &Material) -> Answer {
+    Answer { quantities: Quantities::homogeneous(material.sphere_film_modulus()), error: 4.0 * f64::EPSILON, modes: 0 }
 }
 
 /// Accepts the points that the solve is made for.

@@ -9,10 +9,10 @@ use rayon::prelude::*;
 
 use crate::Error;
 use crate::compliance::Compliance;
-use crate::galerkin::{Abscissae, Block, Operator};
+use crate::galerkin::{self, Abscissae, Block, Operator};
 use crate::quadrature::Panels;
 use crate::scene::Scene;
-use crate::solve::{self, TOLERANCE, homogeneous, solve};
+use crate::solve::{TOLERANCE, homogeneous, solve};
 
 /// The relative tolerance of the solves behind a table: a hundredth of the table's, too little to show in its error.
 pub fn solve_tolerance(table_tolerance: f64) -> f64 {
@@ -106,7 +106,7 @@ impl Shared {
     fn new(x: f64, layers: &[Layer], table_tolerance: f64) -> Self {
         let tolerance = solve_tolerance(table_tolerance);
         let smallest_scale = layers.iter().map(|layer| layer.compliance.smallest_scale()).fold(1.0, f64::min);
-        let abscissae = Abscissae::new(x, solve::modes(x, tolerance), Panels::new(x, smallest_scale, tolerance));
+        let abscissae = Abscissae::new(x, galerkin::modes(x, tolerance), Panels::new(x, smallest_scale, tolerance));
         let blocks = abscissae.blocks().collect();
         Self { x, table_tolerance, abscissae, blocks }
     }

@@ -62,7 +62,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         let object = serde_json::json!({
             "a_over_t": a_over_t, "e1_over_e2": e1, "nu1": nu1, "e0_over_e2": infinite(e0), "nu0": arguments.nu0,
             "pi0": q.pi0, "eeq": q.eeq, "gamma": q.gamma, "delta0": q.delta0,
-            "error": solution.error, "normalised_by": unit, "modes": solution.modes,
+            "error": solution.error, "normalised_by": unit, "modes": solution.modes, "method": solution.method.name(),
         });
         format!("{object}\n")
     } else {
