@@ -28,8 +28,7 @@ pub fn solve(b: &[f64], tolerance: f64, mut apply: impl FnMut(&[f64], &mut [f64]
         let length = dot(&next, &next).sqrt();
         projections[steps] = length;
         let residual = problems.iter_mut().map(|problem| problem.add(&projections)).fold(0.0, f64::max);
-        // The negation also ends the process when something is not a number.
-        if !(residual > tolerance) || steps == n || length == 0.0 {
+        if residual <= tolerance || residual.is_nan() || steps == n || length == 0.0 {
             break;
         }
         basis.extend(next.iter().map(|next| next / length));

@@ -86,26 +86,27 @@ pub fn solve(a_over_t: f64, material: &Material, tolerance: f64) -> Result<Solut
 
 /// The methods that may answer, the cheapest one first.
 fn methods(x: f64, symbol: &Symbol, tolerance: f64) -> impl Iterator<Item = Method> {
-    let closed_form = symbol.is_constant();
-    let axis = x >= THIN && wiener_hopf::reaches(Path::Axis, x, symbol, tolerance);
-    let galerkin = x <= GALERKIN_REACH;
-    let ray = x >= THIN;
-    let galerkin_first = galerkin && 0.05 * x * x < wiener_hopf::ray_cost(x, symbol, tolerance);
+    let galerkin_first = galerkin::cost(x) < wiener_hopf::ray_cost(x, symbol, tolerance);
     let candidates = [
-        (closed_form, Method::ClosedForm),
-        (axis, Method::Axis),
-        (galerkin_first, Method::Galerkin),
-        (ray, Method::Ray),
-        (galerkin && !galerkin_first, Method::Galerkin),
+        (Method::ClosedForm, symbol.is_constant()),
+        (Method::Axis, prefers_axis(x, symbol, tolerance)),
+        (Method::Galerkin, x <= GALERKIN_REACH && galerkin_first),
+        (Method::Ray, x >= THIN),
+        (Method::Galerkin, x <= GALERKIN_REACH && !galerkin_first),
     ];
-    candidates.into_iter().filter_map(|(applies, method)| applies.then_some(method))
+    candidates.into_iter().filter_map(|(method, applies)| applies.then_some(method))
+}
+
+/// Whether the Wiener-Hopf method along the imaginary axis is the fastest.
+pub(crate) fn prefers_axis(x: f64, symbol: &Symbol, tolerance: f64) -> bool {
+    x >= THIN && wiener_hopf::reaches(Path::Axis, x, symbol, tolerance)
 }
 
 /// From this `a/t` on, the Wiener-Hopf method is as fast as Galerkin's.
 const THIN: f64 = 10.0;
 
-/// Galerkin's method costs `(a/t)^2`: half a second here.
-const GALERKIN_REACH: f64 = 1e4;
+/// Beyond this `a/t`, Galerkin's method is neither faster nor more accurate than the ray for any material.
+const GALERKIN_REACH: f64 = 300.0;
 
 /// Film = substrate: Hertz and the flat punch, whatever `a/t`.
 pub(crate) fn homogeneous(material: &Material) -> Answer {

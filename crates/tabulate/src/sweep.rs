@@ -12,7 +12,8 @@ use crate::compliance::Compliance;
 use crate::galerkin::{self, Abscissae, Block, Operator};
 use crate::quadrature::Panels;
 use crate::scene::Scene;
-use crate::solve::{TOLERANCE, homogeneous, solve};
+use crate::solve::{TOLERANCE, prefers_axis, solve};
+use crate::symbol::Symbol;
 
 /// The relative tolerance of the solves behind a table: a hundredth of the table's, too little to show in its error.
 pub fn solve_tolerance(table_tolerance: f64) -> f64 {
@@ -98,33 +99,42 @@ fn layers(materials: &[Material]) -> Vec<Layer> {
 struct Shared {
     x: f64,
     table_tolerance: f64,
-    abscissae: Abscissae,
-    blocks: Vec<Block>,
+    /// The Bessel values of Galerkin's method, as far as that is used.
+    galerkin: Option<(Abscissae, Vec<Block>)>,
 }
 
 impl Shared {
+    /// Up to this `a/t`, matrices that are shared cost less than a contour of one's own.
+    const REACH: f64 = 60.0;
+
     fn new(x: f64, layers: &[Layer], table_tolerance: f64) -> Self {
         let tolerance = solve_tolerance(table_tolerance);
-        let smallest_scale = layers.iter().map(|layer| layer.compliance.smallest_scale()).fold(1.0, f64::min);
-        let abscissae = Abscissae::new(x, galerkin::modes(x, tolerance), Panels::new(x, smallest_scale, tolerance));
-        let blocks = abscissae.blocks().collect();
-        Self { x, table_tolerance, abscissae, blocks }
+        let galerkin = (x <= Self::REACH).then(|| {
+            let smallest_scale = layers.iter().map(|layer| layer.compliance.smallest_scale()).fold(1.0, f64::min);
+            let abscissae = Abscissae::new(x, galerkin::modes(x, tolerance), Panels::new(x, smallest_scale, tolerance));
+            let blocks = abscissae.blocks().collect();
+            (abscissae, blocks)
+        });
+        Self { x, table_tolerance, galerkin }
     }
 
     /// The quantities of every member of a layer.
     fn solve(&self, layer: &Layer, materials: &[Material]) -> Result<Vec<[f64; 4]>, Error> {
         let members = layer.members.iter().map(|&member| &materials[member]);
-        if layer.compliance.is_homogeneous() {
-            return Ok(members.map(|material| homogeneous(material).quantities.to_array()).collect());
-        }
-        let operator = Operator::assemble(&layer.compliance, &self.abscissae, &self.blocks);
+        let tolerance = solve_tolerance(self.table_tolerance);
+        let mut operator = None;
         let solve_member = |material: &Material| {
-            let solved = operator.solve(material).filter(|solved| solved.error() <= solve_tolerance(self.table_tolerance));
-            match solved {
-                Some(solved) => Ok(solved.quantities.to_array()),
-                // Rare: this material needs more modes or panels of its own.
-                None => solve_for_table(self.x, material, self.table_tolerance).map(|quantities| quantities.to_array()),
+            if let Some((abscissae, blocks)) = &self.galerkin
+                && !layer.compliance.is_homogeneous()
+                && !prefers_axis(self.x, &Symbol::new(material), tolerance)
+            {
+                let operator = operator.get_or_insert_with(|| Operator::assemble(&layer.compliance, abscissae, blocks));
+                if let Some(solved) = operator.solve(material).filter(|solved| solved.error() <= tolerance) {
+                    return Ok(solved.quantities.to_array());
+                }
             }
+            // Thin films, and the rare material that needs more modes or panels of its own.
+            solve_for_table(self.x, material, self.table_tolerance).map(|quantities| quantities.to_array())
         };
         members.map(solve_member).collect()
     }
