@@ -82,7 +82,7 @@ const KNEE_STEP: f64 = 2.0;
 const KNEES: usize = 19;
 
 /// Abscissae `z` at which the two functions of the edge are read out. They are entire functions of `z^2`.
-pub const READOUTS: usize = 12;
+pub const READOUTS: usize = 15;
 
 /// One path, cut for one accuracy and one knee.
 #[derive(Debug)]
@@ -118,7 +118,7 @@ impl Readouts {
     /// Chebyshev points of `z^2`, moved off the given ascending abscissae.
     fn between(abscissae: &[f64]) -> Self {
         const FROM: f64 = 0.1;
-        const TO: f64 = 12.0;
+        const TO: f64 = 40.0;
         let z: [f64; READOUTS] = std::array::from_fn(|i| {
             let chebyshev = (PI * (i as f64 + 0.5) / READOUTS as f64).cos();
             let z = (0.5 * (FROM + TO) - 0.5 * (TO - FROM) * chebyshev).sqrt();

@@ -276,7 +276,7 @@ fn missing_modes(y: &[f64]) -> f64 {
 const TRUNCATION_SAFETY: f64 = 20.0;
 
 /// Rounding error of the assembled matrices, relative to the sum of absolute values.
-const ROUNDING: f64 = 20.0 * f64::EPSILON;
+const ROUNDING: f64 = 12.0 * f64::EPSILON;
 
 /// Estimates the error of the quadrature in `q` from how fast the Legendre coefficients of `X - 1` and `q X'` fall on each panel.
 ///

@@ -51,7 +51,7 @@
 //! ```
 //!
 //! For film = substrate `a = cos z`, `b = sin z`, which gives back 8/3, 1, 1, 1. `a` and `b/z` are entire functions of `z^2` of slow
-//! growth; ten values at `z^2` between 0 and 4 extrapolate to 0.
+//! growth; their values at fifteen `z^2` between 0.1 and 40 extrapolate to 0.
 //!
 //! # Accuracy
 //!
