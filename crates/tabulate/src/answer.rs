@@ -1,6 +1,30 @@
-//! What every method returns.
+//! What every method is asked for and returns.
 
-use interp::Quantities;
+use interp::{Quantities, Quantity};
+
+/// What a solve is asked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Wanted {
+    /// All four quantities. The adhesionless pair `Pi0`, `Delta0` takes as much: it is made of the other two.
+    All,
+    /// `Eeq` alone; the other quantities of the answer are not numbers.
+    Stiffness,
+}
+
+impl Wanted {
+    /// What the given quantities take.
+    pub fn of(quantities: impl IntoIterator<Item = Quantity>) -> Self {
+        if quantities.into_iter().eq([Quantity::Eeq]) { Self::Stiffness } else { Self::All }
+    }
+
+    /// The largest of the wanted quantities' errors, given all four.
+    pub fn largest(self, errors: Quantities) -> f64 {
+        match self {
+            Self::All => errors.to_array().into_iter().fold(0.0, f64::max),
+            Self::Stiffness => errors.eeq,
+        }
+    }
+}
 
 /// The four quantities with their estimated error, whether that is small enough or not.
 #[derive(Clone, Copy, Debug)]

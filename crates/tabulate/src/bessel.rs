@@ -7,8 +7,10 @@
 //! j_{v+2} = [(2v+1)(2v+3)/z^2 - 1 - (2v+3)/(2v-1)] j_v - (2v+3)/(2v-1) j_{v-2},      v = 2n
 //! ```
 //!
-//! which is run upwards where all orders are below `z` and downwards (Miller) elsewhere, then scaled to
-//! `sum_n (4n+1) j_2n(z)^2 = (1 + sin(2z)/(2z))/2` (Abramowitz and Stegun 10.1.50 and 10.1.51), or to `j_0` where that does not vanish.
+//! which is run upwards where all orders are below `z` and downwards (Miller) elsewhere, then scaled by the expansion of `cos(z rho)`
+//! at `rho = 0`: `sum_n (4n+1) |P_2n(0)| j_2n(z) = 1`, which takes no sines and cosines.
+
+use std::sync::LazyLock;
 
 /// Arguments handled at once; the recurrences of a group are independent and fill the processor's vectors.
 pub const LANES: usize = 8;
@@ -38,12 +40,8 @@ impl EvenBessel {
     /// `z` must be positive and ascending, and span no more than 64, which two neighbouring panels hardly do. The absolute error is a few rounding units of `max_n |J_n(z)|`.
     pub fn fill(&self, z: &Group, values: &mut [f64], stride: usize, at: usize) {
         debug_assert!(z[0] > 0.0 && z[LANES - 1] <= z[0] + 64.0, "{z:?}");
-        let sines: Group = z.map(f64::sin);
-        let cosines: Group = z.map(f64::cos);
+        let steps = steps();
         let inverse_square: Group = z.map(|z| 1.0 / (z * z));
-        let j0: Group = std::array::from_fn(|l| sines[l] / z[l]);
-        // Loses all digits for small arguments, where it is not used.
-        let j2: Group = std::array::from_fn(|l| (3.0 * inverse_square[l] - 1.0) * j0[l] - 3.0 * cosines[l] * inverse_square[l]);
         let mut store = |n: usize, group: &Group, factor: &Group| {
             let scale = self.scale[n];
             let column = &mut values[n * stride + at..][..LANES];
@@ -54,64 +52,83 @@ impl EvenBessel {
 
         if z[0] >= 2.0 * self.modes as f64 {
             const ONE: Group = [1.0; LANES];
+            let (sines, cosines) = (z.map(f64::sin), z.map(f64::cos));
+            let j0: Group = std::array::from_fn(|l| sines[l] / z[l]);
+            let j2: Group = std::array::from_fn(|l| (3.0 * inverse_square[l] - 1.0) * j0[l] - 3.0 * cosines[l] * inverse_square[l]);
             store(0, &j0, &ONE);
             let (mut before, mut now) = (j0, j2);
-            for n in 1..self.modes {
+            for (n, step) in steps.iter().enumerate().take(self.modes).skip(1) {
                 store(n, &now, &ONE);
-                let (alpha, gamma) = step(n);
+                let Step { alpha, gamma, .. } = *step;
                 let next = std::array::from_fn(|l| (alpha * inverse_square[l] - (1.0 + gamma)) * now[l] - gamma * before[l]);
                 (before, now) = (now, next);
             }
             return;
         }
 
-        let top = start(z[LANES - 1], self.modes);
+        let top = start(z[LANES - 1]);
         let mut orders = vec![[0.0; LANES]; self.modes.max(top) + 1];
-        let mut squares = [0.0; LANES];
+        let mut sums = [0.0; LANES];
         // Nothing overflows from here: with the span of a group, lanes above 2 grow by less than 1e170 and lanes below by less than 1e200.
         orders[top - 1] = [1e-100; LANES];
         for n in (1..top).rev() {
-            let (alpha, gamma) = step(n);
-            let (inverse, weight) = (1.0 / gamma, (4 * n + 1) as f64);
+            let Step { down: [a, b, c], at_zero, .. } = steps[n];
             let (now, after) = (orders[n], orders[n + 1]);
+            orders[n - 1] = std::array::from_fn(|l| (a * inverse_square[l] - b) * now[l] - c * after[l]);
             for l in 0..LANES {
-                squares[l] += weight * now[l] * now[l];
+                sums[l] += at_zero * now[l];
             }
-            orders[n - 1] = std::array::from_fn(|l| ((alpha * inverse_square[l] - (1.0 + gamma)) * now[l] - after[l]) * inverse);
         }
-        let factor: Group = std::array::from_fn(|l| {
-            let (u, v) = (orders[0][l], orders[1][l]);
-            if z[l] < 2.0 {
-                return j0[l] / u;
-            }
-            let norm = 0.5 * (1.0 + j0[l] * cosines[l]);
-            (norm / (squares[l] + u * u)).sqrt().copysign(j0[l] * u + j2[l] * v)
-        });
+        let factor: Group = std::array::from_fn(|l| 1.0 / (sums[l] + orders[0][l]));
         for (n, order) in orders[..self.modes].iter().enumerate() {
             store(n, order, &factor);
         }
     }
 }
 
-/// `(2v+1)(2v+3)` and `(2v+3)/(2v-1)` for `v = 2n`.
-fn step(n: usize) -> (f64, f64) {
-    let v = 4.0 * n as f64;
-    ((v + 1.0) * (v + 3.0), (v + 3.0) / (v - 1.0))
+/// The coefficients of the recurrence at `v = 2n`.
+#[derive(Clone, Copy, Debug)]
+struct Step {
+    /// `(2v+1)(2v+3)`.
+    alpha: f64,
+    /// `(2v+3)/(2v-1)`.
+    gamma: f64,
+    /// `alpha/gamma`, `(1 + gamma)/gamma` and `1/gamma`, for the way down.
+    down: [f64; 3],
+    /// `(4n+1) |P_2n(0)|`.
+    at_zero: f64,
+}
+
+/// More steps than any solve takes.
+const STEPS: usize = 2048;
+
+/// The coefficients of all steps, made once.
+fn steps() -> &'static [Step] {
+    static TABLE: LazyLock<Vec<Step>> = LazyLock::new(|| {
+        let mut legendre = 1.0;
+        let step = |n: usize| {
+            let v = 2.0 * n as f64;
+            if n > 0 {
+                legendre *= (v - 1.0) / v;
+            }
+            let (alpha, gamma) = ((2.0 * v + 1.0) * (2.0 * v + 3.0), (2.0 * v + 3.0) / (2.0 * v - 1.0));
+            let down = [alpha / gamma, (1.0 + gamma) / gamma, 1.0 / gamma];
+            Step { alpha, gamma, down, at_zero: (2.0 * v + 1.0) * legendre }
+        };
+        (0..STEPS).map(step).collect()
+    });
+    &TABLE
 }
 
 /// The number of orders that the downward recurrence needs for arguments up to `z`.
 ///
-/// Beyond the turning point `v = z`, `j_v` falls like `exp(-2/3 xi^{3/2})` with `xi = (v - z)/(z/2)^{1/3}`. Orders with `xi > 15`
-/// are below 1e-17 and taken as zero; a start at `xi = 9`, a little above the last wanted order, leaves no trace in the wanted ones.
-fn start(z: f64, modes: usize) -> usize {
+/// Beyond the turning point `v = z`, `j_v` falls like `exp(-2/3 xi^{3/2})` with `xi = (v - z)/(z/2)^{1/3}`: orders with `xi > 15`
+/// are below 1e-17.
+fn start(z: f64) -> usize {
     if z < 1e-3 {
         return 3;
     }
-    let airy = (0.5 * z).cbrt();
-    let negligible = 0.5 * (z + 15.0 * airy + 12.0);
-    let converged = 0.5 * (z + 9.0 * airy + 6.0);
-    let above_modes = modes as f64 + 4.0 + 2.0 * (modes as f64).cbrt();
-    converged.max(negligible.min(above_modes)).ceil() as usize
+    (0.5 * (z + 15.0 * (0.5 * z).cbrt() + 6.0)).ceil() as usize
 }
 
 #[cfg(test)]

@@ -7,6 +7,7 @@ use rand_pcg::Pcg64Mcg;
 use rayon::prelude::*;
 
 use crate::Error;
+use crate::answer::Wanted;
 use crate::sweep::solve_for_table;
 
 /// Compares the table with direct solves at `points` random points, evenly distributed in the axes' coordinates but for one in five, which
@@ -54,10 +55,10 @@ fn place(table: &Table, parameter: Parameter, random: &mut Pcg64Mcg) -> f64 {
 /// The largest relative error of the interpolated quantities at one point.
 fn error_at(table: &Table, [a_over_t, e1, nu1, e0]: [f64; 4]) -> Result<f64, Error> {
     let material = Material::new(e1, nu1, e0, table.description().nu0)?;
-    let solved = solve_for_table(a_over_t, &material, table.description().tolerance)?;
+    let held = || Quantity::ALL.into_iter().filter(|&quantity| table.values(quantity).is_some());
+    let solved = solve_for_table(a_over_t, &material, table.description().tolerance, Wanted::of(held()))?;
     let curve = table.curve(&material)?;
-    let held = Quantity::ALL.into_iter().filter(|&quantity| table.values(quantity).is_some());
-    let mut errors = held.map(|quantity| Ok((curve.quantity(quantity, a_over_t)? / solved.get(quantity) - 1.0).abs()));
+    let mut errors = held().map(|quantity| Ok((curve.quantity(quantity, a_over_t)? / solved.get(quantity) - 1.0).abs()));
     errors.try_fold(0.0, |worst, error: Result<f64, Error>| {
         error.map(|error| if error >= worst || error.is_nan() { error } else { worst })
     })

@@ -34,20 +34,20 @@ use faer::linalg::triangular_solve::{solve_lower_triangular_in_place, solve_uppe
 use faer::{Accum, Mat, MatRef, Par, Spec};
 use interp::{Material, Quantities};
 
-use crate::answer::Answer;
+use crate::answer::{Answer, Wanted};
 use crate::bessel::{EvenBessel, LANES};
 use crate::compliance::{Compliance, Sample};
 use crate::quadrature::Panels;
 
 /// Solves one contact at `x = a/t` with as many modes and panels as the tolerance takes, or as rounding allows.
-pub fn solve(x: f64, material: &Material, tolerance: f64) -> Answer {
+pub fn solve(x: f64, material: &Material, tolerance: f64, wanted: Wanted) -> Answer {
     let compliance = Compliance::new(material);
     let (mut modes, ample) = (modes(x, tolerance), modes(x, FINEST));
     let mut panels = Panels::new(x, compliance.smallest_scale(), tolerance);
     let mut quadrature_tolerance = tolerance;
     loop {
         let abscissae = Abscissae::new(x, modes, panels.clone());
-        let operator = Operator::assemble(&compliance, &abscissae, abscissae.blocks());
+        let operator = Operator::assemble(&compliance, &abscissae, abscissae.blocks(), wanted);
         let Some(solved) = operator.solve(material) else {
             // Too few modes, or too much rounding.
             if modes >= ample {
@@ -89,6 +89,9 @@ pub fn modes(x: f64, tolerance: f64) -> usize {
     let digits = -tolerance.log10();
     (2.4 + 0.35 * (digits - 6.0) + (2.6 + 0.42 * (digits - 6.0)) * x.sqrt()).ceil().max(3.0) as usize
 }
+
+/// Up to this many modes, plain loops are faster than a matrix library.
+const FEW_MODES: usize = 20;
 
 /// Abscissae handled at once: the Bessel values of a block stay in the processor's cache.
 const BLOCK: usize = 512;
@@ -148,7 +151,8 @@ impl Abscissae {
 #[derive(Clone, Debug)]
 pub struct Operator {
     kernel: Mat<f64>,
-    slope: Mat<f64>,
+    /// Only `Eeq` can do without.
+    slope: Option<Mat<f64>>,
     /// What the panels may miss of `X` and `q X'`, in `g.M.g / (int g)^2`.
     resolution_error: f64,
     /// What they may miss of the Bessel products, in `g.C.g / g(1)^2`.
@@ -176,39 +180,46 @@ impl Solved {
 }
 
 impl Operator {
-    /// Sums `M` and `C` over the abscissae. `blocks` are those of `abscissae`, made on the fly or kept for many materials.
-    pub fn assemble<B: Borrow<Block>>(compliance: &Compliance, abscissae: &Abscissae, blocks: impl IntoIterator<Item = B>) -> Self {
+    /// Sums `M`, and `C` if it is needed, over the abscissae. `blocks` are those of `abscissae`, made on the fly or kept for many materials.
+    pub fn assemble<B: Borrow<Block>>(
+        compliance: &Compliance,
+        abscissae: &Abscissae,
+        blocks: impl IntoIterator<Item = B>,
+        wanted: Wanted,
+    ) -> Self {
         let n = abscissae.modes;
         let samples: Vec<Sample> = abscissae.q.iter().map(|&q| compliance.sample(q)).collect();
         let mut operator = Self {
             kernel: Mat::zeros(n, n),
-            slope: Mat::zeros(n, n),
+            slope: (wanted == Wanted::All).then(|| Mat::zeros(n, n)),
             resolution_error: resolution_error(abscissae, &samples),
             design_error: abscissae.panels.design_error,
         };
-        let mut scaled = Vec::new();
+        let mut scaled: [Vec<f64>; 2] = Default::default();
         for block in blocks {
             let Block { first, rows, values } = block.borrow();
             let samples = &samples[*first..first + rows];
             let weights = &abscissae.weights[*first..first + rows];
-            let bessel = MatRef::from_column_major_slice(values, *rows, n);
-            let mut add = |target: &mut Mat<f64>, symbol: fn(&Sample) -> f64| {
+            // All scalar work comes before the products: code that follows them runs several times slower on some processors.
+            let symbols: [fn(&Sample) -> f64; 2] = [|sample| sample.excess, |sample| sample.slope];
+            let targets = if operator.slope.is_some() { 2 } else { 1 };
+            for (scaled, symbol) in scaled.iter_mut().zip(symbols).take(targets) {
                 let factors: Vec<f64> = samples.iter().zip(weights).map(|(sample, w)| w * symbol(sample)).collect();
                 scaled.clear();
                 for column in values.chunks_exact(*rows) {
                     scaled.extend(column.iter().zip(&factors).map(|(value, factor)| value * factor));
                 }
-                let scaled = MatRef::from_column_major_slice(&scaled, *rows, n);
-                let (lower, full) = (BlockStructure::TriangularLower, BlockStructure::Rectangular);
-                matmul(target, lower, Accum::Add, bessel.transpose(), full, scaled, full, 1.0, Par::Seq);
-            };
-            add(&mut operator.kernel, |sample| sample.excess);
-            add(&mut operator.slope, |sample| sample.slope);
+            }
+            for (scaled, target) in scaled.iter().zip([Some(&mut operator.kernel), operator.slope.as_mut()]) {
+                if let Some(target) = target {
+                    add_products(target, values, scaled, *rows);
+                }
+            }
         }
         operator
     }
 
-    /// Solves both right-hand sides for one sphere on the film and substrate of this operator.
+    /// Solves for one sphere on the film and substrate of this operator.
     ///
     /// Returns `None` where rounding has cost the matrix its positive definiteness, or too few modes `Gamma` its square root.
     pub fn solve(&self, material: &Material) -> Option<Solved> {
@@ -226,16 +237,20 @@ impl Operator {
         g[(1, 1)] = 2.0 / (3.0 * 5.0_f64.sqrt());
         solve_lower_triangular_in_place(factor.as_ref(), g.as_mut(), Par::Seq);
         // The lower modes do not know how many follow: the forms of any smaller number of modes are partial sums over these.
-        let missing = missing_modes(g.col_as_slice(0)).max(missing_modes(g.col_as_slice(1)));
+        let missing = [0, 1].map(|column| missing_modes(g.col_as_slice(column)));
         solve_upper_triangular_in_place(factor.transpose(), g.as_mut(), Par::Seq);
 
         let (g1, g2) = (g.col_as_slice(0), g.col_as_slice(1));
         let eeq = g1[0];
-        let gamma_squared = Some(es * (eeq + self.slope_form(g1, g1) / film)).filter(|&square| square > 0.0)?;
-        let delta0 = es * (3.0 * g2[0] + self.slope_form(g1, g2) / film) / gamma_squared;
-        let quantities = Quantities { pi0: 4.0 * (delta0 * eeq - g2[0]), eeq, gamma: gamma_squared.sqrt(), delta0 };
-
-        let edge = (es * eeq / gamma_squared).max(1.0);
+        let (quantities, missing, edge) = match &self.slope {
+            Some(slope) => {
+                let gamma_squared = Some(es * (eeq + form(slope, g1, g1) / film)).filter(|&square| square > 0.0)?;
+                let delta0 = es * (3.0 * g2[0] + form(slope, g1, g2) / film) / gamma_squared;
+                let quantities = Quantities { pi0: 4.0 * (delta0 * eeq - g2[0]), eeq, gamma: gamma_squared.sqrt(), delta0 };
+                (quantities, missing[0].max(missing[1]), (es * eeq / gamma_squared).max(1.0))
+            }
+            None => (Quantities { eeq, ..Answer::FAILED.quantities }, missing[0], 1.0),
+        };
         let diagonal = g1.iter().map(|g| g * g).sum::<f64>() / es;
         Some(Solved {
             quantities,
@@ -244,20 +259,47 @@ impl Operator {
             rounding: ROUNDING * (diagonal + (eeq - diagonal).abs()) / eeq * edge,
         })
     }
+}
 
-    /// `u.C.v`.
-    fn slope_form(&self, u: &[f64], v: &[f64]) -> f64 {
-        let mut form = 0.0;
-        for j in 0..u.len() {
-            let column = &self.slope.col_as_slice(j)[j..];
-            let (u_j, v_j) = (u[j], v[j]);
-            form += column[0] * u_j * v_j;
-            for ((c, u), v) in column.iter().zip(&u[j..]).zip(&v[j..]).skip(1) {
-                form += c * (u * v_j + u_j * v);
+/// Adds the lower triangle of `J^T F J` to `target`, given `J` and `F J` by columns of `rows` values.
+fn add_products(target: &mut Mat<f64>, bessel: &[f64], scaled: &[f64], rows: usize) {
+    let n = target.nrows();
+    if n <= FEW_MODES {
+        for (j, scaled) in scaled.chunks_exact(rows).enumerate() {
+            for (i, bessel) in bessel.chunks_exact(rows).enumerate().skip(j) {
+                target[(i, j)] += product(bessel, scaled);
             }
         }
-        form
+    } else {
+        let [bessel, scaled] = [bessel, scaled].map(|values| MatRef::from_column_major_slice(values, rows, n));
+        let (lower, full) = (BlockStructure::TriangularLower, BlockStructure::Rectangular);
+        matmul(target, lower, Accum::Add, bessel.transpose(), full, scaled, full, 1.0, Par::Seq);
     }
+}
+
+/// `a.b` of a multiple of [`LANES`] elements.
+fn product(a: &[f64], b: &[f64]) -> f64 {
+    let mut sums = [0.0; LANES];
+    for (a, b) in a.chunks_exact(LANES).zip(b.chunks_exact(LANES)) {
+        for l in 0..LANES {
+            sums[l] += a[l] * b[l];
+        }
+    }
+    sums.iter().sum()
+}
+
+/// `u.C.v`, given the lower triangle of `C`.
+fn form(matrix: &Mat<f64>, u: &[f64], v: &[f64]) -> f64 {
+    let mut form = 0.0;
+    for j in 0..u.len() {
+        let column = &matrix.col_as_slice(j)[j..];
+        let (u_j, v_j) = (u[j], v[j]);
+        form += column[0] * u_j * v_j;
+        for ((c, u), v) in column.iter().zip(&u[j..]).zip(&v[j..]).skip(1) {
+            form += c * (u * v_j + u_j * v);
+        }
+    }
+    form
 }
 
 /// Extrapolates `sum_{i >= n} y_i^2`, what the modes left out would add to a form, from the sums over the last two stretches of modes.
@@ -278,7 +320,8 @@ const TRUNCATION_SAFETY: f64 = 20.0;
 /// Rounding error of the assembled matrices, relative to the sum of absolute values.
 const ROUNDING: f64 = 12.0 * f64::EPSILON;
 
-/// Estimates the error of the quadrature in `q` from how fast the Legendre coefficients of `X - 1` and `q X'` fall on each panel.
+/// Estimates the error of the quadrature in `q` from how fast the Legendre coefficients of `q X'` fall on each panel. Those of `X - 1`
+/// are smaller, as differentiation multiplies them with their degree.
 ///
 /// An `n`-point rule is blind to an integrand's coefficients from degree `2n` on. They are extrapolated from the largest of the last
 /// four, which the panel's own values give: geometrically, at the mean rate since degree 0, which poles prescribe, or at the present
@@ -289,16 +332,13 @@ fn resolution_error(abscissae: &Abscissae, samples: &[Sample]) -> f64 {
     let panels = samples.chunks_exact(n).zip(abscissae.weights.chunks_exact(n));
     let error = |(samples, weights): (&[Sample], &[f64])| {
         let length: f64 = weights.iter().sum();
-        let missed = |symbol: fn(&Sample) -> f64| {
-            let largest = samples.iter().map(|s| symbol(s).abs()).fold(f64::MIN_POSITIVE, f64::max);
-            let coefficients =
-                rule.coefficients.each_ref().map(|row| row.iter().zip(samples).map(|(c, s)| c * symbol(s)).sum::<f64>().abs());
-            let [before, last] = [0, 4].map(|from| coefficients[from..from + 4].iter().fold(f64::MIN_POSITIVE, |a, &b| a.max(b)));
-            let mean_rate = (last / largest).powf(n as f64 / (n as f64 - 2.5));
-            let present_rate = (last / before).powf(0.25 * n as f64);
-            last * mean_rate.min(present_rate).min(1.0)
-        };
-        length * missed(|s| s.excess).max(missed(|s| s.slope))
+        let largest = samples.iter().map(|s| s.slope.abs()).fold(f64::MIN_POSITIVE, f64::max);
+        let coefficients =
+            rule.coefficients.each_ref().map(|row| row.iter().zip(samples).map(|(c, s)| c * s.slope).sum::<f64>().abs());
+        let [before, last] = [0, 4].map(|from| coefficients[from..from + 4].iter().fold(f64::MIN_POSITIVE, |a, &b| a.max(b)));
+        let mean_rate = (last / largest).powf(n as f64 / (n as f64 - 2.5));
+        let present_rate = (last / before).powf(0.25 * n as f64);
+        length * last * mean_rate.min(present_rate).min(1.0)
     };
     panels.map(error).sum()
 }

@@ -1,7 +1,8 @@
 //! Solves the adhesive contact of a sphere on a coated substrate and tabulates it.
 //!
 //! ```text
-//! scene -> sweep( solve <- galerkin <- bessel, quadrature, compliance <- material ) -> certify -> archive (.h5), pack (.bin)
+//! scene -> sweep( solve <- galerkin    <- bessel, quadrature, compliance <- material
+//!                       <- wiener_hopf <- krylov, contour, symbol <- compliance ) -> certify -> archive (.h5), pack (.bin)
 //! ```
 //!
 //! Data flows one way along this line, and each word is a module here or, from the table on, in the crate `interp`.

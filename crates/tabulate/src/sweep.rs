@@ -8,11 +8,12 @@ use interp::{Material, Quantities};
 use rayon::prelude::*;
 
 use crate::Error;
+use crate::answer::Wanted;
 use crate::compliance::Compliance;
 use crate::galerkin::{self, Abscissae, Block, Operator};
 use crate::quadrature::Panels;
 use crate::scene::Scene;
-use crate::solve::{TOLERANCE, prefers_axis, solve};
+use crate::solve::{TOLERANCE, prefers_axis, solve_wanted};
 use crate::symbol::Symbol;
 
 /// The relative tolerance of the solves behind a table: a hundredth of the table's, too little to show in its error.
@@ -24,10 +25,15 @@ pub fn solve_tolerance(table_tolerance: f64) -> f64 {
 /// precision does not allow this, to a fifth.
 ///
 /// # Errors
-/// Those of [`solve()`].
-pub(crate) fn solve_for_table(a_over_t: f64, material: &Material, table_tolerance: f64) -> Result<Quantities, Error> {
-    let solution = solve(a_over_t, material, solve_tolerance(table_tolerance));
-    Ok(solution.or_else(|_| solve(a_over_t, material, (0.2 * table_tolerance).min(TOLERANCE[1])))?.quantities)
+/// Those of [`solve`](crate::solve::solve).
+pub(crate) fn solve_for_table(
+    a_over_t: f64,
+    material: &Material,
+    table_tolerance: f64,
+    wanted: Wanted,
+) -> Result<Quantities, Error> {
+    let solve = |tolerance| solve_wanted(a_over_t, material, tolerance, wanted);
+    Ok(solve(solve_tolerance(table_tolerance)).or_else(|_| solve((0.2 * table_tolerance).min(TOLERANCE[1])))?.quantities)
 }
 
 /// Solves every node of the scene. Returns the values of each quantity asked for, row-major with `a_over_t` slowest.
@@ -53,7 +59,7 @@ pub fn sweep(scene: &Scene, progress: &(dyn Fn(usize) + Sync)) -> Result<[Option
         values[quantity as usize] = Some(vec![0.0; a_over_t.len() * materials.len()]);
     }
     for (i, &x) in a_over_t.iter().enumerate() {
-        let shared = Shared::new(x, &layers, scene.tolerance);
+        let shared = Shared::new(x, &layers, scene);
         let solved: Vec<Vec<[f64; 4]>> = layers
             .par_iter()
             .map(|layer| {
@@ -99,6 +105,7 @@ fn layers(materials: &[Material]) -> Vec<Layer> {
 struct Shared {
     x: f64,
     table_tolerance: f64,
+    wanted: Wanted,
     /// The Bessel values of Galerkin's method, as far as that is used.
     galerkin: Option<(Abscissae, Vec<Block>)>,
 }
@@ -107,7 +114,8 @@ impl Shared {
     /// Up to this `a/t`, matrices that are shared cost less than a contour of one's own.
     const REACH: f64 = 60.0;
 
-    fn new(x: f64, layers: &[Layer], table_tolerance: f64) -> Self {
+    fn new(x: f64, layers: &[Layer], scene: &Scene) -> Self {
+        let table_tolerance = scene.tolerance;
         let tolerance = solve_tolerance(table_tolerance);
         let galerkin = (x <= Self::REACH).then(|| {
             let smallest_scale = layers.iter().map(|layer| layer.compliance.smallest_scale()).fold(1.0, f64::min);
@@ -115,7 +123,7 @@ impl Shared {
             let blocks = abscissae.blocks().collect();
             (abscissae, blocks)
         });
-        Self { x, table_tolerance, galerkin }
+        Self { x, table_tolerance, wanted: Wanted::of(scene.quantities.iter().copied()), galerkin }
     }
 
     /// The quantities of every member of a layer.
@@ -128,13 +136,14 @@ impl Shared {
                 && !layer.compliance.is_homogeneous()
                 && !prefers_axis(self.x, &Symbol::new(material), tolerance)
             {
-                let operator = operator.get_or_insert_with(|| Operator::assemble(&layer.compliance, abscissae, blocks));
+                let operator =
+                    operator.get_or_insert_with(|| Operator::assemble(&layer.compliance, abscissae, blocks, self.wanted));
                 if let Some(solved) = operator.solve(material).filter(|solved| solved.error() <= tolerance) {
                     return Ok(solved.quantities.to_array());
                 }
             }
             // Thin films, and the rare material that needs more modes or panels of its own.
-            solve_for_table(self.x, material, self.table_tolerance).map(|quantities| quantities.to_array())
+            solve_for_table(self.x, material, self.table_tolerance, self.wanted).map(|quantities| quantities.to_array())
         };
         members.map(solve_member).collect()
     }

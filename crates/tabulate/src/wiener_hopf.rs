@@ -62,7 +62,7 @@
 use interp::Quantities;
 use num_complex::Complex64;
 
-use crate::answer::Answer;
+use crate::answer::{Answer, Wanted};
 use crate::contour::{Contour, FLAT, LEVELS, Path, READOUTS};
 use crate::krylov;
 use crate::symbol::Symbol;
@@ -90,15 +90,15 @@ pub fn ray_cost(x: f64, symbol: &Symbol, tolerance: f64) -> f64 {
 /// Where the compliance that is left at long waves, `S(0)`, is next to nothing against `S` at the contact's own wave numbers, as between
 /// rigid bodies, (2) is ill-conditioned: it sees what happens at `|zeta| << 1` only through that little. The quantities are analytic in
 /// the sphere's compliance, so that three slightly softer spheres extrapolate to the given one.
-pub fn solve(x: f64, symbol: &Symbol, path: Path, tolerance: f64) -> Answer {
+pub fn solve(x: f64, symbol: &Symbol, path: Path, tolerance: f64, wanted: Wanted) -> Answer {
     /// The added compliance, of `S(t/a)`; its third power is lost.
     const SOFTENING: f64 = 3e-5;
     const WEIGHTS: [f64; 3] = [3.0, -3.0, 1.0];
     let softening = SOFTENING * symbol.at(1.0 / x);
     if symbol.at(0.0) > softening {
-        return converge(x, symbol, path, tolerance);
+        return converge(x, symbol, path, tolerance, wanted);
     }
-    let softened = |k: usize| converge(x, &symbol.softened((k + 1) as f64 * softening), path, tolerance / 7.0);
+    let softened = |k: usize| converge(x, &symbol.softened((k + 1) as f64 * softening), path, tolerance / 7.0, wanted);
     let answers = [0, 1, 2].map(softened);
     let sum = |value: fn(&Answer) -> f64| answers.iter().zip(WEIGHTS).map(|(answer, weight)| weight * value(answer)).sum();
     let quantities = Quantities {
@@ -119,12 +119,12 @@ const GAIN: f64 = 0.1;
 const NOISE: f64 = 3e-11;
 
 /// Solves with contours of growing accuracy until two agree.
-fn converge(x: f64, symbol: &Symbol, path: Path, tolerance: f64) -> Answer {
+fn converge(x: f64, symbol: &Symbol, path: Path, tolerance: f64, wanted: Wanted) -> Answer {
     let first = LEVELS.iter().position(|&digits| digits > -tolerance.ln()).unwrap_or(LEVELS.len()).clamp(1, LEVELS.len() - 1);
-    let mut best = Answer { error: f64::INFINITY, ..on_contour(x, symbol, path, first - 1) };
+    let mut best = Answer { error: f64::INFINITY, ..on_contour(x, symbol, path, first - 1, wanted) };
     for level in first..LEVELS.len() {
-        let this = on_contour(x, symbol, path, level);
-        let difference = difference(&this.quantities, &best.quantities);
+        let this = on_contour(x, symbol, path, level, wanted);
+        let difference = difference(&this.quantities, &best.quantities, wanted);
         let error = GAIN * difference + 2.0 * difference.min(NOISE) + this.error;
         best = Answer { error, ..this };
         if error <= tolerance {
@@ -134,20 +134,25 @@ fn converge(x: f64, symbol: &Symbol, path: Path, tolerance: f64) -> Answer {
     best
 }
 
-/// The largest relative difference of the four; infinite if one is not a number.
-fn difference(a: &Quantities, b: &Quantities) -> f64 {
-    let pairs = a.to_array().into_iter().zip(b.to_array());
-    pairs.map(|(a, b)| (a / b - 1.0).abs()).fold(0.0, |largest, d| if d.is_nan() { f64::INFINITY } else { largest.max(d) })
+/// The largest relative difference of what is wanted; infinite if that is not a number.
+fn difference(a: &Quantities, b: &Quantities, wanted: Wanted) -> f64 {
+    let relative = |a: f64, b: f64| Some((a / b - 1.0).abs()).filter(|d| !d.is_nan()).unwrap_or(f64::INFINITY);
+    wanted.largest(Quantities {
+        pi0: relative(a.pi0, b.pi0),
+        eeq: relative(a.eeq, b.eeq),
+        gamma: relative(a.gamma, b.gamma),
+        delta0: relative(a.delta0, b.delta0),
+    })
 }
 
 /// The answer of one contour. Its error is that of rounding.
-fn on_contour(x: f64, symbol: &Symbol, path: Path, level: usize) -> Answer {
+fn on_contour(x: f64, symbol: &Symbol, path: Path, level: usize, wanted: Wanted) -> Answer {
     /// The knee lies a little below the smallest scale.
     const BELOW: f64 = 0.3;
     let contour = Contour::get(path, level, BELOW * x * symbol.smallest_scale());
     let log_factors = log_factors(x, symbol, contour);
     let [even, odd] = strengths(x, symbol, contour, &log_factors, (-LEVELS[level]).exp());
-    read_out(x, symbol, contour, &log_factors[contour.unknowns()..], &even, &odd)
+    read_out(x, symbol, contour, &log_factors[contour.unknowns()..], &even, &odd, wanted)
 }
 
 /// `ln S_+` at the nodes and its phase at the readouts, by (1), but for what the value of `S` there itself contributes.
@@ -223,7 +228,7 @@ impl Sum {
 }
 
 /// The quantities from the strengths.
-fn read_out(x: f64, symbol: &Symbol, contour: &Contour, phases: &[f64], even: &[f64], odd: &[f64]) -> Answer {
+fn read_out(x: f64, symbol: &Symbol, contour: &Contour, phases: &[f64], even: &[f64], odd: &[f64], wanted: Wanted) -> Answer {
     let mut v = [[Complex64::ONE; 2]; READOUTS];
     for ((even, odd), row) in even.iter().zip(odd).zip(&contour.readout) {
         for (v, influence) in v.iter_mut().zip(row) {
@@ -264,8 +269,13 @@ fn read_out(x: f64, symbol: &Symbol, contour: &Contour, phases: &[f64], even: &[
         delta0: -2.0 * a1.value / a0.value,
     };
     let relative = |sum: Sum| (sum.size / sum.value).abs();
-    let largest = (relative(a0) + relative(b1)).max(relative(a0) + relative(a1)).max((load_size / load).abs());
-    Answer { quantities, error: ROUNDING * largest, modes: contour.unknowns() }
+    let rounding = wanted.largest(Quantities {
+        pi0: (load_size / load).abs(),
+        eeq: relative(a0) + relative(b1),
+        gamma: relative(a0),
+        delta0: relative(a0) + relative(a1),
+    });
+    Answer { quantities, error: ROUNDING * rounding, modes: contour.unknowns() }
 }
 
 /// Rounding error of the sums at the readouts.
