@@ -57,7 +57,7 @@ impl Path {
     fn rule(self) -> Rule {
         match self {
             Self::Axis => Rule { strip: 1.3, thinning: 0.35 },
-            Self::Ray => Rule { strip: 0.45, thinning: 0.08 },
+            Self::Ray => Rule { strip: 0.45, thinning: 0.18 },
         }
     }
 }

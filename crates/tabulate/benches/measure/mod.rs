@@ -8,9 +8,9 @@ use tabulate::solve::solve;
 
 /// The most accurate answer that there is.
 pub fn tightest(x: f64, material: &Material) -> Quantities {
-    let tolerances = [1e-13, 1e-12, 1e-11, 1e-10];
+    let tolerances = [1e-13, 1e-12, 1e-11, 1e-10, 1e-9];
     let answer = tolerances.iter().find_map(|&tolerance| solve(x, material, tolerance).ok());
-    answer.expect("these materials converge to 1e-10").quantities
+    answer.expect("these materials converge to 1e-9").quantities
 }
 
 /// The largest of the four relative deviations.
