@@ -221,3 +221,59 @@ impl Rule {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The readouts of film = substrate: `a = cos z` and `b/z = sin z/z`, on every contour.
+    #[test]
+    fn readouts_extrapolate_entire_functions() {
+        let mut worst: f64 = 0.0;
+        for path in [Path::Axis, Path::Ray] {
+            for level in 0..LEVELS.len() {
+                let Readouts { z, value, slope } = Contour::get(path, level, 1.0).readouts;
+                let sum =
+                    |weights: &[f64; READOUTS], f: fn(f64) -> f64| -> f64 { weights.iter().zip(z).map(|(w, z)| w * f(z)).sum() };
+                let cosine = [sum(&value, f64::cos) - 1.0, sum(&slope, f64::cos) + 1.0 / 2.0];
+                let sine = [sum(&value, |z| z.sin() / z) - 1.0, sum(&slope, |z| z.sin() / z) + 1.0 / 6.0];
+                worst = cosine.into_iter().chain(sine).map(f64::abs).fold(worst, f64::max);
+            }
+        }
+        println!("readouts: {worst:.1e}");
+        // Measured: 3.2e-14.
+        assert!(worst < 1e-13);
+    }
+
+    /// `ln S_+` of `S = (t^2 + 4)/(t^2 + 1)`, whose factor is `(q + 2i)/(q + i)`, at the nodes and at the readouts.
+    #[test]
+    fn logarithms_of_factors_are_exact() {
+        let mut worst: f64 = 0.0;
+        for path in [Path::Axis, Path::Ray] {
+            let contour = Contour::get(path, LEVELS.len() - 1, 1.0);
+            let log = |t: Complex64| ((t * t + 4.0) / (t * t + 1.0)).ln();
+            let mut sums = vec![0.0; contour.rows()];
+            for (t, column) in contour.abscissae.iter().zip(contour.factor.chunks_exact(contour.rows())) {
+                sums.iter_mut().zip(column).for_each(|(sum, share)| *sum += share * log(Complex64::from(*t)).re);
+            }
+            let exact = |q: Complex64| ((q + 2.0 * Complex64::I) / (q + Complex64::I)).ln();
+            let n = contour.nodes.len();
+            for (j, &q) in contour.nodes.iter().enumerate() {
+                let factor = match path {
+                    Path::Axis => Complex64::from(sums[j]),
+                    Path::Ray => Complex64::new(sums[j], sums[n + j]) + contour.own[j] * log(q),
+                };
+                // What counts is the error against the weight of the node.
+                worst = worst.max((factor - exact(q)).norm() * q.norm().min(1.0));
+            }
+            for (m, &z) in contour.readouts.z.iter().enumerate() {
+                let q = Complex64::from(z);
+                let phase = sums[contour.unknowns() + m] + contour.own[n + m].im * log(q).re;
+                worst = worst.max((phase - exact(q).im).abs());
+            }
+        }
+        println!("ln S_+: {worst:.1e}");
+        // Measured: 7.4e-15.
+        assert!(worst < 3e-14);
+    }
+}

@@ -101,3 +101,48 @@ impl Least {
         y
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use rand::{RngExt, SeedableRng};
+    use rand_pcg::Pcg64Mcg;
+
+    use super::*;
+
+    #[test]
+    fn both_systems_are_solved() {
+        const N: usize = 23;
+        let mut random = Pcg64Mcg::seed_from_u64(3);
+        let matrix: Vec<f64> = (0..N * N).map(|_| random.random_range(-0.5..0.5)).collect();
+        let b: Vec<f64> = (0..N).map(|_| random.random_range(-1.0..1.0)).collect();
+        let apply = |v: &[f64], out: &mut [f64]| {
+            for (out, row) in out.iter_mut().zip(matrix.chunks_exact(N)) {
+                *out = dot(row, v);
+            }
+        };
+        let mut worst: f64 = 0.0;
+        for (v, sign) in solve(&b, 1e-15, apply).into_iter().zip([-1.0, 1.0]) {
+            let mut product = vec![0.0; N];
+            apply(&v, &mut product);
+            for i in 0..N {
+                worst = worst.max((v[i] + sign * product[i] - b[i]).abs());
+            }
+        }
+        println!("residual {worst:.1e}");
+        assert!(worst < 1e-13);
+    }
+
+    /// A matrix of rank one is done after two steps, and an exact start ends at once.
+    #[test]
+    fn a_small_krylov_space_ends_the_process() {
+        let mut calls = 0;
+        let [minus, plus] = solve(&[1.0, 1.0], 1e-15, |v, out| {
+            calls += 1;
+            out.copy_from_slice(&[0.5 * v[0], 0.5 * v[1]]);
+        });
+        assert_eq!(calls, 1);
+        for (v, expected) in [(minus, 2.0), (plus, 2.0 / 3.0)] {
+            assert!(v.iter().all(|v| (v - expected).abs() < 1e-14), "{v:?}");
+        }
+    }
+}

@@ -89,17 +89,17 @@ pub fn ray_cost(x: f64, symbol: &Symbol, tolerance: f64) -> f64 {
 ///
 /// Where the compliance that is left at long waves, `S(0)`, is next to nothing against `S` at the contact's own wave numbers, as between
 /// rigid bodies, (2) is ill-conditioned: it sees what happens at `|zeta| << 1` only through that little. The quantities are analytic in
-/// the sphere's compliance, so that three slightly softer spheres extrapolate to the given one.
+/// the sphere's compliance, so that two slightly softer spheres extrapolate to the given one.
 pub fn solve(x: f64, symbol: &Symbol, path: Path, tolerance: f64, wanted: Wanted) -> Answer {
-    /// The added compliance, of `S(t/a)`; its third power is lost.
-    const SOFTENING: f64 = 3e-5;
-    const WEIGHTS: [f64; 3] = [3.0, -3.0, 1.0];
+    /// The added compliance, of `S(t/a)`; its square is lost.
+    const SOFTENING: f64 = 1e-6;
+    const WEIGHTS: [f64; 2] = [2.0, -1.0];
     let softening = SOFTENING * symbol.at(1.0 / x);
     if symbol.at(0.0) > softening {
         return converge(x, symbol, path, tolerance, wanted);
     }
-    let softened = |k: usize| converge(x, &symbol.softened((k + 1) as f64 * softening), path, tolerance / 7.0, wanted);
-    let answers = [0, 1, 2].map(softened);
+    let softened = |k: usize| converge(x, &symbol.softened((k + 1) as f64 * softening), path, tolerance / 3.0, wanted);
+    let answers = [0, 1].map(softened);
     let sum = |value: fn(&Answer) -> f64| answers.iter().zip(WEIGHTS).map(|(answer, weight)| weight * value(answer)).sum();
     let quantities = Quantities {
         pi0: sum(|answer| answer.quantities.pi0),
@@ -108,7 +108,7 @@ pub fn solve(x: f64, symbol: &Symbol, path: Path, tolerance: f64, wanted: Wanted
         delta0: sum(|answer| answer.quantities.delta0),
     };
     let error =
-        answers.iter().zip(WEIGHTS).map(|(answer, weight)| weight.abs() * answer.error).sum::<f64>() + 6.0 * SOFTENING.powi(3);
+        answers.iter().zip(WEIGHTS).map(|(answer, weight)| weight.abs() * answer.error).sum::<f64>() + 2.0 * SOFTENING.powi(2);
     Answer { quantities, error, modes: answers[0].modes }
 }
 
