@@ -78,8 +78,8 @@ pub const LARGEST_A_OVER_T: f64 = 1e6;
 pub const LEVELS: [f64; 7] = [11.0, 16.0, 21.0, 26.0, 31.0, 37.0, 43.0];
 
 /// Knees are `e^{-n}` apart by this `n`.
-const KNEE_STEP: f64 = 2.0;
-const KNEES: usize = 19;
+const KNEE_STEP: f64 = 3.0;
+const KNEES: usize = 13;
 
 /// Abscissae `z` at which the two functions of the edge are read out. They are entire functions of `z^2`.
 pub const READOUTS: usize = 15;
