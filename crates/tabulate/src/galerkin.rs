@@ -72,9 +72,10 @@ pub fn solve(x: f64, material: &Material, tolerance: f64, wanted: Wanted) -> Ans
     }
 }
 
-/// An estimate of the time for one contact, in microseconds.
-pub fn cost(x: f64) -> f64 {
-    10.0 + 0.05 * x * x
+/// A rough estimate of the time for one contact, in microseconds, to choose between methods.
+pub fn cost(x: f64, tolerance: f64) -> f64 {
+    let digits = tolerance.ln() * x;
+    10.0 + 1e-4 * digits * digits
 }
 
 /// Rounding hides what a still smaller error of truncation or quadrature would gain.

@@ -100,7 +100,7 @@ pub(crate) fn solve_wanted(a_over_t: f64, material: &Material, tolerance: f64, w
 
 /// The methods that may answer, the cheapest one first.
 fn methods(x: f64, symbol: &Symbol, tolerance: f64) -> impl Iterator<Item = Method> {
-    let galerkin_first = galerkin::cost(x) < wiener_hopf::ray_cost(x, symbol, tolerance);
+    let galerkin_first = galerkin::cost(x, tolerance) < wiener_hopf::ray_cost(x, symbol, tolerance);
     let candidates = [
         (Method::ClosedForm, symbol.is_constant()),
         (Method::Axis, prefers_axis(x, symbol, tolerance)),

@@ -78,11 +78,11 @@ pub fn reaches(path: Path, x: f64, symbol: &Symbol, tolerance: f64) -> bool {
 /// The error of leaving out a zero at height `eta` is at most this many times `e^{-2 eta a/t}`.
 const LEFT_OUT: f64 = 200.0;
 
-/// An estimate of the time that the ray takes, in microseconds.
+/// A rough estimate of the time that the ray takes, in microseconds, to choose between methods.
 pub fn ray_cost(x: f64, symbol: &Symbol, tolerance: f64) -> f64 {
-    let scales = 8.0 - (x * symbol.smallest_scale()).min(1.0).ln();
-    let unknowns = -0.9 * scales * tolerance.ln();
-    0.01 * unknowns * unknowns
+    let scales = 11.0 - 0.7 * (x * symbol.smallest_scale()).min(1.0).ln();
+    let unknowns = scales * (8.0 - tolerance.ln());
+    0.005 * unknowns * unknowns
 }
 
 /// Solves with contours of growing accuracy until two agree to the tolerance, or until there are no better ones.
