@@ -146,10 +146,11 @@ fn solve_prints_one_point_to_the_last_bit() {
         let object: Value = serde_json::from_str(&text).expect("JSON");
         assert_eq!(object["normalised_by"], symbol);
         assert_eq!(object["modes"], expected.modes);
+        assert_eq!(object["method"], expected.method.name());
         if given.e0_over_e2() == f64::INFINITY {
             assert_eq!(object["e0_over_e2"], "inf");
         }
-        assert_eq!(object.as_object().expect("an object").len(), 12);
+        assert_eq!(object.as_object().expect("an object").len(), 13);
         let names = ["a_over_t", "e1_over_e2", "nu1", "e0_over_e2", "nu0"];
         for (name, value) in names.into_iter().zip(values_given).chain(rows) {
             // The digits themselves: serde_json's own reading may be one bit off.

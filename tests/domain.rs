@@ -91,9 +91,8 @@ fn finite_and_positive(solution: &Solution) -> bool {
 
 #[test]
 fn the_ends_of_the_domain_are_solved() {
-    // a/t = 1e4 takes a second; `reference.rs` solves there.
     let ends: [(&str, &[f64]); 4] = [
-        ("a_over_t", &A_OVER_T[..1]),
+        ("a_over_t", &A_OVER_T),
         ("e1_over_e2", &[0.0, E1_OVER_E2[0], E1_OVER_E2[1]]),
         ("e0_over_e2", &[E0_OVER_E2[0], E0_OVER_E2[1], f64::INFINITY]),
         ("tolerance", &TOLERANCE),
@@ -128,7 +127,7 @@ fn hard_corners_are_answered_honestly_or_refused_with_what_was_reached() {
     let (mut refused, mut answered, mut worst) = (0, 0, 0.0);
     for parameters in HARD {
         let material = material(parameters);
-        for x in [1e-6, 1e-2, 1.0, 30.0, 300.0] {
+        for x in [1e-6, 1e-2, 1.0, 30.0, 300.0, 1e6] {
             let mut best: Option<Solution> = None;
             // From the tightest tolerance to the loosest: each answer is compared with the best one.
             for tolerance in [1e-12, 1e-10, 1e-8, 1e-6, 1e-4] {
@@ -152,22 +151,22 @@ fn hard_corners_are_answered_honestly_or_refused_with_what_was_reached() {
         }
     }
     println!("hard corners: {answered} answers, {refused} refusals, largest difference over stated error {worst:.2}");
-    // Measured: 271 answers, 29 refusals, 0.26.
+    // Measured: 340 answers, 20 refusals, 0.26.
     assert!(answered > refused && refused > 0);
     assert!(worst <= 1.0);
 }
 
 #[test]
 fn an_impossible_tolerance_is_refused_with_the_numbers() {
-    // e1 = 1e-8 against 1, incompressible: X falls to 1e-8 of what it is made from.
-    let soft = material([1e-8, 0.5, f64::INFINITY, 0.25]);
-    let error = solve(300.0, &soft, 1e-13).expect_err("double precision holds no 13 digits here");
+    // An incompressible film between rigid bodies: S falls like 2/3 (t/a)^3, to 7e-10 of what it is at the edge.
+    let squeezed = material([0.0, 0.5, f64::INFINITY, 0.25]);
+    let error = solve(1000.0, &squeezed, 1e-13).expect_err("double precision holds no 13 digits here");
     let Error::NotConverged { tolerance, reached, .. } = error else { panic!("{error}") };
     assert_eq!(tolerance, 1e-13);
     println!("impossible tolerance: {reached:.1e} is reached");
-    // Measured 2.6e-8: rounding, not a lack of modes.
-    assert!(reached > 1e-9 && reached < 1e-6);
-    let place = "a_over_t = 300.0, e1_over_e2 = 1e-8, nu1 = 0.5, e0_over_e2 = inf, nu0 = 0.25";
+    // Measured 5.4e-10: rounding, not a lack of nodes.
+    assert!(reached > 1e-11 && reached < 1e-8);
+    let place = "a_over_t = 1000.0, e1_over_e2 = 0.0, nu1 = 0.5, e0_over_e2 = inf, nu0 = 0.25";
     assert_eq!(
         error.to_string(),
         format!("tolerance 1.0e-13 is not reached at {place}: the estimated error is {reached:.1e}; ask for a larger tolerance")

@@ -11,14 +11,14 @@ e1_over_e2 = { from = 0.3, to = 3, nodes = 4 }
 nu1 = 0.5
 e0_over_e2 = inf
 ";
-/// A contrast at which double precision allows no such tolerance.
+/// An incompressible film between rigid bodies: the method loses too much to rounding for such a tolerance.
 const OUT_OF_REACH: &str = "\
 title = 'Out of reach'
 tolerance = 1e-10
 a_over_t = { from = 1e3, to = 1e4, nodes = 2 }
-e1_over_e2 = 1e-8
+e1_over_e2 = 0
 nu1 = 0.5
-e0_over_e2 = 1e12
+e0_over_e2 = inf
 ";
 
 fn desk() -> Desk {
@@ -113,7 +113,7 @@ fn a_wrong_scene_is_named_with_key_value_and_range() {
         ("nodes = 8", "nodes = 1", &["a_over_t", "1 nodes", "2 to"]),
         ("nodes = 8", "nodes = 8.5", &["a_over_t", "8.5"]),
         ("from = 0.1, to = 10", "from = 1, to = 1", &["a_over_t", "empty", "1"]),
-        ("from = 0.1, to = 10", "from = 0, to = 10", &["a_over_t.from", "0", "1e-6 to 1e4"]),
+        ("from = 0.1, to = 10", "from = 0, to = 10", &["a_over_t.from", "0", "1e-6 to 1e6"]),
         ("from = 0.3, to = 3", "from = 0.3, to = inf", &["e1_over_e2.to", "inf", "1e-8 to 1e8"]),
         ("e0_over_e2 = inf", "e0_over_e2 = 0", &["e0_over_e2", "0", "1e-6 to 1e12"]),
         ("e0_over_e2 = inf", "e0_over_e2 = -3.0", &["e0_over_e2", "-3", "1e-6 to 1e12"]),

@@ -16,25 +16,25 @@ use tabulate::scene::Scene;
 use tabulate::sweep::sweep;
 use tempfile::TempDir;
 
-/// Numbers as CSV, a data file or an output: one row of numbers per case, with named columns. Lines that begin with `#` are comments.
+/// A CSV file, a data file or an output: one row per case, with named columns. Lines that begin with `#` are comments.
 #[derive(Clone, Debug)]
 pub struct Data {
     columns: Vec<String>,
-    rows: Vec<Vec<f64>>,
+    rows: Vec<Vec<String>>,
 }
 
 /// One case of a [`Data`] file.
 #[derive(Clone, Copy, Debug)]
 pub struct Case<'a> {
     data: &'a Data,
-    row: &'a [f64],
+    row: &'a [String],
 }
 
 impl Data {
     /// Reads `data/<name>.csv`.
     ///
     /// # Panics
-    /// If the file is missing, holds no case or a field that is no number.
+    /// If the file is missing or holds no case.
     pub fn read(name: &str) -> Self {
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("data").join(format!("{name}.csv"));
         let text = fs::read_to_string(&path).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
@@ -44,12 +44,12 @@ impl Data {
     /// Reads CSV text; `name` is for messages.
     ///
     /// # Panics
-    /// If it holds no case or a field that is no number.
+    /// If it holds no case.
     pub fn parse(name: &str, text: &str) -> Self {
         let mut lines = text.lines().filter(|line| !line.starts_with('#') && !line.is_empty());
-        let columns: Vec<String> = lines.next().expect("a header line").split(',').map(str::to_owned).collect();
-        let number = |field: &str| field.parse().unwrap_or_else(|_| panic!("{name}: {field:?} is no number"));
-        let rows: Vec<Vec<f64>> = lines.map(|line| line.split(',').map(number).collect()).collect();
+        let fields = |line: &str| line.split(',').map(str::to_owned).collect();
+        let columns: Vec<String> = fields(lines.next().expect("a header line"));
+        let rows: Vec<Vec<String>> = lines.map(fields).collect();
         assert!(!rows.is_empty(), "{name} holds no case");
         assert!(rows.iter().all(|row| row.len() == columns.len()), "{name} has rows of different lengths");
         Self { columns, rows }
@@ -67,13 +67,22 @@ impl Data {
 }
 
 impl Case<'_> {
-    /// The value in a named column.
+    /// The text in a named column.
     ///
     /// # Panics
     /// If there is no such column.
-    pub fn get(&self, column: &str) -> f64 {
+    pub fn text(&self, column: &str) -> &str {
         let index = self.data.columns.iter().position(|name| name == column);
-        self.row[index.unwrap_or_else(|| panic!("no column {column:?}"))]
+        &self.row[index.unwrap_or_else(|| panic!("no column {column:?}"))]
+    }
+
+    /// The number in a named column.
+    ///
+    /// # Panics
+    /// If there is no such column, or no number in it.
+    pub fn get(&self, column: &str) -> f64 {
+        let text = self.text(column);
+        text.parse().unwrap_or_else(|_| panic!("{column}: {text:?} is no number"))
     }
 
     /// The material of the columns `e1_over_e2`, `nu1`, `e0_over_e2`, `nu0`.
