@@ -151,7 +151,8 @@ fn on_contour(x: f64, symbol: &Symbol, path: Path, level: usize, wanted: Wanted)
     const BELOW: f64 = 0.3;
     let contour = Contour::get(path, level, BELOW * x * symbol.smallest_scale());
     let log_factors = log_factors(x, symbol, contour);
-    let [even, odd] = strengths(x, symbol, contour, &log_factors, (-LEVELS[level]).exp());
+    let couplings = couplings(x, symbol, contour, &log_factors);
+    let [even, odd] = solve_coupling(contour, &couplings, (-LEVELS[level]).exp());
     read_out(x, symbol, contour, &log_factors[contour.unknowns()..], &even, &odd, wanted)
 }
 
@@ -166,41 +167,47 @@ fn log_factors(x: f64, symbol: &Symbol, contour: &Contour) -> Vec<f64> {
     sums
 }
 
-/// The strengths `e^{2 i zeta} S_+^2/S V d zeta/(2 pi i)` of the nodes that solve (2), for the even and for the odd fields.
-fn strengths(x: f64, symbol: &Symbol, contour: &Contour, log_factors: &[f64], accuracy: f64) -> [Vec<f64>; 2] {
-    let (n, unknowns) = (contour.nodes.len(), contour.unknowns());
-    let even = match symbol.at(0.0) {
-        value if value > 0.3 => 1.0 / value,
-        _ => 0.0,
-    };
-    let coupling = |j: usize| {
-        let s = symbol.at(contour.nodes[j] / x);
+/// What `V` is multiplied with at the nodes in (2): `e^{2 i zeta} S_+^2/S d zeta/(2 pi i)`.
+fn couplings(x: f64, symbol: &Symbol, contour: &Contour, log_factors: &[f64]) -> Vec<Complex64> {
+    /// Below, the constant would bring in more than it takes off.
+    const SMALL: f64 = 0.3;
+    let long_waves = symbol.at(0.0);
+    let constant = if long_waves > SMALL { 1.0 / long_waves } else { 0.0 };
+    let coupling = |(j, (&zeta, weight)): (usize, (&Complex64, &Complex64))| {
+        let s = symbol.at(zeta / x);
         let log_factor = match contour.path {
             Path::Axis => Complex64::from(log_factors[j]),
-            Path::Ray => Complex64::new(log_factors[j], log_factors[n + j]) + contour.own[j] * s.ln(),
+            Path::Ray => Complex64::new(log_factors[j], log_factors[contour.nodes.len() + j]) + contour.own[j] * s.ln(),
         };
-        contour.weights[j] * (2.0 * log_factor).exp() * (1.0 / s - even)
+        weight * (2.0 * log_factor).exp() * (1.0 / s - constant)
     };
-    let couplings: Vec<Complex64> = (0..n).map(coupling).collect();
-    let strengths = |v: &[f64], strengths: &mut Vec<f64>| {
-        strengths.clear();
-        match contour.path {
-            Path::Axis => strengths.extend(v.iter().zip(&couplings).map(|(v, coupling)| v * coupling.im)),
-            Path::Ray => {
-                let (re, im) = v.split_at(n);
-                let parts = || couplings.iter().zip(re.iter().zip(im));
-                strengths.extend(parts().map(|(c, (re, im))| c.re * re - c.im * im));
-                strengths.extend(parts().map(|(c, (re, im))| c.re * im + c.im * re));
-            }
+    contour.nodes.iter().zip(&contour.weights).enumerate().map(coupling).collect()
+}
+
+/// The strengths that the values `V` at the nodes give rise to, in the unknowns' layout.
+fn strengths(path: Path, couplings: &[Complex64], v: &[f64], strengths: &mut Vec<f64>) {
+    strengths.clear();
+    match path {
+        Path::Axis => strengths.extend(v.iter().zip(couplings).map(|(v, coupling)| v * coupling.im)),
+        Path::Ray => {
+            let (re, im) = v.split_at(couplings.len());
+            let parts = || couplings.iter().zip(re.iter().zip(im));
+            strengths.extend(parts().map(|(c, (re, im))| c.re * re - c.im * im));
+            strengths.extend(parts().map(|(c, (re, im))| c.re * im + c.im * re));
         }
-    };
-    let mut one = vec![1.0; n];
-    one.resize(unknowns, 0.0);
-    let mut work = Vec::with_capacity(unknowns);
+    }
+}
+
+/// Solves (2); returns the strengths of the nodes for the even and for the odd fields.
+fn solve_coupling(contour: &Contour, couplings: &[Complex64], accuracy: f64) -> [Vec<f64>; 2] {
     /// Of the accuracy of the contour, and what rounding allows.
     const SHARE: f64 = 0.01;
+    let unknowns = contour.unknowns();
+    let mut one = vec![1.0; contour.nodes.len()];
+    one.resize(unknowns, 0.0);
+    let mut work = Vec::with_capacity(unknowns);
     let solutions = krylov::solve(&one, (SHARE * accuracy).max(f64::EPSILON), |v, out| {
-        strengths(v, &mut work);
+        strengths(contour.path, couplings, v, &mut work);
         out.fill(0.0);
         for (strength, column) in work.iter().zip(contour.kernel.chunks_exact(unknowns)) {
             out.iter_mut().zip(column).for_each(|(out, influence)| *out += influence * strength);
@@ -208,12 +215,12 @@ fn strengths(x: f64, symbol: &Symbol, contour: &Contour, log_factors: &[f64], ac
     });
     solutions.map(|v| {
         let mut result = Vec::with_capacity(unknowns);
-        strengths(&v, &mut result);
+        strengths(contour.path, couplings, &v, &mut result);
         result
     })
 }
 
-/// A sum with the sum of its terms' absolute values.
+/// A sum and the size of its terms, which its rounding error is proportional to.
 #[derive(Clone, Copy, Default)]
 struct Sum {
     value: f64,
@@ -221,9 +228,13 @@ struct Sum {
 }
 
 impl Sum {
-    fn add(&mut self, weight: f64, value: f64, size: f64) {
-        self.value += weight * value;
-        self.size += (weight * size).abs();
+    fn add(&mut self, weight: f64, term: Self) {
+        self.value += weight * term.value;
+        self.size += weight.abs() * term.size;
+    }
+
+    fn over(self, divisor: f64) -> Self {
+        Self { value: self.value / divisor, size: self.size / divisor.abs() }
     }
 }
 
@@ -237,27 +248,29 @@ fn read_out(x: f64, symbol: &Symbol, contour: &Contour, phases: &[f64], even: &[
         }
     }
     let readouts = &contour.readouts;
-    // With the size of what `V` is the sum of, which does not shrink with `V`.
-    let waves: [([f64; 2], [f64; 2]); READOUTS] = std::array::from_fn(|m| {
+    // a and b, with the size of what they are sums of, which does not shrink with them.
+    let values: [[Sum; 2]; READOUTS] = std::array::from_fn(|m| {
         let (z, [even, odd]) = (readouts.z[m], v[m]);
         let s = symbol.at(z / x);
         let wave = Complex64::from_polar(1.0 / s.sqrt(), z + phases[m] + contour.own[contour.nodes.len() + m].im * s.ln());
-        ([(wave * even).re, (wave * odd).im], [even, odd].map(|v| wave.norm() * (1.0 + v.norm())))
+        let size = |v: Complex64| wave.norm() * (1.0 + v.norm());
+        [Sum { value: (wave * even).re, size: size(even) }, Sum { value: (wave * odd).im, size: size(odd) }]
     });
-    let [mut a0, mut a1, mut b1, mut b2] = [Sum::default(); 4];
-    let mut pole = Sum::default();
-    for (m, ([a, b], [a_size, b_size])) in waves.iter().enumerate() {
-        a0.add(readouts.value[m], *a, *a_size);
-        a1.add(readouts.slope[m], *a, *a_size);
-        pole.add(readouts.value[m], readouts.z[m] * b, readouts.z[m] * b_size);
+    let [mut a0, mut a1, mut b1, mut b2, mut pole] = [Sum::default(); 5];
+    for (m, [a, b]) in values.iter().enumerate() {
+        a0.add(readouts.value[m], *a);
+        a1.add(readouts.slope[m], *a);
+        pole.add(readouts.value[m] * readouts.z[m], *b);
     }
-    let (pole, pole_size) =
-        if pole.value.abs() > ROUNDING * pole.size { (pole.value / a0.value, pole.size / a0.value.abs()) } else { (0.0, 0.0) };
-    for (m, ([a, b], [_, b_size])) in waves.iter().enumerate() {
+    // Where S(0) is small, so is the price of a pole a(z)/z in b, which solves (2) but for that price. Take off what there is of it.
+    let share = if pole.value.abs() > ROUNDING * pole.size { pole.over(a0.value) } else { Sum::default() };
+    for (m, [a, b]) in values.iter().enumerate() {
         let z = readouts.z[m];
-        let (value, size) = ((b - pole * a / z) / z, (b_size + pole_size * a.abs() / z) / z);
-        b1.add(readouts.value[m], value, size);
-        b2.add(readouts.slope[m], value, size);
+        let mut regular = Sum::default();
+        regular.add(1.0 / z, *b);
+        regular.add(-a.value / (z * z), share);
+        b1.add(readouts.value[m], regular);
+        b2.add(readouts.slope[m], regular);
     }
     let es = symbol.modulus();
     let load = a0.value * b2.value - a1.value * b1.value;
