@@ -1,4 +1,4 @@
-//! The README shows the example that is compiled, and the certificate of the table that is shipped.
+//! The README shows the examples that are compiled, and the certificate of the table that is shipped.
 
 #![forbid(unsafe_code)]
 
@@ -10,13 +10,13 @@ fn read(path: &str) -> String {
 }
 
 #[test]
-fn shows_the_example() {
-    let example = read("crates/interp/examples/force.rs");
-    let program = example.strip_prefix("//! The README's program.\n").expect("the example begins with its title");
-    assert!(
-        read("README.md").contains(&format!("```rust\n{program}```")),
-        "the README shows another program than examples/force.rs"
-    );
+fn shows_the_examples() {
+    for path in ["crates/interp/examples/force.rs", "crates/tabulate/examples/curve.rs"] {
+        let example = read(path);
+        let (title, program) = example.split_once('\n').expect("the example begins with its title");
+        assert!(title.starts_with("//! The README's program"), "{title}");
+        assert!(read("README.md").contains(&format!("```rust\n{program}```")), "the README shows another program than {path}");
+    }
 }
 
 #[test]

@@ -135,7 +135,7 @@ impl Mechanics {
     }
 }
 
-/// A system whose material has been looked up in a table: force curves are now arithmetic.
+/// A system with the curve of its material, from a table or a solve: force curves are now arithmetic.
 #[derive(Clone, Debug)]
 pub struct Contact {
     film_thickness: f64,
@@ -149,18 +149,31 @@ impl Table {
     /// # Errors
     /// Those of [`System::material`] and [`Table::curve`].
     pub fn contact(&self, system: &System) -> Result<Contact, Error> {
-        let curve = self.curve(&system.material()?)?;
-        Ok(Contact { film_thickness: system.film_thickness, curve, mechanics: Mechanics::new(system)? })
+        Contact::new(system, self.curve(&system.material()?)?)
     }
 }
 
 impl Contact {
+    /// A system with a curve made for its material, or for the [equivalent](Material::with_substrate_poisson_ratio) on a substrate with
+    /// another Poisson ratio.
+    ///
+    /// # Errors
+    /// Those of [`System::material`]; [`Error::OtherMaterial`] if the curve was made for another one, by more than rounding (`1e-12`).
+    pub fn new(system: &System, curve: Curve) -> Result<Self, Error> {
+        let (mechanics, made_for) = (Mechanics::new(system)?, curve.material());
+        let material = system.material()?.with_substrate_poisson_ratio(made_for.nu0())?;
+        if !material.is_close_to(made_for) {
+            return Err(Error::OtherMaterial { curve: *made_for, system: material });
+        }
+        Ok(Self { film_thickness: system.film_thickness, curve, mechanics })
+    }
+
     /// The dimensionless quantities as functions of `a/t`.
     pub fn curve(&self) -> &Curve {
         &self.curve
     }
 
-    /// The smallest and the largest contact radius (m) that the table covers.
+    /// The smallest and the largest contact radius (m) that the curve covers.
     pub fn contact_radius_range(&self) -> [f64; 2] {
         self.curve.range().map(|a_over_t| a_over_t * self.film_thickness)
     }
@@ -172,10 +185,10 @@ impl Contact {
 
     /// Load `F` (N, positive in compression) at contact radius `a` (m) and work of adhesion `w` (J/m^2): eq. 9.
     ///
-    /// Each of its two terms has the relative error of the table.
+    /// Each of its two terms has the relative error of the curve.
     ///
     /// # Errors
-    /// [`Error::OutsideTable`] where the table does not cover `a/t`; [`Error::Unphysical`] for `a <= 0`, `w < 0` or NaN;
+    /// [`Error::OutsideTable`] where the curve does not cover `a/t`; [`Error::Unphysical`] for `a <= 0`, `w < 0` or NaN;
     /// [`Error::MissingQuantity`] without `pi0`, `eeq` and `gamma`.
     pub fn load(&self, a: f64, w: f64) -> Result<f64, Error> {
         let edge = self.mechanics.edge_singularity(a, w)?;
@@ -195,7 +208,7 @@ impl Contact {
     /// Contact stiffness `S = 2 a E* Eeq` (N/m) at contact radius `a` (m), eq. 5.
     ///
     /// # Errors
-    /// [`Error::OutsideTable`] where the table does not cover `a/t`, [`Error::MissingQuantity`] without `eeq`.
+    /// [`Error::OutsideTable`] where the curve does not cover `a/t`, [`Error::MissingQuantity`] without `eeq`.
     pub fn stiffness(&self, a: f64) -> Result<f64, Error> {
         Ok(2.0 * a * self.mechanics.modulus * self.curve.quantity(Quantity::Eeq, a / self.film_thickness)?)
     }

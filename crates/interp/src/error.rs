@@ -3,6 +3,8 @@
 use std::io;
 use std::path::PathBuf;
 
+use crate::Material;
+
 /// Any failure of this crate.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
@@ -17,8 +19,8 @@ pub enum Error {
         /// What is allowed, in words.
         allowed: &'static str,
     },
-    /// A query outside the box that the table covers.
-    #[error("{axis} = {value:?} is outside the table, which covers {axis} from {from:?} to {to:?}")]
+    /// A query outside the box that the table covers, or the range of the curve.
+    #[error("{axis} = {value:?} is outside the range of the table or curve, {from:?} to {to:?}")]
     OutsideTable {
         /// The axis that does not hold the value.
         axis: &'static str,
@@ -48,6 +50,14 @@ pub enum Error {
         table: &'static str,
         /// The modulus that would normalise the query's result.
         query: &'static str,
+    },
+    /// A curve made for another material than the system's.
+    #[error("the curve was made for {}, the system has {}", parameters(curve), parameters(system))]
+    OtherMaterial {
+        /// The material of the curve.
+        curve: Material,
+        /// The system's, on a substrate with the Poisson ratio of the curve's.
+        system: Material,
     },
     /// A quantity that the scene of the table did not ask for.
     #[error("the table does not hold {0}: its scene did not ask for it")]
@@ -90,6 +100,12 @@ pub enum Error {
         /// The reason.
         source: io::Error,
     },
+}
+
+/// A material in words.
+fn parameters(material: &Material) -> String {
+    let [e1, nu1, e0, nu0] = [material.e1_over_e2(), material.nu1(), material.e0_over_e2(), material.nu0()];
+    format!("e1_over_e2 = {e1:?}, nu1 = {nu1:?}, e0_over_e2 = {e0:?}, nu0 = {nu0:?}")
 }
 
 impl Error {

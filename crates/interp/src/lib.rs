@@ -8,7 +8,8 @@
 //! * [`Table::read`] (packed) and `Table::open` (HDF5, feature `hdf5`) load a table;
 //! * [`Table::curve`] makes the [`Curve`] of one [`Material`]: the quantities as functions of `a/t`;
 //! * [`Table::contact`] makes the [`Contact`] of one [`System`] in SI units: load and penetration from contact radius and work of
-//!   adhesion.
+//!   adhesion;
+//! * [`Curve::through`] and [`Contact::new`] make them without a table, from quantities solved elsewhere.
 //!
 //! ```no_run
 //! # fn main() -> Result<(), interp::Error> {
@@ -26,8 +27,8 @@
 //! # Ok(()) }
 //! ```
 //!
-//! No numerics happen here, no value is clamped and none is extrapolated: outside the table, but for rounding (1e-12), there is an [`Error`]
-//! with the axis, the value and the range.
+//! No numerics happen here, no value is clamped and none is extrapolated: outside the table or curve, but for rounding (1e-12), there is an
+//! [`Error`] with the axis, the value and the range.
 
 #![forbid(unsafe_code)]
 

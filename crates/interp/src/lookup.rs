@@ -4,7 +4,7 @@ use splines::{Interpolate, Interpolation, Key, Spline};
 
 use crate::schema::Parameter;
 use crate::spline::{Basis, DEGREE, Weights};
-use crate::table::{Table, locate};
+use crate::table::{REASONABLE, Table, locate, too_close};
 use crate::{Error, Material, Quantities, Quantity};
 
 /// One number for each of the four quantities.
@@ -115,7 +115,7 @@ impl Coefficients {
         })?;
         let values = self.contract(table.shape(), &e1, &nu, &e0);
         let held = Quantity::ALL.map(|quantity| table.values(quantity).is_some());
-        Ok(Curve::new(table.axis(Parameter::AOverT), &values, material, held))
+        Ok(Curve::from_logarithms(table.axis(Parameter::AOverT), &values, material, held))
     }
 
     /// Sums the rows around one material: the logarithms at each node of `a_over_t`.
@@ -152,8 +152,8 @@ fn scale(quantity: Quantity, es: f64) -> f64 {
 
 /// The four quantities as functions of `a/t` for one material.
 ///
-/// Made once by [`Table::curve`]; each evaluation is then a one-dimensional cubic spline over `ln(a/t)`, so finely resampled from the
-/// quintic spline through the logarithms at the table's nodes that it adds less than 1e-7 to the error.
+/// Made once, by [`Table::curve`] or [`Curve::through`]; each evaluation is then a one-dimensional cubic spline over `ln(a/t)`, so finely
+/// resampled from the quintic spline through the logarithms at the nodes that it adds less than 1e-7 to the error.
 #[derive(Clone, Debug)]
 pub struct Curve {
     spline: Spline<f64, Four>,
@@ -166,13 +166,55 @@ pub struct Curve {
 }
 
 impl Curve {
-    fn new(nodes: &[f64], values: &[Four], material: Material, held: [bool; 4]) -> Self {
+    /// The curve through quantities from elsewhere than a table, `(a/t, quantities)` with `a/t` ascending.
+    ///
+    /// What is splined between these nodes is `ln(Pi0/es)`, `ln(Eeq/es)`, `ln(Gamma/es)` and `ln Delta0` over `ln(a/t)`, by the quintic
+    /// not-a-knot spline, whose error falls like the sixth power of the nodes' distance. The cubic pieces that replace it are no
+    /// longer than 0.025 in `ln(a/t)`, nor than the distance of the nodes: nodes closer than that bound their error, below 1e-7 otherwise, by
+    /// their fourth power. Equally spaced nodes make the fastest curve.
+    ///
+    /// The quantities are not compared with the material; the crate `tabulate` makes a curve of stated accuracy from a material alone.
+    ///
+    /// # Errors
+    /// [`Error::Unphysical`] if there is no node, an `a/t` or a quantity is not in `[1e-30, 1e30]`, or an `a/t` is not larger than the one before
+    /// by 1e-7 of the nodes' range in `ln(a/t)`.
+    ///
+    /// ```
+    /// # fn main() -> Result<(), interp::Error> {
+    /// use interp::{Curve, Material};
+    ///
+    /// let material = Material::new(1.75, 0.5, 1e5, 0.25)?;
+    /// let nodes = [1e-5, 2e-5, 4e-5].map(|a_over_t| (a_over_t, material.thick_film_limit()));
+    /// let curve = Curve::through(&nodes, material)?;
+    /// assert!((curve.quantities(3e-5)?.eeq - 0.7).abs() < 1e-15);
+    /// # Ok(()) }
+    /// ```
+    pub fn through(nodes: &[(f64, Quantities)], material: Material) -> Result<Self, Error> {
+        Error::unless(!nodes.is_empty(), "the number of nodes", 0.0, "at least 1")?;
+        let reasonable = |name, value| Error::unless(REASONABLE.contains(&value), name, value, "in [1e-30, 1e30]");
+        for (a_over_t, quantities) in nodes {
+            reasonable(Parameter::AOverT.name(), *a_over_t)?;
+            Quantity::ALL.into_iter().try_for_each(|quantity| reasonable(quantity.name(), quantities.get(quantity)))?;
+        }
+        let a_over_t: Vec<f64> = nodes.iter().map(|node| node.0).collect();
+        if let Some([_, close]) = too_close(Parameter::AOverT, &a_over_t) {
+            let allowed = "larger than the one before, by at least 1e-7 of the nodes' range in ln(a/t)";
+            Error::unless(false, Parameter::AOverT.name(), close, allowed)?;
+        }
+        let es = material.sphere_film_modulus();
+        let logarithm = |quantities: &Quantities| Four(Quantity::ALL.map(|q| (quantities.get(q) / scale(q, es)).ln()));
+        let logarithms: Vec<Four> = nodes.iter().map(|node| logarithm(&node.1)).collect();
+        Ok(Self::from_logarithms(&a_over_t, &logarithms, material, [true; 4]))
+    }
+
+    /// The curve through what is splined, the logarithms of the scaled quantities at the nodes of `a/t`.
+    fn from_logarithms(nodes: &[f64], values: &[Four], material: Material, held: [bool; 4]) -> Self {
         let spline = Spline::from_vec(keys(nodes, values, material.sphere_film_modulus()));
         let density = uniform_density(spline.keys());
         Self { spline, density, range: [nodes[0], nodes[nodes.len() - 1]], material, held }
     }
 
-    /// The material, on a substrate with the table's Poisson ratio.
+    /// The material; if from a table, on a substrate with its Poisson ratio.
     pub fn material(&self) -> &Material {
         &self.material
     }
@@ -185,7 +227,7 @@ impl Curve {
     /// One quantity at `a_over_t`.
     ///
     /// # Errors
-    /// [`Error::OutsideTable`] outside the table's `a/t`, NaN included; [`Error::MissingQuantity`] if the table does not hold it.
+    /// [`Error::OutsideTable`] outside the curve's `a/t`, NaN included; [`Error::MissingQuantity`] if the table does not hold it.
     pub fn quantity(&self, quantity: Quantity, a_over_t: f64) -> Result<f64, Error> {
         self.require(quantity)?;
         let i = quantity as usize;
@@ -306,7 +348,7 @@ mod tests {
         let value = |&x: &f64| Four([x.ln().sin(), (x / (1.0 + x)).ln(), 1.0 / (1.0 + x), 0.1 * x.ln()]);
         let values: Vec<Four> = nodes.iter().map(value).collect();
         let material = Material::new(1.75, 0.5, 1e5, 0.25).expect("physical");
-        Curve::new(nodes, &values, material, [true; 4])
+        Curve::from_logarithms(nodes, &values, material, [true; 4])
     }
 
     /// The index on uniform keys finds the same piece as the search of `splines`, and the piece has the same value.

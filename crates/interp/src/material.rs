@@ -3,6 +3,9 @@
 use crate::{Error, Quantities};
 use serde::{Deserialize, Serialize};
 
+/// What the rounding of a ratio of SI values may add up to.
+pub(crate) const ROUNDING: f64 = 1e-12;
+
 /// The modulus in whose units the tabulated quantities are given.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Normalisation {
@@ -54,6 +57,15 @@ impl Material {
         poisson_ratio("nu1", nu1)?;
         poisson_ratio("nu0", nu0)?;
         Ok(Self { e1_over_e2, nu1, e0_over_e2, nu0 })
+    }
+
+    /// Whether two materials differ by the rounding of ratios of SI values at most.
+    pub(crate) fn is_close_to(&self, other: &Self) -> bool {
+        let close = |a: f64, b: f64, size: f64| a == b || (a - b).abs() <= ROUNDING * size;
+        close(self.e1_over_e2, other.e1_over_e2, other.e1_over_e2)
+            && close(self.nu1, other.nu1, 1.0)
+            && close(self.e0_over_e2, other.e0_over_e2, other.e0_over_e2)
+            && close(self.nu0, other.nu0, 1.0)
     }
 
     /// `E1/E2*`, or 0 for a rigid sphere.

@@ -7,7 +7,7 @@ use std::sync::OnceLock;
 use serde::{Deserialize, Serialize};
 
 use crate::lookup::Coefficients;
-use crate::material::{Normalisation, poisson_ratio};
+use crate::material::{Normalisation, ROUNDING, poisson_ratio};
 use crate::schema::Parameter;
 use crate::{Curve, Error, Material, Quantity};
 
@@ -44,7 +44,7 @@ pub struct Description {
 }
 
 /// What moduli, `a/t` and quantities may be: far more than is solved, and far from where arithmetic overflows.
-const REASONABLE: RangeInclusive<f64> = 1e-30..=1e30;
+pub(crate) const REASONABLE: RangeInclusive<f64> = 1e-30..=1e30;
 
 /// The closest that nodes may be, relative to the length of their axis.
 const CLOSEST: f64 = 1e-7;
@@ -87,10 +87,8 @@ impl Table {
             if let Some(node) = nodes.iter().find(|node| !physical(node)) {
                 return malformed(format!("axis {name} holds {node:?}"));
             }
-            let span = parameter.coordinate(nodes[nodes.len() - 1]) - parameter.coordinate(nodes[0]);
-            let gap = |pair: &&[f64]| parameter.coordinate(pair[1]) - parameter.coordinate(pair[0]) < CLOSEST * span;
-            if let Some(pair) = nodes.windows(2).find(gap) {
-                return malformed(format!("axis {name} has nodes too close to each other: {:?} and {:?}", pair[0], pair[1]));
+            if let Some([low, high]) = too_close(parameter, nodes) {
+                return malformed(format!("axis {name} has nodes too close to each other: {low:?} and {high:?}"));
             }
         }
         let rigid_sphere = axes[1][0] == 0.0;
@@ -161,10 +159,15 @@ impl Table {
     }
 }
 
+/// The first neighbours on an axis that a spline could not tell apart, or that descend.
+pub(crate) fn too_close(parameter: Parameter, nodes: &[f64]) -> Option<[f64; 2]> {
+    let distance = |from: f64, to: f64| parameter.coordinate(to) - parameter.coordinate(from);
+    let least = CLOSEST * distance(nodes[0], nodes[nodes.len() - 1]).abs();
+    nodes.windows(2).map(|pair| [pair[0], pair[1]]).find(|&[low, high]| high <= low || distance(low, high) < least)
+}
+
 /// The coordinate of `value` on an axis with the given nodes, or why it is not on it.
 pub(crate) fn locate(parameter: Parameter, nodes: &[f64], value: f64) -> Result<f64, Error> {
-    /// What the rounding of a ratio of SI values may add up to.
-    const ROUNDING: f64 = 1e-12;
     let (from, to) = (nodes[0], nodes[nodes.len() - 1]);
     let size = |end: f64| if parameter == Parameter::Nu1 { 1.0 } else { end.abs() };
     let near = |end: f64| end.is_finite() && (value - end).abs() <= ROUNDING * size(end);

@@ -1,9 +1,10 @@
-//! Time of one direct solve by `a/t` and tolerance, for the paper's material. Ratios within one run are what counts.
+//! Time of one direct solve by `a/t` and tolerance, and of a whole curve on all cores, for the paper's material. Ratios within one run are what counts.
 
 use std::hint::black_box;
 
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 use interp::Material;
+use tabulate::curve::curve;
 use tabulate::solve::solve;
 
 fn solves(criterion: &mut Criterion) {
@@ -19,5 +20,15 @@ fn solves(criterion: &mut Criterion) {
     }
 }
 
-criterion_group!(benches, solves);
+fn curves(criterion: &mut Criterion) {
+    let material = Material::new(1.75, 0.5, 1e5, 0.25).expect("physical");
+    let mut group = criterion.benchmark_group("curve, a/t from 1e-3 to 1e3");
+    for tolerance in [1e-6, 1e-8, 1e-10] {
+        let name = BenchmarkId::from_parameter(format!("{tolerance:e}"));
+        group.bench_function(name, |b| b.iter(|| curve(black_box(&material), [1e-3, 1e3], tolerance)));
+    }
+    group.finish();
+}
+
+criterion_group!(benches, solves, curves);
 criterion_main!(benches);

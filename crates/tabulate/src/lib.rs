@@ -5,7 +5,8 @@
 //!                       <- wiener_hopf <- krylov, contour, symbol <- compliance ) -> certify -> archive (.h5), pack (.bin)
 //! ```
 //!
-//! Data flows one way along this line, and each word is a module here or, from the table on, in the crate `interp`.
+//! Data flows one way along this line, and each word is a module here or, from the table on, in the crate `interp`. [`curve`] makes the
+//! [`interp::Curve`] of one material without a table.
 
 #![deny(unsafe_code)]
 
@@ -17,6 +18,7 @@ pub mod certify;
 pub mod cli;
 pub mod compliance;
 mod contour;
+pub mod curve;
 mod error;
 mod galerkin;
 mod krylov;
