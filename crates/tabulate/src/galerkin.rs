@@ -29,9 +29,8 @@ use std::f64::consts::FRAC_2_PI;
 
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::llt::factor::{LltRegularization, cholesky_in_place, cholesky_in_place_scratch};
-use faer::linalg::matmul::triangular::{BlockStructure, matmul};
 use faer::linalg::triangular_solve::{solve_lower_triangular_in_place, solve_upper_triangular_in_place};
-use faer::{Accum, Mat, MatRef, Par, Spec};
+use faer::{Mat, Par, Spec};
 use interp::{Material, Quantities};
 
 use crate::answer::{Answer, Wanted};
@@ -90,9 +89,6 @@ pub fn modes(x: f64, tolerance: f64) -> usize {
     let digits = -tolerance.log10();
     (2.4 + 0.35 * (digits - 6.0) + (2.6 + 0.42 * (digits - 6.0)) * x.sqrt()).ceil().max(3.0) as usize
 }
-
-/// Up to this many modes, plain loops are faster than a matrix library.
-const FEW_MODES: usize = 20;
 
 /// Abscissae handled at once: the Bessel values of a block stay in the processor's cache.
 const BLOCK: usize = 512;
@@ -196,25 +192,14 @@ impl Operator {
             resolution_error: resolution_error(abscissae, &samples),
             design_error: abscissae.panels.design_error,
         };
-        let mut scaled: [Vec<f64>; 2] = Default::default();
         for block in blocks {
             let Block { first, rows, values } = block.borrow();
             let samples = &samples[*first..first + rows];
             let weights = &abscissae.weights[*first..first + rows];
-            // All scalar work comes before the products: code that follows them runs several times slower on some processors.
-            let symbols: [fn(&Sample) -> f64; 2] = [|sample| sample.excess, |sample| sample.slope];
-            let targets = if operator.slope.is_some() { 2 } else { 1 };
-            for (scaled, symbol) in scaled.iter_mut().zip(symbols).take(targets) {
-                let factors: Vec<f64> = samples.iter().zip(weights).map(|(sample, w)| w * symbol(sample)).collect();
-                scaled.clear();
-                for column in values.chunks_exact(*rows) {
-                    scaled.extend(column.iter().zip(&factors).map(|(value, factor)| value * factor));
-                }
-            }
-            for (scaled, target) in scaled.iter().zip([Some(&mut operator.kernel), operator.slope.as_mut()]) {
-                if let Some(target) = target {
-                    add_products(target, values, scaled, *rows);
-                }
+            let factors = |symbol: fn(&Sample) -> f64| samples.iter().zip(weights).map(|(sample, w)| w * symbol(sample)).collect();
+            add_products(&mut operator.kernel, values, factors(|sample| sample.excess));
+            if let Some(slope) = &mut operator.slope {
+                add_products(slope, values, factors(|sample| sample.slope));
             }
         }
         operator
@@ -262,19 +247,17 @@ impl Operator {
     }
 }
 
-/// Adds the lower triangle of `J^T F J` to `target`, given `J` and `F J` by columns of `rows` values.
-fn add_products(target: &mut Mat<f64>, bessel: &[f64], scaled: &[f64], rows: usize) {
-    let n = target.nrows();
-    if n <= FEW_MODES {
-        for (j, scaled) in scaled.chunks_exact(rows).enumerate() {
-            for (i, bessel) in bessel.chunks_exact(rows).enumerate().skip(j) {
-                target[(i, j)] += product(bessel, scaled);
-            }
+/// Adds the lower triangle of `J^T F J` to `target`, given `J` by columns and the diagonal of `F`.
+///
+/// A matrix library is no faster on matrices of this size: all of `J` is read for few products each.
+fn add_products(target: &mut Mat<f64>, bessel: &[f64], factors: Vec<f64>) {
+    let rows = factors.len();
+    let mut scaled = vec![0.0; rows];
+    for (j, column) in bessel.chunks_exact(rows).enumerate() {
+        scaled.iter_mut().zip(column).zip(&factors).for_each(|((scaled, value), factor)| *scaled = value * factor);
+        for (i, column) in bessel.chunks_exact(rows).enumerate().skip(j) {
+            target[(i, j)] += product(column, &scaled);
         }
-    } else {
-        let [bessel, scaled] = [bessel, scaled].map(|values| MatRef::from_column_major_slice(values, rows, n));
-        let (lower, full) = (BlockStructure::TriangularLower, BlockStructure::Rectangular);
-        matmul(target, lower, Accum::Add, bessel.transpose(), full, scaled, full, 1.0, Par::Seq);
     }
 }
 
