@@ -51,7 +51,7 @@ const CASES: [Row; 46] = [
     ("stiff film on a soft base, thin", [1e4, 0.3, 1e-4, 0.25], 1e6, 1e-12),
     ("stiff film, stiff sphere: E1/E0 = 1e8", [1e2, 0.3, 1e-6, 0.25], 464.0, 1e-12),
     ("the stiffest on the softest: E1/E0 = 1e14", [1e8, 0.5, 1e-6, 0.0], 1e-3, 1e-12),
-    ("the stiffest on the softest", [1e8, 0.5, 1e-6, 0.0], 100.0, 1e-11),
+    ("the stiffest on the softest", [1e8, 0.5, 1e-6, 0.0], 100.0, 1e-10),
     ("the stiffest on the softest, bending", [1e8, 0.3, 1e-6, 0.25], 4.64e4, 1e-12),
     ("the stiffest on the softest, thin", [1e8, 0.5, 1e-6, 0.0], 1e6, 1e-12),
     ("E1 = E0, nu1 = 0.5, nu0 = 0", [1.0, 0.5, 1.0, 0.0], 1.0, 1e-12),

@@ -7,12 +7,12 @@ use interp::{Quantities, Quantity};
 pub enum Wanted {
     /// All four quantities. The adhesionless pair `Pi0`, `Delta0` takes as much: it is made of the other two.
     All,
-    /// `Eeq` alone; the other quantities of the answer are not numbers.
+    /// `Eeq` alone; the error is that of `Eeq`, and the other quantities of the answer mean nothing.
     Stiffness,
 }
 
 impl Wanted {
-    /// What the given quantities take.
+    /// What the given quantities take: less than all only if they are `Eeq` and nothing else.
     pub fn of(quantities: impl IntoIterator<Item = Quantity>) -> Self {
         if quantities.into_iter().eq([Quantity::Eeq]) { Self::Stiffness } else { Self::All }
     }
@@ -31,7 +31,7 @@ impl Wanted {
 pub struct Answer {
     /// `Pi0`, `Eeq`, `Gamma`, `Delta0`.
     pub quantities: Quantities,
-    /// Estimated largest relative error of the four; infinite where a method has failed.
+    /// Estimated largest relative error of what was wanted; infinite where a method has failed.
     pub error: f64,
     /// Legendre modes, or real unknowns along a contour.
     pub modes: usize,

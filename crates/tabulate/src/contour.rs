@@ -74,10 +74,10 @@ pub const FLAT: f64 = 24.0;
 /// The largest `a/t` that the abscissae of `ln S` reach to.
 pub const LARGEST_A_OVER_T: f64 = 1e6;
 
-/// The accuracies (`digits`) for which contours are made. Neighbours differ by a factor of 150 in the error.
+/// The accuracies (`digits`) for which contours are made. Neighbours differ by a factor of at least 150 in the error.
 pub const LEVELS: [f64; 7] = [11.0, 16.0, 21.0, 26.0, 31.0, 37.0, 43.0];
 
-/// Knees are `e^{-n}` apart by this `n`.
+/// Knees are apart by this much in `ln |zeta|`, and reach to where nothing is left to see in double precision.
 const KNEE_STEP: f64 = 3.0;
 const KNEES: usize = 13;
 
@@ -135,7 +135,8 @@ impl Readouts {
 }
 
 impl Contour {
-    /// The contour for the given accuracy, with a knee at or a little below `knee`, made once.
+    /// The contour for the given accuracy, with a knee at or a little below `knee`, made once and kept. An ordinary table needs a few
+    /// megabytes of them; all that there are, for every corner of the domain, half a gigabyte.
     pub fn get(path: Path, level: usize, knee: f64) -> &'static Self {
         static CONTOURS: [[[OnceLock<Contour>; KNEES]; LEVELS.len()]; 2] =
             [const { [const { [const { OnceLock::new() }; KNEES] }; LEVELS.len()] }; 2];

@@ -154,6 +154,8 @@ pub struct Operator {
     resolution_error: f64,
     /// What they may miss of the Bessel products, in `g.C.g / g(1)^2`.
     design_error: f64,
+    /// Rounding error of the sums, relative to the sum of absolute values: panels for smaller scales add theirs.
+    rounding: f64,
 }
 
 /// The solution of one contact, with what limits its accuracy.
@@ -191,6 +193,7 @@ impl Operator {
             slope: (wanted == Wanted::All).then(|| Mat::zeros(n, n)),
             resolution_error: resolution_error(abscissae, &samples),
             design_error: abscissae.panels.design_error,
+            rounding: ROUNDING * (1.0 - 0.05 * compliance.smallest_scale().ln()),
         };
         for block in blocks {
             let Block { first, rows, values } = block.borrow();
@@ -242,7 +245,7 @@ impl Operator {
             quantities,
             truncation: TRUNCATION_SAFETY * missing / eeq * edge,
             quadrature: (self.resolution_error * eeq * edge + self.design_error * es) / film,
-            rounding: ROUNDING * (diagonal + (eeq - diagonal).abs()) / eeq * edge,
+            rounding: self.rounding * (diagonal + (eeq - diagonal).abs()) / eeq * edge,
         })
     }
 }
@@ -301,7 +304,7 @@ fn missing_modes(y: &[f64]) -> f64 {
 /// Brings the extrapolation above the true truncation error: `tests/reference.rs` and `tests/domain.rs` measure how far.
 const TRUNCATION_SAFETY: f64 = 20.0;
 
-/// Rounding error of the assembled matrices, relative to the sum of absolute values.
+/// Rounding error of the assembled matrices of a film that is not stiffer than its substrate.
 const ROUNDING: f64 = 12.0 * f64::EPSILON;
 
 /// Estimates the error of the quadrature in `q` from how fast the Legendre coefficients of `q X'` fall on each panel. Those of `X - 1`

@@ -29,7 +29,7 @@
 //! * **A ray at 32 degrees and its mirror image.** All zeros and poles lie higher. `V(-conj zeta) = conj V(zeta)`, and a constant may be
 //!   taken off `1/S`, as its integrals cancel: `1/S(0)` leaves a kernel that is weak where `a/t` is large.
 //! * **The imaginary axis**, both sides of it. There `V` is real and `1/S` leaves `2 i Im 1/S(i p + 0)`: a quarter of the work. Zeros at
-//!   a height `eta` are left out with an error like `e^{-2 eta a/t}`, so this needs `a/t` large enough ([`reaches`]).
+//!   a height `eta` are left out with an error like `e^{-2 eta a/t}`, so this needs `a/t` large enough ([`left_out`]).
 //!
 //! Nodes, weights and all that multiplies values of `S` are kept in a [`Contour`]; (2) is solved for both parities at once by minimal
 //! residuals, in a few steps as its kernel is compact ([`krylov`](crate::krylov)).
@@ -65,18 +65,14 @@ use num_complex::Complex64;
 use crate::answer::{Answer, Wanted};
 use crate::contour::{Contour, FLAT, LEVELS, Path, READOUTS};
 use crate::krylov;
-use crate::symbol::Symbol;
+use crate::symbol::{HEIGHT, Symbol};
 
-/// Whether the path may be used at `x = a/t`: always for the ray, and for the imaginary axis if the zeros that it leaves out are high enough.
-pub fn reaches(path: Path, x: f64, symbol: &Symbol, tolerance: f64) -> bool {
-    /// Zeros at `|q|` are higher than `sin(53.9 degrees) |q|`.
-    const HEIGHT: f64 = 0.8;
-    let radius = (LEFT_OUT / tolerance).ln() / (2.0 * HEIGHT * x);
-    path == Path::Ray || symbol.is_zero_free(radius)
+/// The relative error that the zeros of `S` leave, of which the imaginary axis knows nothing.
+///
+/// A zero at the height `eta` leaves some `e^{-2 eta x}`. Measured over 4900 materials, the factor is at most 6.
+pub fn left_out(x: f64, symbol: &Symbol) -> f64 {
+    10.0 * (-2.0 * HEIGHT * symbol.zero_free_radius() * x).exp()
 }
-
-/// The error of leaving out a zero at height `eta` is at most this many times `e^{-2 eta a/t}`.
-const LEFT_OUT: f64 = 200.0;
 
 /// A rough estimate of the time that the ray takes, in microseconds, to choose between methods.
 pub fn ray_cost(x: f64, symbol: &Symbol, tolerance: f64) -> f64 {
@@ -89,7 +85,8 @@ pub fn ray_cost(x: f64, symbol: &Symbol, tolerance: f64) -> f64 {
 ///
 /// Where the compliance that is left at long waves, `S(0)`, is next to nothing against `S` at the contact's own wave numbers, as between
 /// rigid bodies, (2) is ill-conditioned: it sees what happens at `|zeta| << 1` only through that little. The quantities are analytic in
-/// the sphere's compliance, so that two slightly softer spheres extrapolate to the given one.
+/// the sphere's compliance, so that two slightly softer spheres extrapolate to the given one: `2 f(h) - f(2h)` differs from `f(0)` by `h^2 f''`, and
+/// as `f` is a sum of `c/(l + h)` with `l` above `S(t/a)` or so, by less than twice the square of `h/S(t/a)`. Measured: 1.5 times.
 pub fn solve(x: f64, symbol: &Symbol, path: Path, tolerance: f64, wanted: Wanted) -> Answer {
     /// The added compliance, of `S(t/a)`; its square is lost.
     const SOFTENING: f64 = 1e-6;
@@ -112,20 +109,21 @@ pub fn solve(x: f64, symbol: &Symbol, path: Path, tolerance: f64, wanted: Wanted
     Answer { quantities, error, modes: answers[0].modes }
 }
 
-/// The error of a contour is at most this share of its difference from the contour before: most often it is a hundredth.
-const GAIN: f64 = 0.1;
+/// The error of a contour is at most this share of its difference from the contour before. Most often it is a hundredth.
+const GAIN: f64 = 0.3;
 
 /// Two contours that differ by this little may differ by rounding, of which both have their part.
 const NOISE: f64 = 3e-11;
 
 /// Solves with contours of growing accuracy until two agree.
 fn converge(x: f64, symbol: &Symbol, path: Path, tolerance: f64, wanted: Wanted) -> Answer {
+    let left_out = if path == Path::Axis { left_out(x, symbol) } else { 0.0 };
     let first = LEVELS.iter().position(|&digits| digits > -tolerance.ln()).unwrap_or(LEVELS.len()).clamp(1, LEVELS.len() - 1);
     let mut best = Answer { error: f64::INFINITY, ..on_contour(x, symbol, path, first - 1, wanted) };
     for level in first..LEVELS.len() {
         let this = on_contour(x, symbol, path, level, wanted);
-        let difference = difference(&this.quantities, &best.quantities, wanted);
-        let error = GAIN * difference + 2.0 * difference.min(NOISE) + this.error;
+        let difference = difference(&this.quantities, &best.quantities);
+        let error = GAIN * difference + 2.0 * difference.min(NOISE) + this.error + left_out;
         best = Answer { error, ..this };
         if error <= tolerance {
             break;
@@ -134,15 +132,10 @@ fn converge(x: f64, symbol: &Symbol, path: Path, tolerance: f64, wanted: Wanted)
     best
 }
 
-/// The largest relative difference of what is wanted; infinite if that is not a number.
-fn difference(a: &Quantities, b: &Quantities, wanted: Wanted) -> f64 {
-    let relative = |a: f64, b: f64| Some((a / b - 1.0).abs()).filter(|d| !d.is_nan()).unwrap_or(f64::INFINITY);
-    wanted.largest(Quantities {
-        pi0: relative(a.pi0, b.pi0),
-        eeq: relative(a.eeq, b.eeq),
-        gamma: relative(a.gamma, b.gamma),
-        delta0: relative(a.delta0, b.delta0),
-    })
+/// The largest relative difference; infinite if one is not a number. Of all four, whatever is wanted: one of them may agree by chance.
+fn difference(a: &Quantities, b: &Quantities) -> f64 {
+    let pairs = a.to_array().into_iter().zip(b.to_array());
+    pairs.map(|(a, b)| (a / b - 1.0).abs()).fold(0.0, |largest, d| if d.is_nan() { f64::INFINITY } else { largest.max(d) })
 }
 
 /// The answer of one contour. Its error is that of rounding.
@@ -262,7 +255,8 @@ fn read_out(x: f64, symbol: &Symbol, contour: &Contour, phases: &[f64], even: &[
         a1.add(readouts.slope[m], *a);
         pole.add(readouts.value[m] * readouts.z[m], *b);
     }
-    // Where S(0) is small, so is the price of a pole a(z)/z in b, which solves (2) but for that price. Take off what there is of it.
+    // a(z)/z is an odd field too, but for its pole at 0. Only through S(0) does (2) know that there must be none: where that is small, b comes
+    // with some a(z)/z, which is told from z b(z) at 0 and taken off, unless it is rounding.
     let share = if pole.value.abs() > ROUNDING * pole.size { pole.over(a0.value) } else { Sum::default() };
     for (m, [a, b]) in values.iter().enumerate() {
         let z = readouts.z[m];
@@ -288,8 +282,10 @@ fn read_out(x: f64, symbol: &Symbol, contour: &Contour, phases: &[f64], even: &[
         gamma: relative(a0),
         delta0: relative(a0) + relative(a1),
     });
-    Answer { quantities, error: ROUNDING * rounding, modes: contour.unknowns() }
+    // Long waves of a stiff film on a soft base, on which the contact hardly acts, bring in theirs.
+    let long_waves = symbol.at(0.0) / symbol.at(1.0 / x);
+    Answer { quantities, error: ROUNDING * (rounding + long_waves), modes: contour.unknowns() }
 }
 
 /// Rounding error of the sums at the readouts.
-const ROUNDING: f64 = 2.0 * f64::EPSILON;
+const ROUNDING: f64 = 3.0 * f64::EPSILON;
