@@ -41,8 +41,8 @@ const CLOSEST_KEYS: f64 = 5e-4;
 /// points solved agree to two fifths of it with the polynomial through all points before them, the finished curve agrees to two fifths of it
 /// with all points, and the last fifth is the tolerance of the solves. All cores take part; the result does not depend on their number.
 ///
-/// Measured from 1e-3 to 1e3 for 22 materials: at most 0.26 of the tolerance at fresh points. The paper's material takes 112 solves and 1.7 ms on two
-/// cores to 1e-6, 144 and 2.4 ms to 1e-8, 160 and 4.6 ms to 1e-10; others up to 192 solves, at the times that theirs take.
+/// Measured from 1e-3 to 1e3 for 22 materials: at most 0.26 of the tolerance at fresh points. The paper's material takes 112 solves and 1.0 ms on two
+/// cores to 1e-6, 144 and 1.4 ms to 1e-8, 160 and 3.2 ms to 1e-10; others up to 192 solves, at the times that theirs take.
 /// An incompressible film a million times softer than the sphere, on a rigid substrate, is refused 1e-10.
 ///
 /// ```

@@ -71,7 +71,7 @@ pub fn solve(x: f64, material: &Material, tolerance: f64, wanted: Wanted) -> Ans
     }
 }
 
-/// A rough estimate of the time for one contact, in microseconds, to choose between methods.
+/// A rough estimate of the time for one contact, in microseconds, to choose between methods: a fit to the bench `accuracy`.
 pub fn cost(x: f64, tolerance: f64) -> f64 {
     let digits = tolerance.ln() * x;
     10.0 + 1e-4 * digits * digits

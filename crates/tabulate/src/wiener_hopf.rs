@@ -74,7 +74,7 @@ pub fn left_out(x: f64, symbol: &Symbol) -> f64 {
     10.0 * (-2.0 * HEIGHT * symbol.zero_free_radius() * x).exp()
 }
 
-/// A rough estimate of the time that the ray takes, in microseconds, to choose between methods.
+/// A rough estimate of the time that the ray takes, in microseconds, to choose between methods: a fit to the bench `accuracy`.
 pub fn ray_cost(x: f64, symbol: &Symbol, tolerance: f64) -> f64 {
     let scales = 11.0 - 0.7 * (x * symbol.smallest_scale()).min(1.0).ln();
     let unknowns = scales * (8.0 - tolerance.ln());
