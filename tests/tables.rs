@@ -289,3 +289,22 @@ fn film_like_substrate_inside_a_table_is_hertz_and_the_flat_punch() {
     println!("film = substrate: largest error {worst:.1e}, certified {:.1e}", certificate.max_error);
     assert!(worst <= certificate.max_error && worst <= table.description().tolerance);
 }
+
+/// A table of the stiffness alone, which leaves the edge out of every solve, against that of all four quantities.
+#[test]
+fn a_table_of_the_stiffness_alone_holds_the_same_stiffness() {
+    let scene = |quantities: &str| {
+        format!(
+            "title = 'Stiffness'\ntolerance = 1e-4\nquantities = {quantities}\nnu0 = 0.25\n\
+             a_over_t = {{ from = 1e-2, to = 1e2, nodes = 9 }}\ne1_over_e2 = {{ from = 1e-2, to = 1e2, nodes = 5 }}\n\
+             nu1 = {{ from = 0, to = 0.5, nodes = 3 }}\ne0_over_e2 = {{ from = 1, to = 1e4, nodes = 5 }}\n"
+        )
+    };
+    let (alone, all) = (table(&scene("['eeq']")), table(&scene("['pi0', 'eeq', 'gamma', 'delta0']")));
+    assert_eq!(held(&alone), [Quantity::Eeq]);
+    let [alone, all] = [alone, all].map(|table| table.values(Quantity::Eeq).expect("it is asked for").to_vec());
+    let apart = alone.iter().zip(&all).map(|(alone, all)| (alone / all - 1.0).abs()).fold(0.0, larger);
+    println!("stiffness alone: {apart:.1e} from that of all four");
+    // The same modes and contours. Measured: 0.
+    assert!(apart <= 1e-14);
+}

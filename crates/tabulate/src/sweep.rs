@@ -2,7 +2,7 @@
 //!
 //! Work is shared as far as it reaches: the Bessel values of one `a/t` serve every material, and the matrices of one (`a/t`, `nu1`,
 //! `E0/E1`) serve every sphere. Where the nodes of `E1/E2` and `E0/E2` have a common spacing, the ratios `E0/E1` repeat along diagonals,
-//! and a grid of `n x n` materials has `2n - 1` pairs of matrices only.
+//! and a grid of `n x n` materials has `2n - 1` pairs of matrices only. Thin films are solved one by one, on contours that all contacts share.
 
 use interp::{Material, Quantities};
 use rayon::prelude::*;
