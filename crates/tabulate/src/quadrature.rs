@@ -78,6 +78,9 @@ static RULES: LazyLock<[GaussLegendre; 4]> = LazyLock::new(|| [16, 20, 24, 32].m
 /// A panel at most this many times its lower end long keeps the poles of `X` outside the ellipse of convergence 2.5.
 const GROWTH: f64 = 3.0;
 
+/// The last panel may be this much longer.
+const STRETCH: f64 = 1.1;
+
 /// The part of the tolerance that the cut-off and the panels' width are each designed to keep.
 const SHARE: f64 = 0.1;
 
@@ -99,6 +102,8 @@ impl Panels {
         let mut last = 0.0;
         while last < end {
             let length = if last == 0.0 { smallest_scale } else { GROWTH * last };
+            // A panel more for a little more range is not worth its points.
+            let length = if last + STRETCH * length >= end { end - last } else { length };
             last = (last + length.min(width)).min(end);
             edges.push(last);
         }
