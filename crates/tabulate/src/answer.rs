@@ -1,4 +1,4 @@
-//! What every method is asked for and returns.
+//! What every method is asked for and returns, and how far two answers are apart.
 
 use interp::{Quantities, Quantity};
 
@@ -44,4 +44,10 @@ impl Answer {
         error: f64::INFINITY,
         modes: 0,
     };
+}
+
+/// The largest of the four relative differences; infinite if one is not a number.
+pub fn difference(a: &Quantities, b: &Quantities) -> f64 {
+    let pairs = a.to_array().into_iter().zip(b.to_array());
+    pairs.map(|(a, b)| (a / b - 1.0).abs()).fold(0.0, |largest, d| if d.is_nan() { f64::INFINITY } else { largest.max(d) })
 }

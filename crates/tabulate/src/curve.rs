@@ -9,6 +9,7 @@ use interp::{Curve, Material, Quantities};
 use rayon::prelude::*;
 
 use crate::Error;
+use crate::answer::difference;
 use crate::solve::{A_OVER_T, solve};
 
 /// The relative tolerances that [`curve`] takes.
@@ -112,12 +113,9 @@ pub fn curve(material: &Material, a_over_t: [f64; 2], tolerance: f64) -> Result<
 fn worst(solved: &[(f64, Quantities)], value: impl Fn(usize) -> Quantities) -> (f64, f64) {
     let mut worst = (0.0, f64::NAN);
     for (i, (x, truth)) in solved.iter().enumerate() {
-        for (value, truth) in value(i).to_array().into_iter().zip(truth.to_array()) {
-            let error = (value / truth - 1.0).abs();
-            // NaN is no small error.
-            if error > worst.0 || error.is_nan() {
-                worst = (error, *x);
-            }
+        let error = difference(&value(i), truth);
+        if error > worst.0 {
+            worst = (error, *x);
         }
     }
     worst

@@ -62,7 +62,7 @@
 use interp::Quantities;
 use num_complex::Complex64;
 
-use crate::answer::{Answer, Wanted};
+use crate::answer::{Answer, Wanted, difference};
 use crate::contour::{Contour, FLAT, LEVELS, Path, READOUTS};
 use crate::krylov;
 use crate::symbol::{HEIGHT, Symbol};
@@ -122,6 +122,7 @@ fn converge(x: f64, symbol: &Symbol, path: Path, tolerance: f64, wanted: Wanted)
     let mut best = Answer { error: f64::INFINITY, ..on_contour(x, symbol, path, first - 1, wanted) };
     for level in first..LEVELS.len() {
         let this = on_contour(x, symbol, path, level, wanted);
+        // Of all four, whatever is wanted: one of them may agree by chance.
         let difference = difference(&this.quantities, &best.quantities);
         let error = GAIN * difference + 2.0 * difference.min(NOISE) + this.error + left_out;
         best = Answer { error, ..this };
@@ -130,12 +131,6 @@ fn converge(x: f64, symbol: &Symbol, path: Path, tolerance: f64, wanted: Wanted)
         }
     }
     best
-}
-
-/// The largest relative difference; infinite if one is not a number. Of all four, whatever is wanted: one of them may agree by chance.
-fn difference(a: &Quantities, b: &Quantities) -> f64 {
-    let pairs = a.to_array().into_iter().zip(b.to_array());
-    pairs.map(|(a, b)| (a / b - 1.0).abs()).fold(0.0, |largest, d| if d.is_nan() { f64::INFINITY } else { largest.max(d) })
 }
 
 /// The answer of one contour. Its error is that of rounding.
