@@ -191,7 +191,7 @@ pub fn table(scene: &str) -> Table {
         normalisation: material([e1, nu1, e0, scene.nu0]).normalisation(),
         tolerance: scene.tolerance,
         created_by: "acceptance tests".into(),
-        certificate: Certificate { max_error: f64::NAN, median_error: f64::NAN, points: 0, seed: 0 },
+        certificate: Certificate { max_error: f64::NAN, median_error: f64::NAN, points: 0, seed: 0, details: None },
     };
     let mut table = Table::new(description, scene.axes, values).expect("a sweep makes a whole table");
     table.set_certificate(certify(&table, 400, 1, &|_| {}).expect("the tests' scenes are within reach"));

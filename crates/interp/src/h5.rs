@@ -6,7 +6,7 @@ use std::path::Path;
 use hdf5_pure::{AttrValue, DType, File};
 
 use crate::schema::{AXES, FORMAT, FORMAT_VERSION, Parameter, VALUES, attribute};
-use crate::{Certificate, Description, Error, Normalisation, Quantity, Table};
+use crate::{Certificate, Description, Details, Error, Normalisation, Quantity, Table};
 
 impl Table {
     /// Reads an HDF5 table (feature `hdf5`).
@@ -48,6 +48,7 @@ impl Table {
                 median_error: attributes.number(attribute::CERTIFIED_MEDIAN_ERROR)?,
                 points: attributes.integer(attribute::CERTIFIED_POINTS)?,
                 seed: attributes.integer(attribute::CERTIFIED_SEED)?,
+                details: details(&attributes)?,
             },
         };
         let mut axes = [const { Vec::new() }; 4];
@@ -64,6 +65,23 @@ impl Table {
         }
         Self::new(description, axes, values)
     }
+}
+
+/// The certificate's details, which other programs need not write.
+fn details(attributes: &Attributes) -> Result<Option<Details>, Error> {
+    if !attributes.0.contains_key(attribute::CERTIFIED_P999_ERROR) {
+        return Ok(None);
+    }
+    let name = attributes.text(attribute::CERTIFIED_WORST_QUANTITY)?;
+    let quantity = Quantity::ALL.into_iter().find(|quantity| quantity.name() == name);
+    Ok(Some(Details {
+        p999_error: attributes.number(attribute::CERTIFIED_P999_ERROR)?,
+        worst_quantity: quantity.ok_or_else(|| Error::Malformed(format!("its largest error is that of {name:?}")))?,
+        worst_point: attributes.numbers(attribute::CERTIFIED_WORST_POINT)?,
+        identity_errors: attributes
+            .numbers(attribute::CERTIFIED_IDENTITY_ERRORS)?
+            .map(|error: f64| (!error.is_nan()).then_some(error)),
+    }))
 }
 
 /// More than deflate can shrink anything: a dataset larger than the file times this is a forged one.
@@ -103,6 +121,13 @@ impl Attributes {
         match self.get(name)? {
             AttrValue::F64(value) => Ok(*value),
             _ => Err(Error::Malformed(format!("attribute {name} is no f64"))),
+        }
+    }
+
+    fn numbers<const N: usize>(&self, name: &str) -> Result<[f64; N], Error> {
+        match self.get(name)? {
+            AttrValue::F64Array(values) if values.len() == N => Ok(std::array::from_fn(|i| values[i])),
+            _ => Err(Error::Malformed(format!("attribute {name} is no array of {N} f64"))),
         }
     }
 

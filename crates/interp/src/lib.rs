@@ -32,6 +32,7 @@
 
 #![forbid(unsafe_code)]
 
+mod certificate;
 mod contact;
 mod error;
 #[cfg(feature = "hdf5")]
@@ -41,13 +42,14 @@ mod material;
 mod pack;
 mod quantity;
 pub mod schema;
-mod spline;
+pub mod spline;
 mod table;
 
+pub use certificate::{Certificate, Details};
 pub use contact::{Contact, Elastic, JkrPoint, Mechanics, System};
 pub use error::Error;
 pub use lookup::Curve;
 pub use material::{Material, Normalisation};
 pub use pack::is_packed;
 pub use quantity::{Quantities, Quantity};
-pub use table::{Certificate, Description, Table};
+pub use table::{Description, Table};

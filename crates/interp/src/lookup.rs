@@ -3,7 +3,7 @@
 use splines::{Interpolate, Interpolation, Key, Spline};
 
 use crate::schema::Parameter;
-use crate::spline::{Basis, DEGREE, Weights};
+use crate::spline::{Basis, TABLE_DEGREE, Weights};
 use crate::table::{REASONABLE, Table, locate, too_close};
 use crate::{Error, Material, Quantities, Quantity};
 
@@ -72,7 +72,7 @@ impl Coefficients {
         let materials = n_e1 * n_nu * n_e0;
         let nodes =
             |parameter: Parameter| -> Vec<f64> { table.axis(parameter).iter().map(|&value| parameter.coordinate(value)).collect() };
-        let bases = [Parameter::E1OverE2, Parameter::Nu1, Parameter::E0OverE2].map(|p| Basis::new(&nodes(p), DEGREE));
+        let bases = [Parameter::E1OverE2, Parameter::Nu1, Parameter::E0OverE2].map(|p| Basis::new(&nodes(p), TABLE_DEGREE));
 
         // Material-major, so that a curve sums whole rows.
         let mut rows = vec![0.0; 4 * n_a * materials];
@@ -115,7 +115,8 @@ impl Coefficients {
         })?;
         let values = self.contract(table.shape(), &e1, &nu, &e0);
         let held = Quantity::ALL.map(|quantity| table.values(quantity).is_some());
-        Ok(Curve::from_logarithms(table.axis(Parameter::AOverT), &values, material, held))
+        let resampling = Resampling::table(table.description().tolerance);
+        Ok(Curve::from_logarithms(table.axis(Parameter::AOverT), &values, resampling, material, held))
     }
 
     /// Sums the rows around one material: the logarithms at each node of `a_over_t`.
@@ -153,12 +154,14 @@ fn scale(quantity: Quantity, es: f64) -> f64 {
 /// The four quantities as functions of `a/t` for one material.
 ///
 /// Made once, by [`Table::curve`] or [`Curve::through`]; each evaluation is then a one-dimensional cubic spline over `ln(a/t)`, so finely
-/// resampled from the quintic spline through the logarithms at the nodes that it adds less than 1e-7 to the error.
+/// resampled from the spline through the logarithms at the nodes that it adds less than a tenth of the table's tolerance to the error.
 #[derive(Clone, Debug)]
 pub struct Curve {
     spline: Spline<f64, Four>,
-    /// Keys per unit of `ln(a/t)` if they are uniform, so that the right one is found without a search.
-    density: Option<f64>,
+    /// For equal buckets of `ln(a/t)`, the last key at or before each one's beginning: evenly spaced or not, keys are found without a search.
+    buckets: Vec<u32>,
+    /// Buckets per unit of `ln(a/t)`.
+    density: f64,
     /// The nodes of `a/t`, first and last.
     range: [f64; 2],
     material: Material,
@@ -171,7 +174,7 @@ impl Curve {
     /// What is splined between these nodes is `ln(Pi0/es)`, `ln(Eeq/es)`, `ln(Gamma/es)` and `ln Delta0` over `ln(a/t)`, by the quintic
     /// not-a-knot spline, whose error falls like the sixth power of the nodes' distance. The cubic pieces that replace it are no
     /// longer than 0.025 in `ln(a/t)`, nor than the distance of the nodes: nodes closer than that bound their error, below 1e-7 otherwise, by
-    /// their fourth power. Equally spaced nodes make the fastest curve.
+    /// their fourth power.
     ///
     /// The quantities are not compared with the material; the crate `tabulate` makes a curve of stated accuracy from a material alone.
     ///
@@ -204,14 +207,22 @@ impl Curve {
         let es = material.sphere_film_modulus();
         let logarithm = |quantities: &Quantities| Four(Quantity::ALL.map(|q| (quantities.get(q) / scale(q, es)).ln()));
         let logarithms: Vec<Four> = nodes.iter().map(|node| logarithm(&node.1)).collect();
-        Ok(Self::from_logarithms(&a_over_t, &logarithms, material, [true; 4]))
+        Ok(Self::from_logarithms(&a_over_t, &logarithms, Resampling::THROUGH, material, [true; 4]))
     }
 
     /// The curve through what is splined, the logarithms of the scaled quantities at the nodes of `a/t`.
-    fn from_logarithms(nodes: &[f64], values: &[Four], material: Material, held: [bool; 4]) -> Self {
-        let spline = Spline::from_vec(keys(nodes, values, material.sphere_film_modulus()));
-        let density = uniform_density(spline.keys());
-        Self { spline, density, range: [nodes[0], nodes[nodes.len() - 1]], material, held }
+    fn from_logarithms(nodes: &[f64], values: &[Four], resampling: Resampling, material: Material, held: [bool; 4]) -> Self {
+        let keys = resampling.keys(nodes, values, material.sphere_film_modulus());
+        let (first, last) = (keys[0].t, keys[keys.len() - 1].t);
+        // Several buckets for each key of average distance, so that hardly any holds two keys.
+        let count = 3 * keys.len();
+        let length = (last - first).max(f64::MIN_POSITIVE);
+        let start = |bucket: usize| first + length * (bucket as f64 / count as f64);
+        // The last key begins no piece, unless it is the only one.
+        let before = |u: f64| keys.partition_point(|key| key.t <= u).clamp(1, (keys.len() - 1).max(1)) - 1;
+        let buckets = (0..=count).map(|bucket| before(start(bucket)) as u32).collect();
+        let density = count as f64 / length;
+        Self { spline: Spline::from_vec(keys), buckets, density, range: [nodes[0], nodes[nodes.len() - 1]], material, held }
     }
 
     /// The material; if from a table, on a substrate with its Poisson ratio.
@@ -230,14 +241,21 @@ impl Curve {
     /// [`Error::OutsideTable`] outside the curve's `a/t`, NaN included; [`Error::MissingQuantity`] if the table does not hold it.
     pub fn quantity(&self, quantity: Quantity, a_over_t: f64) -> Result<f64, Error> {
         self.require(quantity)?;
-        let i = quantity as usize;
-        Ok(match self.piece(a_over_t)? {
-            Piece::Cubic { t, ends: [a, b], handles: [u, v] } => {
-                let [p, q, r, s] = bernstein(t);
-                p * a.0[i] + q * u.0[i] + r * v.0[i] + s * b.0[i]
-            }
-            Piece::Value(value) => value.0[i],
-        })
+        let piece = self.piece(a_over_t)?;
+        Ok(piece.sum(bernstein(piece.t), quantity as usize))
+    }
+
+    /// The logarithmic slope of one quantity, `x dQ/dx` at `x = a_over_t`: the derivative of what [`Curve::quantity`] returns. Its error is some
+    /// hundred times that of the quantity. On a curve of a single node it is 0.
+    ///
+    /// # Errors
+    /// As [`Curve::quantity`].
+    pub fn slope(&self, quantity: Quantity, a_over_t: f64) -> Result<f64, Error> {
+        self.require(quantity)?;
+        let piece = self.piece(a_over_t)?;
+        let (s, t) = (1.0 - piece.t, piece.t);
+        let weights = [-s * s, s * (s - 2.0 * t), t * (2.0 * s - t), t * t];
+        Ok(3.0 * piece.inverse_length * piece.sum(weights, quantity as usize))
     }
 
     /// All four quantities at `a_over_t`.
@@ -261,83 +279,105 @@ impl Curve {
     }
 
     fn values(&self, a_over_t: f64) -> Result<Four, Error> {
-        Ok(match self.piece(a_over_t)? {
-            Piece::Cubic { t, ends: [a, b], handles: [u, v] } => Four::cubic_bezier(t, *a, *u, *v, *b),
-            Piece::Value(value) => value,
-        })
+        let piece = self.piece(a_over_t)?;
+        let weights = bernstein(piece.t);
+        Ok(Four::each(|i| piece.sum(weights, i)))
     }
 
-    /// Finds the piece of the spline at `a_over_t`: by index on uniform keys, because the search would double the
-    /// time (`benches/lookup.rs`).
+    /// Finds the piece of the spline at `a_over_t`: by the buckets, because the search of `splines` would double the time (`benches/lookup.rs`).
     fn piece(&self, a_over_t: f64) -> Result<Piece<'_>, Error> {
         let u = locate(Parameter::AOverT, &self.range, a_over_t)?;
         let keys = self.spline.keys();
-        if let Some(density) = self.density {
-            let i = ((u - keys[0].t) * density) as usize;
-            let i = i.min(keys.len() - 2);
-            let [a, b] = [&keys[i], &keys[i + 1]];
-            if let (Interpolation::StrokeBezier(_, after), Interpolation::StrokeBezier(before, _)) =
-                (&a.interpolation, &b.interpolation)
-            {
-                let t = (u - a.t) * density;
-                return Ok(Piece::Cubic { t, ends: [&a.value, &b.value], handles: [after, before] });
-            }
+        let bucket = ((u - keys[0].t) * self.density) as usize;
+        let mut i = self.buckets[bucket.min(self.buckets.len() - 1)] as usize;
+        while i + 2 < keys.len() && keys[i + 1].t <= u {
+            i += 1;
         }
-        let value = self.spline.clamped_sample(u);
-        Ok(Piece::Value(value.expect("a table has at least one a_over_t, and u is in range and no NaN")))
+        let (a, b) = (&keys[i], &keys[(i + 1).min(keys.len() - 1)]);
+        // A single key is a piece without length.
+        let inverse_length = if b.t > a.t { 1.0 / (b.t - a.t) } else { 0.0 };
+        let t = (u - a.t) * inverse_length;
+        Ok(Piece { corners: [&a.value, handles(a)[1], handles(b)[0], &b.value], t, inverse_length })
     }
 }
 
-/// What a curve is at one `a/t`.
-enum Piece<'a> {
-    /// A cubic at `t` of the way between two keys.
-    Cubic { t: f64, ends: [&'a Four; 2], handles: [&'a Four; 2] },
-    /// The value found by the spline's own search.
-    Value(Four),
-}
-
-/// The inverse of the keys' common distance, if there are several and they have one.
-fn uniform_density(keys: &[Key<f64, Four>]) -> Option<f64> {
-    let (first, last) = (keys.first()?.t, keys.last()?.t);
-    let step = (last - first) / (keys.len() - 1) as f64;
-    let expected = |i: usize| first + i as f64 * step;
-    let even = keys.iter().enumerate().all(|(i, key)| (key.t - expected(i)).abs() <= 1e-9 * step);
-    (keys.len() > 1 && even).then_some(1.0 / step)
-}
-
-/// The largest distance of two keys in `ln(a/t)`. A cubic piece this long follows the steepest quantity, a stiffness that grows like
-/// `(a/t)^3`, to `3^4 h^4 / 384 = 8e-8`.
-const KEY_DISTANCE: f64 = 0.025;
-
-/// The quintic not-a-knot spline through the logarithms over `ln(a/t)`, as cubic Bezier pieces of the quantities themselves.
-fn keys(nodes: &[f64], logarithms: &[Four], es: f64) -> Vec<Key<f64, Four>> {
-    let u: Vec<f64> = nodes.iter().map(|&node| Parameter::AOverT.coordinate(node)).collect();
-    let basis = Basis::new(&u, DEGREE);
-    let mut coefficients: Vec<f64> = logarithms.iter().flat_map(|value| value.0).collect();
-    basis.interpolate(&mut coefficients, 4);
-    let sum = |first: usize, weights: &[f64]| {
-        let coefficients = coefficients[4 * first..].chunks_exact(4);
-        coefficients.zip(weights).fold(Four::default(), |sum, (c, &w)| sum.plus(w, Four([c[0], c[1], c[2], c[3]])))
-    };
-    let mut knots = Vec::new();
-    for pair in u.windows(2) {
-        let pieces = ((pair[1] - pair[0]) / KEY_DISTANCE).ceil();
-        knots.extend((0..pieces as usize).map(|k| pair[0] + (pair[1] - pair[0]) * (k as f64 / pieces)));
+/// The Bezier handles before and after a key. Other kinds of keys, of which a curve has none, have theirs in themselves.
+fn handles(key: &Key<f64, Four>) -> [&Four; 2] {
+    match &key.interpolation {
+        Interpolation::StrokeBezier(before, after) => [before, after],
+        _ => [&key.value; 2],
     }
-    knots.push(u[u.len() - 1]);
-    let key = |i: usize| {
-        let weights = basis.weights(knots[i]);
-        let (values, slopes) = (&weights.values[..weights.count], &weights.slopes[..weights.count]);
-        let (logarithm, logarithmic_slope) = (sum(weights.first, values), sum(weights.first, slopes));
-        let value = Four(Quantity::ALL.map(|quantity| scale(quantity, es) * logarithm.0[quantity as usize].exp()));
-        let slope = Four::each(|i| value.0[i] * logarithmic_slope.0[i]);
-        // The Bezier handles of a cubic lie a third of the neighbouring intervals away.
-        let before = if i > 0 { knots[i] - knots[i - 1] } else { 0.0 };
-        let after = if i + 1 < knots.len() { knots[i + 1] - knots[i] } else { 0.0 };
-        let handles = Interpolation::StrokeBezier(value.plus(-before / 3.0, slope), value.plus(after / 3.0, slope));
-        Key::new(knots[i], value, handles)
-    };
-    (0..knots.len()).map(key).collect()
+}
+
+/// A cubic between two keys, and a place on it.
+struct Piece<'a> {
+    /// The ends and, between them, the handles.
+    corners: [&'a Four; 4],
+    /// How much of the way from the first end to the last.
+    t: f64,
+    /// Of the piece, in `ln(a/t)`.
+    inverse_length: f64,
+}
+
+impl Piece<'_> {
+    /// The weighted sum of the corners, for one quantity.
+    fn sum(&self, weights: [f64; 4], quantity: usize) -> f64 {
+        let [p, q, r, s] = weights;
+        let [a, u, v, b] = self.corners;
+        p * a.0[quantity] + q * u.0[quantity] + r * v.0[quantity] + s * b.0[quantity]
+    }
+}
+
+/// How the cubic pieces of a curve follow from values at nodes.
+#[derive(Clone, Copy, Debug)]
+struct Resampling {
+    /// The degree of the not-a-knot spline through the logarithms.
+    degree: usize,
+    /// The largest distance of two keys in `ln(a/t)`. A cubic piece of this length `h` follows the steepest quantity, a stiffness that
+    /// grows like `(a/t)^3`, to `3^4 h^4 / 384`.
+    key_distance: f64,
+}
+
+impl Resampling {
+    /// Of samples from elsewhere, which may be few. The keys add 8e-8 at most.
+    const THROUGH: Self = Self { degree: 5, key_distance: 0.025 };
+
+    /// Of a table: the keys add a tenth of the tolerance at most, if that is 1e-9 or more.
+    fn table(tolerance: f64) -> Self {
+        let key_distance = (0.1 * tolerance.clamp(1e-9, 1e-4) * 384.0 / 81.0).powf(0.25);
+        Self { degree: TABLE_DEGREE, key_distance }
+    }
+
+    /// The spline through the logarithms over `ln(a/t)`, as cubic Bezier pieces of the quantities themselves. Every node is a key.
+    fn keys(self, nodes: &[f64], logarithms: &[Four], es: f64) -> Vec<Key<f64, Four>> {
+        let u: Vec<f64> = nodes.iter().map(|&node| Parameter::AOverT.coordinate(node)).collect();
+        let basis = Basis::new(&u, self.degree);
+        let mut coefficients: Vec<f64> = logarithms.iter().flat_map(|value| value.0).collect();
+        basis.interpolate(&mut coefficients, 4);
+        let sum = |first: usize, weights: &[f64]| {
+            let coefficients = coefficients[4 * first..].chunks_exact(4);
+            coefficients.zip(weights).fold(Four::default(), |sum, (c, &w)| sum.plus(w, Four([c[0], c[1], c[2], c[3]])))
+        };
+        let mut knots = Vec::new();
+        for pair in u.windows(2) {
+            let pieces = ((pair[1] - pair[0]) / self.key_distance).ceil();
+            knots.extend((0..pieces as usize).map(|k| pair[0] + (pair[1] - pair[0]) * (k as f64 / pieces)));
+        }
+        knots.push(u[u.len() - 1]);
+        let key = |i: usize| {
+            let weights = basis.weights(knots[i]);
+            let (values, slopes) = (&weights.values[..weights.count], &weights.slopes[..weights.count]);
+            let (logarithm, logarithmic_slope) = (sum(weights.first, values), sum(weights.first, slopes));
+            let value = Four(Quantity::ALL.map(|quantity| scale(quantity, es) * logarithm.0[quantity as usize].exp()));
+            let slope = Four::each(|i| value.0[i] * logarithmic_slope.0[i]);
+            // The Bezier handles of a cubic lie a third of the neighbouring intervals away.
+            let before = if i > 0 { knots[i] - knots[i - 1] } else { 0.0 };
+            let after = if i + 1 < knots.len() { knots[i + 1] - knots[i] } else { 0.0 };
+            let handles = Interpolation::StrokeBezier(value.plus(-before / 3.0, slope), value.plus(after / 3.0, slope));
+            Key::new(knots[i], value, handles)
+        };
+        (0..knots.len()).map(key).collect()
+    }
 }
 
 #[cfg(test)]
@@ -348,36 +388,70 @@ mod tests {
         let value = |&x: &f64| Four([x.ln().sin(), (x / (1.0 + x)).ln(), 1.0 / (1.0 + x), 0.1 * x.ln()]);
         let values: Vec<Four> = nodes.iter().map(value).collect();
         let material = Material::new(1.75, 0.5, 1e5, 0.25).expect("physical");
-        Curve::from_logarithms(nodes, &values, material, [true; 4])
+        Curve::from_logarithms(nodes, &values, Resampling::THROUGH, material, [true; 4])
     }
 
-    /// The index on uniform keys finds the same piece as the search of `splines`, and the piece has the same value.
+    fn even(n: i32) -> Vec<f64> {
+        (0..=n).map(|i| 10_f64.powf(-3.0 + 6.0 / f64::from(n) * f64::from(i))).collect()
+    }
+
+    /// Nodes as a table has them, and nodes at all distances.
+    fn uneven() -> [Vec<f64>; 2] {
+        let crowded = (0..=60).map(|i| (-6.9 * (f64::from(i) * std::f64::consts::PI / 60.0).cos()).exp()).collect();
+        [crowded, vec![1e-3, 0.1, 0.13, 0.130001, 0.3, 0.31, 0.7, 2.0, 2.5, 1e3]]
+    }
+
+    /// The buckets lead to the same piece as the search of `splines`, and the piece has the same value.
     #[test]
-    fn index_and_search_agree_to_rounding() {
-        let nodes: Vec<f64> = (0..=60).map(|i| 10_f64.powf(-3.0 + 0.1 * f64::from(i))).collect();
-        let curve = curve(&nodes);
-        assert!(curve.density.is_some());
-        let at_keys = curve.spline.keys().iter().map(|key| key.t.exp().clamp(nodes[0], nodes[60]));
-        let between = (0..10_000).map(|i| 10_f64.powf(-3.0 + 6.0 * (f64::from(i) * 0.618_034 % 1.0)));
-        for x in at_keys.chain(between) {
-            let found = curve.spline.clamped_sample(x.ln()).expect("in range");
-            let indexed = curve.values(x).expect("in range");
-            for quantity in Quantity::ALL {
-                let (found, indexed) = (found.0[quantity as usize], indexed.0[quantity as usize]);
-                assert!((indexed / found - 1.0).abs() < 1e-14, "{x}: {indexed} by index, {found} by search");
-                assert_eq!(curve.quantity(quantity, x).expect("in range"), indexed);
+    fn buckets_and_search_agree_to_rounding() {
+        for nodes in [even(60)].into_iter().chain(uneven()) {
+            let curve = curve(&nodes);
+            let [from, to] = curve.range;
+            let at_keys = curve.spline.keys().iter().map(|key| key.t.exp().clamp(from, to));
+            let between = (0..10_000).map(|i| 10_f64.powf(-3.0 + 6.0 * (f64::from(i) * 0.618_034 % 1.0)).clamp(from, to));
+            for x in at_keys.chain(between) {
+                let found = curve.spline.clamped_sample(x.ln()).expect("in range");
+                let indexed = curve.values(x).expect("in range");
+                for quantity in Quantity::ALL {
+                    let (found, indexed) = (found.0[quantity as usize], indexed.0[quantity as usize]);
+                    assert!((indexed / found - 1.0).abs() < 1e-13, "{x}: {indexed} by buckets, {found} by search");
+                    assert_eq!(curve.quantity(quantity, x).expect("in range"), indexed);
+                }
             }
         }
     }
 
     #[test]
-    fn uneven_nodes_are_searched_and_met() {
-        let nodes = [0.1, 0.13, 0.3, 0.31, 0.7, 2.0, 2.5];
-        let curve = curve(&nodes);
-        assert!(curve.density.is_none());
-        for x in nodes {
-            let expected = curve.material.sphere_film_modulus() * x / (1.0 + x);
-            assert!((curve.quantity(Quantity::Eeq, x).expect("in range") / expected - 1.0).abs() < 1e-13);
+    fn nodes_at_any_distance_are_met() {
+        for nodes in [even(7)].into_iter().chain(uneven()) {
+            let curve = curve(&nodes);
+            for x in nodes {
+                let expected = curve.material.sphere_film_modulus() * x / (1.0 + x);
+                assert!((curve.quantity(Quantity::Eeq, x).expect("in range") / expected - 1.0).abs() < 1e-13);
+            }
         }
+    }
+
+    #[test]
+    fn the_slope_is_the_derivative_of_the_curve() {
+        let curve = curve(&even(60));
+        let [from, to] = curve.range;
+        for i in 0..=1000 {
+            let x = (from * (to / from).powf(f64::from(i) / 1000.0)).clamp(from, to);
+            let step = 1e-5;
+            for quantity in Quantity::ALL {
+                let at = |u: f64| curve.quantity(quantity, (x * u.exp()).clamp(from, to)).expect("in range");
+                let expected = match (x > from, x < to) {
+                    (true, true) => (at(step) - at(-step)) / (2.0 * step),
+                    (false, _) => (4.0 * at(step) - 3.0 * at(0.0) - at(2.0 * step)) / (2.0 * step),
+                    (_, false) => (3.0 * at(0.0) - 4.0 * at(-step) + at(-2.0 * step)) / (2.0 * step),
+                };
+                let slope = curve.slope(quantity, x).expect("in range");
+                // A kink of the second derivative between two pieces may lie between the two values.
+                assert!((slope - expected).abs() <= 1e-8 * at(0.0), "{x}: {slope}, not {expected}");
+            }
+        }
+        let single = Curve::from_logarithms(&[2.0], &[Four::default()], Resampling::THROUGH, curve.material, [true; 4]);
+        assert_eq!(single.slope(Quantity::Pi0, 2.0).expect("the node"), 0.0);
     }
 }

@@ -31,6 +31,14 @@ pub mod attribute {
     pub const CERTIFIED_POINTS: &str = "certified_points";
     /// Root: the seed of the certificate's points.
     pub const CERTIFIED_SEED: &str = "certified_seed";
+    /// Root: the certificate's relative error that 99.9 % of the points keep.
+    pub const CERTIFIED_P999_ERROR: &str = "certified_p999_error";
+    /// Root: the name of the quantity with the largest error.
+    pub const CERTIFIED_WORST_QUANTITY: &str = "certified_worst_quantity";
+    /// Root: the four parameters of the point with the largest error.
+    pub const CERTIFIED_WORST_POINT: &str = "certified_worst_point";
+    /// Root: the largest relative errors of the two exact identities on the interpolant, NaN where not measured.
+    pub const CERTIFIED_IDENTITY_ERRORS: &str = "certified_identity_errors";
     /// Dataset: the unit.
     pub const UNITS: &str = "units";
     /// Dataset: what it is, in words.

@@ -9,20 +9,7 @@ use serde::{Deserialize, Serialize};
 use crate::lookup::Coefficients;
 use crate::material::{Normalisation, ROUNDING, poisson_ratio};
 use crate::schema::Parameter;
-use crate::{Curve, Error, Material, Quantity};
-
-/// The measured accuracy of a table: relative errors of the interpolated quantities against direct solves off the nodes.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Certificate {
-    /// The largest relative error of any quantity at any point.
-    pub max_error: f64,
-    /// The median over the points of the largest relative error at a point.
-    pub median_error: f64,
-    /// How many points were solved.
-    pub points: u64,
-    /// The seed of the random points.
-    pub seed: u64,
-}
+use crate::{Certificate, Curve, Error, Material, Quantity};
 
 /// What a table says of itself.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -140,7 +127,7 @@ impl Table {
         self.values[quantity as usize].as_deref()
     }
 
-    /// The quantities as functions of `a/t` for one material, from tensor splines of degree 5 along the material axes.
+    /// The quantities as functions of `a/t` for one material, from tensor splines of degree 9 along the material axes.
     ///
     /// A material on a substrate with another Poisson ratio than the table's `nu0` is replaced by its exact
     /// [equivalent](Material::with_substrate_poisson_ratio), where there is one: for `nu0` below the table's, an incompressible film has none.

@@ -45,6 +45,12 @@ fn fill(table: &Table, path: &Path) -> hdf5::Result<()> {
     number(&file, attribute::CERTIFIED_MEDIAN_ERROR, certificate.median_error)?;
     number(&file, attribute::CERTIFIED_POINTS, certificate.points)?;
     number(&file, attribute::CERTIFIED_SEED, certificate.seed)?;
+    if let Some(details) = &certificate.details {
+        number(&file, attribute::CERTIFIED_P999_ERROR, details.p999_error)?;
+        text(&file, attribute::CERTIFIED_WORST_QUANTITY, details.worst_quantity.name())?;
+        numbers(&file, attribute::CERTIFIED_WORST_POINT, &details.worst_point)?;
+        numbers(&file, attribute::CERTIFIED_IDENTITY_ERRORS, &details.identity_errors.map(|error| error.unwrap_or(f64::NAN)))?;
+    }
 
     let axes = create_group(&file, AXES)?;
     let mut scales = Vec::new();
@@ -96,4 +102,8 @@ fn text(location: &Location, name: &str, value: &str) -> hdf5::Result<()> {
 
 fn number<T: H5Type>(location: &Location, name: &str, value: T) -> hdf5::Result<()> {
     location.new_attr::<T>().create(name)?.write_scalar(&value)
+}
+
+fn numbers(location: &Location, name: &str, values: &[f64]) -> hdf5::Result<()> {
+    location.new_attr::<f64>().shape(values.len()).create(name)?.write(ArrayView1::from(values))
 }

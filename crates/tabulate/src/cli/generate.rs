@@ -75,7 +75,13 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         normalisation: Material::new(e1, nu1, e0, scene.nu0)?.normalisation(),
         tolerance: scene.tolerance,
         created_by: format!("tabulate {}", env!("CARGO_PKG_VERSION")),
-        certificate: interp::Certificate { max_error: f64::NAN, median_error: f64::NAN, points: 0, seed: arguments.seed },
+        certificate: interp::Certificate {
+            max_error: f64::NAN,
+            median_error: f64::NAN,
+            points: 0,
+            seed: arguments.seed,
+            details: None,
+        },
     };
     let mut table = Table::new(description, scene.axes, values)?;
     let bar = progress_bar(certificate_points, "checking");

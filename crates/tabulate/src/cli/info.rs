@@ -4,7 +4,7 @@ use std::fmt::Write;
 use std::path::PathBuf;
 
 use interp::schema::Parameter;
-use interp::{Quantity, Table};
+use interp::{Certificate, Quantity, Table};
 
 use super::{read_table, write_text};
 
@@ -40,12 +40,31 @@ pub fn describe(table: &Table) -> Result<String, std::fmt::Error> {
     let held: Vec<&str> = held.map(Quantity::name).collect();
     writeln!(text, "{:15} {} (normalised by {})", "quantities", held.join(", "), description.normalisation.symbol())?;
     writeln!(text, "{:15} {:e}", "tolerance", description.tolerance)?;
-    let certificate = &description.certificate;
+    text += &describe_certificate(&description.certificate)?;
+    writeln!(text, "{:15} {}", "created by", description.created_by)?;
+    Ok(text)
+}
+
+/// The certificate, a line for each thing that it says.
+pub fn describe_certificate(certificate: &Certificate) -> Result<String, std::fmt::Error> {
+    let Certificate { max_error, median_error, points, seed, details } = certificate;
+    let mut text = String::new();
+    let high = details.map(|details| format!("99.9 % {:.1e}, ", details.p999_error)).unwrap_or_default();
     writeln!(
         text,
-        "{:15} max {:.1e}, median {:.1e} (relative, {} direct solves, seed {})",
-        "certified error", certificate.max_error, certificate.median_error, certificate.points, certificate.seed
+        "{:15} max {max_error:.1e}, {high}median {median_error:.1e} (relative, {points} direct solves, seed {seed})",
+        "certified error"
     )?;
-    writeln!(text, "{:15} {}", "created by", description.created_by)?;
+    if let Some(details) = details {
+        let place = Parameter::ALL.iter().zip(details.worst_point).map(|(p, value)| format!("{} = {value}", p.name()));
+        let place: Vec<String> = place.collect();
+        writeln!(text, "{:15} {} at {}", "worst", details.worst_quantity.name(), place.join(", "))?;
+        let names = ["Gamma^2 = es (x Eeq)'", "F0' = S delta0'"];
+        let broken = names.iter().zip(details.identity_errors).filter_map(|(name, error)| Some(format!("{name} {:.1e}", error?)));
+        let broken: Vec<String> = broken.collect();
+        if !broken.is_empty() {
+            writeln!(text, "{:15} {} (relative, largest)", "identities", broken.join(", "))?;
+        }
+    }
     Ok(text)
 }
