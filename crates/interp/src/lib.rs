@@ -38,6 +38,7 @@ mod error;
 #[cfg(feature = "hdf5")]
 mod h5;
 mod lookup;
+mod low_rank;
 mod material;
 mod pack;
 mod quantity;
@@ -49,6 +50,7 @@ pub use certificate::{Certificate, Details};
 pub use contact::{Contact, Elastic, JkrPoint, Mechanics, System};
 pub use error::Error;
 pub use lookup::Curve;
+pub use low_rank::LowRank;
 pub use material::{Material, Normalisation};
 pub use pack::is_packed;
 pub use quantity::{Quantities, Quantity};

@@ -2,8 +2,9 @@
 
 use splines::{Interpolate, Interpolation, Key, Spline};
 
+use crate::low_rank::{LowRank, add_row, add_rows, combine};
 use crate::schema::Parameter;
-use crate::spline::{Basis, TABLE_DEGREE, Weights};
+use crate::spline::{Basis, TABLE_DEGREE};
 use crate::table::{REASONABLE, Table, locate, too_close};
 use crate::{Error, Material, Quantities, Quantity};
 
@@ -59,40 +60,64 @@ fn bernstein(t: f64) -> [f64; 4] {
 /// What is splined is `ln(Pi0/es)`, `ln(Eeq/es)`, `ln(Gamma/es)` and `ln Delta0` over `ln(E1/E2)`, `c(nu1)` and `ln(E0/E2)`.
 #[derive(Clone, Debug)]
 pub(crate) struct Coefficients {
-    /// The bases of `e1_over_e2`, `nu1` and `e0_over_e2`.
-    bases: [Basis; 3],
-    /// One row for each combination of material coefficients, `e1_over_e2` slowest; a row holds the four
-    /// logarithms for each `a_over_t`.
+    /// Of `e1_over_e2`, `nu1` and `e0_over_e2`.
+    functions: [Functions; 3],
+    /// One row for each combination of these functions, `e1_over_e2` slowest: the logarithms of the quantities held for each `a_over_t`, or for
+    /// each function of a low-rank table. Zeros at the end of a row are left out.
     rows: Vec<f64>,
+    /// Where each row begins, and where the last one ends.
+    starts: Vec<usize>,
+    /// The length of a whole row.
+    width: usize,
+    /// The functions of `a_over_t` at its nodes in a low-rank table, a row for each node.
+    a_over_t: Option<Vec<f64>>,
 }
 
 impl Coefficients {
     pub(crate) fn new(table: &Table) -> Self {
-        let [n_a, n_e1, n_nu, n_e0] = table.shape();
-        let materials = n_e1 * n_nu * n_e0;
-        let nodes =
-            |parameter: Parameter| -> Vec<f64> { table.axis(parameter).iter().map(|&value| parameter.coordinate(value)).collect() };
-        let bases = [Parameter::E1OverE2, Parameter::Nu1, Parameter::E0OverE2].map(|p| Basis::new(&nodes(p), TABLE_DEGREE));
+        let bases = [Parameter::E1OverE2, Parameter::Nu1, Parameter::E0OverE2].map(|parameter| {
+            let nodes: Vec<f64> = table.axis(parameter).iter().map(|&value| parameter.coordinate(value)).collect();
+            Basis::new(&nodes, TABLE_DEGREE)
+        });
+        match table.low_rank() {
+            None => Self::dense(table, bases),
+            Some(form) => Self::low_rank(form, bases),
+        }
+    }
 
+    fn dense(table: &Table, bases: [Basis; 3]) -> Self {
+        let [n_a, n_e1, n_nu, n_e0] = table.shape();
+        let width = table.quantities().len() * n_a;
         // Material-major, so that a curve sums whole rows.
-        let mut rows = vec![0.0; 4 * n_a * materials];
-        for quantity in Quantity::ALL {
-            let Some(values) = table.values(quantity) else { continue };
-            for (material, row) in rows.chunks_exact_mut(4 * n_a).enumerate() {
-                let (e1, nu) = (material / (n_nu * n_e0), material / n_e0 % n_nu);
-                let scale = scale(quantity, film_limit(table, e1, nu));
-                for (a, group) in row.chunks_exact_mut(4).enumerate() {
-                    group[quantity as usize] = (values[a * materials + material] / scale).ln();
-                }
-            }
+        let mut rows = Vec::with_capacity(width * n_e1 * n_nu * n_e0);
+        (0..n_e1).for_each(|e1| rows.extend(table.logarithms(e1)));
+        bases[0].interpolate(&mut rows, n_nu * n_e0 * width);
+        for slab in rows.chunks_exact_mut(n_nu * n_e0 * width) {
+            bases[1].interpolate(slab, n_e0 * width);
+            slab.chunks_exact_mut(n_e0 * width).for_each(|slab| bases[2].interpolate(slab, width));
         }
-        let row = 4 * n_a;
-        bases[0].interpolate(&mut rows, n_nu * n_e0 * row);
-        for slab in rows.chunks_exact_mut(n_nu * n_e0 * row) {
-            bases[1].interpolate(slab, n_e0 * row);
-            slab.chunks_exact_mut(n_e0 * row).for_each(|slab| bases[2].interpolate(slab, row));
+        let starts = (0..=n_e1 * n_nu * n_e0).map(|row| row * width).collect();
+        let functions = bases.map(|basis| Functions { count: basis.len(), basis, factor: None });
+        Self { functions, rows, starts, width, a_over_t: None }
+    }
+
+    fn low_rank(form: &LowRank, bases: [Basis; 3]) -> Self {
+        let width = form.ranks[0] * form.quantities.len();
+        let (mut rows, mut starts) = (Vec::with_capacity(form.core.len()), vec![0]);
+        for row in form.core.chunks_exact(width) {
+            let used = row.iter().rposition(|&entry| entry != 0.0).map_or(0, |last| last + 1);
+            rows.extend(&row[..used]);
+            starts.push(rows.len());
         }
-        Self { bases, rows }
+        let mut axis = 0;
+        let functions = bases.map(|basis| {
+            axis += 1;
+            let (mut factor, count) = (form.factors[axis].clone(), form.ranks[axis]);
+            basis.interpolate(&mut factor, count);
+            Functions { basis, count, factor: Some(factor) }
+        });
+        let a_over_t = form.factors[0].iter().map(|value| form.step * value).collect();
+        Self { functions, rows, starts, width, a_over_t: Some(a_over_t) }
     }
 
     pub(crate) fn curve(&self, table: &Table, material: &Material) -> Result<Curve, Error> {
@@ -106,31 +131,47 @@ impl Coefficients {
             let e1 = table.locate(Parameter::E1OverE2, material.e1_over_e2())?;
             let nu = table.locate(Parameter::Nu1, material.nu1())?;
             let e0 = table.locate(Parameter::E0OverE2, material.e0_over_e2())?;
-            Ok((material, self.bases[0].weights(e1), self.bases[1].weights(nu), self.bases[2].weights(e0)))
+            Ok((material, [e1, nu, e0]))
         };
         let (nu1, nu0) = (material.nu1(), material.nu0());
-        let (material, e1, nu, e0) = place().map_err(|error| match error {
+        let (material, place) = place().map_err(|error| match error {
             error if nu0 == table_nu0 => error,
             error => Error::Equivalent { nu1, nu0, table_nu0, source: Box::new(error) },
         })?;
-        let values = self.contract(table.shape(), &e1, &nu, &e0);
-        let held = Quantity::ALL.map(|quantity| table.values(quantity).is_some());
+        let (nodes, held) = (table.axis(Parameter::AOverT), table.quantities());
+        let sum = self.contract(place);
+        let logarithms = match &self.a_over_t {
+            None => sum,
+            Some(functions) => {
+                let mut logarithms = vec![0.0; held.len() * nodes.len()];
+                let groups = logarithms.chunks_exact_mut(held.len());
+                for (group, weights) in groups.zip(functions.chunks_exact(functions.len() / nodes.len())) {
+                    add_rows(group, 1.0, weights, &sum);
+                }
+                logarithms
+            }
+        };
+        let four = |group: &[f64]| {
+            let mut four = Four::default();
+            held.iter().zip(group).for_each(|(&quantity, &value)| four.0[quantity as usize] = value);
+            four
+        };
+        let values: Vec<Four> = logarithms.chunks_exact(held.len()).map(four).collect();
         let resampling = Resampling::table(table.description().tolerance);
-        Ok(Curve::from_logarithms(table.axis(Parameter::AOverT), &values, resampling, material, held))
+        let held = Quantity::ALL.map(|quantity| table.holds(quantity));
+        Ok(Curve::from_logarithms(nodes, &values, resampling, material, held))
     }
 
-    /// Sums the rows around one material: the logarithms at each node of `a_over_t`.
-    fn contract(&self, [n_a, _, n_nu, n_e0]: [usize; 4], e1: &Weights, nu: &Weights, e0: &Weights) -> Vec<Four> {
-        let mut sum = vec![Four::default(); n_a];
-        for i in 0..e1.count {
-            for j in 0..nu.count {
-                for k in 0..e0.count {
-                    let weight = e1.values[i] * nu.values[j] * e0.values[k];
-                    let row = ((e1.first + i) * n_nu + nu.first + j) * n_e0 + e0.first + k;
-                    let values = self.rows[4 * row * n_a..][..4 * n_a].chunks_exact(4);
-                    for (sum, c) in sum.iter_mut().zip(values) {
-                        *sum = sum.plus(weight, Four([c[0], c[1], c[2], c[3]]));
-                    }
+    /// Sums the rows around one material, given by its coordinates.
+    fn contract(&self, material: [f64; 3]) -> Vec<f64> {
+        let [(first_e1, e1), (first_nu, nu), (first_e0, e0)] = std::array::from_fn(|axis| self.functions[axis].at(material[axis]));
+        let [_, n_nu, n_e0] = self.functions.each_ref().map(|functions| functions.count);
+        let mut sum = vec![0.0; self.width];
+        for (i, e1) in e1.iter().enumerate() {
+            for (j, nu) in nu.iter().enumerate() {
+                let row = ((first_e1 + i) * n_nu + first_nu + j) * n_e0 + first_e0;
+                for (e0, ends) in e0.iter().zip(self.starts[row..].windows(2)) {
+                    add_row(&mut sum, e1 * nu * e0, &self.rows[ends[0]..ends[1]]);
                 }
             }
         }
@@ -138,8 +179,30 @@ impl Coefficients {
     }
 }
 
+/// The functions of one material parameter whose coefficients the rows are: its B-splines, or those combinations of them that a low-rank
+/// table has.
+#[derive(Clone, Debug)]
+struct Functions {
+    basis: Basis,
+    count: usize,
+    /// A row of `count` coefficients for each B-spline.
+    factor: Option<Vec<f64>>,
+}
+
+impl Functions {
+    /// The values at a coordinate, from the first function on that need not vanish.
+    fn at(&self, coordinate: f64) -> (usize, Vec<f64>) {
+        let weights = self.basis.weights(coordinate);
+        let values = &weights.values[..weights.count];
+        match &self.factor {
+            None => (weights.first, values.to_vec()),
+            Some(factor) => (0, combine(values, &factor[weights.first * self.count..][..weights.count * self.count])),
+        }
+    }
+}
+
 /// `es` at a node of `e1_over_e2` and one of `nu1`.
-fn film_limit(table: &Table, e1: usize, nu: usize) -> f64 {
+pub(crate) fn film_limit(table: &Table, e1: usize, nu: usize) -> f64 {
     let (e1, nu1) = (table.axis(Parameter::E1OverE2)[e1], table.axis(Parameter::Nu1)[nu]);
     let e0 = table.axis(Parameter::E0OverE2)[0];
     let material = Material::new(e1, nu1, e0, table.description().nu0).expect("a table's axes are checked when it is made");
@@ -147,7 +210,7 @@ fn film_limit(table: &Table, e1: usize, nu: usize) -> f64 {
 }
 
 /// What a quantity is divided by before its logarithm is taken.
-fn scale(quantity: Quantity, es: f64) -> f64 {
+pub(crate) fn scale(quantity: Quantity, es: f64) -> f64 {
     if quantity == Quantity::Delta0 { 1.0 } else { es }
 }
 

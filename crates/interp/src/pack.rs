@@ -1,4 +1,4 @@
-//! The packed table: one self-describing binary file, lossless and quick to load.
+//! The packed table: one self-describing binary file, quick to load, from which nothing is lost.
 //!
 //! ```text
 //! offset  size  content (little-endian)
@@ -6,20 +6,27 @@
 //! 8       4     format version, u32
 //! 12      8     length of the payload, u64
 //! 20      4     CRC-32 of the payload
-//! 24      -     payload: header (bincode, fixed-width integers), then the values as f64, quantity after quantity
+//! 24      -     payload: header (bincode, fixed-width integers), then the content
 //! ```
 //!
-//! Nothing is allocated on the word of the file: the values' number must match the bytes there are, and the header is limited.
+//! The content of a dense table is its values as f64, quantity after quantity; that of a low-rank one the ranks, the factors, and the step and
+//! integers of the core (bincode, integers of variable width: one byte for most).
+//!
+//! Nothing is allocated on the word of the file: the header is limited, the values' number must match the bytes there are, and an integer of
+//! the core, 8 bytes in memory, has a byte of its own. (A list is read by serde, which reserves a megabyte at most before it has seen the numbers.)
 
+use std::fmt::Display;
 use std::fs;
 use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 
-use crate::schema::{FORMAT_VERSION, Parameter};
-use crate::{Description, Error, Quantity, Table};
+use crate::schema::Parameter;
+use crate::{Description, Error, LowRank, Quantity, Table};
 
 const MAGIC: [u8; 8] = *b"COATTBL\n";
+/// The one version of the packed form that is written and read.
+const VERSION: u32 = 2;
 const PREFIX: usize = 24;
 /// Axes, scene and description fit many times over.
 const HEADER_LIMIT: usize = 1 << 20;
@@ -29,10 +36,30 @@ struct Header {
     description: Description,
     axes: [Vec<f64>; 4],
     quantities: Vec<Quantity>,
+    form: Form,
+}
+
+#[derive(Serialize, Deserialize)]
+enum Form {
+    Dense,
+    LowRank,
+}
+
+/// The content of a low-rank table.
+#[derive(Serialize, Deserialize)]
+struct Content {
+    ranks: [usize; 4],
+    factors: [Vec<f64>; 4],
+    step: f64,
+    core: Vec<i64>,
 }
 
 fn configuration() -> impl bincode::config::Config {
     bincode::config::standard().with_little_endian().with_fixed_int_encoding().with_limit::<HEADER_LIMIT>()
+}
+
+fn content_configuration() -> impl bincode::config::Config {
+    bincode::config::standard()
 }
 
 /// True if the bytes begin like a packed table of any version.
@@ -55,10 +82,10 @@ impl Table {
     /// # Errors
     /// [`Error::Malformed`] if title, scene and axes exceed a megabyte.
     pub fn to_packed(&self) -> Result<Vec<u8>, Error> {
-        let quantities: Vec<Quantity> = Quantity::ALL.into_iter().filter(|&q| self.values(q).is_some()).collect();
         let axes = Parameter::ALL.map(|parameter| self.axis(parameter).to_vec());
-        let header = Header { description: self.description().clone(), axes, quantities };
-        let mut payload = bincode::serde::encode_to_vec(&header, configuration()).map_err(|e| Error::Malformed(e.to_string()))?;
+        let form = if self.low_rank().is_some() { Form::LowRank } else { Form::Dense };
+        let header = Header { description: self.description().clone(), axes, quantities: self.quantities(), form };
+        let mut payload = bincode::serde::encode_to_vec(&header, configuration()).map_err(malformed)?;
         if payload.len() > HEADER_LIMIT {
             return Err(Error::Malformed(format!("its header has {} bytes, at most {HEADER_LIMIT} are allowed", payload.len())));
         }
@@ -66,9 +93,14 @@ impl Table {
             let values = self.values(quantity).into_iter().flatten();
             payload.extend(values.flat_map(|value| value.to_le_bytes()));
         }
+        if let Some(LowRank { ranks, factors, step, core, .. }) = self.low_rank() {
+            let core = core.iter().map(|&entry| entry as i64).collect();
+            let content = Content { ranks: *ranks, factors: factors.clone(), step: *step, core };
+            payload.extend(bincode::serde::encode_to_vec(&content, content_configuration()).map_err(malformed)?);
+        }
         let mut bytes = Vec::with_capacity(PREFIX + payload.len());
         bytes.extend(MAGIC);
-        bytes.extend(FORMAT_VERSION.to_le_bytes());
+        bytes.extend(VERSION.to_le_bytes());
         bytes.extend((payload.len() as u64).to_le_bytes());
         bytes.extend(crc32fast::hash(&payload).to_le_bytes());
         bytes.extend(payload);
@@ -89,8 +121,8 @@ impl Table {
         };
         let word = |at: usize| u32::from_le_bytes([prefix[at], prefix[at + 1], prefix[at + 2], prefix[at + 3]]);
         let version = word(8);
-        if version != FORMAT_VERSION {
-            return Err(Error::Version { found: version, supported: FORMAT_VERSION });
+        if version != VERSION {
+            return Err(Error::Version { found: version, supported: VERSION });
         }
         let length = u64::from(word(12)) | u64::from(word(16)) << 32;
         if length != payload.len() as u64 {
@@ -102,20 +134,40 @@ impl Table {
         }
 
         let limited = &payload[..payload.len().min(HEADER_LIMIT)];
-        let (header, used): (Header, usize) =
-            bincode::serde::decode_from_slice(limited, configuration()).map_err(|e| Error::Malformed(e.to_string()))?;
-        let values = &payload[used..];
-        let count = header.axes.iter().try_fold(8_usize, |bytes, nodes| bytes.checked_mul(nodes.len()));
-        let expected = count.and_then(|count| count.checked_mul(header.quantities.len()));
-        if expected != Some(values.len()) || !header.quantities.is_sorted_by(|a, b| a < b) {
-            return Err(Error::Malformed(format!("{} bytes of values for {:?}", values.len(), header.quantities)));
+        let (header, used): (Header, usize) = bincode::serde::decode_from_slice(limited, configuration()).map_err(malformed)?;
+        let content = &payload[used..];
+        match header.form {
+            Form::Dense => dense(header, content),
+            Form::LowRank => low_rank(header, content),
         }
-        let mut quantities = [const { None }; 4];
-        // Without nodes there is nothing to split; `Table::new` then names the empty axis.
-        for (quantity, bytes) in header.quantities.iter().zip(values.chunks_exact(count.unwrap_or(0).max(1))) {
-            let numbers = bytes.as_chunks().0.iter().map(|bytes| f64::from_le_bytes(*bytes));
-            quantities[*quantity as usize] = Some(numbers.collect());
-        }
-        Self::new(header.description, header.axes, quantities)
     }
+}
+
+fn malformed(error: impl Display) -> Error {
+    Error::Malformed(error.to_string())
+}
+
+fn dense(header: Header, content: &[u8]) -> Result<Table, Error> {
+    let count = header.axes.iter().try_fold(8_usize, |bytes, nodes| bytes.checked_mul(nodes.len()));
+    let expected = count.and_then(|count| count.checked_mul(header.quantities.len()));
+    if expected != Some(content.len()) || !header.quantities.is_sorted_by(|a, b| a < b) {
+        return Err(Error::Malformed(format!("{} bytes of values for {:?}", content.len(), header.quantities)));
+    }
+    let mut quantities = [const { None }; 4];
+    // Without nodes there is nothing to split; `Table::new` then names the empty axis.
+    for (quantity, bytes) in header.quantities.iter().zip(content.chunks_exact(count.unwrap_or(0).max(1))) {
+        let numbers = bytes.as_chunks().0.iter().map(|bytes| f64::from_le_bytes(*bytes));
+        quantities[*quantity as usize] = Some(numbers.collect());
+    }
+    Table::new(header.description, header.axes, quantities)
+}
+
+fn low_rank(header: Header, content: &[u8]) -> Result<Table, Error> {
+    let (Content { ranks, factors, step, core }, used) =
+        bincode::serde::decode_from_slice(content, content_configuration()).map_err(malformed)?;
+    if used != content.len() {
+        return Err(Error::Malformed(format!("a low-rank form of {used} bytes in {}", content.len())));
+    }
+    let form = LowRank::new(header.quantities, ranks, factors, step, &core)?;
+    Table::from_low_rank(header.description, header.axes, form)
 }

@@ -2,7 +2,7 @@
 
 /// Value of the root attribute [`attribute::FORMAT`].
 pub const FORMAT: &str = "coated-contact-table";
-/// The one version of the format that is written and read.
+/// The one version of the HDF5 format that is written and read. The packed form counts its own.
 pub const FORMAT_VERSION: u32 = 1;
 
 /// Attributes of the HDF5 file.

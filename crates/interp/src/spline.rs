@@ -54,7 +54,7 @@ impl Basis {
     }
 
     /// The number of nodes, and of coefficients.
-    fn len(&self) -> usize {
+    pub(crate) fn len(&self) -> usize {
         self.knots.len() - self.degree - 1
     }
 

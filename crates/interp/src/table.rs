@@ -1,12 +1,14 @@
 //! The table: axes, values, where they come from, and how accurate they are between the nodes.
 
+use std::borrow::Cow;
 use std::cmp::Ordering;
 use std::ops::RangeInclusive;
 use std::sync::OnceLock;
 
 use serde::{Deserialize, Serialize};
 
-use crate::lookup::Coefficients;
+use crate::lookup::{Coefficients, film_limit, scale};
+use crate::low_rank::LowRank;
 use crate::material::{Normalisation, ROUNDING, poisson_ratio};
 use crate::schema::Parameter;
 use crate::{Certificate, Curve, Error, Material, Quantity};
@@ -22,7 +24,7 @@ pub struct Description {
     pub nu0: f64,
     /// The modulus in whose units the values are.
     pub normalisation: Normalisation,
-    /// The relative tolerance that the scene asks for.
+    /// The relative tolerance that the table is to keep: what its scene asks for, or what it was truncated to.
     pub tolerance: f64,
     /// Program and version.
     pub created_by: String,
@@ -41,9 +43,17 @@ const CLOSEST: f64 = 1e-7;
 pub struct Table {
     description: Description,
     axes: [Vec<f64>; 4],
-    values: [Option<Vec<f64>>; 4],
+    content: Content,
     /// Made at the first interpolation: a table may also be read only to be written elsewhere.
     coefficients: OnceLock<Coefficients>,
+}
+
+/// The two forms of a table.
+#[derive(Clone, Debug)]
+enum Content {
+    /// Row-major over the four axes, `a_over_t` slowest.
+    Dense([Option<Vec<f64>>; 4]),
+    LowRank(LowRank),
 }
 
 impl Table {
@@ -55,37 +65,8 @@ impl Table {
     /// could not tell apart, or has another number of nodes than the values; or if no quantity is given. Moduli, `a_over_t` and the
     /// quantities must be in `[1e-30, 1e30]`, but for a rigid sphere or substrate, which is a fixed parameter.
     pub fn new(description: Description, axes: [Vec<f64>; 4], values: [Option<Vec<f64>>; 4]) -> Result<Self, Error> {
+        check(&description, &axes)?;
         let malformed = |what: String| Err(Error::Malformed(what));
-        for (parameter, nodes) in Parameter::ALL.into_iter().zip(&axes) {
-            let name = parameter.name();
-            if nodes.is_empty() {
-                return malformed(format!("axis {name} is empty"));
-            }
-            if let Some(pair) = nodes.windows(2).find(|pair| pair[0].partial_cmp(&pair[1]) != Some(Ordering::Less)) {
-                return malformed(format!("axis {name} is not ascending: {:?} is followed by {:?}", pair[0], pair[1]));
-            }
-            let physical = |&node: &f64| match parameter {
-                Parameter::Nu1 => poisson_ratio(name, node).is_ok(),
-                Parameter::AOverT => REASONABLE.contains(&node),
-                // A rigid sphere or substrate is a fixed parameter, never a node among others.
-                Parameter::E1OverE2 => REASONABLE.contains(&node) || (node == 0.0 && nodes.len() == 1),
-                Parameter::E0OverE2 => REASONABLE.contains(&node) || (node == f64::INFINITY && nodes.len() == 1),
-            };
-            if let Some(node) = nodes.iter().find(|node| !physical(node)) {
-                return malformed(format!("axis {name} holds {node:?}"));
-            }
-            if let Some([low, high]) = too_close(parameter, nodes) {
-                return malformed(format!("axis {name} has nodes too close to each other: {low:?} and {high:?}"));
-            }
-        }
-        let rigid_sphere = axes[1][0] == 0.0;
-        if rigid_sphere != (description.normalisation == Normalisation::Film) {
-            let symbol = description.normalisation.symbol();
-            return malformed(format!("normalised by {symbol} with e1_over_e2 from {}", axes[1][0]));
-        }
-        if let Err(error) = poisson_ratio("nu0", description.nu0) {
-            return malformed(error.to_string());
-        }
         let count = axes.iter().try_fold(1_usize, |product, nodes| product.checked_mul(nodes.len()));
         for (quantity, values) in Quantity::ALL.into_iter().zip(&values) {
             let Some(values) = values else { continue };
@@ -99,7 +80,20 @@ impl Table {
         if values.iter().all(Option::is_none) {
             return malformed("it holds no quantity".into());
         }
-        Ok(Self { description, axes, values, coefficients: OnceLock::new() })
+        Ok(Self { description, axes, content: Content::Dense(values), coefficients: OnceLock::new() })
+    }
+
+    /// A low-rank table from its parts.
+    ///
+    /// # Errors
+    /// Those of [`Table::new`] that concern description and axes; [`Error::Malformed`] if an axis has another number of nodes than its factor.
+    pub fn from_low_rank(description: Description, axes: [Vec<f64>; 4], form: LowRank) -> Result<Self, Error> {
+        check(&description, &axes)?;
+        let shape = axes.each_ref().map(Vec::len);
+        if form.nodes() != shape {
+            return Err(Error::Malformed(format!("factors for {:?} nodes on {shape:?}", form.nodes())));
+        }
+        Ok(Self { description, axes, content: Content::LowRank(form), coefficients: OnceLock::new() })
     }
 
     /// What the table says of itself.
@@ -122,9 +116,90 @@ impl Table {
         self.axes.each_ref().map(Vec::len)
     }
 
-    /// The values of a quantity at the nodes, row-major with `a_over_t` slowest, if the table holds it.
+    /// True if the table holds the quantity, false if its scene did not ask for it.
+    pub fn holds(&self, quantity: Quantity) -> bool {
+        match &self.content {
+            Content::Dense(values) => values[quantity as usize].is_some(),
+            Content::LowRank(form) => form.quantities.contains(&quantity),
+        }
+    }
+
+    /// The quantities held, in the order of [`Quantity::ALL`].
+    pub fn quantities(&self) -> Vec<Quantity> {
+        Quantity::ALL.into_iter().filter(|&quantity| self.holds(quantity)).collect()
+    }
+
+    /// The values of a quantity at the nodes, row-major with `a_over_t` slowest, if the table holds them: a low-rank one does after
+    /// [`Table::expand`] only.
     pub fn values(&self, quantity: Quantity) -> Option<&[f64]> {
-        self.values[quantity as usize].as_deref()
+        match &self.content {
+            Content::Dense(values) => values[quantity as usize].as_deref(),
+            Content::LowRank(_) => None,
+        }
+    }
+
+    /// The low-rank form, if the table has it.
+    pub fn low_rank(&self) -> Option<&LowRank> {
+        match &self.content {
+            Content::Dense(_) => None,
+            Content::LowRank(form) => Some(form),
+        }
+    }
+
+    /// What is splined, `ln(Q/es)` (`ln Delta0`), at all nodes with one `e1_over_e2`: row-major over `nu1`, `e0_over_e2`, `a_over_t` and the
+    /// quantities held.
+    ///
+    /// # Panics
+    /// If the axis `e1_over_e2` has no node of this number.
+    pub fn logarithms(&self, e1: usize) -> Vec<f64> {
+        let values = match &self.content {
+            Content::LowRank(form) => return form.logarithms(e1),
+            Content::Dense(values) => values,
+        };
+        let [n_a, n_e1, n_nu, n_e0] = self.shape();
+        let mut logarithms = Vec::with_capacity(n_a * n_nu * n_e0 * self.quantities().len());
+        for nu in 0..n_nu {
+            let es = film_limit(self, e1, nu);
+            for e0 in 0..n_e0 {
+                for a in 0..n_a {
+                    let at = ((a * n_e1 + e1) * n_nu + nu) * n_e0 + e0;
+                    let held = Quantity::ALL.into_iter().zip(values).filter_map(|(q, values)| Some((q, values.as_ref()?[at])));
+                    logarithms.extend(held.map(|(quantity, value)| (value / scale(quantity, es)).ln()));
+                }
+            }
+        }
+        logarithms
+    }
+
+    /// The dense table on the nodes: itself, or the values of a low-rank one. The description stays, and with it the certificate, because the
+    /// splines through these values are the low-rank table's but for rounding.
+    ///
+    /// # Errors
+    /// [`Error::Malformed`] if a value is not in `[1e-30, 1e30]`.
+    pub fn expand(&self) -> Result<Cow<'_, Self>, Error> {
+        if self.low_rank().is_none() {
+            return Ok(Cow::Borrowed(self));
+        }
+        let [n_a, n_e1, n_nu, n_e0] = self.shape();
+        let held = self.quantities();
+        let mut values = [const { None }; 4];
+        for &quantity in &held {
+            values[quantity as usize] = Some(vec![0.0; n_a * n_e1 * n_nu * n_e0]);
+        }
+        for e1 in 0..n_e1 {
+            let logarithms = self.logarithms(e1);
+            for (i, group) in logarithms.chunks_exact(held.len()).enumerate() {
+                let (nu, e0, a) = (i / (n_e0 * n_a), i / n_a % n_e0, i % n_a);
+                let es = film_limit(self, e1, nu);
+                let at = ((a * n_e1 + e1) * n_nu + nu) * n_e0 + e0;
+                for (&quantity, logarithm) in held.iter().zip(group) {
+                    if let Some(values) = &mut values[quantity as usize] {
+                        values[at] = scale(quantity, es) * logarithm.exp();
+                    }
+                }
+            }
+        }
+        Self::new(self.description.clone(), self.axes.clone(), values).map(Cow::Owned)
     }
 
     /// The quantities as functions of `a/t` for one material, from tensor splines of degree 9 along the material axes.
@@ -144,6 +219,42 @@ impl Table {
     pub(crate) fn locate(&self, parameter: Parameter, value: f64) -> Result<f64, Error> {
         locate(parameter, self.axis(parameter), value)
     }
+}
+
+/// Accepts axes that can be splined, and what a description says of them.
+fn check(description: &Description, axes: &[Vec<f64>; 4]) -> Result<(), Error> {
+    let malformed = |what: String| Err(Error::Malformed(what));
+    for (parameter, nodes) in Parameter::ALL.into_iter().zip(axes) {
+        let name = parameter.name();
+        if nodes.is_empty() {
+            return malformed(format!("axis {name} is empty"));
+        }
+        if let Some(pair) = nodes.windows(2).find(|pair| pair[0].partial_cmp(&pair[1]) != Some(Ordering::Less)) {
+            return malformed(format!("axis {name} is not ascending: {:?} is followed by {:?}", pair[0], pair[1]));
+        }
+        let physical = |&node: &f64| match parameter {
+            Parameter::Nu1 => poisson_ratio(name, node).is_ok(),
+            Parameter::AOverT => REASONABLE.contains(&node),
+            // A rigid sphere or substrate is a fixed parameter, never a node among others.
+            Parameter::E1OverE2 => REASONABLE.contains(&node) || (node == 0.0 && nodes.len() == 1),
+            Parameter::E0OverE2 => REASONABLE.contains(&node) || (node == f64::INFINITY && nodes.len() == 1),
+        };
+        if let Some(node) = nodes.iter().find(|node| !physical(node)) {
+            return malformed(format!("axis {name} holds {node:?}"));
+        }
+        if let Some([low, high]) = too_close(parameter, nodes) {
+            return malformed(format!("axis {name} has nodes too close to each other: {low:?} and {high:?}"));
+        }
+    }
+    let rigid_sphere = axes[1][0] == 0.0;
+    if rigid_sphere != (description.normalisation == Normalisation::Film) {
+        let symbol = description.normalisation.symbol();
+        return malformed(format!("normalised by {symbol} with e1_over_e2 from {}", axes[1][0]));
+    }
+    if let Err(error) = poisson_ratio("nu0", description.nu0) {
+        return malformed(error.to_string());
+    }
+    Ok(())
 }
 
 /// The first neighbours on an axis that a spline could not tell apart, or that descend.

@@ -28,6 +28,11 @@ pub const fn default_points(axes: usize) -> usize {
     2500 * if axes == 0 { 1 } else { axes }
 }
 
+/// How many points certify this table, if nothing else is asked for.
+pub fn points_for(table: &Table) -> usize {
+    default_points(table.shape().iter().filter(|&&nodes| nodes > 1).count())
+}
+
 /// Compares the table with direct solves at `points` points, see [`measure`], and sums up.
 ///
 /// # Errors
@@ -154,11 +159,11 @@ pub fn sample(table: &Table, point: [f64; 4]) -> Result<Sample, Error> {
     let [a_over_t, e1, nu1, e0] = point;
     let description = table.description();
     let material = Material::new(e1, nu1, e0, description.nu0)?;
-    let held = || Quantity::ALL.into_iter().filter(|&quantity| table.values(quantity).is_some());
-    let solved = solve_for_table(a_over_t, &material, description.tolerance, Wanted::of(held()))?;
+    let held = table.quantities();
+    let solved = solve_for_table(a_over_t, &material, description.tolerance, Wanted::of(held.iter().copied()))?;
     let curve = table.curve(&material)?;
     let (mut error, mut quantity) = (-1.0, Quantity::Pi0);
-    for candidate in held() {
+    for candidate in held {
         let found = (curve.quantity(candidate, a_over_t)? / solved.get(candidate) - 1.0).abs();
         // NaN counts as the worst of all.
         if found > error || found.is_nan() {

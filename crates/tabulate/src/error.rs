@@ -37,6 +37,16 @@ pub enum Error {
         /// The estimated relative error that was reached; infinite where there is no answer at all.
         reached: f64,
     },
+    /// A low-rank form that rounding keeps from its error.
+    #[error(
+        "a low-rank form with an error of {error:.1e} is not within rounding: it has {reached:.1e}; ask for a larger tolerance"
+    )]
+    Truncation {
+        /// The relative error at the nodes that was asked for.
+        error: f64,
+        /// The smallest that was reached.
+        reached: f64,
+    },
     /// A scene that says something impossible.
     #[error("{}: {what}", path.display())]
     Scene {

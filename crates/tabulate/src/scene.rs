@@ -100,7 +100,7 @@ pub struct Scene {
 }
 
 /// The tolerances that a table can be asked for.
-const TOLERANCE: [f64; 2] = [1e-10, 1e-1];
+pub(crate) const TOLERANCE: [f64; 2] = [1e-10, 1e-1];
 /// More nodes on an axis, or values in a table, are taken for a mistake.
 const MOST_NODES: usize = 10_000;
 const MOST_VALUES: usize = 200_000_000;

@@ -6,7 +6,7 @@ use anyhow::ensure;
 use clap::value_parser;
 
 use super::{progress_bar, read_table, write_text};
-use crate::certify::certify;
+use crate::certify::{certify, points_for};
 
 /// Compare a table with direct solves at fresh random points
 ///
@@ -15,9 +15,9 @@ use crate::certify::certify;
 pub struct Arguments {
     /// The table, HDF5 or packed
     table: PathBuf,
-    /// Number of random points
-    #[arg(long, default_value_t = 4000, value_parser = value_parser!(u32).range(1..))]
-    points: u32,
+    /// Number of random points [default: 2500 for each axis]
+    #[arg(long, value_parser = value_parser!(u32).range(1..))]
+    points: Option<u32>,
     /// Seed of the random points [default: another than the certificate's]
     #[arg(long)]
     seed: Option<u64>,
@@ -27,7 +27,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let table = read_table(&arguments.table)?;
     let description = table.description();
     let seed = arguments.seed.unwrap_or(description.certificate.seed.wrapping_add(1));
-    let points = arguments.points as usize;
+    let points = arguments.points.map_or(points_for(&table), |points| points as usize);
     let bar = progress_bar(points, "checking");
     let measured = certify(&table, points, seed, &|count| bar.inc(count as u64))?;
     bar.finish_and_clear();

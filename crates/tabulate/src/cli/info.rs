@@ -4,7 +4,7 @@ use std::fmt::Write;
 use std::path::PathBuf;
 
 use interp::schema::Parameter;
-use interp::{Certificate, Quantity, Table};
+use interp::{Certificate, LowRank, Quantity, Table};
 
 use super::{read_table, write_text};
 
@@ -35,9 +35,11 @@ pub fn describe(table: &Table) -> Result<String, std::fmt::Error> {
             n => writeln!(text, "{:15} {first} to {last}, {n} nodes ({})", parameter.name(), parameter.scale())?,
         }
     }
+    if let Some([a, e1, nu, e0]) = table.low_rank().map(LowRank::ranks) {
+        writeln!(text, "{:15} {a} x {e1} x {nu} x {e0}", "low rank")?;
+    }
     writeln!(text, "{:15} {}", "nu0", description.nu0)?;
-    let held = Quantity::ALL.into_iter().filter(|&quantity| table.values(quantity).is_some());
-    let held: Vec<&str> = held.map(Quantity::name).collect();
+    let held: Vec<&str> = table.quantities().into_iter().map(Quantity::name).collect();
     writeln!(text, "{:15} {} (normalised by {})", "quantities", held.join(", "), description.normalisation.symbol())?;
     writeln!(text, "{:15} {:e}", "tolerance", description.tolerance)?;
     text += &describe_certificate(&description.certificate)?;

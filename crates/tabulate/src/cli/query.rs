@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use anyhow::Context;
-use interp::{Quantity, Table};
+use interp::Table;
 
 use super::points::{self, Point};
 use super::{read_table, write_text};
@@ -42,7 +42,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
 fn look_up(table: &Table, point: &Point) -> Result<[Option<f64>; 4], interp::Error> {
     let curve = table.curve(&point.material)?;
     let mut values = [None; 4];
-    for quantity in Quantity::ALL.into_iter().filter(|&quantity| table.values(quantity).is_some()) {
+    for quantity in table.quantities() {
         values[quantity as usize] = Some(curve.quantity(quantity, point.a_over_t)?);
     }
     Ok(values)

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use super::read_table;
 use crate::{archive, output};
 
-/// Convert a packed table back to HDF5, value for value
+/// Convert a packed table back to HDF5: value for value, or the values of a low-rank one at its nodes
 #[derive(clap::Args)]
 pub struct Arguments {
     /// The packed table
