@@ -21,6 +21,14 @@ fn lookup(criterion: &mut Criterion) {
     let mut point = || *next.next().expect("endless");
 
     criterion.bench_function("curve of a new material, paper table", |b| b.iter(|| table.curve(black_box(&material))));
+    let low_rank = Table::embedded();
+    let dense = low_rank.expand().expect("the nodes fit in memory");
+    for (form, table) in [("low-rank", low_rank), ("dense", &dense)] {
+        table.curve(&material).expect("in the table");
+        criterion.bench_function(&format!("curve of a new material, four axes, {form}"), |b| {
+            b.iter(|| table.curve(black_box(&material)))
+        });
+    }
     // What a curve would pay for the search in its keys, were they not uniform: one value, as many keys, in the same order of points.
     let key = |i: i32| {
         let u = 0.022 * f64::from(i) - 6.907_755;

@@ -5,7 +5,8 @@
 //! `E0/E2`), the [`Quantities`]. They are tabulated once, by the crate `tabulate`; this crate interpolates them and does the
 //! arithmetic of eqs. 2, 8 and 9:
 //!
-//! * [`Table::read`] (packed) and `Table::open` (HDF5, feature `hdf5`) load a table;
+//! * `Table::embedded` (feature `embedded`, on by default) is the table that comes with the crate; [`Table::read`] (packed) and `Table::open`
+//!   (HDF5, feature `hdf5`) load another;
 //! * [`Table::curve`] makes the [`Curve`] of one [`Material`]: the quantities as functions of `a/t`;
 //! * [`Table::contact`] makes the [`Contact`] of one [`System`] in SI units: load and penetration from contact radius and work of
 //!   adhesion;
@@ -34,6 +35,8 @@
 
 mod certificate;
 mod contact;
+#[cfg(feature = "embedded")]
+mod embedded;
 mod error;
 #[cfg(feature = "hdf5")]
 mod h5;

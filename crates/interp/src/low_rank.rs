@@ -91,7 +91,10 @@ impl LowRank {
     }
 
     /// The logarithms at all nodes with one `e1_over_e2`, row-major over `nu1`, `e0_over_e2`, `a_over_t` and the quantities held.
-    pub(crate) fn logarithms(&self, e1: usize) -> Vec<f64> {
+    ///
+    /// # Panics
+    /// If there is no node of this number.
+    pub fn logarithms(&self, e1: usize) -> Vec<f64> {
         let [a_over_t, ..] = &self.factors;
         let held = self.quantities.len();
         let row = |axis: usize, node: usize| &self.factors[axis][node * self.ranks[axis]..][..self.ranks[axis]];

@@ -157,14 +157,17 @@ impl Table {
             Content::Dense(values) => values,
         };
         let [n_a, n_e1, n_nu, n_e0] = self.shape();
-        let mut logarithms = Vec::with_capacity(n_a * n_nu * n_e0 * self.quantities().len());
-        for nu in 0..n_nu {
-            let es = film_limit(self, e1, nu);
-            for e0 in 0..n_e0 {
+        let held = self.quantities();
+        let mut logarithms = vec![0.0; n_a * n_nu * n_e0 * held.len()];
+        for (i, &quantity) in held.iter().enumerate() {
+            let Some(values) = &values[quantity as usize] else { continue };
+            for nu in 0..n_nu {
+                let scale = scale(quantity, film_limit(self, e1, nu));
                 for a in 0..n_a {
-                    let at = ((a * n_e1 + e1) * n_nu + nu) * n_e0 + e0;
-                    let held = Quantity::ALL.into_iter().zip(values).filter_map(|(q, values)| Some((q, values.as_ref()?[at])));
-                    logarithms.extend(held.map(|(quantity, value)| (value / scale(quantity, es)).ln()));
+                    let values = &values[((a * n_e1 + e1) * n_nu + nu) * n_e0..][..n_e0];
+                    for (e0, value) in values.iter().enumerate() {
+                        logarithms[((nu * n_e0 + e0) * n_a + a) * held.len() + i] = (value / scale).ln();
+                    }
                 }
             }
         }

@@ -7,9 +7,10 @@
 //!
 //! Everything but the measurement of errors, whose maximum knows no order, happens in one thread: the result depends on no number of threads.
 
+use std::borrow::Cow;
+
 use faer::Mat;
-use interp::schema::Parameter;
-use interp::{LowRank, Table};
+use interp::{LowRank, Quantity, Table};
 use rayon::prelude::*;
 
 use crate::Error;
@@ -29,20 +30,19 @@ const STEP: f64 = 3.0;
 /// # Errors
 /// [`Error::Truncation`] where rounding does not allow the error.
 pub fn compress(table: &Table, error: f64) -> Result<LowRank, Error> {
-    let mut core = Tensor::of(table);
-    let norm = |rms: f64| rms * (table.shape().iter().product::<usize>() as f64 * table.quantities().len() as f64).sqrt();
+    let logarithms = Tensor::of(table);
+    let norm = |rms: f64| rms * (logarithms.entries.len() as f64).sqrt();
     // What is left out here shows no more beside what is left out later.
     let least = norm(0.1 * TIGHTEST * error);
-    let mut factors = [const { Vec::new() }; 4];
+    let (mut core, mut factors) = (Cow::Borrowed(&logarithms), [const { Vec::new() }; 4]);
     // The first axes have the longest rows, and leave little for the last one.
     for axis in [1, 2, 3, 0] {
-        let factor = core.singular_vectors(MODES[axis], least);
-        core.project(MODES[axis], &factor);
-        factors[axis] = factor;
+        factors[axis] = core.singular_vectors(MODES[axis], least);
+        core = Cow::Owned(core.projected(MODES[axis], &factors[axis]));
     }
     let attempt = |share: f64| -> Result<(LowRank, f64), Error> {
-        let form = core.truncated(table, &factors, norm(share * error))?;
-        let reached = largest_error(table, &form)?;
+        let form = core.truncated(table.quantities(), &factors, norm(share * error))?;
+        let reached = logarithms.largest_difference(&form);
         Ok((form, reached))
     };
     let (mut best, reached) = attempt(TIGHTEST)?;
@@ -62,21 +62,11 @@ pub fn compress(table: &Table, error: f64) -> Result<LowRank, Error> {
     Ok(best)
 }
 
-/// The largest difference of the logarithms at the nodes, which is the largest relative error of the quantities.
-fn largest_error(table: &Table, form: &LowRank) -> Result<f64, Error> {
-    let truncated =
-        Table::from_low_rank(table.description().clone(), Parameter::ALL.map(|p| table.axis(p).to_vec()), form.clone())?;
-    let errors = (0..table.axis(Parameter::E1OverE2).len()).into_par_iter().map(|e1| {
-        let pairs = table.logarithms(e1).into_iter().zip(truncated.logarithms(e1));
-        pairs.map(|(exact, truncated)| (exact - truncated).abs()).fold(0.0, f64::max)
-    });
-    Ok(errors.reduce(|| 0.0, f64::max))
-}
-
 /// The modes of the tensor that belong to `a_over_t`, `e1_over_e2`, `nu1`, `e0_over_e2`.
 const MODES: [usize; 4] = [3, 0, 1, 2];
 
 /// The logarithms of a table, and what becomes of them.
+#[derive(Clone)]
 struct Tensor {
     /// `e1_over_e2`, `nu1`, `e0_over_e2`, `a_over_t`, quantities held; row-major.
     shape: [usize; 5],
@@ -87,9 +77,20 @@ impl Tensor {
     fn of(table: &Table) -> Self {
         let [n_a, n_e1, n_nu, n_e0] = table.shape();
         let shape = [n_e1, n_nu, n_e0, n_a, table.quantities().len()];
-        let mut entries = Vec::with_capacity(shape.iter().product());
-        (0..n_e1).for_each(|e1| entries.extend(table.logarithms(e1)));
+        let mut entries = vec![0.0; shape.iter().product()];
+        let slabs = entries.par_chunks_exact_mut(shape[1..].iter().product());
+        slabs.enumerate().for_each(|(e1, slab)| slab.copy_from_slice(&table.logarithms(e1)));
         Self { shape, entries }
+    }
+
+    /// The largest difference of the logarithms at the nodes from those of a low-rank form: the largest relative error of its quantities.
+    fn largest_difference(&self, form: &LowRank) -> f64 {
+        let slabs = self.entries.par_chunks_exact(self.shape[1..].iter().product());
+        let differences = slabs.enumerate().map(|(e1, slab)| {
+            let pairs = slab.iter().zip(form.logarithms(e1));
+            pairs.map(|(exact, truncated)| (exact - truncated).abs()).fold(0.0, f64::max)
+        });
+        differences.reduce(|| 0.0, f64::max)
     }
 
     /// The length of a mode, and of what varies faster.
@@ -124,8 +125,8 @@ impl Tensor {
         (0..length).flat_map(|i| (0..rank).map(move |k| (i, k))).map(|at| decomposition.U()[at]).collect()
     }
 
-    /// Replaces a mode by its components along the columns of a factor.
-    fn project(&mut self, mode: usize, factor: &[f64]) {
+    /// The tensor with the components along the columns of a factor in place of a mode.
+    fn projected(&self, mode: usize, factor: &[f64]) -> Self {
         let (length, inner) = self.mode(mode);
         let rank = factor.len() / length;
         let mut projected = vec![0.0; self.entries.len() / length * rank];
@@ -136,13 +137,14 @@ impl Tensor {
                 }
             }
         }
-        self.shape[mode] = rank;
-        self.entries = projected;
+        let mut shape = self.shape;
+        shape[mode] = rank;
+        Self { shape, entries: projected }
     }
 
     /// The low-rank form without the last indices of each mode, as many as leave out no more than `tail` (Frobenius norm), and with entries
     /// rounded to about as much.
-    fn truncated(&self, table: &Table, factors: &[Vec<f64>; 4], tail: f64) -> Result<LowRank, Error> {
+    fn truncated(&self, quantities: Vec<Quantity>, factors: &[Vec<f64>; 4], tail: f64) -> Result<LowRank, Error> {
         let ranks = MODES.map(|mode| rank(&self.energies(mode), tail));
         let [r_a, r_e1, r_nu, r_e0] = ranks;
         let [_, n_nu, n_e0, n_a, held] = self.shape;
@@ -161,7 +163,7 @@ impl Tensor {
             let rows = factors[axis].chunks_exact(self.shape[MODES[axis]]);
             rows.flat_map(|row| row[..ranks[axis]].iter().copied()).collect()
         };
-        Ok(LowRank::new(table.quantities(), ranks, std::array::from_fn(leading), step, &core)?)
+        Ok(LowRank::new(quantities, ranks, std::array::from_fn(leading), step, &core)?)
     }
 
     /// The sums of squares of the slices along a mode.
