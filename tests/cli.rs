@@ -1,6 +1,6 @@
 //! The command line: help, exit status, and what `solve`, `query`, `curve` and `info` print.
 
-use acceptance::{Contacts, Data, Desk, assert_names, held, larger, material, paper_system, shipped, table};
+use acceptance::{Contacts, Data, Desk, assert_names, larger, material, paper_system, shipped, table};
 use interp::{Material, Mechanics, Table};
 use serde_json::Value;
 use tabulate::solve::{Solution, solve};
@@ -57,7 +57,7 @@ fn the_help_of_every_command_has_its_arguments_and_the_program_says_whose_modulu
         ("query", &["TABLE", "--points", "-o", "--output"]),
         ("curve", &["TABLE", "--film-thickness", "--sphere-radius", "--work-of-adhesion", "--sphere-modulus", "-o", "--output"]),
         ("info", &["TABLE"]),
-        ("pack", &["TABLE.h5", "-o", "--output", "TABLE.bin"]),
+        ("pack", &["TABLE.h5", "-o", "--output", "TABLE.bin", "--tolerance", "--points", "--seed"]),
     ];
     let program = desk.succeed(&["--help"]);
     assert_names(&program, &["generate", "solve", "query", "curve", "info", "pack", "REDUCED", "E2* = E2/(1 - nu2^2)", "inf"]);
@@ -220,8 +220,7 @@ fn query_prints_what_the_library_looks_up_and_the_certificate() {
 
 /// The quantities at `x`, `None` where the table does not hold them.
 fn quantities_at(table: &Table, curve: &interp::Curve, x: f64) -> impl Iterator<Item = Option<f64>> {
-    let held = held(table);
-    interp::Quantity::ALL.map(|q| held.contains(&q).then(|| curve.quantity(q, x).expect("inside"))).into_iter()
+    interp::Quantity::ALL.map(|q| table.holds(q).then(|| curve.quantity(q, x).expect("inside"))).into_iter()
 }
 
 /// Wrong files of points, with words of the error that each must cause beside the file's name.

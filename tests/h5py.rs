@@ -4,7 +4,7 @@ use std::env;
 use std::path::Path;
 use std::process::Command;
 
-use acceptance::{bits, held, table};
+use acceptance::{bits, table};
 use interp::Table;
 use interp::schema::Parameter;
 use serde_json::{Value, json};
@@ -97,10 +97,10 @@ fn assert_reads(table: &Table, normalised_by: &str) {
         );
     }
 
-    let mut quantities: Vec<&str> = held(table).iter().map(|quantity| quantity.name()).collect();
+    let mut quantities: Vec<&str> = table.quantities().iter().map(|quantity| quantity.name()).collect();
     quantities.sort_unstable();
     assert_eq!(names("values"), quantities);
-    for quantity in held(table) {
+    for quantity in table.quantities() {
         let values = &file["groups"]["values"][quantity.name()];
         assert_eq!(values["dtype"], "float64");
         assert_eq!(values["shape"], json!(table.shape()));

@@ -13,6 +13,7 @@ use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 use tabulate::certify::certify;
 use tabulate::scene::Scene;
+use tabulate::solve::solve;
 use tabulate::sweep::sweep;
 use tempfile::TempDir;
 
@@ -209,9 +210,33 @@ pub fn ends(table: &Table, parameter: Parameter) -> (f64, f64) {
     (nodes[0], nodes[nodes.len() - 1])
 }
 
-/// The quantities that a table holds.
-pub fn held(table: &Table) -> Vec<Quantity> {
-    Quantity::ALL.into_iter().filter(|&quantity| table.values(quantity).is_some()).collect()
+/// The tolerance of the direct solves that are taken for the truth.
+pub const TRUTH: f64 = 1e-11;
+
+/// The largest relative error of the quantities that a table holds, at one point of it.
+///
+/// # Panics
+/// If the point is not inside, or out of reach of the solve.
+pub fn error_at(table: &Table, x: f64, material: &Material) -> f64 {
+    let truth = solve(x, material, TRUTH).expect("moderate contrasts converge").quantities;
+    let curve = table.curve(material).expect("a material inside the box");
+    let error = |quantity| (curve.quantity(quantity, x).expect("a held quantity inside the box") / truth.get(quantity) - 1.0).abs();
+    table.quantities().into_iter().map(error).fold(0.0, larger)
+}
+
+/// CRC-32 of zip and PNG, bit by bit.
+fn checksum(bytes: &[u8]) -> u32 {
+    !bytes.iter().fold(!0_u32, |crc, &byte| {
+        (0..8).fold(crc ^ u32::from(byte), |crc, _| if crc & 1 == 1 { crc >> 1 ^ 0xedb8_8320 } else { crc >> 1 })
+    })
+}
+
+/// Bytes before the payload of the packed form.
+pub const PREFIX: usize = 24;
+
+/// A packed table with another payload, whose length and checksum are right.
+pub fn with_payload(packed: &[u8], payload: &[u8]) -> Vec<u8> {
+    [&packed[..12], &(payload.len() as u64).to_le_bytes(), &checksum(payload).to_le_bytes(), payload].concat()
 }
 
 /// The bits of numbers: equal bits are more than equal values, and say so of NaN.

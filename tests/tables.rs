@@ -2,7 +2,7 @@
 
 use std::sync::LazyLock;
 
-use acceptance::{Contacts, Desk, all_bits, held, larger, material, shipped, table};
+use acceptance::{Contacts, Desk, TRUTH, all_bits, error_at, larger, material, shipped, table};
 use interp::schema::Parameter;
 use interp::{Error, Normalisation, Quantities, Quantity, Table};
 use tabulate::solve::solve;
@@ -12,8 +12,6 @@ use tabulate::sweep::solve_tolerance;
 const AT_NODES: f64 = 5e-14;
 /// Largest relative error of stored values where solves to 1e-6 were asked for. Measured: 2.0e-8.
 const STORED: f64 = 5e-7;
-/// The tolerance of the direct solves that are taken for the truth.
-const TRUTH: f64 = 1e-11;
 /// By how much the largest error of some hundred fresh points may exceed that of a certificate's points. Measured: 1.5.
 const BEYOND_CERTIFICATE: f64 = 3.0;
 /// The median errors of two independent samples of the same table agree within this factor. Measured: 1.2.
@@ -77,14 +75,6 @@ const TIGHT: &str = "
     e0_over_e2 = 1e5
 ";
 static FOUR_AXES: LazyLock<Table> = LazyLock::new(|| table(BOX));
-
-/// The largest relative error of the quantities that a table holds, at one point of it.
-fn error_at(table: &Table, x: f64, material: &interp::Material) -> f64 {
-    let truth = solve(x, material, TRUTH).expect("moderate contrasts converge").quantities;
-    let curve = table.curve(material).expect("a material inside the box");
-    let error = |quantity| (curve.quantity(quantity, x).expect("a held quantity inside the box") / truth.get(quantity) - 1.0).abs();
-    held(table).into_iter().map(error).fold(0.0, larger)
-}
 
 /// Compares a table with direct solves at fresh random points: within its tolerance, and like its certificate.
 fn assert_certified(table: &Table, seed: u64, points: usize) {
@@ -202,12 +192,12 @@ fn a_fixed_parameter_has_one_node_and_settles_the_normalisation() {
 #[test]
 fn only_the_quantities_of_the_scene_are_held_and_another_is_an_error_that_names_it() {
     let table = table(TWO_QUANTITIES);
-    assert_eq!(held(&table), [Quantity::Eeq, Quantity::Delta0]);
+    assert_eq!(table.quantities(), [Quantity::Eeq, Quantity::Delta0]);
     let curve = table.curve(&material([1.75, 0.5, 1e5, 0.25])).expect("the scene's material");
     for quantity in Quantity::ALL {
-        match (curve.quantity(quantity, 1.0), table.values(quantity)) {
-            (Ok(value), Some(_)) => assert!(value > 0.0),
-            (Err(error @ Error::MissingQuantity(name)), None) => {
+        match (curve.quantity(quantity, 1.0), table.holds(quantity)) {
+            (Ok(value), true) => assert!(value > 0.0),
+            (Err(error @ Error::MissingQuantity(name)), false) => {
                 assert_eq!(name, quantity.name());
                 assert!(error.to_string().contains(name), "{error}");
             }
@@ -301,7 +291,7 @@ fn a_table_of_the_stiffness_alone_holds_the_same_stiffness() {
         )
     };
     let (alone, all) = (table(&scene("['eeq']")), table(&scene("['pi0', 'eeq', 'gamma', 'delta0']")));
-    assert_eq!(held(&alone), [Quantity::Eeq]);
+    assert_eq!(alone.quantities(), [Quantity::Eeq]);
     let [alone, all] = [alone, all].map(|table| table.values(Quantity::Eeq).expect("it is asked for").to_vec());
     let apart = alone.iter().zip(&all).map(|(alone, all)| (alone / all - 1.0).abs()).fold(0.0, larger);
     println!("stiffness alone: {apart:.1e} from that of all four");

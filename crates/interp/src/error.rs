@@ -65,7 +65,7 @@ pub enum Error {
     /// Bytes that are no table of this project.
     #[error("not a coated-contact table: {0}")]
     Foreign(String),
-    /// A table written by a later version of the format.
+    /// A table in another version of the format.
     #[error("the table has format version {found}, this program reads version {supported}")]
     Version {
         /// The version in the file.

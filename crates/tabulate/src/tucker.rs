@@ -157,7 +157,9 @@ impl Tensor {
                 }
             }
         }
-        let step = STEP * tail / (kept.len() as f64).sqrt();
+        // Finer steps than those of f64 at the largest entry are of no use.
+        let largest = kept.iter().fold(f64::MIN_POSITIVE, |largest, entry| largest.max(entry.abs()));
+        let step = (STEP * tail / (kept.len() as f64).sqrt()).max(f64::EPSILON * largest);
         let core: Vec<i64> = kept.iter().map(|entry| (entry / step).round() as i64).collect();
         let leading = |axis: usize| {
             let rows = factors[axis].chunks_exact(self.shape[MODES[axis]]);

@@ -1,0 +1,345 @@
+//! Low-rank tables: what is left of a table, in how few bytes, and whether it keeps what it says.
+
+use std::process::Command;
+use std::sync::LazyLock;
+
+use acceptance::{Contacts, Desk, PREFIX, all_bits, assert_names, error_at, larger, shipped, table, with_payload};
+use interp::schema::Parameter;
+use interp::{Description, Error, LowRank, Quantity, Table};
+use tabulate::{archive, tucker};
+
+/// Four axes.
+const BOX: &str = "
+    title      = 'Four axes'
+    tolerance  = 1e-6
+    a_over_t   = { from = 0.1, to = 10, nodes = 30 }
+    e1_over_e2 = { from = 0.3, to = 3, nodes = 14 }
+    nu1        = { from = 0.3, to = 0.5, nodes = 13 }
+    e0_over_e2 = { from = 10, to = 100, nodes = 10 }
+";
+/// Three axes, the sphere rigid: all is normalised by `E1*`.
+const RIGID_SPHERE: &str = "
+    title      = 'Rigid sphere'
+    tolerance  = 1e-4
+    quantities = ['eeq', 'delta0']
+    a_over_t   = { from = 0.1, to = 10, nodes = 20 }
+    e1_over_e2 = 0
+    nu1        = { from = 0.3, to = 0.45, nodes = 9 }
+    e0_over_e2 = { from = 1, to = 100, nodes = 9 }
+";
+const TWO_AXES: &str = "
+    title      = 'Rigid substrate'
+    tolerance  = 1e-4
+    quantities = ['pi0', 'gamma', 'delta0']
+    a_over_t   = { from = 0.1, to = 10, nodes = 20 }
+    e1_over_e2 = { from = 0.3, to = 3, nodes = 12 }
+    nu1        = 0.5
+    e0_over_e2 = inf
+";
+const ONE_AXIS: &str = "
+    title      = 'One material'
+    tolerance  = 1e-4
+    quantities = ['eeq']
+    a_over_t   = { from = 0.1, to = 10, nodes = 20 }
+    e1_over_e2 = 1.75
+    nu1        = 0.5
+    e0_over_e2 = 1e5
+";
+/// Without `a/t`.
+const ONE_RADIUS: &str = "
+    title      = 'One contact radius'
+    tolerance  = 1e-4
+    a_over_t   = 1
+    e1_over_e2 = { from = 0.3, to = 3, nodes = 12 }
+    nu1        = { from = 0.3, to = 0.5, nodes = 9 }
+    e0_over_e2 = inf
+";
+
+static FOUR_AXES: LazyLock<Table> = LazyLock::new(|| table(BOX));
+
+/// A small low-rank table, packed.
+static PACKED: LazyLock<Vec<u8>> = LazyLock::new(|| low_rank(&table(RIGID_SPHERE), 1e-4).to_packed().expect("a small table"));
+
+fn axes(table: &Table) -> [Vec<f64>; 4] {
+    Parameter::ALL.map(|parameter| table.axis(parameter).to_vec())
+}
+
+fn low_rank(table: &Table, error: f64) -> Table {
+    let form = tucker::compress(table, error).expect("above rounding");
+    Table::from_low_rank(table.description().clone(), axes(table), form).expect("a form of this table")
+}
+
+fn desk() -> Desk {
+    Desk::new(env!("CARGO_BIN_EXE_tabulate-under-test"))
+}
+
+/// The largest relative difference of the values of two tables at their nodes.
+fn apart(found: &Table, expected: &Table) -> f64 {
+    assert_eq!((found.quantities(), axes(found)), (expected.quantities(), axes(expected)));
+    let of = |quantity| {
+        let [found, expected] = [found, expected].map(|table| table.values(quantity).expect("a dense table holds them"));
+        found.iter().zip(expected).map(|(found, expected)| (found / expected - 1.0).abs()).fold(0.0, larger)
+    };
+    expected.quantities().into_iter().map(of).fold(0.0, larger)
+}
+
+#[test]
+fn at_the_nodes_a_low_rank_table_has_the_error_it_was_given_and_between_them_the_splines_through_its_values() {
+    /// How much of its error a form uses at least, if its core is more than one number. Measured: 0.43.
+    const USED: f64 = 0.3;
+    /// The largest difference of the curves of both forms. Measured: 3.1e-13.
+    const SAME_SPLINE: f64 = 1e-12;
+    for scene in [BOX, RIGID_SPHERE, TWO_AXES, ONE_AXIS, ONE_RADIUS] {
+        let dense = table(scene);
+        assert!(dense.low_rank().is_none() && matches!(dense.expand(), Ok(std::borrow::Cow::Borrowed(_))));
+        for error in [1e-2, 1e-4, 1e-6, 1e-9, 1e-12] {
+            let low_rank = low_rank(&dense, error);
+            let form = low_rank.low_rank().expect("it is low-rank");
+            assert!(Quantity::ALL.into_iter().all(|q| low_rank.values(q).is_none() && low_rank.holds(q) == dense.holds(q)));
+            let expanded = low_rank.expand().expect("positive values");
+            let reached = apart(&expanded, &dense);
+            let mut contacts = Contacts::new(60);
+            let mut different = 0.0;
+            for _ in 0..200 {
+                let (x, material) = contacts.point_of(&dense);
+                let [a, b] = [&low_rank, &*expanded].map(|table| table.curve(&material).expect("inside"));
+                for quantity in dense.quantities() {
+                    let [a, b] = [&a, &b].map(|curve| curve.quantity(quantity, x).expect("inside"));
+                    different = larger(different, (a / b - 1.0).abs());
+                }
+            }
+            let packed = low_rank.to_packed().expect("a small table");
+            println!(
+                "{}: error {error:e}: {reached:.1e} with ranks {:?} in {} bytes; the curves of both forms differ by {different:.1e}",
+                dense.description().title,
+                form.ranks(),
+                packed.len()
+            );
+            // Rounding of logarithm and exponential.
+            assert!(reached <= error * (1.0 + error) + 1e-14, "{reached:.1e}");
+            assert!(reached >= USED * error || form.ranks() == [1; 4], "{reached:.1e}");
+            assert!(different <= SAME_SPLINE);
+            let again = Table::from_packed(&packed).expect("a sound table");
+            assert_eq!(again.description(), low_rank.description());
+            assert_eq!(again.to_packed().expect("a small table"), packed);
+            assert_eq!(all_bits(&again.expand().expect("positive values")), all_bits(&expanded));
+        }
+    }
+}
+
+#[test]
+fn an_error_below_rounding_is_refused_with_what_was_reached() {
+    match tucker::compress(&FOUR_AXES, 1e-17) {
+        Err(error @ tabulate::Error::Truncation { .. }) => assert_names(&error.to_string(), &["1.0e-17", "larger tolerance"]),
+        other => panic!("{other:?}"),
+    }
+}
+
+#[test]
+fn packing_keeps_the_tolerance_at_fresh_points_and_says_so() {
+    let desk = desk();
+    archive::write(&FOUR_AXES, &desk.path("table.h5")).expect("written");
+    let own = FOUR_AXES.description().certificate;
+    let mut sizes = Vec::new();
+    for tolerance in ["1e-3", "1e-4", "1e-5", "1e-6"] {
+        let summary = desk.succeed(&["pack", "table.h5", "-o", "table.bin", "--tolerance", tolerance, "--points", "1000"]);
+        let packed = Table::read(desk.path("table.bin")).expect("a sound table");
+        let (value, ranks) = (tolerance.parse::<f64>().expect("a number"), packed.low_rank().expect("low-rank").ranks());
+        let description = packed.description();
+        let certificate = &description.certificate;
+        assert_eq!((description.tolerance, certificate.points, certificate.seed), (value, 1000, own.seed + 1));
+        assert_eq!(description, &Description { tolerance: value, certificate: *certificate, ..FOUR_AXES.description().clone() });
+        assert!(certificate.max_error <= value);
+        let size = desk.read("table.bin").len();
+        let [a, e1, nu, e0] = ranks;
+        let form = format!("{a} x {e1} x {nu} x {e0}");
+        assert_names(&summary, &["low rank", &form, tolerance, "table.bin", &format!("{size} bytes"), "1000 direct solves"]);
+        assert_names(&desk.succeed(&["info", "table.bin"]), &[&form, "30 nodes", "low rank"]);
+
+        let mut contacts = Contacts::new(61);
+        let worst =
+            (0..500).map(|_| contacts.point_of(&packed)).map(|(x, material)| error_at(&packed, x, &material)).fold(0.0, larger);
+        println!("{tolerance}: {form}, {size} bytes, certified {:.1e}, at 500 fresh points {worst:.1e}", certificate.max_error);
+        assert!(worst <= value);
+        sizes.push(size);
+
+        // The certificate holds for the values at the nodes as well.
+        desk.succeed(&["unpack", "table.bin", "-o", "unpacked.h5"]);
+        let unpacked = Table::open(desk.path("unpacked.h5")).expect("a sound table");
+        assert_eq!(unpacked.description(), description);
+        assert_eq!(all_bits(&unpacked), all_bits(&packed.expand().expect("positive values")));
+        for name in ["table.bin", "unpacked.h5"] {
+            assert_names(&desk.succeed(&["check", name, "--points", "300"]), &["300 points", "certified max"]);
+        }
+    }
+    assert!(sizes.is_sorted_by(|a, b| a < b), "{sizes:?}");
+    let dense = desk.read("table.h5").len();
+    println!("dense: {dense} bytes, {} times as many as at 1e-6", dense / sizes[3]);
+    // Measured: 71.
+    assert!(dense > 50 * sizes[3]);
+    // Every command takes it; ten thousand points compare a table with four axes.
+    desk.write("points.csv", "a_over_t,e1_over_e2,nu1,e0_over_e2\n1,1,0.4,30\n");
+    assert_eq!(desk.succeed(&["query", "table.bin", "--points", "points.csv"]).lines().count(), 2);
+    assert_names(&desk.succeed(&["check", "table.bin"]), &["10000 points"]);
+}
+
+#[test]
+fn the_same_table_gives_the_same_bytes_on_any_number_of_threads() {
+    let threads = |count| rayon::ThreadPoolBuilder::new().num_threads(count).build().expect("threads");
+    let packed = |count| threads(count).install(|| low_rank(&FOUR_AXES, 1e-6).to_packed().expect("a small table"));
+    assert!(packed(1) == packed(3));
+}
+
+#[test]
+fn what_cannot_be_packed_to_a_tolerance_is_said_and_nothing_is_written() {
+    let desk = desk();
+    archive::write(&FOUR_AXES, &desk.path("table.h5")).expect("written");
+    let certified = format!("{:.1e}", FOUR_AXES.description().certificate.max_error);
+    let pack = |tolerance| ["pack", "table.h5", "-o", "table.bin", "--tolerance", tolerance];
+    for (tolerance, words) in [
+        ("1e-11", ["tolerance", "1e-11", "1e-10 to 1e-1"]),
+        ("0.2", ["tolerance", "0.2", "1e-10 to 1e-1"]),
+        ("-1", ["tolerance", "-1", "1e-10 to 1e-1"]),
+        ("nan", ["tolerance", "NaN", "1e-10 to 1e-1"]),
+        ("1e-8", ["table.h5", &certified, "1e-8"]),
+    ] {
+        assert_names(&desk.fail(1, &pack(tolerance)), &words);
+    }
+    // A certificate that says too little is found out.
+    let mut wrong = FOUR_AXES.clone();
+    wrong.set_certificate(interp::Certificate { max_error: 1e-12, ..FOUR_AXES.description().certificate });
+    archive::write(&wrong, &desk.path("wrong.h5")).expect("written");
+    let message = desk.fail(1, &["pack", "wrong.h5", "-o", "table.bin", "--tolerance", "1e-8", "--points", "200"]);
+    assert_names(&message, &["wrong.h5", "measured error", "1e-8", "1.0e-12"]);
+    for argument in ["--points", "--seed"] {
+        assert_names(&desk.fail(2, &["pack", "table.h5", "-o", "table.bin", argument, "5"]), &["--tolerance"]);
+    }
+    assert_eq!(desk.files(), ["table.h5", "wrong.h5"]);
+}
+
+#[test]
+fn a_forged_form_is_an_error_or_a_table_that_can_be_looked_up() {
+    let payload = &PACKED[PREFIX..];
+    let sound = Table::from_packed(&with_payload(&PACKED, payload)).expect("as it was");
+    assert_eq!(sound.to_packed().expect("a small table"), *PACKED);
+    for length in 0..payload.len() {
+        let result = Table::from_packed(&with_payload(&PACKED, &payload[..length]));
+        assert!(matches!(result, Err(Error::Malformed(_))), "{length} bytes: {result:?}");
+    }
+    let longer = Table::from_packed(&with_payload(&PACKED, &[payload, &[0]].concat()));
+    assert!(matches!(longer, Err(Error::Malformed(_))), "{longer:?}");
+    let (mut bytes, mut tables) = (payload.to_vec(), 0);
+    let material = acceptance::material([0.0, 0.4, 10.0, 0.25]);
+    for at in 0..bytes.len() {
+        for change in [0x01, 0x80, 0xff] {
+            bytes[at] ^= change;
+            match Table::from_packed(&with_payload(&PACKED, &bytes)) {
+                Ok(table) => {
+                    // Neither may panic, whatever they return.
+                    let _ = (table.curve(&material), table.expand());
+                    tables += 1;
+                }
+                Err(error) => assert!(matches!(error, Error::Malformed(_)), "byte {at}: {error}"),
+            }
+            bytes[at] ^= change;
+        }
+    }
+    println!("{} forgeries, of which {tables} are tables", 3 * bytes.len());
+}
+
+/// Each list of the content, said to be longer than any file, in a process that may not have the memory.
+#[cfg(unix)]
+#[test]
+fn nothing_is_allocated_on_the_word_of_a_file() {
+    let desk = desk();
+    let table = Table::from_packed(&PACKED).expect("as it was");
+    let ranks = table.low_rank().expect("low-rank").ranks();
+    let payload = &PACKED[PREFIX..];
+    // The content begins with the ranks, a byte each, and the length of the first factor; each list is found by its length.
+    let start = (0..payload.len()).find(|&at| payload[at..].starts_with(&ranks.map(|rank| rank as u8))).expect("the ranks");
+    let mut at = start + 4;
+    let mut lengths = Vec::new();
+    for (parameter, rank) in Parameter::ALL.into_iter().zip(ranks) {
+        lengths.push(at);
+        let count = rank * table.axis(parameter).len();
+        assert_eq!(usize::from(payload[at]), count, "one byte holds the length");
+        at += 1 + 8 * count;
+    }
+    lengths.push(at + 8);
+    let program = env!("CARGO_BIN_EXE_tabulate-under-test");
+    for at in lengths {
+        let size = if payload[at] == 251 { 3 } else { 1 };
+        for claimed in [1_u64 << 27, 1 << 32, 1 << 60, u64::MAX] {
+            let forged = [&payload[..at], &[253], &claimed.to_le_bytes(), &payload[at + size..]].concat();
+            let path = desk.write("forged.bin", with_payload(&PACKED, &forged));
+            let limited = format!("ulimit -v 262144 && exec {program} info {}", path.display());
+            let output = Command::new("sh").args(["-c", &limited]).output().expect("a shell");
+            let message = String::from_utf8_lossy(&output.stderr);
+            assert_eq!(output.status.code(), Some(1), "{claimed} at {at}: {message}");
+            assert_names(&message, &["the table is malformed"]);
+        }
+    }
+}
+
+#[test]
+fn a_form_whose_parts_contradict_each_other_is_malformed() {
+    let held = || vec![Quantity::Pi0, Quantity::Eeq];
+    let factors = || [vec![0.5; 6], vec![0.5; 3], vec![0.5; 4], vec![1.0]];
+    let core = [1, 2, 3, -4];
+    let sound = LowRank::new(held(), [2, 1, 1, 1], factors(), 0.1, &core).expect("sound");
+    assert_eq!((sound.ranks(), sound.quantities()), ([2, 1, 1, 1], &held()[..]));
+    let logarithms = sound.logarithms(0);
+    assert_eq!(logarithms.len(), 4 * 3 * 2);
+    // step * F1 * F2 * F3 * (F0 core), by hand.
+    for (found, expected) in logarithms.iter().zip([0.05, -0.025].iter().cycle()) {
+        assert!((found - expected).abs() < 1e-16, "{logarithms:?}");
+    }
+    let with = |axis: usize, factor: Vec<f64>| {
+        let mut factors = factors();
+        factors[axis] = factor;
+        LowRank::new(held(), [2, 1, 1, 1], factors, 0.1, &core)
+    };
+    let wrong = [
+        LowRank::new(vec![], [2, 1, 1, 1], factors(), 0.1, &[]),
+        LowRank::new(vec![Quantity::Eeq, Quantity::Pi0], [2, 1, 1, 1], factors(), 0.1, &core),
+        LowRank::new(vec![Quantity::Eeq; 2], [2, 1, 1, 1], factors(), 0.1, &core),
+        LowRank::new(held(), [2, 0, 1, 1], factors(), 0.1, &[]),
+        LowRank::new(held(), [2, 1, 1, 2], factors(), 0.1, &[1; 8]),
+        LowRank::new(held(), [2, 1, 1, 1], factors(), 0.1, &core[..3]),
+        LowRank::new(held(), [usize::MAX, 1, 1, 1], factors(), 0.1, &core),
+        LowRank::new(held(), [2, 1, 1, 1], factors(), 0.0, &core),
+        LowRank::new(held(), [2, 1, 1, 1], factors(), f64::NAN, &core),
+        LowRank::new(held(), [2, 1, 1, 1], factors(), 0.1, &[1, 2, 3, i64::MIN]),
+        with(0, vec![0.5; 5]),
+        with(0, vec![0.5; 2]),
+        with(1, vec![0.5, f64::NAN]),
+        with(2, vec![f64::INFINITY]),
+        with(3, vec![]),
+        // More values than are ever made.
+        LowRank::new(held(), [1; 4], [200; 4].map(|nodes| vec![0.1; nodes]), 0.1, &[1, 1]),
+    ];
+    for (i, wrong) in wrong.iter().enumerate() {
+        assert!(matches!(wrong, Err(Error::Malformed(_))), "{i}: {wrong:?}");
+    }
+    let table = &*FOUR_AXES;
+    let misfit = Table::from_low_rank(table.description().clone(), axes(table), sound);
+    assert!(matches!(misfit, Err(Error::Malformed(_))), "{misfit:?}");
+}
+
+#[test]
+fn the_embedded_table_is_the_default_box_and_as_accurate_as_it_says() {
+    let table = Table::embedded();
+    let description = table.description();
+    let certificate = &description.certificate;
+    assert_eq!(description.scene, std::fs::read_to_string(shipped("default.toml")).expect("the scene is there"));
+    assert!(table.low_rank().is_some() && table.quantities() == Quantity::ALL);
+    let ends = Parameter::ALL.map(|parameter| acceptance::ends(table, parameter));
+    assert_eq!(ends, [(1e-3, 1e3), (1e-3, 1e3), (0.0, 0.5), (1.0, 1e6)]);
+    assert!(certificate.points >= 10_000 && certificate.max_error <= description.tolerance, "{certificate:?}");
+    let size = table.to_packed().expect("it was packed").len();
+    assert!(size <= 2_000_000, "{size} bytes");
+    // Its own way of placing points, which finds the edges and corners of the box; truth as accurate as the tolerance needs.
+    let measured = tabulate::certify::certify(table, 1000, certificate.seed + 1, &|_| {}).expect("within reach");
+    println!("{size} bytes, certified {:.1e}, at 1000 fresh points {:.1e}", certificate.max_error, measured.max_error);
+    assert!(measured.max_error <= description.tolerance);
+}
