@@ -175,8 +175,8 @@ fn packing_keeps_the_tolerance_at_fresh_points_and_says_so() {
     assert!(sizes.is_sorted_by(|a, b| a < b), "{sizes:?}");
     let dense = desk.read("table.h5").len();
     println!("dense: {dense} bytes, {} times as many as at 1e-6", dense / sizes[3]);
-    // Measured: 71.
-    assert!(dense > 50 * sizes[3]);
+    // Measured: 77.
+    assert!(dense > 60 * sizes[3]);
     // Every command takes it; ten thousand points compare a table with four axes.
     desk.write("points.csv", "a_over_t,e1_over_e2,nu1,e0_over_e2\n1,1,0.4,30\n");
     assert_eq!(desk.succeed(&["query", "table.bin", "--points", "points.csv"]).lines().count(), 2);
