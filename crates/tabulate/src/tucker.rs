@@ -15,14 +15,14 @@ use rayon::prelude::*;
 
 use crate::Error;
 
-/// The root mean square of what is left out along each mode, over the largest error allowed anywhere: the bounds of the search. The truth is
-/// between a twentieth and a fiftieth in the default box.
+/// The root mean square of what is left out along each mode, over the largest error allowed anywhere: the bounds of the search. In the default
+/// box it ends between a twentieth and a fiftieth.
 const LOOSEST: f64 = 1.0;
 const TIGHTEST: f64 = 1e-3;
 /// Each halves the range of its logarithm, to 3 % at last.
 const BISECTIONS: usize = 8;
-/// The step of the core, over the step whose rounding would have this root mean square at the nodes times the square root of 12. More shows in
-/// the error, less in the bytes.
+/// The step of the core in units of the root mean square that is left out along a mode, spread over the entries of the core: rounding then adds
+/// `3/sqrt(12)` of what each truncation does. More shows in the error, less in the bytes.
 const STEP: f64 = 3.0;
 
 /// A table in low-rank form, with about as few bytes as its largest relative error at the nodes allows.
