@@ -12,6 +12,7 @@ use interp::{Certificate, Description, Elastic, Material, Quantities, Quantity, 
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 use tabulate::certify::certify;
+use tabulate::plan::Plan;
 use tabulate::scene::Scene;
 use tabulate::sweep::sweep;
 use tempfile::TempDir;
@@ -182,18 +183,19 @@ impl Contacts {
 /// If the scene is wrong or a point is not solved.
 pub fn table(scene: &str) -> Table {
     let scene = Scene::parse(scene, None).expect("the tests' scenes are sound");
-    let values = sweep(&scene, &|_| {}).expect("the tests' scenes are within reach");
-    let [_, e1, nu1, e0] = scene.axes.each_ref().map(|axis| axis[0]);
+    let axes = Plan::new(&scene).expect("the tests' scenes are within reach").axes();
+    let values = sweep(&scene, &axes, &|_| {}).expect("the tests' scenes are within reach");
+    let normalisation = scene.material([axes[1][0], axes[2][0], axes[3][0]]).expect("physical").normalisation();
     let description = Description {
         title: scene.title,
         scene: scene.text,
         nu0: scene.nu0,
-        normalisation: material([e1, nu1, e0, scene.nu0]).normalisation(),
+        normalisation,
         tolerance: scene.tolerance,
         created_by: "acceptance tests".into(),
         certificate: Certificate { max_error: f64::NAN, median_error: f64::NAN, points: 0, seed: 0, details: None },
     };
-    let mut table = Table::new(description, scene.axes, values).expect("a sweep makes a whole table");
+    let mut table = Table::new(description, axes, values).expect("a sweep makes a whole table");
     table.set_certificate(certify(&table, 400, 1, &|_| {}).expect("the tests' scenes are within reach"));
     table
 }
