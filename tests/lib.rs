@@ -5,7 +5,7 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
+use std::process::{Child, Command, Stdio};
 
 use interp::schema::Parameter;
 use interp::{Certificate, Description, Elastic, Material, Quantities, Quantity, System, Table};
@@ -299,8 +299,36 @@ impl Desk {
     /// # Panics
     /// If it cannot be run, is killed, or prints something that is no UTF-8.
     pub fn run(&self, args: &[&str]) -> Run {
+        self.end(args, self.start(args))
+    }
+
+    /// Starts the program in the folder, its output caught.
+    ///
+    /// # Panics
+    /// If it cannot be started.
+    pub fn start(&self, args: &[&str]) -> Child {
         let mut command = Command::new(self.program);
-        let output = command.args(args).current_dir(self.folder.path()).stdin(Stdio::null()).output().expect("the program runs");
+        command.args(args).current_dir(self.folder.path()).stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
+        command.spawn().expect("the program starts")
+    }
+
+    /// Runs a shell script in the folder, in which `$0` is the program.
+    ///
+    /// # Panics
+    /// As [`Desk::run`].
+    pub fn script(&self, script: &str) -> Run {
+        let mut command = Command::new("sh");
+        command.args(["-c", script, self.program]).current_dir(self.folder.path()).stdin(Stdio::null());
+        command.stdout(Stdio::piped()).stderr(Stdio::piped());
+        self.end(&[script], command.spawn().expect("the shell starts"))
+    }
+
+    /// What a program leaves when it has ended.
+    ///
+    /// # Panics
+    /// As [`Desk::run`].
+    pub fn end(&self, args: &[&str], child: Child) -> Run {
+        let output = child.wait_with_output().expect("the program runs");
         let text = |bytes| String::from_utf8(bytes).expect("UTF-8");
         let status = output.status.code().unwrap_or_else(|| panic!("{args:?}: {}", output.status));
         Run { status, stdout: text(output.stdout), stderr: text(output.stderr) }

@@ -48,8 +48,10 @@ pub struct Generated {
     pub table: Table,
     /// The certificates of the tables before, which exceeded the tolerance, and the nodes they had.
     pub refined: Vec<([usize; 4], Certificate)>,
-    /// Points solved for the nodes, here and in the generation that was resumed.
+    /// Points solved for the nodes, refined away ones included.
     pub points: usize,
+    /// How many of them an interrupted generation had solved.
+    pub resumed: usize,
     /// Time until the table was solved, without the certificate, since the start of this process's share.
     pub solved: Duration,
 }
@@ -92,9 +94,11 @@ pub fn generate(scene: &Scene, path: &Path, options: &Options, observer: &dyn Ob
 fn run(scene: &Scene, path: &Path, options: &Options, observer: &dyn Observer, journal: &mut Journal) -> Result<Generated, Error> {
     let start = Instant::now();
     let deadline = options.budget.map(|budget| start + budget);
+    let mut resumed = 0;
     let (mut round, mut plan) = match journal.header().filter(|_| options.resume) {
         Some(header) => {
             same_run(header, scene, path)?;
+            resumed = journal.finished() * (header.plan.points() / header.plan.shape()[0]);
             (header.round, header.plan.clone())
         }
         None => {
@@ -134,7 +138,7 @@ fn run(scene: &Scene, path: &Path, options: &Options, observer: &dyn Observer, j
             }
             None => {
                 archive::write_through(&table, path, &beside(&Journal::path(path), "h5"))?;
-                return Ok(Generated { table, refined, points, solved });
+                return Ok(Generated { table, refined, points, resumed, solved });
             }
         }
     }
@@ -155,12 +159,14 @@ fn sweep(
     for piece in 0..sweep.pieces() {
         let solved = match journal.values(piece, sweep.values())? {
             Some(solved) => solved,
-            None if deadline.is_some_and(|deadline| Instant::now() >= deadline) => {
-                return Err(Error::Budget { finished: journal.finished() * sweep.points(), total });
-            }
             None => {
                 let solved = sweep.solve(piece, &|count| observer.advance(count))?;
                 journal.add(piece, &solved)?;
+                // After a piece, so that the smallest budget gets further.
+                let finished = journal.finished();
+                if finished < sweep.pieces() && deadline.is_some_and(|deadline| Instant::now() >= deadline) {
+                    return Err(Error::Budget { finished: finished * sweep.points(), total });
+                }
                 solved
             }
         };

@@ -91,20 +91,19 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let bars = Bars(Mutex::new(ProgressBar::hidden()));
     let generated = threads.install(|| generate(&scene, &path, &options, &bars));
     bars.clear();
-    let Generated { table, refined, points, solved } = generated?;
+    let Generated { table, refined, points, resumed, solved } = generated?;
     let mut text = info::describe(&table)?;
     for (shape, certificate) in refined {
         let shape = shape.map(|nodes| nodes.to_string()).join(" x ");
         text += &format!("{:15} {shape} nodes left an error of {:.1e}\n", "refined", certificate.max_error);
     }
-    text += &format!(
-        "{:15} {points} points in {:.1} s, {:.1} s with the certificate\n{:15} {}\n",
-        "solved",
-        solved.as_secs_f64(),
-        start.elapsed().as_secs_f64(),
-        "written",
-        path.display()
-    );
+    let before = if resumed > 0 { format!(" ({resumed} before they were resumed)") } else { String::new() };
+    let (solved, all) = (solved.as_secs_f64(), start.elapsed().as_secs_f64());
+    text += &format!("{:15} {points} points{before} in {solved:.1} s, {all:.1} s with the certificate\n", "solved");
+    if let Some(bytes) = peak_memory() {
+        text += &format!("{:15} {:.0} MB at most\n", "memory", bytes as f64 / 1e6);
+    }
+    text += &format!("{:15} {} ({} bytes)\n", "written", path.display(), std::fs::metadata(&path)?.len());
     write_text(None, text.as_bytes())?;
     let (error, tolerance) = (table.description().certificate.max_error, table.description().tolerance);
     // Not an ordered comparison the other way round: NaN must not pass.
@@ -116,6 +115,13 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         );
     }
     Ok(())
+}
+
+/// The most memory that this process has held, where the system says (Linux).
+fn peak_memory() -> Option<u64> {
+    let status = std::fs::read_to_string("/proc/self/status").ok()?;
+    let kilobytes = status.lines().find_map(|line| line.strip_prefix("VmHWM:"))?.trim().strip_suffix(" kB")?;
+    Some(1024 * kilobytes.parse::<u64>().ok()?)
 }
 
 /// Prints what the table of a scene will take.
