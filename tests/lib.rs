@@ -5,13 +5,14 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
+use std::process::{Child, Command, Stdio};
 
 use interp::schema::Parameter;
 use interp::{Certificate, Description, Elastic, Material, Quantities, Quantity, System, Table};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 use tabulate::certify::certify;
+use tabulate::plan::Plan;
 use tabulate::scene::Scene;
 use tabulate::solve::solve;
 use tabulate::sweep::sweep;
@@ -183,18 +184,19 @@ impl Contacts {
 /// If the scene is wrong or a point is not solved.
 pub fn table(scene: &str) -> Table {
     let scene = Scene::parse(scene, None).expect("the tests' scenes are sound");
-    let values = sweep(&scene, &|_| {}).expect("the tests' scenes are within reach");
-    let [_, e1, nu1, e0] = scene.axes.each_ref().map(|axis| axis[0]);
+    let axes = Plan::new(&scene).expect("the tests' scenes are within reach").axes();
+    let values = sweep(&scene, &axes, &|_| {}).expect("the tests' scenes are within reach");
+    let normalisation = scene.material([axes[1][0], axes[2][0], axes[3][0]]).expect("physical").normalisation();
     let description = Description {
         title: scene.title,
         scene: scene.text,
         nu0: scene.nu0,
-        normalisation: material([e1, nu1, e0, scene.nu0]).normalisation(),
+        normalisation,
         tolerance: scene.tolerance,
         created_by: "acceptance tests".into(),
         certificate: Certificate { max_error: f64::NAN, median_error: f64::NAN, points: 0, seed: 0, details: None },
     };
-    let mut table = Table::new(description, scene.axes, values).expect("a sweep makes a whole table");
+    let mut table = Table::new(description, axes, values).expect("a sweep makes a whole table");
     table.set_certificate(certify(&table, 400, 1, &|_| {}).expect("the tests' scenes are within reach"));
     table
 }
@@ -322,8 +324,36 @@ impl Desk {
     /// # Panics
     /// If it cannot be run, is killed, or prints something that is no UTF-8.
     pub fn run(&self, args: &[&str]) -> Run {
+        self.end(args, self.start(args))
+    }
+
+    /// Starts the program in the folder, its output caught.
+    ///
+    /// # Panics
+    /// If it cannot be started.
+    pub fn start(&self, args: &[&str]) -> Child {
         let mut command = Command::new(self.program);
-        let output = command.args(args).current_dir(self.folder.path()).stdin(Stdio::null()).output().expect("the program runs");
+        command.args(args).current_dir(self.folder.path()).stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
+        command.spawn().expect("the program starts")
+    }
+
+    /// Runs a shell script in the folder, in which `$0` is the program.
+    ///
+    /// # Panics
+    /// As [`Desk::run`].
+    pub fn script(&self, script: &str) -> Run {
+        let mut command = Command::new("sh");
+        command.args(["-c", script, self.program]).current_dir(self.folder.path()).stdin(Stdio::null());
+        command.stdout(Stdio::piped()).stderr(Stdio::piped());
+        self.end(&[script], command.spawn().expect("the shell starts"))
+    }
+
+    /// What a program leaves when it has ended.
+    ///
+    /// # Panics
+    /// As [`Desk::run`].
+    pub fn end(&self, args: &[&str], child: Child) -> Run {
+        let output = child.wait_with_output().expect("the program runs");
         let text = |bytes| String::from_utf8(bytes).expect("UTF-8");
         let status = output.status.code().unwrap_or_else(|| panic!("{args:?}: {}", output.status));
         Run { status, stdout: text(output.stdout), stderr: text(output.stderr) }

@@ -209,11 +209,6 @@ pub(crate) fn film_limit(table: &Table, e1: usize, nu: usize) -> f64 {
     material.sphere_film_modulus()
 }
 
-/// What a quantity is divided by before its logarithm is taken.
-pub(crate) fn scale(quantity: Quantity, es: f64) -> f64 {
-    if quantity == Quantity::Delta0 { 1.0 } else { es }
-}
-
 /// The four quantities as functions of `a/t` for one material.
 ///
 /// Made once, by [`Table::curve`] or [`Curve::through`]; each evaluation is then a one-dimensional cubic spline over `ln(a/t)`, so finely
@@ -268,7 +263,7 @@ impl Curve {
             Error::unless(false, Parameter::AOverT.name(), close, allowed)?;
         }
         let es = material.sphere_film_modulus();
-        let logarithm = |quantities: &Quantities| Four(Quantity::ALL.map(|q| (quantities.get(q) / scale(q, es)).ln()));
+        let logarithm = |quantities: &Quantities| Four(Quantity::ALL.map(|q| (quantities.get(q) / q.scale(es)).ln()));
         let logarithms: Vec<Four> = nodes.iter().map(|node| logarithm(&node.1)).collect();
         Ok(Self::from_logarithms(&a_over_t, &logarithms, Resampling::THROUGH, material, [true; 4]))
     }
@@ -396,19 +391,26 @@ impl Piece<'_> {
 struct Resampling {
     /// The degree of the not-a-knot spline through the logarithms.
     degree: usize,
-    /// The largest distance of two keys in `ln(a/t)`. A cubic piece of this length `h` follows the steepest quantity, a stiffness that
-    /// grows like `(a/t)^3`, to `3^4 h^4 / 384`.
-    key_distance: f64,
+    /// The length of the pieces.
+    pieces: Pieces,
+}
+
+/// How long the cubic pieces are.
+#[derive(Clone, Copy, Debug)]
+enum Pieces {
+    /// In `ln(a/t)`, at most. A piece of length `h` follows the steepest quantity, a stiffness that grows like `(a/t)^3`, to `3^4 h^4 / 384`.
+    Length(f64),
+    /// As long as they follow the spline to this relative error.
+    Error(f64),
 }
 
 impl Resampling {
-    /// Of samples from elsewhere, which may be few. The keys add 8e-8 at most.
-    const THROUGH: Self = Self { degree: 5, key_distance: 0.025 };
+    /// Of samples from elsewhere, which may be few. The pieces add 8e-8 to the error at most.
+    const THROUGH: Self = Self { degree: 5, pieces: Pieces::Length(0.025) };
 
-    /// Of a table: the keys add a tenth of the tolerance at most, if that is 1e-9 or more.
+    /// Of a table: the pieces add a tenth of its tolerance, or 1e-11 where that is more.
     fn table(tolerance: f64) -> Self {
-        let key_distance = (0.1 * tolerance.clamp(1e-9, 1e-4) * 384.0 / 81.0).powf(0.25);
-        Self { degree: TABLE_DEGREE, key_distance }
+        Self { degree: TABLE_DEGREE, pieces: Pieces::Error((0.1 * tolerance).max(1e-11)) }
     }
 
     /// The spline through the logarithms over `ln(a/t)`, as cubic Bezier pieces of the quantities themselves. Every node is a key.
@@ -421,18 +423,20 @@ impl Resampling {
             let coefficients = coefficients[4 * first..].chunks_exact(4);
             coefficients.zip(weights).fold(Four::default(), |sum, (c, &w)| sum.plus(w, Four([c[0], c[1], c[2], c[3]])))
         };
+        let value_and_slope = |u: f64| {
+            let weights = basis.weights(u);
+            let (values, slopes) = (&weights.values[..weights.count], &weights.slopes[..weights.count]);
+            let (logarithm, logarithmic_slope) = (sum(weights.first, values), sum(weights.first, slopes));
+            let value = Four(Quantity::ALL.map(|quantity| quantity.scale(es) * logarithm.0[quantity as usize].exp()));
+            (value, Four::each(|i| value.0[i] * logarithmic_slope.0[i]))
+        };
         let mut knots = Vec::new();
-        for pair in u.windows(2) {
-            let pieces = ((pair[1] - pair[0]) / self.key_distance).ceil();
-            knots.extend((0..pieces as usize).map(|k| pair[0] + (pair[1] - pair[0]) * (k as f64 / pieces)));
+        for (pair, pieces) in u.windows(2).zip(self.pieces.counts(&u, value_and_slope)) {
+            knots.extend((0..pieces).map(|k| pair[0] + (pair[1] - pair[0]) * (k as f64 / pieces as f64)));
         }
         knots.push(u[u.len() - 1]);
         let key = |i: usize| {
-            let weights = basis.weights(knots[i]);
-            let (values, slopes) = (&weights.values[..weights.count], &weights.slopes[..weights.count]);
-            let (logarithm, logarithmic_slope) = (sum(weights.first, values), sum(weights.first, slopes));
-            let value = Four(Quantity::ALL.map(|quantity| scale(quantity, es) * logarithm.0[quantity as usize].exp()));
-            let slope = Four::each(|i| value.0[i] * logarithmic_slope.0[i]);
+            let (value, slope) = value_and_slope(knots[i]);
             // The Bezier handles of a cubic lie a third of the neighbouring intervals away.
             let before = if i > 0 { knots[i] - knots[i - 1] } else { 0.0 };
             let after = if i + 1 < knots.len() { knots[i + 1] - knots[i] } else { 0.0 };
@@ -440,6 +444,33 @@ impl Resampling {
             Key::new(knots[i], value, handles)
         };
         (0..knots.len()).map(key).collect()
+    }
+}
+
+impl Pieces {
+    /// The number of pieces between each node and the next.
+    fn counts(self, nodes: &[f64], value_and_slope: impl Fn(f64) -> (Four, Four)) -> Vec<usize> {
+        let error = match self {
+            Self::Length(longest) => {
+                return nodes.windows(2).map(|pair| ((pair[1] - pair[0]) / longest).ceil() as usize).collect();
+            }
+            Self::Error(error) => error,
+        };
+        let ends: Vec<(Four, Four)> = nodes.iter().map(|&node| value_and_slope(node)).collect();
+        // By how much a single cubic misses the spline in its middle.
+        let misses: Vec<f64> = (1..nodes.len())
+            .map(|i| {
+                let length = nodes[i] - nodes[i - 1];
+                let middle = value_and_slope(nodes[i].midpoint(nodes[i - 1])).0;
+                let [(a, slope_a), (b, slope_b)] = [ends[i - 1], ends[i]];
+                let cubic = |q: usize| 0.5 * (a.0[q] + b.0[q]) + 0.125 * length * (slope_a.0[q] - slope_b.0[q]);
+                (0..4).map(|q| (cubic(q) / middle.0[q] - 1.0).abs()).fold(0.0, f64::max)
+            })
+            .collect();
+        // The miss of one middle may be small by chance; those of the neighbours are not, too.
+        let largest = |i: usize| misses[i.saturating_sub(1)..misses.len().min(i + 2)].iter().copied().fold(0.0, f64::max);
+        // The error falls with the fourth power of the length; NaN, of a forged table, gives one piece.
+        (0..misses.len()).map(|i| ((largest(i) / error).powf(0.25).ceil() as usize).clamp(1, 1000)).collect()
     }
 }
 

@@ -51,6 +51,15 @@ impl Quantity {
             Self::Delta0 => "penetration = a^2 delta0 / R",
         }
     }
+
+    /// What the quantity is divided by before its logarithm is splined, given the sphere-film modulus `es`: its order of magnitude where films are
+    /// thick.
+    pub const fn scale(self, es: f64) -> f64 {
+        match self {
+            Self::Pi0 | Self::Eeq | Self::Gamma => es,
+            Self::Delta0 => 1.0,
+        }
+    }
 }
 
 /// The four functions at one point, dimensionless.

@@ -7,7 +7,7 @@ use std::sync::OnceLock;
 
 use serde::{Deserialize, Serialize};
 
-use crate::lookup::{Coefficients, film_limit, scale};
+use crate::lookup::{Coefficients, film_limit};
 use crate::low_rank::LowRank;
 use crate::material::{Normalisation, ROUNDING, poisson_ratio};
 use crate::schema::Parameter;
@@ -162,7 +162,7 @@ impl Table {
         for (i, &quantity) in held.iter().enumerate() {
             let Some(values) = &values[quantity as usize] else { continue };
             for nu in 0..n_nu {
-                let scale = scale(quantity, film_limit(self, e1, nu));
+                let scale = quantity.scale(film_limit(self, e1, nu));
                 for a in 0..n_a {
                     let values = &values[((a * n_e1 + e1) * n_nu + nu) * n_e0..][..n_e0];
                     for (e0, value) in values.iter().enumerate() {
@@ -197,7 +197,7 @@ impl Table {
                 let at = ((a * n_e1 + e1) * n_nu + nu) * n_e0 + e0;
                 for (&quantity, logarithm) in held.iter().zip(group) {
                     if let Some(values) = &mut values[quantity as usize] {
-                        values[at] = scale(quantity, es) * logarithm.exp();
+                        values[at] = quantity.scale(es) * logarithm.exp();
                     }
                 }
             }

@@ -10,6 +10,7 @@ use std::time::Instant;
 
 use interp::Material;
 use measure::{deviation, human, median, median_seconds, tightest};
+use tabulate::plan::Plan;
 use tabulate::scene::Scene;
 use tabulate::solve::{solve, stiffness};
 use tabulate::sweep::sweep;
@@ -124,7 +125,8 @@ fn many_solves() {
                 e1_over_e2 = { from = 1e-3, to = 1e3, nodes = 20 }\nnu1 = { from = 0, to = 0.5, nodes = 12 }\n\
                 e0_over_e2 = { from = 1, to = 1e6, nodes = 20 }\n";
     let scene = Scene::parse(text, None).expect("a sound scene");
+    let axes = Plan::new(&scene).expect("the nodes are stated").axes();
     let start = Instant::now();
-    let _ = black_box(sweep(&scene, &|_| ()).expect("within reach"));
+    let _ = black_box(sweep(&scene, &axes, &|_| ()).expect("within reach"));
     println!("\n60 x 20 x 12 x 20 points solved to 1e-8 on all cores: {:.1} s", start.elapsed().as_secs_f64());
 }

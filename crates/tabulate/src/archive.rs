@@ -27,6 +27,11 @@ pub fn write(table: &Table, path: &Path) -> Result<(), Error> {
     output::atomically(path, |unfinished| fill(&table, unfinished).map_err(io::Error::other))
 }
 
+/// [`write()`] through a temporary path that the caller owns.
+pub(crate) fn write_through(table: &Table, path: &Path, unfinished: &Path) -> Result<(), Error> {
+    output::through(path, unfinished, |unfinished| fill(table, unfinished).map_err(io::Error::other))
+}
+
 fn fill(table: &Table, path: &Path) -> hdf5::Result<()> {
     // Readable by every library since HDF5 1.8, and without time stamps: equal tables are equal files.
     let file = hdf5::File::with_options()

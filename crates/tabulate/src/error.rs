@@ -55,6 +55,42 @@ pub enum Error {
         /// What is wrong: key, value and range.
         what: String,
     },
+    /// A table that would need more nodes than any is made with.
+    #[error(
+        "the tolerance takes a table of {} nodes, {values} values, where at most {} nodes on an axis and {most} values are made; ask for a larger \
+         tolerance, a smaller box or fewer nodes",
+        shape.map(|nodes| nodes.to_string()).join(" x "), crate::scene::MOST_NODES
+    )]
+    TooLarge {
+        /// The nodes on each axis.
+        shape: [usize; 4],
+        /// The number of values.
+        values: usize,
+        /// The largest number of values.
+        most: usize,
+    },
+    /// A table that another process is making.
+    #[error("{} is being made by another process", path.display())]
+    Busy {
+        /// The table.
+        path: PathBuf,
+    },
+    /// Finished pieces that belong to something else than is to be resumed.
+    #[error("cannot resume: {} was begun {what}; without --resume everything begins anew", journal.display())]
+    OtherRun {
+        /// The journal of the pieces.
+        journal: PathBuf,
+        /// What differs.
+        what: String,
+    },
+    /// Not enough time.
+    #[error("the budget is spent with {finished} of {total} points solved; they are kept, and --resume goes on from there")]
+    Budget {
+        /// Points solved.
+        finished: usize,
+        /// Points of the table.
+        total: usize,
+    },
     /// A file that cannot be read.
     #[error("cannot read {}", path.display())]
     Read {

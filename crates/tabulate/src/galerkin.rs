@@ -329,3 +329,21 @@ fn resolution_error(abscissae: &Abscissae, samples: &[Sample]) -> f64 {
     };
     panels.map(error).sum()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What the stiffness does not need is not assembled, and what is solved without it is the same to the bit.
+    #[test]
+    fn the_stiffness_alone_takes_one_matrix() {
+        let material = Material::new(1.75, 0.4, 1e3, 0.25).expect("physical");
+        let compliance = Compliance::new(&material);
+        let abscissae = Abscissae::new(1.0, modes(1.0, 1e-10), Panels::new(1.0, compliance.smallest_scale(), 1e-10));
+        let [all, alone] =
+            [Wanted::All, Wanted::Stiffness].map(|wanted| Operator::assemble(&compliance, &abscissae, abscissae.blocks(), wanted));
+        assert!(all.slope.is_some() && alone.slope.is_none());
+        let [all, alone] = [all, alone].map(|operator| operator.solve(&material).expect("it is solved").quantities.eeq);
+        assert_eq!(all, alone);
+    }
+}

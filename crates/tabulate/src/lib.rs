@@ -1,8 +1,8 @@
 //! Solves the adhesive contact of a sphere on a coated substrate and tabulates it.
 //!
 //! ```text
-//! scene -> sweep( solve <- galerkin    <- bessel, quadrature, compliance <- material
-//!                       <- wiener_hopf <- krylov, contour, symbol <- compliance ) -> certify -> archive (.h5), tucker -> pack (.bin)
+//! scene -> plan -> sweep( solve <- galerkin    <- bessel, quadrature, compliance <- material
+//!                               <- wiener_hopf <- krylov, contour, symbol <- compliance ) -> certify -> archive (.h5), tucker -> pack (.bin)
 //! ```
 //!
 //! Data flows one way along this line, and each word is a module here or, from the table on, in the crate `interp`. [`curve`] makes the
@@ -21,8 +21,11 @@ mod contour;
 pub mod curve;
 mod error;
 mod galerkin;
+pub mod generate;
+mod journal;
 mod krylov;
 mod output;
+pub mod plan;
 mod quadrature;
 pub mod scene;
 pub mod solve;

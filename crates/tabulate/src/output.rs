@@ -29,22 +29,31 @@ pub fn check(output: Option<&Path>, input: Option<&Path>) -> Result<(), Error> {
 pub fn atomically(path: &Path, fill: impl FnOnce(&Path) -> io::Result<()>) -> Result<(), Error> {
     let attempt = || {
         let (unfinished, target) = temporary(path)?;
-        fill(&unfinished)?;
-        File::open(&unfinished)?.sync_all()?;
-        unfinished.persist(&target).map_err(|e| e.error)?;
-        sync_folder(&target)
+        complete(unfinished, &target, fill)
     };
     attempt().map_err(|source| Error::Write { path: path.to_owned(), source })
 }
 
+/// Like [`atomically`], through a temporary path of the caller's, which nobody else uses. What an earlier process, that was killed, has left there
+/// is replaced.
+///
+/// # Errors
+/// As [`atomically`].
+pub fn through(path: &Path, unfinished: &Path, fill: impl FnOnce(&Path) -> io::Result<()>) -> Result<(), Error> {
+    let attempt = || complete(TempPath::try_from_path(unfinished)?, &target(path)?, fill);
+    attempt().map_err(|source| Error::Write { path: path.to_owned(), source })
+}
+
+fn complete(unfinished: TempPath, target: &Path, fill: impl FnOnce(&Path) -> io::Result<()>) -> io::Result<()> {
+    fill(&unfinished)?;
+    File::open(&unfinished)?.sync_all()?;
+    unfinished.persist(target).map_err(|e| e.error)?;
+    sync_folder(target)
+}
+
 /// A new file, removed when dropped, in the same folder as the file that `path` means, and that file's path.
 fn temporary(path: &Path) -> io::Result<(TempPath, PathBuf)> {
-    // The file behind a link is replaced, not the link.
-    let target = match path.canonicalize() {
-        Ok(existing) if existing.is_file() => existing,
-        Ok(_) => return Err(io::Error::other("it exists and is not a file")),
-        Err(_) => path.to_owned(),
-    };
+    let target = target(path)?;
     let folder = folder(&target);
     if !folder.is_dir() {
         return Err(io::Error::new(io::ErrorKind::NotFound, format!("there is no folder {}", folder.display())));
@@ -55,6 +64,15 @@ fn temporary(path: &Path) -> io::Result<(TempPath, PathBuf)> {
     builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
     let unfinished = builder.prefix(".unfinished-").tempfile_in(folder)?.into_temp_path();
     Ok((unfinished, target))
+}
+
+/// The file that a path means: the one behind a link is replaced, not the link.
+fn target(path: &Path) -> io::Result<PathBuf> {
+    match path.canonicalize() {
+        Ok(existing) if existing.is_file() => Ok(existing),
+        Ok(_) => Err(io::Error::other("it exists and is not a file")),
+        Err(_) => Ok(path.to_owned()),
+    }
 }
 
 /// The folder of a file; a bare file name has an empty parent.

@@ -2,7 +2,6 @@
 //!
 //! Each parameter is a range, which becomes an axis of the table, or a number, which is settled and costs nothing.
 
-use std::f64::consts::LN_10;
 use std::fmt;
 use std::path::Path;
 
@@ -82,7 +81,40 @@ impl<'de> Deserialize<'de> for Values {
     }
 }
 
-/// A checked scene with its nodes.
+/// What a checked scene says of one parameter.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Extent {
+    /// The parameter is settled and costs nothing.
+    Fixed(f64),
+    /// A range whose nodes the planner chooses.
+    Range {
+        /// The smallest value.
+        from: f64,
+        /// The largest value.
+        to: f64,
+    },
+    /// A range with a stated number of nodes, evenly spaced in the parameter's coordinate.
+    Even {
+        /// The smallest value.
+        from: f64,
+        /// The largest value.
+        to: f64,
+        /// The number of nodes, two or more.
+        nodes: usize,
+    },
+}
+
+impl Extent {
+    /// The smallest and the largest value.
+    pub const fn ends(&self) -> [f64; 2] {
+        match *self {
+            Self::Fixed(value) => [value; 2],
+            Self::Range { from, to } | Self::Even { from, to, .. } => [from, to],
+        }
+    }
+}
+
+/// A checked scene.
 #[derive(Clone, Debug)]
 pub struct Scene {
     /// The scene's title.
@@ -91,8 +123,8 @@ pub struct Scene {
     pub tolerance: f64,
     /// What is tabulated, in the order of [`Quantity::ALL`].
     pub quantities: Vec<Quantity>,
-    /// The nodes of the four parameters, ascending, one for a fixed parameter.
-    pub axes: [Vec<f64>; 4],
+    /// What the scene says of the four parameters.
+    pub extents: [Extent; 4],
     /// The substrate's Poisson ratio.
     pub nu0: f64,
     /// The TOML text.
@@ -101,9 +133,8 @@ pub struct Scene {
 
 /// The tolerances that a table can be asked for.
 pub(crate) const TOLERANCE: [f64; 2] = [1e-10, 1e-1];
-/// More nodes on an axis, or values in a table, are taken for a mistake.
-const MOST_NODES: usize = 10_000;
-const MOST_VALUES: usize = 200_000_000;
+/// More nodes on an axis are taken for a mistake.
+pub(crate) const MOST_NODES: usize = 10_000;
 
 impl Scene {
     /// Reads a scene file. `tolerance` replaces the scene's own.
@@ -128,31 +159,35 @@ impl Scene {
         if quantities.is_empty() || quantities.windows(2).any(|pair| pair[0] == pair[1]) {
             return Err(format!("quantities must name one to four of {}, each once", Quantity::ALL.map(Quantity::name).join(", ")));
         }
-        let mut axes = [const { Vec::new() }; 4];
+        let mut extents = [Extent::Fixed(0.0); 4];
         let given = [scene.a_over_t, scene.e1_over_e2, scene.nu1, scene.e0_over_e2];
-        for ((axis, parameter), values) in axes.iter_mut().zip(Parameter::ALL).zip(given) {
-            *axis = nodes(parameter, &values, tolerance)?;
-        }
-        let values = axes.iter().map(Vec::len).product::<usize>() * quantities.len();
-        if values > MOST_VALUES {
-            return Err(format!("the table would hold {values} values, more than {MOST_VALUES}; ask for fewer nodes"));
+        for ((extent, parameter), values) in extents.iter_mut().zip(Parameter::ALL).zip(given) {
+            *extent = checked(parameter, &values)?;
         }
         // The corners of the box stand for all of it: every bound is on one parameter alone.
-        for corner in [0, usize::MAX] {
-            let at = |axis: &[f64]| axis[corner.min(axis.len() - 1)];
-            Material::new(at(&axes[1]), at(&axes[2]), at(&axes[3]), scene.nu0).map_err(|e| e.to_string())?;
+        for corner in [0, 1] {
+            let [_, e1, nu1, e0] = extents.map(|extent| extent.ends()[corner]);
+            Material::new(e1, nu1, e0, scene.nu0).map_err(|e| e.to_string())?;
         }
-        Ok(Self { title: scene.title, tolerance, quantities, axes, nu0: scene.nu0, text: text.to_owned() })
+        Ok(Self { title: scene.title, tolerance, quantities, extents, nu0: scene.nu0, text: text.to_owned() })
     }
 
-    /// The number of points to solve.
-    pub fn points(&self) -> usize {
-        self.axes.iter().map(Vec::len).product()
+    /// The number of parameters that are ranges, and so axes of the table.
+    pub fn axes(&self) -> usize {
+        self.extents.iter().filter(|extent| !matches!(extent, Extent::Fixed(_))).count()
+    }
+
+    /// A material of the scene.
+    ///
+    /// # Errors
+    /// [`Error::Table`] for parameters that are not physical, and so not the scene's.
+    pub fn material(&self, [e1_over_e2, nu1, e0_over_e2]: [f64; 3]) -> Result<Material, Error> {
+        Ok(Material::new(e1_over_e2, nu1, e0_over_e2, self.nu0)?)
     }
 }
 
-/// The nodes of one parameter: evenly spaced in its coordinate, ends exact.
-fn nodes(parameter: Parameter, values: &Values, tolerance: f64) -> Result<Vec<f64>, String> {
+/// What the scene says of one parameter, if that can be solved.
+fn checked(parameter: Parameter, values: &Values) -> Result<Extent, String> {
     let name = parameter.name();
     let range = match values {
         Values::Fixed(value) => {
@@ -164,7 +199,7 @@ fn nodes(parameter: Parameter, values: &Values, tolerance: f64) -> Result<Vec<f6
             if !rigid {
                 in_domain(parameter, name, *value)?;
             }
-            return Ok(vec![*value]);
+            return Ok(Extent::Fixed(*value));
         }
         Values::Range(range) => range,
     };
@@ -173,42 +208,24 @@ fn nodes(parameter: Parameter, values: &Values, tolerance: f64) -> Result<Vec<f6
     if range.from >= range.to {
         return Err(format!("{name} is an empty range: from = {} is not below to = {}", range.from, range.to));
     }
-    let (first, last) = (parameter.coordinate(range.from), parameter.coordinate(range.to));
-    let logarithmic = parameter != Parameter::Nu1;
+    let (from, to) = (range.from, range.to);
     let intervals = match (range.nodes, range.nodes_per_decade) {
         (Some(_), Some(_)) => return Err(format!("{name} has both nodes and nodes_per_decade")),
         (Some(nodes), None) => nodes as f64 - 1.0,
-        (None, Some(_)) if !logarithmic => return Err(format!("{name} is not logarithmic: give nodes, not nodes_per_decade")),
+        (None, Some(_)) if parameter == Parameter::Nu1 => {
+            return Err(format!("{name} is not logarithmic: give nodes, not nodes_per_decade"));
+        }
         (None, Some(per_decade)) => {
             within(&format!("{name}.nodes_per_decade"), per_decade, [1.0, 1000.0])?;
-            per_decade * (last - first) / LN_10
+            // A hair below, so that a whole number of decades has a whole number of intervals.
+            (per_decade * (to / from).log10() - 1e-9).ceil()
         }
-        (None, None) => default_density(parameter, tolerance) * (last - first),
+        (None, None) => return Ok(Extent::Range { from, to }),
     };
-    // A hair below, so that a whole number of decades has a whole number of intervals.
-    let intervals = (intervals - 1e-9).ceil();
     if !(1.0..MOST_NODES as f64).contains(&intervals) {
         return Err(format!("{name} has {} nodes; 2 to {MOST_NODES} are allowed", intervals + 1.0));
     }
-    let node = |i: usize| parameter.value(first + (last - first) * (i as f64 / intervals));
-    let mut nodes: Vec<f64> = (0..=intervals as usize).map(node).collect();
-    nodes[0] = range.from;
-    let count = nodes.len();
-    nodes[count - 1] = range.to;
-    Ok(nodes)
-}
-
-/// Nodes per unit of coordinate that keep the quintic splines within `tolerance`, from a measurement over the default box.
-///
-/// The film's and the substrate's moduli have the same density, so that their ratios repeat and the sweep can share work.
-fn default_density(parameter: Parameter, tolerance: f64) -> f64 {
-    let refinement = (1e-5 / tolerance).powf(1.0 / 6.0);
-    refinement
-        * match parameter {
-            Parameter::AOverT => 11.0 / LN_10,
-            Parameter::E1OverE2 | Parameter::E0OverE2 => 7.5 / LN_10,
-            Parameter::Nu1 => 74.0,
-        }
+    Ok(Extent::Even { from, to, nodes: intervals as usize + 1 })
 }
 
 /// Accepts a value that can be solved.

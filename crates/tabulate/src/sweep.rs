@@ -1,8 +1,8 @@
 //! The solve over all nodes of a scene, on all cores.
 //!
 //! Work is shared as far as it reaches: the Bessel values of one `a/t` serve every material, and the matrices of one (`a/t`, `nu1`,
-//! `E0/E1`) serve every sphere. Where the nodes of `E1/E2` and `E0/E2` have a common spacing, the ratios `E0/E1` repeat along diagonals,
-//! and a grid of `n x n` materials has `2n - 1` pairs of matrices only. Thin films are solved one by one, on contours that all contacts share.
+//! `E0/E1`) serve every sphere. Where the nodes of `E1/E2` and `E0/E2` are even and have a common spacing, the ratios `E0/E1` repeat along
+//! diagonals, and a grid of `n x n` materials has `2n - 1` pairs of matrices only. Thin films are solved one by one, on contours that all contacts share.
 
 use interp::{Material, Quantities};
 use rayon::prelude::*;
@@ -36,49 +36,106 @@ pub(crate) fn solve_for_table(
     Ok(solve(solve_tolerance(table_tolerance)).or_else(|_| solve((0.2 * table_tolerance).min(TOLERANCE[1])))?.quantities)
 }
 
-/// Solves every node of the scene. Returns the values of each quantity asked for, row-major with `a_over_t` slowest.
+/// The values of each quantity asked for, row-major with `a_over_t` slowest.
+pub type Values = [Option<Vec<f64>>; 4];
+
+/// Solves every node of the scene on the given axes.
 ///
 /// `progress` is called with the number of points finished since the last call, from any thread. The result does not depend on the
 /// number of threads.
 ///
 /// # Errors
 /// [`Error::NotConverged`] with the point where double precision does not allow the tolerance.
-pub fn sweep(scene: &Scene, progress: &(dyn Fn(usize) + Sync)) -> Result<[Option<Vec<f64>>; 4], Error> {
-    let [a_over_t, e1, nu1, e0] = &scene.axes;
-    let mut materials = Vec::with_capacity(e1.len() * nu1.len() * e0.len());
-    for &e1 in e1 {
-        for &nu1 in nu1 {
-            for &e0 in e0 {
-                materials.push(Material::new(e1, nu1, e0, scene.nu0)?);
-            }
-        }
+pub fn sweep(scene: &Scene, axes: &[Vec<f64>; 4], progress: &(dyn Fn(usize) + Sync)) -> Result<Values, Error> {
+    let sweep = Sweep::new(scene, axes)?;
+    let mut values = sweep.blank();
+    for piece in 0..sweep.pieces() {
+        sweep.place(&mut values, piece, &sweep.solve(piece, progress)?);
     }
-    let layers = layers(&materials);
-    let mut values = [const { None }; 4];
-    for &quantity in &scene.quantities {
-        values[quantity as usize] = Some(vec![0.0; a_over_t.len() * materials.len()]);
-    }
-    for (i, &x) in a_over_t.iter().enumerate() {
-        let shared = Shared::new(x, &layers, scene);
-        let solved: Vec<Vec<[f64; 4]>> = layers
-            .par_iter()
-            .map(|layer| {
-                let solved = shared.solve(layer, &materials)?;
-                progress(solved.len());
-                Ok(solved)
-            })
-            .collect::<Result<_, Error>>()?;
-        for (layer, solved) in layers.iter().zip(solved) {
-            for (&member, solved) in layer.members.iter().zip(solved) {
-                for (values, value) in values.iter_mut().zip(solved) {
-                    if let Some(values) = values {
-                        values[i * materials.len() + member] = value;
-                    }
+    Ok(values)
+}
+
+/// The nodes of a scene, to be solved piece by piece. A piece is everything at one `a_over_t`.
+pub struct Sweep<'a> {
+    scene: &'a Scene,
+    a_over_t: &'a [f64],
+    materials: Vec<Material>,
+    layers: Vec<Layer>,
+}
+
+impl<'a> Sweep<'a> {
+    /// Groups the materials of the scene on the given axes.
+    ///
+    /// # Errors
+    /// [`Error::Table`] for axes that are not the scene's.
+    pub fn new(scene: &'a Scene, [a_over_t, e1, nu1, e0]: &'a [Vec<f64>; 4]) -> Result<Self, Error> {
+        let mut materials = Vec::with_capacity(e1.len() * nu1.len() * e0.len());
+        for &e1 in e1 {
+            for &nu1 in nu1 {
+                for &e0 in e0 {
+                    materials.push(scene.material([e1, nu1, e0])?);
                 }
             }
         }
+        let layers = layers(&materials);
+        Ok(Self { scene, a_over_t, materials, layers })
     }
-    Ok(values)
+
+    /// The number of pieces.
+    pub fn pieces(&self) -> usize {
+        self.a_over_t.len()
+    }
+
+    /// The number of points in a piece.
+    pub fn points(&self) -> usize {
+        self.materials.len()
+    }
+
+    /// The number of values in a piece: one for each point and quantity.
+    pub fn values(&self) -> usize {
+        self.points() * self.scene.quantities.len()
+    }
+
+    /// Room for the values of the whole table.
+    pub fn blank(&self) -> Values {
+        let mut values = [const { None }; 4];
+        for &quantity in &self.scene.quantities {
+            values[quantity as usize] = Some(vec![0.0; self.pieces() * self.points()]);
+        }
+        values
+    }
+
+    /// Puts a piece in its place.
+    pub fn place(&self, values: &mut Values, piece: usize, solved: &[f64]) {
+        let points = self.points();
+        for (values, solved) in values.iter_mut().flatten().zip(solved.chunks_exact(points)) {
+            values[piece * points..][..points].copy_from_slice(solved);
+        }
+    }
+
+    /// Solves a piece: the values of every material, one quantity that was asked for after the other. See [`sweep`].
+    ///
+    /// # Errors
+    /// Those of [`sweep`].
+    pub fn solve(&self, piece: usize, progress: &(dyn Fn(usize) + Sync)) -> Result<Vec<f64>, Error> {
+        let shared = Shared::new(self.a_over_t[piece], &self.layers, self.scene);
+        let solved = self.layers.par_iter().map(|layer| {
+            let solved = shared.solve(layer, &self.materials)?;
+            progress(solved.len());
+            Ok(solved)
+        });
+        // In two steps: of several errors, the first one is returned.
+        let solved: Vec<Result<Vec<[f64; 4]>, Error>> = solved.collect();
+        let mut values = vec![0.0; self.values()];
+        for (layer, solved) in self.layers.iter().zip(solved) {
+            for (&member, solved) in layer.members.iter().zip(solved?) {
+                for (i, &quantity) in self.scene.quantities.iter().enumerate() {
+                    values[i * self.points() + member] = solved[quantity as usize];
+                }
+            }
+        }
+        Ok(values)
+    }
 }
 
 /// One film on one substrate, with the indices of the materials that differ by the sphere only.

@@ -28,12 +28,7 @@ pub fn describe(table: &Table) -> Result<String, std::fmt::Error> {
     let description = table.description();
     writeln!(text, "{:15} {}", "title", description.title)?;
     for parameter in Parameter::ALL {
-        let nodes = table.axis(parameter);
-        let (first, last) = (nodes[0], nodes[nodes.len() - 1]);
-        match nodes.len() {
-            1 => writeln!(text, "{:15} {first}", parameter.name())?,
-            n => writeln!(text, "{:15} {first} to {last}, {n} nodes ({})", parameter.name(), parameter.scale())?,
-        }
+        text += &describe_axis(parameter, table.axis(parameter));
     }
     if let Some([a, e1, nu, e0]) = table.low_rank().map(LowRank::ranks) {
         writeln!(text, "{:15} {a} x {e1} x {nu} x {e0}", "low rank")?;
@@ -69,4 +64,13 @@ pub fn describe_certificate(certificate: &Certificate) -> Result<String, std::fm
         }
     }
     Ok(text)
+}
+
+/// The range of a parameter, and how many nodes it has.
+pub fn describe_axis(parameter: Parameter, nodes: &[f64]) -> String {
+    let (first, last) = (nodes[0], nodes[nodes.len() - 1]);
+    match nodes.len() {
+        1 => format!("{:15} {first}\n", parameter.name()),
+        n => format!("{:15} {first} to {last}, {n} nodes ({})\n", parameter.name(), parameter.scale()),
+    }
 }

@@ -1,0 +1,283 @@
+//! What may happen while a table is made: processes that are killed, disks that are full, folders that are read-only, two at a time. Real processes.
+#![cfg(unix)]
+
+use std::fs;
+use std::process::Command;
+use std::sync::LazyLock;
+use std::thread::sleep;
+use std::time::{Duration, Instant};
+
+use acceptance::{Contacts, Desk, assert_names};
+use interp::Table;
+
+/// Some 40 pieces and 16,000 points: about half a second on one thread.
+const SCENE: &str = "\
+title = 'Incompressible films'
+tolerance = 1e-6
+a_over_t = { from = 1e-2, to = 1e2 }
+e1_over_e2 = { from = 1e-2, to = 1e2 }
+nu1 = 0.5
+e0_over_e2 = { from = 1, to = 1e4 }
+";
+const JOURNAL: &str = "table.h5.unfinished";
+const GENERATE: [&str; 6] = ["generate", "scene.toml", "-o", "table.h5", "--certificate-points", "300"];
+const RESUME: [&str; 7] = ["generate", "scene.toml", "-o", "table.h5", "--certificate-points", "300", "--resume"];
+
+fn desk() -> Desk {
+    let desk = Desk::new(env!("CARGO_BIN_EXE_tabulate-under-test"));
+    desk.write("scene.toml", SCENE);
+    desk
+}
+
+/// The file of an uninterrupted run on one thread.
+static WHOLE: LazyLock<Vec<u8>> = LazyLock::new(|| {
+    let desk = desk();
+    desk.succeed(&[&GENERATE[..], &["--jobs", "1"]].concat());
+    assert_eq!(desk.files(), ["scene.toml", "table.h5"]);
+    desk.read("table.h5")
+});
+
+/// Starts a run and kills it when its journal has reached so many bytes. Returns false if it had finished before.
+fn kill_at(desk: &Desk, args: &[&str], bytes: u64, signal: &str) -> bool {
+    let mut child = desk.start(args);
+    let start = Instant::now();
+    loop {
+        if child.try_wait().expect("its status").is_some() {
+            return false;
+        }
+        if fs::metadata(desk.path(JOURNAL)).is_ok_and(|data| data.len() >= bytes) {
+            break;
+        }
+        assert!(start.elapsed() < Duration::from_secs(60), "no {bytes} bytes after a minute");
+        sleep(Duration::from_micros(200));
+    }
+    assert!(Command::new("kill").args([signal, &child.id().to_string()]).status().expect("kill runs").success());
+    child.wait().expect("it ends");
+    true
+}
+
+/// An unfinished run with at least `bytes` in its journal.
+fn unfinished(bytes: u64) -> Desk {
+    let desk = desk();
+    assert!(kill_at(&desk, &GENERATE, bytes, "-KILL"), "it finished before it was killed");
+    desk
+}
+
+fn assert_finished(desk: &Desk) {
+    assert_eq!(desk.files(), ["scene.toml", "table.h5"]);
+    assert!(desk.read("table.h5") == *WHOLE, "the table differs from that of an uninterrupted run");
+}
+
+#[test]
+fn killed_at_random_moments_and_resumed_with_any_number_of_jobs_the_file_is_the_same_to_the_byte() {
+    let mut random = Contacts::new(71);
+    let mut kills = 0;
+    for signal in ["-KILL", "-KILL", "-INT", "-TERM"] {
+        let desk = desk();
+        desk.write("table.h5", "what was there");
+        loop {
+            let jobs = ["1", "2", "5"][random.uniform(0.0, 3.0) as usize];
+            let mut child = desk.start(&[&RESUME[..], &["--jobs", jobs]].concat());
+            // Moments of every stage: planning, solving, checking, writing.
+            sleep(Duration::from_secs_f64(random.uniform(0.0, 0.8)));
+            if let Some(status) = child.try_wait().expect("its status") {
+                assert!(status.success());
+                break;
+            }
+            assert!(Command::new("kill").args([signal, &child.id().to_string()]).status().expect("kill runs").success());
+            if child.wait().expect("it ends").success() {
+                break;
+            }
+            kills += 1;
+            let table = desk.read("table.h5");
+            assert!(table == *WHOLE || table == b"what was there", "half a table");
+            if kills > 100 {
+                desk.succeed(&RESUME);
+                break;
+            }
+        }
+        assert_finished(&desk);
+    }
+    println!("killed {kills} times");
+    assert!(kills >= 4);
+}
+
+#[test]
+fn what_is_finished_is_not_solved_again() {
+    let length = WHOLE.len() as u64;
+    let desk = unfinished(length / 2);
+    let text = desk.succeed(&RESUME);
+    let line = text.lines().find(|line| line.starts_with("solved")).expect("a line on what was solved");
+    let numbers: Vec<usize> = line.split(|c: char| !c.is_ascii_digit()).filter_map(|word| word.parse().ok()).collect();
+    println!("{line}");
+    assert!(line.contains("before") && numbers[1] > 0 && numbers[1] < numbers[0], "{line}");
+    assert_finished(&desk);
+    // There is nothing to go on from, so this begins at the beginning.
+    let again = desk.succeed(&RESUME);
+    assert!(!again.contains("before"), "{again}");
+    assert_finished(&desk);
+}
+
+#[test]
+fn a_torn_or_damaged_end_of_the_journal_is_solved_again() {
+    let desk = unfinished(100_000);
+    let journal = desk.read(JOURNAL);
+    let mut random = Contacts::new(72);
+    for i in 0..12 {
+        let mut torn = journal.clone();
+        let at = random.uniform(0.0, journal.len() as f64) as usize;
+        match i % 3 {
+            0 => torn.truncate(at),
+            1 => torn.extend(vec![0xff; at % 100 + 1]),
+            // Damage to the header, in the first bytes, is an error; see below.
+            _ => torn[at.max(1500)] ^= 0x10,
+        }
+        desk.write(JOURNAL, &torn);
+        desk.succeed(&RESUME);
+        assert_finished(&desk);
+    }
+}
+
+#[test]
+fn a_file_in_the_place_of_the_journal_is_not_touched() {
+    let desk = desk();
+    desk.write(JOURNAL, "notes of mine");
+    for args in [&GENERATE[..], &RESUME] {
+        assert_names(&desk.fail(1, args), &[JOURNAL, "is not the journal"]);
+    }
+    assert_eq!(desk.read(JOURNAL), b"notes of mine");
+}
+
+#[test]
+fn without_resume_a_run_begins_anew_and_says_so() {
+    let desk = unfinished(100_000);
+    let run = desk.run(&GENERATE);
+    assert_eq!(run.status, 0);
+    assert_names(&run.stderr, &["dropped", "--resume"]);
+    assert!(!run.stdout.contains("before"), "{}", run.stdout);
+    assert_finished(&desk);
+}
+
+#[test]
+fn a_scene_that_has_changed_is_not_resumed_and_nothing_is_lost() {
+    let desk = unfinished(100_000);
+    let journal = desk.read(JOURNAL);
+    desk.write("scene.toml", SCENE.replace("to = 1e4 ", "to = 2e4 "));
+    assert_names(&desk.fail(1, &RESUME), &["cannot resume", JOURNAL, "another text of the scene"]);
+    desk.write("scene.toml", SCENE);
+    let other = [&RESUME[..], &["--tolerance", "1e-4"]].concat();
+    assert_names(&desk.fail(1, &other), &["cannot resume", "tolerance = 1e-6", "0.0001"]);
+    assert!(desk.read(JOURNAL) == journal, "the journal has changed");
+    desk.succeed(&RESUME);
+    assert_finished(&desk);
+}
+
+#[test]
+fn of_two_generators_on_one_output_the_second_says_so() {
+    let desk = desk();
+    let first = desk.start(&GENERATE);
+    while !desk.path(JOURNAL).exists() {
+        sleep(Duration::from_millis(1));
+    }
+    for second in [&GENERATE[..], &RESUME] {
+        assert_names(&desk.fail(1, second), &["table.h5", "being made by another process"]);
+    }
+    assert_eq!(desk.end(&GENERATE, first).status, 0);
+    assert_finished(&desk);
+}
+
+#[test]
+fn when_the_budget_is_spent_the_finished_pieces_are_kept() {
+    let desk = desk();
+    desk.write("table.h5", "what was there");
+    let budget = [&GENERATE[..], &["--jobs", "1", "--budget", "0.3"]].concat();
+    let message = desk.fail(1, &budget);
+    assert_names(&message, &["budget", "points solved", "--resume"]);
+    assert_eq!(desk.read("table.h5"), b"what was there");
+    for wrong in ["0", "-1", "nan", "inf"] {
+        let message = desk.fail(1, &[&GENERATE[..], &["--budget", wrong]].concat());
+        assert_names(&message, &["--budget", "seconds"]);
+    }
+    // A budget that is too small again and again gets there, too.
+    let mut rounds = 1;
+    while desk.run(&[&RESUME[..], &["--jobs", "2", "--budget", "0.3"]].concat()).status != 0 {
+        rounds += 1;
+        assert!(rounds < 60);
+    }
+    println!("{rounds} budgets were spent");
+    assert_finished(&desk);
+}
+
+#[test]
+fn stated_nodes_are_obeyed_and_a_table_that_misses_its_tolerance_is_kept() {
+    let desk = desk();
+    desk.write("scene.toml", SCENE.replace("to = 1e2 ", "to = 1e2, nodes = 4 "));
+    let run = desk.run(&GENERATE);
+    assert_eq!(run.status, 1);
+    assert_names(&run.stderr, &["is written", "exceeds the tolerance"]);
+    let table = Table::open(desk.path("table.h5")).expect("a sound table");
+    assert!(table.description().certificate.max_error > 1e-6);
+    assert_eq!(desk.files(), ["scene.toml", "table.h5"]);
+}
+
+/// A limit on the size of files stands for a full disk where nothing may be mounted.
+#[test]
+fn a_full_disk_is_an_error_and_what_is_finished_is_safe() {
+    let desk = desk();
+    desk.write("table.h5", "what was there");
+    // In units of 512 bytes: first the journal does not fit, then, as it is longer than the table, neither does.
+    for limit in [1, 40, 300] {
+        let run = desk.script(&format!(
+            "trap '' XFSZ; ulimit -f {limit}; exec $0 generate scene.toml -o table.h5 --certificate-points 300 --resume"
+        ));
+        assert_eq!(run.status, 1, "{run:?}");
+        assert_names(&run.stderr, &["cannot write", "too large"]);
+        assert_eq!(desk.read("table.h5"), b"what was there");
+    }
+    assert!(fs::metadata(desk.path(JOURNAL)).expect("it is kept").len() > 40 * 512);
+    desk.succeed(&RESUME);
+    assert_finished(&desk);
+}
+
+/// A disk of a few hundred kilobytes, where this process may mount one.
+#[test]
+fn a_small_disk_that_fills_up_in_any_stage_is_an_error() {
+    let mounted = "mkdir disk && mount -t tmpfs -o size=64k none disk";
+    let desk = desk();
+    if desk.script(&format!("unshare -m sh -c '{mounted}'; rmdir disk")).stderr.is_empty() {
+        let script = format!(
+            "{mounted} && cp scene.toml disk && cd disk &&
+             for size in 64k 200k 400k 600k 700k 2m; do
+                 mount -o remount,size=$size none . && $0 generate scene.toml --certificate-points 300 --resume; echo status $?
+             done; ls -a; cp scene.h5 ../table.h5"
+        );
+        let run = desk.script(&format!("unshare -m sh -c '{script}' $0"));
+        let statuses: Vec<&str> = run.stdout.lines().filter_map(|line| line.strip_prefix("status ")).collect();
+        println!("{statuses:?} {}", run.stderr);
+        assert!(statuses.contains(&"1") && statuses.last() == Some(&"0"), "{run:?}");
+        for message in run.stderr.lines() {
+            assert_names(message, &["cannot write", "No space left"]);
+        }
+        assert!(desk.read("table.h5") == *WHOLE, "the table differs from that of an uninterrupted run");
+    } else {
+        println!("nothing may be mounted here: the limit on files' size stands for it");
+    }
+}
+
+#[test]
+fn a_read_only_folder_is_an_error_before_any_solving() {
+    let desk = desk();
+    fs::create_dir(desk.path("folder")).expect("a new folder");
+    // Permissions do not bind the superuser, a read-only file system does.
+    let run = desk.script(
+        "if [ $(id -u) = 0 ]; then
+             exec unshare -m sh -c 'mount -t tmpfs -o ro none folder && exec $0 generate scene.toml -o folder/table.h5' $0
+         else
+             chmod a-w folder; exec $0 generate scene.toml -o folder/table.h5
+         fi",
+    );
+    println!("{run:?}");
+    assert_eq!(run.status, 1);
+    assert!(run.stderr.contains("cannot write folder/table.h5") || run.stderr.contains("mount"), "{run:?}");
+    assert_eq!(fs::read_dir(desk.path("folder")).expect("a folder").count(), 0);
+}
