@@ -168,6 +168,41 @@ fn values_at_the_nodes_are_the_solves_to_rounding() {
     assert!(worst <= 2e-14);
 }
 
+/// What a generation certifies is looked up like what it writes.
+#[test]
+fn a_table_of_splines_only_is_the_dense_one_but_for_the_values() {
+    for scene in [BOX, RIGID_SPHERE, TWO_QUANTITIES] {
+        let dense = table(scene);
+        let logarithms: Vec<f64> = (0..dense.shape()[1]).flat_map(|e1| dense.logarithms(e1)).collect();
+        let axes = Parameter::ALL.map(|parameter| dense.axis(parameter).to_vec());
+        let make = |logarithms| Table::from_logarithms(dense.description().clone(), axes.clone(), dense.quantities(), logarithms);
+        let splines = make(logarithms.clone()).expect("a logarithm for each value");
+        assert!(splines.quantities() == dense.quantities() && splines.low_rank().is_none());
+        assert!(Quantity::ALL.iter().all(|&quantity| splines.values(quantity).is_none()));
+        let mut contacts = Contacts::new(57);
+        for _ in 0..100 {
+            let (x, material) = contacts.point_of(&dense);
+            let [a, b] = [&dense, &splines].map(|table| table.curve(&material).expect("inside"));
+            for quantity in dense.quantities() {
+                assert_eq!(a.quantity(quantity, x).expect("held"), b.quantity(quantity, x).expect("held"));
+            }
+        }
+        let expanded = splines.expand().expect("positive values");
+        let pairs = dense.quantities().into_iter().flat_map(|q| {
+            let values = [&dense, &*expanded].map(|table| table.values(q).expect("held").to_vec());
+            let [a, b] = values;
+            a.into_iter().zip(b)
+        });
+        let apart = pairs.map(|(a, b)| (a / b - 1.0).abs()).fold(0.0, larger);
+        println!("{}: values at the nodes from the splines: {apart:.1e}", dense.description().title);
+        assert!(apart <= AT_NODES);
+        assert_eq!(splines.to_packed().expect("small"), expanded.to_packed().expect("small"));
+        for wrong in [logarithms[1..].to_vec(), vec![f64::NAN; logarithms.len()], vec![]] {
+            assert!(matches!(make(wrong), Err(Error::Malformed(_))));
+        }
+    }
+}
+
 #[test]
 fn between_the_nodes_a_table_keeps_tolerance_and_certificate() {
     assert_certified(&FOUR_AXES, 52, 1000);

@@ -75,22 +75,20 @@ pub(crate) struct Coefficients {
 
 impl Coefficients {
     pub(crate) fn new(table: &Table) -> Self {
-        let bases = [Parameter::E1OverE2, Parameter::Nu1, Parameter::E0OverE2].map(|parameter| {
-            let nodes: Vec<f64> = table.axis(parameter).iter().map(|&value| parameter.coordinate(value)).collect();
-            Basis::new(&nodes, TABLE_DEGREE)
-        });
-        match table.low_rank() {
-            None => Self::dense(table, bases),
-            Some(form) => Self::low_rank(form, bases),
+        if let Some(form) = table.low_rank() {
+            return Self::low_rank(form, bases(table));
         }
+        let [_, n_e1, ..] = table.shape();
+        let mut logarithms = Vec::with_capacity(table.shape().iter().product::<usize>() * table.quantities().len());
+        (0..n_e1).for_each(|e1| logarithms.extend(table.logarithms(e1)));
+        Self::splined(table, logarithms)
     }
 
-    fn dense(table: &Table, bases: [Basis; 3]) -> Self {
+    /// From the logarithms at the nodes of a table, material-major, so that a curve sums whole rows. They become the coefficients in place.
+    pub(crate) fn splined(table: &Table, mut rows: Vec<f64>) -> Self {
+        let bases = bases(table);
         let [n_a, n_e1, n_nu, n_e0] = table.shape();
         let width = table.quantities().len() * n_a;
-        // Material-major, so that a curve sums whole rows.
-        let mut rows = Vec::with_capacity(width * n_e1 * n_nu * n_e0);
-        (0..n_e1).for_each(|e1| rows.extend(table.logarithms(e1)));
         bases[0].interpolate(&mut rows, n_nu * n_e0 * width);
         for slab in rows.chunks_exact_mut(n_nu * n_e0 * width) {
             bases[1].interpolate(slab, n_e0 * width);
@@ -99,6 +97,17 @@ impl Coefficients {
         let starts = (0..=n_e1 * n_nu * n_e0).map(|row| row * width).collect();
         let functions = bases.map(|basis| Functions { count: basis.len(), basis, factor: None });
         Self { functions, rows, starts, width, a_over_t: None }
+    }
+
+    /// The logarithms of splines at all nodes with one `e1_over_e2`, see [`Table::logarithms`].
+    pub(crate) fn at_nodes(&self, table: &Table, e1: usize) -> Vec<f64> {
+        let place = |parameter: Parameter, node: usize| parameter.coordinate(table.axis(parameter)[node]);
+        let [_, _, n_nu, n_e0] = table.shape();
+        let materials = (0..n_nu).flat_map(|nu| (0..n_e0).map(move |e0| (nu, e0)));
+        let rows = materials.map(|(nu, e0)| {
+            self.contract([place(Parameter::E1OverE2, e1), place(Parameter::Nu1, nu), place(Parameter::E0OverE2, e0)])
+        });
+        rows.flatten().collect()
     }
 
     fn low_rank(form: &LowRank, bases: [Basis; 3]) -> Self {
@@ -177,6 +186,14 @@ impl Coefficients {
         }
         sum
     }
+}
+
+/// The B-splines of `e1_over_e2`, `nu1` and `e0_over_e2`.
+fn bases(table: &Table) -> [Basis; 3] {
+    [Parameter::E1OverE2, Parameter::Nu1, Parameter::E0OverE2].map(|parameter| {
+        let nodes: Vec<f64> = table.axis(parameter).iter().map(|&value| parameter.coordinate(value)).collect();
+        Basis::new(&nodes, TABLE_DEGREE)
+    })
 }
 
 /// The functions of one material parameter whose coefficients the rows are: its B-splines, or those combinations of them that a low-rank

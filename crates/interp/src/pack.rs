@@ -80,7 +80,7 @@ impl Table {
     /// The packed form, which [`Table::from_packed`] turns back into the same table, bit for bit.
     ///
     /// # Errors
-    /// [`Error::Malformed`] if title, scene and axes exceed a megabyte.
+    /// [`Error::Malformed`] if title, scene and axes exceed a megabyte; those of [`Table::expand`].
     pub fn to_packed(&self) -> Result<Vec<u8>, Error> {
         let axes = Parameter::ALL.map(|parameter| self.axis(parameter).to_vec());
         let form = if self.low_rank().is_some() { Form::LowRank } else { Form::Dense };
@@ -89,9 +89,12 @@ impl Table {
         if payload.len() > HEADER_LIMIT {
             return Err(Error::Malformed(format!("its header has {} bytes, at most {HEADER_LIMIT} are allowed", payload.len())));
         }
-        for quantity in header.quantities {
-            let values = self.values(quantity).into_iter().flatten();
-            payload.extend(values.flat_map(|value| value.to_le_bytes()));
+        if matches!(header.form, Form::Dense) {
+            let dense = self.expand()?;
+            for quantity in header.quantities {
+                let values = dense.values(quantity).into_iter().flatten();
+                payload.extend(values.flat_map(|value| value.to_le_bytes()));
+            }
         }
         if let Some(LowRank { ranks, factors, step, core, .. }) = self.low_rank() {
             let core = core.iter().map(|&entry| entry as i64).collect();

@@ -48,12 +48,14 @@ pub struct Table {
     coefficients: OnceLock<Coefficients>,
 }
 
-/// The two forms of a table.
+/// The forms of a table.
 #[derive(Clone, Debug)]
 enum Content {
     /// Row-major over the four axes, `a_over_t` slowest.
     Dense([Option<Vec<f64>>; 4]),
     LowRank(LowRank),
+    /// Splines through what was given as logarithms, of these quantities; all else is in the coefficients.
+    Splined(Vec<Quantity>),
 }
 
 impl Table {
@@ -96,6 +98,35 @@ impl Table {
         Ok(Self { description, axes, content: Content::LowRank(form), coefficients: OnceLock::new() })
     }
 
+    /// A table for looking up only, which takes half the memory of [`Table::new`] and no copy: from the logarithms that are splined, in the layout
+    /// of [`Table::logarithms`], one `e1_over_e2` after the other.
+    ///
+    /// # Errors
+    /// Those of [`Table::new`] that concern description and axes; [`Error::Malformed`] if no quantity is given or they are not in order, if there are
+    /// not as many logarithms as values at the nodes, or if one is not finite.
+    pub fn from_logarithms(
+        description: Description,
+        axes: [Vec<f64>; 4],
+        quantities: Vec<Quantity>,
+        logarithms: Vec<f64>,
+    ) -> Result<Self, Error> {
+        check(&description, &axes)?;
+        let malformed = |what: String| Err(Error::Malformed(what));
+        if quantities.is_empty() || !quantities.is_sorted_by(|a, b| a < b) {
+            return malformed(format!("logarithms of {quantities:?}"));
+        }
+        let count = axes.iter().try_fold(quantities.len(), |product, nodes| product.checked_mul(nodes.len()));
+        if Some(logarithms.len()) != count {
+            return malformed(format!("{} logarithms for {count:?} values", logarithms.len()));
+        }
+        if let Some(logarithm) = logarithms.iter().find(|logarithm| !logarithm.is_finite()) {
+            return malformed(format!("a logarithm is {logarithm:?}"));
+        }
+        let table = Self { description, axes, content: Content::Splined(quantities), coefficients: OnceLock::new() };
+        let coefficients = Coefficients::splined(&table, logarithms);
+        Ok(Self { coefficients: OnceLock::from(coefficients), ..table })
+    }
+
     /// What the table says of itself.
     pub fn description(&self) -> &Description {
         &self.description
@@ -121,6 +152,7 @@ impl Table {
         match &self.content {
             Content::Dense(values) => values[quantity as usize].is_some(),
             Content::LowRank(form) => form.quantities.contains(&quantity),
+            Content::Splined(quantities) => quantities.contains(&quantity),
         }
     }
 
@@ -129,20 +161,20 @@ impl Table {
         Quantity::ALL.into_iter().filter(|&quantity| self.holds(quantity)).collect()
     }
 
-    /// The values of a quantity at the nodes, row-major with `a_over_t` slowest, if the table holds them: a low-rank one does after
-    /// [`Table::expand`] only.
+    /// The values of a quantity at the nodes, row-major with `a_over_t` slowest, if the table holds them: one in low-rank form, or of splines
+    /// only, does after [`Table::expand`].
     pub fn values(&self, quantity: Quantity) -> Option<&[f64]> {
         match &self.content {
             Content::Dense(values) => values[quantity as usize].as_deref(),
-            Content::LowRank(_) => None,
+            Content::LowRank(_) | Content::Splined(_) => None,
         }
     }
 
     /// The low-rank form, if the table has it.
     pub fn low_rank(&self) -> Option<&LowRank> {
         match &self.content {
-            Content::Dense(_) => None,
             Content::LowRank(form) => Some(form),
+            Content::Dense(_) | Content::Splined(_) => None,
         }
     }
 
@@ -154,6 +186,7 @@ impl Table {
     pub fn logarithms(&self, e1: usize) -> Vec<f64> {
         let values = match &self.content {
             Content::LowRank(form) => return form.logarithms(e1),
+            Content::Splined(_) => return self.coefficients().at_nodes(self, e1),
             Content::Dense(values) => values,
         };
         let [n_a, n_e1, n_nu, n_e0] = self.shape();
@@ -174,13 +207,13 @@ impl Table {
         logarithms
     }
 
-    /// The dense table on the nodes: itself, or the values of a low-rank one. The description stays, and with it the certificate, because the
-    /// splines through these values are the low-rank table's but for rounding.
+    /// The dense table on the nodes: itself, or the values of one in low-rank form or of splines only. The description stays, and with it the
+    /// certificate, because the splines through these values are the table's but for rounding.
     ///
     /// # Errors
     /// [`Error::Malformed`] if a value is not in `[1e-30, 1e30]`.
     pub fn expand(&self) -> Result<Cow<'_, Self>, Error> {
-        if self.low_rank().is_none() {
+        if matches!(self.content, Content::Dense(_)) {
             return Ok(Cow::Borrowed(self));
         }
         let [n_a, n_e1, n_nu, n_e0] = self.shape();
@@ -215,7 +248,11 @@ impl Table {
     /// [`Error::Normalisation`] for a rigid sphere in a table for compliant ones or the reverse; [`Error::OutsideTable`] for a
     /// material outside the box; [`Error::Equivalent`] where the equivalent does not exist or is outside the box.
     pub fn curve(&self, material: &Material) -> Result<Curve, Error> {
-        self.coefficients.get_or_init(|| Coefficients::new(self)).curve(self, material)
+        self.coefficients().curve(self, material)
+    }
+
+    fn coefficients(&self) -> &Coefficients {
+        self.coefficients.get_or_init(|| Coefficients::new(self))
     }
 
     /// The coordinate at which an axis is to be interpolated for `value`.

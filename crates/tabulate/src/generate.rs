@@ -15,7 +15,7 @@ use crate::certify::{Sample, certificate, measure, sample};
 use crate::journal::{Header, Journal, beside};
 use crate::plan::Plan;
 use crate::scene::Scene;
-use crate::sweep::{Sweep, Values};
+use crate::sweep::Sweep;
 use crate::{Error, archive};
 
 /// How a table is generated.
@@ -114,19 +114,22 @@ fn run(scene: &Scene, path: &Path, options: &Options, observer: &dyn Observer, j
     loop {
         let began = Instant::now();
         let axes = plan.axes();
-        let values = sweep(scene, &axes, journal, observer, deadline)?;
+        let sweep = Sweep::new(scene, &axes)?;
+        solve(&sweep, journal, observer, deadline)?;
         points += plan.points();
         let solved = start.elapsed();
-        let mut table = Table::new(description(scene, &axes, options.seed)?, axes, values)?;
+        // First the splines and then the values: both together would take twice the memory.
+        let splines = splines(scene, &sweep, &axes, journal, options.seed)?;
         observer.begin("checking", options.certificate_points, 0);
-        let samples = measure(&table, options.certificate_points, options.seed, &|count| observer.advance(count))?;
+        let samples = measure(&splines, options.certificate_points, options.seed, &|count| observer.advance(count))?;
         let certificate = certificate(&samples, options.seed);
-        table.set_certificate(certificate);
         let next = if certificate.max_error <= scene.tolerance || round == MOST_ROUNDS {
             None
         } else {
-            plan.refined(factors(&table, samples)?, scene)?
+            plan.refined(factors(&splines, samples)?, scene)?
         };
+        let description = Description { certificate, ..splines.description().clone() };
+        drop(splines);
         // The next round takes longer than this one by its points.
         let longer = |next: &Plan| began.elapsed().mul_f64(next.points() as f64 / plan.points() as f64);
         match next.filter(|next| deadline.is_none_or(|deadline| Instant::now() + longer(next) <= deadline)) {
@@ -137,6 +140,11 @@ fn run(scene: &Scene, path: &Path, options: &Options, observer: &dyn Observer, j
                 journal.begin(header(scene, round, &plan))?;
             }
             None => {
+                let mut values = sweep.blank();
+                for piece in 0..sweep.pieces() {
+                    sweep.place(&mut values, piece, &journal.values(piece, sweep.values())?);
+                }
+                let table = Table::new(description, axes.clone(), values)?;
                 archive::write_through(&table, path, &beside(&Journal::path(path), "h5"))?;
                 return Ok(Generated { table, refined, points, resumed, solved });
             }
@@ -144,35 +152,32 @@ fn run(scene: &Scene, path: &Path, options: &Options, observer: &dyn Observer, j
     }
 }
 
-/// The pieces that the journal holds, and the others, solved now.
-fn sweep(
-    scene: &Scene,
-    axes: &[Vec<f64>; 4],
-    journal: &mut Journal,
-    observer: &dyn Observer,
-    deadline: Option<Instant>,
-) -> Result<Values, Error> {
-    let sweep = Sweep::new(scene, axes)?;
+/// Solves the pieces that the journal does not hold.
+fn solve(sweep: &Sweep, journal: &mut Journal, observer: &dyn Observer, deadline: Option<Instant>) -> Result<(), Error> {
     let total = sweep.pieces() * sweep.points();
     observer.begin("solving", total, journal.finished() * sweep.points());
-    let mut values = sweep.blank();
     for piece in 0..sweep.pieces() {
-        let solved = match journal.values(piece, sweep.values())? {
-            Some(solved) => solved,
-            None => {
-                let solved = sweep.solve(piece, &|count| observer.advance(count))?;
-                journal.add(piece, &solved)?;
-                // After a piece, so that the smallest budget gets further.
-                let finished = journal.finished();
-                if finished < sweep.pieces() && deadline.is_some_and(|deadline| Instant::now() >= deadline) {
-                    return Err(Error::Budget { finished: finished * sweep.points(), total });
-                }
-                solved
-            }
-        };
-        sweep.place(&mut values, piece, &solved);
+        if journal.holds(piece) {
+            continue;
+        }
+        let solved = sweep.solve(piece, &|count| observer.advance(count))?;
+        journal.add(piece, &solved)?;
+        // After a piece, so that the smallest budget gets further.
+        let finished = journal.finished();
+        if finished < sweep.pieces() && deadline.is_some_and(|deadline| Instant::now() >= deadline) {
+            return Err(Error::Budget { finished: finished * sweep.points(), total });
+        }
     }
-    Ok(values)
+    Ok(())
+}
+
+/// The table's splines, without the values, from a journal that holds every piece.
+fn splines(scene: &Scene, sweep: &Sweep, axes: &[Vec<f64>; 4], journal: &mut Journal, seed: u64) -> Result<Table, Error> {
+    let mut logarithms = vec![0.0; sweep.pieces() * sweep.values()];
+    for piece in 0..sweep.pieces() {
+        sweep.place_logarithms(&mut logarithms, piece, &journal.values(piece, sweep.values())?);
+    }
+    Ok(Table::from_logarithms(description(scene, axes, seed)?, axes.clone(), scene.quantities.clone(), logarithms)?)
 }
 
 /// How many times as many nodes each axis wants, to judge by the worst points.

@@ -148,19 +148,25 @@ impl Journal {
         Ok(())
     }
 
-    /// The `count` values of a piece, if it is finished.
+    /// Whether a piece is finished.
+    pub fn holds(&self, piece: usize) -> bool {
+        self.pieces.contains_key(&piece)
+    }
+
+    /// The `count` values of a finished piece.
     ///
     /// # Errors
-    /// [`Error::Write`] naming the journal.
-    pub fn values(&mut self, piece: usize, count: usize) -> Result<Option<Vec<f64>>, Error> {
-        let Some(&(start, length)) = self.pieces.get(&piece) else { return Ok(None) };
-        if length != 8 * count as u64 {
-            return Ok(None);
-        }
+    /// [`Error::Write`] naming the journal if it does not hold them.
+    pub fn values(&mut self, piece: usize, count: usize) -> Result<Vec<f64>, Error> {
         let mut bytes = vec![0; 8 * count];
-        let read = self.file.seek(SeekFrom::Start(start)).and_then(|_| self.file.read_exact(&mut bytes));
+        let read = match self.pieces.get(&piece) {
+            Some(&(start, length)) if length == bytes.len() as u64 => {
+                self.file.seek(SeekFrom::Start(start)).and_then(|_| self.file.read_exact(&mut bytes))
+            }
+            _ => Err(io::Error::other(format!("it does not hold the {count} values of piece {piece}"))),
+        };
         self.named(read)?;
-        Ok(Some(bytes.as_chunks().0.iter().map(|bytes| f64::from_le_bytes(*bytes)).collect()))
+        Ok(bytes.as_chunks().0.iter().map(|bytes| f64::from_le_bytes(*bytes)).collect())
     }
 
     /// Removes the journal: the table is complete, or never will be.

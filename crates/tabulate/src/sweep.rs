@@ -105,11 +105,23 @@ impl<'a> Sweep<'a> {
         values
     }
 
-    /// Puts a piece in its place.
+    /// Puts the values of a piece in their place.
     pub fn place(&self, values: &mut Values, piece: usize, solved: &[f64]) {
         let points = self.points();
         for (values, solved) in values.iter_mut().flatten().zip(solved.chunks_exact(points)) {
             values[piece * points..][..points].copy_from_slice(solved);
+        }
+    }
+
+    /// Puts the logarithms of a piece, which a table splines, in their place: that of [`interp::Table::from_logarithms`].
+    pub fn place_logarithms(&self, logarithms: &mut [f64], piece: usize, solved: &[f64]) {
+        let held = self.scene.quantities.len();
+        let rows = logarithms.chunks_exact_mut(held * self.pieces());
+        for (member, (row, material)) in rows.zip(&self.materials).enumerate() {
+            let es = material.sphere_film_modulus();
+            for (i, &quantity) in self.scene.quantities.iter().enumerate() {
+                row[held * piece + i] = (solved[i * self.points() + member] / quantity.scale(es)).ln();
+            }
         }
     }
 
