@@ -12,11 +12,12 @@
 //!   adhesion;
 //! * [`Curve::through`] and [`Contact::new`] make them without a table, from quantities solved elsewhere.
 //!
-//! ```no_run
+//! ```
+//! # #[cfg(feature = "embedded")]
 //! # fn main() -> Result<(), interp::Error> {
 //! use interp::{Elastic, System, Table};
 //!
-//! let table = Table::read("tables/paper.bin")?;
+//! let table = Table::embedded();
 //! let film = Elastic::new(3.5e6, 0.5)?; // Young's modulus (Pa), Poisson ratio
 //! let substrate = Elastic::new(2e11, 0.25)?;
 //! let system = System { sphere_radius: 1e-3, sphere_modulus: 2e6, film, film_thickness: 1e-6, substrate };
@@ -26,6 +27,8 @@
 //!     println!("{a:e} m: {load:e} N, {penetration:e} m");
 //! }
 //! # Ok(()) }
+//! # #[cfg(not(feature = "embedded"))]
+//! # fn main() {}
 //! ```
 //!
 //! No numerics happen here, no value is clamped and none is extrapolated: outside the table or curve, but for rounding (1e-12), there is an
