@@ -4,7 +4,7 @@
 //! each end, so that it has exactly `n` coefficients and reproduces polynomials of degree `p`. Its error falls like `h^{p+1}`.
 
 /// The degree of the splines through the nodes of a table (fewer nodes than ten lower it). Higher degrees save hardly any nodes from 1e-4
-/// to 1e-8, and each doubles what a curve gathers; a quintic takes 1.3 times as many nodes on each axis at 1e-6, and twice as many at 1e-8
+/// to 1e-8, and each doubles what a curve gathers; a quintic takes 1.2 to 1.3 times as many nodes on each axis at 1e-6, 1.7 to 1.9 at 1e-8
 /// (`cargo xtask cargo bench -p tabulate --bench interpolation`).
 pub const TABLE_DEGREE: usize = 9;
 

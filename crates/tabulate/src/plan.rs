@@ -58,7 +58,7 @@ impl Placement {
 }
 
 /// `count` places from 0 to 1, see [`Placement::Nodes`].
-fn places(count: usize, evenness: f64) -> Vec<f64> {
+pub fn places(count: usize, evenness: f64) -> Vec<f64> {
     let intervals = (count - 1) as f64;
     let place = |i: usize| {
         let even = i as f64 / intervals;
@@ -90,7 +90,7 @@ const SHARE: f64 = 0.5;
 
 /// What the nodes may be like: the fewest win. Boxes whose quantities are smooth up to their ends want even nodes, those that
 /// end in a steep region crowded ones.
-const EVENNESS: [f64; 4] = [0.0, 0.9, 0.95, 0.98];
+pub const EVENNESS: [f64; 4] = [0.0, 0.9, 0.95, 0.98];
 
 impl Plan {
     /// Plans the table of a scene. Stated numbers of nodes are obeyed. The plan does not depend on the number of threads.
@@ -291,7 +291,7 @@ fn largest_difference(a: &[f64], b: &[f64]) -> f64 {
 
 /// Lines along an axis: every edge of the box, and others that are drawn at random, each parameter at one of its ends in half of them. Their number grows with the
 /// number of directions in which they can differ.
-fn lines(scene: &Scene, along: Parameter) -> Vec<[f64; 4]> {
+pub fn lines(scene: &Scene, along: Parameter) -> Vec<[f64; 4]> {
     const RANDOM: usize = 40;
     const OVERSHOOT: f64 = 0.5;
     const SEED: u64 = 4;
@@ -315,7 +315,10 @@ fn lines(scene: &Scene, along: Parameter) -> Vec<[f64; 4]> {
 }
 
 /// What the table splines at one point, for the quantities that the scene asks for.
-fn logarithms(scene: &Scene, [a_over_t, e1, nu1, e0]: [f64; 4]) -> Result<Vec<f64>, Error> {
+///
+/// # Errors
+/// Those of the solve.
+pub fn logarithms(scene: &Scene, [a_over_t, e1, nu1, e0]: [f64; 4]) -> Result<Vec<f64>, Error> {
     let material = scene.material([e1, nu1, e0])?;
     let wanted = Wanted::of(scene.quantities.iter().copied());
     let solved = solve_for_table(a_over_t, &material, scene.tolerance, wanted)?;
