@@ -7,6 +7,7 @@
 
 mod hdf5;
 mod python;
+mod tables;
 mod workspace;
 
 use std::env;
@@ -17,6 +18,7 @@ usage: cargo xtask COMMAND
 
   table [SCENE] [ARGS]
                  make a table: `tabulate generate SCENE ARGS`; without SCENE the default one, into tables/default.h5
+  tables         make and pack the table of every scene in tables/, in target/tables/, and print the rows of tables/README.md
   test [ARGS]    run the whole test suite, optimised; ARGS go to `cargo test`
   compare        time the solve against numpy and scipy on the same equation
   cargo ARGS     run a cargo command that builds tabulate, with HDF5 set up: `cargo xtask cargo bench -p tabulate`
@@ -28,6 +30,7 @@ fn main() -> ExitCode {
     let rest: Vec<String> = args.collect();
     let outcome = match command.as_deref() {
         Some("table") => table(&rest),
+        Some("tables") if rest.is_empty() => tables::tables(),
         Some("test") => test(&rest),
         Some("compare") if rest.is_empty() => compare(),
         Some("cargo") if !rest.is_empty() => cargo(&rest),
