@@ -181,7 +181,7 @@ fn panel(area: &Area<'_>, title: &str, curves: &[Curve]) -> Result<(), Box<dyn E
         .x_label_formatter(&|x| power_of_ten(*x))
         .y_label_formatter(&f64::to_string)
         .label_style(FONT)
-        .x_desc(format!("points solved, for tolerances from {:e} to {:e}", TOLERANCES[0], TOLERANCES[TOLERANCES.len() - 1]))
+        .x_desc(format!("points solved, tolerances {:e} to {:e}", TOLERANCES[0], TOLERANCES[TOLERANCES.len() - 1]))
         .draw()?;
     for curve in curves {
         let (points, style) = (curve.points.iter().copied(), curve.colour.stroke_width(2));

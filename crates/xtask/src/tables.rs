@@ -19,10 +19,10 @@ pub fn tables() -> Result<(), String> {
     let mut names: Vec<String> = files.filter_map(|file| Some(file.strip_suffix(".toml")?.to_owned())).collect();
     names.sort();
     println!(
-        "| scene | a/t | E1/E2 | nu1 | E0/E2 | nu0 | tolerance | nodes | solves | seconds | peak memory | .h5 | .bin | \
-         certified error, max (median) | made by |"
+        "| scene | a/t | E1/E2 | nu1 | E0/E2 | nu0 | tolerance | nodes | solves | seconds | peak memory | .h5 | \
+         certified error, max (median) | .bin | certified error | made by |"
     );
-    println!("|{}", "---|".repeat(15));
+    println!("|{}", "---|".repeat(16));
     for name in names {
         println!("{}", row(&name, &scenes, &made)?);
     }
@@ -35,13 +35,13 @@ fn row(name: &str, scenes: &Path, made: &Path) -> Result<String, String> {
     let (scene, table, packed) = (path(scenes, "toml"), path(made, "h5"), path(made, "bin"));
     let said = Said(tabulate(&["generate", &scene, "-o", &table])?);
     let tolerance = said.of("tolerance")?;
-    tabulate(&["pack", &table, "-o", &packed, "--tolerance", tolerance])?;
+    let said_of_packed = Said(tabulate(&["pack", &table, "-o", &packed, "--tolerance", tolerance])?);
 
     let axes = PARAMETERS.iter().map(|parameter| said.of(parameter)).collect::<Result<Vec<_>, _>>()?;
     let ranges: Vec<String> = axes.iter().map(|axis| range(axis)).collect();
     let nodes: Vec<&str> =
         axes.iter().filter_map(|axis| axis.split_once(", ")?.1.split_once(" nodes")).map(|nodes| nodes.0).collect();
-    let (error, solved) = (said.of("certified error")?, said.of("solved")?);
+    let (solved, error, packed_error) = (said.of("solved")?, said.of("certified error")?, said_of_packed.of("certified error")?);
     let cells = [
         format!("[`{name}`]({name}.toml)"),
         ranges.join(" | "),
@@ -52,8 +52,9 @@ fn row(name: &str, scenes: &Path, made: &Path) -> Result<String, String> {
         between(solved, " s, ", " s with the certificate")?.to_owned(),
         between(said.of("memory")?, "", " at most")?.to_owned(),
         size(&table)?,
-        size(&packed)?,
         format!("{} ({})", between(error, "max ", ",")?, between(error, "median ", " ")?),
+        size(&packed)?,
+        between(packed_error, "max ", ",")?.to_owned(),
         format!("`cargo xtask table tables/{name}.toml`"),
     ];
     Ok(format!("| {} |", cells.join(" | ")))
@@ -69,14 +70,14 @@ fn tabulate(args: &[&str]) -> Result<String, String> {
     String::from_utf8(output.stdout).map_err(|e| e.to_string())
 }
 
-/// The lines that `tabulate generate` prints, each of which begins with the name of what it tells.
+/// The lines that `tabulate generate` or `pack` prints, each of which begins with the name of what it tells.
 struct Said(String);
 
 impl Said {
     fn of(&self, name: &str) -> Result<&str, String> {
         let mut lines = self.0.lines();
         let found = lines.find_map(|line| line.strip_prefix(name)?.strip_prefix(' '));
-        found.map(str::trim_start).ok_or_else(|| format!("tabulate generate does not print its {name}:\n{}", self.0))
+        found.map(str::trim_start).ok_or_else(|| format!("tabulate does not print its {name}:\n{}", self.0))
     }
 }
 
@@ -96,7 +97,7 @@ fn range(axis: &str) -> String {
 /// A number as people write it.
 fn short(number: &str) -> String {
     match number.parse::<f64>() {
-        Ok(value) if value.is_finite() && value != 0.0 && !(1e-2..1e3).contains(&value) => format!("{value:e}"),
+        Ok(value) if value.is_finite() && value != 0.0 && !(0.1..100.0).contains(&value) => format!("{value:e}"),
         _ => number.to_owned(),
     }
 }
