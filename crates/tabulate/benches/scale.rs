@@ -149,7 +149,7 @@ fn draw(sizes: &[Size]) -> Result<(), Box<dyn Error>> {
         name_offset,
     };
     let seconds = |run: &Run| run.seconds;
-    panel(&left, "Time, certificate included (s)", &[of_jobs(0, seconds, -6), of_jobs(1, seconds, 6)])?;
+    panel(&left, "Time, certificate included (s)", &[of_jobs(0, seconds, -8), of_jobs(1, seconds, 8)])?;
     let megabytes = |run: &Run| run.megabytes;
     let values = Curve {
         points: sizes.iter().map(|size| (size.points, 2.0 * size.values)).collect(),
