@@ -7,7 +7,7 @@ use std::sync::LazyLock;
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
-use acceptance::{Contacts, Desk, assert_names};
+use acceptance::{Contacts, Desk, assert_names, checksum};
 use interp::Table;
 
 /// Some 40 pieces and 16,000 points: about half a second on one thread.
@@ -123,12 +123,14 @@ fn a_torn_or_damaged_end_of_the_journal_is_solved_again() {
     let desk = unfinished(100_000);
     let journal = desk.read(JOURNAL);
     let mut random = Contacts::new(72);
-    for i in 0..12 {
+    for i in 0..16 {
         let mut torn = journal.clone();
         let at = random.uniform(0.0, journal.len() as f64) as usize;
-        match i % 3 {
+        match i % 4 {
             0 => torn.truncate(at),
             1 => torn.extend(vec![0xff; at % 100 + 1]),
+            // What a loss of power may leave.
+            2 => torn.extend(vec![0; at % 5000 + 1]),
             // Damage to the header, in the first bytes, is an error; see below.
             _ => torn[at.max(1500)] ^= 0x10,
         }
@@ -136,6 +138,78 @@ fn a_torn_or_damaged_end_of_the_journal_is_solved_again() {
         desk.succeed(&RESUME);
         assert_finished(&desk);
     }
+}
+
+/// A record of the journal.
+fn record(number: u64, bytes: &[u8]) -> Vec<u8> {
+    [&number.to_le_bytes()[..], &(bytes.len() as u64).to_le_bytes(), &checksum(bytes).to_le_bytes(), bytes].concat()
+}
+
+#[test]
+fn a_sound_record_that_is_no_piece_is_dropped() {
+    let desk = unfinished(100_000);
+    let journal = desk.read(JOURNAL);
+    for forged in [record(0, b"short"), record(1, &[0; 8]), record(1_000_000, &[1; 16]), record(u64::MAX, b"a second header")] {
+        desk.write(JOURNAL, [&journal[..], &forged].concat());
+        desk.succeed(&RESUME);
+        assert_finished(&desk);
+    }
+}
+
+#[test]
+fn a_header_that_is_damaged_or_of_other_nodes_is_an_error_and_nothing_is_lost() {
+    let desk = unfinished(100_000);
+    let journal = desk.read(JOURNAL);
+    let length = u64::from_le_bytes(journal[16..24].try_into().expect("eight bytes")) as usize;
+    let (header, pieces) = journal[28..].split_at(length);
+    let header = String::from_utf8(header.to_vec()).expect("UTF-8");
+    let with = |header: &str| [&journal[..8], &record(u64::MAX, header.as_bytes()), pieces].concat();
+    assert_eq!(with(&header), journal);
+    let nodes = header.lines().find(|line| line.starts_with("nodes = ")).expect("the first axis");
+    let mut damaged = journal.clone();
+    damaged[100] ^= 1;
+    let mut cases = vec![(damaged, "cannot be read"), (with(&(header.clone() + "more = 1\n")), "cannot be read")];
+    for wrong in ["0", "1", "20000", "100000000000", "9223372036854775807"] {
+        cases.push((with(&header.replacen(nodes, &format!("nodes = {wrong}"), 1)), "not the scene's"));
+    }
+    cases.push((with(&header.replacen("from = 0.01", "from = -1.0", 1)), "not the scene's"));
+    for (forged, words) in cases {
+        desk.write(JOURNAL, &forged);
+        assert_names(&desk.fail(1, &RESUME), &["cannot resume", JOURNAL, words, "without --resume"]);
+        assert!(desk.read(JOURNAL) == forged, "the journal has changed");
+    }
+    assert_eq!(desk.run(&GENERATE).status, 0);
+    assert_finished(&desk);
+}
+
+/// A refined plan depends on the certificate: the file must not depend on who refined it.
+#[test]
+fn a_refined_run_is_resumed_with_its_own_certificate_only() {
+    let desk = desk();
+    // The first plan has an error of 1.3e-2.
+    desk.write(
+        "scene.toml",
+        "title = 'x'\ntolerance = 1e-2\na_over_t = { from = 0.01, to = 100 }\ne1_over_e2 = { from = 0.1, to = 10 }\n\
+         nu1 = { from = 0, to = 0.5 }\ne0_over_e2 = { from = 1e-3, to = 1e3 }\n",
+    );
+    let generate = ["generate", "scene.toml", "-o", "table.h5", "--resume"];
+    assert_names(&desk.succeed(&generate), &["refined"]);
+    let whole = desk.read("table.h5");
+    let mut child = desk.start(&generate);
+    let refined = || fs::read(desk.path(JOURNAL)).is_ok_and(|bytes| bytes.windows(9).take(1000).any(|word| word == b"round = 1"));
+    while !refined() {
+        assert!(child.try_wait().expect("its status").is_none(), "it finished before it was killed");
+        sleep(Duration::from_millis(1));
+    }
+    child.kill().expect("it runs");
+    child.wait().expect("it ends");
+    for other in [["--seed", "2"], ["--certificate-points", "300"]] {
+        let message = desk.fail(1, &[&generate[..], &other].concat());
+        assert_names(&message, &["cannot resume", "--certificate-points 10000 --seed 1"]);
+    }
+    assert!(refined());
+    desk.succeed(&[&generate[..], &["--jobs", "1"]].concat());
+    assert!(desk.read("table.h5") == whole, "the table differs from that of an uninterrupted run");
 }
 
 #[test]
@@ -184,6 +258,24 @@ fn of_two_generators_on_one_output_the_second_says_so() {
     }
     assert_eq!(desk.end(&GENERATE, first).status, 0);
     assert_finished(&desk);
+}
+
+#[test]
+fn links_to_one_output_are_one_output_on_its_own_disk() {
+    let desk = desk();
+    fs::create_dir(desk.path("folder")).expect("a new folder");
+    desk.write("folder/real.h5", "what was there");
+    std::os::unix::fs::symlink("folder/real.h5", desk.path("table.h5")).expect("a link");
+    let first = desk.start(&GENERATE);
+    while !desk.path("folder/real.h5.unfinished").exists() {
+        sleep(Duration::from_millis(1));
+    }
+    let second = ["generate", "scene.toml", "-o", "folder/real.h5"];
+    assert_names(&desk.fail(1, &second), &["real.h5", "being made by another process"]);
+    assert_eq!(desk.files(), ["folder", "scene.toml", "table.h5"]);
+    assert_eq!(desk.end(&GENERATE, first).status, 0);
+    assert!(desk.read("folder/real.h5") == *WHOLE, "the table differs from that of an uninterrupted run");
+    assert_eq!(fs::read_dir(desk.path("folder")).expect("a folder").count(), 1);
 }
 
 #[test]
@@ -262,6 +354,19 @@ fn a_small_disk_that_fills_up_in_any_stage_is_an_error() {
     } else {
         println!("nothing may be mounted here: the limit on files' size stands for it");
     }
+}
+
+#[test]
+fn a_name_that_the_library_does_not_take_is_an_error_before_any_solving() {
+    let desk = desk();
+    let run = desk.script("exec $0 generate scene.toml -o \"$(printf 'n\\377.h5')\"");
+    assert_eq!(run.status, 1, "{run:?}");
+    assert_names(&run.stderr, &["cannot write", "UTF-8"]);
+    // The journal's name is as long as names may be.
+    let name = format!("{}.h5", "x".repeat(241));
+    desk.succeed(&["generate", "scene.toml", "-o", &name, "--certificate-points", "20"]);
+    desk.fail(1, &["generate", "scene.toml", "-o", &format!("x{name}")]);
+    assert_eq!(desk.files(), ["scene.toml", name.as_str()]);
 }
 
 #[test]

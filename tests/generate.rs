@@ -92,6 +92,19 @@ fn a_table_that_misses_its_tolerance_is_written_and_the_status_is_1() {
     assert_names(&run.stdout, &["certified error", &format!("{error:.1e}")]);
 }
 
+/// The corners of the box are nodes, and say nothing.
+#[test]
+fn a_few_points_are_off_the_nodes() {
+    let desk = desk();
+    let scene = "title = 'x'\na_over_t = { from = 1e-2, to = 1e2, nodes = 3 }\ne1_over_e2 = 1\nnu1 = 0.5\ne0_over_e2 = 1e4\n";
+    desk.write("scene.toml", scene);
+    for points in ["1", "2", "10"] {
+        assert_eq!(desk.run(&["generate", "scene.toml", "--certificate-points", points]).status, 1, "{points} points");
+        let error = Table::open(desk.path("scene.h5")).expect("a sound table").description().certificate.max_error;
+        assert!(error > 1e-2, "{points} points: {error:e}");
+    }
+}
+
 #[test]
 fn a_wrong_scene_is_named_with_key_value_and_range() {
     /// The line that is changed, what to, and words of the error.

@@ -227,7 +227,7 @@ pub fn error_at(table: &Table, x: f64, material: &Material) -> f64 {
 }
 
 /// CRC-32 of zip and PNG, bit by bit.
-fn checksum(bytes: &[u8]) -> u32 {
+pub fn checksum(bytes: &[u8]) -> u32 {
     !bytes.iter().fold(!0_u32, |crc, &byte| {
         (0..8).fold(crc ^ u32::from(byte), |crc, _| if crc & 1 == 1 { crc >> 1 ^ 0xedb8_8320 } else { crc >> 1 })
     })

@@ -16,7 +16,7 @@ use crate::journal::{Header, Journal, beside};
 use crate::plan::Plan;
 use crate::scene::Scene;
 use crate::sweep::Sweep;
-use crate::{Error, archive};
+use crate::{Error, archive, output};
 
 /// How a table is generated.
 #[derive(Clone, Copy, Debug)]
@@ -56,6 +56,9 @@ pub struct Generated {
     pub solved: Duration,
 }
 
+/// The ending of the table until it is complete. It is shorter than the journal's, so that a name too long for the one is too long for the other.
+const UNFINISHED: &str = "partial";
+
 /// More rounds than this mean that refining does not help.
 const MOST_ROUNDS: usize = 5;
 
@@ -77,15 +80,22 @@ const SUSPECTS: usize = 24;
 /// its certificate with the tolerance.
 ///
 /// # Errors
-/// [`Error::Busy`] if another process generates the same file; [`Error::OtherRun`] if the finished pieces belong to another scene;
-/// [`Error::Budget`] if the budget ends during the sweep, whose pieces are kept; [`Error::Write`] for a file that cannot be written, pieces being
-/// kept; those of the solve and of [`Plan::new`].
+/// [`Error::Busy`] if another process generates the same file; [`Error::OtherRun`] if the finished pieces belong to another scene, or a refined plan
+/// to another certificate; [`Error::Budget`] if the budget ends during the sweep; [`Error::Write`] for a file that cannot be written; those of the
+/// solve and of [`Plan::new`]. Finished pieces are kept.
 pub fn generate(scene: &Scene, path: &Path, options: &Options, observer: &dyn Observer) -> Result<Generated, Error> {
+    // Two links to one file are one output, and a file is not renamed from one disk to another.
+    let path = &output::behind_links(path)?;
+    if std::path::absolute(path).is_ok_and(|path| path.to_str().is_none()) {
+        let source = std::io::Error::other("its name or folder is no UTF-8, which HDF5 needs");
+        return Err(Error::Write { path: path.clone(), source });
+    }
     let mut journal = Journal::open(path)?;
     let outcome = run(scene, path, options, observer, &mut journal);
     match &outcome {
-        // What is finished is of use to `--resume`.
-        Err(Error::Write { .. } | Error::Budget { .. } | Error::OtherRun { .. }) if journal.finished() > 0 => {}
+        // It is another run's, or what is finished is of use to `--resume`.
+        Err(Error::OtherRun { .. }) => {}
+        Err(_) if journal.finished() > 0 => {}
         _ => journal.remove()?,
     }
     outcome
@@ -95,18 +105,24 @@ fn run(scene: &Scene, path: &Path, options: &Options, observer: &dyn Observer, j
     let start = Instant::now();
     let deadline = options.budget.map(|budget| start + budget);
     let mut resumed = 0;
-    let (mut round, mut plan) = match journal.header().filter(|_| options.resume) {
+    if options.resume && journal.is_unreadable() {
+        return Err(Error::OtherRun { journal: Journal::path(path), what: "with a header that cannot be read".into() });
+    }
+    let (mut round, mut plan) = match journal.header().filter(|_| options.resume).cloned() {
         Some(header) => {
-            same_run(header, scene, path)?;
-            resumed = journal.finished() * (header.plan.points() / header.plan.shape()[0]);
-            (header.round, header.plan.clone())
+            same_run(&header, scene, path, options)?;
+            let pieces = header.plan.shape()[0];
+            let points = header.plan.points() / pieces;
+            journal.keep(pieces, points * scene.quantities.len());
+            resumed = journal.finished() * points;
+            (header.round, header.plan)
         }
         None => {
             if journal.finished() > 0 {
                 observer.note("the finished pieces of an interrupted run are dropped: it would have gone on with --resume");
             }
             let plan = Plan::new(scene)?;
-            journal.begin(header(scene, 0, &plan))?;
+            journal.begin(header(scene, 0, &plan, options))?;
             (0, plan)
         }
     };
@@ -126,7 +142,14 @@ fn run(scene: &Scene, path: &Path, options: &Options, observer: &dyn Observer, j
         let next = if certificate.max_error <= scene.tolerance || round == MOST_ROUNDS {
             None
         } else {
-            plan.refined(factors(&splines, samples)?, scene)?
+            match plan.refined(factors(&splines, samples)?, scene) {
+                // The table that there is, is better than none.
+                Err(error @ Error::TooLarge { .. }) => {
+                    observer.note(&error.to_string());
+                    None
+                }
+                refined => refined?,
+            }
         };
         let description = Description { certificate, ..splines.description().clone() };
         drop(splines);
@@ -137,7 +160,7 @@ fn run(scene: &Scene, path: &Path, options: &Options, observer: &dyn Observer, j
                 refined.push((plan.shape(), certificate));
                 round += 1;
                 plan = next;
-                journal.begin(header(scene, round, &plan))?;
+                journal.begin(header(scene, round, &plan, options))?;
             }
             None => {
                 let mut values = sweep.blank();
@@ -145,7 +168,7 @@ fn run(scene: &Scene, path: &Path, options: &Options, observer: &dyn Observer, j
                     sweep.place(&mut values, piece, &journal.values(piece, sweep.values())?);
                 }
                 let table = Table::new(description, axes.clone(), values)?;
-                archive::write_through(&table, path, &beside(&Journal::path(path), "h5"))?;
+                archive::write_through(&table, path, &beside(path, UNFINISHED))?;
                 return Ok(Generated { table, refined, points, resumed, solved });
             }
         }
@@ -210,18 +233,34 @@ fn factors(table: &Table, mut samples: Vec<Sample>) -> Result<[f64; 4], Error> {
     Ok(shares.map(|share| if share >= AIM * largest { factor } else { 1.0 }))
 }
 
-fn header(scene: &Scene, round: usize, plan: &Plan) -> Header {
-    Header { created_by: created_by(), scene: scene.text.clone(), tolerance: scene.tolerance, round, plan: plan.clone() }
+fn header(scene: &Scene, round: usize, plan: &Plan, options: &Options) -> Header {
+    Header {
+        created_by: created_by(),
+        scene: scene.text.clone(),
+        tolerance: scene.tolerance,
+        certificate_points: options.certificate_points,
+        seed: options.seed,
+        round,
+        plan: plan.clone(),
+    }
 }
 
-/// Accepts the header of an unfinished generation if it is of this scene by this program.
-fn same_run(header: &Header, scene: &Scene, path: &Path) -> Result<(), Error> {
+/// Accepts the header of an unfinished generation if it is of this scene by this program and, once refined, for the same certificate.
+fn same_run(header: &Header, scene: &Scene, path: &Path, options: &Options) -> Result<(), Error> {
     let what = if header.created_by != created_by() {
         format!("by {}, and this is {}", header.created_by, created_by())
     } else if header.tolerance != scene.tolerance {
         format!("with tolerance = {:?}, and this is {:?}", header.tolerance, scene.tolerance)
     } else if header.scene != scene.text {
         "from another text of the scene".into()
+    } else if !header.plan.fits(scene) {
+        "with nodes that are not the scene's".into()
+    } else if header.round > 0 && (header.certificate_points, header.seed) != (options.certificate_points, options.seed) {
+        let (points, seed) = (header.certificate_points, header.seed);
+        format!(
+            "and refined with --certificate-points {points} --seed {seed}, and this is {} and {}",
+            options.certificate_points, options.seed
+        )
     } else {
         return Ok(());
     };

@@ -35,6 +35,10 @@ pub struct Header {
     pub scene: String,
     /// The tolerance that is asked for.
     pub tolerance: f64,
+    /// How many points the certificate rests on: a refined plan depends on them.
+    pub certificate_points: usize,
+    /// Their seed.
+    pub seed: u64,
     /// How often the plan was refined.
     pub round: usize,
     /// The nodes.
@@ -46,6 +50,8 @@ pub struct Journal {
     path: PathBuf,
     file: File,
     header: Option<Header>,
+    /// Whether there is a header, and it is damaged or another version's.
+    unreadable: bool,
     /// Where the bytes of each finished piece begin, and how many there are.
     pieces: HashMap<usize, (u64, u64)>,
     /// The end of the last whole record.
@@ -58,7 +64,7 @@ impl Journal {
         beside(table, "unfinished")
     }
 
-    /// Opens the journal of a table and locks it. `other` is called if it holds something.
+    /// Opens the journal of a table and locks it.
     ///
     /// # Errors
     /// [`Error::Busy`] if another process holds it; [`Error::Write`] naming it if it cannot be made, or is no journal.
@@ -74,7 +80,8 @@ impl Journal {
             }
             // Its owner may have finished, and removed it, between the two steps.
             if is_same(&file, &path) {
-                let mut journal = Self { path: path.clone(), file, header: None, pieces: HashMap::new(), end: 0 };
+                let mut journal =
+                    Self { path: path.clone(), file, header: None, unreadable: false, pieces: HashMap::new(), end: 0 };
                 journal.recover().map_err(write)?;
                 return Ok(journal);
             }
@@ -92,15 +99,18 @@ impl Journal {
         }
         let mut end = magic.len() as u64;
         while let Some((number, bytes)) = record(&mut reader, length - end)? {
+            let header = number == HEADER && self.header.is_none();
+            self.unreadable = header;
+            let Some(bytes) = bytes else { break };
             let start = end + PREFIX as u64;
             end = start + bytes.len() as u64;
-            match (number, &self.header) {
-                (HEADER, None) => {
-                    let text = String::from_utf8(bytes).map_err(io::Error::other)?;
-                    self.header = Some(toml::from_str(&text).map_err(io::Error::other)?);
-                }
-                (piece, Some(_)) => drop(self.pieces.insert(piece as usize, (start, bytes.len() as u64))),
-                (_, None) => break,
+            match &self.header {
+                None if header => match toml::from_slice(&bytes) {
+                    Ok(header) => (self.header, self.unreadable) = (Some(header), false),
+                    Err(_) => break,
+                },
+                None => break,
+                Some(_) => drop(self.pieces.insert(number as usize, (start, bytes.len() as u64))),
             }
             self.end = end;
         }
@@ -110,6 +120,16 @@ impl Journal {
     /// What the finished pieces belong to, if anything was begun.
     pub fn header(&self) -> Option<&Header> {
         self.header.as_ref()
+    }
+
+    /// Whether there is a header that says nothing: it is damaged, or another version's.
+    pub fn is_unreadable(&self) -> bool {
+        self.unreadable
+    }
+
+    /// Drops what is no piece of a sweep with so many pieces of so many values.
+    pub fn keep(&mut self, pieces: usize, values: usize) {
+        self.pieces.retain(|&piece, &mut (_, length)| piece < pieces && length == 8 * values as u64);
     }
 
     /// How many pieces are finished.
@@ -124,7 +144,7 @@ impl Journal {
     pub fn begin(&mut self, header: Header) -> Result<(), Error> {
         self.pieces.clear();
         let text = toml::to_string(&header).map_err(io::Error::other);
-        self.header = Some(header);
+        (self.header, self.unreadable) = (Some(header), false);
         let begun = text.and_then(|text| {
             self.file.set_len(0)?;
             self.file.seek(SeekFrom::Start(0))?;
@@ -195,8 +215,8 @@ impl Journal {
     }
 }
 
-/// The next whole record of at most `room` bytes, if there is one.
-fn record(reader: &mut impl Read, room: u64) -> io::Result<Option<(u64, Vec<u8>)>> {
+/// The number of the next whole record of at most `room` bytes, if there is one, and its bytes if they are undamaged.
+fn record(reader: &mut impl Read, room: u64) -> io::Result<Option<(u64, Option<Vec<u8>>)>> {
     let mut prefix = [0; PREFIX];
     if room < PREFIX as u64 {
         return Ok(None);
@@ -205,12 +225,14 @@ fn record(reader: &mut impl Read, room: u64) -> io::Result<Option<(u64, Vec<u8>)
     let word = |at: usize| u64::from_le_bytes(std::array::from_fn(|i| prefix[at + i]));
     let (number, length) = (word(0), word(8));
     let stored = u32::from_le_bytes(std::array::from_fn(|i| prefix[16 + i]));
-    if length > room - PREFIX as u64 {
+    // A loss of power may leave zeros at the end of a file: they are no empty records.
+    if length == 0 || length > room - PREFIX as u64 {
         return Ok(None);
     }
     let mut bytes = vec![0; length as usize];
     reader.read_exact(&mut bytes)?;
-    Ok((crc32fast::hash(&bytes) == stored).then_some((number, bytes)))
+    let undamaged = crc32fast::hash(&bytes) == stored;
+    Ok(Some((number, undamaged.then_some(bytes))))
 }
 
 /// A file name with one more ending.

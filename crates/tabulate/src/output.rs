@@ -67,6 +67,13 @@ fn temporary(path: &Path) -> io::Result<(TempPath, PathBuf)> {
 }
 
 /// The file that a path means: the one behind a link is replaced, not the link.
+///
+/// # Errors
+/// [`Error::Write`] naming `path`, if there is anything but a file.
+pub fn behind_links(path: &Path) -> Result<PathBuf, Error> {
+    target(path).map_err(|source| Error::Write { path: path.to_owned(), source })
+}
+
 fn target(path: &Path) -> io::Result<PathBuf> {
     match path.canonicalize() {
         Ok(existing) if existing.is_file() => Ok(existing),

@@ -154,9 +154,24 @@ impl Plan {
         Ok(Some(plan))
     }
 
+    /// Whether this can be the plan of a scene, refined or not.
+    pub fn fits(&self, scene: &Scene) -> bool {
+        let fits = |(placement, extent): (&Placement, &Extent)| match (*placement, *extent) {
+            (Placement::Fixed(value), Extent::Fixed(settled)) => value == settled,
+            (Placement::Nodes { from, to, nodes, evenness, free: true }, Extent::Range { .. }) => {
+                [from, to] == extent.ends() && nodes >= 2 && EVENNESS.contains(&evenness)
+            }
+            (Placement::Nodes { from, to, nodes, evenness, free: false }, Extent::Even { nodes: stated, .. }) => {
+                [from, to] == extent.ends() && nodes == stated && evenness == 1.0
+            }
+            _ => false,
+        };
+        self.placements.iter().zip(&scene.extents).all(fits) && self.check(scene).is_ok()
+    }
+
     fn check(&self, scene: &Scene) -> Result<(), Error> {
         let shape = self.shape();
-        let values = shape.iter().product::<usize>() * scene.quantities.len();
+        let values = shape.iter().fold(scene.quantities.len(), |product, &nodes| product.saturating_mul(nodes));
         let sound = values <= MOST_VALUES && shape.iter().all(|&nodes| nodes <= MOST_NODES);
         if sound { Ok(()) } else { Err(Error::TooLarge { shape, values, most: MOST_VALUES }) }
     }
