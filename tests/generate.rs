@@ -105,6 +105,36 @@ fn a_few_points_are_off_the_nodes() {
     }
 }
 
+/// Near a Poisson ratio of -1 the film's moduli span fifteen decades within a part of the range that no node but the first would be in.
+#[test]
+fn a_range_that_no_number_of_nodes_resolves_is_an_error_that_names_it() {
+    let desk = desk();
+    desk.write("steep.toml", "title = 'x'\ntolerance = 1e-6\na_over_t = 1\ne1_over_e2 = 1\nnu1 = { from = -0.999999999999999, to = 0.5 }\ne0_over_e2 = 10\n");
+    for more in [&[][..], &["--plan"]] {
+        let message = desk.fail(1, &[&["generate", "steep.toml"][..], more].concat());
+        assert_names(&message, &["nu1 would take", "nodes or more", "1e-6", "smaller range"]);
+    }
+    assert!(!desk.files().iter().any(|file| file.starts_with("steep.h5")));
+}
+
+#[test]
+fn a_plan_says_what_is_made_and_makes_nothing() {
+    let desk = desk();
+    desk.write("box.toml", SCENE.replace(", nodes = 8", "").replace(", nodes = 4", "").replace("1e-1", "1e-4"));
+    let before = desk.files();
+    let plan = desk.succeed(&["generate", "box.toml", "--plan"]);
+    assert_eq!(desk.files(), before);
+    desk.succeed(&["generate", "box.toml", "--certificate-points", "50"]);
+    let [n_a, n_e1, ..] = Table::open(desk.path("box.h5")).expect("a sound table").shape();
+    let nodes = [
+        format!("0.1 to 10, {n_a} nodes"),
+        format!("0.3 to 3, {n_e1} nodes"),
+        format!("{} and 5000 for the certificate", n_a * n_e1),
+    ];
+    assert_names(&plan, &nodes.each_ref().map(String::as_str));
+    assert_names(&plan, &["time", "about", "memory", "MB", "size"]);
+}
+
 #[test]
 fn a_wrong_scene_is_named_with_key_value_and_range() {
     /// The line that is changed, what to, and words of the error.

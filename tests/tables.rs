@@ -74,6 +74,15 @@ const TIGHT: &str = "
     nu1        = 0.5
     e0_over_e2 = 1e5
 ";
+/// Films that are thick for most of the range: the median error is a thousandth of the largest.
+const COARSE_AT_ONE_END: &str = "
+    title      = 'Coarse at one end'
+    tolerance  = 1e-1
+    a_over_t   = { from = 1e-4, to = 10, nodes = 20 }
+    e1_over_e2 = { from = 0.1, to = 10, nodes = 20 }
+    nu1        = 0.5
+    e0_over_e2 = inf
+";
 static FOUR_AXES: LazyLock<Table> = LazyLock::new(|| table(BOX));
 
 /// Compares a table with direct solves at fresh random points: within its tolerance, and like its certificate.
@@ -262,6 +271,45 @@ fn neither_the_table_nor_its_file_depends_on_the_number_of_threads_or_the_time()
         assert_eq!(read(other), read("one.h5"));
         let differing = one.iter().zip(desk.read(other)).filter(|(a, b)| **a != *b).count();
         assert!(one == desk.read(other), "{differing} bytes of equal tables differ");
+    }
+}
+
+/// Values that are off by less than the tolerance are not what was certified.
+#[test]
+fn check_notices_a_table_that_is_not_as_accurate_as_it_says() {
+    let sound = table(COARSE_AT_ONE_END);
+    let desk = Desk::new(env!("CARGO_BIN_EXE_tabulate-under-test"));
+    let tolerance = sound.description().tolerance;
+    // Of the tolerance: the median gives away the first, the largest error the second.
+    for (off, word) in [(0.0, None), (0.03, Some("its median error is")), (2.0, Some("its error is"))] {
+        let axes = Parameter::ALL.map(|parameter| sound.axis(parameter).to_vec());
+        let values =
+            Quantity::ALL.map(|q| sound.values(q).map(|values| values.iter().map(|v| v * (1.0 + off * tolerance)).collect()));
+        let table = Table::new(sound.description().clone(), axes, values).expect("sound values");
+        tabulate::archive::write(&table, &desk.path("table.h5")).expect("written");
+        std::fs::write(desk.path("table.bin"), table.to_packed().expect("small")).expect("written");
+        for file in ["table.h5", "table.bin"] {
+            let run = desk.run(&["check", file, "--points", "1000"]);
+            assert_eq!(run.status, i32::from(word.is_some()), "{run:?}");
+            assert!(
+                word.is_none_or(|word| run.stderr.contains(word) && run.stderr.contains("does not hold what it says")),
+                "{run:?}"
+            );
+        }
+    }
+}
+
+#[test]
+fn a_table_without_a_sensible_tolerance_is_malformed() {
+    let sound = &*FOUR_AXES;
+    for tolerance in [0.0, -1e-6, 1.5, f64::NAN, f64::INFINITY] {
+        let axes = Parameter::ALL.map(|parameter| sound.axis(parameter).to_vec());
+        let values = Quantity::ALL.map(|quantity| sound.values(quantity).map(<[f64]>::to_vec));
+        let description = interp::Description { tolerance, ..sound.description().clone() };
+        match Table::new(description, axes, values) {
+            Err(Error::Malformed(what)) => assert!(what.contains(&format!("tolerance is {tolerance:?}")), "{what}"),
+            other => panic!("{tolerance}: {other:?}"),
+        }
     }
 }
 

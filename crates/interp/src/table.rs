@@ -65,7 +65,7 @@ impl Table {
     /// # Errors
     /// [`Error::Malformed`] if an axis is empty or not strictly ascending, holds a value outside physics, has two nodes that a spline
     /// could not tell apart, or has another number of nodes than the values; or if no quantity is given. Moduli, `a_over_t` and the
-    /// quantities must be in `[1e-30, 1e30]`, but for a rigid sphere or substrate, which is a fixed parameter.
+    /// quantities must be in `[1e-30, 1e30]`, but for a rigid sphere or substrate, which is a fixed parameter; the tolerance in `(0, 1]`.
     pub fn new(description: Description, axes: [Vec<f64>; 4], values: [Option<Vec<f64>>; 4]) -> Result<Self, Error> {
         check(&description, &axes)?;
         let malformed = |what: String| Err(Error::Malformed(what));
@@ -293,6 +293,10 @@ fn check(description: &Description, axes: &[Vec<f64>; 4]) -> Result<(), Error> {
     }
     if let Err(error) = poisson_ratio("nu0", description.nu0) {
         return malformed(error.to_string());
+    }
+    let tolerance = description.tolerance;
+    if !(tolerance > 0.0 && tolerance <= 1.0) {
+        return malformed(format!("its tolerance is {tolerance:?}, not above 0 and at most 1"));
     }
     Ok(())
 }

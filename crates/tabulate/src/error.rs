@@ -83,13 +83,23 @@ pub enum Error {
         /// What differs.
         what: String,
     },
+    /// A range along which the quantities are too steep.
+    #[error(
+        "{axis} would take {nodes} nodes or more for the tolerance {tolerance:e}; ask for a larger one, or for a smaller range"
+    )]
+    Unresolved {
+        /// The parameter.
+        axis: &'static str,
+        /// A number of nodes that is too large to be told apart, or too small.
+        nodes: usize,
+        /// The table's tolerance.
+        tolerance: f64,
+    },
     /// Not enough time.
-    #[error("the budget is spent with {finished} of {total} points solved; they are kept, and --resume goes on from there")]
+    #[error("the budget is spent {spent}")]
     Budget {
-        /// Points solved.
-        finished: usize,
-        /// Points of the table.
-        total: usize,
+        /// On what.
+        spent: String,
     },
     /// A file that cannot be read.
     #[error("cannot read {}", path.display())]

@@ -81,7 +81,7 @@ const SUSPECTS: usize = 24;
 ///
 /// # Errors
 /// [`Error::Busy`] if another process generates the same file; [`Error::OtherRun`] if the finished pieces belong to another scene, or a refined plan
-/// to another certificate; [`Error::Budget`] if the budget ends during the sweep; [`Error::Write`] for a file that cannot be written; those of the
+/// to another certificate; [`Error::Budget`] if the budget ends before all is solved; [`Error::Write`] for a file that cannot be written; those of the
 /// solve and of [`Plan::new`]. Finished pieces are kept.
 pub fn generate(scene: &Scene, path: &Path, options: &Options, observer: &dyn Observer) -> Result<Generated, Error> {
     // Two links to one file are one output, and a file is not renamed from one disk to another.
@@ -121,7 +121,7 @@ fn run(scene: &Scene, path: &Path, options: &Options, observer: &dyn Observer, j
             if journal.finished() > 0 {
                 observer.note("the finished pieces of an interrupted run are dropped: it would have gone on with --resume");
             }
-            let plan = Plan::new(scene)?;
+            let plan = Plan::until(scene, deadline)?;
             journal.begin(header(scene, 0, &plan, options))?;
             (0, plan)
         }
@@ -160,7 +160,7 @@ fn run(scene: &Scene, path: &Path, options: &Options, observer: &dyn Observer, j
                 refined.push((plan.shape(), certificate));
                 round += 1;
                 plan = next;
-                journal.begin(header(scene, round, &plan, options))?;
+                journal.go_on(header(scene, round, &plan, options))?;
             }
             None => {
                 let mut values = sweep.blank();
@@ -188,7 +188,9 @@ fn solve(sweep: &Sweep, journal: &mut Journal, observer: &dyn Observer, deadline
         // After a piece, so that the smallest budget gets further.
         let finished = journal.finished();
         if finished < sweep.pieces() && deadline.is_some_and(|deadline| Instant::now() >= deadline) {
-            return Err(Error::Budget { finished: finished * sweep.points(), total });
+            let finished = finished * sweep.points();
+            let spent = format!("with {finished} of {total} points solved; they are kept, and --resume goes on from there");
+            return Err(Error::Budget { spent });
         }
     }
     Ok(())
@@ -239,7 +241,7 @@ fn header(scene: &Scene, round: usize, plan: &Plan, options: &Options) -> Header
         scene: scene.text.clone(),
         tolerance: scene.tolerance,
         certificate_points: options.certificate_points,
-        seed: options.seed,
+        seed: options.seed.cast_signed(),
         round,
         plan: plan.clone(),
     }
@@ -255,8 +257,10 @@ fn same_run(header: &Header, scene: &Scene, path: &Path, options: &Options) -> R
         "from another text of the scene".into()
     } else if !header.plan.fits(scene) {
         "with nodes that are not the scene's".into()
-    } else if header.round > 0 && (header.certificate_points, header.seed) != (options.certificate_points, options.seed) {
-        let (points, seed) = (header.certificate_points, header.seed);
+    } else if header.round > 0
+        && (header.certificate_points, header.seed.cast_unsigned()) != (options.certificate_points, options.seed)
+    {
+        let (points, seed) = (header.certificate_points, header.seed.cast_unsigned());
         format!(
             "and refined with --certificate-points {points} --seed {seed}, and this is {} and {}",
             options.certificate_points, options.seed

@@ -5,9 +5,9 @@
 //! records: number (u64), length (u64), CRC-32 (u32) of the bytes, bytes
 //! ```
 //!
-//! All integers are little-endian. The first record is the [`Header`] as TOML; the others are pieces of the sweep, by their number, as f64. Each
-//! is flushed to the disk before the next is begun, and a torn one at the end, of a process that was killed, is dropped. The file is locked as long
-//! as the generation runs, and removed when the table is complete.
+//! All integers are little-endian. A [`Header`], as TOML, is followed by the pieces of its sweep, by their number, as f64; a refined plan has a
+//! header of its own, after which the pieces before it count no more. Each record is flushed to the disk before the next is begun, and a torn one at
+//! the end, of a process that was killed, is dropped. The file is locked as long as the generation runs, and removed when the table is complete.
 
 use std::collections::HashMap;
 use std::fs::{self, File, OpenOptions, TryLockError};
@@ -37,8 +37,8 @@ pub struct Header {
     pub tolerance: f64,
     /// How many points the certificate rests on: a refined plan depends on them.
     pub certificate_points: usize,
-    /// Their seed.
-    pub seed: u64,
+    /// The bits of their seed: TOML has no larger integers.
+    pub seed: i64,
     /// How often the plan was refined.
     pub round: usize,
     /// The nodes.
@@ -99,18 +99,19 @@ impl Journal {
         }
         let mut end = magic.len() as u64;
         while let Some((number, bytes)) = record(&mut reader, length - end)? {
-            let header = number == HEADER && self.header.is_none();
-            self.unreadable = header;
+            // A damaged first header is all there is to know; of a later one, as of a piece, those before it are left.
+            self.unreadable = number == HEADER && self.header.is_none();
             let Some(bytes) = bytes else { break };
             let start = end + PREFIX as u64;
             end = start + bytes.len() as u64;
-            match &self.header {
-                None if header => match toml::from_slice(&bytes) {
-                    Ok(header) => (self.header, self.unreadable) = (Some(header), false),
-                    Err(_) => break,
-                },
-                None => break,
-                Some(_) => drop(self.pieces.insert(number as usize, (start, bytes.len() as u64))),
+            if number == HEADER {
+                let Ok(header) = toml::from_slice(&bytes) else { break };
+                (self.header, self.unreadable) = (Some(header), false);
+                self.pieces.clear();
+            } else if self.header.is_some() {
+                self.pieces.insert(number as usize, (start, bytes.len() as u64));
+            } else {
+                break;
             }
             self.end = end;
         }
@@ -142,17 +143,25 @@ impl Journal {
     /// # Errors
     /// [`Error::Write`] naming the journal.
     pub fn begin(&mut self, header: Header) -> Result<(), Error> {
-        self.pieces.clear();
-        let text = toml::to_string(&header).map_err(io::Error::other);
-        (self.header, self.unreadable) = (Some(header), false);
-        let begun = text.and_then(|text| {
-            self.file.set_len(0)?;
+        let emptied = self.file.set_len(0).and_then(|()| {
             self.file.seek(SeekFrom::Start(0))?;
-            self.file.write_all(&MAGIC)?;
-            self.end = MAGIC.len() as u64;
-            self.append(HEADER, text.as_bytes())
+            self.file.write_all(&MAGIC)
         });
-        self.named(begun)
+        self.named(emptied)?;
+        self.end = MAGIC.len() as u64;
+        self.go_on(header)
+    }
+
+    /// Goes on with another header, to which no piece belongs yet. Until it is written, those before it stay.
+    ///
+    /// # Errors
+    /// [`Error::Write`] naming the journal.
+    pub fn go_on(&mut self, header: Header) -> Result<(), Error> {
+        let appended = toml::to_string(&header).map_err(io::Error::other).and_then(|text| self.append(HEADER, text.as_bytes()));
+        self.named(appended)?;
+        (self.header, self.unreadable) = (Some(header), false);
+        self.pieces.clear();
+        Ok(())
     }
 
     /// Adds a finished piece. If that fails, for want of room on the disk for instance, those before it are safe.

@@ -5,6 +5,7 @@
 //! table follow those interpolants everywhere. The error of a tensor spline is, to first order, the sum of those of its axes.
 
 use std::f64::consts::PI;
+use std::time::Instant;
 
 use interp::Quantity;
 use interp::schema::Parameter;
@@ -96,16 +97,24 @@ impl Plan {
     /// Plans the table of a scene. Stated numbers of nodes are obeyed. The plan does not depend on the number of threads.
     ///
     /// # Errors
-    /// Those of the solve; [`Error::TooLarge`] where more than 10,000 nodes on an axis or 2e8 values would be needed.
+    /// Those of the solve; [`Error::Unresolved`] where an axis would take thousands of nodes, or more than can be told apart;
+    /// [`Error::TooLarge`] where more than 2e8 values would be needed.
     pub fn new(scene: &Scene) -> Result<Self, Error> {
+        Self::until(scene, None)
+    }
+
+    /// [`Plan::new`], given up with [`Error::Budget`] at the deadline.
+    pub(crate) fn until(scene: &Scene, deadline: Option<Instant>) -> Result<Self, Error> {
         let mut placements = scene.extents.map(|extent| Placement::Fixed(extent.ends()[0]));
         for (parameter, placement) in Parameter::ALL.into_iter().zip(&mut placements) {
             match scene.extents[parameter as usize] {
                 Extent::Fixed(_) => {}
                 Extent::Even { from, to, nodes } => *placement = Placement::Nodes { from, to, nodes, evenness: 1.0, free: false },
                 Extent::Range { from, to } => {
-                    let lines = Lines::solve(scene, parameter, [from, to])?;
-                    let (nodes, evenness) = lines.fewest(SHARE * scene.tolerance)?;
+                    let lines = Lines::solve(scene, parameter, [from, to], deadline)?;
+                    let unresolved =
+                        || Error::Unresolved { axis: parameter.name(), nodes: lines.most(), tolerance: scene.tolerance };
+                    let (nodes, evenness) = lines.fewest(SHARE * scene.tolerance).ok_or_else(unresolved)?;
                     *placement = Placement::Nodes { from, to, nodes, evenness, free: true };
                 }
             }
@@ -172,8 +181,16 @@ impl Plan {
     fn check(&self, scene: &Scene) -> Result<(), Error> {
         let shape = self.shape();
         let values = shape.iter().fold(scene.quantities.len(), |product, &nodes| product.saturating_mul(nodes));
-        let sound = values <= MOST_VALUES && shape.iter().all(|&nodes| nodes <= MOST_NODES);
-        if sound { Ok(()) } else { Err(Error::TooLarge { shape, values, most: MOST_VALUES }) }
+        if values > MOST_VALUES || shape.iter().any(|&nodes| nodes > MOST_NODES) {
+            return Err(Error::TooLarge { shape, values, most: MOST_VALUES });
+        }
+        for (parameter, nodes) in Parameter::ALL.into_iter().zip(self.axes()) {
+            // Near incompressibility, f64 does not hold more than some hundred nodes apart.
+            if !nodes.is_sorted_by(|a, b| a < b) {
+                return Err(Error::Unresolved { axis: parameter.name(), nodes: nodes.len(), tolerance: scene.tolerance });
+            }
+        }
+        Ok(())
     }
 }
 
@@ -190,12 +207,14 @@ struct Lines {
 impl Lines {
     /// Intervals of the first Chebyshev points; doubled until the interpolant has converged.
     const FIRST: usize = 32;
-    /// More would be too many nodes in any case.
-    const MOST: usize = 4096;
+    /// More would be too many nodes in any case: twelve decades of `a/t` take 512 to 1e-9.
+    const MOST: usize = 2048;
     /// How well the interpolant has converged, in parts of the tolerance.
     const CONVERGED: f64 = 0.02;
+    /// An error below this that falls no more is the solve's own, in a corner that double precision does not resolve better.
+    const NOISE: f64 = 0.25;
 
-    fn solve(scene: &Scene, along: Parameter, [from, to]: [f64; 2]) -> Result<Self, Error> {
+    fn solve(scene: &Scene, along: Parameter, [from, to]: [f64; 2], deadline: Option<Instant>) -> Result<Self, Error> {
         let (first, last) = (along.coordinate(from), along.coordinate(to));
         let value = |place: f64| along.value(first + (last - first) * place).clamp(from, to);
         let lines = lines(scene, along);
@@ -215,7 +234,11 @@ impl Lines {
         };
         let mut intervals = Self::FIRST;
         let mut lines = Self { points: intervals + 1, rows: solve(&places(intervals + 1, 0.0))?, width };
+        let mut former_error = f64::INFINITY;
         loop {
+            if deadline.is_some_and(|deadline| Instant::now() >= deadline) {
+                return Err(Error::Budget { spent: "before the nodes are chosen".into() });
+            }
             let finer = places(2 * intervals + 1, 0.0);
             let between: Vec<f64> = finer.iter().copied().skip(1).step_by(2).collect();
             let solved = solve(&between)?;
@@ -229,9 +252,11 @@ impl Lines {
             }
             intervals *= 2;
             lines = Self { points: intervals + 1, rows, width };
-            if error <= Self::CONVERGED * scene.tolerance || intervals >= Self::MOST {
+            let noise = error <= Self::NOISE * scene.tolerance && error >= 0.5 * former_error;
+            if error <= Self::CONVERGED * scene.tolerance || noise || intervals >= Self::MOST {
                 return Ok(lines);
             }
+            former_error = error;
         }
     }
 
@@ -257,9 +282,14 @@ impl Lines {
         rows
     }
 
-    /// The least number of nodes, with their evenness, from which splines follow every line to `tolerance`.
-    fn fewest(&self, tolerance: f64) -> Result<(usize, f64), Error> {
-        let mut best = (MOST_NODES, EVENNESS[0]);
+    /// The most nodes that are tried: splines that still do not follow the interpolants never will.
+    fn most(&self) -> usize {
+        2 * self.points
+    }
+
+    /// The least number of nodes, with their evenness, from which splines follow every line to `tolerance`; none if there are too many.
+    fn fewest(&self, tolerance: f64) -> Option<(usize, f64)> {
+        let mut best = (self.most() + 1, EVENNESS[0]);
         for evenness in EVENNESS {
             let keeps = |nodes: usize| self.error(nodes, evenness) <= tolerance;
             // The error falls with the nodes, but for some up and down.
@@ -276,7 +306,7 @@ impl Lines {
                 best = (enough, evenness);
             }
         }
-        Ok(best)
+        (best.0 <= self.most()).then_some(best)
     }
 
     /// The largest error of the splines through so many nodes: in the middles of their cells, where it is largest.
@@ -296,12 +326,13 @@ impl Lines {
             }
             largest_difference(&splines, truth)
         });
-        errors.reduce(|| 0.0, f64::max)
+        errors.reduce(|| 0.0, |a, b| if b <= a { a } else { b })
     }
 }
 
 fn largest_difference(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
+    // Not `f64::max`, which drops NaN.
+    a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, |largest, d| if d <= largest { largest } else { d })
 }
 
 /// Lines along an axis: every edge of the box, and others that are drawn at random, each parameter at one of its ends in half of them. Their number grows with the

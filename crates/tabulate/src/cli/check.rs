@@ -10,7 +10,8 @@ use crate::certify::{certify, points_for};
 
 /// Compare a table with direct solves at fresh random points
 ///
-/// Exit status 1 if the largest error exceeds what the table says of itself: its tolerance, or its certified error where that is larger.
+/// Exit status 1 if the table does not hold what it says: if the largest error exceeds its tolerance, which counts unless its own certificate already
+/// does, or three times the certified one, which is more than chance makes of other points; or if the median does so with the certified median.
 #[derive(clap::Args)]
 pub struct Arguments {
     /// The table, HDF5 or packed
@@ -31,22 +32,33 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let bar = progress_bar(points, "checking");
     let measured = certify(&table, points, seed, &|count| bar.inc(count as u64))?;
     bar.finish_and_clear();
+    let certified = &description.certificate;
     let text = format!(
         "measured  max {:.1e}, median {:.1e} ({} points, seed {seed})\ncertified max {:.1e}, median {:.1e}; tolerance {:e}\n",
         measured.max_error,
         measured.median_error,
         measured.points,
-        description.certificate.max_error,
-        description.certificate.median_error,
+        certified.max_error,
+        certified.median_error,
         description.tolerance
     );
     write_text(None, text.as_bytes())?;
-    let allowed = description.tolerance.max(description.certificate.max_error);
+    let tolerance = if certified.max_error > description.tolerance { f64::INFINITY } else { description.tolerance };
+    let by_chance = |certified: f64| (CHANCE * certified).max(SOLVES * description.tolerance).min(tolerance);
+    let file = arguments.table.display();
+    let (error, allowed) = (measured.max_error, by_chance(certified.max_error));
+    ensure!(error <= allowed, "{file} does not hold what it says: its error is {error:.1e}, more than {allowed:.1e}");
+    let (error, allowed) = (measured.median_error, by_chance(certified.median_error));
     ensure!(
-        measured.max_error <= allowed,
-        "{} does not hold what it says: its error is {:.1e}, more than {allowed:.1e}",
-        arguments.table.display(),
-        measured.max_error
+        error <= allowed || points < ENOUGH,
+        "{file} does not hold what it says: its median error is {error:.1e}, more than {allowed:.1e}"
     );
     Ok(())
 }
+
+/// How much larger an error may be at other points by chance: among the shipped tables it is up to 1.5 times.
+const CHANCE: f64 = 3.0;
+/// What the solves that are compared with may be off, in parts of the tolerance; a certified error may be smaller than that.
+const SOLVES: f64 = 0.02;
+/// Points from which on a median means something.
+const ENOUGH: usize = 300;

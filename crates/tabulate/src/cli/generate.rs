@@ -109,8 +109,9 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     // Not an ordered comparison the other way round: NaN must not pass.
     let held = error <= tolerance;
     if !held {
+        let remedy = if arguments.budget.is_some() { "a larger budget, or its axes more nodes" } else { "its axes more nodes" };
         bail!(
-            "{} is written, but its measured error {error:.1e} exceeds the tolerance {tolerance:e}: give it more time, or its axes more nodes",
+            "{} is written, but its measured error {error:.1e} exceeds the tolerance {tolerance:e}: give {remedy}",
             path.display()
         );
     }
