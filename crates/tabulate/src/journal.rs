@@ -16,8 +16,8 @@ use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 
-use crate::Error;
 use crate::plan::Plan;
+use crate::{Error, output};
 
 const MAGIC: [u8; 8] = *b"COATJRN\n";
 /// Number, length and checksum.
@@ -145,7 +145,9 @@ impl Journal {
     pub fn begin(&mut self, header: Header) -> Result<(), Error> {
         let emptied = self.file.set_len(0).and_then(|()| {
             self.file.seek(SeekFrom::Start(0))?;
-            self.file.write_all(&MAGIC)
+            self.file.write_all(&MAGIC)?;
+            // Without this a loss of power may take the file's name.
+            output::sync_folder(&self.path)
         });
         self.named(emptied)?;
         self.end = MAGIC.len() as u64;
