@@ -37,8 +37,23 @@ fn paper_table() -> String {
 #[test]
 fn the_help_of_every_command_has_its_arguments_and_the_program_says_whose_modulus() {
     let desk = desk();
-    let commands: [(&str, &[&str]); 6] = [
-        ("generate", &["SCENE.toml", "-o", "--output", "TABLE.h5", "--tolerance", "--jobs"]),
+    let commands: [(&str, &[&str]); 8] = [
+        (
+            "generate",
+            &[
+                "SCENE.toml",
+                "-o",
+                "--output",
+                "TABLE.h5",
+                "--tolerance",
+                "--jobs",
+                "--resume",
+                "--plan",
+                "--budget",
+                "--certificate-points",
+                "--seed",
+            ],
+        ),
         (
             "solve",
             &[
@@ -57,10 +72,15 @@ fn the_help_of_every_command_has_its_arguments_and_the_program_says_whose_modulu
         ("query", &["TABLE", "--points", "-o", "--output"]),
         ("curve", &["TABLE", "--film-thickness", "--sphere-radius", "--work-of-adhesion", "--sphere-modulus", "-o", "--output"]),
         ("info", &["TABLE"]),
+        ("check", &["TABLE", "--points", "--seed"]),
+        ("unpack", &["TABLE.bin", "-o", "--output", "TABLE.h5"]),
         ("pack", &["TABLE.h5", "-o", "--output", "TABLE.bin", "--tolerance", "--points", "--seed"]),
     ];
     let program = desk.succeed(&["--help"]);
-    assert_names(&program, &["generate", "solve", "query", "curve", "info", "pack", "REDUCED", "E2* = E2/(1 - nu2^2)", "inf"]);
+    assert_names(
+        &program,
+        &["generate", "solve", "query", "curve", "info", "check", "pack", "unpack", "REDUCED", "E2* = E2/(1 - nu2^2)", "inf"],
+    );
     for (command, arguments) in commands {
         let help = desk.succeed(&[command, "--help"]);
         assert_names(&help, arguments);
