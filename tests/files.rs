@@ -7,7 +7,7 @@ use std::{fs, panic, thread};
 
 use acceptance::{Desk, PREFIX, all_bits, assert_names, table, with_payload};
 use interp::schema::Parameter;
-use interp::{Error, Quantity, Table};
+use interp::{Certificate, Error, Quantity, Table};
 use ndarray::{Array1, Array4};
 use tabulate::archive;
 
@@ -77,6 +77,29 @@ fn every_form_and_reader_gives_the_same_bits() {
         let answer = query("table.h5");
         assert_eq!(answer.lines().count(), points.lines().count() + 1);
         assert_eq!(answer, query("table.bin"));
+    }
+}
+
+/// A file of another program may do without the certificate's details, but not with a part of them.
+#[test]
+fn the_details_of_a_certificate_are_kept_in_every_form_and_may_be_absent() {
+    let details = TABLE.description().certificate.details.expect("they are measured");
+    // One quantity is not held, so that no identity is measured.
+    assert_eq!(details.identity_errors, [None; 2]);
+    let known = table(RIGID).description().certificate.details.expect("they are measured");
+    assert!(known.identity_errors.iter().all(Option::is_some));
+    for details in [None, Some(details), Some(known), Some(interp::Details { identity_errors: [None, Some(1e-3)], ..details })] {
+        let (desk, mut table) = (desk(), TABLE.clone());
+        table.set_certificate(Certificate { details, ..table.description().certificate });
+        archive::write(&table, &desk.path("table.h5")).expect("written");
+        assert_same(&Table::open(desk.path("table.h5")).expect("a sound table"), &table);
+        let packed = table.to_packed().expect("a small table");
+        assert_same(&Table::from_packed(&packed).expect("a sound table"), &table);
+        desk.succeed(&["pack", "table.h5", "-o", "table.bin"]);
+        assert_eq!(desk.read("table.bin"), packed);
+        desk.succeed(&["unpack", "table.bin", "-o", "again.h5"]);
+        assert_eq!(desk.read("again.h5"), desk.read("table.h5"));
+        assert_eq!(desk.succeed(&["info", "table.h5"]).contains("99.9 %"), details.is_some());
     }
 }
 
@@ -214,7 +237,7 @@ fn replace<T: hdf5::H5Type, D: ndarray::Dimension>(file: &hdf5::File, name: &str
 #[test]
 fn a_mistyped_misshapen_or_missing_part_is_malformed() {
     type Change = fn(&hdf5::File) -> hdf5::Result<()>;
-    let changes: [(&str, Change); 16] = [
+    let changes: [(&str, Change); 19] = [
         ("values of f32", |file| replace(file, "values/pi0", &Array4::from_elem([5, 4, 3, 2], 1.0_f32))),
         ("values of i64", |file| replace(file, "values/pi0", &Array4::from_elem([5, 4, 3, 2], 1_i64))),
         ("values in another order", |file| replace(file, "values/pi0", &Array4::from_elem([4, 5, 3, 2], 1.0_f64))),
@@ -229,6 +252,15 @@ fn a_mistyped_misshapen_or_missing_part_is_malformed() {
         ("an axis outside physics", |file| replace(file, "axes/nu1", &ndarray::arr1(&[0.3, 0.4, 0.6]))),
         ("an axis of two dimensions", |file| replace(file, "axes/nu1", &ndarray::arr2(&[[0.3], [0.4], [0.5]]))),
         ("no certificate", |file| file.delete_attr("certified_max_error")),
+        ("a part of the certificate's details", |file| file.delete_attr("certified_worst_point")),
+        ("a worst point of three numbers", |file| {
+            file.delete_attr("certified_worst_point")?;
+            file.new_attr::<f64>().shape(3).create("certified_worst_point")?.write(&ndarray::arr1(&[1.0, 1.0, 0.5]))
+        }),
+        ("a worst quantity that there is not", |file| {
+            let name = "pi1".parse::<hdf5::types::VarLenUnicode>().expect("text");
+            file.attr("certified_worst_quantity")?.write_scalar(&name)
+        }),
         ("a number as f32", |file| {
             file.delete_attr("nu0")?;
             file.new_attr::<f32>().create("nu0")?.write_scalar(&0.25_f32)

@@ -132,7 +132,7 @@ fn a_plan_says_what_is_made_and_makes_nothing() {
         format!("{} and 5000 for the certificate", n_a * n_e1),
     ];
     assert_names(&plan, &nodes.each_ref().map(String::as_str));
-    assert_names(&plan, &["time", "about", "memory", "MB", "size"]);
+    assert_names(&plan, &["time", "about", "memory", "MB", "size", "kB"]);
 }
 
 #[test]

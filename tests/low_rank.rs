@@ -183,6 +183,28 @@ fn packing_keeps_the_tolerance_at_fresh_points_and_says_so() {
     assert_names(&desk.succeed(&["check", "table.bin"]), &["10000 points"]);
 }
 
+/// The axes that a table does not have cost nothing and are in no one's way.
+#[test]
+fn tables_of_fewer_axes_are_packed_to_a_tolerance_and_checked_too() {
+    let desk = desk();
+    for (scene, axes) in [(RIGID_SPHERE, 3), (TWO_AXES, 2), (ONE_AXIS, 1), (ONE_RADIUS, 2)] {
+        let dense = table(scene);
+        archive::write(&dense, &desk.path("table.h5")).expect("written");
+        let tolerance = 2.0 * dense.description().certificate.max_error + 1e-9;
+        let text = desk.succeed(&["pack", "table.h5", "-o", "table.bin", "--tolerance", &format!("{tolerance:e}")]);
+        assert_names(&text, &[&format!("{} direct solves", 2500 * axes), &format!("{:e}", tolerance)]);
+        let packed = Table::read(desk.path("table.bin")).expect("a sound table");
+        let form = packed.low_rank().expect("low-rank");
+        assert!(packed.description().certificate.max_error <= tolerance);
+        assert!(form.ranks().iter().zip(dense.shape()).all(|(&rank, nodes)| rank <= nodes && (nodes > 1 || rank == 1)));
+        assert_eq!(packed.quantities(), dense.quantities());
+        let mut contacts = Contacts::new(62);
+        let fresh = (0..200).map(|_| contacts.point_of(&packed)).map(|(x, material)| error_at(&packed, x, &material));
+        assert!(fresh.fold(0.0, larger) <= tolerance);
+        desk.succeed(&["check", "table.bin"]);
+    }
+}
+
 #[test]
 fn the_same_table_gives_the_same_bytes_on_any_number_of_threads() {
     let threads = |count| rayon::ThreadPoolBuilder::new().num_threads(count).build().expect("threads");

@@ -29,7 +29,7 @@ fn lookup(criterion: &mut Criterion) {
             b.iter(|| table.curve(black_box(&material)))
         });
     }
-    // What a curve would pay for the search in its keys, were they not uniform: one value, as many keys, in the same order of points.
+    // What a curve would pay for the search in its keys without its buckets: one value, as many keys, in the same order of points.
     let key = |i: i32| {
         let u = 0.022 * f64::from(i) - 6.907_755;
         Key::new(u, u, Interpolation::StrokeBezier(u - 0.022 / 3.0, u + 0.022 / 3.0))

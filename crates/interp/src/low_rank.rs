@@ -35,8 +35,8 @@ impl LowRank {
     ///
     /// # Errors
     /// [`Error::Malformed`] if no quantity is given, or one twice or not in order; if a rank is 0, more than there are nodes, or
-    /// contradicts the length of factor or core; if a factor or the step is not below 1e30, or an entry of the core not within `2^53`; or if
-    /// there are more than 2e8 values on the nodes.
+    /// contradicts the length of factor or core; if a number of a factor is not in `[-1e30, 1e30]`, the step not in `[1e-30, 1e30]`, or an entry of
+    /// the core not in `[-2^53, 2^53]`; or if there are more than 2e8 values on the nodes.
     pub fn new(
         quantities: Vec<Quantity>,
         ranks: [usize; 4],

@@ -58,7 +58,8 @@ impl Basis {
         self.knots.len() - self.degree - 1
     }
 
-    /// The non-vanishing B-splines at `u`, which must lie between the first and the last node.
+    /// The non-vanishing B-splines at `u`. Beyond the first and the last node they are the polynomials of the end, which grow without bound; at NaN
+    /// they are NaN, but for the one of degree 0.
     pub fn weights(&self, u: f64) -> Weights {
         let p = self.degree;
         let inner = &self.knots[p + 1..self.len()];
@@ -119,8 +120,11 @@ impl Basis {
         rows
     }
 
-    /// Turns values at the nodes into coefficients, in place, for many splines at once: `values` holds `len` rows of `width` numbers,
-    /// and every column is one spline.
+    /// Turns values at the nodes into coefficients, in place, for many splines at once: `values` holds a row of `width` numbers for each node,
+    /// and every column is one spline. Numbers after the last row stay as they are.
+    ///
+    /// # Panics
+    /// If there are fewer numbers.
     pub fn interpolate(&self, values: &mut [f64], width: usize) {
         let (n, p) = (self.len(), self.degree);
         for i in 0..n {
@@ -181,6 +185,29 @@ mod tests {
                     let expected = if order == 0 { 0.0 } else { f64::from(order) * (u - 0.4).powi(order - 1) };
                     assert!((slope - expected).abs() < 1e-11, "degree {degree}, {n} nodes, u = {u}: slope {slope}");
                 }
+            }
+        }
+    }
+
+    #[test]
+    fn beyond_its_nodes_it_is_the_polynomial_of_the_end_and_at_nan_it_is_nan() {
+        for n in [1, 4, 12, 20] {
+            let nodes = nodes(n);
+            let basis = Basis::new(&nodes, 9);
+            let order = 9.min(n - 1) as i32;
+            let mut coefficients: Vec<f64> = nodes.iter().map(|x| (x - 0.4).powi(order)).collect();
+            coefficients.push(7.0);
+            basis.interpolate(&mut coefficients, 1);
+            assert_eq!(coefficients[n], 7.0, "it is in no row");
+            for u in [nodes[0] - 0.1, nodes[n - 1] + 0.1] {
+                let weights = basis.weights(u);
+                let value = evaluate(&weights, &weights.values, &coefficients);
+                assert!((value - (u - 0.4).powi(order)).abs() < 1e-9, "{n} nodes, u = {u}: {value}");
+            }
+            let weights = basis.weights(f64::NAN);
+            assert!(n == 1 || evaluate(&weights, &weights.values, &coefficients).is_nan());
+            for u in [f64::INFINITY, f64::NEG_INFINITY] {
+                assert!(basis.weights(u).first + basis.weights(u).count <= n);
             }
         }
     }

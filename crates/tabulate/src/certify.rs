@@ -65,8 +65,9 @@ pub fn certificate(samples: &[Sample], seed: u64) -> Certificate {
     Certificate { max_error: worst.error, median_error: errors[count / 2], points: count as u64, seed, details: Some(details) }
 }
 
-/// Compares the table with direct solves at `points` points: every corner of the box, as long as they are no
-/// more than a tenth, for they are nodes; a tenth on its edges; a tenth in the middles of the widest cells; the others random, evenly distributed in the axes' coordinates but for one in five, which lies on a face, edge or corner.
+/// Compares the table with direct solves at `points` points: the corners of the box, a tenth of all at most, for they are nodes; a tenth on its
+/// edges; a tenth in the middles of the widest cells; the others random, evenly distributed in the axes' coordinates but for those that lie on
+/// faces, edges or corners, one in five where there are four axes.
 ///
 /// # Errors
 /// Those of the solve.
@@ -155,6 +156,9 @@ impl<'a> Axis<'a> {
 }
 
 /// Compares the table with the solve at one point.
+///
+/// # Errors
+/// Those of the solve; [`Error::Table`] for a point outside the table.
 pub fn sample(table: &Table, point: [f64; 4]) -> Result<Sample, Error> {
     let [a_over_t, e1, nu1, e0] = point;
     let description = table.description();

@@ -21,7 +21,7 @@ use crate::{Error, archive, output};
 /// How a table is generated.
 #[derive(Clone, Copy, Debug)]
 pub struct Options {
-    /// How many points the certificate rests on.
+    /// How many points the certificate rests on, one or more.
     pub certificate_points: usize,
     /// The seed of its random points.
     pub seed: u64,
@@ -62,7 +62,7 @@ const UNFINISHED: &str = "partial";
 /// More rounds than this mean that refining does not help.
 const MOST_ROUNDS: usize = 5;
 
-/// What the axis of an error must make of it, of the tolerance.
+/// The part of the tolerance that a refined axis is to leave of its error; and the part of the largest share from which on an axis is refined.
 const AIM: f64 = 0.5;
 
 /// The errors of splines of degree 9 fall like `n^-10` with the nodes; nodes for a little less are enough more.
@@ -83,7 +83,11 @@ const SUSPECTS: usize = 24;
 /// [`Error::Busy`] if another process generates the same file; [`Error::OtherRun`] if the finished pieces belong to another scene, or a refined plan
 /// to another certificate; [`Error::Budget`] if the budget ends before all is solved; [`Error::Write`] for a file that cannot be written; those of the
 /// solve and of [`Plan::new`]. Finished pieces are kept.
+///
+/// # Panics
+/// If the certificate is to rest on no point.
 pub fn generate(scene: &Scene, path: &Path, options: &Options, observer: &dyn Observer) -> Result<Generated, Error> {
+    assert!(options.certificate_points > 0, "a certificate needs points");
     // Two links to one file are one output, and a file is not renamed from one disk to another.
     let path = &output::behind_links(path)?;
     if std::path::absolute(path).is_ok_and(|path| path.to_str().is_none()) {

@@ -6,7 +6,7 @@
 //! ```
 //!
 //! Data flows one way along this line, and each word is a module here or, from the table on, in the crate `interp`. [`curve`] makes the
-//! [`interp::Curve`] of one material without a table.
+//! [`interp::Curve`] of one material without a table, and [`generate`] goes from a scene to the file of its table.
 
 #![deny(unsafe_code)]
 

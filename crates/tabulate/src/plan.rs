@@ -43,6 +43,9 @@ pub enum Placement {
 
 impl Placement {
     /// The nodes, ascending, with exact ends.
+    ///
+    /// # Panics
+    /// As [`places`].
     pub fn nodes(&self, parameter: Parameter) -> Vec<f64> {
         match *self {
             Self::Fixed(value) => vec![value],
@@ -59,7 +62,11 @@ impl Placement {
 }
 
 /// `count` places from 0 to 1, see [`Placement::Nodes`].
+///
+/// # Panics
+/// If `count` is below 2 or `evenness` is not in `[0, 1]`.
 pub fn places(count: usize, evenness: f64) -> Vec<f64> {
+    assert!(count >= 2 && (0.0..=1.0).contains(&evenness), "{count} nodes, evenness {evenness}");
     let intervals = (count - 1) as f64;
     let place = |i: usize| {
         let even = i as f64 / intervals;
@@ -125,6 +132,9 @@ impl Plan {
     }
 
     /// The nodes of the four parameters.
+    ///
+    /// # Panics
+    /// As [`places`]: for a plan that [`Plan::new`] has not made.
     pub fn axes(&self) -> [Vec<f64>; 4] {
         Parameter::ALL.map(|parameter| self.placements[parameter as usize].nodes(parameter))
     }
@@ -147,7 +157,7 @@ impl Plan {
     ///
     /// # Errors
     /// [`Error::TooLarge`].
-    pub fn refined(&self, factors: [f64; 4], scene: &Scene) -> Result<Option<Self>, Error> {
+    pub(crate) fn refined(&self, factors: [f64; 4], scene: &Scene) -> Result<Option<Self>, Error> {
         let mut plan = self.clone();
         for (placement, factor) in plan.placements.iter_mut().zip(factors) {
             if let Placement::Nodes { nodes, free: true, .. } = placement
@@ -164,7 +174,7 @@ impl Plan {
     }
 
     /// Whether this can be the plan of a scene, refined or not.
-    pub fn fits(&self, scene: &Scene) -> bool {
+    pub(crate) fn fits(&self, scene: &Scene) -> bool {
         let fits = |(placement, extent): (&Placement, &Extent)| match (*placement, *extent) {
             (Placement::Fixed(value), Extent::Fixed(settled)) => value == settled,
             (Placement::Nodes { from, to, nodes, evenness, free: true }, Extent::Range { .. }) => {
@@ -335,8 +345,8 @@ fn largest_difference(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, |largest, d| if d <= largest { largest } else { d })
 }
 
-/// Lines along an axis: every edge of the box, and others that are drawn at random, each parameter at one of its ends in half of them. Their number grows with the
-/// number of directions in which they can differ.
+/// Lines along an axis: every edge of the box, and others that are drawn at random, each parameter at one of its ends in half of them. Their number
+/// grows with the number of directions in which they can differ. The points have the first value of the range along the axis itself.
 pub fn lines(scene: &Scene, along: Parameter) -> Vec<[f64; 4]> {
     const RANDOM: usize = 40;
     const OVERSHOOT: f64 = 0.5;

@@ -14,8 +14,8 @@ use crate::{output, tucker};
 
 /// Convert an HDF5 table to the packed form that `interp` loads without HDF5
 ///
-/// Value for value, or with `--tolerance` in low-rank form, which is a hundred times smaller: it is compared with direct solves at random points
-/// of its own, and holds what is measured as its certificate. If it cannot keep the tolerance nothing is written and the exit status is 1.
+/// Value for value, or with `--tolerance` in low-rank form, some 35 times smaller for four axes: it is compared with direct solves at points of its
+/// own, and holds what is measured as its certificate. If it cannot keep the tolerance nothing is written and the exit status is 1.
 #[derive(clap::Args)]
 pub struct Arguments {
     /// The HDF5 table
@@ -27,10 +27,10 @@ pub struct Arguments {
     /// Low-rank form with this relative tolerance, between the nodes as well as at them
     #[arg(long, allow_negative_numbers = true)]
     tolerance: Option<f64>,
-    /// Number of random points of the certificate [default: 2500 for each axis]
+    /// Number of points of the certificate [default: 2500 for each axis]
     #[arg(long, requires = "tolerance", value_parser = value_parser!(u32).range(1..))]
     points: Option<u32>,
-    /// Seed of the random points [default: another than the table's]
+    /// Seed of the random ones [default: another than the table's]
     #[arg(long, requires = "tolerance")]
     seed: Option<u64>,
 }
