@@ -20,11 +20,16 @@ fn shows_the_examples() {
 }
 
 #[test]
-fn quotes_the_certificate_of_the_shipped_table() {
-    let table = Table::read(concat!(env!("CARGO_MANIFEST_DIR"), "/../tables/paper.bin")).expect("the shipped table");
-    let certificate = table.description().certificate;
-    let quoted = format!("{:.1e} ({:.1e})", certificate.max_error, certificate.median_error);
-    for file in ["README.md", "tables/README.md"] {
-        assert!(read(file).contains(&quoted), "{file} does not quote {quoted}");
+fn quotes_the_certificates_of_the_shipped_tables() {
+    for (table, files) in [
+        ("tables/paper.bin", &["README.md", "tables/README.md"][..]),
+        ("crates/interp/embedded/default.bin", &["tables/README.md"]),
+    ] {
+        let path = format!("{}/../{table}", env!("CARGO_MANIFEST_DIR"));
+        let certificate = Table::read(path).expect("a shipped table").description().certificate;
+        let quoted = format!("{:.1e} ({:.1e})", certificate.max_error, certificate.median_error);
+        for file in files {
+            assert!(read(file).contains(&quoted), "{file} does not quote {quoted} of {table}");
+        }
     }
 }

@@ -38,6 +38,7 @@
 
 mod certificate;
 mod contact;
+mod curve;
 #[cfg(feature = "embedded")]
 mod embedded;
 mod error;
@@ -54,8 +55,8 @@ mod table;
 
 pub use certificate::{Certificate, Details};
 pub use contact::{Contact, Elastic, JkrPoint, Mechanics, System};
+pub use curve::Curve;
 pub use error::Error;
-pub use lookup::Curve;
 pub use low_rank::LowRank;
 pub use material::{Material, Normalisation};
 pub use pack::is_packed;

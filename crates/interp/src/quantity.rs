@@ -60,6 +60,11 @@ impl Quantity {
             Self::Delta0 => 1.0,
         }
     }
+
+    /// What is splined in place of a value: the logarithm of it over its [scale](Quantity::scale).
+    pub fn logarithm(self, value: f64, es: f64) -> f64 {
+        (value / self.scale(es)).ln()
+    }
 }
 
 /// The four functions at one point, dimensionless.

@@ -195,11 +195,11 @@ impl Table {
         for (i, &quantity) in held.iter().enumerate() {
             let Some(values) = &values[quantity as usize] else { continue };
             for nu in 0..n_nu {
-                let scale = quantity.scale(film_limit(self, e1, nu));
+                let es = film_limit(self, e1, nu);
                 for a in 0..n_a {
                     let values = &values[((a * n_e1 + e1) * n_nu + nu) * n_e0..][..n_e0];
                     for (e0, value) in values.iter().enumerate() {
-                        logarithms[((nu * n_e0 + e0) * n_a + a) * held.len() + i] = (value / scale).ln();
+                        logarithms[((nu * n_e0 + e0) * n_a + a) * held.len() + i] = quantity.logarithm(*value, es);
                     }
                 }
             }

@@ -7,7 +7,6 @@
 use std::f64::consts::PI;
 use std::time::Instant;
 
-use interp::Quantity;
 use interp::schema::Parameter;
 use interp::spline::{Basis, TABLE_DEGREE};
 use rand::{RngExt, SeedableRng};
@@ -378,6 +377,6 @@ pub fn logarithms(scene: &Scene, [a_over_t, e1, nu1, e0]: [f64; 4]) -> Result<Ve
     let material = scene.material([e1, nu1, e0])?;
     let wanted = Wanted::of(scene.quantities.iter().copied());
     let solved = solve_for_table(a_over_t, &material, scene.tolerance, wanted)?;
-    let scale = |quantity: Quantity| quantity.scale(material.sphere_film_modulus());
-    Ok(scene.quantities.iter().map(|&quantity| (solved.get(quantity) / scale(quantity)).ln()).collect())
+    let es = material.sphere_film_modulus();
+    Ok(scene.quantities.iter().map(|&quantity| quantity.logarithm(solved.get(quantity), es)).collect())
 }

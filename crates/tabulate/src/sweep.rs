@@ -120,7 +120,7 @@ impl<'a> Sweep<'a> {
         for (member, (row, material)) in rows.zip(&self.materials).enumerate() {
             let es = material.sphere_film_modulus();
             for (i, &quantity) in self.scene.quantities.iter().enumerate() {
-                row[held * piece + i] = (solved[i * self.points() + member] / quantity.scale(es)).ln();
+                row[held * piece + i] = quantity.logarithm(solved[i * self.points() + member], es);
             }
         }
     }
