@@ -148,7 +148,7 @@ fn run(scene: &Scene, path: &Path, options: &Options, observer: &dyn Observer, j
         } else {
             match plan.refined(factors(&splines, samples)?, scene) {
                 // The table that there is, is better than none.
-                Err(error @ Error::TooLarge { .. }) => {
+                Err(error @ (Error::TooLarge { .. } | Error::Unresolved { .. })) => {
                     observer.note(&error.to_string());
                     None
                 }
