@@ -56,8 +56,9 @@ fn bernstein(t: f64) -> [f64; 4] {
 
 /// The four quantities as functions of `a/t` for one material.
 ///
-/// Made once, by [`Table::curve`](crate::Table::curve) or [`Curve::through`]; each evaluation is then a one-dimensional cubic spline over `ln(a/t)`, so finely
-/// resampled from the spline through the logarithms at the nodes that it adds less than a tenth of the table's tolerance to the error.
+/// Made once, by [`Table::curve`](crate::Table::curve) or [`Curve::through`]; each evaluation is then a one-dimensional cubic spline over
+/// `ln(a/t)`, so finely resampled from the spline through the logarithms at the nodes that it adds less than a tenth of the table's tolerance
+/// to the error.
 #[derive(Clone, Debug)]
 pub struct Curve {
     spline: Spline<f64, Four>,
