@@ -275,9 +275,12 @@ impl Lines {
         let mut rows = vec![0.0; at.len() * self.width];
         rows.par_chunks_exact_mut(self.width).zip(at).for_each(|(row, &place)| {
             let last = self.points - 1;
-            let mut weights: Vec<f64> = (0..=last)
-                .map(|i| if i == 0 || i == last { 0.5 } else { 1.0 } * if i % 2 == 0 { 1.0 } else { -1.0 } / (place - nodes[i]))
-                .collect();
+            let weight = |i: usize| {
+                let size = if i == 0 || i == last { 0.5 } else { 1.0 };
+                let signed = if i.is_multiple_of(2) { size } else { -size };
+                signed / (place - nodes[i])
+            };
+            let mut weights: Vec<f64> = (0..=last).map(weight).collect();
             if let Some(node) = weights.iter().position(|weight| weight.is_infinite()) {
                 weights.fill(0.0);
                 weights[node] = 1.0;

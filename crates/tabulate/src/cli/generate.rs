@@ -20,7 +20,7 @@ use crate::sweep::sweep;
 /// The four-parameter scene that is made when no other is named.
 const DEFAULT_SCENE: &str = include_str!("../../../../tables/default.toml");
 
-/// Make the HDF5 table of a scene: choose the nodes, solve them, prove the accuracy
+/// Make the HDF5 table of a scene: choose the nodes, solve them, measure the accuracy
 ///
 /// The nodes are chosen so that the splines between them keep the tolerance. Then the table is compared with direct solves at other points, and
 /// what they say is stored in it; axes that hold too large an error get more nodes, and the table is made again. A table that still exceeds
@@ -80,7 +80,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let budget = match arguments.budget {
         None => None,
         Some(seconds) => {
-            ensure!(seconds > 0.0 && seconds <= 1e9, "--budget = {seconds:?} is outside 0 to 1e9 seconds");
+            ensure!(seconds > 0.0 && seconds <= 1e9, "--budget = {seconds:?}: it must be above 0 and at most 1e9 seconds");
             Some(Duration::from_secs_f64(seconds))
         }
     };
@@ -109,7 +109,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     // Not an ordered comparison the other way round: NaN must not pass.
     let held = error <= tolerance;
     if !held {
-        let remedy = if arguments.budget.is_some() { "a larger budget, or its axes more nodes" } else { "its axes more nodes" };
+        let remedy = if arguments.budget.is_some() { "it a larger budget, or its axes more nodes" } else { "its axes more nodes" };
         bail!(
             "{} is written, but its measured error {error:.1e} exceeds the tolerance {tolerance:e}: give {remedy}",
             path.display()
