@@ -128,6 +128,12 @@ impl Mechanics {
         (load, a * a * q.delta0 / self.radius - 2.0 * edge / (self.modulus * q.gamma))
     }
 
+    /// Energy release rate (J/m^2) of the edge singularity `g` (N/m) at contact radius `a` (m), `G = 2 g |g| / (pi a Es*)` (eq. 8): negative where
+    /// the edge presses instead of pulling.
+    pub fn energy_release_rate(&self, a: f64, edge: f64) -> f64 {
+        2.0 * edge * edge.abs() / (PI * a * self.sphere_film_modulus)
+    }
+
     /// The point of the reduced JKR plot for a load `F` (N) at contact radius `a` (m).
     pub fn jkr_point(&self, a: f64, load: f64) -> JkrPoint {
         let power = a * a.sqrt();
@@ -203,6 +209,35 @@ impl Contact {
     pub fn load_and_penetration(&self, a: f64, w: f64) -> Result<(f64, f64), Error> {
         let edge = self.mechanics.edge_singularity(a, w)?;
         Ok(self.mechanics.load_and_penetration(a, edge, &self.curve.quantities(a / self.film_thickness)?))
+    }
+
+    /// Energy release rate `G` (J/m^2) from a measured contact radius `a` (m) and load (N): that of the edge which takes the load from the
+    /// adhesionless `F0(a)` to `load`. Negative for a load above `F0`, which only a contact that grows can bear.
+    ///
+    /// # Errors
+    /// [`Error::OutsideTable`] where the curve does not cover `a/t`; [`Error::Unphysical`] for `a <= 0`, or numbers that are not finite;
+    /// [`Error::MissingQuantity`] without `pi0`, `eeq` and `gamma`.
+    pub fn energy_release_rate_at_load(&self, a: f64, load: f64) -> Result<f64, Error> {
+        positive("contact radius", a)?;
+        Error::unless(load.is_finite(), "load", load, "finite")?;
+        let (pi0, eeq_over_gamma) = self.curve.load_factors(a / self.film_thickness)?;
+        let edge = (self.mechanics.load(a, 0.0, pi0, eeq_over_gamma) - load) / (4.0 * a * eeq_over_gamma);
+        Ok(self.mechanics.energy_release_rate(a, edge))
+    }
+
+    /// Energy release rate `G` (J/m^2) from a measured contact radius `a` (m) and penetration (m): that of the edge which takes the
+    /// penetration from the adhesionless `delta0(a)` to `penetration`. Negative for a penetration above `delta0`, which only a contact that grows can
+    /// have.
+    ///
+    /// # Errors
+    /// As [`Contact::energy_release_rate_at_load`], but [`Error::MissingQuantity`] without `gamma` and `delta0`.
+    pub fn energy_release_rate_at_penetration(&self, a: f64, penetration: f64) -> Result<f64, Error> {
+        positive("contact radius", a)?;
+        Error::unless(penetration.is_finite(), "penetration", penetration, "finite")?;
+        let x = a / self.film_thickness;
+        let (gamma, delta0) = (self.curve.quantity(Quantity::Gamma, x)?, self.curve.quantity(Quantity::Delta0, x)?);
+        let flat_punch = a * a * delta0 / self.mechanics.radius - penetration;
+        Ok(self.mechanics.energy_release_rate(a, 0.5 * flat_punch * self.mechanics.modulus * gamma))
     }
 
     /// Contact stiffness `S = 2 a E* Eeq` (N/m) at contact radius `a` (m), eq. 5.
