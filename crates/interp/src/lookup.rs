@@ -2,7 +2,7 @@
 
 use crate::low_rank::{LowRank, add_row, add_rows, combine};
 use crate::schema::Parameter;
-use crate::spline::{Basis, TABLE_DEGREE};
+use crate::spline::Basis;
 use crate::table::Table;
 use crate::{Curve, Error, Material};
 
@@ -135,7 +135,7 @@ impl Coefficients {
 fn bases(table: &Table) -> [Basis; 3] {
     [Parameter::E1OverE2, Parameter::Nu1, Parameter::E0OverE2].map(|parameter| {
         let nodes: Vec<f64> = table.axis(parameter).iter().map(|&value| parameter.coordinate(value)).collect();
-        Basis::new(&nodes, TABLE_DEGREE)
+        Basis::of_table(&nodes, parameter.is_flat_at(table.axis(parameter)[nodes.len() - 1]))
     })
 }
 
