@@ -116,6 +116,14 @@ impl Parameter {
         self == Self::Nu1 && value == 0.5
     }
 
+    /// How fast the coordinate grows with the value: its derivative at a value with this coordinate.
+    pub(crate) fn speed(self, coordinate: f64) -> f64 {
+        match self {
+            Self::AOverT | Self::E1OverE2 | Self::E0OverE2 => (-coordinate).exp(),
+            Self::Nu1 => 1.0 / (3.0 * (1.0 - 2.0 * coordinate).powi(2)),
+        }
+    }
+
     /// The inverse of [`Parameter::coordinate`].
     pub fn value(self, coordinate: f64) -> f64 {
         match self {

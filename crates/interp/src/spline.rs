@@ -4,7 +4,7 @@
 //! each end, so that it has exactly `n` coefficients and reproduces polynomials of degree `p`. Its error falls like `h^{p+1}`.
 //!
 //! A spline with a flat end has two knots more next to the last node, and no first and second derivative there. That is what functions of
-//! `1 - 2 nu1 = s^3` have over `s` for an incompressible film, and what makes their derivative with respect to `nu1`, `1/(6 s^2)` times that with
+//! `1 - 2 nu1 = s^3` have over `s` for an incompressible film, and what makes their derivative with respect to `nu1`, `2/(3 s^2)` times that with
 //! respect to `s`, finite.
 
 /// The degree of the splines through the nodes of a table (fewer nodes than ten lower it). Higher degrees save hardly any nodes from 1e-4
