@@ -47,6 +47,7 @@ mod error;
 mod force_displacement;
 #[cfg(feature = "hdf5")]
 mod h5;
+mod jkr_fit;
 mod lookup;
 mod low_rank;
 mod material;
@@ -58,6 +59,7 @@ pub mod schema;
 pub mod spline;
 mod system;
 mod table;
+mod validity;
 
 pub use certificate::{Certificate, Details};
 pub use contact::{Contact, State};
@@ -65,6 +67,7 @@ pub use curve::Curve;
 pub use equilibrium::{Control, Equilibria, Equilibrium};
 pub use error::Error;
 pub use force_displacement::{ForceDisplacement, Jump};
+pub use jkr_fit::{FilmBias, JkrFit};
 pub use low_rank::LowRank;
 pub use material::{Material, Normalisation};
 pub use mechanics::{JkrPoint, Mechanics};
@@ -72,3 +75,4 @@ pub use pack::is_packed;
 pub use quantity::{Quantities, Quantity};
 pub use system::{Elastic, HalfSpace, System};
 pub use table::{Description, Table};
+pub use validity::{AdhesionRange, FilmValidity, Validity};
