@@ -93,8 +93,8 @@ fn a_line_through_the_jkr_plot_gives_the_papers_modulus_and_work_of_adhesion() {
 
 #[test]
 fn the_pull_off_loads_of_the_papers_system() {
-    /// From two scripts apart from this workspace, to the last digit.
-    const PRINTED: f64 = 0.5e-4;
+    /// From two scripts apart from this workspace: half of the last digit, and 3e-7, because -1.50374973 is printed as -1.5038.
+    const PRINTED: f64 = 0.5e-4 + 3e-7;
     /// Under displacement control they took the radius of least penetration from a grid, and the load is not stationary there. Measured: 8.1e-5.
     const GRID: f64 = 1e-4;
     /// Difference of the table from direct solves. Measured: 6.4e-8.
@@ -117,7 +117,7 @@ fn the_pull_off_loads_of_the_papers_system() {
             let unit = PI * W * system.sphere_radius;
             let (found, solved) = (contact.pull_off(W, control).expect("inside").load / unit, solved[i] / unit);
             println!(
-                "pull-off on {t:e} m: {found:.9} pi w R, direct {:.1e}, printed {:.1e} away",
+                "pull-off on {t:e} m: {found:.8} pi w R, direct {:.1e}, printed {:.1e} away",
                 found - solved,
                 found - expected[i]
             );
