@@ -36,6 +36,7 @@
 
 #![forbid(unsafe_code)]
 
+mod beyond;
 mod certificate;
 mod contact;
 mod curve;
@@ -53,9 +54,11 @@ mod low_rank;
 mod material;
 mod mechanics;
 mod pack;
+mod pieces;
 mod quantity;
 mod root;
 pub mod schema;
+mod sensitivity;
 pub mod spline;
 mod system;
 mod table;
@@ -73,6 +76,7 @@ pub use material::{Material, Normalisation};
 pub use mechanics::{JkrPoint, Mechanics};
 pub use pack::is_packed;
 pub use quantity::{Quantities, Quantity};
+pub use sensitivity::Gradient;
 pub use system::{Elastic, HalfSpace, System};
 pub use table::{Description, Table};
 pub use validity::{AdhesionRange, FilmValidity, Validity};
