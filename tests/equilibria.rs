@@ -55,7 +55,7 @@ fn with_pull_off_near(contact: &Contact, radius: f64) -> f64 {
 /// The pull-off force of a rigid sphere on a film on a rigid base; two scripts apart from this workspace agree on the digits.
 #[test]
 fn pull_off_of_a_rigid_sphere_from_a_film_on_a_rigid_base() {
-    /// Half of the last digit.
+    /// Half of the last digit. Measured: 4.5e-5.
     const PRINTED: f64 = 0.5e-4;
     let expected = [(0.5, [1.5349, 1.9341, 2.3415, 2.6593]), (0.0, [1.5175, 1.7559, 1.9289, 1.9781])];
     for (nu1, expected) in expected {
@@ -93,7 +93,7 @@ fn a_film_of_the_substrates_material_is_jkr_within_the_tables_error() {
         for a in [0.5 * radius, 3.0 * radius] {
             let [(load, depth), (f, d)] = [&coated, &bare].map(|contact| contact.load_and_penetration(a, w).expect("in range"));
             let (f0, d0) = bare.load_and_penetration(a, 0.0).expect("in range");
-            // With the same edge, twice the adhesionless term less the whole is the sum of the sizes of both terms. Eeq/Gamma has the errors of two.
+            // With the same edge, twice the adhesionless term less the whole is the sum of the sizes of both terms.
             terms = larger(terms, (load - f).abs() / (2.0 * f0 - f));
             terms = larger(terms, (depth - d).abs() / (2.0 * d0 - d));
         }
@@ -108,10 +108,11 @@ fn a_film_of_the_substrates_material_is_jkr_within_the_tables_error() {
         );
     }
     println!("film = substrate, certified {certified:.1e}: terms {terms:.1e}, pull-off {forces:.1e}, radii {radii:.1e}");
+    // Measured: 1.4e-8, 2.5e-8, 1.2e-7 with 4.8e-8 certified. `Eeq/Gamma` has the errors of two quantities.
     assert!(terms <= 2.0 * certified);
-    // Two terms of half and three halves of the least value, where it is stationary.
-    assert!(forces <= 4.0 * certified);
-    // Where the slope is 0: it has the error of the curve's slopes, some ten times that of its values.
+    // At pull-off under load control the terms are 1 and 2 times the load, under the others less.
+    assert!(forces <= 5.0 * certified);
+    // The slope is 0 there, and it has some ten times the error of the values.
     assert!(radii <= 30.0 * certified);
 }
 
@@ -250,6 +251,7 @@ fn a_load_that_falls_between_two_rises_is_jumped_over_both_ways() {
         }
     }
     println!("jumps between two branches: {worst:.1e}");
+    // Measured: 4.9e-9.
     assert!(worst <= 1e-6);
     // Between the two, three equilibria, and which of the stable ones is there depends on the way.
     let between = 0.5 * (load(top) + load(bottom)) * unit;
@@ -326,5 +328,6 @@ fn without_adhesion_a_table_needs_no_stiffness() {
         assert!(matches!(equilibria.unloading(-at), Err(Error::NoContact { least: 0.0, .. })));
     }
     println!("radii without adhesion: {worst:.1e}");
+    // Measured: 1.6e-6.
     assert!(worst <= 1e-4);
 }
