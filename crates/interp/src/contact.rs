@@ -6,15 +6,15 @@ use crate::{Curve, Error, HalfSpace, Mechanics, Quantities, Quantity, System, Ta
 /// A system with the curve of its material, from a table or a solve, or a half-space without either: all else is arithmetic.
 #[derive(Clone, Debug)]
 pub struct Contact {
-    mechanics: Mechanics,
-    coating: Option<Coating>,
+    pub(crate) mechanics: Mechanics,
+    pub(crate) coating: Option<Coating>,
 }
 
 /// What a contact on a half-space does not have.
 #[derive(Clone, Debug)]
-struct Coating {
-    system: System,
-    curve: Curve,
+pub(crate) struct Coating {
+    pub(crate) system: System,
+    pub(crate) curve: Curve,
 }
 
 /// A contact: how large it is, what presses it, how far the sphere is in.
@@ -40,6 +40,14 @@ impl Table {
     /// Those of [`System::material`] and [`Table::curve`].
     pub fn contact(&self, system: &System) -> Result<Contact, Error> {
         Contact::new(system, self.curve(&system.material()?)?)
+    }
+
+    /// The same with derivatives with respect to all that the system consists of, which [`Contact::gradient`] gives.
+    ///
+    /// # Errors
+    /// As [`Table::contact`].
+    pub fn contact_with_gradient(&self, system: &System) -> Result<Contact, Error> {
+        Contact::new(system, self.curve_with_gradient(&system.material()?)?)
     }
 }
 
