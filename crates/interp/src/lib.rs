@@ -10,7 +10,12 @@
 //! * [`Table::curve`] makes the [`Curve`] of one [`Material`]: the quantities as functions of `a/t`;
 //! * [`Table::contact`] makes the [`Contact`] of one [`System`] in SI units: load and penetration from contact radius and work of
 //!   adhesion;
-//! * [`Curve::through`] and [`Contact::new`] make them without a table, from quantities solved elsewhere.
+//! * [`Curve::through`] and [`Contact::new`] make them without a table, from quantities solved elsewhere; [`Contact::half_space`] is JKR, without a
+//!   film;
+//! * [`Contact::equilibria`] has the contacts at a load, a penetration or the position of a spring with their stability, pull-off
+//!   ([`Contact::pull_off`]), and whole force-displacement curves with their jumps;
+//! * [`Contact::radius_and_energy_release_rate`] and its like need no work of adhesion, but measured values;
+//! * [`Contact::film_bias`] says whether the film matters, [`Contact::validity`] and [`Contact::adhesion_range`] whether the model holds.
 //!
 //! ```
 //! # #[cfg(feature = "embedded")]
