@@ -62,6 +62,15 @@ pub enum Error {
     /// A quantity that the scene of the table did not ask for.
     #[error("the table does not hold {0}: its scene did not ask for it")]
     MissingQuantity(&'static str),
+    /// A motion of the contact line that cannot be integrated to the tolerance.
+    #[cfg(feature = "dynamics")]
+    #[error("the contact line cannot be followed beyond {time:?} s: {reason}")]
+    Motion {
+        /// How far it was followed, s from the beginning of the ramp.
+        time: f64,
+        /// What stopped the solver.
+        reason: String,
+    },
     /// Bytes that are no table of this project.
     #[error("not a coated-contact table: {0}")]
     Foreign(String),

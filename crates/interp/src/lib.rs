@@ -38,7 +38,11 @@
 
 mod certificate;
 mod contact;
+mod contact_line;
+mod crack_tip;
 mod curve;
+#[cfg(feature = "dynamics")]
+mod dynamics;
 #[cfg(feature = "embedded")]
 mod embedded;
 mod error;
@@ -55,7 +59,11 @@ mod table;
 
 pub use certificate::{Certificate, Details};
 pub use contact::{Contact, Elastic, JkrPoint, Mechanics, System};
+pub use contact_line::{ContactLine, Imposed, LineState};
+pub use crack_tip::{CrackTip, Hysteresis, RateDependent};
 pub use curve::Curve;
+#[cfg(feature = "dynamics")]
+pub use dynamics::Moment;
 pub use error::Error;
 pub use low_rank::LowRank;
 pub use material::{Material, Normalisation};

@@ -1,0 +1,243 @@
+//! The contact line in time: `da/dt = -v(G)` under a load or penetration that changes at a constant rate.
+//!
+//! Where the line jumps, `a(t)` is all but vertical, and where the contact parts, the speed has no bound. So the curve is followed along its
+//! length `s`, `ds^2 = (da/a1)^2 + (dt/T)^2`, with the radius `a1` at the beginning and the duration `T` as units: nothing changes faster than
+//! `s`, and while an infinitely fast line moves, time stands still. The slower the ramp, the stiffer the equation, so the solver is implicit
+//! (Radau IIA of order 5).
+
+use std::cell::Cell;
+
+use differential_equations::interpolate::Interpolation;
+use differential_equations::methods::ImplicitRungeKutta;
+use differential_equations::ode::{ODE, OrdinaryNumericalMethod};
+
+use crate::contact_line::{outside, parts};
+use crate::{Contact, ContactLine, CrackTip, Error, Imposed, LineState};
+
+/// Radius and time in units of their scales.
+type Point = [f64; 2];
+const RADIUS: usize = 0;
+const TIME: usize = 1;
+
+/// The longest step: no two moments are farther apart, for the sake of those who plot or integrate them.
+const LONGEST_STEP: f64 = 0.01;
+/// Far more than a ramp takes: one from a contact a thousand times smaller takes 100 000.
+const STEPS: usize = 200_000;
+/// Halvings of a step that leave nothing of it.
+const HALVINGS: usize = 60;
+
+/// A contact at one time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Moment {
+    /// Time since the ramp began, s.
+    pub time: f64,
+    /// The contact.
+    pub state: LineState,
+}
+
+impl<L: CrackTip> ContactLine<'_, L> {
+    /// Brings the load or the penetration to a value in `duration` (s) at a constant rate, and gives the moments in between, from the
+    /// beginning to the end, or to where the contact parts: [`ContactLine::state`] is `None` then. Between two moments the radius changes by
+    /// 1 % of the first one at most, the time by 1 % of the duration. To hold a load or penetration, impose what there is.
+    ///
+    /// `tolerance` bounds the error that the solver makes in a step, relative to the radius at the beginning and to the duration.
+    ///
+    /// A contact has parted when it is smaller than `tolerance` times its radius at the beginning, or than the smallest radius that the
+    /// curve covers, and `G` rises as it shrinks.
+    ///
+    /// ```
+    /// # #[cfg(feature = "embedded")]
+    /// # fn main() -> Result<(), interp::Error> {
+    /// use interp::{Elastic, Imposed, RateDependent, System, Table};
+    ///
+    /// let film = Elastic::new(3.5e6, 0.5)?;
+    /// let substrate = Elastic::new(2e11, 0.25)?;
+    /// let system = System { sphere_radius: 1e-3, sphere_modulus: 2e6, film, film_thickness: 1e-6, substrate };
+    /// let contact = Table::embedded().contact(&system)?;
+    /// let mut line = contact.line(RateDependent::new(0.04, 1e-6, 0.6)?, 65e-6)?;
+    /// line.ramp(Imposed::Load(1e-3), 10.0, 1e-6)?;
+    /// let unloading = line.ramp(Imposed::Load(-1e-3), 20.0, 1e-6)?;
+    /// assert!(line.state().is_none()); // pulled off,
+    /// let pull_off = unloading.last().expect("a moment").state;
+    /// assert!(pull_off.load < -0.19e-3); // at more than 1.5 pi w R
+    /// # Ok(()) }
+    /// # #[cfg(not(feature = "embedded"))]
+    /// # fn main() {}
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::OutsideTable`] where the line leaves the curve; [`Error::Unphysical`] for a value that is not finite, a `duration` that is
+    /// not positive and finite, a `tolerance` outside `[1e-10, 1e-2]`, or a law without finite speeds; [`Error::Motion`] where the solver
+    /// fails. The line then stays where it was.
+    pub fn ramp(&mut self, imposed: Imposed, duration: f64, tolerance: f64) -> Result<Vec<Moment>, Error> {
+        Error::unless(duration > 0.0 && duration.is_finite(), "duration", duration, "> 0 and finite")?;
+        Error::unless((1e-10..=1e-2).contains(&tolerance), "tolerance", tolerance, "in [1e-10, 1e-2]")?;
+        let [advancing, receding] = self.law.at_rest();
+        for beyond in [receding.next_up(), advancing.next_down().max(0.0)] {
+            let speed = self.law.speed(beyond);
+            Error::unless(speed.is_finite(), "speed of the crack-tip law", speed, "finite for a motion in time")?;
+        }
+        let Some(start) = self.state else { return Ok(Vec::new()) };
+        let a1 = start.contact_radius;
+        imposed.energy_release_rate(self.contact, a1)?;
+        let [least, most] = self.contact.contact_radius_range();
+        let motion = Motion {
+            contact: self.contact,
+            law: &self.law,
+            imposed: [imposed.of(&start), imposed],
+            a1,
+            duration,
+            tolerance,
+            range: [least.max(tolerance * a1), most],
+            failure: Cell::new(None),
+        };
+        let (moments, parted) = motion.follow(start)?;
+        self.state = moments.last().filter(|_| !parted).map(|moment| moment.state);
+        Ok(moments)
+    }
+}
+
+/// A ramp.
+struct Motion<'a, L> {
+    contact: &'a Contact,
+    law: &'a L,
+    /// At the beginning and at the end.
+    imposed: [Imposed; 2],
+    a1: f64,
+    duration: f64,
+    tolerance: f64,
+    range: [f64; 2],
+    /// Why there is no direction somewhere.
+    failure: Cell<Option<Error>>,
+}
+
+impl<L: CrackTip> Motion<'_, L> {
+    /// The moments of the ramp, and whether the contact has parted at the last.
+    fn follow(&self, start: LineState) -> Result<(Vec<Moment>, bool), Error> {
+        let mut moments = vec![Moment { time: 0.0, state: start }];
+        let mut point = [1.0, 0.0];
+        // The solver chooses its first step.
+        let mut solver = solver(self.tolerance, 0.0);
+        self.checked(&point, solver.init(self, 0.0, f64::MAX, &point))?;
+        loop {
+            let before = point;
+            self.checked(&before, solver.step(self))?;
+            if *solver.y() == before {
+                continue; // The step was rejected.
+            }
+            point = *solver.y();
+            let (ended, parted) = (|y: &Point| y[TIME] >= 1.0, |y: &Point| y[RADIUS] * self.a1 < self.range[0]);
+            let last = ended(&point) || parted(&point);
+            if last {
+                let (from, mut within, mut length) = (solver.t_prev(), 0.0, solver.t() - solver.t_prev());
+                for _ in 0..HALVINGS {
+                    let middle = 0.5 * (within + length);
+                    let y = solver.interpolate(from + middle).unwrap_or(point);
+                    if ended(&y) || parted(&y) { (point, length) = (y, middle) } else { within = middle }
+                }
+                let parted = parted(&point);
+                point = self.land(&before, length, if parted { (RADIUS, self.range[0] / self.a1) } else { (TIME, 1.0) })?;
+                if parted && !parts(self.range[0], |a| self.imposed_at(&point).energy_release_rate(self.contact, a))? {
+                    return Err(outside(self.range[0].next_down(), self.range));
+                }
+                moments.push(self.moment(&point)?);
+                return Ok((moments, parted));
+            }
+            moments.push(self.moment(&point)?);
+        }
+    }
+
+    /// The place near `before`, `length` from there, where one coordinate has its last value. An interpolation would not be as accurate as a
+    /// step.
+    fn land(&self, before: &Point, length: f64, (coordinate, value): (usize, f64)) -> Result<Point, Error> {
+        let mut point = *before;
+        if length > 0.0 {
+            let mut solver = solver(self.tolerance, length);
+            self.checked(before, solver.init(self, 0.0, length, before))?;
+            while solver.t() < length {
+                solver.set_h(solver.h().min(length - solver.t()));
+                self.checked(&point, solver.step(self))?;
+                point = *solver.y();
+            }
+        }
+        let direction = self.direction(&point)?;
+        let rest = (value - point[coordinate]) / direction[coordinate];
+        if rest.abs() < LONGEST_STEP {
+            point = [0, 1].map(|i| point[i] + rest * direction[i]);
+        }
+        point[coordinate] = value;
+        Ok(point)
+    }
+
+    /// What the solver says, unless there was no direction to give it.
+    fn checked<T, E: std::fmt::Debug>(&self, point: &Point, step: Result<T, E>) -> Result<(), Error> {
+        match (self.failure.take(), step) {
+            (Some(failure), _) => Err(failure),
+            (None, Ok(_)) => Ok(()),
+            (None, Err(error)) => Err(Error::Motion { time: point[TIME] * self.duration, reason: format!("{error:?}") }),
+        }
+    }
+
+    fn moment(&self, point: &Point) -> Result<Moment, Error> {
+        let (a, imposed) = (point[RADIUS] * self.a1, self.imposed_at(point));
+        let state = imposed.state(self.contact, a, imposed.energy_release_rate(self.contact, a)?)?;
+        Ok(Moment { time: point[TIME] * self.duration, state })
+    }
+
+    fn imposed_at(&self, point: &Point) -> Imposed {
+        let [from, to] = self.imposed.map(Imposed::value);
+        self.imposed[1].with(from + (to - from) * point[TIME])
+    }
+
+    /// The unit vector along the curve.
+    fn direction(&self, point: &Point) -> Result<Point, Error> {
+        // Where the solver tries a radius out of range, it is as if it were in range: no step ends there but the last.
+        let a = (point[RADIUS] * self.a1).clamp(self.range[0], self.range[1]);
+        let speed = self.law.speed(self.imposed_at(point).energy_release_rate(self.contact, a)?);
+        Error::unless(!speed.is_nan(), "speed of the crack-tip law", speed, "a number")?;
+        let slope = speed * (self.duration / self.a1);
+        let length = slope.hypot(1.0);
+        Ok(if length.is_finite() { [-slope / length, 1.0 / length] } else { [-slope.signum(), 0.0] })
+    }
+}
+
+/// The solver for a tolerance and a first step.
+fn solver(tolerance: f64, first_step: f64) -> impl OrdinaryNumericalMethod<f64, Point> + Interpolation<f64, Point> {
+    // Radau5 takes 0.1 r^(2/3) for a tolerance of r, as Hairer's code does, and takes it again for each further coordinate that shares it.
+    let tolerances = || vec![(10.0 * tolerance).powf(1.5); 2];
+    let radau = ImplicitRungeKutta::radau5().rtol(tolerances()).atol(tolerances());
+    radau.h0(first_step).h_max(LONGEST_STEP).max_steps(STEPS)
+}
+
+impl Imposed {
+    const fn value(self) -> f64 {
+        match self {
+            Self::Load(value) | Self::Penetration(value) => value,
+        }
+    }
+
+    /// Another value of the same.
+    const fn with(self, value: f64) -> Self {
+        match self {
+            Self::Load(_) => Self::Load(value),
+            Self::Penetration(_) => Self::Penetration(value),
+        }
+    }
+
+    /// What a contact has of it.
+    const fn of(self, state: &LineState) -> Self {
+        self.with(match self {
+            Self::Load(_) => state.load,
+            Self::Penetration(_) => state.penetration,
+        })
+    }
+}
+
+impl<L: CrackTip> ODE<f64, Point> for Motion<'_, L> {
+    fn diff(&self, _length: f64, point: &Point, derivative: &mut Point) {
+        *derivative = self.direction(point).unwrap_or_else(|failure| {
+            self.failure.set(Some(failure));
+            [0.0; 2]
+        });
+    }
+}
