@@ -11,8 +11,7 @@ use differential_equations::interpolate::Interpolation;
 use differential_equations::methods::ImplicitRungeKutta;
 use differential_equations::ode::{ODE, OrdinaryNumericalMethod};
 
-use crate::contact_line::{outside, parts};
-use crate::{Contact, ContactLine, CrackTip, Error, Imposed, LineState};
+use crate::{Contact, ContactLine, Control, CrackTip, Error, State};
 
 /// Radius and time in units of their scales.
 type Point = [f64; 2];
@@ -32,11 +31,13 @@ pub struct Moment {
     /// Time since the ramp began, s.
     pub time: f64,
     /// The contact.
-    pub state: LineState,
+    pub state: State,
+    /// Its energy release rate `G`, J/m^2.
+    pub energy_release_rate: f64,
 }
 
 impl<L: CrackTip> ContactLine<'_, L> {
-    /// Brings the load or the penetration to a value in `duration` (s) at a constant rate, and gives the moments in between, from the
+    /// Brings what is controlled, the load (N), the penetration or the position of the spring (m), to a value in `duration` (s) at a constant rate, and gives the moments in between, from the
     /// beginning to the end, or to where the contact parts: [`ContactLine::state`] is `None` then. Between two moments the radius changes by
     /// 1 % of the first one at most, the time by 1 % of the duration. To hold a load or penetration, impose what there is.
     ///
@@ -48,15 +49,15 @@ impl<L: CrackTip> ContactLine<'_, L> {
     /// ```
     /// # #[cfg(feature = "embedded")]
     /// # fn main() -> Result<(), interp::Error> {
-    /// use interp::{Elastic, Imposed, RateDependent, System, Table};
+    /// use interp::{Control, Elastic, RateDependent, System, Table};
     ///
     /// let film = Elastic::new(3.5e6, 0.5)?;
     /// let substrate = Elastic::new(2e11, 0.25)?;
     /// let system = System { sphere_radius: 1e-3, sphere_modulus: 2e6, film, film_thickness: 1e-6, substrate };
     /// let contact = Table::embedded().contact(&system)?;
     /// let mut line = contact.line(RateDependent::new(0.04, 1e-6, 0.6)?, 65e-6)?;
-    /// line.ramp(Imposed::Load(1e-3), 10.0, 1e-6)?;
-    /// let unloading = line.ramp(Imposed::Load(-1e-3), 20.0, 1e-6)?;
+    /// line.ramp(Control::Load, 1e-3, 10.0, 1e-6)?;
+    /// let unloading = line.ramp(Control::Load, -1e-3, 20.0, 1e-6)?;
     /// assert!(line.state().is_none()); // pulled off,
     /// let pull_off = unloading.last().expect("a moment").state;
     /// assert!(pull_off.load < -0.19e-3); // at more than 1.5 pi w R
@@ -66,10 +67,13 @@ impl<L: CrackTip> ContactLine<'_, L> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::OutsideTable`] where the line leaves the curve; [`Error::Unphysical`] for a value that is not finite, a `duration` that is
+    /// [`Error::OutsideTable`] or [`Error::OutsideRadii`] where the line leaves the curve; [`Error::Unphysical`] for a value that is not
+    /// finite, a stiffness outside `[1e-100, 1e100]`, a `duration` that is
     /// not positive and finite, a `tolerance` outside `[1e-10, 1e-2]`, or a law without finite speeds; [`Error::Motion`] where the solver
     /// fails. The line then stays where it was.
-    pub fn ramp(&mut self, imposed: Imposed, duration: f64, tolerance: f64) -> Result<Vec<Moment>, Error> {
+    pub fn ramp(&mut self, control: Control, value: f64, duration: f64, tolerance: f64) -> Result<Vec<Moment>, Error> {
+        control.check()?;
+        Error::unless(value.is_finite(), control.name(), value, "finite")?;
         Error::unless(duration > 0.0 && duration.is_finite(), "duration", duration, "> 0 and finite")?;
         Error::unless((1e-10..=1e-2).contains(&tolerance), "tolerance", tolerance, "in [1e-10, 1e-2]")?;
         let [advancing, receding] = self.law.at_rest();
@@ -79,19 +83,20 @@ impl<L: CrackTip> ContactLine<'_, L> {
         }
         let Some(start) = self.state else { return Ok(Vec::new()) };
         let a1 = start.contact_radius;
-        imposed.energy_release_rate(self.contact, a1)?;
+        self.contact.under(control, value, a1)?;
         let [least, most] = self.contact.contact_radius_range();
         let motion = Motion {
             contact: self.contact,
             law: &self.law,
-            imposed: [imposed.of(&start), imposed],
+            control,
+            imposed: [control.imposed(start.load, start.penetration), value],
             a1,
             duration,
             tolerance,
             range: [least.max(tolerance * a1), most],
             failure: Cell::new(None),
         };
-        let (moments, parted) = motion.follow(start)?;
+        let (moments, parted) = motion.follow()?;
         self.state = moments.last().filter(|_| !parted).map(|moment| moment.state);
         Ok(moments)
     }
@@ -101,8 +106,9 @@ impl<L: CrackTip> ContactLine<'_, L> {
 struct Motion<'a, L> {
     contact: &'a Contact,
     law: &'a L,
+    control: Control,
     /// At the beginning and at the end.
-    imposed: [Imposed; 2],
+    imposed: [f64; 2],
     a1: f64,
     duration: f64,
     tolerance: f64,
@@ -113,12 +119,14 @@ struct Motion<'a, L> {
 
 impl<L: CrackTip> Motion<'_, L> {
     /// The moments of the ramp, and whether the contact has parted at the last.
-    fn follow(&self, start: LineState) -> Result<(Vec<Moment>, bool), Error> {
-        let mut moments = vec![Moment { time: 0.0, state: start }];
+    fn follow(&self) -> Result<(Vec<Moment>, bool), Error> {
         let mut point = [1.0, 0.0];
+        let mut moments = vec![self.moment(&point)?];
         // The solver chooses its first step.
         let mut solver = solver(self.tolerance, 0.0);
         self.checked(&point, solver.init(self, 0.0, f64::MAX, &point))?;
+        let ended = |point: &Point| point[TIME] >= 1.0;
+        let parted = |point: &Point| point[RADIUS] * self.a1 < self.range[0];
         loop {
             let before = point;
             self.checked(&before, solver.step(self))?;
@@ -126,25 +134,32 @@ impl<L: CrackTip> Motion<'_, L> {
                 continue; // The step was rejected.
             }
             point = *solver.y();
-            let (ended, parted) = (|y: &Point| y[TIME] >= 1.0, |y: &Point| y[RADIUS] * self.a1 < self.range[0]);
-            let last = ended(&point) || parted(&point);
-            if last {
-                let (from, mut within, mut length) = (solver.t_prev(), 0.0, solver.t() - solver.t_prev());
-                for _ in 0..HALVINGS {
-                    let middle = 0.5 * (within + length);
-                    let y = solver.interpolate(from + middle).unwrap_or(point);
-                    if ended(&y) || parted(&y) { (point, length) = (y, middle) } else { within = middle }
-                }
-                let parted = parted(&point);
-                point = self.land(&before, length, if parted { (RADIUS, self.range[0] / self.a1) } else { (TIME, 1.0) })?;
-                if parted && !parts(self.range[0], |a| self.imposed_at(&point).energy_release_rate(self.contact, a))? {
-                    return Err(outside(self.range[0].next_down(), self.range));
-                }
+            if !ended(&point) && !parted(&point) {
                 moments.push(self.moment(&point)?);
-                return Ok((moments, parted));
+                continue;
+            }
+            // Where in the step is the end?
+            let (from, mut within, mut length) = (solver.t_prev(), 0.0, solver.t() - solver.t_prev());
+            for _ in 0..HALVINGS {
+                let middle = 0.5 * (within + length);
+                let between = solver.interpolate(from + middle).unwrap_or(point);
+                if ended(&between) || parted(&between) { (point, length) = (between, middle) } else { within = middle }
+            }
+            let parted = parted(&point);
+            let end = if parted { (RADIUS, self.range[0] / self.a1) } else { (TIME, 1.0) };
+            point = self.land(&before, length, end)?;
+            if parted && !self.parts(&point)? {
+                return Err(self.contact.outside(self.control.name(), self.imposed_at(&point)));
             }
             moments.push(self.moment(&point)?);
+            return Ok((moments, parted));
         }
+    }
+
+    /// Whether a contact that shrinks to this will part: the smaller it is, the larger its energy release rate.
+    fn parts(&self, point: &Point) -> Result<bool, Error> {
+        let rate = |a| self.contact.under(self.control, self.imposed_at(point), a).map(|(_, rate)| rate);
+        Ok(rate(self.range[0])? > rate(self.range[0] * (1.0 + LONGEST_STEP))?)
     }
 
     /// The place near `before`, `length` from there, where one coordinate has its last value. An interpolation would not be as accurate as a
@@ -179,21 +194,21 @@ impl<L: CrackTip> Motion<'_, L> {
     }
 
     fn moment(&self, point: &Point) -> Result<Moment, Error> {
-        let (a, imposed) = (point[RADIUS] * self.a1, self.imposed_at(point));
-        let state = imposed.state(self.contact, a, imposed.energy_release_rate(self.contact, a)?)?;
-        Ok(Moment { time: point[TIME] * self.duration, state })
+        let (state, energy_release_rate) = self.contact.under(self.control, self.imposed_at(point), point[RADIUS] * self.a1)?;
+        Ok(Moment { time: point[TIME] * self.duration, state, energy_release_rate })
     }
 
-    fn imposed_at(&self, point: &Point) -> Imposed {
-        let [from, to] = self.imposed.map(Imposed::value);
-        self.imposed[1].with(from + (to - from) * point[TIME])
+    fn imposed_at(&self, point: &Point) -> f64 {
+        let [from, to] = self.imposed;
+        from + (to - from) * point[TIME]
     }
 
     /// The unit vector along the curve.
     fn direction(&self, point: &Point) -> Result<Point, Error> {
         // Where the solver tries a radius out of range, it is as if it were in range: no step ends there but the last.
         let a = (point[RADIUS] * self.a1).clamp(self.range[0], self.range[1]);
-        let speed = self.law.speed(self.imposed_at(point).energy_release_rate(self.contact, a)?);
+        let (_, energy_release_rate) = self.contact.under(self.control, self.imposed_at(point), a)?;
+        let speed = self.law.speed(energy_release_rate);
         Error::unless(!speed.is_nan(), "speed of the crack-tip law", speed, "a number")?;
         let slope = speed * (self.duration / self.a1);
         let length = slope.hypot(1.0);
@@ -207,30 +222,6 @@ fn solver(tolerance: f64, first_step: f64) -> impl OrdinaryNumericalMethod<f64, 
     let tolerances = || vec![(10.0 * tolerance).powf(1.5); 2];
     let radau = ImplicitRungeKutta::radau5().rtol(tolerances()).atol(tolerances());
     radau.h0(first_step).h_max(LONGEST_STEP).max_steps(STEPS)
-}
-
-impl Imposed {
-    const fn value(self) -> f64 {
-        match self {
-            Self::Load(value) | Self::Penetration(value) => value,
-        }
-    }
-
-    /// Another value of the same.
-    const fn with(self, value: f64) -> Self {
-        match self {
-            Self::Load(_) => Self::Load(value),
-            Self::Penetration(_) => Self::Penetration(value),
-        }
-    }
-
-    /// What a contact has of it.
-    const fn of(self, state: &LineState) -> Self {
-        self.with(match self {
-            Self::Load(_) => state.load,
-            Self::Penetration(_) => state.penetration,
-        })
-    }
 }
 
 impl<L: CrackTip> ODE<f64, Point> for Motion<'_, L> {

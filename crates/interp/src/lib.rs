@@ -45,28 +45,38 @@ mod curve;
 mod dynamics;
 #[cfg(feature = "embedded")]
 mod embedded;
+mod energy_release;
+mod equilibrium;
 mod error;
+mod force_displacement;
 #[cfg(feature = "hdf5")]
 mod h5;
 mod lookup;
 mod low_rank;
 mod material;
+mod mechanics;
 mod pack;
 mod quantity;
+mod root;
 pub mod schema;
 pub mod spline;
+mod system;
 mod table;
 
 pub use certificate::{Certificate, Details};
-pub use contact::{Contact, Elastic, JkrPoint, Mechanics, System};
-pub use contact_line::{ContactLine, Imposed, LineState};
+pub use contact::{Contact, State};
+pub use contact_line::ContactLine;
 pub use crack_tip::{CrackTip, Hysteresis, RateDependent};
 pub use curve::Curve;
 #[cfg(feature = "dynamics")]
 pub use dynamics::Moment;
+pub use equilibrium::{Control, Equilibria, Equilibrium};
 pub use error::Error;
+pub use force_displacement::{ForceDisplacement, Jump};
 pub use low_rank::LowRank;
 pub use material::{Material, Normalisation};
+pub use mechanics::{JkrPoint, Mechanics};
 pub use pack::is_packed;
 pub use quantity::{Quantities, Quantity};
+pub use system::{Elastic, HalfSpace, System};
 pub use table::{Description, Table};
