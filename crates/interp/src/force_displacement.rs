@@ -91,8 +91,8 @@ impl Equilibria<'_> {
     /// The states between the logarithms of two contact radii.
     fn branch(&self, start: f64, end: f64, points: usize) -> Result<Vec<State>, Error> {
         let [start, end] = [start.exp(), end.exp()];
-        let radius = |i: usize| start + (end - start) * (i as f64 / (points - 1) as f64);
-        (0..points).map(|i| self.contact.state(radius(i), self.work_of_adhesion)).collect()
+        let radius = |part: f64| (1.0 - part) * start + part * end;
+        (0..points).map(|i| self.contact.state(radius(i as f64 / (points - 1) as f64), self.work_of_adhesion)).collect()
     }
 
     /// Where the sphere comes to rest after it has separated.

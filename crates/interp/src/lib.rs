@@ -36,6 +36,7 @@
 
 #![forbid(unsafe_code)]
 
+mod beyond;
 mod certificate;
 mod contact;
 mod contact_line;
@@ -51,17 +52,21 @@ mod error;
 mod force_displacement;
 #[cfg(feature = "hdf5")]
 mod h5;
+mod jkr_fit;
 mod lookup;
 mod low_rank;
 mod material;
 mod mechanics;
 mod pack;
+mod pieces;
 mod quantity;
 mod root;
 pub mod schema;
+mod sensitivity;
 pub mod spline;
 mod system;
 mod table;
+mod validity;
 
 pub use certificate::{Certificate, Details};
 pub use contact::{Contact, State};
@@ -73,10 +78,13 @@ pub use dynamics::Moment;
 pub use equilibrium::{Control, Equilibria, Equilibrium};
 pub use error::Error;
 pub use force_displacement::{ForceDisplacement, Jump};
+pub use jkr_fit::{FilmBias, JkrFit};
 pub use low_rank::LowRank;
 pub use material::{Material, Normalisation};
 pub use mechanics::{JkrPoint, Mechanics};
 pub use pack::is_packed;
 pub use quantity::{Quantities, Quantity};
+pub use sensitivity::Gradient;
 pub use system::{Elastic, HalfSpace, System};
 pub use table::{Description, Table};
+pub use validity::{AdhesionRange, FilmValidity, Validity};
