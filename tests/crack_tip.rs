@@ -1,4 +1,5 @@
-//! Contact lines under crack-tip laws, slow and in time, against JKR in closed form, energy balances and an integration with fixed steps.
+//! Contact lines under crack-tip laws, slow and in time, against JKR in closed form, energy balances and an integration with fixed
+//! steps.
 
 use std::f64::consts::PI;
 
@@ -306,7 +307,8 @@ fn a_ramp_keeps_the_energy() {
     assert!(worst <= CLOSE, "{worst:e}");
 }
 
-/// The contact radius at the end of a ramp of the penetration, by the classical Runge-Kutta method with fixed steps and JKR in closed form.
+/// The contact radius at the end of a ramp of the penetration, by the classical Runge-Kutta method with fixed steps and JKR in
+/// closed form.
 fn fixed_steps(jkr: &Jkr, law: &RateDependent, a: f64, penetrations: [f64; 2], time: f64) -> f64 {
     const COUNT: usize = 100_000;
     let [from, to] = penetrations;
@@ -322,7 +324,8 @@ fn fixed_steps(jkr: &Jkr, law: &RateDependent, a: f64, penetrations: [f64; 2], t
     })
 }
 
-/// Against fixed steps, whole and in parts; the error is below the tolerance at all tolerances.
+/// Against fixed steps, whole and in parts. Where nothing jumps, the shortest steps that are taken anyhow are more accurate than
+/// any tolerance. Measured: 1.3e-10 at most.
 #[test]
 fn a_ramp_is_as_accurate_as_its_tolerance() {
     let contact = half_space();
@@ -348,8 +351,31 @@ fn a_ramp_is_as_accurate_as_its_tolerance() {
     }
 }
 
-/// Pulled so fast that the sphere's Hertzian load and the energy at rest are small beside the others, `da/dt = -v0 (F^2/(8 pi E w a^3))^{1/n}`. Both
-/// sides can be integrated, from `a0` to 0 and from the load at the beginning to that at pull-off, which grows with the power `n/(n+2)` of the rate in the end.
+/// Where a ramp to 2e-5 m above the surface pulls the sphere off: the tolerance is kept through the jump. Measured: 2.1e-8 at 1e-3,
+/// less below.
+#[test]
+fn the_time_of_parting_is_as_accurate_as_the_tolerance() {
+    let contact = half_space();
+    for (v0, n) in [(1e-5, 0.6), (1e-2, 0.6), (1e-2, 1.0), (1e-5, 0.3)] {
+        let time = |tolerance| {
+            let mut line = contact.line(rate_dependent(v0, n), 80e-6).expect("physical");
+            let moments = line.ramp(Control::Displacement, -2e-5, 1.0, tolerance).expect("solved");
+            assert_eq!(line.state(), None);
+            moments.last().expect("a moment").time
+        };
+        let exact = time(1e-10);
+        for decade in 3..=8 {
+            let tolerance = 0.1_f64.powi(decade);
+            let apart = time(tolerance) - exact;
+            println!("v0 = {v0:e}, n = {n}, tolerance 1e-{decade}: parted {apart:.1e} off {exact} s");
+            assert!(apart.abs() <= tolerance);
+        }
+    }
+}
+
+/// Pulled so fast that the sphere's Hertzian load and the energy at rest are small beside the others, `da/dt = -v0 (F^2/(8 pi E w
+/// a^3))^{1/n}`. Both sides can be integrated, from `a0` to 0 and from the load at the beginning to that at pull-off, which grows
+/// with the power `n/(n+2)` of the rate in the end.
 #[test]
 fn the_pull_off_load_grows_with_a_power_of_the_rate() {
     const A0: f64 = 1e-8;
@@ -456,7 +482,7 @@ fn a_line_that_leaves_the_table_is_an_error_and_stays() {
     assert_eq!(line.state(), before);
     let mut line = contact.line(rate_dependent(1e-3, 0.6), 60e-6).expect("physical");
     let error = line.ramp(Control::Load, load, 1.0, 1e-4).expect_err("out of range");
-    assert!(matches!(error, Error::OutsideTable { .. }), "{error}");
+    assert!(matches!(error, Error::OutsideRadii { .. }), "{error}");
     assert_eq!(line.state(), before);
 }
 
@@ -476,7 +502,7 @@ fn hostile_numbers_are_errors() {
             if let Ok(law) = RateDependent::new(W, x, y) {
                 for z in HOSTILE {
                     assert_eq!(law.energy_release_rate(z).is_ok(), z.is_finite());
-                    assert_eq!(law.speed(z).is_nan(), false, "{x} {y} {z}");
+                    assert_eq!(law.speed(z).is_nan(), z.is_nan(), "{x} {y} {z}");
                 }
             }
         }

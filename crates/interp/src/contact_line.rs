@@ -3,14 +3,14 @@
 use crate::contact::finite;
 use crate::{Contact, Control, CrackTip, Error, State, crack_tip};
 
-/// How far (of a radius) an equilibrium may be on the wrong side of the line that goes to it: rounding moves the line and the equilibrium,
-/// most near a turning point.
+/// How far (of a radius) an equilibrium may be on the wrong side of the line that goes to it: rounding moves the line and the
+/// equilibrium, most near a turning point.
 const ROUNDING: f64 = 1e-6;
 
 /// A contact and where its line is, which is moved by a load, a penetration or a spring according to a [`CrackTip`] law.
 ///
-/// [`ContactLine::impose`] moves it so slowly that the line is at rest all the time; `ContactLine::ramp` (feature `dynamics`) in a given
-/// time.
+/// [`ContactLine::impose`] moves it so slowly that the line is at rest all the time; `ContactLine::ramp` (feature `dynamics`) in a
+/// given time.
 ///
 /// ```
 /// # fn main() -> Result<(), interp::Error> {
@@ -37,8 +37,8 @@ impl Contact {
     /// The line of a contact that has slowly grown to radius `a` (m).
     ///
     /// # Errors
-    /// [`Error::OutsideTable`] where the curve does not cover `a/t`; [`Error::Unphysical`] for `a <= 0` or NaN, and for a law whose energies
-    /// at rest are negative, infinite or in the wrong order; [`Error::MissingQuantity`] without all four quantities.
+    /// Those of [`Contact::load_and_penetration`]; [`Error::Unphysical`] for a law whose energies at rest are negative, infinite or in
+    /// the wrong order; [`Error::MissingQuantity`] without all four quantities.
     pub fn line<L: CrackTip>(&self, law: L, a: f64) -> Result<ContactLine<'_, L>, Error> {
         let [advancing, _] = crack_tip::checked(law.at_rest())?;
         self.quantities(a)?;
@@ -46,8 +46,8 @@ impl Contact {
         Ok(ContactLine { contact: self, law, state: Some(state) })
     }
 
-    /// The state at contact radius `a` (m) under an imposed value, whatever the work of adhesion, and its energy release rate (J/m^2), negative
-    /// where the edge presses.
+    /// The state at contact radius `a` (m) under an imposed value, whatever the work of adhesion, and its energy release rate
+    /// (J/m^2), negative where the edge presses.
     pub(crate) fn under(&self, control: Control, imposed: f64, a: f64) -> Result<(State, f64), Error> {
         let (quantities, mechanics) = (self.quantities(a)?, self.mechanics());
         let (load, penetration) = mechanics.load_and_penetration(a, 0.0, &quantities);
@@ -67,16 +67,17 @@ impl<L: CrackTip> ContactLine<'_, L> {
         self.state
     }
 
-    /// Brings what is controlled slowly to a value: the load (N), the penetration or the position of the spring (m). Gives the new state;
-    /// `None` once the contact has parted, which is for good.
+    /// Brings what is controlled slowly to a value: the load (N), the penetration or the position of the spring (m). Gives the new
+    /// state; `None` once the contact has parted, which is for good.
     ///
-    /// The line stays where it is while the energy release rate is between the two energies of the [law at rest](CrackTip::at_rest).
-    /// Beyond them it goes to the nearest [stable equilibrium](crate::Equilibria) with the energy it has passed, in a jump if need be, whose
-    /// kinetic energy is lost. Where there is none, the contact parts. All at once or in steps makes no difference, unless they go back.
+    /// The line stays where it is while the energy release rate is between the two energies of the [law at
+    /// rest](CrackTip::at_rest). Beyond them it goes to the nearest [stable equilibrium](crate::Equilibria) with the energy it has
+    /// passed, in a jump if need be, whose kinetic energy is lost. Where there is none, the contact parts. All at once or in steps
+    /// makes no difference, unless they go back.
     ///
     /// # Errors
-    /// [`Error::OutsideRadii`] where the line may leave the curve; [`Error::Unphysical`] for a value that is not finite, or a stiffness outside
-    /// `[1e-100, 1e100]`. The line then stays where it was.
+    /// [`Error::OutsideRadii`] where the line may leave the curve; [`Error::Unphysical`] for a value that is not finite, or a
+    /// stiffness outside `[1e-100, 1e100]`. The line then stays where it was.
     pub fn impose(&mut self, control: Control, value: f64) -> Result<Option<State>, Error> {
         control.check()?;
         Error::unless(value.is_finite(), control.name(), value, "finite")?;

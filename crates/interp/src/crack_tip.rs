@@ -5,18 +5,18 @@ use crate::Error;
 /// How the contact line answers to the energy release rate `G`.
 ///
 /// Barthel's eq. 8, `G = w`, is "not an intrinsic part" of his model. It is the law of a plain number: `0.04` is a constant work of
-/// adhesion of 0.04 J/m^2, as in [`Contact::load_and_penetration`](crate::Contact::load_and_penetration). With another law, give those
-/// functions the `G` at which the line moves.
+/// adhesion of 0.04 J/m^2, as in [`Contact::load_and_penetration`](crate::Contact::load_and_penetration). With another law, give
+/// those functions the `G` at which the line moves.
 ///
 /// A law states between which `G` the line rests, which is all that [slow motion](crate::ContactLine) needs, and, if it knows of
 /// time, how fast the line is beyond them.
 pub trait CrackTip {
-    /// The energy release rates (J/m^2), not negative and ascending, between which the line is at rest: below the first it advances, above
-    /// the second it recedes.
+    /// The energy release rates (J/m^2), not negative and ascending, between which the line is at rest: below the first it
+    /// advances, above the second it recedes.
     fn at_rest(&self) -> [f64; 2];
 
-    /// The speed `v = -da/dt` (m/s, positive when the line recedes) at an energy release rate of any sign (J/m^2). It does not fall with
-    /// `energy_release_rate`. Unless a law says otherwise, it is infinite wherever the line is not at rest.
+    /// The speed `v = -da/dt` (m/s, positive when the line recedes) at an energy release rate of any sign (J/m^2). It does not fall
+    /// with `energy_release_rate`. Unless a law says otherwise, it is infinite wherever the line is not at rest.
     fn speed(&self, energy_release_rate: f64) -> f64 {
         let [advancing, receding] = self.at_rest();
         if energy_release_rate > receding {
@@ -24,7 +24,7 @@ pub trait CrackTip {
         } else if energy_release_rate < advancing {
             f64::NEG_INFINITY
         } else {
-            0.0
+            0.0 * energy_release_rate // NaN of NaN
         }
     }
 }
@@ -61,10 +61,10 @@ impl CrackTip for Hysteresis {
 /// A law `slow` made dependent on the speed: with its energies `w`, the line recedes at `G = w (1 + (v/v0)^n)` and advances at
 /// `G = w / (1 + (|v|/v0)^n)`.
 ///
-/// The first is the power law for elastomers (Gent and Schultz, J. Adhes. 3, 281 (1972); Maugis and Barquins, J. Phys. D 11, 1989 (1978);
-/// Greenwood and Johnson, Phil. Mag. A 43, 697 (1981)), `n` between 0.1 and 0.8. The second is a convention: the same factor, which a
-/// closing crack divides by, as viscoelasticity lowers the energy that it gains (Greenwood, J. Phys. D 37, 2557 (2004)). It keeps
-/// `G > 0` at any speed: a line that advances infinitely fast is that of the contact without adhesion.
+/// The first is the power law for elastomers (Gent and Schultz, J. Adhes. 3, 281 (1972); Maugis and Barquins, J. Phys. D 11, 1989
+/// (1978); Greenwood and Johnson, Phil. Mag. A 43, 697 (1981)), `n` between 0.1 and 0.8. The second is a convention: the same
+/// factor, which a closing crack divides by, as viscoelasticity lowers the energy that it gains (Greenwood, J. Phys. D 37, 2557
+/// (2004)). It keeps `G > 0` at any speed: a line that advances infinitely fast is that of the contact without adhesion.
 ///
 /// ```
 /// # fn main() -> Result<(), interp::Error> {
@@ -87,11 +87,12 @@ pub struct RateDependent<L = f64> {
 }
 
 impl<L: CrackTip> RateDependent<L> {
-    /// From the law of a slow line, whose own speeds are not looked at, the speed `v0` (m/s) at which the energy is doubled or halved, and the
-    /// exponent `n`.
+    /// From the law of a slow line, whose own speeds are not looked at, the speed `v0` (m/s) at which the energy is doubled or
+    /// halved, and the exponent `n`.
     ///
     /// # Errors
-    /// [`Error::Unphysical`] unless `v0` and `n` are positive and finite, and the energies of `slow` are in order, the receding one positive.
+    /// [`Error::Unphysical`] unless `v0` and `n` are positive and finite, and the energies of `slow` are in order, the receding one
+    /// positive.
     pub fn new(slow: L, v0: f64, n: f64) -> Result<Self, Error> {
         let [_, receding] = checked(slow.at_rest())?;
         Error::unless(receding > 0.0, "receding energy", receding, "> 0 and finite")?;
@@ -126,7 +127,7 @@ impl<L: CrackTip> CrackTip for RateDependent<L> {
         } else if energy_release_rate < advancing {
             -speed((advancing - energy_release_rate) / energy_release_rate.max(0.0))
         } else {
-            0.0
+            0.0 * energy_release_rate // NaN of NaN
         }
     }
 }

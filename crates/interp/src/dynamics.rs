@@ -1,9 +1,9 @@
 //! The contact line in time: `da/dt = -v(G)` under a load or penetration that changes at a constant rate.
 //!
-//! Where the line jumps, `a(t)` is all but vertical, and where the contact parts, the speed has no bound. So the curve is followed along its
-//! length `s`, `ds^2 = (da/a1)^2 + (dt/T)^2`, with the radius `a1` at the beginning and the duration `T` as units: nothing changes faster than
-//! `s`, and while an infinitely fast line moves, time stands still. The slower the ramp, the stiffer the equation, so the solver is implicit
-//! (Radau IIA of order 5).
+//! Where the line jumps, `a(t)` is all but vertical, and where the contact parts, the speed has no bound. So the curve is followed
+//! along its length `s`, `ds^2 = (da/a1)^2 + (dt/T)^2`, with the radius `a1` at the beginning and the duration `T` as units:
+//! nothing changes faster than `s`, and while an infinitely fast line moves, time stands still. The slower the ramp, the stiffer
+//! the equation, so the solver is implicit (Radau IIA of order 5).
 
 use std::cell::Cell;
 
@@ -40,14 +40,15 @@ pub struct Moment {
 }
 
 impl<L: CrackTip> ContactLine<'_, L> {
-    /// Brings what is controlled, the load (N), the penetration or the position of the spring (m), to a value in `duration` (s) at a constant rate, and gives the moments in between, from the
-    /// beginning to the end, or to where the contact parts: [`ContactLine::state`] is `None` then. Between two moments the radius changes by
-    /// 1 % of the first one at most, the time by 1 % of the duration. To hold a load or penetration, impose what there is.
+    /// Brings what is controlled, the load (N), the penetration or the position of the spring (m), to a value in `duration` (s) at
+    /// a constant rate. Gives the moments in between, from the beginning to the end, or to where the contact parts:
+    /// [`ContactLine::state`] is `None` then. Between two moments the radius changes by 1 % of the first one at most, the time by 1
+    /// % of the duration. To hold what is controlled, impose its own value. The sphere has no inertia.
     ///
     /// `tolerance` bounds the error that the solver makes in a step, relative to the radius at the beginning and to the duration.
     ///
-    /// A contact has parted when it is smaller than `tolerance` times its radius at the beginning, or than the smallest radius that the
-    /// curve covers, and `G` rises as it shrinks.
+    /// A contact has parted when it is smaller than `tolerance` times its radius at the beginning, or than the smallest radius of
+    /// the curve's nodes, and `G` rises as it shrinks.
     ///
     /// ```
     /// # #[cfg(feature = "embedded")]
@@ -70,10 +71,11 @@ impl<L: CrackTip> ContactLine<'_, L> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::OutsideTable`] or [`Error::OutsideRadii`] where the line leaves the curve; [`Error::Unphysical`] for a value that is not
-    /// finite, a stiffness outside `[1e-100, 1e100]`, a `duration` that is
-    /// not positive and finite, a `tolerance` outside `[1e-10, 1e-2]`, or a law without finite speeds; [`Error::Motion`] where the solver
-    /// fails. The line then stays where it was.
+    /// [`Error::OutsideRadii`] where the line leaves the curve's nodes; [`Error::Unphysical`] for a value that is not finite, a
+    /// stiffness outside `[1e-100, 1e100]`, a `duration` that is not positive and finite, a `tolerance` outside `[1e-10, 1e-2]`, or
+    /// a law without finite speeds; [`Error::Motion`] where the solver fails, as it does in ramps so slow that `G` is within some
+    /// 1e-6 of that at rest (1e-5 at a tolerance of 1e-4): [`ContactLine::impose`] is as good for these. The line then stays where
+    /// it was.
     pub fn ramp(&mut self, control: Control, value: f64, duration: f64, tolerance: f64) -> Result<Vec<Moment>, Error> {
         control.check()?;
         Error::unless(value.is_finite(), control.name(), value, "finite")?;
@@ -88,6 +90,9 @@ impl<L: CrackTip> ContactLine<'_, L> {
         let a1 = start.contact_radius;
         self.contact.under(control, value, a1)?;
         let [least, most] = self.contact.contact_radius_range();
+        if !(least..=most).contains(&a1) {
+            return Err(self.contact.outside(control.name(), value));
+        }
         let motion = Motion {
             contact: self.contact,
             law: &self.law,
@@ -137,6 +142,9 @@ impl<L: CrackTip> Motion<'_, L> {
                 continue; // The step was rejected.
             }
             point = *solver.y();
+            if point[RADIUS] * self.a1 > self.range[1] {
+                return Err(self.contact.outside(self.control.name(), self.imposed_at(&point)));
+            }
             if !ended(&point) && !parted(&point) {
                 moments.push(self.moment(&point)?);
                 continue;
@@ -165,8 +173,8 @@ impl<L: CrackTip> Motion<'_, L> {
         Ok(rate(self.range[0])? > rate(self.range[0] * (1.0 + LONGEST_STEP))?)
     }
 
-    /// The place near `before`, `length` from there, where one coordinate has its last value. An interpolation would not be as accurate as a
-    /// step.
+    /// The place near `before`, `length` from there, where one coordinate has its last value. An interpolation would not be as
+    /// accurate as a step.
     fn land(&self, before: &Point, length: f64, (coordinate, value): (usize, f64)) -> Result<Point, Error> {
         let mut point = *before;
         if length > 0.0 {
@@ -221,7 +229,8 @@ impl<L: CrackTip> Motion<'_, L> {
 
 /// The solver for a tolerance and a first step.
 fn solver(tolerance: f64, first_step: f64) -> impl OrdinaryNumericalMethod<f64, Point> + Interpolation<f64, Point> {
-    // Radau5 takes 0.1 r^(2/3) for a tolerance of r, as Hairer's code does, and takes it again for each further coordinate that shares it.
+    // Radau5 takes 0.1 r^(2/3) for a tolerance of r, as Hairer's code does, and takes it again for each further coordinate that
+    // shares it.
     let tolerances = || vec![(10.0 * tolerance).powf(1.5); 2];
     let radau = ImplicitRungeKutta::radau5().rtol(tolerances()).atol(tolerances());
     radau.h0(first_step).h_max(LONGEST_STEP).max_steps(STEPS)
@@ -235,7 +244,8 @@ impl<L: CrackTip> ODE<f64, Point> for Motion<'_, L> {
         });
     }
 
-    /// By differences, as the solver would, but with a step that suits stiff equations: beyond a speed of 1 the direction is no longer linear.
+    /// By differences, as the solver would, but with a step that suits stiff equations: beyond a speed of 1 the direction is no
+    /// longer linear.
     fn jacobian(&self, length: f64, point: &Point, jacobian: &mut Matrix<f64>) {
         let (mut here, mut there) = ([0.0; 2], [0.0; 2]);
         self.diff(length, point, &mut here);

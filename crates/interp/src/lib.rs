@@ -10,6 +10,9 @@
 //! * [`Table::curve`] makes the [`Curve`] of one [`Material`]: the quantities as functions of `a/t`;
 //! * [`Table::contact`] makes the [`Contact`] of one [`System`] in SI units: load and penetration from contact radius and work of
 //!   adhesion;
+//! * [`Contact::line`] moves the contact line by a [`CrackTip`] law, of which eq. 8 is the simplest: different energies for an advancing and a
+//!   receding line ([`Hysteresis`]), or one that depends on its speed ([`RateDependent`]); slowly ([`ContactLine::impose`]), or in time
+//!   (`ContactLine::ramp`, feature `dynamics`);
 //! * [`Curve::through`] and [`Contact::new`] make them without a table, from quantities solved elsewhere.
 //!
 //! ```
