@@ -29,7 +29,7 @@ pub struct Curve {
     range: [f64; 2],
     material: Material,
     held: [bool; 4],
-    sensitivities: Option<Sensitivities>,
+    sensitivities: Option<Arc<Sensitivities>>,
     beyond: Option<Beyond>,
 }
 
@@ -98,7 +98,7 @@ impl Curve {
 
     /// With what is known of the derivatives with respect to the material.
     pub(crate) fn with_sensitivities(self, sensitivities: Sensitivities) -> Self {
-        Self { sensitivities: Some(sensitivities), ..self }
+        Self { sensitivities: Some(Arc::new(sensitivities)), ..self }
     }
 
     /// With the expansions beyond the nodes of a table, whose error at the nodes and tolerance are given.

@@ -108,8 +108,8 @@ pub enum Error {
         /// What stopped the solver.
         reason: String,
     },
-    /// A derivative with respect to a parameter that the scene of the table fixes.
-    #[error("there is no derivative with respect to {0}: the table fixes it, or a parameter that it needs")]
+    /// A derivative that is not known, in most cases because the scene of the table fixes the parameter.
+    #[error("there is no derivative with respect to {0}: it is no axis of the table, or needs a parameter that is none")]
     FixedParameter(&'static str),
     /// A gradient of a curve that was made without one.
     #[error("the curve has no derivatives with respect to the material: make it with `curve_with_gradient`")]
