@@ -1,0 +1,231 @@
+//! Least squares through the contact model, by Levenberg and Marquardt's method with the analytic Jacobian.
+//!
+//! Residuals are differences of loads, whatever they were measured against, in units of the noise. Moduli, work of adhesion and
+//! thickness are fitted by their logarithms, so that they stay positive.
+
+mod data;
+mod jkr;
+mod model;
+mod report;
+
+pub use data::{Against, Data};
+use interp::{System, Table};
+pub use jkr::Homogeneous;
+use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt};
+use model::{Model, Predicted};
+pub use model::{Parameter, State};
+use nalgebra::storage::Owned;
+use nalgebra::{DMatrix, DVector, Dyn};
+
+/// A parameter is called not identifiable if its standard error is larger than this, relative; for the offset, relative to the range of
+/// the data.
+const IDENTIFIABLE: f64 = 0.5;
+/// Or if the singular values of the Jacobian, its columns scaled to length 1, are further apart than this: the derivatives have no more
+/// digits.
+const CONDITION: f64 = 1e6;
+/// Two parameters with a stronger correlation are said to be known in one combination only.
+const CORRELATED: f64 = 0.995;
+
+/// Residuals at parameters where there is no contact, as outside the table: so large that the step is taken back.
+const REFUSED: f64 = 1e100;
+
+/// A fitted parameter.
+#[derive(Clone, Copy, Debug)]
+pub struct Estimate {
+    pub parameter: Parameter,
+    pub value: f64,
+    /// The standard error.
+    pub error: f64,
+}
+
+/// What a fit finds.
+#[derive(Clone, Debug)]
+pub struct Fit {
+    /// How many there were.
+    pub points: usize,
+    pub against: Against,
+    /// JKR through the same data: what they say if the film is ignored.
+    pub homogeneous: Homogeneous,
+    pub estimates: Vec<Estimate>,
+    /// Of the estimates, in their order.
+    pub correlation: DMatrix<f64>,
+    /// The sum of the squares of the residuals, in units of the noise given, per degree of freedom; `None` where the noise had to be estimated.
+    pub reduced_chi_squared: Option<f64>,
+    /// The noise of the load (N), given or estimated.
+    pub noise: f64,
+    pub warnings: Vec<String>,
+}
+
+/// Fits the parameters that are `free`. Of the system, their values are where the fit starts, but for the sphere's modulus and the work of adhesion, which
+/// start from JKR.
+pub fn fit(table: &Table, data: &Data, system: &System, free: &[Parameter], noise: Option<f64>) -> Result<Fit, String> {
+    let (count, points) = (free.len(), data.points.len());
+    if points <= count {
+        return Err(format!("{points} points do not determine {count} parameters and their errors"));
+    }
+    if let Some(noise) = noise.filter(|&noise| !(noise > 0.0 && noise.is_finite())) {
+        return Err(format!("the noise is {noise:?}, not above 0 and finite"));
+    }
+    let homogeneous = Homogeneous::fit(data, system.sphere_radius, free.contains(&Parameter::Offset))?;
+    let start = start(data, system, &homogeneous);
+    let [abscissae, loads] = data.ranges();
+    let offset_unit = match data.against {
+        Against::ContactRadius => loads,
+        Against::Penetration => abscissae,
+    };
+    let unit = noise.unwrap_or(1e-3 * loads);
+    let mut problem = Problem { table, data, free, start, offset_unit, unit, x: DVector::zeros(count), predicted: None };
+    problem.predicted = Some(problem.predict().map_err(|error| format!("where the fit starts ({start:?}): {error}"))?);
+
+    // The parameters are scaled already: a factor e, or the range of the data. The tolerances are those of rounding.
+    let method = LevenbergMarquardt::new().with_scale_diag(false).with_stepbound(1.0).with_ftol(1e-14).with_xtol(1e-12);
+    let (problem, report) = method.minimize(problem);
+    let converged = report.termination.was_successful() || report.termination.was_usage_issue();
+    let stuck = matches!(report.termination, levenberg_marquardt::TerminationReason::NoImprovementPossible(_));
+    if !(converged || stuck) {
+        return Err(format!(
+            "the fit did not converge: {:?} after {} evaluations",
+            report.termination, report.number_of_evaluations
+        ));
+    }
+    problem.finish(homogeneous, noise.is_some())
+}
+
+/// JKR's modulus is that of the sphere and the body under it: the film if it is thick, else the substrate.
+fn start(data: &Data, system: &System, homogeneous: &Homogeneous) -> State {
+    let largest = data.points.iter().map(|point| point.0.abs()).fold(0.0, f64::max);
+    let radius = match data.against {
+        Against::ContactRadius => largest,
+        Against::Penetration => (largest * system.sphere_radius).sqrt(),
+    };
+    let below = if system.film_thickness > radius { system.film.reduced() } else { system.substrate.reduced() };
+    let compliance = 1.0 / homogeneous.modulus - 1.0 / below;
+    let sphere_modulus = if compliance > 0.0 { 1.0 / compliance } else { homogeneous.modulus };
+    let work_of_adhesion = homogeneous.work_of_adhesion.max(f64::MIN_POSITIVE);
+    State { system: System { sphere_modulus, ..*system }, work_of_adhesion, offset: homogeneous.offset }
+}
+
+/// The problem at one set of parameters.
+struct Problem<'a> {
+    table: &'a Table,
+    data: &'a Data,
+    free: &'a [Parameter],
+    start: State,
+    offset_unit: f64,
+    /// The unit of loads.
+    unit: f64,
+    /// The logarithm of each free parameter over its start; for the offset, the difference in its unit.
+    x: DVector<f64>,
+    /// At every point, if there is a contact with these parameters.
+    predicted: Option<Vec<Predicted>>,
+}
+
+impl Problem<'_> {
+    fn state(&self) -> Result<State, interp::Error> {
+        self.free.iter().zip(self.x.iter()).try_fold(self.start, |state, (&parameter, x)| {
+            let start = self.start.get(parameter);
+            state.with(parameter, if parameter == Parameter::Offset { start + x * self.offset_unit } else { start * x.exp() })
+        })
+    }
+
+    fn predict(&self) -> Result<Vec<Predicted>, interp::Error> {
+        let model = Model::new(self.table, self.state()?)?;
+        self.data.points.iter().map(|point| model.predict(self.data.against, point.0)).collect()
+    }
+
+    /// Estimates and their errors from residuals and Jacobian where the sum of squares is least.
+    fn finish(self, homogeneous: Homogeneous, noise_given: bool) -> Result<Fit, String> {
+        let state = self.state().map_err(|error| error.to_string())?;
+        let (residuals, mut jacobian) = self.residuals().zip(self.jacobian()).ok_or("the fit ended outside the table")?;
+        let (count, freedom) = (self.free.len(), (self.data.points.len() - self.free.len()) as f64);
+        let chi_squared = residuals.norm_squared() / freedom;
+        let (noise, scatter) = if noise_given { (self.unit, 1.0) } else { (self.unit * chi_squared.sqrt(), chi_squared.sqrt()) };
+
+        // (J^T J)^-1 from the singular values of J with columns of length 1.
+        let lengths: Vec<f64> = jacobian.column_iter().map(|column| column.norm().max(f64::MIN_POSITIVE)).collect();
+        jacobian.column_iter_mut().zip(&lengths).for_each(|(mut column, length)| column /= *length);
+        let svd = jacobian.svd(false, true);
+        let vectors = svd.v_t.ok_or("no singular vectors")?;
+        let inverse = svd.singular_values.map(|value| 1.0 / value.max(f64::MIN_POSITIVE));
+        let factor = DMatrix::from_fn(count, count, |i, j| inverse[i] * vectors[(i, j)]);
+        let errors: Vec<f64> = (0..count).map(|j| factor.column(j).norm()).collect();
+        let correlation = DMatrix::from_fn(count, count, |i, j| factor.column(i).dot(&factor.column(j)) / (errors[i] * errors[j]));
+        let relative: Vec<f64> = errors.iter().zip(&lengths).map(|(error, length)| scatter * error / length).collect();
+        let estimate = |(&parameter, relative): (&Parameter, &f64)| {
+            let value = state.get(parameter);
+            let unit = if parameter == Parameter::Offset { self.offset_unit } else { value };
+            Estimate { parameter, value, error: relative * unit }
+        };
+        let estimates: Vec<Estimate> = self.free.iter().zip(&relative).map(estimate).collect();
+
+        let mut warnings = Vec::new();
+        for (parameter, error) in self.free.iter().zip(&relative).filter(|(_, error)| !(**error <= IDENTIFIABLE)) {
+            let name = parameter.name();
+            warnings.push(format!(
+                "{name} is not identifiable from these data: its standard error is {:.0} %, above {:.0} %",
+                1e2 * error,
+                1e2 * IDENTIFIABLE
+            ));
+        }
+        let (least, most) = (svd.singular_values.min(), svd.singular_values.max());
+        if !(most <= CONDITION * least) {
+            warnings.push(format!(
+                "a combination of the parameters is not identifiable: condition {:.0e}, above {CONDITION:.0e}",
+                most / least
+            ));
+        }
+        for i in 0..count {
+            for j in 0..i {
+                if correlation[(i, j)].abs() > CORRELATED {
+                    let [one, other] = [j, i].map(|k| self.free[k].name());
+                    warnings.push(format!(
+                        "{one} and {other} are known in one combination only: correlation {:.4}",
+                        correlation[(i, j)]
+                    ));
+                }
+            }
+        }
+        let excess = (chi_squared - 1.0) / (2.0 / freedom).sqrt();
+        if noise_given && excess > 5.0 {
+            warnings.push(format!("the model does not describe the data to their noise: reduced chi^2 is {chi_squared:.2}"));
+        }
+        let pulled_off = self.predicted.iter().flatten().filter(|predicted| predicted.pulled_off).count();
+        if pulled_off > 0 {
+            warnings.push(format!("{pulled_off} points are beyond the pull-off of the fitted contact"));
+        }
+        let reduced_chi_squared = noise_given.then_some(chi_squared);
+        let (points, against) = (self.data.points.len(), self.data.against);
+        Ok(Fit { points, against, homogeneous, estimates, correlation, reduced_chi_squared, noise, warnings })
+    }
+}
+
+impl LeastSquaresProblem<f64, Dyn, Dyn> for Problem<'_> {
+    type ResidualStorage = Owned<f64, Dyn>;
+    type JacobianStorage = Owned<f64, Dyn, Dyn>;
+    type ParameterStorage = Owned<f64, Dyn>;
+
+    fn set_params(&mut self, x: &DVector<f64>) {
+        self.x.copy_from(x);
+        self.predicted = self.predict().ok().filter(|all| all.iter().all(|predicted| predicted.load.is_finite()));
+    }
+
+    fn params(&self) -> DVector<f64> {
+        self.x.clone()
+    }
+
+    fn residuals(&self) -> Option<DVector<f64>> {
+        let points = &self.data.points;
+        Some(match &self.predicted {
+            Some(all) => DVector::from_fn(points.len(), |i, _| (all[i].load - points[i].1) / self.unit),
+            None => DVector::from_element(points.len(), REFUSED),
+        })
+    }
+
+    fn jacobian(&self) -> Option<DMatrix<f64>> {
+        let all = self.predicted.as_ref()?;
+        Some(DMatrix::from_fn(all.len(), self.free.len(), |i, j| {
+            let unit = if self.free[j] == Parameter::Offset { self.offset_unit } else { 1.0 };
+            all[i].by[self.free[j] as usize] * unit / self.unit
+        }))
+    }
+}
