@@ -67,9 +67,7 @@ fn run(arguments: &[String]) -> Result<(), String> {
             "--table" => own_table = Some(Table::read(value).map_err(|error| format!("{value}: {error}"))?),
             "--fit" => {
                 for name in value.split(',') {
-                    let parameter = Parameter::ALL.into_iter().find(|parameter| parameter.name() == name);
-                    let parameter =
-                        parameter.ok_or(format!("--fit knows film-modulus, film-thickness and offset, not {name:?}"))?;
+                    let parameter = Parameter::named(name)?;
                     if !free.contains(&parameter) {
                         free.push(parameter);
                     }

@@ -29,7 +29,7 @@ impl Homogeneous {
             .ok_or_else(|| "the data are no adhesive contact: JKR finds no positive modulus".into())
     }
 
-    /// Eq. 1, `F / a^{3/2} = 4 E*/(3 R) a^{3/2} - sqrt(8 pi w E*)`, with an offset of the load also `+ F0 / a^{3/2}`.
+    /// The line of eq. 1. With an offset of the load, `F = 4 E*/(3 R) a^3 - sqrt(8 pi w E*) a^{3/2} + F0` in the weights of the JKR plot.
     fn of_radii(data: &Data, radius: f64, offset: bool) -> Option<Self> {
         let rows = data.points.iter().map(|(a, load)| {
             let power = a * a.sqrt();

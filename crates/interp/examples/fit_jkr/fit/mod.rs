@@ -11,9 +11,9 @@ mod report;
 pub use data::{Against, Data};
 use interp::{System, Table};
 pub use jkr::Homogeneous;
-use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt};
-use model::{Model, Predicted};
+use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt, TerminationReason};
 pub use model::{Parameter, State};
+use model::{Predicted, predict};
 use nalgebra::storage::Owned;
 use nalgebra::{DMatrix, DVector, Dyn};
 
@@ -23,8 +23,12 @@ const IDENTIFIABLE: f64 = 0.5;
 /// Or if the singular values of the Jacobian, its columns scaled to length 1, are further apart than this: the derivatives have no more
 /// digits.
 const CONDITION: f64 = 1e6;
-/// Two parameters with a stronger correlation are said to be known in one combination only.
-const CORRELATED: f64 = 0.995;
+
+/// A fit that ends further than this from the minimum of its linearisation, in standard errors, was stopped by the end of the table.
+const SHORT: f64 = 0.1;
+
+/// A sum of squares further above its expectation than this, in standard deviations, is not made by noise: once in 300,000 fits.
+const BEYOND_NOISE: f64 = 4.5;
 
 /// Residuals at parameters where there is no contact, as outside the table: so large that the step is taken back.
 const REFUSED: f64 = 1e100;
@@ -75,14 +79,14 @@ pub fn fit(table: &Table, data: &Data, system: &System, free: &[Parameter], nois
     };
     let unit = noise.unwrap_or(1e-3 * loads);
     let mut problem = Problem { table, data, free, start, offset_unit, unit, x: DVector::zeros(count), predicted: None };
-    problem.predicted = Some(problem.predict().map_err(|error| format!("where the fit starts ({start:?}): {error}"))?);
+    let outside = |error| format!("where the fit starts, E2* = {:e} Pa: {error}", start.system.sphere_modulus);
+    problem.predicted = Some(problem.predict().map_err(outside)?);
 
-    // The parameters are scaled already: a factor e, or the range of the data. The tolerances are those of rounding.
-    let method = LevenbergMarquardt::new().with_scale_diag(false).with_stepbound(1.0).with_ftol(1e-14).with_xtol(1e-12);
+    // The parameters are scaled already: a factor e, or the range of the data.
+    let method = LevenbergMarquardt::new().with_scale_diag(false).with_stepbound(1.0).with_ftol(1e-12).with_xtol(1e-10);
     let (problem, report) = method.minimize(problem);
-    let converged = report.termination.was_successful() || report.termination.was_usage_issue();
-    let stuck = matches!(report.termination, levenberg_marquardt::TerminationReason::NoImprovementPossible(_));
-    if !(converged || stuck) {
+    // Where rounding stops it, it has converged.
+    if !(report.termination.was_successful() || matches!(report.termination, TerminationReason::NoImprovementPossible(_))) {
         return Err(format!(
             "the fit did not converge: {:?} after {} evaluations",
             report.termination, report.number_of_evaluations
@@ -129,8 +133,7 @@ impl Problem<'_> {
     }
 
     fn predict(&self) -> Result<Vec<Predicted>, interp::Error> {
-        let model = Model::new(self.table, self.state()?)?;
-        self.data.points.iter().map(|point| model.predict(self.data.against, point.0)).collect()
+        predict(self.table, &self.state()?, self.data)
     }
 
     /// Estimates and their errors from residuals and Jacobian where the sum of squares is least.
@@ -144,8 +147,9 @@ impl Problem<'_> {
         // (J^T J)^-1 from the singular values of J with columns of length 1.
         let lengths: Vec<f64> = jacobian.column_iter().map(|column| column.norm().max(f64::MIN_POSITIVE)).collect();
         jacobian.column_iter_mut().zip(&lengths).for_each(|(mut column, length)| column /= *length);
-        let svd = jacobian.svd(false, true);
-        let vectors = svd.v_t.ok_or("no singular vectors")?;
+        let svd = jacobian.svd(true, true);
+        let (left, vectors) = svd.u.zip(svd.v_t).ok_or("no singular vectors")?;
+        let short = left.tr_mul(&residuals).norm() / scatter;
         let inverse = svd.singular_values.map(|value| 1.0 / value.max(f64::MIN_POSITIVE));
         let factor = DMatrix::from_fn(count, count, |i, j| inverse[i] * vectors[(i, j)]);
         let errors: Vec<f64> = (0..count).map(|j| factor.column(j).norm()).collect();
@@ -174,19 +178,12 @@ impl Problem<'_> {
                 most / least
             ));
         }
-        for i in 0..count {
-            for j in 0..i {
-                if correlation[(i, j)].abs() > CORRELATED {
-                    let [one, other] = [j, i].map(|k| self.free[k].name());
-                    warnings.push(format!(
-                        "{one} and {other} are known in one combination only: correlation {:.4}",
-                        correlation[(i, j)]
-                    ));
-                }
-            }
+        if !(short <= SHORT) {
+            warnings.push(format!("the fit ended {short:.1} standard errors from the least squares: there the table ends"));
         }
-        let excess = (chi_squared - 1.0) / (2.0 / freedom).sqrt();
-        if noise_given && excess > 5.0 {
+        // Wilson and Hilferty: the cube root of chi^2 is nearly normal.
+        let spread = 2.0 / (9.0 * freedom);
+        if noise_given && (chi_squared.cbrt() - (1.0 - spread)) / spread.sqrt() > BEYOND_NOISE {
             warnings.push(format!("the model does not describe the data to their noise: reduced chi^2 is {chi_squared:.2}"));
         }
         let pulled_off = self.predicted.iter().flatten().filter(|predicted| predicted.pulled_off).count();

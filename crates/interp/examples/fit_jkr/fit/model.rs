@@ -1,8 +1,8 @@
 //! What the contact model predicts for a measured point, and how that depends on the parameters.
 
-use interp::{Contact, Elastic, Error, System, Table};
+use interp::{Contact, Control, Elastic, Error, Input, System, Table};
 
-use super::data::Against;
+use super::data::{Against, Data};
 
 /// What may be fitted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -32,6 +32,12 @@ impl Parameter {
             Self::FilmThickness => "film-thickness",
             Self::Offset => "offset",
         }
+    }
+
+    /// The parameter of this name.
+    pub fn named(name: &str) -> Result<Self, String> {
+        let found = Self::ALL.into_iter().find(|parameter| parameter.name() == name);
+        found.ok_or_else(|| format!("no parameter {name:?} but {}", Self::ALL.map(Self::name).join(", ")))
     }
 
     /// The unit in output.
@@ -89,100 +95,64 @@ pub struct Predicted {
     pub pulled_off: bool,
 }
 
-/// Load and penetration at one contact radius, with their derivatives.
-struct Point {
+/// The loads that are measured at contact radii or penetrations.
+///
+/// At a penetration it is that of the contact which unloading under displacement control reaches. Its derivatives there are those along the curve
+/// of constant penetration, `F_p - F_a delta_p / delta_a`: the contact is stable, so `delta_a > 0`, also where the load is least. At fixed load they would
+/// be infinite there.
+pub fn predict(table: &Table, state: &State, data: &Data) -> Result<Vec<Predicted>, Error> {
+    let contact = table.contact_with_gradient(&state.system)?;
+    let at = |a: f64| Derivatives::new(&contact, state, a);
+    match data.against {
+        Against::ContactRadius => data.points.iter().map(|&(a, _)| Ok(at(a)?.at_radius(state.offset))).collect(),
+        Against::Penetration => {
+            let equilibria = contact.equilibria(state.work_of_adhesion, Control::Displacement)?;
+            let predict = |&(penetration, _): &(f64, f64)| match equilibria.unloading(penetration - state.offset) {
+                Ok(equilibrium) => Ok(at(equilibrium.contact_radius)?.at_penetration()),
+                Err(Error::NoContact { .. }) => Ok(at(equilibria.pull_off()?.contact_radius)?.at_pull_off()),
+                Err(error) => Err(error),
+            };
+            data.points.iter().map(predict).collect()
+        }
+    }
+}
+
+/// Load and penetration at one contact radius, and how they depend on it and on the parameters.
+struct Derivatives {
     load: f64,
-    penetration: f64,
-    /// Of load and penetration with respect to the contact radius.
-    by_radius: [f64; 2],
-    /// With respect to the logarithms of the parameters, but for the offset.
-    by: [[f64; 2]; 4],
+    by_radius: interp::Derivatives,
+    /// With respect to the logarithms of the parameters but the offset.
+    by: [interp::Derivatives; 4],
 }
 
-/// The contact at one state.
-pub struct Model {
-    state: State,
-    contact: Contact,
-    /// Stand-in for analytic derivatives: contacts with each of `E2*`, `E1`, `t` lower and higher.
-    neighbours: [[Contact; 2]; 3],
-}
-
-const STEP: f64 = 1e-4;
-
-impl Model {
-    pub fn new(table: &Table, state: State) -> Result<Self, Error> {
-        let neighbour = |parameter, factor: f64| table.contact(&state.with(parameter, factor * state.get(parameter))?.system);
-        let pair = |parameter| Ok::<_, Error>([neighbour(parameter, 1.0 - STEP)?, neighbour(parameter, 1.0 + STEP)?]);
-        let neighbours = [pair(Parameter::SphereModulus)?, pair(Parameter::FilmModulus)?, pair(Parameter::FilmThickness)?];
-        Ok(Self { state, contact: table.contact(&state.system)?, neighbours })
+impl Derivatives {
+    fn new(contact: &Contact, state: &State, a: f64) -> Result<Self, Error> {
+        const INPUTS: [Input; 4] = [Input::SphereModulus, Input::WorkOfAdhesion, Input::FilmModulus, Input::FilmThickness];
+        let gradient = contact.gradient(a, state.work_of_adhesion)?;
+        let mut by = [gradient.by(Input::ContactRadius)?; 4];
+        let by_radius = by[0];
+        for ((by, input), parameter) in by.iter_mut().zip(INPUTS).zip(Parameter::ALL) {
+            let interp::Derivatives { load, penetration } = gradient.by(input)?;
+            let value = state.get(parameter);
+            *by = interp::Derivatives { load: load * value, penetration: penetration * value };
+        }
+        Ok(Self { load: gradient.load(), by_radius, by })
     }
 
-    /// The load that is measured at a contact radius or penetration (m).
-    ///
-    /// At a given penetration it is that of the stable contact. The derivatives there are those of the load along the curve of constant penetration,
-    /// `F_p - F_a delta_p / delta_a`: in a test under displacement control `delta_a > 0` everywhere, also where the load is least.
-    pub fn predict(&self, against: Against, abscissa: f64) -> Result<Predicted, Error> {
-        match against {
-            Against::ContactRadius => {
-                let Point { load, by: [e2, w, e1, t], .. } = self.at(abscissa)?;
-                Ok(Predicted { load: load + self.state.offset, by: [e2[0], w[0], e1[0], t[0], 1.0], pulled_off: false })
-            }
-            Against::Penetration => {
-                let (point, pulled_off) = self.at_penetration(abscissa - self.state.offset)?;
-                // At the fold the derivatives at constant penetration are infinite.
-                let stiffness = if pulled_off { 0.0 } else { point.by_radius[0] / point.by_radius[1] };
-                let along = |[load, penetration]: [f64; 2]| load - stiffness * penetration;
-                let [e2, w, e1, t] = point.by.map(along);
-                Ok(Predicted { load: point.load, by: [e2, w, e1, t, -stiffness], pulled_off })
-            }
-        }
+    fn at_radius(&self, offset: f64) -> Predicted {
+        let [e2, w, e1, t] = self.by.map(|by| by.load);
+        Predicted { load: self.load + offset, by: [e2, w, e1, t, 1.0], pulled_off: false }
     }
 
-    fn at(&self, a: f64) -> Result<Point, Error> {
-        let w = self.state.work_of_adhesion;
-        let values =
-            |contact: &Contact, a: f64, w: f64| contact.load_and_penetration(a, w).map(|(load, penetration)| [load, penetration]);
-        let slope = |low: [f64; 2], high: [f64; 2]| [0, 1].map(|i| (high[i] - low[i]) / (2.0 * STEP));
-        let (low, high) = (1.0 - STEP, 1.0 + STEP);
-        let [load, penetration] = values(&self.contact, a, w)?;
-        let by_radius = slope(values(&self.contact, low * a, w)?, values(&self.contact, high * a, w)?).map(|value| value / a);
-        let by_work = slope(values(&self.contact, a, low * w)?, values(&self.contact, a, high * w)?);
-        let neighbours = |[low, high]: &[Contact; 2]| Ok::<_, Error>(slope(values(low, a, w)?, values(high, a, w)?));
-        let [e2, e1, t] = &self.neighbours;
-        Ok(Point { load, penetration, by_radius, by: [neighbours(e2)?, by_work, neighbours(e1)?, neighbours(t)?] })
+    fn at_penetration(&self) -> Predicted {
+        let stiffness = self.by_radius.load / self.by_radius.penetration;
+        let [e2, w, e1, t] = self.by.map(|by| by.load - stiffness * by.penetration);
+        Predicted { load: self.load, by: [e2, w, e1, t, -stiffness], pulled_off: false }
     }
 
-    /// The stable contact at a penetration, by Newton's method from larger radii; that of the least penetration, and true, where there is none.
-    fn at_penetration(&self, penetration: f64) -> Result<(Point, bool), Error> {
-        let State { system, work_of_adhesion: w, .. } = self.state;
-        let radius = system.sphere_radius;
-        let mut a = (radius * penetration.abs()).sqrt() + (radius * radius * w / system.sphere_modulus).cbrt();
-        let mut point = self.at(a)?;
-        while point.penetration < penetration || point.by_radius[1] <= 0.0 {
-            a *= 2.0;
-            point = self.at(a)?;
-        }
-        for _ in 0..200 {
-            let step = (point.penetration - penetration) / point.by_radius[1];
-            let next = (a - step).max(0.5 * a);
-            let there = self.at(next)?;
-            if there.by_radius[1] <= 0.0 {
-                return Ok((self.fold(next, a)?, true));
-            }
-            (a, point) = (next, there);
-            if step.abs() <= 1e-12 * a {
-                break;
-            }
-        }
-        Ok((point, false))
-    }
-
-    /// The contact of the least penetration, between a radius below and one above it.
-    fn fold(&self, mut low: f64, mut high: f64) -> Result<Point, Error> {
-        for _ in 0..60 {
-            let middle = 0.5 * (low + high);
-            if self.at(middle)?.by_radius[1] > 0.0 { high = middle } else { low = middle }
-        }
-        self.at(high)
+    /// As the derivatives at constant penetration are infinite at pull-off, those at constant radius.
+    fn at_pull_off(&self) -> Predicted {
+        let [e2, w, e1, t] = self.by.map(|by| by.load);
+        Predicted { load: self.load, by: [e2, w, e1, t, 0.0], pulled_off: true }
     }
 }
