@@ -90,7 +90,8 @@ impl Experiment {
         }
     }
 
-    /// Fits 200 data sets, of seeds from `200 seed` on, and asserts that the intervals of 68 % and 95 % hold as many of the truths as they should.
+    /// Fits 200 data sets, of seeds from `200 seed` on, and asserts that the intervals of 68 % and 95 % hold as many of the truths
+    /// as they should.
     fn assert_coverage(&self, name: &str, others: &[Parameter], noise: Option<f64>, seed: u64) {
         /// Of 200, what a binomial distribution with 0.6827 and 0.95 stays between in 99.7 % of cases.
         const BETWEEN: [[usize; 2]; 2] = [[117, 156], [181, 198]];
@@ -102,7 +103,7 @@ impl Experiment {
         for (i, estimate) in fits[0].estimates.iter().enumerate() {
             let covered = [1.0, 1.96].map(|z| fits.iter().filter(|fit| self.deviation(&fit.estimates[i]).abs() <= z).count());
             let parameter = estimate.parameter.name();
-            println!("{name}: {parameter} to {:.1e}, covered {covered:?} of 200", estimate.error / estimate.value);
+            println!("{name}: {parameter} to {:.1e}, covered {covered:?} of 200", estimate.error / estimate.value.abs());
             for (covered, [least, most]) in covered.into_iter().zip(BETWEEN) {
                 assert!((least..=most).contains(&covered), "{name}, {parameter}: {covered} of 200, not {least} to {most}");
             }
@@ -157,6 +158,15 @@ fn a_model_that_does_not_describe_the_data_is_warned_of() {
 }
 
 #[test]
+fn points_beyond_pull_off_are_warned_of() {
+    let experiment = Experiment::paper(10e-6, Against::Penetration, 5e-6);
+    let mut data = experiment.data(1);
+    data.points.push((-1e-5, 0.0));
+    let found = experiment.fit(&data, &[], 1.0, Some(experiment.noise));
+    assert_names(&found.warnings.join("; "), &["beyond the pull-off of the fitted contact: 1"]);
+}
+
+#[test]
 fn a_fit_that_would_leave_the_table_is_warned_of() {
     // The fit believes in a film so soft that the sphere is 500 times as stiff; the data say 3000, the table ends at 1000.
     let mut experiment = Experiment { radii: [90e-6, 200e-6], ..Experiment::paper(3e-6, Against::ContactRadius, 5e-6) };
@@ -166,7 +176,8 @@ fn a_fit_that_would_leave_the_table_is_warned_of() {
     assert_names(&found.warnings.join("; "), &["the table ends"]);
 }
 
-/// Tardivat's and Leger's lens on films of 1 to 30 um, with the moduli, the radius and the adhesion of the paper's tables: its figure 4.
+/// Tardivat's and Leger's lens on films of 1 to 30 um, with the moduli, the radius and the adhesion of the paper's tables: its
+/// figure 4.
 #[test]
 fn films_below_10_um_change_what_jkr_finds_by_less_than_3_percent() {
     for thickness in [1e-6, 3e-6, 10e-6, 30e-6] {

@@ -11,8 +11,8 @@ use interp::{Elastic, System, Table};
 const USAGE: &str = "\
 usage: fit_jkr DATA.csv [OPTIONS]
 
-DATA.csv has a header, contact_radius,load or load,penetration, and a point in SI units in each line. The sphere's reduced modulus E2* and the
-work of adhesion are always fitted. Options, in SI units, with defaults that are Barthel's Tables 1 and 2:
+DATA.csv has a header, contact_radius,load or load,penetration, and a point in SI units in each line. The sphere's reduced modulus
+E2* and the work of adhesion are always fitted. Options, in SI units, with defaults that are those of Barthel's Tables 1 and 2:
 
   --sphere-radius 1e-3
   --film-modulus 3.5e6           Young's modulus

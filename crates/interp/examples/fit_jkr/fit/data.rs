@@ -38,8 +38,8 @@ pub struct Data {
 }
 
 impl Data {
-    /// Reads CSV: a header that names two columns, `load` and one of `contact_radius` and `penetration`, and a point in SI units in each line
-    /// below it. Lines that begin with `#` are comments.
+    /// Reads CSV: a header that names two columns, `load` and one of `contact_radius` and `penetration`, and a point in SI units in
+    /// each line below it. Lines that begin with `#` are comments.
     pub fn parse(text: &str) -> Result<Self, String> {
         let mut lines = text.lines().enumerate().map(|(i, line)| (i + 1, line.trim()));
         let mut lines = lines.by_ref().filter(|(_, line)| !line.is_empty() && !line.starts_with('#'));

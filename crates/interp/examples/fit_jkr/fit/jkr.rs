@@ -29,7 +29,8 @@ impl Homogeneous {
             .ok_or_else(|| "the data are no adhesive contact: JKR finds no positive modulus".into())
     }
 
-    /// The line of eq. 1. With an offset of the load, `F = 4 E*/(3 R) a^3 - sqrt(8 pi w E*) a^{3/2} + F0` in the weights of the JKR plot.
+    /// The line of eq. 1. With an offset of the load, `F = 4 E*/(3 R) a^3 - sqrt(8 pi w E*) a^{3/2} + F0` in the weights of the JKR
+    /// plot.
     fn of_radii(data: &Data, radius: f64, offset: bool) -> Option<Self> {
         let rows = data.points.iter().map(|(a, load)| {
             let power = a * a.sqrt();
@@ -40,8 +41,8 @@ impl Homogeneous {
         Some(Self { modulus, work_of_adhesion: intercept * intercept / (8.0 * PI * modulus), offset })
     }
 
-    /// For a given `w`, JKR's contact radius and penetration at a load are `E*^{-1/3} b` and `E*^{-2/3} (b^2/R - sqrt(2 pi b w))` with a `b` that does not
-    /// depend on `E*`: a line again. The best `w` is searched for.
+    /// For a given `w`, JKR's contact radius and penetration at a load are `E*^{-1/3} b` and `E*^{-2/3} (b^2/R - sqrt(2 pi b w))`
+    /// with a `b` that does not depend on `E*`: a line again. The best `w` is searched for.
     fn of_penetrations(data: &Data, radius: f64, offset: bool) -> Option<Self> {
         let fit = |work: f64| {
             let pull = 3.0 * PI * work * radius;
@@ -64,7 +65,8 @@ impl Homogeneous {
     }
 }
 
-/// The solution of least squares with the first `count` columns, the others 0, and the sum of the squares; `None` where a row is not finite.
+/// The solution of least squares with the first `count` columns, the others 0, and the sum of the squares; `None` where a row is
+/// not finite.
 fn least_squares(rows: impl Iterator<Item = ([f64; 3], f64)>, count: usize) -> Option<([f64; 3], f64)> {
     let (rows, right): (Vec<[f64; 3]>, Vec<f64>) = rows.unzip();
     let mut matrix = DMatrix::from_fn(rows.len(), count, |i, j| rows[i][j]);

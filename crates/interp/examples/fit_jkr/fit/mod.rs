@@ -7,6 +7,7 @@ mod data;
 mod jkr;
 mod model;
 mod report;
+mod uncertainty;
 
 pub use data::{Against, Data};
 use interp::{System, Table};
@@ -16,15 +17,17 @@ pub use model::{Parameter, State};
 use model::{Predicted, predict};
 use nalgebra::storage::Owned;
 use nalgebra::{DMatrix, DVector, Dyn};
+use uncertainty::Uncertainty;
 
-/// A parameter is called not identifiable if its standard error is larger than this, relative; for the offset, relative to the range of
-/// the data.
+/// A parameter is called not identifiable if its standard error is larger than this, relative; for the offset, relative to the
+/// range of the data.
 const IDENTIFIABLE: f64 = 0.5;
-/// Or if the singular values of the Jacobian, its columns scaled to length 1, are further apart than this: the derivatives have no more
-/// digits.
+/// Or if the singular values of the Jacobian, its columns scaled to length 1, are further apart than this: the derivatives have no
+/// more digits.
 const CONDITION: f64 = 1e6;
 
-/// A fit that ends further than this from the minimum of its linearisation, in standard errors, was stopped by the end of the table.
+/// A fit that ends further than this from the minimum of its linearisation, in standard errors, was stopped by the end of the
+/// table.
 const SHORT: f64 = 0.1;
 
 /// A sum of squares further above its expectation than this, in standard deviations, is not made by noise: once in 300,000 fits.
@@ -53,15 +56,16 @@ pub struct Fit {
     pub estimates: Vec<Estimate>,
     /// Of the estimates, in their order.
     pub correlation: DMatrix<f64>,
-    /// The sum of the squares of the residuals, in units of the noise given, per degree of freedom; `None` where the noise had to be estimated.
+    /// The sum of the squares of the residuals, in units of the noise given, per degree of freedom; `None` where the noise had to
+    /// be estimated.
     pub reduced_chi_squared: Option<f64>,
     /// The noise of the load (N), given or estimated.
     pub noise: f64,
     pub warnings: Vec<String>,
 }
 
-/// Fits the parameters that are `free`. Of the system, their values are where the fit starts, but for the sphere's modulus and the work of adhesion, which
-/// start from JKR.
+/// Fits the parameters that are `free`. Of the system, their values are where the fit starts, but for the sphere's modulus and the
+/// work of adhesion, which start from JKR.
 pub fn fit(table: &Table, data: &Data, system: &System, free: &[Parameter], noise: Option<f64>) -> Result<Fit, String> {
     let (count, points) = (free.len(), data.points.len());
     if points <= count {
@@ -136,63 +140,61 @@ impl Problem<'_> {
         predict(self.table, &self.state()?, self.data)
     }
 
-    /// Estimates and their errors from residuals and Jacobian where the sum of squares is least.
+    /// Estimates, their errors and what is doubtful of them, where the sum of squares is least.
     fn finish(self, homogeneous: Homogeneous, noise_given: bool) -> Result<Fit, String> {
         let state = self.state().map_err(|error| error.to_string())?;
-        let (residuals, mut jacobian) = self.residuals().zip(self.jacobian()).ok_or("the fit ended outside the table")?;
-        let (count, freedom) = (self.free.len(), (self.data.points.len() - self.free.len()) as f64);
-        let chi_squared = residuals.norm_squared() / freedom;
-        let (noise, scatter) = if noise_given { (self.unit, 1.0) } else { (self.unit * chi_squared.sqrt(), chi_squared.sqrt()) };
-
-        // (J^T J)^-1 from the singular values of J with columns of length 1.
-        let lengths: Vec<f64> = jacobian.column_iter().map(|column| column.norm().max(f64::MIN_POSITIVE)).collect();
-        jacobian.column_iter_mut().zip(&lengths).for_each(|(mut column, length)| column /= *length);
-        let svd = jacobian.svd(true, true);
-        let (left, vectors) = svd.u.zip(svd.v_t).ok_or("no singular vectors")?;
-        let short = left.tr_mul(&residuals).norm() / scatter;
-        let inverse = svd.singular_values.map(|value| 1.0 / value.max(f64::MIN_POSITIVE));
-        let factor = DMatrix::from_fn(count, count, |i, j| inverse[i] * vectors[(i, j)]);
-        let errors: Vec<f64> = (0..count).map(|j| factor.column(j).norm()).collect();
-        let correlation = DMatrix::from_fn(count, count, |i, j| factor.column(i).dot(&factor.column(j)) / (errors[i] * errors[j]));
-        let relative: Vec<f64> = errors.iter().zip(&lengths).map(|(error, length)| scatter * error / length).collect();
+        let (residuals, jacobian) = self.residuals().zip(self.jacobian()).ok_or("the fit ended outside the table")?;
+        let reduced_chi_squared = residuals.norm_squared() / self.freedom();
+        let (points, against) = (self.data.points.len(), self.data.against);
+        let scatter = if noise_given { 1.0 } else { reduced_chi_squared.sqrt() };
+        let uncertainty = Uncertainty::new(jacobian, &residuals, scatter);
         let estimate = |(&parameter, relative): (&Parameter, &f64)| {
             let value = state.get(parameter);
             let unit = if parameter == Parameter::Offset { self.offset_unit } else { value };
             Estimate { parameter, value, error: relative * unit }
         };
-        let estimates: Vec<Estimate> = self.free.iter().zip(&relative).map(estimate).collect();
+        let estimates = self.free.iter().zip(&uncertainty.errors).map(estimate).collect();
+        let reduced_chi_squared = noise_given.then_some(reduced_chi_squared);
+        let warnings = self.warnings(&uncertainty, reduced_chi_squared);
+        let (correlation, noise) = (uncertainty.correlation, scatter * self.unit);
+        Ok(Fit { points, against, homogeneous, estimates, correlation, reduced_chi_squared, noise, warnings })
+    }
 
+    /// How many points there are more than parameters.
+    fn freedom(&self) -> f64 {
+        (self.data.points.len() - self.free.len()) as f64
+    }
+
+    fn warnings(&self, uncertainty: &Uncertainty, reduced_chi_squared: Option<f64>) -> Vec<String> {
         let mut warnings = Vec::new();
-        for (parameter, error) in self.free.iter().zip(&relative).filter(|(_, error)| !(**error <= IDENTIFIABLE)) {
-            let name = parameter.name();
+        for (parameter, error) in self.free.iter().zip(&uncertainty.errors) {
+            if error.is_nan() || *error > IDENTIFIABLE {
+                let (name, error, most) = (parameter.name(), 1e2 * error, 1e2 * IDENTIFIABLE);
+                warnings.push(format!(
+                    "{name} is not identifiable from these data: its standard error is {error:.0} %, above {most:.0} %"
+                ));
+            }
+        }
+        let condition = uncertainty.condition;
+        if condition > CONDITION {
             warnings.push(format!(
-                "{name} is not identifiable from these data: its standard error is {:.0} %, above {:.0} %",
-                1e2 * error,
-                1e2 * IDENTIFIABLE
+                "a combination of the parameters is not identifiable: condition {condition:.0e}, above {CONDITION:.0e}"
             ));
         }
-        let (least, most) = (svd.singular_values.min(), svd.singular_values.max());
-        if !(most <= CONDITION * least) {
-            warnings.push(format!(
-                "a combination of the parameters is not identifiable: condition {:.0e}, above {CONDITION:.0e}",
-                most / least
-            ));
-        }
-        if !(short <= SHORT) {
+        let short = uncertainty.short;
+        if short > SHORT {
             warnings.push(format!("the fit ended {short:.1} standard errors from the least squares: there the table ends"));
         }
         // Wilson and Hilferty: the cube root of chi^2 is nearly normal.
-        let spread = 2.0 / (9.0 * freedom);
-        if noise_given && (chi_squared.cbrt() - (1.0 - spread)) / spread.sqrt() > BEYOND_NOISE {
-            warnings.push(format!("the model does not describe the data to their noise: reduced chi^2 is {chi_squared:.2}"));
+        let spread = 2.0 / (9.0 * self.freedom());
+        if let Some(value) = reduced_chi_squared.filter(|value| (value.cbrt() - (1.0 - spread)) / spread.sqrt() > BEYOND_NOISE) {
+            warnings.push(format!("the model does not describe the data to their noise: reduced chi^2 is {value:.2}"));
         }
         let pulled_off = self.predicted.iter().flatten().filter(|predicted| predicted.pulled_off).count();
         if pulled_off > 0 {
-            warnings.push(format!("{pulled_off} points are beyond the pull-off of the fitted contact"));
+            warnings.push(format!("points beyond the pull-off of the fitted contact: {pulled_off}"));
         }
-        let reduced_chi_squared = noise_given.then_some(chi_squared);
-        let (points, against) = (self.data.points.len(), self.data.against);
-        Ok(Fit { points, against, homogeneous, estimates, correlation, reduced_chi_squared, noise, warnings })
+        warnings
     }
 }
 

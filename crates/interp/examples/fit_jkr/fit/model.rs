@@ -97,9 +97,9 @@ pub struct Predicted {
 
 /// The loads that are measured at contact radii or penetrations.
 ///
-/// At a penetration it is that of the contact which unloading under displacement control reaches. Its derivatives there are those along the curve
-/// of constant penetration, `F_p - F_a delta_p / delta_a`: the contact is stable, so `delta_a > 0`, also where the load is least. At fixed load they would
-/// be infinite there.
+/// At a penetration it is that of the contact which unloading under displacement control reaches. Its derivatives there are those
+/// along the curve of constant penetration, `F_p - F_a delta_p / delta_a`: the contact is stable, so `delta_a > 0`, also where the
+/// load is least. At fixed load they would be infinite there.
 pub fn predict(table: &Table, state: &State, data: &Data) -> Result<Vec<Predicted>, Error> {
     let contact = table.contact_with_gradient(&state.system)?;
     let at = |a: f64| Derivatives::new(&contact, state, a);
