@@ -40,7 +40,7 @@ def quantities(spline, points):
     x, e1, nu1, e0 = points.T
     e1_star = e1 / (1 - nu1**2)
     es = 1 / (1 + 1 / e1_star)
-    places = np.column_stack((np.log(x), np.log(e1), 0.5 * (1 - np.cbrt(1 - 2 * nu1)), np.log(e0)))
+    places = np.column_stack((np.log(e1), 0.5 * (1 - np.cbrt(1 - 2 * nu1)), np.log(e0), np.log(x)))
     values = np.exp(spline(places))
     values[:, :3] *= es[:, None]
     return values

@@ -124,6 +124,9 @@ impl Random<'_> {
     }
 }
 
+/// The order of the rivals' dimensions: along `a/t`, neighbours are neighbours in memory, which suits curves.
+const ORDER: [Parameter; 4] = [Parameter::E1OverE2, Parameter::Nu1, Parameter::E0OverE2, Parameter::AOverT];
+
 /// The nodes in the coordinates in which splines are smooth, and what is splined there.
 struct Grid {
     axes: [Vec<f64>; 4],
@@ -133,19 +136,9 @@ struct Grid {
 
 impl Grid {
     fn new(table: &Table) -> Self {
-        let dense = table.expand().expect("the nodes fit in memory");
-        let axes = Parameter::ALL.map(|parameter| table.axis(parameter).iter().map(|&node| parameter.coordinate(node)).collect());
-        let [_, n_e1, n_nu, n_e0] = table.shape();
-        let logarithms = Quantity::ALL.map(|quantity| {
-            let values = dense.values(quantity).expect("the embedded table holds all four");
-            let logarithm = |(i, value): (usize, &f64)| {
-                let (e1, nu) = (i / (n_nu * n_e0) % n_e1, i / n_e0 % n_nu);
-                let (e1, nu1) = (table.axis(Parameter::E1OverE2)[e1], table.axis(Parameter::Nu1)[nu]);
-                let material = Material::new(e1, nu1, 1.0, 0.25).expect("a node");
-                quantity.logarithm(*value, material.sphere_film_modulus())
-            };
-            values.iter().enumerate().map(logarithm).collect()
-        });
+        let axes = ORDER.map(|parameter| table.axis(parameter).iter().map(|&node| parameter.coordinate(node)).collect());
+        let all: Vec<f64> = (0..table.axis(Parameter::E1OverE2).len()).flat_map(|e1| table.logarithms(e1)).collect();
+        let logarithms = Quantity::ALL.map(|quantity| all.chunks_exact(4).map(|four| four[quantity as usize]).collect());
         Self { axes, logarithms }
     }
 }
@@ -186,7 +179,7 @@ struct Rival<F: Fn(usize, [f64; 4]) -> f64>(F);
 impl<F: Fn(usize, [f64; 4]) -> f64> Rival<F> {
     fn value(&self, quantity: Quantity, material: &[f64; 4], x: f64) -> f64 {
         let &[e1, nu1, e0, es] = material;
-        quantity.scale(es) * (self.0)(quantity as usize, [x.ln(), e1, nu1, e0]).exp()
+        quantity.scale(es) * (self.0)(quantity as usize, [e1, nu1, e0, x.ln()]).exp()
     }
 
     /// The coordinates of a material, and its `es`.

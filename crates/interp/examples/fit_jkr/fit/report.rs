@@ -11,7 +11,8 @@ impl fmt::Display for Fit {
         writeln!(f, "without a film (JKR): E* = {:.4e} Pa, w = {:.4e} J/m^2\n", jkr.modulus, jkr.work_of_adhesion)?;
         for estimate in &self.estimates {
             let (name, unit) = (estimate.parameter.name(), estimate.parameter.unit(self.against));
-            writeln!(f, "{name:<17} {:.4e} +- {:.1e} {unit}", estimate.value, estimate.error)?;
+            let digits = (estimate.value.abs().log10().floor() - estimate.error.log10().floor() + 1.0).clamp(0.0, 15.0) as usize;
+            writeln!(f, "{name:<17} {:.digits$e} +- {:.1e} {unit}", estimate.value, estimate.error)?;
         }
         writeln!(f, "\ncorrelation")?;
         for (i, estimate) in self.estimates.iter().enumerate() {
