@@ -84,7 +84,7 @@ impl Curve {
     ///
     /// # Errors
     /// [`Error::Unphysical`] if there is no node, an `a/t` or a quantity is not in `[1e-30, 1e30]`, or an `a/t` is not larger than the one before
-    /// by 1e-7 of the nodes' range in `ln(a/t)`.
+    /// by 1e-7 of the nodes' range in `ln(a/t)`; or if the spline through the quantities, or the handle of a cubic, leaves that range between them.
     ///
     /// ```
     /// # fn main() -> Result<(), interp::Error> {
@@ -111,11 +111,26 @@ impl Curve {
         let es = material.sphere_film_modulus();
         let logarithm = |quantities: &Quantities| Four(Quantity::ALL.map(|q| q.logarithm(quantities.get(q), es)));
         let logarithms: Vec<Four> = nodes.iter().map(|node| logarithm(&node.1)).collect();
-        Ok(Self::from_logarithms(&a_over_t, &logarithms, Resampling::THROUGH, material, [true; 4]))
+        let curve = Self::from_logarithms(&a_over_t, &logarithms, Resampling::THROUGH, material, [true; 4]);
+        match curve.unreasonable() {
+            None => Ok(curve),
+            Some((quantity, value, _)) => {
+                Err(Error::Unphysical { name: quantity.name(), value, allowed: "in [1e-30, 1e30] between the nodes, too" })
+            }
+        }
     }
 
     /// The curve of a table that holds the given quantities, from the logarithms of the scaled ones at the nodes of `a/t`, node after node.
-    pub(crate) fn of_table(nodes: &[f64], logarithms: &[f64], held: &[Quantity], tolerance: f64, material: Material) -> Self {
+    ///
+    /// # Errors
+    /// [`Error::Malformed`] if a quantity leaves `[1e-30, 1e30]`, as those of a sound table do not.
+    pub(crate) fn of_table(
+        nodes: &[f64],
+        logarithms: &[f64],
+        held: &[Quantity],
+        tolerance: f64,
+        material: Material,
+    ) -> Result<Self, Error> {
         let four = |group: &[f64]| {
             let mut four = Four::default();
             held.iter().zip(group).for_each(|(&quantity, &value)| four.0[quantity as usize] = value);
@@ -123,7 +138,27 @@ impl Curve {
         };
         let values: Vec<Four> = logarithms.chunks_exact(held.len()).map(four).collect();
         let held = Quantity::ALL.map(|quantity| held.contains(&quantity));
-        Self::from_logarithms(nodes, &values, Resampling::table(tolerance), material, held)
+        let curve = Self::from_logarithms(nodes, &values, Resampling::table(tolerance), material, held);
+        match curve.unreasonable() {
+            None => Ok(curve),
+            Some((quantity, value, x)) => {
+                Err(Error::Malformed(format!("{} reaches {value:?} near a_over_t = {x:?}", quantity.name())))
+            }
+        }
+    }
+
+    /// A quantity held that is not in `[1e-30, 1e30]` somewhere, with a bound of it and the key next to it. A cubic stays between the least and the
+    /// largest of its ends and handles, so that there is none unless one of them is out.
+    fn unreasonable(&self) -> Option<(Quantity, f64, f64)> {
+        let held = || Quantity::ALL.into_iter().filter(|&quantity| self.held[quantity as usize]);
+        self.spline.keys().iter().find_map(|key| {
+            let [before, after] = handles(key);
+            held().find_map(|quantity| {
+                let values = [before, &key.value, after].map(|four| four.0[quantity as usize]);
+                let out = values.into_iter().find(|value| !REASONABLE.contains(value))?;
+                Some((quantity, out, key.t.exp()))
+            })
+        })
     }
 
     /// The curve through what is splined, the logarithms of the scaled quantities at the nodes of `a/t`.

@@ -111,7 +111,7 @@ impl Coefficients {
                 logarithms
             }
         };
-        Ok(Curve::of_table(nodes, &logarithms, &held, table.description().tolerance, material))
+        Curve::of_table(nodes, &logarithms, &held, table.description().tolerance, material)
     }
 
     /// Sums the rows around one material, given by its coordinates.

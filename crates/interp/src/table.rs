@@ -103,7 +103,7 @@ impl Table {
     ///
     /// # Errors
     /// Those of [`Table::new`] that concern description and axes; [`Error::Malformed`] if no quantity is given or they are not in order, if there are
-    /// not as many logarithms as values at the nodes, or if one is not finite.
+    /// not as many logarithms as values at the nodes, or if one is not that of a value in `[1e-30, 1e30]`.
     pub fn from_logarithms(
         description: Description,
         axes: [Vec<f64>; 4],
@@ -119,12 +119,26 @@ impl Table {
         if Some(logarithms.len()) != count {
             return malformed(format!("{} logarithms for {count:?} values", logarithms.len()));
         }
-        if let Some(logarithm) = logarithms.iter().find(|logarithm| !logarithm.is_finite()) {
-            return malformed(format!("a logarithm is {logarithm:?}"));
-        }
         let table = Self { description, axes, content: Content::Splined(quantities), coefficients: OnceLock::new() };
+        table.check_logarithms(&logarithms)?;
         let coefficients = Coefficients::splined(&table, logarithms);
         Ok(Self { coefficients: OnceLock::from(coefficients), ..table })
+    }
+
+    /// Accepts logarithms, in the layout of [`Table::logarithms`], of values in `[1e-30, 1e30]`.
+    fn check_logarithms(&self, logarithms: &[f64]) -> Result<(), Error> {
+        let [n_a, _, n_nu, n_e0] = self.shape();
+        let held = self.quantities();
+        for (film, block) in logarithms.chunks_exact(n_e0 * n_a * held.len()).enumerate() {
+            let es = film_limit(self, film / n_nu, film % n_nu);
+            for (i, quantity) in held.iter().enumerate() {
+                let [least, largest] = [REASONABLE.start(), REASONABLE.end()].map(|&end| quantity.logarithm(end, es));
+                if let Some(logarithm) = block.iter().skip(i).step_by(held.len()).find(|value| !(least..=largest).contains(value)) {
+                    return Err(Error::Malformed(format!("{} has the logarithm {logarithm:?}", quantity.name())));
+                }
+            }
+        }
+        Ok(())
     }
 
     /// What the table says of itself.
@@ -246,7 +260,8 @@ impl Table {
     ///
     /// # Errors
     /// [`Error::Normalisation`] for a rigid sphere in a table for compliant ones or the reverse; [`Error::OutsideTable`] for a
-    /// material outside the box; [`Error::Equivalent`] where the equivalent does not exist or is outside the box.
+    /// material outside the box; [`Error::Equivalent`] where the equivalent does not exist or is outside the box; [`Error::Malformed`] if a quantity
+    /// leaves `[1e-30, 1e30]`, which only forged tables have.
     pub fn curve(&self, material: &Material) -> Result<Curve, Error> {
         self.coefficients().curve(self, material)
     }
