@@ -1,0 +1,121 @@
+//! The public functions that take numbers, in one list for the property test and for the fuzzer.
+//!
+//! A new function is a row of [`FUNCTIONS`] and, for what is true of its answers, a property in `physics.rs`.
+
+use std::array::from_fn;
+use std::sync::LazyLock;
+
+use interp::schema::Parameter;
+use interp::spline::{Basis, LARGEST_DEGREE, TABLE_DEGREE};
+use interp::{Contact, Curve, Elastic, Error, LowRank, Material, Mechanics, Quantities, Quantity, System, Table};
+
+use crate::tables::{self, AXES, look_up};
+
+/// What a function answers: numbers that must be finite, or an error. (What may be infinite is looked at on the way.)
+pub type Answer = Result<Vec<f64>, Error>;
+
+/// Name, how many numbers it takes, and itself.
+pub type Function = (&'static str, usize, fn(&[f64]) -> Answer);
+
+static CONTACT: LazyLock<Contact> = LazyLock::new(tables::contact);
+
+pub const FUNCTIONS: &[Function] = &[
+    ("Elastic::new", 2, |x| {
+        let solid = Elastic::new(x[0], x[1])?;
+        assert!(solid.young() > 0.0 && solid.reduced() >= 0.75 * solid.young(), "{solid:?}");
+        Ok(vec![solid.poisson()])
+    }),
+    ("System::material", 7, |x| moduli(&system(x)?.material()?)),
+    ("Material::new", 4, |x| moduli(&material(x)?)),
+    ("Material::with_substrate_poisson_ratio", 5, |x| moduli(&material(x)?.with_substrate_poisson_ratio(x[4])?)),
+    ("Table::curve", 5, |x| quantities(&Table::embedded().curve(&material(x)?)?, x[4])),
+    ("Table::contact", 9, |x| loads(&Table::embedded().contact(&system(x)?)?, x[7], x[8])),
+    ("Curve::quantities", 1, |x| quantities(CONTACT.curve(), x[0])),
+    ("Curve::through", 14, |x| {
+        let node = |x: &[f64]| (x[0], Quantities::from_array(from_fn(|i| x[i + 1])));
+        let curve = Curve::through(&[node(x), node(&x[5..])], material(&x[10..])?)?;
+        quantities(&curve, (x[0] * x[5]).sqrt())
+    }),
+    ("Contact::new", 9, |x| loads(&Contact::new(&system(x)?, CONTACT.curve().clone())?, x[7], x[8])),
+    ("Contact::stiffness", 1, |x| Ok(vec![CONTACT.stiffness(x[0])?])),
+    // These give what arithmetic gives, NaN for NaN.
+    ("Mechanics::load", 14, |x| {
+        let (mechanics, quantities) = (Mechanics::new(&system(x)?)?, Quantities::from_array(from_fn(|i| x[10 + i])));
+        let _ = (mechanics.load(x[7], x[8], x[9], x[10]), mechanics.load_and_penetration(x[7], x[8], &quantities));
+        let _ = (mechanics.energy_release_rate(x[7], x[8]), mechanics.jkr_point(x[7], x[8]));
+        Ok(vec![])
+    }),
+    ("Parameter::coordinate", 1, |x| {
+        let _ = Parameter::ALL.map(|parameter| (parameter.coordinate(x[0]), parameter.value(x[0])));
+        Ok(vec![])
+    }),
+    ("Quantity::logarithm", 2, |x| {
+        let _ = Quantity::ALL.map(|quantity| quantity.logarithm(x[0], x[1]));
+        Ok(vec![])
+    }),
+    // Nodes that do not ascend make a basis of no use, not a panic.
+    ("Basis::new", 13, |x| {
+        for degree in [1, 5, TABLE_DEGREE, LARGEST_DEGREE] {
+            let (basis, mut values) = (Basis::new(&x[..12], degree), x[..12].to_vec());
+            basis.interpolate(&mut values, 1);
+            let weights = basis.weights(x[12]);
+            assert!(weights.first + weights.count <= 12, "{weights:?}");
+        }
+        Ok(vec![])
+    }),
+    // A table holds numbers or is malformed, whatever it is made of.
+    ("Table::new", 8, |x| {
+        let (mut description, mut axes) = (tables::description(), tables::axes());
+        (description.tolerance, description.nu0) = (x[0], x[1]);
+        (axes[0][1], axes[0][4], axes[1][0], axes[2][2], axes[3][0]) = (x[2], x[3], x[4], x[5], x[6]);
+        let mut values = vec![0.7; AXES.iter().map(|nodes| nodes.len()).product()];
+        let middle = values.len() / 2;
+        values[middle] = x[7];
+        look_up(&Table::new(description, axes, [Some(values), None, None, None])?)?;
+        Ok(vec![])
+    }),
+    ("Table::from_logarithms", 2, |x| {
+        let logarithms = (0..AXES.iter().map(|nodes| nodes.len()).product()).map(|i: usize| x[i % 2]).collect();
+        let (description, quantities) = (tables::description(), vec![Quantity::Gamma]);
+        look_up(&Table::from_logarithms(description, tables::axes(), quantities, logarithms)?)?;
+        Ok(vec![])
+    }),
+    ("LowRank::new", 5, |x| {
+        let factors: [Vec<f64>; 4] = from_fn(|axis| [vec![x[axis]], vec![1.0; AXES[axis].len() - 1]].concat());
+        let form = LowRank::new(vec![Quantity::Pi0], [1; 4], factors, x[4], &[1 << 40])?;
+        look_up(&Table::from_low_rank(tables::description(), tables::axes(), form)?)?;
+        Ok(vec![])
+    }),
+];
+
+fn system(x: &[f64]) -> Result<System, Error> {
+    let (film, substrate) = (Elastic::new(x[2], x[3])?, Elastic::new(x[5], x[6])?);
+    Ok(System { sphere_radius: x[0], sphere_modulus: x[1], film, film_thickness: x[4], substrate })
+}
+
+fn material(x: &[f64]) -> Result<Material, Error> {
+    Material::new(x[0], x[1], x[2], x[3])
+}
+
+/// What is finite of any material; the rest is a number.
+fn moduli(material: &Material) -> Answer {
+    let moduli = [material.film_modulus(), material.substrate_modulus(), material.sphere_substrate_modulus()];
+    let limit = material.thin_film_limit().to_array();
+    let infinite = [&moduli[..], &limit, &[material.film_over_substrate()]].concat();
+    assert!(infinite.iter().all(|value| *value >= 0.0), "{material:?}: {infinite:?}");
+    let finite = [material.e1_over_e2(), material.nu1(), material.nu0(), material.sphere_film_modulus()];
+    Ok([finite, material.thick_film_limit().to_array()].concat())
+}
+
+/// The quantities of a curve, which are positive, and their slopes.
+fn quantities(curve: &Curve, a_over_t: f64) -> Answer {
+    let values = curve.quantities(a_over_t)?.to_array();
+    assert!(values.iter().all(|&value| value > 0.0), "{values:?} at {a_over_t:?}");
+    let slopes: Result<Vec<f64>, Error> = Quantity::ALL.iter().map(|&quantity| curve.slope(quantity, a_over_t)).collect();
+    Ok([values.to_vec(), slopes?].concat())
+}
+
+fn loads(contact: &Contact, a: f64, w: f64) -> Answer {
+    let (load, penetration) = contact.load_and_penetration(a, w)?;
+    Ok(vec![contact.load(a, w)?, load, penetration])
+}

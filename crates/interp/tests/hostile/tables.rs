@@ -1,0 +1,76 @@
+//! Small tables, whose numbers mean nothing: what matters is what becomes of their bytes.
+
+use interp::schema::Parameter;
+use interp::{Certificate, Contact, Description, Elastic, Error, LowRank, Material, Normalisation, Quantity, System, Table};
+
+/// Of four axes.
+pub const AXES: [&[f64]; 4] = [&[1e-3, 0.1, 1.0, 10.0, 1e3], &[0.1, 1.0, 3.0, 10.0], &[0.0, 0.3, 0.5], &[1.0, 1e5]];
+
+pub fn axes() -> [Vec<f64>; 4] {
+    AXES.map(<[f64]>::to_vec)
+}
+
+pub fn description() -> Description {
+    Description {
+        title: "Small".into(),
+        scene: "title = 'Small'".into(),
+        nu0: 0.25,
+        normalisation: Normalisation::Sphere,
+        tolerance: 1e-3,
+        created_by: "a test".into(),
+        certificate: Certificate { max_error: 1e-3, median_error: 1e-4, points: 10, seed: 1, details: None },
+    }
+}
+
+/// A dense table of three quantities.
+pub fn dense() -> Table {
+    let count: usize = AXES.iter().map(|nodes| nodes.len()).product();
+    let values = |offset: f64| (0..count).map(|i| offset + 0.5 * (0.1 * i as f64).sin()).collect();
+    Table::new(description(), axes(), [Some(values(1.0)), None, Some(values(2.0)), Some(values(0.7))]).expect("sound")
+}
+
+/// A low-rank table of all quantities.
+pub fn low_rank() -> Table {
+    let ranks = [2, 2, 1, 2];
+    let factors = std::array::from_fn(|axis| (0..AXES[axis].len() * ranks[axis]).map(|i| (0.3 + i as f64).cos()).collect());
+    let core: Vec<i64> = (0..32).map(|i| (i * i * 37) % 301 - 150).collect();
+    let form = LowRank::new(Quantity::ALL.to_vec(), ranks, factors, 1e-3, &core).expect("sound");
+    Table::from_low_rank(description(), axes(), form).expect("sound")
+}
+
+/// Magic, version, length and checksum.
+pub const PREFIX: usize = 24;
+
+/// A payload behind the magic, version, length and checksum that it takes to be read at all.
+pub fn with_prefix(payload: &[u8]) -> Vec<u8> {
+    let (length, checksum) = (payload.len() as u64, crc32fast::hash(payload));
+    [&b"COATTBL\n\x02\0\0\0"[..], &length.to_le_bytes(), &checksum.to_le_bytes(), payload].concat()
+}
+
+/// Looks up a material in the middle of the table's box: that is an error, or all quantities held are positive numbers.
+pub fn look_up(table: &Table) -> Result<(), Error> {
+    let middle = |parameter: Parameter| {
+        let axis = table.axis(parameter);
+        let (from, to) = (axis[0], axis[axis.len() - 1]);
+        if parameter == Parameter::Nu1 { from.midpoint(to) } else { (from * to).sqrt() }.clamp(from, to)
+    };
+    let [e1, nu1, e0] = [Parameter::E1OverE2, Parameter::Nu1, Parameter::E0OverE2].map(middle);
+    let curve = table.curve(&Material::new(e1, nu1, e0, table.description().nu0)?)?;
+    let [from, to] = curve.range();
+    for x in [from, middle(Parameter::AOverT), to] {
+        for quantity in table.quantities() {
+            let value = curve.quantity(quantity, x)?;
+            assert!(value > 0.0 && value.is_finite(), "{} = {value:?} at {x:?}", quantity.name());
+            assert!(curve.slope(quantity, x)?.is_finite(), "{} at {x:?}", quantity.name());
+        }
+    }
+    Ok(())
+}
+
+/// The paper's system, but for the substrate, which is as the embedded table's, of a film of 1 um.
+pub fn contact() -> Contact {
+    let (film, substrate) = (Elastic::new(3.5e6, 0.5), Elastic::new(2e11, 0.25));
+    let (film, substrate) = (film.expect("physical"), substrate.expect("physical"));
+    let system = System { sphere_radius: 1e-3, sphere_modulus: 2e6, film, film_thickness: 1e-6, substrate };
+    Table::embedded().contact(&system).expect("in the table")
+}
