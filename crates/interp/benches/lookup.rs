@@ -36,6 +36,10 @@ fn lookup(criterion: &mut Criterion) {
     };
     let spline = Spline::from_vec((0..630).map(key).collect());
     criterion.bench_function("search and one value, splines", |b| b.iter(|| spline.clamped_sample(black_box(point().ln()))));
+    let mut values = vec![0.0; points.len()];
+    criterion.bench_function("one quantity at a thousand points", |b| {
+        b.iter(|| curve.quantity_at_all(Quantity::Eeq, black_box(&points), black_box(&mut values)))
+    });
     criterion.bench_function("one quantity on a curve", |b| b.iter(|| curve.quantity(Quantity::Eeq, black_box(point()))));
     criterion.bench_function("four quantities on a curve", |b| b.iter(|| curve.quantities(black_box(point()))));
     criterion.bench_function("load, eq. 9", |b| b.iter(|| contact.load(black_box(1e-7 * point() + 1e-6), black_box(0.04))));

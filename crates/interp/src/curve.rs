@@ -1,90 +1,51 @@
-//! The curve of one material: the quantities as functions of `a/t`, as cubic pieces.
+//! The curve of one material: the quantities as functions of `a/t`.
 
-use splines::{Interpolate, Interpolation, Key, Spline};
+use std::sync::Arc;
 
+use splines::{Interpolation, Key, Spline};
+
+use crate::beyond::Beyond;
+use crate::material::ROUNDING;
+use crate::pieces::{Grid, Resampler, Values, all, bounds, derivatives, one};
 use crate::schema::Parameter;
-use crate::spline::{Basis, TABLE_DEGREE};
-use crate::table::{REASONABLE, locate, too_close};
-use crate::{Error, Material, Quantities, Quantity};
-
-/// One number for each of the four quantities.
-#[derive(Clone, Copy, Debug, Default)]
-struct Four([f64; 4]);
-
-impl Four {
-    fn each(value: impl Fn(usize) -> f64) -> Self {
-        Self(std::array::from_fn(value))
-    }
-
-    /// `self + factor other`.
-    fn plus(self, factor: f64, other: Self) -> Self {
-        Self::each(|i| self.0[i] + factor * other.0[i])
-    }
-}
-
-/// Component by component, so that one search in the spline serves all four.
-impl Interpolate<f64> for Four {
-    fn step(t: f64, threshold: f64, a: Self, b: Self) -> Self {
-        Self::each(|i| f64::step(t, threshold, a.0[i], b.0[i]))
-    }
-    fn lerp(t: f64, a: Self, b: Self) -> Self {
-        Self::each(|i| f64::lerp(t, a.0[i], b.0[i]))
-    }
-    fn cosine(t: f64, a: Self, b: Self) -> Self {
-        Self::each(|i| f64::cosine(t, a.0[i], b.0[i]))
-    }
-    fn cubic_hermite(t: f64, x: (f64, Self), a: (f64, Self), b: (f64, Self), y: (f64, Self)) -> Self {
-        Self::each(|i| f64::cubic_hermite(t, (x.0, x.1.0[i]), (a.0, a.1.0[i]), (b.0, b.1.0[i]), (y.0, y.1.0[i])))
-    }
-    fn quadratic_bezier(t: f64, a: Self, u: Self, b: Self) -> Self {
-        Self::each(|i| f64::quadratic_bezier(t, a.0[i], u.0[i], b.0[i]))
-    }
-    fn cubic_bezier(t: f64, a: Self, u: Self, v: Self, b: Self) -> Self {
-        let [p, q, r, s] = bernstein(t);
-        Self::each(|i| p * a.0[i] + q * u.0[i] + r * v.0[i] + s * b.0[i])
-    }
-    fn cubic_bezier_mirrored(t: f64, a: Self, u: Self, v: Self, b: Self) -> Self {
-        Self::each(|i| f64::cubic_bezier_mirrored(t, a.0[i], u.0[i], v.0[i], b.0[i]))
-    }
-}
-
-/// The cubic Bernstein polynomials at `t`: the weights of the ends and handles of a Bezier piece.
-fn bernstein(t: f64) -> [f64; 4] {
-    let s = 1.0 - t;
-    [s * s * s, 3.0 * s * s * t, 3.0 * s * t * t, t * t * t]
-}
+use crate::sensitivity::Sensitivities;
+use crate::spline::Basis;
+use crate::table::{REASONABLE, too_close};
+use crate::{Error, Gradient, Material, Quantities, Quantity};
 
 /// The four quantities as functions of `a/t` for one material.
 ///
-/// Made once, by [`Table::curve`](crate::Table::curve) or [`Curve::through`]; each evaluation is then a one-dimensional cubic spline over
-/// `ln(a/t)`, so finely resampled from the spline through the logarithms at the nodes that it adds less than a tenth of the table's tolerance
-/// to the error.
+/// Made once, by [`Table::curve`](crate::Table::curve) or [`Curve::through`]. Each evaluation is then a polynomial of degree 9 in `a/t` on one of some
+/// eighty pieces (four in an octave, more where a table is very accurate), which follow the spline through the logarithms at the nodes so closely that
+/// they add less than a tenth of the table's tolerance to the error. Nothing is allocated; a clone shares the pieces.
+///
+/// A curve of a table goes beyond its `a/t` by the first terms of the expansions about the exact limits, as far as these are as accurate as the table
+/// ([`Curve::error`] says how accurate that is). Elsewhere there is an error.
 #[derive(Clone, Debug)]
 pub struct Curve {
-    spline: Spline<f64, Four>,
-    /// For equal buckets of `ln(a/t)`, the last key at or before each one's beginning: evenly spaced or not, keys are found without a search.
-    buckets: Vec<u32>,
-    /// Buckets per unit of `ln(a/t)`.
-    density: f64,
+    grid: Grid,
+    pieces: Arc<[Values]>,
     /// The nodes of `a/t`, first and last.
     range: [f64; 2],
     material: Material,
     held: [bool; 4],
+    sensitivities: Option<Sensitivities>,
+    beyond: Option<Beyond>,
 }
 
 impl Curve {
     /// The curve through quantities from elsewhere than a table, `(a/t, quantities)` with `a/t` ascending.
     ///
     /// What is splined between these nodes is `ln(Pi0/es)`, `ln(Eeq/es)`, `ln(Gamma/es)` and `ln Delta0` over `ln(a/t)`, by the quintic
-    /// not-a-knot spline, whose error falls like the sixth power of the nodes' distance. The cubic pieces that replace it are no
-    /// longer than 0.025 in `ln(a/t)`, nor than the distance of the nodes: nodes closer than that bound their error, below 1e-7 otherwise, by
-    /// their fourth power.
+    /// not-a-knot spline, whose error falls like the sixth power of the nodes' distance. The pieces that replace it add 1e-11, unless the nodes are
+    /// no smooth curve's.
     ///
-    /// The quantities are not compared with the material; the crate `tabulate` makes a curve of stated accuracy from a material alone.
+    /// The quantities are not compared with the material; the crate `tabulate` makes a curve of stated accuracy from a material alone. Beyond the
+    /// nodes, and with respect to the material, such a curve knows nothing.
     ///
     /// # Errors
     /// [`Error::Unphysical`] if there is no node, an `a/t` or a quantity is not in `[1e-30, 1e30]`, or an `a/t` is not larger than the one before
-    /// by 1e-7 of the nodes' range in `ln(a/t)`; or if the spline through the quantities, or the handle of a cubic, leaves that range between them.
+    /// by 1e-7 of the nodes' range in `ln(a/t)` and by 1e-9 of itself; or if the spline leaves that range between the nodes, or is too steep to tell.
     ///
     /// ```
     /// # fn main() -> Result<(), interp::Error> {
@@ -97,6 +58,8 @@ impl Curve {
     /// # Ok(()) }
     /// ```
     pub fn through(nodes: &[(f64, Quantities)], material: Material) -> Result<Self, Error> {
+        const DEGREE: usize = 5;
+        const ERROR: f64 = 1e-11;
         Error::unless(!nodes.is_empty(), "the number of nodes", 0.0, "at least 1")?;
         let reasonable = |name, value| Error::unless(REASONABLE.contains(&value), name, value, "in [1e-30, 1e30]");
         for (a_over_t, quantities) in nodes {
@@ -105,75 +68,57 @@ impl Curve {
         }
         let a_over_t: Vec<f64> = nodes.iter().map(|node| node.0).collect();
         if let Some([_, close]) = too_close(Parameter::AOverT, &a_over_t) {
-            let allowed = "larger than the one before, by at least 1e-7 of the nodes' range in ln(a/t)";
+            let allowed = "larger than the one before, by at least 1e-7 of the nodes' range in ln(a/t) and 1e-9";
             Error::unless(false, Parameter::AOverT.name(), close, allowed)?;
         }
         let es = material.sphere_film_modulus();
-        let logarithm = |quantities: &Quantities| Four(Quantity::ALL.map(|q| q.logarithm(quantities.get(q), es)));
-        let logarithms: Vec<Four> = nodes.iter().map(|node| logarithm(&node.1)).collect();
-        let curve = Self::from_logarithms(&a_over_t, &logarithms, Resampling::THROUGH, material, [true; 4]);
+        let logarithms = |quantities: &Quantities| Quantity::ALL.map(|q| q.logarithm(quantities.get(q), es));
+        let mut coefficients: Vec<f64> = nodes.iter().flat_map(|node| logarithms(&node.1)).collect();
+        let places: Vec<f64> = a_over_t.iter().map(|&x| Parameter::AOverT.coordinate(x)).collect();
+        let basis = Basis::new(&places, DEGREE);
+        basis.interpolate(&mut coefficients, 4);
+        let coefficients = [coefficients];
+        let range = [a_over_t[0], a_over_t[a_over_t.len() - 1]];
+        let resampler = Resampler::fitting(&basis, range, &Quantity::ALL, &coefficients, ERROR);
+        let curve = Self::of_splines(&resampler, range, &coefficients[0], &Quantity::ALL, material);
         match curve.unreasonable() {
             None => Ok(curve),
-            Some((quantity, value, _)) => {
+            Some((quantity, value)) => {
                 Err(Error::Unphysical { name: quantity.name(), value, allowed: "in [1e-30, 1e30] between the nodes, too" })
             }
         }
     }
 
-    /// The curve of a table that holds the given quantities, from the logarithms of the scaled ones at the nodes of `a/t`, node after node.
-    ///
-    /// # Errors
-    /// [`Error::Malformed`] if a quantity leaves `[1e-30, 1e30]`, as those of a sound table do not.
-    pub(crate) fn of_table(
-        nodes: &[f64],
-        logarithms: &[f64],
-        held: &[Quantity],
-        tolerance: f64,
+    /// The curve of the splines over `ln(a/t)` with these coefficients, of the quantities held.
+    pub(crate) fn of_splines(
+        resampler: &Resampler,
+        range: [f64; 2],
+        coefficients: &[f64],
+        quantities: &[Quantity],
         material: Material,
-    ) -> Result<Self, Error> {
-        let four = |group: &[f64]| {
-            let mut four = Four::default();
-            held.iter().zip(group).for_each(|(&quantity, &value)| four.0[quantity as usize] = value);
-            four
-        };
-        let values: Vec<Four> = logarithms.chunks_exact(held.len()).map(four).collect();
-        let held = Quantity::ALL.map(|quantity| held.contains(&quantity));
-        let curve = Self::from_logarithms(nodes, &values, Resampling::table(tolerance), material, held);
-        match curve.unreasonable() {
-            None => Ok(curve),
-            Some((quantity, value, x)) => {
-                Err(Error::Malformed(format!("{} reaches {value:?} near a_over_t = {x:?}", quantity.name())))
-            }
-        }
+    ) -> Self {
+        let pieces = resampler.values(coefficients, quantities, material.sphere_film_modulus());
+        let held = Quantity::ALL.map(|quantity| quantities.contains(&quantity));
+        Self { grid: resampler.grid, pieces, range, material, held, sensitivities: None, beyond: None }
     }
 
-    /// A quantity held that is not in `[1e-30, 1e30]` somewhere, with a bound of it and the key next to it. A cubic stays between the least and the
-    /// largest of its ends and handles, so that there is none unless one of them is out.
-    fn unreasonable(&self) -> Option<(Quantity, f64, f64)> {
+    /// A quantity held that may leave `[1e-30, 1e30]`, with a bound of it: on a sound curve's pieces the first term is the largest by far.
+    pub(crate) fn unreasonable(&self) -> Option<(Quantity, f64)> {
         let held = || Quantity::ALL.into_iter().filter(|&quantity| self.held[quantity as usize]);
-        self.spline.keys().iter().find_map(|key| {
-            let [before, after] = handles(key);
-            held().find_map(|quantity| {
-                let values = [before, &key.value, after].map(|four| four.0[quantity as usize]);
-                let out = values.into_iter().find(|value| !REASONABLE.contains(value))?;
-                Some((quantity, out, key.t.exp()))
-            })
-        })
+        self.pieces
+            .iter()
+            .flat_map(|piece| held().map(move |quantity| (quantity, bounds(piece, quantity as usize))))
+            .find_map(|(quantity, bounds)| Some((quantity, bounds.into_iter().find(|bound| !REASONABLE.contains(bound))?)))
     }
 
-    /// The curve through what is splined, the logarithms of the scaled quantities at the nodes of `a/t`.
-    fn from_logarithms(nodes: &[f64], values: &[Four], resampling: Resampling, material: Material, held: [bool; 4]) -> Self {
-        let keys = resampling.keys(nodes, values, material.sphere_film_modulus());
-        let (first, last) = (keys[0].t, keys[keys.len() - 1].t);
-        // Several buckets for each key of average distance, so that hardly any holds two keys.
-        let count = 3 * keys.len();
-        let length = (last - first).max(f64::MIN_POSITIVE);
-        let start = |bucket: usize| first + length * (bucket as f64 / count as f64);
-        // The last key begins no piece, unless it is the only one.
-        let before = |u: f64| keys.partition_point(|key| key.t <= u).clamp(1, (keys.len() - 1).max(1)) - 1;
-        let buckets = (0..=count).map(|bucket| before(start(bucket)) as u32).collect();
-        let density = count as f64 / length;
-        Self { spline: Spline::from_vec(keys), buckets, density, range: [nodes[0], nodes[nodes.len() - 1]], material, held }
+    /// With what is known of the derivatives with respect to the material.
+    pub(crate) fn with_sensitivities(self, sensitivities: Sensitivities) -> Self {
+        Self { sensitivities: Some(sensitivities), ..self }
+    }
+
+    /// With the expansions beyond the nodes of a table, whose error at the nodes and tolerance are given.
+    pub(crate) fn with_expansions(self, error: f64, tolerance: f64) -> Self {
+        Self { beyond: Some(Beyond { error, tolerance }), ..self }
     }
 
     /// The material; if from a table, on a substrate with its Poisson ratio.
@@ -181,7 +126,7 @@ impl Curve {
         &self.material
     }
 
-    /// The smallest and the largest `a/t`.
+    /// The smallest and the largest `a/t` of the nodes.
     pub fn range(&self) -> [f64; 2] {
         self.range
     }
@@ -189,11 +134,32 @@ impl Curve {
     /// One quantity at `a_over_t`.
     ///
     /// # Errors
-    /// [`Error::OutsideTable`] outside the curve's `a/t`, NaN included; [`Error::MissingQuantity`] if the table does not hold it.
+    /// [`Error::OutsideTable`] outside the curve's `a/t`, NaN included, and [`Error::Extrapolation`] where the expansion about the limit is not
+    /// accurate enough; [`Error::MissingQuantity`] if the table does not hold it.
+    #[inline]
     pub fn quantity(&self, quantity: Quantity, a_over_t: f64) -> Result<f64, Error> {
         self.require(quantity)?;
-        let piece = self.piece(a_over_t)?;
-        Ok(piece.sum(bernstein(piece.t), quantity as usize))
+        match self.inside(a_over_t) {
+            Some(x) => {
+                let place = self.grid.place(x);
+                Ok(one(&self.pieces[place.piece], place, quantity as usize))
+            }
+            None => Ok(self.expanded(a_over_t)?.0.get(quantity)),
+        }
+    }
+
+    /// One quantity at many `a_over_t`, in the order given: as [`Curve::quantity`], at a fraction of the time.
+    ///
+    /// # Errors
+    /// As [`Curve::quantity`] at the first point that has one, with the values before it written; [`Error::Unphysical`] if there is not one value
+    /// for each `a/t`.
+    pub fn quantity_at_all(&self, quantity: Quantity, a_over_t: &[f64], values: &mut [f64]) -> Result<(), Error> {
+        self.require(quantity)?;
+        same_length(a_over_t, values)?;
+        for (value, &x) in values.iter_mut().zip(a_over_t) {
+            *value = self.quantity(quantity, x)?;
+        }
+        Ok(())
     }
 
     /// The logarithmic slope of one quantity, `x dQ/dx` at `x = a_over_t`: the derivative of what [`Curve::quantity`] returns. Its error is some ten
@@ -204,183 +170,186 @@ impl Curve {
     /// As [`Curve::quantity`].
     pub fn slope(&self, quantity: Quantity, a_over_t: f64) -> Result<f64, Error> {
         self.require(quantity)?;
-        let piece = self.piece(a_over_t)?;
-        let (s, t) = (1.0 - piece.t, piece.t);
-        let weights = [-s * s, s * (s - 2.0 * t), t * (2.0 * s - t), t * t];
-        Ok(3.0 * piece.inverse_length * piece.sum(weights, quantity as usize))
+        Ok(self.values_and_slopes(a_over_t)?.1.get(quantity))
     }
 
     /// All four quantities at `a_over_t`.
     ///
     /// # Errors
     /// As [`Curve::quantity`].
+    #[inline]
     pub fn quantities(&self, a_over_t: f64) -> Result<Quantities, Error> {
-        Quantity::ALL.into_iter().try_for_each(|quantity| self.require(quantity))?;
-        Ok(Quantities::from_array(self.values(a_over_t)?.0))
+        self.require_all()?;
+        match self.inside(a_over_t) {
+            Some(x) => {
+                let place = self.grid.place(x);
+                Ok(Quantities::from_array(all(&self.pieces[place.piece], place)))
+            }
+            None => Ok(self.expanded(a_over_t)?.0),
+        }
+    }
+
+    /// All four quantities at `a_over_t`, and their [slopes](Curve::slope).
+    ///
+    /// # Errors
+    /// As [`Curve::quantity`].
+    pub fn quantities_and_slopes(&self, a_over_t: f64) -> Result<(Quantities, Quantities), Error> {
+        self.require_all()?;
+        self.values_and_slopes(a_over_t)
+    }
+
+    /// All four quantities at `a_over_t` and their derivatives with respect to it and to the four parameters of the material.
+    ///
+    /// They are the derivatives of the table's splines, to the pieces' error. Measured: see [`Table::curve_with_gradient`](crate::Table::curve_with_gradient).
+    ///
+    /// # Errors
+    /// As [`Curve::quantity`], but always [`Error::OutsideTable`] beyond the nodes; [`Error::NoGradient`] on a curve that was made without one.
+    pub fn gradient(&self, a_over_t: f64) -> Result<Gradient, Error> {
+        self.require_all()?;
+        let sensitivities = self.sensitivities.as_ref().ok_or(Error::NoGradient)?;
+        let x = self.inside(a_over_t).ok_or_else(|| self.outside(a_over_t))?;
+        let (values, slopes) = self.values_and_slopes(x)?;
+        Ok(sensitivities.gradient(self.grid.place(x), values, slopes))
+    }
+
+    /// An estimate of the largest relative error of the quantities at `a_over_t`: what the table's certificate says between its nodes; beyond them, that
+    /// of the expansion about the limit.
+    ///
+    /// # Errors
+    /// As [`Curve::quantity`]; [`Error::OutsideTable`] everywhere on a curve that is not of a table, because its error is not known.
+    pub fn error(&self, a_over_t: f64) -> Result<f64, Error> {
+        let beyond = self.beyond.as_ref().ok_or_else(|| self.outside(a_over_t))?;
+        if self.inside(a_over_t).is_some() {
+            return Ok(beyond.error);
+        }
+        Ok(self.expanded(a_over_t)?.2)
+    }
+
+    /// The curve of one quantity as a cubic spline of the crate `splines`, for programs that work with these: Bezier pieces over `ln(a/t)`, so many
+    /// between the ends, with the curve's own values and slopes there. Their error falls with the fourth power of their number: on six decades
+    /// 600 have some 1e-8.
+    ///
+    /// # Errors
+    /// As [`Curve::quantity`]; [`Error::Unphysical`] for no piece, or for more than a million.
+    pub fn spline(&self, quantity: Quantity, pieces: usize) -> Result<Spline<f64, f64>, Error> {
+        Error::unless((1..=1_000_000).contains(&pieces), "the number of pieces", pieces as f64, "from 1 to 1000000")?;
+        let [from, to] = self.range.map(|x| Parameter::AOverT.coordinate(x));
+        let step = (to - from) / pieces as f64;
+        let key = |i: usize| {
+            let u = from + step * i as f64;
+            let x = Parameter::AOverT.value(u).clamp(self.range[0], self.range[1]);
+            let (value, slope) = (self.quantity(quantity, x)?, self.slope(quantity, x)?);
+            // The handles of a Bezier cubic are a third of its length away.
+            let handles = Interpolation::StrokeBezier(value - step / 3.0 * slope, value + step / 3.0 * slope);
+            Ok(Key::new(u, value, handles))
+        };
+        Ok(Spline::from_vec((0..=pieces).map(key).collect::<Result<_, Error>>()?))
     }
 
     /// `Pi0` and `Eeq/Gamma`, all that the force of eq. 9 needs.
+    #[inline]
     pub(crate) fn load_factors(&self, a_over_t: f64) -> Result<(f64, f64), Error> {
         [Quantity::Pi0, Quantity::Eeq, Quantity::Gamma].into_iter().try_for_each(|quantity| self.require(quantity))?;
-        let Four([pi0, eeq, gamma, _]) = self.values(a_over_t)?;
+        let [pi0, eeq, gamma, _] = match self.inside(a_over_t) {
+            Some(x) => {
+                let place = self.grid.place(x);
+                all(&self.pieces[place.piece], place)
+            }
+            None => self.expanded(a_over_t)?.0.to_array(),
+        };
         Ok((pi0, eeq / gamma))
     }
 
+    #[inline]
     fn require(&self, quantity: Quantity) -> Result<(), Error> {
         if self.held[quantity as usize] { Ok(()) } else { Err(Error::MissingQuantity(quantity.name())) }
     }
 
-    fn values(&self, a_over_t: f64) -> Result<Four, Error> {
-        let piece = self.piece(a_over_t)?;
-        let weights = bernstein(piece.t);
-        Ok(Four::each(|i| piece.sum(weights, i)))
+    #[inline]
+    fn require_all(&self) -> Result<(), Error> {
+        Quantity::ALL.into_iter().try_for_each(|quantity| self.require(quantity))
     }
 
-    /// Finds the piece of the spline at `a_over_t`: by the buckets, because the search of `splines` would double the time (`benches/lookup.rs`).
-    fn piece(&self, a_over_t: f64) -> Result<Piece<'_>, Error> {
-        let u = locate(Parameter::AOverT, &self.range, a_over_t)?;
-        let keys = self.spline.keys();
-        let bucket = ((u - keys[0].t) * self.density) as usize;
-        let mut i = self.buckets[bucket.min(self.buckets.len() - 1)] as usize;
-        while i + 2 < keys.len() && keys[i + 1].t <= u {
-            i += 1;
+    /// `a_over_t` if it is on the pieces, but for the rounding of a ratio.
+    #[inline]
+    fn inside(&self, a_over_t: f64) -> Option<f64> {
+        let [from, to] = self.range;
+        if a_over_t >= from && a_over_t <= to {
+            return Some(a_over_t);
         }
-        let (a, b) = (&keys[i], &keys[(i + 1).min(keys.len() - 1)]);
-        // A single key is a piece without length.
-        let inverse_length = if b.t > a.t { 1.0 / (b.t - a.t) } else { 0.0 };
-        let t = (u - a.t) * inverse_length;
-        Ok(Piece { corners: [&a.value, handles(a)[1], handles(b)[0], &b.value], t, inverse_length })
-    }
-}
-
-/// The Bezier handles before and after a key. Other kinds of keys, of which a curve has none, have theirs in themselves.
-fn handles(key: &Key<f64, Four>) -> [&Four; 2] {
-    match &key.interpolation {
-        Interpolation::StrokeBezier(before, after) => [before, after],
-        _ => [&key.value; 2],
-    }
-}
-
-/// A cubic between two keys, and a place on it.
-struct Piece<'a> {
-    /// The ends and, between them, the handles.
-    corners: [&'a Four; 4],
-    /// How much of the way from the first end to the last.
-    t: f64,
-    /// Of the piece, in `ln(a/t)`.
-    inverse_length: f64,
-}
-
-impl Piece<'_> {
-    /// The weighted sum of the corners, for one quantity.
-    fn sum(&self, weights: [f64; 4], quantity: usize) -> f64 {
-        let [p, q, r, s] = weights;
-        let [a, u, v, b] = self.corners;
-        p * a.0[quantity] + q * u.0[quantity] + r * v.0[quantity] + s * b.0[quantity]
-    }
-}
-
-/// How the cubic pieces of a curve follow from values at nodes.
-#[derive(Clone, Copy, Debug)]
-struct Resampling {
-    /// The degree of the not-a-knot spline through the logarithms.
-    degree: usize,
-    /// The length of the pieces.
-    pieces: Pieces,
-}
-
-/// How long the cubic pieces are.
-#[derive(Clone, Copy, Debug)]
-enum Pieces {
-    /// In `ln(a/t)`, at most. A piece of length `h` follows the steepest quantity, a stiffness that grows like `(a/t)^3`, to `3^4 h^4 / 384`.
-    Length(f64),
-    /// As long as they follow the spline to this relative error.
-    Error(f64),
-}
-
-impl Resampling {
-    /// Of samples from elsewhere, which may be few. The pieces add 8e-8 to the error at most.
-    const THROUGH: Self = Self { degree: 5, pieces: Pieces::Length(0.025) };
-
-    /// Of a table: the pieces add a tenth of its tolerance, or 1e-11 where that is more.
-    fn table(tolerance: f64) -> Self {
-        Self { degree: TABLE_DEGREE, pieces: Pieces::Error((0.1 * tolerance).max(1e-11)) }
-    }
-
-    /// The spline through the logarithms over `ln(a/t)`, as cubic Bezier pieces of the quantities themselves. Every node is a key.
-    fn keys(self, nodes: &[f64], logarithms: &[Four], es: f64) -> Vec<Key<f64, Four>> {
-        let u: Vec<f64> = nodes.iter().map(|&node| Parameter::AOverT.coordinate(node)).collect();
-        let basis = Basis::new(&u, self.degree);
-        let mut coefficients: Vec<f64> = logarithms.iter().flat_map(|value| value.0).collect();
-        basis.interpolate(&mut coefficients, 4);
-        let sum = |first: usize, weights: &[f64]| {
-            let coefficients = coefficients[4 * first..].chunks_exact(4);
-            coefficients.zip(weights).fold(Four::default(), |sum, (c, &w)| sum.plus(w, Four([c[0], c[1], c[2], c[3]])))
-        };
-        let value_and_slope = |u: f64| {
-            let weights = basis.weights(u);
-            let (values, slopes) = (&weights.values[..weights.count], &weights.slopes[..weights.count]);
-            let (logarithm, logarithmic_slope) = (sum(weights.first, values), sum(weights.first, slopes));
-            let value = Four(Quantity::ALL.map(|quantity| quantity.scale(es) * logarithm.0[quantity as usize].exp()));
-            (value, Four::each(|i| value.0[i] * logarithmic_slope.0[i]))
-        };
-        let mut knots = Vec::new();
-        for (pair, pieces) in u.windows(2).zip(self.pieces.counts(&u, value_and_slope)) {
-            knots.extend((0..pieces).map(|k| pair[0] + (pair[1] - pair[0]) * (k as f64 / pieces as f64)));
+        let near = |end: f64| (a_over_t - end).abs() <= ROUNDING * end;
+        if near(from) {
+            Some(from)
+        } else if near(to) {
+            Some(to)
+        } else {
+            None
         }
-        knots.push(u[u.len() - 1]);
-        let key = |i: usize| {
-            let (value, slope) = value_and_slope(knots[i]);
-            // The Bezier handles of a cubic lie a third of the neighbouring intervals away.
-            let before = if i > 0 { knots[i] - knots[i - 1] } else { 0.0 };
-            let after = if i + 1 < knots.len() { knots[i + 1] - knots[i] } else { 0.0 };
-            let handles = Interpolation::StrokeBezier(value.plus(-before / 3.0, slope), value.plus(after / 3.0, slope));
-            Key::new(knots[i], value, handles)
-        };
-        (0..knots.len()).map(key).collect()
     }
-}
 
-impl Pieces {
-    /// How many there are at most on a curve whose nodes are fewer; a sound table takes thousands.
-    const MOST: usize = 1_000_000;
+    fn values_and_slopes(&self, a_over_t: f64) -> Result<(Quantities, Quantities), Error> {
+        let Some(x) = self.inside(a_over_t) else {
+            let (values, slopes, _) = self.expanded(a_over_t)?;
+            return Ok((values, slopes));
+        };
+        let place = self.grid.place(x);
+        let piece = &self.pieces[place.piece];
+        let speed = self.grid.logarithmic_speed(x);
+        let slopes = derivatives(piece, place).map(|derivative| speed * derivative);
+        Ok((Quantities::from_array(all(piece, place)), Quantities::from_array(slopes)))
+    }
 
-    /// The number of pieces between each node and the next.
-    fn counts(self, nodes: &[f64], value_and_slope: impl Fn(f64) -> (Four, Four)) -> Vec<usize> {
-        let error = match self {
-            Self::Length(longest) => {
-                return nodes.windows(2).map(|pair| ((pair[1] - pair[0]) / longest).ceil() as usize).collect();
+    /// Values, slopes and their error beyond the nodes. Those of a quantity that is not held mean nothing.
+    #[cold]
+    fn expanded(&self, a_over_t: f64) -> Result<(Quantities, Quantities, f64), Error> {
+        match &self.beyond {
+            Some(beyond) if a_over_t > 0.0 && a_over_t < f64::INFINITY => {
+                let [from, to] = self.range;
+                let edge = if a_over_t < from { from } else { to };
+                beyond.expand(self, edge, a_over_t)
             }
-            Self::Error(error) => error,
-        };
-        let ends: Vec<(Four, Four)> = nodes.iter().map(|&node| value_and_slope(node)).collect();
-        // By how much a single cubic misses the spline in its middle.
-        let misses: Vec<f64> = (1..nodes.len())
-            .map(|i| {
-                let length = nodes[i] - nodes[i - 1];
-                let middle = value_and_slope(nodes[i].midpoint(nodes[i - 1])).0;
-                let [(a, slope_a), (b, slope_b)] = [ends[i - 1], ends[i]];
-                let cubic = |q: usize| 0.5 * (a.0[q] + b.0[q]) + 0.125 * length * (slope_a.0[q] - slope_b.0[q]);
-                (0..4).map(|q| (cubic(q) / middle.0[q] - 1.0).abs()).fold(0.0, f64::max)
-            })
-            .collect();
-        // The miss of one middle may be small by chance; those of the neighbours are not, too.
-        let largest = |i: usize| misses[i.saturating_sub(1)..misses.len().min(i + 2)].iter().copied().fold(0.0, f64::max);
-        // The error falls with the fourth power of the length. Of a forged table NaN gives one piece, and noise on all nodes no more than fit in memory.
-        let most = (Self::MOST / misses.len().max(1)).clamp(1, 1000);
-        (0..misses.len()).map(|i| ((largest(i) / error).powf(0.25).ceil() as usize).clamp(1, most)).collect()
+            _ => Err(self.outside(a_over_t)),
+        }
     }
+
+    pub(crate) fn outside(&self, value: f64) -> Error {
+        let [from, to] = self.range;
+        Error::OutsideTable { axis: Parameter::AOverT.name(), value, from, to }
+    }
+
+    pub(crate) fn holds(&self, quantity: Quantity) -> bool {
+        self.held[quantity as usize]
+    }
+
+    /// Values and slopes at an end of the range.
+    pub(crate) fn at_edge(&self, edge: f64) -> Result<Quantities, Error> {
+        Ok(self.values_and_slopes(edge)?.0)
+    }
+}
+
+/// Accepts as many outputs as inputs.
+pub(crate) fn same_length(inputs: &[f64], outputs: &[f64]) -> Result<(), Error> {
+    Error::unless(
+        inputs.len() == outputs.len(),
+        "the number of values to write",
+        outputs.len() as f64,
+        "the number of points given",
+    )
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
+    /// Functions that are no quantities', but have bends, zeros and slopes.
+    fn exact(x: f64) -> Quantities {
+        Quantities { pi0: 0.3 + x.ln().sin().exp(), eeq: x / (1.0 + x), gamma: (1.0 / (1.0 + x)).exp(), delta0: x.powf(0.1) }
+    }
+
     fn curve(nodes: &[f64]) -> Curve {
-        let value = |&x: &f64| Four([x.ln().sin(), (x / (1.0 + x)).ln(), 1.0 / (1.0 + x), 0.1 * x.ln()]);
-        let values: Vec<Four> = nodes.iter().map(value).collect();
         let material = Material::new(1.75, 0.5, 1e5, 0.25).expect("physical");
-        Curve::from_logarithms(nodes, &values, Resampling::THROUGH, material, [true; 4])
+        let nodes: Vec<(f64, Quantities)> = nodes.iter().map(|&x| (x, exact(x))).collect();
+        Curve::through(&nodes, material).expect("sound nodes")
     }
 
     fn even(n: i32) -> Vec<f64> {
@@ -393,53 +362,72 @@ mod tests {
         [crowded, vec![1e-3, 0.1, 0.13, 0.130001, 0.3, 0.31, 0.7, 2.0, 2.5, 1e3]]
     }
 
-    /// The buckets lead to the same piece as the search of `splines`, and the piece has the same value.
     #[test]
-    fn buckets_and_search_agree_to_rounding() {
-        for nodes in [even(60)].into_iter().chain(uneven()) {
+    fn nodes_at_any_distance_are_met() {
+        let close = vec![1.0, 1.0 + 1e-8, 1.0 + 2e-8, 1.0 + 1e-7];
+        for nodes in [even(7), close, vec![2.5]].into_iter().chain(uneven()) {
             let curve = curve(&nodes);
-            let [from, to] = curve.range;
-            let at_keys = curve.spline.keys().iter().map(|key| key.t.exp().clamp(from, to));
-            let between = (0..10_000).map(|i| 10_f64.powf(-3.0 + 6.0 * (f64::from(i) * 0.618_034 % 1.0)).clamp(from, to));
-            for x in at_keys.chain(between) {
-                let found = curve.spline.clamped_sample(x.ln()).expect("in range");
-                let indexed = curve.values(x).expect("in range");
+            for &x in &nodes {
                 for quantity in Quantity::ALL {
-                    let (found, indexed) = (found.0[quantity as usize], indexed.0[quantity as usize]);
-                    assert!((indexed / found - 1.0).abs() < 1e-13, "{x}: {indexed} by buckets, {found} by search");
-                    assert_eq!(curve.quantity(quantity, x).expect("in range"), indexed);
+                    let (value, expected) = (curve.quantity(quantity, x).expect("in range"), exact(x).get(quantity));
+                    // Between nodes far apart and others close by, a spline has bends that no piece follows to the last digit.
+                    assert!((value / expected - 1.0).abs() < 1e-10, "{quantity:?} at {x} of {nodes:?}: {value}, not {expected}");
                 }
             }
         }
     }
 
     #[test]
-    fn nodes_at_any_distance_are_met() {
-        for nodes in [even(7)].into_iter().chain(uneven()) {
-            let curve = curve(&nodes);
-            for x in nodes {
-                let expected = curve.material.sphere_film_modulus() * x / (1.0 + x);
-                assert!((curve.quantity(Quantity::Eeq, x).expect("in range") / expected - 1.0).abs() < 1e-13);
+    fn a_spline_through_enough_nodes_is_the_function() {
+        let curve = curve(&even(600));
+        for i in 0..10_000 {
+            let x = 10_f64.powf(-3.0 + 6.0 * (f64::from(i) * 0.618_034 % 1.0)).clamp(1e-3, 1e3);
+            for quantity in Quantity::ALL {
+                let miss = curve.quantity(quantity, x).expect("in range") / exact(x).get(quantity) - 1.0;
+                assert!(miss.abs() < 1e-10, "{quantity:?} at {x}: {miss:.1e}");
             }
+            assert_eq!(
+                curve.quantities(x).expect("in range").to_array(),
+                Quantity::ALL.map(|q| curve.quantity(q, x).expect("in range"))
+            );
         }
     }
 
-    /// As a forged table may have them, a thousand pieces or more between any two.
+    /// The pieces are found by the bits of `a/t`, and the spline of the crate `splines` by a search in its keys.
     #[test]
-    fn noise_on_many_nodes_does_not_take_all_memory() {
+    fn the_cubic_spline_of_the_curve_converges_to_it_with_its_order() {
+        let curve = curve(&even(600));
+        let miss = |pieces: usize| {
+            let spline = curve.spline(Quantity::Eeq, pieces).expect("in range");
+            let at = |i: i32| 10_f64.powf(-2.99 + 5.98 * (f64::from(i) * 0.618_034 % 1.0));
+            let miss = |x: f64| {
+                let value = spline.clamped_sample(x.ln()).expect("there are keys");
+                (value / curve.quantity(Quantity::Eeq, x).expect("in range") - 1.0).abs()
+            };
+            (0..1000).map(at).map(miss).fold(0.0, f64::max)
+        };
+        let (coarse, fine) = (miss(600), miss(1200));
+        // Measured: 9.8e-9 and 6.2e-10.
+        assert!(coarse < 2e-8 && (coarse / fine).log2() > 3.9, "{coarse:.1e}, {fine:.1e}");
+        for pieces in [0, 1_000_001] {
+            assert!(matches!(curve.spline(Quantity::Eeq, pieces), Err(Error::Unphysical { .. })));
+        }
+    }
+
+    /// The spline through it does not stay in any range, and polynomials do not follow it.
+    #[test]
+    fn noise_on_many_nodes_is_an_error() {
         let nodes = even(5000);
-        let noise = |i: usize| Four::each(|quantity| 20.0 * (1e3 * (i * (quantity + 3)) as f64).sin());
-        let values: Vec<Four> = (0..nodes.len()).map(noise).collect();
-        let material = Material::new(1.75, 0.5, 1e5, 0.25).expect("physical");
-        let curve = Curve::from_logarithms(&nodes, &values, Resampling::table(1e-10), material, [true; 4]);
-        let keys = curve.spline.keys().len();
-        assert!((500_000..=Pieces::MOST + 1).contains(&keys), "{keys} keys");
-        assert!(curve.quantity(Quantity::Eeq, 1.0).is_ok());
+        let noise = |i: usize, q: usize| (20.0 * (1e3 * (i * (q + 3)) as f64).sin()).exp();
+        let noise = |i: usize| Quantities::from_array(std::array::from_fn(|q| noise(i, q)));
+        let nodes: Vec<(f64, Quantities)> = nodes.iter().enumerate().map(|(i, &x)| (x, noise(i))).collect();
+        let curve = Curve::through(&nodes, Material::new(1.75, 0.5, 1e5, 0.25).expect("physical"));
+        assert!(matches!(curve, Err(Error::Unphysical { .. })), "{curve:?}");
     }
 
     #[test]
     fn the_slope_is_the_derivative_of_the_curve() {
-        let curve = curve(&even(60));
+        let curve = curve(&even(600));
         let [from, to] = curve.range;
         for i in 0..=1000 {
             let x = (from * (to / from).powf(f64::from(i) / 1000.0)).clamp(from, to);
@@ -452,11 +440,31 @@ mod tests {
                     (_, false) => (3.0 * at(0.0) - 4.0 * at(-step) + at(-2.0 * step)) / (2.0 * step),
                 };
                 let slope = curve.slope(quantity, x).expect("in range");
-                // A kink of the second derivative between two pieces may lie between the two values.
                 assert!((slope - expected).abs() <= 1e-8 * at(0.0), "{x}: {slope}, not {expected}");
             }
         }
-        let single = Curve::from_logarithms(&[2.0], &[Four::default()], Resampling::THROUGH, curve.material, [true; 4]);
+        let single = Curve::through(&[(2.0, exact(2.0))], curve.material).expect("a node");
         assert_eq!(single.slope(Quantity::Pi0, 2.0).expect("the node"), 0.0);
+    }
+
+    #[test]
+    fn many_values_are_those_of_one_after_the_other() {
+        let curve = curve(&even(60));
+        let points: Vec<f64> = (0..1000).map(|i| 10_f64.powf(-3.0 + 6.0 * (f64::from(i) * 0.618_034 % 1.0))).collect();
+        let mut values = vec![0.0; points.len()];
+        curve.quantity_at_all(Quantity::Gamma, &points, &mut values).expect("in range");
+        for (&x, value) in points.iter().zip(&values) {
+            assert_eq!(*value, curve.quantity(Quantity::Gamma, x).expect("in range"));
+        }
+        assert!(matches!(curve.quantity_at_all(Quantity::Gamma, &points, &mut values[1..]), Err(Error::Unphysical { .. })));
+        assert!(matches!(curve.quantity_at_all(Quantity::Gamma, &[1.0, 2e3], &mut [0.0; 2]), Err(Error::OutsideTable { .. })));
+    }
+
+    #[test]
+    fn it_is_shared_between_threads_and_by_clones() {
+        fn shared<T: Send + Sync + Clone>(_: &T) {}
+        let curve = curve(&even(60));
+        shared(&curve);
+        assert!(Arc::ptr_eq(&curve.pieces, &curve.clone().pieces));
     }
 }

@@ -31,6 +31,21 @@ pub enum Error {
         /// The largest value of the axis.
         to: f64,
     },
+    /// A query beyond the nodes in `a/t`, where the expansion about the limit is not accurate enough.
+    #[error(
+        "a_over_t = {value:?} is beyond the table, which ends at {edge:?}: \
+         the expansion about the limit is accurate to {estimate:.1e} there, and the table to {tolerance:.1e}"
+    )]
+    Extrapolation {
+        /// The `a/t` asked for.
+        value: f64,
+        /// The end of the nodes that it is beyond.
+        edge: f64,
+        /// The estimated relative error of the expansion.
+        estimate: f64,
+        /// The tolerance of the table.
+        tolerance: f64,
+    },
     /// A material on a substrate with another Poisson ratio than the table's, whose equivalent the table does not cover.
     #[error("nu1 = {nu1:?} with nu0 = {nu0:?} has no equivalent in a table made for nu0 = {table_nu0:?}")]
     Equivalent {
@@ -62,6 +77,12 @@ pub enum Error {
     /// A quantity that the scene of the table did not ask for.
     #[error("the table does not hold {0}: its scene did not ask for it")]
     MissingQuantity(&'static str),
+    /// A derivative with respect to a parameter that the scene of the table fixes.
+    #[error("there is no derivative with respect to {0}: the table fixes it, or a parameter that it needs")]
+    FixedParameter(&'static str),
+    /// A gradient of a curve that was made without one.
+    #[error("the curve has no derivatives with respect to the material: make it with `curve_with_gradient`")]
+    NoGradient,
     /// Bytes that are no table of this project.
     #[error("not a coated-contact table: {0}")]
     Foreign(String),

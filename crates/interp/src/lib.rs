@@ -36,6 +36,7 @@
 
 #![forbid(unsafe_code)]
 
+mod beyond;
 mod certificate;
 mod contact;
 mod curve;
@@ -48,8 +49,10 @@ mod lookup;
 mod low_rank;
 mod material;
 mod pack;
+mod pieces;
 mod quantity;
 pub mod schema;
+mod sensitivity;
 pub mod spline;
 mod table;
 
@@ -61,4 +64,5 @@ pub use low_rank::LowRank;
 pub use material::{Material, Normalisation};
 pub use pack::is_packed;
 pub use quantity::{Quantities, Quantity};
+pub use sensitivity::Gradient;
 pub use table::{Description, Table};

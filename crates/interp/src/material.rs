@@ -136,6 +136,21 @@ impl Material {
         1.0 / (self.sphere_compliance() + 1.0 / self.substrate_modulus())
     }
 
+    /// `(1/e1) X'(0)`, how the compliance of film and substrate begins to fall with the wave number `q = kt` (physically: with `1/a`): of `X = N/D`
+    /// with `m = G1/G0`, `g = 3 - 4 nu`,
+    ///
+    /// ```text
+    /// X'(0) = 2 (c2 c3 - c0^2)/c3^2,   c0 = m (1+g1)(1+g0),   c2 = 4 m^2 g0 - 8 m nu1 (1-2 nu0) + 4 (1-2 nu1),   c3 = (1+g1)^2
+    /// ```
+    pub(crate) fn compliance_slope(&self) -> f64 {
+        let (g1, g0) = (3.0 - 4.0 * self.nu1, 3.0 - 4.0 * self.nu0);
+        let m = self.film_over_substrate() * ((1.0 + self.nu0) / (1.0 + self.nu1));
+        let c0 = m * (1.0 + g1) * (1.0 + g0);
+        let c2 = 4.0 * m * m * g0 - 8.0 * m * self.nu1 * (1.0 - 2.0 * self.nu0) + 4.0 * (1.0 - 2.0 * self.nu1);
+        let c3 = (1.0 + g1) * (1.0 + g1);
+        2.0 * (c2 - c0 * (c0 / c3)) / c3 / self.film_modulus()
+    }
+
     /// The exact limit `a/t -> 0`: sphere on a half-space of film.
     pub const fn thick_film_limit(&self) -> Quantities {
         Quantities::homogeneous(self.sphere_film_modulus())
@@ -162,9 +177,8 @@ impl Material {
         if nu0 == self.nu0 {
             return Ok(*self);
         }
-        let k = |nu: f64| (1.0 - 2.0 * nu) / (1.0 - nu);
         let film_over_substrate = self.film_modulus() / self.substrate_modulus();
-        let mut k1 = k(self.nu1) + film_over_substrate * (k(nu0) - k(self.nu0));
+        let mut k1 = dundurs_k(self.nu1) + film_over_substrate * (dundurs_k(nu0) - dundurs_k(self.nu0));
         if (-8.0 * f64::EPSILON * (1.0 + film_over_substrate)..0.0).contains(&k1) {
             // An incompressible film, but for rounding.
             k1 = 0.0;
@@ -179,6 +193,54 @@ impl Material {
             Normalisation::Film => Self::new(0.0, nu1, self.e0_over_e2 * substrate_ratio / film_ratio, nu0),
         }
     }
+}
+
+/// A material, its equivalent on a substrate with another Poisson ratio, and how the one follows the other.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Equivalence {
+    pub(crate) equivalent: Material,
+    /// The derivatives of `ln e1_over_e2`, `nu1` and `ln e0_over_e2` of the equivalent (a row each) with respect to `ln e1_over_e2`, `nu1`,
+    /// `ln e0_over_e2` and `nu0` of the material.
+    pub(crate) jacobian: Jacobian,
+}
+
+/// A row for each of three parameters, with its derivatives with respect to four.
+pub(crate) type Jacobian = [[f64; 4]; 3];
+
+impl Equivalence {
+    /// On a substrate with Poisson ratio `nu0`.
+    ///
+    /// # Errors
+    /// Those of [`Material::with_substrate_poisson_ratio`].
+    pub(crate) fn new(material: &Material, nu0: f64) -> Result<Self, Error> {
+        let equivalent = material.with_substrate_poisson_ratio(nu0)?;
+        let r = material.film_modulus() / material.substrate_modulus();
+        let shift = r * (dundurs_k(nu0) - dundurs_k(material.nu0));
+        // Of `ln(1 - nu^2)`, and of `k`.
+        let slope = |nu: f64| -2.0 * nu / one_minus_square(nu);
+        let k_slope = |nu: f64| -1.0 / ((1.0 - nu) * (1.0 - nu));
+        // `r` is `e1/e0` over `1 - nu1^2`, times `1 - nu0^2`; of a rigid sphere `e0` alone.
+        let sphere = material.sphere_compliance();
+        let r_row = [sphere, -slope(material.nu1), -1.0, slope(material.nu0)];
+        let mut k_row = r_row.map(|derivative| shift * derivative);
+        k_row[1] += k_slope(material.nu1);
+        k_row[3] -= r * k_slope(material.nu0);
+        // The inverse of `k` has the slope of the inverse function.
+        let nu_row = k_row.map(|derivative| derivative / k_slope(equivalent.nu1));
+        // `E1 = E1* (1 - nu1^2)`, and the same of the substrate, whose unit is the film under a rigid sphere.
+        let mut film_row = nu_row.map(|derivative| slope(equivalent.nu1) * derivative);
+        film_row[1] -= slope(material.nu1);
+        let mut substrate_row = film_row.map(|derivative| (sphere - 1.0) * derivative);
+        film_row[0] += 1.0;
+        substrate_row[2] += 1.0;
+        substrate_row[3] -= slope(material.nu0);
+        Ok(Self { equivalent, jacobian: [film_row.map(|derivative| sphere * derivative), nu_row, substrate_row] })
+    }
+}
+
+/// `k = (1 - 2 nu)/(1 - nu)`, in which Dundurs' second parameter is linear.
+fn dundurs_k(nu: f64) -> f64 {
+    (1.0 - 2.0 * nu) / (1.0 - nu)
 }
 
 /// `1 - nu^2`, accurate near `nu = -1`.

@@ -110,6 +110,20 @@ impl Parameter {
         }
     }
 
+    /// True where the quantities have no first and second derivative with respect to the coordinate: for an incompressible film, because they are smooth
+    /// functions of `1 - 2 nu1`, the cube of `1 - 2c`. Splines through nodes that end there have none either.
+    pub fn is_flat_at(self, value: f64) -> bool {
+        self == Self::Nu1 && value == 0.5
+    }
+
+    /// How fast the coordinate grows with the value: its derivative at a value with this coordinate.
+    pub(crate) fn speed(self, coordinate: f64) -> f64 {
+        match self {
+            Self::AOverT | Self::E1OverE2 | Self::E0OverE2 => (-coordinate).exp(),
+            Self::Nu1 => 1.0 / (3.0 * (1.0 - 2.0 * coordinate).powi(2)),
+        }
+    }
+
     /// The inverse of [`Parameter::coordinate`].
     pub fn value(self, coordinate: f64) -> f64 {
         match self {

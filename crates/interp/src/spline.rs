@@ -2,6 +2,10 @@
 //!
 //! A spline of degree `p` through `n` nodes has the knots of the "not-a-knot" choice: the nodes without the `(p+1)/2 - 1` next to
 //! each end, so that it has exactly `n` coefficients and reproduces polynomials of degree `p`. Its error falls like `h^{p+1}`.
+//!
+//! A spline with a flat end has two knots more next to the last node, and no first and second derivative there. That is what functions of
+//! `1 - 2 nu1 = s^3` have over `s` for an incompressible film, and what makes their derivative with respect to `nu1`, `2/(3 s^2)` times that with
+//! respect to `s`, finite.
 
 /// The degree of the splines through the nodes of a table (fewer nodes than ten lower it). Higher degrees save hardly any nodes from 1e-4
 /// to 1e-8, and each doubles what a curve gathers; a quintic takes 1.2 to 1.3 times as many nodes on each axis at 1e-6, 1.7 to 1.9 at 1e-8
@@ -16,6 +20,9 @@ pub const LARGEST_DEGREE: usize = 13;
 pub struct Basis {
     degree: usize,
     knots: Vec<f64>,
+    /// The number of nodes, and of coefficients. With a flat end, the last function is the sum of the three that do not vanish there with their first
+    /// two derivatives.
+    count: usize,
     /// Row `i` holds the entries `i - degree ..= i + degree` of `L` (unit diagonal, below) and `U` of the collocation matrix.
     factors: Vec<[f64; 2 * LARGEST_DEGREE + 1]>,
 }
@@ -29,7 +36,7 @@ pub struct Weights {
     pub values: [f64; LARGEST_DEGREE + 1],
     /// Their derivatives.
     pub slopes: [f64; LARGEST_DEGREE + 1],
-    /// How many there are: the degree plus one.
+    /// How many there are: the degree plus one, less next to a flat end.
     pub count: usize,
 }
 
@@ -39,30 +46,55 @@ impl Basis {
     /// # Panics
     /// If there is no node or `degree` is above [`LARGEST_DEGREE`]. Nodes that do not ascend strictly give a basis of no use, not a panic.
     pub fn new(nodes: &[f64], degree: usize) -> Self {
+        Self::with_end_conditions(nodes, degree, 0)
+    }
+
+    /// The basis whose first and second derivatives vanish at the last node. Five nodes are the fewest that it takes; the basis of fewer is
+    /// [`Basis::new`]'s.
+    ///
+    /// # Panics
+    /// As [`Basis::new`].
+    pub fn flat_at_the_end(nodes: &[f64], degree: usize) -> Self {
+        let conditions = if degree.min(nodes.len().saturating_sub(1)) < 4 { 0 } else { 2 };
+        Self::with_end_conditions(nodes, degree, conditions)
+    }
+
+    /// The splines of a table along an axis whose nodes have these coordinates: of degree [`TABLE_DEGREE`], and with a flat end if
+    /// [`Parameter::is_flat_at`](crate::schema::Parameter::is_flat_at) the last one.
+    ///
+    /// # Panics
+    /// If there is no node.
+    pub fn of_table(nodes: &[f64], flat: bool) -> Self {
+        if flat { Self::flat_at_the_end(nodes, TABLE_DEGREE) } else { Self::new(nodes, TABLE_DEGREE) }
+    }
+
+    /// The basis in which so many derivatives vanish at the last node.
+    fn with_end_conditions(nodes: &[f64], degree: usize, conditions: usize) -> Self {
         assert!(!nodes.is_empty() && degree <= LARGEST_DEGREE, "{} nodes, degree {degree}", nodes.len());
-        let n = nodes.len();
-        let degree = degree.min(n - 1);
+        let count = nodes.len();
+        let degree = degree.min(count - 1);
         let dropped = degree.div_ceil(2);
         let mut knots = vec![nodes[0]; degree + 1];
-        if n > degree + 1 {
-            knots.extend(&nodes[dropped..n - dropped]);
+        let inner = count + conditions - degree - 1;
+        if inner > 0 {
+            knots.extend(&nodes[dropped..dropped + inner]);
         }
-        knots.extend(vec![nodes[n - 1]; degree + 1]);
-        let mut basis = Self { degree, knots, factors: Vec::new() };
+        knots.extend(vec![nodes[count - 1]; degree + 1]);
+        let mut basis = Self { degree, knots, count, factors: Vec::new() };
         basis.factors = basis.factorise(nodes);
         basis
     }
 
     /// The number of nodes, and of coefficients.
     pub(crate) fn len(&self) -> usize {
-        self.knots.len() - self.degree - 1
+        self.count
     }
 
     /// The non-vanishing B-splines at `u`. Beyond the first and the last node they are the polynomials of the end, which grow without bound; at NaN
     /// they are NaN, but for the one of degree 0.
     pub fn weights(&self, u: f64) -> Weights {
         let p = self.degree;
-        let inner = &self.knots[p + 1..self.len()];
+        let inner = &self.knots[p + 1..self.knots.len() - p - 1];
         let span = p + inner.partition_point(|&knot| knot <= u);
         let mut values = [0.0; LARGEST_DEGREE + 1];
         let mut lower = [0.0; LARGEST_DEGREE + 1];
@@ -79,13 +111,19 @@ impl Basis {
             }
             values[degree] = carried;
         }
+        let first = span - p;
+        let count = (p + 1).min(self.count - first);
+        // Functions that stand for one at a flat end; what they share of each other's slopes is never added, and so leaves no rounding.
+        for i in count..=p {
+            values[count - 1] += std::mem::take(&mut values[i]);
+        }
         let mut slopes = [0.0; LARGEST_DEGREE + 1];
-        for (i, &value) in lower[..p].iter().enumerate() {
+        for (i, &value) in lower[..count - 1].iter().enumerate() {
             let share = p as f64 * value / (self.knots[span + 1 + i] - self.knots[span + 1 + i - p]);
             slopes[i] -= share;
             slopes[i + 1] += share;
         }
-        Weights { first: span - p, values, slopes, count: p + 1 }
+        Weights { first, values, slopes, count }
     }
 
     /// Banded elimination of the collocation matrix `B_j(nodes_i)`. It is totally positive and needs no pivoting.
@@ -186,6 +224,43 @@ mod tests {
                     assert!((slope - expected).abs() < 1e-11, "degree {degree}, {n} nodes, u = {u}: slope {slope}");
                 }
             }
+        }
+    }
+
+    #[test]
+    fn a_flat_end_has_no_first_two_derivatives_and_keeps_the_order() {
+        let function = |u: f64| (5.0 * (1.0 - u).powi(3)).sin();
+        let error = |n: usize| {
+            let nodes: Vec<f64> = (0..n).map(|i| i as f64 / (n - 1) as f64).collect();
+            let basis = Basis::flat_at_the_end(&nodes, 9);
+            let mut coefficients: Vec<f64> = nodes.iter().map(|&u| function(u)).collect();
+            basis.interpolate(&mut coefficients, 1);
+            let at = |u: f64, slope: bool| {
+                let weights = basis.weights(u);
+                evaluate(&weights, if slope { &weights.slopes } else { &weights.values }, &coefficients)
+            };
+            assert!(nodes.iter().all(|&u| (at(u, false) - function(u)).abs() < 1e-14));
+            // The slope of a function of `s^3` is `3 s^2` times a smooth one, to the last digit.
+            for s in [1e-3, 1e-5, 1e-7] {
+                let ratio = at(1.0 - s, true) / (-15.0 * s * s);
+                assert!((ratio - 1.0).abs() < 3e3 * (1.0 / n as f64).powi(7) + 1e-16 / s, "{n} nodes, s = {s}: {ratio}");
+            }
+            assert_eq!(at(1.0, true), 0.0);
+            (0..=997).map(|i| f64::from(i) / 997.0).map(|u| (at(u, false) - function(u)).abs()).fold(0.0, f64::max)
+        };
+        let measured = (error(30) / error(59)).log2();
+        assert!(measured > 9.5, "order {measured}");
+        for few in 1..5 {
+            let nodes = nodes(few);
+            assert_eq!(Basis::flat_at_the_end(&nodes, 9).weights(0.1).values, Basis::new(&nodes, 9).weights(0.1).values);
+        }
+        for n in 5..20 {
+            // One is flat.
+            let nodes = nodes(n);
+            let basis = Basis::flat_at_the_end(&nodes, 9);
+            let mut coefficients = vec![1.0; n];
+            basis.interpolate(&mut coefficients, 1);
+            assert!(coefficients.iter().all(|coefficient| (coefficient - 1.0).abs() < 1e-13), "{n} nodes: {coefficients:?}");
         }
     }
 

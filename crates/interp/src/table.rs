@@ -7,7 +7,7 @@ use std::sync::OnceLock;
 
 use serde::{Deserialize, Serialize};
 
-use crate::lookup::{Coefficients, film_limit};
+use crate::lookup::{Coefficients, Lookup, film_limit};
 use crate::low_rank::LowRank;
 use crate::material::{Normalisation, ROUNDING, poisson_ratio};
 use crate::schema::Parameter;
@@ -37,6 +37,8 @@ pub(crate) const REASONABLE: RangeInclusive<f64> = 1e-30..=1e30;
 
 /// The closest that nodes may be, relative to the length of their axis.
 const CLOSEST: f64 = 1e-7;
+/// And in the coordinate of the axis.
+const SHORTEST: f64 = 1e-9;
 
 /// Values of the quantities on a grid of (`a_over_t`, `e1_over_e2`, `nu1`, `e0_over_e2`).
 #[derive(Clone, Debug)]
@@ -45,7 +47,7 @@ pub struct Table {
     axes: [Vec<f64>; 4],
     content: Content,
     /// Made at the first interpolation: a table may also be read only to be written elsewhere.
-    coefficients: OnceLock<Coefficients>,
+    lookup: OnceLock<Lookup>,
 }
 
 /// The forms of a table.
@@ -82,7 +84,7 @@ impl Table {
         if values.iter().all(Option::is_none) {
             return malformed("it holds no quantity".into());
         }
-        Ok(Self { description, axes, content: Content::Dense(values), coefficients: OnceLock::new() })
+        Ok(Self { description, axes, content: Content::Dense(values), lookup: OnceLock::new() })
     }
 
     /// A low-rank table from its parts.
@@ -95,7 +97,7 @@ impl Table {
         if form.nodes() != shape {
             return Err(Error::Malformed(format!("factors for {:?} nodes on {shape:?}", form.nodes())));
         }
-        Ok(Self { description, axes, content: Content::LowRank(form), coefficients: OnceLock::new() })
+        Ok(Self { description, axes, content: Content::LowRank(form), lookup: OnceLock::new() })
     }
 
     /// A table for looking up only, which takes half the memory of [`Table::new`] and no copy: from the logarithms that are splined, in the layout
@@ -119,10 +121,11 @@ impl Table {
         if Some(logarithms.len()) != count {
             return malformed(format!("{} logarithms for {count:?} values", logarithms.len()));
         }
-        let table = Self { description, axes, content: Content::Splined(quantities), coefficients: OnceLock::new() };
+        let table = Self { description, axes, content: Content::Splined(quantities), lookup: OnceLock::new() };
         table.check_logarithms(&logarithms)?;
         let coefficients = Coefficients::splined(&table, logarithms);
-        Ok(Self { coefficients: OnceLock::from(coefficients), ..table })
+        let lookup = Lookup::new(&table, coefficients);
+        Ok(Self { lookup: OnceLock::from(lookup), ..table })
     }
 
     /// Accepts logarithms, in the layout of [`Table::logarithms`], of values in `[1e-30, 1e30]`.
@@ -200,7 +203,7 @@ impl Table {
     pub fn logarithms(&self, e1: usize) -> Vec<f64> {
         let values = match &self.content {
             Content::LowRank(form) => return form.logarithms(e1),
-            Content::Splined(_) => return self.coefficients().at_nodes(self, e1),
+            Content::Splined(_) => return self.lookup().coefficients.at_nodes(self, e1),
             Content::Dense(values) => values,
         };
         let [n_a, n_e1, n_nu, n_e0] = self.shape();
@@ -263,11 +266,20 @@ impl Table {
     /// material outside the box; [`Error::Equivalent`] where the equivalent does not exist or is outside the box; [`Error::Malformed`] if a quantity
     /// leaves `[1e-30, 1e30]`, which only forged tables have.
     pub fn curve(&self, material: &Material) -> Result<Curve, Error> {
-        self.coefficients().curve(self, material)
+        self.lookup().curve(self, material)
     }
 
-    fn coefficients(&self) -> &Coefficients {
-        self.coefficients.get_or_init(|| Coefficients::new(self))
+    /// The same with its derivatives with respect to the material, which [`Curve::gradient`] gives: those of the splines. Making it takes some three times as
+    /// long.
+    ///
+    /// # Errors
+    /// As [`Table::curve`].
+    pub fn curve_with_gradient(&self, material: &Material) -> Result<Curve, Error> {
+        self.lookup().curve_with_gradient(self, material)
+    }
+
+    fn lookup(&self) -> &Lookup {
+        self.lookup.get_or_init(|| Lookup::new(self, Coefficients::new(self)))
     }
 
     /// The coordinate at which an axis is to be interpolated for `value`.
@@ -319,7 +331,7 @@ fn check(description: &Description, axes: &[Vec<f64>; 4]) -> Result<(), Error> {
 /// The first neighbours on an axis that a spline could not tell apart, or that descend.
 pub(crate) fn too_close(parameter: Parameter, nodes: &[f64]) -> Option<[f64; 2]> {
     let distance = |from: f64, to: f64| parameter.coordinate(to) - parameter.coordinate(from);
-    let least = CLOSEST * distance(nodes[0], nodes[nodes.len() - 1]).abs();
+    let least = (CLOSEST * distance(nodes[0], nodes[nodes.len() - 1]).abs()).max(SHORTEST);
     nodes.windows(2).map(|pair| [pair[0], pair[1]]).find(|&[low, high]| high <= low || distance(low, high) < least)
 }
 

@@ -8,7 +8,7 @@ use std::f64::consts::PI;
 use std::time::Instant;
 
 use interp::schema::Parameter;
-use interp::spline::{Basis, TABLE_DEGREE};
+use interp::spline::Basis;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 use rayon::prelude::*;
@@ -211,6 +211,8 @@ struct Lines {
     rows: Vec<f64>,
     /// The length of a row.
     width: usize,
+    /// Whether the lines end where splines have a [flat end](Parameter::is_flat_at).
+    flat: bool,
 }
 
 impl Lines {
@@ -242,7 +244,8 @@ impl Lines {
             Ok(rows.into_iter().collect::<Result<Vec<_>, _>>()?.concat())
         };
         let mut intervals = Self::FIRST;
-        let mut lines = Self { points: intervals + 1, rows: solve(&places(intervals + 1, 0.0))?, width };
+        let mut lines =
+            Self { points: intervals + 1, rows: solve(&places(intervals + 1, 0.0))?, width, flat: along.is_flat_at(to) };
         let mut former_error = f64::INFINITY;
         loop {
             if deadline.is_some_and(|deadline| Instant::now() >= deadline) {
@@ -260,7 +263,7 @@ impl Lines {
                 rows.extend(fresh.into_iter().flatten());
             }
             intervals *= 2;
-            lines = Self { points: intervals + 1, rows, width };
+            lines = Self { points: intervals + 1, rows, ..lines };
             let noise = error <= Self::NOISE * scene.tolerance && error >= 0.5 * former_error;
             if error <= Self::CONVERGED * scene.tolerance || noise || intervals >= Self::MOST {
                 return Ok(lines);
@@ -325,7 +328,7 @@ impl Lines {
     fn error(&self, count: usize, evenness: f64) -> f64 {
         let nodes = places(count, evenness);
         let middles: Vec<f64> = nodes.windows(2).map(|pair| pair[0].midpoint(pair[1])).collect();
-        let basis = Basis::new(&nodes, TABLE_DEGREE);
+        let basis = Basis::of_table(&nodes, self.flat);
         let mut coefficients = self.interpolated(&nodes);
         basis.interpolate(&mut coefficients, self.width);
         let truth = self.interpolated(&middles);

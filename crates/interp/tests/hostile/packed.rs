@@ -28,9 +28,10 @@ fn assert_malformed(case: &str, payload: &[u8]) {
     assert!(matches!(result, Err(Error::Malformed(_))), "{case}: {result:?}");
 }
 
-/// Malformed, or a table that gives numbers or is malformed.
-fn assert_harmless(case: &str, payload: &[u8]) {
-    if let Err(error) = read_payload(payload).and_then(|table| look_up(&table)) {
+/// Malformed, or a table that gives numbers or is malformed. Of many forgeries, every 31st that is a table is looked up, which takes a millisecond.
+fn assert_harmless(case: &str, number: usize, payload: &[u8]) {
+    let look_up = |table: Table| if number.is_multiple_of(31) { look_up(&table) } else { Ok(()) };
+    if let Err(error) = read_payload(payload).and_then(look_up) {
         assert!(matches!(error, Error::Malformed(_)), "{case}: {error}");
     }
 }
@@ -79,7 +80,7 @@ fn every_flipped_bit_is_an_error_and_with_a_sound_checksum_harmless() {
         for bit in 0..8 * bytes.len() {
             flipped[bit / 8] ^= 1 << (bit % 8);
             assert!(read(&flipped).is_err(), "{form}, bit {bit}");
-            assert_harmless(&format!("{form}, bit {bit}"), &flipped[PREFIX..]);
+            assert_harmless(&format!("{form}, bit {bit}"), bit, &flipped[PREFIX..]);
             flipped[bit / 8] ^= 1 << (bit % 8);
         }
     }
@@ -94,8 +95,8 @@ fn forged_lengths_are_harmless() {
             for at in 0..payload.len() {
                 let case = format!("{form}, {length} at {at}");
                 let rest = |size: usize| &payload[payload.len().min(at + size)..];
-                assert_harmless(&case, &[&payload[..at], &length.to_le_bytes(), rest(8)].concat());
-                assert_harmless(&case, &[&payload[..at], &[253], &length.to_le_bytes(), rest(1)].concat());
+                assert_harmless(&case, at, &[&payload[..at], &length.to_le_bytes(), rest(8)].concat());
+                assert_harmless(&case, at, &[&payload[..at], &[253], &length.to_le_bytes(), rest(1)].concat());
             }
         }
         // That of the payload.
