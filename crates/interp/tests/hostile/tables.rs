@@ -38,6 +38,33 @@ pub fn low_rank() -> Table {
     Table::from_low_rank(description(), axes(), form).expect("sound")
 }
 
+/// In the box of every table here.
+pub fn material() -> Material {
+    Material::new(1.75, 0.3, 300.0, 0.25).expect("physical")
+}
+
+/// A dense table of so many nodes on each axis, and one of rank 1: noise, which the splines through it make worse.
+pub fn of_shape(shape: [usize; 4], a_over_t: [f64; 2]) -> [Table; 2] {
+    let middle = [1.0, 1.75, 0.3, 300.0];
+    let axes: [Vec<f64>; 4] = std::array::from_fn(|axis| {
+        let place = |i: usize| i as f64 / (shape[axis] - 1) as f64;
+        let node = |i: usize| match axis {
+            0 => a_over_t[0] * (a_over_t[1] / a_over_t[0]).powf(place(i)),
+            2 => 0.5 * place(i),
+            _ => 1e5_f64.powf(place(i)),
+        };
+        if shape[axis] == 1 { vec![middle[axis]] } else { (0..shape[axis]).map(node).collect() }
+    });
+    let description = Description { tolerance: 1e-12, ..description() };
+    let noise = |i: usize| 1.0 + 0.1 * (i as f64).sin();
+    let count: usize = shape.iter().product();
+    let values = [3, 5, 7, 9].map(|factor| Some((0..count).map(|i| noise(factor * i)).collect()));
+    let factors = shape.map(|nodes| (0..nodes).map(noise).collect());
+    let form = LowRank::new(Quantity::ALL.to_vec(), [1; 4], factors, 0.1, &[1, 2, 3, 4]).expect("sound");
+    let low_rank = Table::from_low_rank(description.clone(), axes.clone(), form).expect("sound");
+    [Table::new(description, axes, values).expect("sound"), low_rank]
+}
+
 /// Magic, version, length and checksum.
 pub const PREFIX: usize = 24;
 
@@ -47,7 +74,7 @@ pub fn with_prefix(payload: &[u8]) -> Vec<u8> {
     [&b"COATTBL\n\x02\0\0\0"[..], &length.to_le_bytes(), &checksum.to_le_bytes(), payload].concat()
 }
 
-/// Looks up a material in the middle of the table's box: that is an error, or all quantities held are positive numbers.
+/// Looks up a material in the middle of the table's box: that is an error, or all that is held are numbers, and positive where they must be.
 pub fn look_up(table: &Table) -> Result<(), Error> {
     let middle = |parameter: Parameter| {
         let axis = table.axis(parameter);
@@ -55,13 +82,18 @@ pub fn look_up(table: &Table) -> Result<(), Error> {
         if parameter == Parameter::Nu1 { from.midpoint(to) } else { (from * to).sqrt() }.clamp(from, to)
     };
     let [e1, nu1, e0] = [Parameter::E1OverE2, Parameter::Nu1, Parameter::E0OverE2].map(middle);
-    let curve = table.curve(&Material::new(e1, nu1, e0, table.description().nu0)?)?;
+    let curve = table.curve_with_gradient(&Material::new(e1, nu1, e0, table.description().nu0)?)?;
     let [from, to] = curve.range();
-    for x in [from, middle(Parameter::AOverT), to] {
+    for x in [from, middle(Parameter::AOverT), to, 0.5 * from, 2.0 * to, 1e-3 * from, 1e3 * to] {
         for quantity in table.quantities() {
-            let value = curve.quantity(quantity, x)?;
+            let Ok(value) = curve.quantity(quantity, x) else { continue };
             assert!(value > 0.0 && value.is_finite(), "{} = {value:?} at {x:?}", quantity.name());
             assert!(curve.slope(quantity, x)?.is_finite(), "{} at {x:?}", quantity.name());
+        }
+        let Ok(gradient) = curve.gradient(x) else { continue };
+        let derivatives = Parameter::ALL.map(|parameter| gradient.by(parameter)).into_iter().chain([gradient.by_nu0()]);
+        for derivative in derivatives.flatten() {
+            assert!(derivative.to_array().iter().all(|value| value.is_finite()), "{derivative:?} at {x:?}");
         }
     }
     Ok(())
