@@ -37,7 +37,7 @@ impl Curve {
     /// The curve through quantities from elsewhere than a table, `(a/t, quantities)` with `a/t` ascending.
     ///
     /// What is splined between these nodes is `ln(Pi0/es)`, `ln(Eeq/es)`, `ln(Gamma/es)` and `ln Delta0` over `ln(a/t)`, by the quintic
-    /// not-a-knot spline, whose error falls like the sixth power of the nodes' distance. The pieces that replace it add 1e-11, unless the nodes are
+    /// not-a-knot spline, whose error falls like the sixth power of the nodes' distance. The pieces that replace it add 1e-13, unless the nodes are
     /// no smooth curve's.
     ///
     /// The quantities are not compared with the material; the crate `tabulate` makes a curve of stated accuracy from a material alone. Beyond the
@@ -59,7 +59,7 @@ impl Curve {
     /// ```
     pub fn through(nodes: &[(f64, Quantities)], material: Material) -> Result<Self, Error> {
         const DEGREE: usize = 5;
-        const ERROR: f64 = 1e-11;
+        const ERROR: f64 = 1e-13;
         Error::unless(!nodes.is_empty(), "the number of nodes", 0.0, "at least 1")?;
         let reasonable = |name, value| Error::unless(REASONABLE.contains(&value), name, value, "in [1e-30, 1e30]");
         for (a_over_t, quantities) in nodes {
