@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 use std::sync::LazyLock;
 
 use acceptance::{Contacts, larger, paper_system, shipped};
-use interp::{Contact, Elastic, Mechanics, Quantities, Quantity, System, Table};
+use interp::{Contact, Elastic, Mechanics, Quantities, System, Table};
 use tabulate::solve::solve;
 
 /// Work of adhesion of the paper's Table 1, J/m^2.
@@ -212,7 +212,7 @@ fn the_load_is_eq_9_in_its_reduced_form() {
         let a = contacts.log_uniform(1e-2, 1e2) * system.film_thickness;
         let w = contacts.log_uniform(1e-3, 1.0);
         let point = contact.mechanics().jkr_point(a, contact.load(a, w).expect("inside"));
-        let [pi0, eeq, gamma, _] = contact.curve().quantities(a / system.film_thickness).expect("inside").to_array();
+        let [pi0, eeq, gamma, _] = contact.quantities(a).expect("inside").to_array();
         let e = system.sphere_modulus;
         let es = 1.0 / (1.0 / e + 0.75 / film.young());
         let (first, second) = (e / (2.0 * 6.0_f64.sqrt()) * point.abscissa * pi0, (4.0 * w * es / 3.0).sqrt() * eeq / gamma);
@@ -274,7 +274,7 @@ fn a_change_of_units_changes_nothing() {
 fn the_stiffness_is_2_a_modulus_eeq() {
     let contact = contact(10e-6);
     for a in [1e-6, 1e-5, 1e-4] {
-        let eeq = contact.curve().quantity(Quantity::Eeq, a / 10e-6).expect("inside");
+        let eeq = contact.quantities(a).expect("inside").eeq;
         let stiffness = contact.stiffness(a).expect("inside");
         assert!((stiffness / (2.0 * a * 2e6 * eeq) - 1.0).abs() <= 4.0 * f64::EPSILON);
     }
