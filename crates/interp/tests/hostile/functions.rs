@@ -7,7 +7,10 @@ use std::sync::LazyLock;
 
 use interp::schema::Parameter;
 use interp::spline::{Basis, LARGEST_DEGREE, TABLE_DEGREE};
-use interp::{Contact, Curve, Elastic, Error, LowRank, Material, Mechanics, Quantities, Quantity, System, Table};
+use interp::{
+    Contact, Control, Curve, Elastic, Error, HalfSpace, JkrFit, JkrPoint, LowRank, Material, Mechanics, Quantities, Quantity,
+    System, Table,
+};
 
 use crate::tables::{self, AXES, look_up};
 
@@ -17,7 +20,8 @@ pub type Answer = Result<Vec<f64>, Error>;
 /// Name, how many numbers it takes, and itself.
 pub type Function = (&'static str, usize, fn(&[f64]) -> Answer);
 
-static CONTACT: LazyLock<Contact> = LazyLock::new(tables::contact);
+/// On a film, and on a half-space.
+static CONTACTS: LazyLock<[Contact; 2]> = LazyLock::new(|| [tables::contact(), tables::bare_contact()]);
 
 pub const FUNCTIONS: &[Function] = &[
     ("Elastic::new", 2, |x| {
@@ -30,14 +34,75 @@ pub const FUNCTIONS: &[Function] = &[
     ("Material::with_substrate_poisson_ratio", 5, |x| moduli(&material(x)?.with_substrate_poisson_ratio(x[4])?)),
     ("Table::curve", 5, |x| quantities(&Table::embedded().curve(&material(x)?)?, x[4])),
     ("Table::contact", 9, |x| loads(&Table::embedded().contact(&system(x)?)?, x[7], x[8])),
-    ("Curve::quantities", 1, |x| quantities(CONTACT.curve(), x[0])),
+    ("Curve::quantities", 1, |x| quantities(curve(), x[0])),
+    ("Curve::quantity_at_all", 3, |x| {
+        let mut values = vec![0.0; x.len()];
+        curve().quantity_at_all(Quantity::Gamma, x, &mut values)?;
+        Ok(values)
+    }),
+    ("Curve::error", 1, |x| Ok(vec![curve().error(x[0])?])),
+    ("Curve::gradient", 5, |x| {
+        let curve = Table::embedded().curve_with_gradient(&material(x)?)?;
+        let gradient = curve.gradient(x[4])?;
+        let by = [Parameter::E1OverE2, Parameter::Nu1, Parameter::E0OverE2].map(|parameter| gradient.by(parameter));
+        let by = by.into_iter().chain([gradient.by_nu0(), Ok(gradient.values()), Ok(gradient.slopes())]);
+        Ok(by.collect::<Result<Vec<_>, Error>>()?.iter().flat_map(|four| four.to_array()).collect())
+    }),
     ("Curve::through", 14, |x| {
         let node = |x: &[f64]| (x[0], Quantities::from_array(from_fn(|i| x[i + 1])));
         let curve = Curve::through(&[node(x), node(&x[5..])], material(&x[10..])?)?;
         quantities(&curve, (x[0] * x[5]).sqrt())
     }),
-    ("Contact::new", 9, |x| loads(&Contact::new(&system(x)?, CONTACT.curve().clone())?, x[7], x[8])),
-    ("Contact::stiffness", 1, |x| Ok(vec![CONTACT.stiffness(x[0])?])),
+    ("Contact::new", 9, |x| loads(&Contact::new(&system(x)?, curve().clone())?, x[7], x[8])),
+    ("Contact::half_space", 6, |x| {
+        let half_space = HalfSpace { sphere_radius: x[0], sphere_modulus: x[1], solid: Elastic::new(x[2], x[3])? };
+        loads(&Contact::half_space(&half_space)?, x[4], x[5])
+    }),
+    ("Contact::load", 2, |x| each(|contact| loads(contact, x[0], x[1]))),
+    ("Contact::stiffness", 1, |x| each(|contact| Ok(vec![contact.stiffness(x[0])?]))),
+    ("Contact::stress_intensity", 2, |x| each(|contact| Ok(vec![contact.stress_intensity(x[0], x[1])?]))),
+    ("Contact::energy_release_rate_at_load", 2, |x| each(|contact| Ok(vec![contact.energy_release_rate_at_load(x[0], x[1])?]))),
+    ("Contact::energy_release_rate_at_penetration", 2, |x| {
+        each(|contact| Ok(vec![contact.energy_release_rate_at_penetration(x[0], x[1])?]))
+    }),
+    ("Contact::radius_and_energy_release_rate", 2, |x| {
+        each(|contact| contact.radius_and_energy_release_rate(x[0], x[1]).map(|(a, g)| vec![a, g]))
+    }),
+    ("Contact::validity", 1, |x| {
+        each(|contact| {
+            let validity = contact.validity(x[0])?;
+            let film = validity.film.map_or([0.0; 2], |film| [film.a_over_t, film.compressibility]);
+            Ok([&[validity.a_over_r], &film[..]].concat())
+        })
+    }),
+    ("Contact::adhesion_range", 2, |x| {
+        each(|contact| contact.adhesion_range(x[0], x[1]).map(|range| vec![range.tabor, range.cohesive_zone]))
+    }),
+    ("Contact::film_bias", 3, |x| {
+        each(|contact| {
+            let bias = contact.film_bias(x[0], [x[1], x[2]], 5)?;
+            Ok(vec![bias.fit.modulus, bias.fit.intercept, bias.modulus, bias.work_of_adhesion])
+        })
+    }),
+    ("Contact::equilibria", 3, |x| {
+        each(|contact| {
+            let mut found = Vec::new();
+            for control in [Control::Load, Control::Displacement, Control::Spring { stiffness: x[2] }] {
+                let equilibria = contact.equilibria(x[0], control)?;
+                found.extend(equilibria.at(x[1]).unwrap_or_default().iter().map(|equilibrium| equilibrium.state));
+                found.extend([equilibria.unloading(x[1]), equilibria.loading(x[1]), equilibria.pull_off()].into_iter().flatten());
+                let whole = equilibria.force_displacement(x[1], 3).ok();
+                found.extend(whole.iter().flat_map(|whole| whole.loading.iter().chain(&whole.unloading)).flatten());
+            }
+            Ok(found.iter().flat_map(|state| [state.contact_radius, state.load, state.penetration]).collect())
+        })
+    }),
+    ("JkrFit::through", 6, |x| {
+        let points = x.chunks_exact(2).map(|pair| JkrPoint { abscissa: pair[0], ordinate: pair[1] });
+        let fit = JkrFit::through(&points.collect::<Vec<_>>())?;
+        Ok(vec![fit.modulus, fit.intercept])
+    }),
+    ("Mechanics::edge_singularity", 9, |x| Ok(vec![Mechanics::new(&system(x)?)?.edge_singularity(x[7], x[8])?])),
     // These give what arithmetic gives, NaN for NaN.
     ("Mechanics::load", 14, |x| {
         let (mechanics, quantities) = (Mechanics::new(&system(x)?)?, Quantities::from_array(from_fn(|i| x[10 + i])));
@@ -87,6 +152,19 @@ pub const FUNCTIONS: &[Function] = &[
         Ok(vec![])
     }),
 ];
+
+fn curve() -> &'static Curve {
+    CONTACTS[0].curve().expect("on a film")
+}
+
+/// What the contacts answer; one may have none.
+fn each(ask: impl Fn(&Contact) -> Answer) -> Answer {
+    let [film, half_space] = CONTACTS.each_ref().map(ask);
+    match (film, half_space) {
+        (Ok(film), Ok(half_space)) => Ok([film, half_space].concat()),
+        (film, half_space) => film.or(half_space),
+    }
+}
 
 fn system(x: &[f64]) -> Result<System, Error> {
     let (film, substrate) = (Elastic::new(x[2], x[3])?, Elastic::new(x[5], x[6])?);

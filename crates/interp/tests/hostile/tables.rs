@@ -4,7 +4,7 @@ use interp::schema::Parameter;
 use interp::{Certificate, Contact, Description, Elastic, Error, LowRank, Material, Normalisation, Quantity, System, Table};
 
 /// Of four axes.
-pub const AXES: [&[f64]; 4] = [&[1e-3, 0.1, 1.0, 10.0, 1e3], &[0.1, 1.0, 3.0, 10.0], &[0.0, 0.3, 0.5], &[1.0, 1e5]];
+pub const AXES: [&[f64]; 4] = [&[0.5, 0.7, 1.0, 1.5, 2.0], &[0.1, 1.0, 3.0, 10.0], &[0.0, 0.3, 0.5], &[1.0, 1e5]];
 
 pub fn axes() -> [Vec<f64>; 4] {
     AXES.map(<[f64]>::to_vec)
@@ -105,4 +105,10 @@ pub fn contact() -> Contact {
     let (film, substrate) = (film.expect("physical"), substrate.expect("physical"));
     let system = System { sphere_radius: 1e-3, sphere_modulus: 2e6, film, film_thickness: 1e-6, substrate };
     Table::embedded().contact(&system).expect("in the table")
+}
+
+/// Without the film.
+pub fn bare_contact() -> Contact {
+    let half_space = contact().system().expect("on a film").without_film();
+    Contact::half_space(&half_space).expect("physical")
 }
