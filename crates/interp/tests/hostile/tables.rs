@@ -25,7 +25,7 @@ pub fn description() -> Description {
 /// A dense table of three quantities.
 pub fn dense() -> Table {
     let count: usize = AXES.iter().map(|nodes| nodes.len()).product();
-    let values = |offset: f64| (0..count).map(|i| offset + 0.5 * (0.1 * i as f64).sin()).collect();
+    let values = |offset: f64| (0..count).map(|i| offset + 1e-3 * i as f64).collect();
     Table::new(description(), axes(), [Some(values(1.0)), None, Some(values(2.0)), Some(values(0.7))]).expect("sound")
 }
 
