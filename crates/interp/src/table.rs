@@ -227,6 +227,8 @@ impl Table {
     /// The dense table on the nodes: itself, or the values of one in low-rank form or of splines only. The description stays, and with it the
     /// certificate, because the splines through these values are the table's but for rounding.
     ///
+    /// The values take 8 bytes each. A low-rank file of a few kilobytes may stand for 2e8 of them: see [`Table::shape`] first if its origin is doubtful.
+    ///
     /// # Errors
     /// [`Error::Malformed`] if a value is not in `[1e-30, 1e30]`.
     pub fn expand(&self) -> Result<Cow<'_, Self>, Error> {

@@ -1,16 +1,17 @@
-//! Packed bytes of any kind end in an error, or in a table that can be looked up, and take no more memory than a small multiple of theirs.
+//! Packed bytes of any kind end in an error, or in a table that can be looked up, and take no more memory than a small multiple of
+//! theirs.
 
 use allocation_counter::measure;
 use interp::{Error, Table};
 
 use crate::tables::{self, PREFIX, look_up, with_prefix};
 
-/// The most memory that reading takes, in bytes: so many for each byte of the input, where a list of one-byte integers has just outgrown its
-/// memory, and a megabyte, which the header's limit lets a forged length claim. Measured: 24.0 and 1.05e6.
+/// The most memory that reading takes, in bytes: so many for each byte of the input, where a list of one-byte integers has just outgrown
+/// its memory, and a megabyte, which the header's limit lets a forged length claim. Measured: 24.0 and 1.05e6.
 const READING: (usize, usize) = (25, 1_060_000);
 
-/// The same of what a table prepares when it is first looked up, and of the curve with its gradients. Measured: 84 for a low-rank table of many `a/t`,
-/// whose curves at 27 materials are made, and 2.5e7 for noise on 60 decades of `a/t`, which has the finest pieces.
+/// The same of what a table prepares when it is first looked up, and of the curve with its gradients. Measured: 84 for a low-rank table
+/// of many `a/t`, whose curves at 27 materials are made, and 2.5e7 for noise on 60 decades of `a/t`, which has the finest pieces.
 const LOOKING_UP: (usize, usize) = (90, 26_000_000);
 
 /// Reads packed bytes, and asserts that this takes little memory.
@@ -35,7 +36,7 @@ fn assert_malformed(case: &str, payload: &[u8]) {
     assert!(matches!(result, Err(Error::Malformed(_))), "{case}: {result:?}");
 }
 
-/// Malformed, or a table that gives numbers or is malformed. Of many forgeries, every 31st that is a table is looked up, which takes a millisecond.
+/// Malformed, or a table that gives numbers or is malformed. Every 31st forgery is looked up, if it is a table: that takes a while.
 fn assert_harmless(case: &str, number: usize, payload: &[u8]) {
     let look_up = |table: Table| if number.is_multiple_of(31) { look_up(&table) } else { Ok(()) };
     if let Err(error) = read_payload(payload).and_then(look_up) {

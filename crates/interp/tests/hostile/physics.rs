@@ -4,7 +4,7 @@ use std::sync::LazyLock;
 
 use interp::schema::Parameter;
 use interp::spline::{Basis, TABLE_DEGREE};
-use interp::{Contact, Curve, Elastic, Material, Quantity, System, Table};
+use interp::{Contact, Control, Curve, Elastic, Material, Quantity, System, Table};
 use proptest::prelude::*;
 
 use crate::{config, tables};
@@ -39,8 +39,8 @@ fn curve(material: &Material) -> Curve {
 proptest! {
     #![proptest_config(config(300))]
 
-    /// Load, penetration and stiffness of a wider contact are larger: `3 Pi0 + x Pi0'`, `2 Delta0 + x Delta0'` and `Eeq + x Eeq'` are positive, and the
-    /// exact identities between them hold, to 4e-7 as measured.
+    /// Load, penetration and stiffness of a wider contact are larger: `3 Pi0 + x Pi0'`, `2 Delta0 + x Delta0'` and `Eeq + x Eeq'` are
+    /// positive. The exact identities between them hold. Measured: to 4e-7.
     #[test]
     fn a_wider_contact_bears_more_and_the_identities_hold(material in material(), x in magnitude(-3.0..=3.0)) {
         let curve = curve(&material);
@@ -93,6 +93,61 @@ proptest! {
             let released = released.expect("in the box");
             prop_assert!((released / w - 1.0).abs() < 1e-12, "{released} of {w}");
         }
+    }
+
+    /// A rigid machine holds a contact longer than a dead weight, a spring in between; at separation the edge is in equilibrium.
+    #[test]
+    fn a_stiffer_machine_separates_later(system in system(), x in magnitude(-2.0..=2.0), stiffness in magnitude(-3.0..=3.0)) {
+        let contact = Table::embedded().contact(&system).expect("in the box");
+        let a = x * system.film_thickness;
+        // As large as the adhesionless load is at this radius, so that the radii of separation are about as large.
+        let bare = contact.load(a, 0.0).expect("in the box");
+        let w = contact.mechanics().energy_release_rate(a, bare / a);
+        let stiffness = stiffness * contact.stiffness(a).expect("in the box");
+        let controls = [Control::Load, Control::Spring { stiffness }, Control::Displacement];
+        let separations = controls.map(|control| contact.pull_off(w, control));
+        for state in separations.iter().flatten() {
+            let released = contact.energy_release_rate_at_load(state.contact_radius, state.load).expect("in the box");
+            prop_assert!((released / w - 1.0).abs() < 1e-13 && state.load < 0.0, "{state:?} releases {released} of {w}");
+        }
+        for pair in separations.windows(2) {
+            let [Ok(softer), Ok(stiffer)] = pair else { continue };
+            prop_assert!(softer.load <= stiffer.load && softer.penetration >= stiffer.penetration, "{softer:?}, {stiffer:?}");
+        }
+        if let Ok(rest) = contact.zero_load(w) {
+            prop_assert!(rest.load.abs() < 1e-11 * bare, "{rest:?}");
+            let (radius, released) =
+                contact.radius_and_energy_release_rate(rest.load, rest.penetration).expect("in the box");
+            prop_assert!((radius / rest.contact_radius - 1.0).abs() < 1e-13 && (released / w - 1.0).abs() < 1e-12);
+        }
+    }
+
+    /// Metres and pascals are no part of the physics.
+    #[test]
+    fn other_units_change_nothing(
+        system in system(),
+        x in magnitude(-2.0..=2.0),
+        pull in magnitude(-2.0..=1.0),
+        length in magnitude(-6.0..=6.0),
+        modulus in magnitude(-6.0..=6.0),
+    ) {
+        let solid = |solid: Elastic| Elastic::new(modulus * solid.young(), solid.poisson()).expect("physical");
+        let scaled = System {
+            sphere_radius: length * system.sphere_radius,
+            sphere_modulus: modulus * system.sphere_modulus,
+            film: solid(system.film),
+            film_thickness: length * system.film_thickness,
+            substrate: solid(system.substrate),
+        };
+        let [one, other] = [system, scaled].map(|system| Table::embedded().contact(&system).expect("in the box"));
+        let a = x * system.film_thickness;
+        let bare = one.load(a, 0.0).expect("in the box");
+        let w = one.mechanics().energy_release_rate(a, pull * bare / a);
+        let (one, other) = (one.load_and_penetration(a, w), other.load_and_penetration(length * a, length * modulus * w));
+        let (one, other) = (one.expect("in the box"), other.expect("in the box"));
+        let (load, penetration) = (length * length * modulus * one.0, length * one.1);
+        prop_assert!((other.0 - load).abs() < 1e-12 * length * length * modulus * bare * (1.0 + pull), "{other:?}, not {load}");
+        prop_assert!((other.1 - penetration).abs() < 1e-12 * length * (one.1.abs() + a * a / system.sphere_radius), "{other:?}, not {penetration}");
     }
 
     /// The contact radius is told from the load by bisection: load and penetration without adhesion grow with it.

@@ -74,7 +74,7 @@ pub fn with_prefix(payload: &[u8]) -> Vec<u8> {
     [&b"COATTBL\n\x02\0\0\0"[..], &length.to_le_bytes(), &checksum.to_le_bytes(), payload].concat()
 }
 
-/// Looks up a material in the middle of the table's box: that is an error, or all that is held are numbers, and positive where they must be.
+/// Looks up a material in the middle of the table's box: an error, or numbers, which are positive where they must be.
 pub fn look_up(table: &Table) -> Result<(), Error> {
     let middle = |parameter: Parameter| {
         let axis = table.axis(parameter);
