@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use acceptance::{Contacts, larger, paper_system, table};
-use interp::{Contact, Control, Elastic, Error, State, System, Table};
+use interp::{Contact, Control, Curve, Elastic, Error, Quantities, State, System, Table};
 use tabulate::curve::curve;
 
 const CONTROLS: [Control; 3] = [Control::Load, Control::Displacement, Control::Spring { stiffness: 3.0 }];
@@ -55,7 +55,7 @@ fn with_pull_off_near(contact: &Contact, radius: f64) -> f64 {
 /// The pull-off force of a rigid sphere on a film on a rigid base; two scripts apart from this workspace agree on the digits.
 #[test]
 fn pull_off_of_a_rigid_sphere_from_a_film_on_a_rigid_base() {
-    /// Half of the last digit.
+    /// Half of the last digit. Measured: 4.5e-5.
     const PRINTED: f64 = 0.5e-4;
     let expected = [(0.5, [1.5349, 1.9341, 2.3415, 2.6593]), (0.0, [1.5175, 1.7559, 1.9289, 1.9781])];
     for (nu1, expected) in expected {
@@ -93,7 +93,7 @@ fn a_film_of_the_substrates_material_is_jkr_within_the_tables_error() {
         for a in [0.5 * radius, 3.0 * radius] {
             let [(load, depth), (f, d)] = [&coated, &bare].map(|contact| contact.load_and_penetration(a, w).expect("in range"));
             let (f0, d0) = bare.load_and_penetration(a, 0.0).expect("in range");
-            // With the same edge, twice the adhesionless term less the whole is the sum of the sizes of both terms. Eeq/Gamma has the errors of two.
+            // With the same edge, twice the adhesionless term less the whole is the sum of the sizes of both terms.
             terms = larger(terms, (load - f).abs() / (2.0 * f0 - f));
             terms = larger(terms, (depth - d).abs() / (2.0 * d0 - d));
         }
@@ -108,10 +108,11 @@ fn a_film_of_the_substrates_material_is_jkr_within_the_tables_error() {
         );
     }
     println!("film = substrate, certified {certified:.1e}: terms {terms:.1e}, pull-off {forces:.1e}, radii {radii:.1e}");
+    // Measured: 1.4e-8, 2.5e-8, 1.2e-7 with 4.8e-8 certified. `Eeq/Gamma` has the errors of two quantities.
     assert!(terms <= 2.0 * certified);
-    // Two terms of half and three halves of the least value, where it is stationary.
-    assert!(forces <= 4.0 * certified);
-    // Where the slope is 0: it has the error of the curve's slopes, some ten times that of its values.
+    // At pull-off under load control the terms are 1 and 2 times the load, under the others less.
+    assert!(forces <= 5.0 * certified);
+    // The slope is 0 there, and it has some ten times the error of the values.
     assert!(radii <= 30.0 * certified);
 }
 
@@ -216,7 +217,48 @@ fn force_displacement_curves_hold_together() {
         }
     }
     println!("jumps between stable contacts on loading and unloading: {jumps:?}");
-    assert!(jumps.into_iter().all(|jumps| jumps > 0));
+    // Measured: 0 and 6. On loading, under compression, none of these films gives way.
+    assert!(jumps[1] > 0);
+}
+
+/// Quantities of no film, `F0 ~ x^3 (1/(1 + x^6) + c)`, which rises to a maximum, falls to a minimum and rises again.
+#[test]
+fn a_load_that_falls_between_two_rises_is_jumped_over_both_ways() {
+    let system = paper_system(1e-6);
+    let material = system.material().expect("physical");
+    let node = |i: u32| {
+        let x = 10_f64.powf(-2.0 + f64::from(i) / 1000.0);
+        (x, Quantities { pi0: 1.0 / (1.0 + x.powi(6)) + 1e-4, ..material.thick_film_limit() })
+    };
+    let nodes: Vec<_> = (0..=4000).map(node).collect();
+    let contact = Contact::new(&system, Curve::through(&nodes, material).expect("sound samples")).expect("its own curve");
+    let equilibria = contact.equilibria(0.0, Control::Load).expect("physical");
+    // With z = x^3, F = z/(1 + z^2) + c z in units of E* t^3/(2R) is stationary where c z^4 + (2c - 1) z^2 + 1 + c = 0.
+    let (unit, c): (f64, f64) = (2e6 * 1e-18 / 2e-3, 1e-4);
+    let root = ((1.0 - 2.0 * c).powi(2) - 4.0 * c * (1.0 + c)).sqrt();
+    let [top, bottom] = [-1.0, 1.0].map(|sign| ((1.0 - 2.0 * c + sign * root) / (2.0 * c)).sqrt());
+    let load = |z: f64| z / (1.0 + z * z) + c * z;
+    // At the other end of a jump: c z^3 - F z^2 + (1 + c) z - F = c (z - z0)^2 (z - 2 h) with z0^2 h = F/(2c).
+    let landing = |z: f64| load(z) / (c * z * z);
+    let mut worst = 0.0;
+    let curve = equilibria.force_displacement(10.0 * load(top) * unit, 50).expect("in range");
+    assert_eq!((curve.loading.len(), curve.unloading.len(), curve.jumps.len()), (2, 2, 2));
+    for (jump, z) in curve.jumps.iter().zip([top, bottom]) {
+        let to = jump.to.expect("another contact");
+        for (state, z) in [(&jump.from, z), (&to, landing(z))] {
+            worst = larger(worst, (state.contact_radius / (1e-6 * z.cbrt()) - 1.0).abs());
+            worst = larger(worst, (state.load / (unit * load(z)) - 1.0).abs());
+        }
+    }
+    println!("jumps between two branches: {worst:.1e}");
+    // Measured: 1.2e-13.
+    assert!(worst <= 1e-9);
+    // Between the two, three equilibria, and which of the stable ones is there depends on the way.
+    let between = 0.5 * (load(top) + load(bottom)) * unit;
+    let found = equilibria.at(between).expect("in range");
+    assert_eq!(found.iter().map(|equilibrium| equilibrium.stable).collect::<Vec<_>>(), [true, false, true]);
+    assert_eq!(equilibria.loading(between).expect("in contact"), found[0].state);
+    assert_eq!(equilibria.unloading(between).expect("in contact"), found[2].state);
 }
 
 #[test]
@@ -286,5 +328,6 @@ fn without_adhesion_a_table_needs_no_stiffness() {
         assert!(matches!(equilibria.unloading(-at), Err(Error::NoContact { least: 0.0, .. })));
     }
     println!("radii without adhesion: {worst:.1e}");
+    // Measured: 1.6e-6.
     assert!(worst <= 1e-4);
 }

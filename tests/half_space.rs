@@ -81,7 +81,7 @@ fn load_penetration_stiffness_and_stress_intensity_are_those_of_jkr() {
         }
     }
     println!("JKR: forward {worst:.1e}");
-    // Measured 1.8e-14: the compound modulus of a nearly auxetic solid, nu near -1, in this test's own form.
+    // Measured: 7.8e-16.
     assert!(worst <= EXACT);
 }
 
@@ -126,6 +126,7 @@ fn radii_at_a_load_are_the_two_of_jkr_with_their_stability() {
         assert_eq!(equilibria.at(-1.51 * unit).expect("none is out of range"), []);
     }
     println!("JKR: radii at a load {worst:.1e}");
+    // Measured: 8.2e-15.
     assert!(worst <= EXACT);
 }
 
@@ -149,7 +150,7 @@ fn radii_at_a_penetration_are_those_of_jkr_with_their_stability() {
         }
     }
     println!("JKR: radii at a penetration {worst:.1e}");
-    // Measured 1.4e-13, where the two radii are near each other.
+    // Measured: 6.2e-15.
     assert!(worst <= EXACT);
 }
 
@@ -178,6 +179,7 @@ fn pull_off_under_load_displacement_and_springs_is_that_of_jkr() {
         }
     }
     println!("JKR: pull-off {worst:.1e}");
+    // Measured: 3.8e-15.
     assert!(worst <= EXACT);
 }
 
@@ -205,6 +207,7 @@ fn without_adhesion_it_is_hertz() {
         assert_eq!(contact.zero_load(0.0).expect("the origin"), State::ORIGIN);
     }
     println!("Hertz: radii {worst:.1e}");
+    // Measured: 3.4e-15.
     assert!(worst <= EXACT);
 }
 

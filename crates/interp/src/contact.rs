@@ -6,15 +6,15 @@ use crate::{Curve, Error, HalfSpace, Mechanics, Quantities, Quantity, System, Ta
 /// A system with the curve of its material, from a table or a solve, or a half-space without either: all else is arithmetic.
 #[derive(Clone, Debug)]
 pub struct Contact {
-    mechanics: Mechanics,
-    coating: Option<Coating>,
+    pub(crate) mechanics: Mechanics,
+    pub(crate) coating: Option<Coating>,
 }
 
 /// What a contact on a half-space does not have.
 #[derive(Clone, Debug)]
-struct Coating {
-    system: System,
-    curve: Curve,
+pub(crate) struct Coating {
+    pub(crate) system: System,
+    pub(crate) curve: Curve,
 }
 
 /// A contact: how large it is, what presses it, how far the sphere is in.
@@ -41,11 +41,19 @@ impl Table {
     pub fn contact(&self, system: &System) -> Result<Contact, Error> {
         Contact::new(system, self.curve(&system.material()?)?)
     }
+
+    /// The same with derivatives with respect to all that the system consists of, which [`Contact::gradient`] gives.
+    ///
+    /// # Errors
+    /// As [`Table::contact`].
+    pub fn contact_with_gradient(&self, system: &System) -> Result<Contact, Error> {
+        Contact::new(system, self.curve_with_gradient(&system.material()?)?)
+    }
 }
 
 impl Contact {
-    /// A system with a curve made for its material, or for the [equivalent](crate::Material::with_substrate_poisson_ratio) on a substrate with
-    /// another Poisson ratio.
+    /// A system with a curve made for its material, or for the [equivalent](crate::Material::with_substrate_poisson_ratio) on a
+    /// substrate with another Poisson ratio.
     ///
     /// # Errors
     /// Those of [`System::material`]; [`Error::OtherMaterial`] if the curve was made for another one, by more than rounding (`1e-12`).
@@ -104,8 +112,8 @@ impl Contact {
     /// Each of its two terms has the relative error of the curve.
     ///
     /// # Errors
-    /// [`Error::OutsideTable`] where the curve does not cover `a/t`; [`Error::Unphysical`] for `a <= 0`, `w < 0`, NaN, or a load too large for f64;
-    /// [`Error::MissingQuantity`] without `pi0` and, with adhesion, `eeq` and `gamma`.
+    /// [`Error::OutsideTable`] where the curve does not cover `a/t`; [`Error::Unphysical`] for `a <= 0`, `w < 0`, NaN, or a load
+    /// too large for f64; [`Error::MissingQuantity`] without `pi0` and, with adhesion, `eeq` and `gamma`.
     pub fn load(&self, a: f64, w: f64) -> Result<f64, Error> {
         let edge = self.mechanics.edge_singularity(a, w)?;
         let (pi0, eeq_over_gamma) = if w == 0.0 { (self.quantity(Quantity::Pi0, a)?, 1.0) } else { self.load_factors(a)? };
@@ -137,9 +145,9 @@ impl Contact {
         finite(a, self.mechanics.stiffness(a, self.quantity(Quantity::Eeq, a)?))
     }
 
-    /// Stress intensity `K_I` (Pa m^{1/2}) of the edge at contact radius `a` (m) and work of adhesion `w` (J/m^2), `sqrt(2 w Es*)`: see
-    /// [`Mechanics::stress_intensity`], and [`Mechanics::edge_singularity`] for `g(a)`. In the JKR limit it depends on no radius and on no film
-    /// but through `Es*`.
+    /// Stress intensity `K_I` (Pa m^{1/2}) of the edge at contact radius `a` (m) and work of adhesion `w` (J/m^2), `sqrt(2 w Es*)`:
+    /// see [`Mechanics::stress_intensity`], and [`Mechanics::edge_singularity`] for `g(a)`. In the JKR limit it depends on no
+    /// radius and on no film but through `Es*`.
     ///
     /// # Errors
     /// [`Error::Unphysical`] for `a <= 0`, `w < 0`, NaN, or a stress intensity too large for f64.
@@ -171,18 +179,28 @@ impl Contact {
         Ok(State { contact_radius: a, load, penetration })
     }
 
-    /// The slopes `dF/d ln a` (N) and `d delta/d ln a` (m) at constant work of adhesion `w` (J/m^2): the derivatives of `F = F0 - 4 a g Eeq/Gamma` and
-    /// `delta = delta0 - 2 g/(E* Gamma)`, where `g` grows like `a^{1/2}`.
+    /// The slopes `dF/d ln a` (N) and `d delta/d ln a` (m) at constant work of adhesion `w` (J/m^2): the derivatives of `F = F0 - 4
+    /// a g Eeq/Gamma` and `delta = delta0 - 2 g/(E* Gamma)`, where `g` grows like `a^{1/2}`.
     pub(crate) fn slopes(&self, a: f64, w: f64) -> Result<(f64, f64), Error> {
-        let (load, penetration) = self.load_and_penetration(a, w)?;
-        let f0 = self.mechanics.adhesionless_load(a, self.quantity(Quantity::Pi0, a)?);
-        let delta0 = self.mechanics.adhesionless_penetration(a, self.quantity(Quantity::Delta0, a)?);
-        // `d ln Q/d ln a`.
-        let slope = |quantity| self.look_up(a, |curve, x| Ok(curve.slope(quantity, x)? / curve.quantity(quantity, x)?), 0.0);
-        let (eeq, gamma) = if w == 0.0 { (0.0, 0.0) } else { (slope(Quantity::Eeq)?, slope(Quantity::Gamma)?) };
+        let edge = self.mechanics.edge_singularity(a, w)?;
+        let (one, zero) = (Quantities::homogeneous(1.0), Quantities::from_array([0.0; 4]));
+        let (values, slopes) = if w == 0.0 {
+            let both = |quantity| {
+                self.look_up(a, |curve, x| Ok((curve.quantity(quantity, x)?, curve.slope(quantity, x)?)), (one.get(quantity), 0.0))
+            };
+            let [(pi0, pi0_slope), (delta0, delta0_slope)] = [both(Quantity::Pi0)?, both(Quantity::Delta0)?];
+            (Quantities { pi0, delta0, ..one }, Quantities { pi0: pi0_slope, delta0: delta0_slope, ..zero })
+        } else {
+            self.look_up(a, Curve::quantities_and_slopes, (one, zero))?
+        };
+        let relative = |quantity| slopes.get(quantity) / values.get(quantity);
+        let (load, penetration) = self.mechanics.load_and_penetration(a, edge, &values);
+        let f0 = self.mechanics.adhesionless_load(a, values.pi0);
+        let delta0 = self.mechanics.adhesionless_penetration(a, values.delta0);
+        let gamma = relative(Quantity::Gamma);
         Ok((
-            f0 * (3.0 + slope(Quantity::Pi0)?) - (f0 - load) * (1.5 + eeq - gamma),
-            delta0 * (2.0 + slope(Quantity::Delta0)?) - (delta0 - penetration) * (0.5 - gamma),
+            f0 * (3.0 + relative(Quantity::Pi0)) - (f0 - load) * (1.5 + relative(Quantity::Eeq) - gamma),
+            delta0 * (2.0 + relative(Quantity::Delta0)) - (delta0 - penetration) * (0.5 - gamma),
         ))
     }
 

@@ -11,7 +11,7 @@ use crate::schema::Parameter;
 use crate::sensitivity::Sensitivities;
 use crate::spline::Basis;
 use crate::table::{REASONABLE, too_close};
-use crate::{Error, Gradient, Material, Quantities, Quantity};
+use crate::{Error, Material, Quantities, Quantity, QuantityGradient};
 
 /// The four quantities as functions of `a/t` for one material.
 ///
@@ -204,7 +204,7 @@ impl Curve {
     ///
     /// # Errors
     /// As [`Curve::quantity`], but always [`Error::OutsideTable`] beyond the nodes; [`Error::NoGradient`] on a curve that was made without one.
-    pub fn gradient(&self, a_over_t: f64) -> Result<Gradient, Error> {
+    pub fn gradient(&self, a_over_t: f64) -> Result<QuantityGradient, Error> {
         self.require_all()?;
         let sensitivities = self.sensitivities.as_ref().ok_or(Error::NoGradient)?;
         let x = self.inside(a_over_t).ok_or_else(|| self.outside(a_over_t))?;

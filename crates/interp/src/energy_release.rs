@@ -6,12 +6,12 @@ use crate::system::positive;
 use crate::{Contact, Error, Quantity};
 
 impl Contact {
-    /// Energy release rate `G` (J/m^2) from a measured contact radius `a` (m) and load (N): that of the edge which takes the load from the
-    /// adhesionless `F0(a)` to `load`. Negative for a load above `F0`, which only a contact that grows can bear.
+    /// Energy release rate `G` (J/m^2) from a measured contact radius `a` (m) and load (N): that of the edge which takes the load
+    /// from the adhesionless `F0(a)` to `load`. Negative for a load above `F0`, which only a contact that grows can bear.
     ///
     /// # Errors
-    /// [`Error::OutsideTable`] where the curve does not cover `a/t`; [`Error::Unphysical`] for `a <= 0`, or numbers that are not finite;
-    /// [`Error::MissingQuantity`] without `pi0`, `eeq` and `gamma`.
+    /// [`Error::OutsideTable`] where the curve does not cover `a/t`; [`Error::Unphysical`] for `a <= 0`, or numbers that are not
+    /// finite; [`Error::MissingQuantity`] without `pi0`, `eeq` and `gamma`.
     pub fn energy_release_rate_at_load(&self, a: f64, load: f64) -> Result<f64, Error> {
         positive("contact radius", a)?;
         known("load", load)?;
@@ -21,8 +21,8 @@ impl Contact {
     }
 
     /// Energy release rate `G` (J/m^2) from a measured contact radius `a` (m) and penetration (m): that of the edge which takes the
-    /// penetration from the adhesionless `delta0(a)` to `penetration`. Negative for a penetration above `delta0`, which only a contact that grows can
-    /// have.
+    /// penetration from the adhesionless `delta0(a)` to `penetration`. Negative for a penetration above `delta0`, which only a
+    /// contact that grows can have.
     ///
     /// # Errors
     /// As [`Contact::energy_release_rate_at_load`], but [`Error::MissingQuantity`] without `gamma` and `delta0`.
@@ -36,16 +36,17 @@ impl Contact {
 
     /// Contact radius `a` (m) and energy release rate `G >= 0` (J/m^2) from measured load (N) and penetration (m).
     ///
-    /// `F0(a) - S(a) (delta0(a) - delta)` is the load of a contact of radius `a` at this penetration. Its derivative is `-S' (delta0 - delta)`, because
-    /// `F0' = S delta0'`: it falls from its largest value, the adhesionless one, where `delta0 = delta`. So there is one radius from there on.
+    /// `F0(a) - S(a) (delta0(a) - delta)` is the load of a contact of radius `a` at this penetration. Its derivative is `-S'
+    /// (delta0 - delta)`, because `F0' = S delta0'`: it falls from its largest value, the adhesionless one, where `delta0 = delta`.
+    /// So there is one radius from there on.
     ///
-    /// A load short of the largest by `x` has `G` proportional to `x`, and an `a` that is larger than the adhesionless one in proportion to `x^{1/2}`: without
-    /// adhesion the radius is known to half the digits only.
+    /// A load short of the largest by `x` has `G` proportional to `x`, and an `a` that is larger than the adhesionless one in
+    /// proportion to `x^{1/2}`: without adhesion the radius is known to half the digits only.
     ///
     /// # Errors
-    /// [`Error::Unphysical`] for a load that is larger than without adhesion at this penetration (above 0 where the penetration is not), or numbers
-    /// that are not finite; [`Error::OutsideRadii`] if the contact radius is not one that the curve covers; [`Error::MissingQuantity`] without all four
-    /// quantities.
+    /// [`Error::Unphysical`] for a load that is larger than without adhesion at this penetration (above 0 where the penetration is
+    /// not), or numbers that are not finite; [`Error::OutsideRadii`] if the contact radius is not one that the curve covers;
+    /// [`Error::MissingQuantity`] without all four quantities.
     pub fn radius_and_energy_release_rate(&self, load: f64, penetration: f64) -> Result<(f64, f64), Error> {
         known("load", load)?;
         known("penetration", penetration)?;

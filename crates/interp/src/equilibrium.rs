@@ -1,5 +1,5 @@
-//! The equilibria of a contact with a given work of adhesion: which there are at a given load or penetration, which are stable, and where the contact
-//! separates.
+//! The equilibria of a contact with a given work of adhesion: which there are at a given load or penetration, which are stable, and
+//! where the contact separates.
 
 use crate::mechanics::work_of_adhesion;
 use crate::root::root;
@@ -12,7 +12,8 @@ pub enum Control {
     Load,
     /// The penetration `delta`, m: a rigid machine.
     Displacement,
-    /// The position `delta + F/k` (m) of the far end of a spring in series with the contact, as of a cantilever: 0 where the sphere would just touch.
+    /// The position `delta + F/k` (m) of the far end of a spring in series with the contact, as of a cantilever: 0 where the sphere
+    /// would just touch.
     Spring {
         /// The stiffness `k` of the spring, N/m, from 1e-100 to 1e100.
         stiffness: f64,
@@ -50,10 +51,10 @@ pub struct Equilibrium {
 
 /// The equilibria of a contact with one work of adhesion under one control, at all contact radii that the curve covers.
 ///
-/// At each contact radius there is one equilibrium, `G = w`, and so one imposed value `v(a)`: the load, the penetration or the spring's position. Where
-/// `v` grows with `a` the equilibrium is stable: at the same `v`, a contact a little larger has `G > w`, and opens again. The turning points of `v` are sought on a
-/// grid of `ln a`, by the change of sign of the exact slope, and then found to rounding. Two within one interval of the grid, 0.05, would go unseen, and with them
-/// a hysteresis too small to matter.
+/// At each contact radius there is one equilibrium, `G = w`, and so one imposed value `v(a)`: the load, the penetration or the
+/// spring's position. Where `v` grows with `a` the equilibrium is stable: at the same `v`, a contact a little larger has `G > w`,
+/// and opens again. The turning points of `v` are sought on a grid of `ln a`, by the change of sign of the exact slope, and then
+/// found to rounding. Two within one interval of the grid, 0.05, would go unseen, and with them a hysteresis too small to matter.
 ///
 /// JKR has one turning point, a minimum. Films can make further ones, and then several stable equilibria at one `v`.
 #[derive(Clone, Debug)]
@@ -84,7 +85,8 @@ impl Section {
 }
 
 impl Contact {
-    /// The equilibria with work of adhesion `w` (J/m^2). This seeks the turning points; each question that is then asked takes a few lookups.
+    /// The equilibria with work of adhesion `w` (J/m^2). This seeks the turning points; each question that is then asked takes a
+    /// few lookups.
     ///
     /// ```
     /// # #[cfg(feature = "embedded")]
@@ -159,9 +161,10 @@ impl Contact {
         if self.curve().is_some() { self.contact_radius_range() } else { [1e-60, 1e60] }
     }
 
-    /// The distance in `ln a` of the grid on which turning points are sought. On a half-space there is but one.
+    /// The distance in `ln a` of the grid on which turning points are sought. On a half-space there is one at most, and no need of
+    /// a grid.
     fn search_step(&self) -> f64 {
-        if self.curve().is_some() { 0.05 } else { 1.0 }
+        if self.curve().is_some() { 0.05 } else { f64::INFINITY }
     }
 
     /// What to say of a state whose contact radius is out of range.
@@ -172,12 +175,13 @@ impl Contact {
 }
 
 impl Equilibria<'_> {
-    /// All equilibria in range at an imposed load (N), penetration or position of the spring (m), in ascending order of contact radius: none beyond
-    /// pull-off. At a turning point the stable and the unstable equilibrium are one, called unstable at a minimum and stable at a maximum. An unstable one
-    /// whose contact radius is smaller than what the curve covers is left out.
+    /// All equilibria in range at an imposed load (N), penetration or position of the spring (m), in ascending order of contact
+    /// radius: none beyond pull-off. At a turning point the stable and the unstable equilibrium are one, called unstable at a
+    /// minimum and stable at a maximum. An unstable one whose contact radius is smaller than what the curve covers is left out.
     ///
     /// # Errors
-    /// [`Error::OutsideRadii`] if a stable equilibrium has a contact radius that the curve does not cover; [`Error::Unphysical`] if `imposed` is not finite.
+    /// [`Error::OutsideRadii`] if a stable equilibrium has a contact radius that the curve does not cover; [`Error::Unphysical`] if
+    /// `imposed` is not finite.
     pub fn at(&self, imposed: f64) -> Result<Vec<Equilibrium>, Error> {
         self.check(imposed)?;
         if self.adhesionless() && imposed == 0.0 {
@@ -208,9 +212,11 @@ impl Equilibria<'_> {
         }
     }
 
-    /// The stable equilibrium at an imposed value that loading reaches after the sphere has touched: the one of the smallest contact radius.
+    /// The stable equilibrium at an imposed value that loading reaches after the sphere has touched: the one of the smallest
+    /// contact radius.
     ///
-    /// Surfaces that attract each other over no distance meet where load and penetration are 0. There the contact grows at once to `loading(0.0)`.
+    /// Surfaces that attract each other over no distance meet where load and penetration are 0. There the contact grows at once to
+    /// `loading(0.0)`.
     ///
     /// # Errors
     /// Those of [`Equilibria::at`]; [`Error::NoContact`] for a negative value: the sphere does not touch yet.
@@ -232,9 +238,10 @@ impl Equilibria<'_> {
 
     /// Where the contact finally separates on unloading: the equilibrium of least imposed value.
     ///
-    /// Unloading follows the stable equilibria of the largest contact radius down to where they end, at a minimum of the imposed value. If there is another stable
-    /// equilibrium with a smaller contact radius at this value, the contact jumps to it and unloading goes on from there. So the minimum from which there is
-    /// nothing left to jump to is the least of all. [`Equilibria::force_displacement`] gives the jumps before it. Without adhesion it is [`State::ORIGIN`].
+    /// Unloading follows the stable equilibria of the largest contact radius down to where they end, at a minimum of the imposed
+    /// value. If there is another stable equilibrium with a smaller contact radius at this value, the contact jumps to it and
+    /// unloading goes on from there. So the minimum from which there is nothing left to jump to is the least of all.
+    /// [`Equilibria::force_displacement`] gives the jumps before it. Without adhesion it is [`State::ORIGIN`].
     ///
     /// # Errors
     /// [`Error::OutsideRadii`] if its contact radius is not one that the curve covers.

@@ -3,8 +3,9 @@
 use crate::equilibrium::Section;
 use crate::{Control, Equilibria, Error, State};
 
-/// A sudden change of the contact, at a fixed imposed value: the load under [`Control::Load`], the penetration under [`Control::Displacement`], and under
-/// [`Control::Spring`] the position of its far end, so that load and penetration move on the line of slope `-k`.
+/// A sudden change of the contact, at a fixed imposed value: the load under [`Control::Load`], the penetration under
+/// [`Control::Displacement`], and under [`Control::Spring`] the position of its far end, so that load and penetration move on the
+/// line of slope `-k`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Jump {
     /// Where stability is lost, or the surfaces meet.
@@ -16,26 +17,30 @@ pub struct Jump {
 /// Loading from the first touch and unloading until separation, infinitely slowly.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ForceDisplacement {
-    /// Branches of stable states in order, with a jump before each one (the first is that into contact), ending at the largest imposed value.
+    /// Branches of stable states in order, with a jump before each one (the first is that into contact), ending at the largest
+    /// imposed value.
     pub loading: Vec<Vec<State>>,
     /// Branches of stable states in order, with a jump after each one (the last is the separation).
     pub unloading: Vec<Vec<State>>,
-    /// All jumps in order: as many as branches but for the turn, which is none. Without adhesion there is none at first touch and at separation, either.
+    /// All jumps in order: as many as branches but for the turn, which is none. Without adhesion there is none at first touch and
+    /// at separation, either.
     pub jumps: Vec<Jump>,
 }
 
 impl Equilibria<'_> {
-    /// The whole force-displacement curve up to the imposed value `most` (load in N; penetration or position of the spring in m) and back, as branches of
-    /// `points` states each, ends included, evenly spaced in contact radius.
+    /// The whole force-displacement curve up to the imposed value `most` (load in N; penetration or position of the spring in m)
+    /// and back, as branches of `points` states each, ends included, evenly spaced in contact radius.
     ///
-    /// The surfaces meet at load and penetration 0, where the contact jumps to [`Equilibria::loading`] of 0. From then on it follows the stable equilibria, and where they end it
-    /// jumps to the next stable equilibrium at the same imposed value: to a larger contact on loading, to a smaller one or to separation on unloading. What
-    /// a contact's inertia might do beyond is not considered.
+    /// The surfaces meet at load and penetration 0, where the contact jumps to [`Equilibria::loading`] of 0. From then on it
+    /// follows the stable equilibria, and where they end it jumps to the next stable equilibrium at the same imposed value: to a
+    /// larger contact on loading, to a smaller one or to separation on unloading. What a contact's inertia might do beyond is not
+    /// considered.
     ///
     /// Without adhesion the branches end at the smallest contact radius that the curve covers, short of the origin.
     ///
     /// # Errors
-    /// Those of [`Equilibria::loading`] at `most` and at 0, those of [`Equilibria::pull_off`], and [`Error::Unphysical`] unless `points` is 2 to 1,000,000.
+    /// Those of [`Equilibria::loading`] at `most` and at 0, those of [`Equilibria::pull_off`], and [`Error::Unphysical`] unless
+    /// `points` is 2 to 1,000,000.
     ///
     /// ```
     /// # fn main() -> Result<(), interp::Error> {

@@ -29,7 +29,8 @@ impl JkrFit {
         Ok(Self { modulus: 0.75 * 6.0_f64.sqrt() * slope, intercept: y - slope * x })
     }
 
-    /// The work of adhesion (J/m^2) of the intercept with the fitted modulus. Negative if the intercept is positive, as of no JKR contact.
+    /// The work of adhesion (J/m^2) of the intercept with the fitted modulus. Negative if the intercept is positive, as of no JKR
+    /// contact.
     pub fn work_of_adhesion(&self) -> f64 {
         self.work_of_adhesion_with(self.modulus)
     }
@@ -62,8 +63,8 @@ impl FilmBias {
 }
 
 impl Contact {
-    /// The fit of JKR to this contact with work of adhesion `w` (J/m^2) at `points` contact radii, evenly spaced between two (m): the apparent modulus and work of
-    /// adhesion of someone who does not know of the film.
+    /// The fit of JKR to this contact with work of adhesion `w` (J/m^2) at `points` contact radii, evenly spaced between two (m):
+    /// the apparent modulus and work of adhesion of someone who does not know of the film.
     ///
     /// # Errors
     /// Those of [`Contact::load`] and [`JkrFit::through`]; [`Error::Unphysical`] unless `points` is 2 to 1,000,000.

@@ -10,7 +10,12 @@
 //! * [`Table::curve`] makes the [`Curve`] of one [`Material`]: the quantities as functions of `a/t`;
 //! * [`Table::contact`] makes the [`Contact`] of one [`System`] in SI units: load and penetration from contact radius and work of
 //!   adhesion;
-//! * [`Curve::through`] and [`Contact::new`] make them without a table, from quantities solved elsewhere.
+//! * [`Curve::through`] and [`Contact::new`] make them without a table, from quantities solved elsewhere; [`Contact::half_space`] is JKR, without a
+//!   film;
+//! * [`Contact::equilibria`] has the contacts at a load, a penetration or the position of a spring with their stability, pull-off
+//!   ([`Contact::pull_off`]), and whole force-displacement curves with their jumps;
+//! * [`Contact::radius_and_energy_release_rate`] and its like need no work of adhesion, but measured values;
+//! * [`Contact::film_bias`] says whether the film matters, [`Contact::validity`] and [`Contact::adhesion_range`] whether the model holds.
 //!
 //! ```
 //! # #[cfg(feature = "embedded")]
@@ -46,6 +51,7 @@ mod energy_release;
 mod equilibrium;
 mod error;
 mod force_displacement;
+mod gradient;
 #[cfg(feature = "hdf5")]
 mod h5;
 mod jkr_fit;
@@ -70,13 +76,14 @@ pub use curve::Curve;
 pub use equilibrium::{Control, Equilibria, Equilibrium};
 pub use error::Error;
 pub use force_displacement::{ForceDisplacement, Jump};
+pub use gradient::{ContactGradient, Derivatives, Input};
 pub use jkr_fit::{FilmBias, JkrFit};
 pub use low_rank::LowRank;
 pub use material::{Material, Normalisation};
 pub use mechanics::{JkrPoint, Mechanics};
 pub use pack::is_packed;
 pub use quantity::{Quantities, Quantity};
-pub use sensitivity::Gradient;
+pub use sensitivity::QuantityGradient;
 pub use system::{Elastic, HalfSpace, System};
 pub use table::{Description, Table};
 pub use validity::{AdhesionRange, FilmValidity, Validity};

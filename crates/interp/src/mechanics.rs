@@ -87,15 +87,16 @@ impl Mechanics {
         finite(a, (0.5 * PI * a * w * self.sphere_film_modulus).sqrt())
     }
 
-    /// Stress intensity `K_I = 2 g / sqrt(pi a)` (Pa m^{1/2}) of the edge singularity `g` (N/m) at contact radius `a` (m): just inside the edge
-    /// the normal stress pulls with `K_I / sqrt(2 pi (a - r))`. With it eq. 8 is Irwin's relation for a crack between two solids of the compound
-    /// modulus `Es*`, `G = K_I^2 / (2 Es*)` (Maugis, *Contact, Adhesion and Rupture of Elastic Solids*, 2000).
+    /// Stress intensity `K_I = 2 g / sqrt(pi a)` (Pa m^{1/2}) of the edge singularity `g` (N/m) at contact radius `a` (m): just
+    /// inside the edge the normal stress pulls with `K_I / sqrt(2 pi (a - r))`. With it eq. 8 is Irwin's relation for a crack
+    /// between two solids of the compound modulus `Es*`, `G = K_I^2 / (2 Es*)` (Maugis, *Contact, Adhesion and Rupture of Elastic
+    /// Solids*, 2000).
     pub fn stress_intensity(&self, a: f64, edge: f64) -> f64 {
         2.0 * edge / (PI * a).sqrt()
     }
 
-    /// Energy release rate (J/m^2) of the edge singularity `g` (N/m) at contact radius `a` (m), `G = 2 g |g| / (pi a Es*)` (eq. 8): negative where
-    /// the edge presses instead of pulling.
+    /// Energy release rate (J/m^2) of the edge singularity `g` (N/m) at contact radius `a` (m), `G = 2 g |g| / (pi a Es*)` (eq. 8):
+    /// negative where the edge presses instead of pulling.
     pub fn energy_release_rate(&self, a: f64, edge: f64) -> f64 {
         2.0 * edge * edge.abs() / (PI * a * self.sphere_film_modulus)
     }

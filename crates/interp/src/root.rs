@@ -5,8 +5,8 @@ use crate::Error;
 /// Steps after which an interval is narrow beyond all use, even if every one were a bisection.
 const STEPS: usize = 300;
 
-/// Where `f` changes its sign between `a` and `b`, to rounding: Chandrupatla's method (Adv. Eng. Software 28, 145, 1997), inverse quadratic
-/// interpolation where it is sure to be good, else bisection. Without a change of sign it is one of the ends.
+/// Where `f` changes its sign between `a` and `b`, to rounding: Chandrupatla's method (Adv. Eng. Software 28, 145, 1997), inverse
+/// quadratic interpolation where it is sure to be good, else bisection. Without a change of sign it is one of the ends.
 pub(crate) fn root(f: impl Fn(f64) -> Result<f64, Error>, a: f64, b: f64) -> Result<f64, Error> {
     // The ends of the interval, as `(x, f(x))`, `new` the later one.
     let (mut old, mut new) = ((a, f(a)?), (b, f(b)?));

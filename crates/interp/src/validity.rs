@@ -4,13 +4,13 @@ use std::f64::consts::PI;
 
 use crate::contact::finite;
 use crate::system::positive;
-use crate::{Contact, Error, Quantity};
+use crate::{Contact, Error};
 
 /// The geometry of a contact beside what the model supposes of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Validity {
-    /// `a/R`. The model takes the sphere for a paraboloid. A rigid sphere that is none has its adhesionless penetration larger by a part `(a/R)^2/3` and more
-    /// (Sneddon, Int. J. Eng. Sci. 3, 47, 1965: `(a/2) ln((R+a)/(R-a))` on a half-space).
+    /// `a/R`. The model takes the sphere for a paraboloid. A rigid sphere that is none has its adhesionless penetration larger by a
+    /// part `(a/R)^2/3` and more (Sneddon, Int. J. Eng. Sci. 3, 47, 1965: `(a/2) ln((R+a)/(R-a))` on a half-space).
     pub a_over_r: f64,
     /// The film's part; none on a half-space.
     pub film: Option<FilmValidity>,
@@ -23,12 +23,13 @@ pub struct FilmValidity {
     pub a_over_t: f64,
     /// How compressible the film is in this contact, `(3/16) (1 - 2 nu1)/(1 - nu1) (a/t)^2`.
     ///
-    /// It is the stiffness of a thin film under a flat frictionless punch if its volume were fixed, so that it had to flow sideways like in a squeeze film
-    /// (`3 pi G1 a^4/(8 t^3)` on a rigid base), over the one if it could not move sideways at all (`2 pi G1 a^2 (1 - nu1)/((1 - 2 nu1) t)`). Above 1 a thin film
-    /// gives way in volume; below, it behaves as incompressible, its stress reaches deep into the contact, and where it is about 1 every digit of
-    /// `1/2 - nu1` counts (Johnson, *Contact Mechanics*, 5.8).
+    /// It is the stiffness of a thin film under a flat frictionless punch if its volume were fixed, so that it had to flow sideways
+    /// like in a squeeze film (`3 pi G1 a^4/(8 t^3)` on a rigid base), over the one if it could not move sideways at all (`2 pi G1
+    /// a^2 (1 - nu1)/((1 - 2 nu1) t)`). Above 1 a thin film gives way in volume; below, it behaves as incompressible, its stress
+    /// reaches deep into the contact, and where it is about 1 every digit of `1/2 - nu1` counts (Johnson, *Contact Mechanics*,
+    /// 5.8).
     pub compressibility: f64,
-    /// Whether the curve covers `a/t`.
+    /// Whether `a/t` is between the nodes of the table or curve, not beyond them, where there is an expansion or an error.
     pub in_range: bool,
 }
 
@@ -47,8 +48,8 @@ impl FilmValidity {
     pub const CONFINED_A_OVER_T: f64 = 1.0;
 
     /// Whether the film is thin for the contact, but yields sideways only: `a/t` above [`FilmValidity::CONFINED_A_OVER_T`] and
-    /// [`FilmValidity::compressibility`] below 1. Under tension such films, if they are soft, may cavitate or finger rather than separate at a round edge,
-    /// which the model does not know of.
+    /// [`FilmValidity::compressibility`] below 1. Under tension such films, if they are soft, may cavitate or finger rather than
+    /// separate at a round edge, which the model does not know of.
     pub fn is_confined(&self) -> bool {
         self.a_over_t > Self::CONFINED_A_OVER_T && self.compressibility < 1.0
     }
@@ -57,11 +58,12 @@ impl FilmValidity {
 /// How short the range of the attraction is: the model supposes none at all, the JKR limit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AdhesionRange {
-    /// Tabor's parameter `mu = (R w^2 / (Es*^2 z0^3))^{1/3}`, with the compound modulus `Es*` of sphere and film: the attraction acts at the edge, and where its zone is
-    /// small beside the film, sphere and film are all that the edge deforms.
+    /// Tabor's parameter `mu = (R w^2 / (Es*^2 z0^3))^{1/3}`, with the compound modulus `Es*` of sphere and film: the attraction
+    /// acts at the edge, and where its zone is small beside the film, sphere and film are all that the edge deforms.
     pub tabor: f64,
-    /// The length (m) of the zone in which attraction acts outside the contact, `(pi/4) Es* z0^2/w`, of Dugdale's constant stress `w/z0` (Maugis,
-    /// J. Colloid Interface Sci. 150, 243, 1992). Eq. 8 needs it small beside both contact radius and film thickness.
+    /// The length (m) of the zone in which attraction acts outside the contact, `(pi/4) Es* z0^2/w`, of Dugdale's constant stress
+    /// `w/z0` (Maugis, J. Colloid Interface Sci. 150, 243, 1992). Eq. 8 needs it small beside both contact radius and film
+    /// thickness.
     pub cohesive_zone: f64,
 }
 
@@ -94,7 +96,8 @@ impl Contact {
             Some((system, curve)) => {
                 let (a_over_t, nu1) = (a / system.film_thickness, system.film.poisson());
                 let compressibility = finite(a, 3.0 / 16.0 * (1.0 - 2.0 * nu1) / (1.0 - nu1) * a_over_t * a_over_t)?;
-                let in_range = Quantity::ALL.into_iter().any(|quantity| curve.quantity(quantity, a_over_t).is_ok());
+                let [from, to] = curve.range();
+                let in_range = (from..=to).contains(&a_over_t);
                 Some(FilmValidity { a_over_t, compressibility, in_range })
             }
             None => None,
@@ -102,8 +105,8 @@ impl Contact {
         Ok(Validity { a_over_r: finite(a, a / self.mechanics().sphere_radius())?, film })
     }
 
-    /// How an attraction of range `z0` (m) and work of adhesion `w` (J/m^2) compares with the JKR limit. `z0` is the distance at which the attraction is over, or largest:
-    /// of the order of an atom's diameter for van der Waals forces.
+    /// How an attraction of range `z0` (m) and work of adhesion `w` (J/m^2) compares with the JKR limit. `z0` is the distance at
+    /// which the attraction is over, or largest: of the order of an atom's diameter for van der Waals forces.
     ///
     /// # Errors
     /// [`Error::Unphysical`] unless `w` and `z0` are positive and finite, and the result too.
