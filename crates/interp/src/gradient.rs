@@ -1,6 +1,6 @@
 //! Derivatives of load and penetration with respect to all that they depend on.
 
-use crate::contact::Coating;
+use crate::contact::{Coating, finite};
 use crate::material::one_minus_square;
 use crate::pieces::Four;
 use crate::{Contact, Error, Normalisation, Quantities, QuantityGradient};
@@ -90,8 +90,8 @@ impl ContactGradient {
     /// The derivatives with respect to one input. They are 0 with respect to the modulus of a rigid body, and to its Poisson ratio.
     ///
     /// # Errors
-    /// [`Error::FixedParameter`] for a parameter of the material that the table fixes, or that takes one; and for the work of adhesion where there is none:
-    /// the load falls like its square root.
+    /// [`Error::FixedParameter`] for a parameter of the material that the table fixes, or that takes one; and for the work of adhesion where there is none (or
+    /// less than 2.3e-308 J/m^2): the load falls like its square root.
     pub fn by(&self, input: Input) -> Result<Derivatives, Error> {
         self.derivatives[input as usize].ok_or(Error::FixedParameter(input.name()))
     }
@@ -133,7 +133,7 @@ impl Contact {
     ///
     /// # Errors
     /// As [`Contact::load_and_penetration`], but always [`Error::OutsideTable`] beyond the nodes in `a/t`; [`Error::NoGradient`] on a half-space and on a
-    /// curve made without derivatives; [`Error::OtherMaterial`] on one whose derivatives are those of an equivalent on another substrate.
+    /// curve made without derivatives; [`Error::Unphysical`] for a derivative too large for f64; [`Error::OtherMaterial`] on one whose derivatives are those of an equivalent on another substrate.
     pub fn gradient(&self, a: f64, w: f64) -> Result<ContactGradient, Error> {
         let edge = self.mechanics.edge_singularity(a, w)?;
         let Coating { system, curve } = self.coating.as_ref().ok_or(Error::NoGradient)?;
@@ -166,7 +166,8 @@ impl Contact {
                 Input::FilmThickness => {
                     Change { quantities: relative(slopes, values, -1.0 / system.film_thickness), ..Change::default() }
                 }
-                Input::WorkOfAdhesion if w == 0.0 => return None,
+                // One over it may not be a number.
+                Input::WorkOfAdhesion if !w.is_normal() => return None,
                 Input::WorkOfAdhesion => Change { work_of_adhesion: 1.0 / w, ..Change::default() },
                 Input::SphereRadius => Change { sphere_radius: 1.0 / system.sphere_radius, ..Change::default() },
                 Input::SphereModulus
@@ -179,7 +180,10 @@ impl Contact {
             };
             Some(derivatives(change))
         };
-        Ok(ContactGradient { load, penetration, derivatives: Input::ALL.map(by) })
+        let derivatives = Input::ALL.map(by);
+        let numbers = derivatives.iter().flatten().flat_map(|by| [by.load, by.penetration]);
+        numbers.chain([load, penetration]).try_for_each(|number| finite(a, number).map(drop))?;
+        Ok(ContactGradient { load, penetration, derivatives })
     }
 }
 

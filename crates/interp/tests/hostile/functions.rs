@@ -8,8 +8,8 @@ use std::sync::LazyLock;
 use interp::schema::Parameter;
 use interp::spline::{Basis, LARGEST_DEGREE, TABLE_DEGREE};
 use interp::{
-    Contact, Control, Curve, Elastic, Error, HalfSpace, JkrFit, JkrPoint, LowRank, Material, Mechanics, Quantities, Quantity,
-    System, Table,
+    Contact, Control, Curve, Elastic, Error, HalfSpace, Input, JkrFit, JkrPoint, LowRank, Material, Mechanics, Quantities,
+    Quantity, System, Table,
 };
 
 use crate::tables::{self, AXES, look_up};
@@ -97,6 +97,8 @@ pub const FUNCTIONS: &[Function] = &[
             Ok(found.iter().flat_map(|state| [state.contact_radius, state.load, state.penetration]).collect())
         })
     }),
+    ("Contact::gradient", 2, |x| gradients(&GRADIENTS, x[0], x[1])),
+    ("Table::contact_with_gradient", 9, |x| gradients(&Table::embedded().contact_with_gradient(&system(x)?)?, x[7], x[8])),
     ("JkrFit::through", 6, |x| {
         let points = x.chunks_exact(2).map(|pair| JkrPoint { abscissa: pair[0], ordinate: pair[1] });
         let fit = JkrFit::through(&points.collect::<Vec<_>>())?;
@@ -153,6 +155,10 @@ pub const FUNCTIONS: &[Function] = &[
     }),
 ];
 
+/// The first of them with gradients.
+static GRADIENTS: LazyLock<Contact> =
+    LazyLock::new(|| Table::embedded().contact_with_gradient(CONTACTS[0].system().expect("on a film")).expect("in the table"));
+
 fn curve() -> &'static Curve {
     CONTACTS[0].curve().expect("on a film")
 }
@@ -196,4 +202,11 @@ fn quantities(curve: &Curve, a_over_t: f64) -> Answer {
 fn loads(contact: &Contact, a: f64, w: f64) -> Answer {
     let (load, penetration) = contact.load_and_penetration(a, w)?;
     Ok(vec![contact.load(a, w)?, load, penetration])
+}
+
+fn gradients(contact: &Contact, a: f64, w: f64) -> Answer {
+    let gradient = contact.gradient(a, w)?;
+    let by = Input::ALL.into_iter().filter_map(|input| gradient.by(input).ok());
+    let derivatives = by.flat_map(|by| [by.load, by.penetration]);
+    Ok([gradient.load(), gradient.penetration()].into_iter().chain(derivatives).collect())
 }
