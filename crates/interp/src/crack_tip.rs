@@ -105,12 +105,13 @@ impl<L: CrackTip> RateDependent<L> {
     /// begins to recede.
     ///
     /// # Errors
-    /// [`Error::Unphysical`] for NaN or an infinite speed.
+    /// [`Error::Unphysical`] for NaN, an infinite speed, or one whose energy release rate is too large for f64.
     pub fn energy_release_rate(&self, speed: f64) -> Result<f64, Error> {
         Error::unless(speed.is_finite(), "speed", speed, "finite")?;
         let [advancing, receding] = self.slow.at_rest();
         let factor = 1.0 + (speed.abs() / self.v0).powf(self.n);
-        Ok(if speed < 0.0 { advancing / factor } else { receding * factor })
+        let energy = if speed < 0.0 { advancing / factor } else { receding * factor };
+        Error::unless(energy.is_finite(), "speed", speed, "such that f64 holds the energy release rate").map(|()| energy)
     }
 }
 

@@ -1,6 +1,6 @@
 //! Derivatives of load and penetration with respect to all that they depend on.
 
-use crate::contact::Bodies;
+use crate::contact::{Bodies, finite};
 use crate::material::one_minus_square;
 use crate::pieces::Four;
 use crate::{Contact, Error, HalfSpace, Normalisation, Quantities, QuantityGradient, System};
@@ -91,7 +91,7 @@ impl ContactGradient {
     ///
     /// # Errors
     /// [`Error::FixedParameter`] for a parameter of the material that the table fixes, or that takes one; for a film's on a half-space; and for the work of
-    /// adhesion where there is none, as the load falls like its square root.
+    /// adhesion where there is none (or less than 2.3e-308 J/m^2), as the load falls like its square root.
     pub fn by(&self, input: Input) -> Result<Derivatives, Error> {
         self.derivatives[input as usize].ok_or(Error::FixedParameter(input.name()))
     }
@@ -133,7 +133,8 @@ impl Contact {
     ///
     /// # Errors
     /// As [`Contact::load_and_penetration`], but always [`Error::OutsideTable`] beyond the nodes in `a/t`; [`Error::NoGradient`] on a curve made
-    /// without derivatives; [`Error::OtherMaterial`] on one whose derivatives are those of an equivalent on another substrate.
+    /// without derivatives; [`Error::Unphysical`] for a derivative too large for f64; [`Error::OtherMaterial`] on a curve whose derivatives are those of an
+    /// equivalent on another substrate.
     pub fn gradient(&self, a: f64, w: f64) -> Result<ContactGradient, Error> {
         let edge = self.mechanics.edge_singularity(a, w)?;
         let (values, by_bodies) = match &self.bodies {
@@ -168,8 +169,12 @@ impl Contact {
         }
         changes[Input::SphereRadius as usize] =
             Some(Change { sphere_radius: 1.0 / self.mechanics.sphere_radius(), ..Change::default() });
-        changes[Input::WorkOfAdhesion as usize] = (w > 0.0).then(|| Change { work_of_adhesion: 1.0 / w, ..Change::default() });
-        Ok(ContactGradient { load, penetration, derivatives: changes.map(|change| change.map(derivatives)) })
+        // One over it may not be a number.
+        changes[Input::WorkOfAdhesion as usize] = w.is_normal().then(|| Change { work_of_adhesion: 1.0 / w, ..Change::default() });
+        let derivatives = changes.map(|change| change.map(derivatives));
+        let numbers = derivatives.iter().flatten().flat_map(|by| [by.load, by.penetration]);
+        numbers.chain([load, penetration]).try_for_each(|number| finite(a, number).map(drop))?;
+        Ok(ContactGradient { load, penetration, derivatives })
     }
 }
 

@@ -112,6 +112,12 @@ pub(crate) fn all<const N: usize>(piece: &[Four; N], place: Place) -> Four {
     std::array::from_fn(|quantity| one(piece, place, quantity))
 }
 
+/// What a quantity is not below and not above anywhere on a piece; NaN where it is.
+pub(crate) fn bounds<const N: usize>(piece: &[Four; N], quantity: usize) -> [f64; 2] {
+    let size: f64 = piece[1..].iter().map(|coefficients| coefficients[quantity].abs()).sum();
+    [piece[0][quantity] - size, piece[0][quantity] + size]
+}
+
 /// The derivatives of the polynomials with respect to `t`.
 #[inline]
 pub(crate) fn derivatives<const N: usize>(piece: &[Four; N], place: Place) -> Four {

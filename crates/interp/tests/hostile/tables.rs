@@ -1,0 +1,114 @@
+//! Small tables, whose numbers mean nothing: what matters is what becomes of their bytes.
+
+use interp::schema::Parameter;
+use interp::{Certificate, Contact, Description, Elastic, Error, LowRank, Material, Normalisation, Quantity, System, Table};
+
+/// Of four axes.
+pub const AXES: [&[f64]; 4] = [&[0.5, 0.7, 1.0, 1.5, 2.0], &[0.1, 1.0, 3.0, 10.0], &[0.0, 0.3, 0.5], &[1.0, 1e5]];
+
+pub fn axes() -> [Vec<f64>; 4] {
+    AXES.map(<[f64]>::to_vec)
+}
+
+pub fn description() -> Description {
+    Description {
+        title: "Small".into(),
+        scene: "title = 'Small'".into(),
+        nu0: 0.25,
+        normalisation: Normalisation::Sphere,
+        tolerance: 1e-3,
+        created_by: "a test".into(),
+        certificate: Certificate { max_error: 1e-3, median_error: 1e-4, points: 10, seed: 1, details: None },
+    }
+}
+
+/// A dense table of three quantities.
+pub fn dense() -> Table {
+    let count: usize = AXES.iter().map(|nodes| nodes.len()).product();
+    let values = |offset: f64| (0..count).map(|i| offset + 1e-3 * i as f64).collect();
+    Table::new(description(), axes(), [Some(values(1.0)), None, Some(values(2.0)), Some(values(0.7))]).expect("sound")
+}
+
+/// A low-rank table of all quantities.
+pub fn low_rank() -> Table {
+    let ranks = [2, 2, 1, 2];
+    let factors = std::array::from_fn(|axis| (0..AXES[axis].len() * ranks[axis]).map(|i| (0.3 + i as f64).cos()).collect());
+    let core: Vec<i64> = (0..32).map(|i| (i * i * 37) % 301 - 150).collect();
+    let form = LowRank::new(Quantity::ALL.to_vec(), ranks, factors, 1e-3, &core).expect("sound");
+    Table::from_low_rank(description(), axes(), form).expect("sound")
+}
+
+/// In the box of every table here.
+pub fn material() -> Material {
+    Material::new(1.75, 0.3, 300.0, 0.25).expect("physical")
+}
+
+/// A dense table of so many nodes on each axis, and one of rank 1: noise, which the splines through it make worse.
+pub fn of_shape(shape: [usize; 4], a_over_t: [f64; 2]) -> [Table; 2] {
+    let middle = [1.0, 1.75, 0.3, 300.0];
+    let axes: [Vec<f64>; 4] = std::array::from_fn(|axis| {
+        let place = |i: usize| i as f64 / (shape[axis] - 1) as f64;
+        let node = |i: usize| match axis {
+            0 => a_over_t[0] * (a_over_t[1] / a_over_t[0]).powf(place(i)),
+            2 => 0.5 * place(i),
+            _ => 1e5_f64.powf(place(i)),
+        };
+        if shape[axis] == 1 { vec![middle[axis]] } else { (0..shape[axis]).map(node).collect() }
+    });
+    let description = Description { tolerance: 1e-12, ..description() };
+    let noise = |i: usize| 1.0 + 0.1 * (i as f64).sin();
+    let count: usize = shape.iter().product();
+    let values = [3, 5, 7, 9].map(|factor| Some((0..count).map(|i| noise(factor * i)).collect()));
+    let factors = shape.map(|nodes| (0..nodes).map(noise).collect());
+    let form = LowRank::new(Quantity::ALL.to_vec(), [1; 4], factors, 0.1, &[1, 2, 3, 4]).expect("sound");
+    let low_rank = Table::from_low_rank(description.clone(), axes.clone(), form).expect("sound");
+    [Table::new(description, axes, values).expect("sound"), low_rank]
+}
+
+/// Magic, version, length and checksum.
+pub const PREFIX: usize = 24;
+
+/// A payload behind the magic, version, length and checksum that it takes to be read at all.
+pub fn with_prefix(payload: &[u8]) -> Vec<u8> {
+    let (length, checksum) = (payload.len() as u64, crc32fast::hash(payload));
+    [&b"COATTBL\n\x02\0\0\0"[..], &length.to_le_bytes(), &checksum.to_le_bytes(), payload].concat()
+}
+
+/// Looks up a material in the middle of the table's box: an error, or numbers, which are positive where they must be.
+pub fn look_up(table: &Table) -> Result<(), Error> {
+    let middle = |parameter: Parameter| {
+        let axis = table.axis(parameter);
+        let (from, to) = (axis[0], axis[axis.len() - 1]);
+        if parameter == Parameter::Nu1 { from.midpoint(to) } else { (from * to).sqrt() }.clamp(from, to)
+    };
+    let [e1, nu1, e0] = [Parameter::E1OverE2, Parameter::Nu1, Parameter::E0OverE2].map(middle);
+    let curve = table.curve_with_gradient(&Material::new(e1, nu1, e0, table.description().nu0)?)?;
+    let [from, to] = curve.range();
+    for x in [from, middle(Parameter::AOverT), to, 0.5 * from, 2.0 * to, 1e-3 * from, 1e3 * to] {
+        for quantity in table.quantities() {
+            let Ok(value) = curve.quantity(quantity, x) else { continue };
+            assert!(value > 0.0 && value.is_finite(), "{} = {value:?} at {x:?}", quantity.name());
+            assert!(curve.slope(quantity, x)?.is_finite(), "{} at {x:?}", quantity.name());
+        }
+        let Ok(gradient) = curve.gradient(x) else { continue };
+        let derivatives = Parameter::ALL.map(|parameter| gradient.by(parameter)).into_iter().chain([gradient.by_nu0()]);
+        for derivative in derivatives.flatten() {
+            assert!(derivative.to_array().iter().all(|value| value.is_finite()), "{derivative:?} at {x:?}");
+        }
+    }
+    Ok(())
+}
+
+/// The paper's system, but for the substrate, which is as the embedded table's, of a film of 1 um.
+pub fn contact() -> Contact {
+    let (film, substrate) = (Elastic::new(3.5e6, 0.5), Elastic::new(2e11, 0.25));
+    let (film, substrate) = (film.expect("physical"), substrate.expect("physical"));
+    let system = System { sphere_radius: 1e-3, sphere_modulus: 2e6, film, film_thickness: 1e-6, substrate };
+    Table::embedded().contact(&system).expect("in the table")
+}
+
+/// Without the film.
+pub fn bare_contact() -> Contact {
+    let half_space = contact().system().expect("on a film").without_film();
+    Contact::half_space(&half_space).expect("physical")
+}
