@@ -55,6 +55,7 @@ pub mod schema;
 mod sensitivity;
 pub mod spline;
 mod table;
+mod train;
 
 pub use certificate::{Certificate, Details};
 pub use contact::{Contact, Elastic, JkrPoint, Mechanics, System};
