@@ -51,6 +51,7 @@ mod material;
 mod pack;
 mod pieces;
 mod quantity;
+mod rows;
 pub mod schema;
 mod sensitivity;
 pub mod spline;

@@ -2,9 +2,9 @@
 
 use std::array;
 
-use crate::low_rank::add_rows;
 use crate::material::Equivalence;
 use crate::pieces::Resampler;
+use crate::rows::add_rows;
 use crate::schema::Parameter;
 use crate::sensitivity::Sensitivities;
 use crate::spline::{Basis, LARGEST_DEGREE, Weights};
@@ -140,7 +140,7 @@ impl Coefficients {
     pub(crate) fn new(table: &Table) -> Self {
         if let Some(form) = table.low_rank() {
             let (bases, along) = (bases(table), along(table));
-            let form = Form::Train(Train::new(form, bases.each_ref(), &along));
+            let form = Form::Train(Train::new(form, bases.each_ref(), &along, table.description().tolerance));
             return Self { bases, along, form };
         }
         let [_, n_e1, ..] = table.shape();

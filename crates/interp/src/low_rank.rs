@@ -1,5 +1,6 @@
 //! The low-rank form of a table: a tensor train, one small tensor for each axis.
 
+use crate::rows::add_rows;
 use crate::table::REASONABLE;
 use crate::{Error, Quantity};
 
@@ -39,7 +40,8 @@ impl LowRank {
     ///
     /// # Errors
     /// [`Error::Malformed`] if no quantity is given, or one twice or not in order; if an index or an axis has no value; if the lengths
-    /// contradict each other; if a weight or a step is not in `[1e-30, 1e30]`, or an entry of a core not in `[-2^53, 2^53]`; or if there are more than
+    /// contradict each other; if a weight or a step is not in `[1e-30, 1e30]`, an entry of a core not in
+    /// `[-2^53, 2^53]`, or its product with the step not in `[-1e30, 1e30]`; or if there are more than
     /// 2e8 values on the nodes.
     pub fn new(quantities: Vec<Quantity>, weights: [Vec<f64>; 3], steps: [f64; 4], cores: [&[i64]; 4]) -> Result<Self, Error> {
         let malformed = |what: String| Err(Error::Malformed(what));
@@ -49,8 +51,13 @@ impl LowRank {
         if let Some(number) = weights.iter().flatten().chain(&steps).find(|number| !REASONABLE.contains(number)) {
             return malformed(format!("a low-rank form has the weight or step {number:?}"));
         }
-        if let Some(entry) = cores.iter().copied().flatten().find(|entry| entry.unsigned_abs() > LARGEST_ENTRY.unsigned_abs()) {
-            return malformed(format!("a core holds {entry}"));
+        for (core, step) in cores.iter().zip(steps) {
+            let allowed = |entry: &&i64| {
+                entry.unsigned_abs() <= LARGEST_ENTRY.unsigned_abs() && (**entry as f64).abs() * step <= *REASONABLE.end()
+            };
+            if let Some(entry) = core.iter().find(|entry| !allowed(entry)) {
+                return malformed(format!("a core holds {entry} times {step:?}"));
+            }
         }
         let [a, b, c] = weights.each_ref().map(Vec::len);
         let mut nodes = [0; 4];
@@ -91,18 +98,15 @@ impl LowRank {
         (self.weights.clone(), self.steps, cores)
     }
 
-    /// The cores of `e0_over_e2`, `e1_over_e2`, `nu1` and `a_over_t`, divided by the weights of the index after them.
+    /// The weights of the indices that join the cores.
+    pub(crate) fn weights(&self) -> &[Vec<f64>; 3] {
+        &self.weights
+    }
+
+    /// The cores of `e0_over_e2`, `e1_over_e2`, `nu1` and `a_over_t`.
     pub(crate) fn cores(&self) -> [Vec<f64>; 4] {
-        let mut cores = self.cores.clone();
-        for (core, step) in cores.iter_mut().zip(self.steps) {
-            core.iter_mut().for_each(|entry| *entry *= step);
-        }
-        for (core, weights) in cores.iter_mut().zip(&self.weights) {
-            for row in core.chunks_exact_mut(weights.len()) {
-                row.iter_mut().zip(weights).for_each(|(entry, weight)| *entry /= weight);
-            }
-        }
-        cores
+        let scaled = |i: usize| self.cores[i].iter().map(|entry| self.steps[i] * entry).collect();
+        std::array::from_fn(scaled)
     }
 
     /// The logarithms at all nodes with one `e1_over_e2`, row-major over `nu1`, `e0_over_e2`, `a_over_t` and the quantities held.
@@ -113,37 +117,21 @@ impl LowRank {
         let [substrate, film_modulus, film, radius] = self.cores();
         let [_, n_e1, n_nu, _] = self.nodes;
         let [a, b, c] = self.ranks();
-        let product = |vector: &[f64], core: &[f64], nodes: usize, node: usize, length: usize| {
+        let product = |joint: usize, vector: &[f64], core: &[f64], nodes: usize, node: usize, length: usize| {
+            let vector: Vec<f64> = vector.iter().zip(&self.weights[joint]).map(|(entry, weight)| entry / weight).collect();
             let mut sum = vec![0.0; length];
-            add_rows(&mut sum, vector, &core[node * length..], nodes * length);
+            add_rows(&mut sum, &vector, &core[node * length..], nodes * length);
             sum
         };
-        let joined: Vec<Vec<f64>> = substrate.chunks_exact(a).map(|vector| product(vector, &film_modulus, n_e1, e1, b)).collect();
+        let joined: Vec<Vec<f64>> =
+            substrate.chunks_exact(a).map(|vector| product(0, vector, &film_modulus, n_e1, e1, b)).collect();
         let width = radius.len() / c;
         let mut logarithms = Vec::with_capacity(n_nu * joined.len() * width);
         for nu in 0..n_nu {
             for vector in &joined {
-                logarithms.extend(product(&product(vector, &film, n_nu, nu, c), &radius, 1, 0, width));
+                logarithms.extend(product(2, &product(1, vector, &film, n_nu, nu, c), &radius, 1, 0, width));
             }
         }
         logarithms
-    }
-}
-
-/// Adds the weighted sum of rows, one each `stride` numbers, as long as the sum. Four at once, because the sum is not kept in registers.
-pub(crate) fn add_rows(sum: &mut [f64], weights: &[f64], rows: &[f64], stride: usize) {
-    let length = sum.len();
-    let row = |i: usize| &rows[i * stride..][..length];
-    let (fours, rest) = weights.as_chunks::<4>();
-    for (i, [p, q, r, s]) in fours.iter().enumerate() {
-        let rows = row(4 * i).iter().zip(row(4 * i + 1)).zip(row(4 * i + 2).iter().zip(row(4 * i + 3)));
-        for (sum, ((a, b), (c, d))) in sum.iter_mut().zip(rows) {
-            *sum += (p * a + q * b) + (r * c + s * d);
-        }
-    }
-    for (i, weight) in rest.iter().enumerate() {
-        for (sum, value) in sum.iter_mut().zip(row(4 * fours.len() + i)) {
-            *sum += weight * value;
-        }
     }
 }

@@ -23,7 +23,7 @@ const BISECTIONS: usize = 8;
 const FIRST: f64 = 0.1;
 /// The step of a core in units of the root mean square that is left out at a joint, spread over the pairs of indices that the core joins: the rounding
 /// of a core adds `1/sqrt(12)` of what each truncation does.
-const STEP: f64 = 1.0;
+const STEP: f64 = 0.5;
 
 /// A table in low-rank form, with about as few numbers as its largest relative error at the nodes allows.
 ///
