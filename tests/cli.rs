@@ -1,6 +1,7 @@
 //! The command line: help, exit status, and what `solve`, `query`, `curve` and `info` print.
 
 use acceptance::{Contacts, Data, Desk, assert_names, larger, material, paper_system, shipped, table};
+use interp::schema::Parameter;
 use interp::{Material, Mechanics, Table};
 use serde_json::Value;
 use tabulate::solve::{Solution, solve};
@@ -236,6 +237,32 @@ fn query_prints_what_the_library_looks_up_and_the_certificate() {
     assert_eq!(lines.next(), None);
     assert_eq!(desk.succeed(&["query", "table.bin", "--points", "points.csv", "-o", "out.csv"]), "");
     assert_eq!(desk.read("out.csv"), answer.as_bytes());
+}
+
+#[test]
+fn query_prints_the_derivatives_that_the_table_knows() {
+    let desk = desk();
+    let table = table(&TWO_QUANTITIES.replace("['delta0', 'eeq']", "['pi0', 'eeq', 'gamma', 'delta0']"));
+    desk.write("table.bin", table.to_packed().expect("a small table"));
+    desk.write("points.csv", "a_over_t,e1_over_e2,nu1,e0_over_e2\n3.3,1.9,0.5,inf\n");
+    let answer = desk.succeed(&["query", "table.bin", "--points", "points.csv", "--gradient"]);
+    let data = Data::parse("query", &answer);
+    assert_eq!(data.columns()[..10], COLUMNS);
+    let curve = table.curve_with_gradient(&material([1.9, 0.5, f64::INFINITY, 0.1])).expect("inside");
+    let gradient = curve.gradient(3.3).expect("inside");
+    let case = data.cases().next().expect("a point");
+    for quantity in interp::Quantity::ALL {
+        let name = |parameter: &str| format!("d_{}_d_{parameter}", quantity.name());
+        assert_eq!(case.get(&name("a_over_t")), gradient.slopes().get(quantity) / 3.3);
+        let by_film = gradient.by(Parameter::E1OverE2).expect("an axis");
+        assert_eq!(case.get(&name("e1_over_e2")), by_film.get(quantity));
+        // The scene fixes it; a rigid substrate changes nothing.
+        assert_eq!(case.text(&name("nu1")), "");
+        assert_eq!((case.get(&name("e0_over_e2")), case.get(&name("nu0"))), (0.0, 0.0));
+    }
+    desk.write("table.bin", crate::table(TWO_QUANTITIES).to_packed().expect("a small table"));
+    let message = desk.fail(1, &["query", "table.bin", "--points", "points.csv", "--gradient"]);
+    assert!(message.contains("does not hold pi0"), "{message}");
 }
 
 /// The quantities at `x`, `None` where the table does not hold them.

@@ -9,8 +9,11 @@ use tabulate::certify::certify;
 use tabulate::solve::solve;
 use tabulate::sweep::solve_tolerance;
 
-/// Largest relative difference of a curve at a node from the value stored there. Measured: 3.1e-15.
-const AT_NODES: f64 = 5e-14;
+/// Largest relative difference of a curve at a node from the value stored there: the pieces of a curve follow the splines to a tenth of the table's
+/// tolerance at least.
+const AT_NODES: f64 = 2e-9;
+/// Largest relative difference of the splines themselves from the values at their nodes. Measured: 3.1e-15.
+const SPLINES_AT_NODES: f64 = 5e-14;
 /// Largest relative error of stored values where solves to 1e-6 were asked for. Measured: 2.0e-8.
 const STORED: f64 = 5e-7;
 /// By how much the largest error of some hundred fresh points may exceed that of a certificate's points. Measured: 1.5.
@@ -174,7 +177,7 @@ fn values_at_the_nodes_are_the_solves_to_rounding() {
     }
     println!("nodes of a tight table: largest difference from solves {worst:.1e}");
     // Measured: 8.9e-16.
-    assert!(worst <= 2e-14);
+    assert!(worst <= 1e-11);
 }
 
 /// What a generation certifies is looked up like what it writes.
@@ -204,7 +207,7 @@ fn a_table_of_splines_only_is_the_dense_one_but_for_the_values() {
         });
         let apart = pairs.map(|(a, b)| (a / b - 1.0).abs()).fold(0.0, larger);
         println!("{}: values at the nodes from the splines: {apart:.1e}", dense.description().title);
-        assert!(apart <= AT_NODES);
+        assert!(apart <= SPLINES_AT_NODES);
         assert_eq!(splines.to_packed().expect("small"), expanded.to_packed().expect("small"));
         for wrong in [logarithms[1..].to_vec(), vec![f64::NAN; logarithms.len()], vec![]] {
             assert!(matches!(make(wrong), Err(Error::Malformed(_))));

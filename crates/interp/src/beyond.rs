@@ -102,7 +102,7 @@ impl Beyond {
             (Quantity::Eeq, Quantity::Delta0, eeq.0 - delta0.0),
         ];
         let constant = largest_known(curve, contradictions).ok_or_else(|| curve.outside(x))?;
-        let estimate = self.error + 6.0 * constant * (1.0 - edge / x) / x;
+        let estimate = self.error * (edge / x) + 6.0 * constant * (1.0 - edge / x) / x;
         Ok((Quantities::from_array(values), Quantities::from_array(slopes), estimate))
     }
 }

@@ -1,152 +1,36 @@
-//! The adhesive contact in SI units: the arithmetic of eqs. 2, 8 and 9.
+//! The contact in SI units: what follows from contact radius and work of adhesion.
 
-use std::f64::consts::PI;
+use crate::system::positive;
+use crate::{Curve, Error, HalfSpace, Mechanics, Quantities, Quantity, System, Table};
 
-use crate::material::{one_minus_square, poisson_ratio};
-use crate::{Curve, Error, Material, Normalisation, Quantities, Quantity, Table};
-
-/// An isotropic elastic solid.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Elastic {
-    young: f64,
-    poisson: f64,
-}
-
-impl Elastic {
-    /// From Young's modulus (Pa; infinity is rigid) and Poisson ratio.
-    ///
-    /// # Errors
-    /// [`Error::Unphysical`] unless `young > 0` and `poisson` is in `(-1, 0.5]`.
-    pub fn new(young: f64, poisson: f64) -> Result<Self, Error> {
-        Error::unless(young > 0.0, "Young's modulus", young, "> 0 (inf is rigid)")?;
-        poisson_ratio("Poisson ratio", poisson)?;
-        Ok(Self { young, poisson })
-    }
-
-    /// Young's modulus, Pa.
-    pub const fn young(&self) -> f64 {
-        self.young
-    }
-
-    /// Poisson ratio.
-    pub const fn poisson(&self) -> f64 {
-        self.poisson
-    }
-
-    /// The reduced modulus `E/(1 - nu^2)`, Pa.
-    pub const fn reduced(&self) -> f64 {
-        self.young / one_minus_square(self.poisson)
-    }
-}
-
-/// Sphere, film and substrate in SI units.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct System {
-    /// Radius `R` of the sphere, m.
-    pub sphere_radius: f64,
-    /// Reduced modulus `E2* = E2/(1 - nu2^2)` of the sphere, Pa; infinity is a rigid sphere.
-    pub sphere_modulus: f64,
-    /// The film (body 1).
-    pub film: Elastic,
-    /// Thickness `t` of the film, m.
-    pub film_thickness: f64,
-    /// The substrate (body 0).
-    pub substrate: Elastic,
-}
-
-impl System {
-    /// The dimensionless material of the system.
-    ///
-    /// # Errors
-    /// [`Error::Unphysical`] for a length or modulus that is not positive, or a rigid film.
-    pub fn material(&self) -> Result<Material, Error> {
-        positive("sphere_radius", self.sphere_radius)?;
-        positive("film_thickness", self.film_thickness)?;
-        positive("film modulus", self.film.young)?;
-        Error::unless(self.sphere_modulus > 0.0, "sphere_modulus", self.sphere_modulus, "> 0 (inf is a rigid sphere)")?;
-        let rigid = self.sphere_modulus == f64::INFINITY;
-        let unit = if rigid { self.film.young } else { self.sphere_modulus };
-        let e1_over_e2 = if rigid { 0.0 } else { self.film.young / unit };
-        Material::new(e1_over_e2, self.film.poisson, self.substrate.young / unit, self.substrate.poisson)
-    }
-}
-
-/// A point of the reduced "JKR plot" of eq. 9, a straight line for a homogeneous system.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct JkrPoint {
-    /// `a^{3/2} / (sqrt(pi) R)`, m^{1/2}.
-    pub abscissa: f64,
-    /// `F / (sqrt(6 pi) a^{3/2})`, N m^{-3/2}.
-    pub ordinate: f64,
-}
-
-/// The arithmetic of eqs. 2 to 9 for one system, from the four quantities at the contact's `a/t`, wherever they come from.
-#[derive(Clone, Copy, Debug)]
-pub struct Mechanics {
-    radius: f64,
-    /// The modulus that normalises the quantities, Pa.
-    modulus: f64,
-    /// The compound sphere-film modulus `Es*`, Pa.
-    sphere_film_modulus: f64,
-}
-
-impl Mechanics {
-    /// For the geometry and the moduli of a system.
-    ///
-    /// # Errors
-    /// Those of [`System::material`].
-    pub fn new(system: &System) -> Result<Self, Error> {
-        let material = system.material()?;
-        let modulus = match material.normalisation() {
-            Normalisation::Sphere => system.sphere_modulus,
-            Normalisation::Film => system.film.reduced(),
-        };
-        let sphere_film_modulus = modulus * material.sphere_film_modulus();
-        Ok(Self { radius: system.sphere_radius, modulus, sphere_film_modulus })
-    }
-
-    /// Amplitude `g(a)` (N/m) of the edge singularity at contact radius `a` (m) and work of adhesion `w` (J/m^2),
-    /// `2 g^2 / (pi a Es*) = w` (eq. 8). Other crack-tip laws would replace this line alone.
-    ///
-    /// # Errors
-    /// [`Error::Unphysical`] for an `a` that is not positive, a negative or infinite `w`, or NaN.
-    pub fn edge_singularity(&self, a: f64, w: f64) -> Result<f64, Error> {
-        positive("contact radius", a)?;
-        Error::unless((0.0..f64::INFINITY).contains(&w), "work of adhesion", w, ">= 0 and finite")?;
-        Ok((0.5 * PI * a * w * self.sphere_film_modulus).sqrt())
-    }
-
-    /// Load (N) at contact radius `a` (m) with the edge singularity `g` (N/m):
-    /// `F = a^3 E* Pi0 / (2R) - 4 a g Eeq/Gamma` (eqs. 2, 4, 5, 6, in another form eq. 9).
-    pub fn load(&self, a: f64, edge: f64, pi0: f64, eeq_over_gamma: f64) -> f64 {
-        a * a * a * self.modulus * pi0 / (2.0 * self.radius) - 4.0 * a * edge * eeq_over_gamma
-    }
-
-    /// Load (N) and penetration (m, positive when the sphere moves in), the latter `delta = a^2 Delta0 / R - 2 g / (E* Gamma)`.
-    pub fn load_and_penetration(&self, a: f64, edge: f64, q: &Quantities) -> (f64, f64) {
-        let load = self.load(a, edge, q.pi0, q.eeq / q.gamma);
-        (load, a * a * q.delta0 / self.radius - 2.0 * edge / (self.modulus * q.gamma))
-    }
-
-    /// Energy release rate (J/m^2) of the edge singularity `g` (N/m) at contact radius `a` (m), `G = 2 g |g| / (pi a Es*)` (eq. 8): negative where
-    /// the edge presses instead of pulling.
-    pub fn energy_release_rate(&self, a: f64, edge: f64) -> f64 {
-        2.0 * edge * edge.abs() / (PI * a * self.sphere_film_modulus)
-    }
-
-    /// The point of the reduced JKR plot for a load `F` (N) at contact radius `a` (m).
-    pub fn jkr_point(&self, a: f64, load: f64) -> JkrPoint {
-        let power = a * a.sqrt();
-        JkrPoint { abscissa: power / (PI.sqrt() * self.radius), ordinate: load / ((6.0 * PI).sqrt() * power) }
-    }
-}
-
-/// A system with the curve of its material, from a table or a solve: force curves are now arithmetic.
+/// A system with the curve of its material, from a table or a solve, or a half-space without either: all else is arithmetic.
 #[derive(Clone, Debug)]
 pub struct Contact {
-    film_thickness: f64,
-    curve: Curve,
-    mechanics: Mechanics,
+    pub(crate) mechanics: Mechanics,
+    pub(crate) coating: Option<Coating>,
+}
+
+/// What a contact on a half-space does not have.
+#[derive(Clone, Debug)]
+pub(crate) struct Coating {
+    pub(crate) system: System,
+    pub(crate) curve: Curve,
+}
+
+/// A contact: how large it is, what presses it, how far the sphere is in.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct State {
+    /// Contact radius `a`, m.
+    pub contact_radius: f64,
+    /// Load `F`, N, positive in compression.
+    pub load: f64,
+    /// Penetration `delta`, m, positive when the sphere is in.
+    pub penetration: f64,
+}
+
+impl State {
+    /// No contact, no load, and the sphere where its lowest point would just touch.
+    pub const ORIGIN: Self = Self { contact_radius: 0.0, load: 0.0, penetration: 0.0 };
 }
 
 impl Table {
@@ -157,11 +41,19 @@ impl Table {
     pub fn contact(&self, system: &System) -> Result<Contact, Error> {
         Contact::new(system, self.curve(&system.material()?)?)
     }
+
+    /// The same with derivatives with respect to all that the system consists of, which [`Contact::gradient`] gives.
+    ///
+    /// # Errors
+    /// As [`Table::contact`].
+    pub fn contact_with_gradient(&self, system: &System) -> Result<Contact, Error> {
+        Contact::new(system, self.curve_with_gradient(&system.material()?)?)
+    }
 }
 
 impl Contact {
-    /// A system with a curve made for its material, or for the [equivalent](Material::with_substrate_poisson_ratio) on a substrate with
-    /// another Poisson ratio.
+    /// A system with a curve made for its material, or for the [equivalent](crate::Material::with_substrate_poisson_ratio) on a
+    /// substrate with another Poisson ratio.
     ///
     /// # Errors
     /// Those of [`System::material`]; [`Error::OtherMaterial`] if the curve was made for another one, by more than rounding (`1e-12`).
@@ -171,17 +63,35 @@ impl Contact {
         if !material.is_close_to(made_for) {
             return Err(Error::OtherMaterial { curve: *made_for, system: material });
         }
-        Ok(Self { film_thickness: system.film_thickness, curve, mechanics })
+        Ok(Self { mechanics, coating: Some(Coating { system: *system, curve }) })
     }
 
-    /// The dimensionless quantities as functions of `a/t`.
-    pub fn curve(&self) -> &Curve {
-        &self.curve
+    /// A sphere on a half-space: JKR, to rounding, at any contact radius.
+    ///
+    /// ```
+    /// # fn main() -> Result<(), interp::Error> {
+    /// use interp::{Contact, Control, Elastic, HalfSpace};
+    ///
+    /// let system = HalfSpace { sphere_radius: 1e-3, sphere_modulus: 2e6, solid: Elastic::new(2e11, 0.25)? };
+    /// let pull_off = Contact::half_space(&system)?.pull_off(0.04, Control::Load)?;
+    /// assert!((pull_off.load / (-1.5 * std::f64::consts::PI * 0.04 * 1e-3) - 1.0).abs() < 1e-14);
+    /// # Ok(()) }
+    /// ```
+    ///
+    /// # Errors
+    /// Those of [`HalfSpace::compound_modulus`].
+    pub fn half_space(system: &HalfSpace) -> Result<Self, Error> {
+        Ok(Self { mechanics: Mechanics::half_space(system)?, coating: None })
     }
 
-    /// The smallest and the largest contact radius (m) that the curve covers.
-    pub fn contact_radius_range(&self) -> [f64; 2] {
-        self.curve.range().map(|a_over_t| a_over_t * self.film_thickness)
+    /// The dimensionless quantities as functions of `a/t`; none on a half-space.
+    pub fn curve(&self) -> Option<&Curve> {
+        self.coating.as_ref().map(|coating| &coating.curve)
+    }
+
+    /// Sphere, film and substrate; none on a half-space.
+    pub fn system(&self) -> Option<&System> {
+        self.coating.as_ref().map(|coating| &coating.system)
     }
 
     /// The arithmetic, for quantities from elsewhere.
@@ -189,17 +99,25 @@ impl Contact {
         &self.mechanics
     }
 
+    /// The smallest and the largest contact radius (m) that the curve covers: 0 and infinity on a half-space.
+    pub fn contact_radius_range(&self) -> [f64; 2] {
+        match &self.coating {
+            Some(Coating { system, curve }) => curve.range().map(|a_over_t| a_over_t * system.film_thickness),
+            None => [0.0, f64::INFINITY],
+        }
+    }
+
     /// Load `F` (N, positive in compression) at contact radius `a` (m) and work of adhesion `w` (J/m^2): eq. 9.
     ///
     /// Each of its two terms has the relative error of the curve.
     ///
     /// # Errors
-    /// [`Error::OutsideTable`] where the curve does not cover `a/t`; [`Error::Unphysical`] for `a <= 0`, `w < 0` or NaN;
-    /// [`Error::MissingQuantity`] without `pi0`, `eeq` and `gamma`.
+    /// [`Error::OutsideTable`] where the curve does not cover `a/t`; [`Error::Unphysical`] for `a <= 0`, `w < 0`, NaN, or a load
+    /// too large for f64; [`Error::MissingQuantity`] without `pi0` and, with adhesion, `eeq` and `gamma`.
     pub fn load(&self, a: f64, w: f64) -> Result<f64, Error> {
         let edge = self.mechanics.edge_singularity(a, w)?;
-        let (pi0, eeq_over_gamma) = self.curve.load_factors(a / self.film_thickness)?;
-        Ok(self.mechanics.load(a, edge, pi0, eeq_over_gamma))
+        let (pi0, eeq_over_gamma) = if w == 0.0 { (self.quantity(Quantity::Pi0, a)?, 1.0) } else { self.load_factors(a)? };
+        finite(a, self.mechanics.load(a, edge, pi0, eeq_over_gamma))
     }
 
     /// Load (N) and penetration (m, positive when the sphere moves in) at contact radius `a` (m) and work of adhesion `w` (J/m^2).
@@ -208,48 +126,95 @@ impl Contact {
     /// As [`Contact::load`], and [`Error::MissingQuantity`] without `delta0`.
     pub fn load_and_penetration(&self, a: f64, w: f64) -> Result<(f64, f64), Error> {
         let edge = self.mechanics.edge_singularity(a, w)?;
-        Ok(self.mechanics.load_and_penetration(a, edge, &self.curve.quantities(a / self.film_thickness)?))
-    }
-
-    /// Energy release rate `G` (J/m^2) from a measured contact radius `a` (m) and load (N): that of the edge which takes the load from the
-    /// adhesionless `F0(a)` to `load`. Negative for a load above `F0`, which only a contact that grows can bear.
-    ///
-    /// # Errors
-    /// [`Error::OutsideTable`] where the curve does not cover `a/t`; [`Error::Unphysical`] for `a <= 0`, or numbers that are not finite;
-    /// [`Error::MissingQuantity`] without `pi0`, `eeq` and `gamma`.
-    pub fn energy_release_rate_at_load(&self, a: f64, load: f64) -> Result<f64, Error> {
-        positive("contact radius", a)?;
-        Error::unless(load.is_finite(), "load", load, "finite")?;
-        let (pi0, eeq_over_gamma) = self.curve.load_factors(a / self.film_thickness)?;
-        let edge = (self.mechanics.load(a, 0.0, pi0, eeq_over_gamma) - load) / (4.0 * a * eeq_over_gamma);
-        Ok(self.mechanics.energy_release_rate(a, edge))
-    }
-
-    /// Energy release rate `G` (J/m^2) from a measured contact radius `a` (m) and penetration (m): that of the edge which takes the
-    /// penetration from the adhesionless `delta0(a)` to `penetration`. Negative for a penetration above `delta0`, which only a contact that grows can
-    /// have.
-    ///
-    /// # Errors
-    /// As [`Contact::energy_release_rate_at_load`], but [`Error::MissingQuantity`] without `gamma` and `delta0`.
-    pub fn energy_release_rate_at_penetration(&self, a: f64, penetration: f64) -> Result<f64, Error> {
-        positive("contact radius", a)?;
-        Error::unless(penetration.is_finite(), "penetration", penetration, "finite")?;
-        let x = a / self.film_thickness;
-        let (gamma, delta0) = (self.curve.quantity(Quantity::Gamma, x)?, self.curve.quantity(Quantity::Delta0, x)?);
-        let flat_punch = a * a * delta0 / self.mechanics.radius - penetration;
-        Ok(self.mechanics.energy_release_rate(a, 0.5 * flat_punch * self.mechanics.modulus * gamma))
+        let quantities = if w == 0.0 {
+            let (pi0, delta0) = (self.quantity(Quantity::Pi0, a)?, self.quantity(Quantity::Delta0, a)?);
+            Quantities { pi0, delta0, ..Quantities::homogeneous(1.0) }
+        } else {
+            self.quantities(a)?
+        };
+        let (load, penetration) = self.mechanics.load_and_penetration(a, edge, &quantities);
+        Ok((finite(a, load)?, finite(a, penetration)?))
     }
 
     /// Contact stiffness `S = 2 a E* Eeq` (N/m) at contact radius `a` (m), eq. 5.
     ///
     /// # Errors
-    /// [`Error::OutsideTable`] where the curve does not cover `a/t`, [`Error::MissingQuantity`] without `eeq`.
+    /// [`Error::OutsideTable`] where the curve does not cover `a/t`, [`Error::MissingQuantity`] without `eeq`; on a half-space
+    /// [`Error::Unphysical`] unless `a` is positive and finite, and the stiffness not too large for f64.
     pub fn stiffness(&self, a: f64) -> Result<f64, Error> {
-        Ok(2.0 * a * self.mechanics.modulus * self.curve.quantity(Quantity::Eeq, a / self.film_thickness)?)
+        finite(a, self.mechanics.stiffness(a, self.quantity(Quantity::Eeq, a)?))
+    }
+
+    /// Stress intensity `K_I` (Pa m^{1/2}) of the edge at contact radius `a` (m) and work of adhesion `w` (J/m^2), `sqrt(2 w Es*)`:
+    /// see [`Mechanics::stress_intensity`], and [`Mechanics::edge_singularity`] for `g(a)`. In the JKR limit it depends on no
+    /// radius and on no film but through `Es*`.
+    ///
+    /// # Errors
+    /// [`Error::Unphysical`] for `a <= 0`, `w < 0`, NaN, or a stress intensity too large for f64.
+    pub fn stress_intensity(&self, a: f64, w: f64) -> Result<f64, Error> {
+        finite(a, self.mechanics.stress_intensity(a, self.mechanics.edge_singularity(a, w)?))
+    }
+
+    /// All four quantities at contact radius `a` (m), normalised as the [`Mechanics`] takes them.
+    ///
+    /// # Errors
+    /// As [`Contact::stiffness`], and [`Error::MissingQuantity`] without any of them.
+    pub fn quantities(&self, a: f64) -> Result<Quantities, Error> {
+        self.look_up(a, Curve::quantities, Quantities::homogeneous(1.0))
+    }
+
+    /// One of them.
+    pub(crate) fn quantity(&self, quantity: Quantity, a: f64) -> Result<f64, Error> {
+        self.look_up(a, |curve, x| curve.quantity(quantity, x), Quantities::homogeneous(1.0).get(quantity))
+    }
+
+    /// `Pi0` and `Eeq/Gamma`, all that the force of eq. 9 needs.
+    pub(crate) fn load_factors(&self, a: f64) -> Result<(f64, f64), Error> {
+        self.look_up(a, Curve::load_factors, (8.0 / 3.0, 1.0))
+    }
+
+    /// The state at contact radius `a` (m) and work of adhesion `w` (J/m^2), if there is one.
+    pub(crate) fn state(&self, a: f64, w: f64) -> Result<State, Error> {
+        let (load, penetration) = self.load_and_penetration(a, w)?;
+        Ok(State { contact_radius: a, load, penetration })
+    }
+
+    /// The slopes `dF/d ln a` (N) and `d delta/d ln a` (m) at constant work of adhesion `w` (J/m^2): the derivatives of `F = F0 - 4
+    /// a g Eeq/Gamma` and `delta = delta0 - 2 g/(E* Gamma)`, where `g` grows like `a^{1/2}`.
+    pub(crate) fn slopes(&self, a: f64, w: f64) -> Result<(f64, f64), Error> {
+        let edge = self.mechanics.edge_singularity(a, w)?;
+        let (one, zero) = (Quantities::homogeneous(1.0), Quantities::from_array([0.0; 4]));
+        let (values, slopes) = if w == 0.0 {
+            let both = |quantity| {
+                self.look_up(a, |curve, x| Ok((curve.quantity(quantity, x)?, curve.slope(quantity, x)?)), (one.get(quantity), 0.0))
+            };
+            let [(pi0, pi0_slope), (delta0, delta0_slope)] = [both(Quantity::Pi0)?, both(Quantity::Delta0)?];
+            (Quantities { pi0, delta0, ..one }, Quantities { pi0: pi0_slope, delta0: delta0_slope, ..zero })
+        } else {
+            self.look_up(a, Curve::quantities_and_slopes, (one, zero))?
+        };
+        let relative = |quantity| slopes.get(quantity) / values.get(quantity);
+        let (load, penetration) = self.mechanics.load_and_penetration(a, edge, &values);
+        let f0 = self.mechanics.adhesionless_load(a, values.pi0);
+        let delta0 = self.mechanics.adhesionless_penetration(a, values.delta0);
+        let gamma = relative(Quantity::Gamma);
+        Ok((
+            f0 * (3.0 + relative(Quantity::Pi0)) - (f0 - load) * (1.5 + relative(Quantity::Eeq) - gamma),
+            delta0 * (2.0 + relative(Quantity::Delta0)) - (delta0 - penetration) * (0.5 - gamma),
+        ))
+    }
+
+    /// What the curve says at contact radius `a`, or what holds on any half-space.
+    fn look_up<T>(&self, a: f64, curve: impl FnOnce(&Curve, f64) -> Result<T, Error>, half_space: T) -> Result<T, Error> {
+        match &self.coating {
+            Some(coating) => curve(&coating.curve, a / coating.system.film_thickness),
+            None => positive("contact radius", a).map(|()| half_space),
+        }
     }
 }
 
-/// Accepts a positive finite value.
-fn positive(name: &'static str, value: f64) -> Result<(), Error> {
-    Error::unless(value > 0.0 && value.is_finite(), name, value, "> 0 and finite")
+/// Accepts a result at contact radius `a` unless it overflowed.
+pub(crate) fn finite(a: f64, result: f64) -> Result<f64, Error> {
+    let allowed = "such that load, penetration and stresses are numbers that f64 holds";
+    Error::unless(result.is_finite(), "contact radius", a, allowed).map(|()| result)
 }

@@ -11,7 +11,7 @@ use crate::schema::Parameter;
 use crate::sensitivity::Sensitivities;
 use crate::spline::Basis;
 use crate::table::{REASONABLE, too_close};
-use crate::{Error, Gradient, Material, Quantities, Quantity};
+use crate::{Error, Material, Quantities, Quantity, QuantityGradient};
 
 /// The four quantities as functions of `a/t` for one material.
 ///
@@ -37,7 +37,7 @@ impl Curve {
     /// The curve through quantities from elsewhere than a table, `(a/t, quantities)` with `a/t` ascending.
     ///
     /// What is splined between these nodes is `ln(Pi0/es)`, `ln(Eeq/es)`, `ln(Gamma/es)` and `ln Delta0` over `ln(a/t)`, by the quintic
-    /// not-a-knot spline, whose error falls like the sixth power of the nodes' distance. The pieces that replace it add 1e-11, unless the nodes are
+    /// not-a-knot spline, whose error falls like the sixth power of the nodes' distance. The pieces that replace it add 1e-13, unless the nodes are
     /// no smooth curve's.
     ///
     /// The quantities are not compared with the material; the crate `tabulate` makes a curve of stated accuracy from a material alone. Beyond the
@@ -59,7 +59,7 @@ impl Curve {
     /// ```
     pub fn through(nodes: &[(f64, Quantities)], material: Material) -> Result<Self, Error> {
         const DEGREE: usize = 5;
-        const ERROR: f64 = 1e-11;
+        const ERROR: f64 = 1e-13;
         Error::unless(!nodes.is_empty(), "the number of nodes", 0.0, "at least 1")?;
         let reasonable = |name, value| Error::unless(REASONABLE.contains(&value), name, value, "in [1e-30, 1e30]");
         for (a_over_t, quantities) in nodes {
@@ -189,7 +189,7 @@ impl Curve {
     ///
     /// # Errors
     /// As [`Curve::quantity`], but always [`Error::OutsideTable`] beyond the nodes; [`Error::NoGradient`] on a curve that was made without one.
-    pub fn gradient(&self, a_over_t: f64) -> Result<Gradient, Error> {
+    pub fn gradient(&self, a_over_t: f64) -> Result<QuantityGradient, Error> {
         self.require_all()?;
         let sensitivities = self.sensitivities.as_ref().ok_or(Error::NoGradient)?;
         let x = self.inside(a_over_t).ok_or_else(|| self.outside(a_over_t))?;

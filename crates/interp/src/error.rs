@@ -46,6 +46,28 @@ pub enum Error {
         /// The tolerance of the table.
         tolerance: f64,
     },
+    /// A state whose contact radius is out of the range of the table or curve.
+    #[error("{name} = {value:?} takes a contact radius outside the range of the table or curve, {from:?} m to {to:?} m")]
+    OutsideRadii {
+        /// What was imposed or measured.
+        name: &'static str,
+        /// Its value.
+        value: f64,
+        /// The smallest contact radius, m.
+        from: f64,
+        /// The largest contact radius, m.
+        to: f64,
+    },
+    /// A load, penetration or position of the spring at which there is no contact.
+    #[error("there is no contact at {name} = {value:?}: it is {least:?} at least")]
+    NoContact {
+        /// What was imposed.
+        name: &'static str,
+        /// Its value.
+        value: f64,
+        /// The least value there is.
+        least: f64,
+    },
     /// A material on a substrate with another Poisson ratio than the table's, whose equivalent the table does not cover.
     #[error("nu1 = {nu1:?} with nu0 = {nu0:?} has no equivalent in a table made for nu0 = {table_nu0:?}")]
     Equivalent {

@@ -10,7 +10,12 @@
 //! * [`Table::curve`] makes the [`Curve`] of one [`Material`]: the quantities as functions of `a/t`;
 //! * [`Table::contact`] makes the [`Contact`] of one [`System`] in SI units: load and penetration from contact radius and work of
 //!   adhesion;
-//! * [`Curve::through`] and [`Contact::new`] make them without a table, from quantities solved elsewhere.
+//! * [`Curve::through`] and [`Contact::new`] make them without a table, from quantities solved elsewhere; [`Contact::half_space`] is JKR, without a
+//!   film;
+//! * [`Contact::equilibria`] has the contacts at a load, a penetration or the position of a spring with their stability, pull-off
+//!   ([`Contact::pull_off`]), and whole force-displacement curves with their jumps;
+//! * [`Contact::radius_and_energy_release_rate`] and its like need no work of adhesion, but measured values;
+//! * [`Contact::film_bias`] says whether the film matters, [`Contact::validity`] and [`Contact::adhesion_range`] whether the model holds.
 //!
 //! ```
 //! # #[cfg(feature = "embedded")]
@@ -42,29 +47,45 @@ mod contact;
 mod curve;
 #[cfg(feature = "embedded")]
 mod embedded;
+mod energy_release;
+mod equilibrium;
 mod error;
+mod force_displacement;
+mod gradient;
 #[cfg(feature = "hdf5")]
 mod h5;
+mod jkr_fit;
 mod lookup;
 mod low_rank;
 mod material;
+mod mechanics;
 mod pack;
 mod pieces;
 mod quantity;
+mod root;
 mod rows;
 pub mod schema;
 mod sensitivity;
 pub mod spline;
+mod system;
 mod table;
 mod train;
+mod validity;
 
 pub use certificate::{Certificate, Details};
-pub use contact::{Contact, Elastic, JkrPoint, Mechanics, System};
+pub use contact::{Contact, State};
 pub use curve::Curve;
+pub use equilibrium::{Control, Equilibria, Equilibrium};
 pub use error::Error;
+pub use force_displacement::{ForceDisplacement, Jump};
+pub use gradient::{ContactGradient, Derivatives, Input};
+pub use jkr_fit::{FilmBias, JkrFit};
 pub use low_rank::LowRank;
 pub use material::{Material, Normalisation};
+pub use mechanics::{JkrPoint, Mechanics};
 pub use pack::is_packed;
 pub use quantity::{Quantities, Quantity};
-pub use sensitivity::Gradient;
+pub use sensitivity::QuantityGradient;
+pub use system::{Elastic, HalfSpace, System};
 pub use table::{Description, Table};
+pub use validity::{AdhesionRange, FilmValidity, Validity};

@@ -34,7 +34,7 @@ impl Sensitivities {
     }
 
     /// The gradient at a place, where the quantities and their slopes are given.
-    pub(crate) fn gradient(&self, place: Place, values: Quantities, slopes: Quantities) -> Gradient {
+    pub(crate) fn gradient(&self, place: Place, values: Quantities, slopes: Quantities) -> QuantityGradient {
         let by_table = self.by_table.each_ref().map(|pieces| all(&pieces[place.piece], place));
         let mut relative = [[0.0; 4]; 4];
         for (parameter, relative) in relative.iter_mut().enumerate() {
@@ -46,22 +46,31 @@ impl Sensitivities {
             }
         }
         let unknown = |parameter: usize| (0..3).any(|i| !self.known[i] && self.jacobian[i][parameter] != 0.0);
-        Gradient { values, slopes, relative, known: std::array::from_fn(|parameter| !unknown(parameter)), material: self.material }
+        QuantityGradient {
+            values,
+            slopes,
+            relative,
+            known: std::array::from_fn(|parameter| !unknown(parameter)),
+            scale: self.scale,
+            material: self.material,
+        }
     }
 }
 
 /// The four quantities at one `a/t`, with their derivatives.
 #[derive(Clone, Copy, Debug)]
-pub struct Gradient {
+pub struct QuantityGradient {
     values: Quantities,
     slopes: Quantities,
     /// The derivatives of the logarithms of the quantities with respect to `ln e1_over_e2`, `nu1`, `ln e0_over_e2` and `nu0`.
     relative: [Four; 4],
     known: [bool; 4],
+    /// Those of `ln es`.
+    scale: [f64; 4],
     material: Material,
 }
 
-impl Gradient {
+impl QuantityGradient {
     /// The quantities themselves.
     pub const fn values(&self) -> Quantities {
         self.values
@@ -73,7 +82,7 @@ impl Gradient {
     }
 
     /// The derivatives with respect to `e1_over_e2`, `nu1` or `e0_over_e2` of the material asked for, all else being fixed; 0 with respect to an infinite
-    /// `e0_over_e2`. With respect to `a_over_t` they are the [slopes](Gradient::slopes) over it.
+    /// `e0_over_e2`. With respect to `a_over_t` they are the [slopes](QuantityGradient::slopes) over it.
     ///
     /// # Errors
     /// [`Error::FixedParameter`] where the table does not know them, because its scene fixes a parameter that they need; for `a_over_t`; and for an
@@ -103,6 +112,16 @@ impl Gradient {
     /// The derivatives of the logarithms with respect to `ln e1_over_e2`, `nu1`, `ln e0_over_e2` or `nu0`, by number, if they are known.
     pub(crate) fn relative(&self, parameter: usize) -> Option<Four> {
         self.known[parameter].then_some(self.relative[parameter])
+    }
+
+    /// The derivative of `ln es` with respect to the same.
+    pub(crate) const fn scale(&self, parameter: usize) -> f64 {
+        self.scale[parameter]
+    }
+
+    /// The material whose parameters these derivatives are with respect to.
+    pub(crate) const fn material(&self) -> &Material {
+        &self.material
     }
 
     fn absolute(&self, relative: Four) -> Quantities {

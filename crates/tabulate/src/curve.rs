@@ -2,8 +2,8 @@
 //!
 //! The logarithms of the quantities are smooth functions of `ln(a/t)` on every scale alike, so one polynomial over the whole range
 //! takes hardly more solves than panels would. It goes through the points of an R-Leja sequence: each set of them contains the smaller ones,
-//! so that no solve is lost when more are needed, and new points test the polynomial through the old ones before they join it. The cubic
-//! pieces of the curve, found by an index and so fast, are then made as short as the tolerance needs.
+//! so that no solve is lost when more are needed, and new points test the polynomial through the old ones before they join it. The curve
+//! is the quintic spline through values of the polynomial, as close to each other as the tolerance needs.
 
 use interp::{Curve, Material, Quantities};
 use rayon::prelude::*;
@@ -30,11 +30,11 @@ const SHARE: f64 = 0.4;
 /// The share of the tolerance that is left to the solves.
 const SOLVES: f64 = 0.2;
 
-/// The first distance of the keys in `ln(a/t)`: as they are at most [`Curve::through`]'s own, they remain the only ones.
-const KEYS: f64 = 0.02;
+/// The first distance of the spline's nodes in `ln(a/t)`.
+const NODES: f64 = 0.04;
 
-/// Keys closer than this would not lower an error that rounding makes.
-const CLOSEST_KEYS: f64 = 5e-4;
+/// Nodes closer than this would not lower an error that rounding makes.
+const CLOSEST_NODES: f64 = 5e-3;
 
 /// The quantities as functions of `a/t` for one material, from direct solves.
 ///
@@ -90,7 +90,7 @@ pub fn curve(material: &Material, a_over_t: [f64; 2], tolerance: f64) -> Result<
     }
 
     // Six nodes at least, so that the spline is quintic.
-    let mut distance = KEYS.min(0.2 * range.length());
+    let mut distance = NODES.min(0.2 * range.length());
     loop {
         let pieces = (range.length() / distance).ceil();
         let places = (0..=pieces as usize).map(|i| (4.0 * i as f64 - 2.0 * pieces) / pieces);
@@ -101,11 +101,11 @@ pub fn curve(material: &Material, a_over_t: [f64; 2], tolerance: f64) -> Result<
         if error.0 <= SHARE * tolerance {
             return Ok(curve);
         }
-        if distance < CLOSEST_KEYS.min(1e-3 * range.length()) {
+        if distance < CLOSEST_NODES.min(1e-3 * range.length()) {
             return Err(missed(error));
         }
-        // The error of a cubic, and a little less.
-        distance *= 0.8 * (SHARE * tolerance / error.0).powf(0.25).clamp(0.1, 1.0);
+        // The error of a quintic, and a little less.
+        distance *= 0.8 * (SHARE * tolerance / error.0).powf(1.0 / 6.0).clamp(0.1, 1.0);
     }
 }
 

@@ -65,15 +65,29 @@ pub fn place(path: &Path, line: u64) -> String {
     format!("{}, line {line}", path.display())
 }
 
-/// The points with their values and error, as CSV; an empty field where a value is missing.
-pub fn format(points: &[Point], results: &[([Option<f64>; 4], f64)]) -> anyhow::Result<Vec<u8>> {
+/// What is printed beside a point.
+pub struct Answer {
+    /// None for a quantity that is missing.
+    pub values: [Option<f64>; 4],
+    /// The relative error.
+    pub error: f64,
+    /// The derivatives of each quantity with respect to the [`COLUMNS`], if they are asked for; none of those that are not known.
+    pub gradient: Option<[[Option<f64>; COLUMNS.len()]; 4]>,
+}
+
+/// The points with their answers, as CSV; an empty field where a number is missing.
+pub fn format(points: &[Point], answers: &[Answer]) -> anyhow::Result<Vec<u8>> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     let names = Quantity::ALL.map(Quantity::name);
-    writer.write_record(COLUMNS.iter().chain(&names).chain(&["error"]))?;
-    for (Point { a_over_t, material, .. }, (values, error)) in points.iter().zip(results) {
-        let parameters = [*a_over_t, material.e1_over_e2(), material.nu1(), material.e0_over_e2(), material.nu0()];
-        let values = values.iter().map(|value| value.map(number).unwrap_or_default());
-        writer.write_record(parameters.into_iter().map(number).chain(values).chain([number(*error)]))?;
+    let with_gradient = answers.iter().any(|answer| answer.gradient.is_some());
+    let derivatives = names.iter().flat_map(|name| COLUMNS.map(|column| format!("d_{name}_d_{column}")));
+    let header = COLUMNS.iter().chain(&names).chain(&["error"]).map(ToString::to_string);
+    writer.write_record(header.chain(derivatives.filter(|_| with_gradient)))?;
+    for (Point { a_over_t, material, .. }, answer) in points.iter().zip(answers) {
+        let parameters = [*a_over_t, material.e1_over_e2(), material.nu1(), material.e0_over_e2(), material.nu0()].map(Some);
+        let gradient = answer.gradient.into_iter().flatten().flatten();
+        let numbers = parameters.into_iter().chain(answer.values).chain([Some(answer.error)]).chain(gradient);
+        writer.write_record(numbers.map(|value| value.map(number).unwrap_or_default()))?;
     }
     Ok(writer.into_inner()?)
 }

@@ -6,7 +6,7 @@ use anyhow::Context;
 use interp::Material;
 use rayon::prelude::*;
 
-use super::points::{self, Point, number};
+use super::points::{self, Answer, Point, number};
 use super::{progress_bar, write_text};
 use crate::output;
 use crate::solve::solve;
@@ -81,7 +81,7 @@ fn solve_file(arguments: &Arguments, path: &Path) -> anyhow::Result<()> {
         let solution = solve(point.a_over_t, &point.material, arguments.tolerance);
         let solution = solution.with_context(|| points::place(path, point.line))?;
         bar.inc(1);
-        Ok((solution.quantities.to_array().map(Some), solution.error))
+        Ok(Answer { values: solution.quantities.to_array().map(Some), error: solution.error, gradient: None })
     };
     let results = points.par_iter().map(solve_point).collect::<anyhow::Result<Vec<_>>>()?;
     bar.finish_and_clear();

@@ -1,0 +1,237 @@
+//! Derivatives of the quantities, of load and penetration: against differences of direct solves, and of the interpolant itself.
+
+use acceptance::{Contacts, larger, material, paper_system, shipped};
+use interp::schema::Parameter;
+use interp::{Contact, Elastic, Error, Input, Mechanics, Quantities, Quantity, System, Table};
+use tabulate::solve::solve;
+
+/// What a derivative may be off, in parts of the table's tolerance: of the logarithm of a quantity, with respect to the logarithm of a modulus or of
+/// `a/t`, and with respect to a Poisson ratio in units of the range that it changes on, `1 - 2 nu1 + (t/a)^2`.
+const SHARE: f64 = 100.0;
+
+/// The derivative of a function at 0 from five or, on one side only, seven of its values.
+fn derivative(step: f64, one_sided: bool, f: impl Fn(f64) -> f64) -> f64 {
+    if !one_sided {
+        return (8.0 * (f(step) - f(-step)) - (f(2.0 * step) - f(-2.0 * step))) / (12.0 * step);
+    }
+    let weights = [-2.45, 6.0, -7.5, 20.0 / 3.0, -3.75, 1.2, -1.0 / 6.0];
+    weights.iter().enumerate().map(|(i, weight)| weight * f(-step * i as f64)).sum::<f64>() / -step
+}
+
+fn direct(x: f64, parameters: [f64; 4]) -> Quantities {
+    solve(x, &material(parameters), 1e-13).or_else(|_| solve(x, &material(parameters), 1e-11)).expect("solved").quantities
+}
+
+/// Points of the box, with ordinary, nearly incompressible and incompressible films, away from the ends of the moduli's axes.
+fn points() -> Vec<(f64, [f64; 4])> {
+    let mut contacts = Contacts::new(301);
+    let mut points = Vec::new();
+    for i in 0..60 {
+        let nu1 = match i % 4 {
+            0 => 0.5,
+            1 => 0.5 - contacts.log_uniform(1e-7, 1e-2),
+            _ => contacts.uniform(0.01, 0.49),
+        };
+        // On the table's own substrate, and on others that keep the equivalent inside.
+        let nu0 = if i % 3 == 0 { contacts.uniform(0.26, 0.49) } else { 0.25 };
+        let (x, e1, e0) = (contacts.log_uniform(1.1e-3, 900.0), contacts.log_uniform(2e-3, 5e2), contacts.log_uniform(2.0, 5e5));
+        if Table::embedded().curve(&material([e1, nu1, e0, nu0])).is_ok() {
+            points.push((x, [e1, nu1, e0, nu0]));
+        }
+    }
+    assert!(points.len() > 40, "{} points", points.len());
+    points
+}
+
+#[test]
+fn derivatives_of_the_quantities_are_those_of_direct_solves() {
+    let table = Table::embedded();
+    let tolerance = table.description().tolerance;
+    let mut worst = [0.0; 5];
+    for (x, parameters) in points() {
+        let own = material(parameters);
+        let curve = table.curve_with_gradient(&own).expect("inside");
+        let gradient = curve.gradient(x).expect("inside");
+        let [e1, nu1, e0, nu0] = parameters;
+        // The Poisson ratio of a film changes the contact by as little as this.
+        let scale = (1.0 - 2.0 * nu1) + 1.0 / (1.0 + x * x);
+        for quantity in Quantity::ALL {
+            let value = gradient.values().get(quantity);
+            let log = |x: f64, parameters: [f64; 4]| direct(x, parameters).get(quantity).ln();
+            let true_slope = derivative(0.01, false, |h| log(x * h.exp(), parameters));
+            let true_e1 = derivative(0.01, false, |h| log(x, [e1 * h.exp(), nu1, e0, nu0]));
+            let true_e0 = derivative(0.01, false, |h| log(x, [e1, nu1, e0 * h.exp(), nu0]));
+            let one_sided = nu1 > 0.499;
+            let true_nu1 = derivative(0.02 * scale.min(0.5), one_sided, |h| log(x, [e1, nu1 + h, e0, nu0]));
+            let true_nu0 = derivative(0.005, nu0 > 0.48, |h| log(x, [e1, nu1, e0, nu0 + h]));
+            let get = |quantities: Quantities, unit: f64| quantities.get(quantity) * unit / value;
+            let found = [
+                (get(gradient.slopes(), 1.0), true_slope, 1.0),
+                (get(gradient.by(Parameter::E1OverE2).expect("an axis"), e1), true_e1, 1.0),
+                (get(gradient.by(Parameter::Nu1).expect("an axis"), 1.0), true_nu1, scale),
+                (get(gradient.by(Parameter::E0OverE2).expect("an axis"), e0), true_e0, 1.0),
+                (get(gradient.by_nu0().expect("axes"), 1.0), true_nu0, 1.0),
+            ];
+            for (worst, (found, truth, unit)) in worst.iter_mut().zip(found) {
+                let miss = (found - truth).abs() * unit / tolerance;
+                *worst = larger(*worst, miss);
+            }
+        }
+    }
+    println!("in tolerances, with respect to a/t, E1, nu1, E0, nu0: {worst:.1?}");
+    assert!(worst.iter().all(|&worst| worst <= SHARE));
+}
+
+/// The derivatives are those of what is looked up: of splines in the logarithms of moduli and `c(nu1)`.
+#[test]
+fn derivatives_of_the_quantities_are_those_of_the_interpolant() {
+    let table = Table::embedded();
+    let mut worst = 0.0;
+    for (x, parameters) in points() {
+        let gradient = table.curve_with_gradient(&material(parameters)).and_then(|curve| curve.gradient(x)).expect("inside");
+        let [e1, nu1, e0, nu0] = parameters;
+        // At nu1 = 0.5 the table ends, and near it the differences would have to be as small as rounding.
+        let near = nu1 > 0.48;
+        let log = |quantity: Quantity, x: f64, parameters: [f64; 4]| {
+            table.curve(&material(parameters)).and_then(|curve| curve.quantity(quantity, x)).expect("inside").ln()
+        };
+        for quantity in Quantity::ALL {
+            let value = gradient.values().get(quantity);
+            let get = |quantities: Quantities| quantities.get(quantity) / value;
+            let mut compare = |found: f64, expected: f64| worst = larger(worst, (found - expected).abs() / (1.0 + expected.abs()));
+            compare(get(gradient.slopes()), derivative(1e-3, false, |h| log(quantity, x * h.exp(), parameters)));
+            let e1_expected = derivative(1e-3, false, |h| log(quantity, x, [e1 * h.exp(), nu1, e0, nu0]));
+            compare(e1 * get(gradient.by(Parameter::E1OverE2).expect("an axis")), e1_expected);
+            let e0_expected = derivative(1e-3, false, |h| log(quantity, x, [e1, nu1, e0 * h.exp(), nu0]));
+            compare(e0 * get(gradient.by(Parameter::E0OverE2).expect("an axis")), e0_expected);
+            if !near {
+                let expected = derivative(1e-4, false, |h| log(quantity, x, [e1, nu1 + h, e0, nu0]));
+                compare(get(gradient.by(Parameter::Nu1).expect("an axis")), expected);
+                let expected = derivative(1e-4, false, |h| log(quantity, x, [e1, nu1, e0, nu0 + h]));
+                compare(get(gradient.by_nu0().expect("axes")), expected);
+            }
+        }
+    }
+    println!("largest difference {worst:.1e}");
+    assert!(worst <= 1e-7);
+}
+
+/// A system with one of its inputs, in SI units, replaced.
+fn with(system: System, input: Input, value: f64) -> System {
+    let System { film, substrate, .. } = system;
+    let elastic = |young, poisson| Elastic::new(young, poisson).expect("physical");
+    match input {
+        Input::SphereRadius => System { sphere_radius: value, ..system },
+        Input::SphereModulus => System { sphere_modulus: value, ..system },
+        Input::FilmThickness => System { film_thickness: value, ..system },
+        Input::FilmModulus => System { film: elastic(value, film.poisson()), ..system },
+        Input::FilmPoisson => System { film: elastic(film.young(), value), ..system },
+        Input::SubstrateModulus => System { substrate: elastic(value, substrate.poisson()), ..system },
+        Input::SubstratePoisson => System { substrate: elastic(substrate.young(), value), ..system },
+        Input::ContactRadius | Input::WorkOfAdhesion => system,
+    }
+}
+
+/// Load and penetration by a direct solve.
+fn solved(system: System, a: f64, w: f64) -> [f64; 2] {
+    let quantities = solve(a / system.film_thickness, &system.material().expect("physical"), 1e-13).expect("solved").quantities;
+    let mechanics = Mechanics::new(&system).expect("physical");
+    let edge = mechanics.edge_singularity(a, w).expect("physical");
+    let (load, penetration) = mechanics.load_and_penetration(a, edge, &quantities);
+    [load, penetration]
+}
+
+/// The derivatives with respect to all inputs, each from a table that has its axes, and a rigid sphere's.
+#[test]
+fn derivatives_of_load_and_penetration_are_those_of_direct_solves() {
+    let elastic = |young, poisson| Elastic::new(young, poisson).expect("physical");
+    let soft = System { film: elastic(1e6, 0.4), substrate: elastic(2e7, 0.3), film_thickness: 2e-5, ..paper_system(1e-5) };
+    let rigid_sphere = System { sphere_modulus: f64::INFINITY, ..soft };
+    let rigid_sphere_table = acceptance::table(
+        "title = 'Rigid sphere'\ntolerance = 1e-6\na_over_t = { from = 0.5, to = 10 }\ne1_over_e2 = 0
+        nu1 = { from = 0.3, to = 0.5 }\ne0_over_e2 = { from = 5, to = 50 }\nnu0 = 0.3\nquantities = ['pi0', 'eeq', 'gamma', 'delta0']",
+    );
+    let cases: [(&Table, System); 3] =
+        [(Table::embedded(), paper_system(1e-5)), (Table::embedded(), soft), (&rigid_sphere_table, rigid_sphere)];
+    for (table, system) in cases {
+        let contact = table.contact_with_gradient(&system).expect("inside");
+        let mut worst = 0.0;
+        for (a, w) in [(4e-5, 0.04), (6.5e-5, 0.04), (9e-5, 0.1), (6.5e-5, 0.0)] {
+            let gradient = contact.gradient(a, w).expect("inside");
+            assert_eq!((gradient.load(), gradient.penetration()), contact.load_and_penetration(a, w).expect("inside"));
+            // In units of the adhesionless load and penetration, so that nothing depends on where they cancel the adhesive ones.
+            let [load, penetration] = solved(system, a, 0.0);
+            let units = [load.abs(), penetration.abs()];
+            for input in Input::ALL {
+                let own = match input {
+                    Input::ContactRadius => a,
+                    Input::WorkOfAdhesion => w,
+                    Input::SphereRadius => system.sphere_radius,
+                    Input::SphereModulus => system.sphere_modulus,
+                    Input::FilmThickness => system.film_thickness,
+                    Input::FilmModulus => system.film.young(),
+                    Input::FilmPoisson => system.film.poisson(),
+                    Input::SubstrateModulus => system.substrate.young(),
+                    Input::SubstratePoisson => system.substrate.poisson(),
+                };
+                if input == Input::WorkOfAdhesion && w == 0.0 {
+                    let error = gradient.by(input).expect_err("infinite");
+                    assert!(matches!(error, Error::FixedParameter("work of adhesion")), "{error}");
+                    continue;
+                }
+                let found = gradient.by(input).expect("all are axes");
+                if own == f64::INFINITY {
+                    assert_eq!((found.load, found.penetration), (0.0, 0.0));
+                    continue;
+                }
+                let is_poisson = matches!(input, Input::FilmPoisson | Input::SubstratePoisson);
+                let (step, unit) = if is_poisson { (2e-3, 1.0) } else { (1e-2, own) };
+                let value = |h: f64| match input {
+                    Input::ContactRadius => solved(system, own * h.exp(), w),
+                    Input::WorkOfAdhesion => solved(system, a, own * h.exp()),
+                    _ if is_poisson => solved(with(system, input, own + h), a, w),
+                    _ => solved(with(system, input, own * h.exp()), a, w),
+                };
+                let one_sided = is_poisson && own > 0.49;
+                for (k, found) in [found.load, found.penetration].into_iter().enumerate() {
+                    let expected = derivative(step, one_sided, |h| value(h)[k]);
+                    let miss = (found * unit - expected).abs() / units[k] / table.description().tolerance;
+                    assert!(miss <= SHARE, "{input:?} at a = {a}, w = {w}: {found}, not {expected} ({miss:.1} tolerances)");
+                    worst = larger(worst, miss);
+                }
+            }
+        }
+        println!("{}: largest difference {worst:.1} tolerances", table.description().title);
+    }
+}
+
+#[test]
+fn what_is_not_known_is_an_error_that_names_it() {
+    let paper = Table::read(shipped("paper.bin")).expect("a sound table");
+    let contact = paper.contact_with_gradient(&paper_system(1e-6)).expect("inside");
+    let gradient = contact.gradient(65e-6, 0.04).expect("inside");
+    // The table fixes nu1 and E0/E2*, and so does not know what a change of E2* does.
+    for input in [Input::FilmPoisson, Input::SubstrateModulus, Input::SubstratePoisson, Input::SphereModulus] {
+        let error = gradient.by(input).expect_err("fixed");
+        assert!(matches!(error, Error::FixedParameter(name) if name == input.name()), "{error}");
+    }
+    for input in [Input::ContactRadius, Input::WorkOfAdhesion, Input::SphereRadius, Input::FilmThickness, Input::FilmModulus] {
+        assert!(gradient.by(input).is_ok(), "{input:?}");
+    }
+    let curve = paper.curve_with_gradient(&paper_system(1e-6).material().expect("physical")).expect("inside");
+    let gradient = curve.gradient(1.0).expect("inside");
+    assert!(matches!(gradient.by(Parameter::AOverT), Err(Error::FixedParameter("a_over_t"))));
+    assert!(matches!(curve.gradient(1e-4), Err(Error::OutsideTable { axis: "a_over_t", .. })));
+    assert!(matches!(curve.gradient(f64::NAN), Err(Error::OutsideTable { axis: "a_over_t", .. })));
+
+    let plain = paper.contact(&paper_system(1e-6)).expect("inside");
+    assert!(matches!(plain.gradient(65e-6, 0.04), Err(Error::NoGradient)));
+    for (a, w) in [(0.0, 0.04), (f64::NAN, 0.04), (65e-6, -1.0), (65e-6, f64::NAN)] {
+        assert!(matches!(contact.gradient(a, w), Err(Error::Unphysical { .. })), "a = {a}, w = {w}");
+    }
+    // Derivatives with respect to the parameters of an equivalent are not those of the system.
+    let system = System { substrate: Elastic::new(2e11, 0.3).expect("physical"), ..paper_system(1e-6) };
+    let equivalent = system.material().and_then(|own| own.with_substrate_poisson_ratio(0.25)).expect("there is one");
+    let other = Contact::new(&system, Table::embedded().curve_with_gradient(&equivalent).expect("inside")).expect("equivalent");
+    assert!(matches!(other.gradient(65e-6, 0.04), Err(Error::OtherMaterial { .. })));
+}
