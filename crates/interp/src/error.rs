@@ -99,6 +99,15 @@ pub enum Error {
     /// A quantity that the scene of the table did not ask for.
     #[error("the table does not hold {0}: its scene did not ask for it")]
     MissingQuantity(&'static str),
+    /// A motion of the contact line that cannot be integrated to the tolerance.
+    #[cfg(feature = "dynamics")]
+    #[error("the contact line cannot be followed beyond {time:?} s: {reason}")]
+    Motion {
+        /// How far it was followed, s from the beginning of the ramp.
+        time: f64,
+        /// What stopped the solver.
+        reason: String,
+    },
     /// A derivative with respect to a parameter that the scene of the table fixes.
     #[error("there is no derivative with respect to {0}: the table fixes it, or a parameter that it needs")]
     FixedParameter(&'static str),

@@ -8,8 +8,8 @@ use std::sync::LazyLock;
 use interp::schema::Parameter;
 use interp::spline::{Basis, LARGEST_DEGREE, TABLE_DEGREE};
 use interp::{
-    Contact, Control, Curve, Elastic, Error, HalfSpace, Input, JkrFit, JkrPoint, LowRank, Material, Mechanics, Quantities,
-    Quantity, System, Table,
+    Contact, Control, CrackTip, Curve, Elastic, Error, HalfSpace, Hysteresis, Input, JkrFit, JkrPoint, LowRank, Material,
+    Mechanics, Quantities, Quantity, RateDependent, System, Table,
 };
 
 use crate::tables::{self, AXES, look_up};
@@ -103,6 +103,11 @@ pub const FUNCTIONS: &[Function] = &[
         let points = x.chunks_exact(2).map(|pair| JkrPoint { abscissa: pair[0], ordinate: pair[1] });
         let fit = JkrFit::through(&points.collect::<Vec<_>>())?;
         Ok(vec![fit.modulus, fit.intercept])
+    }),
+    ("RateDependent::energy_release_rate", 6, |x| {
+        let law = RateDependent::new(Hysteresis::new(x[0], x[1])?, x[2], x[3])?;
+        assert!(!law.speed(x[4]).is_nan() || x[4].is_nan(), "{law:?} at {}", x[4]);
+        Ok([law.at_rest().to_vec(), vec![law.energy_release_rate(x[5])?]].concat())
     }),
     ("Mechanics::edge_singularity", 9, |x| Ok(vec![Mechanics::new(&system(x)?)?.edge_singularity(x[7], x[8])?])),
     // These give what arithmetic gives, NaN for NaN.
