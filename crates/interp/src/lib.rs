@@ -70,11 +70,13 @@ mod pack;
 mod pieces;
 mod quantity;
 mod root;
+mod rows;
 pub mod schema;
 mod sensitivity;
 pub mod spline;
 mod system;
 mod table;
+mod train;
 mod validity;
 
 pub use certificate::{Certificate, Details};

@@ -2,13 +2,14 @@
 
 use std::array;
 
-use crate::low_rank::{LowRank, add_row, add_rows, combine};
 use crate::material::Equivalence;
 use crate::pieces::Resampler;
+use crate::rows::add_rows;
 use crate::schema::Parameter;
 use crate::sensitivity::Sensitivities;
-use crate::spline::{Basis, Weights};
+use crate::spline::{Basis, LARGEST_DEGREE, Weights};
 use crate::table::Table;
+use crate::train::Train;
 use crate::{Curve, Error, Material, Quantity};
 
 /// The parameters of a material.
@@ -63,7 +64,7 @@ impl Lookup {
         // Where the derivative with respect to `c` falls like `s^2`, that of `c` with respect to `nu1` grows like `1/s^2`: their product at this `s` is that at 0,
         // but for rounding.
         let before_the_end = place[1].min(Parameter::Nu1.coordinate(0.5) - 5e-7);
-        let near = self.coefficients.functions[1].basis.weights(before_the_end);
+        let near = self.coefficients.bases[1].weights(before_the_end);
         if near.first == nu1.first {
             nu1.slopes = near.slopes;
         } else {
@@ -118,31 +119,32 @@ fn place(table: &Table, material: &Material) -> Result<[f64; 3], Error> {
     Ok([e1, nu1, e0])
 }
 
-/// The tensor B-spline of a table along its material axes.
+/// The tensor B-spline of a table.
 ///
-/// What is splined is `ln(Pi0/es)`, `ln(Eeq/es)`, `ln(Gamma/es)` and `ln Delta0` over `ln(E1/E2)`, `c(nu1)` and `ln(E0/E2)`.
+/// What is splined is `ln(Pi0/es)`, `ln(Eeq/es)`, `ln(Gamma/es)` and `ln Delta0` over `ln(a/t)`, `ln(E1/E2)`, `c(nu1)` and `ln(E0/E2)`.
 #[derive(Clone, Debug)]
 pub(crate) struct Coefficients {
     /// Of `e1_over_e2`, `nu1` and `e0_over_e2`.
-    functions: [Functions; 3],
-    /// One row for each combination of these functions, `e1_over_e2` slowest: the logarithms of the quantities held for each `a_over_t`, or for
-    /// each function of a low-rank table. Zeros at the end of a row are left out.
-    rows: Vec<f64>,
-    /// Where each row begins, and where the last one ends.
-    starts: Vec<usize>,
-    /// The length of a whole row.
-    width: usize,
-    /// The functions of `a_over_t` at its nodes in a low-rank table, a row for each node.
-    a_over_t: Option<Vec<f64>>,
+    pub(crate) bases: [Basis; 3],
     /// The splines along `a_over_t`.
-    along: Basis,
-    held: usize,
+    pub(crate) along: Basis,
+    form: Form,
+}
+
+#[derive(Clone, Debug)]
+enum Form {
+    /// One row for each combination of the splines of the material axes, `e1_over_e2` slowest: a group of the quantities held for each spline of
+    /// `a_over_t`.
+    Dense(Vec<f64>),
+    Train(Train),
 }
 
 impl Coefficients {
     pub(crate) fn new(table: &Table) -> Self {
         if let Some(form) = table.low_rank() {
-            return Self::low_rank(form, bases(table), along(table));
+            let (bases, along) = (bases(table), along(table));
+            let form = Form::Train(Train::new(form, bases.each_ref(), &along, table.description().tolerance));
+            return Self { bases, along, form };
         }
         let [_, n_e1, ..] = table.shape();
         let mut logarithms = Vec::with_capacity(table.shape().iter().product::<usize>() * table.quantities().len());
@@ -152,97 +154,81 @@ impl Coefficients {
 
     /// From the logarithms at the nodes of a table, material-major, so that a curve sums whole rows. They become the coefficients in place.
     pub(crate) fn splined(table: &Table, mut rows: Vec<f64>) -> Self {
-        let bases = bases(table);
-        let [n_a, n_e1, n_nu, n_e0] = table.shape();
-        let width = table.quantities().len() * n_a;
+        let (bases, along) = (bases(table), along(table));
+        let [n_a, _, n_nu, n_e0] = table.shape();
+        let held = table.quantities().len();
+        let width = held * n_a;
         bases[0].interpolate(&mut rows, n_nu * n_e0 * width);
         for slab in rows.chunks_exact_mut(n_nu * n_e0 * width) {
             bases[1].interpolate(slab, n_e0 * width);
             slab.chunks_exact_mut(n_e0 * width).for_each(|slab| bases[2].interpolate(slab, width));
         }
-        let starts = (0..=n_e1 * n_nu * n_e0).map(|row| row * width).collect();
-        let functions = bases.map(|basis| Functions { count: basis.len(), basis, factor: None });
-        Self { functions, rows, starts, width, a_over_t: None, along: along(table), held: table.quantities().len() }
+        rows.chunks_exact_mut(width).for_each(|row| along.interpolate(row, held));
+        Self { bases, along, form: Form::Dense(rows) }
     }
 
     /// The logarithms of splines at all nodes with one `e1_over_e2`, see [`Table::logarithms`].
     pub(crate) fn at_nodes(&self, table: &Table, e1: usize) -> Vec<f64> {
         let place = |parameter: Parameter, node: usize| parameter.coordinate(table.axis(parameter)[node]);
-        let [_, _, n_nu, n_e0] = table.shape();
-        let materials = (0..n_nu).flat_map(|nu| (0..n_e0).map(move |e0| (nu, e0)));
-        let rows = materials.map(|(nu, e0)| {
+        let [n_a, _, n_nu, n_e0] = table.shape();
+        let radii: Vec<Weights> = (0..n_a).map(|a| self.along.weights(place(Parameter::AOverT, a))).collect();
+        let mut logarithms = Vec::with_capacity(n_nu * n_e0 * n_a * table.quantities().len());
+        for (nu, e0) in (0..n_nu).flat_map(|nu| (0..n_e0).map(move |e0| (nu, e0))) {
             let place = [place(Parameter::E1OverE2, e1), place(Parameter::Nu1, nu), place(Parameter::E0OverE2, e0)];
-            self.contract(&self.weights(place))
-        });
-        rows.flatten().collect()
-    }
-
-    fn low_rank(form: &LowRank, bases: [Basis; 3], along: Basis) -> Self {
-        let width = form.ranks[0] * form.quantities.len();
-        let (mut rows, mut starts) = (Vec::with_capacity(form.core.len()), vec![0]);
-        for row in form.core.chunks_exact(width) {
-            let used = row.iter().rposition(|&entry| entry != 0.0).map_or(0, |last| last + 1);
-            rows.extend(&row[..used]);
-            starts.push(rows.len());
+            let coefficients = self.at(&self.weights(place));
+            let held = coefficients.len() / n_a;
+            for radius in &radii {
+                let start = logarithms.len();
+                logarithms.resize(start + held, 0.0);
+                add_rows(&mut logarithms[start..], &radius.values[..radius.count], &coefficients[radius.first * held..], held);
+            }
         }
-        let mut axis = 0;
-        let functions = bases.map(|basis| {
-            axis += 1;
-            let (mut factor, count) = (form.factors[axis].clone(), form.ranks[axis]);
-            basis.interpolate(&mut factor, count);
-            Functions { basis, count, factor: Some(factor) }
-        });
-        let a_over_t = form.factors[0].iter().map(|value| form.step * value).collect();
-        Self { functions, rows, starts, width, a_over_t: Some(a_over_t), along, held: form.quantities.len() }
+        logarithms
     }
 
     /// The splines of the material axes at a place.
     pub(crate) fn weights(&self, place: [f64; 3]) -> [Weights; 3] {
-        array::from_fn(|axis| self.functions[axis].basis.weights(place[axis]))
+        array::from_fn(|axis| self.bases[axis].weights(place[axis]))
     }
 
-    /// The coefficients of the splines over `ln(a/t)` of one material: of the quantities held, one spline after the other.
+    /// The coefficients of the splines over `ln(a/t)` of one material: a group of the quantities held for each.
     pub(crate) fn at(&self, weights: &[Weights; 3]) -> Vec<f64> {
-        let sum = self.contract(weights);
-        let mut logarithms = match &self.a_over_t {
-            None => sum,
-            Some(functions) => {
-                let mut logarithms = vec![0.0; self.held * self.along.len()];
-                let groups = logarithms.chunks_exact_mut(self.held);
-                for (group, weights) in groups.zip(functions.chunks_exact(functions.len() / self.along.len())) {
-                    add_rows(group, 1.0, weights, &sum);
-                }
-                logarithms
+        match &self.form {
+            Form::Train(train) => train.at(weights),
+            Form::Dense(rows) => {
+                let [sum] = self.sums(rows, weights, [[false; 3]]);
+                sum
             }
-        };
-        self.along.interpolate(&mut logarithms, self.held);
-        logarithms
+        }
     }
 
     /// The same, followed by their derivatives with respect to the three coordinates.
     pub(crate) fn with_slopes(&self, weights: &[Weights; 3]) -> [Vec<f64>; 4] {
-        let by = |axis: usize| {
-            let mut weights = *weights;
-            weights[axis].values = weights[axis].slopes;
-            self.at(&weights)
-        };
-        [self.at(weights), by(0), by(1), by(2)]
-    }
-
-    /// Sums the rows around one material.
-    fn contract(&self, weights: &[Weights; 3]) -> Vec<f64> {
-        let [(first_e1, e1), (first_nu, nu), (first_e0, e0)] = array::from_fn(|axis| self.functions[axis].at(&weights[axis]));
-        let [_, n_nu, n_e0] = self.functions.each_ref().map(|functions| functions.count);
-        let mut sum = vec![0.0; self.width];
-        for (i, e1) in e1.iter().enumerate() {
-            for (j, nu) in nu.iter().enumerate() {
-                let row = ((first_e1 + i) * n_nu + first_nu + j) * n_e0 + first_e0;
-                for (e0, ends) in e0.iter().zip(self.starts[row..].windows(2)) {
-                    add_row(&mut sum, e1 * nu * e0, &self.rows[ends[0]..ends[1]]);
-                }
+        match &self.form {
+            Form::Train(train) => train.with_slopes(weights),
+            Form::Dense(rows) => {
+                let by = |axis: usize| array::from_fn(|i| i == axis);
+                self.sums(rows, weights, [[false; 3], by(0), by(1), by(2)])
             }
         }
-        sum
+    }
+
+    /// Weighted sums of the rows around one material, each with the slopes of some axes in place of the values. A row is read once for all.
+    fn sums<const N: usize>(&self, rows: &[f64], weights: &[Weights; 3], slopes: [[bool; 3]; N]) -> [Vec<f64>; N] {
+        let [n_e1, n_nu, n_e0] = self.bases.each_ref().map(Basis::len);
+        let width = rows.len() / (n_e1 * n_nu * n_e0);
+        let [e1, nu, e0] = weights;
+        let mut sums = array::from_fn(|_| vec![0.0; width]);
+        for (i, j) in (0..e1.count).flat_map(|i| (0..nu.count).map(move |j| (i, j))) {
+            let rows = &rows[(((e1.first + i) * n_nu + nu.first + j) * n_e0 + e0.first) * width..];
+            for (sum, slopes) in sums.iter_mut().zip(slopes) {
+                let [of_e1, of_nu, of_e0] =
+                    array::from_fn(|axis| if slopes[axis] { &weights[axis].slopes } else { &weights[axis].values });
+                let row_weights: [f64; LARGEST_DEGREE + 1] = array::from_fn(|k| of_e1[i] * of_nu[j] * of_e0[k]);
+                add_rows(sum, &row_weights[..e0.count], rows, width);
+            }
+        }
+        sums
     }
 }
 
@@ -259,27 +245,6 @@ fn basis(table: &Table, parameter: Parameter) -> Basis {
 /// The B-splines of `e1_over_e2`, `nu1` and `e0_over_e2`.
 fn bases(table: &Table) -> [Basis; 3] {
     MATERIAL.map(|parameter| basis(table, parameter))
-}
-
-/// The functions of one material parameter whose coefficients the rows are: its B-splines, or those combinations of them that a low-rank
-/// table has.
-#[derive(Clone, Debug)]
-struct Functions {
-    basis: Basis,
-    count: usize,
-    /// A row of `count` coefficients for each B-spline.
-    factor: Option<Vec<f64>>,
-}
-
-impl Functions {
-    /// The values at a coordinate, from the first function on that need not vanish.
-    fn at(&self, weights: &Weights) -> (usize, Vec<f64>) {
-        let values = &weights.values[..weights.count];
-        match &self.factor {
-            None => (weights.first, values.to_vec()),
-            Some(factor) => (0, combine(values, &factor[weights.first * self.count..][..weights.count * self.count])),
-        }
-    }
 }
 
 /// `es` at a node of `e1_over_e2` and one of `nu1`.

@@ -1,78 +1,79 @@
-//! The low-rank (Tucker) form of a table: a few functions along each axis, and a core that combines them.
+//! The low-rank form of a table: a tensor train, one small tensor for each axis.
 
+use crate::rows::add_rows;
 use crate::table::REASONABLE;
 use crate::{Error, Quantity};
 
-/// Entries of the core are whole numbers that f64 holds exactly.
+/// Entries of a core are whole numbers that f64 holds exactly.
 const LARGEST_ENTRY: i64 = 1 << 53;
 
 /// More values on the nodes are taken for a mistake or a forgery: writing them out would not fit in memory.
 const MOST_VALUES: usize = 200_000_000;
 
-/// The logarithms that a table splines, in Tucker form. With the scale `s = es`, or 1 for `Delta0`, and at the nodes
-/// `(x_i, e1_j, nu1_k, e0_l)`,
+/// The logarithms that a table splines, as a tensor train (I. V. Oseledets, SIAM J. Sci. Comput. 33 (2011) 2295). With the scale `s = es`, or 1
+/// for `Delta0`, and at the nodes `(x_i, e1_j, nu1_k, e0_l)`,
 ///
 /// ```text
-/// ln(Q_q / s) = step  sum_{abcd}  F0[i,a] F1[j,b] F2[k,c] F3[l,d] core[b,c,d,a,q]
+/// ln(Q_q / s) = sum_{abc}  C0[l,a] / w0[a]  C1[a,j,b] / w1[b]  C2[b,k,c] / w2[c]  C3[c,i,q]
 /// ```
 ///
-/// with the factors `F` of `a_over_t`, `e1_over_e2`, `nu1`, `e0_over_e2`, which all quantities share. Between the nodes every column of a
-/// factor is a spline like the table's own, so that this is the tensor spline through these logarithms: what is measured of it holds for
-/// [`Table::expand`](crate::Table::expand) as well.
+/// with the cores `C` of `e0_over_e2`, `e1_over_e2`, `nu1` and `a_over_t`, in the order that takes the fewest multiplications, and the weights `w` of the
+/// indices that join them. Between the nodes every core is a spline like the table's own, so that this is the tensor spline
+/// through these logarithms: what is measured of it holds for [`Table::expand`](crate::Table::expand) as well.
+///
+/// An entry of a core is to be about as large as what it adds to the logarithms, which is what the weights are for: the root mean square that an index
+/// adds. Then all entries of a core may be rounded to multiples of one step.
 #[derive(Clone, Debug)]
 pub struct LowRank {
-    pub(crate) quantities: Vec<Quantity>,
-    pub(crate) ranks: [usize; 4],
-    pub(crate) factors: [Vec<f64>; 4],
-    pub(crate) step: f64,
-    /// Whole numbers.
-    pub(crate) core: Vec<f64>,
+    quantities: Vec<Quantity>,
+    weights: [Vec<f64>; 3],
+    steps: [f64; 4],
+    /// Whole numbers, multiples of the steps.
+    cores: [Vec<f64>; 4],
+    /// In the order of the cores.
+    nodes: [usize; 4],
 }
 
 impl LowRank {
-    /// From its parts: the quantities held, ascending; the ranks of the four axes; their factors, a row of as many numbers as the rank for each
-    /// node; and the core as multiples of `step`, row-major over `e1_over_e2`, `nu1`, `e0_over_e2`, `a_over_t` and the quantities held.
+    /// From its parts: the quantities held, ascending; the weights of the three indices that join the cores, as many as the index has values; and
+    /// the cores as multiples of their steps, row-major over the index before, the node, and the index after or the quantities held.
     ///
     /// # Errors
-    /// [`Error::Malformed`] if no quantity is given, or one twice or not in order; if a rank is 0, more than there are nodes, or
-    /// contradicts the length of factor or core; if a number of a factor is not in `[-1e30, 1e30]`, the step not in `[1e-30, 1e30]`, or an entry of
-    /// the core not in `[-2^53, 2^53]`; or if there are more than 2e8 values on the nodes.
-    pub fn new(
-        quantities: Vec<Quantity>,
-        ranks: [usize; 4],
-        factors: [Vec<f64>; 4],
-        step: f64,
-        core: &[i64],
-    ) -> Result<Self, Error> {
+    /// [`Error::Malformed`] if no quantity is given, or one twice or not in order; if an index or an axis has no value; if the lengths
+    /// contradict each other; if a weight or a step is not in `[1e-30, 1e30]`, an entry of a core not in
+    /// `[-2^53, 2^53]`, or its product with the step not in `[-1e30, 1e30]`; or if there are more than
+    /// 2e8 values on the nodes.
+    pub fn new(quantities: Vec<Quantity>, weights: [Vec<f64>; 3], steps: [f64; 4], cores: [&[i64]; 4]) -> Result<Self, Error> {
         let malformed = |what: String| Err(Error::Malformed(what));
         if quantities.is_empty() || !quantities.is_sorted_by(|a, b| a < b) {
             return malformed(format!("a low-rank form of {quantities:?}"));
         }
-        for (rank, factor) in ranks.iter().zip(&factors) {
-            if *rank == 0 || factor.len() % rank != 0 || factor.len() / rank < *rank {
-                return malformed(format!("a factor of {} numbers has rank {rank}", factor.len()));
+        if let Some(number) = weights.iter().flatten().chain(&steps).find(|number| !REASONABLE.contains(number)) {
+            return malformed(format!("a low-rank form has the weight or step {number:?}"));
+        }
+        for (core, step) in cores.iter().zip(steps) {
+            let allowed = |entry: &&i64| {
+                entry.unsigned_abs() <= LARGEST_ENTRY.unsigned_abs() && (**entry as f64).abs() * step <= *REASONABLE.end()
+            };
+            if let Some(entry) = core.iter().find(|entry| !allowed(entry)) {
+                return malformed(format!("a core holds {entry} times {step:?}"));
             }
-            if let Some(number) = factor.iter().find(|number| !(0.0..=*REASONABLE.end()).contains(&number.abs())) {
-                return malformed(format!("a factor holds {number:?}"));
-            }
         }
-        let held = quantities.len();
-        let product = |sizes: [usize; 4]| sizes.iter().try_fold(held, |product, &size| product.checked_mul(size));
-        if product(ranks) != Some(core.len()) {
-            return malformed(format!("a core of {} entries has the ranks {ranks:?}", core.len()));
+        let [a, b, c] = weights.each_ref().map(Vec::len);
+        let mut nodes = [0; 4];
+        for ((core, [before, after]), nodes) in cores.iter().zip([[1, a], [a, b], [b, c], [c, quantities.len()]]).zip(&mut nodes) {
+            let length = before.checked_mul(after).filter(|&length| length > 0 && !core.is_empty() && core.len() % length == 0);
+            let Some(length) = length else {
+                return malformed(format!("a core of {} entries joins {before} and {after}", core.len()));
+            };
+            *nodes = core.len() / length;
         }
-        if !REASONABLE.contains(&step) {
-            return malformed(format!("a core in steps of {step:?}"));
+        let values = nodes.iter().try_fold(quantities.len(), |product, &nodes| product.checked_mul(nodes));
+        if values.is_none_or(|values| values > MOST_VALUES) {
+            return malformed(format!("a low-rank form has {nodes:?} nodes"));
         }
-        if let Some(entry) = core.iter().find(|entry| entry.unsigned_abs() > LARGEST_ENTRY.unsigned_abs()) {
-            return malformed(format!("a core holds {entry}"));
-        }
-        let core = core.iter().map(|&entry| entry as f64).collect();
-        let form = Self { quantities, ranks, factors, step, core };
-        if product(form.nodes()).is_none_or(|values| values > MOST_VALUES) {
-            return malformed(format!("a low-rank form has {:?} nodes", form.nodes()));
-        }
-        Ok(form)
+        let cores = cores.map(|core| core.iter().map(|&entry| entry as f64).collect());
+        Ok(Self { quantities, weights, steps, cores, nodes })
     }
 
     /// The quantities held, in the order of [`Quantity::ALL`].
@@ -80,14 +81,32 @@ impl LowRank {
         &self.quantities
     }
 
-    /// How many functions there are along each axis, in the order of [`Parameter::ALL`](crate::schema::Parameter::ALL).
-    pub const fn ranks(&self) -> [usize; 4] {
-        self.ranks
+    /// How many values each of the indices has that join the cores of `e0_over_e2`, `e1_over_e2`, `nu1` and `a_over_t`.
+    pub fn ranks(&self) -> [usize; 3] {
+        self.weights.each_ref().map(Vec::len)
     }
 
-    /// The number of nodes on each axis.
-    pub(crate) fn nodes(&self) -> [usize; 4] {
-        std::array::from_fn(|axis| self.factors[axis].len() / self.ranks[axis])
+    /// The number of nodes on each axis, in the order of [`Parameter::ALL`](crate::schema::Parameter::ALL).
+    pub(crate) fn shape(&self) -> [usize; 4] {
+        let [e0, e1, nu, a] = self.nodes;
+        [a, e1, nu, e0]
+    }
+
+    /// The weights, steps and whole numbers that it was made from.
+    pub(crate) fn parts(&self) -> ([Vec<f64>; 3], [f64; 4], [Vec<i64>; 4]) {
+        let cores = self.cores.each_ref().map(|core| core.iter().map(|&entry| entry as i64).collect());
+        (self.weights.clone(), self.steps, cores)
+    }
+
+    /// The weights of the indices that join the cores.
+    pub(crate) fn weights(&self) -> &[Vec<f64>; 3] {
+        &self.weights
+    }
+
+    /// The cores of `e0_over_e2`, `e1_over_e2`, `nu1` and `a_over_t`.
+    pub(crate) fn cores(&self) -> [Vec<f64>; 4] {
+        let scaled = |i: usize| self.cores[i].iter().map(|entry| self.steps[i] * entry).collect();
+        std::array::from_fn(scaled)
     }
 
     /// The logarithms at all nodes with one `e1_over_e2`, row-major over `nu1`, `e0_over_e2`, `a_over_t` and the quantities held.
@@ -95,44 +114,24 @@ impl LowRank {
     /// # Panics
     /// If there is no node of this number.
     pub fn logarithms(&self, e1: usize) -> Vec<f64> {
-        let [a_over_t, ..] = &self.factors;
-        let held = self.quantities.len();
-        let row = |axis: usize, node: usize| &self.factors[axis][node * self.ranks[axis]..][..self.ranks[axis]];
-        let [nodes, _, n_nu, n_e0] = self.nodes();
-        let mut logarithms = Vec::with_capacity(n_nu * n_e0 * nodes * held);
-        let film_modulus = combine(row(1, e1), &self.core);
+        let [substrate, film_modulus, film, radius] = self.cores();
+        let [_, n_e1, n_nu, _] = self.nodes;
+        let [a, b, c] = self.ranks();
+        let product = |joint: usize, vector: &[f64], core: &[f64], nodes: usize, node: usize, length: usize| {
+            let vector: Vec<f64> = vector.iter().zip(&self.weights[joint]).map(|(entry, weight)| entry / weight).collect();
+            let mut sum = vec![0.0; length];
+            add_rows(&mut sum, &vector, &core[node * length..], nodes * length);
+            sum
+        };
+        let joined: Vec<Vec<f64>> =
+            substrate.chunks_exact(a).map(|vector| product(0, vector, &film_modulus, n_e1, e1, b)).collect();
+        let width = radius.len() / c;
+        let mut logarithms = Vec::with_capacity(n_nu * joined.len() * width);
         for nu in 0..n_nu {
-            let film = combine(row(2, nu), &film_modulus);
-            for e0 in 0..n_e0 {
-                let material = combine(row(3, e0), &film);
-                for weights in a_over_t.chunks_exact(self.ranks[0]) {
-                    let start = logarithms.len();
-                    logarithms.resize(start + held, 0.0);
-                    add_rows(&mut logarithms[start..], self.step, weights, &material);
-                }
+            for vector in &joined {
+                logarithms.extend(product(2, &product(1, vector, &film, n_nu, nu, c), &radius, 1, 0, width));
             }
         }
         logarithms
-    }
-}
-
-/// The weighted sum of rows of equal length, as many as there are weights.
-pub(crate) fn combine(weights: &[f64], rows: &[f64]) -> Vec<f64> {
-    let mut sum = vec![0.0; rows.len() / weights.len()];
-    add_rows(&mut sum, 1.0, weights, rows);
-    sum
-}
-
-/// Adds `factor` times the weighted sum of rows, each as long as the sum.
-pub(crate) fn add_rows(sum: &mut [f64], factor: f64, weights: &[f64], rows: &[f64]) {
-    for (weight, row) in weights.iter().zip(rows.chunks_exact(sum.len())) {
-        add_row(sum, factor * weight, row);
-    }
-}
-
-/// `sum += weight row`, as far as the row goes.
-pub(crate) fn add_row(sum: &mut [f64], weight: f64, row: &[f64]) {
-    for (sum, value) in sum.iter_mut().zip(row) {
-        *sum += weight * value;
     }
 }

@@ -9,11 +9,11 @@
 //! 24      -     payload: header (bincode, fixed-width integers), then the content
 //! ```
 //!
-//! The content of a dense table is its values as f64, quantity after quantity; that of a low-rank one the ranks, the factors, and the step and
-//! integers of the core (bincode, integers of variable width: one byte for most).
+//! The content of a dense table is its values as f64, quantity after quantity; that of a low-rank one the weights, steps and
+//! integers of its cores (bincode, integers of variable width: one byte for most).
 //!
 //! Nothing is allocated on the word of the file: the header is limited, the values' number must match the bytes there are, and an integer of
-//! the core, 8 bytes in memory, has a byte of its own. (A list is read by serde, which reserves a megabyte at most before it has seen the numbers.)
+//! a core, 8 bytes in memory, has a byte of its own. (A list is read by serde, which reserves a megabyte at most before it has seen the numbers.)
 
 use std::fmt::Display;
 use std::fs;
@@ -26,7 +26,7 @@ use crate::{Description, Error, LowRank, Quantity, Table};
 
 const MAGIC: [u8; 8] = *b"COATTBL\n";
 /// The one version of the packed form that is written and read.
-const VERSION: u32 = 2;
+const VERSION: u32 = 3;
 const PREFIX: usize = 24;
 /// Axes, scene and description fit many times over.
 const HEADER_LIMIT: usize = 1 << 20;
@@ -48,10 +48,9 @@ enum Form {
 /// The content of a low-rank table.
 #[derive(Serialize, Deserialize)]
 struct Content {
-    ranks: [usize; 4],
-    factors: [Vec<f64>; 4],
-    step: f64,
-    core: Vec<i64>,
+    weights: [Vec<f64>; 3],
+    steps: [f64; 4],
+    cores: [Vec<i64>; 4],
 }
 
 fn configuration() -> impl bincode::config::Config {
@@ -96,9 +95,9 @@ impl Table {
                 payload.extend(values.flat_map(|value| value.to_le_bytes()));
             }
         }
-        if let Some(LowRank { ranks, factors, step, core, .. }) = self.low_rank() {
-            let core = core.iter().map(|&entry| entry as i64).collect();
-            let content = Content { ranks: *ranks, factors: factors.clone(), step: *step, core };
+        if let Some(form) = self.low_rank() {
+            let (weights, steps, cores) = form.parts();
+            let content = Content { weights, steps, cores };
             payload.extend(bincode::serde::encode_to_vec(&content, content_configuration()).map_err(malformed)?);
         }
         let mut bytes = Vec::with_capacity(PREFIX + payload.len());
@@ -166,11 +165,11 @@ fn dense(header: Header, content: &[u8]) -> Result<Table, Error> {
 }
 
 fn low_rank(header: Header, content: &[u8]) -> Result<Table, Error> {
-    let (Content { ranks, factors, step, core }, used) =
+    let (Content { weights, steps, cores }, used) =
         bincode::serde::decode_from_slice(content, content_configuration()).map_err(malformed)?;
     if used != content.len() {
         return Err(Error::Malformed(format!("a low-rank form of {used} bytes in {}", content.len())));
     }
-    let form = LowRank::new(header.quantities, ranks, factors, step, &core)?;
+    let form = LowRank::new(header.quantities, weights, steps, cores.each_ref().map(Vec::as_slice))?;
     Table::from_low_rank(header.description, header.axes, form)
 }

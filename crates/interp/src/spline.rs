@@ -90,6 +90,11 @@ impl Basis {
         self.count
     }
 
+    /// The intervals between the knots, on each of which a spline is one polynomial. [`Weights::first`] is the number of an interval.
+    pub(crate) fn intervals(&self) -> impl Iterator<Item = [f64; 2]> {
+        self.knots[self.degree..self.knots.len() - self.degree].windows(2).map(|ends| [ends[0], ends[1]])
+    }
+
     /// The non-vanishing B-splines at `u`. Beyond the first and the last node they are the polynomials of the end, which grow without bound; at NaN
     /// they are NaN, but for the one of degree 0.
     pub fn weights(&self, u: f64) -> Weights {

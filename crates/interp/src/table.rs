@@ -90,12 +90,12 @@ impl Table {
     /// A low-rank table from its parts.
     ///
     /// # Errors
-    /// Those of [`Table::new`] that concern description and axes; [`Error::Malformed`] if an axis has another number of nodes than its factor.
+    /// Those of [`Table::new`] that concern description and axes; [`Error::Malformed`] if an axis has another number of nodes than its core.
     pub fn from_low_rank(description: Description, axes: [Vec<f64>; 4], form: LowRank) -> Result<Self, Error> {
         check(&description, &axes)?;
         let shape = axes.each_ref().map(Vec::len);
-        if form.nodes() != shape {
-            return Err(Error::Malformed(format!("factors for {:?} nodes on {shape:?}", form.nodes())));
+        if form.shape() != shape {
+            return Err(Error::Malformed(format!("cores for {:?} nodes on {shape:?}", form.shape())));
         }
         Ok(Self { description, axes, content: Content::LowRank(form), lookup: OnceLock::new() })
     }
@@ -168,7 +168,7 @@ impl Table {
     pub fn holds(&self, quantity: Quantity) -> bool {
         match &self.content {
             Content::Dense(values) => values[quantity as usize].is_some(),
-            Content::LowRank(form) => form.quantities.contains(&quantity),
+            Content::LowRank(form) => form.quantities().contains(&quantity),
             Content::Splined(quantities) => quantities.contains(&quantity),
         }
     }

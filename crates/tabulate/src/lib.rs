@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! scene -> plan -> sweep( solve <- galerkin    <- bessel, quadrature, compliance <- material
-//!                               <- wiener_hopf <- krylov, contour, symbol <- compliance ) -> certify -> archive (.h5), tucker -> pack (.bin)
+//!                               <- wiener_hopf <- krylov, contour, symbol <- compliance ) -> certify -> archive (.h5), train -> pack (.bin)
 //! ```
 //!
 //! Data flows one way along this line, and each word is a module here or, from the table on, in the crate `interp`. [`curve`] makes the
@@ -31,7 +31,7 @@ pub mod scene;
 pub mod solve;
 pub mod sweep;
 mod symbol;
-pub mod tucker;
+pub mod train;
 mod wiener_hopf;
 
 pub use error::Error;

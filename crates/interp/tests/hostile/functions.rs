@@ -153,8 +153,10 @@ pub const FUNCTIONS: &[Function] = &[
         Ok(vec![])
     }),
     ("LowRank::new", 5, |x| {
-        let factors: [Vec<f64>; 4] = from_fn(|axis| [vec![x[axis]], vec![1.0; AXES[axis].len() - 1]].concat());
-        let form = LowRank::new(vec![Quantity::Pi0], [1; 4], factors, x[4], &[1 << 40])?;
+        let nodes = AXES.map(|nodes| vec![1; nodes.len()]);
+        let cores = [&nodes[3][..], &nodes[1], &nodes[2], &nodes[0]];
+        let weights = from_fn(|joint| vec![x[joint]]);
+        let form = LowRank::new(vec![Quantity::Pi0], weights, [x[3], x[4], 1.0, 1.0], cores)?;
         look_up(&Table::from_low_rank(tables::description(), tables::axes(), form)?)?;
         Ok(vec![])
     }),

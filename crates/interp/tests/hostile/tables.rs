@@ -29,12 +29,13 @@ pub fn dense() -> Table {
     Table::new(description(), axes(), [Some(values(1.0)), None, Some(values(2.0)), Some(values(0.7))]).expect("sound")
 }
 
-/// A low-rank table of all quantities.
+/// A low-rank table of all quantities, whose cores are joined by two values each.
 pub fn low_rank() -> Table {
-    let ranks = [2, 2, 1, 2];
-    let factors = std::array::from_fn(|axis| (0..AXES[axis].len() * ranks[axis]).map(|i| (0.3 + i as f64).cos()).collect());
-    let core: Vec<i64> = (0..32).map(|i| (i * i * 37) % 301 - 150).collect();
-    let form = LowRank::new(Quantity::ALL.to_vec(), ranks, factors, 1e-3, &core).expect("sound");
+    let core = |length: i64| (0..length).map(|i| (i * i * 37) % 61 - 30).collect::<Vec<i64>>();
+    let [a, e1, nu, e0] = AXES.map(|nodes| nodes.len() as i64);
+    let cores = [core(e0 * 2), core(2 * e1 * 2), core(2 * nu * 2), core(2 * a * 4)];
+    let weights = std::array::from_fn(|_| vec![1.0, 0.5]);
+    let form = LowRank::new(Quantity::ALL.to_vec(), weights, [0.01; 4], cores.each_ref().map(Vec::as_slice)).expect("sound");
     Table::from_low_rank(description(), axes(), form).expect("sound")
 }
 
@@ -59,8 +60,11 @@ pub fn of_shape(shape: [usize; 4], a_over_t: [f64; 2]) -> [Table; 2] {
     let noise = |i: usize| 1.0 + 0.1 * (i as f64).sin();
     let count: usize = shape.iter().product();
     let values = [3, 5, 7, 9].map(|factor| Some((0..count).map(|i| noise(factor * i)).collect()));
-    let factors = shape.map(|nodes| (0..nodes).map(noise).collect());
-    let form = LowRank::new(Quantity::ALL.to_vec(), [1; 4], factors, 0.1, &[1, 2, 3, 4]).expect("sound");
+    let core = |length: usize| (0..length as i64).map(|i| 10 + i % 3).collect::<Vec<i64>>();
+    let [a, e1, nu, e0] = shape;
+    let cores = [core(e0), core(e1), core(nu), core(a * 4)];
+    let weights = std::array::from_fn(|_| vec![1.0]);
+    let form = LowRank::new(Quantity::ALL.to_vec(), weights, [0.1; 4], cores.each_ref().map(Vec::as_slice)).expect("sound");
     let low_rank = Table::from_low_rank(description.clone(), axes.clone(), form).expect("sound");
     [Table::new(description, axes, values).expect("sound"), low_rank]
 }
@@ -71,7 +75,7 @@ pub const PREFIX: usize = 24;
 /// A payload behind the magic, version, length and checksum that it takes to be read at all.
 pub fn with_prefix(payload: &[u8]) -> Vec<u8> {
     let (length, checksum) = (payload.len() as u64, crc32fast::hash(payload));
-    [&b"COATTBL\n\x02\0\0\0"[..], &length.to_le_bytes(), &checksum.to_le_bytes(), payload].concat()
+    [&b"COATTBL\n\x03\0\0\0"[..], &length.to_le_bytes(), &checksum.to_le_bytes(), payload].concat()
 }
 
 /// Looks up a material in the middle of the table's box: an error, or numbers, which are positive where they must be.

@@ -30,8 +30,8 @@ pub fn describe(table: &Table) -> Result<String, std::fmt::Error> {
     for parameter in Parameter::ALL {
         text += &describe_axis(parameter, table.axis(parameter));
     }
-    if let Some([a, e1, nu, e0]) = table.low_rank().map(LowRank::ranks) {
-        writeln!(text, "{:15} {a} x {e1} x {nu} x {e0}", "low rank")?;
+    if let Some([a, b, c]) = table.low_rank().map(LowRank::ranks) {
+        writeln!(text, "{:15} ranks {a}, {b}, {c}", "low rank")?;
     }
     writeln!(text, "{:15} {}", "nu0", description.nu0)?;
     let held: Vec<&str> = table.quantities().into_iter().map(Quantity::name).collect();

@@ -10,7 +10,7 @@ use interp::{Description, Table};
 use super::{info, progress_bar, read_table, write_text};
 use crate::certify::{certify, points_for};
 use crate::scene::TOLERANCE;
-use crate::{output, tucker};
+use crate::{output, train};
 
 /// Convert an HDF5 table to the packed form that `interp` loads without HDF5
 ///
@@ -69,7 +69,7 @@ fn low_rank(table: &Table, tolerance: f64, arguments: &Arguments) -> anyhow::Res
     let (mut truncation, mut measured) = (tolerance - own.max_error, f64::NAN);
     for _ in 0..=HALVINGS {
         let axes = Parameter::ALL.map(|parameter| table.axis(parameter).to_vec());
-        let mut packed = Table::from_low_rank(description.clone(), axes, tucker::compress(table, truncation)?)?;
+        let mut packed = Table::from_low_rank(description.clone(), axes, train::compress(table, truncation)?)?;
         let bar = progress_bar(points, "checking");
         packed.set_certificate(certify(&packed, points, seed, &|count| bar.inc(count as u64))?);
         bar.finish_and_clear();

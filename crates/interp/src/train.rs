@@ -1,0 +1,308 @@
+//! A tensor train prepared for lookup: from its splines at a material to those over `ln(a/t)`.
+//!
+//! Most of what the ten splines of an axis that do not vanish at a point could be, what a table holds is not: over an interval between two knots it is smooth, and the
+//! less an index weighs, the fewer of its digits matter. Therefore each core is expanded, over each interval, in functions that oscillate more and more,
+//! and for every index only those are kept whose part is not far below the table's tolerance; for most indices, in single precision.
+//! In the default table to 1e-7 that takes half the multiplications, and most of them four at a time.
+
+use std::array;
+use std::f64::consts::PI;
+use std::ops::{Add, AddAssign, Mul};
+
+use crate::low_rank::LowRank;
+use crate::rows::add_rows;
+use crate::spline::{Basis, LARGEST_DEGREE, Weights};
+
+/// What may be left out of the functions of an interval, and how much a rounding to single precision may be, in parts of the table's tolerance: root
+/// mean squares of what is added to the logarithms.
+const NEGLIGIBLE: f64 = 1e-4;
+const ROUNDING: f64 = 1e-3;
+
+/// The columns of a block: what sixteen registers of two numbers hold, with two sums, or eight of four.
+const WIDTH: usize = 16;
+
+/// The most functions on an interval.
+const MOST: usize = LARGEST_DEGREE + 1;
+
+/// The cores of a [`LowRank`] form.
+#[derive(Clone, Debug)]
+pub(crate) struct Train {
+    /// Of `e0_over_e2`, `e1_over_e2` and `nu1`.
+    carriages: [Carriage; 3],
+    /// A row for each value of the last index: coefficients over `ln(a/t)`, all quantities of one after those of the other.
+    last: Rows,
+}
+
+#[derive(Clone, Debug)]
+struct Carriage {
+    /// For each interval of the axis.
+    intervals: Vec<Interval>,
+    /// One over the weights of the index after it.
+    scales: Vec<f64>,
+}
+
+/// A core over an interval: a row over the index after it for each index before it and each function of the interval that the index needs.
+#[derive(Clone, Debug)]
+struct Interval {
+    functions: Functions,
+    /// How many functions each index before it needs.
+    needed: Vec<usize>,
+    rows: Rows,
+}
+
+/// Combinations of the splines of an interval, each of which is a Chebyshev polynomial at as many Chebyshev points as there are splines; without a flat end
+/// it is that polynomial.
+#[derive(Clone, Debug)]
+struct Functions {
+    count: usize,
+    /// The matrix that makes splines of them, a row for each spline, factorised: `L` (unit diagonal, below) and `U`.
+    factors: [[f64; MOST]; MOST],
+    /// The splines in the order of these rows.
+    order: [usize; MOST],
+}
+
+/// Rows of equal length: the first ones, which need it, in double precision.
+#[derive(Clone, Debug)]
+struct Rows {
+    length: usize,
+    double: Columns<f64>,
+    single: Columns<f32>,
+}
+
+/// Rows in blocks of so many columns, the last one filled up with zeros: sums over a block stay in registers.
+#[derive(Clone, Debug)]
+struct Columns<T> {
+    blocks: Vec<[T; WIDTH]>,
+    rows: usize,
+}
+
+impl Train {
+    /// With the bases of `e1_over_e2`, `nu1`, `e0_over_e2`, and of `a_over_t`, to be as accurate as `tolerance` needs.
+    pub(crate) fn new(form: &LowRank, [e1, nu, e0]: [&Basis; 3], along: &Basis, tolerance: f64) -> Self {
+        let [a, b, c] = form.weights();
+        let [substrate, film_modulus, film, mut last] = form.cores();
+        let carriage = |mut core: Vec<f64>, before: &[f64], basis: &Basis, after: &[f64]| {
+            let width = after.len();
+            core.chunks_exact_mut(basis.len() * width).for_each(|slab| basis.interpolate(slab, width));
+            let intervals = basis.intervals().enumerate().map(|(first, ends)| {
+                let (functions, transform) = Functions::new(basis, first, ends);
+                Interval::new(
+                    functions,
+                    &transform,
+                    before,
+                    |i, spline| &core[(i * basis.len() + first + spline) * width..][..width],
+                    tolerance,
+                )
+            });
+            Carriage { intervals: intervals.collect(), scales: after.iter().map(|weight| 1.0 / weight).collect() }
+        };
+        let carriages = [carriage(substrate, &[1.0], e0, a), carriage(film_modulus, a, e1, b), carriage(film, b, nu, c)];
+        let width = last.len() / c.len();
+        last.chunks_exact_mut(width).for_each(|row| along.interpolate(row, width / along.len()));
+        Self { carriages, last: Rows::new(&last, width, precise(c, tolerance)) }
+    }
+
+    /// The coefficients over `ln(a/t)` at a material, from the splines of `e1_over_e2`, `nu1` and `e0_over_e2` there.
+    pub(crate) fn at(&self, [e1, nu, e0]: &[Weights; 3]) -> Vec<f64> {
+        let mut vector = vec![1.0];
+        for (carriage, weights) in self.carriages.iter().zip([e0, e1, nu]) {
+            let interval = &carriage.intervals[weights.first];
+            vector = carriage.after(interval, &vector, &interval.functions.at(&weights.values));
+        }
+        self.last.sum(&vector)
+    }
+
+    /// The same, followed by the derivatives with respect to the three coordinates.
+    pub(crate) fn with_slopes(&self, [e1, nu, e0]: &[Weights; 3]) -> [Vec<f64>; 4] {
+        // The vector, and its derivatives with respect to the coordinates so far.
+        let mut vectors = vec![vec![1.0]];
+        for (carriage, weights) in self.carriages.iter().zip([e0, e1, nu]) {
+            let interval = &carriage.intervals[weights.first];
+            let [values, slopes] = [weights.values, weights.slopes].map(|splines| interval.functions.at(&splines));
+            let by_this = carriage.after(interval, &vectors[0], &slopes);
+            vectors.iter_mut().for_each(|vector| *vector = carriage.after(interval, vector, &values));
+            vectors.push(by_this);
+        }
+        [0, 2, 3, 1].map(|i| self.last.sum(&vectors[i]))
+    }
+}
+
+/// How many of the indices with these weights, descending, single precision is not enough for.
+fn precise(weights: &[f64], tolerance: f64) -> usize {
+    let enough = |&weight: &f64| weight * f64::from(0.5 * f32::EPSILON) <= ROUNDING * tolerance;
+    weights.iter().rposition(|weight| !enough(weight)).map_or(0, |last| last + 1)
+}
+
+impl Carriage {
+    /// The vector after a core, from that before it.
+    fn after(&self, interval: &Interval, before: &[f64], functions: &[f64; MOST]) -> Vec<f64> {
+        let needed = before.iter().zip(&interval.needed);
+        let weights: Vec<f64> =
+            needed.flat_map(|(entry, &count)| functions[..count].iter().map(move |value| entry * value)).collect();
+        let mut after = interval.rows.sum(&weights);
+        after.iter_mut().zip(&self.scales).for_each(|(entry, scale)| *entry *= scale);
+        after
+    }
+}
+
+impl Interval {
+    /// From the coefficients of an index before it and a spline: `transform` holds a row for each function.
+    fn new<'a>(
+        functions: Functions,
+        transform: &[[f64; MOST]; MOST],
+        before: &[f64],
+        coefficients: impl Fn(usize, usize) -> &'a [f64],
+        tolerance: f64,
+    ) -> Self {
+        let count = functions.count;
+        let length = coefficients(0, 0).len();
+        let precise = precise(before, tolerance);
+        let (mut rows, mut needed, mut double) = (Vec::new(), Vec::with_capacity(before.len()), 0);
+        for i in 0..before.len() {
+            let start = rows.len();
+            let mut most = 0;
+            for (function, row) in transform[..count].iter().enumerate() {
+                rows.resize(start + (function + 1) * length, 0.0);
+                let sum = &mut rows[start + function * length..];
+                row[..count]
+                    .iter()
+                    .enumerate()
+                    .for_each(|(spline, weight)| add_rows(sum, &[*weight], coefficients(i, spline), length));
+                let square: f64 = sum.iter().map(|entry| entry * entry).sum();
+                if square.sqrt() > NEGLIGIBLE * tolerance {
+                    most = function + 1;
+                }
+            }
+            rows.truncate(start + most * length);
+            needed.push(most);
+            if i < precise {
+                double += most;
+            }
+        }
+        Self { functions, needed, rows: Rows::new(&rows, length, double) }
+    }
+}
+
+impl Functions {
+    /// Those of an interval between knots, on which the splines from `first` on do not vanish; and what their coefficients are in terms of those of the
+    /// splines, a row for each function.
+    fn new(basis: &Basis, first: usize, [from, to]: [f64; 2]) -> (Self, [[f64; MOST]; MOST]) {
+        let count = basis.weights(from.midpoint(to)).count;
+        let angle = |point: usize| PI * (point as f64 + 0.5) / count as f64;
+        let point = |i: usize| from.midpoint(to) + 0.5 * (to - from) * angle(i).cos();
+        let splines: Vec<Weights> = (0..count).map(|i| basis.weights(point(i))).collect();
+        debug_assert!(splines.iter().all(|splines| splines.first == first));
+        let mut transform = [[0.0; MOST]; MOST];
+        for (function, row) in transform[..count].iter_mut().enumerate() {
+            let norm = if function == 0 { 1.0 } else { 2.0 } / count as f64;
+            for (spline, entry) in row[..count].iter_mut().enumerate() {
+                let terms =
+                    splines.iter().enumerate().map(|(i, splines)| (function as f64 * angle(i)).cos() * splines.values[spline]);
+                *entry = norm * terms.sum::<f64>();
+            }
+        }
+        let factors = array::from_fn(|spline| array::from_fn(|function| transform[function][spline]));
+        let mut functions = Self { count, factors, order: array::from_fn(|i| i) };
+        functions.factorise();
+        (functions, transform)
+    }
+
+    /// Gaussian elimination with partial pivoting.
+    fn factorise(&mut self) {
+        let Self { count, factors, order } = self;
+        for i in 0..*count {
+            let pivot = (i..*count).max_by(|&p, &q| factors[p][i].abs().total_cmp(&factors[q][i].abs())).unwrap_or(i);
+            factors.swap(i, pivot);
+            order.swap(i, pivot);
+            let (above, below) = factors.split_at_mut(i + 1);
+            for row in &mut below[..*count - i - 1] {
+                row[i] /= above[i][i];
+                (i + 1..*count).for_each(|k| row[k] -= row[i] * above[i][k]);
+            }
+        }
+    }
+
+    /// The values (slopes) at a point, from those of the splines there: the solution of a system, because its inverse would lose digits.
+    fn at(&self, splines: &[f64; MOST]) -> [f64; MOST] {
+        let mut functions = [0.0; MOST];
+        for i in 0..self.count {
+            let row = &self.factors[i];
+            functions[i] = splines[self.order[i]] - (0..i).map(|k| row[k] * functions[k]).sum::<f64>();
+        }
+        for i in (0..self.count).rev() {
+            let row = &self.factors[i];
+            let rest: f64 = (i + 1..self.count).map(|k| row[k] * functions[k]).sum();
+            functions[i] = (functions[i] - rest) / row[i];
+        }
+        functions
+    }
+}
+
+impl Rows {
+    /// The first `double` rows keep their precision.
+    fn new(rows: &[f64], length: usize, double: usize) -> Self {
+        let (double, single) = rows.split_at(double * length);
+        Self {
+            length,
+            double: Columns::new(double, length, |entry| entry),
+            single: Columns::new(single, length, |entry| entry as f32),
+        }
+    }
+
+    /// The weighted sum.
+    fn sum(&self, weights: &[f64]) -> Vec<f64> {
+        let (double, single) = weights.split_at(self.double.rows);
+        let single: Vec<f32> = single.iter().map(|&weight| weight as f32).collect();
+        let mut sum = vec![0.0; self.length.next_multiple_of(WIDTH)];
+        self.double.add_to(&mut sum, double);
+        self.single.add_to(&mut sum, &single);
+        sum.truncate(self.length);
+        sum
+    }
+}
+
+impl<T> Columns<T>
+where
+    T: Copy + Default + Add<Output = T> + Mul<Output = T> + AddAssign + Into<f64>,
+{
+    fn new(rows: &[f64], length: usize, entry: impl Fn(f64) -> T) -> Self {
+        let mut blocks = Vec::with_capacity(length.div_ceil(WIDTH) * rows.len() / length);
+        for first in (0..length).step_by(WIDTH) {
+            for row in rows.chunks_exact(length) {
+                let mut block = [T::default(); WIDTH];
+                block.iter_mut().zip(&row[first..]).for_each(|(place, &value)| *place = entry(value));
+                blocks.push(block);
+            }
+        }
+        Self { blocks, rows: rows.len() / length }
+    }
+
+    /// Adds the weighted sum of the rows.
+    fn add_to(&self, sum: &mut [f64], weights: &[T]) {
+        for (sum, block) in sum.chunks_exact_mut(WIDTH).zip(self.blocks.chunks_exact(self.rows.max(1))) {
+            sum.iter_mut().zip(block_sum(block, weights)).for_each(|(sum, entry)| *sum += entry.into());
+        }
+    }
+}
+
+/// The weighted sum of the rows of a block. Two at once, because a sum cannot begin before the one before it has ended; and not inlined, because what
+/// becomes of the sum would decide how it is made, two numbers at a time instead of four.
+#[inline(never)]
+fn block_sum<T>(block: &[[T; WIDTH]], weights: &[T]) -> [T; WIDTH]
+where
+    T: Copy + Default + Add<Output = T> + Mul<Output = T> + AddAssign,
+{
+    let (mut even, mut odd) = ([T::default(); WIDTH], [T::default(); WIDTH]);
+    let ((rows, last_row), (pairs, last)) = (block.as_chunks::<2>(), weights.as_chunks::<2>());
+    for ([a, b], &[p, q]) in rows.iter().zip(pairs) {
+        for i in 0..WIDTH {
+            even[i] += p * a[i];
+            odd[i] += q * b[i];
+        }
+    }
+    for (row, &weight) in last_row.iter().zip(last) {
+        (0..WIDTH).for_each(|i| even[i] += weight * row[i]);
+    }
+    (0..WIDTH).for_each(|i| even[i] += odd[i]);
+    even
+}
