@@ -349,6 +349,8 @@ fn a_form_whose_parts_contradict_each_other_is_malformed() {
         LowRank::new(vec![Quantity::Eeq; 2], weights(), steps, cores),
         new([vec![0.5], vec![], vec![2.0, 1.0]], steps, cores),
         new([vec![0.5], vec![0.25], vec![2.0, 1.0, 1.0]], steps, cores),
+        // Two values of an index from a single node.
+        new([vec![0.5, 0.5], vec![0.25], vec![2.0, 1.0]], steps, [&[2, 2], &[1, 2, -1, 3], cores[2], cores[3]]),
         with_core(0, &[]),
         with_core(2, &[10, 20, 30]),
         with_core(3, &[1, 2, 3, 4, 5, 6]),
