@@ -6,7 +6,7 @@ use std::sync::LazyLock;
 use acceptance::{Contacts, Desk, PREFIX, all_bits, assert_names, error_at, larger, shipped, table, with_payload};
 use interp::schema::Parameter;
 use interp::{Description, Error, LowRank, Quantity, Table};
-use tabulate::{archive, tucker};
+use tabulate::{archive, train};
 
 /// Four axes.
 const BOX: &str = "
@@ -65,7 +65,7 @@ fn axes(table: &Table) -> [Vec<f64>; 4] {
 }
 
 fn low_rank(table: &Table, error: f64) -> Table {
-    let form = tucker::compress(table, error).expect("above rounding");
+    let form = train::compress(table, error).expect("above rounding");
     Table::from_low_rank(table.description().clone(), axes(table), form).expect("a form of this table")
 }
 
@@ -85,10 +85,10 @@ fn apart(found: &Table, expected: &Table) -> f64 {
 
 #[test]
 fn at_the_nodes_a_low_rank_table_has_the_error_it_was_given_and_between_them_the_splines_through_its_values() {
-    /// How much of its error a form uses at least, if its core is more than one number. Measured: 0.43.
+    /// How much of its error a form uses at least, if its ranks are not all 1. Measured: 0.43.
     const USED: f64 = 0.3;
-    /// The largest difference of the curves of both forms. Measured: 4.2e-13.
-    const SAME_SPLINE: f64 = 1e-12;
+    /// The largest difference of the curves of both forms, in parts of the tolerance: what a lookup leaves out and rounds. Measured: ?.
+    const SAME_SPLINE: f64 = 0.03;
     for scene in [BOX, RIGID_SPHERE, TWO_AXES, ONE_AXIS, ONE_RADIUS] {
         let dense = table(scene);
         assert!(dense.low_rank().is_none() && matches!(dense.expand(), Ok(std::borrow::Cow::Borrowed(_))));
@@ -117,8 +117,8 @@ fn at_the_nodes_a_low_rank_table_has_the_error_it_was_given_and_between_them_the
             );
             // Rounding of logarithm and exponential.
             assert!(reached <= error * (1.0 + error) + 1e-14, "{reached:.1e}");
-            assert!(reached >= USED * error || form.ranks() == [1; 4], "{reached:.1e}");
-            assert!(different <= SAME_SPLINE);
+            assert!(reached >= USED * error || form.ranks() == [1; 3], "{reached:.1e}");
+            assert!(different <= SAME_SPLINE * dense.description().tolerance);
             let again = Table::from_packed(&packed).expect("a sound table");
             assert_eq!(again.description(), low_rank.description());
             assert_eq!(again.to_packed().expect("a small table"), packed);
@@ -129,7 +129,7 @@ fn at_the_nodes_a_low_rank_table_has_the_error_it_was_given_and_between_them_the
 
 #[test]
 fn an_error_below_rounding_is_refused_with_what_was_reached() {
-    match tucker::compress(&FOUR_AXES, 1e-17) {
+    match train::compress(&FOUR_AXES, 1e-17) {
         Err(error @ tabulate::Error::Truncation { .. }) => assert_names(&error.to_string(), &["1.0e-17", "larger tolerance"]),
         other => panic!("{other:?}"),
     }
@@ -151,8 +151,8 @@ fn packing_keeps_the_tolerance_at_fresh_points_and_says_so() {
         assert_eq!(description, &Description { tolerance: value, certificate: *certificate, ..FOUR_AXES.description().clone() });
         assert!(certificate.max_error <= value);
         let size = desk.read("table.bin").len();
-        let [a, e1, nu, e0] = ranks;
-        let form = format!("{a} x {e1} x {nu} x {e0}");
+        let [a, b, c] = ranks;
+        let form = format!("ranks {a}, {b}, {c}");
         assert_names(&summary, &["low rank", &form, tolerance, "table.bin", &format!("{size} bytes"), "1000 direct solves"]);
         assert_names(&desk.succeed(&["info", "table.bin"]), &[&form, "30 nodes", "low rank"]);
 
@@ -196,7 +196,8 @@ fn tables_of_fewer_axes_are_packed_to_a_tolerance_and_checked_too() {
         let packed = Table::read(desk.path("table.bin")).expect("a sound table");
         let form = packed.low_rank().expect("low-rank");
         assert!(packed.description().certificate.max_error <= tolerance);
-        assert!(form.ranks().iter().zip(dense.shape()).all(|(&rank, nodes)| rank <= nodes && (nodes > 1 || rank == 1)));
+        let ([n_a, n_e1, n_nu, n_e0], [a, b, c]) = (dense.shape(), form.ranks());
+        assert!(a <= n_e0 && b <= a * n_e1 && c <= (b * n_nu).min(n_a * dense.quantities().len()), "{:?}", form.ranks());
         assert_eq!(packed.quantities(), dense.quantities());
         let mut contacts = Contacts::new(62);
         let fresh = (0..200).map(|_| contacts.point_of(&packed)).map(|(x, material)| error_at(&packed, x, &material));
@@ -277,17 +278,32 @@ fn nothing_is_allocated_on_the_word_of_a_file() {
     let table = Table::from_packed(&PACKED).expect("as it was");
     let ranks = table.low_rank().expect("low-rank").ranks();
     let payload = &PACKED[PREFIX..];
-    // The content begins with the ranks, a byte each, and the length of the first factor; each list is found by its length.
-    let start = (0..payload.len()).find(|&at| payload[at..].starts_with(&ranks.map(|rank| rank as u8))).expect("the ranks");
-    let mut at = start + 4;
-    let mut lengths = Vec::new();
-    for (parameter, rank) in Parameter::ALL.into_iter().zip(ranks) {
+    // The content begins with the lists of weights, a byte for each length; after them come the steps, and the cores.
+    let lists = |start: usize| {
+        ranks.map(|rank| (rank as u8, 1 + 8 * rank)).into_iter().scan(start, |next, (length, size)| {
+            let at = *next;
+            *next += size;
+            Some((at, length))
+        })
+    };
+    let begins = |&start: &usize| lists(start).all(|(at, length)| payload.get(at) == Some(&length));
+    let start = (0..payload.len()).find(begins).expect("the weights");
+    let mut lengths: Vec<usize> = lists(start).map(|(at, _)| at).collect();
+    let mut at = start + ranks.iter().map(|rank| 1 + 8 * rank).sum::<usize>() + 4 * 8;
+    // A whole number takes a byte, or as many after a mark.
+    let whole = |at: usize| match payload[at] {
+        251 => (usize::from(u16::from_le_bytes([payload[at + 1], payload[at + 2]])), 3),
+        252 => (0, 5),
+        253 => (0, 9),
+        small => (usize::from(small), 1),
+    };
+    for _ in 0..4 {
         lengths.push(at);
-        let count = rank * table.axis(parameter).len();
-        assert_eq!(usize::from(payload[at]), count, "one byte holds the length");
-        at += 1 + 8 * count;
+        let (count, size) = whole(at);
+        at += size;
+        (0..count).for_each(|_| at += whole(at).1);
     }
-    lengths.push(at + 8);
+    assert_eq!(at, payload.len());
     let program = env!("CARGO_BIN_EXE_tabulate-under-test");
     for at in lengths {
         let size = if payload[at] == 251 { 3 } else { 1 };
@@ -306,39 +322,50 @@ fn nothing_is_allocated_on_the_word_of_a_file() {
 #[test]
 fn a_form_whose_parts_contradict_each_other_is_malformed() {
     let held = || vec![Quantity::Pi0, Quantity::Eeq];
-    let factors = || [vec![0.5; 6], vec![0.5; 3], vec![0.5; 4], vec![1.0]];
-    let core = [1, 2, 3, -4];
-    let sound = LowRank::new(held(), [2, 1, 1, 1], factors(), 0.1, &core).expect("sound");
-    assert_eq!((sound.ranks(), sound.quantities()), ([2, 1, 1, 1], &held()[..]));
-    let logarithms = sound.logarithms(0);
-    assert_eq!(logarithms.len(), 4 * 3 * 2);
-    // step * F1 * F2 * F3 * (F0 core), by hand.
-    for (found, expected) in logarithms.iter().zip([0.05, -0.025].iter().cycle()) {
-        assert!((found - expected).abs() < 1e-16, "{logarithms:?}");
+    let weights = || [vec![0.5], vec![0.25], vec![2.0, 1.0]];
+    let steps = [1.0, 0.5, 0.1, 2.0];
+    // One substrate, three film moduli, two Poisson ratios, and two contact radii of two quantities.
+    let cores: [&[i64]; 4] = [&[2], &[1, 2, -1], &[10, 20, 30, -5], &[1, 2, 3, 4, 5, 6, 7, 8]];
+    let sound = LowRank::new(held(), weights(), steps, cores).expect("sound");
+    assert_eq!((sound.ranks(), sound.quantities()), ([1, 1, 2], &held()[..]));
+    // By hand: C0 / w0 = 4, at the second film modulus C1 / w1 = 4, so 16 times C2 / w2 = (0.5, 2) or (1.5, -0.5), times C3.
+    let expected = [336.0, 416.0, 496.0, 576.0, -32.0, 0.0, 32.0, 64.0];
+    let logarithms = sound.logarithms(1);
+    assert_eq!(logarithms.len(), expected.len());
+    for (found, expected) in logarithms.iter().zip(expected) {
+        assert!((found - expected).abs() < 1e-12, "{logarithms:?}");
     }
-    let with = |axis: usize, factor: Vec<f64>| {
-        let mut factors = factors();
-        factors[axis] = factor;
-        LowRank::new(held(), [2, 1, 1, 1], factors, 0.1, &core)
+    let new = |weights, steps, cores| LowRank::new(held(), weights, steps, cores);
+    let with_core = |i: usize, core: &'static [i64]| {
+        let mut cores = cores;
+        cores[i] = core;
+        new(weights(), steps, cores)
     };
+    let with_step = |step: f64| new(weights(), [1.0, 0.5, step, 2.0], cores);
+    let with_weight = |weight: f64| new([vec![0.5], vec![weight], vec![2.0, 1.0]], steps, cores);
     let wrong = [
-        LowRank::new(vec![], [2, 1, 1, 1], factors(), 0.1, &[]),
-        LowRank::new(vec![Quantity::Eeq, Quantity::Pi0], [2, 1, 1, 1], factors(), 0.1, &core),
-        LowRank::new(vec![Quantity::Eeq; 2], [2, 1, 1, 1], factors(), 0.1, &core),
-        LowRank::new(held(), [2, 0, 1, 1], factors(), 0.1, &[]),
-        LowRank::new(held(), [2, 1, 1, 2], factors(), 0.1, &[1; 8]),
-        LowRank::new(held(), [2, 1, 1, 1], factors(), 0.1, &core[..3]),
-        LowRank::new(held(), [usize::MAX, 1, 1, 1], factors(), 0.1, &core),
-        LowRank::new(held(), [2, 1, 1, 1], factors(), 0.0, &core),
-        LowRank::new(held(), [2, 1, 1, 1], factors(), f64::NAN, &core),
-        LowRank::new(held(), [2, 1, 1, 1], factors(), 0.1, &[1, 2, 3, i64::MIN]),
-        with(0, vec![0.5; 5]),
-        with(0, vec![0.5; 2]),
-        with(1, vec![0.5, f64::NAN]),
-        with(2, vec![f64::INFINITY]),
-        with(3, vec![]),
+        LowRank::new(vec![], weights(), steps, cores),
+        LowRank::new(vec![Quantity::Eeq, Quantity::Pi0], weights(), steps, cores),
+        LowRank::new(vec![Quantity::Eeq; 2], weights(), steps, cores),
+        new([vec![0.5], vec![], vec![2.0, 1.0]], steps, cores),
+        new([vec![0.5], vec![0.25], vec![2.0, 1.0, 1.0]], steps, cores),
+        // Two values of an index from a single node.
+        new([vec![0.5, 0.5], vec![0.25], vec![2.0, 1.0]], steps, [&[2, 2], &[1, 2, -1, 3], cores[2], cores[3]]),
+        with_core(0, &[]),
+        with_core(2, &[10, 20, 30]),
+        with_core(3, &[1, 2, 3, 4, 5, 6]),
+        with_core(1, &[1, 2, i64::MIN]),
+        with_core(1, &[1, 2, (1 << 53) + 1]),
+        with_step(0.0),
+        with_step(f64::NAN),
+        with_step(f64::INFINITY),
+        // In steps of this, one entry is more than anything is.
+        with_step(1e29),
+        with_weight(0.0),
+        with_weight(-0.25),
+        with_weight(f64::NAN),
         // More values than are ever made.
-        LowRank::new(held(), [1; 4], [200; 4].map(|nodes| vec![0.1; nodes]), 0.1, &[1, 1]),
+        LowRank::new(held(), [1; 3].map(|_| vec![1.0]), [1.0; 4], [&[1; 200], &[1; 200], &[1; 200], &[1; 200]]),
     ];
     for (i, wrong) in wrong.iter().enumerate() {
         assert!(matches!(wrong, Err(Error::Malformed(_))), "{i}: {wrong:?}");
@@ -359,7 +386,7 @@ fn the_embedded_table_is_the_default_box_and_as_accurate_as_it_says() {
     assert_eq!(ends, [(1e-3, 1e3), (1e-3, 1e3), (0.0, 0.5), (1.0, 1e6)]);
     assert!(certificate.points >= 10_000 && certificate.max_error <= description.tolerance, "{certificate:?}");
     let size = table.to_packed().expect("it was packed").len();
-    assert!(size <= 2_000_000, "{size} bytes");
+    assert!(size <= 1_000_000, "{size} bytes");
     // Its own way of placing points, which finds the edges and corners of the box; truth as accurate as the tolerance needs.
     let measured = tabulate::certify::certify(table, 1000, certificate.seed + 1, &|_| {}).expect("within reach");
     println!("{size} bytes, certified {:.1e}, at 1000 fresh points {:.1e}", certificate.max_error, measured.max_error);

@@ -40,9 +40,9 @@ impl LowRank {
     ///
     /// # Errors
     /// [`Error::Malformed`] if no quantity is given, or one twice or not in order; if an index or an axis has no value; if the lengths
-    /// contradict each other; if a weight or a step is not in `[1e-30, 1e30]`, an entry of a core not in
-    /// `[-2^53, 2^53]`, or its product with the step not in `[-1e30, 1e30]`; or if there are more than
-    /// 2e8 values on the nodes.
+    /// contradict each other; if an index has more values than the index before it and the nodes between have together; if a weight or a step is not
+    /// in `[1e-30, 1e30]`, an entry of a core not in `[-2^53, 2^53]`, or its product with the step not in `[-1e30, 1e30]`; or if there are more
+    /// than 2e8 values on the nodes.
     pub fn new(quantities: Vec<Quantity>, weights: [Vec<f64>; 3], steps: [f64; 4], cores: [&[i64]; 4]) -> Result<Self, Error> {
         let malformed = |what: String| Err(Error::Malformed(what));
         if quantities.is_empty() || !quantities.is_sorted_by(|a, b| a < b) {
@@ -67,6 +67,9 @@ impl LowRank {
                 return malformed(format!("a core of {} entries joins {before} and {after}", core.len()));
             };
             *nodes = core.len() / length;
+        }
+        if [a, b, c].iter().zip([1, a, b]).zip(nodes).any(|((&rank, before), nodes)| rank > before * nodes) {
+            return malformed(format!("a low-rank form of {nodes:?} nodes has the ranks {:?}", [a, b, c]));
         }
         let values = nodes.iter().try_fold(quantities.len(), |product, &nodes| product.checked_mul(nodes));
         if values.is_none_or(|values| values > MOST_VALUES) {

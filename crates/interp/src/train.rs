@@ -1,9 +1,9 @@
 //! A tensor train prepared for lookup: from its splines at a material to those over `ln(a/t)`.
 //!
-//! Most of what the ten splines of an axis that do not vanish at a point could be, what a table holds is not: over an interval between two knots it is smooth, and the
-//! less an index weighs, the fewer of its digits matter. Therefore each core is expanded, over each interval, in functions that oscillate more and more,
-//! and for every index only those are kept whose part is not far below the table's tolerance; for most indices, in single precision.
-//! In the default table to 1e-7 that takes half the multiplications, and most of them four at a time.
+//! Ten splines of an axis do not vanish at a point, but between two knots a table is smoother than they could be, and the less an index of the train
+//! weighs, the fewer of its digits matter. Therefore each core is expanded, over each interval between knots, in functions that oscillate more and more; an
+//! index keeps those whose part is not far below the table's tolerance, and single precision where that is enough.
+//! In the default table to 1e-7 that takes six tenths of the multiplications, and most of them four at a time.
 
 use std::array;
 use std::f64::consts::PI;
@@ -18,7 +18,7 @@ use crate::spline::{Basis, LARGEST_DEGREE, Weights};
 const NEGLIGIBLE: f64 = 1e-4;
 const ROUNDING: f64 = 1e-3;
 
-/// The columns of a block: what sixteen registers of two numbers hold, with two sums, or eight of four.
+/// The columns of a block: two sums of them in single precision take half of the sixteen registers that every x86-64 has.
 const WIDTH: usize = 16;
 
 /// The most functions on an interval.
