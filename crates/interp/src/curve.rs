@@ -23,7 +23,7 @@ use crate::{Error, Material, Quantities, Quantity, QuantityGradient};
 /// ([`Curve::error`] says how accurate that is). Elsewhere there is an error.
 #[derive(Clone, Debug)]
 pub struct Curve {
-    grid: Grid,
+    grid: Arc<Grid>,
     pieces: Arc<[Values]>,
     /// The nodes of `a/t`, first and last.
     range: [f64; 2],
@@ -99,7 +99,7 @@ impl Curve {
     ) -> Self {
         let pieces = resampler.values(coefficients, quantities, material.sphere_film_modulus());
         let held = Quantity::ALL.map(|quantity| quantities.contains(&quantity));
-        Self { grid: resampler.grid, pieces, range, material, held, sensitivities: None, beyond: None }
+        Self { grid: resampler.grid.clone(), pieces, range, material, held, sensitivities: None, beyond: None }
     }
 
     /// A quantity held that may leave `[1e-30, 1e30]`, with a bound of it: on a sound curve's pieces the first term is the largest by far.
