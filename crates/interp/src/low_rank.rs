@@ -15,41 +15,53 @@ const MOST_VALUES: usize = 200_000_000;
 ///
 /// ```text
 /// ln(Q_q / s) = sum_{abc}  C0[l,a] / w0[a]  C1[a,j,b] / w1[b]  C2[b,k,c] / w2[c]  C3[c,i,q]
+/// C1[a,j,b] = sum_f F1[j,f] G1[a,f,b], and so the others
 /// ```
 ///
 /// with the cores `C` of `e0_over_e2`, `e1_over_e2`, `nu1` and `a_over_t`, in the order that takes the fewest multiplications, and the weights `w` of the
-/// indices that join them. Between the nodes every core is a spline like the table's own, so that this is the tensor spline
+/// indices that join them. A core combines a few functions `F` along its axis, which are smooth: rounding its numbers `G` leaves derivatives alone. Between the nodes every core is a spline like the table's own, so that this is the tensor spline
 /// through these logarithms: what is measured of it holds for [`Table::expand`](crate::Table::expand) as well.
 ///
-/// An entry of a core is to be about as large as what it adds to the logarithms, which is what the weights are for: the root mean square that an index
-/// adds. Then all entries of a core may be rounded to multiples of one step.
+/// A number of a core is to be about as large as what it adds to the logarithms, which is what the weights are for: the root mean square that an index
+/// adds. Then all numbers of a core may be rounded to multiples of one step.
 #[derive(Clone, Debug)]
 pub struct LowRank {
     quantities: Vec<Quantity>,
     weights: [Vec<f64>; 3],
+    /// In the order of the cores, as what follows: a row of the functions' values for each node.
+    functions: [Vec<f64>; 4],
     steps: [f64; 4],
     /// Whole numbers, multiples of the steps.
     cores: [Vec<f64>; 4],
-    /// In the order of the cores.
     nodes: [usize; 4],
 }
 
 impl LowRank {
-    /// From its parts: the quantities held, ascending; the weights of the three indices that join the cores, as many as the index has values; and
-    /// the cores as multiples of their steps, row-major over the index before, the node, and the index after or the quantities held.
+    /// From its parts: the quantities held, ascending; the weights of the three indices that join the cores, as many as the index has values; the
+    /// functions of each core's axis, a row of their values for each node; and the cores as multiples of their steps, row-major over the index before,
+    /// the function, and the index after or the quantities held.
     ///
     /// # Errors
     /// [`Error::Malformed`] if no quantity is given, or one twice or not in order; if an index or an axis has no value; if the lengths
-    /// contradict each other; if an index has more values than the index before it and the nodes between have together; if a weight or a step is not
-    /// in `[1e-30, 1e30]`, an entry of a core not in `[-2^53, 2^53]`, or its product with the step not in `[-1e30, 1e30]`; or if there are more
-    /// than 2e8 values on the nodes.
-    pub fn new(quantities: Vec<Quantity>, weights: [Vec<f64>; 3], steps: [f64; 4], cores: [&[i64]; 4]) -> Result<Self, Error> {
+    /// contradict each other; if there are more functions than nodes, or more values of an index than of the index before it and the functions between
+    /// together; if a weight or a step is not in `[1e-30, 1e30]`, a function's value, or an entry of a core times the step, not in `[-1e30, 1e30]`, or an entry
+    /// of a core not in `[-2^53, 2^53]`; or if there are more than 2e8 values on the nodes.
+    pub fn new(
+        quantities: Vec<Quantity>,
+        weights: [Vec<f64>; 3],
+        functions: [Vec<f64>; 4],
+        steps: [f64; 4],
+        cores: [&[i64]; 4],
+    ) -> Result<Self, Error> {
         let malformed = |what: String| Err(Error::Malformed(what));
         if quantities.is_empty() || !quantities.is_sorted_by(|a, b| a < b) {
             return malformed(format!("a low-rank form of {quantities:?}"));
         }
         if let Some(number) = weights.iter().flatten().chain(&steps).find(|number| !REASONABLE.contains(number)) {
             return malformed(format!("a low-rank form has the weight or step {number:?}"));
+        }
+        if let Some(number) = functions.iter().flatten().find(|number| !(0.0..=*REASONABLE.end()).contains(&number.abs())) {
+            return malformed(format!("a low-rank form has the function value {number:?}"));
         }
         for (core, step) in cores.iter().zip(steps) {
             let allowed = |entry: &&i64| {
@@ -61,22 +73,22 @@ impl LowRank {
         }
         let [a, b, c] = weights.each_ref().map(Vec::len);
         let mut nodes = [0; 4];
-        for ((core, [before, after]), nodes) in cores.iter().zip([[1, a], [a, b], [b, c], [c, quantities.len()]]).zip(&mut nodes) {
-            let length = before.checked_mul(after).filter(|&length| length > 0 && !core.is_empty() && core.len() % length == 0);
-            let Some(length) = length else {
-                return malformed(format!("a core of {} entries joins {before} and {after}", core.len()));
+        for (i, [before, after]) in [[1, a], [a, b], [b, c], [c, quantities.len()]].into_iter().enumerate() {
+            let (core, values) = (cores[i].len(), functions[i].len());
+            let quotient = |whole: usize, part: usize| (part > 0 && whole > 0 && whole % part == 0).then(|| whole / part);
+            let count = before.checked_mul(after).and_then(|pairs| quotient(core, pairs));
+            let sound = |&[count, nodes]: &[usize; 2]| count <= nodes && (i == 3 || after <= before * count);
+            let Some([_, count]) = count.and_then(|count| Some([count, quotient(values, count)?])).filter(sound) else {
+                return malformed(format!("a core of {core} entries joins {before} and {after} with {values} values of functions"));
             };
-            *nodes = core.len() / length;
-        }
-        if [a, b, c].iter().zip([1, a, b]).zip(nodes).any(|((&rank, before), nodes)| rank > before * nodes) {
-            return malformed(format!("a low-rank form of {nodes:?} nodes has the ranks {:?}", [a, b, c]));
+            nodes[i] = count;
         }
         let values = nodes.iter().try_fold(quantities.len(), |product, &nodes| product.checked_mul(nodes));
         if values.is_none_or(|values| values > MOST_VALUES) {
             return malformed(format!("a low-rank form has {nodes:?} nodes"));
         }
         let cores = cores.map(|core| core.iter().map(|&entry| entry as f64).collect());
-        Ok(Self { quantities, weights, steps, cores, nodes })
+        Ok(Self { quantities, weights, functions, steps, cores, nodes })
     }
 
     /// The quantities held, in the order of [`Quantity::ALL`].
@@ -95,10 +107,14 @@ impl LowRank {
         [a, e1, nu, e0]
     }
 
-    /// The weights, steps and whole numbers that it was made from.
-    pub(crate) fn parts(&self) -> ([Vec<f64>; 3], [f64; 4], [Vec<i64>; 4]) {
-        let cores = self.cores.each_ref().map(|core| core.iter().map(|&entry| entry as i64).collect());
-        (self.weights.clone(), self.steps, cores)
+    /// The functions along the axes, in the order of the cores.
+    pub(crate) fn functions(&self) -> &[Vec<f64>; 4] {
+        &self.functions
+    }
+
+    /// The steps, and the whole numbers of the cores.
+    pub(crate) fn rounded(&self) -> ([f64; 4], [Vec<i64>; 4]) {
+        (self.steps, self.cores.each_ref().map(|core| core.iter().map(|&entry| entry as i64).collect()))
     }
 
     /// The weights of the indices that join the cores.
@@ -106,10 +122,22 @@ impl LowRank {
         &self.weights
     }
 
-    /// The cores of `e0_over_e2`, `e1_over_e2`, `nu1` and `a_over_t`.
+    /// The cores of `e0_over_e2`, `e1_over_e2`, `nu1` and `a_over_t`, row-major over the index before, the node, and the index after.
     pub(crate) fn cores(&self) -> [Vec<f64>; 4] {
-        let scaled = |i: usize| self.cores[i].iter().map(|entry| self.steps[i] * entry).collect();
-        std::array::from_fn(scaled)
+        let [a, b, c] = self.ranks();
+        let at_nodes = |i: usize, after: usize| {
+            let (functions, core, nodes) = (&self.functions[i], &self.cores[i], self.nodes[i]);
+            let count = functions.len() / nodes;
+            let mut at_nodes = vec![0.0; core.len() / count * nodes];
+            for (numbers, at_nodes) in core.chunks_exact(count * after).zip(at_nodes.chunks_exact_mut(nodes * after)) {
+                for (values, row) in functions.chunks_exact(count).zip(at_nodes.chunks_exact_mut(after)) {
+                    add_rows(row, values, numbers, after);
+                    row.iter_mut().for_each(|entry| *entry *= self.steps[i]);
+                }
+            }
+            at_nodes
+        };
+        [at_nodes(0, a), at_nodes(1, b), at_nodes(2, c), at_nodes(3, self.quantities.len())]
     }
 
     /// The logarithms at all nodes with one `e1_over_e2`, row-major over `nu1`, `e0_over_e2`, `a_over_t` and the quantities held.

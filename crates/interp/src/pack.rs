@@ -9,8 +9,8 @@
 //! 24      -     payload: header (bincode, fixed-width integers), then the content
 //! ```
 //!
-//! The content of a dense table is its values as f64, quantity after quantity; that of a low-rank one the weights, steps and
-//! integers of its cores (bincode, integers of variable width: one byte for most).
+//! The content of a dense table is its values as f64, quantity after quantity; that of a low-rank one the weights, the functions, and the
+//! steps and integers of its cores (bincode, integers of variable width: one byte for most).
 //!
 //! Nothing is allocated on the word of the file: the header is limited, the values' number must match the bytes there are, and an integer of
 //! a core, 8 bytes in memory, has a byte of its own. (A list is read by serde, which reserves a megabyte at most before it has seen the numbers.)
@@ -49,6 +49,7 @@ enum Form {
 #[derive(Serialize, Deserialize)]
 struct Content {
     weights: [Vec<f64>; 3],
+    functions: [Vec<f64>; 4],
     steps: [f64; 4],
     cores: [Vec<i64>; 4],
 }
@@ -96,8 +97,8 @@ impl Table {
             }
         }
         if let Some(form) = self.low_rank() {
-            let (weights, steps, cores) = form.parts();
-            let content = Content { weights, steps, cores };
+            let (steps, cores) = form.rounded();
+            let content = Content { weights: form.weights().clone(), functions: form.functions().clone(), steps, cores };
             payload.extend(bincode::serde::encode_to_vec(&content, content_configuration()).map_err(malformed)?);
         }
         let mut bytes = Vec::with_capacity(PREFIX + payload.len());
@@ -165,11 +166,11 @@ fn dense(header: Header, content: &[u8]) -> Result<Table, Error> {
 }
 
 fn low_rank(header: Header, content: &[u8]) -> Result<Table, Error> {
-    let (Content { weights, steps, cores }, used) =
+    let (Content { weights, functions, steps, cores }, used) =
         bincode::serde::decode_from_slice(content, content_configuration()).map_err(malformed)?;
     if used != content.len() {
         return Err(Error::Malformed(format!("a low-rank form of {used} bytes in {}", content.len())));
     }
-    let form = LowRank::new(header.quantities, weights, steps, cores.each_ref().map(Vec::as_slice))?;
+    let form = LowRank::new(header.quantities, weights, functions, steps, cores.each_ref().map(Vec::as_slice))?;
     Table::from_low_rank(header.description, header.axes, form)
 }

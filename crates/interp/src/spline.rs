@@ -90,6 +90,11 @@ impl Basis {
         self.count
     }
 
+    /// The degree of the polynomials.
+    pub(crate) fn degree(&self) -> usize {
+        self.degree
+    }
+
     /// The intervals between the knots, on each of which a spline is one polynomial. [`Weights::first`] is the number of an interval.
     pub(crate) fn intervals(&self) -> impl Iterator<Item = [f64; 2]> {
         self.knots[self.degree..self.knots.len() - self.degree].windows(2).map(|ends| [ends[0], ends[1]])

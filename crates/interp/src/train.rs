@@ -55,6 +55,8 @@ struct Interval {
 #[derive(Clone, Debug)]
 struct Functions {
     count: usize,
+    /// True next to a flat end, where they all count: the derivative with respect to `nu1` is their third.
+    flat: bool,
     /// The matrix that makes splines of them, a row for each spline, factorised: `L` (unit diagonal, below) and `U`.
     factors: [[f64; MOST]; MOST],
     /// The splines in the order of these rows.
@@ -157,6 +159,7 @@ impl Interval {
         let count = functions.count;
         let length = coefficients(0, 0).len();
         let precise = precise(before, tolerance);
+        let negligible = if functions.flat { 0.0 } else { NEGLIGIBLE * tolerance };
         let (mut rows, mut needed, mut double) = (Vec::new(), Vec::with_capacity(before.len()), 0);
         for i in 0..before.len() {
             let start = rows.len();
@@ -169,7 +172,7 @@ impl Interval {
                     .enumerate()
                     .for_each(|(spline, weight)| add_rows(sum, &[*weight], coefficients(i, spline), length));
                 let square: f64 = sum.iter().map(|entry| entry * entry).sum();
-                if square.sqrt() > NEGLIGIBLE * tolerance {
+                if square.sqrt() > negligible {
                     most = function + 1;
                 }
             }
@@ -202,14 +205,14 @@ impl Functions {
             }
         }
         let factors = array::from_fn(|spline| array::from_fn(|function| transform[function][spline]));
-        let mut functions = Self { count, factors, order: array::from_fn(|i| i) };
+        let mut functions = Self { count, flat: count <= basis.degree(), factors, order: array::from_fn(|i| i) };
         functions.factorise();
         (functions, transform)
     }
 
     /// Gaussian elimination with partial pivoting.
     fn factorise(&mut self) {
-        let Self { count, factors, order } = self;
+        let Self { count, factors, order, .. } = self;
         for i in 0..*count {
             let pivot = (i..*count).max_by(|&p, &q| factors[p][i].abs().total_cmp(&factors[q][i].abs())).unwrap_or(i);
             factors.swap(i, pivot);

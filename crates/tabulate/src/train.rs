@@ -2,7 +2,7 @@
 //! (I. V. Oseledets, SIAM J. Sci. Comput. 33 (2011) 2295).
 //!
 //! Mode after mode, what is left of the tensor is projected on the leading left singular vectors of its unfolding, which become the mode's core. The four
-//! quantities belong to the last mode: they share all cores but that one. Of the orders of the material axes, `e0_over_e2`, `e1_over_e2`, `nu1` takes the
+//! quantities belong to the last mode: they share all cores but that one. Each core is then projected on the leading functions along its axis. Of the orders of the material axes, `e0_over_e2`, `e1_over_e2`, `nu1` takes the
 //! fewest multiplications at a lookup: in the default box the pairs (`e0`, `e1`), (`e1`, `nu`) and (`e0`, `nu`) have the ranks 81, 117 to 125 and 86 at 7e-8.
 //!
 //! Everything but the measurement of errors, whose maximum knows no order, happens in one thread: the result depends on no number of threads.
@@ -19,9 +19,10 @@ const LOOSEST: f64 = 1.0;
 const TIGHTEST: f64 = 1e-3;
 /// Each halves the range of its logarithm, to 3 % at last.
 const BISECTIONS: usize = 8;
-/// In parts of it, what is left out at the first joint, whose few indices cost little and weigh little from one to the next.
+/// In parts of it, what is left out at the first joint, whose few indices cost little and weigh little from one to the next, and of the functions along
+/// an axis, which cost nothing at a lookup.
 const FIRST: f64 = 0.1;
-/// The step of a core in units of the root mean square that is left out at a joint, spread over the pairs of indices that the core joins: the rounding
+/// The step of a core in units of the root mean square that is left out at a joint, spread over its numbers: the rounding
 /// of a core adds `1/sqrt(12)` of what each truncation does.
 const STEP: f64 = 0.5;
 
@@ -108,26 +109,31 @@ impl Train {
             rank(&squares, if joint == 0 { FIRST * tail } else { tail })
         });
         let weights: [&[f64]; 3] = std::array::from_fn(|joint| &self.weights[joint][..kept[joint]]);
-        let mut steps = [0.0; 4];
-        let cores: [Vec<i64>; 4] = std::array::from_fn(|i| {
-            let nodes = [n_e0, n_e1, n_nu, n_a][i];
-            let (before, of_before) = if i == 0 { (1, 1) } else { (kept[i - 1], self.weights[i - 1].len()) };
+        let (mut functions, mut steps, mut cores) = ([const { Vec::new() }; 4], [0.0; 4], [const { Vec::new() }; 4]);
+        for (i, nodes) in [n_e0, n_e1, n_nu, n_a].into_iter().enumerate() {
+            let before = if i == 0 { 1 } else { kept[i - 1] };
             let (after, of_after) = if i == 3 { (held, held) } else { (kept[i], self.weights[i].len()) };
-            debug_assert_eq!(self.cores[i].len(), of_before * nodes * of_after);
-            let rows = self.cores[i].chunks_exact(of_after).take(before * nodes);
-            let scaled = rows.flat_map(|row| {
-                let weight = move |k: usize| if i == 3 { 1.0 } else { weights[i][k] };
-                row[..after].iter().enumerate().map(move |(k, entry)| entry * weight(k))
-            });
-            let scaled: Vec<f64> = scaled.collect();
-            let pairs = if i == 3 { before } else { before * after };
+            let entry = |node: usize, pair: usize| {
+                let (index, after) = (pair / after, pair % after);
+                let weight = if i == 3 { 1.0 } else { weights[i][after] };
+                weight * self.cores[i][(index * nodes + node) * of_after + after]
+            };
+            let core = Mat::from_fn(nodes, before * after, entry);
+            // Each quantity is one of those that the root mean square is taken of.
+            let of_one = if i == 3 { held as f64 } else { 1.0 };
+            let (vectors, values) = singular_vectors(core.as_ref(), FIRST * tail * (nodes as f64 * of_one).sqrt());
+            let norm = (nodes as f64).sqrt();
+            let numbers = vectors.transpose() * &core / norm;
+            let count = values.len();
+            functions[i] = row_major(vectors.as_ref()).map(|value| norm * value).collect();
             // Finer steps than those of f64 at the largest entry are of no use.
-            let largest = scaled.iter().fold(f64::MIN_POSITIVE, |largest, entry| largest.max(entry.abs()));
-            steps[i] = (STEP * tail / (pairs as f64).sqrt()).max(f64::EPSILON * largest);
-            scaled.iter().map(|entry| (entry / steps[i]).round() as i64).collect()
-        });
-        let form = LowRank::new(table.quantities(), weights.map(<[f64]>::to_vec), steps, cores.each_ref().map(Vec::as_slice));
-        Ok(form?)
+            let largest = numbers.norm_max().max(f64::MIN_POSITIVE);
+            steps[i] = (STEP * tail / ((before * count * after) as f64 / of_one).sqrt()).max(f64::EPSILON * largest);
+            let ordered = (0..before).flat_map(|b| (0..count).flat_map(move |f| (0..after).map(move |a| (f, b * after + a))));
+            cores[i] = ordered.map(|at| (numbers[at] / steps[i]).round() as i64).collect();
+        }
+        let cores = cores.each_ref().map(Vec::as_slice);
+        Ok(LowRank::new(table.quantities(), weights.map(<[f64]>::to_vec), functions, steps, cores)?)
     }
 }
 
