@@ -4,6 +4,7 @@
 //! `bits` of its mantissa are then the number of the piece, and the rest of the mantissa is the place on it: no logarithm, no search. Within a piece
 //! each quantity is a polynomial in the place `t` from -1 to 1, the exponential of another one that is linear in the coefficients of the spline.
 
+use std::borrow::Cow;
 use std::sync::Arc;
 
 use crate::Quantity;
@@ -175,17 +176,19 @@ impl Resampler {
         let mut bits = vec![coarsest; Grid::most_octaves(range)];
         loop {
             let resampler = Self::new(basis, range, &bits);
-            let mut is_enough = true;
-            for (octave, bits) in bits.iter_mut().enumerate().filter(|(_, bits)| **bits < finest) {
-                let follows = |curve: &Vec<f64>| resampler.error(octave, basis, range, held, curve) <= error;
-                if !curves.iter().all(follows) {
-                    *bits += 1;
-                    is_enough = false;
+            let mut too_long = vec![false; bits.len()];
+            for curve in curves {
+                let coefficients = fours(curve, held);
+                for (piece, (octave, ends)) in resampler.grid.pieces(range[1]).enumerate() {
+                    if bits[octave] < finest && !too_long[octave] {
+                        too_long[octave] = resampler.error(piece, ends, basis, range, &coefficients) > error;
+                    }
                 }
             }
-            if is_enough {
+            if !too_long.contains(&true) {
                 return resampler;
             }
+            bits.iter_mut().zip(too_long).for_each(|(bits, too_long)| *bits += u32::from(too_long));
         }
     }
 
@@ -248,39 +251,29 @@ impl Resampler {
         (0..self.spans.len()).map(|piece| exponential(&self.logarithms(piece, &rows), scales)).collect()
     }
 
-    /// The largest relative difference of a curve's pieces in an octave from its splines, between the samples.
-    fn error(&self, octave: usize, basis: &Basis, range: [f64; 2], held: &[Quantity], coefficients: &[f64]) -> f64 {
-        let rows = fours(coefficients, held);
-        let mut largest = 0.0_f64;
-        let pieces = self.grid.pieces(range[1]).enumerate().filter(|(_, (of, _))| *of == octave);
-        for (piece, (_, ends)) in pieces {
-            let values = exponential(&self.logarithms(piece, &rows), [1.0; 4]);
-            let samples = samples(ends, range.map(|x| x * self.grid.factor));
-            for y in samples.windows(2).map(|pair| pair[0].midpoint(pair[1])) {
-                let x = (y / self.grid.factor).clamp(range[0], range[1]);
-                let place = self.grid.place(x);
-                if place.piece != piece {
-                    continue;
-                }
-                let splines = basis.weights(Parameter::AOverT.coordinate(x));
-                let sum = |quantity: usize| {
-                    let values = splines.values[..splines.count].iter().zip(&rows[splines.first..]);
-                    values.map(|(value, row)| value * row[quantity]).sum::<f64>()
-                };
-                let miss = |quantity: usize| (one(&values, place, quantity) / sum(quantity).exp() - 1.0).abs();
-                // Not `f64::max`, which drops NaN.
-                largest = (0..4).map(miss).fold(largest, |largest, miss| if miss <= largest { largest } else { miss });
-            }
-        }
-        largest
+    /// The largest relative difference of a curve's piece from its splines, between the samples; infinite if one is NaN.
+    fn error(&self, piece: usize, ends: [f64; 2], basis: &Basis, range: [f64; 2], coefficients: &[Four]) -> f64 {
+        let values = exponential(&self.logarithms(piece, coefficients), [1.0; 4]);
+        let samples = samples(ends, range.map(|x| x * self.grid.factor));
+        let middles = samples.windows(2).map(|pair| (pair[0].midpoint(pair[1]) / self.grid.factor).clamp(range[0], range[1]));
+        // A piece that sticks out of the range has samples before it, too.
+        let places = middles.map(|x| (x, self.grid.place(x))).filter(|(_, place)| place.piece == piece);
+        let errors = places.flat_map(|(x, place)| {
+            let splines = basis.weights(Parameter::AOverT.coordinate(x));
+            let sum = move |quantity: usize| {
+                let values = splines.values[..splines.count].iter().zip(&coefficients[splines.first..]);
+                values.map(|(value, row)| value * row[quantity]).sum::<f64>()
+            };
+            (0..4).map(move |quantity| (one(&values, place, quantity) / sum(quantity).exp() - 1.0).abs())
+        });
+        errors.fold(0.0, |largest, error| if error.is_nan() { f64::INFINITY } else { largest.max(error) })
     }
 }
 
 /// One row of four for each coefficient; 0 for a quantity that is not held.
-fn fours(coefficients: &[f64], held: &[Quantity]) -> Vec<Four> {
-    if let Ok(all) = <[Quantity; 4]>::try_from(held) {
-        debug_assert_eq!(all, Quantity::ALL);
-        return coefficients.as_chunks().0.to_vec();
+fn fours<'a>(coefficients: &'a [f64], held: &[Quantity]) -> Cow<'a, [Four]> {
+    if held == Quantity::ALL {
+        return Cow::Borrowed(coefficients.as_chunks().0);
     }
     let row = |group: &[f64]| {
         let mut row = [0.0; 4];

@@ -152,11 +152,13 @@ pub const FUNCTIONS: &[Function] = &[
         look_up(&Table::from_logarithms(description, tables::axes(), quantities, logarithms)?)?;
         Ok(vec![])
     }),
-    ("LowRank::new", 5, |x| {
+    ("LowRank::new", 6, |x| {
         let nodes = AXES.map(|nodes| vec![1; nodes.len()]);
         let cores = [&nodes[3][..], &nodes[1], &nodes[2], &nodes[0]];
         let weights = from_fn(|joint| vec![x[joint]]);
-        let form = LowRank::new(vec![Quantity::Pi0], weights, [x[3], x[4], 1.0, 1.0], cores)?;
+        let mut functions = tables::functions(AXES.map(|nodes| nodes.len()));
+        functions[1][0] = x[5];
+        let form = LowRank::new(vec![Quantity::Pi0], weights, functions, [x[3], x[4], 1.0, 1.0], cores)?;
         look_up(&Table::from_low_rank(tables::description(), tables::axes(), form)?)?;
         Ok(vec![])
     }),

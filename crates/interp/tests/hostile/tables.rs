@@ -29,13 +29,20 @@ pub fn dense() -> Table {
     Table::new(description(), axes(), [Some(values(1.0)), None, Some(values(2.0)), Some(values(0.7))]).expect("sound")
 }
 
+/// As many functions as nodes for each core of a low-rank form, which have the axes in this order: each is 1 at a node and 0 at the others.
+pub fn functions([a, e1, nu, e0]: [usize; 4]) -> [Vec<f64>; 4] {
+    [e0, e1, nu, a].map(|n| (0..n * n).map(|i| if i % (n + 1) == 0 { 1.0 } else { 0.0 }).collect())
+}
+
 /// A low-rank table of all quantities, whose cores are joined by two values each.
 pub fn low_rank() -> Table {
     let core = |length: i64| (0..length).map(|i| (i * i * 37) % 61 - 30).collect::<Vec<i64>>();
     let [a, e1, nu, e0] = AXES.map(|nodes| nodes.len() as i64);
     let cores = [core(e0 * 2), core(2 * e1 * 2), core(2 * nu * 2), core(2 * a * 4)];
     let weights = std::array::from_fn(|_| vec![1.0, 0.5]);
-    let form = LowRank::new(Quantity::ALL.to_vec(), weights, [0.01; 4], cores.each_ref().map(Vec::as_slice)).expect("sound");
+    let functions = functions(AXES.map(|nodes| nodes.len()));
+    let cores = cores.each_ref().map(Vec::as_slice);
+    let form = LowRank::new(Quantity::ALL.to_vec(), weights, functions, [0.01; 4], cores).expect("sound");
     Table::from_low_rank(description(), axes(), form).expect("sound")
 }
 
@@ -64,7 +71,8 @@ pub fn of_shape(shape: [usize; 4], a_over_t: [f64; 2]) -> [Table; 2] {
     let [a, e1, nu, e0] = shape;
     let cores = [core(e0), core(e1), core(nu), core(a * 4)];
     let weights = std::array::from_fn(|_| vec![1.0]);
-    let form = LowRank::new(Quantity::ALL.to_vec(), weights, [0.1; 4], cores.each_ref().map(Vec::as_slice)).expect("sound");
+    let cores = cores.each_ref().map(Vec::as_slice);
+    let form = LowRank::new(Quantity::ALL.to_vec(), weights, functions(shape), [0.1; 4], cores).expect("sound");
     let low_rank = Table::from_low_rank(description.clone(), axes.clone(), form).expect("sound");
     [Table::new(description, axes, values).expect("sound"), low_rank]
 }
