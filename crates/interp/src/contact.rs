@@ -7,14 +7,14 @@ use crate::{Curve, Error, HalfSpace, Mechanics, Quantities, Quantity, System, Ta
 #[derive(Clone, Debug)]
 pub struct Contact {
     pub(crate) mechanics: Mechanics,
-    pub(crate) coating: Option<Coating>,
+    pub(crate) bodies: Bodies,
 }
 
-/// What a contact on a half-space does not have.
+/// What touches what.
 #[derive(Clone, Debug)]
-pub(crate) struct Coating {
-    pub(crate) system: System,
-    pub(crate) curve: Curve,
+pub(crate) enum Bodies {
+    HalfSpace(HalfSpace),
+    Coated { system: System, curve: Curve },
 }
 
 /// A contact: how large it is, what presses it, how far the sphere is in.
@@ -63,7 +63,7 @@ impl Contact {
         if !material.is_close_to(made_for) {
             return Err(Error::OtherMaterial { curve: *made_for, system: material });
         }
-        Ok(Self { mechanics, coating: Some(Coating { system: *system, curve }) })
+        Ok(Self { mechanics, bodies: Bodies::Coated { system: *system, curve } })
     }
 
     /// A sphere on a half-space: JKR, to rounding, at any contact radius.
@@ -81,17 +81,23 @@ impl Contact {
     /// # Errors
     /// Those of [`HalfSpace::compound_modulus`].
     pub fn half_space(system: &HalfSpace) -> Result<Self, Error> {
-        Ok(Self { mechanics: Mechanics::half_space(system)?, coating: None })
+        Ok(Self { mechanics: Mechanics::half_space(system)?, bodies: Bodies::HalfSpace(*system) })
     }
 
     /// The dimensionless quantities as functions of `a/t`; none on a half-space.
     pub fn curve(&self) -> Option<&Curve> {
-        self.coating.as_ref().map(|coating| &coating.curve)
+        match &self.bodies {
+            Bodies::HalfSpace(_) => None,
+            Bodies::Coated { curve, .. } => Some(curve),
+        }
     }
 
     /// Sphere, film and substrate; none on a half-space.
     pub fn system(&self) -> Option<&System> {
-        self.coating.as_ref().map(|coating| &coating.system)
+        match &self.bodies {
+            Bodies::HalfSpace(_) => None,
+            Bodies::Coated { system, .. } => Some(system),
+        }
     }
 
     /// The arithmetic, for quantities from elsewhere.
@@ -101,9 +107,9 @@ impl Contact {
 
     /// The smallest and the largest contact radius (m) that the curve covers: 0 and infinity on a half-space.
     pub fn contact_radius_range(&self) -> [f64; 2] {
-        match &self.coating {
-            Some(Coating { system, curve }) => curve.range().map(|a_over_t| a_over_t * system.film_thickness),
-            None => [0.0, f64::INFINITY],
+        match &self.bodies {
+            Bodies::Coated { system, curve } => curve.range().map(|a_over_t| a_over_t * system.film_thickness),
+            Bodies::HalfSpace(_) => [0.0, f64::INFINITY],
         }
     }
 
@@ -206,9 +212,9 @@ impl Contact {
 
     /// What the curve says at contact radius `a`, or what holds on any half-space.
     fn look_up<T>(&self, a: f64, curve: impl FnOnce(&Curve, f64) -> Result<T, Error>, half_space: T) -> Result<T, Error> {
-        match &self.coating {
-            Some(coating) => curve(&coating.curve, a / coating.system.film_thickness),
-            None => positive("contact radius", a).map(|()| half_space),
+        match &self.bodies {
+            Bodies::Coated { system, curve: own } => curve(own, a / system.film_thickness),
+            Bodies::HalfSpace(_) => positive("contact radius", a).map(|()| half_space),
         }
     }
 }

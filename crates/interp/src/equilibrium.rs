@@ -22,7 +22,7 @@ pub enum Control {
 
 impl Control {
     /// The name of what is imposed.
-    const fn name(self) -> &'static str {
+    pub(crate) const fn name(self) -> &'static str {
         match self {
             Self::Load => "load",
             Self::Displacement => "penetration",
@@ -30,8 +30,18 @@ impl Control {
         }
     }
 
+    /// Accepts a spring whose stiffness is a number to compute with.
+    pub(crate) fn check(self) -> Result<(), Error> {
+        match self {
+            Self::Spring { stiffness } => {
+                Error::unless((1e-100..=1e100).contains(&stiffness), "stiffness of the spring", stiffness, "in [1e-100, 1e100] N/m")
+            }
+            _ => Ok(()),
+        }
+    }
+
     /// The imposed value at a load and a penetration, or its slope from theirs.
-    fn imposed(self, load: f64, penetration: f64) -> f64 {
+    pub(crate) fn imposed(self, load: f64, penetration: f64) -> f64 {
         match self {
             Self::Load => load,
             Self::Displacement => penetration,
@@ -111,9 +121,7 @@ impl Contact {
     /// [`Error::MissingQuantity`] without `pi0`, `delta0` and, with adhesion, `eeq` and `gamma`.
     pub fn equilibria(&self, w: f64, control: Control) -> Result<Equilibria<'_>, Error> {
         work_of_adhesion(w)?;
-        if let Control::Spring { stiffness } = control {
-            Error::unless((1e-100..=1e100).contains(&stiffness), "stiffness of the spring", stiffness, "in [1e-100, 1e100] N/m")?;
-        }
+        control.check()?;
         let [first, last] = self.search_range().map(f64::ln);
         let imposed = |u: f64| self.load_and_penetration(u.exp(), w).map(|(load, penetration)| control.imposed(load, penetration));
         let slope = |u: f64| self.slopes(u.exp(), w).map(|(load, penetration)| control.imposed(load, penetration));

@@ -99,8 +99,17 @@ pub enum Error {
     /// A quantity that the scene of the table did not ask for.
     #[error("the table does not hold {0}: its scene did not ask for it")]
     MissingQuantity(&'static str),
-    /// A derivative with respect to a parameter that the scene of the table fixes.
-    #[error("there is no derivative with respect to {0}: the table fixes it, or a parameter that it needs")]
+    /// A motion of the contact line that cannot be integrated to the tolerance.
+    #[cfg(feature = "dynamics")]
+    #[error("the contact line cannot be followed beyond {time:?} s: {reason}")]
+    Motion {
+        /// How far it was followed, s from the beginning of the ramp.
+        time: f64,
+        /// What stopped the solver.
+        reason: String,
+    },
+    /// A derivative that is not known, in most cases because the scene of the table fixes the parameter.
+    #[error("there is no derivative with respect to {0}: it is no axis of the table, or needs a parameter that is none")]
     FixedParameter(&'static str),
     /// A gradient of a curve that was made without one.
     #[error("the curve has no derivatives with respect to the material: make it with `curve_with_gradient`")]

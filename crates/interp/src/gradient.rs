@@ -1,9 +1,9 @@
 //! Derivatives of load and penetration with respect to all that they depend on.
 
-use crate::contact::Coating;
+use crate::contact::{Bodies, finite};
 use crate::material::one_minus_square;
 use crate::pieces::Four;
-use crate::{Contact, Error, Normalisation, Quantities, QuantityGradient};
+use crate::{Contact, Error, HalfSpace, Normalisation, Quantities, QuantityGradient, System};
 
 /// What the load and the penetration of a contact depend on, in SI units.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -90,8 +90,8 @@ impl ContactGradient {
     /// The derivatives with respect to one input. They are 0 with respect to the modulus of a rigid body, and to its Poisson ratio.
     ///
     /// # Errors
-    /// [`Error::FixedParameter`] for a parameter of the material that the table fixes, or that takes one; and for the work of adhesion where there is none:
-    /// the load falls like its square root.
+    /// [`Error::FixedParameter`] for a parameter of the material that the table fixes, or that takes one; for a film's on a half-space; and for the work of
+    /// adhesion where there is none (or less than 2.3e-308 J/m^2), as the load falls like its square root.
     pub fn by(&self, input: Input) -> Result<Derivatives, Error> {
         self.derivatives[input as usize].ok_or(Error::FixedParameter(input.name()))
     }
@@ -119,7 +119,7 @@ impl Contact {
     /// # fn main() -> Result<(), interp::Error> {
     /// # use interp::{Elastic, Input, System, Table};
     /// # let (film, substrate) = (Elastic::new(3.5e6, 0.5)?, Elastic::new(2e11, 0.25)?);
-    /// # let system = System { sphere_radius: 1e-3, sphere_modulus: 2e6, film, film_thickness: 1e-5, substrate };
+    /// # let system = System { sphere_radius: 1e-3, sphere_modulus: 2e6, film, film_thickness: 1e-6, substrate };
     /// let contact = Table::embedded().contact_with_gradient(&system)?;
     /// let gradient = contact.gradient(65e-6, 0.04)?;
     /// let [film, sphere] = [(Input::FilmModulus, 3.5e6), (Input::SphereModulus, 2e6)].map(|(input, modulus)| {
@@ -132,17 +132,22 @@ impl Contact {
     /// ```
     ///
     /// # Errors
-    /// As [`Contact::load_and_penetration`], but always [`Error::OutsideTable`] beyond the nodes in `a/t`; [`Error::NoGradient`] on a half-space and on a
-    /// curve made without derivatives; [`Error::OtherMaterial`] on one whose derivatives are those of an equivalent on another substrate.
+    /// As [`Contact::load_and_penetration`], but always [`Error::OutsideTable`] beyond the nodes in `a/t`; [`Error::NoGradient`] on a curve made
+    /// without derivatives; [`Error::Unphysical`] for a derivative too large for f64; [`Error::OtherMaterial`] on a curve whose derivatives are those of an
+    /// equivalent on another substrate.
     pub fn gradient(&self, a: f64, w: f64) -> Result<ContactGradient, Error> {
         let edge = self.mechanics.edge_singularity(a, w)?;
-        let Coating { system, curve } = self.coating.as_ref().ok_or(Error::NoGradient)?;
-        let gradient = curve.gradient(a / system.film_thickness)?;
-        let material = system.material()?;
-        if !material.is_close_to(gradient.material()) {
-            return Err(Error::OtherMaterial { curve: *gradient.material(), system: material });
-        }
-        let (values, slopes) = (gradient.values(), gradient.slopes());
+        let (values, by_bodies) = match &self.bodies {
+            Bodies::HalfSpace(system) => (Quantities::homogeneous(1.0), on_half_space(system)?),
+            Bodies::Coated { system, curve } => {
+                let gradient = curve.gradient(a / system.film_thickness)?;
+                let material = system.material()?;
+                if !material.is_close_to(gradient.material()) {
+                    return Err(Error::OtherMaterial { curve: *gradient.material(), system: material });
+                }
+                (gradient.values(), on_film(system, &gradient, a))
+            }
+        };
         let (load, penetration) = self.mechanics.load_and_penetration(a, edge, &values);
         let f0 = self.mechanics.adhesionless_load(a, values.pi0);
         let delta0 = self.mechanics.adhesionless_penetration(a, values.delta0);
@@ -158,35 +163,52 @@ impl Contact {
                     - (delta0 - penetration) * (edge - modulus - gamma),
             }
         };
-        let by = |input: Input| {
-            let change = match input {
-                Input::ContactRadius => {
-                    Change { contact_radius: 1.0 / a, quantities: relative(slopes, values, 1.0 / a), ..Change::default() }
-                }
-                Input::FilmThickness => {
-                    Change { quantities: relative(slopes, values, -1.0 / system.film_thickness), ..Change::default() }
-                }
-                Input::WorkOfAdhesion if w == 0.0 => return None,
-                Input::WorkOfAdhesion => Change { work_of_adhesion: 1.0 / w, ..Change::default() },
-                Input::SphereRadius => Change { sphere_radius: 1.0 / system.sphere_radius, ..Change::default() },
-                Input::SphereModulus
-                | Input::FilmModulus
-                | Input::FilmPoisson
-                | Input::SubstrateModulus
-                | Input::SubstratePoisson => {
-                    of_material(&gradient, input, [system.sphere_modulus, system.film.young(), system.substrate.young()])?
-                }
-            };
-            Some(derivatives(change))
-        };
-        Ok(ContactGradient { load, penetration, derivatives: Input::ALL.map(by) })
+        let mut changes = by_bodies;
+        if let Some(change) = &mut changes[Input::ContactRadius as usize] {
+            change.contact_radius = 1.0 / a;
+        }
+        changes[Input::SphereRadius as usize] =
+            Some(Change { sphere_radius: 1.0 / self.mechanics.sphere_radius(), ..Change::default() });
+        // One over it may not be a number.
+        changes[Input::WorkOfAdhesion as usize] = w.is_normal().then(|| Change { work_of_adhesion: 1.0 / w, ..Change::default() });
+        let derivatives = changes.map(|change| change.map(derivatives));
+        let numbers = derivatives.iter().flatten().flat_map(|by| [by.load, by.penetration]);
+        numbers.chain([load, penetration]).try_for_each(|number| finite(a, number).map(drop))?;
+        Ok(ContactGradient { load, penetration, derivatives })
     }
 }
 
-/// The changes of the logarithms of the quantities, from their logarithmic slopes.
-fn relative(slopes: Quantities, values: Quantities, factor: f64) -> Four {
-    let (slopes, values) = (slopes.to_array(), values.to_array());
-    std::array::from_fn(|quantity| factor * slopes[quantity] / values[quantity])
+/// What changes with the contact radius, the thickness and the elastic constants of a coated contact, in the order of [`Input::ALL`].
+fn on_film(system: &System, gradient: &QuantityGradient, a: f64) -> [Option<Change>; 9] {
+    let (values, slopes) = (gradient.values().to_array(), gradient.slopes().to_array());
+    let moduli = [system.sphere_modulus, system.film.young(), system.substrate.young()];
+    Input::ALL.map(|input| {
+        let with_a_over_t = |factor: f64| {
+            let quantities = std::array::from_fn(|quantity| factor * slopes[quantity] / values[quantity]);
+            Some(Change { quantities, ..Change::default() })
+        };
+        match input {
+            Input::ContactRadius => with_a_over_t(1.0 / a),
+            Input::FilmThickness => with_a_over_t(-1.0 / system.film_thickness),
+            Input::SphereRadius | Input::WorkOfAdhesion => None,
+            _ => of_material(gradient, input, moduli),
+        }
+    })
+}
+
+/// The same on a half-space, where the quantities are constant and the compound modulus `E*` is their unit.
+fn on_half_space(system: &HalfSpace) -> Result<[Option<Change>; 9], Error> {
+    let compound = system.compound_modulus()?;
+    let (young, nu0) = (system.solid.young(), system.solid.poisson());
+    let share = compound / system.solid.reduced();
+    let modulus = |modulus: f64| Some(Change { modulus, ..Change::default() });
+    Ok(Input::ALL.map(|input| match input {
+        Input::ContactRadius => modulus(0.0),
+        Input::SphereModulus => modulus(compound / system.sphere_modulus / system.sphere_modulus),
+        Input::SubstrateModulus => modulus(share / young),
+        Input::SubstratePoisson => modulus(share * 2.0 * nu0 / one_minus_square(nu0)),
+        _ => None,
+    }))
 }
 
 /// The change with one of the elastic constants; none if it is not known.

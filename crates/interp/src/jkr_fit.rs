@@ -79,7 +79,7 @@ impl Contact {
     /// Does the film matter? What [`Contact::jkr_fit`] reports, relative to the truth.
     ///
     /// # Errors
-    /// Those of [`Contact::jkr_fit`], and [`Error::Unphysical`] for a `w` of 0, to which nothing is relative.
+    /// Those of [`Contact::jkr_fit`], and [`Error::Unphysical`] for a `w` of 0 or next to it, to which nothing is relative.
     ///
     /// ```
     /// # #[cfg(feature = "embedded")]
@@ -100,11 +100,10 @@ impl Contact {
         work_of_adhesion(w)?;
         Error::unless(w > 0.0, "work of adhesion", w, "> 0: a bias is relative to it")?;
         let (fit, bare) = (self.jkr_fit(w, radii, points)?, self.mechanics().sphere_substrate_modulus());
-        Ok(FilmBias {
-            fit,
-            modulus: fit.modulus / bare - 1.0,
-            work_of_adhesion: fit.work_of_adhesion() / w - 1.0,
-            work_of_adhesion_at_known_modulus: fit.work_of_adhesion_with(bare) / w - 1.0,
-        })
+        let work_of_adhesion = fit.work_of_adhesion() / w - 1.0;
+        let work_of_adhesion_at_known_modulus = fit.work_of_adhesion_with(bare) / w - 1.0;
+        let held = work_of_adhesion.is_finite() && work_of_adhesion_at_known_modulus.is_finite();
+        Error::unless(held, "work of adhesion", w, "large enough for a bias relative to it that f64 holds")?;
+        Ok(FilmBias { fit, modulus: fit.modulus / bare - 1.0, work_of_adhesion, work_of_adhesion_at_known_modulus })
     }
 }

@@ -15,7 +15,10 @@
 //! * [`Contact::equilibria`] has the contacts at a load, a penetration or the position of a spring with their stability, pull-off
 //!   ([`Contact::pull_off`]), and whole force-displacement curves with their jumps;
 //! * [`Contact::radius_and_energy_release_rate`] and its like need no work of adhesion, but measured values;
-//! * [`Contact::film_bias`] says whether the film matters, [`Contact::validity`] and [`Contact::adhesion_range`] whether the model holds.
+//! * [`Contact::film_bias`] says whether the film matters, [`Contact::validity`] and [`Contact::adhesion_range`] whether the model holds;
+//! * [`Contact::line`] moves the contact line by a [`CrackTip`] law, of which eq. 8 is the simplest: different energies for an
+//!   advancing and a receding line ([`Hysteresis`]), or energies that depend on its speed ([`RateDependent`]); slowly
+//!   ([`ContactLine::impose`]), or in time (`ContactLine::ramp`, feature `dynamics`).
 //!
 //! ```
 //! # #[cfg(feature = "embedded")]
@@ -44,7 +47,11 @@
 mod beyond;
 mod certificate;
 mod contact;
+mod contact_line;
+mod crack_tip;
 mod curve;
+#[cfg(feature = "dynamics")]
+mod dynamics;
 #[cfg(feature = "embedded")]
 mod embedded;
 mod energy_release;
@@ -74,7 +81,11 @@ mod validity;
 
 pub use certificate::{Certificate, Details};
 pub use contact::{Contact, State};
+pub use contact_line::ContactLine;
+pub use crack_tip::{CrackTip, Hysteresis, RateDependent};
 pub use curve::Curve;
+#[cfg(feature = "dynamics")]
+pub use dynamics::Moment;
 pub use equilibrium::{Control, Equilibria, Equilibrium};
 pub use error::Error;
 pub use force_displacement::{ForceDisplacement, Jump};

@@ -51,7 +51,7 @@ impl Lookup {
             Ok((equivalent, place(table, &equivalent)?))
         })?;
         let coefficients = self.coefficients.at(&self.coefficients.weights(place));
-        Ok(self.of_splines(table, &coefficients, equivalent))
+        self.of_splines(table, &coefficients, equivalent)
     }
 
     pub(crate) fn curve_with_gradient(&self, table: &Table, material: &Material) -> Result<Curve, Error> {
@@ -79,13 +79,16 @@ impl Lookup {
         });
         let pieces = slopes.map(|slopes| self.resampler.derivatives(&slopes, &self.held));
         let sensitivities = Sensitivities::new(pieces, known, *material, equivalence.jacobian);
-        Ok(self.of_splines(table, &values, equivalence.equivalent).with_sensitivities(sensitivities))
+        Ok(self.of_splines(table, &values, equivalence.equivalent)?.with_sensitivities(sensitivities))
     }
 
-    fn of_splines(&self, table: &Table, coefficients: &[f64], equivalent: Material) -> Curve {
+    fn of_splines(&self, table: &Table, coefficients: &[f64], equivalent: Material) -> Result<Curve, Error> {
         let description = table.description();
         let curve = Curve::of_splines(&self.resampler, self.range, coefficients, &self.held, equivalent);
-        curve.with_expansions(description.certificate.max_error, description.tolerance)
+        if let Some((quantity, value)) = curve.unreasonable() {
+            return Err(Error::Malformed(format!("{} reaches {value:?} between the nodes", quantity.name())));
+        }
+        Ok(curve.with_expansions(description.certificate.max_error, description.tolerance))
     }
 }
 

@@ -2,6 +2,7 @@
 
 use std::f64::consts::PI;
 
+use crate::contact::finite;
 use crate::system::positive;
 use crate::{Error, HalfSpace, Normalisation, Quantities, System};
 
@@ -79,11 +80,11 @@ impl Mechanics {
     /// `2 g^2 / (pi a Es*) = w` (eq. 8). Other crack-tip laws would replace this line alone.
     ///
     /// # Errors
-    /// [`Error::Unphysical`] for an `a` that is not positive, a negative or infinite `w`, or NaN.
+    /// [`Error::Unphysical`] for an `a` that is not positive, a negative or infinite `w`, NaN, or an amplitude too large for f64.
     pub fn edge_singularity(&self, a: f64, w: f64) -> Result<f64, Error> {
         positive("contact radius", a)?;
         work_of_adhesion(w)?;
-        Ok((0.5 * PI * a * w * self.sphere_film_modulus).sqrt())
+        finite(a, (0.5 * PI * a * w * self.sphere_film_modulus).sqrt())
     }
 
     /// Stress intensity `K_I = 2 g / sqrt(pi a)` (Pa m^{1/2}) of the edge singularity `g` (N/m) at contact radius `a` (m): just

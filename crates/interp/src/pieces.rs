@@ -1,9 +1,10 @@
 //! Polynomial pieces over `x = a/t`, found and entered by the bits of `x`.
 //!
-//! Every octave of `y`, which is `x` but for a factor near 1, is cut into `2^bits` pieces of equal length. The exponent of `y` and the first `bits` of
-//! its mantissa are then the number of the piece, and the rest of the mantissa is the place on it: no logarithm, no search. Within a piece each quantity is a polynomial in the place
-//! `t` from -1 to 1, the exponential of another one that is linear in the coefficients of the spline.
+//! Every octave of `y`, which is `x` but for a factor, is cut into `2^bits` pieces of equal length, as many as it needs. The exponent of `y` and the first
+//! `bits` of its mantissa are then the number of the piece, and the rest of the mantissa is the place on it: no logarithm, no search. Within a piece
+//! each quantity is a polynomial in the place `t` from -1 to 1, the exponential of another one that is linear in the coefficients of the spline.
 
+use std::borrow::Cow;
 use std::sync::Arc;
 
 use crate::Quantity;
@@ -25,17 +26,26 @@ pub(crate) type Values = [Four; VALUE];
 
 const MANTISSA_BITS: u32 = 52;
 const MANTISSA: u64 = (1 << MANTISSA_BITS) - 1;
+/// The bits of 1.
+const ONE: u64 = 1.0_f64.to_bits();
 
 /// Where the pieces are.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Grid {
-    /// `y/x`, such that the range covers no piece by less than a quarter: the polynomial of a piece that sticks out has large coefficients, and rounding.
+    /// `y/x`, such that `y` begins between 1 and 2, and that the range covers as much as it can of its first and its last piece: the polynomial of a piece
+    /// that sticks out far has large coefficients, and rounding.
     factor: f64,
-    /// Pieces in an octave: two to this power.
+    /// From 1 to 2, from 2 to 4, ...
+    octaves: Vec<Octave>,
+}
+
+/// The pieces of an octave.
+#[derive(Clone, Copy, Debug)]
+struct Octave {
+    /// There are two to this power.
     bits: u32,
-    /// The number of the first piece.
-    first: u64,
-    count: usize,
+    /// The first of them.
+    first: usize,
 }
 
 /// A place on a piece.
@@ -47,54 +57,65 @@ pub(crate) struct Place {
 }
 
 impl Grid {
-    /// Over a range of `x` between 1e-30 and 1e30.
-    fn over([from, to]: [f64; 2], bits: u32) -> Self {
+    /// The most octaves of a range, of which the first and the last are not whole.
+    fn most_octaves([from, to]: [f64; 2]) -> usize {
+        (to / from).log2() as usize + 2
+    }
+
+    /// Over a range of `x` between 1e-30 and 1e30, with pieces in the octaves as given, of which the last may not be needed.
+    fn over([from, to]: [f64; 2], bits: &[u32]) -> Self {
         const STEPS: i32 = 16;
-        let number = |y: f64| y.to_bits() >> (MANTISSA_BITS - bits);
-        let mut best = (f64::NEG_INFINITY, Self { factor: 1.0, bits, first: number(from), count: 1 });
-        for step in 1..STEPS {
-            // The first piece begins so much before the range. None begins or ends within rounding of it.
+        let length = |octave: usize| 0.5_f64.powi(bits[octave] as i32);
+        // The first piece begins so much before the range. None begins or ends within rounding of it.
+        let candidates = (1..STEPS).map(|step| {
             let before = f64::from(step) / f64::from(STEPS);
-            let mut grid = best.1;
-            let [start, end] = grid.ends_of(number(from));
-            grid.factor = (start + before * (end - start)) / from;
-            let last = to * grid.factor;
-            grid.count = (number(last) - grid.first) as usize + 1;
-            let [start, end] = grid.ends_of(number(last));
-            let after = (end - last) / (end - start);
-            let covered = if after < 0.01 { 0.0 } else { (1.0 - before).min(1.0 - after) };
-            if covered > best.0 {
-                best = (covered, grid);
-            }
-        }
-        best.1
+            let factor = (1.0 + before * length(0)) / from;
+            let (last, mantissa) = split(to * factor);
+            let covered = (mantissa - 1.0) / length(last) % 1.0;
+            (if covered > 0.99 { 0.0 } else { covered.min(1.0 - before) }, factor)
+        });
+        let best = candidates.reduce(|best, other| if other.0 > best.0 { other } else { best });
+        let (_, factor) = best.expect("there are candidates");
+        let mut first = 0;
+        let octaves = bits[..=split(to * factor).0].iter().map(|&bits| {
+            let octave = Octave { bits, first };
+            first += 1 << bits;
+            octave
+        });
+        Self { factor, octaves: octaves.collect() }
     }
 
     /// Where `x`, which must be in the range, lies.
     #[inline]
     pub(crate) fn place(&self, x: f64) -> Place {
-        let bits = (x * self.factor).to_bits();
-        let piece = ((bits >> (MANTISSA_BITS - self.bits)) - self.first) as usize;
-        let from_1_to_2 = f64::from_bits(((bits << self.bits) & MANTISSA) | 1.0_f64.to_bits());
+        let y = x * self.factor;
+        let Octave { bits, first } = self.octaves[split(y).0];
+        let piece = first + ((y.to_bits() & MANTISSA) >> (MANTISSA_BITS - bits)) as usize;
+        let from_1_to_2 = f64::from_bits(((y.to_bits() << bits) & MANTISSA) | ONE);
         Place { piece, t: 2.0 * from_1_to_2 - 3.0 }
     }
 
     /// `x dt/dx`.
-    #[inline]
     pub(crate) fn logarithmic_speed(&self, x: f64) -> f64 {
-        let y = x * self.factor;
-        let octave = f64::from_bits(y.to_bits() & !MANTISSA);
-        2.0 * (y / octave) * (1_u64 << self.bits) as f64
+        let (octave, mantissa) = split(x * self.factor);
+        2.0 * mantissa * (1_u64 << self.octaves[octave].bits) as f64
     }
 
-    /// The ends of a piece, as `y`.
-    fn ends(&self, piece: usize) -> [f64; 2] {
-        self.ends_of(self.first + piece as u64)
+    /// The pieces that begin before `x`: their octaves, and their ends as `y`.
+    fn pieces(&self, x: f64) -> impl Iterator<Item = (usize, [f64; 2])> + '_ {
+        let pieces = self.octaves.iter().enumerate().flat_map(|(i, octave)| {
+            let (start, length) = (2.0_f64.powi(i as i32), 2.0_f64.powi(i as i32 - octave.bits as i32));
+            (0..1_u64 << octave.bits).map(move |piece| (i, [piece, piece + 1].map(|end| start + length * end as f64)))
+        });
+        pieces.take_while(move |(_, [start, _])| *start <= x * self.factor)
     }
+}
 
-    fn ends_of(&self, number: u64) -> [f64; 2] {
-        [number, number + 1].map(|number| f64::from_bits(number << (MANTISSA_BITS - self.bits)))
-    }
+/// The octave of a number that is 1 or larger, and where it is in it, from 1 to 2.
+#[inline]
+fn split(y: f64) -> (usize, f64) {
+    let bits = y.to_bits();
+    ((bits >> MANTISSA_BITS).wrapping_sub(ONE >> MANTISSA_BITS) as usize, f64::from_bits(bits & MANTISSA | ONE))
 }
 
 /// The sum of a polynomial with these coefficients at a place, for one quantity.
@@ -112,6 +133,12 @@ pub(crate) fn all<const N: usize>(piece: &[Four; N], place: Place) -> Four {
     std::array::from_fn(|quantity| one(piece, place, quantity))
 }
 
+/// What a quantity is not below and not above anywhere on a piece; NaN where it is.
+pub(crate) fn bounds<const N: usize>(piece: &[Four; N], quantity: usize) -> [f64; 2] {
+    let size: f64 = piece[1..].iter().map(|coefficients| coefficients[quantity].abs()).sum();
+    [piece[0][quantity] - size, piece[0][quantity] + size]
+}
+
 /// The derivatives of the polynomials with respect to `t`.
 #[inline]
 pub(crate) fn derivatives<const N: usize>(piece: &[Four; N], place: Place) -> Four {
@@ -121,7 +148,7 @@ pub(crate) fn derivatives<const N: usize>(piece: &[Four; N], place: Place) -> Fo
 /// From coefficients of splines over `ln x` to pieces: a few numbers for each piece and spline, made once for a table.
 #[derive(Clone, Debug)]
 pub(crate) struct Resampler {
-    pub(crate) grid: Grid,
+    pub(crate) grid: Arc<Grid>,
     spans: Vec<Span>,
     /// For each piece and each spline that does not vanish on it, its polynomial.
     weights: Vec<[f64; LOGARITHM]>,
@@ -137,117 +164,116 @@ struct Span {
 }
 
 impl Resampler {
-    /// The coarsest pieces that are tried: four to an octave, eighty to six decades.
-    const COARSEST: u32 = 2;
-    /// The finest that are tried for accuracy. On pieces as short as these only noise is not followed.
+    /// The most pieces of an octave that are tried, two to this power. Only noise is not followed by pieces as short as these.
     const FINEST: u32 = 6;
 
-    /// The coarsest pieces on which the given curves, as coefficients of the quantities held, follow their splines to a relative error.
+    /// The longest pieces on which the given curves, as coefficients of the quantities held, follow their splines to a relative error.
     pub(crate) fn fitting(basis: &Basis, range: [f64; 2], held: &[Quantity], curves: &[Vec<f64>], error: f64) -> Self {
         // Shorter than the whole range, so that the samples of a piece that sticks out of it need not lie closer to each other.
-        let shortest = (range[0] / (range[1] - range[0])).log2().ceil().clamp(0.0, 40.0) as u32;
-        let coarsest = if range[0] == range[1] { Self::COARSEST } else { shortest.max(Self::COARSEST) };
+        let length = (range[1] - range[0]) / range[0];
+        let coarsest = if length > 0.0 { (-length.log2()).ceil().clamp(0.0, 40.0) as u32 } else { 0 };
         let finest = coarsest.max(Self::FINEST);
-        let mut resampler = Self::new(basis, range, coarsest);
-        for bits in coarsest + 1..=finest {
-            if curves.iter().all(|curve| resampler.error(basis, range, held, curve) <= error) {
-                break;
+        let mut bits = vec![coarsest; Grid::most_octaves(range)];
+        loop {
+            let resampler = Self::new(basis, range, &bits);
+            let mut too_long = vec![false; bits.len()];
+            for curve in curves {
+                let coefficients = fours(curve, held);
+                for (piece, (octave, ends)) in resampler.grid.pieces(range[1]).enumerate() {
+                    if bits[octave] < finest && !too_long[octave] {
+                        too_long[octave] = resampler.error(piece, ends, basis, range, &coefficients) > error;
+                    }
+                }
             }
-            resampler = Self::new(basis, range, bits);
+            if !too_long.contains(&true) {
+                return resampler;
+            }
+            bits.iter_mut().zip(too_long).for_each(|(bits, too_long)| *bits += u32::from(too_long));
         }
-        resampler
     }
 
-    fn new(basis: &Basis, range: [f64; 2], bits: u32) -> Self {
+    fn new(basis: &Basis, range: [f64; 2], bits: &[u32]) -> Self {
         let grid = Grid::over(range, bits);
-        let mut resampler = Self { grid, spans: Vec::with_capacity(grid.count), weights: Vec::new() };
-        for piece in 0..grid.count {
-            let ends = grid.ends(piece);
+        let (mut spans, mut all_weights) = (Vec::new(), Vec::new());
+        for (_, ends) in grid.pieces(range[1]) {
             let samples = samples(ends, range.map(|x| x * grid.factor));
             let x = |y: f64| (y / grid.factor).clamp(range[0], range[1]);
             let splines = samples.map(|y| basis.weights(Parameter::AOverT.coordinate(x(y))));
             let polynomials = lagrange(samples.map(|y| (2.0 * y - ends[0] - ends[1]) / (ends[1] - ends[0])));
             let first = splines.iter().map(|splines| splines.first).min().unwrap_or(0);
             let end = splines.iter().map(|splines| splines.first + splines.count).max().unwrap_or(0);
-            let start = resampler.weights.len();
-            resampler.spans.push(Span { first, count: end - first, start });
-            resampler.weights.resize(start + end - first, [0.0; LOGARITHM]);
+            let start = all_weights.len();
+            spans.push(Span { first, count: end - first, start });
+            all_weights.resize(start + end - first, [0.0; LOGARITHM]);
             for (splines, polynomial) in splines.iter().zip(polynomials) {
                 let values = &splines.values[..splines.count];
-                for (weights, value) in resampler.weights[start + splines.first - first..].iter_mut().zip(values) {
+                for (weights, value) in all_weights[start + splines.first - first..].iter_mut().zip(values) {
                     weights.iter_mut().zip(polynomial).for_each(|(weight, coefficient)| *weight += value * coefficient);
                 }
             }
         }
-        resampler
+        Self { grid: Arc::new(grid), spans, weights: all_weights }
     }
 
-    /// The logarithms on all pieces from the coefficients of their splines, those of the quantities held one after the other.
-    fn pieces<'a>(&'a self, coefficients: &'a [Four]) -> impl ExactSizeIterator<Item = Logarithms> + 'a {
-        self.spans.iter().map(|span| {
-            let coefficients = &coefficients[span.first..span.first + span.count];
-            let weights = &self.weights[span.start..span.start + span.count];
-            // Splines add up to one. Without what they have in common the sums are small, and so is their rounding, which powers of `t` magnify.
-            let common = coefficients[span.count / 2];
-            // Half of the sums at a time stay in registers.
-            let half = |first: usize| {
-                let mut sums = [[0.0; 4]; LOGARITHM / 2];
-                for (weights, coefficients) in weights.iter().zip(coefficients) {
-                    let coefficients: Four = std::array::from_fn(|q| coefficients[q] - common[q]);
-                    for (sum, weight) in sums.iter_mut().zip(&weights[first..first + LOGARITHM / 2]) {
-                        sum.iter_mut().zip(&coefficients).for_each(|(sum, coefficient)| *sum += weight * coefficient);
-                    }
+    /// The logarithms on a piece from the coefficients of their splines.
+    fn logarithms(&self, piece: usize, coefficients: &[Four]) -> Logarithms {
+        let span = self.spans[piece];
+        let coefficients = &coefficients[span.first..span.first + span.count];
+        let weights = &self.weights[span.start..span.start + span.count];
+        // Splines add up to one. Without what they have in common the sums are small, and so is their rounding, which powers of `t` magnify.
+        let common = coefficients[span.count / 2];
+        let mut logarithms = [[0.0; 4]; LOGARITHM];
+        // Half of the sums at a time stay in registers.
+        for first in [0, LOGARITHM / 2] {
+            let mut sums = [[0.0; 4]; LOGARITHM / 2];
+            for (weights, coefficients) in weights.iter().zip(coefficients) {
+                let coefficients: Four = std::array::from_fn(|q| coefficients[q] - common[q]);
+                for (sum, weight) in sums.iter_mut().zip(&weights[first..first + LOGARITHM / 2]) {
+                    sum.iter_mut().zip(&coefficients).for_each(|(sum, coefficient)| *sum += weight * coefficient);
                 }
-                sums
-            };
-            let [mut low, high] = [half(0), half(LOGARITHM / 2)];
-            low[0].iter_mut().zip(common).for_each(|(sum, common)| *sum += common);
-            std::array::from_fn(|k| if k < LOGARITHM / 2 { low[k] } else { high[k - LOGARITHM / 2] })
-        })
+            }
+            logarithms[first..first + LOGARITHM / 2].copy_from_slice(&sums);
+        }
+        logarithms[0].iter_mut().zip(common).for_each(|(sum, common)| *sum += common);
+        logarithms
     }
 
     /// The derivatives of logarithms, from those of the coefficients.
     pub(crate) fn derivatives(&self, coefficients: &[f64], held: &[Quantity]) -> Arc<[Logarithms]> {
-        self.pieces(&fours(coefficients, held)).collect()
+        let rows = fours(coefficients, held);
+        (0..self.spans.len()).map(|piece| self.logarithms(piece, &rows)).collect()
     }
 
     /// The quantities themselves, with `es` in those that are scaled by it.
     pub(crate) fn values(&self, coefficients: &[f64], held: &[Quantity], es: f64) -> Arc<[Values]> {
         let scales = Quantity::ALL.map(|quantity| quantity.scale(es));
-        self.pieces(&fours(coefficients, held)).map(|logarithms| exponential(&logarithms, scales)).collect()
+        let rows = fours(coefficients, held);
+        (0..self.spans.len()).map(|piece| exponential(&self.logarithms(piece, &rows), scales)).collect()
     }
 
-    /// The largest relative difference of a curve's pieces from its splines, between the samples.
-    fn error(&self, basis: &Basis, range: [f64; 2], held: &[Quantity], coefficients: &[f64]) -> f64 {
-        let pieces = self.values(coefficients, held, 1.0);
-        let rows = fours(coefficients, held);
-        let mut largest = 0.0_f64;
-        for (piece, values) in pieces.iter().enumerate() {
-            let samples = samples(self.grid.ends(piece), range.map(|x| x * self.grid.factor));
-            for y in samples.windows(2).map(|pair| pair[0].midpoint(pair[1])) {
-                let x = (y / self.grid.factor).clamp(range[0], range[1]);
-                let place = self.grid.place(x);
-                if place.piece != piece {
-                    continue;
-                }
-                let splines = basis.weights(Parameter::AOverT.coordinate(x));
-                let sum = |quantity: usize| {
-                    let values = splines.values[..splines.count].iter().zip(&rows[splines.first..]);
-                    values.map(|(value, row)| value * row[quantity]).sum::<f64>()
-                };
-                let miss = |quantity: usize| (one(values, place, quantity) / sum(quantity).exp() - 1.0).abs();
-                largest = (0..4).map(miss).fold(largest, f64::max);
-            }
-        }
-        largest
+    /// The largest relative difference of a curve's piece from its splines, between the samples; infinite if one is NaN.
+    fn error(&self, piece: usize, ends: [f64; 2], basis: &Basis, range: [f64; 2], coefficients: &[Four]) -> f64 {
+        let values = exponential(&self.logarithms(piece, coefficients), [1.0; 4]);
+        let samples = samples(ends, range.map(|x| x * self.grid.factor));
+        let middles = samples.windows(2).map(|pair| (pair[0].midpoint(pair[1]) / self.grid.factor).clamp(range[0], range[1]));
+        // A piece that sticks out of the range has samples before it, too.
+        let places = middles.map(|x| (x, self.grid.place(x))).filter(|(_, place)| place.piece == piece);
+        let errors = places.flat_map(|(x, place)| {
+            let splines = basis.weights(Parameter::AOverT.coordinate(x));
+            let sum = move |quantity: usize| {
+                let values = splines.values[..splines.count].iter().zip(&coefficients[splines.first..]);
+                values.map(|(value, row)| value * row[quantity]).sum::<f64>()
+            };
+            (0..4).map(move |quantity| (one(&values, place, quantity) / sum(quantity).exp() - 1.0).abs())
+        });
+        errors.fold(0.0, |largest, error| if error.is_nan() { f64::INFINITY } else { largest.max(error) })
     }
 }
 
 /// One row of four for each coefficient; 0 for a quantity that is not held.
-fn fours(coefficients: &[f64], held: &[Quantity]) -> Vec<Four> {
-    if let Ok(all) = <[Quantity; 4]>::try_from(held) {
-        debug_assert_eq!(all, Quantity::ALL);
-        return coefficients.as_chunks().0.to_vec();
+fn fours<'a>(coefficients: &'a [f64], held: &[Quantity]) -> Cow<'a, [Four]> {
+    if held == Quantity::ALL {
+        return Cow::Borrowed(coefficients.as_chunks().0);
     }
     let row = |group: &[f64]| {
         let mut row = [0.0; 4];
@@ -318,21 +344,28 @@ mod tests {
 
     #[test]
     fn every_x_is_on_its_piece() {
-        for (range, bits) in [([1e-3, 1e3], 2), ([0.7, 0.71], 6), ([1e-30, 1e30], 3), ([1.0, 2.0], 4), ([3.0, 3.0], 2)] {
-            let grid = Grid::over(range, bits);
-            let covered = |piece: usize, part: fn(f64, [f64; 2]) -> f64, end: f64| {
-                let ends = grid.ends(piece);
-                part(end * grid.factor, ends) / (ends[1] - ends[0])
-            };
-            if range[0] < range[1] {
-                assert!(covered(0, |y, ends| ends[1] - y, range[0]) > 0.25);
-                assert!(covered(grid.count - 1, |y, ends| y - ends[0], range[1]) > 0.25);
+        let cases: [([f64; 2], &[u32]); 5] = [
+            ([1e-3, 1e3], &[0, 1, 2, 3, 4]),
+            ([0.7, 0.71], &[7, 7]),
+            ([1e-30, 1e30], &[3, 0]),
+            ([1.0, 2.0], &[4, 2, 3]),
+            ([3.0, 3.0], &[0, 0]),
+        ];
+        for (range, bits) in cases {
+            let bits: Vec<u32> = (0..Grid::most_octaves(range)).map(|octave| bits[octave % bits.len()]).collect();
+            let grid = Grid::over(range, &bits);
+            let pieces: Vec<[f64; 2]> = grid.pieces(range[1]).map(|(_, ends)| ends).collect();
+            let [first, last] = [pieces[0], pieces[pieces.len() - 1]];
+            // A piece much longer than the first one cannot be covered better by moving that.
+            if range[0] < range[1] && grid.octaves[0].bits <= grid.octaves[grid.octaves.len() - 1].bits {
+                assert!((first[1] - range[0] * grid.factor) / (first[1] - first[0]) > 0.25);
+                assert!((range[1] * grid.factor - last[0]) / (last[1] - last[0]) > 0.25);
             }
             for i in 0..=1000 {
                 let x = (range[0] * (range[1] / range[0]).powf(f64::from(i) / 1000.0)).clamp(range[0], range[1]);
                 let Place { piece, t } = grid.place(x);
-                assert!(piece < grid.count && (-1.0..1.0).contains(&t), "{x}: piece {piece} of {}, t = {t}", grid.count);
-                let [from, to] = grid.ends(piece);
+                assert!(piece < pieces.len() && (-1.0..1.0).contains(&t), "{x}: piece {piece} of {}, t = {t}", pieces.len());
+                let [from, to] = pieces[piece];
                 let y = x * grid.factor;
                 assert!((from..to).contains(&y), "{y} in {from} .. {to}");
                 let back = from.midpoint(to) + 0.5 * (to - from) * t;

@@ -105,7 +105,7 @@ impl Table {
     ///
     /// # Errors
     /// Those of [`Table::new`] that concern description and axes; [`Error::Malformed`] if no quantity is given or they are not in order, if there are
-    /// not as many logarithms as values at the nodes, or if one is not finite.
+    /// not as many logarithms as values at the nodes, or if one is not that of a value in `[1e-30, 1e30]`.
     pub fn from_logarithms(
         description: Description,
         axes: [Vec<f64>; 4],
@@ -121,13 +121,27 @@ impl Table {
         if Some(logarithms.len()) != count {
             return malformed(format!("{} logarithms for {count:?} values", logarithms.len()));
         }
-        if let Some(logarithm) = logarithms.iter().find(|logarithm| !logarithm.is_finite()) {
-            return malformed(format!("a logarithm is {logarithm:?}"));
-        }
         let table = Self { description, axes, content: Content::Splined(quantities), lookup: OnceLock::new() };
+        table.check_logarithms(&logarithms)?;
         let coefficients = Coefficients::splined(&table, logarithms);
         let lookup = Lookup::new(&table, coefficients);
         Ok(Self { lookup: OnceLock::from(lookup), ..table })
+    }
+
+    /// Accepts logarithms, in the layout of [`Table::logarithms`], of values in `[1e-30, 1e30]`.
+    fn check_logarithms(&self, logarithms: &[f64]) -> Result<(), Error> {
+        let [n_a, _, n_nu, n_e0] = self.shape();
+        let held = self.quantities();
+        for (film, block) in logarithms.chunks_exact(n_e0 * n_a * held.len()).enumerate() {
+            let es = film_limit(self, film / n_nu, film % n_nu);
+            for (i, quantity) in held.iter().enumerate() {
+                let [least, largest] = [REASONABLE.start(), REASONABLE.end()].map(|&end| quantity.logarithm(end, es));
+                if let Some(logarithm) = block.iter().skip(i).step_by(held.len()).find(|value| !(least..=largest).contains(value)) {
+                    return Err(Error::Malformed(format!("{} has the logarithm {logarithm:?}", quantity.name())));
+                }
+            }
+        }
+        Ok(())
     }
 
     /// What the table says of itself.
@@ -213,6 +227,8 @@ impl Table {
     /// The dense table on the nodes: itself, or the values of one in low-rank form or of splines only. The description stays, and with it the
     /// certificate, because the splines through these values are the table's but for rounding.
     ///
+    /// The values take 8 bytes each. A low-rank file of a few kilobytes may stand for 2e8 of them: see [`Table::shape`] first if its origin is doubtful.
+    ///
     /// # Errors
     /// [`Error::Malformed`] if a value is not in `[1e-30, 1e30]`.
     pub fn expand(&self) -> Result<Cow<'_, Self>, Error> {
@@ -249,7 +265,8 @@ impl Table {
     ///
     /// # Errors
     /// [`Error::Normalisation`] for a rigid sphere in a table for compliant ones or the reverse; [`Error::OutsideTable`] for a
-    /// material outside the box; [`Error::Equivalent`] where the equivalent does not exist or is outside the box.
+    /// material outside the box; [`Error::Equivalent`] where the equivalent does not exist or is outside the box; [`Error::Malformed`] if a quantity
+    /// leaves `[1e-30, 1e30]`, which only forged tables have.
     pub fn curve(&self, material: &Material) -> Result<Curve, Error> {
         self.lookup().curve(self, material)
     }

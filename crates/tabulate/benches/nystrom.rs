@@ -5,13 +5,13 @@
 //! answer; the solve has to choose its sizes itself, and estimates its error.
 
 mod measure;
+mod python;
 
-use std::io::{BufRead, BufReader, Lines, Write};
 use std::iter::successors;
-use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
 
 use interp::{Material, Quantities};
 use measure::{deviation, human, median, median_seconds, tightest};
+use python::Python;
 use serde::Deserialize;
 use serde_json::json;
 use tabulate::solve::solve;
@@ -22,7 +22,7 @@ const TOLERANCES: [f64; 2] = [1e-6, 1e-10];
 const ROUNDS: usize = 7;
 
 fn main() {
-    let Some(mut python) = Python::start() else {
+    let Some(mut python) = Python::start("nystrom.py") else {
         println!("nystrom: skipped, as it needs python3 with numpy and scipy; `cargo xtask compare` fetches them");
         return;
     };
@@ -36,11 +36,11 @@ fn main() {
             let error = |quantities: &Quantities| deviation(quantities, &truth);
             let own = solve(x, &material, tolerance).expect("the truth converged").quantities;
             let reached = error(&own).max(ROUNDING);
-            let sizes = Sizes::smallest(x, |sizes| error(&python.solve(x, &material, sizes, 0).quantities) <= reached);
-            let theirs = python.solve(x, &material, sizes, 0).quantities;
+            let sizes = Sizes::smallest(x, |sizes| error(&ask(&mut python, x, &material, sizes, 0).quantities) <= reached);
+            let theirs = ask(&mut python, x, &material, sizes, 0).quantities;
             let repetitions = if x > 30.0 { 5 } else { 101 };
             let round = |_| {
-                let theirs = python.solve(x, &material, sizes, repetitions).seconds;
+                let theirs = ask(&mut python, x, &material, sizes, repetitions).seconds;
                 (median_seconds(x, &material, tolerance), median(theirs))
             };
             let (own_seconds, their_seconds): (Vec<f64>, Vec<f64>) = (0..ROUNDS).map(round).unzip();
@@ -93,56 +93,23 @@ fn smallest(ample: usize, mut enough: impl FnMut(usize) -> bool) -> usize {
     numbers.take_while(|&n| n < ample).find(|&n| enough(n)).unwrap_or(ample)
 }
 
-/// The running `nystrom.py`, which answers one line with one line.
-struct Python {
-    process: Child,
-    cases: ChildStdin,
-    answers: Lines<BufReader<ChildStdout>>,
-    versions: String,
-}
-
 #[derive(Deserialize)]
 struct Answer {
     quantities: Quantities,
     seconds: Vec<f64>,
 }
 
-impl Python {
-    /// `None` where there is no python3, or one without the packages.
-    fn start() -> Option<Self> {
-        let script = concat!(env!("CARGO_MANIFEST_DIR"), "/benches/nystrom.py");
-        // One thread, whichever BLAS there is.
-        let threads =
-            ["OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS", "VECLIB_MAXIMUM_THREADS"].map(|name| (name, "1"));
-        let mut command = Command::new("python3");
-        command.arg(script).envs(threads).stdin(Stdio::piped()).stdout(Stdio::piped());
-        let mut process = command.spawn().ok()?;
-        let cases = process.stdin.take().expect("piped");
-        let mut answers = BufReader::new(process.stdout.take().expect("piped")).lines();
-        let versions = answers.next()?.ok()?;
-        Some(Self { process, cases, answers, versions })
-    }
-
-    fn solve(&mut self, x: f64, material: &Material, sizes: Sizes, repetitions: usize) -> Answer {
-        let case = json!({
-            "a_over_t": x,
-            "e1_over_e2": material.e1_over_e2(),
-            "nu1": material.nu1(),
-            "e0_over_e2": material.e0_over_e2(),
-            "nu0": material.nu0(),
-            "nodes": sizes.nodes,
-            "panels": sizes.panels,
-            "cutoff": sizes.cutoff,
-            "repetitions": repetitions,
-        });
-        writeln!(self.cases, "{case}").expect("nystrom.py reads");
-        let answer = self.answers.next().expect("nystrom.py answers").expect("text");
-        serde_json::from_str(&answer).expect("an answer")
-    }
-
-    /// It ends with its input.
-    fn stop(mut self) {
-        drop(self.cases);
-        self.process.wait().expect("nystrom.py ends");
-    }
+/// What `nystrom.py` says of a contact.
+fn ask(python: &mut Python, x: f64, material: &Material, sizes: Sizes, repetitions: usize) -> Answer {
+    python.ask(&json!({
+        "a_over_t": x,
+        "e1_over_e2": material.e1_over_e2(),
+        "nu1": material.nu1(),
+        "e0_over_e2": material.e0_over_e2(),
+        "nu0": material.nu0(),
+        "nodes": sizes.nodes,
+        "panels": sizes.panels,
+        "cutoff": sizes.cutoff,
+        "repetitions": repetitions,
+    }))
 }

@@ -25,7 +25,8 @@ use crate::sweep::solve_for_table;
 pub enum Placement {
     /// A fixed parameter.
     Fixed(f64),
-    /// `nodes` nodes at `asin(evenness z)/asin(evenness)`, with the Chebyshev points `z` of the second kind, in the parameter's coordinate.
+    /// `nodes` nodes at `asin(evenness z)/asin(evenness)`, with the Chebyshev points `z` of the second kind, in the parameter's coordinate; at an end
+    /// where the quantities are [flat](Parameter::is_flat_at), without two more next to it.
     Nodes {
         /// The first node.
         from: f64,
@@ -51,7 +52,7 @@ impl Placement {
             Self::Nodes { from, to, nodes, evenness, .. } => {
                 let (first, last) = (parameter.coordinate(from), parameter.coordinate(to));
                 let node = |place: f64| parameter.value(first + (last - first) * place);
-                let mut values: Vec<f64> = places(nodes, evenness).into_iter().map(node).collect();
+                let mut values: Vec<f64> = places_to(parameter.is_flat_at(to), nodes, evenness).into_iter().map(node).collect();
                 values[0] = from;
                 values[nodes - 1] = to;
                 values
@@ -78,6 +79,17 @@ pub fn places(count: usize, evenness: f64) -> Vec<f64> {
         }
     };
     (0..count).map(place).collect()
+}
+
+/// The places of as many nodes, of which two fewer crowd towards a flat end: there a spline knows two derivatives in their stead. (The nodes that are left
+/// out would be so close to it that the solves' own error spoils the derivative with respect to `nu1`, which divides by the cube of the distance.)
+fn places_to(flat_end: bool, count: usize, evenness: f64) -> Vec<f64> {
+    if !flat_end || evenness == 1.0 {
+        return places(count, evenness);
+    }
+    let mut places = places(count + 2, evenness);
+    places.drain(count - 1..=count);
+    places
 }
 
 /// The nodes of a table.
@@ -326,7 +338,7 @@ impl Lines {
 
     /// The largest error of the splines through so many nodes: in the middles of their cells, where it is largest.
     fn error(&self, count: usize, evenness: f64) -> f64 {
-        let nodes = places(count, evenness);
+        let nodes = places_to(self.flat, count, evenness);
         let middles: Vec<f64> = nodes.windows(2).map(|pair| pair[0].midpoint(pair[1])).collect();
         let basis = Basis::of_table(&nodes, self.flat);
         let mut coefficients = self.interpolated(&nodes);

@@ -1,6 +1,6 @@
 //! The project's own commands, run as `cargo xtask COMMAND`.
 //!
-//! They need Rust, a C compiler and python3, and fetch the rest (cmake for libhdf5, h5py for one test, scipy for one bench) from
+//! They need Rust, a C compiler and python3, and fetch the rest (cmake for libhdf5, h5py for one test, scipy for two benches) from
 //! PyPI into the target directory.
 
 #![forbid(unsafe_code)]
@@ -20,7 +20,8 @@ usage: cargo xtask COMMAND
                  make a table: `tabulate generate SCENE ARGS`; without SCENE the default one, into tables/default.h5
   tables         make and pack the table of every scene in tables/, in target/tables/, and print the rows of tables/README.md
   test [ARGS]    run the whole test suite, optimised; ARGS go to `cargo test`
-  compare        time the solve against numpy and scipy on the same equation
+  compare        time the solve against numpy and scipy on the same equation, and the lookup against interpn and scipy on
+                 the same nodes
   cargo ARGS     run a cargo command that builds tabulate, with HDF5 set up: `cargo xtask cargo bench -p tabulate`
 ";
 
@@ -74,13 +75,13 @@ fn test(args: &[String]) -> Result<(), String> {
 /// The h5py versions that one test of the HDF5 file is known to pass with.
 const H5PY: &str = ">=3.8,<4";
 
-/// The bench that needs scipy; pip fetches numpy with it.
+/// The benches that need scipy; pip fetches numpy with it.
 fn compare() -> Result<(), String> {
-    let bench = ["bench", "-p", "tabulate", "--bench", "nystrom"];
+    let bench = ["bench", "-p", "tabulate", "--bench", "nystrom", "--bench", "rivals"];
     succeed(hdf5::cargo(&bench)?.env("PYTHONPATH", python::package("scipy", SCIPY)?))
 }
 
-/// The scipy versions that the bench is known to run with.
+/// The scipy versions that the benches are known to run with.
 const SCIPY: &str = ">=1.11,<2";
 
 fn cargo(args: &[String]) -> Result<(), String> {

@@ -1,0 +1,21 @@
+//! Numbers: the first byte chooses a public function, the others are the bits of its arguments.
+
+#![no_main]
+
+use functions::FUNCTIONS;
+use libfuzzer_sys::fuzz_target;
+
+#[path = "../tests/hostile/functions.rs"]
+mod functions;
+#[allow(dead_code, reason = "of the tables, the test makes more use")]
+#[path = "../tests/hostile/tables.rs"]
+mod tables;
+
+fuzz_target!(|input: &[u8]| {
+    let Some((first, bytes)) = input.split_first() else { return };
+    let (name, count, function) = FUNCTIONS[usize::from(*first) % FUNCTIONS.len()];
+    let mut numbers: Vec<f64> = bytes.as_chunks().0.iter().map(|bits| f64::from_le_bytes(*bits)).take(count).collect();
+    numbers.resize(count, 1.0);
+    let answer = function(&numbers).unwrap_or_default();
+    assert!(answer.iter().all(|number| number.is_finite()), "{name}: {answer:?}");
+});

@@ -1,0 +1,221 @@
+//! The public functions that take numbers, in one list for the property test and for the fuzzer.
+//!
+//! A new function is a row of [`FUNCTIONS`] and, for what is true of its answers, a property in `physics.rs`.
+
+use std::array::from_fn;
+use std::sync::LazyLock;
+
+use interp::schema::Parameter;
+use interp::spline::{Basis, LARGEST_DEGREE, TABLE_DEGREE};
+use interp::{
+    Contact, Control, CrackTip, Curve, Elastic, Error, HalfSpace, Hysteresis, Input, JkrFit, JkrPoint, LowRank, Material,
+    Mechanics, Quantities, Quantity, RateDependent, System, Table,
+};
+
+use crate::tables::{self, AXES, look_up};
+
+/// What a function answers: numbers that must be finite, or an error. (What may be infinite is looked at on the way.)
+pub type Answer = Result<Vec<f64>, Error>;
+
+/// Name, how many numbers it takes, and itself.
+pub type Function = (&'static str, usize, fn(&[f64]) -> Answer);
+
+/// On a film, and on a half-space.
+static CONTACTS: LazyLock<[Contact; 2]> = LazyLock::new(|| [tables::contact(), tables::bare_contact()]);
+
+pub const FUNCTIONS: &[Function] = &[
+    ("Elastic::new", 2, |x| {
+        let solid = Elastic::new(x[0], x[1])?;
+        assert!(solid.young() > 0.0 && solid.reduced() >= 0.75 * solid.young(), "{solid:?}");
+        Ok(vec![solid.poisson()])
+    }),
+    ("System::material", 7, |x| moduli(&system(x)?.material()?)),
+    ("Material::new", 4, |x| moduli(&material(x)?)),
+    ("Material::with_substrate_poisson_ratio", 5, |x| moduli(&material(x)?.with_substrate_poisson_ratio(x[4])?)),
+    ("Table::curve", 5, |x| quantities(&Table::embedded().curve(&material(x)?)?, x[4])),
+    ("Table::contact", 9, |x| loads(&Table::embedded().contact(&system(x)?)?, x[7], x[8])),
+    ("Curve::quantities", 1, |x| quantities(curve(), x[0])),
+    ("Curve::quantity_at_all", 3, |x| {
+        let mut values = vec![0.0; x.len()];
+        curve().quantity_at_all(Quantity::Gamma, x, &mut values)?;
+        Ok(values)
+    }),
+    ("Curve::error", 1, |x| Ok(vec![curve().error(x[0])?])),
+    ("Curve::gradient", 5, |x| {
+        let curve = Table::embedded().curve_with_gradient(&material(x)?)?;
+        let gradient = curve.gradient(x[4])?;
+        let by = [Parameter::E1OverE2, Parameter::Nu1, Parameter::E0OverE2].map(|parameter| gradient.by(parameter));
+        let by = by.into_iter().chain([gradient.by_nu0(), Ok(gradient.values()), Ok(gradient.slopes())]);
+        Ok(by.collect::<Result<Vec<_>, Error>>()?.iter().flat_map(|four| four.to_array()).collect())
+    }),
+    ("Curve::through", 14, |x| {
+        let node = |x: &[f64]| (x[0], Quantities::from_array(from_fn(|i| x[i + 1])));
+        let curve = Curve::through(&[node(x), node(&x[5..])], material(&x[10..])?)?;
+        quantities(&curve, (x[0] * x[5]).sqrt())
+    }),
+    ("Contact::new", 9, |x| loads(&Contact::new(&system(x)?, curve().clone())?, x[7], x[8])),
+    ("Contact::half_space", 6, |x| {
+        let half_space = HalfSpace { sphere_radius: x[0], sphere_modulus: x[1], solid: Elastic::new(x[2], x[3])? };
+        loads(&Contact::half_space(&half_space)?, x[4], x[5])
+    }),
+    ("Contact::load", 2, |x| each(|contact| loads(contact, x[0], x[1]))),
+    ("Contact::stiffness", 1, |x| each(|contact| Ok(vec![contact.stiffness(x[0])?]))),
+    ("Contact::stress_intensity", 2, |x| each(|contact| Ok(vec![contact.stress_intensity(x[0], x[1])?]))),
+    ("Contact::energy_release_rate_at_load", 2, |x| each(|contact| Ok(vec![contact.energy_release_rate_at_load(x[0], x[1])?]))),
+    ("Contact::energy_release_rate_at_penetration", 2, |x| {
+        each(|contact| Ok(vec![contact.energy_release_rate_at_penetration(x[0], x[1])?]))
+    }),
+    ("Contact::radius_and_energy_release_rate", 2, |x| {
+        each(|contact| contact.radius_and_energy_release_rate(x[0], x[1]).map(|(a, g)| vec![a, g]))
+    }),
+    ("Contact::validity", 1, |x| {
+        each(|contact| {
+            let validity = contact.validity(x[0])?;
+            let film = validity.film.map_or([0.0; 2], |film| [film.a_over_t, film.compressibility]);
+            Ok([&[validity.a_over_r], &film[..]].concat())
+        })
+    }),
+    ("Contact::adhesion_range", 2, |x| {
+        each(|contact| contact.adhesion_range(x[0], x[1]).map(|range| vec![range.tabor, range.cohesive_zone]))
+    }),
+    ("Contact::film_bias", 3, |x| {
+        each(|contact| {
+            let bias = contact.film_bias(x[0], [x[1], x[2]], 5)?;
+            Ok(vec![bias.fit.modulus, bias.fit.intercept, bias.modulus, bias.work_of_adhesion])
+        })
+    }),
+    ("Contact::equilibria", 3, |x| {
+        each(|contact| {
+            let mut found = Vec::new();
+            for control in [Control::Load, Control::Displacement, Control::Spring { stiffness: x[2] }] {
+                let equilibria = contact.equilibria(x[0], control)?;
+                found.extend(equilibria.at(x[1]).unwrap_or_default().iter().map(|equilibrium| equilibrium.state));
+                found.extend([equilibria.unloading(x[1]), equilibria.loading(x[1]), equilibria.pull_off()].into_iter().flatten());
+                let whole = equilibria.force_displacement(x[1], 3).ok();
+                found.extend(whole.iter().flat_map(|whole| whole.loading.iter().chain(&whole.unloading)).flatten());
+            }
+            Ok(found.iter().flat_map(|state| [state.contact_radius, state.load, state.penetration]).collect())
+        })
+    }),
+    ("Contact::gradient", 2, |x| gradients(&GRADIENTS, x[0], x[1])),
+    ("Table::contact_with_gradient", 9, |x| gradients(&Table::embedded().contact_with_gradient(&system(x)?)?, x[7], x[8])),
+    ("JkrFit::through", 6, |x| {
+        let points = x.chunks_exact(2).map(|pair| JkrPoint { abscissa: pair[0], ordinate: pair[1] });
+        let fit = JkrFit::through(&points.collect::<Vec<_>>())?;
+        Ok(vec![fit.modulus, fit.intercept])
+    }),
+    ("RateDependent::energy_release_rate", 6, |x| {
+        let law = RateDependent::new(Hysteresis::new(x[0], x[1])?, x[2], x[3])?;
+        assert!(!law.speed(x[4]).is_nan() || x[4].is_nan(), "{law:?} at {}", x[4]);
+        Ok([law.at_rest().to_vec(), vec![law.energy_release_rate(x[5])?]].concat())
+    }),
+    ("Mechanics::edge_singularity", 9, |x| Ok(vec![Mechanics::new(&system(x)?)?.edge_singularity(x[7], x[8])?])),
+    // These give what arithmetic gives, NaN for NaN.
+    ("Mechanics::load", 14, |x| {
+        let (mechanics, quantities) = (Mechanics::new(&system(x)?)?, Quantities::from_array(from_fn(|i| x[10 + i])));
+        let _ = (mechanics.load(x[7], x[8], x[9], x[10]), mechanics.load_and_penetration(x[7], x[8], &quantities));
+        let _ = (mechanics.energy_release_rate(x[7], x[8]), mechanics.jkr_point(x[7], x[8]));
+        Ok(vec![])
+    }),
+    ("Parameter::coordinate", 1, |x| {
+        let _ = Parameter::ALL.map(|parameter| (parameter.coordinate(x[0]), parameter.value(x[0])));
+        Ok(vec![])
+    }),
+    ("Quantity::logarithm", 2, |x| {
+        let _ = Quantity::ALL.map(|quantity| quantity.logarithm(x[0], x[1]));
+        Ok(vec![])
+    }),
+    // Nodes that do not ascend make a basis of no use, not a panic.
+    ("Basis::new", 13, |x| {
+        for degree in [0, 1, 4, TABLE_DEGREE, LARGEST_DEGREE] {
+            let (basis, mut values) = (Basis::new(&x[..12], degree), x[..12].to_vec());
+            basis.interpolate(&mut values, 1);
+            let weights = basis.weights(x[12]);
+            assert!(weights.first + weights.count <= 12, "{weights:?}");
+        }
+        Ok(vec![])
+    }),
+    // A table holds numbers or is malformed, whatever it is made of.
+    ("Table::new", 8, |x| {
+        let (mut description, mut axes) = (tables::description(), tables::axes());
+        (description.tolerance, description.nu0) = (x[0], x[1]);
+        (axes[0][1], axes[0][4], axes[1][0], axes[2][2], axes[3][0]) = (x[2], x[3], x[4], x[5], x[6]);
+        let mut values = vec![0.7; AXES.iter().map(|nodes| nodes.len()).product()];
+        let middle = values.len() / 2;
+        values[middle] = x[7];
+        look_up(&Table::new(description, axes, [Some(values), None, None, None])?)?;
+        Ok(vec![])
+    }),
+    ("Table::from_logarithms", 2, |x| {
+        let logarithms = (0..AXES.iter().map(|nodes| nodes.len()).product()).map(|i: usize| x[i % 2]).collect();
+        let (description, quantities) = (tables::description(), vec![Quantity::Gamma]);
+        look_up(&Table::from_logarithms(description, tables::axes(), quantities, logarithms)?)?;
+        Ok(vec![])
+    }),
+    ("LowRank::new", 6, |x| {
+        let nodes = AXES.map(|nodes| vec![1; nodes.len()]);
+        let cores = [&nodes[3][..], &nodes[1], &nodes[2], &nodes[0]];
+        let weights = from_fn(|joint| vec![x[joint]]);
+        let mut functions = tables::functions(AXES.map(|nodes| nodes.len()));
+        functions[1][0] = x[5];
+        let form = LowRank::new(vec![Quantity::Pi0], weights, functions, [x[3], x[4], 1.0, 1.0], cores)?;
+        look_up(&Table::from_low_rank(tables::description(), tables::axes(), form)?)?;
+        Ok(vec![])
+    }),
+];
+
+/// The first of them with gradients.
+static GRADIENTS: LazyLock<Contact> =
+    LazyLock::new(|| Table::embedded().contact_with_gradient(CONTACTS[0].system().expect("on a film")).expect("in the table"));
+
+fn curve() -> &'static Curve {
+    CONTACTS[0].curve().expect("on a film")
+}
+
+/// What the contacts answer; one may have none.
+fn each(ask: impl Fn(&Contact) -> Answer) -> Answer {
+    let [film, half_space] = CONTACTS.each_ref().map(ask);
+    match (film, half_space) {
+        (Ok(film), Ok(half_space)) => Ok([film, half_space].concat()),
+        (film, half_space) => film.or(half_space),
+    }
+}
+
+fn system(x: &[f64]) -> Result<System, Error> {
+    let (film, substrate) = (Elastic::new(x[2], x[3])?, Elastic::new(x[5], x[6])?);
+    Ok(System { sphere_radius: x[0], sphere_modulus: x[1], film, film_thickness: x[4], substrate })
+}
+
+fn material(x: &[f64]) -> Result<Material, Error> {
+    Material::new(x[0], x[1], x[2], x[3])
+}
+
+/// What is finite of any material; the rest is a number.
+fn moduli(material: &Material) -> Answer {
+    let moduli = [material.film_modulus(), material.substrate_modulus(), material.sphere_substrate_modulus()];
+    let limit = material.thin_film_limit().to_array();
+    let infinite = [&moduli[..], &limit, &[material.film_over_substrate()]].concat();
+    assert!(infinite.iter().all(|value| *value >= 0.0), "{material:?}: {infinite:?}");
+    let finite = [material.e1_over_e2(), material.nu1(), material.nu0(), material.sphere_film_modulus()];
+    Ok([finite, material.thick_film_limit().to_array()].concat())
+}
+
+/// The quantities of a curve, which are positive, and their slopes.
+fn quantities(curve: &Curve, a_over_t: f64) -> Answer {
+    let values = curve.quantities(a_over_t)?.to_array();
+    assert!(values.iter().all(|&value| value > 0.0), "{values:?} at {a_over_t:?}");
+    let slopes: Result<Vec<f64>, Error> = Quantity::ALL.iter().map(|&quantity| curve.slope(quantity, a_over_t)).collect();
+    Ok([values.to_vec(), slopes?].concat())
+}
+
+fn loads(contact: &Contact, a: f64, w: f64) -> Answer {
+    let (load, penetration) = contact.load_and_penetration(a, w)?;
+    Ok(vec![contact.load(a, w)?, load, penetration])
+}
+
+fn gradients(contact: &Contact, a: f64, w: f64) -> Answer {
+    let gradient = contact.gradient(a, w)?;
+    let by = Input::ALL.into_iter().filter_map(|input| gradient.by(input).ok());
+    let derivatives = by.flat_map(|by| [by.load, by.penetration]);
+    Ok([gradient.load(), gradient.penetration()].into_iter().chain(derivatives).collect())
+}

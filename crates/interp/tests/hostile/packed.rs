@@ -1,0 +1,161 @@
+//! Packed bytes of any kind end in an error, or in a table that can be looked up, and take no more memory than a small multiple of
+//! theirs.
+
+use allocation_counter::measure;
+use interp::{Error, Table};
+
+use crate::tables::{self, PREFIX, look_up, with_prefix};
+
+/// The most memory that reading takes, in bytes: so many for each byte of the input, where a list of one-byte integers has just outgrown
+/// its memory, and a megabyte, which the header's limit lets a forged length claim. Measured: 24.0 and 1.05e6.
+const READING: (usize, usize) = (25, 1_060_000);
+
+/// The same of what a table prepares when it is first looked up, and of the curve with its gradients. Measured: 365 for a low-rank table of
+/// many nodes, of which the header's limit allows 130,000, and 2.5e7 for noise on 60 decades of `a/t`, which has the finest pieces.
+const LOOKING_UP: (usize, usize) = (370, 26_000_000);
+
+/// Reads packed bytes, and asserts that this takes little memory.
+fn read(bytes: &[u8]) -> Result<Table, Error> {
+    let mut result = None;
+    let most = measure(|| result = Some(Table::from_packed(bytes))).bytes_max as usize;
+    assert_little(most, READING, bytes.len());
+    result.expect("measured")
+}
+
+fn assert_little(memory: usize, (multiple, constant): (usize, usize), bytes: usize) {
+    assert!(memory <= multiple * bytes + constant, "{memory} bytes of memory for {bytes} bytes");
+}
+
+/// Reads a payload with a sound checksum.
+fn read_payload(payload: &[u8]) -> Result<Table, Error> {
+    read(&with_prefix(payload))
+}
+
+fn assert_malformed(case: &str, payload: &[u8]) {
+    let result = read_payload(payload);
+    assert!(matches!(result, Err(Error::Malformed(_))), "{case}: {result:?}");
+}
+
+/// Malformed, or a table that gives numbers or is malformed. Every 31st forgery is looked up, if it is a table: that takes a while.
+fn assert_harmless(case: &str, number: usize, payload: &[u8]) {
+    let look_up = |table: Table| if number.is_multiple_of(31) { look_up(&table) } else { Ok(()) };
+    if let Err(error) = read_payload(payload).and_then(look_up) {
+        assert!(matches!(error, Error::Malformed(_)), "{case}: {error}");
+    }
+}
+
+fn packed() -> [(&'static str, Vec<u8>); 2] {
+    [("dense", tables::dense()), ("low rank", tables::low_rank())].map(|(form, table)| (form, table.to_packed().expect("small")))
+}
+
+/// Random bytes, the same in every run (xorshift).
+fn noise(count: usize) -> Vec<u8> {
+    let mut state = 0x9e37_79b9_7f4a_7c15_u64;
+    let mut next = || {
+        state ^= state << 13;
+        state ^= state >> 7;
+        state ^= state << 17;
+        state.to_le_bytes()
+    };
+    (0..count.div_ceil(8)).flat_map(|_| next()).take(count).collect()
+}
+
+#[test]
+fn the_prefix_is_that_of_the_format() {
+    for (form, bytes) in packed() {
+        assert_eq!(with_prefix(&bytes[PREFIX..]), bytes, "{form}");
+        look_up(&read(&bytes).expect("sound")).expect("sound");
+    }
+}
+
+#[test]
+fn truncated_bytes_are_an_error_at_every_length() {
+    for (form, bytes) in packed() {
+        for length in 0..bytes.len() {
+            let result = read(&bytes[..length]);
+            assert!(matches!(result, Err(Error::Foreign(_) | Error::Length { .. })), "{form}, {length} bytes: {result:?}");
+        }
+        for length in PREFIX..bytes.len() {
+            assert_malformed(&format!("{form}, {length} bytes, sound checksum"), &bytes[PREFIX..length]);
+        }
+    }
+}
+
+#[test]
+fn every_flipped_bit_is_an_error_and_with_a_sound_checksum_harmless() {
+    for (form, bytes) in packed() {
+        let mut flipped = bytes.clone();
+        for bit in 0..8 * bytes.len() {
+            flipped[bit / 8] ^= 1 << (bit % 8);
+            assert!(read(&flipped).is_err(), "{form}, bit {bit}");
+            assert_harmless(&format!("{form}, bit {bit}"), bit, &flipped[PREFIX..]);
+            flipped[bit / 8] ^= 1 << (bit % 8);
+        }
+    }
+}
+
+/// Wherever a length may stand, in the fixed width of the header and the variable one of the content.
+#[test]
+fn forged_lengths_are_harmless() {
+    for (form, bytes) in packed() {
+        let payload = &bytes[PREFIX..];
+        for length in [3_u64, 1 << 16, 1 << 20, 1 << 27, 1 << 32, 1 << 60, u64::MAX / 8, u64::MAX] {
+            for at in 0..payload.len() {
+                let case = format!("{form}, {length} at {at}");
+                let rest = |size: usize| &payload[payload.len().min(at + size)..];
+                assert_harmless(&case, at, &[&payload[..at], &length.to_le_bytes(), rest(8)].concat());
+                assert_harmless(&case, at, &[&payload[..at], &[253], &length.to_le_bytes(), rest(1)].concat());
+            }
+        }
+        // That of the payload.
+        for length in [0, 1, payload.len() as u64 - 1, payload.len() as u64 + 1, 1 << 40, u64::MAX] {
+            let forged = [&bytes[..12], &length.to_le_bytes(), &bytes[20..]].concat();
+            assert!(matches!(read(&forged), Err(Error::Length { .. })), "{form}, {length}");
+        }
+    }
+}
+
+/// Zeros are numbers in as few bytes as there may be.
+#[test]
+fn a_long_list_of_zeros_takes_little_memory_wherever_it_is() {
+    let zeros = vec![0; (1 << 20) + 1];
+    let length = (zeros.len() as u64).to_le_bytes();
+    for ((form, bytes), length) in packed().iter().zip([length.to_vec(), [&[253], &length[..]].concat()]) {
+        for at in PREFIX..bytes.len() {
+            assert_malformed(&format!("{form}, zeros behind {at} bytes"), &[&bytes[PREFIX..at], &length, &zeros].concat());
+        }
+    }
+}
+
+#[test]
+fn looking_up_takes_little_memory() {
+    let material = tables::material();
+    for shape in
+        [[2, 1, 1, 1], [2; 4], [1000, 1, 1, 1], [10_000, 2, 2, 2], [2, 5000, 2, 2], [2, 2, 5000, 2], [2, 2, 2, 5000], [20; 4]]
+    {
+        for a_over_t in [[0.5, 2.0], [1e-30, 1e30]] {
+            for table in tables::of_shape(shape, a_over_t) {
+                let bytes = table.to_packed().expect("not too large").len();
+                let most = measure(|| drop(table.curve_with_gradient(&material))).bytes_max as usize;
+                assert_little(most, LOOKING_UP, bytes);
+            }
+        }
+    }
+}
+
+#[test]
+fn ten_megabytes_of_noise_are_an_error() {
+    let noise = noise(10_000_000);
+    let same = [0x00, 0x01, 0x80, 0xfb, 0xfd, 0xff].map(|byte| vec![byte; noise.len()]);
+    for content in same.iter().chain([&noise]) {
+        assert!(matches!(read(content), Err(Error::Foreign(_))));
+        assert!(matches!(read(&[b"COATTBL\n", content.as_slice()].concat()), Err(Error::Version { .. })));
+        assert_malformed("noise alone", content);
+        // Behind a part of a sound payload, or all of it.
+        for (form, bytes) in packed() {
+            for kept in (PREFIX..bytes.len()).step_by(101).chain([bytes.len()]) {
+                assert_malformed(&format!("{form}, noise behind {kept} bytes"), &[&bytes[PREFIX..kept], content].concat());
+            }
+        }
+    }
+}
