@@ -75,7 +75,7 @@ impl LowRank {
         let mut nodes = [0; 4];
         for (i, [before, after]) in [[1, a], [a, b], [b, c], [c, quantities.len()]].into_iter().enumerate() {
             let (core, values) = (cores[i].len(), functions[i].len());
-            let quotient = |whole: usize, part: usize| (part > 0 && whole > 0 && whole % part == 0).then(|| whole / part);
+            let quotient = |whole: usize, part: usize| (part > 0 && whole > 0 && whole.is_multiple_of(part)).then(|| whole / part);
             let count = before.checked_mul(after).and_then(|pairs| quotient(core, pairs));
             let sound = |&[count, nodes]: &[usize; 2]| count <= nodes && (i == 3 || after <= before * nodes);
             let Some([_, count]) = count.and_then(|count| Some([count, quotient(values, count)?])).filter(sound) else {

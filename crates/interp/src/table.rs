@@ -55,7 +55,7 @@ pub struct Table {
 enum Content {
     /// Row-major over the four axes, `a_over_t` slowest.
     Dense([Option<Vec<f64>>; 4]),
-    LowRank(LowRank),
+    LowRank(Box<LowRank>),
     /// Splines through what was given as logarithms, of these quantities; all else is in the coefficients.
     Splined(Vec<Quantity>),
 }
