@@ -97,7 +97,7 @@ impl Table {
         if form.shape() != shape {
             return Err(Error::Malformed(format!("cores for {:?} nodes on {shape:?}", form.shape())));
         }
-        Ok(Self { description, axes, content: Content::LowRank(form), lookup: OnceLock::new() })
+        Ok(Self { description, axes, content: Content::LowRank(Box::new(form)), lookup: OnceLock::new() })
     }
 
     /// A table for looking up only, which takes half the memory of [`Table::new`] and no copy: from the logarithms that are splined, in the layout
