@@ -43,7 +43,7 @@ impl LowRank {
     ///
     /// # Errors
     /// [`Error::Malformed`] if no quantity is given, or one twice or not in order; if an index or an axis has no value; if the lengths
-    /// contradict each other; if there are more functions than nodes, or more values of an index than of the index before it and the functions between
+    /// contradict each other; if there are more functions than nodes, or more values of an index than of the index before it and the nodes between
     /// together; if a weight or a step is not in `[1e-30, 1e30]`, a function's value, or an entry of a core times the step, not in `[-1e30, 1e30]`, or an entry
     /// of a core not in `[-2^53, 2^53]`; or if there are more than 2e8 values on the nodes.
     pub fn new(
@@ -75,9 +75,9 @@ impl LowRank {
         let mut nodes = [0; 4];
         for (i, [before, after]) in [[1, a], [a, b], [b, c], [c, quantities.len()]].into_iter().enumerate() {
             let (core, values) = (cores[i].len(), functions[i].len());
-            let quotient = |whole: usize, part: usize| (part > 0 && whole > 0 && whole % part == 0).then(|| whole / part);
+            let quotient = |whole: usize, part: usize| (part > 0 && whole > 0 && whole.is_multiple_of(part)).then(|| whole / part);
             let count = before.checked_mul(after).and_then(|pairs| quotient(core, pairs));
-            let sound = |&[count, nodes]: &[usize; 2]| count <= nodes && (i == 3 || after <= before * count);
+            let sound = |&[count, nodes]: &[usize; 2]| count <= nodes && (i == 3 || after <= before * nodes);
             let Some([_, count]) = count.and_then(|count| Some([count, quotient(values, count)?])).filter(sound) else {
                 return malformed(format!("a core of {core} entries joins {before} and {after} with {values} values of functions"));
             };

@@ -55,7 +55,7 @@ pub struct Table {
 enum Content {
     /// Row-major over the four axes, `a_over_t` slowest.
     Dense([Option<Vec<f64>>; 4]),
-    LowRank(LowRank),
+    LowRank(Box<LowRank>),
     /// Splines through what was given as logarithms, of these quantities; all else is in the coefficients.
     Splined(Vec<Quantity>),
 }
@@ -97,7 +97,7 @@ impl Table {
         if form.shape() != shape {
             return Err(Error::Malformed(format!("cores for {:?} nodes on {shape:?}", form.shape())));
         }
-        Ok(Self { description, axes, content: Content::LowRank(form), lookup: OnceLock::new() })
+        Ok(Self { description, axes, content: Content::LowRank(Box::new(form)), lookup: OnceLock::new() })
     }
 
     /// A table for looking up only, which takes half the memory of [`Table::new`] and no copy: from the logarithms that are splined, in the layout

@@ -2,7 +2,8 @@
 //!
 //! Ten splines of an axis do not vanish at a point, but between two knots a table is smoother than they could be, and the less an index of the train
 //! weighs, the fewer of its digits matter. Therefore each core is expanded, over each interval between knots, in functions that oscillate more and more; an
-//! index keeps those whose part is not far below the table's tolerance, and single precision where that is enough.
+//! index keeps those whose part is not far below the table's tolerance, and single precision where that is enough. All but the first two vanish at the
+//! knots, so that what is left out makes no jump there.
 //! In the default table to 1e-7 that takes six tenths of the multiplications, and most of them four at a time.
 
 use std::array;
@@ -14,9 +15,10 @@ use crate::rows::add_rows;
 use crate::spline::{Basis, LARGEST_DEGREE, Weights};
 
 /// What may be left out of the functions of an interval, and how much a rounding to single precision may be, in parts of the table's tolerance: root
-/// mean squares of what is added to the logarithms.
+/// mean squares of what is added to the logarithms. A rounding is that small because it is a noise, which a difference quotient of two lookups
+/// divides by its step.
 const NEGLIGIBLE: f64 = 1e-4;
-const ROUNDING: f64 = 1e-3;
+const ROUNDING: f64 = 1e-6;
 
 /// The columns of a block: two sums of them in single precision take half of the sixteen registers that every x86-64 has.
 const WIDTH: usize = 16;
@@ -50,8 +52,8 @@ struct Interval {
     rows: Rows,
 }
 
-/// Combinations of the splines of an interval, each of which is a Chebyshev polynomial at as many Chebyshev points as there are splines; without a flat end
-/// it is that polynomial.
+/// Combinations of the splines of an interval: the Chebyshev polynomials `T0`, `T1`, `T2 - T0`, `T3 - T1`, `T4 - T0` and so on, or, next to a flat end, what has their
+/// values at as many Chebyshev points as there are splines.
 #[derive(Clone, Debug)]
 struct Functions {
     count: usize,
@@ -138,9 +140,10 @@ fn precise(weights: &[f64], tolerance: f64) -> usize {
 impl Carriage {
     /// The vector after a core, from that before it.
     fn after(&self, interval: &Interval, before: &[f64], functions: &[f64; MOST]) -> Vec<f64> {
-        let needed = before.iter().zip(&interval.needed);
-        let weights: Vec<f64> =
-            needed.flat_map(|(entry, &count)| functions[..count].iter().map(move |value| entry * value)).collect();
+        let mut weights = Vec::with_capacity(before.len() * MOST);
+        for (entry, &count) in before.iter().zip(&interval.needed) {
+            weights.extend(functions[..count].iter().map(|value| entry * value));
+        }
         let mut after = interval.rows.sum(&weights);
         after.iter_mut().zip(&self.scales).for_each(|(entry, scale)| *entry *= scale);
         after
@@ -163,7 +166,7 @@ impl Interval {
         let (mut rows, mut needed, mut double) = (Vec::new(), Vec::with_capacity(before.len()), 0);
         for i in 0..before.len() {
             let start = rows.len();
-            let mut most = 0;
+            let mut most = count.min(2);
             for (function, row) in transform[..count].iter().enumerate() {
                 rows.resize(start + (function + 1) * length, 0.0);
                 let sum = &mut rows[start + function * length..];
@@ -203,6 +206,10 @@ impl Functions {
                     splines.iter().enumerate().map(|(i, splines)| (function as f64 * angle(i)).cos() * splines.values[spline]);
                 *entry = norm * terms.sum::<f64>();
             }
+        }
+        // From the polynomials to their differences from the first two.
+        for function in 2..count {
+            (0..count).for_each(|spline| transform[function % 2][spline] += transform[function][spline]);
         }
         let factors = array::from_fn(|spline| array::from_fn(|function| transform[function][spline]));
         let mut functions = Self { count, flat: count <= basis.degree(), factors, order: array::from_fn(|i| i) };
