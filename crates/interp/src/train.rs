@@ -20,8 +20,9 @@ use crate::spline::{Basis, LARGEST_DEGREE, Weights};
 const NEGLIGIBLE: f64 = 1e-4;
 const ROUNDING: f64 = 1e-6;
 
-/// The columns of a block: two sums of them in single precision take half of the sixteen registers that every x86-64 has.
-const WIDTH: usize = 16;
+/// The columns of a block in double and in single precision: two sums of them take half of the sixteen registers that every x86-64 has.
+const DOUBLE: usize = 8;
+const SINGLE: usize = 16;
 
 /// The most functions on an interval.
 const MOST: usize = LARGEST_DEGREE + 1;
@@ -69,13 +70,13 @@ struct Functions {
 #[derive(Clone, Debug)]
 struct Rows {
     length: usize,
-    double: Columns<f64>,
-    single: Columns<f32>,
+    double: Columns<f64, DOUBLE>,
+    single: Columns<f32, SINGLE>,
 }
 
 /// Rows in blocks of so many columns, the last one filled up with zeros: sums over a block stay in registers.
 #[derive(Clone, Debug)]
-struct Columns<T> {
+struct Columns<T, const WIDTH: usize> {
     blocks: Vec<[T; WIDTH]>,
     rows: usize,
 }
@@ -263,7 +264,7 @@ impl Rows {
     fn sum(&self, weights: &[f64]) -> Vec<f64> {
         let (double, single) = weights.split_at(self.double.rows);
         let single: Vec<f32> = single.iter().map(|&weight| weight as f32).collect();
-        let mut sum = vec![0.0; self.length.next_multiple_of(WIDTH)];
+        let mut sum = vec![0.0; self.length.next_multiple_of(SINGLE)];
         self.double.add_to(&mut sum, double);
         self.single.add_to(&mut sum, &single);
         sum.truncate(self.length);
@@ -271,7 +272,7 @@ impl Rows {
     }
 }
 
-impl<T> Columns<T>
+impl<T, const WIDTH: usize> Columns<T, WIDTH>
 where
     T: Copy + Default + Add<Output = T> + Mul<Output = T> + AddAssign + Into<f64>,
 {
@@ -298,7 +299,7 @@ where
 /// The weighted sum of the rows of a block. Two at once, because a sum cannot begin before the one before it has ended; and not inlined, because what
 /// becomes of the sum would decide how it is made, two numbers at a time instead of four.
 #[inline(never)]
-fn block_sum<T>(block: &[[T; WIDTH]], weights: &[T]) -> [T; WIDTH]
+fn block_sum<T, const WIDTH: usize>(block: &[[T; WIDTH]], weights: &[T]) -> [T; WIDTH]
 where
     T: Copy + Default + Add<Output = T> + Mul<Output = T> + AddAssign,
 {

@@ -14,7 +14,7 @@ use crate::{output, train};
 
 /// Convert an HDF5 table to the packed form that `interp` loads without HDF5
 ///
-/// Value for value, or with `--tolerance` in low-rank form, some 80 times smaller for four axes: it is compared with direct solves at points of its
+/// Value for value, or with `--tolerance` in low-rank form, some 100 times smaller for four axes: it is compared with direct solves at points of its
 /// own, and holds what is measured as its certificate. If it cannot keep the tolerance nothing is written and the exit status is 1.
 #[derive(clap::Args)]
 pub struct Arguments {
