@@ -326,7 +326,10 @@ fn a_form_whose_parts_contradict_each_other_is_malformed() {
     let steps = [1.0, 0.5, 0.1, 2.0];
     // One substrate, three film moduli, two Poisson ratios, and two contact radii of two quantities.
     let cores: [&[i64]; 4] = [&[2], &[1, 2, -1], &[10, 20, 30, -5], &[1, 2, 3, 4, 5, 6, 7, 8]];
-    let sound = LowRank::new(held(), weights(), steps, cores).expect("sound");
+    // The functions of each axis are 1 at one of its nodes.
+    let unit = |n: usize| (0..n * n).map(|i| if i % (n + 1) == 0 { 1.0 } else { 0.0 }).collect::<Vec<f64>>();
+    let functions = || [1, 3, 2, 2].map(unit);
+    let sound = LowRank::new(held(), weights(), functions(), steps, cores).expect("sound");
     assert_eq!((sound.ranks(), sound.quantities()), ([1, 1, 2], &held()[..]));
     // By hand: C0 / w0 = 4, at the second film modulus C1 / w1 = 4, so 16 times C2 / w2 = (0.5, 2) or (1.5, -0.5), times C3.
     let expected = [336.0, 416.0, 496.0, 576.0, -32.0, 0.0, 32.0, 64.0];
@@ -335,18 +338,19 @@ fn a_form_whose_parts_contradict_each_other_is_malformed() {
     for (found, expected) in logarithms.iter().zip(expected) {
         assert!((found - expected).abs() < 1e-12, "{logarithms:?}");
     }
-    let new = |weights, steps, cores| LowRank::new(held(), weights, steps, cores);
+    let new = |weights, steps, cores| LowRank::new(held(), weights, functions(), steps, cores);
     let with_core = |i: usize, core: &'static [i64]| {
         let mut cores = cores;
         cores[i] = core;
         new(weights(), steps, cores)
     };
+    let with_functions = |functions| LowRank::new(held(), weights(), functions, steps, cores);
     let with_step = |step: f64| new(weights(), [1.0, 0.5, step, 2.0], cores);
     let with_weight = |weight: f64| new([vec![0.5], vec![weight], vec![2.0, 1.0]], steps, cores);
     let wrong = [
-        LowRank::new(vec![], weights(), steps, cores),
-        LowRank::new(vec![Quantity::Eeq, Quantity::Pi0], weights(), steps, cores),
-        LowRank::new(vec![Quantity::Eeq; 2], weights(), steps, cores),
+        LowRank::new(vec![], weights(), functions(), steps, cores),
+        LowRank::new(vec![Quantity::Eeq, Quantity::Pi0], weights(), functions(), steps, cores),
+        LowRank::new(vec![Quantity::Eeq; 2], weights(), functions(), steps, cores),
         new([vec![0.5], vec![], vec![2.0, 1.0]], steps, cores),
         new([vec![0.5], vec![0.25], vec![2.0, 1.0, 1.0]], steps, cores),
         // Two values of an index from a single node.
@@ -364,8 +368,13 @@ fn a_form_whose_parts_contradict_each_other_is_malformed() {
         with_weight(0.0),
         with_weight(-0.25),
         with_weight(f64::NAN),
+        with_functions([vec![], unit(3), unit(2), unit(2)]),
+        with_functions([vec![1.0; 2], unit(3), unit(2), unit(2)]),
+        with_functions([unit(1), vec![1.0; 7], unit(2), unit(2)]),
+        with_functions([unit(1), unit(3), unit(2), vec![1.0, 0.0, 0.0, f64::NAN]]),
+        with_functions([unit(1), unit(3), unit(2), vec![1.0, 0.0, 0.0, 2e30]]),
         // More values than are ever made.
-        LowRank::new(held(), [1; 3].map(|_| vec![1.0]), [1.0; 4], [&[1; 200], &[1; 200], &[1; 200], &[1; 200]]),
+        LowRank::new(held(), [1; 3].map(|_| vec![1.0]), [1; 4].map(|_| vec![1.0; 200]), [1.0; 4], [&[1], &[1], &[1], &[1, 1]]),
     ];
     for (i, wrong) in wrong.iter().enumerate() {
         assert!(matches!(wrong, Err(Error::Malformed(_))), "{i}: {wrong:?}");
