@@ -501,7 +501,9 @@ fn hostile_numbers_are_errors() {
             assert_eq!(RateDependent::new(x, y, y).is_ok(), positive(x) && positive(y), "{x} {y}");
             if let Ok(law) = RateDependent::new(W, x, y) {
                 for z in HOSTILE {
-                    assert_eq!(law.energy_release_rate(z).is_ok(), z.is_finite());
+                    // The energy of a finite speed may still be too large.
+                    assert!(law.energy_release_rate(z).is_ok_and(f64::is_finite) || !z.is_finite() || z.abs() >= x, "{x} {y} {z}");
+                    assert!(law.energy_release_rate(z).is_err() || z.is_finite());
                     assert_eq!(law.speed(z).is_nan(), z.is_nan(), "{x} {y} {z}");
                 }
             }

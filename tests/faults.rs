@@ -186,10 +186,10 @@ fn a_header_that_is_damaged_or_of_other_nodes_is_an_error_and_nothing_is_lost() 
 #[test]
 fn a_refined_run_is_resumed_with_its_own_certificate_only() {
     let desk = desk();
-    // The first plan has an error of 1.3e-2.
+    // The first plan misses the tolerance.
     desk.write(
         "scene.toml",
-        "title = 'x'\ntolerance = 1e-2\na_over_t = { from = 0.01, to = 100 }\ne1_over_e2 = { from = 0.1, to = 10 }\n\
+        "title = 'x'\ntolerance = 2e-2\na_over_t = { from = 0.01, to = 100 }\ne1_over_e2 = { from = 1e-2, to = 1e2 }\n\
          nu1 = { from = 0, to = 0.5 }\ne0_over_e2 = { from = 1e-3, to = 1e3 }\n",
     );
     let generate = ["generate", "scene.toml", "-o", "table.h5", "--resume"];

@@ -6,7 +6,7 @@ use splines::{Interpolation, Key, Spline};
 
 use crate::beyond::Beyond;
 use crate::material::ROUNDING;
-use crate::pieces::{Grid, Resampler, Values, all, bounds, derivatives, one};
+use crate::pieces::{Grid, Resampler, Values, all, derivatives, one, stays_within};
 use crate::schema::Parameter;
 use crate::sensitivity::Sensitivities;
 use crate::spline::Basis;
@@ -102,13 +102,12 @@ impl Curve {
         Self { grid: resampler.grid.clone(), pieces, range, material, held, sensitivities: None, beyond: None }
     }
 
-    /// A quantity held that may leave `[1e-30, 1e30]`, with a bound of it: on a sound curve's pieces the first term is the largest by far.
+    /// A quantity held that may leave `[1e-30, 1e30]`, with its value in the middle of such a piece.
     pub(crate) fn unreasonable(&self) -> Option<(Quantity, f64)> {
-        let held = || Quantity::ALL.into_iter().filter(|&quantity| self.held[quantity as usize]);
-        self.pieces
-            .iter()
-            .flat_map(|piece| held().map(move |quantity| (quantity, bounds(piece, quantity as usize))))
-            .find_map(|(quantity, bounds)| Some((quantity, bounds.into_iter().find(|bound| !REASONABLE.contains(bound))?)))
+        let held = Quantity::ALL.into_iter().filter(|&quantity| self.held[quantity as usize]);
+        let all = held.flat_map(|quantity| self.pieces.iter().map(move |piece| (quantity, piece)));
+        let mut outside = all.filter(|(quantity, piece)| !stays_within(&REASONABLE, piece, *quantity as usize));
+        outside.next().map(|(quantity, piece)| (quantity, piece[0][quantity as usize]))
     }
 
     /// With what is known of the derivatives with respect to the material.

@@ -5,6 +5,7 @@
 //! each quantity is a polynomial in the place `t` from -1 to 1, the exponential of another one that is linear in the coefficients of the spline.
 
 use std::borrow::Cow;
+use std::ops::RangeInclusive;
 use std::sync::Arc;
 
 use crate::Quantity;
@@ -133,10 +134,21 @@ pub(crate) fn all<const N: usize>(piece: &[Four; N], place: Place) -> Four {
     std::array::from_fn(|quantity| one(piece, place, quantity))
 }
 
-/// What a quantity is not below and not above anywhere on a piece; NaN where it is.
-pub(crate) fn bounds<const N: usize>(piece: &[Four; N], quantity: usize) -> [f64; 2] {
+/// Whether a quantity stays within a range everywhere on a piece: then so do its Bernstein coefficients on a sound curve, of which the polynomial is a
+/// weighted mean. On most pieces the size of its coefficients says so already.
+pub(crate) fn stays_within(range: &RangeInclusive<f64>, piece: &Values, quantity: usize) -> bool {
     let size: f64 = piece[1..].iter().map(|coefficients| coefficients[quantity].abs()).sum();
-    [piece[0][quantity] - size, piece[0][quantity] + size]
+    if range.contains(&(piece[0][quantity] - size)) && range.contains(&(piece[0][quantity] + size)) {
+        return true;
+    }
+    let choose = |n: usize, k: usize| (0..k).fold(1.0, |product, i| product * (n - i) as f64 / (i + 1) as f64);
+    // Powers of `u = (t + 1)/2`, from 0 to 1.
+    let power = |m: usize| {
+        let terms = (m..VALUE).map(|k| if (k - m) % 2 == 0 { choose(k, m) } else { -choose(k, m) } * piece[k][quantity]);
+        terms.sum::<f64>() * (1_u64 << m) as f64
+    };
+    let bernstein = |j: usize| (0..=j).map(|m| choose(j, m) / choose(VALUE - 1, m) * power(m)).sum::<f64>();
+    (0..VALUE).all(|j| range.contains(&bernstein(j)))
 }
 
 /// The derivatives of the polynomials with respect to `t`.
