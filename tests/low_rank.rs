@@ -85,10 +85,10 @@ fn apart(found: &Table, expected: &Table) -> f64 {
 
 #[test]
 fn at_the_nodes_a_low_rank_table_has_the_error_it_was_given_and_between_them_the_splines_through_its_values() {
-    /// How much of its error a form uses at least, if its ranks are not all 1. Measured: 0.43.
-    const USED: f64 = 0.3;
-    /// The largest difference of the curves of both forms, in parts of the tolerance: what a lookup leaves out and rounds. Measured: ?.
-    const SAME_SPLINE: f64 = 0.03;
+    /// How much of its error a form uses at least, if its ranks are not all 1: one index less may be too few. Measured: 0.18.
+    const USED: f64 = 0.15;
+    /// The largest difference of the curves of both forms, in parts of the tolerance: what a lookup leaves out and rounds. Measured: 0.0015.
+    const SAME_SPLINE: f64 = 0.005;
     for scene in [BOX, RIGID_SPHERE, TWO_AXES, ONE_AXIS, ONE_RADIUS] {
         let dense = table(scene);
         assert!(dense.low_rank().is_none() && matches!(dense.expand(), Ok(std::borrow::Cow::Borrowed(_))));
@@ -175,8 +175,8 @@ fn packing_keeps_the_tolerance_at_fresh_points_and_says_so() {
     assert!(sizes.is_sorted_by(|a, b| a < b), "{sizes:?}");
     let dense = desk.read("table.h5").len();
     println!("dense: {dense} bytes, {} times as many as at 1e-6", dense / sizes[3]);
-    // Measured: 77.
-    assert!(dense > 60 * sizes[3]);
+    // Measured: 97.
+    assert!(dense > 80 * sizes[3]);
     // Every command takes it; ten thousand points compare a table with four axes.
     desk.write("points.csv", "a_over_t,e1_over_e2,nu1,e0_over_e2\n1,1,0.4,30\n");
     assert_eq!(desk.succeed(&["query", "table.bin", "--points", "points.csv"]).lines().count(), 2);
@@ -278,18 +278,6 @@ fn nothing_is_allocated_on_the_word_of_a_file() {
     let table = Table::from_packed(&PACKED).expect("as it was");
     let ranks = table.low_rank().expect("low-rank").ranks();
     let payload = &PACKED[PREFIX..];
-    // The content begins with the lists of weights, a byte for each length; after them come the steps, and the cores.
-    let lists = |start: usize| {
-        ranks.map(|rank| (rank as u8, 1 + 8 * rank)).into_iter().scan(start, |next, (length, size)| {
-            let at = *next;
-            *next += size;
-            Some((at, length))
-        })
-    };
-    let begins = |&start: &usize| lists(start).all(|(at, length)| payload.get(at) == Some(&length));
-    let start = (0..payload.len()).find(begins).expect("the weights");
-    let mut lengths: Vec<usize> = lists(start).map(|(at, _)| at).collect();
-    let mut at = start + ranks.iter().map(|rank| 1 + 8 * rank).sum::<usize>() + 4 * 8;
     // A whole number takes a byte, or as many after a mark.
     let whole = |at: usize| match payload[at] {
         251 => (usize::from(u16::from_le_bytes([payload[at + 1], payload[at + 2]])), 3),
@@ -297,6 +285,21 @@ fn nothing_is_allocated_on_the_word_of_a_file() {
         253 => (0, 9),
         small => (usize::from(small), 1),
     };
+    // The content begins with three lists of weights, each with its length in a byte; then there are those of four functions, four steps, and the cores.
+    let [a, b, c] = ranks;
+    let begins = |&at: &usize| {
+        let places = [at, at + 1 + 8 * a, at + 2 + 8 * (a + b)];
+        places.iter().zip(ranks).all(|(&at, rank)| payload.get(at).copied().map(usize::from) == Some(rank))
+    };
+    let mut at = (0..payload.len()).find(begins).expect("the weights");
+    let mut lengths = Vec::new();
+    for _ in 0..7 {
+        lengths.push(at);
+        let (count, size) = whole(at);
+        at += size + 8 * count;
+    }
+    assert_eq!(lengths[3] - lengths[0], 3 + 8 * (a + b + c));
+    at += 4 * 8;
     for _ in 0..4 {
         lengths.push(at);
         let (count, size) = whole(at);
@@ -323,16 +326,17 @@ fn nothing_is_allocated_on_the_word_of_a_file() {
 fn a_form_whose_parts_contradict_each_other_is_malformed() {
     let held = || vec![Quantity::Pi0, Quantity::Eeq];
     let weights = || [vec![0.5], vec![0.25], vec![2.0, 1.0]];
+    // One substrate; three film moduli, two Poisson ratios, one function for each; three contact radii, the third the sum of the others.
+    let functions = || {
+        let unit = |count: usize| (0..count * count).map(|i| if i % (count + 1) == 0 { 1.0 } else { 0.0 }).collect();
+        [unit(1), unit(3), unit(2), vec![1.0, 0.0, 0.0, 1.0, 1.0, 1.0]]
+    };
     let steps = [1.0, 0.5, 0.1, 2.0];
-    // One substrate, three film moduli, two Poisson ratios, and two contact radii of two quantities.
     let cores: [&[i64]; 4] = [&[2], &[1, 2, -1], &[10, 20, 30, -5], &[1, 2, 3, 4, 5, 6, 7, 8]];
-    // The functions of each axis are 1 at one of its nodes.
-    let unit = |n: usize| (0..n * n).map(|i| if i % (n + 1) == 0 { 1.0 } else { 0.0 }).collect::<Vec<f64>>();
-    let functions = || [1, 3, 2, 2].map(unit);
     let sound = LowRank::new(held(), weights(), functions(), steps, cores).expect("sound");
     assert_eq!((sound.ranks(), sound.quantities()), ([1, 1, 2], &held()[..]));
     // By hand: C0 / w0 = 4, at the second film modulus C1 / w1 = 4, so 16 times C2 / w2 = (0.5, 2) or (1.5, -0.5), times C3.
-    let expected = [336.0, 416.0, 496.0, 576.0, -32.0, 0.0, 32.0, 64.0];
+    let expected = [336.0, 416.0, 496.0, 576.0, 832.0, 992.0, -32.0, 0.0, 32.0, 64.0, 0.0, 64.0];
     let logarithms = sound.logarithms(1);
     assert_eq!(logarithms.len(), expected.len());
     for (found, expected) in logarithms.iter().zip(expected) {
@@ -344,7 +348,11 @@ fn a_form_whose_parts_contradict_each_other_is_malformed() {
         cores[i] = core;
         new(weights(), steps, cores)
     };
-    let with_functions = |functions| LowRank::new(held(), weights(), functions, steps, cores);
+    let with_function = |i: usize, values: Vec<f64>| {
+        let mut functions = functions();
+        functions[i] = values;
+        LowRank::new(held(), weights(), functions, steps, cores)
+    };
     let with_step = |step: f64| new(weights(), [1.0, 0.5, step, 2.0], cores);
     let with_weight = |weight: f64| new([vec![0.5], vec![weight], vec![2.0, 1.0]], steps, cores);
     let wrong = [
@@ -354,12 +362,18 @@ fn a_form_whose_parts_contradict_each_other_is_malformed() {
         new([vec![0.5], vec![], vec![2.0, 1.0]], steps, cores),
         new([vec![0.5], vec![0.25], vec![2.0, 1.0, 1.0]], steps, cores),
         // Two values of an index from a single node.
-        new([vec![0.5, 0.5], vec![0.25], vec![2.0, 1.0]], steps, [&[2, 2], &[1, 2, -1, 3], cores[2], cores[3]]),
+        new([vec![0.5, 0.5], vec![0.25], vec![2.0, 1.0]], steps, [&[2, 2], &[1, 2, -1, 3, 1, 1], cores[2], cores[3]]),
         with_core(0, &[]),
         with_core(2, &[10, 20, 30]),
         with_core(3, &[1, 2, 3, 4, 5, 6]),
         with_core(1, &[1, 2, i64::MIN]),
         with_core(1, &[1, 2, (1 << 53) + 1]),
+        with_function(0, vec![]),
+        with_function(2, vec![1.0; 3]),
+        with_function(0, vec![f64::NAN]),
+        with_function(0, vec![f64::INFINITY]),
+        // Two functions on a single node.
+        with_function(3, vec![1.0; 2]),
         with_step(0.0),
         with_step(f64::NAN),
         with_step(f64::INFINITY),
@@ -368,13 +382,14 @@ fn a_form_whose_parts_contradict_each_other_is_malformed() {
         with_weight(0.0),
         with_weight(-0.25),
         with_weight(f64::NAN),
-        with_functions([vec![], unit(3), unit(2), unit(2)]),
-        with_functions([vec![1.0; 2], unit(3), unit(2), unit(2)]),
-        with_functions([unit(1), vec![1.0; 7], unit(2), unit(2)]),
-        with_functions([unit(1), unit(3), unit(2), vec![1.0, 0.0, 0.0, f64::NAN]]),
-        with_functions([unit(1), unit(3), unit(2), vec![1.0, 0.0, 0.0, 2e30]]),
         // More values than are ever made.
-        LowRank::new(held(), [1; 3].map(|_| vec![1.0]), [1; 4].map(|_| vec![1.0; 200]), [1.0; 4], [&[1], &[1], &[1], &[1, 1]]),
+        LowRank::new(
+            vec![Quantity::Pi0],
+            std::array::from_fn(|_| vec![1.0]),
+            std::array::from_fn(|_| vec![0.1; 200]),
+            [1.0; 4],
+            [&[1]; 4],
+        ),
     ];
     for (i, wrong) in wrong.iter().enumerate() {
         assert!(matches!(wrong, Err(Error::Malformed(_))), "{i}: {wrong:?}");
