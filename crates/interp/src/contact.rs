@@ -119,7 +119,8 @@ impl Contact {
     ///
     /// # Errors
     /// [`Error::OutsideTable`] or [`Error::Extrapolation`] where the curve does not cover `a/t`, see [`Curve::quantity`];
-    /// [`Error::Unphysical`] for `a <= 0`, `w < 0`, NaN, or a load too large for f64; [`Error::MissingQuantity`] without `pi0` and, with adhesion, `eeq` and `gamma`.
+    /// [`Error::Unphysical`] for `a <= 0`, `w < 0`, NaN, or a load too large for f64; [`Error::MissingQuantity`] without `pi0` and, with
+    /// adhesion, `eeq` and `gamma`.
     pub fn load(&self, a: f64, w: f64) -> Result<f64, Error> {
         let edge = self.mechanics.edge_singularity(a, w)?;
         let (pi0, eeq_over_gamma) = if w == 0.0 { (self.quantity(Quantity::Pi0, a)?, 1.0) } else { self.load_factors(a)? };
