@@ -285,3 +285,15 @@ fn numbers_out_of_bounds_are_named() {
     assert_eq!(contact.contact_radius_range(), [0.0, f64::INFINITY]);
     assert_eq!(contact.quantities(1e-5).expect("any radius").get(Quantity::Delta0), 1.0);
 }
+
+#[test]
+fn many_loads_are_those_of_one_after_the_other() {
+    let contact = Table::embedded().contact(&paper_system(1e-5)).expect("inside");
+    let radii: Vec<f64> = (1..=100).map(|i| 1e-6 * f64::from(i)).collect();
+    let mut loads = vec![0.0; radii.len()];
+    contact.load_at_all(&radii, 0.04, &mut loads).expect("inside");
+    for (&a, load) in radii.iter().zip(&loads) {
+        assert_eq!(*load, contact.load(a, 0.04).expect("inside"));
+    }
+    assert!(matches!(contact.load_at_all(&radii, 0.04, &mut loads[1..]), Err(Error::Unphysical { .. })));
+}

@@ -1,5 +1,6 @@
 //! The contact in SI units: what follows from contact radius and work of adhesion.
 
+use crate::curve::same_length;
 use crate::system::positive;
 use crate::{Curve, Error, HalfSpace, Mechanics, Quantities, Quantity, System, Table};
 
@@ -125,6 +126,19 @@ impl Contact {
         let edge = self.mechanics.edge_singularity(a, w)?;
         let (pi0, eeq_over_gamma) = if w == 0.0 { (self.quantity(Quantity::Pi0, a)?, 1.0) } else { self.load_factors(a)? };
         finite(a, self.mechanics.load(a, edge, pi0, eeq_over_gamma))
+    }
+
+    /// The loads (N) at many contact radii (m), in the order given, and work of adhesion `w` (J/m^2): as [`Contact::load`].
+    ///
+    /// # Errors
+    /// As [`Contact::load`] at the first radius that has one, with the loads before it written; [`Error::Unphysical`] if there is not one load to write
+    /// for each radius.
+    pub fn load_at_all(&self, radii: &[f64], w: f64, loads: &mut [f64]) -> Result<(), Error> {
+        same_length(radii, loads)?;
+        for (load, &a) in loads.iter_mut().zip(radii) {
+            *load = self.load(a, w)?;
+        }
+        Ok(())
     }
 
     /// Load (N) and penetration (m, positive when the sphere moves in) at contact radius `a` (m) and work of adhesion `w` (J/m^2).

@@ -36,6 +36,27 @@ impl CrackTip for f64 {
     }
 }
 
+/// A law chosen when the program runs is passed by reference, or in a box.
+impl<L: CrackTip + ?Sized> CrackTip for &L {
+    fn at_rest(&self) -> [f64; 2] {
+        (**self).at_rest()
+    }
+
+    fn speed(&self, energy_release_rate: f64) -> f64 {
+        (**self).speed(energy_release_rate)
+    }
+}
+
+impl<L: CrackTip + ?Sized> CrackTip for Box<L> {
+    fn at_rest(&self) -> [f64; 2] {
+        (**self).at_rest()
+    }
+
+    fn speed(&self, energy_release_rate: f64) -> f64 {
+        (**self).speed(energy_release_rate)
+    }
+}
+
 /// Different energies for a line that advances and one that recedes; it is pinned while `G` is between them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hysteresis {

@@ -329,7 +329,7 @@ impl Curve {
 }
 
 /// Accepts as many outputs as inputs.
-fn same_length(inputs: &[f64], outputs: &[f64]) -> Result<(), Error> {
+pub(crate) fn same_length(inputs: &[f64], outputs: &[f64]) -> Result<(), Error> {
     Error::unless(
         inputs.len() == outputs.len(),
         "the number of values to write",
