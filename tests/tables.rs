@@ -9,9 +9,8 @@ use tabulate::certify::certify;
 use tabulate::solve::solve;
 use tabulate::sweep::solve_tolerance;
 
-/// Largest relative difference of a curve at a node from the value stored there: the pieces of a curve follow the splines to a tenth of the table's
-/// tolerance at least.
-const AT_NODES: f64 = 2e-9;
+/// Largest relative difference of a curve at a node from the value stored there, in parts of the table's tolerance: what the pieces of a curve may add.
+const AT_NODES: f64 = 0.1;
 /// Largest relative difference of the splines themselves from the values at their nodes. Measured: 3.1e-15.
 const SPLINES_AT_NODES: f64 = 5e-14;
 /// Largest relative error of stored values where solves to 1e-6 were asked for. Measured: 2.0e-8.
@@ -132,7 +131,7 @@ fn a_curve_goes_through_the_nodes() {
         }
     }
     println!("at {:?} nodes: largest difference {worst:.1e}", table.shape());
-    assert!(worst <= AT_NODES);
+    assert!(worst <= AT_NODES * table.description().tolerance);
 }
 
 #[test]

@@ -105,7 +105,7 @@ impl Contact {
         &self.mechanics
     }
 
-    /// The smallest and the largest contact radius (m) that the curve covers: 0 and infinity on a half-space.
+    /// The smallest and the largest contact radius (m) of the curve's nodes, among which states are sought: 0 and infinity on a half-space.
     pub fn contact_radius_range(&self) -> [f64; 2] {
         match &self.bodies {
             Bodies::Coated { system, curve } => curve.range().map(|a_over_t| a_over_t * system.film_thickness),
@@ -118,8 +118,9 @@ impl Contact {
     /// Each of its two terms has the relative error of the curve.
     ///
     /// # Errors
-    /// [`Error::OutsideTable`] where the curve does not cover `a/t`; [`Error::Unphysical`] for `a <= 0`, `w < 0`, NaN, or a load
-    /// too large for f64; [`Error::MissingQuantity`] without `pi0` and, with adhesion, `eeq` and `gamma`.
+    /// [`Error::OutsideTable`] or [`Error::Extrapolation`] where the curve does not cover `a/t`, see [`Curve::quantity`];
+    /// [`Error::Unphysical`] for `a <= 0`, `w < 0`, NaN, or a load too large for f64; [`Error::MissingQuantity`] without `pi0` and, with
+    /// adhesion, `eeq` and `gamma`.
     pub fn load(&self, a: f64, w: f64) -> Result<f64, Error> {
         let edge = self.mechanics.edge_singularity(a, w)?;
         let (pi0, eeq_over_gamma) = if w == 0.0 { (self.quantity(Quantity::Pi0, a)?, 1.0) } else { self.load_factors(a)? };
@@ -145,8 +146,8 @@ impl Contact {
     /// Contact stiffness `S = 2 a E* Eeq` (N/m) at contact radius `a` (m), eq. 5.
     ///
     /// # Errors
-    /// [`Error::OutsideTable`] where the curve does not cover `a/t`, [`Error::MissingQuantity`] without `eeq`; on a half-space
-    /// [`Error::Unphysical`] unless `a` is positive and finite, and the stiffness not too large for f64.
+    /// [`Error::OutsideTable`] or [`Error::Extrapolation`] where the curve does not cover `a/t`, [`Error::MissingQuantity`] without
+    /// `eeq`; on a half-space [`Error::Unphysical`] unless `a` is positive and finite, and the stiffness not too large for f64.
     pub fn stiffness(&self, a: f64) -> Result<f64, Error> {
         finite(a, self.mechanics.stiffness(a, self.quantity(Quantity::Eeq, a)?))
     }

@@ -10,8 +10,8 @@ impl Contact {
     /// from the adhesionless `F0(a)` to `load`. Negative for a load above `F0`, which only a contact that grows can bear.
     ///
     /// # Errors
-    /// [`Error::OutsideTable`] where the curve does not cover `a/t`; [`Error::Unphysical`] for `a <= 0`, or numbers that are not
-    /// finite; [`Error::MissingQuantity`] without `pi0`, `eeq` and `gamma`.
+    /// [`Error::OutsideTable`] or [`Error::Extrapolation`] where the curve does not cover `a/t`; [`Error::Unphysical`] for `a <= 0`,
+    /// or numbers that are not finite; [`Error::MissingQuantity`] without `pi0`, `eeq` and `gamma`.
     pub fn energy_release_rate_at_load(&self, a: f64, load: f64) -> Result<f64, Error> {
         positive("contact radius", a)?;
         known("load", load)?;
@@ -45,7 +45,7 @@ impl Contact {
     ///
     /// # Errors
     /// [`Error::Unphysical`] for a load that is larger than without adhesion at this penetration (above 0 where the penetration is
-    /// not), or numbers that are not finite; [`Error::OutsideRadii`] if the contact radius is not one that the curve covers;
+    /// not), or numbers that are not finite; [`Error::OutsideRadii`] if the contact radius is not between the curve's nodes;
     /// [`Error::MissingQuantity`] without all four quantities.
     pub fn radius_and_energy_release_rate(&self, load: f64, penetration: f64) -> Result<(f64, f64), Error> {
         known("load", load)?;

@@ -59,7 +59,8 @@ pub struct Equilibrium {
     pub stable: bool,
 }
 
-/// The equilibria of a contact with one work of adhesion under one control, at all contact radii that the curve covers.
+/// The equilibria of a contact with one work of adhesion under one control, at all contact radii between the curve's nodes, not
+/// beyond them ([`Contact::contact_radius_range`]): "in range" below.
 ///
 /// At each contact radius there is one equilibrium, `G = w`, and so one imposed value `v(a)`: the load, the penetration or the
 /// spring's position. Where `v` grows with `a` the equilibrium is stable: at the same `v`, a contact a little larger has `G > w`,
@@ -185,10 +186,10 @@ impl Contact {
 impl Equilibria<'_> {
     /// All equilibria in range at an imposed load (N), penetration or position of the spring (m), in ascending order of contact
     /// radius: none beyond pull-off. At a turning point the stable and the unstable equilibrium are one, called unstable at a
-    /// minimum and stable at a maximum. An unstable one whose contact radius is smaller than what the curve covers is left out.
+    /// minimum and stable at a maximum. An unstable one whose contact radius is smaller than the range is left out.
     ///
     /// # Errors
-    /// [`Error::OutsideRadii`] if a stable equilibrium has a contact radius that the curve does not cover; [`Error::Unphysical`] if
+    /// [`Error::OutsideRadii`] if a stable equilibrium has a contact radius out of range; [`Error::Unphysical`] if
     /// `imposed` is not finite.
     pub fn at(&self, imposed: f64) -> Result<Vec<Equilibrium>, Error> {
         self.check(imposed)?;
@@ -252,7 +253,7 @@ impl Equilibria<'_> {
     /// [`Equilibria::force_displacement`] gives the jumps before it. Without adhesion it is [`State::ORIGIN`].
     ///
     /// # Errors
-    /// [`Error::OutsideRadii`] if its contact radius is not one that the curve covers.
+    /// [`Error::OutsideRadii`] if its contact radius is out of range.
     pub fn pull_off(&self) -> Result<State, Error> {
         if self.adhesionless() {
             return Ok(State::ORIGIN);

@@ -16,7 +16,8 @@ impl JkrFit {
     /// Through measured or computed points.
     ///
     /// # Errors
-    /// [`Error::Unphysical`] unless the points have two different abscissas at least, finite coordinates and a slope above 0.
+    /// [`Error::Unphysical`] unless the points have two different abscissas at least, finite coordinates, and a slope above 0 whose
+    /// line f64 holds.
     pub fn through(points: &[JkrPoint]) -> Result<Self, Error> {
         let count = points.len() as f64;
         let mean = |coordinate: fn(&JkrPoint) -> f64| points.iter().map(coordinate).sum::<f64>() / count;
@@ -25,8 +26,10 @@ impl JkrFit {
         let spread = moment(&|point| point.abscissa - x);
         Error::unless(spread > 0.0, "spread of the JKR plot's abscissas", spread, "> 0: two different ones at least, all finite")?;
         let slope = moment(&|point| point.ordinate - y) / spread;
-        Error::unless(slope > 0.0 && slope.is_finite(), "slope of the JKR plot", slope, "> 0 and finite")?;
-        Ok(Self { modulus: 0.75 * 6.0_f64.sqrt() * slope, intercept: y - slope * x })
+        let fit = Self { modulus: 0.75 * 6.0_f64.sqrt() * slope, intercept: y - slope * x };
+        let held = fit.modulus.is_finite() && fit.intercept.is_finite();
+        Error::unless(slope > 0.0 && held, "slope of the JKR plot", slope, "> 0, and the line such that f64 holds it")?;
+        Ok(fit)
     }
 
     /// The work of adhesion (J/m^2) of the intercept with the fitted modulus. Negative if the intercept is positive, as of no JKR

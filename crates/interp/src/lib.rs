@@ -14,6 +14,7 @@
 //!   film;
 //! * [`Contact::equilibria`] has the contacts at a load, a penetration or the position of a spring with their stability, pull-off
 //!   ([`Contact::pull_off`]), and whole force-displacement curves with their jumps;
+//! * [`Contact::gradient`] has the derivatives of load and penetration with respect to every [`Input`], [`Curve::gradient`] those of the quantities;
 //! * [`Contact::radius_and_energy_release_rate`] and its like need no work of adhesion, but measured values;
 //! * [`Contact::film_bias`] says whether the film matters, [`Contact::validity`] and [`Contact::adhesion_range`] whether the model holds;
 //! * [`Contact::line`] moves the contact line by a [`CrackTip`] law, of which eq. 8 is the simplest: different energies for an
@@ -39,8 +40,10 @@
 //! # fn main() {}
 //! ```
 //!
-//! No numerics happen here, no value is clamped and none is extrapolated: outside the table or curve, but for rounding (1e-12), there is an
-//! [`Error`] with the axis, the value and the range.
+//! No contact problem is solved here, and no value is clamped: outside the table or curve, but for rounding (1e-12), there is an [`Error`] with
+//! the axis, the value and the range. Only a table's `a/t` has a continuation: load, penetration and quantities beyond it are the expansions about
+//! the exact limits, where their estimated error is within the table's tolerance. What is searched for (equilibria, pull-off), the motion of a
+//! contact line and derivatives with respect to the material end with the table.
 
 #![forbid(unsafe_code)]
 

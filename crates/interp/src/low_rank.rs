@@ -18,9 +18,10 @@ const MOST_VALUES: usize = 200_000_000;
 /// C1[a,j,b] = sum_f F1[j,f] G1[a,f,b], and so the others
 /// ```
 ///
-/// with the cores `C` of `e0_over_e2`, `e1_over_e2`, `nu1` and `a_over_t`, in the order that takes the fewest multiplications, and the weights `w` of the
-/// indices that join them. A core combines a few functions `F` along its axis, which are smooth: rounding its numbers `G` leaves derivatives alone. Between the nodes every core is a spline like the table's own, so that this is the tensor spline
-/// through these logarithms: what is measured of it holds for [`Table::expand`](crate::Table::expand) as well.
+/// with the cores `C` of `e0_over_e2`, `e1_over_e2`, `nu1` and `a_over_t`, in the order that takes the fewest multiplications, and
+/// the weights `w` of the indices that join them. A core combines a few functions `F` along its axis, which are smooth: rounding
+/// its numbers `G` leaves derivatives alone. Between the nodes every core is a spline like the table's own, so that this is the
+/// tensor spline through these logarithms: what is measured of it holds for [`Table::expand`](crate::Table::expand) as well.
 ///
 /// A number of a core is to be about as large as what it adds to the logarithms, which is what the weights are for: the root mean square that an index
 /// adds. Then all numbers of a core may be rounded to multiples of one step.

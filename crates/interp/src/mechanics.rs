@@ -16,7 +16,8 @@ pub struct JkrPoint {
 }
 
 impl JkrPoint {
-    /// From a measured contact radius `a` (m) and load `F` (N) under a sphere of radius `R` (m).
+    /// From a measured contact radius `a` (m) and load `F` (N) under a sphere of radius `R` (m). Nothing is checked: without a
+    /// positive `a` and `R` the coordinates are not finite, which [`JkrFit::through`](crate::JkrFit::through) refuses.
     pub fn new(a: f64, load: f64, sphere_radius: f64) -> Self {
         let power = a * a.sqrt();
         Self { abscissa: power / (PI.sqrt() * sphere_radius), ordinate: load / ((6.0 * PI).sqrt() * power) }
@@ -24,6 +25,9 @@ impl JkrPoint {
 }
 
 /// The arithmetic of eqs. 2 to 9 for one system, from the four quantities at the contact's `a/t`, wherever they come from.
+///
+/// What returns no `Result` is plain arithmetic without checks: NaN gives NaN, and what overflows is infinite. The functions of
+/// [`Contact`](crate::Contact) check.
 #[derive(Clone, Copy, Debug)]
 pub struct Mechanics {
     radius: f64,

@@ -144,7 +144,7 @@ pub(crate) fn stays_within(range: &RangeInclusive<f64>, piece: &Values, quantity
     let choose = |n: usize, k: usize| (0..k).fold(1.0, |product, i| product * (n - i) as f64 / (i + 1) as f64);
     // Powers of `u = (t + 1)/2`, from 0 to 1.
     let power = |m: usize| {
-        let terms = (m..VALUE).map(|k| if (k - m) % 2 == 0 { choose(k, m) } else { -choose(k, m) } * piece[k][quantity]);
+        let terms = (m..VALUE).map(|k| if (k - m).is_multiple_of(2) { choose(k, m) } else { -choose(k, m) } * piece[k][quantity]);
         terms.sum::<f64>() * (1_u64 << m) as f64
     };
     let bernstein = |j: usize| (0..=j).map(|m| choose(j, m) / choose(VALUE - 1, m) * power(m)).sum::<f64>();
