@@ -11,7 +11,7 @@ fn read(path: &str) -> String {
 
 #[test]
 fn shows_the_examples() {
-    for path in ["crates/interp/examples/force.rs", "crates/tabulate/examples/curve.rs"] {
+    for path in ["crates/interp/examples/force.rs", "crates/interp/examples/contact.rs", "crates/tabulate/examples/curve.rs"] {
         let example = read(path);
         let (title, program) = example.split_once('\n').expect("the example begins with its title");
         assert!(title.starts_with("//! The README's program"), "{title}");

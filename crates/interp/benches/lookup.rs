@@ -29,6 +29,14 @@ fn lookup(criterion: &mut Criterion) {
             b.iter(|| table.curve(black_box(&material)))
         });
     }
+    // One material after the other, evenly spread over the box, as in no fit: each needs another part of what the table prepares.
+    let materials: Vec<Material> = (1..=1000).map(material_of_the_box).collect();
+    let mut next = materials.iter().cycle();
+    let mut any = || next.next().expect("endless");
+    criterion.bench_function("curve of any material, four axes, low-rank", |b| b.iter(|| low_rank.curve(black_box(any()))));
+    criterion.bench_function("curve with derivatives, four axes, low-rank", |b| {
+        b.iter(|| low_rank.curve_with_gradient(black_box(&material)))
+    });
     // What a curve would pay for the search in its keys without its buckets: one value, as many keys, in the same order of points.
     let key = |i: i32| {
         let u = 0.022 * f64::from(i) - 6.907_755;
@@ -43,6 +51,17 @@ fn lookup(criterion: &mut Criterion) {
     criterion.bench_function("one quantity on a curve", |b| b.iter(|| curve.quantity(Quantity::Eeq, black_box(point()))));
     criterion.bench_function("four quantities on a curve", |b| b.iter(|| curve.quantities(black_box(point()))));
     criterion.bench_function("load, eq. 9", |b| b.iter(|| contact.load(black_box(1e-7 * point() + 1e-6), black_box(0.04))));
+    let contact = low_rank.contact_with_gradient(&system).expect("in the table");
+    criterion.bench_function("load and penetration with nine derivatives each", |b| {
+        b.iter(|| contact.gradient(black_box(1e-7 * point() + 1e-6), black_box(0.04)))
+    });
+}
+
+/// A point of an additive recurrence over the axes of the embedded table.
+fn material_of_the_box(i: i32) -> Material {
+    // Powers of the root of `x^4 = x + 1`.
+    let [e1, nu1, e0] = [0.819_172_513, 0.671_043_607, 0.549_700_478].map(|step| f64::from(i) * step % 1.0);
+    Material::new(10_f64.powf(6.0 * e1 - 3.0), 0.5 * nu1, 10_f64.powf(6.0 * e0), 0.25).expect("physical")
 }
 
 criterion_group!(benches, lookup);

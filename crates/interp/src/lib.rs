@@ -1,49 +1,82 @@
 //! Adhesive contact of a sphere on a coated substrate, from a precomputed table.
 //!
 //! A sphere (body 2) touches a film (1) bonded to a substrate (0) and sticks to it. Barthel's model, *Adhesive contact of a
-//! compliant sphere to an elastic coated substrate: the thin film limit*, needs four dimensionless functions of (`a/t`, `E1/E2`, `nu1`,
-//! `E0/E2`), the [`Quantities`]. They are tabulated once, by the crate `tabulate`; this crate interpolates them and does the
-//! arithmetic of eqs. 2, 8 and 9:
+//! compliant sphere to an elastic coated substrate: the thin film limit*, needs four dimensionless functions of (`a/t`,
+//! `E1/E2`, `nu1`, `E0/E2`), the [`Quantities`]. They are tabulated once, by the crate `tabulate`; this crate interpolates them
+//! and does the arithmetic of eqs. 2 to 9. All units are SI, loads are positive in compression, penetrations positive when the
+//! sphere is in.
 //!
-//! * `Table::embedded` (feature `embedded`, on by default) is the table that comes with the crate; [`Table::read`] (packed) and `Table::open`
-//!   (HDF5, feature `hdf5`) load another;
-//! * [`Table::curve`] makes the [`Curve`] of one [`Material`]: the quantities as functions of `a/t`;
-//! * [`Table::contact`] makes the [`Contact`] of one [`System`] in SI units: load and penetration from contact radius and work of
-//!   adhesion;
-//! * [`Curve::through`] and [`Contact::new`] make them without a table, from quantities solved elsewhere; [`Contact::half_space`] is JKR, without a
-//!   film;
-//! * [`Contact::equilibria`] has the contacts at a load, a penetration or the position of a spring with their stability, pull-off
-//!   ([`Contact::pull_off`]), and whole force-displacement curves with their jumps;
-//! * [`Contact::gradient`] has the derivatives of load and penetration with respect to every [`Input`], [`Curve::gradient`] those of the quantities;
-//! * [`Contact::radius_and_energy_release_rate`] and its like need no work of adhesion, but measured values;
-//! * [`Contact::film_bias`] says whether the film matters, [`Contact::validity`] and [`Contact::adhesion_range`] whether the model holds;
-//! * [`Contact::line`] moves the contact line by a [`CrackTip`] law, of which eq. 8 is the simplest: different energies for an
-//!   advancing and a receding line ([`Hysteresis`]), or energies that depend on its speed ([`RateDependent`]); slowly
-//!   ([`ContactLine::impose`]), or in time (`ContactLine::ramp`, feature `dynamics`).
+//! # From a system to its pull-off
 //!
 //! ```
 //! # #[cfg(feature = "embedded")]
 //! # fn main() -> Result<(), interp::Error> {
-//! use interp::{Elastic, System, Table};
+//! use interp::{Control, Elastic, System, Table};
 //!
-//! let table = Table::embedded();
+//! // What touches what: a sphere of 1 mm and E2* = 2 MPa, an incompressible film of 10 um, a substrate that hardly yields.
 //! let film = Elastic::new(3.5e6, 0.5)?; // Young's modulus (Pa), Poisson ratio
 //! let substrate = Elastic::new(2e11, 0.25)?;
-//! let system = System { sphere_radius: 1e-3, sphere_modulus: 2e6, film, film_thickness: 1e-6, substrate };
-//! let contact = table.contact(&system)?;
+//! let system = System { sphere_radius: 1e-3, sphere_modulus: 2e6, film, film_thickness: 1e-5, substrate };
+//!
+//! // Its material is looked up once; all that follows is arithmetic.
+//! let contact = Table::embedded().contact(&system)?;
+//! let w = 0.040; // work of adhesion, J/m^2
 //! for a in [40e-6, 65e-6, 90e-6] {
-//!     let (load, penetration) = contact.load_and_penetration(a, 0.040)?; // work of adhesion, J/m^2
+//!     let (load, penetration) = contact.load_and_penetration(a, w)?;
 //!     println!("{a:e} m: {load:e} N, {penetration:e} m");
 //! }
+//!
+//! // It separates under a larger pull than without the film, where it would be 1.5 pi w R.
+//! let pull_off = contact.pull_off(w, Control::Load)?;
+//! assert!((pull_off.load / (std::f64::consts::PI * w * system.sphere_radius) + 1.5401).abs() < 1e-4);
 //! # Ok(()) }
 //! # #[cfg(not(feature = "embedded"))]
 //! # fn main() {}
 //! ```
 //!
-//! No contact problem is solved here, and no value is clamped: outside the table or curve, but for rounding (1e-12), there is an [`Error`] with
-//! the axis, the value and the range. Only a table's `a/t` has a continuation: load, penetration and quantities beyond it are the expansions about
-//! the exact limits, where their estimated error is within the table's tolerance. What is searched for (equilibria, pull-off), the motion of a
-//! contact line and derivatives with respect to the material end with the table.
+//! # Where the quantities come from
+//!
+//! * `Table::embedded` (feature `embedded`) is the table that comes with the crate; [`Table::read`] (packed) and `Table::open`
+//!   (HDF5, feature `hdf5`) load another.
+//! * [`Table::curve`] makes the [`Curve`] of one [`Material`]: the quantities as functions of `a/t`. [`Table::contact`] makes
+//!   the [`Contact`] of one [`System`]. Another Poisson ratio of the substrate than the table's is exact, by Dundurs'
+//!   equivalence.
+//! * [`Table::curve_with_gradient`] and [`Table::contact_with_gradient`] make them with derivatives with respect to all that
+//!   they depend on: [`Curve::gradient`], [`Contact::gradient`].
+//! * [`Curve::through`] and [`Contact::new`] need no table, but quantities solved elsewhere; [`Contact::half_space`] is JKR,
+//!   without a film.
+//!
+//! # What a contact answers
+//!
+//! * [`Contact::load`], [`Contact::load_and_penetration`], [`Contact::stiffness`], [`Contact::stress_intensity`] at a contact
+//!   radius.
+//! * [`Contact::equilibria`]: the contacts at a load, a penetration or the position of a spring ([`Control`]) with their
+//!   stability, and whole force-displacement curves with their jumps ([`Equilibria::force_displacement`]);
+//!   [`Contact::pull_off`] and [`Contact::zero_load`] of them.
+//! * [`Contact::energy_release_rate_at_load`], [`Contact::energy_release_rate_at_penetration`] and
+//!   [`Contact::radius_and_energy_release_rate`] from any two measured values, without a work of adhesion.
+//! * [`Contact::film_bias`]: whether the film matters to a fit of JKR. [`Contact::validity`] and [`Contact::adhesion_range`]:
+//!   whether the model holds.
+//! * [`Contact::line`] moves the contact line by a [`CrackTip`] law, of which eq. 8 is the simplest: different energies for an
+//!   advancing and a receding line ([`Hysteresis`]), or energies that depend on its speed ([`RateDependent`]); slowly
+//!   ([`ContactLine::impose`]), or in time (`ContactLine::ramp`, feature `dynamics`).
+//!
+//! # Outside the table
+//!
+//! No value is clamped. A material outside the table's box is an [`Error`] with the axis, the value and the range (but for
+//! rounding, 1e-12). Beyond its `a/t` there are the first terms of the expansions about the exact limits, thick and thin film,
+//! where their estimated error ([`Curve::error`]) is within the table's tolerance, and an error elsewhere. Any f64 gives finite
+//! numbers or an error, never a panic.
+//!
+//! # Features
+//!
+//! | feature | adds |
+//! |---|---|
+//! | `embedded` (default) | `Table::embedded`, 0.36 MB in the program |
+//! | `hdf5` | `Table::open`, without a C library |
+//! | `dynamics` | `ContactLine::ramp`: contact lines that move at a finite speed |
+//!
+//! Rust 1.89 or newer. The crate needs `std`, for files and for what a table makes when it is first used.
 
 #![forbid(unsafe_code)]
 
