@@ -1,4 +1,5 @@
-//! What a contact says besides its equilibria: energy release rates from measurements, apparent JKR parameters, validity; and of any f64.
+//! What a contact says besides its equilibria: energy release rates from measurements, apparent JKR parameters, validity; and of
+//! any f64.
 
 use std::f64::consts::PI;
 
@@ -29,7 +30,8 @@ fn load_and_penetration_of_direct_solves_give_radius_and_energy_release_rate_bac
         let edge = mechanics.edge_singularity(a, w).expect("physical");
         let (load, penetration) = mechanics.load_and_penetration(a, edge, &solution);
         let (radius, g) = coated(t).radius_and_energy_release_rate(load, penetration).expect("in range");
-        // Where the flat-punch part is small, the radius follows it to half the digits only, the energy release rate of the whole to a part of the error.
+        // Where the flat-punch part is small, the radius follows it to half the digits only, the energy release rate of the whole
+        // to a part of the error.
         let (_, adhesionless) = mechanics.load_and_penetration(a, 0.0, &solution);
         let part = (adhesionless - penetration) / adhesionless;
         for (error, found) in errors.iter_mut().zip([(radius / a - 1.0).abs(), (g / w - 1.0).abs()]) {

@@ -101,8 +101,8 @@ fn stated_errors_are_mostly_within_three_decades_of_the_true_ones() {
     }
 }
 
-/// None is refused down to 1e-9. Those that are refused are films so soft or so tightly held that the compliance left at long waves is
-/// next to nothing.
+/// None is refused down to 1e-9. Those that are refused are films so soft or so tightly held that the compliance left at long waves
+/// is next to nothing.
 #[test]
 fn no_tolerance_down_to_1e_9_is_refused() {
     /// The most refusals of random and of corner contacts, from 1e-10 on. Measured: 0 and 3, 4 and 28, 30 and 49.
@@ -126,7 +126,8 @@ fn no_tolerance_down_to_1e_9_is_refused() {
     }
 }
 
-/// Measured: 50, 4134, 2098 and 164 answers, of which all but one are as accurate as they say; that one is 1.0e-12 instead of 8.6e-13.
+/// Measured: 50, 4134, 2098 and 164 answers, of which all but one are as accurate as they say; that one is 1.0e-12 instead of
+/// 8.6e-13.
 #[test]
 fn every_method_states_honest_errors() {
     /// Of one method's answers, which may be few.

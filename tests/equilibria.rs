@@ -164,7 +164,8 @@ fn no_equilibrium_is_missed() {
     assert!(most >= 4);
 }
 
-/// Follows the curve step by step: what is imposed grows, and then falls; it is the same before and after a jump; no state is unstable or no equilibrium.
+/// Follows the curve step by step: what is imposed grows, and then falls; it is the same before and after a jump; no state is
+/// unstable or no equilibrium.
 #[test]
 fn force_displacement_curves_hold_together() {
     let mut jumps = [0; 2];

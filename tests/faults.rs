@@ -1,4 +1,5 @@
-//! What may happen while a table is made: processes that are killed, disks that are full, folders that are read-only, two at a time. Real processes.
+//! What may happen while a table is made: processes that are killed, disks that are full, folders that are read-only, two at a
+//! time. Real processes.
 #![cfg(unix)]
 
 use std::fs;

@@ -105,7 +105,8 @@ fn a_few_points_are_off_the_nodes() {
     }
 }
 
-/// Near a Poisson ratio of -1 the film's moduli span fifteen decades within a part of the range that no node but the first would be in.
+/// Near a Poisson ratio of -1 the film's moduli span fifteen decades within a part of the range that no node but the first would be
+/// in.
 #[test]
 fn a_range_that_no_number_of_nodes_resolves_is_an_error_that_names_it() {
     let desk = desk();

@@ -5,7 +5,8 @@ use interp::schema::Parameter;
 use interp::{Contact, Elastic, Error, HalfSpace, Input, Mechanics, Quantities, Quantity, System, Table};
 use tabulate::solve::solve;
 
-/// What a derivative may be off, in parts of the table's tolerance: of the logarithm of a quantity, with respect to the logarithm of a modulus or of
+/// What a derivative may be off, in parts of the table's tolerance: of the logarithm of a quantity, with respect to the logarithm
+/// of a modulus or of
 /// `a/t`, and with respect to a Poisson ratio in units of the range that it changes on, `1 - 2 nu1 + (t/a)^2`.
 const SHARE: f64 = 100.0;
 

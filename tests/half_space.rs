@@ -75,7 +75,8 @@ fn load_penetration_stiffness_and_stress_intensity_are_those_of_jkr() {
             let k = contact.stress_intensity(a, jkr.w).expect("any radius");
             let edge = contact.mechanics().edge_singularity(a, jkr.w).expect("any radius");
             worst = larger(worst, relative(contact.mechanics().energy_release_rate(a, edge), jkr.w));
-            // Irwin's relation between two solids, and Maugis' K_I = F1/(2 a sqrt(pi a)) of the flat-punch load F1 that adhesion takes away.
+            // Irwin's relation between two solids, and Maugis' K_I = F1/(2 a sqrt(pi a)) of the flat-punch load F1 that adhesion
+            // takes away.
             worst = larger(worst, relative(k * k / (2.0 * jkr.e), jkr.w));
             worst = larger(worst, relative(k, jkr.terms(a)[0][1] / (2.0 * a * (PI * a).sqrt())));
         }
@@ -85,7 +86,8 @@ fn load_penetration_stiffness_and_stress_intensity_are_those_of_jkr() {
     assert!(worst <= EXACT);
 }
 
-/// The traction of JKR just inside the edge, `2 E* a/(pi R) (1 - r^2/a^2)^{1/2} - (2 w E*/(pi a))^{1/2} (1 - r^2/a^2)^{-1/2}` (Johnson, Kendall and Roberts 1971).
+/// The traction of JKR just inside the edge, `2 E* a/(pi R) (1 - r^2/a^2)^{1/2} - (2 w E*/(pi a))^{1/2} (1 - r^2/a^2)^{-1/2}`
+/// (Johnson, Kendall and Roberts 1971).
 #[test]
 fn the_stress_intensity_is_that_of_the_traction_at_the_edge() {
     for (contact, jkr) in systems(72) {

@@ -1,5 +1,5 @@
-//! The catalogue of hard contacts: what makes them hard, what is asked and what is reached. And no contact at all of the domain, however
-//! far in its corners, that brings the solve to a panic, a NaN or an answer that it did not vouch for.
+//! The catalogue of hard contacts: what makes them hard, what is asked and what is reached. And no contact at all of the domain,
+//! however far in its corners, that brings the solve to a panic, a NaN or an answer that it did not vouch for.
 
 use std::time::{Duration, Instant};
 
@@ -69,8 +69,8 @@ const CASES: [Row; 46] = [
     ("softest film on the stiffest base, thick", [1e-8, 0.5, 1e12, 0.5], 1e-6, 1e-12),
 ];
 
-/// The condition of the contact's operator: `max S/min S` of the symbol `S(q) = 1/E2* + X(q)/E1*`, `X/E1*` under a rigid sphere, over the
-/// wave numbers that a contact of radius `a` tells apart, from `q = k t = 0.1 t/a` on.
+/// The condition of the contact's operator: `max S/min S` of the symbol `S(q) = 1/E2* + X(q)/E1*`, `X/E1*` under a rigid sphere,
+/// over the wave numbers that a contact of radius `a` tells apart, from `q = k t = 0.1 t/a` on.
 fn condition(x: f64, material: &Material) -> f64 {
     /// Here `X` is 1.
     const FLAT: f64 = 40.0;
@@ -237,7 +237,8 @@ fn no_contact_of_the_domain_is_answered_wrongly_or_not_at_all() {
     assert!(worst <= 1.0);
 }
 
-/// What [`Material`] allows goes further than the solve, down to denormals: those are named, and the largest contrasts are answered.
+/// What [`Material`] allows goes further than the solve, down to denormals: those are named, and the largest contrasts are
+/// answered.
 #[test]
 fn denormals_are_refused_by_name_and_the_largest_contrasts_answered() {
     const TOO_SMALL: [f64; 3] = [5e-324, 1e-300, 1e-9];

@@ -1,5 +1,5 @@
-//! What the acceptance tests beside this file share: reading CSV, random contacts, small tables, the program under test, and how errors
-//! are measured.
+//! What the acceptance tests beside this file share: reading CSV, random contacts, small tables, the program under test, and how
+//! errors are measured.
 
 #![forbid(unsafe_code)]
 

@@ -87,7 +87,8 @@ fn apart(found: &Table, expected: &Table) -> f64 {
 fn at_the_nodes_a_low_rank_table_has_the_error_it_was_given_and_between_them_the_splines_through_its_values() {
     /// How much of its error a form uses at least, if its ranks are not all 1: one index less may be too few. Measured: 0.18.
     const USED: f64 = 0.15;
-    /// The largest difference of the curves of both forms, in parts of the tolerance: what a lookup leaves out and rounds. Measured: 0.0015.
+    /// The largest difference of the curves of both forms, in parts of the tolerance: what a lookup leaves out and rounds.
+    /// Measured: 0.0015.
     const SAME_SPLINE: f64 = 0.005;
     for scene in [BOX, RIGID_SPHERE, TWO_AXES, ONE_AXIS, ONE_RADIUS] {
         let dense = table(scene);
@@ -285,7 +286,8 @@ fn nothing_is_allocated_on_the_word_of_a_file() {
         253 => (0, 9),
         small => (usize::from(small), 1),
     };
-    // The content begins with three lists of weights, each with its length in a byte; then there are those of four functions, four steps, and the cores.
+    // The content begins with three lists of weights, each with its length in a byte; then there are those of four functions, four
+    // steps, and the cores.
     let [a, b, c] = ranks;
     let begins = |&at: &usize| {
         let places = [at, at + 1 + 8 * a, at + 2 + 8 * (a + b)];
@@ -326,7 +328,8 @@ fn nothing_is_allocated_on_the_word_of_a_file() {
 fn a_form_whose_parts_contradict_each_other_is_malformed() {
     let held = || vec![Quantity::Pi0, Quantity::Eeq];
     let weights = || [vec![0.5], vec![0.25], vec![2.0, 1.0]];
-    // One substrate; three film moduli, two Poisson ratios, one function for each; three contact radii, the third the sum of the others.
+    // One substrate; three film moduli, two Poisson ratios, one function for each; three contact radii, the third the sum of the
+    // others.
     let functions = || {
         let unit = |count: usize| (0..count * count).map(|i| if i % (count + 1) == 0 { 1.0 } else { 0.0 }).collect();
         [unit(1), unit(3), unit(2), vec![1.0, 0.0, 0.0, 1.0, 1.0, 1.0]]

@@ -95,7 +95,8 @@ fn a_line_through_the_jkr_plot_gives_the_papers_modulus_and_work_of_adhesion() {
 fn the_pull_off_loads_of_the_papers_system() {
     /// From two scripts apart from this workspace: half of the last digit, and 3e-7, because -1.50374973 is printed as -1.5038.
     const PRINTED: f64 = 0.5e-4 + 3e-7;
-    /// Under displacement control they took the radius of least penetration from a grid, and the load is not stationary there. Measured: 8.1e-5.
+    /// Under displacement control they took the radius of least penetration from a grid, and the load is not stationary there.
+    /// Measured: 8.1e-5.
     const GRID: f64 = 1e-4;
     /// Difference of the table from direct solves, whose least penetration is found by golden section. Measured: 1.9e-8.
     const DIRECT: f64 = 2e-7;

@@ -9,7 +9,8 @@ use tabulate::certify::certify;
 use tabulate::solve::solve;
 use tabulate::sweep::solve_tolerance;
 
-/// Largest relative difference of a curve at a node from the value stored there, in parts of the table's tolerance: what the pieces of a curve may add.
+/// Largest relative difference of a curve at a node from the value stored there, in parts of the table's tolerance: what the pieces
+/// of a curve may add.
 const AT_NODES: f64 = 0.1;
 /// Largest relative difference of the splines themselves from the values at their nodes. Measured: 3.1e-15.
 const SPLINES_AT_NODES: f64 = 5e-14;
@@ -38,7 +39,8 @@ const RIGID_SUBSTRATE: &str = "
     nu1        = 0.5
     e0_over_e2 = inf
 ";
-/// The sphere's modulus is settled, and normalises no more. The box ends where the quantities grow steeply with `a/t`, whose nodes are stated.
+/// The sphere's modulus is settled, and normalises no more. The box ends where the quantities grow steeply with `a/t`, whose nodes
+/// are stated.
 const RIGID_SPHERE: &str = "
     title      = 'Rigid sphere'
     tolerance  = 1e-5

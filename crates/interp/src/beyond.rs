@@ -28,15 +28,16 @@ impl Beyond {
         if estimate <= tolerance { Ok(expansion) } else { Err(Error::Extrapolation { value: x, edge, estimate, tolerance }) }
     }
 
-    /// Thick films. The kernel is even and smooth, so that all it does to first and second order in `x` is to add a constant: with one coefficient `k` of the
-    /// material, and errors of the third order,
+    /// Thick films. The kernel is even and smooth, so that all it does to first and second order in `x` is to add a constant: with
+    /// one coefficient `k` of the material, and errors of the third order,
     ///
     /// ```text
     /// es/Eeq = es/Gamma = 1 + k x,   Delta0 = 1 + 2/3 k x,   Pi0 = 8/3 es
     /// ```
     ///
-    /// Each quantity is continued from its own value at the edge, and how much these contradict each other there is the size of the third order. (With a
-    /// quadratic kernel the contradictions are two thirds of the next coefficient, and the largest error, `Gamma`'s, is four thirds.)
+    /// Each quantity is continued from its own value at the edge, and how much these contradict each other there is the size of the
+    /// third order. (With a quadratic kernel the contradictions are two thirds of the next coefficient, and the largest error,
+    /// `Gamma`'s, is four thirds.)
     fn thick(&self, curve: &Curve, edge: f64, x: f64) -> Result<Expansion, Error> {
         let (ratio, es) = (x / edge, curve.material().sphere_film_modulus());
         let at = curve.at_edge(edge)?;
@@ -62,15 +63,17 @@ impl Beyond {
         Ok((Quantities::from_array(values), Quantities::from_array(slopes), estimate))
     }
 
-    /// Thin films. With `A = einf X'(0)/(pi e1)`, `c0 = ln 2 + 0.5772`, one coefficient `C` of the material and errors of order `(ln x / x)^2`,
+    /// Thin films. With `A = einf X'(0)/(pi e1)`, `c0 = ln 2 + 0.5772`, one coefficient `C` of the material and errors of order
+    /// `(ln x / x)^2`,
     ///
     /// ```text
     /// Eeq = einf {1 - [A (ln x + c0) + C]/x}           Gamma = sqrt(es einf) [1 - A/(2x)]
     /// Delta0 = 1 - 2 [A (ln x + c0 - 2) + C]/x          Pi0 = 8/3 einf {1 - 3 [A (ln x + c0 - 1) + C]/x}
     /// ```
     ///
-    /// (from the Wiener-Hopf solution for a half-plane). Each quantity takes `C`, and `Gamma` its second order, from its own value at the edge. How much the
-    /// values of `C` contradict each other is the size of the second order there, and what it adds to the error of the most sensitive one, `Pi0`.
+    /// (from the Wiener-Hopf solution for a half-plane). Each quantity takes `C`, and `Gamma` its second order, from its own value
+    /// at the edge. How much the values of `C` contradict each other is the size of the second order there, and what it adds to the
+    /// error of the most sensitive one, `Pi0`.
     fn thin(&self, curve: &Curve, edge: f64, x: f64) -> Result<Expansion, Error> {
         let material = curve.material();
         let limit = material.thin_film_limit();

@@ -28,7 +28,8 @@ pub struct Details {
     pub worst_quantity: Quantity,
     /// Where it has it: `a_over_t`, `e1_over_e2`, `nu1`, `e0_over_e2`.
     pub worst_point: [f64; 4],
-    /// By how much the interpolant breaks `Gamma^2 = es (Eeq + x Eeq')` and `3 Pi0 + x Pi0' = 4 Eeq (2 Delta0 + x Delta0')`, relative to the left
-    /// sides: the largest of all points, which are others than `worst_point`; none where a quantity is missing or `a/t` is fixed.
+    /// By how much the interpolant breaks `Gamma^2 = es (Eeq + x Eeq')` and `3 Pi0 + x Pi0' = 4 Eeq (2 Delta0 + x Delta0')`,
+    /// relative to the left sides: the largest of all points, which are others than `worst_point`; none where a quantity is missing
+    /// or `a/t` is fixed.
     pub identity_errors: [Option<f64>; 2],
 }

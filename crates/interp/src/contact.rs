@@ -57,7 +57,8 @@ impl Contact {
     /// substrate with another Poisson ratio.
     ///
     /// # Errors
-    /// Those of [`System::material`]; [`Error::OtherMaterial`] if the curve was made for another one, by more than rounding (`1e-12`).
+    /// Those of [`System::material`]; [`Error::OtherMaterial`] if the curve was made for another one, by more than rounding
+    /// (`1e-12`).
     pub fn new(system: &System, curve: Curve) -> Result<Self, Error> {
         let (mechanics, made_for) = (Mechanics::new(system)?, curve.material());
         let material = system.material()?.with_substrate_poisson_ratio(made_for.nu0())?;
@@ -106,7 +107,8 @@ impl Contact {
         &self.mechanics
     }
 
-    /// The smallest and the largest contact radius (m) of the curve's nodes, among which states are sought: 0 and infinity on a half-space.
+    /// The smallest and the largest contact radius (m) of the curve's nodes, among which states are sought: 0 and infinity on a
+    /// half-space.
     pub fn contact_radius_range(&self) -> [f64; 2] {
         match &self.bodies {
             Bodies::Coated { system, curve } => curve.range().map(|a_over_t| a_over_t * system.film_thickness),
@@ -120,8 +122,8 @@ impl Contact {
     ///
     /// # Errors
     /// [`Error::OutsideTable`] or [`Error::Extrapolation`] where the curve does not cover `a/t`, see [`Curve::quantity`];
-    /// [`Error::Unphysical`] for `a <= 0`, `w < 0`, NaN, or a load too large for f64; [`Error::MissingQuantity`] without `pi0` and, with
-    /// adhesion, `eeq` and `gamma`.
+    /// [`Error::Unphysical`] for `a <= 0`, `w < 0`, NaN, or a load too large for f64; [`Error::MissingQuantity`] without `pi0` and,
+    /// with adhesion, `eeq` and `gamma`.
     pub fn load(&self, a: f64, w: f64) -> Result<f64, Error> {
         let edge = self.mechanics.edge_singularity(a, w)?;
         let (pi0, eeq_over_gamma) = if w == 0.0 { (self.quantity(Quantity::Pi0, a)?, 1.0) } else { self.load_factors(a)? };
@@ -131,8 +133,8 @@ impl Contact {
     /// The loads (N) at many contact radii (m), in the order given, and work of adhesion `w` (J/m^2): as [`Contact::load`].
     ///
     /// # Errors
-    /// As [`Contact::load`] at the first radius that has one, with the loads before it written; [`Error::Unphysical`] if there is not one load to write
-    /// for each radius.
+    /// As [`Contact::load`] at the first radius that has one, with the loads before it written; [`Error::Unphysical`] if there is
+    /// not one load to write for each radius.
     pub fn load_at_all(&self, radii: &[f64], w: f64, loads: &mut [f64]) -> Result<(), Error> {
         same_length(radii, loads)?;
         for (load, &a) in loads.iter_mut().zip(radii) {

@@ -37,8 +37,8 @@ impl Contact {
     /// The line of a contact that has slowly grown to radius `a` (m).
     ///
     /// # Errors
-    /// Those of [`Contact::load_and_penetration`]; [`Error::Unphysical`] for a law whose energies at rest are negative, infinite or in
-    /// the wrong order; [`Error::MissingQuantity`] without all four quantities.
+    /// Those of [`Contact::load_and_penetration`]; [`Error::Unphysical`] for a law whose energies at rest are negative, infinite or
+    /// in the wrong order; [`Error::MissingQuantity`] without all four quantities.
     pub fn line<L: CrackTip>(&self, law: L, a: f64) -> Result<ContactLine<'_, L>, Error> {
         let [advancing, _] = crack_tip::checked(law.at_rest())?;
         self.quantities(a)?;

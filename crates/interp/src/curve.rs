@@ -15,12 +15,13 @@ use crate::{Error, Material, Quantities, Quantity, QuantityGradient};
 
 /// The four quantities as functions of `a/t` for one material.
 ///
-/// Made once, by [`Table::curve`](crate::Table::curve) or [`Curve::through`]. Each evaluation is then a polynomial of degree 9 in `a/t` on one of some
-/// forty pieces (one to four in an octave of the embedded table, as many as it needs), which follow the spline through the logarithms at the nodes so
-/// closely that they add less than a tenth of the table's tolerance to the error, or 1e-11. Nothing is allocated; a clone shares the pieces.
+/// Made once, by [`Table::curve`](crate::Table::curve) or [`Curve::through`]. Each evaluation is then a polynomial of degree 9 in
+/// `a/t` on one of some forty pieces (one to four in an octave of the embedded table, as many as it needs), which follow the spline
+/// through the logarithms at the nodes so closely that they add less than a tenth of the table's tolerance to the error, or 1e-11.
+/// Nothing is allocated; a clone shares the pieces.
 ///
-/// A curve of a table goes beyond its `a/t` by the first terms of the expansions about the exact limits, as far as these are as accurate as the table
-/// ([`Curve::error`] says how accurate that is). Elsewhere there is an error.
+/// A curve of a table goes beyond its `a/t` by the first terms of the expansions about the exact limits, as far as these are as
+/// accurate as the table ([`Curve::error`] says how accurate that is). Elsewhere there is an error.
 #[derive(Clone, Debug)]
 pub struct Curve {
     grid: Arc<Grid>,
@@ -36,16 +37,17 @@ pub struct Curve {
 impl Curve {
     /// The curve through quantities from elsewhere than a table, `(a/t, quantities)` with `a/t` ascending.
     ///
-    /// What is splined between these nodes is `ln(Pi0/es)`, `ln(Eeq/es)`, `ln(Gamma/es)` and `ln Delta0` over `ln(a/t)`, by the quintic
-    /// not-a-knot spline, whose error falls like the sixth power of the nodes' distance. The pieces that replace it add 1e-13, unless the nodes are
-    /// no smooth curve's.
+    /// What is splined between these nodes is `ln(Pi0/es)`, `ln(Eeq/es)`, `ln(Gamma/es)` and `ln Delta0` over `ln(a/t)`, by the
+    /// quintic not-a-knot spline, whose error falls like the sixth power of the nodes' distance. The pieces that replace it add
+    /// 1e-13, unless the nodes are no smooth curve's.
     ///
-    /// The quantities are not compared with the material; the crate `tabulate` makes a curve of stated accuracy from a material alone. Beyond the
-    /// nodes, and with respect to the material, such a curve knows nothing.
+    /// The quantities are not compared with the material; the crate `tabulate` makes a curve of stated accuracy from a material
+    /// alone. Beyond the nodes, and with respect to the material, such a curve knows nothing.
     ///
     /// # Errors
-    /// [`Error::Unphysical`] if there is no node, an `a/t` or a quantity is not in `[1e-30, 1e30]`, or an `a/t` is not larger than the one before
-    /// by 1e-7 of the nodes' range in `ln(a/t)` and by 1e-9 of itself; or if the spline leaves that range between the nodes, or is too steep to tell.
+    /// [`Error::Unphysical`] if there is no node, an `a/t` or a quantity is not in `[1e-30, 1e30]`, or an `a/t` is not larger than
+    /// the one before by 1e-7 of the nodes' range in `ln(a/t)` and by 1e-9 of itself; or if the spline leaves that range between
+    /// the nodes, or is too steep to tell.
     ///
     /// ```
     /// # fn main() -> Result<(), interp::Error> {
@@ -133,8 +135,8 @@ impl Curve {
     /// One quantity at `a_over_t`.
     ///
     /// # Errors
-    /// [`Error::OutsideTable`] outside the curve's `a/t`, NaN included, and [`Error::Extrapolation`] where the expansion about the limit is not
-    /// accurate enough; [`Error::MissingQuantity`] if the table does not hold it.
+    /// [`Error::OutsideTable`] outside the curve's `a/t`, NaN included, and [`Error::Extrapolation`] where the expansion about the
+    /// limit is not accurate enough; [`Error::MissingQuantity`] if the table does not hold it.
     #[inline]
     pub fn quantity(&self, quantity: Quantity, a_over_t: f64) -> Result<f64, Error> {
         self.require(quantity)?;
@@ -150,20 +152,26 @@ impl Curve {
     /// One quantity at many `a_over_t`, in the order given: as [`Curve::quantity`], at a fraction of the time.
     ///
     /// # Errors
-    /// As [`Curve::quantity`] at the first point that has one, with the values before it written; [`Error::Unphysical`] if there is not one value
-    /// for each `a/t`.
+    /// As [`Curve::quantity`] at the first point that has one, with the values before it written; [`Error::Unphysical`] if there is
+    /// not one value for each `a/t`.
     pub fn quantity_at_all(&self, quantity: Quantity, a_over_t: &[f64], values: &mut [f64]) -> Result<(), Error> {
         self.require(quantity)?;
         same_length(a_over_t, values)?;
+        let (grid, pieces, [from, to]) = (&*self.grid, &*self.pieces, self.range);
         for (value, &x) in values.iter_mut().zip(a_over_t) {
-            *value = self.quantity(quantity, x)?;
+            *value = if x >= from && x <= to {
+                let place = grid.place(x);
+                one(&pieces[place.piece], place, quantity as usize)
+            } else {
+                self.quantity(quantity, x)?
+            };
         }
         Ok(())
     }
 
-    /// The logarithmic slope of one quantity, `x dQ/dx` at `x = a_over_t`: the derivative of what [`Curve::quantity`] returns. Its error is some ten
-    /// times that of the quantity: the identities of a certificate, which take slopes, are broken by 5 to 30 times its largest error. On a curve of
-    /// a single node it is 0.
+    /// The logarithmic slope of one quantity, `x dQ/dx` at `x = a_over_t`: the derivative of what [`Curve::quantity`] returns. Its
+    /// error is some ten times that of the quantity: the identities of a certificate, which take slopes, are broken by 5 to 30
+    /// times its largest error. On a curve of a single node it is 0.
     ///
     /// # Errors
     /// As [`Curve::quantity`].
@@ -199,12 +207,14 @@ impl Curve {
 
     /// All four quantities at `a_over_t` and their derivatives with respect to it and to the four parameters of the material.
     ///
-    /// They are the derivatives of the table's splines, to the pieces' error, and within 100 times the table's tolerance of the true ones, relative to the
-    /// quantity and per unit of `ln(a/t)`, `ln e1_over_e2`, `nu1`, `ln e0_over_e2` or `nu0`. Only with respect to the `nu1` of a thin film near
-    /// incompressibility the unit is what changes the contact, `(1 - 2 nu1) + 1/(1 + (a/t)^2)`, and not 1.
+    /// They are the derivatives of the table's splines, to the pieces' error, and within 100 times the table's tolerance of the
+    /// true ones, relative to the quantity and per unit of `ln(a/t)`, `ln e1_over_e2`, `nu1`, `ln e0_over_e2` or `nu0`. Only with
+    /// respect to the `nu1` of a thin film near incompressibility the unit is what changes the contact, `(1 - 2 nu1) + 1/(1 +
+    /// (a/t)^2)`, and not 1.
     ///
     /// # Errors
-    /// As [`Curve::quantity`], but always [`Error::OutsideTable`] beyond the nodes; [`Error::NoGradient`] on a curve that was made without one.
+    /// As [`Curve::quantity`], but always [`Error::OutsideTable`] beyond the nodes; [`Error::NoGradient`] on a curve that was made
+    /// without one.
     pub fn gradient(&self, a_over_t: f64) -> Result<QuantityGradient, Error> {
         self.require_all()?;
         let sensitivities = self.sensitivities.as_ref().ok_or(Error::NoGradient)?;
@@ -213,11 +223,12 @@ impl Curve {
         Ok(sensitivities.gradient(self.grid.place(x), values, slopes))
     }
 
-    /// An estimate of the largest relative error of the quantities at `a_over_t`: what the table's certificate says between its nodes; beyond them, that
-    /// of the expansion about the limit.
+    /// An estimate of the largest relative error of the quantities at `a_over_t`: what the table's certificate says between its
+    /// nodes; beyond them, that of the expansion about the limit.
     ///
     /// # Errors
-    /// As [`Curve::quantity`]; [`Error::OutsideTable`] everywhere on a curve that is not of a table, because its error is not known.
+    /// As [`Curve::quantity`]; [`Error::OutsideTable`] everywhere on a curve that is not of a table, because its error is not
+    /// known.
     pub fn error(&self, a_over_t: f64) -> Result<f64, Error> {
         let beyond = self.beyond.as_ref().ok_or_else(|| self.outside(a_over_t))?;
         if self.inside(a_over_t).is_some() {
@@ -226,9 +237,9 @@ impl Curve {
         Ok(self.expanded(a_over_t)?.2)
     }
 
-    /// The curve of one quantity as a cubic spline of the crate `splines`, for programs that work with these: Bezier pieces over `ln(a/t)`, so many
-    /// between the ends, with the curve's own values and slopes there. Their error falls with the fourth power of their number: on six decades
-    /// 600 have some 1e-8.
+    /// The curve of one quantity as a cubic spline of the crate `splines`, for programs that work with these: Bezier pieces over
+    /// `ln(a/t)`, so many between the ends, with the curve's own values and slopes there. Their error falls with the fourth power
+    /// of their number: on six decades 600 have some 1e-8.
     ///
     /// # Errors
     /// As [`Curve::quantity`]; [`Error::Unphysical`] for no piece, or for more than a million.

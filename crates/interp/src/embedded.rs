@@ -11,8 +11,9 @@ static DEFAULT: LazyLock<Table> = LazyLock::new(|| {
 });
 
 impl Table {
-    /// The table that is compiled into the crate (feature `embedded`, on by default): any sphere but a rigid one on any film on a substrate at least
-    /// as stiff as the sphere, `a/t` and `E1/E2` from 1e-3 to 1e3, `nu1` from 0 to 0.5, `E0/E2` from 1 to 1e6, `nu0 = 0.25` (others as
+    /// The table that is compiled into the crate (feature `embedded`, on by default): any sphere but a rigid one on any film on a
+    /// substrate at least as stiff as the sphere, `a/t` and `E1/E2` from 1e-3 to 1e3, `nu1` from 0 to 0.5, `E0/E2` from 1 to 1e6,
+    /// `nu0 = 0.25` (others as
     /// [`Table::curve`] says), all four quantities, in low-rank form to 1e-7. What accuracy it has been measured to have is its
     /// [`certificate`](crate::Description::certificate).
     ///

@@ -10,8 +10,8 @@ impl Contact {
     /// from the adhesionless `F0(a)` to `load`. Negative for a load above `F0`, which only a contact that grows can bear.
     ///
     /// # Errors
-    /// [`Error::OutsideTable`] or [`Error::Extrapolation`] where the curve does not cover `a/t`; [`Error::Unphysical`] for `a <= 0`,
-    /// or numbers that are not finite; [`Error::MissingQuantity`] without `pi0`, `eeq` and `gamma`.
+    /// [`Error::OutsideTable`] or [`Error::Extrapolation`] where the curve does not cover `a/t`; [`Error::Unphysical`] for `a <=
+    /// 0`, or numbers that are not finite; [`Error::MissingQuantity`] without `pi0`, `eeq` and `gamma`.
     pub fn energy_release_rate_at_load(&self, a: f64, load: f64) -> Result<f64, Error> {
         positive("contact radius", a)?;
         known("load", load)?;

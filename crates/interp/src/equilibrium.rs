@@ -55,7 +55,8 @@ impl Control {
 pub struct Equilibrium {
     /// The contact.
     pub state: State,
-    /// Whether the contact returns to it after a small change of its radius: whether the imposed value grows with the contact radius.
+    /// Whether the contact returns to it after a small change of its radius: whether the imposed value grows with the contact
+    /// radius.
     pub stable: bool,
 }
 
@@ -202,7 +203,8 @@ impl Equilibria<'_> {
         here.map(|(_, section)| Ok(Equilibrium { state: self.find(section, imposed)?, stable: section.rises })).collect()
     }
 
-    /// The stable equilibrium at an imposed value that unloading from a large contact reaches: the one of the largest contact radius.
+    /// The stable equilibrium at an imposed value that unloading from a large contact reaches: the one of the largest contact
+    /// radius.
     ///
     /// # Errors
     /// Those of [`Equilibria::at`], and [`Error::NoContact`] for a value below that of [`Equilibria::pull_off`].

@@ -90,8 +90,9 @@ impl ContactGradient {
     /// The derivatives with respect to one input. They are 0 with respect to the modulus of a rigid body, and to its Poisson ratio.
     ///
     /// # Errors
-    /// [`Error::FixedParameter`] for a parameter of the material that the table fixes, or that takes one; for a film's on a half-space; and for the work of
-    /// adhesion where there is none (or less than 2.3e-308 J/m^2), as the load falls like its square root.
+    /// [`Error::FixedParameter`] for a parameter of the material that the table fixes, or that takes one; for a film's on a
+    /// half-space; and for the work of adhesion where there is none (or less than 2.3e-308 J/m^2), as the load falls like its
+    /// square root.
     pub fn by(&self, input: Input) -> Result<Derivatives, Error> {
         self.derivatives[input as usize].ok_or(Error::FixedParameter(input.name()))
     }
@@ -111,8 +112,9 @@ struct Change {
 }
 
 impl Contact {
-    /// Load and penetration at contact radius `a` (m) and work of adhesion `w` (J/m^2), as [`Contact::load_and_penetration`] gives them, and their
-    /// derivatives with respect to every [`Input`], by the chain rule through eqs. 2, 4 to 8 and the derivatives of the table's splines.
+    /// Load and penetration at contact radius `a` (m) and work of adhesion `w` (J/m^2), as [`Contact::load_and_penetration`] gives
+    /// them, and their derivatives with respect to every [`Input`], by the chain rule through eqs. 2, 4 to 8 and the derivatives of
+    /// the table's splines.
     ///
     /// ```
     /// # #[cfg(feature = "embedded")]
@@ -132,9 +134,9 @@ impl Contact {
     /// ```
     ///
     /// # Errors
-    /// As [`Contact::load_and_penetration`], but always [`Error::OutsideTable`] beyond the nodes in `a/t`; [`Error::NoGradient`] on a curve made
-    /// without derivatives; [`Error::Unphysical`] for a derivative too large for f64; [`Error::OtherMaterial`] on a curve whose derivatives are those of an
-    /// equivalent on another substrate.
+    /// As [`Contact::load_and_penetration`], but always [`Error::OutsideTable`] beyond the nodes in `a/t`; [`Error::NoGradient`] on
+    /// a curve made without derivatives; [`Error::Unphysical`] for a derivative too large for f64; [`Error::OtherMaterial`] on a
+    /// curve whose derivatives are those of an equivalent on another substrate.
     pub fn gradient(&self, a: f64, w: f64) -> Result<ContactGradient, Error> {
         let edge = self.mechanics.edge_singularity(a, w)?;
         let (values, by_bodies) = match &self.bodies {
@@ -178,7 +180,8 @@ impl Contact {
     }
 }
 
-/// What changes with the contact radius, the thickness and the elastic constants of a coated contact, in the order of [`Input::ALL`].
+/// What changes with the contact radius, the thickness and the elastic constants of a coated contact, in the order of
+/// [`Input::ALL`].
 fn on_film(system: &System, gradient: &QuantityGradient, a: f64) -> [Option<Change>; 9] {
     let (values, slopes) = (gradient.values().to_array(), gradient.slopes().to_array());
     let moduli = [system.sphere_modulus, system.film.young(), system.substrate.young()];
@@ -214,7 +217,8 @@ fn on_half_space(system: &HalfSpace) -> Result<[Option<Change>; 9], Error> {
 /// The change with one of the elastic constants; none if it is not known.
 fn of_material(gradient: &QuantityGradient, input: Input, moduli: [f64; 3]) -> Option<Change> {
     let material = gradient.material();
-    // How `ln e1_over_e2`, `nu1`, `ln e0_over_e2`, `nu0` and the logarithm of the normalising modulus follow the logarithm of a modulus, or a Poisson ratio.
+    // How `ln e1_over_e2`, `nu1`, `ln e0_over_e2`, `nu0` and the logarithm of the normalising modulus follow the logarithm of a
+    // modulus, or a Poisson ratio.
     let ([e1, nu1, e0, nu0], modulus) = match (input, material.normalisation()) {
         (Input::SphereModulus, Normalisation::Sphere) => ([-1.0, 0.0, -1.0, 0.0], 1.0),
         (Input::FilmModulus, Normalisation::Sphere) => ([1.0, 0.0, 0.0, 0.0], 0.0),

@@ -12,8 +12,8 @@ impl Table {
     /// Reads an HDF5 table (feature `hdf5`).
     ///
     /// # Errors
-    /// [`Error::Io`] if the file cannot be opened, [`Error::Foreign`] if it is no HDF5 file or holds no table, [`Error::Version`] for
-    /// another version, [`Error::Malformed`] for missing, mistyped or contradicting parts.
+    /// [`Error::Io`] if the file cannot be opened, [`Error::Foreign`] if it is no HDF5 file or holds no table, [`Error::Version`]
+    /// for another version, [`Error::Malformed`] for missing, mistyped or contradicting parts.
     pub fn open(path: impl AsRef<Path>) -> Result<Self, Error> {
         // Opened here first, so that a missing file is told from a foreign one.
         let path = path.as_ref();

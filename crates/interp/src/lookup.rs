@@ -61,8 +61,8 @@ impl Lookup {
         })?;
         let mut weights = self.coefficients.weights(place);
         let nu1 = &mut weights[1];
-        // Where the derivative with respect to `c` falls like `s^2`, that of `c` with respect to `nu1` grows like `1/s^2`: their product at this `s` is that at 0,
-        // but for rounding.
+        // Where the derivative with respect to `c` falls like `s^2`, that of `c` with respect to `nu1` grows like `1/s^2`: their
+        // product at this `s` is that at 0, but for rounding.
         let before_the_end = place[1].min(Parameter::Nu1.coordinate(0.5) - 5e-7);
         let near = self.coefficients.bases[1].weights(before_the_end);
         if near.first == nu1.first {
@@ -121,7 +121,8 @@ fn place(table: &Table, material: &Material) -> Result<[f64; 3], Error> {
 
 /// The tensor B-spline of a table.
 ///
-/// What is splined is `ln(Pi0/es)`, `ln(Eeq/es)`, `ln(Gamma/es)` and `ln Delta0` over `ln(a/t)`, `ln(E1/E2)`, `c(nu1)` and `ln(E0/E2)`.
+/// What is splined is `ln(Pi0/es)`, `ln(Eeq/es)`, `ln(Gamma/es)` and `ln Delta0` over `ln(a/t)`, `ln(E1/E2)`, `c(nu1)` and
+/// `ln(E0/E2)`.
 #[derive(Clone, Debug)]
 pub(crate) struct Coefficients {
     /// Of `e1_over_e2`, `nu1` and `e0_over_e2`.
@@ -133,7 +134,8 @@ pub(crate) struct Coefficients {
 
 #[derive(Clone, Debug)]
 enum Form {
-    /// One row for each combination of the splines of the material axes, `e1_over_e2` slowest: a group of the quantities held for each spline of
+    /// One row for each combination of the splines of the material axes, `e1_over_e2` slowest: a group of the quantities held for
+    /// each spline of
     /// `a_over_t`.
     Dense(Vec<f64>),
     Train(Train),
@@ -152,7 +154,8 @@ impl Coefficients {
         Self::splined(table, logarithms)
     }
 
-    /// From the logarithms at the nodes of a table, material-major, so that a curve sums whole rows. They become the coefficients in place.
+    /// From the logarithms at the nodes of a table, material-major, so that a curve sums whole rows. They become the coefficients
+    /// in place.
     pub(crate) fn splined(table: &Table, mut rows: Vec<f64>) -> Self {
         let (bases, along) = (bases(table), along(table));
         let [n_a, _, n_nu, n_e0] = table.shape();
@@ -213,7 +216,8 @@ impl Coefficients {
         }
     }
 
-    /// Weighted sums of the rows around one material, each with the slopes of some axes in place of the values. A row is read once for all.
+    /// Weighted sums of the rows around one material, each with the slopes of some axes in place of the values. A row is read once
+    /// for all.
     fn sums<const N: usize>(&self, rows: &[f64], weights: &[Weights; 3], slopes: [[bool; 3]; N]) -> [Vec<f64>; N] {
         let [n_e1, n_nu, n_e0] = self.bases.each_ref().map(Basis::len);
         let width = rows.len() / (n_e1 * n_nu * n_e0);

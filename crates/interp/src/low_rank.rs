@@ -10,8 +10,8 @@ const LARGEST_ENTRY: i64 = 1 << 53;
 /// More values on the nodes are taken for a mistake or a forgery: writing them out would not fit in memory.
 const MOST_VALUES: usize = 200_000_000;
 
-/// The logarithms that a table splines, as a tensor train (I. V. Oseledets, SIAM J. Sci. Comput. 33 (2011) 2295). With the scale `s = es`, or 1
-/// for `Delta0`, and at the nodes `(x_i, e1_j, nu1_k, e0_l)`,
+/// The logarithms that a table splines, as a tensor train (I. V. Oseledets, SIAM J. Sci. Comput. 33 (2011) 2295). With the scale `s
+/// = es`, or 1 for `Delta0`, and at the nodes `(x_i, e1_j, nu1_k, e0_l)`,
 ///
 /// ```text
 /// ln(Q_q / s) = sum_{abc}  C0[l,a] / w0[a]  C1[a,j,b] / w1[b]  C2[b,k,c] / w2[c]  C3[c,i,q]
@@ -23,8 +23,8 @@ const MOST_VALUES: usize = 200_000_000;
 /// its numbers `G` leaves derivatives alone. Between the nodes every core is a spline like the table's own, so that this is the
 /// tensor spline through these logarithms: what is measured of it holds for [`Table::expand`](crate::Table::expand) as well.
 ///
-/// A number of a core is to be about as large as what it adds to the logarithms, which is what the weights are for: the root mean square that an index
-/// adds. Then all numbers of a core may be rounded to multiples of one step.
+/// A number of a core is to be about as large as what it adds to the logarithms, which is what the weights are for: the root mean
+/// square that an index adds. Then all numbers of a core may be rounded to multiples of one step.
 #[derive(Clone, Debug)]
 pub struct LowRank {
     quantities: Vec<Quantity>,
@@ -38,15 +38,16 @@ pub struct LowRank {
 }
 
 impl LowRank {
-    /// From its parts: the quantities held, ascending; the weights of the three indices that join the cores, as many as the index has values; the
-    /// functions of each core's axis, a row of their values for each node; and the cores as multiples of their steps, row-major over the index before,
-    /// the function, and the index after or the quantities held.
+    /// From its parts: the quantities held, ascending; the weights of the three indices that join the cores, as many as the index
+    /// has values; the functions of each core's axis, a row of their values for each node; and the cores as multiples of their
+    /// steps, row-major over the index before, the function, and the index after or the quantities held.
     ///
     /// # Errors
-    /// [`Error::Malformed`] if no quantity is given, or one twice or not in order; if an index or an axis has no value; if the lengths
-    /// contradict each other; if there are more functions than nodes, or more values of an index than of the index before it and the nodes between
-    /// together; if a weight or a step is not in `[1e-30, 1e30]`, a function's value, or an entry of a core times the step, not in `[-1e30, 1e30]`, or an entry
-    /// of a core not in `[-2^53, 2^53]`; or if there are more than 2e8 values on the nodes.
+    /// [`Error::Malformed`] if no quantity is given, or one twice or not in order; if an index or an axis has no value; if the
+    /// lengths contradict each other; if there are more functions than nodes, or more values of an index than of the index before
+    /// it and the nodes between together; if a weight or a step is not in `[1e-30, 1e30]`, a function's value, or an entry of a
+    /// core times the step, not in `[-1e30, 1e30]`, or an entry of a core not in `[-2^53, 2^53]`; or if there are more than 2e8
+    /// values on the nodes.
     pub fn new(
         quantities: Vec<Quantity>,
         weights: [Vec<f64>; 3],
@@ -123,7 +124,8 @@ impl LowRank {
         &self.weights
     }
 
-    /// The cores of `e0_over_e2`, `e1_over_e2`, `nu1` and `a_over_t`, row-major over the index before, the node, and the index after.
+    /// The cores of `e0_over_e2`, `e1_over_e2`, `nu1` and `a_over_t`, row-major over the index before, the node, and the index
+    /// after.
     pub(crate) fn cores(&self) -> [Vec<f64>; 4] {
         let [a, b, c] = self.ranks();
         let at_nodes = |i: usize, after: usize| {

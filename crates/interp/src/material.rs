@@ -136,8 +136,8 @@ impl Material {
         1.0 / (self.sphere_compliance() + 1.0 / self.substrate_modulus())
     }
 
-    /// `(1/e1) X'(0)`, how the compliance of film and substrate begins to fall with the wave number `q = kt` (physically: with `1/a`): of `X = N/D`
-    /// with `m = G1/G0`, `g = 3 - 4 nu`,
+    /// `(1/e1) X'(0)`, how the compliance of film and substrate begins to fall with the wave number `q = kt` (physically: with
+    /// `1/a`): of `X = N/D` with `m = G1/G0`, `g = 3 - 4 nu`,
     ///
     /// ```text
     /// X'(0) = 2 (c2 c3 - c0^2)/c3^2,   c0 = m (1+g1)(1+g0),   c2 = 4 m^2 g0 - 8 m nu1 (1-2 nu0) + 4 (1-2 nu1),   c3 = (1+g1)^2
@@ -199,7 +199,8 @@ impl Material {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Equivalence {
     pub(crate) equivalent: Material,
-    /// The derivatives of `ln e1_over_e2`, `nu1` and `ln e0_over_e2` of the equivalent (a row each) with respect to `ln e1_over_e2`, `nu1`,
+    /// The derivatives of `ln e1_over_e2`, `nu1` and `ln e0_over_e2` of the equivalent (a row each) with respect to `ln
+    /// e1_over_e2`, `nu1`,
     /// `ln e0_over_e2` and `nu0` of the material.
     pub(crate) jacobian: Jacobian,
 }

@@ -70,12 +70,14 @@ impl Mechanics {
         self.radius
     }
 
-    /// The compound modulus of sphere and film, `Es*` (Pa, eq. 7), which is the crack tip's; on a half-space that of sphere and solid.
+    /// The compound modulus of sphere and film, `Es*` (Pa, eq. 7), which is the crack tip's; on a half-space that of sphere and
+    /// solid.
     pub const fn sphere_film_modulus(&self) -> f64 {
         self.sphere_film_modulus
     }
 
-    /// The compound modulus of sphere and substrate, `Einf*` (Pa): what there would be without the film. Infinite between rigid bodies.
+    /// The compound modulus of sphere and substrate, `Einf*` (Pa): what there would be without the film. Infinite between rigid
+    /// bodies.
     pub const fn sphere_substrate_modulus(&self) -> f64 {
         self.sphere_substrate_modulus
     }

@@ -9,11 +9,12 @@
 //! 24      -     payload: header (bincode, fixed-width integers), then the content
 //! ```
 //!
-//! The content of a dense table is its values as f64, quantity after quantity; that of a low-rank one the weights, the functions, and the
-//! steps and integers of its cores (bincode, integers of variable width: one byte for most).
+//! The content of a dense table is its values as f64, quantity after quantity; that of a low-rank one the weights, the functions,
+//! and the steps and integers of its cores (bincode, integers of variable width: one byte for most).
 //!
-//! Nothing is allocated on the word of the file: the header is limited, the values' number must match the bytes there are, and an integer of
-//! a core, 8 bytes in memory, has a byte of its own. (A list is read by serde, which reserves a megabyte at most before it has seen the numbers.)
+//! Nothing is allocated on the word of the file: the header is limited, the values' number must match the bytes there are, and an
+//! integer of a core, 8 bytes in memory, has a byte of its own. (A list is read by serde, which reserves a megabyte at most before
+//! it has seen the numbers.)
 
 use std::fmt::Display;
 use std::fs;
@@ -113,8 +114,8 @@ impl Table {
     /// Reads a packed table from bytes, `include_bytes!` for instance.
     ///
     /// # Errors
-    /// [`Error::Foreign`] without the magic bytes, [`Error::Version`] for another version, [`Error::Length`] for missing or trailing
-    /// bytes, [`Error::Checksum`] for changed ones, [`Error::Malformed`] for a forged content.
+    /// [`Error::Foreign`] without the magic bytes, [`Error::Version`] for another version, [`Error::Length`] for missing or
+    /// trailing bytes, [`Error::Checksum`] for changed ones, [`Error::Malformed`] for a forged content.
     pub fn from_packed(bytes: &[u8]) -> Result<Self, Error> {
         if !is_packed(bytes) {
             return Err(Error::Foreign("it does not begin with the magic bytes of a packed table".into()));

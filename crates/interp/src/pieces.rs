@@ -1,8 +1,10 @@
 //! Polynomial pieces over `x = a/t`, found and entered by the bits of `x`.
 //!
-//! Every octave of `y`, which is `x` but for a factor, is cut into `2^bits` pieces of equal length, as many as it needs. The exponent of `y` and the first
-//! `bits` of its mantissa are then the number of the piece, and the rest of the mantissa is the place on it: no logarithm, no search. Within a piece
-//! each quantity is a polynomial in the place `t` from -1 to 1, the exponential of another one that is linear in the coefficients of the spline.
+//! Every octave of `y`, which is `x` but for a factor, is cut into `2^bits` pieces of equal length, as many as it needs. The
+//! exponent of `y` and the first
+//! `bits` of its mantissa are then the number of the piece, and the rest of the mantissa is the place on it: no logarithm, no
+//! search. Within a piece each quantity is a polynomial in the place `t` from -1 to 1, the exponential of another one that is
+//! linear in the coefficients of the spline.
 
 use std::borrow::Cow;
 use std::ops::RangeInclusive;
@@ -17,7 +19,8 @@ pub(crate) type Four = [f64; 4];
 
 /// Coefficients of a logarithm on a piece, of `1, t, t^2, ...`
 const LOGARITHM: usize = 8;
-/// Coefficients of a quantity on a piece. The exponential of a polynomial of degree 7 has no end, but on a piece its terms fall by a factor of ten.
+/// Coefficients of a quantity on a piece. The exponential of a polynomial of degree 7 has no end, but on a piece its terms fall by
+/// a factor of ten.
 const VALUE: usize = 10;
 
 /// The logarithms of the quantities on one piece, or their derivatives with respect to something.
@@ -33,8 +36,8 @@ const ONE: u64 = 1.0_f64.to_bits();
 /// Where the pieces are.
 #[derive(Clone, Debug)]
 pub(crate) struct Grid {
-    /// `y/x`, such that `y` begins between 1 and 2, and that the range covers as much as it can of its first and its last piece: the polynomial of a piece
-    /// that sticks out far has large coefficients, and rounding.
+    /// `y/x`, such that `y` begins between 1 and 2, and that the range covers as much as it can of its first and its last piece:
+    /// the polynomial of a piece that sticks out far has large coefficients, and rounding.
     factor: f64,
     /// From 1 to 2, from 2 to 4, ...
     octaves: Vec<Octave>,
@@ -134,8 +137,8 @@ pub(crate) fn all<const N: usize>(piece: &[Four; N], place: Place) -> Four {
     std::array::from_fn(|quantity| one(piece, place, quantity))
 }
 
-/// Whether a quantity stays within a range everywhere on a piece: then so do its Bernstein coefficients on a sound curve, of which the polynomial is a
-/// weighted mean. On most pieces the size of its coefficients says so already.
+/// Whether a quantity stays within a range everywhere on a piece: then so do its Bernstein coefficients on a sound curve, of which
+/// the polynomial is a weighted mean. On most pieces the size of its coefficients says so already.
 pub(crate) fn stays_within(range: &RangeInclusive<f64>, piece: &Values, quantity: usize) -> bool {
     let size: f64 = piece[1..].iter().map(|coefficients| coefficients[quantity].abs()).sum();
     if range.contains(&(piece[0][quantity] - size)) && range.contains(&(piece[0][quantity] + size)) {
@@ -179,7 +182,8 @@ impl Resampler {
     /// The most pieces of an octave that are tried, two to this power. Only noise is not followed by pieces as short as these.
     const FINEST: u32 = 6;
 
-    /// The longest pieces on which the given curves, as coefficients of the quantities held, follow their splines to a relative error.
+    /// The longest pieces on which the given curves, as coefficients of the quantities held, follow their splines to a relative
+    /// error.
     pub(crate) fn fitting(basis: &Basis, range: [f64; 2], held: &[Quantity], curves: &[Vec<f64>], error: f64) -> Self {
         // Shorter than the whole range, so that the samples of a piece that sticks out of it need not lie closer to each other.
         let length = (range[1] - range[0]) / range[0];
@@ -232,7 +236,8 @@ impl Resampler {
         let span = self.spans[piece];
         let coefficients = &coefficients[span.first..span.first + span.count];
         let weights = &self.weights[span.start..span.start + span.count];
-        // Splines add up to one. Without what they have in common the sums are small, and so is their rounding, which powers of `t` magnify.
+        // Splines add up to one. Without what they have in common the sums are small, and so is their rounding, which powers of `t`
+        // magnify.
         let common = coefficients[span.count / 2];
         let mut logarithms = [[0.0; 4]; LOGARITHM];
         // Half of the sums at a time stay in registers.
@@ -295,7 +300,8 @@ fn fours<'a>(coefficients: &'a [f64], held: &[Quantity]) -> Cow<'a, [Four]> {
     coefficients.chunks_exact(held.len()).map(row).collect()
 }
 
-/// The Chebyshev points of the second kind on a piece. One that sticks out of the range is moved into it as a whole, so that nothing is taken from beyond.
+/// The Chebyshev points of the second kind on a piece. One that sticks out of the range is moved into it as a whole, so that
+/// nothing is taken from beyond.
 fn samples([from, to]: [f64; 2], range: [f64; 2]) -> [f64; LOGARITHM] {
     let length = to - from;
     let from = from.min(range[1] - length).max(range[0]);
@@ -306,7 +312,8 @@ fn samples([from, to]: [f64; 2], range: [f64; 2]) -> [f64; LOGARITHM] {
     })
 }
 
-/// The polynomials that are 1 at one of the places and 0 at the others, as coefficients of powers; the first alone, a constant, if there is but one place.
+/// The polynomials that are 1 at one of the places and 0 at the others, as coefficients of powers; the first alone, a constant, if
+/// there is but one place.
 fn lagrange(places: [f64; LOGARITHM]) -> [[f64; LOGARITHM]; LOGARITHM] {
     if places[0] == places[LOGARITHM - 1] {
         return std::array::from_fn(|i| std::array::from_fn(|k| if i == 0 && k == 0 { 1.0 } else { 0.0 }));

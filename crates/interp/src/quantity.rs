@@ -52,8 +52,8 @@ impl Quantity {
         }
     }
 
-    /// What the quantity is divided by before its logarithm is splined, given the sphere-film modulus `es`: its order of magnitude where films are
-    /// thick.
+    /// What the quantity is divided by before its logarithm is splined, given the sphere-film modulus `es`: its order of magnitude
+    /// where films are thick.
     pub const fn scale(self, es: f64) -> f64 {
         match self {
             Self::Pi0 | Self::Eeq | Self::Gamma => es,

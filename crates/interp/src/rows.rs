@@ -1,6 +1,7 @@
 //! Weighted sums of rows, all that the interpolation along the material axes consists of.
 
-/// Adds the weighted sum of rows, one each `stride` numbers, as long as the sum. Four at once, because the sum is not kept in registers.
+/// Adds the weighted sum of rows, one each `stride` numbers, as long as the sum. Four at once, because the sum is not kept in
+/// registers.
 pub(crate) fn add_rows(sum: &mut [f64], weights: &[f64], rows: &[f64], stride: usize) {
     let length = sum.len();
     let row = |i: usize| &rows[i * stride..][..length];

@@ -110,8 +110,9 @@ impl Parameter {
         }
     }
 
-    /// True where the quantities have no first and second derivative with respect to the coordinate: for an incompressible film, because they are smooth
-    /// functions of `1 - 2 nu1`, the cube of `1 - 2c`. Splines through nodes that end there have none either.
+    /// True where the quantities have no first and second derivative with respect to the coordinate: for an incompressible film,
+    /// because they are smooth functions of `1 - 2 nu1`, the cube of `1 - 2c`. Splines through nodes that end there have none
+    /// either.
     pub fn is_flat_at(self, value: f64) -> bool {
         self == Self::Nu1 && value == 0.5
     }

@@ -81,11 +81,13 @@ impl QuantityGradient {
         self.slopes
     }
 
-    /// The derivatives with respect to `e1_over_e2`, `nu1` or `e0_over_e2` of the material asked for, all else being fixed; 0 with respect to an infinite
+    /// The derivatives with respect to `e1_over_e2`, `nu1` or `e0_over_e2` of the material asked for, all else being fixed; 0 with
+    /// respect to an infinite
     /// `e0_over_e2`. With respect to `a_over_t` they are the [slopes](QuantityGradient::slopes) over it.
     ///
     /// # Errors
-    /// [`Error::FixedParameter`] where the table does not know them, because its scene fixes a parameter that they need; for `a_over_t`; and for an
+    /// [`Error::FixedParameter`] where the table does not know them, because its scene fixes a parameter that they need; for
+    /// `a_over_t`; and for an
     /// `e1_over_e2` of 0, where the normalisation changes.
     pub fn by(&self, parameter: Parameter) -> Result<Quantities, Error> {
         let unknown = Error::FixedParameter(parameter.name());
@@ -100,8 +102,8 @@ impl QuantityGradient {
         Ok(self.absolute(relative.map(|derivative| derivative / modulus)))
     }
 
-    /// The derivatives with respect to the substrate's Poisson ratio, through the [equivalent](Material::with_substrate_poisson_ratio) of the
-    /// material.
+    /// The derivatives with respect to the substrate's Poisson ratio, through the
+    /// [equivalent](Material::with_substrate_poisson_ratio) of the material.
     ///
     /// # Errors
     /// [`Error::FixedParameter`] where the table does not know them.
@@ -109,7 +111,8 @@ impl QuantityGradient {
         Ok(self.absolute(self.relative(3).ok_or(Error::FixedParameter("nu0"))?))
     }
 
-    /// The derivatives of the logarithms with respect to `ln e1_over_e2`, `nu1`, `ln e0_over_e2` or `nu0`, by number, if they are known.
+    /// The derivatives of the logarithms with respect to `ln e1_over_e2`, `nu1`, `ln e0_over_e2` or `nu0`, by number, if they are
+    /// known.
     pub(crate) fn relative(&self, parameter: usize) -> Option<Four> {
         self.known[parameter].then_some(self.relative[parameter])
     }

@@ -3,13 +3,14 @@
 //! A spline of degree `p` through `n` nodes has the knots of the "not-a-knot" choice: the nodes without the `(p+1)/2 - 1` next to
 //! each end, so that it has exactly `n` coefficients and reproduces polynomials of degree `p`. Its error falls like `h^{p+1}`.
 //!
-//! A spline with a flat end has two knots more next to the last node, and no first and second derivative there. That is what functions of
-//! `1 - 2 nu1 = s^3` have over `s` for an incompressible film, and what makes their derivative with respect to `nu1`, `2/(3 s^2)` times that with
-//! respect to `s`, finite.
+//! A spline with a flat end has two knots more next to the last node, and no first and second derivative there. That is what
+//! functions of
+//! `1 - 2 nu1 = s^3` have over `s` for an incompressible film, and what makes their derivative with respect to `nu1`, `2/(3 s^2)`
+//! times that with respect to `s`, finite.
 
-/// The degree of the splines through the nodes of a table (fewer nodes than ten lower it). Higher degrees save hardly any nodes from 1e-4
-/// to 1e-8, and each doubles what a curve gathers; a quintic takes 1.2 to 1.3 times as many nodes on each axis at 1e-6, 1.7 to 1.9 at 1e-8
-/// (`cargo xtask cargo bench -p tabulate --bench interpolation`).
+/// The degree of the splines through the nodes of a table (fewer nodes than ten lower it). Higher degrees save hardly any nodes
+/// from 1e-4 to 1e-8, and each doubles what a curve gathers; a quintic takes 1.2 to 1.3 times as many nodes on each axis at 1e-6,
+/// 1.7 to 1.9 at 1e-8 (`cargo xtask cargo bench -p tabulate --bench interpolation`).
 pub const TABLE_DEGREE: usize = 9;
 
 /// The highest degree there is.
@@ -20,8 +21,8 @@ pub const LARGEST_DEGREE: usize = 13;
 pub struct Basis {
     degree: usize,
     knots: Vec<f64>,
-    /// The number of nodes, and of coefficients. With a flat end, the last function is the sum of the three that do not vanish there with their first
-    /// two derivatives.
+    /// The number of nodes, and of coefficients. With a flat end, the last function is the sum of the three that do not vanish
+    /// there with their first two derivatives.
     count: usize,
     /// Row `i` holds the entries `i - degree ..= i + degree` of `L` (unit diagonal, below) and `U` of the collocation matrix.
     factors: Vec<[f64; 2 * LARGEST_DEGREE + 1]>,
@@ -44,12 +45,14 @@ impl Basis {
     /// The basis of the given degree, or of `n - 1` where there are fewer nodes.
     ///
     /// # Panics
-    /// If there is no node or `degree` is above [`LARGEST_DEGREE`]. Nodes that do not ascend strictly give a basis of no use, not a panic.
+    /// If there is no node or `degree` is above [`LARGEST_DEGREE`]. Nodes that do not ascend strictly give a basis of no use, not a
+    /// panic.
     pub fn new(nodes: &[f64], degree: usize) -> Self {
         Self::with_end_conditions(nodes, degree, 0)
     }
 
-    /// The basis whose first and second derivatives vanish at the last node. Five nodes are the fewest that it takes; the basis of fewer is
+    /// The basis whose first and second derivatives vanish at the last node. Five nodes are the fewest that it takes; the basis of
+    /// fewer is
     /// [`Basis::new`]'s.
     ///
     /// # Panics
@@ -95,13 +98,14 @@ impl Basis {
         self.degree
     }
 
-    /// The intervals between the knots, on each of which a spline is one polynomial. [`Weights::first`] is the number of an interval.
+    /// The intervals between the knots, on each of which a spline is one polynomial. [`Weights::first`] is the number of an
+    /// interval.
     pub(crate) fn intervals(&self) -> impl Iterator<Item = [f64; 2]> {
         self.knots[self.degree..self.knots.len() - self.degree].windows(2).map(|ends| [ends[0], ends[1]])
     }
 
-    /// The non-vanishing B-splines at `u`. Beyond the first and the last node they are the polynomials of the end, which grow without bound; at NaN
-    /// they are NaN, but for the one of degree 0.
+    /// The non-vanishing B-splines at `u`. Beyond the first and the last node they are the polynomials of the end, which grow
+    /// without bound; at NaN they are NaN, but for the one of degree 0.
     pub fn weights(&self, u: f64) -> Weights {
         let p = self.degree;
         let inner = &self.knots[p + 1..self.knots.len() - p - 1];
@@ -123,7 +127,8 @@ impl Basis {
         }
         let first = span - p;
         let count = (p + 1).min(self.count - first);
-        // Functions that stand for one at a flat end; what they share of each other's slopes is never added, and so leaves no rounding.
+        // Functions that stand for one at a flat end; what they share of each other's slopes is never added, and so leaves no
+        // rounding.
         for i in count..=p {
             values[count - 1] += std::mem::take(&mut values[i]);
         }
@@ -168,8 +173,8 @@ impl Basis {
         rows
     }
 
-    /// Turns values at the nodes into coefficients, in place, for many splines at once: `values` holds a row of `width` numbers for each node,
-    /// and every column is one spline. Numbers after the last row stay as they are.
+    /// Turns values at the nodes into coefficients, in place, for many splines at once: `values` holds a row of `width` numbers for
+    /// each node, and every column is one spline. Numbers after the last row stay as they are.
     ///
     /// # Panics
     /// If there are fewer numbers.

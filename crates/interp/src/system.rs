@@ -86,7 +86,8 @@ pub struct HalfSpace {
 }
 
 impl HalfSpace {
-    /// The compound modulus `E*` of sphere and solid (Pa), `1/E* = (1 - nu2^2)/E2 + (1 - nu^2)/E`: all that the contact knows of both.
+    /// The compound modulus `E*` of sphere and solid (Pa), `1/E* = (1 - nu2^2)/E2 + (1 - nu^2)/E`: all that the contact knows of
+    /// both.
     ///
     /// # Errors
     /// [`Error::Unphysical`] for a radius or modulus that is not positive, or a rigid sphere on a rigid solid.

@@ -65,9 +65,10 @@ impl Table {
     /// not ask for the quantity.
     ///
     /// # Errors
-    /// [`Error::Malformed`] if an axis is empty or not strictly ascending, holds a value outside physics, has two nodes that a spline
-    /// could not tell apart, or has another number of nodes than the values; or if no quantity is given. Moduli, `a_over_t` and the
-    /// quantities must be in `[1e-30, 1e30]`, but for a rigid sphere or substrate, which is a fixed parameter; the tolerance in `(0, 1]`.
+    /// [`Error::Malformed`] if an axis is empty or not strictly ascending, holds a value outside physics, has two nodes that a
+    /// spline could not tell apart, or has another number of nodes than the values; or if no quantity is given. Moduli, `a_over_t`
+    /// and the quantities must be in `[1e-30, 1e30]`, but for a rigid sphere or substrate, which is a fixed parameter; the
+    /// tolerance in `(0, 1]`.
     pub fn new(description: Description, axes: [Vec<f64>; 4], values: [Option<Vec<f64>>; 4]) -> Result<Self, Error> {
         check(&description, &axes)?;
         let malformed = |what: String| Err(Error::Malformed(what));
@@ -90,7 +91,8 @@ impl Table {
     /// A low-rank table from its parts.
     ///
     /// # Errors
-    /// Those of [`Table::new`] that concern description and axes; [`Error::Malformed`] if an axis has another number of nodes than its core.
+    /// Those of [`Table::new`] that concern description and axes; [`Error::Malformed`] if an axis has another number of nodes than
+    /// its core.
     pub fn from_low_rank(description: Description, axes: [Vec<f64>; 4], form: LowRank) -> Result<Self, Error> {
         check(&description, &axes)?;
         let shape = axes.each_ref().map(Vec::len);
@@ -100,12 +102,12 @@ impl Table {
         Ok(Self { description, axes, content: Content::LowRank(Box::new(form)), lookup: OnceLock::new() })
     }
 
-    /// A table for looking up only, which takes half the memory of [`Table::new`] and no copy: from the logarithms that are splined, in the layout
-    /// of [`Table::logarithms`], one `e1_over_e2` after the other.
+    /// A table for looking up only, which takes half the memory of [`Table::new`] and no copy: from the logarithms that are
+    /// splined, in the layout of [`Table::logarithms`], one `e1_over_e2` after the other.
     ///
     /// # Errors
-    /// Those of [`Table::new`] that concern description and axes; [`Error::Malformed`] if no quantity is given or they are not in order, if there are
-    /// not as many logarithms as values at the nodes, or if one is not that of a value in `[1e-30, 1e30]`.
+    /// Those of [`Table::new`] that concern description and axes; [`Error::Malformed`] if no quantity is given or they are not in
+    /// order, if there are not as many logarithms as values at the nodes, or if one is not that of a value in `[1e-30, 1e30]`.
     pub fn from_logarithms(
         description: Description,
         axes: [Vec<f64>; 4],
@@ -178,8 +180,8 @@ impl Table {
         Quantity::ALL.into_iter().filter(|&quantity| self.holds(quantity)).collect()
     }
 
-    /// The values of a quantity at the nodes, row-major with `a_over_t` slowest, if the table holds them: one in low-rank form, or of splines
-    /// only, does after [`Table::expand`].
+    /// The values of a quantity at the nodes, row-major with `a_over_t` slowest, if the table holds them: one in low-rank form, or
+    /// of splines only, does after [`Table::expand`].
     pub fn values(&self, quantity: Quantity) -> Option<&[f64]> {
         match &self.content {
             Content::Dense(values) => values[quantity as usize].as_deref(),
@@ -195,8 +197,8 @@ impl Table {
         }
     }
 
-    /// What is splined, `ln(Q/es)` (`ln Delta0`), at all nodes with one `e1_over_e2`: row-major over `nu1`, `e0_over_e2`, `a_over_t` and the
-    /// quantities held.
+    /// What is splined, `ln(Q/es)` (`ln Delta0`), at all nodes with one `e1_over_e2`: row-major over `nu1`, `e0_over_e2`,
+    /// `a_over_t` and the quantities held.
     ///
     /// # Panics
     /// If the axis `e1_over_e2` has no node of this number.
@@ -224,10 +226,11 @@ impl Table {
         logarithms
     }
 
-    /// The dense table on the nodes: itself, or the values of one in low-rank form or of splines only. The description stays, and with it the
-    /// certificate, because the splines through these values are the table's but for rounding.
+    /// The dense table on the nodes: itself, or the values of one in low-rank form or of splines only. The description stays, and
+    /// with it the certificate, because the splines through these values are the table's but for rounding.
     ///
-    /// The values take 8 bytes each. A low-rank file of a few kilobytes may stand for 2e8 of them: see [`Table::shape`] first if its origin is doubtful.
+    /// The values take 8 bytes each. A low-rank file of a few kilobytes may stand for 2e8 of them: see [`Table::shape`] first if
+    /// its origin is doubtful.
     ///
     /// # Errors
     /// [`Error::Malformed`] if a value is not in `[1e-30, 1e30]`.
@@ -260,19 +263,19 @@ impl Table {
     /// The quantities as functions of `a/t` for one material, from tensor splines of degree 9 along the material axes.
     ///
     /// A material on a substrate with another Poisson ratio than the table's `nu0` is replaced by its exact
-    /// [equivalent](Material::with_substrate_poisson_ratio), where there is one: for `nu0` below the table's, an incompressible film has none.
-    /// A parameter may miss the box, or a fixed value, by `1e-12` relative, which is rounding.
+    /// [equivalent](Material::with_substrate_poisson_ratio), where there is one: for `nu0` below the table's, an incompressible
+    /// film has none. A parameter may miss the box, or a fixed value, by `1e-12` relative, which is rounding.
     ///
     /// # Errors
     /// [`Error::Normalisation`] for a rigid sphere in a table for compliant ones or the reverse; [`Error::OutsideTable`] for a
-    /// material outside the box; [`Error::Equivalent`] where the equivalent does not exist or is outside the box; [`Error::Malformed`] if a quantity
-    /// leaves `[1e-30, 1e30]`, which only forged tables have.
+    /// material outside the box; [`Error::Equivalent`] where the equivalent does not exist or is outside the box;
+    /// [`Error::Malformed`] if a quantity leaves `[1e-30, 1e30]`, which only forged tables have.
     pub fn curve(&self, material: &Material) -> Result<Curve, Error> {
         self.lookup().curve(self, material)
     }
 
-    /// The same with its derivatives with respect to the material, which [`Curve::gradient`] gives: those of the splines. Making it takes some three times as
-    /// long.
+    /// The same with its derivatives with respect to the material, which [`Curve::gradient`] gives: those of the splines. Making it
+    /// takes some three times as long.
     ///
     /// # Errors
     /// As [`Table::curve`].

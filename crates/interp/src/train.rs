@@ -1,9 +1,9 @@
 //! A tensor train prepared for lookup: from its splines at a material to those over `ln(a/t)`.
 //!
-//! Ten splines of an axis do not vanish at a point, but between two knots a table is smoother than they could be, and the less an index of the train
-//! weighs, the fewer of its digits matter. Therefore each core is expanded, over each interval between knots, in functions that oscillate more and more; an
-//! index keeps those whose part is not far below the table's tolerance, and single precision where that is enough. All but the first two vanish at the
-//! knots, so that what is left out makes no jump there.
+//! Ten splines of an axis do not vanish at a point, but between two knots a table is smoother than they could be, and the less an
+//! index of the train weighs, the fewer of its digits matter. Therefore each core is expanded, over each interval between knots, in
+//! functions that oscillate more and more; an index keeps those whose part is not far below the table's tolerance, and single
+//! precision where that is enough. All but the first two vanish at the knots, so that what is left out makes no jump there.
 //! In the default table to 1e-7 that takes six tenths of the multiplications, and most of them four at a time.
 
 use std::array;
@@ -14,13 +14,14 @@ use crate::low_rank::LowRank;
 use crate::rows::add_rows;
 use crate::spline::{Basis, LARGEST_DEGREE, Weights};
 
-/// What may be left out of the functions of an interval, and how much a rounding to single precision may be, in parts of the table's tolerance: root
-/// mean squares of what is added to the logarithms. A rounding is that small because it is a noise, which a difference quotient of two lookups
-/// divides by its step.
+/// What may be left out of the functions of an interval, and how much a rounding to single precision may be, in parts of the
+/// table's tolerance: root mean squares of what is added to the logarithms. A rounding is that small because it is a noise, which a
+/// difference quotient of two lookups divides by its step.
 const NEGLIGIBLE: f64 = 1e-4;
 const ROUNDING: f64 = 1e-6;
 
-/// The columns of a block in double and in single precision: two sums of them take half of the sixteen registers that every x86-64 has.
+/// The columns of a block in double and in single precision: two sums of them take half of the sixteen registers that every x86-64
+/// has.
 const DOUBLE: usize = 8;
 const SINGLE: usize = 16;
 
@@ -44,7 +45,8 @@ struct Carriage {
     scales: Vec<f64>,
 }
 
-/// A core over an interval: a row over the index after it for each index before it and each function of the interval that the index needs.
+/// A core over an interval: a row over the index after it for each index before it and each function of the interval that the index
+/// needs.
 #[derive(Clone, Debug)]
 struct Interval {
     functions: Functions,
@@ -53,8 +55,8 @@ struct Interval {
     rows: Rows,
 }
 
-/// Combinations of the splines of an interval: the Chebyshev polynomials `T0`, `T1`, `T2 - T0`, `T3 - T1`, `T4 - T0` and so on, or, next to a flat end, what has their
-/// values at as many Chebyshev points as there are splines.
+/// Combinations of the splines of an interval: the Chebyshev polynomials `T0`, `T1`, `T2 - T0`, `T3 - T1`, `T4 - T0` and so on, or,
+/// next to a flat end, what has their values at as many Chebyshev points as there are splines.
 #[derive(Clone, Debug)]
 struct Functions {
     count: usize,
@@ -191,8 +193,8 @@ impl Interval {
 }
 
 impl Functions {
-    /// Those of an interval between knots, on which the splines from `first` on do not vanish; and what their coefficients are in terms of those of the
-    /// splines, a row for each function.
+    /// Those of an interval between knots, on which the splines from `first` on do not vanish; and what their coefficients are in
+    /// terms of those of the splines, a row for each function.
     fn new(basis: &Basis, first: usize, [from, to]: [f64; 2]) -> (Self, [[f64; MOST]; MOST]) {
         let count = basis.weights(from.midpoint(to)).count;
         let angle = |point: usize| PI * (point as f64 + 0.5) / count as f64;
@@ -233,7 +235,8 @@ impl Functions {
         }
     }
 
-    /// The values (slopes) at a point, from those of the splines there: the solution of a system, because its inverse would lose digits.
+    /// The values (slopes) at a point, from those of the splines there: the solution of a system, because its inverse would lose
+    /// digits.
     fn at(&self, splines: &[f64; MOST]) -> [f64; MOST] {
         let mut functions = [0.0; MOST];
         for i in 0..self.count {
@@ -296,8 +299,8 @@ where
     }
 }
 
-/// The weighted sum of the rows of a block. Two at once, because a sum cannot begin before the one before it has ended; and not inlined, because what
-/// becomes of the sum would decide how it is made, two numbers at a time instead of four.
+/// The weighted sum of the rows of a block. Two at once, because a sum cannot begin before the one before it has ended; and not
+/// inlined, because what becomes of the sum would decide how it is made, two numbers at a time instead of four.
 #[inline(never)]
 fn block_sum<T, const WIDTH: usize>(block: &[[T; WIDTH]], weights: &[T]) -> [T; WIDTH]
 where

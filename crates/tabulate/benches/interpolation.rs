@@ -1,8 +1,8 @@
 //! What a table takes with the interpolation chosen for it, and what with others. Prints the table that the README quotes.
 //!
-//! Everything is measured along single axes of the default box, on the lines that the planner looks at. Each line is solved once, at so
-//! many places that a spline of the highest degree through them is as good as the solve. Trial splines are made from that and compared
-//! with it.
+//! Everything is measured along single axes of the default box, on the lines that the planner looks at. Each line is solved once,
+//! at so many places that a spline of the highest degree through them is as good as the solve. Trial splines are made from that and
+//! compared with it.
 
 use interp::schema::Parameter;
 use interp::spline::{Basis, LARGEST_DEGREE, TABLE_DEGREE};

@@ -75,8 +75,8 @@ struct Sizes {
 }
 
 impl Sizes {
-    /// Each as small as is `enough`, one after the other. A kernel of width `1/x` asks for nodes, and its oscillation for panels, in
-    /// proportion to `x`.
+    /// Each as small as is `enough`, one after the other. A kernel of width `1/x` asks for nodes, and its oscillation for panels,
+    /// in proportion to `x`.
     fn smallest(x: f64, mut enough: impl FnMut(Self) -> bool) -> Self {
         let ample = Self { nodes: 40 + (6.0 * x) as usize, panels: 16 + (4.0 * x) as usize, cutoff: 20 };
         let mut sizes = ample;

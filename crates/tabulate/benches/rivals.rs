@@ -3,8 +3,8 @@
 //!
 //! Prints a table of times, for contacts of a new material each time, and of errors at random points off the nodes. An error is the
 //! largest of the four relative deviations from the solve at the tightest tolerance that converges. All interpolate what `interp`
-//! splines, the logarithms, in the coordinates in which it does. scipy takes part in `cargo xtask compare`, where 10 GB of memory are
-//! free.
+//! splines, the logarithms, in the coordinates in which it does. scipy takes part in `cargo xtask compare`, where 10 GB of memory
+//! are free.
 
 mod measure;
 mod python;

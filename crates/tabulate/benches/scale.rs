@@ -1,5 +1,6 @@
-//! Time and memory of `tabulate generate` against the size of the table and the number of threads: the program itself, on the default
-//! scene. Prints the table that the README quotes, and draws `tables/scale.svg`. Linux only: elsewhere the program does not know its memory.
+//! Time and memory of `tabulate generate` against the size of the table and the number of threads: the program itself, on the
+//! default scene. Prints the table that the README quotes, and draws `tables/scale.svg`. Linux only: elsewhere the program does not
+//! know its memory.
 
 use std::error::Error;
 use std::ops::Range;

@@ -1,4 +1,5 @@
-//! Time of one direct solve by `a/t` and tolerance, and of a whole curve on all cores, for the paper's material. Ratios within one run are what counts.
+//! Time of one direct solve by `a/t` and tolerance, and of a whole curve on all cores, for the paper's material. Ratios within one
+//! run are what counts.
 
 use std::hint::black_box;
 

@@ -17,8 +17,8 @@ const CHUNK: usize = 1 << 15;
 /// Compression level: more costs time and saves next to nothing on smooth f64 data.
 const DEFLATE: u8 = 4;
 
-/// Writes the table, a low-rank one with its values at the nodes, under a temporary name and renames it when it is complete, so that `path`
-/// never holds half a table.
+/// Writes the table, a low-rank one with its values at the nodes, under a temporary name and renames it when it is complete, so
+/// that `path` never holds half a table.
 ///
 /// # Errors
 /// [`Error::Write`] with the path, and those of [`Table::expand`].

@@ -7,8 +7,8 @@
 //! j_{v+2} = [(2v+1)(2v+3)/z^2 - 1 - (2v+3)/(2v-1)] j_v - (2v+3)/(2v-1) j_{v-2},      v = 2n
 //! ```
 //!
-//! which is run upwards where all orders are below `z` and downwards (Miller) elsewhere, then scaled by the expansion of `cos(z rho)`
-//! at `rho = 0`: `sum_n (4n+1) |P_2n(0)| j_2n(z) = 1`, which takes no sines and cosines.
+//! which is run upwards where all orders are below `z` and downwards (Miller) elsewhere, then scaled by the expansion of `cos(z
+//! rho)` at `rho = 0`: `sum_n (4n+1) |P_2n(0)| j_2n(z) = 1`, which takes no sines and cosines.
 
 use std::sync::LazyLock;
 
@@ -37,7 +37,8 @@ impl EvenBessel {
 
     /// Fills `column(n)[at..at + LANES]` with `J_n(z)`; `values` holds `modes` columns of `stride` values each.
     ///
-    /// `z` must be positive and ascending, and span no more than 64, which two neighbouring panels hardly do. The absolute error is a few rounding units of `max_n |J_n(z)|`.
+    /// `z` must be positive and ascending, and span no more than 64, which two neighbouring panels hardly do. The absolute error is
+    /// a few rounding units of `max_n |J_n(z)|`.
     pub fn fill(&self, z: &Group, values: &mut [f64], stride: usize, at: usize) {
         debug_assert!(z[0] > 0.0 && z[LANES - 1] <= z[0] + 64.0, "{z:?}");
         let steps = steps();
@@ -69,7 +70,8 @@ impl EvenBessel {
         let top = start(z[LANES - 1]);
         let mut orders = vec![[0.0; LANES]; self.modes.max(top) + 1];
         let mut sums = [0.0; LANES];
-        // Nothing overflows from here: with the span of a group, lanes above 2 grow by less than 1e170 and lanes below by less than 1e200.
+        // Nothing overflows from here: with the span of a group, lanes above 2 grow by less than 1e170 and lanes below by less than
+        // 1e200.
         orders[top - 1] = [1e-100; LANES];
         for n in (1..top).rev() {
             let Step { down: [a, b, c], at_zero, .. } = steps[n];
@@ -166,7 +168,8 @@ mod tests {
         (0..n).fold((0.0, 1.0), step).1
     }
 
-    /// The first three orders in closed form, where those do not cancel, in both directions of recurrence and in groups of any spread.
+    /// The first three orders in closed form, where those do not cancel, in both directions of recurrence and in groups of any
+    /// spread.
     #[test]
     fn low_orders_are_the_closed_forms() {
         let mut worst: f64 = 0.0;

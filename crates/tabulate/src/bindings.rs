@@ -19,8 +19,9 @@ unsafe extern "C" {
 /// Creates a group without time stamps, so that equal tables are equal files.
 pub fn create_group(file: &File, name: &str) -> hdf5::Result<Group> {
     let c_name = terminated(name)?;
-    // SAFETY: the file outlives the calls and so keeps its identifier valid; `c_name` is NUL-terminated and only read; every identifier that is
-    // made here is closed here, also after a failure, where closing an invalid one is refused harmlessly; `sync` holds the library's lock.
+    // SAFETY: the file outlives the calls and so keeps its identifier valid; `c_name` is NUL-terminated and only read; every
+    // identifier that is made here is closed here, also after a failure, where closing an invalid one is refused harmlessly; `sync`
+    // holds the library's lock.
     let status = sync(|| unsafe {
         let properties = H5Pcreate(*H5P_CLS_GROUP_CREATE);
         let set = H5Pset_obj_track_times(properties, 0);
@@ -36,8 +37,8 @@ pub fn create_group(file: &File, name: &str) -> hdf5::Result<Group> {
 /// Makes a one-dimensional dataset a dimension scale of the given name.
 pub fn make_scale(axis: &Dataset, name: &str) -> hdf5::Result<()> {
     let name = terminated(name)?;
-    // SAFETY: the dataset outlives the call and so keeps its identifier valid; `name` is NUL-terminated and only read; `sync` holds the
-    // library's lock.
+    // SAFETY: the dataset outlives the call and so keeps its identifier valid; `name` is NUL-terminated and only read; `sync` holds
+    // the library's lock.
     check(sync(|| unsafe { H5DSset_scale(axis.id(), name.as_ptr()) }), "H5DSset_scale")
 }
 

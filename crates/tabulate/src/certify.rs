@@ -65,9 +65,9 @@ pub fn certificate(samples: &[Sample], seed: u64) -> Certificate {
     Certificate { max_error: worst.error, median_error: errors[count / 2], points: count as u64, seed, details: Some(details) }
 }
 
-/// Compares the table with direct solves at `points` points: the corners of the box, a tenth of all at most, for they are nodes; a tenth on its
-/// edges; a tenth in the middles of the widest cells; the others random, evenly distributed in the axes' coordinates but for those that lie on
-/// faces, edges or corners, one in five where there are four axes.
+/// Compares the table with direct solves at `points` points: the corners of the box, a tenth of all at most, for they are nodes; a
+/// tenth on its edges; a tenth in the middles of the widest cells; the others random, evenly distributed in the axes' coordinates
+/// but for those that lie on faces, edges or corners, one in five where there are four axes.
 ///
 /// # Errors
 /// Those of the solve.

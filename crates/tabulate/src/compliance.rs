@@ -21,8 +21,9 @@
 //! X - 1 = [(a + b + 4 b q (1+q)) e^{-2q} - 2 a b e^{-4q}] / [1 - (a + b + 4 b q^2) e^{-2q} + a b e^{-4q}]
 //! ```
 //!
-//! Both forms continue `X` into the right half of the complex plane, where `wiener_hopf.rs` uses it. `N` and `D` are neither even nor
-//! odd: on the real line `X` is a function of `|q|`, and its continuations from the right and from the left differ on the imaginary axis.
+//! Both forms continue `X` into the right half of the complex plane, where `wiener_hopf.rs` uses it. `N` and `D` are neither even
+//! nor odd: on the real line `X` is a function of `|q|`, and its continuations from the right and from the left differ on the
+//! imaginary axis.
 
 use std::ops::{Add, Mul};
 

@@ -9,8 +9,8 @@
 //! l(u) = ln knee + u - c s(-u)^2,      s(y) = ln(1 + e^y)
 //! ```
 //!
-//! the trapezoidal rule in `u` converges exponentially. Above the knee its nodes are equally spaced in `ln |zeta|`. Below, where the
-//! integrands are smooth but for logarithms and powers of `zeta` and count in proportion to `|zeta|`, the nodes thin out.
+//! the trapezoidal rule in `u` converges exponentially. Above the knee its nodes are equally spaced in `ln |zeta|`. Below, where
+//! the integrands are smooth but for logarithms and powers of `zeta` and count in proportion to `|zeta|`, the nodes thin out.
 //! `digits` is the natural logarithm of the accuracy aimed at: it sets the step, `2 pi strip / digits`, where `strip` is the angle
 //! between the line and the nearest singularity, and both ends.
 
@@ -53,8 +53,8 @@ impl Path {
         }
     }
 
-    /// Beyond the strip, `e^{2 i zeta}` grows towards the real axis and `S` has zeros towards the imaginary one. Strip and thinning were
-    /// settled on the contacts of `tests/data/contacts.csv`: where larger ones would begin to cost digits.
+    /// Beyond the strip, `e^{2 i zeta}` grows towards the real axis and `S` has zeros towards the imaginary one. Strip and thinning
+    /// were settled on the contacts of `tests/data/contacts.csv`: where larger ones would begin to cost digits.
     fn rule(self) -> Rule {
         match self {
             Self::Axis => Rule { strip: 1.3, thinning: 0.35 },
@@ -82,8 +82,8 @@ pub const LEVELS: [f64; 7] = [11.0, 16.0, 21.0, 26.0, 31.0, 37.0, 43.0];
 const KNEE_STEP: f64 = 3.0;
 const KNEES: usize = 13;
 
-/// Abscissae `z` at which the two functions of the edge are read out. They are entire functions of `z^2` that grow like `cos z`, of which
-/// this many give 15 digits.
+/// Abscissae `z` at which the two functions of the edge are read out. They are entire functions of `z^2` that grow like `cos z`, of
+/// which this many give 15 digits.
 pub const READOUTS: usize = 15;
 
 /// One path, cut for one accuracy and one knee.
@@ -108,7 +108,8 @@ pub struct Contour {
     pub own: Vec<Complex64>,
 }
 
-/// The readouts `z`, and the weights that extrapolate an even function's values there to `z = 0`: to its value, and to its slope in `z^2`.
+/// The readouts `z`, and the weights that extrapolate an even function's values there to `z = 0`: to its value, and to its slope in
+/// `z^2`.
 #[derive(Debug)]
 pub struct Readouts {
     pub z: [f64; READOUTS],
@@ -139,8 +140,8 @@ impl Readouts {
 }
 
 impl Contour {
-    /// The contour for the given accuracy, with a knee at or a little below `knee`, made once and kept. An ordinary table needs a few
-    /// megabytes of them; all that there are, for every corner of the domain, half a gigabyte.
+    /// The contour for the given accuracy, with a knee at or a little below `knee`, made once and kept. An ordinary table needs a
+    /// few megabytes of them; all that there are, for every corner of the domain, half a gigabyte.
     pub fn get(path: Path, level: usize, knee: f64) -> &'static Self {
         static CONTOURS: [[[OnceLock<Contour>; KNEES]; LEVELS.len()]; 2] =
             [const { [const { [const { OnceLock::new() }; KNEES] }; LEVELS.len()] }; 2];

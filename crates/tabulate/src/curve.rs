@@ -1,9 +1,9 @@
 //! The curve of one material straight from the solve, for those who need no table.
 //!
 //! The logarithms of the quantities are smooth functions of `ln(a/t)` on every scale alike, so one polynomial over the whole range
-//! takes hardly more solves than panels would. It goes through the points of an R-Leja sequence: each set of them contains the smaller ones,
-//! so that no solve is lost when more are needed, and new points test the polynomial through the old ones before they join it. The curve
-//! is the quintic spline through values of the polynomial, as close to each other as the tolerance needs.
+//! takes hardly more solves than panels would. It goes through the points of an R-Leja sequence: each set of them contains the
+//! smaller ones, so that no solve is lost when more are needed, and new points test the polynomial through the old ones before they
+//! join it. The curve is the quintic spline through values of the polynomial, as close to each other as the tolerance needs.
 
 use interp::{Curve, Material, Quantities};
 use rayon::prelude::*;
@@ -21,7 +21,8 @@ const NARROWEST: f64 = 1.0 + 1e-6;
 /// How many points are solved between two looks at the error.
 const BATCH: usize = 16;
 
-/// Six decades take some 200 points to 1e-12, and all twelve of the solve 400. What has not converged here is beyond double precision.
+/// Six decades take some 200 points to 1e-12, and all twelve of the solve 400. What has not converged here is beyond double
+/// precision.
 const MOST_POINTS: usize = 512;
 
 /// The share of the tolerance that is left to the polynomial, and the same to the pieces of the curve.
@@ -38,13 +39,14 @@ const CLOSEST_NODES: f64 = 5e-3;
 
 /// The quantities as functions of `a/t` for one material, from direct solves.
 ///
-/// The result is within `tolerance`, relative, of each of the four quantities from `a_over_t[0]` to `a_over_t[1]`. This is measured: the last 16
-/// points solved agree to two fifths of it with the polynomial through all points before them, the finished curve agrees to two fifths of it
-/// with all points, and the last fifth is the tolerance of the solves. All cores take part; the result does not depend on their number.
+/// The result is within `tolerance`, relative, of each of the four quantities from `a_over_t[0]` to `a_over_t[1]`. This is
+/// measured: the last 16 points solved agree to two fifths of it with the polynomial through all points before them, the finished
+/// curve agrees to two fifths of it with all points, and the last fifth is the tolerance of the solves. All cores take part; the
+/// result does not depend on their number.
 ///
-/// Measured from 1e-3 to 1e3 for 22 materials: at most 0.26 of the tolerance at fresh points. The paper's material takes 112 solves and 1.0 ms on two
-/// cores to 1e-6, 144 and 1.4 ms to 1e-8, 160 and 3.2 ms to 1e-10; others up to 192 solves, at the times that theirs take.
-/// An incompressible film a million times softer than the sphere, on a rigid substrate, is refused 1e-10.
+/// Measured from 1e-3 to 1e3 for 22 materials: at most 0.26 of the tolerance at fresh points. The paper's material takes 112 solves
+/// and 1.0 ms on two cores to 1e-6, 144 and 1.4 ms to 1e-8, 160 and 3.2 ms to 1e-10; others up to 192 solves, at the times that
+/// theirs take. An incompressible film a million times softer than the sphere, on a rigid substrate, is refused 1e-10.
 ///
 /// ```
 /// # fn main() -> Result<(), tabulate::Error> {
@@ -55,8 +57,8 @@ const CLOSEST_NODES: f64 = 5e-3;
 /// ```
 ///
 /// # Errors
-/// [`Error::Domain`] if `a_over_t` is not ascending or not in [`A_OVER_T`], for a `tolerance` outside [`TOLERANCE`], or a material that the solve
-/// does not take; [`Error::NotConverged`] where double precision does not allow the tolerance.
+/// [`Error::Domain`] if `a_over_t` is not ascending or not in [`A_OVER_T`], for a `tolerance` outside [`TOLERANCE`], or a material
+/// that the solve does not take; [`Error::NotConverged`] where double precision does not allow the tolerance.
 pub fn curve(material: &Material, a_over_t: [f64; 2], tolerance: f64) -> Result<Curve, Error> {
     let [from, to] = a_over_t;
     Error::check("a_over_t", from, [A_OVER_T[0], A_OVER_T[1] / NARROWEST])?;
@@ -121,8 +123,8 @@ fn worst(solved: &[(f64, Quantities)], value: impl Fn(usize) -> Quantities) -> (
     worst
 }
 
-/// The range of `a/t`, by places `s` from -2 to 2 that are linear in `ln(a/t)`. On an interval this long, divided differences neither grow
-/// nor shrink with their order.
+/// The range of `a/t`, by places `s` from -2 to 2 that are linear in `ln(a/t)`. On an interval this long, divided differences
+/// neither grow nor shrink with their order.
 struct Range {
     ends: [f64; 2],
     logarithms: [f64; 2],
@@ -149,7 +151,8 @@ impl Range {
     }
 }
 
-/// Point `i` of the R-Leja sequence on [-2, 2]: 2, -2, 0, then between these, and so on; each `2^k + 1` points are Chebyshev's extrema.
+/// Point `i` of the R-Leja sequence on [-2, 2]: 2, -2, 0, then between these, and so on; each `2^k + 1` points are Chebyshev's
+/// extrema.
 fn leja(i: usize) -> f64 {
     fn angle(i: usize) -> f64 {
         use std::f64::consts::PI;

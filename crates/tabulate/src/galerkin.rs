@@ -11,7 +11,8 @@
 //! cosine transforms are [`EvenBessel`], the kernel becomes
 //! `A = I/es + M/e1` with `M_mn = (2/pi) int_0^inf (X-1) J_m J_n dz`, `z = q x`, and the right-hand sides have one and two entries.
 //!
-//! The edge values come from the exact identity `Gamma^2 = es d(x Eeq)/dx` and from its bilinear form, not from sums at the edge: with
+//! The edge values come from the exact identity `Gamma^2 = es d(x Eeq)/dx` and from its bilinear form, not from sums at the edge:
+//! with
 //! `C_mn = (2/pi) int q X' J_m J_n dz`,
 //!
 //! ```text
@@ -179,7 +180,8 @@ impl Solved {
 }
 
 impl Operator {
-    /// Sums `M`, and `C` if it is needed, over the abscissae. `blocks` are those of `abscissae`, made on the fly or kept for many materials.
+    /// Sums `M`, and `C` if it is needed, over the abscissae. `blocks` are those of `abscissae`, made on the fly or kept for many
+    /// materials.
     pub fn assemble<B: Borrow<Block>>(
         compliance: &Compliance,
         abscissae: &Abscissae,
@@ -289,7 +291,8 @@ fn form(matrix: &Mat<f64>, u: &[f64], v: &[f64]) -> f64 {
     form
 }
 
-/// Extrapolates `sum_{i >= n} y_i^2`, what the modes left out would add to a form, from the sums over the last two stretches of modes.
+/// Extrapolates `sum_{i >= n} y_i^2`, what the modes left out would add to a form, from the sums over the last two stretches of
+/// modes.
 ///
 /// A stretch spans the beats that the `y_i` show at large `a/t`, so that a node of a beat is not mistaken for convergence.
 fn missing_modes(y: &[f64]) -> f64 {
@@ -307,12 +310,12 @@ const TRUNCATION_SAFETY: f64 = 20.0;
 /// Rounding error of the assembled matrices of a film that is not stiffer than its substrate.
 const ROUNDING: f64 = 12.0 * f64::EPSILON;
 
-/// Estimates the error of the quadrature in `q` from how fast the Legendre coefficients of `q X'` fall on each panel. Those of `X - 1`
-/// are smaller, as differentiation multiplies them with their degree.
+/// Estimates the error of the quadrature in `q` from how fast the Legendre coefficients of `q X'` fall on each panel. Those of `X -
+/// 1` are smaller, as differentiation multiplies them with their degree.
 ///
-/// An `n`-point rule is blind to an integrand's coefficients from degree `2n` on. They are extrapolated from the largest of the last
-/// four, which the panel's own values give: geometrically, at the mean rate since degree 0, which poles prescribe, or at the present
-/// rate, which is faster for exponentials. The Bessel product's share is kept small by the panel's width.
+/// An `n`-point rule is blind to an integrand's coefficients from degree `2n` on. They are extrapolated from the largest of the
+/// last four, which the panel's own values give: geometrically, at the mean rate since degree 0, which poles prescribe, or at the
+/// present rate, which is faster for exponentials. The Bessel product's share is kept small by the panel's width.
 fn resolution_error(abscissae: &Abscissae, samples: &[Sample]) -> f64 {
     let rule = abscissae.panels.rule;
     let n = rule.abscissae.len();

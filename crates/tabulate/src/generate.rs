@@ -56,13 +56,15 @@ pub struct Generated {
     pub solved: Duration,
 }
 
-/// The ending of the table until it is complete. It is shorter than the journal's, so that a name too long for the one is too long for the other.
+/// The ending of the table until it is complete. It is shorter than the journal's, so that a name too long for the one is too long
+/// for the other.
 const UNFINISHED: &str = "partial";
 
 /// More rounds than this mean that refining does not help.
 const MOST_ROUNDS: usize = 5;
 
-/// The part of the tolerance that a refined axis is to leave of its error; and the part of the largest share from which on an axis is refined.
+/// The part of the tolerance that a refined axis is to leave of its error; and the part of the largest share from which on an axis
+/// is refined.
 const AIM: f64 = 0.5;
 
 /// The errors of splines of degree 9 fall like `n^-10` with the nodes; nodes for a little less are enough more.
@@ -71,18 +73,19 @@ const ORDER: f64 = 8.0;
 /// How many of the worst points say which axes hold the error.
 const SUSPECTS: usize = 24;
 
-/// Solves every node of a scene, measures the accuracy, refines the axes that hold the error until it is within the tolerance, and writes the file.
+/// Solves every node of a scene, measures the accuracy, refines the axes that hold the error until it is within the tolerance, and
+/// writes the file.
 ///
-/// The file is a function of the scene, the certificate's points and seed, and this program alone: not of the number of threads, nor of how
-/// often the generation was killed and resumed. Until it is complete, `path` is not touched.
+/// The file is a function of the scene, the certificate's points and seed, and this program alone: not of the number of threads,
+/// nor of how often the generation was killed and resumed. Until it is complete, `path` is not touched.
 ///
-/// A table whose error exceeds the tolerance, because its nodes are stated or the budget does not allow another round, is written too: compare
-/// its certificate with the tolerance.
+/// A table whose error exceeds the tolerance, because its nodes are stated or the budget does not allow another round, is written
+/// too: compare its certificate with the tolerance.
 ///
 /// # Errors
-/// [`Error::Busy`] if another process generates the same file; [`Error::OtherRun`] if the finished pieces belong to another scene, or a refined plan
-/// to another certificate; [`Error::Budget`] if the budget ends before all is solved; [`Error::Write`] for a file that cannot be written; those of the
-/// solve and of [`Plan::new`]. Finished pieces are kept.
+/// [`Error::Busy`] if another process generates the same file; [`Error::OtherRun`] if the finished pieces belong to another scene,
+/// or a refined plan to another certificate; [`Error::Budget`] if the budget ends before all is solved; [`Error::Write`] for a file
+/// that cannot be written; those of the solve and of [`Plan::new`]. Finished pieces are kept.
 ///
 /// # Panics
 /// If the certificate is to rest on no point.
@@ -211,8 +214,8 @@ fn splines(scene: &Scene, sweep: &Sweep, axes: &[Vec<f64>; 4], journal: &mut Jou
 
 /// How many times as many nodes each axis wants, to judge by the worst points.
 ///
-/// At each of them the table is compared with the solve once more where all parameters but one stand on a node: what error is left is
-/// that axis's.
+/// At each of them the table is compared with the solve once more where all parameters but one stand on a node: what error is left
+/// is that axis's.
 fn factors(table: &Table, mut samples: Vec<Sample>) -> Result<[f64; 4], Error> {
     samples.sort_by(|a, b| b.error.total_cmp(&a.error));
     samples.truncate(SUSPECTS);
@@ -251,7 +254,8 @@ fn header(scene: &Scene, round: usize, plan: &Plan, options: &Options) -> Header
     }
 }
 
-/// Accepts the header of an unfinished generation if it is of this scene by this program and, once refined, for the same certificate.
+/// Accepts the header of an unfinished generation if it is of this scene by this program and, once refined, for the same
+/// certificate.
 fn same_run(header: &Header, scene: &Scene, path: &Path, options: &Options) -> Result<(), Error> {
     let what = if header.created_by != created_by() {
         format!("by {}, and this is {}", header.created_by, created_by())

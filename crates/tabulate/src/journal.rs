@@ -5,9 +5,10 @@
 //! records: number (u64), length (u64), CRC-32 (u32) of the bytes, bytes
 //! ```
 //!
-//! All integers are little-endian. A [`Header`], as TOML, is followed by the pieces of its sweep, by their number, as f64; a refined plan has a
-//! header of its own, after which the pieces before it count no more. Each record is flushed to the disk before the next is begun, and a torn one at
-//! the end, of a process that was killed, is dropped. The file is locked as long as the generation runs, and removed when the table is complete.
+//! All integers are little-endian. A [`Header`], as TOML, is followed by the pieces of its sweep, by their number, as f64; a
+//! refined plan has a header of its own, after which the pieces before it count no more. Each record is flushed to the disk before
+//! the next is begun, and a torn one at the end, of a process that was killed, is dropped. The file is locked as long as the
+//! generation runs, and removed when the table is complete.
 
 use std::collections::HashMap;
 use std::fs::{self, File, OpenOptions, TryLockError};

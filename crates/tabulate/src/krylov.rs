@@ -4,8 +4,8 @@
 
 /// Solves `(1 - M) v = b` and `(1 + M) v = b`.
 ///
-/// `apply(v, out)` overwrites `out` with `M v`. Iterates until both residuals are below `tolerance` times `|b|`, or for as many steps as
-/// there are unknowns.
+/// `apply(v, out)` overwrites `out` with `M v`. Iterates until both residuals are below `tolerance` times `|b|`, or for as many
+/// steps as there are unknowns.
 pub fn solve(b: &[f64], tolerance: f64, mut apply: impl FnMut(&[f64], &mut [f64])) -> [Vec<f64>; 2] {
     let n = b.len();
     let norm = dot(b, b).sqrt();

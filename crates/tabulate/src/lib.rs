@@ -5,7 +5,8 @@
 //!                               <- wiener_hopf <- krylov, contour, symbol <- compliance ) -> certify -> archive (.h5), train -> pack (.bin)
 //! ```
 //!
-//! Data flows one way along this line, and each word is a module here or, from the table on, in the crate `interp`. [`curve`] makes the
+//! Data flows one way along this line, and each word is a module here or, from the table on, in the crate `interp`. [`curve`] makes
+//! the
 //! [`interp::Curve`] of one material without a table, and [`generate`] goes from a scene to the file of its table.
 
 #![deny(unsafe_code)]

@@ -25,7 +25,8 @@ pub fn check(output: Option<&Path>, input: Option<&Path>) -> Result<(), Error> {
 /// Calls `fill` with a temporary path beside `path`, then flushes the file to disk and renames it to `path`.
 ///
 /// # Errors
-/// [`Error::Write`] naming `path`; an existing file is then untouched. Anything there but a file, a device for instance, is an error.
+/// [`Error::Write`] naming `path`; an existing file is then untouched. Anything there but a file, a device for instance, is an
+/// error.
 pub fn atomically(path: &Path, fill: impl FnOnce(&Path) -> io::Result<()>) -> Result<(), Error> {
     let attempt = || {
         let (unfinished, target) = temporary(path)?;
@@ -34,8 +35,8 @@ pub fn atomically(path: &Path, fill: impl FnOnce(&Path) -> io::Result<()>) -> Re
     attempt().map_err(|source| Error::Write { path: path.to_owned(), source })
 }
 
-/// Like [`atomically`], through a temporary path of the caller's, which nobody else uses. What an earlier process, that was killed, has left there
-/// is replaced.
+/// Like [`atomically`], through a temporary path of the caller's, which nobody else uses. What an earlier process, that was killed,
+/// has left there is replaced.
 ///
 /// # Errors
 /// As [`atomically`].

@@ -25,8 +25,8 @@ use crate::sweep::solve_for_table;
 pub enum Placement {
     /// A fixed parameter.
     Fixed(f64),
-    /// `nodes` nodes at `asin(evenness z)/asin(evenness)`, with the Chebyshev points `z` of the second kind, in the parameter's coordinate; at an end
-    /// where the quantities are [flat](Parameter::is_flat_at), without two more next to it.
+    /// `nodes` nodes at `asin(evenness z)/asin(evenness)`, with the Chebyshev points `z` of the second kind, in the parameter's
+    /// coordinate; at an end where the quantities are [flat](Parameter::is_flat_at), without two more next to it.
     Nodes {
         /// The first node.
         from: f64,
@@ -81,8 +81,9 @@ pub fn places(count: usize, evenness: f64) -> Vec<f64> {
     (0..count).map(place).collect()
 }
 
-/// The places of as many nodes, of which two fewer crowd towards a flat end: there a spline knows two derivatives in their stead. (The nodes that are left
-/// out would be so close to it that the solves' own error spoils the derivative with respect to `nu1`, which divides by the cube of the distance.)
+/// The places of as many nodes, of which two fewer crowd towards a flat end: there a spline knows two derivatives in their stead.
+/// (The nodes that are left out would be so close to it that the solves' own error spoils the derivative with respect to `nu1`,
+/// which divides by the cube of the distance.)
 fn places_to(flat_end: bool, count: usize, evenness: f64) -> Vec<f64> {
     if !flat_end || evenness == 1.0 {
         return places(count, evenness);
@@ -103,8 +104,9 @@ pub struct Plan {
 /// A larger table than this is taken for a mistake: 1.6 GB.
 const MOST_VALUES: usize = 200_000_000;
 
-/// How much of the tolerance the error on the lines of each axis may be. The errors of the axes are largest in different places, so that those of
-/// the table are hardly larger: 0.4 to 0.7 of the tolerance for the shipped scenes, and at most 0.83 for 90 random ones.
+/// How much of the tolerance the error on the lines of each axis may be. The errors of the axes are largest in different places, so
+/// that those of the table are hardly larger: 0.4 to 0.7 of the tolerance for the shipped scenes, and at most 0.83 for 90 random
+/// ones.
 const SHARE: f64 = 0.5;
 
 /// What the nodes may be like: the fewest win. Boxes whose quantities are smooth up to their ends want even nodes, those that
@@ -163,8 +165,8 @@ impl Plan {
         self.shape().iter().product()
     }
 
-    /// The plan with more nodes on some axes: `factors[parameter]` times as many, and two more at least where the factor is above 1. Stated numbers
-    /// of nodes stay. None if nothing changes.
+    /// The plan with more nodes on some axes: `factors[parameter]` times as many, and two more at least where the factor is above
+    /// 1. Stated numbers of nodes stay. None if nothing changes.
     ///
     /// # Errors
     /// [`Error::TooLarge`].
@@ -314,7 +316,8 @@ impl Lines {
         2 * self.points
     }
 
-    /// The least number of nodes, with their evenness, from which splines follow every line to `tolerance`; none if there are too many.
+    /// The least number of nodes, with their evenness, from which splines follow every line to `tolerance`; none if there are too
+    /// many.
     fn fewest(&self, tolerance: f64) -> Option<(usize, f64)> {
         let mut best = (self.most() + 1, EVENNESS[0]);
         for evenness in EVENNESS {
@@ -362,8 +365,9 @@ fn largest_difference(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, |largest, d| if d <= largest { largest } else { d })
 }
 
-/// Lines along an axis: every edge of the box, and others that are drawn at random, each parameter at one of its ends in half of them. Their number
-/// grows with the number of directions in which they can differ. The points have the first value of the range along the axis itself.
+/// Lines along an axis: every edge of the box, and others that are drawn at random, each parameter at one of its ends in half of
+/// them. Their number grows with the number of directions in which they can differ. The points have the first value of the range
+/// along the axis itself.
 pub fn lines(scene: &Scene, along: Parameter) -> Vec<[f64; 4]> {
     const RANDOM: usize = 40;
     const OVERSHOOT: f64 = 0.5;

@@ -3,8 +3,8 @@
 //! The integrand is `X(q) - 1` times a product of two spherical Bessel functions of `z = q a/t`. Three lengths matter:
 //!
 //! * `X` is analytic but for poles that lie more than 50 degrees off the real axis, the nearest at `|q| ~ s`
-//!   ([`Compliance::smallest_scale`](crate::compliance::Compliance::smallest_scale)). On a panel `[c, 4c]` an `n`-point rule therefore
-//!   converges like `2.5^{-2n}`: panels grow geometrically from `[0, s]`.
+//!   ([`Compliance::smallest_scale`](crate::compliance::Compliance::smallest_scale)). On a panel `[c, 4c]` an `n`-point rule
+//!   therefore converges like `2.5^{-2n}`: panels grow geometrically from `[0, s]`.
 //! * The Bessel product oscillates like `cos 2z`. An `n`-point rule on a panel `w` long in `z` has an error of about
 //!   `(e w / (4 n))^{2n}`, which bounds the width.
 //! * `X - 1` dies out like `q^2 e^{-2q}`: the last panel ends where what is left out is below the tolerance.
@@ -113,8 +113,8 @@ impl Panels {
 
 /// Where the integral may end for an error of at most `tolerance`.
 ///
-/// There `q X'` is the larger symbol, at most `28 q^3 e^{-2q}` as `|b| <= 1` and `|a| <= 7`. It comes times `a/t` where the Bessel product has not
-/// begun to decay and times `x/z^2` where it has.
+/// There `q X'` is the larger symbol, at most `28 q^3 e^{-2q}` as `|b| <= 1` and `|a| <= 7`. It comes times `a/t` where the Bessel
+/// product has not begun to decay and times `x/z^2` where it has.
 fn cutoff(x: f64, tolerance: f64) -> f64 {
     let mut q: f64 = 4.0;
     while 28.0 * q.powi(3) * (-2.0 * q).exp() * x / (1.0 + x * x * q * q) > tolerance {

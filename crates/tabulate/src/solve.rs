@@ -68,7 +68,8 @@ pub const TOLERANCE: [f64; 2] = [1e-13, 1e-2];
 /// Solves the contact at `a_over_t` to the relative `tolerance`.
 ///
 /// # Errors
-/// [`Error::Domain`] for a parameter outside the domain; [`Error::NotConverged`] where double precision does not allow the tolerance.
+/// [`Error::Domain`] for a parameter outside the domain; [`Error::NotConverged`] where double precision does not allow the
+/// tolerance.
 pub fn solve(a_over_t: f64, material: &Material, tolerance: f64) -> Result<Solution, Error> {
     solve_wanted(a_over_t, material, tolerance, Wanted::All)
 }

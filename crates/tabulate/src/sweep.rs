@@ -1,8 +1,9 @@
 //! The solve over all nodes of a scene, on all cores.
 //!
 //! Work is shared as far as it reaches: the Bessel values of one `a/t` serve every material, and the matrices of one (`a/t`, `nu1`,
-//! `E0/E1`) serve every sphere. Where the nodes of `E1/E2` and `E0/E2` are even and have a common spacing, the ratios `E0/E1` repeat along
-//! diagonals, and a grid of `n x n` materials has `2n - 1` pairs of matrices only. Thin films are solved one by one, on contours that all contacts share.
+//! `E0/E1`) serve every sphere. Where the nodes of `E1/E2` and `E0/E2` are even and have a common spacing, the ratios `E0/E1`
+//! repeat along diagonals, and a grid of `n x n` materials has `2n - 1` pairs of matrices only. Thin films are solved one by one,
+//! on contours that all contacts share.
 
 use interp::{Material, Quantities};
 use rayon::prelude::*;
@@ -21,8 +22,8 @@ pub fn solve_tolerance(table_tolerance: f64) -> f64 {
     (0.01 * table_tolerance).clamp(TOLERANCE[0], 1e-6)
 }
 
-/// Solves one contact as accurately as a table of the given tolerance needs it: to a hundredth of that, or, in the corners where double
-/// precision does not allow this, to a fifth.
+/// Solves one contact as accurately as a table of the given tolerance needs it: to a hundredth of that, or, in the corners where
+/// double precision does not allow this, to a fifth.
 ///
 /// # Errors
 /// Those of [`solve`](crate::solve::solve).

@@ -1,7 +1,7 @@
 //! The symbol of the contact's integral equation: `S(q) = 1 + X(q)/e1`, the compliances of sphere and coated substrate together.
 //!
-//! In units where `S(inf) = 1/es` is 1, `S(0) = es/einf`. Like `X`, it is a function of `|q|` on the real line and is continued from the
-//! right into `Re q >= 0`. Its zeros and poles there were found to lie more than 53 degrees off the real axis,
+//! In units where `S(inf) = 1/es` is 1, `S(0) = es/einf`. Like `X`, it is a function of `|q|` on the real line and is continued
+//! from the right into `Re q >= 0`. Its zeros and poles there were found to lie more than 53 degrees off the real axis,
 //! for all materials; a test looks for them.
 
 use interp::Material;
@@ -48,7 +48,8 @@ impl Symbol {
         [std::array::from_fn(|i| self.sphere * d[i] + self.film * n[i]), d]
     }
 
-    /// A wave number below which `S` hardly varies: there numerator and denominator keep close to their values at 0. Needs `S(0) > 0`.
+    /// A wave number below which `S` hardly varies: there numerator and denominator keep close to their values at 0. Needs `S(0) >
+    /// 0`.
     pub fn smallest_scale(&self) -> f64 {
         let scale = |[value, rest @ ..]: [f64; 4]| {
             let reach = |(power, coefficient): (usize, f64)| (value / coefficient.abs()).powf(1.0 / (power + 1) as f64);
@@ -78,9 +79,9 @@ impl Symbol {
 
     /// Whether it is certain that `S` has no zero with `0 < |q| <= radius <= 1` in the quarter plane.
     ///
-    /// The numerator is `c + d q` and higher powers with positive coefficients. Their sum is at most what it is on the real axis, and `|c + d q|` at
-    /// least what it is on the imaginary axis, or if `d < 0` on the real one. As the higher powers fall faster towards 0, a comparison at `radius`
-    /// holds for all `q` within.
+    /// The numerator is `c + d q` and higher powers with positive coefficients. Their sum is at most what it is on the real axis,
+    /// and `|c + d q|` at least what it is on the imaginary axis, or if `d < 0` on the real one. As the higher powers fall faster
+    /// towards 0, a comparison at `radius` holds for all `q` within.
     fn is_zero_free(&self, radius: f64) -> bool {
         let [n, d] = self.compliance.fraction(radius);
         let [[value, slope, ..], _] = self.leading();

@@ -1,11 +1,14 @@
 //! The low-rank form of a table, a tensor train, by successive singular value decompositions of its logarithms
 //! (I. V. Oseledets, SIAM J. Sci. Comput. 33 (2011) 2295).
 //!
-//! Mode after mode, what is left of the tensor is projected on the leading left singular vectors of its unfolding, which become the mode's core. The four
-//! quantities belong to the last mode: they share all cores but that one. Each core is then projected on the leading functions along its axis. Of the orders of the material axes, `e0_over_e2`, `e1_over_e2`, `nu1` takes the
-//! fewest multiplications at a lookup: in the default box the pairs (`e0`, `e1`), (`e1`, `nu`) and (`e0`, `nu`) have the ranks 81, 117 to 125 and 86 at 7e-8.
+//! Mode after mode, what is left of the tensor is projected on the leading left singular vectors of its unfolding, which become the
+//! mode's core. The four quantities belong to the last mode: they share all cores but that one. Each core is then projected on the
+//! leading functions along its axis. Of the orders of the material axes, `e0_over_e2`, `e1_over_e2`, `nu1` takes the fewest
+//! multiplications at a lookup: in the default box the pairs (`e0`, `e1`), (`e1`, `nu`) and (`e0`, `nu`) have the ranks 81, 117 to
+//! 125 and 86 at 7e-8.
 //!
-//! Everything but the measurement of errors, whose maximum knows no order, happens in one thread: the result depends on no number of threads.
+//! Everything but the measurement of errors, whose maximum knows no order, happens in one thread: the result depends on no number
+//! of threads.
 
 use faer::{Mat, MatRef};
 use interp::{LowRank, Table};
@@ -13,17 +16,18 @@ use rayon::prelude::*;
 
 use crate::Error;
 
-/// The root mean square of what is left out at each joint, over the largest error allowed anywhere: the bounds of the search. In the default
-/// box it ends between a twentieth and a fiftieth.
+/// The root mean square of what is left out at each joint, over the largest error allowed anywhere: the bounds of the search. In
+/// the default box it ends between a twentieth and a fiftieth.
 const LOOSEST: f64 = 1.0;
 const TIGHTEST: f64 = 1e-3;
 /// Each halves the range of its logarithm, to 3 % at last.
 const BISECTIONS: usize = 8;
-/// In parts of it, what is left out at the first joint, whose few indices cost little and weigh little from one to the next, and of the functions along
-/// an axis, which cost nothing at a lookup.
+/// In parts of it, what is left out at the first joint, whose few indices cost little and weigh little from one to the next, and of
+/// the functions along an axis, which cost nothing at a lookup.
 const FEW: f64 = 0.1;
-/// The step of a core in units of the root mean square that is left out at a joint, spread over its numbers: the rounding of a core adds `0.2/sqrt(12)`
-/// of what each truncation does. Larger steps save a tenth of the bytes and show in derivatives with respect to `nu1` near 0.5.
+/// The step of a core in units of the root mean square that is left out at a joint, spread over its numbers: the rounding of a core
+/// adds `0.2/sqrt(12)` of what each truncation does. Larger steps save a tenth of the bytes and show in derivatives with respect to
+/// `nu1` near 0.5.
 const STEP: f64 = 0.2;
 
 /// A table in low-rank form, with about as few numbers as its largest relative error at the nodes allows.
@@ -55,7 +59,8 @@ pub fn compress(table: &Table, error: f64) -> Result<LowRank, Error> {
     Ok(best)
 }
 
-/// The largest difference of a table's logarithms at the nodes from those of a low-rank form: the largest relative error of its quantities.
+/// The largest difference of a table's logarithms at the nodes from those of a low-rank form: the largest relative error of its
+/// quantities.
 fn largest_difference(table: &Table, form: &LowRank) -> f64 {
     let [_, n_e1, ..] = table.shape();
     let differences = (0..n_e1).into_par_iter().map(|e1| {
@@ -70,8 +75,8 @@ fn largest_difference(table: &Table, form: &LowRank) -> f64 {
 struct Train {
     /// For each joint, the root mean square that each of its indices adds to the logarithms, descending.
     weights: [Vec<f64>; 3],
-    /// Scaled such that the vectors of each index, of whatever joint, have the root mean square 1 on the nodes before it. The last one's have that of the
-    /// index.
+    /// Scaled such that the vectors of each index, of whatever joint, have the root mean square 1 on the nodes before it. The last
+    /// one's have that of the index.
     cores: [Vec<f64>; 4],
 }
 
@@ -99,8 +104,8 @@ impl Train {
         Self { weights, cores }
     }
 
-    /// The low-rank form without the last indices of each joint, as many as leave out no more than `tail` (root mean square), and with entries
-    /// rounded to about as much.
+    /// The low-rank form without the last indices of each joint, as many as leave out no more than `tail` (root mean square), and
+    /// with entries rounded to about as much.
     fn truncated(&self, table: &Table, tail: f64) -> Result<LowRank, Error> {
         let [n_a, n_e1, n_nu, n_e0] = table.shape();
         let held = table.quantities().len();
@@ -151,10 +156,11 @@ fn tensor(table: &Table) -> Vec<f64> {
     tensor
 }
 
-/// The left singular vectors of a matrix and their singular values, without as many of the last as leave out no more than `tail` (Frobenius norm).
+/// The left singular vectors of a matrix and their singular values, without as many of the last as leave out no more than `tail`
+/// (Frobenius norm).
 ///
-/// They are those of the triangle of a QR decomposition of the transposed matrix, which comes in blocks of rows; the matrix of scalar
-/// products would be quicker and have half the digits.
+/// They are those of the triangle of a QR decomposition of the transposed matrix, which comes in blocks of rows; the matrix of
+/// scalar products would be quicker and have half the digits.
 fn singular_vectors(matrix: MatRef<'_, f64>, tail: f64) -> (Mat<f64>, Vec<f64>) {
     const BLOCK: usize = 1024;
     let mut triangle: Mat<f64> = Mat::zeros(0, matrix.nrows());

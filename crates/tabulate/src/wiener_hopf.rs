@@ -2,9 +2,10 @@
 //!
 //! # The equation on the two edges
 //!
-//! Let `rho` run over `[-1, 1]`, `z = q a/t` be the wave number in units of `1/a`, and `S(q)` the [`Symbol`] with `S(inf) = 1`. Consider
-//! fields that are a delta function at each edge plus something regular inside, even (`s = +1`) or odd (`s = -1`) in `rho`, on which the
-//! operator with symbol `S` gives zero inside. Their transforms `Y(z)` are entire, and with `Phi` analytic in the upper half plane
+//! Let `rho` run over `[-1, 1]`, `z = q a/t` be the wave number in units of `1/a`, and `S(q)` the [`Symbol`] with `S(inf) = 1`.
+//! Consider fields that are a delta function at each edge plus something regular inside, even (`s = +1`) or odd (`s = -1`) in
+//! `rho`, on which the operator with symbol `S` gives zero inside. Their transforms `Y(z)` are entire, and with `Phi` analytic in
+//! the upper half plane
 //!
 //! ```text
 //! S Y = e^{iz} Phi(z) + s e^{-iz} Phi(-z),      Y -> e^{iz} + s e^{-iz},      Phi -> 1 as z -> i inf
@@ -22,17 +23,17 @@
 //! V(z) = 1 + s/(2 pi i) int e^{2 i zeta} S_+(zeta)^2/S(zeta) V(zeta)/(zeta + z) d zeta              (2)
 //! ```
 //!
-//! along any line from `-inf` to `inf` in the upper half plane that passes below the zeros of `S`; there `S` is continued from the right
-//! for `Re zeta > 0` and from the left for `Re zeta < 0`. The kernel decays like `e^{-2 Im zeta}`: the edges feel each other through
-//! wave numbers of order `1/a` only, however thin the film. Two lines are in use ([`Path`]):
+//! along any line from `-inf` to `inf` in the upper half plane that passes below the zeros of `S`; there `S` is continued from the
+//! right for `Re zeta > 0` and from the left for `Re zeta < 0`. The kernel decays like `e^{-2 Im zeta}`: the edges feel each other
+//! through wave numbers of order `1/a` only, however thin the film. Two lines are in use ([`Path`]):
 //!
-//! * **A ray at 32 degrees and its mirror image.** All zeros and poles lie higher. `V(-conj zeta) = conj V(zeta)`, and a constant may be
-//!   taken off `1/S`, as its integrals cancel: `1/S(0)` leaves a kernel that is weak where `a/t` is large.
-//! * **The imaginary axis**, both sides of it. There `V` is real and `1/S` leaves `2 i Im 1/S(i p + 0)`: a quarter of the work. Zeros at
-//!   a height `eta` are left out with an error like `e^{-2 eta a/t}`, so this needs `a/t` large enough ([`left_out`]).
+//! * **A ray at 32 degrees and its mirror image.** All zeros and poles lie higher. `V(-conj zeta) = conj V(zeta)`, and a constant
+//!   may be taken off `1/S`, as its integrals cancel: `1/S(0)` leaves a kernel that is weak where `a/t` is large.
+//! * **The imaginary axis**, both sides of it. There `V` is real and `1/S` leaves `2 i Im 1/S(i p + 0)`: a quarter of the work.
+//!   Zeros at a height `eta` are left out with an error like `e^{-2 eta a/t}`, so this needs `a/t` large enough ([`left_out`]).
 //!
-//! Nodes, weights and all that multiplies values of `S` are kept in a [`Contour`]; (2) is solved for both parities at once by minimal
-//! residuals, in a few steps as its kernel is compact ([`krylov`](crate::krylov)).
+//! Nodes, weights and all that multiplies values of `S` are kept in a [`Contour`]; (2) is solved for both parities at once by
+//! minimal residuals, in a few steps as its kernel is compact ([`krylov`](crate::krylov)).
 //!
 //! # What is read out
 //!
@@ -50,14 +51,14 @@
 //! Gamma = es a0      Eeq = es a0 b1      Delta0 = -2 a1/a0      Pi0 = 8 es (a0 b2 - a1 b1)
 //! ```
 //!
-//! For film = substrate `a = cos z`, `b = sin z`, which gives back 8/3, 1, 1, 1. `a` and `b/z` are entire functions of `z^2` of slow
-//! growth; their values at fifteen `z^2` between 0.1 and 40 extrapolate to 0.
+//! For film = substrate `a = cos z`, `b = sin z`, which gives back 8/3, 1, 1, 1. `a` and `b/z` are entire functions of `z^2` of
+//! slow growth; their values at fifteen `z^2` between 0.1 and 40 extrapolate to 0.
 //!
 //! # Accuracy
 //!
-//! Contours of neighbouring [`LEVELS`] differ by a factor of about 150 in their error. Two of them, and the rounding of the sums that are
-//! read out, give the stated error; `tests/contacts.rs` measures it. What limits it in the end is the rounding of `Pi0`, some 1e-13, and
-//! up to 1e-10 for a soft incompressible film between rigid bodies, where `S(t/a)` and with it `V` are small.
+//! Contours of neighbouring [`LEVELS`] differ by a factor of about 150 in their error. Two of them, and the rounding of the sums
+//! that are read out, give the stated error; `tests/contacts.rs` measures it. What limits it in the end is the rounding of `Pi0`,
+//! some 1e-13, and up to 1e-10 for a soft incompressible film between rigid bodies, where `S(t/a)` and with it `V` are small.
 
 use interp::Quantities;
 use num_complex::Complex64;
@@ -83,10 +84,11 @@ pub fn ray_cost(x: f64, symbol: &Symbol, tolerance: f64) -> f64 {
 
 /// Solves with contours of growing accuracy until two agree to the tolerance, or until there are no better ones.
 ///
-/// Where the compliance that is left at long waves, `S(0)`, is next to nothing against `S` at the contact's own wave numbers, as between
-/// rigid bodies, (2) is ill-conditioned: it sees what happens at `|zeta| << 1` only through that little. The quantities are analytic in
-/// the sphere's compliance, so that two slightly softer spheres extrapolate to the given one: `2 f(h) - f(2h)` differs from `f(0)` by `h^2 f''`, and
-/// as `f` is a sum of `c/(l + h)` with `l` above `S(t/a)` or so, by less than twice the square of `h/S(t/a)`. Measured: 1.5 times.
+/// Where the compliance that is left at long waves, `S(0)`, is next to nothing against `S` at the contact's own wave numbers, as
+/// between rigid bodies, (2) is ill-conditioned: it sees what happens at `|zeta| << 1` only through that little. The quantities are
+/// analytic in the sphere's compliance, so that two slightly softer spheres extrapolate to the given one: `2 f(h) - f(2h)` differs
+/// from `f(0)` by `h^2 f''`, and as `f` is a sum of `c/(l + h)` with `l` above `S(t/a)` or so, by less than twice the square of
+/// `h/S(t/a)`. Measured: 1.5 times.
 pub fn solve(x: f64, symbol: &Symbol, path: Path, tolerance: f64, wanted: Wanted) -> Answer {
     /// The added compliance, of `S(t/a)`; its square is lost.
     const SOFTENING: f64 = 1e-6;
@@ -250,8 +252,8 @@ fn read_out(x: f64, symbol: &Symbol, contour: &Contour, phases: &[f64], even: &[
         a1.add(readouts.slope[m], *a);
         pole.add(readouts.value[m] * readouts.z[m], *b);
     }
-    // a(z)/z is an odd field too, but for its pole at 0. Only through S(0) does (2) know that there must be none: where that is small, b comes
-    // with some a(z)/z, which is told from z b(z) at 0 and taken off, unless it is rounding.
+    // a(z)/z is an odd field too, but for its pole at 0. Only through S(0) does (2) know that there must be none: where that is
+    // small, b comes with some a(z)/z, which is told from z b(z) at 0 and taken off, unless it is rounding.
     let share = if pole.value.abs() > ROUNDING * pole.size { pole.over(a0.value) } else { Sum::default() };
     for (m, [a, b]) in values.iter().enumerate() {
         let z = readouts.z[m];

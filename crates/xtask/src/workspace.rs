@@ -5,7 +5,8 @@ use std::path::PathBuf;
 
 /// The folder of the workspace's `Cargo.toml`.
 pub fn root() -> PathBuf {
-    // As cargo says when it runs this: a target directory that was copied with its checkout holds a program that was built elsewhere.
+    // As cargo says when it runs this: a target directory that was copied with its checkout holds a program that was built
+    // elsewhere.
     let here = env::var_os("CARGO_MANIFEST_DIR").map_or_else(|| PathBuf::from(env!("CARGO_MANIFEST_DIR")), PathBuf::from);
     here.ancestors().nth(2).expect("xtask lives two folders below the workspace root").to_path_buf()
 }

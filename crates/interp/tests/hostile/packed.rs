@@ -6,12 +6,13 @@ use interp::{Error, Table};
 
 use crate::tables::{self, PREFIX, look_up, with_prefix};
 
-/// The most memory that reading takes, in bytes: so many for each byte of the input, where a list of one-byte integers has just outgrown
-/// its memory, and a megabyte, which the header's limit lets a forged length claim. Measured: 24.0 and 1.05e6.
+/// The most memory that reading takes, in bytes: so many for each byte of the input, where a list of one-byte integers has just
+/// outgrown its memory, and a megabyte, which the header's limit lets a forged length claim. Measured: 24.0 and 1.05e6.
 const READING: (usize, usize) = (25, 1_060_000);
 
-/// The same of what a table prepares when it is first looked up, and of the curve with its gradients. Measured: 365 for a low-rank table of
-/// many nodes, of which the header's limit allows 130,000, and 2.5e7 for noise on 60 decades of `a/t`, which has the finest pieces.
+/// The same of what a table prepares when it is first looked up, and of the curve with its gradients. Measured: 365 for a low-rank
+/// table of many nodes, of which the header's limit allows 130,000, and 2.5e7 for noise on 60 decades of `a/t`, which has the
+/// finest pieces.
 const LOOKING_UP: (usize, usize) = (370, 26_000_000);
 
 /// Reads packed bytes, and asserts that this takes little memory.

@@ -39,8 +39,8 @@ fn curve(material: &Material) -> Curve {
 proptest! {
     #![proptest_config(config(300))]
 
-    /// Load, penetration and stiffness of a wider contact are larger: `3 Pi0 + x Pi0'`, `2 Delta0 + x Delta0'` and `Eeq + x Eeq'` are
-    /// positive. The exact identities between them hold. Measured: to 4e-7.
+    /// Load, penetration and stiffness of a wider contact are larger: `3 Pi0 + x Pi0'`, `2 Delta0 + x Delta0'` and `Eeq + x Eeq'`
+    /// are positive. The exact identities between them hold. Measured: to 4e-7.
     #[test]
     fn a_wider_contact_bears_more_and_the_identities_hold(material in material(), x in magnitude(-3.0..=3.0)) {
         let curve = curve(&material);

@@ -29,7 +29,8 @@ pub fn dense() -> Table {
     Table::new(description(), axes(), [Some(values(1.0)), None, Some(values(2.0)), Some(values(0.7))]).expect("sound")
 }
 
-/// As many functions as nodes for each core of a low-rank form, which have the axes in this order: each is 1 at a node and 0 at the others.
+/// As many functions as nodes for each core of a low-rank form, which have the axes in this order: each is 1 at a node and 0 at the
+/// others.
 pub fn functions([a, e1, nu, e0]: [usize; 4]) -> [Vec<f64>; 4] {
     [e0, e1, nu, a].map(|n| (0..n * n).map(|i| if i % (n + 1) == 0 { 1.0 } else { 0.0 }).collect())
 }

@@ -10,9 +10,9 @@ use crate::certify::{certify, points_for};
 
 /// Compare a table with direct solves at fresh points
 ///
-/// Exit status 1 if the table does not hold what it says: if the largest error exceeds its tolerance, or its certified error where that is larger;
-/// or if the largest or the median error exceeds three times the certified one and a fiftieth of the tolerance, which is more than chance makes of other
-/// points. The latter takes 1000 points, here and in the certificate.
+/// Exit status 1 if the table does not hold what it says: if the largest error exceeds its tolerance, or its certified error where
+/// that is larger; or if the largest or the median error exceeds three times the certified one and a fiftieth of the tolerance,
+/// which is more than chance makes of other points. The latter takes 1000 points, here and in the certificate.
 #[derive(clap::Args)]
 pub struct Arguments {
     /// The table, HDF5 or packed

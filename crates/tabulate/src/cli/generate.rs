@@ -22,12 +22,14 @@ const DEFAULT_SCENE: &str = include_str!("../../../../tables/default.toml");
 
 /// Make the HDF5 table of a scene: choose the nodes, solve them, measure the accuracy
 ///
-/// The nodes are chosen so that the splines between them keep the tolerance. Then the table is compared with direct solves at other points, and
-/// what they say is stored in it; axes that hold too large an error get more nodes, and the table is made again. A table that still exceeds
-/// its tolerance, because the scene states its nodes or the budget is spent, is written, and the exit status is 1.
+/// The nodes are chosen so that the splines between them keep the tolerance. Then the table is compared with direct solves at other
+/// points, and what they say is stored in it; axes that hold too large an error get more nodes, and the table is made again. A
+/// table that still exceeds its tolerance, because the scene states its nodes or the budget is spent, is written, and the exit
+/// status is 1.
 ///
-/// Finished pieces are kept in TABLE.h5.unfinished until the table is complete, so that a run that was killed goes on with --resume. An
-/// existing table is not touched until then. In a scene the moduli are Young's moduli over the sphere's reduced modulus E2*, see `tabulate --help`.
+/// Finished pieces are kept in TABLE.h5.unfinished until the table is complete, so that a run that was killed goes on with
+/// --resume. An existing table is not touched until then. In a scene the moduli are Young's moduli over the sphere's reduced
+/// modulus E2*, see `tabulate --help`.
 #[derive(clap::Args)]
 pub struct Arguments {
     /// The scene; without one, the default four-parameter box
@@ -147,7 +149,8 @@ fn print_plan(scene: &Scene, certificate_points: usize) -> anyhow::Result<()> {
 
 /// What deflate leaves of the values.
 const COMPRESSED: f64 = 0.65;
-/// Memory besides that of the table, which is its values and a fifth of them: within a quarter of what is measured (`benches/scale.rs`).
+/// Memory besides that of the table, which is its values and a fifth of them: within a quarter of what is measured
+/// (`benches/scale.rs`).
 const PROGRAM: f64 = 20e6;
 /// Making the curve of a material, on one thread.
 const SECONDS_PER_CURVE: f64 = 3e-4;

@@ -14,8 +14,9 @@ use crate::{output, train};
 
 /// Convert an HDF5 table to the packed form that `interp` loads without HDF5
 ///
-/// Value for value, or with `--tolerance` in low-rank form, some 100 times smaller for four axes: it is compared with direct solves at points of its
-/// own, and holds what is measured as its certificate. If it cannot keep the tolerance nothing is written and the exit status is 1.
+/// Value for value, or with `--tolerance` in low-rank form, some 100 times smaller for four axes: it is compared with direct solves
+/// at points of its own, and holds what is measured as its certificate. If it cannot keep the tolerance nothing is written and the
+/// exit status is 1.
 #[derive(clap::Args)]
 pub struct Arguments {
     /// The HDF5 table
@@ -50,8 +51,8 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// How much of the room below the tolerance truncation may take at the nodes: the splines through its errors there are larger between them. Measured: 1.35
-/// times as large.
+/// How much of the room below the tolerance truncation may take at the nodes: the splines through its errors there are larger
+/// between them. Measured: 1.35 times as large.
 const SHARE: f64 = 0.6;
 /// How often the truncation error is halved before the tolerance is given up.
 const HALVINGS: u32 = 3;

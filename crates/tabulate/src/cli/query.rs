@@ -12,8 +12,9 @@ use crate::output;
 
 /// Look up every point of a CSV file in a table
 ///
-/// Prints the points with the interpolated pi0, eeq, gamma and delta0 and, as error, the table's certified relative error; beyond its a/t that of the
-/// expansion about the limit, where it keeps the table's tolerance. A point elsewhere outside the table is an error. The moduli are Young's moduli over the sphere's reduced modulus E2*, see `tabulate --help`.
+/// Prints the points with the interpolated pi0, eeq, gamma and delta0 and, as error, the table's certified relative error; beyond
+/// its a/t that of the expansion about the limit, where it keeps the table's tolerance. A point elsewhere outside the table is an
+/// error. The moduli are Young's moduli over the sphere's reduced modulus E2*, see `tabulate --help`.
 #[derive(clap::Args)]
 pub struct Arguments {
     /// The table, HDF5 or packed
@@ -26,8 +27,8 @@ pub struct Arguments {
     output: Option<PathBuf>,
     /// Print the derivatives too: d_pi0_d_a_over_t, d_pi0_d_e1_over_e2, ..., d_delta0_d_nu0
     ///
-    /// An empty field stands for a derivative that the table does not know, because its scene fixes a parameter. There are none beyond its a/t, and
-    /// none in a table without all four quantities.
+    /// An empty field stands for a derivative that the table does not know, because its scene fixes a parameter. There are none
+    /// beyond its a/t, and none in a table without all four quantities.
     #[arg(long)]
     gradient: bool,
 }

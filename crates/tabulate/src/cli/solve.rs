@@ -13,8 +13,8 @@ use crate::solve::solve;
 
 /// Solve the contact directly, at one point or at every point of a CSV file
 ///
-/// Prints pi0, eeq, gamma, delta0 and the estimated relative error. See `tabulate --help` for the meaning of the parameters; rows with
-/// e1_over_e2 = 0 are normalised by E1*, all others by E2*.
+/// Prints pi0, eeq, gamma, delta0 and the estimated relative error. See `tabulate --help` for the meaning of the parameters; rows
+/// with e1_over_e2 = 0 are normalised by E1*, all others by E2*.
 #[derive(clap::Args)]
 pub struct Arguments {
     /// Contact radius over film thickness
