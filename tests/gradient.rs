@@ -80,6 +80,7 @@ fn derivatives_of_the_quantities_are_those_of_direct_solves() {
         }
     }
     println!("in tolerances, with respect to a/t, E1, nu1, E0, nu0: {worst:.1?}");
+    // Measured: 1.4, 1.3, 24.5, 0.5, 2.3.
     assert!(worst.iter().all(|&worst| worst <= SHARE));
 }
 
@@ -114,6 +115,7 @@ fn derivatives_of_the_quantities_are_those_of_the_interpolant() {
         }
     }
     println!("largest difference {worst:.1e}");
+    // Measured: 3.4e-8, most of it the rounding of the differences: a lookup holds some of its numbers in single precision.
     assert!(worst <= 1e-7);
 }
 
@@ -202,6 +204,7 @@ fn derivatives_of_load_and_penetration_are_those_of_direct_solves() {
                 }
             }
         }
+        // Measured: 12.4, 3.7 and 2.5.
         println!("{}: largest difference {worst:.1} tolerances", table.description().title);
     }
 }
