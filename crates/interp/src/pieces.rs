@@ -1,10 +1,9 @@
 //! Polynomial pieces over `x = a/t`, found and entered by the bits of `x`.
 //!
 //! Every octave of `y`, which is `x` but for a factor, is cut into `2^bits` pieces of equal length, as many as it needs. The
-//! exponent of `y` and the first
-//! `bits` of its mantissa are then the number of the piece, and the rest of the mantissa is the place on it: no logarithm, no
-//! search. Within a piece each quantity is a polynomial in the place `t` from -1 to 1, the exponential of another one that is
-//! linear in the coefficients of the spline.
+//! exponent of `y` and the first `bits` of its mantissa are then the number of the piece, and the rest of the mantissa is the
+//! place on it: no logarithm, no search. Within a piece each quantity is a polynomial in the place `t` from -1 to 1, the
+//! exponential of another one that is linear in the coefficients of the spline.
 
 use std::borrow::Cow;
 use std::ops::RangeInclusive;

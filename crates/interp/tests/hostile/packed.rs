@@ -2,7 +2,7 @@
 //! theirs.
 
 use allocation_counter::measure;
-use interp::{Error, Table};
+use interp::{Elastic, Error, Quantity, System, Table};
 
 use crate::tables::{self, PREFIX, look_up, with_prefix};
 
@@ -142,6 +142,26 @@ fn looking_up_takes_little_memory() {
             }
         }
     }
+}
+
+/// Fitting code asks in its innermost loop.
+#[test]
+fn a_contact_that_is_made_answers_without_allocating() {
+    let substrate = Elastic::new(2e11, 0.25).expect("physical");
+    let film = Elastic::new(3.5e6, 0.5).expect("physical");
+    let system = System { sphere_radius: 1e-3, sphere_modulus: 2e6, film, film_thickness: 1e-5, substrate };
+    let contact = Table::embedded().contact_with_gradient(&system).expect("inside");
+    let curve = contact.curve().expect("on a film");
+    let (radii, mut loads) = ([4e-5, 6.5e-5], [0.0; 2]);
+    let allocated = measure(|| {
+        curve.quantities_and_slopes(6.5).expect("inside");
+        curve.quantity_at_all(Quantity::Eeq, &[1.0, 1e-5], &mut [0.0; 2]).expect("inside or beyond");
+        contact.load_and_penetration(6.5e-5, 0.04).expect("inside");
+        contact.load_at_all(&radii, 0.04, &mut loads).expect("inside");
+        contact.gradient(6.5e-5, 0.04).expect("inside");
+        contact.energy_release_rate_at_load(6.5e-5, 0.0).expect("inside");
+    });
+    assert_eq!(allocated.count_total, 0);
 }
 
 #[test]
