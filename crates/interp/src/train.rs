@@ -8,7 +8,9 @@
 
 use std::array;
 use std::f64::consts::PI;
-use std::ops::{Add, AddAssign, Mul};
+
+use fearless_simd::prelude::*;
+use fearless_simd::{Level, dispatch, f32x16, f64x8};
 
 use crate::low_rank::LowRank;
 use crate::rows::add_rows;
@@ -20,10 +22,8 @@ use crate::spline::{Basis, LARGEST_DEGREE, Weights};
 const NEGLIGIBLE: f64 = 1e-4;
 const ROUNDING: f64 = 1e-6;
 
-/// The columns of a block in double and in single precision: two sums of them take half of the sixteen registers that every x86-64
-/// has.
-const DOUBLE: usize = 8;
-const SINGLE: usize = 16;
+/// The columns of a block in single precision; in double precision they are half as many.
+const COLUMNS: usize = 16;
 
 /// The most functions on an interval.
 const MOST: usize = LARGEST_DEGREE + 1;
@@ -72,14 +72,15 @@ struct Functions {
 #[derive(Clone, Debug)]
 struct Rows {
     length: usize,
-    double: Columns<f64, DOUBLE>,
-    single: Columns<f32, SINGLE>,
+    double: Columns<f64>,
+    single: Columns<f32>,
 }
 
-/// Rows in blocks of so many columns, the last one filled up with zeros: sums over a block stay in registers.
+/// Rows in blocks of 512 bits' columns, the last one filled up with zeros: sums over a block stay in registers. A block holds its
+/// part of each row, one after the other.
 #[derive(Clone, Debug)]
-struct Columns<T, const WIDTH: usize> {
-    blocks: Vec<[T; WIDTH]>,
+struct Columns<T> {
+    blocks: Vec<T>,
     rows: usize,
 }
 
@@ -110,27 +111,41 @@ impl Train {
     }
 
     /// The coefficients over `ln(a/t)` at a material, from the splines of `e1_over_e2`, `nu1` and `e0_over_e2` there.
-    pub(crate) fn at(&self, [e1, nu, e0]: &[Weights; 3]) -> Vec<f64> {
-        let mut vector = vec![1.0];
-        for (carriage, weights) in self.carriages.iter().zip([e0, e1, nu]) {
-            let interval = &carriage.intervals[weights.first];
-            vector = carriage.after(interval, &vector, &interval.functions.at(&weights.values));
-        }
-        self.last.sum(&vector)
+    pub(crate) fn at(&self, weights: &[Weights; 3]) -> Vec<f64> {
+        dispatch!(Level::new(), simd => self.value(simd, weights))
     }
 
     /// The same, followed by the derivatives with respect to the three coordinates.
-    pub(crate) fn with_slopes(&self, [e1, nu, e0]: &[Weights; 3]) -> [Vec<f64>; 4] {
+    pub(crate) fn with_slopes(&self, weights: &[Weights; 3]) -> [Vec<f64>; 4] {
+        dispatch!(Level::new(), simd => self.value_and_slopes(simd, weights))
+    }
+
+    #[inline(always)]
+    fn value<S: Simd>(&self, simd: S, [e1, nu, e0]: &[Weights; 3]) -> Vec<f64> {
+        let mut vector = vec![1.0];
+        for (carriage, weights) in self.carriages.iter().zip([e0, e1, nu]) {
+            let interval = &carriage.intervals[weights.first];
+            vector = carriage.after(simd, interval, &vector, &interval.functions.at(&weights.values));
+        }
+        self.last.sum(simd, &vector)
+    }
+
+    #[inline(always)]
+    fn value_and_slopes<S: Simd>(&self, simd: S, [e1, nu, e0]: &[Weights; 3]) -> [Vec<f64>; 4] {
         // The vector, and its derivatives with respect to the coordinates so far.
         let mut vectors = vec![vec![1.0]];
         for (carriage, weights) in self.carriages.iter().zip([e0, e1, nu]) {
             let interval = &carriage.intervals[weights.first];
             let [values, slopes] = [weights.values, weights.slopes].map(|splines| interval.functions.at(&splines));
-            let by_this = carriage.after(interval, &vectors[0], &slopes);
-            vectors.iter_mut().for_each(|vector| *vector = carriage.after(interval, vector, &values));
+            let by_this = carriage.after(simd, interval, &vectors[0], &slopes);
+            for vector in &mut vectors {
+                *vector = carriage.after(simd, interval, vector, &values);
+            }
             vectors.push(by_this);
         }
-        [0, 2, 3, 1].map(|i| self.last.sum(&vectors[i]))
+        let [value, by_e0, by_e1, by_nu] = &vectors[..] else { unreachable!("one for each axis and one more") };
+        // Written out, because only what is inlined is compiled for the instructions at hand, and a closure may not be.
+        [self.last.sum(simd, value), self.last.sum(simd, by_e1), self.last.sum(simd, by_nu), self.last.sum(simd, by_e0)]
     }
 }
 
@@ -142,12 +157,13 @@ fn precise(weights: &[f64], tolerance: f64) -> usize {
 
 impl Carriage {
     /// The vector after a core, from that before it.
-    fn after(&self, interval: &Interval, before: &[f64], functions: &[f64; MOST]) -> Vec<f64> {
+    #[inline(always)]
+    fn after<S: Simd>(&self, simd: S, interval: &Interval, before: &[f64], functions: &[f64; MOST]) -> Vec<f64> {
         let mut weights = Vec::with_capacity(before.len() * MOST);
         for (entry, &count) in before.iter().zip(&interval.needed) {
             weights.extend(functions[..count].iter().map(|value| entry * value));
         }
-        let mut after = interval.rows.sum(&weights);
+        let mut after = interval.rows.sum(simd, &weights);
         after.iter_mut().zip(&self.scales).for_each(|(entry, scale)| *entry *= scale);
         after
     }
@@ -258,65 +274,65 @@ impl Rows {
         let (double, single) = rows.split_at(double * length);
         Self {
             length,
-            double: Columns::new(double, length, |entry| entry),
-            single: Columns::new(single, length, |entry| entry as f32),
+            double: Columns::new(double, length, COLUMNS / 2, |entry| entry),
+            single: Columns::new(single, length, COLUMNS, |entry| entry as f32),
         }
     }
 
     /// The weighted sum.
-    fn sum(&self, weights: &[f64]) -> Vec<f64> {
+    #[inline(always)]
+    fn sum<S: Simd>(&self, simd: S, weights: &[f64]) -> Vec<f64> {
         let (double, single) = weights.split_at(self.double.rows);
         let single: Vec<f32> = single.iter().map(|&weight| weight as f32).collect();
-        let mut sum = vec![0.0; self.length.next_multiple_of(SINGLE)];
-        self.double.add_to(&mut sum, double);
-        self.single.add_to(&mut sum, &single);
+        let mut sum = vec![0.0; self.length.next_multiple_of(COLUMNS)];
+        for (sum, block) in sum.chunks_exact_mut(COLUMNS / 2).zip(self.double.blocks(COLUMNS / 2)) {
+            block_sum::<S, f64x8<S>>(simd, block, double).store_slice(sum);
+        }
+        for (sum, block) in sum.chunks_exact_mut(COLUMNS).zip(self.single.blocks(COLUMNS)) {
+            let rest = block_sum::<S, f32x16<S>>(simd, block, &single);
+            sum.iter_mut().zip(rest.as_slice()).for_each(|(sum, &entry)| *sum += f64::from(entry));
+        }
         sum.truncate(self.length);
         sum
     }
 }
 
-impl<T, const WIDTH: usize> Columns<T, WIDTH>
-where
-    T: Copy + Default + Add<Output = T> + Mul<Output = T> + AddAssign + Into<f64>,
-{
-    fn new(rows: &[f64], length: usize, entry: impl Fn(f64) -> T) -> Self {
-        let mut blocks = Vec::with_capacity(length.div_ceil(WIDTH) * rows.len() / length);
-        for first in (0..length).step_by(WIDTH) {
+impl<T: Copy + Default> Columns<T> {
+    fn new(rows: &[f64], length: usize, width: usize, entry: impl Fn(f64) -> T) -> Self {
+        let mut blocks = Vec::with_capacity(length.next_multiple_of(width) * rows.len() / length);
+        for first in (0..length).step_by(width) {
             for row in rows.chunks_exact(length) {
-                let mut block = [T::default(); WIDTH];
-                block.iter_mut().zip(&row[first..]).for_each(|(place, &value)| *place = entry(value));
-                blocks.push(block);
+                let part = row[first..].iter().take(width);
+                blocks.extend(part.map(|&value| entry(value)));
+                blocks.resize(blocks.len().next_multiple_of(width), T::default());
             }
         }
         Self { blocks, rows: rows.len() / length }
     }
 
-    /// Adds the weighted sum of the rows.
-    fn add_to(&self, sum: &mut [f64], weights: &[T]) {
-        for (sum, block) in sum.chunks_exact_mut(WIDTH).zip(self.blocks.chunks_exact(self.rows.max(1))) {
-            sum.iter_mut().zip(block_sum(block, weights)).for_each(|(sum, entry)| *sum += entry.into());
-        }
+    /// Of so many columns each; none if there is no row.
+    fn blocks(&self, width: usize) -> impl Iterator<Item = &[T]> {
+        self.blocks.chunks_exact((self.rows * width).max(1))
     }
 }
 
-/// The weighted sum of the rows of a block. Two at once, because a sum cannot begin before the one before it has ended; and not
-/// inlined, because what becomes of the sum would decide how it is made, two numbers at a time instead of four.
-#[inline(never)]
-fn block_sum<T, const WIDTH: usize>(block: &[[T; WIDTH]], weights: &[T]) -> [T; WIDTH]
+/// The weighted sum of the rows of a block. Two at once, because a sum cannot begin before the one before it has ended.
+#[inline(always)]
+fn block_sum<S: Simd, V: SimdFloat<S>>(simd: S, block: &[V::Element], weights: &[V::Element]) -> V
 where
-    T: Copy + Default + Add<Output = T> + Mul<Output = T> + AddAssign,
+    V::Element: Default,
 {
-    let (mut even, mut odd) = ([T::default(); WIDTH], [T::default(); WIDTH]);
-    let ((rows, last_row), (pairs, last)) = (block.as_chunks::<2>(), weights.as_chunks::<2>());
-    for ([a, b], &[p, q]) in rows.iter().zip(pairs) {
-        for i in 0..WIDTH {
-            even[i] += p * a[i];
-            odd[i] += q * b[i];
-        }
+    let zero = V::splat(simd, V::Element::default());
+    let (mut even, mut odd) = (zero, zero);
+    let mut pairs = block.chunks_exact(2 * V::LEN);
+    let (two, last) = weights.as_chunks::<2>();
+    for (rows, &[p, q]) in (&mut pairs).zip(two) {
+        let (a, b) = rows.split_at(V::LEN);
+        even = V::from_slice(simd, a).mul_add(V::splat(simd, p), even);
+        odd = V::from_slice(simd, b).mul_add(V::splat(simd, q), odd);
     }
-    for (row, &weight) in last_row.iter().zip(last) {
-        (0..WIDTH).for_each(|i| even[i] += weight * row[i]);
+    if let [weight] = last {
+        even = V::from_slice(simd, pairs.remainder()).mul_add(V::splat(simd, *weight), even);
     }
-    (0..WIDTH).for_each(|i| even[i] += odd[i]);
-    even
+    even + odd
 }
