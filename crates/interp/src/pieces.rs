@@ -10,7 +10,7 @@ use std::ops::RangeInclusive;
 use std::sync::Arc;
 
 use fearless_simd::prelude::*;
-use fearless_simd::{Level, dispatch, f64x4};
+use fearless_simd::{Level, dispatch, f64x2, f64x4};
 
 use crate::Quantity;
 use crate::schema::Parameter;
@@ -133,19 +133,49 @@ pub(crate) fn one<const N: usize>(piece: &[Four; N], place: Place, quantity: usi
     (0..N / 2 - 1).rev().fold(pair(N - 2), |sum, k| sum * square + pair(2 * k))
 }
 
+/// The same, with the fused operations that a processor may have.
+#[inline(always)]
+pub(crate) fn one_fused<S: Simd, const N: usize>(simd: S, piece: &[Four; N], place: Place, quantity: usize) -> f64 {
+    let number = |value: f64| f64x2::splat(simd, value);
+    let (t, square) = (number(place.t), number(place.t * place.t));
+    let pair = |k: usize| t.mul_add(number(piece[k + 1][quantity]), number(piece[k][quantity]));
+    let mut sum = pair(N - 2);
+    for k in (0..N / 2 - 1).rev() {
+        sum = sum.mul_add(square, pair(2 * k));
+    }
+    sum[0]
+}
+
 /// The same for all four quantities.
 #[inline]
 pub(crate) fn all<const N: usize>(piece: &[Four; N], place: Place) -> Four {
     std::array::from_fn(|quantity| one(piece, place, quantity))
 }
 
+/// The first piece on which one of the quantities held may leave a range, and that quantity.
+pub(crate) fn first_outside<'a>(
+    range: &RangeInclusive<f64>,
+    pieces: &'a [Values],
+    held: [bool; 4],
+) -> Option<(&'a Values, Quantity)> {
+    pieces.iter().find_map(|piece| {
+        // On most pieces the size of the coefficients says that none does.
+        let mut sizes = [0.0; 4];
+        for coefficients in &piece[1..] {
+            (0..4).for_each(|quantity| sizes[quantity] += coefficients[quantity].abs());
+        }
+        let mut leaving = Quantity::ALL.into_iter().filter(|&quantity| {
+            let (middle, size) = (piece[0][quantity as usize], sizes[quantity as usize]);
+            let sure = range.contains(&(middle - size)) && range.contains(&(middle + size));
+            held[quantity as usize] && !sure && !stays_within(range, piece, quantity as usize)
+        });
+        leaving.next().map(|quantity| (piece, quantity))
+    })
+}
+
 /// Whether a quantity stays within a range everywhere on a piece: then so do its Bernstein coefficients on a sound curve, of which
-/// the polynomial is a weighted mean. On most pieces the size of its coefficients says so already.
-pub(crate) fn stays_within(range: &RangeInclusive<f64>, piece: &Values, quantity: usize) -> bool {
-    let size: f64 = piece[1..].iter().map(|coefficients| coefficients[quantity].abs()).sum();
-    if range.contains(&(piece[0][quantity] - size)) && range.contains(&(piece[0][quantity] + size)) {
-        return true;
-    }
+/// the polynomial is a weighted mean.
+fn stays_within(range: &RangeInclusive<f64>, piece: &Values, quantity: usize) -> bool {
     let choose = |n: usize, k: usize| (0..k).fold(1.0, |product, i| product * (n - i) as f64 / (i + 1) as f64);
     // Powers of `u = (t + 1)/2`, from 0 to 1.
     let power = |m: usize| {
@@ -249,7 +279,7 @@ impl Resampler {
                 *sum = coefficients.mul_add(f64x4::splat(simd, weight), *sum);
             }
         }
-        logarithms[0] = logarithms[0] + common;
+        logarithms[0] += common;
         logarithms
     }
 
@@ -351,14 +381,14 @@ fn lagrange(places: [f64; LOGARITHM]) -> [[f64; LOGARITHM]; LOGARITHM] {
 fn exponential<S: Simd>(simd: S, logarithms: [f64x4<S>; LOGARITHM], scales: Four, values: &mut Values) {
     let mut slopes = logarithms;
     for (j, slope) in slopes.iter_mut().enumerate() {
-        *slope = *slope * j as f64;
+        *slope *= j as f64;
     }
     let mut sums = [f64x4::splat(simd, 0.0); VALUE];
     let constant = logarithms[0].as_array();
     sums[0] = f64x4::simd_from(simd, std::array::from_fn(|q| scales[q] * constant[q].exp()));
     for k in 0..VALUE {
         if k > 0 {
-            sums[k] = sums[k] * (1.0 / k as f64);
+            sums[k] *= 1.0 / k as f64;
         }
         sums[k].store_slice(&mut values[k]);
         for j in 1..LOGARITHM.min(VALUE - k) {
