@@ -5,6 +5,7 @@ mod curve;
 mod generate;
 mod info;
 mod pack;
+mod plot;
 mod points;
 mod query;
 mod solve;
@@ -44,6 +45,7 @@ enum Command {
     Check(check::Arguments),
     Pack(pack::Arguments),
     Unpack(unpack::Arguments),
+    Plot(plot::Arguments),
 }
 
 /// Runs the program on the process's arguments. Exit status 0, 1 (the work failed) or 2 (usage).
@@ -57,6 +59,7 @@ pub fn run() -> ExitCode {
         Command::Check(arguments) => check::run(&arguments),
         Command::Pack(arguments) => pack::run(&arguments),
         Command::Unpack(arguments) => unpack::run(&arguments),
+        Command::Plot(arguments) => plot::run(&arguments),
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,
