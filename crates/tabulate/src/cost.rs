@@ -5,6 +5,7 @@
 
 pub mod clock;
 pub mod error;
+pub mod nystrom;
 pub mod solve;
 
 use std::path::Path;
