@@ -6,6 +6,7 @@ mod curve;
 mod generate;
 mod info;
 mod pack;
+mod plot;
 mod points;
 mod query;
 mod solve;
@@ -46,6 +47,7 @@ enum Command {
     Cost(cost::Arguments),
     Pack(pack::Arguments),
     Unpack(unpack::Arguments),
+    Plot(plot::Arguments),
 }
 
 /// Runs the program on the process's arguments. Exit status 0, 1 (the work failed) or 2 (usage).
@@ -60,6 +62,7 @@ pub fn run() -> ExitCode {
         Command::Cost(arguments) => cost::run(&arguments),
         Command::Pack(arguments) => pack::run(&arguments),
         Command::Unpack(arguments) => unpack::run(&arguments),
+        Command::Plot(arguments) => plot::run(&arguments),
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,

@@ -6,8 +6,7 @@
 //! ```
 //!
 //! Data flows one way along this line, and each word is a module here or, from the table on, in the crate `interp`. [`curve`] makes
-//! the
-//! [`interp::Curve`] of one material without a table, and [`generate`] goes from a scene to the file of its table.
+//! the [`interp::Curve`] of one material without a table, [`generate`] goes from a scene to the file of its table, and [`plot`] draws.
 
 #![deny(unsafe_code)]
 
@@ -28,6 +27,7 @@ mod journal;
 mod krylov;
 mod output;
 pub mod plan;
+pub mod plot;
 mod quadrature;
 pub mod scene;
 pub mod solve;
