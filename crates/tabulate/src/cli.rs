@@ -1,6 +1,7 @@
 //! The command line: one module per subcommand.
 
 mod check;
+mod cost;
 mod curve;
 mod generate;
 mod info;
@@ -42,6 +43,7 @@ enum Command {
     Curve(curve::Arguments),
     Info(info::Arguments),
     Check(check::Arguments),
+    Cost(cost::Arguments),
     Pack(pack::Arguments),
     Unpack(unpack::Arguments),
 }
@@ -55,6 +57,7 @@ pub fn run() -> ExitCode {
         Command::Curve(arguments) => curve::run(&arguments),
         Command::Info(arguments) => info::run(&arguments),
         Command::Check(arguments) => check::run(&arguments),
+        Command::Cost(arguments) => cost::run(&arguments),
         Command::Pack(arguments) => pack::run(&arguments),
         Command::Unpack(arguments) => unpack::run(&arguments),
     };

@@ -19,6 +19,7 @@ pub mod certify;
 pub mod cli;
 pub mod compliance;
 mod contour;
+pub mod cost;
 pub mod curve;
 mod error;
 mod galerkin;
