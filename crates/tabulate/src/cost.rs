@@ -4,8 +4,10 @@
 //! kind of processor, two runs differ in their times alone.
 
 pub mod clock;
+pub mod effects;
 pub mod error;
 pub mod solve;
+pub mod table;
 
 use std::path::Path;
 
