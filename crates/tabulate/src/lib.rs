@@ -26,6 +26,7 @@ pub mod generate;
 mod journal;
 mod krylov;
 mod output;
+pub mod pack;
 pub mod plan;
 pub mod plot;
 mod quadrature;

@@ -1,6 +1,8 @@
 //! `tabulate cost`
 
+mod effects;
 mod solve;
+mod table;
 
 use std::path::Path;
 
@@ -23,11 +25,15 @@ pub struct Arguments {
 #[derive(Subcommand)]
 enum Of {
     Solve(solve::Arguments),
+    Table(table::Arguments),
+    Effects(effects::Arguments),
 }
 
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     match &arguments.of {
         Of::Solve(arguments) => solve::run(arguments),
+        Of::Table(arguments) => table::run(arguments),
+        Of::Effects(arguments) => effects::run(arguments),
     }
 }
 
