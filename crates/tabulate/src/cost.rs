@@ -5,6 +5,7 @@
 
 pub mod clock;
 pub mod error;
+pub mod lookup;
 pub mod solve;
 
 use std::path::Path;

@@ -1,5 +1,6 @@
 //! `tabulate cost`
 
+mod lookup;
 mod solve;
 
 use std::path::Path;
@@ -23,11 +24,13 @@ pub struct Arguments {
 #[derive(Subcommand)]
 enum Of {
     Solve(solve::Arguments),
+    Lookup(lookup::Arguments),
 }
 
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     match &arguments.of {
         Of::Solve(arguments) => solve::run(arguments),
+        Of::Lookup(arguments) => lookup::run(arguments),
     }
 }
 
