@@ -11,6 +11,7 @@
 #![deny(unsafe_code)]
 
 mod answer;
+pub mod approximations;
 pub mod archive;
 mod bessel;
 mod bindings;
