@@ -7,6 +7,7 @@ mod info;
 mod pack;
 mod points;
 mod query;
+mod report;
 mod solve;
 mod unpack;
 
@@ -39,6 +40,7 @@ enum Command {
     Generate(generate::Arguments),
     Solve(solve::Arguments),
     Query(query::Arguments),
+    Report(report::Arguments),
     Curve(curve::Arguments),
     Info(info::Arguments),
     Check(check::Arguments),
@@ -52,6 +54,7 @@ pub fn run() -> ExitCode {
         Command::Generate(arguments) => generate::run(&arguments),
         Command::Solve(arguments) => solve::run(&arguments),
         Command::Query(arguments) => query::run(&arguments),
+        Command::Report(arguments) => report::run(&arguments),
         Command::Curve(arguments) => curve::run(&arguments),
         Command::Info(arguments) => info::run(&arguments),
         Command::Check(arguments) => check::run(&arguments),

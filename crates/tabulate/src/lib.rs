@@ -28,6 +28,7 @@ mod krylov;
 mod output;
 pub mod plan;
 mod quadrature;
+pub mod report;
 pub mod scene;
 pub mod solve;
 pub mod sweep;
