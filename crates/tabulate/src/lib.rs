@@ -31,6 +31,7 @@ pub mod pack;
 pub mod plan;
 pub mod plot;
 mod quadrature;
+pub mod report;
 pub mod scene;
 pub mod solve;
 pub mod sweep;
