@@ -115,7 +115,7 @@ fn places(preferred: Side) -> Vec<Place> {
         let slides = if matches!(side, Side::Right | Side::Left) { &SLIDES[..] } else { &SLIDES[..1] };
         for (i, &distance) in DISTANCES.iter().enumerate() {
             for (j, &down) in slides.iter().enumerate() {
-                places.push((2 * side.turns(preferred) + i + j.div_ceil(2), Place { side, distance, down }));
+                places.push((4 * side.turns(preferred) + i + j.div_ceil(2), Place { side, distance, down }));
             }
         }
     }
