@@ -11,6 +11,7 @@
 #![deny(unsafe_code)]
 
 mod answer;
+pub mod approximations;
 pub mod archive;
 mod bessel;
 mod bindings;
@@ -18,6 +19,7 @@ pub mod certify;
 pub mod cli;
 pub mod compliance;
 mod contour;
+pub mod cost;
 pub mod curve;
 mod error;
 mod galerkin;
@@ -25,9 +27,11 @@ pub mod generate;
 mod journal;
 mod krylov;
 mod output;
+pub mod pack;
 pub mod plan;
 pub mod plot;
 mod quadrature;
+pub mod report;
 pub mod scene;
 pub mod solve;
 pub mod sweep;
