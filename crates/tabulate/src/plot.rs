@@ -13,6 +13,7 @@ pub mod force_displacement;
 mod labels;
 pub mod paper;
 pub mod picture;
+pub mod work_precision;
 
 use plotters::drawing::DrawingAreaErrorKind;
 
