@@ -53,7 +53,8 @@ fn nystroms_method_converges_to_values_from_elsewhere() {
     }
     println!("{count} contacts: at most {worst:.1e}");
     assert!(count >= 20);
-    assert!(worst <= 1e-10);
+    // Measured: 1.0e-13, a soft film at a/t = 10.
+    assert!(worst <= 2e-12);
 }
 
 #[test]

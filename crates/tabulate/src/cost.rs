@@ -6,6 +6,7 @@
 pub mod clock;
 pub mod effects;
 pub mod error;
+pub mod lookup;
 pub mod nystrom;
 pub mod solve;
 pub mod table;

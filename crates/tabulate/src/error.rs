@@ -150,6 +150,9 @@ pub enum Error {
         /// The reason.
         source: io::Error,
     },
+    /// A picture that cannot be drawn.
+    #[error("cannot draw: {0}")]
+    Picture(String),
     /// A failure of the table or of its parameters.
     #[error(transparent)]
     Table(#[from] interp::Error),

@@ -1,6 +1,7 @@
 //! `tabulate cost`
 
 mod effects;
+mod lookup;
 mod solve;
 mod table;
 
@@ -26,6 +27,7 @@ pub struct Arguments {
 enum Of {
     Solve(solve::Arguments),
     Table(table::Arguments),
+    Lookup(lookup::Arguments),
     Effects(effects::Arguments),
 }
 
@@ -33,6 +35,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     match &arguments.of {
         Of::Solve(arguments) => solve::run(arguments),
         Of::Table(arguments) => table::run(arguments),
+        Of::Lookup(arguments) => lookup::run(arguments),
         Of::Effects(arguments) => effects::run(arguments),
     }
 }
