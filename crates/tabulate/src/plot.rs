@@ -15,6 +15,7 @@ mod labels;
 pub mod paper;
 pub mod picture;
 pub mod table_cost;
+pub mod work_precision;
 
 use plotters::drawing::DrawingAreaErrorKind;
 

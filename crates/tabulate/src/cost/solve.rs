@@ -191,6 +191,21 @@ pub fn fastest<'a>(rows: &'a [Row], error: f64, wanted: impl Fn(&str) -> bool) -
     enough.min_by(|a, b| a.seconds.total_cmp(&b.seconds))
 }
 
+/// The rows with an error that no faster one comes below, of the methods that are `wanted`: the fastest first.
+pub fn front(rows: &[Row], wanted: impl Fn(&str) -> bool) -> Vec<&Row> {
+    let mut answered: Vec<(f64, &Row)> =
+        rows.iter().filter(|row| wanted(&row.method)).filter_map(|row| Some((row.error?, row))).collect();
+    answered.sort_by(|(_, a), (_, b)| a.seconds.total_cmp(&b.seconds));
+    let mut smallest = f64::INFINITY;
+    answered.retain(|(error, _)| {
+        *error < smallest && {
+            smallest = *error;
+            true
+        }
+    });
+    answered.into_iter().map(|(_, row)| row).collect()
+}
+
 /// The rows in short, as Markdown: the paper's material, harder contacts, and Nyström's method against the solve.
 pub fn markdown(rows: &[Row]) -> String {
     let (paper, harder): (Vec<&[Row]>, Vec<&[Row]>) = by_contact(rows).partition(|rows| rows[0].contact == PAPER);
