@@ -226,7 +226,7 @@ impl Made {
 const POINTS: usize = 300;
 const SEED: u64 = 6;
 /// Time spent on each kind of evaluation, but for one pass over all points, in seconds.
-const PATIENCE: f64 = 0.3;
+const PATIENCE: f64 = 0.1;
 
 /// The mean times (s) of a direct solve to the scene's tolerance, of making the curve of a material, and of a point on a curve.
 fn evaluations(scene: &Scene, table: &Table) -> Result<[f64; 3], Error> {
@@ -312,6 +312,7 @@ pub(crate) fn human_count(count: f64) -> String {
 pub(crate) fn human_bytes(bytes: u64) -> String {
     match bytes as f64 {
         bytes @ ..1e3 => format!("{bytes} bytes"),
+        bytes @ ..1e4 => format!("{:.1} kB", 1e-3 * bytes),
         bytes @ ..1e6 => format!("{:.0} kB", 1e-3 * bytes),
         bytes => format!("{:.1} MB", 1e-6 * bytes),
     }
