@@ -6,8 +6,10 @@ mod curve;
 mod generate;
 mod info;
 mod pack;
+mod plot;
 mod points;
 mod query;
+mod report;
 mod solve;
 mod unpack;
 
@@ -40,12 +42,14 @@ enum Command {
     Generate(generate::Arguments),
     Solve(solve::Arguments),
     Query(query::Arguments),
+    Report(report::Arguments),
     Curve(curve::Arguments),
     Info(info::Arguments),
     Check(check::Arguments),
     Cost(cost::Arguments),
     Pack(pack::Arguments),
     Unpack(unpack::Arguments),
+    Plot(plot::Arguments),
 }
 
 /// Runs the program on the process's arguments. Exit status 0, 1 (the work failed) or 2 (usage).
@@ -54,12 +58,14 @@ pub fn run() -> ExitCode {
         Command::Generate(arguments) => generate::run(&arguments),
         Command::Solve(arguments) => solve::run(&arguments),
         Command::Query(arguments) => query::run(&arguments),
+        Command::Report(arguments) => report::run(&arguments),
         Command::Curve(arguments) => curve::run(&arguments),
         Command::Info(arguments) => info::run(&arguments),
         Command::Check(arguments) => check::run(&arguments),
         Command::Cost(arguments) => cost::run(&arguments),
         Command::Pack(arguments) => pack::run(&arguments),
         Command::Unpack(arguments) => unpack::run(&arguments),
+        Command::Plot(arguments) => plot::run(&arguments),
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,

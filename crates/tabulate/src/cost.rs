@@ -4,9 +4,12 @@
 //! kind of processor, two runs differ in their times alone.
 
 pub mod clock;
+pub mod effects;
 pub mod error;
 pub mod lookup;
+pub mod nystrom;
 pub mod solve;
+pub mod table;
 
 use std::path::Path;
 

@@ -1,10 +1,11 @@
 //! The project's own commands, run as `cargo xtask COMMAND`.
 //!
 //! They need Rust, a C compiler and python3, and fetch the rest (cmake for libhdf5, h5py for one test, scipy for two benches) from
-//! PyPI into the target directory.
+//! PyPI into the target directory. The tests of the report run in Chromium, which is installed with apt-get where that is possible.
 
 #![forbid(unsafe_code)]
 
+mod browser;
 mod hdf5;
 mod python;
 mod tables;
@@ -69,7 +70,9 @@ fn table(args: &[String]) -> Result<(), String> {
 fn test(args: &[String]) -> Result<(), String> {
     let mut command = vec!["test", "--release", "--workspace"];
     command.extend(args.iter().map(String::as_str));
-    succeed(hdf5::cargo(&command)?.env("H5PY_PATH", python::package("h5py", H5PY)?))
+    let mut cargo = hdf5::cargo(&command)?;
+    cargo.env("H5PY_PATH", python::package("h5py", H5PY)?).envs(browser::chromium().map(|path| ("CHROMIUM", path)));
+    succeed(&mut cargo)
 }
 
 /// The h5py versions that one test of the HDF5 file is known to pass with.

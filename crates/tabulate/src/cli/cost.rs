@@ -1,7 +1,9 @@
 //! `tabulate cost`
 
+mod effects;
 mod lookup;
 mod solve;
+mod table;
 
 use std::path::Path;
 
@@ -24,13 +26,17 @@ pub struct Arguments {
 #[derive(Subcommand)]
 enum Of {
     Solve(solve::Arguments),
+    Table(table::Arguments),
     Lookup(lookup::Arguments),
+    Effects(effects::Arguments),
 }
 
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     match &arguments.of {
         Of::Solve(arguments) => solve::run(arguments),
+        Of::Table(arguments) => table::run(arguments),
         Of::Lookup(arguments) => lookup::run(arguments),
+        Of::Effects(arguments) => effects::run(arguments),
     }
 }
 

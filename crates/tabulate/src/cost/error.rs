@@ -16,7 +16,8 @@ pub fn tightest(a_over_t: f64, material: &Material) -> Result<Solution, crate::E
         .map_or_else(|| solve(a_over_t, material, 1e-9), Ok)
 }
 
-/// The largest of the four relative deviations; what is less than half a unit of rounding counts as that.
+/// The largest of the four relative deviations, NaN if one is; what is less than half a unit of rounding counts as that.
 pub fn deviation(a: &Quantities, b: &Quantities) -> f64 {
-    a.to_array().iter().zip(b.to_array()).map(|(a, b)| (a / b - 1.0).abs()).fold(0.5 * f64::EPSILON, f64::max)
+    let deviations = a.to_array().into_iter().zip(b.to_array()).map(|(a, b)| (a / b - 1.0).abs());
+    deviations.fold(0.5 * f64::EPSILON, |a, b| if a.is_nan() || b <= a { a } else { b })
 }

@@ -2,8 +2,9 @@
 
 use std::path::PathBuf;
 
+use super::super::progress_bar;
 use super::report;
-use crate::cost::solve::{markdown, measure};
+use crate::cost::solve::{contacts, markdown, measure};
 use crate::output;
 
 /// One solve: error against time, beside a plain dense Nystrom solve
@@ -16,6 +17,8 @@ pub struct Arguments {
 
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     output::check(arguments.output.as_deref(), None)?;
-    let rows = measure();
+    let bar = progress_bar(contacts().len(), "measuring");
+    let rows = measure(&|| bar.inc(1));
+    bar.finish_and_clear();
     report(arguments.output.as_deref(), &rows, &markdown(&rows))
 }
