@@ -10,12 +10,10 @@ mod linear;
 
 use interp::schema::Parameter;
 use interp::{Material, Table};
-use rand::{RngExt, SeedableRng};
-use rand_pcg::Pcg64Mcg;
 use serde::{Deserialize, Serialize};
 
 use super::clock::human;
-use crate::Error;
+use crate::{Error, scene};
 
 /// What a form of lookup rests on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -70,10 +68,10 @@ const SOLVED: usize = 200;
 /// Of each time, what it may take to measure it.
 const SECONDS: f64 = 0.1;
 
-/// What every form does.
-const NEW: &str = "one point of a new material";
-/// What the forms do that make a curve first.
-const FURTHER: &str = "a further point";
+/// What all forms do but those along a curve, see [`Row::what`].
+pub const NEW: &str = "one point of a new material";
+/// What the forms do that make a curve first, see [`Row::what`].
+pub const FURTHER: &str = "a further point";
 
 /// A contact: `a/t` and material.
 pub type Point = (f64, Material);
@@ -101,19 +99,10 @@ pub const fn solves(points: usize) -> usize {
 
 /// Random points of a table's box, evenly distributed in the coordinates of the axes.
 pub fn random_points(table: &Table, count: usize, seed: u64) -> Vec<Point> {
-    let mut random = Pcg64Mcg::seed_from_u64(seed);
-    let mut point = || {
-        let [x, e1, nu1, e0] = Parameter::ALL.map(|parameter| {
-            let [first, last] = ends(table, parameter);
-            if first == last {
-                return first;
-            }
-            let coordinate = random.random_range(parameter.coordinate(first)..parameter.coordinate(last));
-            parameter.value(coordinate).clamp(first, last)
-        });
-        (x, Material::new(e1, nu1, e0, table.description().nu0).expect("the table's box is physical"))
-    };
-    (0..count).map(|_| point()).collect()
+    let nu0 = table.description().nu0;
+    let material = |e1, nu1, e0| Material::new(e1, nu1, e0, nu0).expect("the table's box is physical");
+    let points = scene::random_points(Parameter::ALL.map(|parameter| ends(table, parameter)), count, seed);
+    points.into_iter().map(|[x, e1, nu1, e0]| (x, material(e1, nu1, e0))).collect()
 }
 
 /// The first and the last node of an axis.

@@ -107,7 +107,7 @@ pub(super) struct Errors {
 impl Errors {
     /// Of loads over the true ones.
     pub(super) fn of_ratios(ratios: Vec<f64>) -> Self {
-        let factor = ratios.iter().map(|&ratio| f64::max(ratio, 1.0 / ratio)).fold(1.0, f64::max);
+        let factor = largest(ratios.iter().map(|&ratio| if ratio < 1.0 { 1.0 / ratio } else { ratio }));
         let [median, largest] = median_and_largest(ratios.iter().map(|ratio| ratio - 1.0).collect());
         Self { points: ratios.len(), median, largest, factor, adhesive: None }
     }
@@ -137,11 +137,16 @@ impl Errors {
     }
 }
 
-/// Of the sizes of these; what is less than half a unit of rounding counts as that.
+/// Of the sizes of these; what is less than half a unit of rounding counts as that, and NaN as the worst of all.
 fn median_and_largest(errors: Vec<f64>) -> [f64; 2] {
-    let sizes: Vec<f64> = errors.into_iter().map(|error| error.abs().max(0.5 * f64::EPSILON)).collect();
-    let largest = sizes.iter().copied().fold(0.0, f64::max);
+    let size = |error: f64| if error.abs() < 0.5 * f64::EPSILON { 0.5 * f64::EPSILON } else { error.abs() };
+    let sizes: Vec<f64> = errors.into_iter().map(size).collect();
+    let largest = largest(sizes.iter().copied());
     [clock::median(sizes), largest]
+}
+
+fn largest(numbers: impl Iterator<Item = f64>) -> f64 {
+    numbers.max_by(f64::total_cmp).expect("there are points")
 }
 
 /// The mean time of the work on one of these.
