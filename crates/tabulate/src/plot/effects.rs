@@ -47,7 +47,12 @@ fn costs(effects: &[(Effect, &Row)], whole: Option<&Row>) -> Panel {
         let texts = [format!("{solves} solves, {bytes}"), seconds];
         for (k, (share, (text, colour))) in shares(row).into_iter().zip(texts.into_iter().zip([BLUE, GREY])).enumerate() {
             let middle = i as f64 + [0.3, 0.7][k];
-            panel.cell([0.0, share], [middle - 0.14, middle + 0.14], colour).label([share.max(0.0), middle], text, colour, Side::Right);
+            panel.cell([0.0, share], [middle - 0.14, middle + 0.14], colour).label(
+                [share.max(0.0), middle],
+                text,
+                colour,
+                Side::Right,
+            );
         }
     }
     panel
