@@ -38,7 +38,7 @@ fn paper_table() -> String {
 #[test]
 fn the_help_of_every_command_has_its_arguments_and_the_program_says_whose_modulus() {
     let desk = desk();
-    let commands: [(&str, &[&str]); 8] = [
+    let commands: [(&str, &[&str]); 9] = [
         (
             "generate",
             &[
@@ -73,6 +73,7 @@ fn the_help_of_every_command_has_its_arguments_and_the_program_says_whose_modulu
         ("query", &["TABLE", "--points", "-o", "--output"]),
         ("curve", &["TABLE", "--film-thickness", "--sphere-radius", "--work-of-adhesion", "--sphere-modulus", "-o", "--output"]),
         ("info", &["TABLE"]),
+        ("cost", &["solve"]),
         ("check", &["TABLE", "--points", "--seed"]),
         ("unpack", &["TABLE.bin", "-o", "--output", "TABLE.h5"]),
         ("pack", &["TABLE.h5", "-o", "--output", "TABLE.bin", "--tolerance", "--points", "--seed"]),
@@ -80,7 +81,20 @@ fn the_help_of_every_command_has_its_arguments_and_the_program_says_whose_modulu
     let program = desk.succeed(&["--help"]);
     assert_names(
         &program,
-        &["generate", "solve", "query", "curve", "info", "check", "pack", "unpack", "REDUCED", "E2* = E2/(1 - nu2^2)", "inf"],
+        &[
+            "generate",
+            "solve",
+            "query",
+            "curve",
+            "info",
+            "check",
+            "pack",
+            "unpack",
+            "cost",
+            "REDUCED",
+            "E2* = E2/(1 - nu2^2)",
+            "inf",
+        ],
     );
     for (command, arguments) in commands {
         let help = desk.succeed(&[command, "--help"]);

@@ -1,40 +1,16 @@
-//! What accuracy costs in time. Prints the tables that the README quotes.
-//!
-//! Achieved errors are the largest of the four relative deviations from the solve at the tightest tolerance that converges
-//! (`tests/contacts.rs` measures them against values from elsewhere).
-
-mod measure;
+//! What less than a solve and more than one costs in time: `Eeq` alone, curves, and a grid. `tabulate cost solve` measures one.
 
 use std::hint::black_box;
 use std::time::Instant;
 
 use interp::Material;
-use measure::{deviation, human, median, median_seconds, tightest};
+use tabulate::cost::clock::{human, median};
 use tabulate::plan::Plan;
 use tabulate::scene::Scene;
 use tabulate::solve::{solve, stiffness};
 use tabulate::sweep::sweep;
 
-const A_OVER_T: [f64; 8] = [1e-3, 0.1, 1.0, 10.0, 30.0, 100.0, 1e3, 1e6];
-const TOLERANCES: [f64; 5] = [1e-4, 1e-6, 1e-8, 1e-10, 1e-12];
-
-/// Name, `a/t`, `E1/E2`, `nu1`, `E0/E2`.
-const REGIMES: [(&str, f64, [f64; 3]); 10] = [
-    ("ordinary, thick", 1.0, [1.75, 0.5, 1e5]),
-    ("ordinary, thin", 30.0, [1.75, 0.5, 1e5]),
-    ("compressible on a soft base, thin", 30.0, [1.0, 0.3, 0.01]),
-    ("stiff film on a soft base", 30.0, [1e2, 0.3, 1e-4]),
-    ("stiff film on a very soft base", 1e3, [1e8, 0.3, 1e-6]),
-    ("soft, nearly incompressible on a rigid base", 30.0, [1e-2, 0.4999, f64::INFINITY]),
-    ("very soft, incompressible on a rigid base", 30.0, [1e-8, 0.5, f64::INFINITY]),
-    ("the same", 1e3, [1e-8, 0.5, f64::INFINITY]),
-    ("compressible between rigid bodies", 1e3, [0.0, 0.3, f64::INFINITY]),
-    ("incompressible between rigid bodies", 1e3, [0.0, 0.5, f64::INFINITY]),
-];
-
 fn main() {
-    by_a_over_t();
-    by_regime();
     stiffness_alone();
     many_solves();
 }
@@ -46,39 +22,6 @@ fn material([e1, nu1, e0]: [f64; 3]) -> Material {
 /// The paper's material.
 fn ordinary() -> Material {
     material([1.75, 0.5, 1e5])
-}
-
-fn by_a_over_t() {
-    println!("\nThe paper's material: time (error achieved)\n");
-    println!("| a/t |{} method at 1e-10 |", TOLERANCES.map(|tolerance| format!(" {tolerance:e} |")).concat());
-    println!("|---|{}---|", "---|".repeat(TOLERANCES.len()));
-    for x in A_OVER_T {
-        let truth = tightest(x, &ordinary());
-        let cell = |tolerance| {
-            let solution = solve(x, &ordinary(), tolerance).expect("within reach");
-            format!(" {} ({:.0e}) |", human(median_seconds(x, &ordinary(), tolerance)), deviation(&solution.quantities, &truth))
-        };
-        let method = solve(x, &ordinary(), 1e-10).expect("within reach").method;
-        println!("| {x} |{} {} |", TOLERANCES.map(cell).concat(), method.name());
-    }
-}
-
-fn by_regime() {
-    println!("\nBy regime: method, size of the system, time (error stated, achieved)\n");
-    println!("| contact | a/t | 1e-6 | 1e-8 | 1e-10 |\n|---|---|---|---|---|");
-    for (name, x, parameters) in REGIMES {
-        let material = material(parameters);
-        let truth = tightest(x, &material);
-        let cell = |tolerance| match solve(x, &material, tolerance) {
-            Ok(solution) => {
-                let achieved = deviation(&solution.quantities, &truth);
-                let time = human(median_seconds(x, &material, tolerance));
-                format!(" {} {}, {time} ({:.0e}, {achieved:.0e}) |", solution.method.name(), solution.modes, solution.error)
-            }
-            Err(_) => " refused |".to_owned(),
-        };
-        println!("| {name} | {x} |{}", [1e-6, 1e-8, 1e-10].map(cell).concat());
-    }
 }
 
 fn stiffness_alone() {

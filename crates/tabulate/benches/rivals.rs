@@ -6,7 +6,6 @@
 //! splines, the logarithms, in the coordinates in which it does. scipy takes part in `cargo xtask compare`, where 10 GB of memory
 //! are free.
 
-mod measure;
 mod python;
 
 use std::fs;
@@ -17,12 +16,13 @@ use interp::schema::Parameter;
 use interp::{Material, Quantities, Quantity, Table};
 use interpn::multibspline::rectilinear as b_spline;
 use interpn::{MultiBsplineRectilinear, MulticubicRectilinear};
-use measure::{deviation, human, median, median_seconds, tightest};
 use python::Python;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 use serde::Deserialize;
 use serde_json::json;
+use tabulate::cost::clock::{self, human, median};
+use tabulate::cost::error::{deviation, tightest};
 use tabulate::solve::solve;
 
 /// Random points off the nodes, for errors and for the times of single points.
@@ -33,6 +33,8 @@ const CURVES: usize = 100;
 const ROUNDS: usize = 9;
 /// The direct solve is timed for fewer, as each is repeated.
 const SOLVED: usize = 20;
+/// Seconds for the time of a solve.
+const BUDGET: f64 = 0.01;
 
 fn main() {
     // `Table::embedded`, from its file.
@@ -41,7 +43,8 @@ fn main() {
     let mut random = Random { generator: Pcg64Mcg::seed_from_u64(1), table };
     let points: Vec<Point> = (0..POINTS).map(|_| random.point()).collect();
     let curves: Vec<[Point; 60]> = (0..CURVES).map(|_| curve_of(random.point().1)).collect();
-    let truth: Vec<Quantities> = points.iter().map(|(x, material)| tightest(*x, material)).collect();
+    let truth: Vec<Quantities> =
+        points.iter().map(|(x, material)| tightest(*x, material).expect("it converges").quantities).collect();
 
     let axes = grid.axes.each_ref().map(Vec::as_slice);
     let cubic = grid.logarithms.each_ref().map(|values| MulticubicRectilinear::new(&axes, values, false).expect("a grid"));
@@ -80,7 +83,8 @@ fn main() {
     for tolerance in [1e-7, 1e-10] {
         let solved = points.iter().map(|(x, material)| solve(*x, material, tolerance).expect("the truth converged").quantities);
         let mut row = Row::new(&format!("direct solve to {tolerance:e}"), solved, &truth);
-        let seconds = |points: &[Point]| points.iter().map(|(x, material)| median_seconds(*x, material, tolerance)).sum::<f64>();
+        let time = |(x, material): &Point| clock::seconds(BUDGET, || solve(*x, material, tolerance));
+        let seconds = |points: &[Point]| points.iter().map(time).sum::<f64>();
         row.seconds[1] = Some(seconds(&points[..SOLVED]) / SOLVED as f64);
         row.seconds[2] = Some(curves[..SOLVED].iter().map(|curve| seconds(curve)).sum::<f64>() / SOLVED as f64);
         rows.push(row);

@@ -3,15 +3,15 @@
 //! know its memory.
 
 use std::error::Error;
-use std::ops::Range;
+use std::fs;
 use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
 use interp::{Quantity, Table};
-use plotters::coord::Shift;
-use plotters::prelude::*;
-use plotters::style::text_anchor::{HPos, Pos, VPos};
+use tabulate::plot::axis::{Axis, power_of_ten};
+use tabulate::plot::chart::{BLUE, Colour, Figure, GREY, Marker, Panel, Point, Side, VERMILION};
+use tabulate::plot::picture::Format;
 
 const TOLERANCES: [f64; 6] = [1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7];
 /// Numbers of threads.
@@ -117,93 +117,32 @@ fn number_before(text: &str, phrase: &str) -> Option<f64> {
     text.split_once(phrase)?.0.rsplit(' ').next()?.parse().ok()
 }
 
-type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
-
-/// Two that the colour-blind tell apart, too.
-const COLOURS: [RGBColor; 2] = [RGBColor(0, 114, 178), RGBColor(213, 94, 0)];
-const GREY: RGBColor = RGBColor(90, 90, 90);
-const FONT: (&str, i32) = ("sans-serif", 18);
-
-/// A line of a panel. Its name stands to the right of one of its points.
-struct Curve {
-    points: Vec<(f64, f64)>,
-    colour: RGBColor,
-    /// Points are marked.
-    measured: bool,
-    name: &'static str,
-    named_point: usize,
-    /// In pixels, downwards.
-    name_offset: i32,
-}
+/// Of the numbers of threads.
+const COLOURS: [Colour; 2] = [BLUE, VERMILION];
+const NAMES: [&str; 2] = ["1 thread", "2 threads"];
 
 fn draw(sizes: &[Size]) -> Result<(), Box<dyn Error>> {
-    let picture = SVGBackend::new(PICTURE, (840, 400)).into_drawing_area();
-    picture.fill(&WHITE)?;
-    let (left, right) = picture.split_horizontally(420);
-    let last = sizes.len() - 1;
-    let of_jobs = |job: usize, of: fn(&Run) -> f64, name_offset: i32| Curve {
-        points: sizes.iter().map(|size| (size.points, of(&size.runs[job]))).collect(),
-        colour: COLOURS[job],
-        measured: true,
-        name: ["1 thread", "2 threads"][job],
-        named_point: last,
-        name_offset,
-    };
-    let seconds = |run: &Run| run.seconds;
-    panel(&left, "Time, certificate included (s)", &[of_jobs(0, seconds, -8), of_jobs(1, seconds, 8)])?;
-    let megabytes = |run: &Run| run.megabytes;
-    let values = Curve {
-        points: sizes.iter().map(|size| (size.points, 2.0 * size.values)).collect(),
-        colour: GREY,
-        measured: false,
-        name: "2 × the table's values",
-        named_point: last / 2,
-        name_offset: 9,
-    };
-    panel(&right, "Peak memory (MB)", &[of_jobs(0, megabytes, 6), of_jobs(1, megabytes, -10), values])?;
-    Ok(picture.present()?)
-}
-
-fn panel(area: &Area<'_>, title: &str, curves: &[Curve]) -> Result<(), Box<dyn Error>> {
-    let points = || curves.iter().flat_map(|curve| &curve.points);
-    let (x, y) = (decades(points().map(|point| point.0)), decades(points().map(|point| point.1)));
-    let mut chart = ChartBuilder::on(area)
-        .margin(12)
-        .caption(title, ("sans-serif", 20))
-        .x_label_area_size(48)
-        .y_label_area_size(46)
-        .build_cartesian_2d(x.log_scale(), y.log_scale())?;
-    chart
-        .configure_mesh()
-        .max_light_lines(0)
-        .bold_line_style(RGBColor(225, 225, 225))
-        .x_labels(4)
-        .y_labels(4)
-        .x_label_formatter(&|x| power_of_ten(*x))
-        .y_label_formatter(&f64::to_string)
-        .label_style(FONT)
-        .x_desc(format!("points solved, tolerances {:e} to {:e}", TOLERANCES[0], TOLERANCES[TOLERANCES.len() - 1]))
-        .draw()?;
-    for curve in curves {
-        let (points, style) = (curve.points.iter().copied(), curve.colour.stroke_width(2));
-        chart.draw_series(LineSeries::new(points.clone(), style))?;
-        if curve.measured {
-            chart.draw_series(points.map(|point| Circle::new(point, 4, curve.colour.filled())))?;
+    let points = |of: &dyn Fn(&Size) -> f64| -> Vec<Point> { sizes.iter().map(|size| [size.points, of(size)]).collect() };
+    let (last, middle) = (sizes.len() - 1, (sizes.len() - 1) / 2);
+    let panel = |title, of: fn(&Run) -> f64| {
+        let [from, to] = [TOLERANCES[0], TOLERANCES[last]].map(|tolerance| power_of_ten(tolerance.log10().round() as i32));
+        let x = Axis::decades(format!("points solved, tolerances {from} to {to}"), sizes.iter().map(|size| size.points));
+        let y = Axis::decades("", sizes.iter().flat_map(|size| size.runs.each_ref().map(of)));
+        let mut panel = Panel::new(title, x, y);
+        for (job, (colour, name)) in COLOURS.into_iter().zip(NAMES).enumerate() {
+            let line = points(&|size| of(&size.runs[job]));
+            panel.line(line.clone(), colour).markers(line.clone(), colour, Marker::Full).label(
+                line[last],
+                name,
+                colour,
+                Side::Right,
+            );
         }
-        let style = TextStyle::from(FONT).color(&curve.colour).pos(Pos::new(HPos::Left, VPos::Center));
-        let name = EmptyElement::at(curve.points[curve.named_point]) + Text::new(curve.name, (9, curve.name_offset), style);
-        chart.draw_series([name])?;
-    }
-    Ok(())
-}
-
-/// From a power of ten to another, around all of some numbers.
-fn decades(numbers: impl Iterator<Item = f64>) -> Range<f64> {
-    let (low, high) = numbers.fold((f64::INFINITY, 0.0_f64), |(low, high), number| (low.min(number), high.max(number)));
-    10_f64.powf(low.log10().floor())..10_f64.powf(high.log10().ceil())
-}
-
-fn power_of_ten(number: f64) -> String {
-    const DIGITS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
-    format!("10{}", DIGITS[number.log10().round() as usize])
+        panel
+    };
+    let time = panel("Time, certificate included (s)", |run| run.seconds);
+    let mut memory = panel("Peak memory (MB)", |run| run.megabytes);
+    let values = points(&|size| 2.0 * size.values);
+    memory.line(values.clone(), GREY).label(values[middle], "2 × the table's values", GREY, Side::BelowRight);
+    Ok(fs::write(PICTURE, Figure::new(400, [time, memory]).picture()?.encode(Format::Svg)?)?)
 }

@@ -100,8 +100,7 @@ fn places(table: &Table, count: usize, seed: u64) -> Vec<[f64; 4]> {
                 place
             }
             1 => axes.each_ref().map(|axis| axis.middle_of_a_wide_cell(&mut random)),
-            // A little beyond both ends, and back onto them.
-            _ => axes.each_ref().map(|axis| axis.at(random.random_range(-OVERSHOOT..1.0 + OVERSHOOT).clamp(0.0, 1.0))),
+            _ => axes.each_ref().map(|axis| axis.anywhere(&mut random)),
         });
     }
     places
@@ -111,7 +110,7 @@ fn places(table: &Table, count: usize, seed: u64) -> Vec<[f64; 4]> {
 const OVERSHOOT: f64 = 0.03;
 
 /// An axis of the table, for placing points on it.
-struct Axis<'a> {
+pub(crate) struct Axis<'a> {
     parameter: Parameter,
     nodes: &'a [f64],
     /// The cells, the widest first.
@@ -119,7 +118,7 @@ struct Axis<'a> {
 }
 
 impl<'a> Axis<'a> {
-    fn new(parameter: Parameter, nodes: &'a [f64]) -> Self {
+    pub(crate) fn new(parameter: Parameter, nodes: &'a [f64]) -> Self {
         let width = |&i: &usize| parameter.coordinate(nodes[i]) - parameter.coordinate(nodes[i + 1]);
         let mut widest: Vec<usize> = (0..nodes.len() - 1).collect();
         widest.sort_by(|a, b| width(a).total_cmp(&width(b)));
@@ -136,8 +135,14 @@ impl<'a> Axis<'a> {
     }
 
     /// The value at this share of the way along the axis, in its coordinate.
-    fn at(&self, share: f64) -> f64 {
+    pub(crate) fn at(&self, share: f64) -> f64 {
         if self.cells() == 0 { self.nodes[0] } else { self.between(self.end(0), self.end(1), share) }
+    }
+
+    /// A random value; the ends, which are nodes, are more likely than others.
+    pub(crate) fn anywhere(&self, random: &mut Pcg64Mcg) -> f64 {
+        // A little beyond both ends, and back onto them.
+        self.at(random.random_range(-OVERSHOOT..1.0 + OVERSHOOT).clamp(0.0, 1.0))
     }
 
     fn between(&self, low: f64, high: f64, share: f64) -> f64 {

@@ -1,10 +1,12 @@
 //! The command line: one module per subcommand.
 
 mod check;
+mod cost;
 mod curve;
 mod generate;
 mod info;
 mod pack;
+mod plot;
 mod points;
 mod query;
 mod report;
@@ -44,8 +46,10 @@ enum Command {
     Curve(curve::Arguments),
     Info(info::Arguments),
     Check(check::Arguments),
+    Cost(cost::Arguments),
     Pack(pack::Arguments),
     Unpack(unpack::Arguments),
+    Plot(plot::Arguments),
 }
 
 /// Runs the program on the process's arguments. Exit status 0, 1 (the work failed) or 2 (usage).
@@ -58,8 +62,10 @@ pub fn run() -> ExitCode {
         Command::Curve(arguments) => curve::run(&arguments),
         Command::Info(arguments) => info::run(&arguments),
         Command::Check(arguments) => check::run(&arguments),
+        Command::Cost(arguments) => cost::run(&arguments),
         Command::Pack(arguments) => pack::run(&arguments),
         Command::Unpack(arguments) => unpack::run(&arguments),
+        Command::Plot(arguments) => plot::run(&arguments),
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,

@@ -6,12 +6,12 @@
 //! ```
 //!
 //! Data flows one way along this line, and each word is a module here or, from the table on, in the crate `interp`. [`curve`] makes
-//! the
-//! [`interp::Curve`] of one material without a table, and [`generate`] goes from a scene to the file of its table.
+//! the [`interp::Curve`] of one material without a table, [`generate`] goes from a scene to the file of its table, and [`plot`] draws.
 
 #![deny(unsafe_code)]
 
 mod answer;
+pub mod approximations;
 pub mod archive;
 mod bessel;
 mod bindings;
@@ -19,6 +19,7 @@ pub mod certify;
 pub mod cli;
 pub mod compliance;
 mod contour;
+pub mod cost;
 pub mod curve;
 mod error;
 mod galerkin;
@@ -26,7 +27,9 @@ pub mod generate;
 mod journal;
 mod krylov;
 mod output;
+pub mod pack;
 pub mod plan;
+pub mod plot;
 mod quadrature;
 pub mod report;
 pub mod scene;

@@ -7,6 +7,8 @@ use std::path::Path;
 
 use interp::schema::Parameter;
 use interp::{Material, Quantity};
+use rand::{RngExt, SeedableRng};
+use rand_pcg::Pcg64Mcg;
 use serde::de::{Error as _, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer};
 
@@ -175,6 +177,20 @@ impl Scene {
     /// The number of parameters that are ranges, and so axes of the table.
     pub fn axes(&self) -> usize {
         self.extents.iter().filter(|extent| !matches!(extent, Extent::Fixed(_))).count()
+    }
+
+    /// `count` random points of the box, evenly distributed in the axes' coordinates.
+    pub fn random_points(&self, count: usize, seed: u64) -> Vec<[f64; 4]> {
+        let mut random = Pcg64Mcg::seed_from_u64(seed);
+        let mut value = |parameter: Parameter| {
+            let [from, to] = self.extents[parameter as usize].ends();
+            if from == to {
+                return from;
+            }
+            let (first, last) = (parameter.coordinate(from), parameter.coordinate(to));
+            parameter.value(random.random_range(first..last)).clamp(from, to)
+        };
+        (0..count).map(|_| Parameter::ALL.map(&mut value)).collect()
     }
 
     /// A material of the scene.

@@ -1,0 +1,166 @@
+//! What a table really differs from direct solves between its nodes, over `a/t` and `E1/E2`: at the worst of many `nu1` and `E0/E2`.
+
+use interp::Table;
+use interp::schema::Parameter;
+use rand::{RngExt, SeedableRng};
+use rand_pcg::Pcg64Mcg;
+use rayon::prelude::*;
+
+use super::axis::Axis;
+use super::chart::{Colour, Figure, GREY, Panel, Side};
+use super::picture::legible;
+use crate::Error;
+use crate::certify::{self, sample};
+
+/// Cells of the map along `a/t` and `E1/E2`.
+pub const CELLS: [usize; 2] = [84, 48];
+
+/// Random points in each cell. All but those on faces of the box are between the nodes.
+pub const POINTS: usize = 32;
+
+/// What is drawn.
+#[derive(Clone, Debug)]
+pub struct Data {
+    /// The table's title.
+    pub title: String,
+    /// The table's tolerance.
+    pub tolerance: f64,
+    /// The largest error in the table's certificate.
+    pub certified: f64,
+    /// The borders of the cells along `a/t` and `E1/E2`.
+    pub borders: [Vec<f64>; 2],
+    /// The largest relative error of any quantity at a cell's points: a row for each `E1/E2`.
+    pub errors: Vec<Vec<f64>>,
+}
+
+/// Compares a table with [`POINTS`] direct solves in each cell, and calls `progress` with the number of cells done.
+///
+/// The result does not depend on the number of threads.
+///
+/// # Errors
+/// [`Error::Picture`] for a table that fixes `a/t` or `E1/E2`; those of the solve.
+pub fn data(table: &Table, progress: &(dyn Fn(usize) + Sync)) -> Result<Data, Error> {
+    for parameter in [Parameter::AOverT, Parameter::E1OverE2] {
+        if let [only] = table.axis(parameter) {
+            let what = format!("the map is over a_over_t and e1_over_e2, but the table fixes {} = {only}", parameter.name());
+            return Err(Error::Picture(what));
+        }
+    }
+    let axes = Parameter::ALL.map(|parameter| certify::Axis::new(parameter, table.axis(parameter)));
+    let share = |k: usize, i: usize| i as f64 / CELLS[k] as f64;
+    let largest = |[column, row]: [usize; 2]| {
+        let mut random = Pcg64Mcg::seed_from_u64((row * CELLS[0] + column) as u64);
+        let mut worst = 0.0;
+        for _ in 0..POINTS {
+            let [a_over_t, e1] =
+                [(0, column), (1, row)].map(|(k, i)| axes[k].at(random.random_range(share(k, i)..share(k, i + 1))));
+            let point = [a_over_t, e1, axes[2].anywhere(&mut random), axes[3].anywhere(&mut random)];
+            let error = sample(table, point)?.error;
+            // NaN is the worst of all.
+            worst = if error > worst || error.is_nan() { error } else { worst };
+        }
+        progress(1);
+        Ok(worst)
+    };
+    let row = |row: usize| (0..CELLS[0]).into_par_iter().map(|column| largest([column, row])).collect::<Vec<Result<f64, Error>>>();
+    // In two steps: of several errors, the first one is returned.
+    let errors = (0..CELLS[1]).map(|i| row(i).into_iter().collect()).collect::<Result<_, Error>>()?;
+    let description = table.description();
+    Ok(Data {
+        title: description.title.clone(),
+        tolerance: description.tolerance,
+        certified: description.certificate.max_error,
+        borders: [0, 1].map(|k| (0..=CELLS[k]).map(|i| axes[k].at(share(k, i))).collect()),
+        errors,
+    })
+}
+
+/// Colours for each decade of error.
+const STEPS: f64 = 4.0;
+
+/// Draws it.
+pub fn figure(data: &Data) -> Figure {
+    let [x, y] = &data.borders;
+    let ends = |borders: &[f64]| [borders[0], borders[borders.len() - 1]];
+    let title = format!("Error between the nodes: {}", legible(&data.title));
+    let x_axis = Axis::logarithmic("contact radius / film thickness, a/t", ends(x));
+    let mut map = Panel::new(title, x_axis, Axis::logarithmic("film modulus, E_{1}/E_{2}*", ends(y)));
+    let scale = Scale::new(data);
+    for (row, errors) in data.errors.iter().enumerate() {
+        // Neighbours of one colour are one cell. Each reaches to the far corner of the map, under those that follow: between shapes
+        // that only touch, the paper would shine through.
+        let mut column = 0;
+        for cells in errors.chunk_by(|a, b| scale.step(*a) == scale.step(*b)) {
+            map.cell([x[column], ends(x)[1]], [y[row], ends(y)[1]], scale.colour(scale.step(cells[0])));
+            column += cells.len();
+        }
+    }
+    let mut bar = Panel::new("", Axis::hidden(), Axis::logarithmic("largest relative error in the cell", scale.range()))
+        .share(0.3)
+        .margin(96);
+    for step in 0..scale.steps {
+        bar.cell([0.0, 1.0], [step, step + 1].map(|step| scale.value(step)), scale.colour(step));
+    }
+    bar.label([1.0, data.tolerance], "tolerance", GREY, Side::Right).label([1.0, data.certified], "certified", GREY, Side::Right);
+    Figure::new(460, [map, bar])
+}
+
+/// Which colour an error has.
+struct Scale {
+    /// The logarithm to base 10 of the smallest error that is told from smaller ones.
+    from: f64,
+    steps: u32,
+}
+
+impl Scale {
+    /// From a hundredth of the median to the largest error and the tolerance.
+    fn new(data: &Data) -> Self {
+        let mut errors: Vec<f64> = data.errors.iter().flatten().copied().collect();
+        errors.sort_by(f64::total_cmp);
+        let largest = errors.iter().rev().find(|error| error.is_finite()).map_or(data.tolerance, |e| e.max(data.tolerance));
+        let median = errors[errors.len() / 2].max(1e-16);
+        let (from, to) = ((median.log10() - 2.0).floor(), (STEPS * largest.log10()).ceil() / STEPS);
+        Self { from, steps: (STEPS * (to - from)) as u32 }
+    }
+
+    fn range(&self) -> [f64; 2] {
+        [0, self.steps].map(|step| self.value(step))
+    }
+
+    /// The smallest error of a step.
+    fn value(&self, step: u32) -> f64 {
+        10_f64.powf(self.from + f64::from(step) / STEPS)
+    }
+
+    fn step(&self, error: f64) -> u32 {
+        let step = STEPS * (error.log10() - self.from);
+        // NaN is beyond all errors.
+        if step.is_nan() { self.steps - 1 } else { step.clamp(0.0, f64::from(self.steps - 1)) as u32 }
+    }
+
+    fn colour(&self, step: u32) -> Colour {
+        viridis(f64::from(step) / f64::from((self.steps - 1).max(1)))
+    }
+}
+
+/// The colour map viridis, by van der Walt and Smith (2015): as even to the colour-blind, and in grey.
+fn viridis(part: f64) -> Colour {
+    const STOPS: [[u8; 3]; 9] = [
+        [68, 1, 84],
+        [71, 45, 123],
+        [59, 82, 139],
+        [44, 114, 142],
+        [33, 145, 140],
+        [40, 174, 128],
+        [94, 201, 98],
+        [173, 220, 48],
+        [253, 231, 37],
+    ];
+    let place = part.clamp(0.0, 1.0) * (STOPS.len() - 1) as f64;
+    let below = (place as usize).min(STOPS.len() - 2);
+    let [r, g, b] = [0, 1, 2].map(|k| {
+        let [low, high] = [below, below + 1].map(|i| f64::from(STOPS[i][k]));
+        (low + (high - low) * (place - below as f64)).round() as u8
+    });
+    plotters::style::RGBColor(r, g, b)
+}

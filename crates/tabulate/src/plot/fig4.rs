@@ -1,0 +1,70 @@
+//! Fig. 4 of the paper: reduced JKR plots (eq. 9) for several film thicknesses, with the lines of JKR without a film and without a
+//! substrate.
+
+use interp::{Contact, HalfSpace};
+
+use super::axis::Axis;
+use super::chart::{BLACK, BLUE, Figure, GREEN, GREY, ORANGE, PURPLE, Panel, Point, Side, VERMILION};
+use super::paper::{self, WORK_OF_ADHESION};
+use crate::Error;
+
+/// The film thicknesses, m.
+pub const THICKNESSES: [f64; 5] = [1e-6, 3e-6, 10e-6, 30e-6, 100e-6];
+
+/// The largest contact radius, m: twice that at zero load, as far as the paper fits.
+const LARGEST_RADIUS: f64 = 130e-6;
+
+/// What is drawn: `a^{3/2} / (sqrt(pi) R)` in m^{1/2} and `F / (sqrt(6 pi) a^{3/2})` in N m^{-3/2}.
+#[derive(Clone, Debug)]
+pub struct Data {
+    /// With a film of each of [`THICKNESSES`].
+    pub films: Vec<Vec<Point>>,
+    /// JKR on the bare substrate: the thin film's limit but for the smallest contacts.
+    pub sphere: Vec<Point>,
+    /// JKR on a half-space of film: the thick film's limit.
+    pub sphere_film: Vec<Point>,
+}
+
+/// From direct solves.
+///
+/// # Errors
+/// Those of [`crate::curve::curve`].
+pub fn data() -> Result<Data, Error> {
+    let system = paper::system(THICKNESSES[0])?;
+    let half_space = |solid| Contact::half_space(&HalfSpace { solid, ..system.without_film() });
+    Ok(Data {
+        films: THICKNESSES.iter().map(|&t| jkr_plot(&paper::contact(t)?)).collect::<Result<_, Error>>()?,
+        sphere: jkr_plot(&half_space(system.substrate)?)?,
+        sphere_film: jkr_plot(&half_space(system.film)?)?,
+    })
+}
+
+/// At contact radii that are evenly spaced along the abscissa.
+fn jkr_plot(contact: &Contact) -> Result<Vec<Point>, Error> {
+    const POINTS: u32 = 300;
+    let point = |i: u32| {
+        let a = LARGEST_RADIUS * (f64::from(i) / f64::from(POINTS)).powf(2.0 / 3.0);
+        let jkr = contact.mechanics().jkr_point(a, contact.load(a, WORK_OF_ADHESION)?);
+        Ok([jkr.abscissa, jkr.ordinate])
+    };
+    (1..=POINTS).map(point).collect()
+}
+
+/// Draws it.
+pub fn figure(data: &Data) -> Figure {
+    let x = Axis::linear("a^{3/2} / (√π R)  (10^{−4} m^{1/2})", [0.0, 8.5]);
+    let y = Axis::linear("F / (√6π a^{3/2})  (N m^{−3/2})", [-400.0, 600.0]);
+    let mut panel = Panel::new("Fig. 4: reduced JKR plots", x, y).margin(70);
+    let scaled = |line: &[Point]| -> Vec<Point> { line.iter().map(|[x, y]| [1e4 * x, *y]).collect() };
+    for (line, name, at) in [(&data.sphere, "JKR, no film", 0.8), (&data.sphere_film, "JKR, film alone", 0.45)] {
+        let line = scaled(line);
+        panel.dashed(line.clone(), GREY);
+        panel.label(line[(at * line.len() as f64) as usize], name, BLACK, Side::AboveLeft);
+    }
+    for ((line, t), colour) in data.films.iter().zip(THICKNESSES).zip([BLUE, GREEN, ORANGE, VERMILION, PURPLE]) {
+        let line = scaled(line);
+        panel.line(line.clone(), colour);
+        panel.label(line[line.len() - 1], format!("{:.0} μm", 1e6 * t), colour, Side::Right);
+    }
+    Figure::new(520, [panel])
+}
