@@ -2,11 +2,12 @@
 
 use std::sync::Arc;
 
+use fearless_simd::{Level, dispatch};
 use splines::{Interpolation, Key, Spline};
 
 use crate::beyond::Beyond;
 use crate::material::ROUNDING;
-use crate::pieces::{Grid, Resampler, Values, all, derivatives, one, stays_within};
+use crate::pieces::{Grid, Resampler, Values, all, derivatives, first_outside, one, one_fused};
 use crate::schema::Parameter;
 use crate::sensitivity::Sensitivities;
 use crate::spline::Basis;
@@ -106,10 +107,8 @@ impl Curve {
 
     /// A quantity held that may leave `[1e-30, 1e30]`, with its value in the middle of such a piece.
     pub(crate) fn unreasonable(&self) -> Option<(Quantity, f64)> {
-        let held = Quantity::ALL.into_iter().filter(|&quantity| self.held[quantity as usize]);
-        let all = held.flat_map(|quantity| self.pieces.iter().map(move |piece| (quantity, piece)));
-        let mut outside = all.filter(|(quantity, piece)| !stays_within(&REASONABLE, piece, *quantity as usize));
-        outside.next().map(|(quantity, piece)| (quantity, piece[0][quantity as usize]))
+        let outside = first_outside(&REASONABLE, &self.pieces, self.held);
+        outside.map(|(piece, quantity)| (quantity, piece[0][quantity as usize]))
     }
 
     /// With what is known of the derivatives with respect to the material.
@@ -149,7 +148,8 @@ impl Curve {
         }
     }
 
-    /// One quantity at many `a_over_t`, in the order given: as [`Curve::quantity`], one after the other.
+    /// One quantity at many `a_over_t`, in the order given: as [`Curve::quantity`] but for rounding, in
+    /// two thirds of the time.
     ///
     /// # Errors
     /// As [`Curve::quantity`] at the first point that has one, with the values before it written; [`Error::Unphysical`] if there is
@@ -158,15 +158,17 @@ impl Curve {
         self.require(quantity)?;
         same_length(a_over_t, values)?;
         let (grid, pieces, [from, to]) = (&*self.grid, &*self.pieces, self.range);
-        for (value, &x) in values.iter_mut().zip(a_over_t) {
-            *value = if x >= from && x <= to {
-                let place = grid.place(x);
-                one(&pieces[place.piece], place, quantity as usize)
-            } else {
-                self.quantity(quantity, x)?
-            };
-        }
-        Ok(())
+        dispatch!(Level::new(), simd => {
+            for (value, &x) in values.iter_mut().zip(a_over_t) {
+                *value = if x >= from && x <= to {
+                    let place = grid.place(x);
+                    one_fused(simd, &pieces[place.piece], place, quantity as usize)
+                } else {
+                    self.quantity(quantity, x)?
+                };
+            }
+            Ok(())
+        })
     }
 
     /// The logarithmic slope of one quantity, `x dQ/dx` at `x = a_over_t`: the derivative of what [`Curve::quantity`] returns. Its

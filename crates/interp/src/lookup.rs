@@ -39,7 +39,7 @@ impl Lookup {
         });
         let materials = e1.iter().flat_map(|&e1| nu1.iter().map(move |&nu1| [e1, nu1]));
         let materials = materials.flat_map(|[e1, nu1]| e0.iter().map(move |&e0| [e1, nu1, e0]));
-        let curves: Vec<Vec<f64>> = materials.map(|place| coefficients.at(&coefficients.weights(place))).collect();
+        let curves: Vec<Vec<f64>> = materials.map(|place| coefficients.at(place)).collect();
         let error = (Self::SHARE * table.description().tolerance).max(Self::FINEST);
         let resampler = Resampler::fitting(&coefficients.along, range, &held, &curves, error);
         Self { coefficients, resampler, range, held }
@@ -50,7 +50,7 @@ impl Lookup {
             let equivalent = material.with_substrate_poisson_ratio(table.description().nu0)?;
             Ok((equivalent, place(table, &equivalent)?))
         })?;
-        let coefficients = self.coefficients.at(&self.coefficients.weights(place));
+        let coefficients = self.coefficients.at(place);
         self.of_splines(table, &coefficients, equivalent)
     }
 
@@ -59,25 +59,18 @@ impl Lookup {
             let equivalence = Equivalence::new(material, table.description().nu0)?;
             Ok((equivalence, place(table, &equivalence.equivalent)?))
         })?;
-        let mut weights = self.coefficients.weights(place);
-        let nu1 = &mut weights[1];
         // Where the derivative with respect to `c` falls like `s^2`, that of `c` with respect to `nu1` grows like `1/s^2`: their
         // product at this `s` is that at 0, but for rounding.
-        let before_the_end = place[1].min(Parameter::Nu1.coordinate(0.5) - 5e-7);
-        let near = self.coefficients.bases[1].weights(before_the_end);
-        if near.first == nu1.first {
-            nu1.slopes = near.slopes;
-        } else {
-            *nu1 = near;
-        }
+        let [e1, nu1, e0] = place;
+        let before_the_end = nu1.min(Parameter::Nu1.coordinate(0.5) - 5e-7);
+        let [values, by_e1, mut by_nu1, by_e0] = self.coefficients.with_slopes(place, [e1, before_the_end, e0]);
         let speed = Parameter::Nu1.speed(before_the_end);
-        nu1.slopes.iter_mut().for_each(|slope| *slope *= speed);
-        let [values, slopes @ ..] = self.coefficients.with_slopes(&weights);
+        by_nu1.iter_mut().for_each(|slope| *slope *= speed);
         let known = MATERIAL.map(|parameter| {
             let [from, to] = ends(table, parameter);
             from < to || from == 0.0 && parameter == Parameter::E1OverE2 || from == f64::INFINITY
         });
-        let pieces = slopes.map(|slopes| self.resampler.derivatives(&slopes, &self.held));
+        let pieces = [by_e1, by_nu1, by_e0].map(|slopes| self.resampler.derivatives(&slopes, &self.held));
         let sensitivities = Sensitivities::new(pieces, known, *material, equivalence.jacobian);
         Ok(self.of_splines(table, &values, equivalence.equivalent)?.with_sensitivities(sensitivities))
     }
@@ -135,17 +128,17 @@ pub(crate) struct Coefficients {
 #[derive(Clone, Debug)]
 enum Form {
     /// One row for each combination of the splines of the material axes, `e1_over_e2` slowest: a group of the quantities held for
-    /// each spline of
-    /// `a_over_t`.
+    /// each spline of `a_over_t`.
     Dense(Vec<f64>),
-    Train(Train),
+    Train(Box<Train>),
 }
 
 impl Coefficients {
     pub(crate) fn new(table: &Table) -> Self {
         if let Some(form) = table.low_rank() {
             let (bases, along) = (bases(table), along(table));
-            let form = Form::Train(Train::new(form, bases.each_ref(), &along, table.description().tolerance));
+            let train = Train::new(form, bases.each_ref(), &along, table.description().tolerance);
+            let form = Form::Train(Box::new(train));
             return Self { bases, along, form };
         }
         let [_, n_e1, ..] = table.shape();
@@ -178,7 +171,7 @@ impl Coefficients {
         let mut logarithms = Vec::with_capacity(n_nu * n_e0 * n_a * table.quantities().len());
         for (nu, e0) in (0..n_nu).flat_map(|nu| (0..n_e0).map(move |e0| (nu, e0))) {
             let place = [place(Parameter::E1OverE2, e1), place(Parameter::Nu1, nu), place(Parameter::E0OverE2, e0)];
-            let coefficients = self.at(&self.weights(place));
+            let coefficients = self.at(place);
             let held = coefficients.len() / n_a;
             for radius in &radii {
                 let start = logarithms.len();
@@ -190,28 +183,33 @@ impl Coefficients {
     }
 
     /// The splines of the material axes at a place.
-    pub(crate) fn weights(&self, place: [f64; 3]) -> [Weights; 3] {
+    fn weights(&self, place: [f64; 3]) -> [Weights; 3] {
         array::from_fn(|axis| self.bases[axis].weights(place[axis]))
     }
 
     /// The coefficients of the splines over `ln(a/t)` of one material: a group of the quantities held for each.
-    pub(crate) fn at(&self, weights: &[Weights; 3]) -> Vec<f64> {
+    pub(crate) fn at(&self, place: [f64; 3]) -> Vec<f64> {
         match &self.form {
-            Form::Train(train) => train.at(weights),
+            Form::Train(train) => train.at(place),
             Form::Dense(rows) => {
-                let [sum] = self.sums(rows, weights, [[false; 3]]);
+                let [sum] = self.sums(rows, &self.weights(place), [[false; 3]]);
                 sum
             }
         }
     }
 
-    /// The same, followed by their derivatives with respect to the three coordinates.
-    pub(crate) fn with_slopes(&self, weights: &[Weights; 3]) -> [Vec<f64>; 4] {
+    /// The same, followed by their derivatives with respect to the three coordinates, each of them where it says, which is at the
+    /// place or so near that it makes no difference to the values.
+    fn with_slopes(&self, place: [f64; 3], slopes_at: [f64; 3]) -> [Vec<f64>; 4] {
         match &self.form {
-            Form::Train(train) => train.with_slopes(weights),
+            Form::Train(train) => train.with_slopes(place, slopes_at),
             Form::Dense(rows) => {
+                let mut weights = self.weights(place);
+                for (weights, near) in weights.iter_mut().zip(self.weights(slopes_at)) {
+                    *weights = if near.first == weights.first { Weights { slopes: near.slopes, ..*weights } } else { near };
+                }
                 let by = |axis: usize| array::from_fn(|i| i == axis);
-                self.sums(rows, weights, [[false; 3], by(0), by(1), by(2)])
+                self.sums(rows, &weights, [[false; 3], by(0), by(1), by(2)])
             }
         }
     }

@@ -9,6 +9,9 @@ use std::borrow::Cow;
 use std::ops::RangeInclusive;
 use std::sync::Arc;
 
+use fearless_simd::prelude::*;
+use fearless_simd::{Level, dispatch, f64x2, f64x4};
+
 use crate::Quantity;
 use crate::schema::Parameter;
 use crate::spline::Basis;
@@ -130,19 +133,49 @@ pub(crate) fn one<const N: usize>(piece: &[Four; N], place: Place, quantity: usi
     (0..N / 2 - 1).rev().fold(pair(N - 2), |sum, k| sum * square + pair(2 * k))
 }
 
+/// The same, with the fused operations that a processor may have.
+#[inline(always)]
+pub(crate) fn one_fused<S: Simd, const N: usize>(simd: S, piece: &[Four; N], place: Place, quantity: usize) -> f64 {
+    let number = |value: f64| f64x2::splat(simd, value);
+    let (t, square) = (number(place.t), number(place.t * place.t));
+    let pair = |k: usize| t.mul_add(number(piece[k + 1][quantity]), number(piece[k][quantity]));
+    let mut sum = pair(N - 2);
+    for k in (0..N / 2 - 1).rev() {
+        sum = sum.mul_add(square, pair(2 * k));
+    }
+    sum[0]
+}
+
 /// The same for all four quantities.
 #[inline]
 pub(crate) fn all<const N: usize>(piece: &[Four; N], place: Place) -> Four {
     std::array::from_fn(|quantity| one(piece, place, quantity))
 }
 
+/// The first piece on which one of the quantities held may leave a range, and that quantity.
+pub(crate) fn first_outside<'a>(
+    range: &RangeInclusive<f64>,
+    pieces: &'a [Values],
+    held: [bool; 4],
+) -> Option<(&'a Values, Quantity)> {
+    pieces.iter().find_map(|piece| {
+        // On most pieces the size of the coefficients says that none does.
+        let mut sizes = [0.0; 4];
+        for coefficients in &piece[1..] {
+            (0..4).for_each(|quantity| sizes[quantity] += coefficients[quantity].abs());
+        }
+        let mut leaving = Quantity::ALL.into_iter().filter(|&quantity| {
+            let (middle, size) = (piece[0][quantity as usize], sizes[quantity as usize]);
+            let sure = range.contains(&(middle - size)) && range.contains(&(middle + size));
+            held[quantity as usize] && !sure && !stays_within(range, piece, quantity as usize)
+        });
+        leaving.next().map(|quantity| (piece, quantity))
+    })
+}
+
 /// Whether a quantity stays within a range everywhere on a piece: then so do its Bernstein coefficients on a sound curve, of which
-/// the polynomial is a weighted mean. On most pieces the size of its coefficients says so already.
-pub(crate) fn stays_within(range: &RangeInclusive<f64>, piece: &Values, quantity: usize) -> bool {
-    let size: f64 = piece[1..].iter().map(|coefficients| coefficients[quantity].abs()).sum();
-    if range.contains(&(piece[0][quantity] - size)) && range.contains(&(piece[0][quantity] + size)) {
-        return true;
-    }
+/// the polynomial is a weighted mean.
+fn stays_within(range: &RangeInclusive<f64>, piece: &Values, quantity: usize) -> bool {
     let choose = |n: usize, k: usize| (0..k).fold(1.0, |product, i| product * (n - i) as f64 / (i + 1) as f64);
     // Powers of `u = (t + 1)/2`, from 0 to 1.
     let power = |m: usize| {
@@ -231,45 +264,56 @@ impl Resampler {
     }
 
     /// The logarithms on a piece from the coefficients of their splines.
-    fn logarithms(&self, piece: usize, coefficients: &[Four]) -> Logarithms {
+    #[inline(always)]
+    fn logarithms<S: Simd>(&self, simd: S, piece: usize, coefficients: &[Four]) -> [f64x4<S>; LOGARITHM] {
         let span = self.spans[piece];
         let coefficients = &coefficients[span.first..span.first + span.count];
         let weights = &self.weights[span.start..span.start + span.count];
         // Splines add up to one. Without what they have in common the sums are small, and so is their rounding, which powers of `t`
         // magnify.
-        let common = coefficients[span.count / 2];
-        let mut logarithms = [[0.0; 4]; LOGARITHM];
-        // Half of the sums at a time stay in registers.
-        for first in [0, LOGARITHM / 2] {
-            let mut sums = [[0.0; 4]; LOGARITHM / 2];
-            for (weights, coefficients) in weights.iter().zip(coefficients) {
-                let coefficients: Four = std::array::from_fn(|q| coefficients[q] - common[q]);
-                for (sum, weight) in sums.iter_mut().zip(&weights[first..first + LOGARITHM / 2]) {
-                    sum.iter_mut().zip(&coefficients).for_each(|(sum, coefficient)| *sum += weight * coefficient);
-                }
+        let common = f64x4::from_slice(simd, &coefficients[span.count / 2]);
+        let mut logarithms = [f64x4::splat(simd, 0.0); LOGARITHM];
+        for (weights, coefficients) in weights.iter().zip(coefficients) {
+            let coefficients = f64x4::from_slice(simd, coefficients) - common;
+            for (sum, &weight) in logarithms.iter_mut().zip(weights) {
+                *sum = coefficients.mul_add(f64x4::splat(simd, weight), *sum);
             }
-            logarithms[first..first + LOGARITHM / 2].copy_from_slice(&sums);
         }
-        logarithms[0].iter_mut().zip(common).for_each(|(sum, common)| *sum += common);
+        logarithms[0] += common;
         logarithms
     }
 
     /// The derivatives of logarithms, from those of the coefficients.
     pub(crate) fn derivatives(&self, coefficients: &[f64], held: &[Quantity]) -> Arc<[Logarithms]> {
         let rows = fours(coefficients, held);
-        (0..self.spans.len()).map(|piece| self.logarithms(piece, &rows)).collect()
+        let mut pieces = zeros(self.spans.len());
+        dispatch!(Level::new(), simd => {
+            for (i, piece) in Arc::make_mut(&mut pieces).iter_mut().enumerate() {
+                for (place, logarithms) in piece.iter_mut().zip(self.logarithms(simd, i, &rows)) {
+                    logarithms.store_slice(place);
+                }
+            }
+        });
+        pieces
     }
 
     /// The quantities themselves, with `es` in those that are scaled by it.
     pub(crate) fn values(&self, coefficients: &[f64], held: &[Quantity], es: f64) -> Arc<[Values]> {
         let scales = Quantity::ALL.map(|quantity| quantity.scale(es));
         let rows = fours(coefficients, held);
-        (0..self.spans.len()).map(|piece| exponential(&self.logarithms(piece, &rows), scales)).collect()
+        let mut pieces = zeros(self.spans.len());
+        dispatch!(Level::new(), simd => {
+            for (i, piece) in Arc::make_mut(&mut pieces).iter_mut().enumerate() {
+                exponential(simd, self.logarithms(simd, i, &rows), scales, piece);
+            }
+        });
+        pieces
     }
 
     /// The largest relative difference of a curve's piece from its splines, between the samples; infinite if one is NaN.
     fn error(&self, piece: usize, ends: [f64; 2], basis: &Basis, range: [f64; 2], coefficients: &[Four]) -> f64 {
-        let values = exponential(&self.logarithms(piece, coefficients), [1.0; 4]);
+        let mut values = [[0.0; 4]; VALUE];
+        dispatch!(Level::new(), simd => exponential(simd, self.logarithms(simd, piece, coefficients), [1.0; 4], &mut values));
         let samples = samples(ends, range.map(|x| x * self.grid.factor));
         let middles = samples.windows(2).map(|pair| (pair[0].midpoint(pair[1]) / self.grid.factor).clamp(range[0], range[1]));
         // A piece that sticks out of the range has samples before it, too.
@@ -333,27 +377,29 @@ fn lagrange(places: [f64; LOGARITHM]) -> [[f64; LOGARITHM]; LOGARITHM] {
 }
 
 /// The first terms of the exponential of a polynomial, times a scale: of `v = e^p`, `v' = p' v`.
-fn exponential(logarithms: &Logarithms, scales: Four) -> Values {
-    let mut values = [[0.0; 4]; VALUE];
-    values[0] = std::array::from_fn(|q| scales[q] * logarithms[0][q].exp());
-    // Two quantities at a time stay in registers.
-    for pair in [0, 2] {
-        let slopes: [[f64; 2]; LOGARITHM] = std::array::from_fn(|j| std::array::from_fn(|q| j as f64 * logarithms[j][pair + q]));
-        let mut sums = [[0.0; 2]; VALUE];
-        sums[0] = [values[0][pair], values[0][pair + 1]];
-        for k in 0..VALUE {
-            if k > 0 {
-                sums[k] = sums[k].map(|sum| sum * (1.0 / k as f64));
-                values[k][pair..pair + 2].copy_from_slice(&sums[k]);
-            }
-            for j in 1..LOGARITHM.min(VALUE - k) {
-                for q in 0..2 {
-                    sums[k + j][q] += slopes[j][q] * sums[k][q];
-                }
-            }
+#[inline(always)]
+fn exponential<S: Simd>(simd: S, logarithms: [f64x4<S>; LOGARITHM], scales: Four, values: &mut Values) {
+    let mut slopes = logarithms;
+    for (j, slope) in slopes.iter_mut().enumerate() {
+        *slope *= j as f64;
+    }
+    let mut sums = [f64x4::splat(simd, 0.0); VALUE];
+    let constant = logarithms[0].as_array();
+    sums[0] = f64x4::simd_from(simd, std::array::from_fn(|q| scales[q] * constant[q].exp()));
+    for k in 0..VALUE {
+        if k > 0 {
+            sums[k] *= 1.0 / k as f64;
+        }
+        sums[k].store_slice(&mut values[k]);
+        for j in 1..LOGARITHM.min(VALUE - k) {
+            sums[k + j] = slopes[j].mul_add(sums[k], sums[k + j]);
         }
     }
-    values
+}
+
+/// So many pieces to be filled.
+fn zeros<const N: usize>(pieces: usize) -> Arc<[[Four; N]]> {
+    std::iter::repeat_n([[0.0; 4]; N], pieces).collect()
 }
 
 #[cfg(test)]
@@ -397,7 +443,10 @@ mod tests {
     fn the_exponential_is_that_of_the_polynomial() {
         // Terms that fall by twenty, as on a piece.
         let logarithms: Logarithms = std::array::from_fn(|k| std::array::from_fn(|q| (q as f64 - 1.7) * 0.05_f64.powi(k as i32)));
-        let values = exponential(&logarithms, [2.0, 1.0, 1.0, 3.0]);
+        let mut values = [[0.0; 4]; VALUE];
+        dispatch!(Level::new(), simd => {
+            exponential(simd, logarithms.map(|four| f64x4::simd_from(simd, four)), [2.0, 1.0, 1.0, 3.0], &mut values)
+        });
         for t in [-1.0, -0.3, 0.0, 0.5, 1.0] {
             let place = Place { piece: 0, t };
             for (q, scale) in [2.0, 1.0, 1.0, 3.0].into_iter().enumerate() {

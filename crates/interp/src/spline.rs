@@ -98,6 +98,11 @@ impl Basis {
         self.degree
     }
 
+    /// Whether the first and the second derivative vanish there.
+    pub(crate) fn is_flat_at(&self, end: f64) -> bool {
+        self.knots.len() - self.degree - 1 > self.count && self.knots.last() == Some(&end)
+    }
+
     /// The intervals between the knots, on each of which a spline is one polynomial. [`Weights::first`] is the number of an
     /// interval.
     pub(crate) fn intervals(&self) -> impl Iterator<Item = [f64; 2]> {

@@ -4,15 +4,19 @@
 //! index of the train weighs, the fewer of its digits matter. Therefore each core is expanded, over each interval between knots, in
 //! functions that oscillate more and more; an index keeps those whose part is not far below the table's tolerance, and single
 //! precision where that is enough. All but the first two vanish at the knots, so that what is left out makes no jump there.
-//! In the default table to 1e-7 that takes six tenths of the multiplications, and most of them four at a time.
+//! In the default table to 1e-7 that takes six tenths of the multiplications, and more of them at a time.
+//!
+//! What begins with `simd` is compiled several times, and chosen at run time for the instructions that the processor has. All of
+//! it must be inlined, closures too, as only then it is compiled for them.
 
-use std::array;
 use std::f64::consts::PI;
-use std::ops::{Add, AddAssign, Mul};
+
+use fearless_simd::prelude::*;
+use fearless_simd::{Level, dispatch, f32x16, f64x8};
 
 use crate::low_rank::LowRank;
 use crate::rows::add_rows;
-use crate::spline::{Basis, LARGEST_DEGREE, Weights};
+use crate::spline::{Basis, TABLE_DEGREE};
 
 /// What may be left out of the functions of an interval, and how much a rounding to single precision may be, in parts of the
 /// table's tolerance: root mean squares of what is added to the logarithms. A rounding is that small because it is a noise, which a
@@ -20,13 +24,11 @@ use crate::spline::{Basis, LARGEST_DEGREE, Weights};
 const NEGLIGIBLE: f64 = 1e-4;
 const ROUNDING: f64 = 1e-6;
 
-/// The columns of a block in double and in single precision: two sums of them take half of the sixteen registers that every x86-64
-/// has.
-const DOUBLE: usize = 8;
-const SINGLE: usize = 16;
+/// The columns of a block in single precision; in double precision they are half as many.
+const COLUMNS: usize = 16;
 
 /// The most functions on an interval.
-const MOST: usize = LARGEST_DEGREE + 1;
+const MOST: usize = TABLE_DEGREE + 1;
 
 /// The cores of a [`LowRank`] form.
 #[derive(Clone, Debug)]
@@ -41,6 +43,8 @@ pub(crate) struct Train {
 struct Carriage {
     /// For each interval of the axis.
     intervals: Vec<Interval>,
+    /// The ends between them.
+    breaks: Vec<f64>,
     /// One over the weights of the index after it.
     scales: Vec<f64>,
 }
@@ -55,31 +59,27 @@ struct Interval {
     rows: Rows,
 }
 
-/// Combinations of the splines of an interval: the Chebyshev polynomials `T0`, `T1`, `T2 - T0`, `T3 - T1`, `T4 - T0` and so on, or,
-/// next to a flat end, what has their values at as many Chebyshev points as there are splines.
-#[derive(Clone, Debug)]
+/// What a spline is a sum of between two knots: the Chebyshev polynomials `T0`, `T1`, `T2 - T0`, `T3 - T1`, `T4 - T0` and so on;
+/// next to a flat end, 1 and `s^3` times each of these, where `s` is the distance from the end.
+#[derive(Clone, Copy, Debug)]
 struct Functions {
+    ends: [f64; 2],
     count: usize,
-    /// True next to a flat end, where they all count: the derivative with respect to `nu1` is their third.
     flat: bool,
-    /// The matrix that makes splines of them, a row for each spline, factorised: `L` (unit diagonal, below) and `U`.
-    factors: [[f64; MOST]; MOST],
-    /// The splines in the order of these rows.
-    order: [usize; MOST],
 }
 
 /// Rows of equal length: the first ones, which need it, in double precision.
 #[derive(Clone, Debug)]
 struct Rows {
     length: usize,
-    double: Columns<f64, DOUBLE>,
-    single: Columns<f32, SINGLE>,
+    double: Columns<f64>,
+    single: Columns<f32>,
 }
 
-/// Rows in blocks of so many columns, the last one filled up with zeros: sums over a block stay in registers.
+/// Rows in blocks of columns, 512 bits of each row, the last block filled up with zeros: sums over a block stay in registers.
 #[derive(Clone, Debug)]
-struct Columns<T, const WIDTH: usize> {
-    blocks: Vec<[T; WIDTH]>,
+struct Columns<T> {
+    blocks: Vec<T>,
     rows: usize,
 }
 
@@ -92,16 +92,13 @@ impl Train {
             let width = after.len();
             core.chunks_exact_mut(basis.len() * width).for_each(|slab| basis.interpolate(slab, width));
             let intervals = basis.intervals().enumerate().map(|(first, ends)| {
-                let (functions, transform) = Functions::new(basis, first, ends);
-                Interval::new(
-                    functions,
-                    &transform,
-                    before,
-                    |i, spline| &core[(i * basis.len() + first + spline) * width..][..width],
-                    tolerance,
-                )
+                let functions = Functions::new(basis, ends);
+                let coefficients = |i: usize, spline: usize| &core[(i * basis.len() + first + spline) * width..][..width];
+                Interval::new(functions, &functions.transform(basis), before, coefficients, tolerance)
             });
-            Carriage { intervals: intervals.collect(), scales: after.iter().map(|weight| 1.0 / weight).collect() }
+            let intervals: Vec<Interval> = intervals.collect();
+            let breaks = intervals[1..].iter().map(|interval| interval.functions.ends[0]).collect();
+            Carriage { intervals, breaks, scales: after.iter().map(|weight| 1.0 / weight).collect() }
         };
         let carriages = [carriage(substrate, &[1.0], e0, a), carriage(film_modulus, a, e1, b), carriage(film, b, nu, c)];
         let width = last.len() / c.len();
@@ -109,28 +106,42 @@ impl Train {
         Self { carriages, last: Rows::new(&last, width, precise(c, tolerance)) }
     }
 
-    /// The coefficients over `ln(a/t)` at a material, from the splines of `e1_over_e2`, `nu1` and `e0_over_e2` there.
-    pub(crate) fn at(&self, [e1, nu, e0]: &[Weights; 3]) -> Vec<f64> {
-        let mut vector = vec![1.0];
-        for (carriage, weights) in self.carriages.iter().zip([e0, e1, nu]) {
-            let interval = &carriage.intervals[weights.first];
-            vector = carriage.after(interval, &vector, &interval.functions.at(&weights.values));
-        }
-        self.last.sum(&vector)
+    /// The coefficients over `ln(a/t)` at the coordinates `e1_over_e2`, `nu1` and `e0_over_e2` of a material.
+    pub(crate) fn at(&self, place: [f64; 3]) -> Vec<f64> {
+        dispatch!(Level::new(), simd => self.value(simd, place))
     }
 
-    /// The same, followed by the derivatives with respect to the three coordinates.
-    pub(crate) fn with_slopes(&self, [e1, nu, e0]: &[Weights; 3]) -> [Vec<f64>; 4] {
+    /// The same, followed by the derivatives with respect to the three coordinates, each of them where it says.
+    pub(crate) fn with_slopes(&self, place: [f64; 3], slopes_at: [f64; 3]) -> [Vec<f64>; 4] {
+        dispatch!(Level::new(), simd => self.value_and_slopes(simd, place, slopes_at))
+    }
+
+    #[inline(always)]
+    fn value<S: Simd>(&self, simd: S, [e1, nu, e0]: [f64; 3]) -> Vec<f64> {
+        let mut vector = vec![1.0];
+        for (carriage, u) in self.carriages.iter().zip([e0, e1, nu]) {
+            let interval = carriage.interval(u);
+            vector = carriage.after(simd, interval, &vector, &interval.functions.at(u).0);
+        }
+        self.last.sum(simd, &vector)
+    }
+
+    #[inline(always)]
+    fn value_and_slopes<S: Simd>(&self, simd: S, place: [f64; 3], slopes_at: [f64; 3]) -> [Vec<f64>; 4] {
         // The vector, and its derivatives with respect to the coordinates so far.
         let mut vectors = vec![vec![1.0]];
-        for (carriage, weights) in self.carriages.iter().zip([e0, e1, nu]) {
-            let interval = &carriage.intervals[weights.first];
-            let [values, slopes] = [weights.values, weights.slopes].map(|splines| interval.functions.at(&splines));
-            let by_this = carriage.after(interval, &vectors[0], &slopes);
-            vectors.iter_mut().for_each(|vector| *vector = carriage.after(interval, vector, &values));
+        for (carriage, axis) in self.carriages.iter().zip([2, 0, 1]) {
+            let interval = carriage.interval(slopes_at[axis]);
+            let by_this = carriage.after(simd, interval, &vectors[0], &interval.functions.at(slopes_at[axis]).1);
+            let interval = carriage.interval(place[axis]);
+            let (values, _) = interval.functions.at(place[axis]);
+            for vector in &mut vectors {
+                *vector = carriage.after(simd, interval, vector, &values);
+            }
             vectors.push(by_this);
         }
-        [0, 2, 3, 1].map(|i| self.last.sum(&vectors[i]))
+        let [value, by_e0, by_e1, by_nu] = &vectors[..] else { unreachable!("one for each axis and one more") };
+        [self.last.sum(simd, value), self.last.sum(simd, by_e1), self.last.sum(simd, by_nu), self.last.sum(simd, by_e0)]
     }
 }
 
@@ -141,13 +152,19 @@ fn precise(weights: &[f64], tolerance: f64) -> usize {
 }
 
 impl Carriage {
+    /// The interval that a coordinate is on.
+    fn interval(&self, u: f64) -> &Interval {
+        &self.intervals[self.breaks.partition_point(|&end| end <= u)]
+    }
+
     /// The vector after a core, from that before it.
-    fn after(&self, interval: &Interval, before: &[f64], functions: &[f64; MOST]) -> Vec<f64> {
+    #[inline(always)]
+    fn after<S: Simd>(&self, simd: S, interval: &Interval, before: &[f64], functions: &[f64; MOST]) -> Vec<f64> {
         let mut weights = Vec::with_capacity(before.len() * MOST);
         for (entry, &count) in before.iter().zip(&interval.needed) {
             weights.extend(functions[..count].iter().map(|value| entry * value));
         }
-        let mut after = interval.rows.sum(&weights);
+        let mut after = interval.rows.sum(simd, &weights);
         after.iter_mut().zip(&self.scales).for_each(|(entry, scale)| *entry *= scale);
         after
     }
@@ -157,7 +174,7 @@ impl Interval {
     /// From the coefficients of an index before it and a spline: `transform` holds a row for each function.
     fn new<'a>(
         functions: Functions,
-        transform: &[[f64; MOST]; MOST],
+        transform: &[Vec<f64>],
         before: &[f64],
         coefficients: impl Fn(usize, usize) -> &'a [f64],
         tolerance: f64,
@@ -165,18 +182,15 @@ impl Interval {
         let count = functions.count;
         let length = coefficients(0, 0).len();
         let precise = precise(before, tolerance);
-        let negligible = if functions.flat { 0.0 } else { NEGLIGIBLE * tolerance };
+        let negligible = NEGLIGIBLE * tolerance;
         let (mut rows, mut needed, mut double) = (Vec::new(), Vec::with_capacity(before.len()), 0);
         for i in 0..before.len() {
             let start = rows.len();
-            let mut most = count.min(2);
-            for (function, row) in transform[..count].iter().enumerate() {
+            let mut most = count.min(functions.constant_and_line());
+            for (function, row) in transform.iter().enumerate() {
                 rows.resize(start + (function + 1) * length, 0.0);
                 let sum = &mut rows[start + function * length..];
-                row[..count]
-                    .iter()
-                    .enumerate()
-                    .for_each(|(spline, weight)| add_rows(sum, &[*weight], coefficients(i, spline), length));
+                row.iter().enumerate().for_each(|(spline, weight)| add_rows(sum, &[*weight], coefficients(i, spline), length));
                 let square: f64 = sum.iter().map(|entry| entry * entry).sum();
                 if square.sqrt() > negligible {
                     most = function + 1;
@@ -193,63 +207,87 @@ impl Interval {
 }
 
 impl Functions {
-    /// Those of an interval between knots, on which the splines from `first` on do not vanish; and what their coefficients are in
-    /// terms of those of the splines, a row for each function.
-    fn new(basis: &Basis, first: usize, [from, to]: [f64; 2]) -> (Self, [[f64; MOST]; MOST]) {
-        let count = basis.weights(from.midpoint(to)).count;
+    /// Between two neighbouring knots.
+    fn new(basis: &Basis, ends: [f64; 2]) -> Self {
+        let flat = basis.is_flat_at(ends[1]);
+        Self { ends, count: if flat { basis.degree() - 1 } else { basis.degree() + 1 }, flat }
+    }
+
+    /// How many come before those that vanish at both ends.
+    fn constant_and_line(&self) -> usize {
+        if self.flat { 3 } else { 2 }
+    }
+
+    /// The values and the slopes.
+    fn at(&self, u: f64) -> ([f64; MOST], [f64; MOST]) {
+        let [from, to] = self.ends;
+        let length = to - from;
+        if !self.flat {
+            let (values, slopes) = chebyshev((u - from - (to - u)) / length);
+            return (values, slopes.map(|slope| 2.0 / length * slope));
+        }
+        let s = (to - u) / length;
+        let (polynomials, derivatives) = chebyshev(1.0 - 2.0 * s);
+        let (mut values, mut slopes) = ([0.0; MOST], [0.0; MOST]);
+        values[0] = 1.0;
+        for (i, (polynomial, derivative)) in polynomials.iter().zip(derivatives).take(MOST - 1).enumerate() {
+            values[i + 1] = s * s * s * polynomial;
+            slopes[i + 1] = (2.0 * s * derivative - 3.0 * polynomial) * s * s / length;
+        }
+        (values, slopes)
+    }
+
+    /// Their coefficients in terms of those of the splines that do not vanish here: a row for each function.
+    fn transform(&self, basis: &Basis) -> Vec<Vec<f64>> {
+        let [from, to] = self.ends;
+        // The polynomials, and as many Chebyshev points.
+        let skipped = usize::from(self.flat);
+        let count = self.count - skipped;
         let angle = |point: usize| PI * (point as f64 + 0.5) / count as f64;
-        let point = |i: usize| from.midpoint(to) + 0.5 * (to - from) * angle(i).cos();
-        let splines: Vec<Weights> = (0..count).map(|i| basis.weights(point(i))).collect();
-        debug_assert!(splines.iter().all(|splines| splines.first == first));
-        let mut transform = [[0.0; MOST]; MOST];
-        for (function, row) in transform[..count].iter_mut().enumerate() {
-            let norm = if function == 0 { 1.0 } else { 2.0 } / count as f64;
-            for (spline, entry) in row[..count].iter_mut().enumerate() {
-                let terms =
-                    splines.iter().enumerate().map(|(i, splines)| (function as f64 * angle(i)).cos() * splines.values[spline]);
-                *entry = norm * terms.sum::<f64>();
+        let splines = basis.weights(from.midpoint(to)).count;
+        let mut transform = vec![vec![0.0; splines]; self.count];
+        for point in 0..count {
+            let s = 0.5 - 0.5 * angle(point).cos();
+            let splines = basis.weights(to - (to - from) * s);
+            // At a flat end the last spline is 1, and all others fall like `s^3`. They add up to one, so that its difference from 1
+            // is that of the others from 0, without cancellation.
+            let last = splines.count - 1;
+            let value = |spline: usize| match self.flat {
+                false => splines.values[spline],
+                true if spline < last => splines.values[spline] / s.powi(3),
+                true => -splines.values[..last].iter().sum::<f64>() / s.powi(3),
+            };
+            for (function, row) in transform[skipped..][..count].iter_mut().enumerate() {
+                let share = if function == 0 { 1.0 } else { 2.0 } / count as f64 * (function as f64 * angle(point)).cos();
+                row.iter_mut().enumerate().for_each(|(spline, entry)| *entry += share * value(spline));
+            }
+            if self.flat {
+                transform[0][last] = 1.0;
             }
         }
         // From the polynomials to their differences from the first two.
+        let polynomials = &mut transform[skipped..];
         for function in 2..count {
-            (0..count).for_each(|spline| transform[function % 2][spline] += transform[function][spline]);
+            let (firsts, row) = polynomials.split_at_mut(function);
+            firsts[function % 2].iter_mut().zip(&row[0]).for_each(|(first, entry)| *first += entry);
         }
-        let factors = array::from_fn(|spline| array::from_fn(|function| transform[function][spline]));
-        let mut functions = Self { count, flat: count <= basis.degree(), factors, order: array::from_fn(|i| i) };
-        functions.factorise();
-        (functions, transform)
+        transform
     }
+}
 
-    /// Gaussian elimination with partial pivoting.
-    fn factorise(&mut self) {
-        let Self { count, factors, order, .. } = self;
-        for i in 0..*count {
-            let pivot = (i..*count).max_by(|&p, &q| factors[p][i].abs().total_cmp(&factors[q][i].abs())).unwrap_or(i);
-            factors.swap(i, pivot);
-            order.swap(i, pivot);
-            let (above, below) = factors.split_at_mut(i + 1);
-            for row in &mut below[..*count - i - 1] {
-                row[i] /= above[i][i];
-                (i + 1..*count).for_each(|k| row[k] -= row[i] * above[i][k]);
-            }
-        }
+/// `T0`, `T1`, `T2 - T0`, `T3 - T1`, `T4 - T0` and so on, and their derivatives.
+fn chebyshev(t: f64) -> ([f64; MOST], [f64; MOST]) {
+    let (mut values, mut slopes) = ([1.0; MOST], [0.0; MOST]);
+    (values[1], slopes[1]) = (t, 1.0);
+    for k in 2..MOST {
+        values[k] = 2.0 * t * values[k - 1] - values[k - 2];
+        slopes[k] = 2.0 * (values[k - 1] + t * slopes[k - 1]) - slopes[k - 2];
     }
-
-    /// The values (slopes) at a point, from those of the splines there: the solution of a system, because its inverse would lose
-    /// digits.
-    fn at(&self, splines: &[f64; MOST]) -> [f64; MOST] {
-        let mut functions = [0.0; MOST];
-        for i in 0..self.count {
-            let row = &self.factors[i];
-            functions[i] = splines[self.order[i]] - (0..i).map(|k| row[k] * functions[k]).sum::<f64>();
-        }
-        for i in (0..self.count).rev() {
-            let row = &self.factors[i];
-            let rest: f64 = (i + 1..self.count).map(|k| row[k] * functions[k]).sum();
-            functions[i] = (functions[i] - rest) / row[i];
-        }
-        functions
+    for k in 2..MOST {
+        values[k] -= values[k % 2];
+        slopes[k] -= slopes[k % 2];
     }
+    (values, slopes)
 }
 
 impl Rows {
@@ -258,65 +296,65 @@ impl Rows {
         let (double, single) = rows.split_at(double * length);
         Self {
             length,
-            double: Columns::new(double, length, |entry| entry),
-            single: Columns::new(single, length, |entry| entry as f32),
+            double: Columns::new(double, length, COLUMNS / 2, |entry| entry),
+            single: Columns::new(single, length, COLUMNS, |entry| entry as f32),
         }
     }
 
     /// The weighted sum.
-    fn sum(&self, weights: &[f64]) -> Vec<f64> {
+    #[inline(always)]
+    fn sum<S: Simd>(&self, simd: S, weights: &[f64]) -> Vec<f64> {
         let (double, single) = weights.split_at(self.double.rows);
         let single: Vec<f32> = single.iter().map(|&weight| weight as f32).collect();
-        let mut sum = vec![0.0; self.length.next_multiple_of(SINGLE)];
-        self.double.add_to(&mut sum, double);
-        self.single.add_to(&mut sum, &single);
+        let mut sum = vec![0.0; self.length.next_multiple_of(COLUMNS)];
+        for (sum, block) in sum.chunks_exact_mut(COLUMNS / 2).zip(self.double.blocks(COLUMNS / 2)) {
+            block_sum::<S, f64x8<S>>(simd, block, double).store_slice(sum);
+        }
+        for (sum, block) in sum.chunks_exact_mut(COLUMNS).zip(self.single.blocks(COLUMNS)) {
+            let rest = block_sum::<S, f32x16<S>>(simd, block, &single);
+            sum.iter_mut().zip(rest.as_slice()).for_each(|(sum, &entry)| *sum += f64::from(entry));
+        }
         sum.truncate(self.length);
         sum
     }
 }
 
-impl<T, const WIDTH: usize> Columns<T, WIDTH>
-where
-    T: Copy + Default + Add<Output = T> + Mul<Output = T> + AddAssign + Into<f64>,
-{
-    fn new(rows: &[f64], length: usize, entry: impl Fn(f64) -> T) -> Self {
-        let mut blocks = Vec::with_capacity(length.div_ceil(WIDTH) * rows.len() / length);
-        for first in (0..length).step_by(WIDTH) {
+impl<T: Copy + Default> Columns<T> {
+    fn new(rows: &[f64], length: usize, width: usize, entry: impl Fn(f64) -> T) -> Self {
+        let mut blocks = Vec::with_capacity(length.next_multiple_of(width) * rows.len() / length);
+        for first in (0..length).step_by(width) {
             for row in rows.chunks_exact(length) {
-                let mut block = [T::default(); WIDTH];
-                block.iter_mut().zip(&row[first..]).for_each(|(place, &value)| *place = entry(value));
-                blocks.push(block);
+                let part = row[first..].iter().take(width);
+                blocks.extend(part.map(|&value| entry(value)));
+                blocks.resize(blocks.len().next_multiple_of(width), T::default());
             }
         }
         Self { blocks, rows: rows.len() / length }
     }
 
-    /// Adds the weighted sum of the rows.
-    fn add_to(&self, sum: &mut [f64], weights: &[T]) {
-        for (sum, block) in sum.chunks_exact_mut(WIDTH).zip(self.blocks.chunks_exact(self.rows.max(1))) {
-            sum.iter_mut().zip(block_sum(block, weights)).for_each(|(sum, entry)| *sum += entry.into());
-        }
+    /// Of so many columns each; none if there is no row.
+    fn blocks(&self, width: usize) -> impl Iterator<Item = &[T]> {
+        self.blocks.chunks_exact((self.rows * width).max(1))
     }
 }
 
-/// The weighted sum of the rows of a block. Two at once, because a sum cannot begin before the one before it has ended; and not
-/// inlined, because what becomes of the sum would decide how it is made, two numbers at a time instead of four.
-#[inline(never)]
-fn block_sum<T, const WIDTH: usize>(block: &[[T; WIDTH]], weights: &[T]) -> [T; WIDTH]
+/// The weighted sum of the rows of a block. Two at once, because a sum cannot begin before the one before it has ended.
+#[inline(always)]
+fn block_sum<S: Simd, V: SimdFloat<S>>(simd: S, block: &[V::Element], weights: &[V::Element]) -> V
 where
-    T: Copy + Default + Add<Output = T> + Mul<Output = T> + AddAssign,
+    V::Element: Default,
 {
-    let (mut even, mut odd) = ([T::default(); WIDTH], [T::default(); WIDTH]);
-    let ((rows, last_row), (pairs, last)) = (block.as_chunks::<2>(), weights.as_chunks::<2>());
-    for ([a, b], &[p, q]) in rows.iter().zip(pairs) {
-        for i in 0..WIDTH {
-            even[i] += p * a[i];
-            odd[i] += q * b[i];
-        }
+    let zero = V::splat(simd, V::Element::default());
+    let (mut even, mut odd) = (zero, zero);
+    let mut pairs = block.chunks_exact(2 * V::LEN);
+    let (two, last) = weights.as_chunks::<2>();
+    for (rows, &[p, q]) in (&mut pairs).zip(two) {
+        let (a, b) = rows.split_at(V::LEN);
+        even = V::from_slice(simd, a).mul_add(V::splat(simd, p), even);
+        odd = V::from_slice(simd, b).mul_add(V::splat(simd, q), odd);
     }
-    for (row, &weight) in last_row.iter().zip(last) {
-        (0..WIDTH).for_each(|i| even[i] += weight * row[i]);
+    if let [weight] = last {
+        even = V::from_slice(simd, pairs.remainder()).mul_add(V::splat(simd, *weight), even);
     }
-    (0..WIDTH).for_each(|i| even[i] += odd[i]);
-    even
+    even + odd
 }

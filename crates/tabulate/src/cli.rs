@@ -9,6 +9,7 @@ mod pack;
 mod plot;
 mod points;
 mod query;
+mod report;
 mod solve;
 mod unpack;
 
@@ -41,6 +42,7 @@ enum Command {
     Generate(generate::Arguments),
     Solve(solve::Arguments),
     Query(query::Arguments),
+    Report(report::Arguments),
     Curve(curve::Arguments),
     Info(info::Arguments),
     Check(check::Arguments),
@@ -56,6 +58,7 @@ pub fn run() -> ExitCode {
         Command::Generate(arguments) => generate::run(&arguments),
         Command::Solve(arguments) => solve::run(&arguments),
         Command::Query(arguments) => query::run(&arguments),
+        Command::Report(arguments) => report::run(&arguments),
         Command::Curve(arguments) => curve::run(&arguments),
         Command::Info(arguments) => info::run(&arguments),
         Command::Check(arguments) => check::run(&arguments),

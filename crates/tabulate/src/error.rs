@@ -37,6 +37,18 @@ pub enum Error {
         /// The estimated relative error that was reached; infinite where there is no answer at all.
         reached: f64,
     },
+    /// A measurement that is not what it was.
+    #[error("row {row}: {column} was {before} and is {now}")]
+    Changed {
+        /// The number of the row, from 1.
+        row: usize,
+        /// The column.
+        column: String,
+        /// What it was.
+        before: String,
+        /// What it is.
+        now: String,
+    },
     /// A low-rank form that rounding keeps from its error.
     #[error(
         "a low-rank form with an error of {error:.1e} is not within rounding: it has {reached:.1e}; ask for a larger tolerance"
@@ -46,6 +58,39 @@ pub enum Error {
         error: f64,
         /// The smallest that was reached.
         reached: f64,
+    },
+    /// A tolerance that no packed table is asked for.
+    #[error("tolerance = {tolerance:?} is outside {least:e} to {most:e}")]
+    PackedTolerance {
+        /// What was asked for.
+        tolerance: f64,
+        /// The smallest allowed.
+        least: f64,
+        /// The largest allowed.
+        most: f64,
+    },
+    /// A table that is not accurate enough to be packed to the tolerance.
+    #[error("its certified error {own:.1e} leaves no room below the tolerance {tolerance:e}: make it with a smaller tolerance")]
+    NoRoom {
+        /// The table's own certified error.
+        own: f64,
+        /// What was asked for.
+        tolerance: f64,
+    },
+    /// A low-rank form that misses its tolerance between the nodes.
+    #[error(
+        "its low-rank form has a measured error of {measured:.1e}, more than the tolerance {tolerance:e}, though truncation adds no more than \
+         {truncation:.1e} at its nodes; its own certified error is {own:.1e}: make it with a smaller tolerance"
+    )]
+    Packed {
+        /// The error measured.
+        measured: f64,
+        /// What was asked for.
+        tolerance: f64,
+        /// The largest error of truncation at the nodes.
+        truncation: f64,
+        /// The table's own certified error.
+        own: f64,
     },
     /// A scene that says something impossible.
     #[error("{}: {what}", path.display())]

@@ -11,6 +11,7 @@
 #![deny(unsafe_code)]
 
 mod answer;
+pub mod approximations;
 pub mod archive;
 mod bessel;
 mod bindings;
@@ -26,9 +27,11 @@ pub mod generate;
 mod journal;
 mod krylov;
 mod output;
+pub mod pack;
 pub mod plan;
 pub mod plot;
 mod quadrature;
+pub mod report;
 pub mod scene;
 pub mod solve;
 pub mod sweep;

@@ -1,13 +1,16 @@
 //! The project's own commands, run as `cargo xtask COMMAND`.
 //!
 //! They need Rust, a C compiler and python3, and fetch the rest (cmake for libhdf5, h5py for one test, scipy for two benches) from
-//! PyPI into the target directory.
+//! PyPI into the target directory. The tests of the report run in Chromium, which is installed with apt-get where that is possible.
 
 #![forbid(unsafe_code)]
 
+mod browser;
+mod figures;
 mod hdf5;
 mod python;
 mod tables;
+mod tabulate;
 mod workspace;
 
 use std::env;
@@ -19,6 +22,9 @@ usage: cargo xtask COMMAND
   table [SCENE] [ARGS]
                  make a table: `tabulate generate SCENE ARGS`; without SCENE the default one, into tables/default.h5
   tables         make and pack the table of every scene in tables/, in target/tables/, and print the rows of tables/README.md
+  figures [--check]
+                 measure what accuracy costs, draw all figures and quote the numbers in README.md and tables/README.md; or measure
+                 and draw again, and fail where that differs
   test [ARGS]    run the whole test suite, optimised; ARGS go to `cargo test`
   compare        time the solve against numpy and scipy on the same equation, and the lookup against interpn and scipy on
                  the same nodes
@@ -32,6 +38,8 @@ fn main() -> ExitCode {
     let outcome = match command.as_deref() {
         Some("table") => table(&rest),
         Some("tables") if rest.is_empty() => tables::tables(),
+        Some("figures") if rest.is_empty() => figures::figures(),
+        Some("figures") if rest == ["--check"] => figures::check(),
         Some("test") => test(&rest),
         Some("compare") if rest.is_empty() => compare(),
         Some("cargo") if !rest.is_empty() => cargo(&rest),
@@ -69,7 +77,9 @@ fn table(args: &[String]) -> Result<(), String> {
 fn test(args: &[String]) -> Result<(), String> {
     let mut command = vec!["test", "--release", "--workspace"];
     command.extend(args.iter().map(String::as_str));
-    succeed(hdf5::cargo(&command)?.env("H5PY_PATH", python::package("h5py", H5PY)?))
+    let mut cargo = hdf5::cargo(&command)?;
+    cargo.env("H5PY_PATH", python::package("h5py", H5PY)?).envs(browser::chromium().map(|path| ("CHROMIUM", path)));
+    succeed(&mut cargo)
 }
 
 /// The h5py versions that one test of the HDF5 file is known to pass with.

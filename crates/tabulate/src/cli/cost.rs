@@ -1,12 +1,16 @@
 //! `tabulate cost`
 
+mod effects;
+mod lookup;
 mod solve;
+mod table;
 
 use std::path::Path;
 
 use clap::Subcommand;
 use serde::Serialize;
 
+pub use self::lookup::measured as measure_lookup;
 pub use self::solve::measured as measure_solve;
 use super::write_text;
 use crate::cost::to_csv;
@@ -24,11 +28,17 @@ pub struct Arguments {
 #[derive(Subcommand)]
 enum Of {
     Solve(solve::Arguments),
+    Table(table::Arguments),
+    Lookup(lookup::Arguments),
+    Effects(effects::Arguments),
 }
 
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     match &arguments.of {
         Of::Solve(arguments) => solve::run(arguments),
+        Of::Table(arguments) => table::run(arguments),
+        Of::Lookup(arguments) => lookup::run(arguments),
+        Of::Effects(arguments) => effects::run(arguments),
     }
 }
 

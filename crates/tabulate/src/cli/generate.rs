@@ -1,6 +1,6 @@
 //! `tabulate generate`
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 use std::time::{Duration, Instant};
 
@@ -62,10 +62,7 @@ pub struct Arguments {
 }
 
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
-    let scene = match &arguments.scene {
-        Some(path) => Scene::read(path, arguments.tolerance)?,
-        None => Scene::parse(DEFAULT_SCENE, arguments.tolerance).map_err(anyhow::Error::msg).context("the default scene")?,
-    };
+    let scene = read_scene(arguments.scene.as_deref(), arguments.tolerance)?;
     let threads = rayon::ThreadPoolBuilder::new()
         .num_threads(usize::from(arguments.jobs.unwrap_or(0)))
         .build()
@@ -79,18 +76,12 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         (None, Some(scene)) => scene.with_extension("h5"),
         (None, None) => PathBuf::from("default.h5"),
     };
-    let budget = match arguments.budget {
-        None => None,
-        Some(seconds) => {
-            ensure!(seconds > 0.0 && seconds <= 1e9, "--budget = {seconds:?}: it must be above 0 and at most 1e9 seconds");
-            Some(Duration::from_secs_f64(seconds))
-        }
-    };
+    let budget = arguments.budget.map(budget).transpose()?;
     output::check(Some(&path), arguments.scene.as_deref())?;
     let options = Options { certificate_points: points, seed: arguments.seed, resume: arguments.resume, budget };
 
     let start = Instant::now();
-    let bars = Bars(Mutex::new(ProgressBar::hidden()));
+    let bars = Bars::new();
     let generated = threads.install(|| generate(&scene, &path, &options, &bars));
     bars.clear();
     let Generated { table, refined, points, resumed, solved } = generated?;
@@ -118,6 +109,20 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         );
     }
     Ok(())
+}
+
+/// The scene of a file, or the default one.
+pub fn read_scene(path: Option<&Path>, tolerance: Option<f64>) -> anyhow::Result<Scene> {
+    match path {
+        Some(path) => Ok(Scene::read(path, tolerance)?),
+        None => Scene::parse(DEFAULT_SCENE, tolerance).map_err(anyhow::Error::msg).context("the default scene"),
+    }
+}
+
+/// The time that `--budget` allows.
+pub fn budget(seconds: f64) -> anyhow::Result<Duration> {
+    ensure!(seconds > 0.0 && seconds <= 1e9, "--budget = {seconds:?}: it must be above 0 and at most 1e9 seconds");
+    Ok(Duration::from_secs_f64(seconds))
 }
 
 /// The most memory that this process has held, where the system says (Linux).
@@ -168,14 +173,18 @@ fn seconds_per_point(scene: &Scene, plan: &Plan) -> anyhow::Result<f64> {
 }
 
 /// A bar for each stage.
-struct Bars(Mutex<ProgressBar>);
+pub struct Bars(Mutex<ProgressBar>);
 
 impl Bars {
+    pub fn new() -> Self {
+        Self(Mutex::new(ProgressBar::hidden()))
+    }
+
     fn bar(&self) -> std::sync::MutexGuard<'_, ProgressBar> {
         self.0.lock().unwrap_or_else(std::sync::PoisonError::into_inner)
     }
 
-    fn clear(&self) {
+    pub fn clear(&self) {
         self.bar().finish_and_clear();
     }
 }

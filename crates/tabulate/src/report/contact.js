@@ -1,0 +1,95 @@
+// The contact in SI units: eqs. 2 to 9 (mechanics.rs), and where it separates (equilibrium.rs).
+
+/** The distance in ln a of the grid on which turning points are sought. */
+const SEARCH_STEP = 0.05;
+
+/** Where `f`, which changes its sign between `low` and `high`, vanishes. */
+function root(f, low, high) {
+    const sign = Math.sign(f(low));
+    for (let i = 0; i < 200; i += 1) {
+        const middle = 0.5 * (low + high);
+        if (middle === low || middle === high) break;
+        if (Math.sign(f(middle)) === sign) low = middle; else high = middle;
+    }
+    return 0.5 * (low + high);
+}
+
+/** A sphere on a film on a substrate, in contact with a work of adhesion. */
+class Contact {
+    /** `system` holds radius, thickness, workOfAdhesion, and modulus, the one that normalises. */
+    constructor(table, material, system) {
+        Object.assign(this, system);
+        this.curve = table.curve(material);
+        this.sphereFilmModulus = this.modulus * this.curve.es;
+        /** The contact radii that the table covers. */
+        this.range = table.range("a_over_t").map((x) => x * this.thickness);
+        this.sections = { load: this.sectionsOf("load"), penetration: this.sectionsOf("penetration") };
+    }
+
+    /** Load, penetration and their slopes d/d ln a, at contact radius `a`. */
+    state(a) {
+        const { pi0, eeq, gamma, delta0 } = this.curve.at(a / this.thickness);
+        const edge = Math.sqrt(0.5 * Math.PI * a * this.workOfAdhesion * this.sphereFilmModulus);
+        const pressed = { load: (a ** 3 * this.modulus * pi0.value) / (2 * this.radius), penetration: (a * a * delta0.value) / this.radius };
+        const pulled = { load: (4 * a * edge * eeq.value) / gamma.value, penetration: (2 * edge) / (this.modulus * gamma.value) };
+        return {
+            contact_radius: a,
+            load: pressed.load - pulled.load,
+            penetration: pressed.penetration - pulled.penetration,
+            slopes: {
+                load: pressed.load * (3 + pi0.slope) - pulled.load * (1.5 + eeq.slope - gamma.slope),
+                penetration: pressed.penetration * (2 + delta0.slope) - pulled.penetration * (0.5 - gamma.slope),
+            },
+        };
+    }
+
+    /** The pieces of the table's contact radii on which what is controlled, "load" or "penetration", rises or falls. */
+    sectionsOf(controlled) {
+        const [first, last] = this.range.map(Math.log);
+        const slope = (u) => this.state(Math.exp(u)).slopes[controlled];
+        const count = Math.max(1, Math.ceil((last - first) / SEARCH_STEP));
+        const place = (i) => first + ((last - first) * i) / count;
+        const sections = [];
+        let start = first, rises = slope(first) >= 0;
+        const end = (u) => {
+            sections.push({ u: [start, u], imposed: [start, u].map((v) => this.state(Math.exp(v))[controlled]), rises });
+            start = u;
+        };
+        for (let i = 1; i <= count; i += 1) {
+            if (slope(place(i)) >= 0 !== rises) {
+                end(root(slope, place(i - 1), place(i)));
+                rises = !rises;
+            }
+        }
+        end(last);
+        return sections;
+    }
+
+    /** Where the contact separates; nothing if its contact radius is outside the table, or without adhesion. */
+    pullOff(controlled) {
+        const sections = this.sections[controlled];
+        if (this.workOfAdhesion === 0 || sections[0].rises || !sections.at(-1).rises) return null;
+        const stable = sections.filter((section) => section.rises);
+        const least = stable.reduce((a, b) => (b.imposed[0] < a.imposed[0] ? b : a));
+        return this.state(Math.exp(least.u[0]));
+    }
+
+    /** The largest stable contact without load; nothing if its contact radius is outside the table, or without adhesion. */
+    zeroLoad() {
+        const rest = this.sections.load.findLast(({ rises, imposed: [from, to] }) => rises && from <= 0 && to >= 0);
+        if (this.workOfAdhesion === 0 || !rest) return null;
+        // No load at all, not what rounding leaves of it.
+        return { ...this.state(Math.exp(root((u) => this.state(Math.exp(u)).load, ...rest.u))), load: 0 };
+    }
+
+    /** The contact radii to draw: to somewhat beyond the one without load, or a tenth of the sphere's radius without adhesion. */
+    drawn() {
+        const [first, last] = this.range, rest = this.zeroLoad();
+        let to = first;
+        if (rest) to = Number((1.3 * rest.contact_radius).toPrecision(3));
+        else if (this.workOfAdhesion === 0) to = 0.1 * this.radius;
+        else if (this.state(last).load < 0) to = last;
+        to = Math.min(Math.max(to, 10 * first), last);
+        return [Math.max(first, 1e-6 * to), to];
+    }
+}

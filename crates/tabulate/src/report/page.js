@@ -1,0 +1,412 @@
+// The page: sliders to a contact, a contact to curves and numbers.
+
+/** What the sliders set, by the names of `tabulate curve`'s options; `scale` is the unit shown, in SI units. */
+const SETTINGS = {
+    film_thickness: { name: "film thickness", symbol: "t", unit: "µm", scale: 1e-6, usual: 1e-6, sensible: [1e-9, 1e-3] },
+    film_modulus: { name: "film modulus", symbol: "E₁", unit: "MPa", scale: 1e6, usual: 3.5e6, sensible: [1e3, 1e12] },
+    film_poisson_ratio: { name: "film Poisson ratio", symbol: "ν₁", unit: "", scale: 1, usual: 0.5 },
+    substrate_modulus: { name: "substrate modulus", symbol: "E₀", unit: "MPa", scale: 1e6, usual: 2e11 },
+    sphere_modulus: { name: "sphere reduced modulus", symbol: "E₂*", unit: "MPa", scale: 1e6, usual: 2e6, sensible: [1e3, 1e12] },
+    sphere_radius: { name: "sphere radius", symbol: "R", unit: "µm", scale: 1e-6, usual: 1e-3, sensible: [1e-8, 0.1] },
+    work_of_adhesion: { name: "work of adhesion", symbol: "w", unit: "mJ/m²", scale: 1e-3, usual: 0.04, sensible: [1e-4, 10] },
+};
+/** A slider has this many steps. */
+const STEPS = 1000;
+const COLUMNS = ["contact_radius", "load", "penetration", "jkr_abscissa", "jkr_ordinate"];
+
+const byId = (id) => document.getElementById(id);
+/** A number without the rounding of a change of units. */
+const rounded = (value, digits = 14) => Number(value.toPrecision(digits));
+
+/** An element with attributes and children, in the page or in a drawing. */
+function element(name, attributes = {}, ...children) {
+    const drawing = ["svg", "g", "path", "line", "text", "circle", "rect"].includes(name);
+    const made = drawing ? document.createElementNS("http://www.w3.org/2000/svg", name) : document.createElement(name);
+    Object.entries(attributes).forEach(([key, value]) => made.setAttribute(key, value));
+    made.append(...children);
+    return made;
+}
+
+const PREFIXES = { 12: "T", 9: "G", 6: "M", 3: "k", 0: "", [-3]: "m", [-6]: "µ", [-9]: "n", [-12]: "p", [-15]: "f", [-18]: "a" };
+
+/** The power of a thousand, and its prefix, in which a value is best written. */
+function prefix(value) {
+    const thousands = value === 0 ? 0 : Math.floor(Math.log10(Math.abs(value)) / 3 + 1e-9);
+    const power = 3 * Math.min(4, Math.max(-6, thousands));
+    return { scale: 10 ** power, prefix: PREFIXES[power] };
+}
+
+/** A value with its unit for people, and to the last digit for programs. */
+function shown(value, unit) {
+    const { scale, prefix: sign } = unit === "" ? { scale: 1, prefix: "" } : prefix(value);
+    const text = value === 0 ? "0" : (value / scale).toPrecision(6).replace("-", "−");
+    return element("data", { value }, `${text} ${sign}${unit}`.trim());
+}
+
+/** The state of the page: SI values by name, and what the table makes of them. */
+class Page {
+    constructor(table) {
+        this.table = table;
+        this.adhesive = ["eeq", "gamma"].every((quantity) => table.held.includes(quantity));
+        this.penetrates = table.held.includes("delta0");
+        this.unit = table.rigidSphere ? "film_modulus" : "sphere_modulus";
+        this.values = Object.fromEntries(Object.entries(SETTINGS).map(([key, setting]) => [key, setting.usual]));
+        this.rows = new Map();
+        this.settle();
+        // The paper's system, or the next one to it in the box.
+        for (const [key, parameter] of [["film_modulus", "e1_over_e2"], ["substrate_modulus", "e0_over_e2"]]) {
+            if (this.sliding(key) && key !== this.unit) this.values[key] = this.within(this.values[key], this.box(parameter));
+        }
+        this.values.film_poisson_ratio = this.within(this.values.film_poisson_ratio, table.range("nu1"));
+        this.usual = { ...this.values };
+        this.makeControls();
+        this.readAddress();
+        addEventListener("hashchange", () => this.readAddress());
+        new ResizeObserver(() => this.draw()).observe(byId("charts"));
+        byId("download").addEventListener("click", () => this.download());
+    }
+
+    within(value, [from, to]) {
+        return Math.min(Math.max(value, from), to);
+    }
+
+    /** The moduli that a ratio's range allows with the present unit. */
+    box(parameter) {
+        return this.table.range(parameter).map((ratio) => rounded(ratio * this.values[this.unit]));
+    }
+
+    /** Whether a setting is free. */
+    sliding(key) {
+        switch (key) {
+            case "film_modulus": return this.table.rigidSphere || !this.table.fixes("e1_over_e2");
+            case "film_poisson_ratio": return !this.table.fixes("nu1");
+            case "substrate_modulus": return !this.table.fixes("e0_over_e2");
+            case "sphere_modulus": return !this.table.rigidSphere;
+            case "work_of_adhesion": return this.adhesive;
+            default: return true;
+        }
+    }
+
+    /** Gives settings that the table fixes their values. */
+    settle() {
+        const { table, values } = this;
+        if (table.rigidSphere) values.sphere_modulus = Infinity;
+        else if (table.fixes("e1_over_e2")) [values.film_modulus] = this.box("e1_over_e2");
+        if (table.fixes("e0_over_e2")) [values.substrate_modulus] = this.box("e0_over_e2");
+        if (table.fixes("nu1")) [values.film_poisson_ratio] = table.range("nu1");
+        if (!this.adhesive) values.work_of_adhesion = 0;
+    }
+
+    /** What the table fixes, in words. */
+    fixed(key) {
+        const { table, values } = this, value = values[key], { unit, scale } = SETTINGS[key];
+        const amount = `${rounded(value / scale)} ${unit}`.trim();
+        const ratio = (parameter, of) => `${table.range(parameter)[0]} ${of}, which the table fixes: ${amount}`;
+        switch (key) {
+            case "film_modulus": return ratio("e1_over_e2", "E₂*");
+            case "substrate_modulus": return value === Infinity ? "rigid" : ratio("e0_over_e2", table.rigidSphere ? "E₁" : "E₂*");
+            case "sphere_modulus": return "rigid: all is in units of E₁*";
+            case "work_of_adhesion": return "none: the table lacks eeq or gamma";
+            default: return `${amount}, which the table fixes`;
+        }
+    }
+
+    /** The range of a slider, and whether it is logarithmic. */
+    range(key) {
+        switch (key) {
+            case "film_poisson_ratio": return { ends: this.table.range("nu1"), logarithmic: false };
+            case "substrate_modulus": return { ends: this.box("e0_over_e2"), logarithmic: true };
+            case "film_modulus":
+                return { ends: this.table.rigidSphere ? SETTINGS[key].sensible : this.box("e1_over_e2"), logarithmic: true };
+            default: return { ends: SETTINGS[key].sensible, logarithmic: true };
+        }
+    }
+
+    makeControls() {
+        for (const [key, { name, symbol, unit, scale }] of Object.entries(SETTINGS)) {
+            if (!this.sliding(key)) {
+                const text = element("output");
+                byId("controls").append(element("div", { class: "control" }, element("span", {}, `${name} ${symbol}`), text));
+                this.rows.set(key, { text });
+                continue;
+            }
+            const slider = element("input", { type: "range", id: key, min: 0, max: STEPS, step: 1 });
+            const number = element("input", { type: "text", inputmode: "decimal", id: `${key}-number`, spellcheck: "false" });
+            number.setAttribute("aria-label", unit ? `${name} in ${unit}` : name);
+            slider.addEventListener("input", () => {
+                const { ends: [from, to], logarithmic } = this.range(key), part = slider.value / STEPS;
+                const inside = logarithmic ? from * (to / from) ** part : from + (to - from) * part;
+                this.change(key, part === 0 ? from : part === 1 ? to : rounded(inside, 4));
+            });
+            number.addEventListener("input", () => {
+                const text = number.value.trim().replace("−", "-").replace(",", ".");
+                this.change(key, text === "" ? NaN : rounded(Number(text) * scale), number);
+            });
+            // The address changes less often than a slider: browsers allow no more.
+            [slider, number].forEach((input) => input.addEventListener("change", () => this.writeAddress()));
+            const label = element("label", { for: key }, `${name} `, element("i", {}, symbol));
+            const field = element("span", { class: "field" }, number, element("span", {}, unit));
+            byId("controls").append(element("div", { class: "control" }, label, slider, field));
+            this.rows.set(key, { slider, number });
+        }
+        const nu0 = element("output", {}, `${this.table.nu0}, which the table fixes`);
+        byId("controls").append(element("div", { class: "control" }, element("span", {}, "substrate Poisson ratio ν₀"), nu0));
+        byId("controls").addEventListener("submit", (event) => event.preventDefault());
+    }
+
+    change(key, value, typing) {
+        this.values[key] = value;
+        this.show(typing);
+    }
+
+    /** Settings from the address, `#film_thickness=1e-6&...` in SI units; the usual ones where it says nothing. */
+    readAddress() {
+        this.unknown = [];
+        Object.assign(this.values, this.usual);
+        for (const [key, text] of new URLSearchParams(location.hash.slice(1))) {
+            if (key in SETTINGS && this.sliding(key)) this.values[key] = text.trim() === "" ? NaN : Number(text);
+            else this.unknown.push(key);
+        }
+        this.show();
+    }
+
+    writeAddress() {
+        const free = Object.keys(SETTINGS).filter((key) => this.sliding(key));
+        this.unknown = [];
+        history.replaceState(null, "", `#${free.map((key) => `${key}=${this.values[key]}`).join("&")}`);
+    }
+
+    /** Shows the settings, all but in the field that is being typed in, and what follows from them. */
+    show(typing) {
+        this.settle();
+        for (const [key, { slider, number, text }] of this.rows) {
+            const value = this.values[key], { unit, scale } = SETTINGS[key];
+            if (text) {
+                text.textContent = this.fixed(key);
+                continue;
+            }
+            const amount = Number.isNaN(value) ? "" : String(rounded(value / scale));
+            if (number !== typing) number.value = amount;
+            const { ends: [from, to], logarithmic } = this.range(key);
+            const part = logarithmic ? Math.log(value / from) / Math.log(to / from) : (value - from) / (to - from);
+            slider.value = Number.isNaN(part) ? 0 : Math.round(STEPS * this.within(part, [0, 1]));
+            slider.setAttribute("aria-valuetext", `${amount} ${unit}`.trim());
+        }
+        const wrong = this.wrong();
+        byId("message").replaceChildren(...wrong.map((text) => element("p", {}, text)));
+        this.contact = null;
+        if (!wrong.length) {
+            this.contact = this.makeContact();
+            this.drawn = this.contact.drawn();
+            const notes = this.answer();
+            byId("message").replaceChildren(...notes.map((text) => element("p", { class: "note" }, text)));
+        }
+        byId("answer").hidden = wrong.length > 0;
+        this.draw();
+    }
+
+    /** The material's ratios. */
+    material() {
+        const { values, table } = this, ratio = (key, parameter) =>
+            table.fixes(parameter) ? table.range(parameter)[0] : values[key] / values[this.unit];
+        return {
+            e1_over_e2: ratio("film_modulus", "e1_over_e2"),
+            nu1: values.film_poisson_ratio,
+            e0_over_e2: ratio("substrate_modulus", "e0_over_e2"),
+        };
+    }
+
+    /** Why there is no curve: nothing if there is one. */
+    wrong() {
+        const wrong = this.unknown.map((key) => `The address sets “${key}”, which is no setting of this table.`);
+        for (const [key, { name }] of Object.entries(SETTINGS)) {
+            if (!this.sliding(key) || key === "film_poisson_ratio") continue;
+            const value = this.values[key], zero = key === "work_of_adhesion";
+            if (!(value > 0 || (zero && value === 0)) || value === Infinity) {
+                wrong.push(`The ${name} must be a number ${zero ? "that is 0 or more" : "above 0"}.`);
+            }
+        }
+        if (wrong.length) return wrong;
+        const of = this.table.rigidSphere ? "E₁" : "E₂*";
+        const names = { e1_over_e2: `E₁/${of}`, nu1: "ν₁", e0_over_e2: `E₀/${of}` };
+        for (const [parameter, value] of Object.entries(this.material())) {
+            const [from, to] = this.table.range(parameter);
+            if (!this.table.covers(parameter, value)) {
+                const amount = Number.isNaN(value) ? "no number" : String(rounded(value, 6));
+                wrong.push(`${names[parameter]} = ${amount} is outside the table’s ${from} to ${to}.`);
+            }
+        }
+        return wrong;
+    }
+
+    makeContact() {
+        const { film_thickness, film_modulus, film_poisson_ratio: nu1, sphere_radius, sphere_modulus, work_of_adhesion } = this.values;
+        return new Contact(this.table, this.material(), {
+            radius: sphere_radius,
+            thickness: film_thickness,
+            workOfAdhesion: work_of_adhesion,
+            modulus: this.table.rigidSphere ? film_modulus / ((1 - nu1) * (1 + nu1)) : sphere_modulus,
+        });
+    }
+
+    /** Fills the tables; returns what is to be said of them. */
+    answer() {
+        const { contact } = this, notes = [], [, to] = this.drawn;
+        const columns = [["load", "F", "N"], ...(this.penetrates ? [["penetration", "δ", "m"]] : []), ["contact_radius", "a", "m"]];
+        const cells = (state) => [
+            ...columns.map(([key, , unit]) => element("td", { class: key }, shown(state[key], unit))),
+            element("td", { class: "a_over_t" }, shown(state.contact_radius / contact.thickness, "")),
+        ];
+        const head = (...first) => element("tr", {}, ...first.map((text) => element("th", { scope: "col" }, text)),
+            ...[...columns.map(([, symbol]) => symbol), "a/t"].map((symbol) => element("th", { scope: "col" }, symbol)));
+
+        this.marks = [];
+        const states = [];
+        if (contact.workOfAdhesion > 0) {
+            const particular = [["pull-off", "load control", "load"]];
+            if (this.penetrates) particular.push(["pull-off", "displacement control", "penetration"]);
+            for (const [what, label, controlled] of particular) {
+                const state = contact.pullOff(controlled);
+                if (state) this.marks.push({ label, state });
+                states.push([`${what}, ${label}`, `pull-off-${controlled}`, state]);
+            }
+            states.push(["zero load", "zero-load", contact.zeroLoad()]);
+        }
+        byId("states").tHead.replaceChildren(head(""));
+        byId("states").tBodies[0].replaceChildren(...states.map(([name, id, state]) => {
+            const rest = state ? cells(state) : [element("td", { colspan: columns.length + 1 }, "outside the table’s a/t")];
+            return element("tr", { id }, element("th", { scope: "row" }, name), ...rest);
+        }));
+        byId("states").parentElement.hidden = states.length === 0;
+        byId("points").tHead.replaceChildren(head());
+        byId("points").tBodies[0].replaceChildren(...this.radii(10).map((a) => element("tr", {}, ...cells(contact.state(a)))));
+
+        const [x0, x1] = this.table.range("a_over_t"), [least, most] = contact.range;
+        if (to === most) notes.push(`The curve ends at a = ${shown(most, "m").textContent}, where the table’s a/t ends: ${x1}.`);
+        if (least > 0.1 * to) notes.push(`The curve begins at a = ${shown(least, "m").textContent}, where the table’s a/t begins: ${x0}.`);
+        if (to > 0.3 * contact.radius) notes.push("The contact radius is no longer small compared with R, as the model supposes.");
+        byId("command").textContent = this.command();
+        return notes;
+    }
+
+    /** Equally spaced contact radii along the curve, as `tabulate curve` takes them. */
+    radii(points) {
+        const [from, to] = this.ends();
+        return Array.from({ length: points }, (_, i) => from + (to - from) * (i / (points - 1)));
+    }
+
+    ends() {
+        const [from, to] = this.drawn;
+        return [Math.max(from, rounded(0.1 * to, 4)), to];
+    }
+
+    command() {
+        const [from, to] = this.ends();
+        const settings = { ...this.values, substrate_poisson_ratio: this.table.nu0, from, to, points: 150 };
+        const number = (value) => (value === Infinity ? "inf" : value);
+        const options = Object.entries(settings).map(([key, value]) => `--${key.replaceAll("_", "-")} ${number(value)}`);
+        return ["tabulate curve TABLE", ...options].join(" ");
+    }
+
+    download() {
+        const rows = this.radii(150).map((a) => {
+            const { load, penetration } = this.contact.state(a), power = a * Math.sqrt(a);
+            const jkr = [power / (Math.sqrt(Math.PI) * this.contact.radius), load / (Math.sqrt(6 * Math.PI) * power)];
+            return [a, load, this.penetrates ? penetration : "", ...jkr].join(",");
+        });
+        const link = element("a", { download: "curve.csv" });
+        link.href = URL.createObjectURL(new Blob([[COLUMNS.join(","), ...rows, ""].join("\n")], { type: "text/csv" }));
+        link.click();
+        URL.revokeObjectURL(link.href);
+    }
+
+    /** Draws the curves. */
+    draw() {
+        const { contact } = this, charts = byId("charts");
+        if (!contact || charts.clientWidth === 0) return;
+        const [from, to] = this.drawn;
+        const states = Array.from({ length: 301 }, (_, i) => contact.state(from + (to - from) * (i / 300) ** 2));
+        const stable = (state) => state.slopes[this.penetrates ? "penetration" : "load"] >= 0;
+        const load = { key: "load", label: "load F", unit: "N" };
+        const abscissae = [{ key: "contact_radius", label: "contact radius a", unit: "m" }];
+        if (this.penetrates) abscissae.unshift({ key: "penetration", label: "penetration δ", unit: "m" });
+        const columns = charts.clientWidth < 700 ? 1 : abscissae.length, width = Math.floor(charts.clientWidth / columns) - 12;
+        const legend = [];
+        if (this.marks.length) legend.push("Dots: pull-off.");
+        if (!states.every(stable)) legend.push(`Dashed: unstable, ${this.penetrates ? "even at fixed penetration" : "at fixed load"}.`);
+        byId("legend").textContent = legend.join(" ");
+        charts.replaceChildren(...abscissae.map((x) => {
+            const caption = element("figcaption", {}, `${load.label} against ${x.label}`);
+            return element("figure", {}, caption, chart(x, load, states, stable, this.marks, Math.min(width, 640)));
+        }));
+    }
+}
+
+/** About `count` round numbers from `low` to `high`. */
+function ticks(low, high, count) {
+    const rough = (high - low) / count, power = 10 ** Math.floor(Math.log10(rough));
+    const step = power * (rough < 1.5 * power ? 1 : rough < 3.5 * power ? 2 : rough < 7 * power ? 5 : 10);
+    const first = Math.ceil(low / step - 1e-9), last = Math.floor(high / step + 1e-9);
+    return Array.from({ length: last - first + 1 }, (_, i) => rounded((first + i) * step, 10));
+}
+
+/** A drawing of the states, of which those that are not stable are dashed, with marks and their labels. */
+function chart(x, y, states, stable, marks, width) {
+    const height = Math.round(Math.min(Math.max(0.72 * width, 300), 400)), box = { left: 58, right: width - 14, top: 10, bottom: height - 46 };
+    const axis = ({ key }, [low, high], [start, end], count) => {
+        const values = states.map((state) => state[key]);
+        const [least, most] = [Math.min(0, ...values), Math.max(0, ...values)], length = most - least;
+        const range = [least === 0 ? 0 : least - low * length, most === 0 ? 0 : most + high * length];
+        const { scale, prefix: sign } = prefix(Math.max(...range.map(Math.abs)) / 1.5);
+        const place = (value) => start + ((end - start) * (value - range[0])) / (range[1] - range[0]);
+        return { place, sign, marks: ticks(range[0] / scale, range[1] / scale, count).map((value) => [place(value * scale), value]) };
+    };
+    const horizontal = axis(x, [0.06, 0.02], [box.left, box.right], width < 420 ? 5 : 7);
+    const vertical = axis(y, [0.13, 0.04], [box.bottom, box.top], 6);
+    const at = (state) => [horizontal.place(state[x.key]), vertical.place(state[y.key])];
+    const description = `${y.label} against ${x.label}`;
+    const svg = element("svg", { viewBox: `0 0 ${width} ${height}`, width, height, role: "img", "aria-label": description });
+    const text = (value) => String(value).replace("-", "−");
+    for (const [place, value] of horizontal.marks) {
+        svg.append(element("line", { class: value === 0 ? "zero" : "grid", x1: place, x2: place, y1: box.top, y2: box.bottom }));
+        svg.append(element("text", { x: place, y: box.bottom + 17, "text-anchor": "middle" }, text(value)));
+    }
+    for (const [place, value] of vertical.marks) {
+        svg.append(element("line", { class: value === 0 ? "zero" : "grid", x1: box.left, x2: box.right, y1: place, y2: place }));
+        svg.append(element("text", { x: box.left - 7, y: place + 4, "text-anchor": "end" }, text(value)));
+    }
+    const middle = [(box.left + box.right) / 2, (box.top + box.bottom) / 2];
+    svg.append(element("text", { class: "axis", x: middle[0], y: height - 8, "text-anchor": "middle" },
+        `${x.label} (${horizontal.sign}${x.unit})`));
+    svg.append(element("text", { class: "axis", "text-anchor": "middle", transform: `translate(14 ${middle[1]}) rotate(-90)` },
+        `${y.label} (${vertical.sign}${y.unit})`));
+    for (const kind of [false, true]) {
+        const pieces = states.slice(1).map((state, i) => {
+            if (stable(state) !== kind) return "";
+            const starts = i === 0 || stable(states[i]) !== kind;
+            const [[u, v], [p, q]] = [at(states[i]), at(state)];
+            return `${starts ? `M${u.toFixed(2)} ${v.toFixed(2)}` : ""}L${p.toFixed(2)} ${q.toFixed(2)}`;
+        });
+        svg.append(element("path", { class: kind ? "curve stable" : "curve unstable", d: pieces.join("") }));
+    }
+    for (const { label, state } of marks) {
+        const [u, v] = at(state), below = label === "load control";
+        if (u > box.right + 1) continue;
+        svg.append(element("circle", { cx: u, cy: v, r: 4.5 }));
+        // Below the least load; on the inner side of the bend, in two lines where it is narrow, but above it where it is flat.
+        const flat = v - vertical.place(0) < 20;
+        const lines = below || flat || width > 420 ? [label] : label.split(" ");
+        lines.forEach((line, i) => {
+            const offset = below ? [2, 18] : [9, flat ? -8 : x.key === "penetration" ? 4 : -2];
+            svg.append(element("text", { class: "mark", x: u + offset[0], y: v + offset[1] + 14 * i }, line));
+        });
+    }
+    return svg;
+}
+
+const bytes = Uint8Array.from(atob(byId("packed").textContent.trim()), (character) => character.charCodeAt(0));
+const table = new Table(bytes);
+const missing = table.held.includes("pi0") ? "" : "The table does not hold pi0, without which there is no load.";
+const single = table.fixes("a_over_t") ? "The table holds a single a/t, and so no curve." : "";
+if (missing || single) byId("message").append(element("p", {}, missing || single));
+else new Page(table);

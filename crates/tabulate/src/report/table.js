@@ -1,0 +1,263 @@
+// The table, as the crate `interp` packs it (pack.rs), and its splines (spline.rs, low_rank.rs).
+
+/** The version of the packed form that is read here. */
+const PACKED_VERSION = 3;
+const PREFIX = 24;
+/** The degree of the splines through a table's nodes, where there are enough of them. */
+const DEGREE = 9;
+/** What the rounding of a ratio of moduli may add up to, relative. */
+const ROUNDING = 1e-12;
+
+const QUANTITIES = ["pi0", "eeq", "gamma", "delta0"];
+const PARAMETERS = ["a_over_t", "e1_over_e2", "nu1", "e0_over_e2"];
+/** The parameters in the order of the train's cores. */
+const CORES = ["e0_over_e2", "e1_over_e2", "nu1", "a_over_t"];
+
+/** Reads bincode's two encodings of integers, and what is made of them. */
+class Reader {
+    constructor(bytes, at) {
+        this.bytes = bytes;
+        this.view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+        this.at = at;
+    }
+    take(size) {
+        this.at += size;
+        return this.at - size;
+    }
+    f64() {
+        return this.view.getFloat64(this.take(8), true);
+    }
+    u32() {
+        return this.view.getUint32(this.take(4), true);
+    }
+    u64() {
+        return Number(this.view.getBigUint64(this.take(8), true));
+    }
+    option(item) {
+        return this.view.getUint8(this.take(1)) === 1 ? item() : null;
+    }
+    text() {
+        const length = this.u64();
+        return new TextDecoder().decode(this.bytes.subarray(this.take(length), this.at));
+    }
+    /** Variable width: one byte below 251, otherwise a mark and 2, 4 or 8 bytes. */
+    variable() {
+        const byte = this.view.getUint8(this.take(1));
+        switch (byte) {
+            case 251: return this.view.getUint16(this.take(2), true);
+            case 252: return this.u32();
+            case 253: return this.u64();
+            default: return byte;
+        }
+    }
+    /** Signs alternate: 0, -1, 1, -2. */
+    signed() {
+        const wide = this.bytes[this.at] === 253;
+        const zigzag = wide ? this.view.getBigUint64(this.take(9) + 1, true) : BigInt(this.variable());
+        return Number(zigzag & 1n ? -(zigzag >> 1n) - 1n : zigzag >> 1n);
+    }
+    array(count, item) {
+        return Array.from({ length: count }, item);
+    }
+}
+
+/** The B-splines of the nodes of an axis: "not-a-knot" ends, or no first and second derivative at the last node. */
+class Basis {
+    constructor(nodes, flat) {
+        this.count = nodes.length;
+        this.degree = Math.min(DEGREE, this.count - 1);
+        const p = this.degree;
+        const conditions = flat && p >= 4 ? 2 : 0;
+        const dropped = Math.ceil(p / 2);
+        const inner = this.count + conditions - p - 1;
+        const last = nodes[this.count - 1];
+        this.knots = [...Array(p + 1).fill(nodes[0]), ...nodes.slice(dropped, dropped + inner), ...Array(p + 1).fill(last)];
+        this.matrix = nodes.map((node) => {
+            const row = new Float64Array(this.count);
+            const { first, values } = this.weights(node);
+            values.forEach((value, i) => { row[first + i] = value; });
+            return row;
+        });
+    }
+
+    /** The splines that do not vanish at `u`, from `first` on, with their derivatives (Cox-de Boor). */
+    weights(u) {
+        const p = this.degree, { knots } = this;
+        let span = p;
+        while (span + 1 < knots.length - p - 1 && knots[span + 1] <= u) span += 1;
+        let values = [1], lower = [1];
+        for (let degree = 1; degree <= p; degree += 1) {
+            lower = values;
+            values = [];
+            let carried = 0;
+            lower.forEach((value, i) => {
+                const left = knots[span + 1 + i - degree], right = knots[span + 1 + i];
+                const share = value / (right - left);
+                values.push(carried + (right - u) * share);
+                carried = (u - left) * share;
+            });
+            values.push(carried);
+        }
+        const first = span - p, count = Math.min(p + 1, this.count - first);
+        // Next to a flat end the last function stands for all that follow it.
+        const beyond = values.slice(count).reduce((sum, value) => sum + value, 0);
+        values.length = count;
+        values[count - 1] += beyond;
+        const slopes = Array(count).fill(0);
+        for (let i = 0; p > 0 && i < count - 1; i += 1) {
+            const share = (p * lower[i]) / (knots[span + 1 + i] - knots[span + 1 + i - p]);
+            slopes[i] -= share;
+            slopes[i + 1] += share;
+        }
+        return { first, values, slopes };
+    }
+
+    /** Turns rows of values at the nodes, `width` splines side by side, into rows of coefficients. */
+    interpolate(rows, width) {
+        const matrix = this.matrix.map((row) => row.slice()), n = this.count;
+        const subtract = (target, source, factor) => {
+            for (let k = 0; k < width; k += 1) rows[target * width + k] -= factor * rows[source * width + k];
+        };
+        // The matrix is totally positive: no pivots.
+        for (let i = 0; i < n; i += 1) {
+            for (let below = i + 1; below < Math.min(n, i + DEGREE + 1); below += 1) {
+                const factor = matrix[below][i] / matrix[i][i];
+                if (factor === 0) continue;
+                for (let k = i; k < n; k += 1) matrix[below][k] -= factor * matrix[i][k];
+                subtract(below, i, factor);
+            }
+        }
+        for (let i = n - 1; i >= 0; i -= 1) {
+            for (let k = i + 1; k < n; k += 1) if (matrix[i][k] !== 0) subtract(i, k, matrix[i][k]);
+            for (let k = 0; k < width; k += 1) rows[i * width + k] /= matrix[i][i];
+        }
+    }
+}
+
+/** The coordinate in which a parameter is splined. */
+function coordinate(parameter, value) {
+    return parameter === "nu1" ? 0.5 * (1 - Math.cbrt(1 - 2 * value)) : Math.log(value);
+}
+
+/** A low-rank table. */
+class Table {
+    constructor(bytes) {
+        const reader = new Reader(bytes, 8), { f64, u32, u64 } = Reader.prototype;
+        const version = reader.u32();
+        if (version !== PACKED_VERSION) throw new Error(`the data has version ${version}, this page reads ${PACKED_VERSION}`);
+        reader.at = PREFIX;
+        const list = (item) => reader.array(reader.u64(), () => item.call(reader));
+        // The description: title, scene, nu0, normalisation, tolerance, program, certificate.
+        reader.text();
+        reader.text();
+        this.nu0 = reader.f64();
+        /** A rigid sphere: all is in units of E1*, and e0_over_e2 is E0/E1. */
+        this.rigidSphere = reader.u32() === 1;
+        reader.f64();
+        reader.text();
+        [f64, f64, u64, u64].forEach((item) => item.call(reader));
+        reader.option(() => {
+            [f64, u32, f64, f64, f64, f64].forEach((item) => item.call(reader));
+            reader.array(2, () => reader.option(() => reader.f64()));
+        });
+        this.axes = Object.fromEntries(PARAMETERS.map((parameter) => [parameter, list(f64)]));
+        this.held = list(u32).map((variant) => QUANTITIES[variant]);
+        if (reader.u32() !== 1) throw new Error("the data is not in low-rank form");
+        const numbers = (item) => Float64Array.from(reader.array(reader.variable(), () => item()));
+        const double = () => reader.f64();
+        const weights = reader.array(3, () => numbers(double));
+        const functions = reader.array(4, () => numbers(double));
+        const steps = reader.array(4, double);
+        const cores = reader.array(4, () => numbers(() => reader.signed()));
+        this.cores = CORES.map((parameter, i) => {
+            const nodes = this.axes[parameter];
+            const flat = parameter === "nu1" && nodes[nodes.length - 1] === 0.5;
+            const basis = new Basis(nodes.map((node) => coordinate(parameter, node)), flat);
+            const count = functions[i].length / nodes.length;
+            // The splines of a core are those of the functions that it combines.
+            basis.interpolate(functions[i], count);
+            return { basis, count, functions: functions[i], numbers: cores[i].map((n) => n * steps[i]), weights: weights[i] };
+        });
+    }
+
+    /** The first and the last node of a parameter. */
+    range(parameter) {
+        const nodes = this.axes[parameter];
+        return [nodes[0], nodes[nodes.length - 1]];
+    }
+
+    /** True if the table holds one value of the parameter only. */
+    fixes(parameter) {
+        return this.axes[parameter].length === 1;
+    }
+
+    /** True if a value is in the table's range, but for rounding. */
+    covers(parameter, value) {
+        const [from, to] = this.range(parameter);
+        const near = (end) => Math.abs(value - end) <= ROUNDING * (parameter === "nu1" ? 1 : Math.abs(end));
+        return (value >= from && value <= to) || near(from) || near(to);
+    }
+
+    /** The splines over ln(a/t) of a material `{ e1_over_e2, nu1, e0_over_e2 }` in the box. */
+    curve(material) {
+        let vector = [1];
+        for (const [i, parameter] of CORES.slice(0, 3).entries()) {
+            const { basis, count, functions, numbers, weights } = this.cores[i], after = weights.length;
+            const splines = basis.weights(this.place(parameter, material[parameter]));
+            const next = new Float64Array(after);
+            for (let f = 0; f < count; f += 1) {
+                let value = 0;
+                splines.values.forEach((spline, k) => { value += spline * functions[(splines.first + k) * count + f]; });
+                vector.forEach((entry, b) => {
+                    const factor = entry * value, row = (b * count + f) * after;
+                    for (let a = 0; a < after; a += 1) next[a] += factor * numbers[row + a];
+                });
+            }
+            vector = next.map((entry, a) => entry / weights[a]);
+        }
+        const { basis, count, functions, numbers } = this.cores[3], held = this.held.length;
+        const sums = new Float64Array(count * held);
+        vector.forEach((entry, c) => {
+            for (let k = 0; k < sums.length; k += 1) sums[k] += entry * numbers[c * sums.length + k];
+        });
+        const coefficients = this.held.map((_, q) => Float64Array.from({ length: basis.count }, (_, node) => {
+            let sum = 0;
+            for (let f = 0; f < count; f += 1) sum += functions[node * count + f] * sums[f * held + q];
+            return sum;
+        }));
+        return new Curve(this, basis, coefficients, sphereFilmModulus(this, material));
+    }
+
+    /** The coordinate of a value in the range, rounded into it. */
+    place(parameter, value) {
+        const [from, to] = this.range(parameter);
+        return coordinate(parameter, Math.min(Math.max(value, from), to));
+    }
+}
+
+/** es = 1/(1 + 1/e1) (eq. 7) in units of E2*; 1 in units of E1* for a rigid sphere. */
+function sphereFilmModulus(table, { e1_over_e2, nu1 }) {
+    return table.rigidSphere ? 1 : 1 / (1 + ((1 - nu1) * (1 + nu1)) / e1_over_e2);
+}
+
+/** The quantities of one material as functions of a/t. What is splined is ln(Pi0/es), ln(Eeq/es), ln(Gamma/es), ln Delta0. */
+class Curve {
+    constructor(table, basis, coefficients, es) {
+        Object.assign(this, { table, basis, coefficients, es });
+    }
+
+    /** For each quantity its value, and its logarithmic slope d ln Q / d ln(a/t). One that is not held is 1, and constant. */
+    at(x) {
+        const { first, values, slopes } = this.basis.weights(this.table.place("a_over_t", x));
+        const result = Object.fromEntries(QUANTITIES.map((quantity) => [quantity, { value: 1, slope: 0 }]));
+        this.table.held.forEach((quantity, q) => {
+            let logarithm = 0, slope = 0;
+            values.forEach((value, k) => {
+                logarithm += value * this.coefficients[q][first + k];
+                slope += slopes[k] * this.coefficients[q][first + k];
+            });
+            result[quantity] = { value: Math.exp(logarithm) * (quantity === "delta0" ? 1 : this.es), slope };
+        });
+        return result;
+    }
+}
