@@ -14,6 +14,7 @@ mod labels;
 pub mod lookup_cost;
 pub mod paper;
 pub mod picture;
+pub mod work_precision;
 
 use plotters::drawing::DrawingAreaErrorKind;
 

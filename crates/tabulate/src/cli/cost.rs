@@ -11,6 +11,7 @@ use clap::Subcommand;
 use serde::Serialize;
 
 pub use self::lookup::measured as measure_lookup;
+pub use self::solve::measured as measure_solve;
 use super::write_text;
 use crate::cost::to_csv;
 

@@ -10,7 +10,7 @@ use super::{cost, progress_bar, read_table, write_text};
 use crate::cost::read_csv;
 use crate::plot::chart;
 use crate::plot::picture::Format;
-use crate::plot::{error_map, fig2, fig3, fig4, force_displacement, lookup_cost};
+use crate::plot::{error_map, fig2, fig3, fig4, force_displacement, lookup_cost, work_precision};
 use crate::{Error, output};
 
 /// Draw a figure as SVG or PNG
@@ -34,6 +34,13 @@ enum Figure {
     ErrorMap {
         /// The table, HDF5 or packed [default: the one that is compiled in]
         table: Option<PathBuf>,
+        #[command(flatten)]
+        output: Output,
+    },
+    /// Error against time of one solve, as `tabulate cost solve` measures it
+    WorkPrecision {
+        #[command(flatten)]
+        rows: Rows,
         #[command(flatten)]
         output: Output,
     },
@@ -92,6 +99,9 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
             bar.finish_and_clear();
             Ok(error_map::figure(&data))
         }),
+        Figure::WorkPrecision { rows, output } => {
+            output.write(|| Ok(work_precision::figure(&rows.get(|| Ok(cost::measure_solve()))?)))
+        }
         Figure::LookupCost { rows, output } => output.write(|| Ok(lookup_cost::figure(&rows.get(|| cost::measure_lookup(None))?))),
     }
 }

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use super::super::progress_bar;
 use super::report;
-use crate::cost::solve::{contacts, markdown, measure};
+use crate::cost::solve::{Row, contacts, markdown, measure};
 use crate::output;
 
 /// One solve: error against time, beside a plain dense Nystrom solve
@@ -17,8 +17,14 @@ pub struct Arguments {
 
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     output::check(arguments.output.as_deref(), None)?;
+    let rows = measured();
+    report(arguments.output.as_deref(), &rows, &markdown(&rows))
+}
+
+/// All rows, with a bar.
+pub fn measured() -> Vec<Row> {
     let bar = progress_bar(contacts().len(), "measuring");
     let rows = measure(&|| bar.inc(1));
     bar.finish_and_clear();
-    report(arguments.output.as_deref(), &rows, &markdown(&rows))
+    rows
 }
