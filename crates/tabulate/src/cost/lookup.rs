@@ -127,7 +127,7 @@ pub fn markdown(rows: &[Row]) -> String {
         let largest = if first.max_factor >= 2.0 { factor(first.max_factor) } else { percent(first.max_error) };
         let adhesive = |error: Option<f64>| match error {
             None => "–".to_owned(),
-            Some(error) if error >= 1.0 => factor(1.0 + error),
+            Some(error) if error >= 10.0 => factor(1.0 + error),
             Some(error) => percent(error),
         };
         let errors =
