@@ -10,7 +10,9 @@ use std::path::Path;
 use clap::Subcommand;
 use serde::Serialize;
 
+pub use self::effects::of_default as measure_effects;
 pub use self::solve::measured as measure_solve;
+pub use self::table::of_default as measure_table;
 use super::write_text;
 use crate::cost::to_csv;
 
