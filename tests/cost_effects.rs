@@ -176,6 +176,12 @@ fn rows_say_what_generate_says_of_the_scene_without_an_effect() {
     assert!((adhesion.median_error / (weak * strong).sqrt()).ln().abs() < 0.2, "{adhesion:?}");
     assert!(adhesion.worst_error <= strong && adhesion.worst_error > 0.98 * strong, "{adhesion:?}");
     assert_eq!((penetration.median_error, penetration.worst_error), (0.0, 0.0));
+
+    desk.succeed(&["plot", "effects", "--data", "effects.csv", "-o", "effects.svg"]);
+    assert!(desk.read("effects.svg").starts_with(b"<svg"));
+    desk.write("other.csv", "tolerance\n1\n");
+    let message = desk.fail(1, &["plot", "effects", "--data", "other.csv", "-o", "other.svg"]);
+    assert_names(&message, &["cannot read other.csv", "line: 2", "missing field"]);
 }
 
 #[test]

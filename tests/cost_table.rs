@@ -55,6 +55,14 @@ fn rows_say_what_generate_and_pack_say() {
         assert_eq!(row.break_even_along, break_even(row.making(), row.solve_seconds, row.point_seconds));
         assert!(row.making() >= row.seconds + row.pack_seconds);
     }
+
+    desk.succeed(&["plot", "table-cost", "--data", "table.csv", "-o", "table.svg"]);
+    assert!(desk.read("table.svg").starts_with(b"<svg"));
+    // A solve that takes no longer than a lookup: infinity reads back, too.
+    let never = vec![Row { break_even_alone: f64::INFINITY, ..rows[0].clone() }];
+    desk.write("never.csv", to_csv(&never));
+    assert_eq!(self::rows(&desk, "never.csv"), never);
+    assert_names(&markdown_of(&never), &["| never |"]);
 }
 
 #[test]

@@ -12,8 +12,10 @@ use clap::Subcommand;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
+pub use self::effects::of_default as measure_effects;
 pub use self::lookup::measured as measure_lookup;
 pub use self::solve::measured as measure_solve;
+pub use self::table::of_default as measure_table;
 use super::write_text;
 use crate::cost::{compare, read_csv, to_csv};
 use crate::output;

@@ -74,7 +74,7 @@ impl Row {
         [self.a_over_t_nodes, self.e1_over_e2_nodes, self.nu1_nodes, self.e0_over_e2_nodes]
     }
 
-    /// Processor time that the packed table takes (s), if all threads are busy all the time: at most that is.
+    /// The most processor time that making and packing can have taken (s): that of threads that are never idle.
     pub const fn making(&self) -> f64 {
         self.threads as f64 * (self.seconds + self.pack_seconds)
     }

@@ -15,14 +15,14 @@ pub fn figure(rows: &[Row]) -> Figure {
 /// From the median error to the worst, the worst effect on top.
 fn errors(effects: &[(Effect, &Row)]) -> Panel {
     let values = effects.iter().flat_map(|(_, row)| [row.median_error, row.worst_error]);
-    let x = Axis::decades("error of the load without it, relative to F_{0}", values);
+    let x = Axis::decades("relative to the adhesionless load", values);
     let [smallest, _] = x.range();
     let names = effects.iter().map(|(effect, _)| effect.name());
-    let mut panel = Panel::new("Left out, it changes the load", x, Axis::names(names)).share(1.25);
+    let mut panel = Panel::new("Left out: error of the load", x, Axis::names(names)).share(1.1);
     for (i, (_, row)) in effects.iter().enumerate() {
         let y = i as f64 + 0.5;
         if row.worst_error == 0.0 {
-            panel.label([smallest, y], "not at all", VERMILION, Side::Right);
+            panel.label([smallest, y], "none", VERMILION, Side::Right);
             continue;
         }
         let [median, worst] = [row.median_error, row.worst_error].map(|error| [error.max(smallest), y]);
@@ -40,8 +40,8 @@ fn costs(effects: &[(Effect, &Row)], whole: Option<&Row>) -> Panel {
     let [solves, seconds] = whole.map_or([f64::NAN; 2], |whole| [whole.solves as f64, whole.seconds]);
     let shares = |row: &Row| [100.0 * row.saved_solves as f64 / solves, 100.0 * row.saved_seconds / seconds];
     let least = effects.iter().flat_map(|(_, row)| shares(row)).fold(0.0, f64::min);
-    let x = Axis::linear("part of the whole table (%)", [10.0 * (0.1 * least).floor(), 100.0]);
-    let mut panel = Panel::new("Kept, it costs", x, Axis::names(effects.iter().map(|_| ""))).margin(150);
+    let x = Axis::linear("part of the whole (%)", [10.0 * (0.1 * least).floor(), 100.0]);
+    let mut panel = Panel::new("Kept: what it adds", x, Axis::names(effects.iter().map(|_| ""))).margin(176);
     for (i, (_, row)) in effects.iter().enumerate() {
         let [solves, seconds, bytes] = row.saved();
         let texts = [format!("{solves} solves, {bytes}"), seconds];

@@ -1,7 +1,7 @@
 //! What a table costs: its certified error against the time of making it, and the time of many evaluations with it and without.
 
 use super::axis::{Axis, power_of_ten};
-use super::chart::{BLUE, Colour, Figure, GREEN, GREY, Marker, Panel, Side, VERMILION};
+use super::chart::{BLUE, Colour, Figure, GREEN, Marker, Panel, Side, VERMILION};
 use crate::cost::table::{Row, human_bytes, human_count};
 
 /// Draws it.
@@ -18,9 +18,10 @@ fn making(rows: &[Row]) -> Panel {
     let dense: Vec<_> = rows.iter().map(|row| [row.seconds, row.dense_error]).collect();
     panel.line(dense.clone(), BLUE).markers(dense, BLUE, Marker::Full);
     panel.line(rows.iter().map(packed).collect::<Vec<_>>(), VERMILION).markers(rows.iter().map(packed), VERMILION, Marker::Hollow);
-    for row in rows {
-        panel.label([row.seconds, row.dense_error], human_bytes(row.dense_bytes), BLUE, Side::BelowLeft);
-        panel.label(packed(row), human_bytes(row.packed_bytes), VERMILION, Side::AboveRight);
+    for (i, row) in rows.iter().enumerate() {
+        let [dense, small] = if i == 0 { ["HDF5, ", "packed, "] } else { [""; 2] };
+        panel.label([row.seconds, row.dense_error], dense.to_owned() + &human_bytes(row.dense_bytes), BLUE, Side::BelowLeft);
+        panel.label(packed(row), small.to_owned() + &human_bytes(row.packed_bytes), VERMILION, Side::AboveRight);
     }
     panel
 }
@@ -30,40 +31,37 @@ fn packed(row: &Row) -> [f64; 2] {
     [row.seconds + row.pack_seconds, row.packed_error]
 }
 
-/// Processor time against the number of evaluations, for three tolerances: by direct solves, and by a table.
+/// Processor time against the number of evaluations, for three tolerances: solid with a table, whose materials have been
+/// looked up, dashed by direct solves.
 fn evaluating(rows: &[Row]) -> Panel {
     let last = rows.len().saturating_sub(1);
     let mut drawn = vec![last, last / 2, 0];
     drawn.dedup();
-    let drawn = || drawn.iter().filter_map(|&i| rows.get(i)).zip([VERMILION, GREEN, BLUE]);
-    let counts = drawn().flat_map(|(row, _)| [0.03 * row.break_even_along, 30.0 * row.break_even_along]);
+    let drawn: Vec<(&Row, Colour)> = drawn.into_iter().filter_map(|i| rows.get(i)).zip([VERMILION, GREEN, BLUE]).collect();
+    let counts = drawn.iter().flat_map(|(row, _)| [0.03, 30.0].map(|factor| factor * row.break_even_along));
     let x = Axis::decades("evaluations", counts);
     let [few, many] = x.range();
-    let times = drawn().flat_map(|(row, _)| [few * row.solve_seconds, many * row.solve_seconds]);
-    let mut panel = Panel::new("Evaluating it, or solving directly", x, Axis::decades("processor time (s)", times));
-    for (row, colour) in drawn() {
-        evaluated(&mut panel, row, colour, [few, many]);
+    let times = drawn.iter().flat_map(|(row, _)| [few, many].map(|count| count * row.solve_seconds));
+    let mut panel = Panel::new("A table pays from the dots on", x, Axis::decades("processor time (s)", times));
+    let solves = |row: &Row, count: f64| [count, count * row.solve_seconds];
+    for (row, colour) in &drawn {
+        const POINTS: i32 = 60;
+        let table = |count: f64| [count, row.making() + count * row.point_seconds];
+        let counts = (0..=POINTS).map(|i| few * (many / few).powf(f64::from(i) / f64::from(POINTS)));
+        panel.line(counts.map(table).collect::<Vec<_>>(), *colour).dashed([few, many].map(|count| solves(row, count)), *colour);
+        panel.label(table(many), format!("table to {}", tolerance(row)), *colour, Side::BelowLeft);
+        if row.break_even_along.is_finite() {
+            let even = solves(row, row.break_even_along);
+            panel.markers([even], *colour, Marker::Full).label(even, human_count(even[0]), *colour, Side::AboveLeft);
+        }
+    }
+    if let (Some((tightest, above)), Some((loosest, below))) = (drawn.first(), drawn.last()) {
+        panel.label(solves(tightest, 0.1 * many), format!("solves to {}", tolerance(tightest)), *above, Side::AboveLeft);
+        panel.label(solves(loosest, 0.3 * many), format!("to {}", tolerance(loosest)), *below, Side::BelowRight);
     }
     panel
 }
 
-/// One tolerance: a dashed line of direct solves, one of the table, and where they meet.
-fn evaluated(panel: &mut Panel, row: &Row, colour: Colour, [few, many]: [f64; 2]) {
-    const POINTS: i32 = 60;
-    let table = |count: f64| row.making() + count * row.point_seconds;
-    let line = (0..=POINTS).map(|i| few * (many / few).powf(f64::from(i) / f64::from(POINTS))).map(|count| [count, table(count)]);
-    panel.line(line.collect::<Vec<_>>(), colour);
-    panel.dashed([few, many].map(|count| [count, count * row.solve_seconds]), colour);
-    let tolerance = power_of_ten(row.tolerance.log10().round() as i32);
-    panel.label([few, table(few)], format!("table to {tolerance}"), colour, Side::AboveRight);
-    let even = row.break_even_along;
-    if even.is_finite() {
-        panel.markers([[even, even * row.solve_seconds]], colour, Marker::Full);
-        panel.label([even, even * row.solve_seconds], human_count(even), colour, Side::BelowRight);
-    }
-    let alone = row.break_even_alone;
-    if alone <= many {
-        panel.markers([[alone, alone * row.solve_seconds]], colour, Marker::Hollow);
-    }
-    panel.label([many, many * row.solve_seconds], "solves", GREY, Side::BelowLeft);
+fn tolerance(row: &Row) -> String {
+    power_of_ten(row.tolerance.log10().round() as i32)
 }
