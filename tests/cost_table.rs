@@ -62,7 +62,7 @@ fn rows_say_what_generate_and_pack_say() {
     let never = vec![Row { break_even_alone: f64::INFINITY, ..rows[0].clone() }];
     desk.write("never.csv", to_csv(&never));
     assert_eq!(self::rows(&desk, "never.csv"), never);
-    assert_names(&markdown_of(&never), &["| never |"]);
+    assert_names(&markdown(&never), &["| never |"]);
 }
 
 #[test]
