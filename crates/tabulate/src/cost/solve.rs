@@ -208,17 +208,15 @@ pub fn fastest(rows: &[Row], error: f64, wanted: impl Fn(&str) -> bool) -> Optio
 
 /// The rows with an error that no faster one comes below, of the methods that are `wanted`: the fastest first.
 pub fn front(rows: &[Row], wanted: impl Fn(&str) -> bool) -> Vec<&Row> {
-    let mut answered: Vec<(f64, &Row)> =
-        rows.iter().filter(|row| wanted(&row.method)).filter_map(|row| Some((row.error?, row))).collect();
-    answered.sort_by(|(_, a), (_, b)| a.seconds.total_cmp(&b.seconds));
-    let mut smallest = f64::INFINITY;
-    answered.retain(|(error, _)| {
-        *error < smallest && {
-            smallest = *error;
-            true
+    let mut answered: Vec<&Row> = rows.iter().filter(|row| wanted(&row.method) && row.error.is_some()).collect();
+    answered.sort_by(|a, b| a.seconds.total_cmp(&b.seconds));
+    let mut front: Vec<&Row> = Vec::new();
+    for row in answered {
+        if front.last().is_none_or(|best| row.error < best.error) {
+            front.push(row);
         }
-    });
-    answered.into_iter().map(|(_, row)| row).collect()
+    }
+    front
 }
 
 /// The rows in short, as Markdown: the paper's material, harder contacts, and Nyström's method against the solve.
