@@ -83,7 +83,7 @@ fn the_file_is_whole_and_the_same_twice() {
         format!("<dd>{:.1e}</dd>", certificate.max_error),
         format!("<dd>{:.1e}</dd>", certificate.median_error),
         format!("<dd>{} direct solves, seed {}</dd>", certificate.points, certificate.seed),
-        format!("{} at a_over_t = {},", details.worst_quantity.name(), details.worst_point[0]),
+        format!("{} at a/t = {}", details.worst_quantity.name(), &details.worst_point[0].to_string()[..5]),
         description.created_by.clone(),
         description.scene.trim_end().replace('"', "&quot;"),
     ];

@@ -12,6 +12,7 @@ pub mod fig3;
 pub mod fig4;
 pub mod force_displacement;
 mod labels;
+pub mod lookup_cost;
 pub mod paper;
 pub mod picture;
 pub mod table_cost;

@@ -8,7 +8,7 @@ use std::fmt::Write;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use interp::schema::Parameter;
-use interp::{Certificate, Material, Normalisation, Table};
+use interp::{Certificate, Description, Material, Normalisation, Table};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
@@ -49,7 +49,7 @@ pub fn report(table: &Table) -> Result<String, Error> {
         ("normalisation", normalisation.to_owned()),
         ("created_by", escape(&description.created_by)),
         ("scene", escape(description.scene.trim_end())),
-        ("certificate", certificate(&description.certificate, description.tolerance)),
+        ("certificate", certificate(table)),
         ("bytes", (packed.len() / 1000).to_string()),
         ("difference", format!("{:.1e}", largest_difference(table, &embedded)?)),
         ("compared", COMPARED.to_string()),
@@ -136,6 +136,11 @@ fn number(value: f64) -> String {
     if plain.len() <= exponential.len().max(6) { plain } else { exponential.replace('-', "−") }
 }
 
+/// A number to six digits.
+fn short(value: f64) -> f64 {
+    format!("{value:.5e}").parse().unwrap_or(value)
+}
+
 /// A row for each parameter.
 fn axes(table: &Table) -> String {
     let description = table.description();
@@ -159,7 +164,8 @@ fn axes(table: &Table) -> String {
 }
 
 /// What the certificate says, a pair of `dt` and `dd` for each thing.
-fn certificate(certificate: &Certificate, tolerance: f64) -> String {
+fn certificate(table: &Table) -> String {
+    let Description { tolerance, normalisation, certificate, .. } = table.description();
     let Certificate { max_error, median_error, points, seed, details } = certificate;
     let mut items = vec![
         ("tolerance", format!("{tolerance:e}")),
@@ -169,7 +175,9 @@ fn certificate(certificate: &Certificate, tolerance: f64) -> String {
     ];
     if let Some(details) = details {
         items.insert(2, ("99.9 % below", format!("{:.1e}", details.p999_error)));
-        let place = Parameter::ALL.iter().zip(details.worst_point).map(|(p, value)| format!("{} = {value}", p.name()));
+        let place = Parameter::ALL.into_iter().zip(details.worst_point);
+        let place =
+            place.map(|(parameter, place)| format!("{} = {}", symbol(parameter, *normalisation).0, value(parameter, short(place))));
         let place: Vec<String> = place.collect();
         items.push(("worst point", format!("{} at {}", details.worst_quantity.name(), place.join(", "))));
         let names = ["Γ² = es (x Eeq)′", "F₀′ = S δ₀′"];

@@ -10,7 +10,7 @@ use super::{cost, progress_bar, read_table, write_text};
 use crate::cost::read_csv;
 use crate::plot::chart;
 use crate::plot::picture::Format;
-use crate::plot::{effects, error_map, fig2, fig3, fig4, force_displacement, table_cost, work_precision};
+use crate::plot::{effects, error_map, fig2, fig3, fig4, force_displacement, lookup_cost, table_cost, work_precision};
 use crate::{Error, output};
 
 /// Draw a figure as SVG or PNG
@@ -53,6 +53,13 @@ enum Figure {
     },
     /// Error against time of one solve, as `tabulate cost solve` measures it
     WorkPrecision {
+        #[command(flatten)]
+        rows: Rows,
+        #[command(flatten)]
+        output: Output,
+    },
+    /// Error against nanoseconds of one lookup, as `tabulate cost lookup` measures it
+    LookupCost {
         #[command(flatten)]
         rows: Rows,
         #[command(flatten)]
@@ -111,6 +118,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         Figure::WorkPrecision { rows, output } => {
             output.write(|| Ok(work_precision::figure(&rows.get(|| Ok(cost::measure_solve()))?)))
         }
+        Figure::LookupCost { rows, output } => output.write(|| Ok(lookup_cost::figure(&rows.get(|| cost::measure_lookup(None))?))),
     }
 }
 

@@ -262,9 +262,8 @@ fn look_up(curve: &Curve, wanted: &[Quantity], a_over_t: f64) -> Result<Quantiti
     Ok(Quantities::from_array(values))
 }
 
-/// The rows as two tables of the README, what is made and when it pays, and what was left out.
-pub fn markdown(measured: &Measured) -> String {
-    let Measured { rows, left_out } = measured;
+/// The rows as two tables of the README: what is made, and when it pays.
+pub fn markdown(rows: &[Row]) -> String {
     let threads = rows.first().map_or(0, |row| row.threads);
     let mut text = format!(
         "| tolerance | nodes | solves | time, {threads} threads | .h5 | certified error | ranks | packed | certified error |\n"
@@ -292,9 +291,6 @@ pub fn markdown(measured: &Measured) -> String {
         "\nOne solve or lookup is a mean over {POINTS} random points of the scene on one thread, lookups in the packed table. A table pays from so many \
          evaluations on, in processor time: {threads} threads making and packing it against one thread solving.\n"
     );
-    if let Some((tolerance, why)) = left_out {
-        text += &format!("From {tolerance:e} on left out: {why}.\n");
-    }
     text
 }
 

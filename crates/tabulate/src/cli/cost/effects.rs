@@ -4,10 +4,9 @@ use std::path::PathBuf;
 
 use clap::value_parser;
 
-use super::report;
+use super::Rows;
 use crate::cli::generate::{Bars, read_scene};
 use crate::cost::effects::{Row, markdown, measure};
-use crate::output;
 use crate::scene::Scene;
 
 const TOLERANCE: f64 = 1e-4;
@@ -29,16 +28,13 @@ pub struct Arguments {
     /// Number of random points that the loads are compared at
     #[arg(long, default_value_t = POINTS, value_parser = value_parser!(u32).range(1..))]
     points: u32,
-    /// Write all rows here, as CSV
-    #[arg(short, long, value_name = "OUT.csv")]
-    output: Option<PathBuf>,
+    #[command(flatten)]
+    rows: Rows,
 }
 
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let scene = read_scene(arguments.scene.as_deref(), Some(arguments.tolerance))?;
-    output::check(arguments.output.as_deref(), arguments.scene.as_deref())?;
-    let rows = measured(&scene, arguments.points)?;
-    report(arguments.output.as_deref(), &rows, &markdown(&rows))
+    arguments.rows.report(arguments.scene.as_deref(), || measured(&scene, arguments.points), markdown)
 }
 
 /// The effects of the default scene.

@@ -3,10 +3,9 @@
 use std::path::PathBuf;
 use std::time::Duration;
 
-use super::report;
+use super::Rows;
 use crate::cli::generate::{Bars, budget, read_scene};
-use crate::cost::table::{Measured, Row, markdown, measure};
-use crate::output;
+use crate::cost::table::{Row, markdown, measure};
 use crate::scene::Scene;
 
 /// In seconds.
@@ -24,27 +23,29 @@ pub struct Arguments {
     /// Time for all tables together
     #[arg(long, value_name = "SECONDS", default_value_t = BUDGET, allow_negative_numbers = true)]
     budget: f64,
-    /// Write all rows here, as CSV
-    #[arg(short, long, value_name = "OUT.csv")]
-    output: Option<PathBuf>,
+    #[command(flatten)]
+    rows: Rows,
 }
 
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let scene = read_scene(arguments.scene.as_deref(), None)?;
     let budget = budget(arguments.budget)?;
-    output::check(arguments.output.as_deref(), arguments.scene.as_deref())?;
-    let measured = measured(&scene, budget)?;
-    report(arguments.output.as_deref(), &measured.rows, &markdown(&measured))
+    arguments.rows.report(arguments.scene.as_deref(), || measured(&scene, budget), markdown)
 }
 
 /// The tables of the default scene within the default budget.
 pub fn of_default() -> anyhow::Result<Vec<Row>> {
-    Ok(measured(&read_scene(None, None)?, budget(BUDGET)?)?.rows)
+    measured(&read_scene(None, None)?, budget(BUDGET)?)
 }
 
-fn measured(scene: &Scene, budget: Duration) -> anyhow::Result<Measured> {
+/// All rows, with bars; says what is left out.
+fn measured(scene: &Scene, budget: Duration) -> anyhow::Result<Vec<Row>> {
     let bars = Bars::new();
     let measured = measure(scene, budget, &bars);
     bars.clear();
-    Ok(measured?)
+    let measured = measured?;
+    if let Some((tolerance, why)) = measured.left_out {
+        eprintln!("from {tolerance:e} on left out: {why}");
+    }
+    Ok(measured.rows)
 }
