@@ -258,7 +258,7 @@ impl Scene<'_> {
         type Form = (&'static str, fn(f64, &Material) -> Result<f64, Error>);
         const FORMS: [Form; 4] = [
             ("bulk JKR, film ignored", |_, material| Ok(bulk_jkr(material))),
-            ("JKR of sphere and film", |_, material| Ok(film_jkr(material))),
+            ("film JKR, substrate ignored", |_, material| Ok(film_jkr(material))),
             ("Gao 1992", gao),
             ("Hay and Crawford 2011", hay_crawford),
         ];
