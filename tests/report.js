@@ -25,7 +25,7 @@ async function look() {
 
 const paths = () => [...document.querySelectorAll("#charts path")].map((path) => path.getAttribute("d"));
 
-/** Takes each slider a tenth of its length towards its middle and back: which curves, and which number, follow. */
+/** Takes each slider some steps towards its middle and back: which curves, and which number, follow. */
 function slide() {
     return [...document.querySelectorAll("input[type=range]")].map((slider) => {
         const number = document.getElementById(`${slider.id}-number`), before = [...paths(), number.value], start = slider.value;
@@ -33,7 +33,7 @@ function slide() {
             slider.value = value;
             slider.dispatchEvent(new Event("input", { bubbles: true }));
         };
-        move(Number(start) + (start < 500 ? 100 : -100));
+        move(Number(start) + (start < 500 ? 20 : -20));
         const after = [...paths(), number.value];
         number.value = before.at(-1);
         number.dispatchEvent(new Event("input", { bubbles: true }));

@@ -5,6 +5,7 @@
 
 pub mod axis;
 pub mod chart;
+pub mod effects;
 pub mod error_map;
 pub mod fig2;
 pub mod fig3;
@@ -14,6 +15,7 @@ mod labels;
 pub mod lookup_cost;
 pub mod paper;
 pub mod picture;
+pub mod table_cost;
 pub mod work_precision;
 
 use plotters::drawing::DrawingAreaErrorKind;

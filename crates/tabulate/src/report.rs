@@ -3,16 +3,21 @@
 //! The page computes force curves from the packed low-rank table in it: `report/table.js` reads and splines it, `report/contact.js`
 //! has eqs. 2 to 9, `report/page.js` the sliders and drawings.
 
+mod figures;
+
 use std::fmt::Write;
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use interp::schema::Parameter;
-use interp::{Certificate, Material, Normalisation, Table};
+use interp::{Certificate, Description, Material, Normalisation, Table};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
+pub use figures::{Illustration, figures, steps};
+
 use crate::Error;
+use crate::plot::picture::Format;
 use crate::train::compress;
 
 /// By how much the quantities of the form in a page may differ from the table's at its nodes, relative. The splines through these
@@ -22,14 +27,14 @@ const TRUNCATION: f64 = 4e-7;
 const COMPARED: usize = 2000;
 const SEED: u64 = 1;
 
-/// The page of a table: what it covers, its certificate, and force curves that are computed in the page.
+/// The page of a table: what it covers, its certificate, force curves that are computed in the page, and [`figures`].
 ///
 /// A dense table is embedded in low-rank form, whose quantities differ from it by 1e-6 or less; one in low-rank form as it is. The
 /// same table gives the same page.
 ///
 /// # Errors
-/// Those of [`compress`], [`Table::to_packed`] and of looking up.
-pub fn report(table: &Table) -> Result<String, Error> {
+/// Those of [`compress`], [`Table::to_packed`], of looking up and of drawing.
+pub fn report(table: &Table, illustrations: &[Illustration]) -> Result<String, Error> {
     let embedded = embedded(table)?;
     let packed = embedded.to_packed()?;
     let description = table.description();
@@ -49,11 +54,11 @@ pub fn report(table: &Table) -> Result<String, Error> {
         ("normalisation", normalisation.to_owned()),
         ("created_by", escape(&description.created_by)),
         ("scene", escape(description.scene.trim_end())),
-        ("certificate", certificate(&description.certificate, description.tolerance)),
+        ("certificate", certificate(table)),
         ("bytes", (packed.len() / 1000).to_string()),
         ("difference", format!("{:.1e}", largest_difference(table, &embedded)?)),
         ("compared", COMPARED.to_string()),
-        ("figures", String::new()),
+        ("figures", section(illustrations)?),
         ("packed", STANDARD.encode(&packed)),
         ("script", script.concat()),
     ];
@@ -90,6 +95,24 @@ fn largest_difference(table: &Table, other: &Table) -> Result<f64, Error> {
         }
     }
     Ok(largest)
+}
+
+/// The section of the figures: nothing without any. They are pictures by themselves, so that their names do not meet.
+fn section(illustrations: &[Illustration]) -> Result<String, Error> {
+    let mut section = String::new();
+    for Illustration { caption, figure } in illustrations {
+        let svg = STANDARD.encode(figure.picture()?.encode(Format::Svg)?);
+        let _ = writeln!(
+            section,
+            "<figure><img alt=\"{caption}\" src=\"data:image/svg+xml;base64,{svg}\"><figcaption>{caption}</figcaption></figure>"
+        );
+    }
+    if section.is_empty() {
+        return Ok(section);
+    }
+    Ok(format!(
+        "<section class=\"wide\" aria-labelledby=\"figures\">\n<h2 id=\"figures\">Figures</h2>\n<div class=\"figures\">\n{section}</div>\n</section>"
+    ))
 }
 
 /// The template with `{{name}}` replaced by the part of this name. What the parts hold is not searched.
@@ -136,6 +159,11 @@ fn number(value: f64) -> String {
     if plain.len() <= exponential.len().max(6) { plain } else { exponential.replace('-', "−") }
 }
 
+/// A number to six digits.
+fn short(value: f64) -> f64 {
+    format!("{value:.5e}").parse().unwrap_or(value)
+}
+
 /// A row for each parameter.
 fn axes(table: &Table) -> String {
     let description = table.description();
@@ -159,7 +187,8 @@ fn axes(table: &Table) -> String {
 }
 
 /// What the certificate says, a pair of `dt` and `dd` for each thing.
-fn certificate(certificate: &Certificate, tolerance: f64) -> String {
+fn certificate(table: &Table) -> String {
+    let Description { tolerance, normalisation, certificate, .. } = table.description();
     let Certificate { max_error, median_error, points, seed, details } = certificate;
     let mut items = vec![
         ("tolerance", format!("{tolerance:e}")),
@@ -169,7 +198,9 @@ fn certificate(certificate: &Certificate, tolerance: f64) -> String {
     ];
     if let Some(details) = details {
         items.insert(2, ("99.9 % below", format!("{:.1e}", details.p999_error)));
-        let place = Parameter::ALL.iter().zip(details.worst_point).map(|(p, value)| format!("{} = {value}", p.name()));
+        let place = Parameter::ALL.into_iter().zip(details.worst_point);
+        let place =
+            place.map(|(parameter, place)| format!("{} = {}", symbol(parameter, *normalisation).0, value(parameter, short(place))));
         let place: Vec<String> = place.collect();
         items.push(("worst point", format!("{} at {}", details.worst_quantity.name(), place.join(", "))));
         let names = ["Γ² = es (x Eeq)′", "F₀′ = S δ₀′"];

@@ -10,7 +10,7 @@ use super::{cost, progress_bar, read_table, write_text};
 use crate::cost::read_csv;
 use crate::plot::chart;
 use crate::plot::picture::Format;
-use crate::plot::{error_map, fig2, fig3, fig4, force_displacement, lookup_cost, work_precision};
+use crate::plot::{effects, error_map, fig2, fig3, fig4, force_displacement, lookup_cost, table_cost, work_precision};
 use crate::{Error, output};
 
 /// Draw a figure as SVG or PNG
@@ -34,6 +34,20 @@ enum Figure {
     ErrorMap {
         /// The table, HDF5 or packed [default: the one that is compiled in]
         table: Option<PathBuf>,
+        #[command(flatten)]
+        output: Output,
+    },
+    /// What a table costs, and from when on it pays, as `tabulate cost table` measures it
+    TableCost {
+        #[command(flatten)]
+        rows: Rows,
+        #[command(flatten)]
+        output: Output,
+    },
+    /// What each effect costs, and what the load is without it, as `tabulate cost effects` measures it
+    Effects {
+        #[command(flatten)]
+        rows: Rows,
         #[command(flatten)]
         output: Output,
     },
@@ -99,6 +113,8 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
             bar.finish_and_clear();
             Ok(error_map::figure(&data))
         }),
+        Figure::TableCost { rows, output } => output.write(|| Ok(table_cost::figure(&rows.get(cost::measure_table)?))),
+        Figure::Effects { rows, output } => output.write(|| Ok(effects::figure(&rows.get(cost::measure_effects)?))),
         Figure::WorkPrecision { rows, output } => {
             output.write(|| Ok(work_precision::figure(&rows.get(|| Ok(cost::measure_solve()))?)))
         }

@@ -201,7 +201,7 @@ pub fn by_contact(rows: &[Row]) -> impl Iterator<Item = &[Row]> {
 }
 
 /// The fastest of the rows with an error of at most `error` and a method that is `wanted`.
-pub fn fastest<'a>(rows: &'a [Row], error: f64, wanted: impl Fn(&str) -> bool) -> Option<&'a Row> {
+pub fn fastest(rows: &[Row], error: f64, wanted: impl Fn(&str) -> bool) -> Option<&Row> {
     let enough = rows.iter().filter(|row| wanted(&row.method) && row.error.is_some_and(|reached| reached <= error));
     enough.min_by(|a, b| a.seconds.total_cmp(&b.seconds))
 }

@@ -263,7 +263,9 @@ impl Panel {
         let (left, top) = chart.plotting_area().get_base_pixel();
         let (_, height) = chart.plotting_area().dim_in_pixel();
         let (base, (width, _)) = (area.get_base_pixel(), area.dim_in_pixel());
+        // Over the middle of the axes, unless the title is too long.
         let middle = left + chart.plotting_area().dim_in_pixel().0 as i32 / 2 - base.0;
+        let middle = middle.max(fine(0.5 * TITLE * text_width(&self.title)? + 3.0));
         let title = text(TITLE, BLACK).pos(Pos::new(HPos::Center, VPos::Center));
         area.draw(&Text::new(self.title.as_str(), (middle, top - base.1 - fine(16.0)), title))?;
         // Labels may reach a little beyond the ends of the vertical axis, as its numbers do.
@@ -351,19 +353,20 @@ fn inside(points: &[Point], axes: &[Axis; 2]) -> Vec<Vec<(f64, f64)>> {
     let mut connected = false;
     for ends in points.windows(2) {
         let (from, to) = (place(&ends[0]), place(&ends[1]));
-        let (mut enter, mut leave) = (0.0_f64, 1.0_f64);
+        let drawable = from.iter().chain(&to).all(|place| place.is_finite());
+        let (mut enter, mut leave) = (0.0_f64, if drawable { 1.0_f64 } else { f64::NEG_INFINITY });
         for k in 0..2 {
             for (distance, speed) in [(from[k], to[k] - from[k]), (1.0 - from[k], from[k] - to[k])] {
                 if speed > 0.0 {
                     enter = enter.max(-distance / speed);
                 } else if speed < 0.0 {
                     leave = leave.min(-distance / speed);
-                } else if distance < 0.0 || !distance.is_finite() {
+                } else if distance < 0.0 {
                     leave = f64::NEG_INFINITY;
                 }
             }
         }
-        if !(enter <= leave) {
+        if enter > leave {
             connected = false;
             continue;
         }

@@ -15,26 +15,23 @@ const DRAWN: [[(&str, f64); 2]; 3] = [
 pub fn figure(rows: &[Row]) -> Figure {
     let contact = |(name, x): (&str, f64)| by_contact(rows).find(|rows| rows[0].contact == name && rows[0].a_over_t == x);
     let drawn = DRAWN.map(|line| line.map(|drawn| contact(drawn).unwrap_or_default()));
-    let times = Axis::decades("time (µs)", drawn.iter().flatten().flat_map(|rows| rows.iter()).map(microseconds));
     let panels = drawn.iter().zip(DRAWN).map(|(line, names)| {
         let line = line.iter().zip(names).enumerate();
-        line.map(|(column, (rows, (name, x)))| panel(rows, name, x, &times, column == 0)).collect()
+        line.map(|(column, (rows, (name, x)))| panel(rows, name, x, column == 0)).collect()
     });
     Figure::grid(800, panels.collect::<Vec<_>>())
 }
 
-fn microseconds(row: &Row) -> f64 {
-    1e6 * row.seconds
-}
-
 /// One contact.
-fn panel(rows: &[Row], name: &str, x: f64, times: &Axis, first: bool) -> Panel {
+fn panel(rows: &[Row], name: &str, x: f64, first: bool) -> Panel {
+    /// In microseconds, with room for labels before the fastest.
+    const TIMES: [f64; 2] = [0.3, 1e6];
     /// From rounding, with room for labels, to errors as large as the quantities.
     const ERRORS: [f64; 2] = [1e-18, 1.0];
     let errors = Axis::logarithmic(if first { "relative error achieved" } else { "" }, ERRORS);
     // The label takes room from the panel.
-    let mut panel = Panel::new(name, times.clone(), errors).share(if first { 1.05 } else { 1.0 });
-    let point = |row: &Row| -> Point { [microseconds(row), row.error.unwrap_or(f64::NAN)] };
+    let mut panel = Panel::new(name, Axis::logarithmic("time (µs)", TIMES), errors).share(if first { 1.05 } else { 1.0 });
+    let point = |row: &Row| -> Point { [1e6 * row.seconds, row.error.unwrap_or(f64::NAN)] };
 
     if let Some(refused) = rows.iter().find(|row| row.method == REFUSED) {
         let exponent = power_of_ten(refused.tolerance.log10().round() as i32);
@@ -57,11 +54,11 @@ fn panel(rows: &[Row], name: &str, x: f64, times: &Axis, first: bool) -> Panel {
         // A method that is left and taken up again is named once.
         let longest = runs.iter().enumerate().filter(|(_, run)| family(run[0]).0 == name).max_by_key(|(_, run)| run.len());
         if let Some((i, run)) = longest {
-            let (row, side) = if i + 1 == runs.len() { (run[run.len() - 1], Side::Below) } else { (run[0], Side::Above) };
+            let (row, side) = if i + 1 == runs.len() { (run[run.len() - 1], Side::Below) } else { (run[0], Side::AboveLeft) };
             panel.label(point(row), name, BLUE, side);
         }
     }
-    panel.label([times.range()[1], ERRORS[1]], format!("a/t = {x}"), BLACK, Side::BelowLeft);
+    panel.label([TIMES[1], ERRORS[1]], format!("a/t = {x}"), BLACK, Side::BelowLeft);
     panel
 }
 

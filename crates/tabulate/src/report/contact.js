@@ -23,6 +23,7 @@ class Contact {
         this.sphereFilmModulus = this.modulus * this.curve.es;
         /** The contact radii that the table covers. */
         this.range = table.range("a_over_t").map((x) => x * this.thickness);
+        this.sections = { load: this.sectionsOf("load"), penetration: this.sectionsOf("penetration") };
     }
 
     /** Load, penetration and their slopes d/d ln a, at contact radius `a`. */
@@ -43,7 +44,7 @@ class Contact {
     }
 
     /** The pieces of the table's contact radii on which what is controlled, "load" or "penetration", rises or falls. */
-    sections(controlled) {
+    sectionsOf(controlled) {
         const [first, last] = this.range.map(Math.log);
         const slope = (u) => this.state(Math.exp(u)).slopes[controlled];
         const count = Math.max(1, Math.ceil((last - first) / SEARCH_STEP));
@@ -66,7 +67,7 @@ class Contact {
 
     /** Where the contact separates; nothing if its contact radius is outside the table, or without adhesion. */
     pullOff(controlled) {
-        const sections = this.sections(controlled);
+        const sections = this.sections[controlled];
         if (this.workOfAdhesion === 0 || sections[0].rises || !sections.at(-1).rises) return null;
         const stable = sections.filter((section) => section.rises);
         const least = stable.reduce((a, b) => (b.imposed[0] < a.imposed[0] ? b : a));
@@ -75,7 +76,7 @@ class Contact {
 
     /** The largest stable contact without load; nothing if its contact radius is outside the table, or without adhesion. */
     zeroLoad() {
-        const rest = this.sections("load").findLast(({ rises, imposed: [from, to] }) => rises && from <= 0 && to >= 0);
+        const rest = this.sections.load.findLast(({ rises, imposed: [from, to] }) => rises && from <= 0 && to >= 0);
         if (this.workOfAdhesion === 0 || !rest) return null;
         // No load at all, not what rounding leaves of it.
         return { ...this.state(Math.exp(root((u) => this.state(Math.exp(u)).load, ...rest.u))), load: 0 };
@@ -85,7 +86,7 @@ class Contact {
     drawn() {
         const [first, last] = this.range, rest = this.zeroLoad();
         let to = first;
-        if (rest) to = 1.3 * rest.contact_radius;
+        if (rest) to = Number((1.3 * rest.contact_radius).toPrecision(3));
         else if (this.workOfAdhesion === 0) to = 0.1 * this.radius;
         else if (this.state(last).load < 0) to = last;
         to = Math.min(Math.max(to, 10 * first), last);

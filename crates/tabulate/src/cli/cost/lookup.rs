@@ -5,10 +5,9 @@ use std::path::{Path, PathBuf};
 use anyhow::Context;
 use interp::Table;
 
-use super::report;
+use super::Rows;
 use crate::cli::{progress_bar, read_table};
 use crate::cost::lookup::{POINTS, Row, markdown, measure, solves};
-use crate::output;
 
 /// One lookup: nanoseconds against error for every form of it, beside direct solves and the closed forms in use
 ///
@@ -18,15 +17,13 @@ use crate::output;
 pub struct Arguments {
     /// A table with all four quantities, HDF5 or packed [default: the one that is built in]
     table: Option<PathBuf>,
-    /// Write all rows here, as CSV
-    #[arg(short, long, value_name = "OUT.csv")]
-    output: Option<PathBuf>,
+    #[command(flatten)]
+    rows: Rows,
 }
 
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
-    output::check(arguments.output.as_deref(), arguments.table.as_deref())?;
-    let rows = measured(arguments.table.as_deref())?;
-    report(arguments.output.as_deref(), &rows, &markdown(&rows))
+    let table = arguments.table.as_deref();
+    arguments.rows.report(table, || measured(table), markdown)
 }
 
 /// All rows of a table, or of the one that is built in, with a bar.

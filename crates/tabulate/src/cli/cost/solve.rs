@@ -1,24 +1,18 @@
 //! `tabulate cost solve`
 
-use std::path::PathBuf;
-
 use super::super::progress_bar;
-use super::report;
+use super::Rows;
 use crate::cost::solve::{Row, contacts, markdown, measure};
-use crate::output;
 
 /// One solve: error against time, beside a plain dense Nystrom solve
 #[derive(clap::Args)]
 pub struct Arguments {
-    /// Write all rows here, as CSV
-    #[arg(short, long, value_name = "OUT.csv")]
-    output: Option<PathBuf>,
+    #[command(flatten)]
+    rows: Rows,
 }
 
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
-    output::check(arguments.output.as_deref(), None)?;
-    let rows = measured();
-    report(arguments.output.as_deref(), &rows, &markdown(&rows))
+    arguments.rows.report(None, || Ok(measured()), markdown)
 }
 
 /// All rows, with a bar.
