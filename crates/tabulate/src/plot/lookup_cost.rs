@@ -18,7 +18,7 @@ pub fn figure(rows: &[Row]) -> Figure {
     let errors = |label: &str| Axis::logarithmic(label, [least, 10.0 * most]);
     let left = Panel::new(
         "any contact in the table's box",
-        times(&in_box, [0.15, 8.0]),
+        times(&in_box, [0.15, 12.0]),
         errors("relative error of the load: disc median, circle largest"),
     );
     let right = Panel::new("layer on a rigid base, a/t < 1", times(&of_layers, [0.4, 30.0]), errors("")).share(0.55);
@@ -74,16 +74,16 @@ enum End {
 fn label(row: &Row) -> (&str, End, Side) {
     match (row.form.as_str(), row.what.as_str()) {
         ("packed table", FURTHER) => ("table: further point", End::Disc, Side::BelowRight),
-        ("packed table", _) => ("packed table: new material", End::Circle, Side::AboveRight),
-        ("dense table", _) => ("dense: new material", End::Disc, Side::Below),
+        ("packed table", _) => ("packed: new material", End::Disc, Side::Below),
+        ("dense table", _) => ("dense: new material", End::Circle, Side::Above),
         (form, _) => {
-            let name = form.split(',').next().unwrap_or_default();
+            let name = form.split(',').next().unwrap_or_default().trim_start_matches("direct ");
             match name.split(' ').next().unwrap_or_default() {
                 "bulk" => (name, End::Circle, Side::Above),
                 "film" => (name, End::Disc, Side::Left),
                 "Gao" | "Hay" | "Garcia" => (name, End::Circle, Side::Right),
                 "cubic" | "Hertz" => (name, End::Circle, Side::AboveRight),
-                _ if form.ends_with("1e-4") || form.ends_with("1e-6") => (name, End::Disc, Side::Left),
+                _ if form.ends_with("1e-6") => (name, End::Disc, Side::Left),
                 _ => (name, End::Disc, Side::Right),
             }
         }
