@@ -406,8 +406,8 @@ fn a_phone_and_a_desktop_show_it_without_moving_it_sideways() {
     let frame = |width| format!("<iframe style='width:{width}px' srcdoc=\"{escaped}\"></iframe>");
     let measure = "<script>addEventListener('load', () => {
         const pages = [...document.querySelectorAll('iframe')].map((frame) => frame.contentDocument);
-        const text = pages.flatMap((page) => [page.documentElement.scrollWidth, page.querySelectorAll('#charts svg').length]).join(' ');
-        document.body.append(Object.assign(document.createElement('pre'), { id: 'seen', textContent: text }));
+        const text = pages.flatMap((page) => [page.documentElement.scrollWidth, page.querySelectorAll('#charts svg').length]);
+        document.body.append(Object.assign(document.createElement('pre'), { id: 'seen', textContent: text.join(' ') }));
     });</script>";
     let Some(text) = seen(&format!("<body>{}{}{measure}</body>", frame(390), frame(1280))) else { return };
     let numbers: Vec<u32> = text.split(' ').map(|number| number.parse().expect("a number")).collect();

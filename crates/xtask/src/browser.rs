@@ -4,8 +4,8 @@ use std::env;
 use std::path::PathBuf;
 use std::process::Command;
 
-/// Chromium: what `CHROMIUM` names, or one in `PATH`, or Debian's, installed if we may. None otherwise: the tests then say that they
-/// are skipped.
+/// Chromium: what `CHROMIUM` names, or one in `PATH`, or Debian's, installed if we may. None otherwise: the tests then say that
+/// they are skipped.
 pub fn chromium() -> Option<PathBuf> {
     env::var_os("CHROMIUM").map(PathBuf::from).or_else(in_path).or_else(|| {
         let root = Command::new("id").arg("-u").output().is_ok_and(|output| output.stdout == b"0\n");
