@@ -3,7 +3,7 @@
 use acceptance::{Data, Desk, assert_names, larger, relative_error};
 use tabulate::cost::nystrom::Nystrom;
 use tabulate::cost::read_csv;
-use tabulate::cost::solve::{NYSTROM, REFUSED, Row, TOLERANCES, contacts, markdown, measure};
+use tabulate::cost::solve::{NYSTROM, REFUSED, Row, TOLERANCES, contacts, markdown};
 use tabulate::solve::solve;
 
 /// Tolerances from here on are refused for none of the contacts.
@@ -69,8 +69,11 @@ fn the_command_writes_errors_within_tolerances_that_are_the_same_in_every_run() 
     assert_eq!(printed, markdown(&rows));
     assert!(rows.iter().all(|row| row.seconds > 0.0));
 
-    let untimed = |rows: &[Row]| rows.iter().map(|row| Row { seconds: 0.0, ..row.clone() }).collect::<Vec<_>>();
-    assert_eq!(untimed(&rows), untimed(&measure(&|| {})));
+    for name in ["one.svg", "two.svg", "one.png"] {
+        assert_eq!(desk.succeed(&["plot", "work-precision", "--data", "solve.csv", "-o", name]), "");
+    }
+    let drawn = desk.read("one.svg");
+    assert!(drawn.starts_with(b"<svg") && drawn == desk.read("two.svg") && desk.read("one.png").starts_with(b"\x89PNG"));
 
     for contact in contacts() {
         let of_contact = |row: &&Row| row.contact == contact.contact && row.a_over_t == contact.a_over_t;
@@ -91,11 +94,24 @@ fn the_command_writes_errors_within_tolerances_that_are_the_same_in_every_run() 
                 }
             }
         }
+        for row in &nystrom {
+            let solved = Nystrom::new(row.size as usize).solve(contact.a_over_t, &contact.material(), row.tolerance);
+            assert_eq!(row.error, Some(relative_error(&solved, &contact.truth()).max(0.5 * f64::EPSILON)));
+        }
         // Nodes enough were among those tried.
         let reached = nystrom.iter().filter_map(|row| row.error).reduce(f64::min);
         assert!(reached.is_none_or(|error| error <= 1e-11), "{contact:?}: {reached:?}");
         assert_eq!(reached.is_some(), contact.a_over_t <= 100.0);
     }
+}
+
+#[test]
+fn a_figure_of_anything_else_is_refused() {
+    let desk = desk();
+    desk.write("other.csv", "contact,a_over_t\nthe paper's,thin\n");
+    let message = desk.fail(1, &["plot", "work-precision", "--data", "other.csv", "-o", "picture.svg"]);
+    assert_names(&message, &["other.csv", "line: 2"]);
+    assert_eq!(desk.files(), ["other.csv"]);
 }
 
 #[test]

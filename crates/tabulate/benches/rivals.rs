@@ -17,12 +17,11 @@ use interp::{Material, Quantities, Quantity, Table};
 use interpn::multibspline::rectilinear as b_spline;
 use interpn::{MultiBsplineRectilinear, MulticubicRectilinear};
 use python::Python;
-use rand::{RngExt, SeedableRng};
-use rand_pcg::Pcg64Mcg;
 use serde::Deserialize;
 use serde_json::json;
 use tabulate::cost::clock::{self, human, median};
 use tabulate::cost::error::{deviation, tightest};
+use tabulate::cost::lookup::{Point, random_points};
 use tabulate::solve::solve;
 
 /// Random points off the nodes, for errors and for the times of single points.
@@ -40,9 +39,8 @@ fn main() {
     // `Table::embedded`, from its file.
     let table = &Table::read(concat!(env!("CARGO_MANIFEST_DIR"), "/../interp/embedded/default.bin")).expect("it comes with interp");
     let grid = Grid::new(table);
-    let mut random = Random { generator: Pcg64Mcg::seed_from_u64(1), table };
-    let points: Vec<Point> = (0..POINTS).map(|_| random.point()).collect();
-    let curves: Vec<[Point; 60]> = (0..CURVES).map(|_| curve_of(random.point().1)).collect();
+    let mut points = random_points(table, POINTS + CURVES, 1);
+    let curves: Vec<[Point; 60]> = points.split_off(POINTS).into_iter().map(|(_, material)| curve_of(material)).collect();
     let truth: Vec<Quantities> =
         points.iter().map(|(x, material)| tightest(*x, material).expect("it converges").quantities).collect();
 
@@ -102,30 +100,9 @@ fn main() {
     println!("\nAll four quantities at a further point of the same material (interp): {:.1} ns", further * 1e9);
 }
 
-/// `a/t` and material.
-type Point = (f64, Material);
-
 /// 60 points from a/t = 1e-3 to 1e3.
 fn curve_of(material: Material) -> [Point; 60] {
     std::array::from_fn(|i| ((10_f64.powf(-3.0 + 6.0 * i as f64 / 59.0)).clamp(1e-3, 1e3), material))
-}
-
-/// Evenly distributed in the coordinates of the axes.
-struct Random<'a> {
-    generator: Pcg64Mcg,
-    table: &'a Table,
-}
-
-impl Random<'_> {
-    fn point(&mut self) -> Point {
-        let [x, e1, nu1, e0] = Parameter::ALL.map(|parameter| {
-            let nodes = self.table.axis(parameter);
-            let (first, last) = (nodes[0], nodes[nodes.len() - 1]);
-            let coordinate = self.generator.random_range(parameter.coordinate(first)..parameter.coordinate(last));
-            parameter.value(coordinate).clamp(first, last)
-        });
-        (x, Material::new(e1, nu1, e0, self.table.description().nu0).expect("inside"))
-    }
 }
 
 /// The order of the rivals' dimensions: along `a/t`, neighbours are neighbours in memory, which suits curves.

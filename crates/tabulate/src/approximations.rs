@@ -64,7 +64,7 @@ pub fn gao(a_over_t: f64, material: &Material) -> Result<f64, Error> {
 /// ```
 ///
 /// with `I0`, `nu` and `E` of [`gao`]. Without the number 0.0626 it would be exact to first order as [`gao`] is; with it, the
-/// stiffness of a film on a substrate of its own material is too large by up to 1.6 %, at `I0 = 1/2`.
+/// stiffness of a film on a substrate of its own material is too large by up to 1.5 %, at `I0 = 1/2`.
 ///
 /// # Errors
 /// As [`gao`].
@@ -121,8 +121,7 @@ impl Weighted {
 /// It is a series about Hertz, of which the first term alone is exact, as far as the fit `alpha` is: it is 0.5 % from the exact
 /// `int_0^inf (X(q) - 1) dq` at `nu = 0.5`, 0.5 % at 0.3 and 6 % at 0. The second should be `14/3 alpha^2/pi^2` (see [`garcia`]).
 /// At `nu = 0.5` the first three are the numbers of [`dimitriadis_incompressible`], and the fourth is its -0.0975 with the other
-/// sign. (The formula is given here as it is remembered: these numbers, and `alpha` compared with the exact kernel, are what
-/// confirms it.)
+/// sign. These numbers, and `alpha` beside the exact kernel's, confirm the formula; for other `nu` no second print of it was at hand.
 ///
 /// # Errors
 /// [`Error::Domain`] unless `chi` is in `[0, 1e6]` and `nu` in `[0, 0.5]`.

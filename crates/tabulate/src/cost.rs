@@ -15,6 +15,7 @@ use std::path::Path;
 
 use serde::Serialize;
 use serde::de::DeserializeOwned;
+use serde_json::Value;
 
 use crate::Error;
 
@@ -37,4 +38,44 @@ pub fn to_csv<R: Serialize>(rows: &[R]) -> Vec<u8> {
 pub fn read_csv<R: DeserializeOwned>(path: &Path) -> Result<Vec<R>, Error> {
     let attempt = || csv::Reader::from_path(path)?.deserialize().collect::<Result<Vec<_>, _>>();
     attempt().map_err(|error| Error::Read { path: path.to_owned(), source: error.into() })
+}
+
+/// The times of two runs may differ by this factor, because machines do and what else they do.
+pub const TIME_FACTOR: f64 = 10.0;
+
+/// Compares rows with those of an earlier run: texts and counts must be the same, errors the same to a hundredth or 1e-13, as
+/// rounding differs between processors, and times within [`TIME_FACTOR`]. What follows from differences and ratios of times, the
+/// `saved_seconds` and `break_even`s of some rows, is left out; so are rows that one of the two has not.
+///
+/// # Errors
+/// [`Error::Changed`] naming the row, the column and both values.
+///
+/// # Panics
+/// If a row is more than a struct of numbers and texts.
+pub fn compare<R: Serialize>(before: &[R], now: &[R]) -> Result<(), Error> {
+    let fields = |row: &R| match serde_json::to_value(row) {
+        Ok(Value::Object(fields)) => fields,
+        other => unreachable!("a row is a struct: {other:?}"),
+    };
+    for (i, (before, now)) in before.iter().map(fields).zip(now.iter().map(fields)).enumerate() {
+        for ((column, before), now) in before.iter().zip(now.values()) {
+            if !alike(column, before, now) {
+                let [before, now] = [before, now].map(Value::to_string);
+                return Err(Error::Changed { row: i + 1, column: column.clone(), before, now });
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Whether two values of a column are the same but for noise.
+fn alike(column: &str, before: &Value, now: &Value) -> bool {
+    let Some((a, b)) = before.as_f64().zip(now.as_f64()) else { return before == now };
+    match column {
+        "saved_seconds" => true,
+        _ if column.starts_with("break_even") => true,
+        _ if column.ends_with("seconds") => a.max(b) <= TIME_FACTOR * a.min(b),
+        _ if before.is_f64() => (a - b).abs() <= 1e-2 * a.abs().max(b.abs()) + 1e-13,
+        _ => before == now,
+    }
 }

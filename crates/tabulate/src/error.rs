@@ -37,6 +37,18 @@ pub enum Error {
         /// The estimated relative error that was reached; infinite where there is no answer at all.
         reached: f64,
     },
+    /// A measurement that is not what it was.
+    #[error("row {row}: {column} was {before} and is {now}")]
+    Changed {
+        /// The number of the row, from 1.
+        row: usize,
+        /// The column.
+        column: String,
+        /// What it was.
+        before: String,
+        /// What it is.
+        now: String,
+    },
     /// A low-rank form that rounding keeps from its error.
     #[error(
         "a low-rank form with an error of {error:.1e} is not within rounding: it has {reached:.1e}; ask for a larger tolerance"

@@ -5,14 +5,18 @@
 
 pub mod axis;
 pub mod chart;
+pub mod effects;
 pub mod error_map;
 pub mod fig2;
 pub mod fig3;
 pub mod fig4;
 pub mod force_displacement;
 mod labels;
+pub mod lookup_cost;
 pub mod paper;
 pub mod picture;
+pub mod table_cost;
+pub mod work_precision;
 
 use plotters::drawing::DrawingAreaErrorKind;
 

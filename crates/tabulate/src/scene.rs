@@ -181,16 +181,7 @@ impl Scene {
 
     /// `count` random points of the box, evenly distributed in the axes' coordinates.
     pub fn random_points(&self, count: usize, seed: u64) -> Vec<[f64; 4]> {
-        let mut random = Pcg64Mcg::seed_from_u64(seed);
-        let mut value = |parameter: Parameter| {
-            let [from, to] = self.extents[parameter as usize].ends();
-            if from == to {
-                return from;
-            }
-            let (first, last) = (parameter.coordinate(from), parameter.coordinate(to));
-            parameter.value(random.random_range(first..last)).clamp(from, to)
-        };
-        (0..count).map(|_| Parameter::ALL.map(&mut value)).collect()
+        random_points(self.extents.each_ref().map(Extent::ends), count, seed)
     }
 
     /// A material of the scene.
@@ -200,6 +191,20 @@ impl Scene {
     pub fn material(&self, [e1_over_e2, nu1, e0_over_e2]: [f64; 3]) -> Result<Material, Error> {
         Ok(Material::new(e1_over_e2, nu1, e0_over_e2, self.nu0)?)
     }
+}
+
+/// `count` random points of a box, evenly distributed in the axes' coordinates.
+pub(crate) fn random_points(ends: [[f64; 2]; 4], count: usize, seed: u64) -> Vec<[f64; 4]> {
+    let mut random = Pcg64Mcg::seed_from_u64(seed);
+    let mut value = |parameter: Parameter| {
+        let [from, to] = ends[parameter as usize];
+        if from == to {
+            return from;
+        }
+        let (first, last) = (parameter.coordinate(from), parameter.coordinate(to));
+        parameter.value(random.random_range(first..last)).clamp(from, to)
+    };
+    (0..count).map(|_| Parameter::ALL.map(&mut value)).collect()
 }
 
 /// What the scene says of one parameter, if that can be solved.

@@ -6,9 +6,11 @@
 #![forbid(unsafe_code)]
 
 mod browser;
+mod figures;
 mod hdf5;
 mod python;
 mod tables;
+mod tabulate;
 mod workspace;
 
 use std::env;
@@ -20,6 +22,9 @@ usage: cargo xtask COMMAND
   table [SCENE] [ARGS]
                  make a table: `tabulate generate SCENE ARGS`; without SCENE the default one, into tables/default.h5
   tables         make and pack the table of every scene in tables/, in target/tables/, and print the rows of tables/README.md
+  figures [--check]
+                 measure what accuracy costs, draw all figures and quote the numbers in README.md and tables/README.md; or measure
+                 and draw again, and fail where that differs
   test [ARGS]    run the whole test suite, optimised; ARGS go to `cargo test`
   compare        time the solve against numpy and scipy on the same equation, and the lookup against interpn and scipy on
                  the same nodes
@@ -33,6 +38,8 @@ fn main() -> ExitCode {
     let outcome = match command.as_deref() {
         Some("table") => table(&rest),
         Some("tables") if rest.is_empty() => tables::tables(),
+        Some("figures") if rest.is_empty() => figures::figures(),
+        Some("figures") if rest == ["--check"] => figures::check(),
         Some("test") => test(&rest),
         Some("compare") if rest.is_empty() => compare(),
         Some("cargo") if !rest.is_empty() => cargo(&rest),

@@ -4,9 +4,9 @@
 
 use std::fs;
 use std::path::Path;
-use std::process::Stdio;
 
-use crate::{hdf5, workspace};
+use crate::tabulate::tabulate;
+use crate::workspace;
 
 const PARAMETERS: [&str; 4] = ["a_over_t", "e1_over_e2", "nu1", "e0_over_e2"];
 
@@ -58,16 +58,6 @@ fn row(name: &str, scenes: &Path, made: &Path) -> Result<String, String> {
         format!("`cargo xtask table tables/{name}.toml`"),
     ];
     Ok(format!("| {} |", cells.join(" | ")))
-}
-
-/// Runs `tabulate`, built optimised, and returns what it prints.
-fn tabulate(args: &[&str]) -> Result<String, String> {
-    let mut command = hdf5::cargo(&[&["run", "--quiet", "--release", "-p", "tabulate", "--"], args].concat())?;
-    let output = command.stderr(Stdio::inherit()).output().map_err(|e| format!("cannot run cargo: {e}"))?;
-    if !output.status.success() {
-        return Err(format!("{command:?} failed ({})", output.status));
-    }
-    String::from_utf8(output.stdout).map_err(|e| e.to_string())
 }
 
 /// The lines that `tabulate generate` or `pack` prints, each of which begins with the name of what it tells.

@@ -4,11 +4,13 @@ use std::path::PathBuf;
 
 use clap::{Args, Subcommand};
 use interp::Table;
+use serde::de::DeserializeOwned;
 
-use super::{progress_bar, read_table, write_text};
+use super::{cost, progress_bar, read_table, write_text};
+use crate::cost::read_csv;
 use crate::plot::chart;
 use crate::plot::picture::Format;
-use crate::plot::{error_map, fig2, fig3, fig4, force_displacement};
+use crate::plot::{effects, error_map, fig2, fig3, fig4, force_displacement, lookup_cost, table_cost, work_precision};
 use crate::{Error, output};
 
 /// Draw a figure as SVG or PNG
@@ -35,6 +37,49 @@ enum Figure {
         #[command(flatten)]
         output: Output,
     },
+    /// What a table costs, and from when on it pays, as `tabulate cost table` measures it
+    TableCost {
+        #[command(flatten)]
+        rows: Rows,
+        #[command(flatten)]
+        output: Output,
+    },
+    /// What each effect costs, and what the load is without it, as `tabulate cost effects` measures it
+    Effects {
+        #[command(flatten)]
+        rows: Rows,
+        #[command(flatten)]
+        output: Output,
+    },
+    /// Error against time of one solve, as `tabulate cost solve` measures it
+    WorkPrecision {
+        #[command(flatten)]
+        rows: Rows,
+        #[command(flatten)]
+        output: Output,
+    },
+    /// Error against nanoseconds of one lookup, as `tabulate cost lookup` measures it
+    LookupCost {
+        #[command(flatten)]
+        rows: Rows,
+        #[command(flatten)]
+        output: Output,
+    },
+}
+
+/// Where the rows of a figure of costs come from.
+#[derive(Args)]
+struct Rows {
+    /// What `tabulate cost` has written [default: measure it now]
+    #[arg(long = "data", value_name = "COST.csv")]
+    path: Option<PathBuf>,
+}
+
+impl Rows {
+    /// Reads them or measures them.
+    fn get<R: DeserializeOwned>(&self, measure: impl FnOnce() -> anyhow::Result<Vec<R>>) -> anyhow::Result<Vec<R>> {
+        self.path.as_deref().map_or_else(measure, |path| Ok(read_csv(path)?))
+    }
 }
 
 /// Where a picture goes.
@@ -68,6 +113,12 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
             bar.finish_and_clear();
             Ok(error_map::figure(&data))
         }),
+        Figure::TableCost { rows, output } => output.write(|| Ok(table_cost::figure(&rows.get(cost::measure_table)?))),
+        Figure::Effects { rows, output } => output.write(|| Ok(effects::figure(&rows.get(cost::measure_effects)?))),
+        Figure::WorkPrecision { rows, output } => {
+            output.write(|| Ok(work_precision::figure(&rows.get(|| Ok(cost::measure_solve()))?)))
+        }
+        Figure::LookupCost { rows, output } => output.write(|| Ok(lookup_cost::figure(&rows.get(|| cost::measure_lookup(None))?))),
     }
 }
 

@@ -10,12 +10,10 @@ mod linear;
 
 use interp::schema::Parameter;
 use interp::{Material, Table};
-use rand::{RngExt, SeedableRng};
-use rand_pcg::Pcg64Mcg;
 use serde::{Deserialize, Serialize};
 
 use super::clock::human;
-use crate::Error;
+use crate::{Error, scene};
 
 /// What a form of lookup rests on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -70,6 +68,11 @@ const SOLVED: usize = 200;
 /// Of each time, what it may take to measure it.
 const SECONDS: f64 = 0.1;
 
+/// What all forms do but those along a curve, see [`Row::what`].
+pub const NEW: &str = "one point of a new material";
+/// What the forms do that make a curve first, see [`Row::what`].
+pub const FURTHER: &str = "a further point";
+
 /// A contact: `a/t` and material.
 pub type Point = (f64, Material);
 
@@ -96,19 +99,10 @@ pub const fn solves(points: usize) -> usize {
 
 /// Random points of a table's box, evenly distributed in the coordinates of the axes.
 pub fn random_points(table: &Table, count: usize, seed: u64) -> Vec<Point> {
-    let mut random = Pcg64Mcg::seed_from_u64(seed);
-    let mut point = || {
-        let [x, e1, nu1, e0] = Parameter::ALL.map(|parameter| {
-            let [first, last] = ends(table, parameter);
-            if first == last {
-                return first;
-            }
-            let coordinate = random.random_range(parameter.coordinate(first)..parameter.coordinate(last));
-            parameter.value(coordinate).clamp(first, last)
-        });
-        (x, Material::new(e1, nu1, e0, table.description().nu0).expect("the table's box is physical"))
-    };
-    (0..count).map(|_| point()).collect()
+    let nu0 = table.description().nu0;
+    let material = |e1, nu1, e0| Material::new(e1, nu1, e0, nu0).expect("the table's box is physical");
+    let points = scene::random_points(Parameter::ALL.map(|parameter| ends(table, parameter)), count, seed);
+    points.into_iter().map(|[x, e1, nu1, e0]| (x, material(e1, nu1, e0))).collect()
 }
 
 /// The first and the last node of an axis.
@@ -117,33 +111,28 @@ fn ends(table: &Table, parameter: Parameter) -> [f64; 2] {
     [nodes[0], nodes[nodes.len() - 1]]
 }
 
-/// The rows in short, as Markdown: of a form measured in several ways, all times, the errors once.
+/// The rows in short, as Markdown: a line for each form, with two of its times.
 pub fn markdown(rows: &[Row]) -> String {
-    let mut text = String::from(
-        "| form | what | time | median error of the load | largest | with adhesion, median | largest |\n|---|---|---|---|---|---|---|\n",
+    let mut text = format!(
+        "| form | {NEW} | {FURTHER} | load: median error | largest | with adhesion: median | largest |\n|---|---|---|---|---|---|---|\n"
     );
     let mut scope = "";
-    for row in rows {
-        if row.scope != scope {
-            scope = &row.scope;
-            text += &format!("| **{scope}**, {} points, at a given {} | | | | | | |\n", row.points, row.at);
+    for group in rows.chunk_by(|a, b| (&a.scope, &a.form) == (&b.scope, &b.form)) {
+        let first = &group[0];
+        if first.scope != scope {
+            scope = &first.scope;
+            text += &format!("| *{} points, {scope}, at a given {}* | | | | | | |\n", first.points, first.at);
         }
-        let largest = if row.max_factor >= 2.0 { factor(row.max_factor) } else { percent(row.max_error) };
+        let time = |what| group.iter().find(|row| row.what == what).map_or_else(|| "–".to_owned(), |row| human(row.seconds));
+        let largest = if first.max_factor >= 2.0 { factor(first.max_factor) } else { percent(first.max_error) };
         let adhesive = |error: Option<f64>| match error {
             None => "–".to_owned(),
-            Some(error) if error >= 1.0 => factor(1.0 + error),
+            Some(error) if error >= 10.0 => factor(1.0 + error),
             Some(error) => percent(error),
         };
-        let cells = [
-            row.form.clone(),
-            row.what.clone(),
-            human(row.seconds),
-            percent(row.median_error),
-            largest,
-            adhesive(row.adhesive_median_error),
-            adhesive(row.adhesive_max_error),
-        ];
-        text += &format!("| {} |\n", cells.join(" | "));
+        let errors =
+            [percent(first.median_error), largest, adhesive(first.adhesive_median_error), adhesive(first.adhesive_max_error)];
+        text += &format!("| {} | {} | {} | {} |\n", first.form, time(NEW), time(FURTHER), errors.join(" | "));
     }
     text
 }

@@ -74,7 +74,7 @@ impl Row {
         [self.a_over_t_nodes, self.e1_over_e2_nodes, self.nu1_nodes, self.e0_over_e2_nodes]
     }
 
-    /// Processor time that the packed table takes (s), if all threads are busy all the time: at most that is.
+    /// The most processor time that making and packing can have taken (s): that of threads that are never idle.
     pub const fn making(&self) -> f64 {
         self.threads as f64 * (self.seconds + self.pack_seconds)
     }
@@ -226,7 +226,7 @@ impl Made {
 const POINTS: usize = 300;
 const SEED: u64 = 6;
 /// Time spent on each kind of evaluation, but for one pass over all points, in seconds.
-const PATIENCE: f64 = 0.3;
+const PATIENCE: f64 = 0.1;
 
 /// The mean times (s) of a direct solve to the scene's tolerance, of making the curve of a material, and of a point on a curve.
 fn evaluations(scene: &Scene, table: &Table) -> Result<[f64; 3], Error> {
@@ -262,9 +262,8 @@ fn look_up(curve: &Curve, wanted: &[Quantity], a_over_t: f64) -> Result<Quantiti
     Ok(Quantities::from_array(values))
 }
 
-/// The rows as two tables of the README, what is made and when it pays, and what was left out.
-pub fn markdown(measured: &Measured) -> String {
-    let Measured { rows, left_out } = measured;
+/// The rows as two tables of the README: what is made, and when it pays.
+pub fn markdown(rows: &[Row]) -> String {
     let threads = rows.first().map_or(0, |row| row.threads);
     let mut text = format!(
         "| tolerance | nodes | solves | time, {threads} threads | .h5 | certified error | ranks | packed | certified error |\n"
@@ -292,9 +291,6 @@ pub fn markdown(measured: &Measured) -> String {
         "\nOne solve or lookup is a mean over {POINTS} random points of the scene on one thread, lookups in the packed table. A table pays from so many \
          evaluations on, in processor time: {threads} threads making and packing it against one thread solving.\n"
     );
-    if let Some((tolerance, why)) = left_out {
-        text += &format!("From {tolerance:e} on left out: {why}.\n");
-    }
     text
 }
 
@@ -312,6 +308,7 @@ pub(crate) fn human_count(count: f64) -> String {
 pub(crate) fn human_bytes(bytes: u64) -> String {
     match bytes as f64 {
         bytes @ ..1e3 => format!("{bytes} bytes"),
+        bytes @ ..1e4 => format!("{:.1} kB", 1e-3 * bytes),
         bytes @ ..1e6 => format!("{:.0} kB", 1e-3 * bytes),
         bytes => format!("{:.1} MB", 1e-6 * bytes),
     }

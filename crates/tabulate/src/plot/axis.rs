@@ -95,7 +95,7 @@ impl Axis {
             Scale::Logarithmic => {
                 let [low, high] = self.exponents();
                 let every = (f64::from(high - low) / (2.0 * INTERVALS)).ceil().max(1.0) as usize;
-                let digits: &[f64] = if high - low < 2 { &[1.0, 2.0, 5.0] } else { &[1.0] };
+                let digits: &[f64] = if (to / from).log10() < 1.5 { &[1.0, 2.0, 5.0] } else { &[1.0] };
                 let values =
                     (low..=high).step_by(every).flat_map(|e| digits.iter().map(move |digit| (digit * power(e), *digit, e)));
                 let name = |digit: f64, e: i32| match (low.min(high) >= -2 && high <= 3, digit == 1.0) {

@@ -63,11 +63,11 @@ const FINE: i32 = 10;
 const TITLE: f64 = 16.0;
 const TEXT: f64 = 14.0;
 
-/// Panels side by side.
+/// Panels side by side, in one row or more.
 #[derive(Clone, Debug)]
 pub struct Figure {
     height: u32,
-    panels: Vec<Panel>,
+    rows: Vec<Vec<Panel>>,
 }
 
 /// Two axes and what is drawn between them.
@@ -104,7 +104,12 @@ enum Mark {
 impl Figure {
     /// A figure of [`WIDTH`] by `height` pixels, with its panels from left to right.
     pub fn new(height: u32, panels: impl Into<Vec<Panel>>) -> Self {
-        Self { height, panels: panels.into() }
+        Self::grid(height, [panels.into()])
+    }
+
+    /// The same with rows of panels below each other, all of one height.
+    pub fn grid(height: u32, rows: impl Into<Vec<Vec<Panel>>>) -> Self {
+        Self { height, rows: rows.into() }
     }
 
     /// Draws it.
@@ -116,23 +121,22 @@ impl Figure {
         let mut svg = String::new();
         let root = SVGBackend::with_string(&mut svg, (fine * WIDTH, fine * self.height)).into_drawing_area();
         root.fill(&WHITE)?;
-        let (mut so_far, whole) = (0.0, self.panels.iter().map(|panel| panel.share).sum::<f64>());
-        let mut areas = Vec::new();
-        let mut rest = root.clone();
-        for panel in &self.panels {
-            so_far += panel.share;
-            let end = (f64::from(fine * WIDTH) * so_far / whole).round() as i32;
-            let (area, right) = rest.split_horizontally(end - rest.get_base_pixel().0);
-            areas.push(area);
-            rest = right;
-        }
         // All panels are as high as the one with most around it.
-        let around = self.panels.iter().map(Panel::above_and_below).fold([0.0_f64; 2], |a, b| [a[0].max(b[0]), a[1].max(b[1])]);
-        for (panel, area) in self.panels.iter().zip(&areas) {
-            panel.draw(area, around)?;
+        let panels = self.rows.iter().flatten();
+        let around = panels.map(Panel::above_and_below).fold([0.0_f64; 2], |a, b| [a[0].max(b[0]), a[1].max(b[1])]);
+        for (row, area) in self.rows.iter().zip(root.split_evenly((self.rows.len(), 1))) {
+            let whole = row.iter().map(|panel| panel.share).sum::<f64>();
+            let (mut so_far, mut rest) = (0.0, area);
+            for panel in row {
+                so_far += panel.share;
+                let end = (f64::from(fine * WIDTH) * so_far / whole).round() as i32;
+                let (area, right) = rest.split_horizontally(end - rest.get_base_pixel().0);
+                panel.draw(&area, around)?;
+                rest = right;
+            }
         }
         root.present()?;
-        drop((root, rest, areas));
+        drop(root);
         // The size in pixels; and corners of lines that do not stick out.
         let [width, height] = [WIDTH, self.height];
         let (old, new) = (
@@ -259,7 +263,9 @@ impl Panel {
         let (left, top) = chart.plotting_area().get_base_pixel();
         let (_, height) = chart.plotting_area().dim_in_pixel();
         let (base, (width, _)) = (area.get_base_pixel(), area.dim_in_pixel());
+        // Over the middle of the axes, unless the title is too long.
         let middle = left + chart.plotting_area().dim_in_pixel().0 as i32 / 2 - base.0;
+        let middle = middle.max(fine(0.5 * TITLE * text_width(&self.title)? + 3.0));
         let title = text(TITLE, BLACK).pos(Pos::new(HPos::Center, VPos::Center));
         area.draw(&Text::new(self.title.as_str(), (middle, top - base.1 - fine(16.0)), title))?;
         // Labels may reach a little beyond the ends of the vertical axis, as its numbers do.
@@ -347,19 +353,20 @@ fn inside(points: &[Point], axes: &[Axis; 2]) -> Vec<Vec<(f64, f64)>> {
     let mut connected = false;
     for ends in points.windows(2) {
         let (from, to) = (place(&ends[0]), place(&ends[1]));
-        let (mut enter, mut leave) = (0.0_f64, 1.0_f64);
+        let drawable = from.iter().chain(&to).all(|place| place.is_finite());
+        let (mut enter, mut leave) = (0.0_f64, if drawable { 1.0_f64 } else { f64::NEG_INFINITY });
         for k in 0..2 {
             for (distance, speed) in [(from[k], to[k] - from[k]), (1.0 - from[k], from[k] - to[k])] {
                 if speed > 0.0 {
                     enter = enter.max(-distance / speed);
                 } else if speed < 0.0 {
                     leave = leave.min(-distance / speed);
-                } else if distance < 0.0 || !distance.is_finite() {
+                } else if distance < 0.0 {
                     leave = f64::NEG_INFINITY;
                 }
             }
         }
-        if !(enter <= leave) {
+        if enter > leave {
             connected = false;
             continue;
         }

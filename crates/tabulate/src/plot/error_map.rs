@@ -7,13 +7,13 @@ use rand_pcg::Pcg64Mcg;
 use rayon::prelude::*;
 
 use super::axis::Axis;
-use super::chart::{Colour, Figure, GREY, Panel, Side};
+use super::chart::{BLACK, Colour, Figure, Panel, Side};
 use super::picture::legible;
 use crate::Error;
 use crate::certify::{self, sample};
 
 /// Cells of the map along `a/t` and `E1/E2`.
-pub const CELLS: [usize; 2] = [84, 48];
+pub const CELLS: [usize; 2] = [72, 42];
 
 /// Random points in each cell. All but those on faces of the box are between the nodes.
 pub const POINTS: usize = 32;
@@ -82,7 +82,7 @@ const STEPS: f64 = 4.0;
 pub fn figure(data: &Data) -> Figure {
     let [x, y] = &data.borders;
     let ends = |borders: &[f64]| [borders[0], borders[borders.len() - 1]];
-    let title = format!("Error between the nodes: {}", legible(&data.title));
+    let title = format!("{}, tolerance {:e}", shortened(&legible(&data.title)), data.tolerance);
     let x_axis = Axis::logarithmic("contact radius / film thickness, a/t", ends(x));
     let mut map = Panel::new(title, x_axis, Axis::logarithmic("film modulus, E_{1}/E_{2}*", ends(y)));
     let scale = Scale::new(data);
@@ -95,14 +95,22 @@ pub fn figure(data: &Data) -> Figure {
             column += cells.len();
         }
     }
-    let mut bar = Panel::new("", Axis::hidden(), Axis::logarithmic("largest relative error in the cell", scale.range()))
+    let mut bar = Panel::new("", Axis::hidden(), Axis::logarithmic("relative error, worst ν_{1}, E_{0}/E_{2}*", scale.range()))
         .share(0.3)
         .margin(96);
     for step in 0..scale.steps {
         bar.cell([0.0, 1.0], [step, step + 1].map(|step| scale.value(step)), scale.colour(step));
     }
-    bar.label([1.0, data.tolerance], "tolerance", GREY, Side::Right).label([1.0, data.certified], "certified", GREY, Side::Right);
+    for (error, name) in [(data.tolerance, "tolerance"), (data.certified, "certified")] {
+        bar.line([[0.0, error], [1.2, error]], BLACK).label([1.0, error], name, BLACK, Side::Right);
+    }
     Figure::new(460, [map, bar])
+}
+
+/// A title that leaves room for others.
+fn shortened(title: &str) -> String {
+    const MOST: usize = 54;
+    if title.chars().count() <= MOST { title.to_owned() } else { title.chars().take(MOST - 1).chain(['…']).collect() }
 }
 
 /// Which colour an error has.

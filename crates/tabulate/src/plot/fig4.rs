@@ -4,7 +4,7 @@
 use interp::{Contact, HalfSpace};
 
 use super::axis::Axis;
-use super::chart::{BLACK, BLUE, Figure, GREEN, GREY, ORANGE, PURPLE, Panel, Point, Side, VERMILION};
+use super::chart::{BLACK, BLUE, Figure, GREEN, ORANGE, PURPLE, Panel, Point, Side, VERMILION};
 use super::paper::{self, WORK_OF_ADHESION};
 use crate::Error;
 
@@ -52,19 +52,24 @@ fn jkr_plot(contact: &Contact) -> Result<Vec<Point>, Error> {
 
 /// Draws it.
 pub fn figure(data: &Data) -> Figure {
-    let x = Axis::linear("a^{3/2} / (√π R)  (10^{−4} m^{1/2})", [0.0, 8.5]);
-    let y = Axis::linear("F / (√6π a^{3/2})  (N m^{−3/2})", [-400.0, 600.0]);
-    let mut panel = Panel::new("Fig. 4: reduced JKR plots", x, y).margin(70);
     let scaled = |line: &[Point]| -> Vec<Point> { line.iter().map(|[x, y]| [1e4 * x, *y]).collect() };
-    for (line, name, at) in [(&data.sphere, "JKR, no film", 0.8), (&data.sphere_film, "JKR, film alone", 0.45)] {
-        let line = scaled(line);
-        panel.dashed(line.clone(), GREY);
-        panel.label(line[(at * line.len() as f64) as usize], name, BLACK, Side::AboveLeft);
-    }
+    let (sphere, sphere_film) = (scaled(&data.sphere), scaled(&data.sphere_film));
+    let end = sphere[sphere.len() - 1][0];
+    let x = Axis::linear("a^{3/2} / (√π R)  (10^{−4} m^{1/2})", [0.0, end]);
+    let y = Axis::linear("F / (√6π a^{3/2})  (N m^{−3/2})", [-400.0, 600.0]);
+    let mut panel = Panel::new("Fig. 4: reduced JKR plots for films of 1 to 100 μm", x, y).margin(70);
     for ((line, t), colour) in data.films.iter().zip(THICKNESSES).zip([BLUE, GREEN, ORANGE, VERMILION, PURPLE]) {
         let line = scaled(line);
         panel.line(line.clone(), colour);
         panel.label(line[line.len() - 1], format!("{:.0} μm", 1e6 * t), colour, Side::Right);
     }
+    let at = |line: &[Point], part: f64| line[(part * line.len() as f64) as usize];
+    panel.dashed(sphere.clone(), BLACK).label(at(&sphere, 0.75), "JKR, sphere: no film", BLACK, Side::AboveLeft);
+    panel.dashed(sphere_film.clone(), BLACK).label(
+        at(&sphere_film, 0.6),
+        "JKR, sphere-film: no substrate",
+        BLACK,
+        Side::BelowRight,
+    );
     Figure::new(520, [panel])
 }

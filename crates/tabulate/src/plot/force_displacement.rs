@@ -44,27 +44,35 @@ pub fn data() -> Result<Vec<Film>, Error> {
 
 /// Draws it.
 pub fn figure(films: &[Film]) -> Figure {
-    let penetration = panel("Imposed penetration", films, |film| &film.displacement);
-    let load = panel("Imposed load", films, |film| &film.load);
+    let mut penetration = panel("Imposed penetration", films, |film| &film.displacement);
+    penetration.label([0.0, -0.05], "touch", GREY, Side::Right).label([-1.45, -0.05], "separation", GREY, Side::Left);
+    let mut load = panel("Imposed load", films, |film| &film.load);
+    load.label([0.7, 0.0], "touch", GREY, Side::Above).label([-2.4, -0.19], "separation", GREY, Side::Above);
     Figure::new(460, [penetration, load])
 }
 
+/// The ends of the axis of penetration, um.
+const PENETRATIONS: [f64; 2] = [-4.0, 5.0];
+
 fn panel(title: &str, films: &[Film], course: fn(&Film) -> &ForceDisplacement) -> Panel {
-    const X: [f64; 2] = [-4.0, 5.0];
-    let mut panel = Panel::new(title, Axis::linear("penetration (μm)", X), Axis::linear("load (mN)", [-0.25, 0.4]));
-    panel.line([[X[0], 0.0], [0.0, 0.0]], GREY);
-    for (film, colour) in films.iter().zip([BLUE, GREEN, VERMILION]) {
+    let mut panel = Panel::new(title, Axis::linear("penetration (μm)", PENETRATIONS), Axis::linear("load (mN)", [-0.25, 0.4]));
+    panel.line([[PENETRATIONS[0], 0.0], [0.0, 0.0]], GREY).label([-2.5, 0.0], "no contact", GREY, Side::Above);
+    for (film, (colour, side)) in films.iter().zip([(BLUE, Side::Left), (GREEN, Side::Below), (VERMILION, Side::Right)]) {
         let course = course(film);
-        for branch in course.loading.iter().chain(&course.unloading) {
+        let branches = course.loading.iter().chain(&course.unloading);
+        for branch in branches.clone() {
             panel.line(branch.iter().map(point).collect::<Vec<_>>(), colour);
         }
         for jump in &course.jumps {
-            // Where it leaves for good, the sphere leaves the figure, too.
-            let gone = [X[0], point(&jump.from)[1]];
+            // Where there is no rest, the sphere leaves the figure, too.
+            let gone = [PENETRATIONS[0], point(&jump.from)[1]];
             panel.arrow(point(&jump.from), jump.to.as_ref().map_or(gone, point), colour);
         }
-        if let Some(end) = course.loading.last().and_then(|branch| branch.last()) {
-            panel.label(point(end), format!("{:.0} μm", 1e6 * film.thickness), colour, Side::Left);
+        // Beside the curve above zero load, or below its lowest point.
+        let height = |state: &State| if side == Side::Below { state.load } else { (state.load - 0.06e-3).abs() };
+        let named = branches.flatten().min_by(|a, b| height(a).total_cmp(&height(b)));
+        if let Some(state) = named {
+            panel.label(point(state), format!("{:.0} μm film", 1e6 * film.thickness), colour, side);
         }
     }
     panel

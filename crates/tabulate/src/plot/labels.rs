@@ -95,19 +95,46 @@ impl Obstacles {
     }
 }
 
-/// How far labels are tried from their points, in pixels.
-const DISTANCES: [f64; 5] = [5.0, 9.0, 14.0, 22.0, 32.0];
+/// Where a label is tried.
+#[derive(Clone, Copy, Debug)]
+struct Place {
+    side: Side,
+    /// From its point, in pixels.
+    distance: f64,
+    /// Further down, in pixels.
+    down: f64,
+}
+
+/// Where a label is tried, the best place first: near its point and on the preferred side, to whose left or right it may also slide
+/// up and down.
+fn places(preferred: Side) -> Vec<Place> {
+    const DISTANCES: [f64; 5] = [5.0, 9.0, 14.0, 22.0, 32.0];
+    const SLIDES: [f64; 11] = [0.0, -5.0, 5.0, -10.0, 10.0, -15.0, 15.0, -20.0, 20.0, -25.0, 25.0];
+    let mut places = Vec::new();
+    for side in Side::ALL {
+        let slides = if matches!(side, Side::Right | Side::Left) { &SLIDES[..] } else { &SLIDES[..1] };
+        for (i, &distance) in DISTANCES.iter().enumerate() {
+            for (j, &down) in slides.iter().enumerate() {
+                places.push((4 * side.turns(preferred) + i + j.div_ceil(2), Place { side, distance, down }));
+            }
+        }
+    }
+    places.sort_by_key(|(rank, _)| *rank);
+    places.into_iter().map(|(_, place)| place).collect()
+}
 
 impl Label {
     /// The centre of a text of this size beside `at`, near the preferred side: in the room, not on other labels, and on the fewest
     /// obstacles. It becomes one itself.
     pub fn place(&self, at: [f64; 2], size: [f64; 2], pixel: f64, room: &Room, obstacles: &mut Obstacles) -> [f64; 2] {
-        let rectangle = |side: Side, distance: f64| {
-            let direction = side.direction();
+        let rectangle = |place: Place| {
+            let direction = place.side.direction();
             // Diagonally, the corner is closer than the sides would be.
-            let distance = if direction[0] * direction[1] == 0.0 { distance } else { 0.6 * distance };
+            let distance = if direction[0] * direction[1] == 0.0 { place.distance } else { 0.6 * place.distance };
             let half = size.map(|length| 0.5 * length);
-            Rectangle { centre: [0, 1].map(|k| at[k] + direction[k] * (half[k] + distance * pixel)), half }
+            let mut centre = [0, 1].map(|k| at[k] + direction[k] * (half[k] + distance * pixel));
+            centre[1] += place.down * pixel;
+            Rectangle { centre, half }
         };
         let covers = |rectangle: &Rectangle| {
             let padded = Rectangle { half: rectangle.half.map(|half| half + 2.0 * pixel), ..*rectangle };
@@ -115,12 +142,7 @@ impl Label {
             let labels = obstacles.labels.iter().filter(|label| label.overlaps(&padded)).count();
             points + 1000 * labels + if rectangle.is_in(room) { 0 } else { 5000 }
         };
-        let places = Side::ALL.into_iter().flat_map(|side| (0..DISTANCES.len()).map(move |far| (side, far)));
-        let mut places: Vec<_> = places.collect();
-        // The closest first, and a turn of 45 degrees is as bad as the next distance.
-        places.sort_by_key(|(side, far)| far + side.turns(self.side));
-        let rectangles = places.into_iter().map(|(side, far)| rectangle(side, DISTANCES[far]));
-        let best = rectangles.min_by_key(covers).unwrap_or_else(|| rectangle(self.side, DISTANCES[0]));
+        let best = places(self.side).into_iter().map(rectangle).min_by_key(covers).expect("there are places");
         obstacles.labels.push(best);
         best.centre
     }

@@ -139,11 +139,10 @@ mod tests {
 
     #[test]
     fn the_font_draws_every_character_that_it_is_said_to_hold() {
-        let box_of_a_missing_one = outlines('☃');
-        assert!(box_of_a_missing_one == outlines('漢'), "a missing character is drawn as if it were there");
+        // Which takes that a character without a glyph is not drawn at all, not even as a box.
+        assert!(!outlines('☃').contains("<path"));
         for character in CHARACTERS.chars() {
             let drawn = outlines(character);
-            assert_ne!(drawn, box_of_a_missing_one, "{character:?}");
             assert_eq!(drawn.contains("<path"), !character.is_whitespace(), "{character:?}: {drawn}");
         }
     }

@@ -4,10 +4,13 @@ use std::path::PathBuf;
 
 use clap::value_parser;
 
-use super::report;
+use super::Rows;
 use crate::cli::generate::{Bars, read_scene};
-use crate::cost::effects::{markdown, measure};
-use crate::output;
+use crate::cost::effects::{Row, markdown, measure};
+use crate::scene::Scene;
+
+const TOLERANCE: f64 = 1e-4;
+const POINTS: u32 = 10_000;
 
 /// The effects of a scene: what each one costs, and what the load would be without it
 ///
@@ -20,22 +23,28 @@ pub struct Arguments {
     #[arg(value_name = "SCENE.toml")]
     scene: Option<PathBuf>,
     /// Relative tolerance of the tables, instead of the scene's
-    #[arg(long, default_value = "1e-4", allow_negative_numbers = true)]
+    #[arg(long, default_value_t = TOLERANCE, allow_negative_numbers = true)]
     tolerance: f64,
     /// Number of random points that the loads are compared at
-    #[arg(long, default_value_t = 10_000, value_parser = value_parser!(u32).range(1..))]
+    #[arg(long, default_value_t = POINTS, value_parser = value_parser!(u32).range(1..))]
     points: u32,
-    /// Write all rows here, as CSV
-    #[arg(short, long, value_name = "OUT.csv")]
-    output: Option<PathBuf>,
+    #[command(flatten)]
+    rows: Rows,
 }
 
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let scene = read_scene(arguments.scene.as_deref(), Some(arguments.tolerance))?;
-    output::check(arguments.output.as_deref(), arguments.scene.as_deref())?;
+    arguments.rows.report(arguments.scene.as_deref(), || measured(&scene, arguments.points), markdown)
+}
+
+/// The effects of the default scene.
+pub fn of_default() -> anyhow::Result<Vec<Row>> {
+    measured(&read_scene(None, Some(TOLERANCE))?, POINTS)
+}
+
+fn measured(scene: &Scene, points: u32) -> anyhow::Result<Vec<Row>> {
     let bars = Bars::new();
-    let rows = measure(&scene, arguments.points as usize, &bars);
+    let rows = measure(scene, points as usize, &bars);
     bars.clear();
-    let rows = rows?;
-    report(arguments.output.as_deref(), &rows, &markdown(&rows))
+    Ok(rows?)
 }

@@ -1,14 +1,13 @@
 //! `tabulate cost lookup`
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use anyhow::Context;
 use interp::Table;
 
-use super::report;
+use super::Rows;
 use crate::cli::{progress_bar, read_table};
-use crate::cost::lookup::{POINTS, markdown, measure, solves};
-use crate::output;
+use crate::cost::lookup::{POINTS, Row, markdown, measure, solves};
 
 /// One lookup: nanoseconds against error for every form of it, beside direct solves and the closed forms in use
 ///
@@ -18,18 +17,21 @@ use crate::output;
 pub struct Arguments {
     /// A table with all four quantities, HDF5 or packed [default: the one that is built in]
     table: Option<PathBuf>,
-    /// Write all rows here, as CSV
-    #[arg(short, long, value_name = "OUT.csv")]
-    output: Option<PathBuf>,
+    #[command(flatten)]
+    rows: Rows,
 }
 
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
-    output::check(arguments.output.as_deref(), arguments.table.as_deref())?;
-    let given = arguments.table.as_deref().map(read_table).transpose()?;
+    let table = arguments.table.as_deref();
+    arguments.rows.report(table, || measured(table), markdown)
+}
+
+/// All rows of a table, or of the one that is built in, with a bar.
+pub fn measured(table: Option<&Path>) -> anyhow::Result<Vec<Row>> {
+    let read = table.map(read_table).transpose()?;
     let bar = progress_bar(solves(POINTS), "measuring");
-    let rows = measure(given.as_ref().unwrap_or_else(|| Table::embedded()), POINTS, &|count| bar.inc(count as u64));
-    let rows =
-        rows.with_context(|| arguments.table.as_ref().map_or("the built-in table".into(), |path| path.display().to_string()))?;
+    let rows = measure(read.as_ref().unwrap_or_else(|| Table::embedded()), POINTS, &|count| bar.inc(count as u64));
+    let rows = rows.with_context(|| table.map_or("the built-in table".into(), |path| path.display().to_string()))?;
     bar.finish_and_clear();
-    report(arguments.output.as_deref(), &rows, &markdown(&rows))
+    Ok(rows)
 }

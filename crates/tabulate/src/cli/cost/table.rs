@@ -1,11 +1,15 @@
 //! `tabulate cost table`
 
 use std::path::PathBuf;
+use std::time::Duration;
 
-use super::report;
+use super::Rows;
 use crate::cli::generate::{Bars, budget, read_scene};
-use crate::cost::table::{markdown, measure};
-use crate::output;
+use crate::cost::table::{Row, markdown, measure};
+use crate::scene::Scene;
+
+/// In seconds.
+const BUDGET: f64 = 60.0;
 
 /// A table: tolerance against nodes, solves, time, bytes and certified error, and from how many evaluations on it pays
 ///
@@ -17,20 +21,31 @@ pub struct Arguments {
     #[arg(value_name = "SCENE.toml")]
     scene: Option<PathBuf>,
     /// Time for all tables together
-    #[arg(long, value_name = "SECONDS", default_value_t = 60.0, allow_negative_numbers = true)]
+    #[arg(long, value_name = "SECONDS", default_value_t = BUDGET, allow_negative_numbers = true)]
     budget: f64,
-    /// Write all rows here, as CSV
-    #[arg(short, long, value_name = "OUT.csv")]
-    output: Option<PathBuf>,
+    #[command(flatten)]
+    rows: Rows,
 }
 
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let scene = read_scene(arguments.scene.as_deref(), None)?;
     let budget = budget(arguments.budget)?;
-    output::check(arguments.output.as_deref(), arguments.scene.as_deref())?;
+    arguments.rows.report(arguments.scene.as_deref(), || measured(&scene, budget), markdown)
+}
+
+/// The tables of the default scene within the default budget.
+pub fn of_default() -> anyhow::Result<Vec<Row>> {
+    measured(&read_scene(None, None)?, budget(BUDGET)?)
+}
+
+/// All rows, with bars; says what is left out.
+fn measured(scene: &Scene, budget: Duration) -> anyhow::Result<Vec<Row>> {
     let bars = Bars::new();
-    let measured = measure(&scene, budget, &bars);
+    let measured = measure(scene, budget, &bars);
     bars.clear();
     let measured = measured?;
-    report(arguments.output.as_deref(), &measured.rows, &markdown(&measured))
+    if let Some((tolerance, why)) = measured.left_out {
+        eprintln!("from {tolerance:e} on left out: {why}");
+    }
+    Ok(measured.rows)
 }

@@ -7,7 +7,7 @@ use interp::{Contact, Curve, Elastic, Material, Normalisation, Quantities, Quant
 use rayon::prelude::*;
 
 use super::linear::{Linear, Multilinear};
-use super::{Family, Point, Row, SECONDS, SOLVED, ends};
+use super::{FURTHER, Family, NEW, Point, Row, SECONDS, SOLVED, ends};
 use crate::Error;
 use crate::approximations::{bulk_jkr, film_jkr, gao, hay_crawford};
 use crate::cost::clock;
@@ -107,7 +107,7 @@ pub(super) struct Errors {
 impl Errors {
     /// Of loads over the true ones.
     pub(super) fn of_ratios(ratios: Vec<f64>) -> Self {
-        let factor = ratios.iter().map(|&ratio| f64::max(ratio, 1.0 / ratio)).fold(1.0, f64::max);
+        let factor = largest(ratios.iter().map(|&ratio| if ratio < 1.0 { 1.0 / ratio } else { ratio }));
         let [median, largest] = median_and_largest(ratios.iter().map(|ratio| ratio - 1.0).collect());
         Self { points: ratios.len(), median, largest, factor, adhesive: None }
     }
@@ -137,11 +137,16 @@ impl Errors {
     }
 }
 
-/// Of the sizes of these; what is less than half a unit of rounding counts as that.
+/// Of the sizes of these; what is less than half a unit of rounding counts as that, and NaN as the worst of all.
 fn median_and_largest(errors: Vec<f64>) -> [f64; 2] {
-    let sizes: Vec<f64> = errors.into_iter().map(|error| error.abs().max(0.5 * f64::EPSILON)).collect();
-    let largest = sizes.iter().copied().fold(0.0, f64::max);
+    let size = |error: f64| if error.abs() < 0.5 * f64::EPSILON { 0.5 * f64::EPSILON } else { error.abs() };
+    let sizes: Vec<f64> = errors.into_iter().map(size).collect();
+    let largest = largest(sizes.iter().copied());
     [clock::median(sizes), largest]
+}
+
+fn largest(numbers: impl Iterator<Item = f64>) -> f64 {
+    numbers.max_by(f64::total_cmp).expect("there are points")
 }
 
 /// The mean time of the work on one of these.
@@ -183,15 +188,12 @@ impl Scene<'_> {
         };
         let times = [
             ("a new material's curve", per_one(self.points, |(_, material)| table.curve(material))),
-            (
-                "one point of a new material",
-                per_one(self.points, |(x, material)| table.curve(material).and_then(|curve| curve.quantity(Quantity::Pi0, *x))),
-            ),
-            ("a further point, one quantity", per_one(&radii, |&x| curve.quantity(Quantity::Pi0, x))),
+            (NEW, per_one(self.points, |(x, material)| table.curve(material).and_then(|curve| curve.quantity(Quantity::Pi0, *x)))),
+            (FURTHER, per_one(&radii, |&x| curve.quantity(Quantity::Pi0, x))),
             ("a further point, all four", per_one(&radii, |&x| curve.quantities(x))),
             ("a further point, load", per_one(&radii, |&x| contact.load(x, w))),
             (
-                "a point of a slice, one quantity",
+                "a point of a slice",
                 slice(&|values| curve.quantity_at_all(Quantity::Pi0, &radii, values).expect("they are on the curve")),
             ),
             ("a point of a slice, load", slice(&|values| contact.load_at_all(&radii, w, values).expect("they are on the curve"))),
@@ -209,12 +211,11 @@ impl Scene<'_> {
             .collect();
         let errors = Errors::of_loads(&loads(self.points, &found), &self.truth);
         let seconds = per_one(self.points, |(x, material)| grids[0].at(*x, material));
-        self.row(Family::Table, "linear in 4-D, same nodes", "one point of a new material", seconds, &errors)
+        self.row(Family::Table, "linear in 4-D, same nodes", NEW, seconds, &errors)
     }
 
     /// Other interpolation along the curve of one material, of which a table with one `a/t` has none.
     fn along_curves(&self, table: &Table) -> Result<Vec<Row>, Error> {
-        const WHAT: &str = "a further point, one quantity";
         let nodes = table.axis(Parameter::AOverT);
         if nodes.len() == 1 {
             return Ok(Vec::new());
@@ -232,7 +233,7 @@ impl Scene<'_> {
         }
         let row = |form: &str, found: &[Quantities], at: &dyn Fn(f64) -> f64| {
             let errors = Errors::of_loads(&loads(self.points, found), &self.truth);
-            self.row(Family::Table, form, WHAT, per_one(self.points, |(x, _)| at(*x)), &errors)
+            self.row(Family::Table, form, FURTHER, per_one(self.points, |(x, _)| at(*x)), &errors)
         };
         let curve = table.curve(&self.points[0].1)?;
         let (line, cubics) = (Linear::new(&curve, Quantity::Pi0, nodes)?, spline(&curve, Quantity::Pi0)?);
@@ -249,7 +250,7 @@ impl Scene<'_> {
         let found = solve_all(points, progress, solve)?;
         let errors = Errors::of_loads(&loads(points, &found), &self.truth[..points.len()]);
         let form = format!("direct solve to {tolerance:e}");
-        Ok(self.row(Family::Solve, &form, "one point, all four", per_one(points, solve), &errors))
+        Ok(self.row(Family::Solve, &form, NEW, per_one(points, solve), &errors))
     }
 
     /// Half-spaces of some modulus.
@@ -269,7 +270,7 @@ impl Scene<'_> {
             if found.iter().all(|load| load.press.is_finite()) {
                 let errors = Errors::of_loads(&found, &self.truth);
                 let seconds = per_one(self.points, |(x, material)| form(*x, material));
-                rows.push(self.row(Family::ClosedForm, name, "modulus", seconds, &errors));
+                rows.push(self.row(Family::ClosedForm, name, NEW, seconds, &errors));
             }
         }
         Ok(rows)

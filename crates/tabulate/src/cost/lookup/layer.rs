@@ -6,7 +6,7 @@ use rand_pcg::Pcg64Mcg;
 use rayon::prelude::*;
 
 use super::form::{Errors, per_one};
-use super::{Family, Row};
+use super::{Family, NEW, Row};
 use crate::Error;
 use crate::approximations::{dimitriadis, dimitriadis_incompressible, garcia};
 use crate::cost::error::tightest;
@@ -49,7 +49,7 @@ pub(super) fn measure(points: usize, progress: &(dyn Fn(usize) + Sync)) -> Resul
             let ratios = found.iter().zip(&layers).map(|(found, layer)| found / layer.factor);
             let seconds = per_one(&layers, |layer| form(layer.chi, layer.nu));
             let errors = Errors::of_ratios(ratios.collect());
-            rows.push(errors.row(Family::ClosedForm, name, "load", seconds, &scope, "penetration"));
+            rows.push(errors.row(Family::ClosedForm, name, NEW, seconds, &scope, "penetration"));
         }
     }
     Ok(rows)
