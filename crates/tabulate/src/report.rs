@@ -27,7 +27,7 @@ const TRUNCATION: f64 = 4e-7;
 const COMPARED: usize = 2000;
 const SEED: u64 = 1;
 
-/// The page of a table: what it covers, its certificate, force curves that are computed in the page, and [`figures`].
+/// The page of a table: what it covers, its certificate, force curves that are computed in the page, and [`figures()`].
 ///
 /// A dense table is embedded in low-rank form, whose quantities differ from it by 1e-6 or less; one in low-rank form as it is. The
 /// same table gives the same page.

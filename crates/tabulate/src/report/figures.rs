@@ -16,7 +16,7 @@ pub struct Illustration {
     pub figure: Figure,
 }
 
-/// How many steps [`figures`] takes for a table, of which it tells its progress.
+/// How many steps [`figures()`] takes for a table, of which it tells its progress.
 pub fn steps(table: &Table) -> usize {
     if has_error_map(table) { error_map::CELLS.iter().product() } else { 0 }
 }
