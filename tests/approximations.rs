@@ -34,8 +34,8 @@ fn jkr_of_sphere_and_film_is_the_limit_of_thick_films_and_bulk_jkr_that_of_thin_
         }
     }
     println!("from the limits: thick {thick:.1e}, thin {thin:.1e}");
-    // Measured 5.2e-6 and 1.3e-4.
-    assert!(thick <= 2e-5 && thin <= 1e-3);
+    // Measured 9.8e-7 and 4.4e-5.
+    assert!(thick <= 5e-6 && thin <= 2e-4);
 }
 
 /// How fast a function of one parameter grows at 0, to sixth order.
@@ -65,7 +65,8 @@ fn gaos_weights_are_exact_to_first_order_in_either_difference_under_any_sphere()
         }
     }
     println!("Gao to first order: {worst:.1e}");
-    assert!(worst <= 1e-9);
+    // Measured 9.0e-10.
+    assert!(worst <= 5e-9);
 }
 
 #[test]
@@ -129,7 +130,7 @@ fn the_exact_series_is_that_of_direct_solves() {
         }
     }
     println!("missing: {worst:.2} x^5");
-    // Measured 0.46. What is left is of the fifth power: an error of 0.01 in the fourth coefficient would show at 0.01.
+    // Measured 0.44. What is left is of the fifth power: an error of 0.01 in the fourth coefficient would show at 0.01.
     assert!(worst <= 1.0);
 }
 

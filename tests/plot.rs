@@ -183,6 +183,17 @@ fn the_error_map_is_drawn_of_a_table_given() {
 }
 
 #[test]
+fn the_help_names_every_figure_and_what_it_takes() {
+    let desk = desk();
+    let help = desk.succeed(&["plot", "--help"]);
+    assert_names(&help, &OF_THE_PAPER);
+    for figure in OF_THE_PAPER {
+        assert_names(&desk.succeed(&["plot", figure, "--help"]), &["-o", "--output", "FILE.svg|FILE.png"]);
+    }
+    assert_names(&desk.succeed(&["plot", "error-map", "--help"]), &["[TABLE]", "-o", "--output"]);
+}
+
+#[test]
 fn what_cannot_be_drawn_says_why() {
     let desk = desk();
     for name in ["fig2.pdf", "fig2", "fig2.SVG.gz"] {

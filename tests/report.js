@@ -1,9 +1,10 @@
-// Appended to a copy of a report: takes it to each of the addresses in `CASES`, and leaves what it shows as JSON in base64. What the
-// page complains of is collected in `complaints`.
+// Appended to a copy of a report: takes it to each of the addresses in `CASES`, and leaves what it shows as JSON in base64. What
+// the page complains of is collected in `complaints`.
 
 /** What the page shows of one system. */
 async function look() {
-    const values = (row) => Object.fromEntries([...row.querySelectorAll("td")].map((cell) => [cell.className, cell.firstChild.value]));
+    const value = (cell) => [cell.className, cell.firstChild.value];
+    const values = (row) => Object.fromEntries([...row.querySelectorAll("td")].map(value));
     let csv = null;
     URL.createObjectURL = (blob) => {
         csv = blob;

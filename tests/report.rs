@@ -133,24 +133,17 @@ fn nothing_is_written_on_top_of_the_table() {
     let message = desk.fail(1, &["report", "table.bin", "-o", "table.bin"]);
     assert_names(&message, &["table.bin", "it is the input"]);
     desk.fail(2, &["report", "table.bin"]);
+    assert_names(&desk.succeed(&["report", "--help"]), &["TABLE", "-o", "--output", "REPORT.html"]);
 }
 
-/// What a report shows in Chromium at each of the addresses; none if there is no Chromium.
-fn browse(page: &str, addresses: &[String]) -> Option<Value> {
+/// What a page, in Chromium, leaves in its element `seen`; none if there is no Chromium.
+fn seen(page: &str) -> Option<String> {
     let Some(chromium) = env::var_os("CHROMIUM") else {
         // Not `eprintln`, which tests keep to themselves.
         let _ = writeln!(stderr(), "skipped: CHROMIUM is not set; `cargo xtask test` finds or installs Chromium, if it can");
         return None;
     };
     let folder = tempfile::tempdir().expect("a temporary folder");
-    let collect = "<head><script>const complaints = [];
-        addEventListener('error', (event) => complaints.push(String(event.message)));
-        addEventListener('unhandledrejection', (event) => complaints.push(String(event.reason)));
-        addEventListener('securitypolicyviolation', (event) => complaints.push(event.violatedDirective));
-        for (const kind of ['error', 'warn']) console[kind] = (...words) => complaints.push(words.join(' '));</script>";
-    let harness = include_str!("report.js").replace("CASES", &serde_json::to_string(addresses).expect("text"));
-    let page =
-        page.replacen("<head>", collect, 1).replace("</body>", &format!("<script type=\"module\">{harness}</script></body>"));
     let path = folder.path().join("report.html");
     std::fs::write(&path, page).expect("written");
     let mut command = Command::new(chromium);
@@ -168,9 +161,21 @@ fn browse(page: &str, addresses: &[String]) -> Option<Value> {
     let [dom, log] = [&output.stdout, &output.stderr].map(|bytes| String::from_utf8_lossy(bytes));
     let lines: Vec<&str> = log.lines().filter(|line| line.contains("CONSOLE")).collect();
     assert!(lines.is_empty(), "{lines:?}");
-    let text = dom.split_once("id=\"seen\">").and_then(|(_, rest)| rest.split_once('<')).map(|(text, _)| text);
-    let text = text.unwrap_or_else(|| panic!("the page did not come to its end: {log}"));
-    let seen: Value = serde_json::from_slice(&STANDARD.decode(text).expect("base64")).expect("JSON");
+    let text = dom.split_once("id=\"seen\">").and_then(|(_, rest)| rest.split_once('<')).map(|(text, _)| text.to_owned());
+    Some(text.unwrap_or_else(|| panic!("the page did not come to its end: {log}")))
+}
+
+/// What a report shows in Chromium at each of the addresses; none if there is no Chromium.
+fn browse(page: &str, addresses: &[String]) -> Option<Value> {
+    let collect = "<head><script>const complaints = [];
+        addEventListener('error', (event) => complaints.push(String(event.message)));
+        addEventListener('unhandledrejection', (event) => complaints.push(String(event.reason)));
+        addEventListener('securitypolicyviolation', (event) => complaints.push(event.violatedDirective));
+        for (const kind of ['error', 'warn']) console[kind] = (...words) => complaints.push(words.join(' '));</script>";
+    let harness = include_str!("report.js").replace("CASES", &serde_json::to_string(addresses).expect("text"));
+    let page =
+        page.replacen("<head>", collect, 1).replace("</body>", &format!("<script type=\"module\">{harness}</script></body>"));
+    let seen: Value = serde_json::from_slice(&STANDARD.decode(seen(&page)?).expect("base64")).expect("JSON");
     assert_eq!(seen["complaints"], Value::Array(Vec::new()));
     assert_eq!(seen["fetched"], 0);
     Some(seen)
@@ -392,4 +397,19 @@ fn outside_the_box_there_is_a_message_and_no_curve() {
         assert_eq!((look["hidden"].as_bool(), look["messages"].as_str()), (Some(true), Some(*message)), "{address}");
     }
     assert_eq!(looks[cases.len()]["hidden"], false, "it comes back");
+}
+
+#[test]
+fn a_phone_and_a_desktop_show_it_without_moving_it_sideways() {
+    let page = report(&Table::read(shipped("paper.bin")).expect("the shipped table"), &[]).expect("a report");
+    let escaped = page.replace('&', "&amp;").replace('"', "&quot;");
+    let frame = |width| format!("<iframe style='width:{width}px' srcdoc=\"{escaped}\"></iframe>");
+    let measure = "<script>addEventListener('load', () => {
+        const pages = [...document.querySelectorAll('iframe')].map((frame) => frame.contentDocument);
+        const text = pages.flatMap((page) => [page.documentElement.scrollWidth, page.querySelectorAll('#charts svg').length]);
+        document.body.append(Object.assign(document.createElement('pre'), { id: 'seen', textContent: text.join(' ') }));
+    });</script>";
+    let Some(text) = seen(&format!("<body>{}{}{measure}</body>", frame(390), frame(1280))) else { return };
+    let numbers: Vec<u32> = text.split(' ').map(|number| number.parse().expect("a number")).collect();
+    assert!(numbers[0] <= 390 && numbers[2] <= 1280 && numbers[1] == 2 && numbers[3] == 2, "{numbers:?}");
 }

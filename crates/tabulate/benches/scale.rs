@@ -124,11 +124,12 @@ const NAMES: [&str; 2] = ["1 thread", "2 threads"];
 fn draw(sizes: &[Size]) -> Result<(), Box<dyn Error>> {
     let points = |of: &dyn Fn(&Size) -> f64| -> Vec<Point> { sizes.iter().map(|size| [size.points, of(size)]).collect() };
     let (last, middle) = (sizes.len() - 1, (sizes.len() - 1) / 2);
-    let panel = |title, of: fn(&Run) -> f64| {
+    let values = points(&|size| 2.0 * size.values);
+    let panel = |title, of: fn(&Run) -> f64, others: &[Point]| {
         let [from, to] = [TOLERANCES[0], TOLERANCES[last]].map(|tolerance| power_of_ten(tolerance.log10().round() as i32));
         let x = Axis::decades(format!("points solved, tolerances {from} to {to}"), sizes.iter().map(|size| size.points));
-        let y = Axis::decades("", sizes.iter().flat_map(|size| size.runs.each_ref().map(of)));
-        let mut panel = Panel::new(title, x, y);
+        let measured = sizes.iter().flat_map(|size| size.runs.each_ref().map(of));
+        let mut panel = Panel::new(title, x, Axis::decades("", measured.chain(others.iter().map(|point| point[1]))));
         for (job, (colour, name)) in COLOURS.into_iter().zip(NAMES).enumerate() {
             let line = points(&|size| of(&size.runs[job]));
             panel.line(line.clone(), colour).markers(line.clone(), colour, Marker::Full).label(
@@ -140,9 +141,8 @@ fn draw(sizes: &[Size]) -> Result<(), Box<dyn Error>> {
         }
         panel
     };
-    let time = panel("Time, certificate included (s)", |run| run.seconds);
-    let mut memory = panel("Peak memory (MB)", |run| run.megabytes);
-    let values = points(&|size| 2.0 * size.values);
+    let time = panel("Time, certificate included (s)", |run| run.seconds, &[]);
+    let mut memory = panel("Peak memory (MB)", |run| run.megabytes, &values);
     memory.line(values.clone(), GREY).label(values[middle], "2 × the table's values", GREY, Side::BelowRight);
     Ok(fs::write(PICTURE, Figure::new(400, [time, memory]).picture()?.encode(Format::Svg)?)?)
 }

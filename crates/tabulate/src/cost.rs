@@ -44,8 +44,8 @@ pub fn read_csv<R: DeserializeOwned>(path: &Path) -> Result<Vec<R>, Error> {
 pub const TIME_FACTOR: f64 = 10.0;
 
 /// Compares rows with those of an earlier run: texts and counts must be the same, errors the same to a hundredth or 1e-13, as
-/// rounding differs between processors, and times within [`TIME_FACTOR`]. What follows from differences and ratios of times, the
-/// `saved_seconds` and `break_even`s of some rows, is left out; so are rows that one of the two has not.
+/// rounding differs between processors, and times within [`TIME_FACTOR`]. The number of threads is left out, and what follows from
+/// differences and ratios of times, the `saved_seconds` and `break_even`s of some rows; so are rows that one of the two has not.
 ///
 /// # Errors
 /// [`Error::Changed`] naming the row, the column and both values.
@@ -70,10 +70,11 @@ pub fn compare<R: Serialize>(before: &[R], now: &[R]) -> Result<(), Error> {
 
 /// Whether two values of a column are the same but for noise.
 fn alike(column: &str, before: &Value, now: &Value) -> bool {
+    if ["threads", "saved_seconds"].contains(&column) || column.starts_with("break_even") {
+        return true;
+    }
     let Some((a, b)) = before.as_f64().zip(now.as_f64()) else { return before == now };
     match column {
-        "saved_seconds" => true,
-        _ if column.starts_with("break_even") => true,
         _ if column.ends_with("seconds") => a.max(b) <= TIME_FACTOR * a.min(b),
         _ if before.is_f64() => (a - b).abs() <= 1e-2 * a.abs().max(b.abs()) + 1e-13,
         _ => before == now,

@@ -1,7 +1,7 @@
 //! The report of a table: one HTML file that holds all it shows, and fetches nothing.
 //!
 //! The page computes force curves from the packed low-rank table in it: `report/table.js` reads and splines it, `report/contact.js`
-//! has eqs. 2 to 9, `report/page.js` the sliders and drawings.
+//! has eqs. 2 to 9, `report/chart.js` draws, `report/page.js` has the sliders.
 
 mod figures;
 
@@ -42,7 +42,12 @@ pub fn report(table: &Table, illustrations: &[Illustration]) -> Result<String, E
         Normalisation::Sphere => "E₂*, the sphere’s reduced modulus E₂/(1 − ν₂²)",
         Normalisation::Film => "E₁*, the film’s reduced modulus E₁/(1 − ν₁²): the sphere is rigid",
     };
-    let script = [include_str!("report/table.js"), include_str!("report/contact.js"), include_str!("report/page.js")];
+    let script = [
+        include_str!("report/table.js"),
+        include_str!("report/contact.js"),
+        include_str!("report/chart.js"),
+        include_str!("report/page.js"),
+    ];
     let parts = [
         ("title", escape(&description.title)),
         ("style", include_str!("report/style.css").to_owned()),
@@ -55,7 +60,7 @@ pub fn report(table: &Table, illustrations: &[Illustration]) -> Result<String, E
         ("created_by", escape(&description.created_by)),
         ("scene", escape(description.scene.trim_end())),
         ("certificate", certificate(table)),
-        ("bytes", (packed.len() / 1000).to_string()),
+        ("bytes", packed.len().div_ceil(1000).to_string()),
         ("difference", format!("{:.1e}", largest_difference(table, &embedded)?)),
         ("compared", COMPARED.to_string()),
         ("figures", section(illustrations)?),
@@ -111,7 +116,9 @@ fn section(illustrations: &[Illustration]) -> Result<String, Error> {
         return Ok(section);
     }
     Ok(format!(
-        "<section class=\"wide\" aria-labelledby=\"figures\">\n<h2 id=\"figures\">Figures</h2>\n<div class=\"figures\">\n{section}</div>\n</section>"
+        "<section class=\"wide figures\" aria-labelledby=\"figures\">\n\
+         <h2 id=\"figures\">Figures</h2>\n\
+         {section}</section>"
     ))
 }
 

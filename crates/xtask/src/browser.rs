@@ -4,8 +4,8 @@ use std::env;
 use std::path::PathBuf;
 use std::process::Command;
 
-/// Chromium: what `CHROMIUM` names, or one in `PATH`, or Debian's, installed if we may. None otherwise: the tests then say that they
-/// are skipped.
+/// Chromium: what `CHROMIUM` names, or one in `PATH`, or Debian's, installed if we may. None otherwise: the tests then say that
+/// they are skipped.
 pub fn chromium() -> Option<PathBuf> {
     env::var_os("CHROMIUM").map(PathBuf::from).or_else(in_path).or_else(|| {
         let root = Command::new("id").arg("-u").output().is_ok_and(|output| output.stdout == b"0\n");
@@ -13,9 +13,13 @@ pub fn chromium() -> Option<PathBuf> {
             return None;
         }
         eprintln!("xtask: installing chromium with apt-get");
-        let install = ["install", "--quiet", "--quiet", "--yes", "--no-install-recommends", "chromium"];
-        let installed = Command::new("apt-get").args(install).env("DEBIAN_FRONTEND", "noninteractive").output();
-        if installed.is_ok_and(|output| output.status.success()) { in_path() } else { None }
+        let apt = |arguments: &[&str]| {
+            let output = Command::new("apt-get").args(arguments).env("DEBIAN_FRONTEND", "noninteractive").output();
+            output.is_ok_and(|output| output.status.success())
+        };
+        let install = || apt(&["install", "--yes", "--no-install-recommends", "chromium"]);
+        // A fresh machine may know of no packages.
+        if install() || apt(&["update"]) && install() { in_path() } else { None }
     })
 }
 

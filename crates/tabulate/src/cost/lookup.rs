@@ -66,7 +66,7 @@ pub const POINTS: usize = 1000;
 const SOLVED: usize = 200;
 
 /// Of each time, what it may take to measure it.
-const SECONDS: f64 = 0.1;
+const SECONDS: f64 = 0.05;
 
 /// What all forms do but those along a curve, see [`Row::what`].
 pub const NEW: &str = "one point of a new material";

@@ -34,7 +34,7 @@ use crate::Error;
 pub use super::labels::Side;
 pub use plotters::style::RGBColor as Colour;
 
-/// Colours that the colour-blind tell apart, by Okabe and Ito (*Color Universal Design*, 2008); their yellow is too pale for lines.
+/// Colours that the colour-blind tell apart, by Okabe and Ito (*Color Universal Design*, 2008); their yellow and sky blue are too pale for lines.
 pub const BLUE: Colour = RGBColor(0, 114, 178);
 /// See [`BLUE`].
 pub const VERMILION: Colour = RGBColor(213, 94, 0);
@@ -44,8 +44,6 @@ pub const GREEN: Colour = RGBColor(0, 158, 115);
 pub const PURPLE: Colour = RGBColor(204, 121, 167);
 /// See [`BLUE`].
 pub const ORANGE: Colour = RGBColor(230, 159, 0);
-/// See [`BLUE`].
-pub const SKY: Colour = RGBColor(86, 180, 233);
 /// See [`BLUE`].
 pub const BLACK: Colour = RGBColor(0, 0, 0);
 /// For guides and what stands back.
@@ -204,13 +202,6 @@ impl Panel {
         self.label([at, value], text, GREY, side)
     }
 
-    /// A dashed line up the panel at a value of the horizontal axis, with a label at its top.
-    pub fn vertical_guide(&mut self, value: f64, text: impl Into<String>) -> &mut Self {
-        let [from, to] = self.axes[1].range();
-        self.mark(Mark::Line { points: vec![[value, from], [value, to]], colour: GREY, dashed: true, width: 1.2 });
-        self.label([value, to], text, GREY, Side::BelowRight)
-    }
-
     /// Text beside a point, preferably on the side given.
     pub fn label(&mut self, at: Point, text: impl Into<String>, colour: Colour, side: Side) -> &mut Self {
         self.labels.push((at, Label { text: text.into(), colour, side }));
@@ -261,10 +252,10 @@ impl Panel {
 
     fn draw_texts(&self, area: &Area<'_>, chart: &Chart<'_>, mut obstacles: Obstacles) -> Result<(), Error> {
         let (left, top) = chart.plotting_area().get_base_pixel();
-        let (_, height) = chart.plotting_area().dim_in_pixel();
+        let (width_of_axes, height) = chart.plotting_area().dim_in_pixel();
         let (base, (width, _)) = (area.get_base_pixel(), area.dim_in_pixel());
         // Over the middle of the axes, unless the title is too long.
-        let middle = left + chart.plotting_area().dim_in_pixel().0 as i32 / 2 - base.0;
+        let middle = left + width_of_axes as i32 / 2 - base.0;
         let middle = middle.max(fine(0.5 * TITLE * text_width(&self.title)? + 3.0));
         let title = text(TITLE, BLACK).pos(Pos::new(HPos::Center, VPos::Center));
         area.draw(&Text::new(self.title.as_str(), (middle, top - base.1 - fine(16.0)), title))?;
@@ -276,7 +267,10 @@ impl Panel {
         };
         for (at, label) in &self.labels {
             let size = [text_width(&label.text)? * TEXT, TEXT].map(|length| length * f64::from(FINE));
-            let [x, y] = label.place(pixel(chart, *at).map(f64::from), size, f64::from(FINE), &room, &mut obstacles);
+            // A label of something outside the axes is at their edge.
+            let [x, y] = pixel(chart, *at);
+            let (x, y) = (x.clamp(left, left + width_of_axes as i32), y.clamp(top, top + height as i32));
+            let [x, y] = label.place([x, y].map(f64::from), size, f64::from(FINE), &room, &mut obstacles);
             let style = text(TEXT, label.colour).pos(Pos::new(HPos::Center, VPos::Center));
             area.draw(&Text::new(label.text.as_str(), (x as i32 - base.0, y as i32 - base.1), style))?;
         }

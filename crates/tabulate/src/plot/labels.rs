@@ -109,7 +109,7 @@ struct Place {
 /// up and down.
 fn places(preferred: Side) -> Vec<Place> {
     const DISTANCES: [f64; 5] = [5.0, 9.0, 14.0, 22.0, 32.0];
-    const SLIDES: [f64; 11] = [0.0, -5.0, 5.0, -10.0, 10.0, -15.0, 15.0, -20.0, 20.0, -25.0, 25.0];
+    const SLIDES: [f64; 15] = [0.0, -5.0, 5.0, -10.0, 10.0, -15.0, 15.0, -20.0, 20.0, -25.0, 25.0, -30.0, 30.0, -35.0, 35.0];
     let mut places = Vec::new();
     for side in Side::ALL {
         let slides = if matches!(side, Side::Right | Side::Left) { &SLIDES[..] } else { &SLIDES[..1] };

@@ -14,14 +14,14 @@ pub fn figure(rows: &[Row]) -> Figure {
     };
     let [in_box, of_layers] = ["contact radius", "penetration"].map(drawn);
     let all = || in_box.iter().chain(&of_layers);
-    let range = Axis::decades("", all().flat_map(|row| [row.median_error, row.max_error])).range();
-    let errors = |label: &str| Axis::logarithmic(label, range);
+    let [least, most] = Axis::decades("", all().flat_map(|row| [row.median_error, row.max_error])).range();
+    let errors = |label: &str| Axis::logarithmic(label, [least, 10.0 * most]);
     let left = Panel::new(
         "any contact in the table's box",
-        times(&in_box, 30.0),
+        times(&in_box, [0.15, 12.0]),
         errors("relative error of the load: disc median, circle largest"),
     );
-    let right = Panel::new("a layer between rigid bodies, a/t < 1", times(&of_layers, 30.0), errors("")).share(0.55);
+    let right = Panel::new("layer on a rigid base, a/t < 1", times(&of_layers, [0.4, 30.0]), errors("")).share(0.55);
     Figure::new(600, [panel(left, &in_box), panel(right, &of_layers)])
 }
 
@@ -34,10 +34,10 @@ fn nanoseconds(row: &Row) -> f64 {
     1e9 * row.seconds
 }
 
-/// From a little before the first to so much after the last, for labels.
-fn times(rows: &[&Row], room: f64) -> Axis {
+/// From this part of the first to so many times the last, for labels.
+fn times(rows: &[&Row], [before, after]: [f64; 2]) -> Axis {
     let times = || rows.iter().map(|row| nanoseconds(row));
-    Axis::logarithmic("time (ns)", [0.4 * times().fold(f64::INFINITY, f64::min), room * times().fold(0.0, f64::max)])
+    Axis::logarithmic("time (ns)", [before * times().fold(f64::INFINITY, f64::min), after * times().fold(0.0, f64::max)])
 }
 
 /// A disc at the median error of each form, and a line to a circle at the largest: beside each other where they would lie on each
@@ -57,22 +57,35 @@ fn panel(mut panel: Panel, rows: &[&Row]) -> Panel {
         let [median, largest] = [[time, row.median_error], [time, row.max_error]];
         panel.line([median, largest], colour);
         panel.markers([median], colour, Marker::Full).markers([largest], colour, Marker::Hollow);
-        let (text, side) = label(row);
-        panel.label(if side == Side::Above { largest } else { median }, text, colour, side);
+        let (text, end, side) = label(row);
+        panel.label(if end == End::Disc { median } else { largest }, text, colour, side);
     }
     panel
 }
 
-/// What a form is called, and where; above is above the circle, all else beside the disc.
-fn label(row: &Row) -> (String, Side) {
+/// Of the line of a form.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum End {
+    Disc,
+    Circle,
+}
+
+/// What a form is called, and where there is room for that.
+fn label(row: &Row) -> (&str, End, Side) {
     match (row.form.as_str(), row.what.as_str()) {
-        ("packed table", FURTHER) => ("table, further point".to_owned(), Side::BelowRight),
-        ("packed table", _) => ("packed table, new material".to_owned(), Side::Below),
-        ("dense table", _) => ("dense table, new material".to_owned(), Side::Above),
+        ("packed table", FURTHER) => ("table: further point", End::Disc, Side::BelowRight),
+        ("packed table", _) => ("packed: new material", End::Disc, Side::Below),
+        ("dense table", _) => ("dense: new material", End::Circle, Side::Above),
         (form, _) => {
-            let name = form.split(',').next().unwrap_or_default();
-            let above = name.starts_with("bulk") || name.starts_with("Gao") || name.starts_with("cubic");
-            (name.to_owned(), if above { Side::Above } else { Side::Right })
+            let name = form.split(',').next().unwrap_or_default().trim_start_matches("direct ");
+            match name.split(' ').next().unwrap_or_default() {
+                "bulk" => (name, End::Circle, Side::Above),
+                "film" => (name, End::Disc, Side::Left),
+                "Gao" | "Hay" | "Garcia" => (name, End::Circle, Side::Right),
+                "cubic" | "Hertz" => (name, End::Circle, Side::AboveRight),
+                _ if form.ends_with("1e-6") => (name, End::Disc, Side::Left),
+                _ => (name, End::Disc, Side::Right),
+            }
         }
     }
 }

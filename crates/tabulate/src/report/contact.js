@@ -30,8 +30,15 @@ class Contact {
     state(a) {
         const { pi0, eeq, gamma, delta0 } = this.curve.at(a / this.thickness);
         const edge = Math.sqrt(0.5 * Math.PI * a * this.workOfAdhesion * this.sphereFilmModulus);
-        const pressed = { load: (a ** 3 * this.modulus * pi0.value) / (2 * this.radius), penetration: (a * a * delta0.value) / this.radius };
-        const pulled = { load: (4 * a * edge * eeq.value) / gamma.value, penetration: (2 * edge) / (this.modulus * gamma.value) };
+        // Without adhesion, and what the edge takes away.
+        const pressed = {
+            load: (a ** 3 * this.modulus * pi0.value) / (2 * this.radius),
+            penetration: (a * a * delta0.value) / this.radius,
+        };
+        const pulled = {
+            load: (4 * a * edge * eeq.value) / gamma.value,
+            penetration: (2 * edge) / (this.modulus * gamma.value),
+        };
         return {
             contact_radius: a,
             load: pressed.load - pulled.load,

@@ -1,0 +1,86 @@
+// Drawings of curves, and what they are made of.
+
+/** A number without the rounding of a change of units. */
+const rounded = (value, digits = 14) => Number(value.toPrecision(digits));
+
+/** An element with attributes and children, in the page or in a drawing. */
+function element(name, attributes = {}, ...children) {
+    const drawing = ["svg", "g", "path", "line", "text", "circle", "rect"].includes(name);
+    const made = drawing ? document.createElementNS("http://www.w3.org/2000/svg", name) : document.createElement(name);
+    Object.entries(attributes).forEach(([key, value]) => made.setAttribute(key, value));
+    made.append(...children);
+    return made;
+}
+
+const PREFIXES = { 12: "T", 9: "G", 6: "M", 3: "k", 0: "", [-3]: "m", [-6]: "µ", [-9]: "n", [-12]: "p", [-15]: "f", [-18]: "a" };
+
+/** The power of a thousand, and its prefix, in which a value is best written. */
+function prefix(value) {
+    const thousands = value === 0 ? 0 : Math.floor(Math.log10(Math.abs(value)) / 3 + 1e-9);
+    const power = 3 * Math.min(4, Math.max(-6, thousands));
+    return { scale: 10 ** power, prefix: PREFIXES[power] };
+}
+
+/** About `count` round numbers from `low` to `high`. */
+function ticks(low, high, count) {
+    const rough = (high - low) / count, power = 10 ** Math.floor(Math.log10(rough));
+    const step = power * (rough < 1.5 * power ? 1 : rough < 3.5 * power ? 2 : rough < 7 * power ? 5 : 10);
+    const first = Math.ceil(low / step - 1e-9), last = Math.floor(high / step + 1e-9);
+    return Array.from({ length: last - first + 1 }, (_, i) => rounded((first + i) * step, 10));
+}
+
+/** A drawing of the states, of which those that are not stable are dashed, with marks and their labels. */
+function chart(x, y, states, stable, marks, width) {
+    const height = Math.round(Math.min(Math.max(0.72 * width, 300), 400));
+    const box = { left: 58, right: width - 14, top: 10, bottom: height - 46 };
+    const axis = ({ key }, [low, high], [start, end], count) => {
+        const values = states.map((state) => state[key]);
+        const [least, most] = [Math.min(0, ...values), Math.max(0, ...values)], length = most - least;
+        const range = [least === 0 ? 0 : least - low * length, most === 0 ? 0 : most + high * length];
+        const { scale, prefix: sign } = prefix(Math.max(...range.map(Math.abs)) / 1.5);
+        const place = (value) => start + ((end - start) * (value - range[0])) / (range[1] - range[0]);
+        const marks = ticks(range[0] / scale, range[1] / scale, count).map((value) => [place(value * scale), value]);
+        return { place, sign, marks };
+    };
+    const horizontal = axis(x, [0.06, 0.02], [box.left, box.right], width < 420 ? 5 : 7);
+    const vertical = axis(y, [0.13, 0.04], [box.bottom, box.top], 6);
+    const at = (state) => [horizontal.place(state[x.key]), vertical.place(state[y.key])];
+    const description = `${y.label} against ${x.label}`;
+    const svg = element("svg", { viewBox: `0 0 ${width} ${height}`, width, height, role: "img", "aria-label": description });
+    const text = (value) => String(value).replace("-", "−");
+    for (const [place, value] of horizontal.marks) {
+        svg.append(element("line", { class: value === 0 ? "zero" : "grid", x1: place, x2: place, y1: box.top, y2: box.bottom }));
+        svg.append(element("text", { x: place, y: box.bottom + 17, "text-anchor": "middle" }, text(value)));
+    }
+    for (const [place, value] of vertical.marks) {
+        svg.append(element("line", { class: value === 0 ? "zero" : "grid", x1: box.left, x2: box.right, y1: place, y2: place }));
+        svg.append(element("text", { x: box.left - 7, y: place + 4, "text-anchor": "end" }, text(value)));
+    }
+    const middle = [(box.left + box.right) / 2, (box.top + box.bottom) / 2];
+    svg.append(element("text", { class: "axis", x: middle[0], y: height - 8, "text-anchor": "middle" },
+        `${x.label} (${horizontal.sign}${x.unit})`));
+    svg.append(element("text", { class: "axis", "text-anchor": "middle", transform: `translate(14 ${middle[1]}) rotate(-90)` },
+        `${y.label} (${vertical.sign}${y.unit})`));
+    for (const kind of [false, true]) {
+        const pieces = states.slice(1).map((state, i) => {
+            if (stable(state) !== kind) return "";
+            const starts = i === 0 || stable(states[i]) !== kind;
+            const [[u, v], [p, q]] = [at(states[i]), at(state)];
+            return `${starts ? `M${u.toFixed(2)} ${v.toFixed(2)}` : ""}L${p.toFixed(2)} ${q.toFixed(2)}`;
+        });
+        svg.append(element("path", { class: kind ? "curve stable" : "curve unstable", d: pieces.join("") }));
+    }
+    for (const { label, state } of marks) {
+        const [u, v] = at(state), below = label === "load control";
+        if (u > box.right + 1) continue;
+        svg.append(element("circle", { cx: u, cy: v, r: 4.5 }));
+        // Below the least load; on the inner side of the bend, in two lines where it is narrow, but above it where it is flat.
+        const flat = v - vertical.place(0) < 20;
+        const lines = below || flat || width > 420 ? [label] : label.split(" ");
+        lines.forEach((line, i) => {
+            const offset = below ? [2, 18] : [9, flat ? -8 : x.key === "penetration" ? 4 : -2];
+            svg.append(element("text", { class: "mark", x: u + offset[0], y: v + offset[1] + 14 * i }, line));
+        });
+    }
+    return svg;
+}
