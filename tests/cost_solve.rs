@@ -79,7 +79,7 @@ fn the_command_writes_errors_within_tolerances_that_are_the_same_in_every_run() 
         let of_contact = |row: &&Row| row.contact == contact.contact && row.a_over_t == contact.a_over_t;
         let (nystrom, own): (Vec<&Row>, Vec<&Row>) = rows.iter().filter(of_contact).partition(|row| row.method == NYSTROM);
         assert_eq!(own.iter().map(|row| row.tolerance).collect::<Vec<_>>(), TOLERANCES);
-        for row in own {
+        for row in &own {
             let estimated = row.error_estimated.expect("the solve always says");
             match solve(contact.a_over_t, &contact.material(), row.tolerance) {
                 Ok(solution) => {
@@ -98,9 +98,10 @@ fn the_command_writes_errors_within_tolerances_that_are_the_same_in_every_run() 
             let solved = Nystrom::new(row.size as usize).solve(contact.a_over_t, &contact.material(), row.tolerance);
             assert_eq!(row.error, Some(relative_error(&solved, &contact.truth()).max(0.5 * f64::EPSILON)));
         }
-        // Nodes enough were among those tried.
+        // Nodes enough were among those tried, as far as double precision goes: the solve says where that ends.
+        let refused = own.iter().filter(|row| row.method == REFUSED).map(|row| row.tolerance).reduce(f64::max);
         let reached = nystrom.iter().filter_map(|row| row.error).reduce(f64::min);
-        assert!(reached.is_none_or(|error| error <= 1e-11), "{contact:?}: {reached:?}");
+        assert!(reached.is_none_or(|error| error <= refused.unwrap_or(1e-13)), "{contact:?}: {reached:?}");
         assert_eq!(reached.is_some(), contact.a_over_t <= 100.0);
     }
 }
