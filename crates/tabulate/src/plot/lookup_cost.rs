@@ -45,13 +45,15 @@ fn times(rows: &[&Row], [before, after]: [f64; 2]) -> Axis {
 fn panel(mut panel: Panel, rows: &[&Row]) -> Panel {
     /// The ratio of times at which they no longer do.
     const APART: f64 = 1.25;
-    let mut rows = rows.to_vec();
-    rows.sort_by(|a, b| a.seconds.total_cmp(&b.seconds));
     let mut before: Vec<(f64, &Row)> = Vec::new();
     for row in rows {
         let meets = |other: &Row| other.median_error <= row.max_error && other.max_error >= row.median_error;
-        let beside = before.iter().filter(|(_, other)| meets(other)).map(|(time, _)| APART * time);
-        let time = beside.fold(nanoseconds(row), f64::max);
+        let mut time = nanoseconds(row);
+        for (other, _) in before.iter().filter(|(_, other)| meets(other)) {
+            if time < APART * other && *other < APART * time {
+                time = APART * other;
+            }
+        }
         before.push((time, row));
         let colour = colour(row.family);
         let [median, largest] = [[time, row.median_error], [time, row.max_error]];
@@ -83,7 +85,7 @@ fn label(row: &Row) -> (&str, End, Side) {
                 "film" => (name, End::Disc, Side::Left),
                 "Gao" | "Hay" | "Garcia" => (name, End::Circle, Side::Right),
                 "cubic" | "Hertz" => (name, End::Circle, Side::AboveRight),
-                _ if form.ends_with("1e-6") => (name, End::Disc, Side::Left),
+                _ if form.ends_with("1e-6") => (name, End::Disc, Side::BelowLeft),
                 _ => (name, End::Disc, Side::Right),
             }
         }
