@@ -25,7 +25,7 @@ pub fn figure(rows: &[Row]) -> Figure {
 /// One contact.
 fn panel(rows: &[Row], name: &str, x: f64, first: bool) -> Panel {
     /// In microseconds, with room for labels before the fastest.
-    const TIMES: [f64; 2] = [0.3, 1e6];
+    const TIMES: [f64; 2] = [0.1, 1e6];
     /// From rounding, with room for labels, to errors as large as the quantities.
     const ERRORS: [f64; 2] = [1e-18, 1.0];
     let errors = Axis::logarithmic(if first { "relative error achieved" } else { "" }, ERRORS);
