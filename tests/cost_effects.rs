@@ -187,7 +187,8 @@ fn rows_say_what_generate_says_of_the_scene_without_an_effect() {
 #[test]
 fn effects_that_a_scene_does_not_have_are_named() {
     let desk = desk();
-    desk.write("like.toml", "title = 'x'\na_over_t = { from = 0.1, to = 10 }\ne1_over_e2 = 2\nnu1 = 0.25\ne0_over_e2 = 2\nnu0 = 0.25\nquantities = ['pi0']\n");
+    let like = "title = 'x'\na_over_t = { from = 0.1, to = 10 }\ne1_over_e2 = 2\nnu1 = 0.25\ne0_over_e2 = 2\nnu0 = 0.25\nquantities = ['pi0']\n";
+    desk.write("like.toml", like);
     let printed = desk.succeed(&["cost", "effects", "like.toml", "--points", "500", "-o", "like.csv"]);
     assert_names(&printed, &["Not in this scene: adhesion, penetration.", "| film | JKR on the bare substrate | 1 |"]);
     let film = &rows(&desk, "like.csv")[1];

@@ -338,8 +338,8 @@ pub fn markdown(rows: &[Row]) -> String {
     }
     let [weak, strong] = STRENGTHS;
     text += &format!(
-        "\nTables to {tolerance:e}, planning and certificate included. Errors are relative to the adhesionless load at the same contact radius, over random points of \
-         the scene where adhesion takes {weak} to {strong} times that load away.\n"
+        "\nTables to {tolerance:e}, planning and certificate included. Errors are relative to the adhesionless load at the same \
+         contact radius, over random points of the scene where adhesion takes {weak} to {strong} times that load away.\n"
     );
     let missing: Vec<&str> =
         Effect::ALL.into_iter().filter(|&effect| rows.iter().all(|row| row.without != Some(effect))).map(Effect::name).collect();

@@ -276,7 +276,8 @@ pub fn markdown(rows: &[Row]) -> String {
         let [dense, packed] = [row.dense_bytes, row.packed_bytes].map(human_bytes);
         let Row { tolerance, dense_error, packed_error, .. } = row;
         text += &format!(
-            "| {tolerance:e} | {nodes} | {solves} | {seconds} | {dense} | {dense_error:.1e} | {ranks} | {packed} | {packed_error:.1e} |\n"
+            "| {tolerance:e} | {nodes} | {solves} | {seconds} | {dense} | {dense_error:.1e} | {ranks} | {packed} | \
+             {packed_error:.1e} |\n"
         );
     }
     text +=
@@ -288,8 +289,9 @@ pub fn markdown(rows: &[Row]) -> String {
         text += &format!("| {:e} | {solve} | {curve} | {point} | {alone} | {along} |\n", row.tolerance);
     }
     text += &format!(
-        "\nOne solve or lookup is a mean over {POINTS} random points of the scene on one thread, lookups in the packed table. A table pays from so many \
-         evaluations on, in processor time: {threads} threads making and packing it against one thread solving.\n"
+        "\nOne solve or lookup is a mean over {POINTS} random points of the scene on one thread, lookups in the packed \
+         table. A table pays from so many evaluations on, in processor time: {threads} threads making and packing it \
+         against one thread solving.\n"
     );
     text
 }

@@ -15,8 +15,8 @@ const POINTS: u32 = 10_000;
 /// The effects of a scene: what each one costs, and what the load would be without it
 ///
 /// Makes the table of a scene without its film, sphere compliance, substrate compliance, film compressibility, adhesion or
-/// penetration, and compares the loads with those of the whole scene, by direct solves. Errors are relative to the adhesionless load
-/// at the same contact radius.
+/// penetration, and compares the loads with those of the whole scene, by direct solves. Errors are relative to the adhesionless
+/// load at the same contact radius.
 #[derive(clap::Args)]
 pub struct Arguments {
     /// The scene; without one, the default four-parameter box
