@@ -25,8 +25,8 @@ fn jkr_of_sphere_and_film_is_the_limit_of_thick_films_and_bulk_jkr_that_of_thin_
         };
         thick = larger(thick, off(1e-6, film_jkr(&material)));
         thin = larger(thin, off(1e6, bulk_jkr(&material)));
-        // Gao's and its successor's weights keep both limits, the first where the substrate is not so stiff that a ten-thousandth of
-        // it counts.
+        // Gao's and its successor's weights keep both limits, the first where the substrate is not so stiff that a
+        // ten-thousandth of it counts.
         for form in [gao, hay_crawford].into_iter().filter(|_| material.film_over_substrate() > 1e-2) {
             let at = |x| form(x, &material).expect("in the domain");
             thick = larger(thick, (at(1e-6) / film_jkr(&material) - 1.0).abs());
@@ -50,7 +50,8 @@ fn gaos_weights_are_exact_to_first_order_in_either_difference_under_any_sphere()
     let mut worst = 0.0;
     for (e, nu) in [(0.0, 0.3), (0.0, 0.45), (0.0, 0.0), (0.7, 0.3), (20.0, 0.1)] {
         for x in [0.01, 0.3, 1.0, 3.0, 100.0] {
-            // Of the substrate, in units of the film's: another shear modulus, or another Poisson ratio with the same shear modulus.
+            // Of the substrate, in units of the film's: another shear modulus, or another Poisson ratio with the same
+            // shear modulus.
             let stiffer = |s: f64| material([e, nu, (1.0 + s) * if e == 0.0 { 1.0 } else { e }, nu]);
             let other = |s: f64| material([e, nu, (1.0 + nu + s) / (1.0 + nu) * if e == 0.0 { 1.0 } else { e }, nu + s]);
             for [exact, weighted] in [

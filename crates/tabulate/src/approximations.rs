@@ -56,8 +56,8 @@ pub fn gao(a_over_t: f64, material: &Material) -> Result<f64, Error> {
     Ok(weighted.compound(mu0 + (mu1 - mu0) * weighted.share))
 }
 
-/// The same weights on compliances instead of moduli, as Hay and Crawford fitted it to finite elements (J. Mater. Res. 26, 727, 2011,
-/// after Song and Pharr):
+/// The same weights on compliances instead of moduli, as Hay and Crawford fitted it to finite elements (J. Mater. Res. 26, 727,
+/// 2011, after Song and Pharr):
 ///
 /// ```text
 /// 1/mu = (1 - I0)/(mu0 + 0.0626 I0 mu1) + I0/mu1
@@ -114,14 +114,16 @@ impl Weighted {
 /// eq. 10), with `chi = sqrt(R delta)/t`:
 ///
 /// ```text
-/// 1 - 2 alpha/pi chi + 4 alpha^2/pi^2 chi^2 - 8/pi^3 (alpha^3 + 4 pi^2/15 beta) chi^3 + 16 alpha/pi^4 (alpha^3 + 3 pi^2/5 beta) chi^4
+/// 1 - 2 alpha/pi chi + 4 alpha^2/pi^2 chi^2 - 8/pi^3 (alpha^3 + 4 pi^2/15 beta) chi^3
+///   + 16 alpha/pi^4 (alpha^3 + 3 pi^2/5 beta) chi^4
 /// alpha = -(1.2876 - 1.4678 nu + 1.3442 nu^2)/(1 - nu),   beta = (0.6387 - 1.0277 nu + 1.5164 nu^2)/(1 - nu)
 /// ```
 ///
 /// It is a series about Hertz, of which the first term alone is exact, as far as the fit `alpha` is: it is 0.5 % from the exact
 /// `int_0^inf (X(q) - 1) dq` at `nu = 0.5`, 0.5 % at 0.3 and 6 % at 0. The second should be `14/3 alpha^2/pi^2` (see [`garcia`]).
 /// At `nu = 0.5` the first three are the numbers of [`dimitriadis_incompressible`], and the fourth is its -0.0975 with the other
-/// sign. These numbers, and `alpha` beside the exact kernel's, confirm the formula; for other `nu` no second print of it was at hand.
+/// sign. These numbers, and `alpha` beside the exact kernel's, confirm the formula; for other `nu` no second print of it was at
+/// hand.
 ///
 /// # Errors
 /// [`Error::Domain`] unless `chi` is in `[0, 1e6]` and `nu` in `[0, 0.5]`.

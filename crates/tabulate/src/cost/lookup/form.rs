@@ -159,8 +159,8 @@ pub(super) fn per_one<T, R>(cases: &[T], work: impl Fn(&T) -> R) -> f64 {
     clock::seconds(SECONDS, all) / cases.len() as f64
 }
 
-/// The mean time of solves, which differ by a factor of a thousand, over some of them. Each is timed by itself, as a machine that has
-/// other work interrupts long runs.
+/// The mean time of solves, which differ by a factor of a thousand, over some of them. Each is timed by itself, as a machine that
+/// has other work interrupts long runs.
 fn of_solves<T, R>(cases: &[T], work: impl Fn(&T) -> R) -> f64 {
     let seconds = |case: &T| clock::seconds(SECONDS / SOLVED as f64, || work(black_box(case)));
     cases.iter().map(seconds).sum::<f64>() / cases.len() as f64
