@@ -63,7 +63,7 @@ pub fn gao(a_over_t: f64, material: &Material) -> Result<f64, Error> {
 /// 1/mu = (1 - I0)/(mu0 + 0.0626 I0 mu1) + I0/mu1
 /// ```
 ///
-/// with `I0`, `nu` and `E` of [`gao`]. Without the number 0.0626 it would be exact to first order as [`gao`] is; with it, the
+/// with `I0`, `nu` and `E` of [`gao`]. The formula was found in one place only, the manual of an indenter. Without the number 0.0626 it would be exact to first order as [`gao`] is; with it, the
 /// stiffness of a film on a substrate of its own material is too large by up to 1.5 %, at `I0 = 1/2`.
 ///
 /// # Errors

@@ -9,8 +9,11 @@ use std::path::{Path, PathBuf};
 use crate::tabulate::tabulate;
 use crate::workspace;
 
-/// What `tabulate cost` measures, and further arguments where it is measured only to be compared.
-const COSTS: [(&str, &[&str]); 4] = [("solve", &[]), ("table", &["--budget", "20"]), ("lookup", &[]), ("effects", &[])];
+/// What `tabulate cost` measures.
+const COSTS: [&str; 4] = ["solve", "table", "lookup", "effects"];
+
+/// For how many seconds tables are made, to be quoted or only to be compared.
+const BUDGETS: [&str; 2] = ["400", "20"];
 
 /// What `tabulate plot` draws, and of which measurement.
 const FIGURES: [(&str, Option<&str>); 9] = [
@@ -36,8 +39,8 @@ const ROUNDING: f64 = 0.05;
 pub fn figures() -> Result<(), String> {
     let folder = folder();
     fs::create_dir_all(&folder).map_err(|e| format!("cannot make {}: {e}", folder.display()))?;
-    for (cost, _) in COSTS {
-        tabulate(&["cost", cost, "-o", &name(&folder, cost, "csv")])?;
+    for cost in COSTS {
+        measure(cost, &["-o", &name(&folder, cost, "csv")], BUDGETS[0])?;
     }
     for (figure, cost) in FIGURES {
         draw(figure, cost, &name(&folder, figure, "svg"))?;
@@ -62,9 +65,8 @@ pub fn check() -> Result<(), String> {
             ));
         }
     }
-    for (cost, arguments) in COSTS {
-        let before = name(&folder, cost, "csv");
-        tabulate(&[&["cost", cost, "--compare", &before], arguments].concat())?;
+    for cost in COSTS {
+        measure(cost, &["--compare", &name(&folder, cost, "csv")], BUDGETS[1])?;
     }
     let drawn = workspace::target()?.join("figures");
     fs::create_dir_all(&drawn).map_err(|e| format!("cannot make {}: {e}", drawn.display()))?;
@@ -88,6 +90,11 @@ fn name(folder: &Path, stem: &str, ending: &str) -> String {
 
 fn read(path: &Path) -> Result<String, String> {
     fs::read_to_string(path).map_err(|e| format!("cannot read {}: {e}", path.display()))
+}
+
+fn measure(cost: &str, arguments: &[&str], budget: &str) -> Result<String, String> {
+    let budget: &[&str] = if cost == "table" { &["--budget", budget] } else { &[] };
+    tabulate(&[&["cost", cost], arguments, budget].concat())
 }
 
 /// Draws a figure of what was measured, if it was.

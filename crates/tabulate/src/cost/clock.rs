@@ -43,7 +43,8 @@ pub fn human(seconds: f64) -> String {
         ..1e-8 => format!("{:.1} ns", 1e9 * seconds),
         ..1e-6 => format!("{:.0} ns", 1e9 * seconds),
         ..1e-3 => format!("{:.0} µs", 1e6 * seconds),
-        ..1.0 => format!("{:.1} ms", 1e3 * seconds),
+        ..1e-2 => format!("{:.1} ms", 1e3 * seconds),
+        ..1.0 => format!("{:.0} ms", 1e3 * seconds),
         ..100.0 => format!("{seconds:.1} s"),
         _ => format!("{seconds:.0} s"),
     }
