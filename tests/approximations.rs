@@ -16,6 +16,12 @@ fn quantities(x: f64, material: &Material, tolerance: f64) -> Quantities {
 }
 
 #[test]
+fn on_a_rigid_substrate_gaos_film_has_no_effect() {
+    let material = material([1.75, 0.5, f64::INFINITY, 0.25]);
+    assert_eq!(gao(1.0, &material).expect("in the domain"), bulk_jkr(&material));
+}
+
+#[test]
 fn jkr_of_sphere_and_film_is_the_limit_of_thick_films_and_bulk_jkr_that_of_thin_ones() {
     let (mut thick, mut thin) = (0.0, 0.0);
     for material in MATERIALS.map(material) {

@@ -45,6 +45,11 @@ fn rows_are_summed_up_and_compared_with_those_of_another_run() {
     assert_names(&compare("changed.csv", 1), &["row 3", "solves was"]);
     changed("seconds", &|seconds| seconds * 1e4);
     assert_names(&compare("changed.csv", 1), &["row 3", "seconds was"]);
+    desk.write("short.csv", text.lines().take(3).collect::<Vec<_>>().join("\n"));
+    assert_names(&compare("short.csv", 1), &["the number of rows was 2 and is"]);
+
+    desk.write("partial.csv", [header.join(","), text.lines().nth(2).expect("a row").to_owned()].join("\n"));
+    assert_names(&desk.fail(1, &["plot", "effects", "--data", "partial.csv", "-o", "x.svg"]), &["no row of the whole scene"]);
 }
 
 #[test]
@@ -55,6 +60,13 @@ fn rows_that_cannot_be_read_are_an_error_before_anything_is_measured() {
         assert_names(&desk.fail(1, &["cost", "solve", option, "missing.csv"]), &["missing.csv"]);
         assert_names(&desk.fail(1, &["cost", "solve", option, "other.csv"]), &["other.csv"]);
     }
+    desk.write("empty.csv", "");
+    for command in [["cost", "effects"], ["plot", "effects"]] {
+        let message = desk
+            .fail(1, &[&command[..], &["--data", "empty.csv", "-o", "x.svg"][..if command[0] == "cost" { 2 } else { 4 }]].concat());
+        assert_names(&message, &["empty.csv", "it has no rows"]);
+    }
+    desk.fail(2, &["cost", "effects", "scene.toml", "--data", "other.csv"]);
     desk.fail(2, &["cost", "solve", "--data", "other.csv", "--compare", "other.csv"]);
     desk.fail(2, &["cost", "solve", "--data", "other.csv", "-o", "rows.csv"]);
 }

@@ -53,7 +53,7 @@ pub fn film_jkr(material: &Material) -> f64 {
 pub fn gao(a_over_t: f64, material: &Material) -> Result<f64, Error> {
     let weighted = Weighted::new(a_over_t, material)?;
     let [mu1, mu0] = weighted.shear_moduli;
-    Ok(weighted.compound(mu0 + (mu1 - mu0) * weighted.share))
+    Ok(weighted.compound(mu0 * (1.0 - weighted.share) + mu1 * weighted.share))
 }
 
 /// The same weights on compliances instead of moduli, as Hay and Crawford fitted it to finite elements (J. Mater. Res. 26, 727,
@@ -63,7 +63,8 @@ pub fn gao(a_over_t: f64, material: &Material) -> Result<f64, Error> {
 /// 1/mu = (1 - I0)/(mu0 + 0.0626 I0 mu1) + I0/mu1
 /// ```
 ///
-/// with `I0`, `nu` and `E` of [`gao`]. The formula was found in one place only, the manual of an indenter. Without the number 0.0626 it would be exact to first order as [`gao`] is; with it, the
+/// with `I0`, `nu` and `E` of [`gao`]. The formula was found in one place only, the manual of an indenter, and that the Poisson
+/// ratios are weighted as there is assumed. Without the number 0.0626 it would be exact to first order as [`gao`] is; with it, the
 /// stiffness of a film on a substrate of its own material is too large by up to 1.5 %, at `I0 = 1/2`.
 ///
 /// # Errors

@@ -11,6 +11,7 @@ pub mod nystrom;
 pub mod solve;
 pub mod table;
 
+use std::io;
 use std::path::Path;
 
 use serde::Serialize;
@@ -34,10 +35,12 @@ pub fn to_csv<R: Serialize>(rows: &[R]) -> Vec<u8> {
 /// Reads the rows that [`to_csv`] made.
 ///
 /// # Errors
-/// [`Error::Read`] naming the file, the line and what is wrong with it.
+/// [`Error::Read`] naming the file, the line and what is wrong with it, or that there is no row.
 pub fn read_csv<R: DeserializeOwned>(path: &Path) -> Result<Vec<R>, Error> {
     let attempt = || csv::Reader::from_path(path)?.deserialize().collect::<Result<Vec<_>, _>>();
-    attempt().map_err(|error| Error::Read { path: path.to_owned(), source: error.into() })
+    let failed = |source| Error::Read { path: path.to_owned(), source };
+    let rows = attempt().map_err(|error| failed(error.into()))?;
+    if rows.is_empty() { Err(failed(io::Error::new(io::ErrorKind::InvalidData, "it has no rows"))) } else { Ok(rows) }
 }
 
 /// The times of two runs may differ by this factor, because machines do and what else they do.
@@ -45,7 +48,7 @@ pub const TIME_FACTOR: f64 = 10.0;
 
 /// Compares rows with those of an earlier run: texts and counts must be the same, errors the same to a hundredth or 1e-13, as
 /// rounding differs between processors, and times within [`TIME_FACTOR`]. The number of threads is left out, and what follows from
-/// differences and ratios of times, the `saved_seconds` and `break_even`s of some rows; so are rows that one of the two has not.
+/// differences and ratios of times, the `saved_seconds` and `break_even`s of some rows; so are the last rows before, if there are fewer now.
 ///
 /// # Errors
 /// [`Error::Changed`] naming the row, the column and both values.
@@ -57,6 +60,10 @@ pub fn compare<R: Serialize>(before: &[R], now: &[R]) -> Result<(), Error> {
         Ok(Value::Object(fields)) => fields,
         other => unreachable!("a row is a struct: {other:?}"),
     };
+    if now.len() > before.len() {
+        let [before, now] = [before, now].map(|rows| rows.len().to_string());
+        return Err(Error::Changed { row: now.len(), column: "the number of rows".to_owned(), before, now });
+    }
     for (i, (before, now)) in before.iter().map(fields).zip(now.iter().map(fields)).enumerate() {
         for ((column, before), now) in before.iter().zip(now.values()) {
             if !alike(column, before, now) {

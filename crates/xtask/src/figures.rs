@@ -32,8 +32,8 @@ const FIGURES: [(&str, Option<&str>); 9] = [
 const DOCUMENTS: [&str; 2] = ["README.md", "tables/README.md"];
 const END: &str = "<!-- end -->\n";
 
-/// How far apart the coordinates of the same picture may be that two processors draw, in its pixels.
-const ROUNDING: f64 = 0.05;
+/// How far apart the coordinates of the same picture may be that two processors draw, in tenths of a pixel.
+const ROUNDING: f64 = 1.5;
 
 /// Measures, draws and quotes everything anew.
 pub fn figures() -> Result<(), String> {

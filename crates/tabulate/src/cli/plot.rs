@@ -114,11 +114,11 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
             Ok(error_map::figure(&data))
         }),
         Figure::TableCost { rows, output } => output.write(|| Ok(table_cost::figure(&rows.get(cost::measure_table)?))),
-        Figure::Effects { rows, output } => output.write(|| Ok(effects::figure(&rows.get(cost::measure_effects)?))),
+        Figure::Effects { rows, output } => output.write(|| Ok(effects::figure(&rows.get(cost::measure_effects)?)?)),
         Figure::WorkPrecision { rows, output } => {
-            output.write(|| Ok(work_precision::figure(&rows.get(|| Ok(cost::measure_solve()))?)))
+            output.write(|| Ok(work_precision::figure(&rows.get(|| Ok(cost::measure_solve()))?)?))
         }
-        Figure::LookupCost { rows, output } => output.write(|| Ok(lookup_cost::figure(&rows.get(|| cost::measure_lookup(None))?))),
+        Figure::LookupCost { rows, output } => output.write(|| Ok(lookup_cost::figure(&rows.get(|| cost::measure_lookup(None))?)?)),
     }
 }
 

@@ -116,12 +116,12 @@ pub fn markdown(rows: &[Row]) -> String {
     let mut text = format!(
         "| form | {NEW} | {FURTHER} | load: median error | largest | with adhesion: median | largest |\n|---|---|---|---|---|---|---|\n"
     );
-    let mut scope = "";
+    let (mut scope, mut points) = ("", 0);
     for group in rows.chunk_by(|a, b| (&a.scope, &a.form) == (&b.scope, &b.form)) {
         let first = &group[0];
         if first.scope != scope {
-            scope = &first.scope;
-            text += &format!("| *{} points, {scope}, at a given {}* | | | | | | |\n", first.points, first.at);
+            (scope, points) = (&first.scope, first.points);
+            text += &format!("| *{points} points, {scope}, at a given {}* | | | | | | |\n", first.at);
         }
         let time = |what| group.iter().find(|row| row.what == what).map_or_else(|| "–".to_owned(), |row| human(row.seconds));
         let largest = if first.max_factor >= 2.0 { factor(first.max_factor) } else { percent(first.max_error) };
@@ -132,7 +132,8 @@ pub fn markdown(rows: &[Row]) -> String {
         };
         let errors =
             [percent(first.median_error), largest, adhesive(first.adhesive_median_error), adhesive(first.adhesive_max_error)];
-        text += &format!("| {} | {} | {} | {} |\n", first.form, time(NEW), time(FURTHER), errors.join(" | "));
+        let fewer = if first.points == points { String::new() } else { format!(" ({} points)", first.points) };
+        text += &format!("| {}{fewer} | {} | {} | {} |\n", first.form, time(NEW), time(FURTHER), errors.join(" | "));
     }
     text
 }

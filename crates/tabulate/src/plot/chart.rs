@@ -1,4 +1,4 @@
-//! What every figure is made of: panels side by side with two axes each, and on them lines, markers, bars, cells, guides and
+//! What every figure is made of: panels side by side with two axes each, and on them lines, markers, cells, guides and
 //! labels. A label says where it belongs; the panel finds the place nearby that covers least.
 //!
 //! ```
@@ -187,11 +187,6 @@ impl Panel {
     /// A filled rectangle between two values of each axis.
     pub fn cell(&mut self, x: [f64; 2], y: [f64; 2], colour: Colour) -> &mut Self {
         self.mark(Mark::Cell { x, y, colour })
-    }
-
-    /// A horizontal bar for name number `row` of a vertical axis of [`Axis::names`], from one value of the other axis to another.
-    pub fn bar(&mut self, row: usize, values: [f64; 2], colour: Colour) -> &mut Self {
-        self.cell(values, [row as f64 + 0.2, row as f64 + 0.8], colour)
     }
 
     /// A dashed line across the panel at a value of the vertical axis, with a label at its left (`Side::Left`) or right end.

@@ -2,14 +2,19 @@
 
 use super::axis::Axis;
 use super::chart::{BLUE, Figure, GREY, Marker, Panel, Side, VERMILION};
+use crate::Error;
 use crate::cost::effects::{Effect, Row};
 
 /// Draws it.
-pub fn figure(rows: &[Row]) -> Figure {
+///
+/// # Errors
+/// [`Error::Picture`] if there is no row of the whole scene.
+pub fn figure(rows: &[Row]) -> Result<Figure, Error> {
     let mut effects: Vec<(Effect, &Row)> = rows.iter().filter_map(|row| Some((row.without?, row))).collect();
     effects.sort_by(|(_, a), (_, b)| b.worst_error.total_cmp(&a.worst_error));
     let whole = rows.iter().find(|row| row.without.is_none());
-    Figure::new(120 + 50 * effects.len() as u32, [errors(&effects), costs(&effects, whole)])
+    let whole = whole.ok_or_else(|| Error::Picture("there is no row of the whole scene".to_owned()))?;
+    Ok(Figure::new(120 + 50 * effects.len() as u32, [errors(&effects), costs(&effects, whole)]))
 }
 
 /// From the median error to the worst, the worst effect on top.
@@ -36,8 +41,8 @@ fn errors(effects: &[(Effect, &Row)]) -> Panel {
 }
 
 /// What each effect takes of the scene's solves, above, and of its time.
-fn costs(effects: &[(Effect, &Row)], whole: Option<&Row>) -> Panel {
-    let [solves, seconds] = whole.map_or([f64::NAN; 2], |whole| [whole.solves as f64, whole.seconds]);
+fn costs(effects: &[(Effect, &Row)], whole: &Row) -> Panel {
+    let [solves, seconds] = [whole.solves as f64, whole.seconds];
     let shares = |row: &Row| [100.0 * row.saved_solves as f64 / solves, 100.0 * row.saved_seconds / seconds];
     let least = effects.iter().flat_map(|(_, row)| shares(row)).fold(0.0, f64::min);
     let x = Axis::linear("part of the whole (%)", [10.0 * (0.1 * least).floor(), 100.0]);

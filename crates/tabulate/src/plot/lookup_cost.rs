@@ -2,27 +2,37 @@
 
 use super::axis::Axis;
 use super::chart::{BLUE, Colour, Figure, GREEN, Marker, Panel, Side, VERMILION};
+use crate::Error;
 use crate::cost::lookup::{FURTHER, Family, NEW, Row};
 
 /// Draws it: what holds over the whole box of the table, and the series for layers where they apply.
-pub fn figure(rows: &[Row]) -> Figure {
+///
+/// # Errors
+/// [`Error::Picture`] if one of them has no row.
+pub fn figure(rows: &[Row]) -> Result<Figure, Error> {
     let drawn = |at: &str| {
         let mut rows = rows.iter().filter(|row| row.at == at).peekable();
         // Of the scopes of the layers, the first has the thickest.
         let scope = rows.peek().map_or("", |row| row.scope.as_str());
-        rows.filter(move |row| row.scope == scope && is_drawn(row)).collect::<Vec<_>>()
+        let drawn: Vec<_> = rows.filter(move |row| row.scope == scope && is_drawn(row)).collect();
+        if drawn.is_empty() { Err(Error::Picture(format!("there is no row at a given {at}"))) } else { Ok(drawn) }
     };
-    let [in_box, of_layers] = ["contact radius", "penetration"].map(drawn);
+    let (in_box, of_layers) = (drawn("contact radius")?, drawn("penetration")?);
     let all = || in_box.iter().chain(&of_layers);
-    let [least, most] = Axis::decades("", all().flat_map(|row| [row.median_error, row.max_error])).range();
+    let [least, most] = Axis::decades("", all().flat_map(|row| [row.median_error, largest(row)])).range();
     let errors = |label: &str| Axis::logarithmic(label, [least, 10.0 * most]);
     let left = Panel::new(
         "any contact in the table's box",
         times(&in_box, [0.15, 12.0]),
-        errors("relative error of the load: disc median, circle largest"),
+        errors("relative error of the load: disc median, circle largest; shifted apart"),
     );
-    let right = Panel::new("layer on a rigid base, a/t < 1", times(&of_layers, [0.4, 30.0]), errors("")).share(0.55);
-    Figure::new(600, [panel(left, &in_box), panel(right, &of_layers)])
+    let right = Panel::new("layer on a rigid base, a/t < 1, ν_{1} = 0.5", times(&of_layers, [0.4, 30.0]), errors("")).share(0.55);
+    Ok(Figure::new(600, [panel(left, &in_box), panel(right, &of_layers)]))
+}
+
+/// The largest error, or how many times too small the largest underestimate is, less one: a load of nothing is off by more than 1.
+fn largest(row: &Row) -> f64 {
+    row.max_error.max(row.max_factor - 1.0)
 }
 
 /// Of the ways to use a table that cost the same, one.
@@ -47,7 +57,7 @@ fn panel(mut panel: Panel, rows: &[&Row]) -> Panel {
     const APART: f64 = 1.25;
     let mut before: Vec<(f64, &Row)> = Vec::new();
     for row in rows {
-        let meets = |other: &Row| other.median_error <= row.max_error && other.max_error >= row.median_error;
+        let meets = |other: &Row| other.median_error <= largest(row) && largest(other) >= row.median_error;
         let mut time = nanoseconds(row);
         for (other, _) in before.iter().filter(|(_, other)| meets(other)) {
             if time < APART * other && *other < APART * time {
@@ -56,11 +66,11 @@ fn panel(mut panel: Panel, rows: &[&Row]) -> Panel {
         }
         before.push((time, row));
         let colour = colour(row.family);
-        let [median, largest] = [[time, row.median_error], [time, row.max_error]];
-        panel.line([median, largest], colour);
-        panel.markers([median], colour, Marker::Full).markers([largest], colour, Marker::Hollow);
+        let ends @ [median, circle] = [[time, row.median_error], [time, largest(row)]];
+        panel.line(ends, colour);
+        panel.markers([median], colour, Marker::Full).markers([circle], colour, Marker::Hollow);
         let (text, end, side) = label(row);
-        panel.label(if end == End::Disc { median } else { largest }, text, colour, side);
+        panel.label(if end == End::Disc { median } else { circle }, text, colour, side);
     }
     panel
 }

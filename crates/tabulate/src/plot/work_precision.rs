@@ -2,6 +2,7 @@
 
 use super::axis::{Axis, power_of_ten};
 use super::chart::{BLACK, BLUE, Figure, Marker, Panel, Point, Side, VERMILION};
+use crate::Error;
 use crate::cost::solve::{NYSTROM, PAPER, REFUSED, Row, by_contact, front};
 
 /// The contacts that have a panel, by name and `a/t`, row by row.
@@ -12,14 +13,19 @@ const DRAWN: [[(&str, f64); 2]; 3] = [
 ];
 
 /// Draws it: discs for Galerkin's method, circles for Wiener and Hopf's, in any colour but that of Nyström's method.
-pub fn figure(rows: &[Row]) -> Figure {
-    let contact = |(name, x): (&str, f64)| by_contact(rows).find(|rows| rows[0].contact == name && rows[0].a_over_t == x);
-    let drawn = DRAWN.map(|line| line.map(|drawn| contact(drawn).unwrap_or_default()));
-    let panels = drawn.iter().zip(DRAWN).map(|(line, names)| {
-        let line = line.iter().zip(names).enumerate();
-        line.map(|(column, (rows, (name, x)))| panel(rows, name, x, column == 0)).collect()
-    });
-    Figure::grid(800, panels.collect::<Vec<_>>())
+///
+/// # Errors
+/// [`Error::Picture`] naming a contact that has no row.
+pub fn figure(rows: &[Row]) -> Result<Figure, Error> {
+    let contact = |name: &str, x: f64| {
+        let found = by_contact(rows).find(|rows| rows[0].contact == name && rows[0].a_over_t == x);
+        found.ok_or_else(|| Error::Picture(format!("there is no row of {name:?} at a_over_t = {x}")))
+    };
+    let line = |line: [(&str, f64); 2]| {
+        let panels = line.into_iter().enumerate().map(|(column, (name, x))| Ok(panel(contact(name, x)?, name, x, column == 0)));
+        panels.collect::<Result<Vec<_>, Error>>()
+    };
+    Ok(Figure::grid(800, DRAWN.into_iter().map(line).collect::<Result<Vec<_>, Error>>()?))
 }
 
 /// One contact.

@@ -20,13 +20,13 @@ const POINTS: u32 = 10_000;
 #[derive(clap::Args)]
 pub struct Arguments {
     /// The scene; without one, the default four-parameter box
-    #[arg(value_name = "SCENE.toml")]
+    #[arg(value_name = "SCENE.toml", conflicts_with = "data")]
     scene: Option<PathBuf>,
     /// Relative tolerance of the tables, instead of the scene's
-    #[arg(long, default_value_t = TOLERANCE, allow_negative_numbers = true)]
+    #[arg(long, default_value_t = TOLERANCE, allow_negative_numbers = true, conflicts_with = "data")]
     tolerance: f64,
     /// Number of random points that the loads are compared at
-    #[arg(long, default_value_t = POINTS, value_parser = value_parser!(u32).range(1..))]
+    #[arg(long, default_value_t = POINTS, value_parser = value_parser!(u32).range(1..), conflicts_with = "data")]
     points: u32,
     #[command(flatten)]
     rows: Rows,

@@ -16,6 +16,7 @@ use crate::cost::lookup::{POINTS, Row, markdown, measure, solves};
 #[derive(clap::Args)]
 pub struct Arguments {
     /// A table with all four quantities, HDF5 or packed [default: the one that is built in]
+    #[arg(conflicts_with = "data")]
     table: Option<PathBuf>,
     #[command(flatten)]
     rows: Rows,

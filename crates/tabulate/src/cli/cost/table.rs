@@ -18,10 +18,10 @@ const BUDGET: f64 = 60.0;
 #[derive(clap::Args)]
 pub struct Arguments {
     /// The scene, whose own tolerance plays no part; without one, the default four-parameter box
-    #[arg(value_name = "SCENE.toml")]
+    #[arg(value_name = "SCENE.toml", conflicts_with = "data")]
     scene: Option<PathBuf>,
     /// Time for all tables together
-    #[arg(long, value_name = "SECONDS", default_value_t = BUDGET, allow_negative_numbers = true)]
+    #[arg(long, value_name = "SECONDS", default_value_t = BUDGET, allow_negative_numbers = true, conflicts_with = "data")]
     budget: f64,
     #[command(flatten)]
     rows: Rows,

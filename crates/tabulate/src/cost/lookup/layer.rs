@@ -47,7 +47,7 @@ pub(super) fn measure(points: usize, progress: &(dyn Fn(usize) + Sync)) -> Resul
         for (name, form) in forms {
             let found = layers.iter().map(|layer| form(layer.chi, layer.nu)).collect::<Result<Vec<_>, _>>()?;
             let ratios = found.iter().zip(&layers).map(|(found, layer)| found / layer.factor);
-            let seconds = per_one(&layers, |layer| form(layer.chi, layer.nu));
+            let seconds = per_one(&layers, |layer| form(layer.chi, layer.nu).unwrap_or(f64::NAN));
             let errors = Errors::of_ratios(ratios.collect());
             rows.push(errors.row(Family::ClosedForm, name, NEW, seconds, &scope, "penetration"));
         }
