@@ -10,13 +10,12 @@ use std::fmt::Write;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use interp::schema::Parameter;
-use interp::{Certificate, Description, Material, Normalisation, Table};
-use rand::{RngExt, SeedableRng};
-use rand_pcg::Pcg64Mcg;
+use interp::{Certificate, Description, Normalisation, Table};
 
 pub use figures::{Illustration, figures, steps};
 
 use crate::Error;
+use crate::cost::lookup::random_points;
 use crate::plot::picture::Format;
 use crate::train::compress;
 
@@ -82,17 +81,8 @@ fn embedded(table: &Table) -> Result<Table, Error> {
 
 /// The largest relative difference of two tables' quantities at random points of their box.
 fn largest_difference(table: &Table, other: &Table) -> Result<f64, Error> {
-    let mut random = Pcg64Mcg::seed_from_u64(SEED);
     let mut largest = 0.0_f64;
-    for _ in 0..COMPARED {
-        let [x, e1, nu1, e0] = Parameter::ALL.map(|parameter| {
-            let nodes = table.axis(parameter);
-            let (first, last) = (nodes[0], nodes[nodes.len() - 1]);
-            let part: f64 = random.random();
-            let [from, to] = [first, last].map(|value| parameter.coordinate(value));
-            if nodes.len() == 1 { first } else { parameter.value(from + (to - from) * part).clamp(first, last) }
-        });
-        let material = Material::new(e1, nu1, e0, table.description().nu0)?;
+    for (x, material) in random_points(table, COMPARED, SEED) {
         let curves = [table.curve(&material)?, other.curve(&material)?];
         for quantity in table.quantities() {
             let [value, other] = [curves[0].quantity(quantity, x)?, curves[1].quantity(quantity, x)?];
