@@ -26,7 +26,7 @@ pub fn figure(rows: &[Row]) -> Result<Figure, Error> {
         times(&in_box, [0.15, 12.0]),
         errors("relative error of the load: disc median, circle largest; shifted apart"),
     );
-    let right = Panel::new("layer on a rigid base, a/t < 1, ν_{1} = 0.5", times(&of_layers, [0.4, 30.0]), errors("")).share(0.55);
+    let right = Panel::new("bonded layer, a/t < 1, ν_{1} = 0.5", times(&of_layers, [0.4, 30.0]), errors("")).share(0.55);
     Ok(Figure::new(600, [panel(left, &in_box), panel(right, &of_layers)]))
 }
 
