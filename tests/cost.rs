@@ -1,6 +1,8 @@
 //! What all `tabulate cost` commands share: rows that are summed up again, and compared with those of another run.
 
 use acceptance::{Desk, assert_names};
+use tabulate::cost::effects::Row;
+use tabulate::cost::{TIME_FACTOR, compare, read_csv, to_csv};
 
 const SCENE: &str = "\
 title = 'A small box'
@@ -19,36 +21,28 @@ fn rows_are_summed_up_and_compared_with_those_of_another_run() {
     let printed = desk.succeed(&[&MEASURE[..], &["-o", "rows.csv"]].concat());
     assert_eq!(desk.succeed(&["cost", "effects", "--data", "rows.csv"]), printed);
 
-    let compare = |file: &str, status: i32| {
-        let run = desk.run(&[&MEASURE[..], &["--compare", file]].concat());
-        assert_eq!(run.status, status, "{}", run.stderr);
-        run.stderr
+    // The rows with one cell of the third changed, against what they were. No second run: its times are not the same.
+    let rows: Vec<Row> = read_csv(&desk.path("rows.csv")).expect("what was written");
+    let compared = |change: fn(&mut Row)| {
+        let mut before = rows.clone();
+        change(&mut before[2]);
+        compare(&before, &rows).map_err(|error| error.to_string())
     };
-    let text = String::from_utf8(desk.read("rows.csv")).expect("UTF-8");
-    let header: Vec<&str> = text.lines().next().expect("a header").split(',').collect();
-    // The row of the second effect, with one cell changed.
-    let changed = |column: &str, change: &dyn Fn(f64) -> f64| {
-        let index = header.iter().position(|name| *name == column).expect("a column");
-        let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
-        let mut cells: Vec<String> = lines[3].split(',').map(str::to_owned).collect();
-        cells[index] = change(cells[index].parse().expect("a number")).to_string();
-        lines[3] = cells.join(",");
-        desk.write("changed.csv", lines.join("\n"));
-    };
-    changed("saved_seconds", &|seconds| -seconds);
-    assert_eq!(compare("changed.csv", 0), "");
-    changed("worst_error", &|error| error * (1.0 + 1e-3));
-    assert_eq!(compare("changed.csv", 0), "");
-    changed("worst_error", &|error| error * 1.02);
-    assert_names(&compare("changed.csv", 1), &["changed.csv", "row 3", "worst_error was"]);
-    changed("solves", &|solves| solves + 1.0);
-    assert_names(&compare("changed.csv", 1), &["row 3", "solves was"]);
-    changed("seconds", &|seconds| seconds * 1e4);
-    assert_names(&compare("changed.csv", 1), &["row 3", "seconds was"]);
-    desk.write("short.csv", text.lines().take(3).collect::<Vec<_>>().join("\n"));
-    assert_names(&compare("short.csv", 1), &["the number of rows was 2 and is"]);
+    let noise: [fn(&mut Row); 3] = [|row| row.saved_seconds *= -1.0, |row| row.threads += 1, |row| row.worst_error *= 1.0 + 1e-3];
+    assert!(noise.into_iter().all(|change| compared(change) == Ok(())));
+    assert_eq!(compared(|row| row.seconds *= 0.5 * TIME_FACTOR), Ok(()));
+    let is_named = |change: fn(&mut Row), what: &str| assert_names(&compared(change).expect_err(what), &["row 3", what]);
+    is_named(|row| row.worst_error *= 1.02, "worst_error was");
+    is_named(|row| row.solves += 1, "solves was");
+    is_named(|row| row.seconds *= 2.0 * TIME_FACTOR, "seconds was");
+    assert_names(&compare(&rows[..2], &rows).expect_err("rows are missing").to_string(), &["the number of rows was 2 and is"]);
 
-    desk.write("partial.csv", [header.join(","), text.lines().nth(2).expect("a row").to_owned()].join("\n"));
+    desk.write("short.csv", to_csv(&rows[..2]));
+    let run = desk.run(&[&MEASURE[..], &["--compare", "short.csv"]].concat());
+    assert_eq!(run.status, 1, "{}", run.stderr);
+    assert_names(&run.stderr, &["short.csv", "the number of rows was 2 and is"]);
+
+    desk.write("partial.csv", to_csv(&rows[1..2]));
     assert_names(&desk.fail(1, &["plot", "effects", "--data", "partial.csv", "-o", "x.svg"]), &["no row of the whole scene"]);
 }
 

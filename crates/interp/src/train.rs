@@ -3,9 +3,8 @@
 //! Ten splines of an axis do not vanish at a point, but between two knots a table is smoother than they could be, and the less an
 //! index of the train weighs, the fewer of its digits matter. Therefore each core is expanded, over each interval between knots, in
 //! functions that oscillate more and more; an index keeps those whose part is not far below the table's tolerance, and single
-//! precision where that is enough. All but the first two, or three next to a flat end, vanish at the knots, so that what is left out makes no jump
-//! there.
-//! In the default table to 1e-7 that takes six tenths of the multiplications, and more of them at a time.
+//! precision where that is enough: fewer multiplications, and more of them at a time. All but the first two, or three next to a
+//! flat end, vanish at the knots, so that what is left out makes no jump there.
 //!
 //! What begins with `simd` is compiled several times, and chosen at run time for the instructions that the processor has. All of
 //! it must be inlined, closures too, as only then it is compiled for them.

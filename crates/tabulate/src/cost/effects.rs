@@ -9,6 +9,7 @@ use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use super::clock;
+use super::error::median_and_largest;
 use super::table::{Made, grouped, human_bytes};
 use crate::Error;
 use crate::generate::Observer;
@@ -306,12 +307,7 @@ fn errors_over(scene: &Scene, effects: &[Effect], points: usize, observer: &dyn 
     // In two steps: of several errors, the first one is returned.
     let found: Vec<Result<Vec<f64>, Error>> = found.collect();
     let found = found.into_iter().collect::<Result<Vec<_>, _>>()?;
-    let summary = |i: usize| {
-        let mut errors: Vec<f64> = found.iter().map(|errors| errors[i]).collect();
-        errors.sort_by(f64::total_cmp);
-        [errors[points / 2], errors[points - 1]]
-    };
-    Ok((0..effects.len()).map(summary).collect())
+    Ok((0..effects.len()).map(|i| median_and_largest(found.iter().map(|errors| errors[i]).collect())).collect())
 }
 
 /// The rows as a table of the README: of the whole scene, and of each effect what it adds to that and what the load is without it.

@@ -2,6 +2,7 @@
 
 use interp::{Material, Quantities};
 
+use super::clock::median;
 use crate::solve::{Solution, solve};
 
 /// The solve at the tightest tolerance that is answered.
@@ -20,4 +21,13 @@ pub fn tightest(a_over_t: f64, material: &Material) -> Result<Solution, crate::E
 pub fn deviation(a: &Quantities, b: &Quantities) -> f64 {
     let deviations = a.to_array().into_iter().zip(b.to_array()).map(|(a, b)| (a / b - 1.0).abs());
     deviations.fold(0.5 * f64::EPSILON, |a, b| if a.is_nan() || b <= a { a } else { b })
+}
+
+/// The median and the largest of at least one error; NaN is the worst of all.
+///
+/// # Panics
+/// If there is none.
+pub fn median_and_largest(errors: Vec<f64>) -> [f64; 2] {
+    let largest = errors.iter().copied().max_by(f64::total_cmp).expect("there are errors");
+    [median(errors), largest]
 }

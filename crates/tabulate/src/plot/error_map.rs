@@ -33,6 +33,14 @@ pub struct Data {
     pub errors: Vec<Vec<f64>>,
 }
 
+/// What there is no map over, if anything: the name and the value of what the table fixes.
+pub fn fixed(table: &Table) -> Option<(&'static str, f64)> {
+    [Parameter::AOverT, Parameter::E1OverE2].into_iter().find_map(|parameter| match table.axis(parameter) {
+        [only] => Some((parameter.name(), *only)),
+        _ => None,
+    })
+}
+
 /// Compares a table with [`POINTS`] direct solves in each cell, and calls `progress` with the number of cells done.
 ///
 /// The result does not depend on the number of threads.
@@ -40,11 +48,9 @@ pub struct Data {
 /// # Errors
 /// [`Error::Picture`] for a table that fixes `a/t` or `E1/E2`; those of the solve.
 pub fn data(table: &Table, progress: &(dyn Fn(usize) + Sync)) -> Result<Data, Error> {
-    for parameter in [Parameter::AOverT, Parameter::E1OverE2] {
-        if let [only] = table.axis(parameter) {
-            let what = format!("the map is over a_over_t and e1_over_e2, but the table fixes {} = {only}", parameter.name());
-            return Err(Error::Picture(what));
-        }
+    if let Some((name, only)) = fixed(table) {
+        let what = format!("the map is over a_over_t and e1_over_e2, but the table fixes {name} = {only}");
+        return Err(Error::Picture(what));
     }
     let axes = Parameter::ALL.map(|parameter| certify::Axis::new(parameter, table.axis(parameter)));
     let share = |k: usize, i: usize| i as f64 / CELLS[k] as f64;

@@ -1,7 +1,6 @@
 //! The pictures in a report: what can be drawn of any table, and the paper's figures where they are its subject.
 
 use interp::Table;
-use interp::schema::Parameter;
 
 use crate::Error;
 use crate::plot::chart::Figure;
@@ -18,7 +17,7 @@ pub struct Illustration {
 
 /// How many steps [`figures()`] takes for a table, of which it tells its progress.
 pub fn steps(table: &Table) -> usize {
-    if has_error_map(table) { error_map::CELLS.iter().product() } else { 0 }
+    if error_map::fixed(table).is_none() { error_map::CELLS.iter().product() } else { 0 }
 }
 
 /// The figures for a table: its error map, unless it fixes `a_over_t` or `e1_over_e2`; Figs. 2 to 4 of the paper, if it covers the
@@ -28,7 +27,7 @@ pub fn steps(table: &Table) -> usize {
 /// Those of the solve.
 pub fn figures(table: &Table, progress: &(dyn Fn(usize) + Sync)) -> Result<Vec<Illustration>, Error> {
     let mut figures = Vec::new();
-    if has_error_map(table) {
+    if error_map::fixed(table).is_none() {
         let figure = error_map::figure(&error_map::data(table, progress)?);
         let caption = "The largest relative error of any quantity against direct solves at random points, over a/t and E₁/E₂*, \
                        whatever the other parameters.";
@@ -49,8 +48,4 @@ pub fn figures(table: &Table, progress: &(dyn Fn(usize) + Sync)) -> Result<Vec<I
         figures.extend(paper.map(|(figure, caption)| Illustration { caption, figure }));
     }
     Ok(figures)
-}
-
-fn has_error_map(table: &Table) -> bool {
-    [Parameter::AOverT, Parameter::E1OverE2].iter().all(|&parameter| table.axis(parameter).len() > 1)
 }

@@ -11,7 +11,7 @@ use super::{FURTHER, Family, NEW, Point, Row, SECONDS, SOLVED, ends};
 use crate::Error;
 use crate::approximations::{bulk_jkr, film_jkr, gao, hay_crawford};
 use crate::cost::clock;
-use crate::cost::error::tightest;
+use crate::cost::error::{median_and_largest, tightest};
 use crate::solve::solve;
 
 /// The tolerances of the direct solves.
@@ -108,14 +108,14 @@ impl Errors {
     /// Of loads over the true ones.
     pub(super) fn of_ratios(ratios: Vec<f64>) -> Self {
         let factor = largest(ratios.iter().map(|&ratio| if ratio < 1.0 { 1.0 / ratio } else { ratio }));
-        let [median, largest] = median_and_largest(ratios.iter().map(|ratio| ratio - 1.0).collect());
+        let [median, largest] = sizes(ratios.iter().map(|ratio| ratio - 1.0));
         Self { points: ratios.len(), median, largest, factor, adhesive: None }
     }
 
     fn of_loads(found: &[Load], truth: &[Load]) -> Self {
         let ratios: Vec<[f64; 2]> = found.iter().zip(truth).map(|(f, t)| [f.press / t.press, f.pull / t.pull]).collect();
         // `(press - pull/2)/(1 - 1/2)`, as the work of adhesion is what takes half of the true load away.
-        let adhesive = median_and_largest(ratios.iter().map(|[press, pull]| 2.0 * press - pull - 1.0).collect());
+        let adhesive = sizes(ratios.iter().map(|[press, pull]| 2.0 * press - pull - 1.0));
         Self { adhesive: Some(adhesive), ..Self::of_ratios(ratios.into_iter().map(|[press, _]| press).collect()) }
     }
 
@@ -137,12 +137,10 @@ impl Errors {
     }
 }
 
-/// Of the sizes of these; what is less than half a unit of rounding counts as that, and NaN as the worst of all.
-fn median_and_largest(errors: Vec<f64>) -> [f64; 2] {
+/// Of the sizes of these; what is less than half a unit of rounding counts as that.
+fn sizes(errors: impl Iterator<Item = f64>) -> [f64; 2] {
     let size = |error: f64| if error.abs() < 0.5 * f64::EPSILON { 0.5 * f64::EPSILON } else { error.abs() };
-    let sizes: Vec<f64> = errors.into_iter().map(size).collect();
-    let largest = largest(sizes.iter().copied());
-    [clock::median(sizes), largest]
+    median_and_largest(errors.map(size).collect())
 }
 
 fn largest(numbers: impl Iterator<Item = f64>) -> f64 {
