@@ -112,6 +112,7 @@ mod sensitivity;
 pub mod spline;
 mod system;
 mod table;
+mod tiers;
 mod train;
 mod validity;
 

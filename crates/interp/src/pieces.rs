@@ -158,19 +158,29 @@ pub(crate) fn first_outside<'a>(
     pieces: &'a [Values],
     held: [bool; 4],
 ) -> Option<(&'a Values, Quantity)> {
-    pieces.iter().find_map(|piece| {
-        // On most pieces the size of the coefficients says that none does.
-        let mut sizes = [0.0; 4];
-        for coefficients in &piece[1..] {
-            (0..4).for_each(|quantity| sizes[quantity] += coefficients[quantity].abs());
+    dispatch!(Level::new(), simd => {
+        for piece in pieces {
+            if !all_surely_within(simd, range, piece) {
+                let leaving = |&q: &Quantity| held[q as usize] && !stays_within(range, piece, q as usize);
+                if let Some(quantity) = Quantity::ALL.into_iter().find(leaving) {
+                    return Some((piece, quantity));
+                }
+            }
         }
-        let mut leaving = Quantity::ALL.into_iter().filter(|&quantity| {
-            let (middle, size) = (piece[0][quantity as usize], sizes[quantity as usize]);
-            let sure = range.contains(&(middle - size)) && range.contains(&(middle + size));
-            held[quantity as usize] && !sure && !stays_within(range, piece, quantity as usize)
-        });
-        leaving.next().map(|quantity| (piece, quantity))
+        None
     })
+}
+
+/// Whether the size of the coefficients says that no quantity leaves a range, as it does on most pieces.
+#[inline(always)]
+fn all_surely_within<S: Simd>(simd: S, range: &RangeInclusive<f64>, piece: &Values) -> bool {
+    let mut size = f64x4::splat(simd, 0.0);
+    for coefficients in &piece[1..] {
+        size += f64x4::from_slice(simd, coefficients).abs();
+    }
+    let middle = f64x4::from_slice(simd, &piece[0]);
+    let (least, most) = (f64x4::splat(simd, *range.start()), f64x4::splat(simd, *range.end()));
+    ((middle - size).simd_ge(least) & (middle + size).simd_le(most)).all_true()
 }
 
 /// Whether a quantity stays within a range everywhere on a piece: then so do its Bernstein coefficients on a sound curve, of which
@@ -376,25 +386,41 @@ fn lagrange(places: [f64; LOGARITHM]) -> [[f64; LOGARITHM]; LOGARITHM] {
     })
 }
 
-/// The first terms of the exponential of a polynomial, times a scale: of `v = e^p`, `v' = p' v`.
+/// The first terms of the exponential of a polynomial, times a scale.
 #[inline(always)]
 fn exponential<S: Simd>(simd: S, logarithms: [f64x4<S>; LOGARITHM], scales: Four, values: &mut Values) {
     let mut slopes = logarithms;
     for (j, slope) in slopes.iter_mut().enumerate() {
         *slope *= j as f64;
     }
-    let mut sums = [f64x4::splat(simd, 0.0); VALUE];
     let constant = logarithms[0].as_array();
-    sums[0] = f64x4::simd_from(simd, std::array::from_fn(|q| scales[q] * constant[q].exp()));
-    for k in 0..VALUE {
-        if k > 0 {
-            sums[k] *= 1.0 / k as f64;
-        }
-        sums[k].store_slice(&mut values[k]);
-        for j in 1..LOGARITHM.min(VALUE - k) {
-            sums[k + j] = slopes[j].mul_add(sums[k], sums[k + j]);
-        }
+    let mut terms = [f64x4::splat(simd, 0.0); VALUE];
+    terms[0] = f64x4::simd_from(simd, std::array::from_fn(|q| scales[q] * constant[q].exp()));
+    // Not a loop, so that all of it stays in registers.
+    terms[1] = term::<S, 1>(&slopes, &terms);
+    terms[2] = term::<S, 2>(&slopes, &terms);
+    terms[3] = term::<S, 3>(&slopes, &terms);
+    terms[4] = term::<S, 4>(&slopes, &terms);
+    terms[5] = term::<S, 5>(&slopes, &terms);
+    terms[6] = term::<S, 6>(&slopes, &terms);
+    terms[7] = term::<S, 7>(&slopes, &terms);
+    terms[8] = term::<S, 8>(&slopes, &terms);
+    terms[9] = term::<S, 9>(&slopes, &terms);
+    for (value, term) in values.iter_mut().zip(terms) {
+        term.store_slice(value);
     }
+}
+
+/// A term of `v = e^p` from those before it: of `v' = p' v`.
+#[inline(always)]
+fn term<S: Simd, const K: usize>(slopes: &[f64x4<S>; LOGARITHM], terms: &[f64x4<S>; VALUE]) -> f64x4<S> {
+    // The term just before this one comes last, as it is ready last.
+    let first = if K < LOGARITHM { K } else { LOGARITHM - 1 };
+    let mut sum = slopes[first] * terms[K - first];
+    for j in (1..first).rev() {
+        sum = slopes[j].mul_add(terms[K - j], sum);
+    }
+    sum * (1.0 / K as f64)
 }
 
 /// So many pieces to be filled.

@@ -2,9 +2,10 @@
 //!
 //! Ten splines of an axis do not vanish at a point, but between two knots a table is smoother than they could be, and the less an
 //! index of the train weighs, the fewer of its digits matter. Therefore each core is expanded, over each interval between knots, in
-//! functions that oscillate more and more; an index keeps those whose part is not far below the table's tolerance, and single
-//! precision where that is enough: fewer multiplications, and more of them at a time. All but the first two, or three next to a
-//! flat end, vanish at the knots, so that what is left out makes no jump there.
+//! functions that oscillate more and more. What an index and a function add to a block of indices after them is kept where it is
+//! not far below the table's tolerance, and in single precision where that is enough: fewer multiplications, and more of them at a
+//! time. All but the first two functions, or three next to a flat end, vanish at the knots, so that leaving them out makes no jump
+//! there.
 //!
 //! What begins with `simd` is compiled several times, and chosen at run time for the instructions that the processor has. All of
 //! it must be inlined, closures too, as only then it is compiled for them.
@@ -12,20 +13,18 @@
 use std::f64::consts::PI;
 
 use fearless_simd::prelude::*;
-use fearless_simd::{Level, dispatch, f32x16, f64x8};
+use fearless_simd::{Level, dispatch};
 
 use crate::low_rank::LowRank;
 use crate::rows::add_rows;
 use crate::spline::{Basis, TABLE_DEGREE};
+use crate::tiers::{BLOCK, Tiers};
 
-/// What may be left out of the functions of an interval, and how much a rounding to single precision may be, in parts of the
-/// table's tolerance: root mean squares of what is added to the logarithms. A rounding is that small because it is a noise, which a
+/// What may be left out of a block, and how much a rounding to single precision may be, in parts of the table's tolerance: root mean
+/// squares of what is added to the logarithms. A rounding, or a jump at a knot, is that small because it is a noise, which a
 /// difference quotient of two lookups divides by its step.
-const NEGLIGIBLE: f64 = 1e-4;
-const ROUNDING: f64 = 1e-6;
-
-/// The columns of a block in single precision; in double precision they are half as many.
-const COLUMNS: usize = 16;
+const NEGLIGIBLE: f64 = 3e-5;
+const ROUNDING: f64 = 3e-7;
 
 /// The most functions on an interval.
 const MOST: usize = TABLE_DEGREE + 1;
@@ -36,7 +35,7 @@ pub(crate) struct Train {
     /// Of `e0_over_e2`, `e1_over_e2` and `nu1`.
     carriages: [Carriage; 3],
     /// A row for each value of the last index: coefficients over `ln(a/t)`, all quantities of one after those of the other.
-    last: Rows,
+    last: Tiers,
 }
 
 #[derive(Clone, Debug)]
@@ -49,14 +48,11 @@ struct Carriage {
     scales: Vec<f64>,
 }
 
-/// A core over an interval: a row over the index after it for each index before it and each function of the interval that the index
-/// needs.
+/// A core over an interval: for each function of the interval, and each index before the core, a row over the index after it.
 #[derive(Clone, Debug)]
 struct Interval {
     functions: Functions,
-    /// How many functions each index before it needs.
-    needed: Vec<usize>,
-    rows: Rows,
+    rows: Tiers,
 }
 
 /// What a spline is a sum of between two knots: the Chebyshev polynomials `T0`, `T1`, `T2 - T0`, `T3 - T1`, `T4 - T0` and so on;
@@ -68,27 +64,12 @@ struct Functions {
     flat: bool,
 }
 
-/// Rows of equal length: the first ones, which need it, in double precision.
-#[derive(Clone, Debug)]
-struct Rows {
-    length: usize,
-    double: Columns<f64>,
-    single: Columns<f32>,
-}
-
-/// Rows in blocks of columns, 512 bits of each row, the last block filled up with zeros: sums over a block stay in registers.
-#[derive(Clone, Debug)]
-struct Columns<T> {
-    blocks: Vec<T>,
-    rows: usize,
-}
-
 impl Train {
     /// With the bases of `e1_over_e2`, `nu1`, `e0_over_e2`, and of `a_over_t`, to be as accurate as `tolerance` needs.
     pub(crate) fn new(form: &LowRank, [e1, nu, e0]: [&Basis; 3], along: &Basis, tolerance: f64) -> Self {
         let [a, b, c] = form.weights();
         let [substrate, film_modulus, film, mut last] = form.cores();
-        let carriage = |mut core: Vec<f64>, before: &[f64], basis: &Basis, after: &[f64]| {
+        let carriage = |mut core: Vec<f64>, before: usize, basis: &Basis, after: &[f64]| {
             let width = after.len();
             core.chunks_exact_mut(basis.len() * width).for_each(|slab| basis.interpolate(slab, width));
             let intervals = basis.intervals().enumerate().map(|(first, ends)| {
@@ -100,10 +81,12 @@ impl Train {
             let breaks = intervals[1..].iter().map(|interval| interval.functions.ends[0]).collect();
             Carriage { intervals, breaks, scales: after.iter().map(|weight| 1.0 / weight).collect() }
         };
-        let carriages = [carriage(substrate, &[1.0], e0, a), carriage(film_modulus, a, e1, b), carriage(film, b, nu, c)];
+        let carriages = [carriage(substrate, 1, e0, a), carriage(film_modulus, a.len(), e1, b), carriage(film, b.len(), nu, c)];
         let width = last.len() / c.len();
         last.chunks_exact_mut(width).for_each(|row| along.interpolate(row, width / along.len()));
-        Self { carriages, last: Rows::new(&last, width, precise(c, tolerance)) }
+        // A column of these is a logarithm: what is left out of a block is spread over its columns, and not added up.
+        let limit = |share: f64| (BLOCK as f64).sqrt() * share * tolerance;
+        Self { carriages, last: Tiers::new(&last, width, |_| limit(NEGLIGIBLE), limit(ROUNDING)) }
     }
 
     /// The coefficients over `ln(a/t)` at the coordinates `e1_over_e2`, `nu1` and `e0_over_e2` of a material.
@@ -145,12 +128,6 @@ impl Train {
     }
 }
 
-/// How many of the indices with these weights, descending, single precision is not enough for.
-fn precise(weights: &[f64], tolerance: f64) -> usize {
-    let enough = |&weight: &f64| weight * f64::from(0.5 * f32::EPSILON) <= ROUNDING * tolerance;
-    weights.iter().rposition(|weight| !enough(weight)).map_or(0, |last| last + 1)
-}
-
 impl Carriage {
     /// The interval that a coordinate is on.
     fn interval(&self, u: f64) -> &Interval {
@@ -160,9 +137,9 @@ impl Carriage {
     /// The vector after a core, from that before it.
     #[inline(always)]
     fn after<S: Simd>(&self, simd: S, interval: &Interval, before: &[f64], functions: &[f64; MOST]) -> Vec<f64> {
-        let mut weights = Vec::with_capacity(before.len() * MOST);
-        for (entry, &count) in before.iter().zip(&interval.needed) {
-            weights.extend(functions[..count].iter().map(|value| entry * value));
+        let mut weights = vec![0.0; before.len() * interval.functions.count];
+        for (weights, function) in weights.chunks_exact_mut(before.len()).zip(functions) {
+            weights.iter_mut().zip(before).for_each(|(weight, entry)| *weight = function * entry);
         }
         let mut after = interval.rows.sum(simd, &weights);
         after.iter_mut().zip(&self.scales).for_each(|(entry, scale)| *entry *= scale);
@@ -171,38 +148,26 @@ impl Carriage {
 }
 
 impl Interval {
-    /// From the coefficients of an index before it and a spline: `transform` holds a row for each function.
+    /// From the coefficients of an index before it, one of so many, and a spline; `transform` holds a row for each function.
     fn new<'a>(
         functions: Functions,
         transform: &[Vec<f64>],
-        before: &[f64],
+        before: usize,
         coefficients: impl Fn(usize, usize) -> &'a [f64],
         tolerance: f64,
     ) -> Self {
-        let count = functions.count;
         let length = coefficients(0, 0).len();
-        let precise = precise(before, tolerance);
-        let negligible = NEGLIGIBLE * tolerance;
-        let (mut rows, mut needed, mut double) = (Vec::new(), Vec::with_capacity(before.len()), 0);
-        for i in 0..before.len() {
-            let start = rows.len();
-            let mut most = count.min(functions.constant_and_line());
-            for (function, row) in transform.iter().enumerate() {
-                rows.resize(start + (function + 1) * length, 0.0);
-                let sum = &mut rows[start + function * length..];
-                row.iter().enumerate().for_each(|(spline, weight)| add_rows(sum, &[*weight], coefficients(i, spline), length));
-                let square: f64 = sum.iter().map(|entry| entry * entry).sum();
-                if square.sqrt() > negligible {
-                    most = function + 1;
+        let mut rows = vec![0.0; functions.count * before * length];
+        for (rows, transform) in rows.chunks_exact_mut(before * length).zip(transform) {
+            for (i, row) in rows.chunks_exact_mut(length).enumerate() {
+                for (spline, weight) in transform.iter().enumerate() {
+                    add_rows(row, &[*weight], coefficients(i, spline), length);
                 }
             }
-            rows.truncate(start + most * length);
-            needed.push(most);
-            if i < precise {
-                double += most;
-            }
         }
-        Self { functions, needed, rows: Rows::new(&rows, length, double) }
+        let jumps = functions.constant_and_line() * before;
+        let negligible = |row| if row < jumps { ROUNDING * tolerance } else { NEGLIGIBLE * tolerance };
+        Self { functions, rows: Tiers::new(&rows, length, negligible, ROUNDING * tolerance) }
     }
 }
 
@@ -294,73 +259,4 @@ fn chebyshev(t: f64) -> ([f64; MOST], [f64; MOST]) {
         slopes[k] -= slopes[k % 2];
     }
     (values, slopes)
-}
-
-impl Rows {
-    /// The first `double` rows keep their precision.
-    fn new(rows: &[f64], length: usize, double: usize) -> Self {
-        let (double, single) = rows.split_at(double * length);
-        Self {
-            length,
-            double: Columns::new(double, length, COLUMNS / 2, |entry| entry),
-            single: Columns::new(single, length, COLUMNS, |entry| entry as f32),
-        }
-    }
-
-    /// The weighted sum.
-    #[inline(always)]
-    fn sum<S: Simd>(&self, simd: S, weights: &[f64]) -> Vec<f64> {
-        let (double, single) = weights.split_at(self.double.rows);
-        let single: Vec<f32> = single.iter().map(|&weight| weight as f32).collect();
-        let mut sum = vec![0.0; self.length.next_multiple_of(COLUMNS)];
-        for (sum, block) in sum.chunks_exact_mut(COLUMNS / 2).zip(self.double.blocks(COLUMNS / 2)) {
-            block_sum::<S, f64x8<S>>(simd, block, double).store_slice(sum);
-        }
-        for (sum, block) in sum.chunks_exact_mut(COLUMNS).zip(self.single.blocks(COLUMNS)) {
-            let rest = block_sum::<S, f32x16<S>>(simd, block, &single);
-            sum.iter_mut().zip(rest.as_slice()).for_each(|(sum, &entry)| *sum += f64::from(entry));
-        }
-        sum.truncate(self.length);
-        sum
-    }
-}
-
-impl<T: Copy + Default> Columns<T> {
-    fn new(rows: &[f64], length: usize, width: usize, entry: impl Fn(f64) -> T) -> Self {
-        let mut blocks = Vec::with_capacity(length.next_multiple_of(width) * rows.len() / length);
-        for first in (0..length).step_by(width) {
-            for row in rows.chunks_exact(length) {
-                let part = row[first..].iter().take(width);
-                blocks.extend(part.map(|&value| entry(value)));
-                blocks.resize(blocks.len().next_multiple_of(width), T::default());
-            }
-        }
-        Self { blocks, rows: rows.len() / length }
-    }
-
-    /// Of so many columns each; none if there is no row.
-    fn blocks(&self, width: usize) -> impl Iterator<Item = &[T]> {
-        self.blocks.chunks_exact((self.rows * width).max(1))
-    }
-}
-
-/// The weighted sum of the rows of a block. Two at once, because a sum cannot begin before the one before it has ended.
-#[inline(always)]
-fn block_sum<S: Simd, V: SimdFloat<S>>(simd: S, block: &[V::Element], weights: &[V::Element]) -> V
-where
-    V::Element: Default,
-{
-    let zero = V::splat(simd, V::Element::default());
-    let (mut even, mut odd) = (zero, zero);
-    let mut pairs = block.chunks_exact(2 * V::LEN);
-    let (two, last) = weights.as_chunks::<2>();
-    for (rows, &[p, q]) in (&mut pairs).zip(two) {
-        let (a, b) = rows.split_at(V::LEN);
-        even = V::from_slice(simd, a).mul_add(V::splat(simd, p), even);
-        odd = V::from_slice(simd, b).mul_add(V::splat(simd, q), odd);
-    }
-    if let [weight] = last {
-        even = V::from_slice(simd, pairs.remainder()).mul_add(V::splat(simd, *weight), even);
-    }
-    even + odd
 }
