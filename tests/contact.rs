@@ -74,11 +74,18 @@ fn a_load_that_no_adhesive_contact_bears_has_no_energy_release_rate() {
         let error = contact.radius_and_energy_release_rate(load, penetration).expect_err("no such contact");
         assert!(matches!(error, Error::Unphysical { name: "load", .. }), "{error}");
     }
-    // Deeper, and under more tension, than the largest radius has it; smaller than the smallest.
-    for (load, penetration) in [(1.0, 1.0), (-1e6, -1e-6), (-1e-20, -1e-9)] {
+    // Deeper, and under more tension, than the largest radius has it.
+    for (load, penetration) in [(1.0, 1.0), (-1e6, -1e-6)] {
         let error = contact.radius_and_energy_release_rate(load, penetration).expect_err("out of range");
         assert!(matches!(error, Error::OutsideRadii { .. }), "{error}");
     }
+    // A flat punch so small that it sees the film only.
+    let (a, g) = contact.radius_and_energy_release_rate(-1e-20, -1e-9).expect("far below the nodes");
+    let (load, penetration) = contact.load_and_penetration(a, g).expect("below the nodes");
+    assert!(
+        a < 1e-17 && (load / -1e-20 - 1.0).abs() < 1e-12 && (penetration / -1e-9 - 1.0).abs() < 1e-12,
+        "{a}: {load}, {penetration}"
+    );
 }
 
 #[test]

@@ -107,13 +107,27 @@ impl Contact {
         &self.mechanics
     }
 
-    /// The smallest and the largest contact radius (m) of the curve's nodes, among which states are sought: 0 and infinity on a
-    /// half-space.
+    /// The contact radii (m) among which states are sought: from the smallest of the curve's nodes to the largest. They begin at 0
+    /// where the expansion for thick films is accurate enough below the nodes, as it is on the embedded table; on a half-space they
+    /// go from 0 to infinity.
     pub fn contact_radius_range(&self) -> [f64; 2] {
-        match &self.bodies {
-            Bodies::Coated { system, curve } => curve.range().map(|a_over_t| a_over_t * system.film_thickness),
-            Bodies::HalfSpace(_) => [0.0, f64::INFINITY],
+        match self.node_radii() {
+            Some([from, to]) => [if self.goes_on_to_zero() { 0.0 } else { from }, to],
+            None => [0.0, f64::INFINITY],
         }
+    }
+
+    /// The smallest and the largest contact radius (m) of the curve's nodes; none on a half-space.
+    pub(crate) fn node_radii(&self) -> Option<[f64; 2]> {
+        match &self.bodies {
+            Bodies::Coated { system, curve } => Some(curve.range().map(|a_over_t| a_over_t * system.film_thickness)),
+            Bodies::HalfSpace(_) => None,
+        }
+    }
+
+    /// Whether there are states of all contact radii below the nodes.
+    pub(crate) fn goes_on_to_zero(&self) -> bool {
+        self.curve().is_none_or(Curve::goes_on_to_zero)
     }
 
     /// Load `F` (N, positive in compression) at contact radius `a` (m) and work of adhesion `w` (J/m^2): eq. 9.

@@ -212,17 +212,26 @@ impl Curve {
     /// They are the derivatives of the table's splines, to the pieces' error, and within 100 times the table's tolerance of the
     /// true ones, relative to the quantity and per unit of `ln(a/t)`, `ln e1_over_e2`, `nu1`, `ln e0_over_e2` or `nu0`. Only with
     /// respect to the `nu1` of a thin film near incompressibility the unit is what changes the contact, `(1 - 2 nu1) + 1/(1 +
-    /// (a/t)^2)`, and not 1.
+    /// (a/t)^2)`, and not 1. Below the nodes they are those of the expansion for thick films.
     ///
     /// # Errors
-    /// As [`Curve::quantity`], but always [`Error::OutsideTable`] beyond the nodes; [`Error::NoGradient`] on a curve that was made
+    /// As [`Curve::quantity`], but always [`Error::OutsideTable`] above the nodes; [`Error::NoGradient`] on a curve that was made
     /// without one.
     pub fn gradient(&self, a_over_t: f64) -> Result<QuantityGradient, Error> {
         self.require_all()?;
         let sensitivities = self.sensitivities.as_ref().ok_or(Error::NoGradient)?;
-        let x = self.inside(a_over_t).ok_or_else(|| self.outside(a_over_t))?;
-        let (values, slopes) = self.values_and_slopes(x)?;
-        Ok(sensitivities.gradient(self.grid.place(x), values, slopes))
+        let at = |x: f64| {
+            let (values, slopes) = self.values_and_slopes(x)?;
+            Ok(sensitivities.gradient(self.grid.place(x), values, slopes))
+        };
+        match self.inside(a_over_t) {
+            Some(x) => at(x),
+            None if a_over_t < self.range[0] => {
+                let (values, slopes, _) = self.expanded(a_over_t)?;
+                Ok(at(self.range[0])?.continued_to_thicker_films(a_over_t / self.range[0], values, slopes))
+            }
+            None => Err(self.outside(a_over_t)),
+        }
     }
 
     /// An estimate of the largest relative error of the quantities at `a_over_t`: what the table's certificate says between its
@@ -311,6 +320,11 @@ impl Curve {
         let speed = self.grid.logarithmic_speed(x);
         let slopes = derivatives(piece, place).map(|derivative| speed * derivative);
         Ok((Quantities::from_array(all(piece, place)), Quantities::from_array(slopes)))
+    }
+
+    /// Whether the expansion below the nodes is accurate enough. It is the less so the nearer it is to them.
+    pub(crate) fn goes_on_to_zero(&self) -> bool {
+        self.expanded(self.range[0] * (1.0 - 2.0 * ROUNDING)).is_ok()
     }
 
     /// Values, slopes and their error beyond the nodes. Those of a quantity that is not held mean nothing.

@@ -60,15 +60,15 @@ pub struct Equilibrium {
     pub stable: bool,
 }
 
-/// The equilibria of a contact with one work of adhesion under one control, at all contact radii between the curve's nodes, not
-/// beyond them ([`Contact::contact_radius_range`]): "in range" below.
+/// The equilibria of a contact with one work of adhesion under one control, at all contact radii of
+/// [`Contact::contact_radius_range`]: "in range" below.
 ///
 /// At each contact radius there is one equilibrium, `G = w`, and so one imposed value `v(a)`: the load, the penetration or the
 /// spring's position. Where `v` grows with `a` the equilibrium is stable: at the same `v`, a contact a little larger has `G > w`,
 /// and opens again. The turning points of `v` are sought on a grid of `ln a`, by the change of sign of the exact slope, and then
 /// found to rounding. Two within one interval of the grid, 0.05, would go unseen, and with them a hysteresis too small to matter.
 ///
-/// JKR has one turning point, a minimum. Films can make further ones, and then several stable equilibria at one `v`.
+/// JKR has one turning point, a minimum, and so has a film so thick that the contact is smaller than the curve's nodes. Films can make further ones, and then several stable equilibria at one `v`.
 #[derive(Clone, Debug)]
 pub struct Equilibria<'a> {
     pub(crate) contact: &'a Contact,
@@ -124,11 +124,10 @@ impl Contact {
     pub fn equilibria(&self, w: f64, control: Control) -> Result<Equilibria<'_>, Error> {
         work_of_adhesion(w)?;
         control.check()?;
-        let [first, last] = self.search_range().map(f64::ln);
         let imposed = |u: f64| self.load_and_penetration(u.exp(), w).map(|(load, penetration)| control.imposed(load, penetration));
         let slope = |u: f64| self.slopes(u.exp(), w).map(|(load, penetration)| control.imposed(load, penetration));
-        let intervals = ((last - first) / self.search_step()).ceil().max(1.0) as usize;
-        let place = |i: usize| first + (last - first) * (i as f64 / intervals as f64);
+        let places = self.search_grid();
+        let (first, last) = (places[0], places[places.len() - 1]);
         let rises_at = |u: f64| slope(u).map(|slope| slope >= 0.0);
 
         let mut sections = Vec::new();
@@ -139,9 +138,9 @@ impl Contact {
             start = (end, value);
             Ok(())
         };
-        for i in 1..=intervals {
-            if rises_at(place(i))? != rises {
-                end_section(root(slope, place(i - 1), place(i))?, rises)?;
+        for pair in places.windows(2) {
+            if rises_at(pair[1])? != rises {
+                end_section(root(slope, pair[0], pair[1])?, rises)?;
                 rises = !rises;
             }
         }
@@ -166,15 +165,23 @@ impl Contact {
         self.equilibria(w, Control::Load)?.unloading(0.0)
     }
 
-    /// The contact radii (m) among which states are sought.
+    /// [`Contact::contact_radius_range`] with numbers to compute with for 0 and infinity.
     pub(crate) fn search_range(&self) -> [f64; 2] {
-        if self.curve().is_some() { self.contact_radius_range() } else { [1e-60, 1e60] }
+        const SMALLEST: f64 = 1e-60;
+        const LARGEST: f64 = 1e60;
+        let [from, to] = self.node_radii().unwrap_or([SMALLEST, LARGEST]);
+        [if self.goes_on_to_zero() { SMALLEST.min(from) } else { from }, to]
     }
 
-    /// The distance in `ln a` of the grid on which turning points are sought. On a half-space there is one at most, and no need of
-    /// a grid.
-    fn search_step(&self) -> f64 {
-        if self.curve().is_some() { 0.05 } else { f64::INFINITY }
+    /// Logarithms of contact radii that have at most one turning point from each to the next: on films, those of a grid.
+    fn search_grid(&self) -> Vec<f64> {
+        const STEP: f64 = 0.05;
+        let [smallest, largest] = self.search_range();
+        let (Some(curve), Some([from, _])) = (self.curve(), self.node_radii()) else { return vec![smallest.ln(), largest.ln()] };
+        let length = (curve.range()[1] / curve.range()[0]).ln();
+        let intervals = (length / STEP).ceil().max(1.0);
+        let nodes = (0..=intervals as usize).map(|i| largest.ln() - length * (1.0 - i as f64 / intervals));
+        (smallest < from).then(|| smallest.ln()).into_iter().chain(nodes).collect()
     }
 
     /// What to say of a state whose contact radius is out of range.

@@ -134,7 +134,7 @@ impl Contact {
     /// ```
     ///
     /// # Errors
-    /// As [`Contact::load_and_penetration`], but always [`Error::OutsideTable`] beyond the nodes in `a/t`; [`Error::NoGradient`] on
+    /// As [`Contact::load_and_penetration`], but always [`Error::OutsideTable`] above the nodes in `a/t`; [`Error::NoGradient`] on
     /// a curve made without derivatives; [`Error::Unphysical`] for a derivative too large for f64; [`Error::OtherMaterial`] on a
     /// curve whose derivatives are those of an equivalent on another substrate.
     pub fn gradient(&self, a: f64, w: f64) -> Result<ContactGradient, Error> {

@@ -65,7 +65,8 @@
 //!
 //! No value is clamped. A material outside the table's box is an [`Error`] with the axis, the value and the range (but for
 //! rounding, 1e-12). Beyond its `a/t` there are the first terms of the expansions about the exact limits, thick and thin film,
-//! where their estimated error ([`Curve::error`]) is within the table's tolerance, and an error elsewhere. Any f64 gives finite
+//! where their estimated error ([`Curve::error`]) is within the table's tolerance, and an error elsewhere. On thick films they
+//! have derivatives, too, and states are sought down to a radius of 0; above the nodes there are neither. Any f64 gives finite
 //! numbers or an error, never a panic.
 //!
 //! # Features

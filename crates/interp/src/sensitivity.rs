@@ -71,6 +71,25 @@ pub struct QuantityGradient {
 }
 
 impl QuantityGradient {
+    /// That of the expansion for thick films where `a/t` is `ratio` times as large, from the quantities and their slopes there: the
+    /// departure of a quantity, or of one over it, from its limit is `ratio` times what it is here.
+    pub(crate) fn continued_to_thicker_films(self, ratio: f64, values: Quantities, slopes: Quantities) -> Self {
+        let change = |quantity: Quantity| values.get(quantity) / self.values.get(quantity);
+        let shares = Quantity::ALL.map(|quantity| match quantity {
+            Quantity::Pi0 | Quantity::Delta0 => ratio / change(quantity),
+            Quantity::Eeq | Quantity::Gamma => ratio * change(quantity),
+        });
+        let mut relative = self.relative;
+        for (relative, scale) in relative.iter_mut().zip(self.scale) {
+            for quantity in Quantity::ALL {
+                let of_limit = if quantity == Quantity::Delta0 { 0.0 } else { scale };
+                let own = &mut relative[quantity as usize];
+                *own = of_limit + shares[quantity as usize] * (*own - of_limit);
+            }
+        }
+        Self { values, slopes, relative, ..self }
+    }
+
     /// The quantities themselves.
     pub const fn values(&self) -> Quantities {
         self.values

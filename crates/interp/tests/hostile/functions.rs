@@ -9,7 +9,7 @@ use interp::schema::Parameter;
 use interp::spline::{Basis, LARGEST_DEGREE, TABLE_DEGREE};
 use interp::{
     Contact, Control, CrackTip, Curve, Elastic, Error, HalfSpace, Hysteresis, Input, JkrFit, JkrPoint, LowRank, Material,
-    Mechanics, Quantities, Quantity, RateDependent, System, Table,
+    Mechanics, Quantities, Quantity, RateDependent, State, System, Table,
 };
 
 use crate::tables::{self, AXES, look_up};
@@ -41,6 +41,10 @@ pub const FUNCTIONS: &[Function] = &[
         Ok(values)
     }),
     ("Curve::error", 1, |x| Ok(vec![curve().error(x[0])?])),
+    ("Curve::spline", 1, |x| {
+        let spline = curve().spline(Quantity::Pi0, x[0] as usize)?;
+        Ok(spline.keys().iter().flat_map(|key| [key.t, key.value]).collect())
+    }),
     ("Curve::gradient", 5, |x| {
         let curve = Table::embedded().curve_with_gradient(&material(x)?)?;
         let gradient = curve.gradient(x[4])?;
@@ -59,6 +63,13 @@ pub const FUNCTIONS: &[Function] = &[
         loads(&Contact::half_space(&half_space)?, x[4], x[5])
     }),
     ("Contact::load", 2, |x| each(|contact| loads(contact, x[0], x[1]))),
+    ("Contact::load_at_all", 3, |x| {
+        each(|contact| {
+            let mut loads = [0.0; 2];
+            contact.load_at_all(&x[..2], x[2], &mut loads)?;
+            Ok(loads.to_vec())
+        })
+    }),
     ("Contact::stiffness", 1, |x| each(|contact| Ok(vec![contact.stiffness(x[0])?]))),
     ("Contact::stress_intensity", 2, |x| each(|contact| Ok(vec![contact.stress_intensity(x[0], x[1])?]))),
     ("Contact::energy_release_rate_at_load", 2, |x| each(|contact| Ok(vec![contact.energy_release_rate_at_load(x[0], x[1])?]))),
@@ -78,6 +89,13 @@ pub const FUNCTIONS: &[Function] = &[
     ("Contact::adhesion_range", 2, |x| {
         each(|contact| contact.adhesion_range(x[0], x[1]).map(|range| vec![range.tabor, range.cohesive_zone]))
     }),
+    ("Contact::jkr_fit", 4, |x| {
+        each(|contact| {
+            let fit = contact.jkr_fit(x[0], [x[1], x[2]], 4)?;
+            let _ = fit.work_of_adhesion_with(x[3]);
+            Ok(vec![fit.modulus, fit.intercept])
+        })
+    }),
     ("Contact::film_bias", 3, |x| {
         each(|contact| {
             let bias = contact.film_bias(x[0], [x[1], x[2]], 5)?;
@@ -87,14 +105,36 @@ pub const FUNCTIONS: &[Function] = &[
     ("Contact::equilibria", 3, |x| {
         each(|contact| {
             let mut found = Vec::new();
-            for control in [Control::Load, Control::Displacement, Control::Spring { stiffness: x[2] }] {
+            for control in controls(x[2]) {
                 let equilibria = contact.equilibria(x[0], control)?;
                 found.extend(equilibria.at(x[1]).unwrap_or_default().iter().map(|equilibrium| equilibrium.state));
                 found.extend([equilibria.unloading(x[1]), equilibria.loading(x[1]), equilibria.pull_off()].into_iter().flatten());
                 let whole = equilibria.force_displacement(x[1], 3).ok();
                 found.extend(whole.iter().flat_map(|whole| whole.loading.iter().chain(&whole.unloading)).flatten());
             }
-            Ok(found.iter().flat_map(|state| [state.contact_radius, state.load, state.penetration]).collect())
+            Ok(found.into_iter().flat_map(numbers).collect())
+        })
+    }),
+    ("Contact::zero_load", 2, |x| {
+        each(|contact| {
+            let apart = controls(x[1]).map(|control| contact.pull_off(x[0], control));
+            let states = apart.into_iter().chain([contact.zero_load(x[0])]).flatten();
+            Ok(states.flat_map(numbers).collect())
+        })
+    }),
+    ("Contact::line", 6, |x| {
+        each(|contact| {
+            let mut line = contact.line(Hysteresis::new(x[0], x[1])?, x[2])?;
+            let states = controls(x[3]).map(|control| line.impose(control, x[4]).and_then(|_| line.impose(control, x[5])));
+            Ok(states.into_iter().flatten().flatten().flat_map(numbers).collect())
+        })
+    }),
+    #[cfg(feature = "dynamics")]
+    ("ContactLine::ramp", 8, |x| {
+        each(|contact| {
+            let mut line = contact.line(RateDependent::new(Hysteresis::new(x[0], x[1])?, x[2], x[3])?, x[4])?;
+            let moments = line.ramp(Control::Load, x[5], x[6], x[7])?;
+            Ok(moments.into_iter().flat_map(|moment| [vec![moment.time], numbers(moment.state).to_vec()].concat()).collect())
         })
     }),
     ("Contact::gradient", 2, |x| gradients(&GRADIENTS, x[0], x[1])),
@@ -128,10 +168,12 @@ pub const FUNCTIONS: &[Function] = &[
     // Nodes that do not ascend make a basis of no use, not a panic.
     ("Basis::new", 13, |x| {
         for degree in [0, 1, 4, TABLE_DEGREE, LARGEST_DEGREE] {
-            let (basis, mut values) = (Basis::new(&x[..12], degree), x[..12].to_vec());
-            basis.interpolate(&mut values, 1);
-            let weights = basis.weights(x[12]);
-            assert!(weights.first + weights.count <= 12, "{weights:?}");
+            for basis in [Basis::new(&x[..12], degree), Basis::flat_at_the_end(&x[..12], degree)] {
+                let mut values = x[..12].to_vec();
+                basis.interpolate(&mut values, 1);
+                let weights = basis.weights(x[12]);
+                assert!(weights.first + weights.count <= 12, "{weights:?}");
+            }
         }
         Ok(vec![])
     }),
@@ -179,6 +221,14 @@ fn each(ask: impl Fn(&Contact) -> Answer) -> Answer {
         (Ok(film), Ok(half_space)) => Ok([film, half_space].concat()),
         (film, half_space) => film.or(half_space),
     }
+}
+
+fn controls(stiffness: f64) -> [Control; 3] {
+    [Control::Load, Control::Displacement, Control::Spring { stiffness }]
+}
+
+fn numbers(state: State) -> [f64; 3] {
+    [state.contact_radius, state.load, state.penetration]
 }
 
 fn system(x: &[f64]) -> Result<System, Error> {
