@@ -45,8 +45,8 @@ impl Contact {
     ///
     /// # Errors
     /// [`Error::Unphysical`] for a load that is larger than without adhesion at this penetration (above 0 where the penetration is
-    /// not), or numbers that are not finite; [`Error::OutsideRadii`] if the contact radius is not between the curve's nodes;
-    /// [`Error::MissingQuantity`] without all four quantities.
+    /// not), or numbers that are not finite; [`Error::OutsideRadii`] if the contact radius is not in
+    /// [`Contact::contact_radius_range`]; [`Error::MissingQuantity`] without all four quantities.
     pub fn radius_and_energy_release_rate(&self, load: f64, penetration: f64) -> Result<(f64, f64), Error> {
         known("load", load)?;
         known("penetration", penetration)?;

@@ -68,7 +68,8 @@ pub struct Equilibrium {
 /// and opens again. The turning points of `v` are sought on a grid of `ln a`, by the change of sign of the exact slope, and then
 /// found to rounding. Two within one interval of the grid, 0.05, would go unseen, and with them a hysteresis too small to matter.
 ///
-/// JKR has one turning point, a minimum, and so has a film so thick that the contact is smaller than the curve's nodes. Films can make further ones, and then several stable equilibria at one `v`.
+/// JKR has one turning point, a minimum, and so has a contact that is smaller than the curve's nodes. Films can make further ones,
+/// and then several stable equilibria at one `v`.
 #[derive(Clone, Debug)]
 pub struct Equilibria<'a> {
     pub(crate) contact: &'a Contact,
