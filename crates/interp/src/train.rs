@@ -20,8 +20,8 @@ use crate::rows::add_rows;
 use crate::spline::{Basis, TABLE_DEGREE};
 use crate::tiers::{BLOCK, Tiers};
 
-/// What may be left out of a block, and how much a rounding to single precision may be, in parts of the table's tolerance: root mean
-/// squares of what is added to the logarithms. A rounding, or a jump at a knot, is that small because it is a noise, which a
+/// What may be left out of a block, and how much a rounding to single precision may be, in parts of the table's tolerance: root
+/// mean squares of what is added to the logarithms. A rounding, or a jump at a knot, is that small because it is a noise, which a
 /// difference quotient of two lookups divides by its step.
 const NEGLIGIBLE: f64 = 3e-5;
 const ROUNDING: f64 = 3e-7;
