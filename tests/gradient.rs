@@ -6,9 +6,11 @@ use interp::{Contact, Elastic, Error, HalfSpace, Input, Mechanics, Quantities, Q
 use tabulate::solve::solve;
 
 /// What a derivative may be off, in parts of the table's tolerance: of the logarithm of a quantity, with respect to the logarithm
-/// of a modulus or of
-/// `a/t`, and with respect to a Poisson ratio in units of the range that it changes on, `1 - 2 nu1 + (t/a)^2`.
-const SHARE: f64 = 100.0;
+/// of `a/t` or of a modulus, and with respect to a Poisson ratio, that of the film in units of the range that it changes on, `(1 - 2
+/// nu1) + 1/(1 + (a/t)^2)`; in the order `a/t`, `E1`, `nu1`, `E0`, `nu0`.
+const SHARES: [f64; 5] = [20.0, 20.0, 100.0, 20.0, 20.0];
+/// The same for [`softest`] films, whose derivatives with respect to `nu1` miss the goal of 100 tolerances.
+const SOFTEST_SHARES: [f64; 5] = [20.0, 20.0, 500.0, 20.0, 20.0];
 
 /// The derivative of a function at 0 from five or, on one side only, seven of its values.
 fn derivative(step: f64, one_sided: bool, f: impl Fn(f64) -> f64) -> f64 {
@@ -46,12 +48,35 @@ fn points() -> Vec<(f64, [f64; 4])> {
     points
 }
 
+/// Incompressible films, or nearly, at the soft end of the table: its errors are largest there, and derivatives with respect to
+/// `nu1` divide them by the cube of the distance between nodes.
+fn softest() -> Vec<(f64, [f64; 4])> {
+    let mut contacts = Contacts::new(302);
+    let point = |i: u32| {
+        let nu1 = if i.is_multiple_of(2) { 0.5 } else { 0.5 - contacts.log_uniform(1e-7, 9e-4) };
+        (contacts.log_uniform(0.1, 100.0), [1e-3, nu1, contacts.log_uniform(2.0, 5e5), 0.25])
+    };
+    (0..200).map(point).collect()
+}
+
 #[test]
 fn derivatives_of_the_quantities_are_those_of_direct_solves() {
+    let worst = worst_misses(&points());
+    println!("in tolerances, with respect to a/t, E1, nu1, E0, nu0: {worst:.1?}");
+    // Measured: 1.4, 1.3, 24.6, 0.6, 2.0.
+    assert!(worst.iter().zip(SHARES).all(|(&worst, share)| worst <= share));
+    let worst = worst_misses(&softest());
+    println!("of the softest films: {worst:.1?}");
+    // Measured: 5.6, 5.4, 393, 0.9, 2.3.
+    assert!(worst.iter().zip(SOFTEST_SHARES).all(|(&worst, share)| worst <= share));
+}
+
+/// In tolerances, in the order of [`SHARES`].
+fn worst_misses(points: &[(f64, [f64; 4])]) -> [f64; 5] {
     let table = Table::embedded();
     let tolerance = table.description().tolerance;
     let mut worst = [0.0; 5];
-    for (x, parameters) in points() {
+    for &(x, parameters) in points {
         let own = material(parameters);
         let curve = table.curve_with_gradient(&own).expect("inside");
         let gradient = curve.gradient(x).expect("inside");
@@ -81,9 +106,7 @@ fn derivatives_of_the_quantities_are_those_of_direct_solves() {
             }
         }
     }
-    println!("in tolerances, with respect to a/t, E1, nu1, E0, nu0: {worst:.1?}");
-    // Measured: 1.4, 1.3, 24.5, 0.5, 2.3.
-    assert!(worst.iter().all(|&worst| worst <= SHARE));
+    worst
 }
 
 /// The derivatives are those of what is looked up: of splines in the logarithms of moduli and `c(nu1)`.
@@ -201,7 +224,7 @@ fn derivatives_of_load_and_penetration_are_those_of_direct_solves() {
                 for (k, found) in [found.load, found.penetration].into_iter().enumerate() {
                     let expected = derivative(step, one_sided, |h| value(h)[k]);
                     let miss = (found * unit - expected).abs() / units[k] / table.description().tolerance;
-                    assert!(miss <= SHARE, "{input:?} at a = {a}, w = {w}: {found}, not {expected} ({miss:.1} tolerances)");
+                    assert!(miss <= SHARES[2], "{input:?} at a = {a}, w = {w}: {found}, not {expected} ({miss:.1} tolerances)");
                     worst = larger(worst, miss);
                 }
             }

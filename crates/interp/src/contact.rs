@@ -109,7 +109,7 @@ impl Contact {
 
     /// The contact radii (m) among which states are sought: from the smallest of the curve's nodes to the largest. They begin at 0
     /// where the expansion for thick films is accurate enough below the nodes, as it is on the embedded table; on a half-space they
-    /// go from 0 to infinity.
+    /// go from 0 to infinity. In numbers, 0 is 1e-60 m (or the smallest node's, if that is smaller) and infinity 1e60 m.
     pub fn contact_radius_range(&self) -> [f64; 2] {
         match self.node_radii() {
             Some([from, to]) => [if self.goes_on_to_zero() { 0.0 } else { from }, to],

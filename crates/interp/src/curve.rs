@@ -212,7 +212,8 @@ impl Curve {
     /// They are the derivatives of the table's splines, to the pieces' error, and within 100 times the table's tolerance of the
     /// true ones, relative to the quantity and per unit of `ln(a/t)`, `ln e1_over_e2`, `nu1`, `ln e0_over_e2` or `nu0`. Only with
     /// respect to the `nu1` of a thin film near incompressibility the unit is what changes the contact, `(1 - 2 nu1) + 1/(1 +
-    /// (a/t)^2)`, and not 1. Below the nodes they are those of the expansion for thick films.
+    /// (a/t)^2)`, and not 1; and near the soft end of the embedded table, `e1_over_e2` of 1e-3 to 3e-3, with `nu1` above 0.49, up
+    /// to 410 tolerances were measured. Below the nodes they are those of the expansion for thick films.
     ///
     /// # Errors
     /// As [`Curve::quantity`], but always [`Error::OutsideTable`] above the nodes; [`Error::NoGradient`] on a curve that was made

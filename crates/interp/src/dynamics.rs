@@ -47,8 +47,8 @@ impl<L: CrackTip> ContactLine<'_, L> {
     ///
     /// `tolerance` bounds the error that the solver makes in a step, relative to the radius at the beginning and to the duration.
     ///
-    /// A contact has parted when it is smaller than `tolerance` times its radius at the beginning, or than the smallest radius of
-    /// the curve's nodes, and `G` rises as it shrinks.
+    /// A contact has parted when it is smaller than `tolerance` times its radius at the beginning, or than the smallest of
+    /// [`Contact::contact_radius_range`], and `G` rises as it shrinks.
     ///
     /// ```
     /// # #[cfg(feature = "embedded")]
@@ -71,11 +71,11 @@ impl<L: CrackTip> ContactLine<'_, L> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::OutsideRadii`] where the line leaves [`Contact::contact_radius_range`]; [`Error::Unphysical`] for a value that is not
-    /// finite, a stiffness outside `[1e-100, 1e100]`, a `duration` that is not positive and finite, a `tolerance` outside `[1e-10,
-    /// 1e-2]`, or a law without finite speeds; [`Error::Motion`] where the solver fails, as it does in ramps so slow that `G` is
-    /// within some 1e-6 of that at rest (1e-5 at a tolerance of 1e-4): [`ContactLine::impose`] is as good for these. The line then
-    /// stays where it was.
+    /// [`Error::OutsideRadii`] where the line leaves [`Contact::contact_radius_range`]; [`Error::Unphysical`] for a value that is
+    /// not finite, a stiffness outside `[1e-100, 1e100]`, a `duration` that is not positive and finite, a `tolerance` outside
+    /// `[1e-10, 1e-2]`, or a law without finite speeds; [`Error::Motion`] where the solver fails, as it does in ramps so slow that
+    /// `G` is within some 1e-6 of that at rest (1e-5 at a tolerance of 1e-4): [`ContactLine::impose`] is as good for these. The
+    /// line then stays where it was.
     pub fn ramp(&mut self, control: Control, value: f64, duration: f64, tolerance: f64) -> Result<Vec<Moment>, Error> {
         control.check()?;
         Error::unless(value.is_finite(), control.name(), value, "finite")?;

@@ -36,7 +36,8 @@ impl Equilibria<'_> {
     /// larger contact on loading, to a smaller one or to separation on unloading. What a contact's inertia might do beyond is not
     /// considered.
     ///
-    /// Without adhesion the branches end at the smallest contact radius that the curve covers, short of the origin.
+    /// Without adhesion the branches end at the smallest radius of
+    /// [`Contact::contact_radius_range`](crate::Contact::contact_radius_range).
     ///
     /// # Errors
     /// Those of [`Equilibria::loading`] at `most` and at 0, those of [`Equilibria::pull_off`], and [`Error::Unphysical`] unless

@@ -1,7 +1,9 @@
 //! The low-rank form of a table: a tensor train, one small tensor for each axis.
 
 use crate::rows::add_rows;
+use crate::spline::TABLE_DEGREE;
 use crate::table::REASONABLE;
+use crate::tiers::BLOCK;
 use crate::{Error, Quantity};
 
 /// Entries of a core are whole numbers that f64 holds exactly.
@@ -9,6 +11,9 @@ const LARGEST_ENTRY: i64 = 1 << 53;
 
 /// More values on the nodes are taken for a mistake or a forgery: writing them out would not fit in memory.
 const MOST_VALUES: usize = 200_000_000;
+
+/// So are more numbers prepared for lookup. The default box to 1e-8 has 5 million.
+const MOST_PREPARED: usize = 20_000_000;
 
 /// The logarithms that a table splines, as a tensor train (I. V. Oseledets, SIAM J. Sci. Comput. 33 (2011) 2295). With the scale `s
 /// = es`, or 1 for `Delta0`, and at the nodes `(x_i, e1_j, nu1_k, e0_l)`,
@@ -47,7 +52,7 @@ impl LowRank {
     /// lengths contradict each other; if there are more functions than nodes, or more values of an index than of the index before
     /// it and the nodes between together; if a weight or a step is not in `[1e-30, 1e30]`, a function's value, or an entry of a
     /// core times the step, not in `[-1e30, 1e30]`, or an entry of a core not in `[-2^53, 2^53]`; or if there are more than 2e8
-    /// values on the nodes.
+    /// values on the nodes, or more than 2e7 numbers to prepare for lookup.
     pub fn new(
         quantities: Vec<Quantity>,
         weights: [Vec<f64>; 3],
@@ -89,6 +94,14 @@ impl LowRank {
         if values.is_none_or(|values| values > MOST_VALUES) {
             return malformed(format!("a low-rank form has {nodes:?} nodes"));
         }
+        // A lookup fills up the rows, and has one for each function of each interval between nodes.
+        let prepared = [[1, a], [a, b], [b, c]].iter().zip(nodes).try_fold(0_usize, |sum, ([before, after], nodes)| {
+            let rows = before.checked_mul(nodes)?.checked_mul(TABLE_DEGREE + 1)?;
+            sum.checked_add(rows.checked_mul(after.checked_next_multiple_of(BLOCK)?)?)
+        });
+        if prepared.is_none_or(|numbers| numbers > MOST_PREPARED) {
+            return malformed(format!("a low-rank form has the ranks {:?} with {nodes:?} nodes", [a, b, c]));
+        }
         let cores = cores.map(|core| core.iter().map(|&entry| entry as f64).collect());
         Ok(Self { quantities, weights, functions, steps, cores, nodes })
     }
@@ -122,6 +135,38 @@ impl LowRank {
     /// The weights of the indices that join the cores.
     pub(crate) fn weights(&self) -> &[Vec<f64>; 3] {
         &self.weights
+    }
+
+    /// The weights and the [cores](Self::cores), scaled such that each index has the root mean square 1 over the nodes before it,
+    /// and the weight that it adds to the logarithms. That is what they should be already, but a lookup leaves out what adds
+    /// little, and takes nobody's word for it.
+    pub(crate) fn normalised(&self) -> ([Vec<f64>; 3], [Vec<f64>; 4]) {
+        let (mut weights, mut cores) = (self.weights.clone(), self.cores());
+        // Not of an index that adds nothing.
+        let sound = |scale: f64| if REASONABLE.contains(&scale) { scale } else { 1.0 };
+        for joint in 0..3 {
+            let (before, after) = cores.split_at_mut(joint + 1);
+            let (core, next, width) = (&before[joint], &mut after[0], weights[joint].len());
+            let length = next.len() / width;
+            for (j, (weight, row)) in weights[joint].iter_mut().zip(next.chunks_exact_mut(length)).enumerate() {
+                let mean_square = sum_of_squares(core[j..].iter().step_by(width)) / self.nodes[joint] as f64;
+                let size = sound(mean_square.sqrt() / *weight);
+                *weight *= size;
+                row.iter_mut().for_each(|entry| *entry *= size);
+            }
+        }
+        for joint in (0..3).rev() {
+            let (before, after) = cores.split_at_mut(joint + 1);
+            let (core, next, width) = (&mut before[joint], &after[0], weights[joint].len());
+            let (length, added_up) = (next.len() / width, weights.get(joint + 1).map_or(1, Vec::len));
+            for (j, (weight, row)) in weights[joint].iter_mut().zip(next.chunks_exact(length)).enumerate() {
+                let mean_square = sum_of_squares(row.iter()) * added_up as f64 / length as f64;
+                let share = sound(mean_square.sqrt() / *weight);
+                *weight *= share;
+                core[j..].iter_mut().step_by(width).for_each(|entry| *entry *= share);
+            }
+        }
+        (weights, cores)
     }
 
     /// The cores of `e0_over_e2`, `e1_over_e2`, `nu1` and `a_over_t`, row-major over the index before, the node, and the index
@@ -167,5 +212,39 @@ impl LowRank {
             }
         }
         logarithms
+    }
+}
+
+fn sum_of_squares<'a>(numbers: impl Iterator<Item = &'a f64>) -> f64 {
+    numbers.map(|number| number * number).sum()
+}
+
+#[cfg(all(test, feature = "embedded"))]
+mod tests {
+    use crate::schema::Parameter;
+    use crate::{Material, Table};
+
+    /// Factors that cancel in the product, between a core and the one after it or a core and its weights.
+    #[test]
+    fn what_a_lookup_leaves_out_depends_on_the_product_only() {
+        let embedded = Table::embedded();
+        let form = embedded.low_rank().expect("it is low-rank");
+        let material = Material::new(1e-3, 0.4999, 2e5, 0.25).expect("physical");
+        let look_up = |table: &Table| table.curve(&material).and_then(|curve| curve.quantities(0.5)).expect("inside").to_array();
+        let expected = look_up(embedded);
+        for joint in 0..3 {
+            for factor in [1e-9, 1e9] {
+                for scaled in [joint, joint + 1] {
+                    let mut other = form.clone();
+                    other.weights[joint].iter_mut().for_each(|weight| *weight *= factor);
+                    other.steps[scaled] *= factor;
+                    let axes = Parameter::ALL.map(|parameter| embedded.axis(parameter).to_vec());
+                    let table = Table::from_low_rank(embedded.description().clone(), axes, other).expect("a sound form");
+                    for (found, expected) in look_up(&table).into_iter().zip(expected) {
+                        assert!((found / expected - 1.0).abs() < 1e-12, "joint {joint}, {factor}: {found}, not {expected}");
+                    }
+                }
+            }
+        }
     }
 }

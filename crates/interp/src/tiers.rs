@@ -41,10 +41,13 @@ impl Tiers {
             for (i, row) in rows.chunks_exact(length).enumerate() {
                 let block = &row[first..length.min(first + BLOCK)];
                 let size = block.iter().map(|entry| entry * entry).sum::<f64>().sqrt();
-                if size * f64::from(0.5 * f32::EPSILON) > rounding {
-                    double.push(i, block.iter().copied());
-                } else if size > negligible(i) {
+                if size <= negligible(i) {
+                    continue;
+                }
+                if size * f64::from(0.5 * f32::EPSILON) <= rounding {
                     single.push(i, block.iter().map(|&entry| entry as f32));
+                } else {
+                    double.push(i, block.iter().copied());
                 }
             }
             double.end_block();

@@ -21,9 +21,11 @@ use crate::spline::{Basis, TABLE_DEGREE};
 use crate::tiers::{BLOCK, Tiers};
 
 /// What may be left out of a block, and how much a rounding to single precision may be, in parts of the table's tolerance: root
-/// mean squares of what is added to the logarithms. A rounding, or a jump at a knot, is that small because it is a noise, which a
+/// mean squares of what is added to the logarithms. Next to a flat end the derivative with respect to the parameter itself divides
+/// what is left out by the cube of the interval. A rounding, or a jump at a knot, is that small because it is a noise, which a
 /// difference quotient of two lookups divides by its step.
-const NEGLIGIBLE: f64 = 3e-5;
+const NEGLIGIBLE: f64 = 1e-5;
+const NEGLIGIBLE_AT_FLAT_END: f64 = 3e-6;
 const ROUNDING: f64 = 3e-7;
 
 /// The most functions on an interval.
@@ -67,8 +69,7 @@ struct Functions {
 impl Train {
     /// With the bases of `e1_over_e2`, `nu1`, `e0_over_e2`, and of `a_over_t`, to be as accurate as `tolerance` needs.
     pub(crate) fn new(form: &LowRank, [e1, nu, e0]: [&Basis; 3], along: &Basis, tolerance: f64) -> Self {
-        let [a, b, c] = form.weights();
-        let [substrate, film_modulus, film, mut last] = form.cores();
+        let ([a, b, c], [substrate, film_modulus, film, mut last]) = form.normalised();
         let carriage = |mut core: Vec<f64>, before: usize, basis: &Basis, after: &[f64]| {
             let width = after.len();
             core.chunks_exact_mut(basis.len() * width).for_each(|slab| basis.interpolate(slab, width));
@@ -81,7 +82,7 @@ impl Train {
             let breaks = intervals[1..].iter().map(|interval| interval.functions.ends[0]).collect();
             Carriage { intervals, breaks, scales: after.iter().map(|weight| 1.0 / weight).collect() }
         };
-        let carriages = [carriage(substrate, 1, e0, a), carriage(film_modulus, a.len(), e1, b), carriage(film, b.len(), nu, c)];
+        let carriages = [carriage(substrate, 1, e0, &a), carriage(film_modulus, a.len(), e1, &b), carriage(film, b.len(), nu, &c)];
         let width = last.len() / c.len();
         last.chunks_exact_mut(width).for_each(|row| along.interpolate(row, width / along.len()));
         // A column of these is a logarithm: what is left out of a block is spread over its columns, and not added up.
@@ -166,7 +167,8 @@ impl Interval {
             }
         }
         let jumps = functions.constant_and_line() * before;
-        let negligible = |row| if row < jumps { ROUNDING * tolerance } else { NEGLIGIBLE * tolerance };
+        let inside = if functions.flat { NEGLIGIBLE_AT_FLAT_END } else { NEGLIGIBLE };
+        let negligible = |row| tolerance * if row < jumps { ROUNDING } else { inside };
         Self { functions, rows: Tiers::new(&rows, length, negligible, ROUNDING * tolerance) }
     }
 }
