@@ -19,11 +19,9 @@ fn main() -> io::Result<()> {
         let packed = table.to_packed().expect("a small table");
         fs::write(format!("corpus/packed/{name}"), &packed[PREFIX..])?;
     }
-    for (chosen, (_, count, _)) in FUNCTIONS.iter().enumerate() {
-        for number in [0.3_f64, 2.0, 1e-6] {
-            let input = [&[chosen as u8], number.to_le_bytes().repeat(*count).as_slice()].concat();
-            fs::write(format!("corpus/numbers/{chosen}_{number}"), input)?;
-        }
+    for (chosen, (_, sound, _)) in FUNCTIONS.iter().enumerate() {
+        let numbers = sound.iter().flat_map(|number| number.to_le_bytes());
+        fs::write(format!("corpus/numbers/{chosen}"), [chosen as u8].into_iter().chain(numbers).collect::<Vec<u8>>())?;
     }
     Ok(())
 }

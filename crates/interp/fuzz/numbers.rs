@@ -13,9 +13,9 @@ mod tables;
 
 fuzz_target!(|input: &[u8]| {
     let Some((first, bytes)) = input.split_first() else { return };
-    let (name, count, function) = FUNCTIONS[usize::from(*first) % FUNCTIONS.len()];
-    let mut numbers: Vec<f64> = bytes.as_chunks().0.iter().map(|bits| f64::from_le_bytes(*bits)).take(count).collect();
-    numbers.resize(count, 1.0);
+    let (name, sound, function) = FUNCTIONS[usize::from(*first) % FUNCTIONS.len()];
+    let mut numbers = sound.to_vec();
+    numbers.iter_mut().zip(bytes.as_chunks().0).for_each(|(number, bits)| *number = f64::from_le_bytes(*bits));
     let answer = function(&numbers).unwrap_or_default();
     assert!(answer.iter().all(|number| number.is_finite()), "{name}: {answer:?}");
 });

@@ -17,92 +17,100 @@ use crate::tables::{self, AXES, look_up};
 /// What a function answers: numbers that must be finite, or an error. (What may be infinite is looked at on the way.)
 pub type Answer = Result<Vec<f64>, Error>;
 
-/// Name, how many numbers it takes, and itself.
-pub type Function = (&'static str, usize, fn(&[f64]) -> Answer);
+/// Name, numbers that it answers, as many as it takes, and itself.
+pub type Function = (&'static str, &'static [f64], fn(&[f64]) -> Answer);
 
 /// On a film, and on a half-space.
 static CONTACTS: LazyLock<[Contact; 2]> = LazyLock::new(|| [tables::contact(), tables::bare_contact()]);
 
 pub const FUNCTIONS: &[Function] = &[
-    ("Elastic::new", 2, |x| {
+    ("Elastic::new", &[1e6, 0.3], |x| {
         let solid = Elastic::new(x[0], x[1])?;
         assert!(solid.young() > 0.0 && solid.reduced() >= 0.75 * solid.young(), "{solid:?}");
         Ok(vec![solid.poisson()])
     }),
-    ("System::material", 7, |x| moduli(&system(x)?.material()?)),
-    ("Material::new", 4, |x| moduli(&material(x)?)),
-    ("Material::with_substrate_poisson_ratio", 5, |x| moduli(&material(x)?.with_substrate_poisson_ratio(x[4])?)),
-    ("Table::curve", 5, |x| quantities(&Table::embedded().curve(&material(x)?)?, x[4])),
-    ("Table::contact", 9, |x| loads(&Table::embedded().contact(&system(x)?)?, x[7], x[8])),
-    ("Curve::quantities", 1, |x| quantities(curve(), x[0])),
-    ("Curve::quantity_at_all", 3, |x| {
+    ("System::material", &[1e-3, 2e6, 3.5e6, 0.5, 1e-6, 2e11, 0.25], |x| moduli(&system(x)?.material()?)),
+    ("Material::new", &[1.75, 0.5, 1e5, 0.25], |x| moduli(&material(x)?)),
+    ("Material::with_substrate_poisson_ratio", &[1.75, 0.3, 300.0, 0.25, 0.3], |x| {
+        moduli(&material(x)?.with_substrate_poisson_ratio(x[4])?)
+    }),
+    ("Table::curve", &[1.75, 0.5, 1e5, 0.25, 2.0], |x| quantities(&Table::embedded().curve(&material(x)?)?, x[4])),
+    ("Table::contact", &[1e-3, 2e6, 3.5e6, 0.5, 1e-6, 2e11, 0.25, 6e-5, 0.04], |x| {
+        loads(&Table::embedded().contact(&system(x)?)?, x[7], x[8])
+    }),
+    ("Curve::quantities", &[2.0], |x| quantities(curve(), x[0])),
+    ("Curve::quantity_at_all", &[2.0, 1e-5, 500.0], |x| {
         let mut values = vec![0.0; x.len()];
         curve().quantity_at_all(Quantity::Gamma, x, &mut values)?;
         Ok(values)
     }),
-    ("Curve::error", 1, |x| Ok(vec![curve().error(x[0])?])),
-    ("Curve::spline", 1, |x| {
+    ("Curve::error", &[2.0], |x| Ok(vec![curve().error(x[0])?])),
+    ("Curve::spline", &[100.0], |x| {
         let spline = curve().spline(Quantity::Pi0, x[0] as usize)?;
         Ok(spline.keys().iter().flat_map(|key| [key.t, key.value]).collect())
     }),
-    ("Curve::gradient", 5, |x| {
+    ("Curve::gradient", &[1.75, 0.5, 1e5, 0.25, 2.0], |x| {
         let curve = Table::embedded().curve_with_gradient(&material(x)?)?;
         let gradient = curve.gradient(x[4])?;
         let by = [Parameter::E1OverE2, Parameter::Nu1, Parameter::E0OverE2].map(|parameter| gradient.by(parameter));
         let by = by.into_iter().chain([gradient.by_nu0(), Ok(gradient.values()), Ok(gradient.slopes())]);
         Ok(by.collect::<Result<Vec<_>, Error>>()?.iter().flat_map(|four| four.to_array()).collect())
     }),
-    ("Curve::through", 14, |x| {
+    ("Curve::through", &[1.0, 3.0, 0.8, 0.9, 1.1, 2.0, 4.0, 0.9, 0.8, 1.2, 1.75, 0.5, 1e5, 0.25], |x| {
         let node = |x: &[f64]| (x[0], Quantities::from_array(from_fn(|i| x[i + 1])));
         let curve = Curve::through(&[node(x), node(&x[5..])], material(&x[10..])?)?;
         quantities(&curve, (x[0] * x[5]).sqrt())
     }),
-    ("Contact::new", 9, |x| loads(&Contact::new(&system(x)?, curve().clone())?, x[7], x[8])),
-    ("Contact::half_space", 6, |x| {
+    ("Contact::new", &[1e-3, 2e6, 3.5e6, 0.5, 1e-6, 2e11, 0.25, 6e-5, 0.04], |x| {
+        loads(&Contact::new(&system(x)?, curve().clone())?, x[7], x[8])
+    }),
+    ("Contact::half_space", &[1e-3, 2e6, 2e11, 0.25, 6e-5, 0.04], |x| {
         let half_space = HalfSpace { sphere_radius: x[0], sphere_modulus: x[1], solid: Elastic::new(x[2], x[3])? };
         loads(&Contact::half_space(&half_space)?, x[4], x[5])
     }),
-    ("Contact::load", 2, |x| each(|contact| loads(contact, x[0], x[1]))),
-    ("Contact::load_at_all", 3, |x| {
+    ("Contact::load", &[6e-5, 0.04], |x| each(|contact| loads(contact, x[0], x[1]))),
+    ("Contact::load_at_all", &[6e-5, 5e-5, 0.04], |x| {
         each(|contact| {
             let mut loads = [0.0; 2];
             contact.load_at_all(&x[..2], x[2], &mut loads)?;
             Ok(loads.to_vec())
         })
     }),
-    ("Contact::stiffness", 1, |x| each(|contact| Ok(vec![contact.stiffness(x[0])?]))),
-    ("Contact::stress_intensity", 2, |x| each(|contact| Ok(vec![contact.stress_intensity(x[0], x[1])?]))),
-    ("Contact::energy_release_rate_at_load", 2, |x| each(|contact| Ok(vec![contact.energy_release_rate_at_load(x[0], x[1])?]))),
-    ("Contact::energy_release_rate_at_penetration", 2, |x| {
+    ("Contact::stiffness", &[6e-5], |x| each(|contact| Ok(vec![contact.stiffness(x[0])?]))),
+    ("Contact::stress_intensity", &[6e-5, 0.04], |x| each(|contact| Ok(vec![contact.stress_intensity(x[0], x[1])?]))),
+    ("Contact::energy_release_rate_at_load", &[6e-5, 1e-4], |x| {
+        each(|contact| Ok(vec![contact.energy_release_rate_at_load(x[0], x[1])?]))
+    }),
+    ("Contact::energy_release_rate_at_penetration", &[6e-5, 1e-6], |x| {
         each(|contact| Ok(vec![contact.energy_release_rate_at_penetration(x[0], x[1])?]))
     }),
-    ("Contact::radius_and_energy_release_rate", 2, |x| {
+    ("Contact::radius_and_energy_release_rate", &[-1e-4, 1e-7], |x| {
         each(|contact| contact.radius_and_energy_release_rate(x[0], x[1]).map(|(a, g)| vec![a, g]))
     }),
-    ("Contact::validity", 1, |x| {
+    ("Contact::validity", &[6e-5], |x| {
         each(|contact| {
             let validity = contact.validity(x[0])?;
             let film = validity.film.map_or([0.0; 2], |film| [film.a_over_t, film.compressibility]);
             Ok([&[validity.a_over_r], &film[..]].concat())
         })
     }),
-    ("Contact::adhesion_range", 2, |x| {
+    ("Contact::adhesion_range", &[0.04, 1e-9], |x| {
         each(|contact| contact.adhesion_range(x[0], x[1]).map(|range| vec![range.tabor, range.cohesive_zone]))
     }),
-    ("Contact::jkr_fit", 4, |x| {
+    ("Contact::jkr_fit", &[0.04, 5e-5, 1e-4, 2e6], |x| {
         each(|contact| {
             let fit = contact.jkr_fit(x[0], [x[1], x[2]], 4)?;
             let _ = fit.work_of_adhesion_with(x[3]);
             Ok(vec![fit.modulus, fit.intercept])
         })
     }),
-    ("Contact::film_bias", 3, |x| {
+    ("Contact::film_bias", &[0.04, 5e-5, 1e-4], |x| {
         each(|contact| {
             let bias = contact.film_bias(x[0], [x[1], x[2]], 5)?;
             Ok(vec![bias.fit.modulus, bias.fit.intercept, bias.modulus, bias.work_of_adhesion])
         })
     }),
-    ("Contact::equilibria", 3, |x| {
+    ("Contact::equilibria", &[0.04, -1e-5, 50.0], |x| {
         each(|contact| {
             let mut found = Vec::new();
             for control in controls(x[2]) {
@@ -115,14 +123,14 @@ pub const FUNCTIONS: &[Function] = &[
             Ok(found.into_iter().flat_map(numbers).collect())
         })
     }),
-    ("Contact::zero_load", 2, |x| {
+    ("Contact::zero_load", &[0.04, 50.0], |x| {
         each(|contact| {
             let apart = controls(x[1]).map(|control| contact.pull_off(x[0], control));
             let states = apart.into_iter().chain([contact.zero_load(x[0])]).flatten();
             Ok(states.flat_map(numbers).collect())
         })
     }),
-    ("Contact::line", 6, |x| {
+    ("Contact::line", &[0.03, 0.05, 6e-5, 50.0, 1e-4, -1e-5], |x| {
         each(|contact| {
             let mut line = contact.line(Hysteresis::new(x[0], x[1])?, x[2])?;
             let states = controls(x[3]).map(|control| line.impose(control, x[4]).and_then(|_| line.impose(control, x[5])));
@@ -130,43 +138,47 @@ pub const FUNCTIONS: &[Function] = &[
         })
     }),
     #[cfg(feature = "dynamics")]
-    ("ContactLine::ramp", 8, |x| {
+    ("ContactLine::ramp", &[0.03, 0.05, 1e-6, 0.6, 6e-5, 1e-4, 1.0, 1e-4], |x| {
         each(|contact| {
             let mut line = contact.line(RateDependent::new(Hysteresis::new(x[0], x[1])?, x[2], x[3])?, x[4])?;
             let moments = line.ramp(Control::Load, x[5], x[6], x[7])?;
             Ok(moments.into_iter().flat_map(|moment| [vec![moment.time], numbers(moment.state).to_vec()].concat()).collect())
         })
     }),
-    ("Contact::gradient", 2, |x| gradients(&GRADIENTS, x[0], x[1])),
-    ("Table::contact_with_gradient", 9, |x| gradients(&Table::embedded().contact_with_gradient(&system(x)?)?, x[7], x[8])),
-    ("JkrFit::through", 6, |x| {
+    ("Contact::gradient", &[6e-5, 0.04], |x| gradients(&GRADIENTS, x[0], x[1])),
+    ("Table::contact_with_gradient", &[1e-3, 2e6, 3.5e6, 0.5, 1e-6, 2e11, 0.25, 6e-5, 0.04], |x| {
+        gradients(&Table::embedded().contact_with_gradient(&system(x)?)?, x[7], x[8])
+    }),
+    ("JkrFit::through", &[1.0, 2.0, 2.0, 5.0, 3.0, 7.0], |x| {
         let points = x.chunks_exact(2).map(|pair| JkrPoint { abscissa: pair[0], ordinate: pair[1] });
         let fit = JkrFit::through(&points.collect::<Vec<_>>())?;
         Ok(vec![fit.modulus, fit.intercept])
     }),
-    ("RateDependent::energy_release_rate", 6, |x| {
+    ("RateDependent::energy_release_rate", &[0.03, 0.05, 1e-6, 0.6, 0.1, 1e-6], |x| {
         let law = RateDependent::new(Hysteresis::new(x[0], x[1])?, x[2], x[3])?;
         assert!(!law.speed(x[4]).is_nan() || x[4].is_nan(), "{law:?} at {}", x[4]);
         Ok([law.at_rest().to_vec(), vec![law.energy_release_rate(x[5])?]].concat())
     }),
-    ("Mechanics::edge_singularity", 9, |x| Ok(vec![Mechanics::new(&system(x)?)?.edge_singularity(x[7], x[8])?])),
+    ("Mechanics::edge_singularity", &[1e-3, 2e6, 3.5e6, 0.5, 1e-6, 2e11, 0.25, 6e-5, 0.04], |x| {
+        Ok(vec![Mechanics::new(&system(x)?)?.edge_singularity(x[7], x[8])?])
+    }),
     // These give what arithmetic gives, NaN for NaN.
-    ("Mechanics::load", 14, |x| {
+    ("Mechanics::load", &[1e-3, 2e6, 3.5e6, 0.5, 1e-6, 2e11, 0.25, 6e-5, 10.0, 2.0, 0.9, 0.8, 0.7, 0.6], |x| {
         let (mechanics, quantities) = (Mechanics::new(&system(x)?)?, Quantities::from_array(from_fn(|i| x[10 + i])));
         let _ = (mechanics.load(x[7], x[8], x[9], x[10]), mechanics.load_and_penetration(x[7], x[8], &quantities));
         let _ = (mechanics.energy_release_rate(x[7], x[8]), mechanics.jkr_point(x[7], x[8]));
         Ok(vec![])
     }),
-    ("Parameter::coordinate", 1, |x| {
+    ("Parameter::coordinate", &[0.3], |x| {
         let _ = Parameter::ALL.map(|parameter| (parameter.coordinate(x[0]), parameter.value(x[0])));
         Ok(vec![])
     }),
-    ("Quantity::logarithm", 2, |x| {
+    ("Quantity::logarithm", &[0.7, 0.6], |x| {
         let _ = Quantity::ALL.map(|quantity| quantity.logarithm(x[0], x[1]));
         Ok(vec![])
     }),
     // Nodes that do not ascend make a basis of no use, not a panic.
-    ("Basis::new", 13, |x| {
+    ("Basis::new", &[0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0, 11.0, 3.3], |x| {
         for degree in [0, 1, 4, TABLE_DEGREE, LARGEST_DEGREE] {
             for basis in [Basis::new(&x[..12], degree), Basis::flat_at_the_end(&x[..12], degree)] {
                 let mut values = x[..12].to_vec();
@@ -178,7 +190,7 @@ pub const FUNCTIONS: &[Function] = &[
         Ok(vec![])
     }),
     // A table holds numbers or is malformed, whatever it is made of.
-    ("Table::new", 8, |x| {
+    ("Table::new", &[1e-3, 0.25, 0.7, 2.0, 0.1, 0.5, 1.0, 0.7], |x| {
         let (mut description, mut axes) = (tables::description(), tables::axes());
         (description.tolerance, description.nu0) = (x[0], x[1]);
         (axes[0][1], axes[0][4], axes[1][0], axes[2][2], axes[3][0]) = (x[2], x[3], x[4], x[5], x[6]);
@@ -188,13 +200,13 @@ pub const FUNCTIONS: &[Function] = &[
         look_up(&Table::new(description, axes, [Some(values), None, None, None])?)?;
         Ok(vec![])
     }),
-    ("Table::from_logarithms", 2, |x| {
+    ("Table::from_logarithms", &[-0.3, 0.2], |x| {
         let logarithms = (0..AXES.iter().map(|nodes| nodes.len()).product()).map(|i: usize| x[i % 2]).collect();
         let (description, quantities) = (tables::description(), vec![Quantity::Gamma]);
         look_up(&Table::from_logarithms(description, tables::axes(), quantities, logarithms)?)?;
         Ok(vec![])
     }),
-    ("LowRank::new", 6, |x| {
+    ("LowRank::new", &[1.0, 1.0, 1.0, 0.1, 0.1, 1.0], |x| {
         let nodes = AXES.map(|nodes| vec![1; nodes.len()]);
         let cores = [&nodes[3][..], &nodes[1], &nodes[2], &nodes[0]];
         let weights = from_fn(|joint| vec![x[joint]]);

@@ -28,7 +28,7 @@ pub struct Arguments {
     /// Print the derivatives too: d_pi0_d_a_over_t, d_pi0_d_e1_over_e2, ..., d_delta0_d_nu0
     ///
     /// An empty field stands for a derivative that the table does not know, because its scene fixes a parameter. There are none
-    /// beyond its a/t, and none in a table without all four quantities.
+    /// above its a/t, and none in a table without all four quantities.
     #[arg(long)]
     gradient: bool,
 }
