@@ -126,15 +126,17 @@ pub const FUNCTIONS: &[Function] = &[
     ("Contact::zero_load", &[0.04, 50.0], |x| {
         each(|contact| {
             let apart = controls(x[1]).map(|control| contact.pull_off(x[0], control));
-            let states = apart.into_iter().chain([contact.zero_load(x[0])]).flatten();
-            Ok(states.flat_map(numbers).collect())
+            let at_rest = contact.zero_load(x[0])?;
+            Ok(apart.into_iter().flatten().chain([at_rest]).flat_map(numbers).collect())
         })
     }),
     ("Contact::line", &[0.03, 0.05, 6e-5, 50.0, 1e-4, -1e-5], |x| {
         each(|contact| {
             let mut line = contact.line(Hysteresis::new(x[0], x[1])?, x[2])?;
             let states = controls(x[3]).map(|control| line.impose(control, x[4]).and_then(|_| line.impose(control, x[5])));
-            Ok(states.into_iter().flatten().flatten().flat_map(numbers).collect())
+            let [load, penetration, spring] = states;
+            let others = [penetration, spring].into_iter().flatten();
+            Ok([load?].into_iter().chain(others).flatten().flat_map(numbers).collect())
         })
     }),
     #[cfg(feature = "dynamics")]
