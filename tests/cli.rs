@@ -76,7 +76,7 @@ fn the_help_of_every_command_has_its_arguments_and_the_program_says_whose_modulu
         ("cost", &["solve"]),
         ("check", &["TABLE", "--points", "--seed"]),
         ("unpack", &["TABLE.bin", "-o", "--output", "TABLE.h5"]),
-        ("pack", &["TABLE.h5", "-o", "--output", "TABLE.bin", "--tolerance", "--points", "--seed"]),
+        ("pack", &["TABLE.h5", "-o", "--output", "TABLE.bin", "--tolerance", "--derivative-tolerance", "--points", "--seed"]),
     ];
     let program = desk.succeed(&["--help"]);
     assert_names(

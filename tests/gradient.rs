@@ -7,10 +7,9 @@ use tabulate::solve::solve;
 
 /// What a derivative may be off, in parts of the table's tolerance: of the logarithm of a quantity, with respect to the logarithm
 /// of `a/t` or of a modulus, and with respect to a Poisson ratio, that of the film in units of the range that it changes on, `(1 - 2
-/// nu1) + 1/(1 + (a/t)^2)`; in the order `a/t`, `E1`, `nu1`, `E0`, `nu0`.
-const SHARES: [f64; 5] = [20.0, 20.0, 100.0, 20.0, 20.0];
-/// The same for [`softest`] films, whose derivatives with respect to `nu1` miss the goal of 100 tolerances.
-const SOFTEST_SHARES: [f64; 5] = [20.0, 20.0, 500.0, 20.0, 20.0];
+/// nu1) + 1/(1 + (a/t)^2)`, and that of the substrate in units of the range on which it has an equivalent, `1/(1 + E1/E0)`; in the
+/// order `a/t`, `E1`, `nu1`, `E0`, `nu0`.
+const SHARES: [f64; 5] = [20.0, 20.0, 100.0, 20.0, 40.0];
 
 /// The derivative of a function at 0 from five or, on one side only, seven of its values.
 fn derivative(step: f64, one_sided: bool, f: impl Fn(f64) -> f64) -> f64 {
@@ -48,27 +47,45 @@ fn points() -> Vec<(f64, [f64; 4])> {
     points
 }
 
-/// Incompressible films, or nearly, at the soft end of the table: its errors are largest there, and derivatives with respect to
-/// `nu1` divide them by the cube of the distance between nodes.
+/// Incompressible films, or nearly, at the soft end of the table and next to it: its errors are largest there, and derivatives with
+/// respect to `nu1` divide them by the cube of the distance between nodes.
 fn softest() -> Vec<(f64, [f64; 4])> {
     let mut contacts = Contacts::new(302);
     let point = |i: u32| {
         let nu1 = if i.is_multiple_of(2) { 0.5 } else { 0.5 - contacts.log_uniform(1e-7, 9e-4) };
-        (contacts.log_uniform(0.1, 100.0), [1e-3, nu1, contacts.log_uniform(2.0, 5e5), 0.25])
+        let e1 = if i % 4 < 2 { 1e-3 } else { contacts.log_uniform(1e-3, 3e-3) };
+        (contacts.log_uniform(0.1, 100.0), [e1, nu1, contacts.log_uniform(2.0, 5e5), 0.25])
     };
     (0..200).map(point).collect()
+}
+
+/// Faces of the box, where a modulus is at its end, or two are.
+fn faces() -> Vec<(f64, [f64; 4])> {
+    let mut contacts = Contacts::new(303);
+    let point = |i: usize| {
+        let nu1 = [0.5, 0.5 - contacts.log_uniform(1e-7, 1e-2), contacts.uniform(0.01, 0.49)][i % 3];
+        let (soft, any) = (contacts.log_uniform(1e-3, 1e3), contacts.log_uniform(1.0, 1e6));
+        let moduli = [[1e-3, 1.0], [1e-3, 1e6], [1e-3, any], [1e3, 1.0], [1e3, 1e6], [1e3, any], [soft, 1.0], [soft, 1e6]];
+        let [e1, e0] = moduli[i / 3 % moduli.len()];
+        (contacts.log_uniform(1.1e-3, 900.0), [e1, nu1, e0, 0.25])
+    };
+    (0..120).map(point).collect()
 }
 
 #[test]
 fn derivatives_of_the_quantities_are_those_of_direct_solves() {
     let worst = worst_misses(&points());
     println!("in tolerances, with respect to a/t, E1, nu1, E0, nu0: {worst:.1?}");
-    // Measured: 1.4, 1.3, 24.6, 0.6, 2.0.
+    // Measured: 1.3, 0.5, 4.3, 0.2, 1.2.
     assert!(worst.iter().zip(SHARES).all(|(&worst, share)| worst <= share));
     let worst = worst_misses(&softest());
     println!("of the softest films: {worst:.1?}");
-    // Measured: 5.6, 5.4, 393, 0.9, 2.3.
-    assert!(worst.iter().zip(SOFTEST_SHARES).all(|(&worst, share)| worst <= share));
+    // Measured: 5.3, 5.1, 65.8, 0.2, 0.2.
+    assert!(worst.iter().zip(SHARES).all(|(&worst, share)| worst <= share));
+    let worst = worst_misses(&faces());
+    println!("on the faces: {worst:.1?}");
+    // Measured: 1.7, 3.7, 50.1, 3.5, 19.4.
+    assert!(worst.iter().zip(SHARES).all(|(&worst, share)| worst <= share));
 }
 
 /// In tolerances, in the order of [`SHARES`].
@@ -89,8 +106,8 @@ fn worst_misses(points: &[(f64, [f64; 4])]) -> [f64; 5] {
             let true_slope = derivative(0.01, false, |h| log(x * h.exp(), parameters));
             let true_e1 = derivative(0.01, false, |h| log(x, [e1 * h.exp(), nu1, e0, nu0]));
             let true_e0 = derivative(0.01, false, |h| log(x, [e1, nu1, e0 * h.exp(), nu0]));
-            let one_sided = nu1 > 0.499;
-            let true_nu1 = derivative(0.005 * scale.min(0.5), one_sided, |h| log(x, [e1, nu1 + h, e0, nu0]));
+            let step = 0.005 * scale.min(0.5);
+            let true_nu1 = derivative(step, nu1 + 2.0 * step > 0.5, |h| log(x, [e1, nu1 + h, e0, nu0]));
             let true_nu0 = derivative(0.005, nu0 > 0.48, |h| log(x, [e1, nu1, e0, nu0 + h]));
             let get = |quantities: Quantities, unit: f64| quantities.get(quantity) * unit / value;
             let found = [
@@ -98,7 +115,7 @@ fn worst_misses(points: &[(f64, [f64; 4])]) -> [f64; 5] {
                 (get(gradient.by(Parameter::E1OverE2).expect("an axis"), e1), true_e1, 1.0),
                 (get(gradient.by(Parameter::Nu1).expect("an axis"), 1.0), true_nu1, scale),
                 (get(gradient.by(Parameter::E0OverE2).expect("an axis"), e0), true_e0, 1.0),
-                (get(gradient.by_nu0().expect("axes"), 1.0), true_nu0, 1.0),
+                (get(gradient.by_nu0().expect("axes"), 1.0), true_nu0, 1.0 / (1.0 + e1 / e0)),
             ];
             for (worst, (found, truth, unit)) in worst.iter_mut().zip(found) {
                 let miss = (found - truth).abs() * unit / tolerance;
@@ -140,7 +157,7 @@ fn derivatives_of_the_quantities_are_those_of_the_interpolant() {
         }
     }
     println!("largest difference {worst:.1e}");
-    // Measured: 3.4e-8, most of it the rounding of the differences: a lookup holds some of its numbers in single precision.
+    // Measured: 2.6e-8, most of it the rounding of the differences: a lookup holds some of its numbers in single precision.
     assert!(worst <= 1e-7);
 }
 
@@ -229,7 +246,7 @@ fn derivatives_of_load_and_penetration_are_those_of_direct_solves() {
                 }
             }
         }
-        // Measured: 12.4, 3.7 and 2.5.
+        // Measured: 10.8, 2.6 and 2.5.
         println!("{}: largest difference {worst:.1} tolerances", table.description().title);
     }
 }

@@ -118,7 +118,7 @@ impl Parameter {
     }
 
     /// How fast the coordinate grows with the value: its derivative at a value with this coordinate.
-    pub(crate) fn speed(self, coordinate: f64) -> f64 {
+    pub fn speed(self, coordinate: f64) -> f64 {
         match self {
             Self::AOverT | Self::E1OverE2 | Self::E0OverE2 => (-coordinate).exp(),
             Self::Nu1 => 1.0 / (3.0 * (1.0 - 2.0 * coordinate).powi(2)),

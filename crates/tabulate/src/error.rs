@@ -51,12 +51,13 @@ pub enum Error {
     },
     /// A low-rank form that rounding keeps from its error.
     #[error(
-        "a low-rank form with an error of {error:.1e} is not within rounding: it has {reached:.1e}; ask for a larger tolerance"
+        "a low-rank form with an error of {error:.1e} is not within rounding: it has {reached:.1e}; ask for a larger tolerance, of \
+         derivatives too"
     )]
     Truncation {
         /// The relative error at the nodes that was asked for.
         error: f64,
-        /// The smallest that was reached.
+        /// The smallest that was reached; of derivatives, in the part of their own error.
         reached: f64,
     },
     /// A tolerance that no packed table is asked for.
@@ -68,6 +69,28 @@ pub enum Error {
         least: f64,
         /// The largest allowed.
         most: f64,
+    },
+    /// An error of derivatives that no packed table is asked for.
+    #[error("derivative tolerance = {tolerance:?} is outside {least:e} to {most:e}")]
+    DerivativeTolerance {
+        /// What was asked for.
+        tolerance: f64,
+        /// The smallest allowed.
+        least: f64,
+        /// The largest allowed.
+        most: f64,
+    },
+    /// Derivatives of incompressible films, from a table that does not hold them.
+    #[error(
+        "a derivative tolerance is of films with nu1 = 0.5, at the end of an axis of {least} nodes or more; this table has {nodes} to {last:?}"
+    )]
+    NoIncompressibleEnd {
+        /// The fewest that it takes.
+        least: usize,
+        /// How many there are.
+        nodes: usize,
+        /// The last `nu1`.
+        last: f64,
     },
     /// A table that is not accurate enough to be packed to the tolerance.
     #[error("its certified error {own:.1e} leaves no room below the tolerance {tolerance:e}: make it with a smaller tolerance")]

@@ -14,18 +14,34 @@ const SHARE: f64 = 0.6;
 /// How often the truncation error is halved before the tolerance is given up.
 const HALVINGS: u32 = 3;
 
-/// The low-rank form of a table that keeps the tolerance, with the certificate from `points` direct solves that says so.
+/// The range of what may be added to derivatives. Rounding allows no less.
+const DERIVATIVE_TOLERANCE: [f64; 2] = [1e-9, 1e3];
+
+/// The low-rank form of a table that keeps the tolerance, with the certificate from `points` direct solves that says so; and, if a
+/// tolerance is given for them, that adds no more to the table's derivatives with respect to `nu1` at 0.5, of the logarithms of
+/// quantities and in units of `1/(1 + (a/t)^2)`. No certificate is of those.
 ///
 /// # Errors
-/// [`Error::PackedTolerance`] for a tolerance outside 1e-10 to 1e-1; [`Error::NoRoom`] if the table's own certified error is no
+/// [`Error::PackedTolerance`] for a tolerance outside 1e-10 to 1e-1, [`Error::DerivativeTolerance`] for one outside 1e-9 to 1e3; [`Error::NoRoom`] if the table's own certified error is no
 /// less; [`Error::Packed`] if no low-rank form keeps the tolerance; those of [`train::compress`] and of the solve.
 ///
 /// # Panics
 /// If the certificate is to rest on no point.
-pub fn low_rank(table: &Table, tolerance: f64, points: usize, seed: u64, observer: &dyn Observer) -> Result<Table, Error> {
+pub fn low_rank(
+    table: &Table,
+    tolerance: f64,
+    derivative_tolerance: Option<f64>,
+    points: usize,
+    seed: u64,
+    observer: &dyn Observer,
+) -> Result<Table, Error> {
     let [least, most] = TOLERANCE;
     if !(least..=most).contains(&tolerance) {
         return Err(Error::PackedTolerance { tolerance, least, most });
+    }
+    let [least, most] = DERIVATIVE_TOLERANCE;
+    if let Some(tolerance) = derivative_tolerance.filter(|tolerance| !(least..=most).contains(tolerance)) {
+        return Err(Error::DerivativeTolerance { tolerance, least, most });
     }
     let description = Description { tolerance, ..table.description().clone() };
     let own = description.certificate.max_error;
@@ -37,7 +53,8 @@ pub fn low_rank(table: &Table, tolerance: f64, points: usize, seed: u64, observe
     let (mut truncation, mut measured) = (SHARE * (tolerance - own), f64::NAN);
     for _ in 0..=HALVINGS {
         let axes = Parameter::ALL.map(|parameter| table.axis(parameter).to_vec());
-        let mut packed = Table::from_low_rank(description.clone(), axes, train::compress(table, truncation)?)?;
+        let mut packed =
+            Table::from_low_rank(description.clone(), axes, train::compress(table, truncation, derivative_tolerance)?)?;
         observer.begin("checking", points, 0);
         packed.set_certificate(certify(&packed, points, seed, &|count| observer.advance(count))?);
         measured = packed.description().certificate.max_error;

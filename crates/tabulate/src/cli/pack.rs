@@ -27,6 +27,12 @@ pub struct Arguments {
     /// Low-rank form with this relative tolerance, between the nodes as well as at them
     #[arg(long, allow_negative_numbers = true)]
     tolerance: Option<f64>,
+    /// What the form may add to derivatives with respect to nu1 at 0.5, of the logarithms of quantities, in units of
+    /// 1/(1 + (a/t)^2) [default: not looked at]
+    ///
+    /// Without it they may be wrong by some hundred times the tolerance, where films are soft and nearly incompressible.
+    #[arg(long, requires = "tolerance", allow_negative_numbers = true)]
+    derivative_tolerance: Option<f64>,
     /// Number of points of the certificate [default: 2500 for each axis]
     #[arg(long, requires = "tolerance", value_parser = value_parser!(u32).range(1..))]
     points: Option<u32>,
@@ -42,7 +48,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         let points = arguments.points.map_or(points_for(&table), |points| points as usize);
         let seed = arguments.seed.unwrap_or(table.description().certificate.seed.wrapping_add(1));
         let bars = Bars::new();
-        let packed = low_rank(&table, tolerance, points, seed, &bars);
+        let packed = low_rank(&table, tolerance, arguments.derivative_tolerance, points, seed, &bars);
         bars.clear();
         table = packed.with_context(|| arguments.table.display().to_string())?;
     }

@@ -159,7 +159,7 @@ fn row(scene: &Scene, budget: Duration, observer: &dyn Observer) -> Result<Row, 
     let Made { table, solves, seconds, bytes } = Made::new(scene, Some(budget), observer)?;
     let certificate = table.description().certificate;
     let began = Instant::now();
-    let packed = low_rank(&table, scene.tolerance, points_for(&table), certificate.seed + 1, observer)?;
+    let packed = low_rank(&table, scene.tolerance, None, points_for(&table), certificate.seed + 1, observer)?;
     let packed_bytes = packed.to_packed()?.len() as u64;
     let pack_seconds = began.elapsed().as_secs_f64();
     let [solve_seconds, curve_seconds, point_seconds] = evaluations(scene, &packed)?;
