@@ -212,11 +212,11 @@ fn derivatives_of_incompressible_films_are_kept_where_that_is_asked_for() {
         worst
     };
     let free = farthest(None);
-    for allowed in [1e-3, 1e-4, 1e-5] {
+    for allowed in [5e-6, 1e-6] {
         let kept = farthest(Some(allowed));
         println!("allowed {allowed:e}: {kept:.1e}; else {free:.1e}");
-        // Between the nodes splines through errors are larger than these. Measured:
-        assert!(kept <= 1.5 * allowed && kept < 0.1 * free);
+        // Measured: 3.1e-6, 4.9e-7, and 1.1e-5 without.
+        assert!(kept <= allowed && kept < 0.5 * free);
     }
 }
 
@@ -335,7 +335,7 @@ fn what_cannot_be_packed_to_a_tolerance_is_said_and_nothing_is_written() {
         ("one.h5", "1e-3", ["nu1 = 0.5", "1 to 0.5"]),
         ("table.h5", "-1", ["derivative tolerance = -1.0", "1e-9 to 1e3"]),
         ("table.h5", "nan", ["derivative tolerance = NaN", "1e-9 to 1e3"]),
-        ("table.h5", "1e-9", ["not within rounding", "of derivatives too"]),
+        ("table.h5", "1e-9", ["leaves out least", "of derivatives too"]),
     ] {
         let pack = ["pack", name, "-o", "table.bin", "--tolerance", "1e-3", "--derivative-tolerance", allowed];
         assert_names(&desk.fail(1, &pack), &words);

@@ -49,9 +49,9 @@ pub enum Error {
         /// What it is.
         now: String,
     },
-    /// A low-rank form that rounding keeps from its error.
+    /// A low-rank form that cannot have so small an error, because of rounding for instance.
     #[error(
-        "a low-rank form with an error of {error:.1e} is not within rounding: it has {reached:.1e}; ask for a larger tolerance, of \
+        "no low-rank form has an error of {error:.1e}: the one that leaves out least has {reached:.1e}; ask for a larger tolerance, of \
          derivatives too"
     )]
     Truncation {

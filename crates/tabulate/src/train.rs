@@ -42,7 +42,7 @@ const STEP: f64 = 0.2;
 /// of the logarithms' derivatives with respect to `nu1` at 0.5, in units of `1/(1 + (a/t)^2)`.
 ///
 /// # Errors
-/// [`Error::Truncation`] where rounding does not allow the error; [`Error::NoIncompressibleEnd`] for that of derivatives that the table
+/// [`Error::Truncation`] where a form that leaves out next to nothing has a larger error; [`Error::NoIncompressibleEnd`] for that of derivatives that the table
 /// does not have.
 pub fn compress(table: &Table, error: f64, derivative_error: Option<f64>) -> Result<LowRank, Error> {
     let slope = derivative_error.map(|allowed| EndSlope::of(table, error / allowed)).transpose()?;
