@@ -28,14 +28,17 @@ impl Lookup {
     /// What the pieces of a curve may add to its error, in parts of the table's tolerance, and at least.
     const SHARE: f64 = 0.1;
     const FINEST: f64 = 1e-11;
+    /// Into how many parts the materials that the pieces are made for divide each axis. With two, pieces added up to 0.4 tolerances
+    /// to curves between these.
+    const PARTS: usize = 6;
 
     pub(crate) fn new(table: &Table, coefficients: Coefficients) -> Self {
         let held = table.quantities();
         let range = ends(table, Parameter::AOverT);
-        // The curves at the corners of the box, and in the middles between them.
         let [e1, nu1, e0] = MATERIAL.map(|parameter| {
             let [from, to] = ends(table, parameter).map(|value| parameter.coordinate(value));
-            if from == to { vec![from] } else { vec![from, from.midpoint(to), to] }
+            let parts = if from == to { 0 } else { Self::PARTS };
+            (0..=parts).map(|i| from + (to - from) * i as f64 / Self::PARTS as f64).collect::<Vec<f64>>()
         });
         let materials = e1.iter().flat_map(|&e1| nu1.iter().map(move |&nu1| [e1, nu1]));
         let materials = materials.flat_map(|[e1, nu1]| e0.iter().map(move |&e0| [e1, nu1, e0]));

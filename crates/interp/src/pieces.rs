@@ -232,15 +232,13 @@ impl Resampler {
         let coarsest = if length > 0.0 { (-length.log2()).ceil().clamp(0.0, 40.0) as u32 } else { 0 };
         let finest = coarsest.max(Self::FINEST);
         let mut bits = vec![coarsest; Grid::most_octaves(range)];
+        let curves: Vec<Cow<'_, [Four]>> = curves.iter().map(|curve| fours(curve, held)).collect();
         loop {
             let resampler = Self::new(basis, range, &bits);
             let mut too_long = vec![false; bits.len()];
-            for curve in curves {
-                let coefficients = fours(curve, held);
-                for (piece, (octave, ends)) in resampler.grid.pieces(range[1]).enumerate() {
-                    if bits[octave] < finest && !too_long[octave] {
-                        too_long[octave] = resampler.error(piece, ends, basis, range, &coefficients) > error;
-                    }
+            for (piece, (octave, ends)) in resampler.grid.pieces(range[1]).enumerate() {
+                if bits[octave] < finest && !too_long[octave] {
+                    too_long[octave] = !resampler.follows(piece, ends, basis, range, &curves, error);
                 }
             }
             if !too_long.contains(&true) {
@@ -320,23 +318,31 @@ impl Resampler {
         pieces
     }
 
-    /// The largest relative difference of a curve's piece from its splines, between the samples; infinite if one is NaN.
-    fn error(&self, piece: usize, ends: [f64; 2], basis: &Basis, range: [f64; 2], coefficients: &[Four]) -> f64 {
-        let mut values = [[0.0; 4]; VALUE];
-        dispatch!(Level::new(), simd => exponential(simd, self.logarithms(simd, piece, coefficients), [1.0; 4], &mut values));
+    /// Whether a piece of every curve follows its splines to a relative error, between the samples.
+    fn follows(
+        &self,
+        piece: usize,
+        ends: [f64; 2],
+        basis: &Basis,
+        range: [f64; 2],
+        curves: &[Cow<'_, [Four]>],
+        allowed: f64,
+    ) -> bool {
         let samples = samples(ends, range.map(|x| x * self.grid.factor));
         let middles = samples.windows(2).map(|pair| (pair[0].midpoint(pair[1]) / self.grid.factor).clamp(range[0], range[1]));
         // A piece that sticks out of the range has samples before it, too.
         let places = middles.map(|x| (x, self.grid.place(x))).filter(|(_, place)| place.piece == piece);
-        let errors = places.flat_map(|(x, place)| {
-            let splines = basis.weights(Parameter::AOverT.coordinate(x));
-            let sum = move |quantity: usize| {
-                let values = splines.values[..splines.count].iter().zip(&coefficients[splines.first..]);
-                values.map(|(value, row)| value * row[quantity]).sum::<f64>()
-            };
-            (0..4).map(move |quantity| (one(&values, place, quantity) / sum(quantity).exp() - 1.0).abs())
-        });
-        errors.fold(0.0, |largest, error| if error.is_nan() { f64::INFINITY } else { largest.max(error) })
+        let places: Vec<_> = places.map(|(x, place)| (place, basis.weights(Parameter::AOverT.coordinate(x)))).collect();
+        curves.iter().all(|coefficients| {
+            let mut values = [[0.0; 4]; VALUE];
+            dispatch!(Level::new(), simd => exponential(simd, self.logarithms(simd, piece, coefficients), [1.0; 4], &mut values));
+            places.iter().all(|(place, splines)| {
+                let coefficients = splines.values[..splines.count].iter().zip(&coefficients[splines.first..]);
+                let sum = |q: usize| coefficients.clone().map(|(value, row)| value * row[q]).sum::<f64>();
+                // NaN is no small error.
+                (0..4).all(|q| (one(&values, *place, q) / sum(q).exp() - 1.0).abs() <= allowed)
+            })
+        })
     }
 }
 
