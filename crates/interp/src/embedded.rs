@@ -17,7 +17,7 @@ impl Table {
     /// [`Table::curve`] says), all four quantities, in low-rank form to 1e-7. What accuracy it has been measured to have is its
     /// [`certificate`](crate::Description::certificate).
     ///
-    /// The first call decodes it, which takes some milliseconds.
+    /// The first call decodes it, which takes some 20 to 40 milliseconds.
     ///
     /// ```
     /// # fn main() -> Result<(), interp::Error> {

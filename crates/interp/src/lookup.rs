@@ -30,7 +30,7 @@ impl Lookup {
     const FINEST: f64 = 1e-11;
     /// Into how many parts the materials that the pieces are made for divide each axis. With two, pieces added up to 0.4 tolerances
     /// to curves between these.
-    const PARTS: usize = 6;
+    const PARTS: usize = 4;
 
     pub(crate) fn new(table: &Table, coefficients: Coefficients) -> Self {
         let held = table.quantities();
@@ -41,10 +41,10 @@ impl Lookup {
             (0..=parts).map(|i| from + (to - from) * i as f64 / Self::PARTS as f64).collect::<Vec<f64>>()
         });
         let materials = e1.iter().flat_map(|&e1| nu1.iter().map(move |&nu1| [e1, nu1]));
-        let materials = materials.flat_map(|[e1, nu1]| e0.iter().map(move |&e0| [e1, nu1, e0]));
-        let curves: Vec<Vec<f64>> = materials.map(|place| coefficients.at(place)).collect();
+        let materials: Vec<_> = materials.flat_map(|[e1, nu1]| e0.iter().map(move |&e0| [e1, nu1, e0])).collect();
+        let curve = |i: usize| coefficients.at(materials[i]);
         let error = (Self::SHARE * table.description().tolerance).max(Self::FINEST);
-        let resampler = Resampler::fitting(&coefficients.along, range, &held, &curves, error);
+        let resampler = Resampler::fitting(&coefficients.along, range, &held, materials.len(), curve, error);
         Self { coefficients, resampler, range, held }
     }
 

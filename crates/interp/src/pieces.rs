@@ -224,28 +224,46 @@ impl Resampler {
     /// The most pieces of an octave that are tried, two to this power. Only noise is not followed by pieces as short as these.
     const FINEST: u32 = 6;
 
-    /// The longest pieces on which the given curves, as coefficients of the quantities held, follow their splines to a relative
-    /// error.
-    pub(crate) fn fitting(basis: &Basis, range: [f64; 2], held: &[Quantity], curves: &[Vec<f64>], error: f64) -> Self {
+    /// The longest pieces on which so many curves, as coefficients of the quantities held, follow their splines to a relative error.
+    pub(crate) fn fitting<Coefficients: AsRef<[f64]>>(
+        basis: &Basis,
+        range: [f64; 2],
+        held: &[Quantity],
+        count: usize,
+        curve: impl Fn(usize) -> Coefficients,
+        error: f64,
+    ) -> Self {
         // Shorter than the whole range, so that the samples of a piece that sticks out of it need not lie closer to each other.
         let length = (range[1] - range[0]) / range[0];
         let coarsest = if length > 0.0 { (-length.log2()).ceil().clamp(0.0, 40.0) as u32 } else { 0 };
         let finest = coarsest.max(Self::FINEST);
         let mut bits = vec![coarsest; Grid::most_octaves(range)];
-        let curves: Vec<Cow<'_, [Four]>> = curves.iter().map(|curve| fours(curve, held)).collect();
-        loop {
-            let resampler = Self::new(basis, range, &bits);
-            let mut too_long = vec![false; bits.len()];
-            for (piece, (octave, ends)) in resampler.grid.pieces(range[1]).enumerate() {
-                if bits[octave] < finest && !too_long[octave] {
-                    too_long[octave] = !resampler.follows(piece, ends, basis, range, &curves, error);
+        let mut resampler = Self::new(basis, range, &bits);
+        // As other lengths move the ends of all pieces, it takes all curves one after the other that these are short enough for.
+        let mut followed = 0;
+        for i in (0..count).cycle() {
+            let curve = curve(i);
+            let coefficients = fours(curve.as_ref(), held);
+            loop {
+                let mut too_long = vec![false; bits.len()];
+                for (piece, (octave, ends)) in resampler.grid.pieces(range[1]).enumerate() {
+                    if bits[octave] < finest && !too_long[octave] {
+                        too_long[octave] = resampler.error(piece, ends, basis, range, &coefficients) > error;
+                    }
                 }
+                if !too_long.contains(&true) {
+                    break;
+                }
+                bits.iter_mut().zip(too_long).for_each(|(bits, too_long)| *bits += u32::from(too_long));
+                resampler = Self::new(basis, range, &bits);
+                followed = 0;
             }
-            if !too_long.contains(&true) {
-                return resampler;
+            followed += 1;
+            if followed == count {
+                break;
             }
-            bits.iter_mut().zip(too_long).for_each(|(bits, too_long)| *bits += u32::from(too_long));
         }
+        resampler
     }
 
     fn new(basis: &Basis, range: [f64; 2], bits: &[u32]) -> Self {
@@ -318,31 +336,23 @@ impl Resampler {
         pieces
     }
 
-    /// Whether a piece of every curve follows its splines to a relative error, between the samples.
-    fn follows(
-        &self,
-        piece: usize,
-        ends: [f64; 2],
-        basis: &Basis,
-        range: [f64; 2],
-        curves: &[Cow<'_, [Four]>],
-        allowed: f64,
-    ) -> bool {
+    /// The largest relative difference of a curve's piece from its splines, between the samples; infinite if one is NaN.
+    fn error(&self, piece: usize, ends: [f64; 2], basis: &Basis, range: [f64; 2], coefficients: &[Four]) -> f64 {
+        let mut values = [[0.0; 4]; VALUE];
+        dispatch!(Level::new(), simd => exponential(simd, self.logarithms(simd, piece, coefficients), [1.0; 4], &mut values));
         let samples = samples(ends, range.map(|x| x * self.grid.factor));
         let middles = samples.windows(2).map(|pair| (pair[0].midpoint(pair[1]) / self.grid.factor).clamp(range[0], range[1]));
         // A piece that sticks out of the range has samples before it, too.
         let places = middles.map(|x| (x, self.grid.place(x))).filter(|(_, place)| place.piece == piece);
-        let places: Vec<_> = places.map(|(x, place)| (place, basis.weights(Parameter::AOverT.coordinate(x)))).collect();
-        curves.iter().all(|coefficients| {
-            let mut values = [[0.0; 4]; VALUE];
-            dispatch!(Level::new(), simd => exponential(simd, self.logarithms(simd, piece, coefficients), [1.0; 4], &mut values));
-            places.iter().all(|(place, splines)| {
-                let coefficients = splines.values[..splines.count].iter().zip(&coefficients[splines.first..]);
-                let sum = |q: usize| coefficients.clone().map(|(value, row)| value * row[q]).sum::<f64>();
-                // NaN is no small error.
-                (0..4).all(|q| (one(&values, *place, q) / sum(q).exp() - 1.0).abs() <= allowed)
-            })
-        })
+        let errors = places.flat_map(|(x, place)| {
+            let splines = basis.weights(Parameter::AOverT.coordinate(x));
+            let sum = move |quantity: usize| {
+                let values = splines.values[..splines.count].iter().zip(&coefficients[splines.first..]);
+                values.map(|(value, row)| value * row[quantity]).sum::<f64>()
+            };
+            (0..4).map(move |quantity| (one(&values, place, quantity) / sum(quantity).exp() - 1.0).abs())
+        });
+        errors.fold(0.0, |largest, error| if error.is_nan() { f64::INFINITY } else { largest.max(error) })
     }
 }
 
