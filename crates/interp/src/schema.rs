@@ -117,7 +117,7 @@ impl Parameter {
         self == Self::Nu1 && value == 0.5
     }
 
-    /// How fast the coordinate grows with the value: its derivative at a value with this coordinate.
+    /// How fast the coordinate grows with the value: its derivative at a value with this coordinate, infinite at `nu1 = 0.5`.
     pub fn speed(self, coordinate: f64) -> f64 {
         match self {
             Self::AOverT | Self::E1OverE2 | Self::E0OverE2 => (-coordinate).exp(),

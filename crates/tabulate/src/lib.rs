@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! scene -> plan -> sweep( solve <- galerkin    <- bessel, quadrature, compliance <- material
-//!                               <- wiener_hopf <- krylov, contour, symbol <- compliance ) -> certify -> archive (.h5), train, end_slope -> pack (.bin)
+//!                               <- wiener_hopf <- krylov, contour, symbol <- compliance ) -> certify -> archive (.h5), end_slope -> train -> pack (.bin)
 //! ```
 //!
 //! Data flows one way along this line, and each word is a module here or, from the table on, in the crate `interp`. [`curve`] makes

@@ -22,8 +22,9 @@ const DERIVATIVE_TOLERANCE: [f64; 2] = [1e-9, 1e3];
 /// quantities and in units of `1/(1 + (a/t)^2)`. No certificate is of those.
 ///
 /// # Errors
-/// [`Error::PackedTolerance`] for a tolerance outside 1e-10 to 1e-1, [`Error::DerivativeTolerance`] for one outside 1e-9 to 1e3; [`Error::NoRoom`] if the table's own certified error is no
-/// less; [`Error::Packed`] if no low-rank form keeps the tolerance; those of [`train::compress`] and of the solve.
+/// [`Error::PackedTolerance`] for a tolerance outside 1e-10 to 1e-1, [`Error::DerivativeTolerance`] for one outside 1e-9 to 1e3;
+/// [`Error::NoRoom`] if the table's own certified error is no less; [`Error::Packed`] if no low-rank form keeps the tolerance; those
+/// of [`train::compress`] and of the solve.
 ///
 /// # Panics
 /// If the certificate is to rest on no point.

@@ -14,7 +14,6 @@
 //! of threads.
 
 use faer::{Mat, MatRef};
-use interp::schema::Parameter;
 use interp::{LowRank, Table};
 use rayon::prelude::*;
 
@@ -22,14 +21,14 @@ use crate::Error;
 use crate::end_slope::EndSlope;
 
 /// The root mean square of what is left out at each joint, over the largest error allowed anywhere: the bounds of the search. In
-/// the default box it ends between a twentieth and a fiftieth.
+/// the default box it ends between a twentieth and a fiftieth, or near a hundredth if derivatives are kept.
 const LOOSEST: f64 = 1.0;
 const TIGHTEST: f64 = 1e-3;
 /// Each halves the range of its logarithm, to 3 % at last.
 const BISECTIONS: usize = 8;
 /// What is left out at each joint, in parts of it. The first one's few indices cost little and weigh little from one to the next.
 const JOINTS: [f64; 3] = [0.1, 1.0, 1.0];
-/// The same where derivatives are kept, which see most what is left out at the last joint: as much at both makes ranks of 97 and 92.
+/// The same where derivatives are kept, which see most what is left out at the last joint: as much at both makes ranks of 98 and 92.
 const JOINTS_WITH_SLOPE: [f64; 3] = [0.1, 2.0, 0.5];
 /// The same of the functions along an axis, which cost nothing at a lookup.
 const FUNCTIONS: f64 = 0.1;
@@ -42,8 +41,8 @@ const STEP: f64 = 0.2;
 /// of the logarithms' derivatives with respect to `nu1` at 0.5, in units of `1/(1 + (a/t)^2)`.
 ///
 /// # Errors
-/// [`Error::Truncation`] where a form that leaves out next to nothing has a larger error; [`Error::NoIncompressibleEnd`] for that of derivatives that the table
-/// does not have.
+/// [`Error::Truncation`] where a form that leaves out next to nothing has a larger error; [`Error::NoIncompressibleEnd`] for that of
+/// derivatives that the table does not have.
 pub fn compress(table: &Table, error: f64, derivative_error: Option<f64>) -> Result<LowRank, Error> {
     let slope = derivative_error.map(|allowed| EndSlope::of(table, error / allowed)).transpose()?;
     // What is left out here shows no more beside what is left out later.
@@ -88,7 +87,7 @@ fn largest_difference(table: &Table, slope: Option<&EndSlope>, form: &LowRank) -
 /// The logarithms of a table as a train that leaves next to nothing out.
 struct Train {
     /// How many `e0_over_e2`, `e1_over_e2`, `nu1` and `a_over_t` it has values at. Derivatives at an end are one more `nu1`.
-    nodes: [usize; 4],
+    rows: [usize; 4],
     /// In parts of what is left out at a joint, what is left out at each.
     joints: [f64; 3],
     /// For each joint, the root mean square that each of its indices adds to the logarithms, descending.
@@ -101,8 +100,8 @@ struct Train {
 impl Train {
     /// Leaves out no more than `tail` (root mean square) at each joint.
     fn of(table: &Table, slope: Option<&EndSlope>, tail: f64) -> Self {
-        let (nodes, mut rest) = tensor(table, slope);
-        let [n_e0, n_e1, n_nu, n_a] = nodes;
+        let (rows, mut rest) = tensor(table, slope);
+        let [n_e0, n_e1, n_nu, n_a] = rows;
         let scale = (rest.len() as f64).sqrt();
         let (mut weights, mut cores) = ([const { Vec::new() }; 3], [const { Vec::new() }; 4]);
         let mut before = 1;
@@ -120,39 +119,41 @@ impl Train {
         let norm = (scale * scale / (n_a * table.quantities().len()) as f64).sqrt();
         cores[3] = rest.into_iter().map(|entry| entry / norm).collect();
         let joints = if slope.is_some() { JOINTS_WITH_SLOPE } else { JOINTS };
-        Self { nodes, joints, weights, cores }
+        Self { rows, joints, weights, cores }
     }
 
     /// The low-rank form without the last indices of each joint, as many as leave out no more than `tail` (root mean square), and
     /// with entries rounded to about as much.
     fn truncated(&self, table: &Table, tail: f64) -> Result<LowRank, Error> {
+        let [n_a, n_e1, n_nu, n_e0] = table.shape();
+        // Without the derivatives, which are made of the values.
+        let nodes = [n_e0, n_e1, n_nu, n_a];
         let held = table.quantities().len();
         let mut kept = [0; 3];
         for (joint, weights) in self.weights.iter().enumerate() {
             let squares: Vec<f64> = weights.iter().map(|weight| weight * weight).collect();
             // An index has no more values than that before it and the nodes between together.
             let before = if joint == 0 { 1 } else { kept[joint - 1] };
-            kept[joint] = rank(&squares, self.joints[joint] * tail).min(before * self.nodes[joint]);
+            kept[joint] = rank(&squares, self.joints[joint] * tail).min(before * nodes[joint]);
         }
         let weights: [&[f64]; 3] = std::array::from_fn(|joint| &self.weights[joint][..kept[joint]]);
         let (mut functions, mut steps, mut cores) = ([const { Vec::new() }; 4], [0.0; 4], [const { Vec::new() }; 4]);
-        for (i, nodes) in self.nodes.into_iter().enumerate() {
+        for (i, (rows, nodes)) in self.rows.into_iter().zip(nodes).enumerate() {
             let before = if i == 0 { 1 } else { kept[i - 1] };
             let (after, of_after) = if i == 3 { (held, held) } else { (kept[i], self.weights[i].len()) };
-            let entry = |node: usize, pair: usize| {
+            let entry = |row: usize, pair: usize| {
                 let (index, after) = (pair / after, pair % after);
                 let weight = if i == 3 { 1.0 } else { weights[i][after] };
-                weight * self.cores[i][(index * nodes + node) * of_after + after]
+                weight * self.cores[i][(index * rows + row) * of_after + after]
             };
-            let core = Mat::from_fn(nodes, before * after, entry);
+            let core = Mat::from_fn(rows, before * after, entry);
             // Each quantity is one of those that the root mean square is taken of.
             let of_one = if i == 3 { held as f64 } else { 1.0 };
-            let (vectors, values) = singular_vectors(core.as_ref(), FUNCTIONS * tail * (nodes as f64 * of_one).sqrt());
-            let norm = (nodes as f64).sqrt();
+            let (vectors, values) = singular_vectors(core.as_ref(), FUNCTIONS * tail * (rows as f64 * of_one).sqrt());
+            let norm = (rows as f64).sqrt();
             let numbers = vectors.transpose() * &core / norm;
-            let count = values.len();
-            let of_nodes = if i == 2 { table.axis(Parameter::Nu1).len() } else { nodes };
-            functions[i] = row_major(vectors.get(..of_nodes, ..)).map(|value| norm * value).collect();
+            let count = values.len().min(nodes);
+            functions[i] = row_major(vectors.get(..nodes, ..count)).map(|value| norm * value).collect();
             // Finer steps than those of f64 at the largest entry are of no use.
             let largest = numbers.norm_max().max(f64::MIN_POSITIVE);
             steps[i] = (STEP * tail / ((before * count * after) as f64 / of_one).sqrt()).max(f64::EPSILON * largest);
@@ -168,9 +169,9 @@ impl Train {
 /// `a_over_t` and the quantities held; after how many there are of the first four.
 fn tensor(table: &Table, slope: Option<&EndSlope>) -> ([usize; 4], Vec<f64>) {
     let [n_a, n_e1, n_nu, n_e0] = table.shape();
-    let nodes = [n_e0, n_e1, n_nu + usize::from(slope.is_some()), n_a];
+    let rows = [n_e0, n_e1, n_nu + usize::from(slope.is_some()), n_a];
     let width = n_a * table.quantities().len();
-    let mut tensor = vec![0.0; n_e0 * n_e1 * nodes[2] * width];
+    let mut tensor = vec![0.0; n_e0 * n_e1 * rows[2] * width];
     for e1 in 0..n_e1 {
         let mut logarithms = table.logarithms(e1);
         if let Some(slope) = slope {
@@ -178,10 +179,10 @@ fn tensor(table: &Table, slope: Option<&EndSlope>) -> ([usize; 4], Vec<f64>) {
         }
         for (i, row) in logarithms.chunks_exact(width).enumerate() {
             let (nu, e0) = (i / n_e0, i % n_e0);
-            tensor[((e0 * n_e1 + e1) * nodes[2] + nu) * width..][..width].copy_from_slice(row);
+            tensor[((e0 * n_e1 + e1) * rows[2] + nu) * width..][..width].copy_from_slice(row);
         }
     }
-    (nodes, tensor)
+    (rows, tensor)
 }
 
 /// The left singular vectors of a matrix and their singular values, without as many of the last as leave out no more than `tail`

@@ -30,7 +30,7 @@ pub struct Arguments {
     /// What the form may add to derivatives with respect to nu1 at 0.5, of the logarithms of quantities, in units of
     /// 1/(1 + (a/t)^2) [default: not looked at]
     ///
-    /// Without it they may be wrong by some hundred times the tolerance, where films are soft and nearly incompressible.
+    /// Without it they may be off by hundreds of times the tolerance where films are soft and nearly incompressible.
     #[arg(long, requires = "tolerance", allow_negative_numbers = true)]
     derivative_tolerance: Option<f64>,
     /// Number of points of the certificate [default: 2500 for each axis]
