@@ -86,7 +86,7 @@ enum End {
 fn label(row: &Row) -> (&str, End, Side) {
     match (row.form.as_str(), row.what.as_str()) {
         ("packed table", FURTHER) => ("table: further point", End::Disc, Side::BelowRight),
-        ("packed table", _) => ("packed: new material", End::Disc, Side::Below),
+        ("packed table", _) => ("packed: new material", End::Disc, Side::Right),
         ("dense table", _) => ("dense: new material", End::Circle, Side::Above),
         (form, _) => {
             let name = form.split(',').next().unwrap_or_default().trim_start_matches("direct ");
