@@ -52,6 +52,18 @@ pub fn material() -> Material {
     Material::new(1.75, 0.3, 300.0, 0.25).expect("physical")
 }
 
+/// One material at so many nodes, as one function, which takes next to no bytes.
+pub fn of_nodes(count: usize, [from, to]: [f64; 2]) -> Table {
+    let node = |i: usize| from * (to / from).powf(i as f64 / (count - 1) as f64);
+    let axes = [(0..count).map(node).collect(), vec![1.75], vec![0.3], vec![300.0]];
+    let one = vec![1.0];
+    let functions = [one.clone(), one.clone(), one.clone(), (0..count).map(|i| 1.0 + 0.1 * (i as f64).sin()).collect()];
+    let cores: [&[i64]; 4] = [&[10], &[10], &[10], &[10, 11, 12, 10]];
+    let form =
+        LowRank::new(Quantity::ALL.to_vec(), std::array::from_fn(|_| one.clone()), functions, [0.1; 4], cores).expect("sound");
+    Table::from_low_rank(Description { tolerance: 1e-12, ..description() }, axes, form).expect("sound")
+}
+
 /// A dense table of so many nodes on each axis, and one of rank 1: noise, which the splines through it make worse.
 pub fn of_shape(shape: [usize; 4], a_over_t: [f64; 2]) -> [Table; 2] {
     let middle = [1.0, 1.75, 0.3, 300.0];
