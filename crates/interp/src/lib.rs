@@ -73,7 +73,7 @@
 //!
 //! | feature | adds |
 //! |---|---|
-//! | `embedded` (default) | `Table::embedded`, 0.51 MB in the program |
+//! | `embedded` (default) | `Table::embedded`, 0.45 MB in the program |
 //! | `hdf5` | `Table::open`, without a C library |
 //! | `dynamics` | `ContactLine::ramp`: contact lines that move at a finite speed |
 //!

@@ -49,15 +49,25 @@ pub enum Error {
         /// What it is.
         now: String,
     },
-    /// A low-rank form that cannot have so small an error, because of rounding for instance.
+    /// A low-rank form that rounding keeps from its error.
     #[error(
-        "no low-rank form has an error of {error:.1e}: the one that leaves out least has {reached:.1e}; ask for a larger tolerance, of \
-         derivatives too"
+        "a low-rank form with an error of {error:.1e} is not within rounding: it has {reached:.1e}; ask for a larger tolerance"
     )]
     Truncation {
         /// The relative error at the nodes that was asked for.
         error: f64,
-        /// The smallest that was reached; of derivatives, in the part of their own error.
+        /// The smallest that was reached.
+        reached: f64,
+    },
+    /// A low-rank form that rounding keeps from the derivatives that were asked for.
+    #[error(
+        "a low-rank form whose derivatives with respect to nu1 = 0.5 are off by {allowed:.1e} is not within rounding: they are by \
+         {reached:.1e}; ask for a larger derivative tolerance, or for a smaller tolerance"
+    )]
+    DerivativeTruncation {
+        /// The error of the derivatives that was asked for.
+        allowed: f64,
+        /// The smallest that was reached.
         reached: f64,
     },
     /// A tolerance that no packed table is asked for.

@@ -7,9 +7,6 @@
 //! multiplications at a lookup: in the default box the pairs (`e0`, `e1`), (`e1`, `nu`) and (`e0`, `nu`) have the ranks 81, 117 to
 //! 125 and 86 at 7e-8.
 //!
-//! If derivatives with respect to `nu1` at 0.5 are to be kept, they take part like values at one more node (`end_slope`). The default
-//! box to 1e-7 has the ranks 87 and 94 then instead of 82 and 78, and is within 70 tolerances of the true derivatives instead of 400.
-//!
 //! Everything but the measurement of errors, whose maximum knows no order, happens in one thread: the result depends on no number
 //! of threads.
 
@@ -21,15 +18,18 @@ use crate::Error;
 use crate::end_slope::EndSlope;
 
 /// The root mean square of what is left out at each joint, over the largest error allowed anywhere: the bounds of the search. In
-/// the default box it ends between a twentieth and a fiftieth, or near a hundredth if derivatives are kept.
+/// the default box it ends between a twentieth and a fiftieth.
 const LOOSEST: f64 = 1.0;
 const TIGHTEST: f64 = 1e-3;
-/// Each halves the range of its logarithm, to 3 % at last.
+/// The same where derivatives are kept, of which errors of values may be a small part. In the default box it ends near a hundredth.
+const TIGHTEST_WITH_DERIVATIVES: f64 = 1e-5;
+/// Each halves the range of its logarithm, to 3 % at last, or 5 %.
 const BISECTIONS: usize = 8;
 /// What is left out at each joint, in parts of it. The first one's few indices cost little and weigh little from one to the next.
 const JOINTS: [f64; 3] = [0.1, 1.0, 1.0];
-/// The same where derivatives are kept, which see most what is left out at the last joint: as much at both makes ranks of 98 and 92.
-const JOINTS_WITH_SLOPE: [f64; 3] = [0.1, 2.0, 0.5];
+/// The same where derivatives are kept: they see most what is left out at the last joint. The default box to 1e-7 has the ranks 82
+/// and 93 then, and is within 75 tolerances of the true derivatives; else 81 and 77, and 400.
+const JOINTS_WITH_DERIVATIVES: [f64; 3] = [0.1, 3.0, 0.3];
 /// The same of the functions along an axis, which cost nothing at a lookup.
 const FUNCTIONS: f64 = 0.1;
 /// The step of a core in units of the root mean square that is left out at a joint, spread over its numbers: the rounding of a core
@@ -37,30 +37,34 @@ const FUNCTIONS: f64 = 0.1;
 /// `nu1` near 0.5.
 const STEP: f64 = 0.2;
 
-/// A table in low-rank form, with about as few numbers as its largest relative error at the nodes allows, and, if one is given, that
-/// of the logarithms' derivatives with respect to `nu1` at 0.5, in units of `1/(1 + (a/t)^2)`.
+/// A table in low-rank form, with about as few numbers as its largest relative error at the nodes allows; and, if an error is given
+/// for them, the derivatives of the logarithms with respect to `nu1` at 0.5, times `1/(1 + (a/t)^2)`, at the other axes' nodes.
 ///
 /// # Errors
-/// [`Error::Truncation`] where a form that leaves out next to nothing has a larger error; [`Error::NoIncompressibleEnd`] for that of
-/// derivatives that the table does not have.
+/// [`Error::Truncation`] or [`Error::DerivativeTruncation`] where a form that leaves out next to nothing has a larger error;
+/// [`Error::NoIncompressibleEnd`] for that of derivatives that the table does not have.
 pub fn compress(table: &Table, error: f64, derivative_error: Option<f64>) -> Result<LowRank, Error> {
-    let slope = derivative_error.map(|allowed| EndSlope::of(table, error / allowed)).transpose()?;
+    let kept = derivative_error.map(|allowed| Ok::<_, Error>((EndSlope::of(table)?, allowed))).transpose()?;
+    let (tightest, joints) = if kept.is_some() { (TIGHTEST_WITH_DERIVATIVES, JOINTS_WITH_DERIVATIVES) } else { (TIGHTEST, JOINTS) };
     // What is left out here shows no more beside what is left out later.
-    let train = Train::of(table, slope.as_ref(), 0.1 * TIGHTEST * error);
-    let attempt = |share: f64| -> Result<(LowRank, f64), Error> {
-        let form = train.truncated(table, share * error)?;
-        let reached = largest_difference(table, slope.as_ref(), &form);
-        Ok((form, reached))
+    let train = Train::of(table, 0.1 * tightest * error);
+    let attempt = |share: f64| -> Result<(LowRank, Result<(), Error>), Error> {
+        let form = train.truncated(table, joints.map(|part| part * share * error), share * error)?;
+        let [reached, derivative] = largest_differences(table, kept.as_ref().map(|(slope, _)| slope), &form);
+        let verdict = match kept {
+            _ if reached > error => Err(Error::Truncation { error, reached }),
+            Some((_, allowed)) if derivative > allowed => Err(Error::DerivativeTruncation { allowed, reached: derivative }),
+            _ => Ok(()),
+        };
+        Ok((form, verdict))
     };
-    let (mut best, reached) = attempt(TIGHTEST)?;
-    if reached > error {
-        return Err(Error::Truncation { error, reached });
-    }
-    let (mut tight, mut loose) = (TIGHTEST.ln(), LOOSEST.ln());
+    let (mut best, verdict) = attempt(tightest)?;
+    verdict?;
+    let (mut tight, mut loose) = (tightest.ln(), LOOSEST.ln());
     for _ in 0..BISECTIONS {
         let middle = 0.5 * (tight + loose);
-        let (form, reached) = attempt(middle.exp())?;
-        if reached <= error {
+        let (form, verdict) = attempt(middle.exp())?;
+        if verdict.is_ok() {
             (best, tight) = (form, middle);
         } else {
             loose = middle;
@@ -69,27 +73,21 @@ pub fn compress(table: &Table, error: f64, derivative_error: Option<f64>) -> Res
     Ok(best)
 }
 
-/// The largest difference of a table's logarithms at the nodes from those of a low-rank form: the largest relative error of its
-/// quantities; or that of their derivatives, as it weighs them.
-fn largest_difference(table: &Table, slope: Option<&EndSlope>, form: &LowRank) -> f64 {
+/// The largest difference of a table's logarithms at the nodes from those of a low-rank form, which is the largest relative error of
+/// its quantities; and of their derivatives, if these are kept.
+fn largest_differences(table: &Table, kept: Option<&EndSlope>, form: &LowRank) -> [f64; 2] {
     let [_, n_e1, ..] = table.shape();
     let differences = (0..n_e1).into_par_iter().map(|e1| {
         let mut differences = table.logarithms(e1);
         differences.iter_mut().zip(form.logarithms(e1)).for_each(|(exact, truncated)| *exact -= truncated);
-        if let Some(slope) = slope {
-            slope.append(&mut differences);
-        }
-        differences.iter().fold(0.0, |largest, difference| difference.abs().max(largest))
+        let largest = differences.iter().fold(0.0, |largest, difference| difference.abs().max(largest));
+        [largest, kept.map_or(0.0, |slope| slope.largest(&differences))]
     });
-    differences.reduce(|| 0.0, f64::max)
+    differences.reduce(|| [0.0; 2], |a, b| [a[0].max(b[0]), a[1].max(b[1])])
 }
 
 /// The logarithms of a table as a train that leaves next to nothing out.
 struct Train {
-    /// How many `e0_over_e2`, `e1_over_e2`, `nu1` and `a_over_t` it has values at. Derivatives at an end are one more `nu1`.
-    rows: [usize; 4],
-    /// In parts of what is left out at a joint, what is left out at each.
-    joints: [f64; 3],
     /// For each joint, the root mean square that each of its indices adds to the logarithms, descending.
     weights: [Vec<f64>; 3],
     /// Scaled such that the vectors of each index, of whatever joint, have the root mean square 1 on the nodes before it. The last
@@ -99,9 +97,9 @@ struct Train {
 
 impl Train {
     /// Leaves out no more than `tail` (root mean square) at each joint.
-    fn of(table: &Table, slope: Option<&EndSlope>, tail: f64) -> Self {
-        let (rows, mut rest) = tensor(table, slope);
-        let [n_e0, n_e1, n_nu, n_a] = rows;
+    fn of(table: &Table, tail: f64) -> Self {
+        let [n_a, n_e1, n_nu, n_e0] = table.shape();
+        let mut rest = tensor(table);
         let scale = (rest.len() as f64).sqrt();
         let (mut weights, mut cores) = ([const { Vec::new() }; 3], [const { Vec::new() }; 4]);
         let mut before = 1;
@@ -118,42 +116,40 @@ impl Train {
         }
         let norm = (scale * scale / (n_a * table.quantities().len()) as f64).sqrt();
         cores[3] = rest.into_iter().map(|entry| entry / norm).collect();
-        let joints = if slope.is_some() { JOINTS_WITH_SLOPE } else { JOINTS };
-        Self { rows, joints, weights, cores }
+        Self { weights, cores }
     }
 
-    /// The low-rank form without the last indices of each joint, as many as leave out no more than `tail` (root mean square), and
-    /// with entries rounded to about as much.
-    fn truncated(&self, table: &Table, tail: f64) -> Result<LowRank, Error> {
+    /// The low-rank form without the last indices of each joint, as many as leave out no more than this (root mean square), and
+    /// with entries rounded to about `tail`.
+    fn truncated(&self, table: &Table, at_joints: [f64; 3], tail: f64) -> Result<LowRank, Error> {
         let [n_a, n_e1, n_nu, n_e0] = table.shape();
-        // Without the derivatives, which are made of the values.
-        let nodes = [n_e0, n_e1, n_nu, n_a];
         let held = table.quantities().len();
-        let mut kept = [0; 3];
-        for (joint, weights) in self.weights.iter().enumerate() {
-            let squares: Vec<f64> = weights.iter().map(|weight| weight * weight).collect();
+        let (mut kept, mut most) = ([0; 3], 1);
+        for (joint, nodes) in [n_e0, n_e1, n_nu].into_iter().enumerate() {
+            let squares: Vec<f64> = self.weights[joint].iter().map(|weight| weight * weight).collect();
             // An index has no more values than that before it and the nodes between together.
-            let before = if joint == 0 { 1 } else { kept[joint - 1] };
-            kept[joint] = rank(&squares, self.joints[joint] * tail).min(before * nodes[joint]);
+            most *= nodes;
+            most = rank(&squares, at_joints[joint]).min(most);
+            kept[joint] = most;
         }
         let weights: [&[f64]; 3] = std::array::from_fn(|joint| &self.weights[joint][..kept[joint]]);
         let (mut functions, mut steps, mut cores) = ([const { Vec::new() }; 4], [0.0; 4], [const { Vec::new() }; 4]);
-        for (i, (rows, nodes)) in self.rows.into_iter().zip(nodes).enumerate() {
+        for (i, nodes) in [n_e0, n_e1, n_nu, n_a].into_iter().enumerate() {
             let before = if i == 0 { 1 } else { kept[i - 1] };
             let (after, of_after) = if i == 3 { (held, held) } else { (kept[i], self.weights[i].len()) };
-            let entry = |row: usize, pair: usize| {
+            let entry = |node: usize, pair: usize| {
                 let (index, after) = (pair / after, pair % after);
                 let weight = if i == 3 { 1.0 } else { weights[i][after] };
-                weight * self.cores[i][(index * rows + row) * of_after + after]
+                weight * self.cores[i][(index * nodes + node) * of_after + after]
             };
-            let core = Mat::from_fn(rows, before * after, entry);
+            let core = Mat::from_fn(nodes, before * after, entry);
             // Each quantity is one of those that the root mean square is taken of.
             let of_one = if i == 3 { held as f64 } else { 1.0 };
-            let (vectors, values) = singular_vectors(core.as_ref(), FUNCTIONS * tail * (rows as f64 * of_one).sqrt());
-            let norm = (rows as f64).sqrt();
+            let (vectors, values) = singular_vectors(core.as_ref(), FUNCTIONS * tail * (nodes as f64 * of_one).sqrt());
+            let norm = (nodes as f64).sqrt();
             let numbers = vectors.transpose() * &core / norm;
-            let count = values.len().min(nodes);
-            functions[i] = row_major(vectors.get(..nodes, ..count)).map(|value| norm * value).collect();
+            let count = values.len();
+            functions[i] = row_major(vectors.as_ref()).map(|value| norm * value).collect();
             // Finer steps than those of f64 at the largest entry are of no use.
             let largest = numbers.norm_max().max(f64::MIN_POSITIVE);
             steps[i] = (STEP * tail / ((before * count * after) as f64 / of_one).sqrt()).max(f64::EPSILON * largest);
@@ -165,24 +161,18 @@ impl Train {
     }
 }
 
-/// The logarithms of a table, and as of a last `nu1` their derivatives at an end, row-major over `e0_over_e2`, `e1_over_e2`, `nu1`,
-/// `a_over_t` and the quantities held; after how many there are of the first four.
-fn tensor(table: &Table, slope: Option<&EndSlope>) -> ([usize; 4], Vec<f64>) {
+/// The logarithms of a table, row-major over `e0_over_e2`, `e1_over_e2`, `nu1`, `a_over_t` and the quantities held.
+fn tensor(table: &Table) -> Vec<f64> {
     let [n_a, n_e1, n_nu, n_e0] = table.shape();
-    let rows = [n_e0, n_e1, n_nu + usize::from(slope.is_some()), n_a];
     let width = n_a * table.quantities().len();
-    let mut tensor = vec![0.0; n_e0 * n_e1 * rows[2] * width];
+    let mut tensor = vec![0.0; n_e0 * n_e1 * n_nu * width];
     for e1 in 0..n_e1 {
-        let mut logarithms = table.logarithms(e1);
-        if let Some(slope) = slope {
-            slope.append(&mut logarithms);
-        }
-        for (i, row) in logarithms.chunks_exact(width).enumerate() {
+        for (i, row) in table.logarithms(e1).chunks_exact(width).enumerate() {
             let (nu, e0) = (i / n_e0, i % n_e0);
-            tensor[((e0 * n_e1 + e1) * rows[2] + nu) * width..][..width].copy_from_slice(row);
+            tensor[((e0 * n_e1 + e1) * n_nu + nu) * width..][..width].copy_from_slice(row);
         }
     }
-    (rows, tensor)
+    tensor
 }
 
 /// The left singular vectors of a matrix and their singular values, without as many of the last as leave out no more than `tail`

@@ -27,8 +27,8 @@ pub struct Arguments {
     /// Low-rank form with this relative tolerance, between the nodes as well as at them
     #[arg(long, allow_negative_numbers = true)]
     tolerance: Option<f64>,
-    /// What the form may add to derivatives with respect to nu1 at 0.5, of the logarithms of quantities, in units of
-    /// 1/(1 + (a/t)^2) [default: not looked at]
+    /// How far the form may be from the table in derivatives with respect to nu1 at 0.5: those of the logarithms of quantities,
+    /// times 1/(1 + (a/t)^2) [default: any]
     ///
     /// Without it they may be off by hundreds of times the tolerance where films are soft and nearly incompressible.
     #[arg(long, requires = "tolerance", allow_negative_numbers = true)]
