@@ -194,7 +194,7 @@ fn what_a_lookup_leaves_out_hardly_shows_at_the_ends_of_the_table_either() {
 #[test]
 fn the_pieces_of_a_curve_add_about_a_tenth_of_the_tolerance_at_most_to_any_material() {
     let rigid_sphere = low_rank(&table(RIGID_SPHERE), 1e-6);
-    for (table, allowed) in [(Table::embedded(), 0.1), (&low_rank(&FOUR_AXES, 1e-7), 0.1), (&rigid_sphere, 0.2)] {
+    for table in [Table::embedded(), &low_rank(&FOUR_AXES, 1e-7), &rigid_sphere] {
         // Of the same splines, as pieces that are as short as there are.
         let finest = Description { tolerance: 1e-10, ..table.description().clone() };
         let form = table.low_rank().expect("low-rank").clone();
@@ -219,7 +219,7 @@ fn the_pieces_of_a_curve_add_about_a_tenth_of_the_tolerance_at_most_to_any_mater
         }
         println!("{}: {worst:.3} tolerances", table.description().title);
         // Measured: 0.062, 0.005, 0.019; 0.28 in the first if the materials that pieces are made for cut each axis in two only.
-        assert!(worst <= allowed);
+        assert!(worst <= 0.1);
     }
 }
 
@@ -368,7 +368,7 @@ fn what_cannot_be_packed_to_a_tolerance_is_said_and_nothing_is_written() {
         ("one.h5", "1e-3", ["nu1 = 0.5", "1 to 0.5"]),
         ("table.h5", "-1", ["derivative tolerance = -1.0", "1e-9 to 1e3"]),
         ("table.h5", "nan", ["derivative tolerance = NaN", "1e-9 to 1e3"]),
-        ("table.h5", "1e-9", ["derivatives with respect to nu1 = 0.5 are off by 1.0e-9", "larger derivative tolerance"]),
+        ("table.h5", "1e-9", ["derivatives with respect to nu1 at 0.5 are off by 1.0e-9", "larger derivative tolerance"]),
     ] {
         let pack = ["pack", name, "-o", "table.bin", "--tolerance", "1e-3", "--derivative-tolerance", allowed];
         assert_names(&desk.fail(1, &pack), &words);

@@ -61,7 +61,7 @@ pub enum Error {
     },
     /// A low-rank form that rounding keeps from the derivatives that were asked for.
     #[error(
-        "a low-rank form whose derivatives with respect to nu1 = 0.5 are off by {allowed:.1e} is not within rounding: they are by \
+        "a low-rank form whose derivatives with respect to nu1 at 0.5 are off by {allowed:.1e} is not within rounding: they are by \
          {reached:.1e}; ask for a larger derivative tolerance, or for a smaller tolerance"
     )]
     DerivativeTruncation {

@@ -44,7 +44,10 @@ const STEP: f64 = 0.2;
 /// [`Error::Truncation`] or [`Error::DerivativeTruncation`] where a form that leaves out next to nothing has a larger error;
 /// [`Error::NoIncompressibleEnd`] for that of derivatives that the table does not have.
 pub fn compress(table: &Table, error: f64, derivative_error: Option<f64>) -> Result<LowRank, Error> {
-    let kept = derivative_error.map(|allowed| Ok::<_, Error>((EndSlope::of(table)?, allowed))).transpose()?;
+    let kept = match derivative_error {
+        Some(allowed) => Some((EndSlope::of(table)?, allowed)),
+        None => None,
+    };
     let (tightest, joints) = if kept.is_some() { (TIGHTEST_WITH_DERIVATIVES, JOINTS_WITH_DERIVATIVES) } else { (TIGHTEST, JOINTS) };
     // What is left out here shows no more beside what is left out later.
     let train = Train::of(table, 0.1 * tightest * error);
