@@ -16,6 +16,7 @@ use tabulate::plan::Plan;
 use tabulate::scene::Scene;
 use tabulate::solve::solve;
 use tabulate::sweep::sweep;
+use tabulate::train;
 use tempfile::TempDir;
 
 /// A CSV file, a data file or an output: one row per case, with named columns. Lines that begin with `#` are comments.
@@ -178,6 +179,26 @@ impl Contacts {
     }
 }
 
+/// Four axes.
+pub const BOX: &str = "
+    title      = 'Four axes'
+    tolerance  = 1e-6
+    a_over_t   = { from = 0.1, to = 10, nodes = 30 }
+    e1_over_e2 = { from = 0.3, to = 3, nodes = 14 }
+    nu1        = { from = 0.3, to = 0.5, nodes = 13 }
+    e0_over_e2 = { from = 10, to = 100, nodes = 10 }
+";
+/// Three axes, the sphere rigid: all is normalised by `E1*`.
+pub const RIGID_SPHERE: &str = "
+    title      = 'Rigid sphere'
+    tolerance  = 1e-4
+    quantities = ['eeq', 'delta0']
+    a_over_t   = { from = 0.1, to = 10, nodes = 20 }
+    e1_over_e2 = 0
+    nu1        = { from = 0.3, to = 0.45, nodes = 9 }
+    e0_over_e2 = { from = 1, to = 100, nodes = 9 }
+";
+
 /// The table of a scene, with a certificate of 400 points.
 ///
 /// # Panics
@@ -199,6 +220,20 @@ pub fn table(scene: &str) -> Table {
     let mut table = Table::new(description, axes, values).expect("a sweep makes a whole table");
     table.set_certificate(certify(&table, 400, 1, &|_| {}).expect("the tests' scenes are within reach"));
     table
+}
+
+/// The nodes of a table.
+pub fn axes(table: &Table) -> [Vec<f64>; 4] {
+    Parameter::ALL.map(|parameter| table.axis(parameter).to_vec())
+}
+
+/// A table in low-rank form, with this error at its nodes.
+///
+/// # Panics
+/// If rounding does not allow it.
+pub fn low_rank(table: &Table, error: f64) -> Table {
+    let form = train::compress(table, error, None).expect("above rounding");
+    Table::from_low_rank(table.description().clone(), axes(table), form).expect("a form of this table")
 }
 
 /// The path of a table or scene that comes with the project.

@@ -1,39 +1,8 @@
 //! What a lookup adds to the error of a low-rank table: what it leaves out, and the pieces of its curves.
 
-use acceptance::{Contacts, ends, larger, material, table};
+use acceptance::{BOX, Contacts, RIGID_SPHERE, axes, ends, larger, low_rank, material, table};
 use interp::schema::Parameter;
 use interp::{Description, Quantity, Table};
-use tabulate::train;
-
-/// Four axes.
-const FOUR_AXES: &str = "
-    title      = 'Four axes'
-    tolerance  = 1e-6
-    a_over_t   = { from = 0.1, to = 10, nodes = 30 }
-    e1_over_e2 = { from = 0.3, to = 3, nodes = 14 }
-    nu1        = { from = 0.3, to = 0.5, nodes = 13 }
-    e0_over_e2 = { from = 10, to = 100, nodes = 10 }
-";
-/// Three axes, the sphere rigid: all is normalised by `E1*`.
-const RIGID_SPHERE: &str = "
-    title      = 'Rigid sphere'
-    tolerance  = 1e-4
-    quantities = ['eeq', 'delta0']
-    a_over_t   = { from = 0.1, to = 10, nodes = 20 }
-    e1_over_e2 = 0
-    nu1        = { from = 0.3, to = 0.45, nodes = 9 }
-    e0_over_e2 = { from = 1, to = 100, nodes = 9 }
-";
-
-fn axes(table: &Table) -> [Vec<f64>; 4] {
-    Parameter::ALL.map(|parameter| table.axis(parameter).to_vec())
-}
-
-fn low_rank(scene: &str, error: f64) -> Table {
-    let dense = table(scene);
-    let form = train::compress(&dense, error, None).expect("above rounding");
-    Table::from_low_rank(dense.description().clone(), axes(&dense), form).expect("a form of this table")
-}
 
 /// What a lookup leaves out of the low-rank form adds up most at the soft end of the embedded table, and derivatives with respect to
 /// `nu1` see it most near 0.5.
@@ -70,7 +39,7 @@ fn what_a_lookup_leaves_out_hardly_shows_at_the_ends_of_the_table_either() {
 /// The pieces of a curve are as many as curves of some materials need, and have to follow those of all others, too.
 #[test]
 fn the_pieces_of_a_curve_add_about_a_tenth_of_the_tolerance_at_most_to_any_material() {
-    for table in [Table::embedded(), &low_rank(FOUR_AXES, 1e-7), &low_rank(RIGID_SPHERE, 1e-6)] {
+    for table in [Table::embedded(), &low_rank(&table(BOX), 1e-7), &low_rank(&table(RIGID_SPHERE), 1e-6)] {
         // Of the same splines, as pieces that are as short as there are.
         let finest = Description { tolerance: 1e-10, ..table.description().clone() };
         let form = table.low_rank().expect("low-rank").clone();

@@ -3,30 +3,14 @@
 use std::process::Command;
 use std::sync::LazyLock;
 
-use acceptance::{Contacts, Desk, PREFIX, all_bits, assert_names, error_at, larger, material, shipped, table, with_payload};
+use acceptance::{
+    BOX, Contacts, Desk, PREFIX, RIGID_SPHERE, all_bits, assert_names, axes, error_at, larger, low_rank, material, shipped, table,
+    with_payload,
+};
 use interp::schema::Parameter;
 use interp::{Description, Error, LowRank, Quantity, Table};
 use tabulate::{archive, train};
 
-/// Four axes.
-const BOX: &str = "
-    title      = 'Four axes'
-    tolerance  = 1e-6
-    a_over_t   = { from = 0.1, to = 10, nodes = 30 }
-    e1_over_e2 = { from = 0.3, to = 3, nodes = 14 }
-    nu1        = { from = 0.3, to = 0.5, nodes = 13 }
-    e0_over_e2 = { from = 10, to = 100, nodes = 10 }
-";
-/// Three axes, the sphere rigid: all is normalised by `E1*`.
-const RIGID_SPHERE: &str = "
-    title      = 'Rigid sphere'
-    tolerance  = 1e-4
-    quantities = ['eeq', 'delta0']
-    a_over_t   = { from = 0.1, to = 10, nodes = 20 }
-    e1_over_e2 = 0
-    nu1        = { from = 0.3, to = 0.45, nodes = 9 }
-    e0_over_e2 = { from = 1, to = 100, nodes = 9 }
-";
 const TWO_AXES: &str = "
     title      = 'Rigid substrate'
     tolerance  = 1e-4
@@ -59,15 +43,6 @@ static FOUR_AXES: LazyLock<Table> = LazyLock::new(|| table(BOX));
 
 /// A small low-rank table, packed.
 static PACKED: LazyLock<Vec<u8>> = LazyLock::new(|| low_rank(&table(RIGID_SPHERE), 1e-4).to_packed().expect("a small table"));
-
-fn axes(table: &Table) -> [Vec<f64>; 4] {
-    Parameter::ALL.map(|parameter| table.axis(parameter).to_vec())
-}
-
-fn low_rank(table: &Table, error: f64) -> Table {
-    let form = train::compress(table, error, None).expect("above rounding");
-    Table::from_low_rank(table.description().clone(), axes(table), form).expect("a form of this table")
-}
 
 fn desk() -> Desk {
     Desk::new(env!("CARGO_BIN_EXE_tabulate-under-test"))

@@ -210,11 +210,11 @@ impl Curve {
     ///
     /// They are the derivatives of the table's splines, to the pieces' error. Those of the embedded table are within 100 times its
     /// tolerance of the true ones, relative to the quantity and per unit of `ln(a/t)`, `ln e1_over_e2` and `ln e0_over_e2`, and of
-    /// the Poisson ratios in units of what changes the contact, `(1 - 2 nu1) + 1/(1 + (a/t)^2)` for the film and `1/(1 + E1/E0)` for
-    /// the substrate: stiff films have an equivalent on a narrow range only. Measured: 3, 6 and 4, 75 and 45. The largest is that
-    /// of nearly incompressible films at the soft end, `e1_over_e2` of 1e-3, where the derivative with respect to `nu1` divides
-    /// errors by the cube of the distance between nodes; there, a table that was not solved to less than its tolerance, or packed
-    /// without `--derivative-tolerance`, may be off by some 400. Below the nodes they are those of the expansion for thick films.
+    /// the Poisson ratios in units of what changes the contact, `(1 - 2 nu1) + 1/(1 + (a/t)^2)` for the film and `1/(1 + E1/E0)`
+    /// for the substrate: stiff films have an equivalent on a narrow range only. Measured: 3, 6 and 4, 75 and 45. The largest is
+    /// that of nearly incompressible films at the soft end, `e1_over_e2` of 1e-3, where the derivative with respect to `nu1`
+    /// divides errors by the cube of the distance between nodes: a table that was made otherwise may be off by hundreds of
+    /// tolerances there. Below the nodes they are those of the expansion for thick films.
     ///
     /// # Errors
     /// As [`Curve::quantity`], but always [`Error::OutsideTable`] above the nodes; [`Error::NoGradient`] on a curve that was made

@@ -20,8 +20,8 @@ const DERIVATIVE_TOLERANCE: [f64; 2] = [1e-9, 1e3];
 /// The low-rank form of a table that keeps the tolerance, with the certificate from `points` direct solves that says so.
 ///
 /// If a tolerance is given for them, it also keeps the table's derivatives with respect to `nu1` at 0.5: those of the logarithms of
-/// quantities, times `1/(1 + (a/t)^2)`, at the nodes of the other axes. Between these nodes 1.15 times as much was measured. The
-/// certificate does not speak of derivatives.
+/// quantities, times `1/(1 + (a/t)^2)`, at the nodes of the other axes; between these nodes they may be a little
+/// farther. The certificate does not speak of derivatives.
 ///
 /// # Errors
 /// [`Error::PackedTolerance`] for a tolerance outside 1e-10 to 1e-1, [`Error::DerivativeTolerance`] for one outside 1e-9 to 1e3;

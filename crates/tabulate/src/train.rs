@@ -28,7 +28,7 @@ const BISECTIONS: usize = 8;
 /// What is left out at each joint, in parts of it. The first one's few indices cost little and weigh little from one to the next.
 const JOINTS: [f64; 3] = [0.1, 1.0, 1.0];
 /// The same where derivatives are kept: they see most what is left out at the last joint. The default box to 1e-7 has the ranks 82
-/// and 93 then, and is within 75 tolerances of the true derivatives; else 81 and 77, and 400.
+/// and 93 then, and is within 75 tolerances of the true derivatives; else 81 and 77, and hundreds of tolerances.
 const JOINTS_WITH_DERIVATIVES: [f64; 3] = [0.1, 3.0, 0.3];
 /// The same of the functions along an axis, which cost nothing at a lookup.
 const FUNCTIONS: f64 = 0.1;
