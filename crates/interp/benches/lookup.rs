@@ -13,45 +13,74 @@ fn lookup(criterion: &mut Criterion) {
     let curve = table.curve(&material).expect("in the table");
     let substrate = Elastic::new(2e11, 0.25).expect("physical");
     let film = Elastic::new(3.5e6, 0.5).expect("physical");
-    let system = System { sphere_radius: 1e-3, sphere_modulus: 2e6, film, film_thickness: 1e-6, substrate };
+    let system = System {
+        sphere_radius: 1e-3,
+        sphere_modulus: 2e6,
+        film,
+        film_thickness: 1e-6,
+        substrate,
+    };
     let contact = table.contact(&system).expect("in the table");
     // Points in no order, so that neither cache nor branch predictor can know the next.
-    let points: Vec<f64> = (0..1000).map(|i| 10_f64.powf(-3.0 + 6.0 * (f64::from(i) * 0.618_034 % 1.0))).collect();
+    let points: Vec<f64> = (0..1000)
+        .map(|i| 10_f64.powf(-3.0 + 6.0 * (f64::from(i) * 0.618_034 % 1.0)))
+        .collect();
     let mut next = points.iter().cycle();
     let mut point = || *next.next().expect("endless");
 
-    criterion.bench_function("curve of a new material, paper table", |b| b.iter(|| table.curve(black_box(&material))));
+    criterion.bench_function("curve of a new material, paper table", |b| {
+        b.iter(|| table.curve(black_box(&material)))
+    });
     let low_rank = Table::embedded();
     let dense = low_rank.expand().expect("the nodes fit in memory");
     for (form, table) in [("low-rank", low_rank), ("dense", &dense)] {
         table.curve(&material).expect("in the table");
-        criterion.bench_function(&format!("curve of a new material, four axes, {form}"), |b| {
-            b.iter(|| table.curve(black_box(&material)))
-        });
+        criterion.bench_function(
+            &format!("curve of a new material, four axes, {form}"),
+            |b| b.iter(|| table.curve(black_box(&material))),
+        );
     }
-    // One material after the other, evenly spread over the box, as in no fit: each needs another part of what the table prepares.
+    // One material after the other, evenly spread over the box, as in no fit: each needs another
+    // part of what the table prepares.
     let materials: Vec<Material> = (1..=1000).map(material_of_the_box).collect();
     let mut next = materials.iter().cycle();
     let mut any = || next.next().expect("endless");
-    criterion.bench_function("curve of any material, four axes, low-rank", |b| b.iter(|| low_rank.curve(black_box(any()))));
+    criterion.bench_function("curve of any material, four axes, low-rank", |b| {
+        b.iter(|| low_rank.curve(black_box(any())))
+    });
     criterion.bench_function("curve with derivatives, four axes, low-rank", |b| {
         b.iter(|| low_rank.curve_with_gradient(black_box(&material)))
     });
-    // What a curve would pay for the search in its keys without its buckets: one value, as many keys, in the same order of points.
+    // What a curve would pay for the search in its keys without its buckets: one value, as many
+    // keys, in the same order of points.
     let key = |i: i32| {
         let u = 0.022 * f64::from(i) - 6.907_755;
-        Key::new(u, u, Interpolation::StrokeBezier(u - 0.022 / 3.0, u + 0.022 / 3.0))
+        Key::new(
+            u,
+            u,
+            Interpolation::StrokeBezier(u - 0.022 / 3.0, u + 0.022 / 3.0),
+        )
     };
     let spline = Spline::from_vec((0..630).map(key).collect());
-    criterion.bench_function("search and one value, splines", |b| b.iter(|| spline.clamped_sample(black_box(point().ln()))));
+    criterion.bench_function("search and one value, splines", |b| {
+        b.iter(|| spline.clamped_sample(black_box(point().ln())))
+    });
     let mut values = vec![0.0; points.len()];
     criterion.bench_function("one quantity at a thousand points", |b| {
         b.iter(|| curve.quantity_at_all(Quantity::Eeq, black_box(&points), black_box(&mut values)))
     });
-    criterion.bench_function("one quantity on a curve", |b| b.iter(|| curve.quantity(Quantity::Eeq, black_box(point()))));
-    criterion.bench_function("four quantities on a curve", |b| b.iter(|| curve.quantities(black_box(point()))));
-    criterion.bench_function("load, eq. 9", |b| b.iter(|| contact.load(black_box(1e-7 * point() + 1e-6), black_box(0.04))));
-    let contact = low_rank.contact_with_gradient(&system).expect("in the table");
+    criterion.bench_function("one quantity on a curve", |b| {
+        b.iter(|| curve.quantity(Quantity::Eeq, black_box(point())))
+    });
+    criterion.bench_function("four quantities on a curve", |b| {
+        b.iter(|| curve.quantities(black_box(point())))
+    });
+    criterion.bench_function("load, eq. 9", |b| {
+        b.iter(|| contact.load(black_box(1e-7 * point() + 1e-6), black_box(0.04)))
+    });
+    let contact = low_rank
+        .contact_with_gradient(&system)
+        .expect("in the table");
     criterion.bench_function("load and penetration with nine derivatives each", |b| {
         b.iter(|| contact.gradient(black_box(1e-7 * point() + 1e-6), black_box(0.04)))
     });
@@ -60,8 +89,15 @@ fn lookup(criterion: &mut Criterion) {
 /// A point of an additive recurrence over the axes of the embedded table.
 fn material_of_the_box(i: i32) -> Material {
     // Powers of the root of `x^4 = x + 1`.
-    let [e1, nu1, e0] = [0.819_172_513, 0.671_043_607, 0.549_700_478].map(|step| f64::from(i) * step % 1.0);
-    Material::new(10_f64.powf(6.0 * e1 - 3.0), 0.5 * nu1, 10_f64.powf(6.0 * e0), 0.25).expect("physical")
+    let [e1, nu1, e0] =
+        [0.819_172_513, 0.671_043_607, 0.549_700_478].map(|step| f64::from(i) * step % 1.0);
+    Material::new(
+        10_f64.powf(6.0 * e1 - 3.0),
+        0.5 * nu1,
+        10_f64.powf(6.0 * e0),
+        0.25,
+    )
+    .expect("physical")
 }
 
 criterion_group!(benches, lookup);

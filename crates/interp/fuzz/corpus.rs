@@ -1,4 +1,5 @@
-//! Writes the inputs to begin with into `corpus/`: a small table of each form, and for every function arguments that it answers.
+//! Writes the inputs to begin with into `corpus/`: a small table of each form, and for every
+//! function arguments that it answers.
 
 use std::{fs, io};
 

@@ -10,7 +10,8 @@ use tables::{look_up, with_prefix};
 #[path = "../tests/hostile/tables.rs"]
 mod tables;
 
-// The input is the payload: length and checksum before it are always sound, or no mutation would get any further.
+// The input is the payload: length and checksum before it are always sound, or no mutation would
+// get any further.
 fuzz_target!(|payload: &[u8]| {
     let Ok(table) = Table::from_packed(&with_prefix(payload)) else { return };
     let _ = look_up(&table);

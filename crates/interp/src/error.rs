@@ -31,7 +31,8 @@ pub enum Error {
         /// The largest value of the axis.
         to: f64,
     },
-    /// A query beyond the nodes in `a/t`, where the expansion about the limit is not accurate enough.
+    /// A query beyond the nodes in `a/t`, where the expansion about the limit is not accurate
+    /// enough.
     #[error(
         "a_over_t = {value:?} is beyond the table, which ends at {edge:?}: \
          the expansion about the limit is accurate to {estimate:.1e} there, and the table to {tolerance:.1e}"
@@ -47,7 +48,9 @@ pub enum Error {
         tolerance: f64,
     },
     /// A state whose contact radius is out of the range of the table or curve.
-    #[error("{name} = {value:?} takes a contact radius outside the range of the table or curve, {from:?} m to {to:?} m")]
+    #[error(
+        "{name} = {value:?} takes a contact radius outside the range of the table or curve, {from:?} m to {to:?} m"
+    )]
     OutsideRadii {
         /// What was imposed or measured.
         name: &'static str,
@@ -68,8 +71,11 @@ pub enum Error {
         /// The least value there is.
         least: f64,
     },
-    /// A material on a substrate with another Poisson ratio than the table's, whose equivalent the table does not cover.
-    #[error("nu1 = {nu1:?} with nu0 = {nu0:?} has no equivalent in a table made for nu0 = {table_nu0:?}")]
+    /// A material on a substrate with another Poisson ratio than the table's, whose equivalent the
+    /// table does not cover.
+    #[error(
+        "nu1 = {nu1:?} with nu0 = {nu0:?} has no equivalent in a table made for nu0 = {table_nu0:?}"
+    )]
     Equivalent {
         /// The film's Poisson ratio.
         nu1: f64,
@@ -89,7 +95,11 @@ pub enum Error {
         query: &'static str,
     },
     /// A curve made for another material than the system's.
-    #[error("the curve was made for {}, the system has {}", parameters(curve), parameters(system))]
+    #[error(
+        "the curve was made for {}, the system has {}",
+        parameters(curve),
+        parameters(system)
+    )]
     OtherMaterial {
         /// The material of the curve.
         curve: Material,
@@ -108,11 +118,16 @@ pub enum Error {
         /// What stopped the solver.
         reason: String,
     },
-    /// A derivative that is not known, in most cases because the scene of the table fixes the parameter.
-    #[error("there is no derivative with respect to {0}: it is no axis of the table, or needs a parameter that is none")]
+    /// A derivative that is not known, in most cases because the scene of the table fixes the
+    /// parameter.
+    #[error(
+        "there is no derivative with respect to {0}: it is no axis of the table, or needs a parameter that is none"
+    )]
     FixedParameter(&'static str),
     /// A gradient of a curve that was made without one.
-    #[error("the curve has no derivatives with respect to the material: make it with `curve_with_gradient`")]
+    #[error(
+        "the curve has no derivatives with respect to the material: make it with `curve_with_gradient`"
+    )]
     NoGradient,
     /// Bytes that are no table of this project.
     #[error("not a coated-contact table: {0}")]
@@ -126,7 +141,9 @@ pub enum Error {
         supported: u32,
     },
     /// Bytes that are missing or too many.
-    #[error("the table is truncated or has trailing bytes: {expected} bytes expected, {found} found")]
+    #[error(
+        "the table is truncated or has trailing bytes: {expected} bytes expected, {found} found"
+    )]
     Length {
         /// The length that the header states.
         expected: u64,
@@ -156,13 +173,31 @@ pub enum Error {
 
 /// A material in words.
 fn parameters(material: &Material) -> String {
-    let [e1, nu1, e0, nu0] = [material.e1_over_e2(), material.nu1(), material.e0_over_e2(), material.nu0()];
+    let [e1, nu1, e0, nu0] = [
+        material.e1_over_e2(),
+        material.nu1(),
+        material.e0_over_e2(),
+        material.nu0(),
+    ];
     format!("e1_over_e2 = {e1:?}, nu1 = {nu1:?}, e0_over_e2 = {e0:?}, nu0 = {nu0:?}")
 }
 
 impl Error {
     /// Accepts a value of which `holds` is true; comparisons with NaN are not.
-    pub(crate) const fn unless(holds: bool, name: &'static str, value: f64, allowed: &'static str) -> Result<(), Self> {
-        if holds { Ok(()) } else { Err(Self::Unphysical { name, value, allowed }) }
+    pub(crate) const fn unless(
+        holds: bool,
+        name: &'static str,
+        value: f64,
+        allowed: &'static str,
+    ) -> Result<(), Self> {
+        if holds {
+            Ok(())
+        } else {
+            Err(Self::Unphysical {
+                name,
+                value,
+                allowed,
+            })
+        }
     }
 }

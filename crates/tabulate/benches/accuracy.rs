@@ -1,43 +1,22 @@
-//! What less than a solve and more than one costs in time: `Eeq` alone, curves, and a grid. `tabulate cost solve` measures one.
+//! What less than a solve and more than one costs in time: `Eeq` alone, curves, and a grid.
+//! `tabulate cost solve` measures one.
 
 use std::hint::black_box;
 use std::time::Instant;
 
 use interp::Material;
 use tabulate::cost::clock::{human, median};
-use tabulate::plan::Plan;
-use tabulate::scene::Scene;
-use tabulate::solve::{solve, stiffness};
-use tabulate::sweep::sweep;
+use tabulate::solve;
+use tabulate::table::Plan;
+use tabulate::table::Scene;
+use tabulate::table::sweep;
 
 fn main() {
-    stiffness_alone();
     many_solves();
 }
 
 fn material([e1, nu1, e0]: [f64; 3]) -> Material {
     Material::new(e1, nu1, e0, 0.25).expect("physical")
-}
-
-/// The paper's material.
-fn ordinary() -> Material {
-    material([1.75, 0.5, 1e5])
-}
-
-fn stiffness_alone() {
-    println!("\nEeq alone against all four, at 1e-10\n\n| a/t | Eeq | all | ratio |\n|---|---|---|---|");
-    for x in [0.1, 1.0, 10.0, 20.0, 100.0] {
-        let times = (0..301).map(|_| {
-            let start = Instant::now();
-            let _ = black_box(stiffness(black_box(x), &ordinary(), 1e-10));
-            let alone = start.elapsed();
-            let _ = black_box(solve(black_box(x), &ordinary(), 1e-10));
-            (alone.as_secs_f64(), (start.elapsed() - alone).as_secs_f64())
-        });
-        let (alone, all): (Vec<f64>, Vec<f64>) = times.unzip();
-        let (alone, all) = (median(alone), median(all));
-        println!("| {x} | {} | {} | {:.2} |", human(alone), human(all), alone / all);
-    }
 }
 
 fn many_solves() {
@@ -54,7 +33,11 @@ fn many_solves() {
             let times = (0..21).map(|_| {
                 let start = Instant::now();
                 for i in 0..60 {
-                    let _ = black_box(solve(10_f64.powf(-3.0 + f64::from(i) / 59.0 * 6.0), &material, tolerance));
+                    let _ = black_box(solve(
+                        10_f64.powf(-3.0 + f64::from(i) / 59.0 * 6.0),
+                        &material,
+                        tolerance,
+                    ));
                 }
                 start.elapsed().as_secs_f64()
             });
@@ -71,5 +54,8 @@ fn many_solves() {
     let axes = Plan::new(&scene).expect("the nodes are stated").axes();
     let start = Instant::now();
     let _ = black_box(sweep(&scene, &axes, &|_| ()).expect("within reach"));
-    println!("\n60 x 20 x 12 x 20 points solved to 1e-8 on all cores: {:.1} s", start.elapsed().as_secs_f64());
+    println!(
+        "\n60 x 20 x 12 x 20 points solved to 1e-8 on all cores: {:.1} s",
+        start.elapsed().as_secs_f64()
+    );
 }

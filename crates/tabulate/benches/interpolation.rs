@@ -1,14 +1,15 @@
-//! What a table takes with the interpolation chosen for it, and what with others. Prints the table that the README quotes.
+//! What a table takes with the interpolation chosen for it, and what with others. Prints the table
+//! that the README quotes.
 //!
-//! Everything is measured along single axes of the default box, on the lines that the planner looks at. Each line is solved once,
-//! at so many places that a spline of the highest degree through them is as good as the solve. Trial splines are made from that and
-//! compared with it.
+//! Everything is measured along single axes of the default box, on the lines that the planner looks
+//! at. Each line is solved once, at so many places that a spline of the highest degree through them
+//! is as good as the solve. Trial splines are made from that and compared with it.
 
-use interp::schema::Parameter;
-use interp::spline::{Basis, LARGEST_DEGREE, TABLE_DEGREE};
+use interp::Parameter;
+use interp::bspline::{Basis, LARGEST_DEGREE, TABLE_DEGREE};
 use rayon::prelude::*;
-use tabulate::plan::{EVENNESS, lines, logarithms, places};
-use tabulate::scene::Scene;
+use tabulate::table::Scene;
+use tabulate::table::plan::{EVENNESS, lines, logarithms, places};
 
 const DEFAULT_SCENE: &str = include_str!("../../../tables/default.toml");
 
@@ -21,25 +22,42 @@ const DENSE: usize = 257;
 /// More nodes on an axis are not looked for.
 const MOST: usize = 300;
 
-const CHOSEN: Choice =
-    Choice { degree: TABLE_DEGREE, evenness: &EVENNESS, nu1: Coordinate::Table, splined: Splined::LogarithmOfRatio };
+const CHOSEN: Choice = Choice {
+    degree: TABLE_DEGREE,
+    evenness: &EVENNESS,
+    nu1: Coordinate::Table,
+    splined: Splined::LogarithmOfRatio,
+};
 
 fn main() {
     let scene = Scene::parse(DEFAULT_SCENE, Some(TOLERANCES[2])).expect("a sound scene");
     let axes = Parameter::ALL.map(|parameter| Axis::solve(&scene, parameter));
     let chosen = TOLERANCES.map(|tolerance| CHOSEN.nodes(&axes, tolerance));
 
-    println!("Nodes on a/t × E1/E2 × nu1 × E0/E2, and how many times as many points as in the first row:\n");
-    println!("| |{}\n|---|---|---|---|", TOLERANCES.map(|tolerance| format!(" {tolerance:e} |")).concat());
+    println!(
+        "Nodes on a/t × E1/E2 × nu1 × E0/E2, and how many times as many points as in the first row:\n"
+    );
+    println!(
+        "| |{}\n|---|---|---|---|",
+        TOLERANCES
+            .map(|tolerance| format!(" {tolerance:e} |"))
+            .concat()
+    );
     for (name, choice) in choices() {
         let cell = |(&tolerance, chosen): (&f64, &[usize; 4])| {
             let nodes = choice.nodes(&axes, tolerance);
             let points = |nodes: &[usize; 4]| nodes.iter().product::<usize>() as f64;
             let more = if nodes.contains(&MOST) { "> " } else { "" };
             let ratio = format!("{more}{:.2}", points(&nodes) / points(chosen));
-            format!(" {} ({ratio}) |", nodes.map(|count| count.to_string()).join(" × "))
+            format!(
+                " {} ({ratio}) |",
+                nodes.map(|count| count.to_string()).join(" × ")
+            )
         };
-        println!("| {name} |{}", TOLERANCES.iter().zip(&chosen).map(cell).collect::<String>());
+        println!(
+            "| {name} |{}",
+            TOLERANCES.iter().zip(&chosen).map(cell).collect::<String>()
+        );
     }
     let error = largest(axes.iter().map(Axis::error_of_truth));
     println!(
@@ -52,25 +70,65 @@ fn main() {
 #[derive(Clone, Copy)]
 struct Choice {
     degree: usize,
-    /// See [`tabulate::plan::Placement::Nodes`]; each axis has the one that wants the fewest nodes.
+    /// See [`tabulate::table::plan::Placement::Nodes`]; each axis has the one that wants the fewest
+    /// nodes.
     evenness: &'static [f64],
     nu1: Coordinate,
     splined: Splined,
 }
 
-/// What is tried: the choice, every degree on every placement, and the choice with something else changed.
+/// What is tried: the choice, every degree on every placement, and the choice with something else
+/// changed.
 fn choices() -> Vec<(String, Choice)> {
-    const PLACEMENTS: [(&[f64], &str); 3] = [(&[0.95], "evenness 0.95"), (&[0.0], "Chebyshev points"), (&[1.0], "even nodes")];
-    let mut choices = vec![(format!("the choice: degree {TABLE_DEGREE}, evenness of each axis planned"), CHOSEN)];
+    const PLACEMENTS: [(&[f64], &str); 3] = [
+        (&[0.95], "evenness 0.95"),
+        (&[0.0], "Chebyshev points"),
+        (&[1.0], "even nodes"),
+    ];
+    let mut choices = vec![(
+        format!("the choice: degree {TABLE_DEGREE}, evenness of each axis planned"),
+        CHOSEN,
+    )];
     for (evenness, nodes) in PLACEMENTS {
         for degree in [5, TABLE_DEGREE, LARGEST_DEGREE] {
-            choices.push((format!("degree {degree}, {nodes}"), Choice { degree, evenness, ..CHOSEN }));
+            choices.push((
+                format!("degree {degree}, {nodes}"),
+                Choice {
+                    degree,
+                    evenness,
+                    ..CHOSEN
+                },
+            ));
         }
     }
-    choices.push(("the choice, but over nu1 itself".into(), Choice { nu1: Coordinate::Itself, ..CHOSEN }));
-    choices.push(("the choice, but over ln(1 - 2 nu1 + 1e-5)".into(), Choice { nu1: Coordinate::Logarithm, ..CHOSEN }));
-    choices.push(("the choice, but of ln Q".into(), Choice { splined: Splined::Logarithm, ..CHOSEN }));
-    choices.push(("the choice, but of Q/es".into(), Choice { splined: Splined::Ratio, ..CHOSEN }));
+    choices.push((
+        "the choice, but over nu1 itself".into(),
+        Choice {
+            nu1: Coordinate::Itself,
+            ..CHOSEN
+        },
+    ));
+    choices.push((
+        "the choice, but over ln(1 - 2 nu1 + 1e-5)".into(),
+        Choice {
+            nu1: Coordinate::Logarithm,
+            ..CHOSEN
+        },
+    ));
+    choices.push((
+        "the choice, but of ln Q".into(),
+        Choice {
+            splined: Splined::Logarithm,
+            ..CHOSEN
+        },
+    ));
+    choices.push((
+        "the choice, but of Q/es".into(),
+        Choice {
+            splined: Splined::Ratio,
+            ..CHOSEN
+        },
+    ));
     choices
 }
 
@@ -80,8 +138,10 @@ impl Choice {
         let counts: Vec<usize> = (2..MOST).collect();
         axes.each_ref().map(|axis| {
             // The error falls with the nodes, but for some up and down.
-            let fewest =
-                |&evenness: &f64| counts[0] + counts.partition_point(|&count| axis.error(self, evenness, count) > tolerance);
+            let fewest = |&evenness: &f64| {
+                counts[0]
+                    + counts.partition_point(|&count| axis.error(self, evenness, count) > tolerance)
+            };
             self.evenness.iter().map(fewest).fold(MOST, usize::min)
         })
     }
@@ -159,7 +219,11 @@ impl Splines {
         let (basis, width) = (Basis::new(nodes, degree), rows[0].len());
         let mut coefficients = rows.concat();
         basis.interpolate(&mut coefficients, width);
-        Self { basis, coefficients, width }
+        Self {
+            basis,
+            coefficients,
+            width,
+        }
     }
 
     fn at(&self, place: f64) -> Vec<f64> {
@@ -167,7 +231,9 @@ impl Splines {
         let mut row = vec![0.0; self.width];
         let rows = self.coefficients[weights.first * self.width..].chunks_exact(self.width);
         for (weight, coefficients) in weights.values[..weights.count].iter().zip(rows) {
-            row.iter_mut().zip(coefficients).for_each(|(value, coefficient)| *value += weight * coefficient);
+            row.iter_mut()
+                .zip(coefficients)
+                .for_each(|(value, coefficient)| *value += weight * coefficient);
         }
         row
     }
@@ -193,19 +259,33 @@ impl Lines<'_> {
 
     /// `ln(Q/s)` by solves.
     fn solved(&self, value: f64) -> Vec<f64> {
-        self.row(value, |point| logarithms(self.scene, point).expect("within reach"))
+        self.row(value, |point| {
+            logarithms(self.scene, point).expect("within reach")
+        })
     }
 
     /// `s`, for each of [`Lines::solved`].
     fn scales(&self, value: f64) -> Vec<f64> {
         self.row(value, |[_, e1, nu1, e0]| {
-            let es = self.scene.material([e1, nu1, e0]).expect("physical").sphere_film_modulus();
-            self.scene.quantities.iter().map(|quantity| quantity.scale(es)).collect()
+            let es = self
+                .scene
+                .material([e1, nu1, e0])
+                .expect("physical")
+                .sphere_film_modulus();
+            self.scene
+                .quantities
+                .iter()
+                .map(|quantity| quantity.scale(es))
+                .collect()
         })
     }
 
     fn coordinate(&self, nu1: Coordinate, value: f64) -> f64 {
-        if self.along == Parameter::Nu1 { nu1.of(value) } else { self.along.coordinate(value) }
+        if self.along == Parameter::Nu1 {
+            nu1.of(value)
+        } else {
+            self.along.coordinate(value)
+        }
     }
 
     /// The value at a place from 0 to 1 along the lines.
@@ -213,7 +293,11 @@ impl Lines<'_> {
         let ends = self.scene.extents[self.along as usize].ends();
         let [first, last] = ends.map(|end| self.coordinate(nu1, end));
         let coordinate = first + (last - first) * place;
-        let value = if self.along == Parameter::Nu1 { nu1.value(coordinate) } else { self.along.value(coordinate) };
+        let value = if self.along == Parameter::Nu1 {
+            nu1.value(coordinate)
+        } else {
+            self.along.value(coordinate)
+        };
         value.clamp(ends[0], ends[1])
     }
 }
@@ -227,19 +311,42 @@ struct Axis<'a> {
 
 impl<'a> Axis<'a> {
     fn solve(scene: &'a Scene, along: Parameter) -> Self {
-        let lines = Lines { scene, along, lines: lines(scene, along) };
+        let lines = Lines {
+            scene,
+            along,
+            lines: lines(scene, along),
+        };
         let nodes = places(DENSE, EVENNESS[0]);
-        let rows = nodes.par_iter().map(|&place| lines.solved(lines.value(Coordinate::Table, place))).collect();
-        Self { truth: Splines::through(&nodes, rows, LARGEST_DEGREE), lines }
+        let rows = nodes
+            .par_iter()
+            .map(|&place| lines.solved(lines.value(Coordinate::Table, place)))
+            .collect();
+        Self {
+            truth: Splines::through(&nodes, rows, LARGEST_DEGREE),
+            lines,
+        }
     }
 
     /// How far the truth is from solves between its nodes.
     fn error_of_truth(&self) -> f64 {
         let error = |place: &f64| {
-            let solved = self.lines.solved(self.lines.value(Coordinate::Table, *place));
-            largest(self.truth.at(*place).into_iter().zip(solved).map(|(spline, truth)| (spline - truth).abs()))
+            let solved = self
+                .lines
+                .solved(self.lines.value(Coordinate::Table, *place));
+            largest(
+                self.truth
+                    .at(*place)
+                    .into_iter()
+                    .zip(solved)
+                    .map(|(spline, truth)| (spline - truth).abs()),
+            )
         };
-        largest(between(&places(DENSE, EVENNESS[0])).iter().step_by(10).map(error))
+        largest(
+            between(&places(DENSE, EVENNESS[0]))
+                .iter()
+                .step_by(10)
+                .map(error),
+        )
     }
 
     /// The largest relative error of the splines through so many nodes.
@@ -248,20 +355,36 @@ impl<'a> Axis<'a> {
         let row = |place: &f64| self.splined(choice, *place);
         let splines = Splines::through(&nodes, nodes.par_iter().map(row).collect(), choice.degree);
         let error = |place: &f64| {
-            let pairs = splines.at(*place).into_iter().zip(self.splined(choice, *place));
+            let pairs = splines
+                .at(*place)
+                .into_iter()
+                .zip(self.splined(choice, *place));
             largest(pairs.map(|(spline, truth)| choice.splined.error(spline, truth)))
         };
-        between(&nodes).par_iter().map(error).reduce(|| 0.0, f64::max)
+        between(&nodes)
+            .par_iter()
+            .map(error)
+            .reduce(|| 0.0, f64::max)
     }
 
     /// What is splined, at a place in the coordinate that is chosen.
     fn splined(&self, choice: &Choice, place: f64) -> Vec<f64> {
         let value = self.lines.value(choice.nu1, place);
-        let [first, here, last] = [self.lines.value(Coordinate::Table, 0.0), value, self.lines.value(Coordinate::Table, 1.0)]
-            .map(|value| self.lines.along.coordinate(value));
-        let truth = self.truth.at(((here - first) / (last - first)).clamp(0.0, 1.0));
+        let [first, here, last] = [
+            self.lines.value(Coordinate::Table, 0.0),
+            value,
+            self.lines.value(Coordinate::Table, 1.0),
+        ]
+        .map(|value| self.lines.along.coordinate(value));
+        let truth = self
+            .truth
+            .at(((here - first) / (last - first)).clamp(0.0, 1.0));
         let scales = self.lines.scales(value);
-        truth.into_iter().zip(scales).map(|(logarithm, scale)| choice.splined.of(logarithm, scale)).collect()
+        truth
+            .into_iter()
+            .zip(scales)
+            .map(|(logarithm, scale)| choice.splined.of(logarithm, scale))
+            .collect()
     }
 }
 

@@ -1,8 +1,10 @@
-//! The solve against the same equation solved with numpy and scipy (`nystrom.py`), in one run and on one thread.
+//! The solve against the same equation solved with numpy and scipy (`nystrom.py`), in one run and
+//! on one thread.
 //!
-//! Prints a table of errors and times. An error is the largest of the four relative deviations from the solve at the tightest
-//! tolerance that converges. The Python is given the smallest sizes with which it keeps the tolerance, found with knowledge of the
-//! answer; the solve has to choose its sizes itself, and estimates its error.
+//! Prints a table of errors and times. An error is the largest of the four relative deviations from
+//! the solve at the tightest tolerance that converges. The Python is given the smallest sizes with
+//! which it keeps the tolerance, found with knowledge of the answer; the solve has to choose its
+//! sizes itself, and estimates its error.
 
 mod python;
 
@@ -13,8 +15,8 @@ use python::Python;
 use serde::Deserialize;
 use serde_json::json;
 use tabulate::cost::clock::{self, human, median};
-use tabulate::cost::error::{deviation, tightest};
-use tabulate::solve::solve;
+use tabulate::cost::deviation::{deviation, tightest};
+use tabulate::solve;
 
 const A_OVER_T: [f64; 6] = [0.01, 1.0, 10.0, 30.0, 100.0, 300.0];
 const TOLERANCES: [f64; 2] = [1e-6, 1e-10];
@@ -25,25 +27,36 @@ const BUDGET: f64 = 0.01;
 
 fn main() {
     let Some(mut python) = Python::start("nystrom.py") else {
-        println!("nystrom: skipped, as it needs python3 with numpy and scipy; `cargo xtask compare` fetches them");
+        println!(
+            "nystrom: skipped, as it needs python3 with numpy and scipy; `cargo xtask compare` fetches them"
+        );
         return;
     };
     let material = Material::new(1.75, 0.5, 1e5, 0.25).expect("physical");
     println!("{}\n", python.versions);
-    println!("| a/t | tolerance | solve | error | numpy | error | nodes in s, panels in q | ratio |");
+    println!(
+        "| a/t | tolerance | solve | error | numpy | error | nodes in s, panels in q | ratio |"
+    );
     println!("|---|---|---|---|---|---|---|---|");
     for x in A_OVER_T {
         let truth = tightest(x, &material).expect("it converges").quantities;
         for tolerance in TOLERANCES {
             let error = |quantities: &Quantities| deviation(quantities, &truth);
-            let own = solve(x, &material, tolerance).expect("the truth converged").quantities;
+            let own = solve(x, &material, tolerance)
+                .expect("the truth converged")
+                .quantities;
             let reached = error(&own).max(ROUNDING);
-            let sizes = Sizes::smallest(x, |sizes| error(&ask(&mut python, x, &material, sizes, 0).quantities) <= reached);
+            let sizes = Sizes::smallest(x, |sizes| {
+                error(&ask(&mut python, x, &material, sizes, 0).quantities) <= reached
+            });
             let theirs = ask(&mut python, x, &material, sizes, 0).quantities;
             let repetitions = if x > 30.0 { 5 } else { 101 };
             let round = |_| {
                 let theirs = ask(&mut python, x, &material, sizes, repetitions).seconds;
-                (clock::seconds(BUDGET, || solve(x, &material, tolerance)), median(theirs))
+                (
+                    clock::seconds(BUDGET, || solve(x, &material, tolerance)),
+                    median(theirs),
+                )
             };
             let (own_seconds, their_seconds): (Vec<f64>, Vec<f64>) = (0..ROUNDS).map(round).unzip();
             let (own_seconds, their_seconds) = (median(own_seconds), median(their_seconds));
@@ -77,10 +90,14 @@ struct Sizes {
 }
 
 impl Sizes {
-    /// Each as small as is `enough`, one after the other. A kernel of width `1/x` asks for nodes, and its oscillation for panels,
-    /// in proportion to `x`.
+    /// Each as small as is `enough`, one after the other. A kernel of width `1/x` asks for nodes,
+    /// and its oscillation for panels, in proportion to `x`.
     fn smallest(x: f64, mut enough: impl FnMut(Self) -> bool) -> Self {
-        let ample = Self { nodes: 40 + (6.0 * x) as usize, panels: 16 + (4.0 * x) as usize, cutoff: 20 };
+        let ample = Self {
+            nodes: 40 + (6.0 * x) as usize,
+            panels: 16 + (4.0 * x) as usize,
+            cutoff: 20,
+        };
         let mut sizes = ample;
         sizes.nodes = smallest(ample.nodes, |nodes| enough(Self { nodes, ..sizes }));
         sizes.cutoff = smallest(ample.cutoff, |cutoff| enough(Self { cutoff, ..sizes }));
@@ -92,7 +109,10 @@ impl Sizes {
 /// The first that is enough of numbers that grow by a tenth; `ample` where none is.
 fn smallest(ample: usize, mut enough: impl FnMut(usize) -> bool) -> usize {
     let numbers = successors(Some(1), |n: &usize| Some(n + n.div_ceil(10)));
-    numbers.take_while(|&n| n < ample).find(|&n| enough(n)).unwrap_or(ample)
+    numbers
+        .take_while(|&n| n < ample)
+        .find(|&n| enough(n))
+        .unwrap_or(ample)
 }
 
 #[derive(Deserialize)]
@@ -102,7 +122,13 @@ struct Answer {
 }
 
 /// What `nystrom.py` says of a contact.
-fn ask(python: &mut Python, x: f64, material: &Material, sizes: Sizes, repetitions: usize) -> Answer {
+fn ask(
+    python: &mut Python,
+    x: f64,
+    material: &Material,
+    sizes: Sizes,
+    repetitions: usize,
+) -> Answer {
     python.ask(&json!({
         "a_over_t": x,
         "e1_over_e2": material.e1_over_e2(),

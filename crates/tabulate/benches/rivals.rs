@@ -1,10 +1,11 @@
-//! The lookup against interpolation in all four parameters at once, on the same nodes, and against the direct solve, in one run
-//! and on one thread.
+//! The lookup against interpolation in all four parameters at once, on the same nodes, and against
+//! the direct solve, in one run and on one thread.
 //!
-//! Prints a table of times, for contacts of a new material each time, and of errors at random points off the nodes. An error is the
-//! largest of the four relative deviations from the solve at the tightest tolerance that converges. All interpolate what `interp`
-//! splines, the logarithms, in the coordinates in which it does. scipy takes part in `cargo xtask compare`, where 10 GB of memory
-//! are free.
+//! Prints a table of times, for contacts of a new material each time, and of errors at random
+//! points off the nodes. An error is the largest of the four relative deviations from the solve at
+//! the tightest tolerance that converges. All interpolate what `interp` splines, the logarithms, in
+//! the coordinates in which it does. scipy takes part in `cargo xtask compare`, where 10 GB of
+//! memory are free.
 
 mod python;
 
@@ -12,7 +13,7 @@ use std::fs;
 use std::hint::black_box;
 use std::time::Instant;
 
-use interp::schema::Parameter;
+use interp::Parameter;
 use interp::{Material, Quantities, Quantity, Table};
 use interpn::multibspline::rectilinear as b_spline;
 use interpn::{MultiBsplineRectilinear, MulticubicRectilinear};
@@ -20,9 +21,9 @@ use python::Python;
 use serde::Deserialize;
 use serde_json::json;
 use tabulate::cost::clock::{self, human, median};
-use tabulate::cost::error::{deviation, tightest};
+use tabulate::cost::deviation::{deviation, tightest};
 use tabulate::cost::lookup::{Point, random_points};
-use tabulate::solve::solve;
+use tabulate::solve;
 
 /// Random points off the nodes, for errors and for the times of single points.
 const POINTS: usize = 1000;
@@ -37,30 +38,52 @@ const BUDGET: f64 = 0.01;
 
 fn main() {
     // `Table::embedded`, from its file.
-    let table = &Table::read(concat!(env!("CARGO_MANIFEST_DIR"), "/../interp/embedded/default.bin")).expect("it comes with interp");
+    let table = &Table::read(concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../interp/embedded/default.bin"
+    ))
+    .expect("it comes with interp");
     let grid = Grid::new(table);
     let mut points = random_points(table, POINTS + CURVES, 1);
-    let curves: Vec<[Point; 60]> = points.split_off(POINTS).into_iter().map(|(_, material)| curve_of(material)).collect();
-    let truth: Vec<Quantities> =
-        points.iter().map(|(x, material)| tightest(*x, material).expect("it converges").quantities).collect();
+    let curves: Vec<[Point; 60]> = points
+        .split_off(POINTS)
+        .into_iter()
+        .map(|(_, material)| curve_of(material))
+        .collect();
+    let truth: Vec<Quantities> = points
+        .iter()
+        .map(|(x, material)| tightest(*x, material).expect("it converges").quantities)
+        .collect();
 
     let axes = grid.axes.each_ref().map(Vec::as_slice);
-    let cubic = grid.logarithms.each_ref().map(|values| MulticubicRectilinear::new(&axes, values, false).expect("a grid"));
+    let cubic = grid
+        .logarithms
+        .each_ref()
+        .map(|values| MulticubicRectilinear::new(&axes, values, false).expect("a grid"));
     let coefficients = grid.logarithms.each_ref().map(|values| {
-        let (mut coefficients, mut scratch) = (vec![0.0; values.len()], vec![0.0; 2 * values.len()]);
+        let (mut coefficients, mut scratch) =
+            (vec![0.0; values.len()], vec![0.0; 2 * values.len()]);
         b_spline::coefficients(&axes, values, &mut coefficients, &mut scratch).expect("a grid");
         coefficients
     });
-    let spline = coefficients.each_ref().map(|values| MultiBsplineRectilinear::new(&axes, values, false).expect("a grid"));
+    let spline = coefficients
+        .each_ref()
+        .map(|values| MultiBsplineRectilinear::new(&axes, values, false).expect("a grid"));
 
     let own = Own(table);
     let cubic = Rival(|quantity: usize, place| cubic[quantity].interp_one(place).expect("inside"));
-    let spline = Rival(|quantity: usize, place| spline[quantity].interp_one(place).expect("inside"));
-    let methods: [(&str, &dyn Method); 3] =
-        [("this table (interp)", &own), ("tri-cubic in 4-D (interpn)", &cubic), ("cubic B-spline in 4-D (interpn)", &spline)];
+    let spline =
+        Rival(|quantity: usize, place| spline[quantity].interp_one(place).expect("inside"));
+    let methods: [(&str, &dyn Method); 3] = [
+        ("this table (interp)", &own),
+        ("tri-cubic in 4-D (interpn)", &cubic),
+        ("cubic B-spline in 4-D (interpn)", &spline),
+    ];
 
-    let mut rows: Vec<Row> =
-        methods.iter().map(|(name, method)| Row::new(name, points.iter().map(|p| method.four(p)), &truth)).collect();
+    let mut rows: Vec<Row> = methods
+        .iter()
+        .map(|(name, method)| Row::new(name, points.iter().map(|p| method.four(p)), &truth))
+        .collect();
     let mut times = vec![[const { Vec::new() }; 3]; methods.len()];
     for _ in 0..ROUNDS {
         for ((_, method), times) in methods.iter().zip(&mut times) {
@@ -73,18 +96,34 @@ fn main() {
         row.seconds = times.map(|times| Some(median(times)));
     }
 
-    println!("Nodes: {:?}; interpn 0.11, scipy and the direct solve on one thread\n", table.shape());
+    println!(
+        "Nodes: {:?}; interpn 0.11, scipy and the direct solve on one thread\n",
+        table.shape()
+    );
     match Python::start("rivals.py") {
         Some(python) => rows.extend(scipy(python, &grid, &points, &curves, &truth)),
-        None => println!("scipy: skipped, as it needs python3 with numpy and scipy; `cargo xtask compare` fetches them\n"),
+        None => println!(
+            "scipy: skipped, as it needs python3 with numpy and scipy; `cargo xtask compare` fetches them\n"
+        ),
     }
     for tolerance in [1e-7, 1e-10] {
-        let solved = points.iter().map(|(x, material)| solve(*x, material, tolerance).expect("the truth converged").quantities);
+        let solved = points.iter().map(|(x, material)| {
+            solve(*x, material, tolerance)
+                .expect("the truth converged")
+                .quantities
+        });
         let mut row = Row::new(&format!("direct solve to {tolerance:e}"), solved, &truth);
-        let time = |(x, material): &Point| clock::seconds(BUDGET, || solve(*x, material, tolerance));
+        let time =
+            |(x, material): &Point| clock::seconds(BUDGET, || solve(*x, material, tolerance));
         let seconds = |points: &[Point]| points.iter().map(time).sum::<f64>();
         row.seconds[1] = Some(seconds(&points[..SOLVED]) / SOLVED as f64);
-        row.seconds[2] = Some(curves[..SOLVED].iter().map(|curve| seconds(curve)).sum::<f64>() / SOLVED as f64);
+        row.seconds[2] = Some(
+            curves[..SOLVED]
+                .iter()
+                .map(|curve| seconds(curve))
+                .sum::<f64>()
+                / SOLVED as f64,
+        );
         rows.push(row);
     }
 
@@ -96,17 +135,33 @@ fn main() {
     rows.iter().for_each(|row| row.print(unit));
 
     let curve = table.curve(&points[0].1).expect("inside");
-    let further = mean_seconds(&points, |point| curve.quantities(point.0).expect("inside").pi0);
-    println!("\nAll four quantities at a further point of the same material (interp): {:.1} ns", further * 1e9);
+    let further = mean_seconds(&points, |point| {
+        curve.quantities(point.0).expect("inside").pi0
+    });
+    println!(
+        "\nAll four quantities at a further point of the same material (interp): {:.1} ns",
+        further * 1e9
+    );
 }
 
 /// 60 points from a/t = 1e-3 to 1e3.
 fn curve_of(material: Material) -> [Point; 60] {
-    std::array::from_fn(|i| ((10_f64.powf(-3.0 + 6.0 * i as f64 / 59.0)).clamp(1e-3, 1e3), material))
+    std::array::from_fn(|i| {
+        (
+            (10_f64.powf(-3.0 + 6.0 * i as f64 / 59.0)).clamp(1e-3, 1e3),
+            material,
+        )
+    })
 }
 
-/// The order of the rivals' dimensions: along `a/t`, neighbours are neighbours in memory, which suits curves.
-const ORDER: [Parameter; 4] = [Parameter::E1OverE2, Parameter::Nu1, Parameter::E0OverE2, Parameter::AOverT];
+/// The order of the rivals' dimensions: along `a/t`, neighbours are neighbours in memory, which
+/// suits curves.
+const ORDER: [Parameter; 4] = [
+    Parameter::E1OverE2,
+    Parameter::Nu1,
+    Parameter::E0OverE2,
+    Parameter::AOverT,
+];
 
 /// The nodes in the coordinates in which splines are smooth, and what is splined there.
 struct Grid {
@@ -117,9 +172,21 @@ struct Grid {
 
 impl Grid {
     fn new(table: &Table) -> Self {
-        let axes = ORDER.map(|parameter| table.axis(parameter).iter().map(|&node| parameter.coordinate(node)).collect());
-        let all: Vec<f64> = (0..table.axis(Parameter::E1OverE2).len()).flat_map(|e1| table.logarithms(e1)).collect();
-        let logarithms = Quantity::ALL.map(|quantity| all.chunks_exact(4).map(|four| four[quantity as usize]).collect());
+        let axes = ORDER.map(|parameter| {
+            table
+                .axis(parameter)
+                .iter()
+                .map(|&node| parameter.coordinate(node))
+                .collect()
+        });
+        let all: Vec<f64> = (0..table.axis(Parameter::E1OverE2).len())
+            .flat_map(|e1| table.logarithms(e1))
+            .collect();
+        let logarithms = Quantity::ALL.map(|quantity| {
+            all.chunks_exact(4)
+                .map(|four| four[quantity as usize])
+                .collect()
+        });
         Self { axes, logarithms }
     }
 }
@@ -141,16 +208,25 @@ struct Own<'a>(&'a Table);
 
 impl Method for Own<'_> {
     fn one(&self, (x, material): &Point) -> f64 {
-        self.0.curve(material).and_then(|curve| curve.quantity(Quantity::Gamma, *x)).expect("inside")
+        self.0
+            .curve(material)
+            .and_then(|curve| curve.quantity(Quantity::Gamma, *x))
+            .expect("inside")
     }
 
     fn four(&self, (x, material): &Point) -> Quantities {
-        self.0.curve(material).and_then(|curve| curve.quantities(*x)).expect("inside")
+        self.0
+            .curve(material)
+            .and_then(|curve| curve.quantities(*x))
+            .expect("inside")
     }
 
     fn curve(&self, points: &[Point; 60]) -> f64 {
         let curve = self.0.curve(&points[0].1).expect("inside");
-        points.iter().map(|(x, _)| sum(&curve.quantities(*x).expect("inside"))).sum()
+        points
+            .iter()
+            .map(|(x, _)| sum(&curve.quantities(*x).expect("inside")))
+            .sum()
     }
 }
 
@@ -189,7 +265,10 @@ impl<F: Fn(usize, [f64; 4]) -> f64> Method for Rival<F> {
 
     fn curve(&self, points: &[Point; 60]) -> f64 {
         let material = Self::place(&points[0].1);
-        points.iter().map(|(x, _)| sum(&self.quantities(&material, *x))).sum()
+        points
+            .iter()
+            .map(|(x, _)| sum(&self.quantities(&material, *x)))
+            .sum()
     }
 }
 
@@ -217,15 +296,36 @@ struct Row {
 
 impl Row {
     fn new(name: &str, found: impl Iterator<Item = Quantities>, truth: &[Quantities]) -> Self {
-        let errors: Vec<f64> = found.zip(truth).map(|(found, truth)| deviation(&found, truth)).collect();
+        let errors: Vec<f64> = found
+            .zip(truth)
+            .map(|(found, truth)| deviation(&found, truth))
+            .collect();
         let largest = errors.iter().copied().fold(0.0, f64::max);
-        Self { name: name.to_owned(), seconds: [None; 3], largest, median: median(errors) }
+        Self {
+            name: name.to_owned(),
+            seconds: [None; 3],
+            largest,
+            median: median(errors),
+        }
     }
 
     fn print(&self, unit: Option<f64>) {
-        let cells = self.seconds.map(|seconds| seconds.map_or_else(|| " |".to_owned(), |seconds| format!(" {} |", human(seconds))));
-        let ratio = self.seconds[2].zip(unit).map_or(f64::NAN, |(seconds, unit)| seconds / unit);
-        println!("| {} |{} {ratio:.1} | {:.0e} | {:.0e} |", self.name, cells.concat(), self.largest, self.median);
+        let cells = self.seconds.map(|seconds| {
+            seconds.map_or_else(
+                || " |".to_owned(),
+                |seconds| format!(" {} |", human(seconds)),
+            )
+        });
+        let ratio = self.seconds[2]
+            .zip(unit)
+            .map_or(f64::NAN, |(seconds, unit)| seconds / unit);
+        println!(
+            "| {} |{} {ratio:.1} | {:.0e} | {:.0e} |",
+            self.name,
+            cells.concat(),
+            self.largest,
+            self.median
+        );
     }
 }
 
@@ -237,25 +337,60 @@ struct Batch {
 }
 
 /// scipy's row, where its memory suffices.
-fn scipy(mut python: Python, grid: &Grid, points: &[Point], curves: &[[Point; 60]], truth: &[Quantities]) -> Option<Row> {
+fn scipy(
+    mut python: Python,
+    grid: &Grid,
+    points: &[Point],
+    curves: &[[Point; 60]],
+    truth: &[Quantities],
+) -> Option<Row> {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let file = folder.path().join("logarithms");
-    let node = |i: usize| grid.logarithms.each_ref().map(|values| values[i].to_le_bytes()).concat();
-    fs::write(&file, (0..grid.logarithms[0].len()).flat_map(node).collect::<Vec<u8>>()).expect("room for the values");
+    let node = |i: usize| {
+        grid.logarithms
+            .each_ref()
+            .map(|values| values[i].to_le_bytes())
+            .concat()
+    };
+    fs::write(
+        &file,
+        (0..grid.logarithms[0].len())
+            .flat_map(node)
+            .collect::<Vec<u8>>(),
+    )
+    .expect("room for the values");
     let built: Option<f64> = python.ask(&json!({ "axes": grid.axes, "file": file }));
     let Some(took) = built else {
         println!("scipy: skipped, as it wants more memory than there is\n");
         return None;
     };
-    println!("{}: {took:.0} s to solve for the coefficients of its spline\n", python.versions);
-    let row = |(x, material): &Point| [*x, material.e1_over_e2(), material.nu1(), material.e0_over_e2()];
+    println!(
+        "{}: {took:.0} s to solve for the coefficients of its spline\n",
+        python.versions
+    );
+    let row = |(x, material): &Point| {
+        [
+            *x,
+            material.e1_over_e2(),
+            material.nu1(),
+            material.e0_over_e2(),
+        ]
+    };
     let mut batches = |batches: Vec<Vec<[f64; 4]>>| -> Vec<Batch> { python.ask(&json!(batches)) };
     let singles = batches(points.iter().map(|point| vec![row(point)]).collect());
-    let sixties = batches(curves.iter().map(|curve| curve.iter().map(row).collect()).collect());
+    let sixties = batches(
+        curves
+            .iter()
+            .map(|curve| curve.iter().map(row).collect())
+            .collect(),
+    );
     python.stop();
-    let found = singles.iter().map(|batch| Quantities::from_array(batch.quantities[0]));
+    let found = singles
+        .iter()
+        .map(|batch| Quantities::from_array(batch.quantities[0]));
     let mut scipy = Row::new("RegularGridInterpolator, cubic (scipy)", found, truth);
-    let seconds = |batches: &[Batch]| Some(median(batches.iter().map(|batch| batch.seconds).collect()));
+    let seconds =
+        |batches: &[Batch]| Some(median(batches.iter().map(|batch| batch.seconds).collect()));
     scipy.seconds = [None, seconds(&singles), seconds(&sixties)];
     Some(scipy)
 }

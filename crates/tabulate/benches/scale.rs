@@ -1,6 +1,6 @@
-//! Time and memory of `tabulate generate` against the size of the table and the number of threads: the program itself, on the
-//! default scene. Prints the table that the README quotes, and draws `tables/scale.svg`. Linux only: elsewhere the program does not
-//! know its memory.
+//! Time and memory of `tabulate generate` against the size of the table and the number of threads:
+//! the program itself, on the default scene. Prints the table that the README quotes, and draws
+//! `tables/scale.svg`. Linux only: elsewhere the program does not know its memory.
 
 use std::error::Error;
 use std::fs;
@@ -33,7 +33,10 @@ fn main() -> Result<(), Box<dyn Error>> {
         sizes.push(size);
     }
     draw(&sizes)?;
-    println!("\nThe picture is {}.", Path::new(PICTURE).canonicalize()?.display());
+    println!(
+        "\nThe picture is {}.",
+        Path::new(PICTURE).canonicalize()?.display()
+    );
     Ok(())
 }
 
@@ -67,12 +70,16 @@ impl Size {
             let begin = Instant::now();
             while begin.elapsed() < PATIENCE {
                 let run = Run::new(tolerance, jobs, path)?;
-                *fastest = fastest.filter(|fastest: &Run| fastest.seconds < run.seconds).or(Some(run));
+                *fastest = fastest
+                    .filter(|fastest: &Run| fastest.seconds < run.seconds)
+                    .or(Some(run));
             }
         }
         let runs = runs.map(|run| run.expect("one run begins at once"));
         let table = Table::open(path)?;
-        let quantities = Quantity::ALL.into_iter().filter_map(|quantity| table.values(quantity));
+        let quantities = Quantity::ALL
+            .into_iter()
+            .filter_map(|quantity| table.values(quantity));
         Ok(Self {
             tolerance,
             nodes: table.shape().map(|nodes| nodes.to_string()).join(" × "),
@@ -85,7 +92,15 @@ impl Size {
     }
 
     fn print(&self) {
-        let Self { tolerance, nodes, points, runs: [one, two], values, file, error } = self;
+        let Self {
+            tolerance,
+            nodes,
+            points,
+            runs: [one, two],
+            values,
+            file,
+            error,
+        } = self;
         println!(
             "| {tolerance:e} | {nodes} | {points} | {:.1} s | {:.1} s | {:.2} | {:.0} MB | {values:.1} MB | {:.1} | {file:.1} MB | {error:.1e} |",
             one.seconds,
@@ -100,15 +115,30 @@ impl Size {
 impl Run {
     fn new(tolerance: f64, jobs: usize, path: &Path) -> Result<Self, Box<dyn Error>> {
         let mut command = Command::new(env!("CARGO_BIN_EXE_tabulate"));
-        command.args(["generate", "--tolerance", &tolerance.to_string(), "--jobs", &jobs.to_string(), "-o"]).arg(path);
+        command
+            .args([
+                "generate",
+                "--tolerance",
+                &tolerance.to_string(),
+                "--jobs",
+                &jobs.to_string(),
+                "-o",
+            ])
+            .arg(path);
         let output = command.stderr(Stdio::inherit()).output()?;
         if !output.status.success() {
             return Err(format!("{command:?} failed ({})", output.status).into());
         }
         let text = String::from_utf8(output.stdout)?;
-        let before =
-            |unit| number_before(&text, unit).ok_or_else(|| format!("{command:?} does not say its number of{unit}:\n{text}"));
-        Ok(Self { points: before(" points in")?, seconds: before(" s with the certificate")?, megabytes: before(" MB at most")? })
+        let before = |unit| {
+            number_before(&text, unit)
+                .ok_or_else(|| format!("{command:?} does not say its number of{unit}:\n{text}"))
+        };
+        Ok(Self {
+            points: before(" points in")?,
+            seconds: before(" s with the certificate")?,
+            megabytes: before(" MB at most")?,
+        })
     }
 }
 
@@ -122,27 +152,45 @@ const COLOURS: [Colour; 2] = [BLUE, VERMILION];
 const NAMES: [&str; 2] = ["1 thread", "2 threads"];
 
 fn draw(sizes: &[Size]) -> Result<(), Box<dyn Error>> {
-    let points = |of: &dyn Fn(&Size) -> f64| -> Vec<Point> { sizes.iter().map(|size| [size.points, of(size)]).collect() };
+    let points = |of: &dyn Fn(&Size) -> f64| -> Vec<Point> {
+        sizes.iter().map(|size| [size.points, of(size)]).collect()
+    };
     let (last, middle) = (sizes.len() - 1, (sizes.len() - 1) / 2);
     let values = points(&|size| 2.0 * size.values);
     let panel = |title, of: fn(&Run) -> f64, others: &[Point]| {
-        let [from, to] = [TOLERANCES[0], TOLERANCES[last]].map(|tolerance| power_of_ten(tolerance.log10().round() as i32));
-        let x = Axis::decades(format!("points solved, tolerances {from} to {to}"), sizes.iter().map(|size| size.points));
+        let [from, to] = [TOLERANCES[0], TOLERANCES[last]]
+            .map(|tolerance| power_of_ten(tolerance.log10().round() as i32));
+        let x = Axis::decades(
+            format!("points solved, tolerances {from} to {to}"),
+            sizes.iter().map(|size| size.points),
+        );
         let measured = sizes.iter().flat_map(|size| size.runs.each_ref().map(of));
-        let mut panel = Panel::new(title, x, Axis::decades("", measured.chain(others.iter().map(|point| point[1]))));
+        let mut panel = Panel::new(
+            title,
+            x,
+            Axis::decades("", measured.chain(others.iter().map(|point| point[1]))),
+        );
         for (job, (colour, name)) in COLOURS.into_iter().zip(NAMES).enumerate() {
             let line = points(&|size| of(&size.runs[job]));
-            panel.line(line.clone(), colour).markers(line.clone(), colour, Marker::Full).label(
-                line[last],
-                name,
-                colour,
-                Side::Right,
-            );
+            panel
+                .line(line.clone(), colour)
+                .markers(line.clone(), colour, Marker::Full)
+                .label(line[last], name, colour, Side::Right);
         }
         panel
     };
     let time = panel("Time, certificate included (s)", |run| run.seconds, &[]);
     let mut memory = panel("Peak memory (MB)", |run| run.megabytes, &values);
-    memory.line(values.clone(), GREY).label(values[middle], "2 × the table's values", GREY, Side::BelowRight);
-    Ok(fs::write(PICTURE, Figure::new(400, [time, memory]).picture()?.encode(Format::Svg)?)?)
+    memory.line(values.clone(), GREY).label(
+        values[middle],
+        "2 × the table's values",
+        GREY,
+        Side::BelowRight,
+    );
+    Ok(fs::write(
+        PICTURE,
+        Figure::new(400, [time, memory])
+            .picture()?
+            .encode(Format::Svg)?,
+    )?)
 }

@@ -103,7 +103,9 @@ pub enum Error {
         last: f64,
     },
     /// A table that is not accurate enough to be packed to the tolerance.
-    #[error("its certified error {own:.1e} leaves no room below the tolerance {tolerance:e}: make it with a smaller tolerance")]
+    #[error(
+        "its certified error {own:.1e} leaves no room below the tolerance {tolerance:e}: make it with a smaller tolerance"
+    )]
     NoRoom {
         /// The table's own certified error.
         own: f64,
@@ -137,7 +139,7 @@ pub enum Error {
     #[error(
         "the tolerance takes a table of {} nodes, {values} values, where at most {} nodes on an axis and {most} values are made; ask for a larger \
          tolerance, a smaller box or fewer nodes",
-        shape.map(|nodes| nodes.to_string()).join(" x "), crate::scene::MOST_NODES
+        shape.map(|nodes| nodes.to_string()).join(" x "), crate::table::scene::MOST_NODES
     )]
     TooLarge {
         /// The nodes on each axis.
@@ -206,6 +208,15 @@ pub enum Error {
 impl Error {
     /// Accepts a value of `[from, to]`.
     pub(crate) fn check(name: &'static str, value: f64, [from, to]: [f64; 2]) -> Result<(), Self> {
-        if value >= from && value <= to { Ok(()) } else { Err(Self::Domain { name, value, from, to }) }
+        if value >= from && value <= to {
+            Ok(())
+        } else {
+            Err(Self::Domain {
+                name,
+                value,
+                from,
+                to,
+            })
+        }
     }
 }

@@ -8,62 +8,92 @@ use tempfile::TempPath;
 
 use crate::Error;
 
-/// Accepts an output, before any work, if a file can be made or replaced there and it is not the input.
+/// Accepts an output, before any work, if a file can be made or replaced there and it is not the
+/// input.
 ///
 /// # Errors
 /// [`Error::Write`] naming the output.
 pub fn check(output: Option<&Path>, input: Option<&Path>) -> Result<(), Error> {
     let Some(path) = output else { return Ok(()) };
-    let same = |input: &Path| input.canonicalize().is_ok_and(|input| path.canonicalize().is_ok_and(|path| path == input));
+    let same = |input: &Path| {
+        input
+            .canonicalize()
+            .is_ok_and(|input| path.canonicalize().is_ok_and(|path| path == input))
+    };
     let attempt = || match input {
         Some(input) if same(input) => Err(io::Error::other("it is the input")),
         _ => temporary(path).map(drop),
     };
-    attempt().map_err(|source| Error::Write { path: path.to_owned(), source })
+    attempt().map_err(|source| Error::Write {
+        path: path.to_owned(),
+        source,
+    })
 }
 
-/// Calls `fill` with a temporary path beside `path`, then flushes the file to disk and renames it to `path`.
+/// Calls `fill` with a temporary path beside `path`, then flushes the file to disk and renames it
+/// to `path`.
 ///
 /// # Errors
-/// [`Error::Write`] naming `path`; an existing file is then untouched. Anything there but a file, a device for instance, is an
-/// error.
+/// [`Error::Write`] naming `path`; an existing file is then untouched. Anything there but a file, a
+/// device for instance, is an error.
 pub fn atomically(path: &Path, fill: impl FnOnce(&Path) -> io::Result<()>) -> Result<(), Error> {
     let attempt = || {
         let (unfinished, target) = temporary(path)?;
         complete(unfinished, &target, fill)
     };
-    attempt().map_err(|source| Error::Write { path: path.to_owned(), source })
+    attempt().map_err(|source| Error::Write {
+        path: path.to_owned(),
+        source,
+    })
 }
 
-/// Like [`atomically`], through a temporary path of the caller's, which nobody else uses. What an earlier process, that was killed,
-/// has left there is replaced.
+/// Like [`atomically`], through a temporary path of the caller's, which nobody else uses. What an
+/// earlier process, that was killed, has left there is replaced.
 ///
 /// # Errors
 /// As [`atomically`].
-pub fn through(path: &Path, unfinished: &Path, fill: impl FnOnce(&Path) -> io::Result<()>) -> Result<(), Error> {
+pub fn through(
+    path: &Path,
+    unfinished: &Path,
+    fill: impl FnOnce(&Path) -> io::Result<()>,
+) -> Result<(), Error> {
     let attempt = || complete(TempPath::try_from_path(unfinished)?, &target(path)?, fill);
-    attempt().map_err(|source| Error::Write { path: path.to_owned(), source })
+    attempt().map_err(|source| Error::Write {
+        path: path.to_owned(),
+        source,
+    })
 }
 
-fn complete(unfinished: TempPath, target: &Path, fill: impl FnOnce(&Path) -> io::Result<()>) -> io::Result<()> {
+fn complete(
+    unfinished: TempPath,
+    target: &Path,
+    fill: impl FnOnce(&Path) -> io::Result<()>,
+) -> io::Result<()> {
     fill(&unfinished)?;
     File::open(&unfinished)?.sync_all()?;
     unfinished.persist(target).map_err(|e| e.error)?;
     sync_folder(target)
 }
 
-/// A new file, removed when dropped, in the same folder as the file that `path` means, and that file's path.
+/// A new file, removed when dropped, in the same folder as the file that `path` means, and that
+/// file's path.
 fn temporary(path: &Path) -> io::Result<(TempPath, PathBuf)> {
     let target = target(path)?;
     let folder = folder(&target);
     if !folder.is_dir() {
-        return Err(io::Error::new(io::ErrorKind::NotFound, format!("there is no folder {}", folder.display())));
+        return Err(io::Error::new(
+            io::ErrorKind::NotFound,
+            format!("there is no folder {}", folder.display()),
+        ));
     }
     let mut builder = tempfile::Builder::new();
     // Temporary files are private; this one becomes what any program would have created.
     #[cfg(unix)]
     builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-    let unfinished = builder.prefix(".unfinished-").tempfile_in(folder)?.into_temp_path();
+    let unfinished = builder
+        .prefix(".unfinished-")
+        .tempfile_in(folder)?
+        .into_temp_path();
     Ok((unfinished, target))
 }
 
@@ -72,7 +102,10 @@ fn temporary(path: &Path) -> io::Result<(TempPath, PathBuf)> {
 /// # Errors
 /// [`Error::Write`] naming `path`, if there is anything but a file.
 pub fn behind_links(path: &Path) -> Result<PathBuf, Error> {
-    target(path).map_err(|source| Error::Write { path: path.to_owned(), source })
+    target(path).map_err(|source| Error::Write {
+        path: path.to_owned(),
+        source,
+    })
 }
 
 fn target(path: &Path) -> io::Result<PathBuf> {
@@ -85,7 +118,9 @@ fn target(path: &Path) -> io::Result<PathBuf> {
 
 /// The folder of a file; a bare file name has an empty parent.
 fn folder(path: &Path) -> &Path {
-    path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
+    path.parent()
+        .filter(|folder| !folder.as_os_str().is_empty())
+        .unwrap_or(Path::new("."))
 }
 
 /// Makes a new or renamed file survive a loss of power.

@@ -1,7 +1,9 @@
-//! The figures and the numbers of the documentation: measured, drawn and quoted, or compared with what is there.
+//! The figures and the numbers of the documentation: measured, drawn and quoted, or compared with
+//! what is there.
 //!
-//! `tables/figures/` holds all figures, and what each `tabulate cost` measured as CSV. The Markdown files quote the summaries of
-//! these measurements between `<!-- tabulate cost NAME -->` and `<!-- end -->`.
+//! `tables/figures/` holds all figures, and what each `tabulate cost` measured as CSV. The Markdown
+//! files quote the summaries of these measurements between `<!-- tabulate cost NAME -->` and
+//! `<!-- end -->`.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -32,7 +34,8 @@ const FIGURES: [(&str, Option<&str>); 9] = [
 const DOCUMENTS: [&str; 2] = ["README.md", "tables/README.md"];
 const END: &str = "<!-- end -->\n";
 
-/// How far apart the coordinates of the same picture may be that two processors draw, in tenths of a pixel.
+/// How far apart the coordinates of the same picture may be that two processors draw, in tenths of
+/// a pixel.
 const ROUNDING: f64 = 1.5;
 
 /// Measures, draws and quotes everything anew.
@@ -48,13 +51,15 @@ pub fn figures() -> Result<(), String> {
     for document in DOCUMENTS {
         let path = workspace::root().join(document);
         let text = read(&path)?;
-        fs::write(&path, quoted(&text)?).map_err(|e| format!("cannot write {}: {e}", path.display()))?;
+        fs::write(&path, quoted(&text)?)
+            .map_err(|e| format!("cannot write {}: {e}", path.display()))?;
     }
     Ok(())
 }
 
-/// Measures again and fails if errors or sizes differ from those kept, or times by more than machines do; draws again and fails if a
-/// figure differs; and fails if a document quotes another summary.
+/// Measures again and fails if errors or sizes differ from those kept, or times by more than
+/// machines do; draws again and fails if a figure differs; and fails if a document quotes another
+/// summary.
 pub fn check() -> Result<(), String> {
     let folder = folder();
     for document in DOCUMENTS {
@@ -66,7 +71,11 @@ pub fn check() -> Result<(), String> {
         }
     }
     for cost in COSTS {
-        measure(cost, &["--compare", &name(&folder, cost, "csv")], BUDGETS[1])?;
+        measure(
+            cost,
+            &["--compare", &name(&folder, cost, "csv")],
+            BUDGETS[1],
+        )?;
     }
     let drawn = workspace::target()?.join("figures");
     fs::create_dir_all(&drawn).map_err(|e| format!("cannot make {}: {e}", drawn.display()))?;
@@ -74,7 +83,9 @@ pub fn check() -> Result<(), String> {
         let (before, now) = (name(&folder, figure, "svg"), name(&drawn, figure, "svg"));
         draw(figure, cost, &now)?;
         if !alike(&read(Path::new(&before))?, &read(Path::new(&now))?) {
-            return Err(format!("{before} is not what is drawn now, {now}; `cargo xtask figures` draws it anew"));
+            return Err(format!(
+                "{before} is not what is drawn now, {now}; `cargo xtask figures` draws it anew"
+            ));
         }
     }
     Ok(())
@@ -85,7 +96,10 @@ fn folder() -> PathBuf {
 }
 
 fn name(folder: &Path, stem: &str, ending: &str) -> String {
-    folder.join(format!("{stem}.{ending}")).display().to_string()
+    folder
+        .join(format!("{stem}.{ending}"))
+        .display()
+        .to_string()
 }
 
 fn read(path: &Path) -> Result<String, String> {
@@ -93,7 +107,11 @@ fn read(path: &Path) -> Result<String, String> {
 }
 
 fn measure(cost: &str, arguments: &[&str], budget: &str) -> Result<String, String> {
-    let budget: &[&str] = if cost == "table" { &["--budget", budget] } else { &[] };
+    let budget: &[&str] = if cost == "table" {
+        &["--budget", budget]
+    } else {
+        &[]
+    };
     tabulate(&[&["cost", cost], arguments, budget].concat())
 }
 
@@ -109,8 +127,12 @@ fn quoted(text: &str) -> Result<String, String> {
     let mut quoted = String::new();
     let mut rest = text;
     while let Some((before, after)) = rest.split_once("<!-- tabulate cost ") {
-        let (cost, after) = after.split_once(" -->\n").ok_or("a quotation has no name")?;
-        let (_, after) = after.split_once(END).ok_or_else(|| format!("the quotation of tabulate cost {cost} does not end"))?;
+        let (cost, after) = after
+            .split_once(" -->\n")
+            .ok_or("a quotation has no name")?;
+        let (_, after) = after
+            .split_once(END)
+            .ok_or_else(|| format!("the quotation of tabulate cost {cost} does not end"))?;
         let summary = tabulate(&["cost", cost, "--data", &name(&folder(), cost, "csv")])?;
         quoted += &format!("{before}<!-- tabulate cost {cost} -->\n{summary}{END}");
         rest = after;
@@ -120,9 +142,18 @@ fn quoted(text: &str) -> Result<String, String> {
 
 /// Whether two pictures are the same but for rounding.
 fn alike(a: &str, b: &str) -> bool {
-    let tokens = |text: &str| text.split([' ', ',', '"', '<', '>']).map(str::to_owned).collect::<Vec<_>>();
+    let tokens = |text: &str| {
+        text.split([' ', ',', '"', '<', '>'])
+            .map(str::to_owned)
+            .collect::<Vec<_>>()
+    };
     let (a, b) = (tokens(a), tokens(b));
     let number = |token: &str| token.parse::<f64>().ok();
     a.len() == b.len()
-        && a.iter().zip(&b).all(|(a, b)| a == b || number(a).zip(number(b)).is_some_and(|(a, b)| (a - b).abs() <= ROUNDING))
+        && a.iter().zip(&b).all(|(a, b)| {
+            a == b
+                || number(a)
+                    .zip(number(b))
+                    .is_some_and(|(a, b)| (a - b).abs() <= ROUNDING)
+        })
 }

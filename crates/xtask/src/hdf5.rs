@@ -1,7 +1,8 @@
 //! Finds a libhdf5 to link, or what is needed to build one.
 //!
-//! In this order: a system library (`HDF5_DIR`, or pkg-config's `hdf5`), then a static build from source with cmake from
-//! `$CMAKE`, from the path, or from PyPI, and with ninja from there where there is no make.
+//! In this order: a system library (`HDF5_DIR`, or pkg-config's `hdf5`), then a static build from
+//! source with cmake from `$CMAKE`, from the path, or from PyPI, and with ninja from there where
+//! there is no make.
 
 use std::env;
 use std::path::{Path, PathBuf};
@@ -20,12 +21,18 @@ pub fn cargo(args: &[&str]) -> Result<Command, String> {
     };
     command.arg(subcommand);
     if !system_library() {
-        command.args(["--features", "tabulate/hdf5-static"]).env("CMAKE", cmake()?);
-        if !runs(Command::new("make").arg("--version")) && !runs(Command::new("ninja").arg("--version")) {
+        command
+            .args(["--features", "tabulate/hdf5-static"])
+            .env("CMAKE", cmake()?);
+        if !runs(Command::new("make").arg("--version"))
+            && !runs(Command::new("ninja").arg("--version"))
+        {
             let folders = env::var_os("PATH").unwrap_or_default();
             let ninja = python::package("ninja", ">=1.11,<2")?.join("bin");
             let folders = env::join_paths([ninja].into_iter().chain(env::split_paths(&folders)));
-            command.env("PATH", folders.map_err(|e| e.to_string())?).env("CMAKE_GENERATOR", "Ninja");
+            command
+                .env("PATH", folders.map_err(|e| e.to_string())?)
+                .env("CMAKE_GENERATOR", "Ninja");
         }
     }
     command.args(rest);
@@ -33,7 +40,8 @@ pub fn cargo(args: &[&str]) -> Result<Command, String> {
 }
 
 fn system_library() -> bool {
-    env::var_os("HDF5_DIR").is_some_and(|dir| !dir.is_empty()) || runs(Command::new("pkg-config").args(["--exists", "hdf5"]))
+    env::var_os("HDF5_DIR").is_some_and(|dir| !dir.is_empty())
+        || runs(Command::new("pkg-config").args(["--exists", "hdf5"]))
 }
 
 fn cmake() -> Result<PathBuf, String> {

@@ -1,7 +1,8 @@
 //! The project's own commands, run as `cargo xtask COMMAND`.
 //!
-//! They need Rust, a C compiler and python3, and fetch the rest (cmake for libhdf5, h5py for one test, scipy for two benches) from
-//! PyPI into the target directory. The tests of the report run in Chromium, which is installed with apt-get where that is possible.
+//! They need Rust, a C compiler and python3, and fetch the rest (cmake for libhdf5, h5py for one
+//! test, scipy for two benches) from PyPI into the target directory. The tests of the report run in
+//! Chromium, which is installed with apt-get where that is possible.
 
 #![forbid(unsafe_code)]
 
@@ -64,8 +65,12 @@ fn main() -> ExitCode {
 /// `tabulate generate`, built optimised.
 fn table(args: &[String]) -> Result<(), String> {
     let mut command = vec!["run", "--release", "-p", "tabulate", "--", "generate"];
-    // Without a scene it is the workspace's default one, wherever the command is run; the table is written beside it.
-    let scene = workspace::root().join("tables/default.toml").display().to_string();
+    // Without a scene it is the workspace's default one, wherever the command is run; the table is
+    // written beside it.
+    let scene = workspace::root()
+        .join("tables/default.toml")
+        .display()
+        .to_string();
     if args.first().is_none_or(|first| first.starts_with('-')) {
         command.push(&scene);
     }
@@ -78,7 +83,9 @@ fn test(args: &[String]) -> Result<(), String> {
     let mut command = vec!["test", "--release", "--workspace"];
     command.extend(args.iter().map(String::as_str));
     let mut cargo = hdf5::cargo(&command)?;
-    cargo.env("H5PY_PATH", python::package("h5py", H5PY)?).envs(browser::chromium().map(|path| ("CHROMIUM", path)));
+    cargo
+        .env("H5PY_PATH", python::package("h5py", H5PY)?)
+        .envs(browser::chromium().map(|path| ("CHROMIUM", path)));
     succeed(&mut cargo)
 }
 
@@ -87,7 +94,9 @@ const H5PY: &str = ">=3.8,<4";
 
 /// The benches that need scipy; pip fetches numpy with it.
 fn compare() -> Result<(), String> {
-    let bench = ["bench", "-p", "tabulate", "--bench", "nystrom", "--bench", "rivals"];
+    let bench = [
+        "bench", "-p", "tabulate", "--bench", "nystrom", "--bench", "rivals",
+    ];
     succeed(hdf5::cargo(&bench)?.env("PYTHONPATH", python::package("scipy", SCIPY)?))
 }
 
@@ -101,6 +110,12 @@ fn cargo(args: &[String]) -> Result<(), String> {
 
 /// Runs a command that prints for itself; an error names the command.
 fn succeed(command: &mut Command) -> Result<(), String> {
-    let status = command.status().map_err(|e| format!("cannot run {:?}: {e}", command.get_program()))?;
-    if status.success() { Ok(()) } else { Err(format!("{command:?} failed ({status})")) }
+    let status = command
+        .status()
+        .map_err(|e| format!("cannot run {:?}: {e}", command.get_program()))?;
+    if status.success() {
+        Ok(())
+    } else {
+        Err(format!("{command:?} failed ({status})"))
+    }
 }

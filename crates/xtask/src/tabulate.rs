@@ -6,8 +6,17 @@ use crate::hdf5;
 
 /// Runs `tabulate`, built optimised, and returns what it prints.
 pub fn tabulate(args: &[&str]) -> Result<String, String> {
-    let mut command = hdf5::cargo(&[&["run", "--quiet", "--release", "-p", "tabulate", "--"], args].concat())?;
-    let output = command.stderr(Stdio::inherit()).output().map_err(|e| format!("cannot run cargo: {e}"))?;
+    let mut command = hdf5::cargo(
+        &[
+            &["run", "--quiet", "--release", "-p", "tabulate", "--"],
+            args,
+        ]
+        .concat(),
+    )?;
+    let output = command
+        .stderr(Stdio::inherit())
+        .output()
+        .map_err(|e| format!("cannot run cargo: {e}"))?;
     if !output.status.success() {
         return Err(format!("{command:?} failed ({})", output.status));
     }

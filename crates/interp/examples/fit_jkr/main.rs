@@ -1,4 +1,5 @@
-//! Fits a measured contact: `cargo run --release -p interp --example fit_jkr -- DATA.csv [OPTIONS]`.
+//! Fits a measured contact:
+//! `cargo run --release -p interp --example fit_jkr -- DATA.csv [OPTIONS]`.
 
 mod fit;
 
@@ -43,8 +44,18 @@ fn main() -> ExitCode {
 
 fn run(arguments: &[String]) -> Result<(), String> {
     let mut file = None;
-    let [mut radius, mut film, mut film_nu, mut thickness, mut substrate, mut substrate_nu] = [1e-3, 3.5e6, 0.5, 1e-6, 2e11, 0.25];
-    let (mut free, mut noise) = (vec![Parameter::SphereModulus, Parameter::WorkOfAdhesion], None);
+    let [
+        mut radius,
+        mut film,
+        mut film_nu,
+        mut thickness,
+        mut substrate,
+        mut substrate_nu,
+    ] = [1e-3, 3.5e6, 0.5, 1e-6, 2e11, 0.25];
+    let (mut free, mut noise) = (
+        vec![Parameter::SphereModulus, Parameter::WorkOfAdhesion],
+        None,
+    );
     let mut own_table = None;
     let mut arguments = arguments.iter();
     while let Some(argument) = arguments.next() {
@@ -54,8 +65,14 @@ fn run(arguments: &[String]) -> Result<(), String> {
             }
             continue;
         }
-        let value = arguments.next().ok_or(format!("{argument} needs a value"))?;
-        let number = || value.parse::<f64>().map_err(|_| format!("{argument} is {value:?}, not a number"));
+        let value = arguments
+            .next()
+            .ok_or(format!("{argument} needs a value"))?;
+        let number = || {
+            value
+                .parse::<f64>()
+                .map_err(|_| format!("{argument} is {value:?}, not a number"))
+        };
         match argument.as_str() {
             "--sphere-radius" => radius = number()?,
             "--film-modulus" => film = number()?,
@@ -64,7 +81,9 @@ fn run(arguments: &[String]) -> Result<(), String> {
             "--substrate-modulus" => substrate = number()?,
             "--substrate-poisson-ratio" => substrate_nu = number()?,
             "--noise" => noise = Some(number()?),
-            "--table" => own_table = Some(Table::read(value).map_err(|error| format!("{value}: {error}"))?),
+            "--table" => {
+                own_table = Some(Table::read(value).map_err(|error| format!("{value}: {error}"))?)
+            }
             "--fit" => {
                 for name in value.split(',') {
                     let parameter = Parameter::named(name)?;

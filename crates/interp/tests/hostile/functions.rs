@@ -1,43 +1,62 @@
 //! The public functions that take numbers, in one list for the property test and for the fuzzer.
 //!
-//! A new function is a row of [`FUNCTIONS`] and, for what is true of its answers, a property in `physics.rs`.
+//! A new function is a row of [`FUNCTIONS`] and, for what is true of its answers, a property in
+//! `physics.rs`.
 
 use std::array::from_fn;
 use std::sync::LazyLock;
 
-use interp::schema::Parameter;
-use interp::spline::{Basis, LARGEST_DEGREE, TABLE_DEGREE};
+use interp::Parameter;
+use interp::bspline::{Basis, LARGEST_DEGREE, TABLE_DEGREE};
 use interp::{
-    Contact, Control, CrackTip, Curve, Elastic, Error, HalfSpace, Hysteresis, Input, JkrFit, JkrPoint, LowRank, Material,
-    Mechanics, Quantities, Quantity, RateDependent, State, System, Table,
+    Contact, Control, CrackTip, Curve, Elastic, Error, HalfSpace, Hysteresis, Input, JkrFit,
+    JkrPoint, LowRank, Material, Mechanics, Quantities, Quantity, RateDependent, State, System,
+    Table,
 };
 
 use crate::tables::{self, AXES, look_up};
 
-/// What a function answers: numbers that must be finite, or an error. (What may be infinite is looked at on the way.)
+/// What a function answers: numbers that must be finite, or an error. (What may be infinite is
+/// looked at on the way.)
 pub type Answer = Result<Vec<f64>, Error>;
 
 /// Name, numbers that it answers, as many as it takes, and itself.
 pub type Function = (&'static str, &'static [f64], fn(&[f64]) -> Answer);
 
 /// On a film, and on a half-space.
-static CONTACTS: LazyLock<[Contact; 2]> = LazyLock::new(|| [tables::contact(), tables::bare_contact()]);
+static CONTACTS: LazyLock<[Contact; 2]> =
+    LazyLock::new(|| [tables::contact(), tables::bare_contact()]);
 
 pub const FUNCTIONS: &[Function] = &[
     ("Elastic::new", &[1e6, 0.3], |x| {
         let solid = Elastic::new(x[0], x[1])?;
-        assert!(solid.young() > 0.0 && solid.reduced() >= 0.75 * solid.young(), "{solid:?}");
+        assert!(
+            solid.young() > 0.0 && solid.reduced() >= 0.75 * solid.young(),
+            "{solid:?}"
+        );
         Ok(vec![solid.poisson()])
     }),
-    ("System::material", &[1e-3, 2e6, 3.5e6, 0.5, 1e-6, 2e11, 0.25], |x| moduli(&system(x)?.material()?)),
-    ("Material::new", &[1.75, 0.5, 1e5, 0.25], |x| moduli(&material(x)?)),
-    ("Material::with_substrate_poisson_ratio", &[1.75, 0.3, 300.0, 0.25, 0.3], |x| {
-        moduli(&material(x)?.with_substrate_poisson_ratio(x[4])?)
+    (
+        "System::material",
+        &[1e-3, 2e6, 3.5e6, 0.5, 1e-6, 2e11, 0.25],
+        |x| moduli(&system(x)?.material()?),
+    ),
+    ("Material::new", &[1.75, 0.5, 1e5, 0.25], |x| {
+        moduli(&material(x)?)
     }),
-    ("Table::curve", &[1.75, 0.5, 1e5, 0.25, 2.0], |x| quantities(&Table::embedded().curve(&material(x)?)?, x[4])),
-    ("Table::contact", &[1e-3, 2e6, 3.5e6, 0.5, 1e-6, 2e11, 0.25, 6e-5, 0.04], |x| {
-        loads(&Table::embedded().contact(&system(x)?)?, x[7], x[8])
+    (
+        "Material::with_substrate_poisson_ratio",
+        &[1.75, 0.3, 300.0, 0.25, 0.3],
+        |x| moduli(&material(x)?.with_substrate_poisson_ratio(x[4])?),
+    ),
+    ("Table::curve", &[1.75, 0.5, 1e5, 0.25, 2.0], |x| {
+        quantities(&Table::embedded().curve(&material(x)?)?, x[4])
     }),
+    (
+        "Table::contact",
+        &[1e-3, 2e6, 3.5e6, 0.5, 1e-6, 2e11, 0.25, 6e-5, 0.04],
+        |x| loads(&Table::embedded().contact(&system(x)?)?, x[7], x[8]),
+    ),
     ("Curve::quantities", &[2.0], |x| quantities(curve(), x[0])),
     ("Curve::quantity_at_all", &[2.0, 1e-5, 500.0], |x| {
         let mut values = vec![0.0; x.len()];
@@ -47,28 +66,59 @@ pub const FUNCTIONS: &[Function] = &[
     ("Curve::error", &[2.0], |x| Ok(vec![curve().error(x[0])?])),
     ("Curve::spline", &[100.0], |x| {
         let spline = curve().spline(Quantity::Pi0, x[0] as usize)?;
-        Ok(spline.keys().iter().flat_map(|key| [key.t, key.value]).collect())
+        Ok(spline
+            .keys()
+            .iter()
+            .flat_map(|key| [key.t, key.value])
+            .collect())
     }),
     ("Curve::gradient", &[1.75, 0.5, 1e5, 0.25, 2.0], |x| {
         let curve = Table::embedded().curve_with_gradient(&material(x)?)?;
         let gradient = curve.gradient(x[4])?;
-        let by = [Parameter::E1OverE2, Parameter::Nu1, Parameter::E0OverE2].map(|parameter| gradient.by(parameter));
-        let by = by.into_iter().chain([gradient.by_nu0(), Ok(gradient.values()), Ok(gradient.slopes())]);
-        Ok(by.collect::<Result<Vec<_>, Error>>()?.iter().flat_map(|four| four.to_array()).collect())
+        let by = [Parameter::E1OverE2, Parameter::Nu1, Parameter::E0OverE2]
+            .map(|parameter| gradient.by(parameter));
+        let by = by.into_iter().chain([
+            gradient.by_nu0(),
+            Ok(gradient.values()),
+            Ok(gradient.slopes()),
+        ]);
+        Ok(by
+            .collect::<Result<Vec<_>, Error>>()?
+            .iter()
+            .flat_map(|four| four.to_array())
+            .collect())
     }),
-    ("Curve::through", &[1.0, 3.0, 0.8, 0.9, 1.1, 2.0, 4.0, 0.9, 0.8, 1.2, 1.75, 0.5, 1e5, 0.25], |x| {
-        let node = |x: &[f64]| (x[0], Quantities::from_array(from_fn(|i| x[i + 1])));
-        let curve = Curve::through(&[node(x), node(&x[5..])], material(&x[10..])?)?;
-        quantities(&curve, (x[0] * x[5]).sqrt())
+    (
+        "Curve::through",
+        &[
+            1.0, 3.0, 0.8, 0.9, 1.1, 2.0, 4.0, 0.9, 0.8, 1.2, 1.75, 0.5, 1e5, 0.25,
+        ],
+        |x| {
+            let node = |x: &[f64]| (x[0], Quantities::from_array(from_fn(|i| x[i + 1])));
+            let curve = Curve::through(&[node(x), node(&x[5..])], material(&x[10..])?)?;
+            quantities(&curve, (x[0] * x[5]).sqrt())
+        },
+    ),
+    (
+        "Contact::new",
+        &[1e-3, 2e6, 3.5e6, 0.5, 1e-6, 2e11, 0.25, 6e-5, 0.04],
+        |x| loads(&Contact::new(&system(x)?, curve().clone())?, x[7], x[8]),
+    ),
+    (
+        "Contact::half_space",
+        &[1e-3, 2e6, 2e11, 0.25, 6e-5, 0.04],
+        |x| {
+            let half_space = HalfSpace {
+                sphere_radius: x[0],
+                sphere_modulus: x[1],
+                solid: Elastic::new(x[2], x[3])?,
+            };
+            loads(&Contact::half_space(&half_space)?, x[4], x[5])
+        },
+    ),
+    ("Contact::load", &[6e-5, 0.04], |x| {
+        each(|contact| loads(contact, x[0], x[1]))
     }),
-    ("Contact::new", &[1e-3, 2e6, 3.5e6, 0.5, 1e-6, 2e11, 0.25, 6e-5, 0.04], |x| {
-        loads(&Contact::new(&system(x)?, curve().clone())?, x[7], x[8])
-    }),
-    ("Contact::half_space", &[1e-3, 2e6, 2e11, 0.25, 6e-5, 0.04], |x| {
-        let half_space = HalfSpace { sphere_radius: x[0], sphere_modulus: x[1], solid: Elastic::new(x[2], x[3])? };
-        loads(&Contact::half_space(&half_space)?, x[4], x[5])
-    }),
-    ("Contact::load", &[6e-5, 0.04], |x| each(|contact| loads(contact, x[0], x[1]))),
     ("Contact::load_at_all", &[6e-5, 5e-5, 0.04], |x| {
         each(|contact| {
             let mut loads = [0.0; 2];
@@ -76,26 +126,52 @@ pub const FUNCTIONS: &[Function] = &[
             Ok(loads.to_vec())
         })
     }),
-    ("Contact::stiffness", &[6e-5], |x| each(|contact| Ok(vec![contact.stiffness(x[0])?]))),
-    ("Contact::stress_intensity", &[6e-5, 0.04], |x| each(|contact| Ok(vec![contact.stress_intensity(x[0], x[1])?]))),
+    ("Contact::stiffness", &[6e-5], |x| {
+        each(|contact| Ok(vec![contact.stiffness(x[0])?]))
+    }),
+    ("Contact::stress_intensity", &[6e-5, 0.04], |x| {
+        each(|contact| Ok(vec![contact.stress_intensity(x[0], x[1])?]))
+    }),
     ("Contact::energy_release_rate_at_load", &[6e-5, 1e-4], |x| {
         each(|contact| Ok(vec![contact.energy_release_rate_at_load(x[0], x[1])?]))
     }),
-    ("Contact::energy_release_rate_at_penetration", &[6e-5, 1e-6], |x| {
-        each(|contact| Ok(vec![contact.energy_release_rate_at_penetration(x[0], x[1])?]))
-    }),
-    ("Contact::radius_and_energy_release_rate", &[-1e-4, 1e-7], |x| {
-        each(|contact| contact.radius_and_energy_release_rate(x[0], x[1]).map(|(a, g)| vec![a, g]))
-    }),
+    (
+        "Contact::energy_release_rate_at_penetration",
+        &[6e-5, 1e-6],
+        |x| {
+            each(|contact| {
+                Ok(vec![
+                    contact.energy_release_rate_at_penetration(x[0], x[1])?,
+                ])
+            })
+        },
+    ),
+    (
+        "Contact::radius_and_energy_release_rate",
+        &[-1e-4, 1e-7],
+        |x| {
+            each(|contact| {
+                contact
+                    .radius_and_energy_release_rate(x[0], x[1])
+                    .map(|(a, g)| vec![a, g])
+            })
+        },
+    ),
     ("Contact::validity", &[6e-5], |x| {
         each(|contact| {
             let validity = contact.validity(x[0])?;
-            let film = validity.film.map_or([0.0; 2], |film| [film.a_over_t, film.compressibility]);
+            let film = validity
+                .film
+                .map_or([0.0; 2], |film| [film.a_over_t, film.compressibility]);
             Ok([&[validity.a_over_r], &film[..]].concat())
         })
     }),
     ("Contact::adhesion_range", &[0.04, 1e-9], |x| {
-        each(|contact| contact.adhesion_range(x[0], x[1]).map(|range| vec![range.tabor, range.cohesive_zone]))
+        each(|contact| {
+            contact
+                .adhesion_range(x[0], x[1])
+                .map(|range| vec![range.tabor, range.cohesive_zone])
+        })
     }),
     ("Contact::jkr_fit", &[0.04, 5e-5, 1e-4, 2e6], |x| {
         each(|contact| {
@@ -107,7 +183,12 @@ pub const FUNCTIONS: &[Function] = &[
     ("Contact::film_bias", &[0.04, 5e-5, 1e-4], |x| {
         each(|contact| {
             let bias = contact.film_bias(x[0], [x[1], x[2]], 5)?;
-            Ok(vec![bias.fit.modulus, bias.fit.intercept, bias.modulus, bias.work_of_adhesion])
+            Ok(vec![
+                bias.fit.modulus,
+                bias.fit.intercept,
+                bias.modulus,
+                bias.work_of_adhesion,
+            ])
         })
     }),
     ("Contact::equilibria", &[0.04, -1e-5, 50.0], |x| {
@@ -115,10 +196,29 @@ pub const FUNCTIONS: &[Function] = &[
             let mut found = Vec::new();
             for control in controls(x[2]) {
                 let equilibria = contact.equilibria(x[0], control)?;
-                found.extend(equilibria.at(x[1]).unwrap_or_default().iter().map(|equilibrium| equilibrium.state));
-                found.extend([equilibria.unloading(x[1]), equilibria.loading(x[1]), equilibria.pull_off()].into_iter().flatten());
+                found.extend(
+                    equilibria
+                        .at(x[1])
+                        .unwrap_or_default()
+                        .iter()
+                        .map(|equilibrium| equilibrium.state),
+                );
+                found.extend(
+                    [
+                        equilibria.unloading(x[1]),
+                        equilibria.loading(x[1]),
+                        equilibria.pull_off(),
+                    ]
+                    .into_iter()
+                    .flatten(),
+                );
                 let whole = equilibria.force_displacement(x[1], 3).ok();
-                found.extend(whole.iter().flat_map(|whole| whole.loading.iter().chain(&whole.unloading)).flatten());
+                found.extend(
+                    whole
+                        .iter()
+                        .flat_map(|whole| whole.loading.iter().chain(&whole.unloading))
+                        .flatten(),
+                );
             }
             Ok(found.into_iter().flat_map(numbers).collect())
         })
@@ -127,50 +227,119 @@ pub const FUNCTIONS: &[Function] = &[
         each(|contact| {
             let apart = controls(x[1]).map(|control| contact.pull_off(x[0], control));
             let at_rest = contact.zero_load(x[0])?;
-            Ok(apart.into_iter().flatten().chain([at_rest]).flat_map(numbers).collect())
+            Ok(apart
+                .into_iter()
+                .flatten()
+                .chain([at_rest])
+                .flat_map(numbers)
+                .collect())
         })
     }),
-    ("Contact::line", &[0.03, 0.05, 6e-5, 50.0, 1e-4, -1e-5], |x| {
-        each(|contact| {
-            let mut line = contact.line(Hysteresis::new(x[0], x[1])?, x[2])?;
-            let states = controls(x[3]).map(|control| line.impose(control, x[4]).and_then(|_| line.impose(control, x[5])));
-            let [load, penetration, spring] = states;
-            let others = [penetration, spring].into_iter().flatten();
-            Ok([load?].into_iter().chain(others).flatten().flat_map(numbers).collect())
-        })
-    }),
+    (
+        "Contact::line",
+        &[0.03, 0.05, 6e-5, 50.0, 1e-4, -1e-5],
+        |x| {
+            each(|contact| {
+                let mut line = contact.line(Hysteresis::new(x[0], x[1])?, x[2])?;
+                let states = controls(x[3]).map(|control| {
+                    line.impose(control, x[4])
+                        .and_then(|_| line.impose(control, x[5]))
+                });
+                let [load, penetration, spring] = states;
+                let others = [penetration, spring].into_iter().flatten();
+                Ok([load?]
+                    .into_iter()
+                    .chain(others)
+                    .flatten()
+                    .flat_map(numbers)
+                    .collect())
+            })
+        },
+    ),
     #[cfg(feature = "dynamics")]
-    ("ContactLine::ramp", &[0.03, 0.05, 1e-6, 0.6, 6e-5, 1e-4, 1.0, 1e-4], |x| {
-        each(|contact| {
-            let mut line = contact.line(RateDependent::new(Hysteresis::new(x[0], x[1])?, x[2], x[3])?, x[4])?;
-            let moments = line.ramp(Control::Load, x[5], x[6], x[7])?;
-            Ok(moments.into_iter().flat_map(|moment| [vec![moment.time], numbers(moment.state).to_vec()].concat()).collect())
-        })
+    (
+        "ContactLine::ramp",
+        &[0.03, 0.05, 1e-6, 0.6, 6e-5, 1e-4, 1.0, 1e-4],
+        |x| {
+            each(|contact| {
+                let mut line = contact.line(
+                    RateDependent::new(Hysteresis::new(x[0], x[1])?, x[2], x[3])?,
+                    x[4],
+                )?;
+                let moments = line.ramp(Control::Load, x[5], x[6], x[7])?;
+                Ok(moments
+                    .into_iter()
+                    .flat_map(|moment| [vec![moment.time], numbers(moment.state).to_vec()].concat())
+                    .collect())
+            })
+        },
+    ),
+    ("Contact::gradient", &[6e-5, 0.04], |x| {
+        gradients(&GRADIENTS, x[0], x[1])
     }),
-    ("Contact::gradient", &[6e-5, 0.04], |x| gradients(&GRADIENTS, x[0], x[1])),
-    ("Table::contact_with_gradient", &[1e-3, 2e6, 3.5e6, 0.5, 1e-6, 2e11, 0.25, 6e-5, 0.04], |x| {
-        gradients(&Table::embedded().contact_with_gradient(&system(x)?)?, x[7], x[8])
-    }),
+    (
+        "Table::contact_with_gradient",
+        &[1e-3, 2e6, 3.5e6, 0.5, 1e-6, 2e11, 0.25, 6e-5, 0.04],
+        |x| {
+            gradients(
+                &Table::embedded().contact_with_gradient(&system(x)?)?,
+                x[7],
+                x[8],
+            )
+        },
+    ),
     ("JkrFit::through", &[1.0, 2.0, 2.0, 5.0, 3.0, 7.0], |x| {
-        let points = x.chunks_exact(2).map(|pair| JkrPoint { abscissa: pair[0], ordinate: pair[1] });
+        let points = x.chunks_exact(2).map(|pair| JkrPoint {
+            abscissa: pair[0],
+            ordinate: pair[1],
+        });
         let fit = JkrFit::through(&points.collect::<Vec<_>>())?;
         Ok(vec![fit.modulus, fit.intercept])
     }),
-    ("RateDependent::energy_release_rate", &[0.03, 0.05, 1e-6, 0.6, 0.1, 1e-6], |x| {
-        let law = RateDependent::new(Hysteresis::new(x[0], x[1])?, x[2], x[3])?;
-        assert!(!law.speed(x[4]).is_nan() || x[4].is_nan(), "{law:?} at {}", x[4]);
-        Ok([law.at_rest().to_vec(), vec![law.energy_release_rate(x[5])?]].concat())
-    }),
-    ("Mechanics::edge_singularity", &[1e-3, 2e6, 3.5e6, 0.5, 1e-6, 2e11, 0.25, 6e-5, 0.04], |x| {
-        Ok(vec![Mechanics::new(&system(x)?)?.edge_singularity(x[7], x[8])?])
-    }),
+    (
+        "RateDependent::energy_release_rate",
+        &[0.03, 0.05, 1e-6, 0.6, 0.1, 1e-6],
+        |x| {
+            let law = RateDependent::new(Hysteresis::new(x[0], x[1])?, x[2], x[3])?;
+            assert!(
+                !law.speed(x[4]).is_nan() || x[4].is_nan(),
+                "{law:?} at {}",
+                x[4]
+            );
+            Ok([law.at_rest().to_vec(), vec![law.energy_release_rate(x[5])?]].concat())
+        },
+    ),
+    (
+        "Mechanics::edge_singularity",
+        &[1e-3, 2e6, 3.5e6, 0.5, 1e-6, 2e11, 0.25, 6e-5, 0.04],
+        |x| {
+            Ok(vec![
+                Mechanics::new(&system(x)?)?.edge_singularity(x[7], x[8])?,
+            ])
+        },
+    ),
     // These give what arithmetic gives, NaN for NaN.
-    ("Mechanics::load", &[1e-3, 2e6, 3.5e6, 0.5, 1e-6, 2e11, 0.25, 6e-5, 10.0, 2.0, 0.9, 0.8, 0.7, 0.6], |x| {
-        let (mechanics, quantities) = (Mechanics::new(&system(x)?)?, Quantities::from_array(from_fn(|i| x[10 + i])));
-        let _ = (mechanics.load(x[7], x[8], x[9], x[10]), mechanics.load_and_penetration(x[7], x[8], &quantities));
-        let _ = (mechanics.energy_release_rate(x[7], x[8]), mechanics.jkr_point(x[7], x[8]));
-        Ok(vec![])
-    }),
+    (
+        "Mechanics::load",
+        &[
+            1e-3, 2e6, 3.5e6, 0.5, 1e-6, 2e11, 0.25, 6e-5, 10.0, 2.0, 0.9, 0.8, 0.7, 0.6,
+        ],
+        |x| {
+            let (mechanics, quantities) = (
+                Mechanics::new(&system(x)?)?,
+                Quantities::from_array(from_fn(|i| x[10 + i])),
+            );
+            let _ = (
+                mechanics.load(x[7], x[8], x[9], x[10]),
+                mechanics.load_and_penetration(x[7], x[8], &quantities),
+            );
+            let _ = (
+                mechanics.energy_release_rate(x[7], x[8]),
+                mechanics.jkr_point(x[7], x[8]),
+            );
+            Ok(vec![])
+        },
+    ),
     ("Parameter::coordinate", &[0.3], |x| {
         let _ = Parameter::ALL.map(|parameter| (parameter.coordinate(x[0]), parameter.value(x[0])));
         Ok(vec![])
@@ -180,49 +349,74 @@ pub const FUNCTIONS: &[Function] = &[
         Ok(vec![])
     }),
     // Nodes that do not ascend make a basis of no use, not a panic.
-    ("Basis::new", &[0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0, 11.0, 3.3], |x| {
-        for degree in [0, 1, 4, TABLE_DEGREE, LARGEST_DEGREE] {
-            for basis in [Basis::new(&x[..12], degree), Basis::flat_at_the_end(&x[..12], degree)] {
-                let mut values = x[..12].to_vec();
-                basis.interpolate(&mut values, 1);
-                let weights = basis.weights(x[12]);
-                assert!(weights.first + weights.count <= 12, "{weights:?}");
+    (
+        "Basis::new",
+        &[
+            0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0, 11.0, 3.3,
+        ],
+        |x| {
+            for degree in [0, 1, 4, TABLE_DEGREE, LARGEST_DEGREE] {
+                for basis in [
+                    Basis::new(&x[..12], degree),
+                    Basis::flat_at_the_end(&x[..12], degree),
+                ] {
+                    let mut values = x[..12].to_vec();
+                    basis.interpolate(&mut values, 1);
+                    let weights = basis.weights(x[12]);
+                    assert!(weights.first + weights.count <= 12, "{weights:?}");
+                }
             }
-        }
-        Ok(vec![])
-    }),
+            Ok(vec![])
+        },
+    ),
     // A table holds numbers or is malformed, whatever it is made of.
-    ("Table::new", &[1e-3, 0.25, 0.7, 2.0, 0.1, 0.5, 1.0, 0.7], |x| {
-        let (mut description, mut axes) = (tables::description(), tables::axes());
-        (description.tolerance, description.nu0) = (x[0], x[1]);
-        (axes[0][1], axes[0][4], axes[1][0], axes[2][2], axes[3][0]) = (x[2], x[3], x[4], x[5], x[6]);
-        let mut values = vec![0.7; AXES.iter().map(|nodes| nodes.len()).product()];
-        let middle = values.len() / 2;
-        values[middle] = x[7];
-        look_up(&Table::new(description, axes, [Some(values), None, None, None])?)?;
-        Ok(vec![])
-    }),
-    ("Table::from_logarithms", &[-0.3, 0.2], |x| {
-        let logarithms = (0..AXES.iter().map(|nodes| nodes.len()).product()).map(|i: usize| x[i % 2]).collect();
-        let (description, quantities) = (tables::description(), vec![Quantity::Gamma]);
-        look_up(&Table::from_logarithms(description, tables::axes(), quantities, logarithms)?)?;
-        Ok(vec![])
-    }),
+    (
+        "Table::new",
+        &[1e-3, 0.25, 0.7, 2.0, 0.1, 0.5, 1.0, 0.7],
+        |x| {
+            let (mut description, mut axes) = (tables::description(), tables::axes());
+            (description.tolerance, description.nu0) = (x[0], x[1]);
+            (axes[0][1], axes[0][4], axes[1][0], axes[2][2], axes[3][0]) =
+                (x[2], x[3], x[4], x[5], x[6]);
+            let mut values = vec![0.7; AXES.iter().map(|nodes| nodes.len()).product()];
+            let middle = values.len() / 2;
+            values[middle] = x[7];
+            look_up(&Table::new(
+                description,
+                axes,
+                [Some(values), None, None, None],
+            )?)?;
+            Ok(vec![])
+        },
+    ),
     ("LowRank::new", &[1.0, 1.0, 1.0, 0.1, 0.1, 1.0], |x| {
         let nodes = AXES.map(|nodes| vec![1; nodes.len()]);
         let cores = [&nodes[3][..], &nodes[1], &nodes[2], &nodes[0]];
         let weights = from_fn(|joint| vec![x[joint]]);
         let mut functions = tables::functions(AXES.map(|nodes| nodes.len()));
         functions[1][0] = x[5];
-        let form = LowRank::new(vec![Quantity::Pi0], weights, functions, [x[3], x[4], 1.0, 1.0], cores)?;
-        look_up(&Table::from_low_rank(tables::description(), tables::axes(), form)?)?;
+        let form = LowRank::new(
+            vec![Quantity::Pi0],
+            weights,
+            functions,
+            [x[3], x[4], 1.0, 1.0],
+            cores,
+        )?;
+        look_up(&Table::from_low_rank(
+            tables::description(),
+            tables::axes(),
+            form,
+        )?)?;
         Ok(vec![])
     }),
 ];
 
 /// The first of them with gradients.
-static GRADIENTS: LazyLock<Contact> =
-    LazyLock::new(|| Table::embedded().contact_with_gradient(CONTACTS[0].system().expect("on a film")).expect("in the table"));
+static GRADIENTS: LazyLock<Contact> = LazyLock::new(|| {
+    Table::embedded()
+        .contact_with_gradient(CONTACTS[0].system().expect("on a film"))
+        .expect("in the table")
+});
 
 fn curve() -> &'static Curve {
     CONTACTS[0].curve().expect("on a film")
@@ -238,7 +432,11 @@ fn each(ask: impl Fn(&Contact) -> Answer) -> Answer {
 }
 
 fn controls(stiffness: f64) -> [Control; 3] {
-    [Control::Load, Control::Displacement, Control::Spring { stiffness }]
+    [
+        Control::Load,
+        Control::Displacement,
+        Control::Spring { stiffness },
+    ]
 }
 
 fn numbers(state: State) -> [f64; 3] {
@@ -247,7 +445,13 @@ fn numbers(state: State) -> [f64; 3] {
 
 fn system(x: &[f64]) -> Result<System, Error> {
     let (film, substrate) = (Elastic::new(x[2], x[3])?, Elastic::new(x[5], x[6])?);
-    Ok(System { sphere_radius: x[0], sphere_modulus: x[1], film, film_thickness: x[4], substrate })
+    Ok(System {
+        sphere_radius: x[0],
+        sphere_modulus: x[1],
+        film,
+        film_thickness: x[4],
+        substrate,
+    })
 }
 
 fn material(x: &[f64]) -> Result<Material, Error> {
@@ -256,19 +460,37 @@ fn material(x: &[f64]) -> Result<Material, Error> {
 
 /// What is finite of any material; the rest is a number.
 fn moduli(material: &Material) -> Answer {
-    let moduli = [material.film_modulus(), material.substrate_modulus(), material.sphere_substrate_modulus()];
+    let moduli = [
+        material.film_modulus(),
+        material.substrate_modulus(),
+        material.sphere_substrate_modulus(),
+    ];
     let limit = material.thin_film_limit().to_array();
     let infinite = [&moduli[..], &limit, &[material.film_over_substrate()]].concat();
-    assert!(infinite.iter().all(|value| *value >= 0.0), "{material:?}: {infinite:?}");
-    let finite = [material.e1_over_e2(), material.nu1(), material.nu0(), material.sphere_film_modulus()];
+    assert!(
+        infinite.iter().all(|value| *value >= 0.0),
+        "{material:?}: {infinite:?}"
+    );
+    let finite = [
+        material.e1_over_e2(),
+        material.nu1(),
+        material.nu0(),
+        material.sphere_film_modulus(),
+    ];
     Ok([finite, material.thick_film_limit().to_array()].concat())
 }
 
 /// The quantities of a curve, which are positive, and their slopes.
 fn quantities(curve: &Curve, a_over_t: f64) -> Answer {
     let values = curve.quantities(a_over_t)?.to_array();
-    assert!(values.iter().all(|&value| value > 0.0), "{values:?} at {a_over_t:?}");
-    let slopes: Result<Vec<f64>, Error> = Quantity::ALL.iter().map(|&quantity| curve.slope(quantity, a_over_t)).collect();
+    assert!(
+        values.iter().all(|&value| value > 0.0),
+        "{values:?} at {a_over_t:?}"
+    );
+    let slopes: Result<Vec<f64>, Error> = Quantity::ALL
+        .iter()
+        .map(|&quantity| curve.slope(quantity, a_over_t))
+        .collect();
     Ok([values.to_vec(), slopes?].concat())
 }
 
@@ -279,7 +501,12 @@ fn loads(contact: &Contact, a: f64, w: f64) -> Answer {
 
 fn gradients(contact: &Contact, a: f64, w: f64) -> Answer {
     let gradient = contact.gradient(a, w)?;
-    let by = Input::ALL.into_iter().filter_map(|input| gradient.by(input).ok());
+    let by = Input::ALL
+        .into_iter()
+        .filter_map(|input| gradient.by(input).ok());
     let derivatives = by.flat_map(|by| [by.load, by.penetration]);
-    Ok([gradient.load(), gradient.penetration()].into_iter().chain(derivatives).collect())
+    Ok([gradient.load(), gradient.penetration()]
+        .into_iter()
+        .chain(derivatives)
+        .collect())
 }

@@ -1,4 +1,5 @@
-//! Every public function is total on f64: whatever it is asked, it answers with finite numbers or an error, never a panic.
+//! Every public function is total on f64: whatever it is asked, it answers with finite numbers or
+//! an error, never a panic.
 
 use proptest::prelude::*;
 use proptest::test_runner::TestRunner;
@@ -6,10 +7,30 @@ use proptest::test_runner::TestRunner;
 use crate::config;
 use crate::functions::{FUNCTIONS, Function};
 
-/// Any f64 at all: those at the ends of arithmetic, any bits, any magnitude; and, more often, such as a contact may have.
+/// Any f64 at all: those at the ends of arithmetic, any bits, any magnitude; and, more often, such
+/// as a contact may have.
 fn any_number() -> impl Strategy<Value = f64> {
-    let ends = [0.0, 5e-324, 1e-310, f64::MIN_POSITIVE, 1e-154, 1e-30, f64::EPSILON, 0.25, 0.5, 1.0, 1e30, 1e154, f64::MAX];
-    let ends: Vec<f64> = ends.into_iter().chain([f64::INFINITY]).flat_map(|x| [x, -x]).chain([f64::NAN]).collect();
+    let ends = [
+        0.0,
+        5e-324,
+        1e-310,
+        f64::MIN_POSITIVE,
+        1e-154,
+        1e-30,
+        f64::EPSILON,
+        0.25,
+        0.5,
+        1.0,
+        1e30,
+        1e154,
+        f64::MAX,
+    ];
+    let ends: Vec<f64> = ends
+        .into_iter()
+        .chain([f64::INFINITY])
+        .flat_map(|x| [x, -x])
+        .chain([f64::NAN])
+        .collect();
     let magnitude = |range: std::ops::Range<f64>| range.prop_map(|exponent| 10_f64.powf(exponent));
     prop_oneof![
         3 => prop::sample::select(ends),
@@ -47,7 +68,8 @@ fn any_numbers_are_answered_with_finite_ones_or_an_error() {
 /// Or nothing would be asked of the answers.
 #[test]
 fn sound_numbers_are_answered() {
-    let fails = |(name, sound, function): &Function| Some(format!("{name}: {}", function(sound).err()?));
+    let fails =
+        |(name, sound, function): &Function| Some(format!("{name}: {}", function(sound).err()?));
     let failures: Vec<String> = FUNCTIONS.iter().filter_map(fails).collect();
     assert!(failures.is_empty(), "{}", failures.join("\n"));
 }

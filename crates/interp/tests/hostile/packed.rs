@@ -1,18 +1,19 @@
-//! Packed bytes of any kind end in an error, or in a table that can be looked up, and take no more memory than a small multiple of
-//! theirs.
+//! Packed bytes of any kind end in an error, or in a table that can be looked up, and take no more
+//! memory than a small multiple of theirs.
 
 use allocation_counter::measure;
 use interp::{Elastic, Error, Quantity, System, Table};
 
 use crate::tables::{self, PREFIX, look_up, with_prefix};
 
-/// The most memory that reading takes, in bytes: so many for each byte of the input, where a list of one-byte integers has just
-/// outgrown its memory, and a megabyte, which the header's limit lets a forged length claim. Measured: 24.0 and 1.05e6.
+/// The most memory that reading takes, in bytes: so many for each byte of the input, where a list
+/// of one-byte integers has just outgrown its memory, and a megabyte, which the header's limit lets
+/// a forged length claim. Measured: 24.0 and 1.05e6.
 const READING: (usize, usize) = (25, 1_060_000);
 
-/// The same of what a table prepares when it is first looked up, and of the curve with its gradients. Measured: 48.4 for a low-rank
-/// table of many nodes, of which the header's limit allows 130,000, and 1.2e7 for noise on 60 decades of `a/t`, which has the
-/// finest pieces.
+/// The same of what a table prepares when it is first looked up, and of the curve with its
+/// gradients. Measured: 48.4 for a low-rank table of many nodes, of which the header's limit allows
+/// 130,000, and 1.2e7 for noise on 60 decades of `a/t`, which has the finest pieces.
 const LOOKING_UP: (usize, usize) = (50, 13_000_000);
 
 /// Reads packed bytes, and asserts that this takes little memory.
@@ -24,7 +25,10 @@ fn read(bytes: &[u8]) -> Result<Table, Error> {
 }
 
 fn assert_little(memory: usize, (multiple, constant): (usize, usize), bytes: usize) {
-    assert!(memory <= multiple * bytes + constant, "{memory} bytes of memory for {bytes} bytes");
+    assert!(
+        memory <= multiple * bytes + constant,
+        "{memory} bytes of memory for {bytes} bytes"
+    );
 }
 
 /// Reads a payload with a sound checksum.
@@ -34,19 +38,30 @@ fn read_payload(payload: &[u8]) -> Result<Table, Error> {
 
 fn assert_malformed(case: &str, payload: &[u8]) {
     let result = read_payload(payload);
-    assert!(matches!(result, Err(Error::Malformed(_))), "{case}: {result:?}");
+    assert!(
+        matches!(result, Err(Error::Malformed(_))),
+        "{case}: {result:?}"
+    );
 }
 
-/// Malformed, or a table that gives numbers or is malformed. Every 31st forgery is looked up, if it is a table: that takes a while.
+/// Malformed, or a table that gives numbers or is malformed. Every 31st forgery is looked up, if it
+/// is a table: that takes a while.
 fn assert_harmless(case: &str, number: usize, payload: &[u8]) {
-    let look_up = |table: Table| if number.is_multiple_of(31) { look_up(&table) } else { Ok(()) };
+    let look_up = |table: Table| {
+        if number.is_multiple_of(31) {
+            look_up(&table)
+        } else {
+            Ok(())
+        }
+    };
     if let Err(error) = read_payload(payload).and_then(look_up) {
         assert!(matches!(error, Error::Malformed(_)), "{case}: {error}");
     }
 }
 
 fn packed() -> [(&'static str, Vec<u8>); 2] {
-    [("dense", tables::dense()), ("low rank", tables::low_rank())].map(|(form, table)| (form, table.to_packed().expect("small")))
+    [("dense", tables::dense()), ("low rank", tables::low_rank())]
+        .map(|(form, table)| (form, table.to_packed().expect("small")))
 }
 
 /// Random bytes, the same in every run (xorshift).
@@ -58,7 +73,10 @@ fn noise(count: usize) -> Vec<u8> {
         state ^= state << 17;
         state.to_le_bytes()
     };
-    (0..count.div_ceil(8)).flat_map(|_| next()).take(count).collect()
+    (0..count.div_ceil(8))
+        .flat_map(|_| next())
+        .take(count)
+        .collect()
 }
 
 #[test]
@@ -74,10 +92,16 @@ fn truncated_bytes_are_an_error_at_every_length() {
     for (form, bytes) in packed() {
         for length in 0..bytes.len() {
             let result = read(&bytes[..length]);
-            assert!(matches!(result, Err(Error::Foreign(_) | Error::Length { .. })), "{form}, {length} bytes: {result:?}");
+            assert!(
+                matches!(result, Err(Error::Foreign(_) | Error::Length { .. })),
+                "{form}, {length} bytes: {result:?}"
+            );
         }
         for length in PREFIX..bytes.len() {
-            assert_malformed(&format!("{form}, {length} bytes, sound checksum"), &bytes[PREFIX..length]);
+            assert_malformed(
+                &format!("{form}, {length} bytes, sound checksum"),
+                &bytes[PREFIX..length],
+            );
         }
     }
 }
@@ -95,23 +119,51 @@ fn every_flipped_bit_is_an_error_and_with_a_sound_checksum_harmless() {
     }
 }
 
-/// Wherever a length may stand, in the fixed width of the header and the variable one of the content.
+/// Wherever a length may stand, in the fixed width of the header and the variable one of the
+/// content.
 #[test]
 fn forged_lengths_are_harmless() {
     for (form, bytes) in packed() {
         let payload = &bytes[PREFIX..];
-        for length in [3_u64, 1 << 16, 1 << 20, 1 << 27, 1 << 32, 1 << 60, u64::MAX / 8, u64::MAX] {
+        for length in [
+            3_u64,
+            1 << 16,
+            1 << 20,
+            1 << 27,
+            1 << 32,
+            1 << 60,
+            u64::MAX / 8,
+            u64::MAX,
+        ] {
             for at in 0..payload.len() {
                 let case = format!("{form}, {length} at {at}");
                 let rest = |size: usize| &payload[payload.len().min(at + size)..];
-                assert_harmless(&case, at, &[&payload[..at], &length.to_le_bytes(), rest(8)].concat());
-                assert_harmless(&case, at, &[&payload[..at], &[253], &length.to_le_bytes(), rest(1)].concat());
+                assert_harmless(
+                    &case,
+                    at,
+                    &[&payload[..at], &length.to_le_bytes(), rest(8)].concat(),
+                );
+                assert_harmless(
+                    &case,
+                    at,
+                    &[&payload[..at], &[253], &length.to_le_bytes(), rest(1)].concat(),
+                );
             }
         }
         // That of the payload.
-        for length in [0, 1, payload.len() as u64 - 1, payload.len() as u64 + 1, 1 << 40, u64::MAX] {
+        for length in [
+            0,
+            1,
+            payload.len() as u64 - 1,
+            payload.len() as u64 + 1,
+            1 << 40,
+            u64::MAX,
+        ] {
             let forged = [&bytes[..12], &length.to_le_bytes(), &bytes[20..]].concat();
-            assert!(matches!(read(&forged), Err(Error::Length { .. })), "{form}, {length}");
+            assert!(
+                matches!(read(&forged), Err(Error::Length { .. })),
+                "{form}, {length}"
+            );
         }
     }
 }
@@ -121,9 +173,15 @@ fn forged_lengths_are_harmless() {
 fn a_long_list_of_zeros_takes_little_memory_wherever_it_is() {
     let zeros = vec![0; (1 << 20) + 1];
     let length = (zeros.len() as u64).to_le_bytes();
-    for ((form, bytes), length) in packed().iter().zip([length.to_vec(), [&[253], &length[..]].concat()]) {
+    for ((form, bytes), length) in packed()
+        .iter()
+        .zip([length.to_vec(), [&[253], &length[..]].concat()])
+    {
         for at in PREFIX..bytes.len() {
-            assert_malformed(&format!("{form}, zeros behind {at} bytes"), &[&bytes[PREFIX..at], &length, &zeros].concat());
+            assert_malformed(
+                &format!("{form}, zeros behind {at} bytes"),
+                &[&bytes[PREFIX..at], &length, &zeros].concat(),
+            );
         }
     }
 }
@@ -136,11 +194,20 @@ fn looking_up_takes_little_memory() {
         let most = measure(|| drop(table.curve_with_gradient(&material))).bytes_max as usize;
         assert_little(most, LOOKING_UP, bytes);
     };
-    for shape in
-        [[2, 1, 1, 1], [2; 4], [1000, 1, 1, 1], [10_000, 2, 2, 2], [2, 5000, 2, 2], [2, 2, 5000, 2], [2, 2, 2, 5000], [20; 4]]
-    {
+    for shape in [
+        [2, 1, 1, 1],
+        [2; 4],
+        [1000, 1, 1, 1],
+        [10_000, 2, 2, 2],
+        [2, 5000, 2, 2],
+        [2, 2, 5000, 2],
+        [2, 2, 2, 5000],
+        [20; 4],
+    ] {
         for a_over_t in [[0.5, 2.0], [1e-30, 1e30]] {
-            tables::of_shape(shape, a_over_t).iter().for_each(assert_modest);
+            tables::of_shape(shape, a_over_t)
+                .iter()
+                .for_each(assert_modest);
         }
     }
     for a_over_t in [[1e-3, 1e3], [1e-30, 1e30]] {
@@ -153,17 +220,31 @@ fn looking_up_takes_little_memory() {
 fn a_contact_that_is_made_answers_without_allocating() {
     let substrate = Elastic::new(2e11, 0.25).expect("physical");
     let film = Elastic::new(3.5e6, 0.5).expect("physical");
-    let system = System { sphere_radius: 1e-3, sphere_modulus: 2e6, film, film_thickness: 1e-5, substrate };
-    let contact = Table::embedded().contact_with_gradient(&system).expect("inside");
+    let system = System {
+        sphere_radius: 1e-3,
+        sphere_modulus: 2e6,
+        film,
+        film_thickness: 1e-5,
+        substrate,
+    };
+    let contact = Table::embedded()
+        .contact_with_gradient(&system)
+        .expect("inside");
     let curve = contact.curve().expect("on a film");
     let (radii, mut loads) = ([4e-5, 6.5e-5], [0.0; 2]);
     let allocated = measure(|| {
         curve.quantities_and_slopes(6.5).expect("inside");
-        curve.quantity_at_all(Quantity::Eeq, &[1.0, 1e-5], &mut [0.0; 2]).expect("inside or beyond");
+        curve
+            .quantity_at_all(Quantity::Eeq, &[1.0, 1e-5], &mut [0.0; 2])
+            .expect("inside or beyond");
         contact.load_and_penetration(6.5e-5, 0.04).expect("inside");
-        contact.load_at_all(&radii, 0.04, &mut loads).expect("inside");
+        contact
+            .load_at_all(&radii, 0.04, &mut loads)
+            .expect("inside");
         contact.gradient(6.5e-5, 0.04).expect("inside");
-        contact.energy_release_rate_at_load(6.5e-5, 0.0).expect("inside");
+        contact
+            .energy_release_rate_at_load(6.5e-5, 0.0)
+            .expect("inside");
     });
     assert_eq!(allocated.count_total, 0);
 }
@@ -174,12 +255,18 @@ fn ten_megabytes_of_noise_are_an_error() {
     let same = [0x00, 0x01, 0x80, 0xfb, 0xfd, 0xff].map(|byte| vec![byte; noise.len()]);
     for content in same.iter().chain([&noise]) {
         assert!(matches!(read(content), Err(Error::Foreign(_))));
-        assert!(matches!(read(&[b"COATTBL\n", content.as_slice()].concat()), Err(Error::Version { .. })));
+        assert!(matches!(
+            read(&[b"COATTBL\n", content.as_slice()].concat()),
+            Err(Error::Version { .. })
+        ));
         assert_malformed("noise alone", content);
         // Behind a part of a sound payload, or all of it.
         for (form, bytes) in packed() {
             for kept in (PREFIX..bytes.len()).step_by(101).chain([bytes.len()]) {
-                assert_malformed(&format!("{form}, noise behind {kept} bytes"), &[&bytes[PREFIX..kept], content].concat());
+                assert_malformed(
+                    &format!("{form}, noise behind {kept} bytes"),
+                    &[&bytes[PREFIX..kept], content].concat(),
+                );
             }
         }
     }

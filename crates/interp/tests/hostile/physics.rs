@@ -1,9 +1,10 @@
-//! What is true of every answer: signs, monotony and exact identities, for any contact in the embedded table's box.
+//! What is true of every answer: signs, monotony and exact identities, for any contact in the
+//! embedded table's box.
 
 use std::sync::LazyLock;
 
-use interp::schema::Parameter;
-use interp::spline::{Basis, TABLE_DEGREE};
+use interp::Parameter;
+use interp::bspline::{Basis, TABLE_DEGREE};
 use interp::{Contact, Control, Curve, Elastic, Material, Quantity, System, Table};
 use proptest::prelude::*;
 
@@ -23,13 +24,27 @@ fn material() -> impl Strategy<Value = Material> {
 
 /// Any system with such a material, lengths and modulus within nine decades.
 fn system() -> impl Strategy<Value = System> {
-    let lengths = (magnitude(-6.0..=0.0), magnitude(-9.0..=0.0), magnitude(0.0..=9.0));
-    (material(), lengths).prop_map(|(material, (sphere_radius, film_thickness, sphere_modulus))| {
-        let solid = |ratio: f64, poisson| Elastic::new(ratio * sphere_modulus, poisson).expect("physical");
-        let film = solid(material.e1_over_e2(), material.nu1());
-        let substrate = solid(material.e0_over_e2(), material.nu0());
-        System { sphere_radius, sphere_modulus, film, film_thickness, substrate }
-    })
+    let lengths = (
+        magnitude(-6.0..=0.0),
+        magnitude(-9.0..=0.0),
+        magnitude(0.0..=9.0),
+    );
+    (material(), lengths).prop_map(
+        |(material, (sphere_radius, film_thickness, sphere_modulus))| {
+            let solid = |ratio: f64, poisson| {
+                Elastic::new(ratio * sphere_modulus, poisson).expect("physical")
+            };
+            let film = solid(material.e1_over_e2(), material.nu1());
+            let substrate = solid(material.e0_over_e2(), material.nu0());
+            System {
+                sphere_radius,
+                sphere_modulus,
+                film,
+                film_thickness,
+                substrate,
+            }
+        },
+    )
 }
 
 fn curve(material: &Material) -> Curve {
@@ -39,8 +54,9 @@ fn curve(material: &Material) -> Curve {
 proptest! {
     #![proptest_config(config(300))]
 
-    /// Load, penetration and stiffness of a wider contact are larger: `3 Pi0 + x Pi0'`, `2 Delta0 + x Delta0'` and `Eeq + x Eeq'`
-    /// are positive. The exact identities between them hold. Measured: to 4e-7.
+    /// Load, penetration and stiffness of a wider contact are larger: `3 Pi0 + x Pi0'`,
+    /// `2 Delta0 + x Delta0'` and `Eeq + x Eeq'` are positive. The exact identities between them
+    /// hold. Measured: to 4e-7.
     #[test]
     fn a_wider_contact_bears_more_and_the_identities_hold(material in material(), x in magnitude(-3.0..=3.0)) {
         let curve = curve(&material);
@@ -58,7 +74,8 @@ proptest! {
         prop_assert!(identities.into_iter().all(|error| error.abs() < 1e-6), "{identities:?}");
     }
 
-    /// Dundurs: the equivalent of the equivalent is the material, and on the way the moduli that matter stay.
+    /// Dundurs: the equivalent of the equivalent is the material, and on the way the moduli that
+    /// matter stay.
     #[test]
     fn an_equivalent_material_has_the_same_moduli(material in material(), nu0 in -0.9..=0.5) {
         let Ok(equivalent) = material.with_substrate_poisson_ratio(nu0) else { return Ok(()) };
@@ -95,12 +112,14 @@ proptest! {
         }
     }
 
-    /// A rigid machine holds a contact longer than a dead weight, a spring in between; at separation the edge is in equilibrium.
+    /// A rigid machine holds a contact longer than a dead weight, a spring in between; at
+    /// separation the edge is in equilibrium.
     #[test]
     fn a_stiffer_machine_separates_later(system in system(), x in magnitude(-2.0..=2.0), stiffness in magnitude(-3.0..=3.0)) {
         let contact = Table::embedded().contact(&system).expect("in the box");
         let a = x * system.film_thickness;
-        // As large as the adhesionless load is at this radius, so that the radii of separation are about as large.
+        // As large as the adhesionless load is at this radius, so that the radii of separation are
+        // about as large.
         let bare = contact.load(a, 0.0).expect("in the box");
         let w = contact.mechanics().energy_release_rate(a, bare / a);
         let stiffness = stiffness * contact.stiffness(a).expect("in the box");
@@ -150,7 +169,8 @@ proptest! {
         prop_assert!((other.1 - penetration).abs() < 1e-12 * length * (one.1.abs() + a * a / system.sphere_radius), "{other:?}, not {penetration}");
     }
 
-    /// The contact radius is told from the load by bisection: load and penetration without adhesion grow with it.
+    /// The contact radius is told from the load by bisection: load and penetration without adhesion
+    /// grow with it.
     #[test]
     fn adhesionless_load_and_penetration_grow(x in magnitude(-2.99..=2.9), step in magnitude(-6.0..=-1.1)) {
         let at = |x: f64| CONTACT.load_and_penetration(1e-6 * x, 0.0).expect("in the box");

@@ -1,10 +1,18 @@
 //! Small tables, whose numbers mean nothing: what matters is what becomes of their bytes.
 
-use interp::schema::Parameter;
-use interp::{Certificate, Contact, Description, Elastic, Error, LowRank, Material, Normalisation, Quantity, System, Table};
+use interp::Parameter;
+use interp::{
+    Certificate, Contact, Description, Elastic, Error, LowRank, Material, Normalisation, Quantity,
+    System, Table,
+};
 
 /// Of four axes.
-pub const AXES: [&[f64]; 4] = [&[0.5, 0.7, 1.0, 1.5, 2.0], &[0.1, 1.0, 3.0, 10.0], &[0.0, 0.3, 0.5], &[1.0, 1e5]];
+pub const AXES: [&[f64]; 4] = [
+    &[0.5, 0.7, 1.0, 1.5, 2.0],
+    &[0.1, 1.0, 3.0, 10.0],
+    &[0.0, 0.3, 0.5],
+    &[1.0, 1e5],
+];
 
 pub fn axes() -> [Vec<f64>; 4] {
     AXES.map(<[f64]>::to_vec)
@@ -18,7 +26,13 @@ pub fn description() -> Description {
         normalisation: Normalisation::Sphere,
         tolerance: 1e-3,
         created_by: "a test".into(),
-        certificate: Certificate { max_error: 1e-3, median_error: 1e-4, points: 10, seed: 1, details: None },
+        certificate: Certificate {
+            max_error: 1e-3,
+            median_error: 1e-4,
+            points: 10,
+            seed: 1,
+            details: None,
+        },
     }
 }
 
@@ -26,24 +40,48 @@ pub fn description() -> Description {
 pub fn dense() -> Table {
     let count: usize = AXES.iter().map(|nodes| nodes.len()).product();
     let values = |offset: f64| (0..count).map(|i| offset + 1e-3 * i as f64).collect();
-    Table::new(description(), axes(), [Some(values(1.0)), None, Some(values(2.0)), Some(values(0.7))]).expect("sound")
+    Table::new(
+        description(),
+        axes(),
+        [
+            Some(values(1.0)),
+            None,
+            Some(values(2.0)),
+            Some(values(0.7)),
+        ],
+    )
+    .expect("sound")
 }
 
-/// As many functions as nodes for each core of a low-rank form, which have the axes in this order: each is 1 at a node and 0 at the
-/// others.
+/// As many functions as nodes for each core of a low-rank form, which have the axes in this order:
+/// each is 1 at a node and 0 at the others.
 pub fn functions([a, e1, nu, e0]: [usize; 4]) -> [Vec<f64>; 4] {
-    [e0, e1, nu, a].map(|n| (0..n * n).map(|i| if i % (n + 1) == 0 { 1.0 } else { 0.0 }).collect())
+    [e0, e1, nu, a].map(|n| {
+        (0..n * n)
+            .map(|i| if i % (n + 1) == 0 { 1.0 } else { 0.0 })
+            .collect()
+    })
 }
 
 /// A low-rank table of all quantities, whose cores are joined by two values each.
 pub fn low_rank() -> Table {
-    let core = |length: i64| (0..length).map(|i| (i * i * 37) % 61 - 30).collect::<Vec<i64>>();
+    let core = |length: i64| {
+        (0..length)
+            .map(|i| (i * i * 37) % 61 - 30)
+            .collect::<Vec<i64>>()
+    };
     let [a, e1, nu, e0] = AXES.map(|nodes| nodes.len() as i64);
-    let cores = [core(e0 * 2), core(2 * e1 * 2), core(2 * nu * 2), core(2 * a * 4)];
+    let cores = [
+        core(e0 * 2),
+        core(2 * e1 * 2),
+        core(2 * nu * 2),
+        core(2 * a * 4),
+    ];
     let weights = std::array::from_fn(|_| vec![1.0, 0.5]);
     let functions = functions(AXES.map(|nodes| nodes.len()));
     let cores = cores.each_ref().map(Vec::as_slice);
-    let form = LowRank::new(Quantity::ALL.to_vec(), weights, functions, [0.01; 4], cores).expect("sound");
+    let form =
+        LowRank::new(Quantity::ALL.to_vec(), weights, functions, [0.01; 4], cores).expect("sound");
     Table::from_low_rank(description(), axes(), form).expect("sound")
 }
 
@@ -55,16 +93,41 @@ pub fn material() -> Material {
 /// One material at so many nodes, as one function, which takes next to no bytes.
 pub fn of_nodes(count: usize, [from, to]: [f64; 2]) -> Table {
     let node = |i: usize| from * (to / from).powf(i as f64 / (count - 1) as f64);
-    let axes = [(0..count).map(node).collect(), vec![1.75], vec![0.3], vec![300.0]];
+    let axes = [
+        (0..count).map(node).collect(),
+        vec![1.75],
+        vec![0.3],
+        vec![300.0],
+    ];
     let one = vec![1.0];
-    let functions = [one.clone(), one.clone(), one.clone(), (0..count).map(|i| 1.0 + 0.1 * (i as f64).sin()).collect()];
+    let functions = [
+        one.clone(),
+        one.clone(),
+        one.clone(),
+        (0..count).map(|i| 1.0 + 0.1 * (i as f64).sin()).collect(),
+    ];
     let cores: [&[i64]; 4] = [&[10], &[10], &[10], &[10, 11, 12, 10]];
-    let form =
-        LowRank::new(Quantity::ALL.to_vec(), std::array::from_fn(|_| one.clone()), functions, [0.1; 4], cores).expect("sound");
-    Table::from_low_rank(Description { tolerance: 1e-12, ..description() }, axes, form).expect("sound")
+    let form = LowRank::new(
+        Quantity::ALL.to_vec(),
+        std::array::from_fn(|_| one.clone()),
+        functions,
+        [0.1; 4],
+        cores,
+    )
+    .expect("sound");
+    Table::from_low_rank(
+        Description {
+            tolerance: 1e-12,
+            ..description()
+        },
+        axes,
+        form,
+    )
+    .expect("sound")
 }
 
-/// A dense table of so many nodes on each axis, and one of rank 1: noise, which the splines through it make worse.
+/// A dense table of so many nodes on each axis, and one of rank 1: noise, which the splines through
+/// it make worse.
 pub fn of_shape(shape: [usize; 4], a_over_t: [f64; 2]) -> [Table; 2] {
     let middle = [1.0, 1.75, 0.3, 300.0];
     let axes: [Vec<f64>; 4] = std::array::from_fn(|axis| {
@@ -74,9 +137,16 @@ pub fn of_shape(shape: [usize; 4], a_over_t: [f64; 2]) -> [Table; 2] {
             2 => 0.5 * place(i),
             _ => 1e5_f64.powf(place(i)),
         };
-        if shape[axis] == 1 { vec![middle[axis]] } else { (0..shape[axis]).map(node).collect() }
+        if shape[axis] == 1 {
+            vec![middle[axis]]
+        } else {
+            (0..shape[axis]).map(node).collect()
+        }
     });
-    let description = Description { tolerance: 1e-12, ..description() };
+    let description = Description {
+        tolerance: 1e-12,
+        ..description()
+    };
     let noise = |i: usize| 1.0 + 0.1 * (i as f64).sin();
     let count: usize = shape.iter().product();
     let values = [3, 5, 7, 9].map(|factor| Some((0..count).map(|i| noise(factor * i)).collect()));
@@ -85,9 +155,19 @@ pub fn of_shape(shape: [usize; 4], a_over_t: [f64; 2]) -> [Table; 2] {
     let cores = [core(e0), core(e1), core(nu), core(a * 4)];
     let weights = std::array::from_fn(|_| vec![1.0]);
     let cores = cores.each_ref().map(Vec::as_slice);
-    let form = LowRank::new(Quantity::ALL.to_vec(), weights, functions(shape), [0.1; 4], cores).expect("sound");
+    let form = LowRank::new(
+        Quantity::ALL.to_vec(),
+        weights,
+        functions(shape),
+        [0.1; 4],
+        cores,
+    )
+    .expect("sound");
     let low_rank = Table::from_low_rank(description.clone(), axes.clone(), form).expect("sound");
-    [Table::new(description, axes, values).expect("sound"), low_rank]
+    [
+        Table::new(description, axes, values).expect("sound"),
+        low_rank,
+    ]
 }
 
 /// Magic, version, length and checksum.
@@ -96,29 +176,67 @@ pub const PREFIX: usize = 24;
 /// A payload behind the magic, version, length and checksum that it takes to be read at all.
 pub fn with_prefix(payload: &[u8]) -> Vec<u8> {
     let (length, checksum) = (payload.len() as u64, crc32fast::hash(payload));
-    [&b"COATTBL\n\x03\0\0\0"[..], &length.to_le_bytes(), &checksum.to_le_bytes(), payload].concat()
+    [
+        &b"COATTBL\n\x03\0\0\0"[..],
+        &length.to_le_bytes(),
+        &checksum.to_le_bytes(),
+        payload,
+    ]
+    .concat()
 }
 
-/// Looks up a material in the middle of the table's box: an error, or numbers, which are positive where they must be.
+/// Looks up a material in the middle of the table's box: an error, or numbers, which are positive
+/// where they must be.
 pub fn look_up(table: &Table) -> Result<(), Error> {
     let middle = |parameter: Parameter| {
         let axis = table.axis(parameter);
         let (from, to) = (axis[0], axis[axis.len() - 1]);
-        if parameter == Parameter::Nu1 { from.midpoint(to) } else { (from * to).sqrt() }.clamp(from, to)
+        if parameter == Parameter::Nu1 {
+            from.midpoint(to)
+        } else {
+            (from * to).sqrt()
+        }
+        .clamp(from, to)
     };
     let [e1, nu1, e0] = [Parameter::E1OverE2, Parameter::Nu1, Parameter::E0OverE2].map(middle);
     let curve = table.curve_with_gradient(&Material::new(e1, nu1, e0, table.description().nu0)?)?;
     let [from, to] = curve.range();
-    for x in [from, middle(Parameter::AOverT), to, 0.5 * from, 2.0 * to, 1e-3 * from, 1e3 * to] {
+    for x in [
+        from,
+        middle(Parameter::AOverT),
+        to,
+        0.5 * from,
+        2.0 * to,
+        1e-3 * from,
+        1e3 * to,
+    ] {
         for quantity in table.quantities() {
-            let Ok(value) = curve.quantity(quantity, x) else { continue };
-            assert!(value > 0.0 && value.is_finite(), "{} = {value:?} at {x:?}", quantity.name());
-            assert!(curve.slope(quantity, x)?.is_finite(), "{} at {x:?}", quantity.name());
+            let Ok(value) = curve.quantity(quantity, x) else {
+                continue;
+            };
+            assert!(
+                value > 0.0 && value.is_finite(),
+                "{} = {value:?} at {x:?}",
+                quantity.name()
+            );
+            assert!(
+                curve.slope(quantity, x)?.is_finite(),
+                "{} at {x:?}",
+                quantity.name()
+            );
         }
-        let Ok(gradient) = curve.gradient(x) else { continue };
-        let derivatives = Parameter::ALL.map(|parameter| gradient.by(parameter)).into_iter().chain([gradient.by_nu0()]);
+        let Ok(gradient) = curve.gradient(x) else {
+            continue;
+        };
+        let derivatives = Parameter::ALL
+            .map(|parameter| gradient.by(parameter))
+            .into_iter()
+            .chain([gradient.by_nu0()]);
         for derivative in derivatives.flatten() {
-            assert!(derivative.to_array().iter().all(|value| value.is_finite()), "{derivative:?} at {x:?}");
+            assert!(
+                derivative.to_array().iter().all(|value| value.is_finite()),
+                "{derivative:?} at {x:?}"
+            );
         }
     }
     Ok(())
@@ -128,7 +246,13 @@ pub fn look_up(table: &Table) -> Result<(), Error> {
 pub fn contact() -> Contact {
     let (film, substrate) = (Elastic::new(3.5e6, 0.5), Elastic::new(2e11, 0.25));
     let (film, substrate) = (film.expect("physical"), substrate.expect("physical"));
-    let system = System { sphere_radius: 1e-3, sphere_modulus: 2e6, film, film_thickness: 1e-6, substrate };
+    let system = System {
+        sphere_radius: 1e-3,
+        sphere_modulus: 2e6,
+        film,
+        film_thickness: 1e-6,
+        substrate,
+    };
     Table::embedded().contact(&system).expect("in the table")
 }
 

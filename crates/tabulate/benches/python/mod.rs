@@ -1,4 +1,5 @@
-//! A Python script of this folder as a running process, which answers one line of JSON with another.
+//! A Python script of this folder as a running process, which answers one line of JSON with
+//! another.
 
 use std::io::{BufRead, BufReader, Lines, Write};
 use std::path::Path;
@@ -19,23 +20,43 @@ pub struct Python {
 impl Python {
     /// `None` where there is no python3, or one without the packages.
     pub fn start(script: &str) -> Option<Self> {
-        let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("benches").join(script);
+        let script = Path::new(env!("CARGO_MANIFEST_DIR"))
+            .join("benches")
+            .join(script);
         // One thread, whichever BLAS there is.
-        let threads =
-            ["OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS", "VECLIB_MAXIMUM_THREADS"].map(|name| (name, "1"));
+        let threads = [
+            "OPENBLAS_NUM_THREADS",
+            "OMP_NUM_THREADS",
+            "MKL_NUM_THREADS",
+            "VECLIB_MAXIMUM_THREADS",
+        ]
+        .map(|name| (name, "1"));
         let mut command = Command::new("python3");
-        command.arg(script).envs(threads).stdin(Stdio::piped()).stdout(Stdio::piped());
+        command
+            .arg(script)
+            .envs(threads)
+            .stdin(Stdio::piped())
+            .stdout(Stdio::piped());
         let mut process = command.spawn().ok()?;
         let questions = process.stdin.take().expect("piped");
         let mut answers = BufReader::new(process.stdout.take().expect("piped")).lines();
         let versions = answers.next()?.ok()?;
-        Some(Self { process, questions, answers, versions })
+        Some(Self {
+            process,
+            questions,
+            answers,
+            versions,
+        })
     }
 
     /// Asks a question and waits for the answer.
     pub fn ask<A: DeserializeOwned>(&mut self, question: &Value) -> A {
         writeln!(self.questions, "{question}").expect("the script reads");
-        let answer = self.answers.next().expect("the script answers").expect("text");
+        let answer = self
+            .answers
+            .next()
+            .expect("the script answers")
+            .expect("text");
         serde_json::from_str(&answer).expect("an answer")
     }
 

@@ -14,8 +14,9 @@ use crate::solve::solve;
 
 /// Print the force curve of one system as CSV, in SI units
 ///
-/// The columns are contact_radius (m), load (N), penetration (m), and the coordinates of the reduced JKR plot, jkr_abscissa =
-/// a^(3/2) / (sqrt(pi) R) and jkr_ordinate = F / (sqrt(6 pi) a^(3/2)). The defaults are those of the paper (Tables 1 and 2).
+/// The columns are contact_radius (m), load (N), penetration (m), and the coordinates of the
+/// reduced JKR plot, jkr_abscissa = a^(3/2) / (sqrt(pi) R) and jkr_ordinate = F / (sqrt(6 pi)
+/// a^(3/2)). The defaults are those of the paper (Tables 1 and 2).
 #[derive(clap::Args)]
 pub struct Arguments {
     /// The table, HDF5 or packed; without one, every point is solved directly
@@ -54,7 +55,12 @@ pub struct Arguments {
     #[arg(long, default_value_t = 150, value_parser = value_parser!(u32).range(2..=1_000_000))]
     points: u32,
     /// Relative tolerance of direct solves
-    #[arg(long, default_value = "1e-8", conflicts_with = "table", allow_negative_numbers = true)]
+    #[arg(
+        long,
+        default_value = "1e-8",
+        conflicts_with = "table",
+        allow_negative_numbers = true
+    )]
     tolerance: f64,
     /// Write the CSV here instead of to standard output
     #[arg(short, long, value_name = "OUT.csv")]
@@ -62,7 +68,13 @@ pub struct Arguments {
 }
 
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
-    let Arguments { from, to, points, work_of_adhesion, .. } = *arguments;
+    let Arguments {
+        from,
+        to,
+        points,
+        work_of_adhesion,
+        ..
+    } = *arguments;
     output::check(arguments.output.as_deref(), arguments.table.as_deref())?;
     ensure!(
         from > 0.0 && to > from && to < f64::INFINITY,
@@ -73,11 +85,19 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         sphere_modulus: arguments.sphere_modulus,
         film: Elastic::new(arguments.film_modulus, arguments.film_poisson_ratio).context("film")?,
         film_thickness: arguments.film_thickness,
-        substrate: Elastic::new(arguments.substrate_modulus, arguments.substrate_poisson_ratio).context("substrate")?,
+        substrate: Elastic::new(
+            arguments.substrate_modulus,
+            arguments.substrate_poisson_ratio,
+        )
+        .context("substrate")?,
     };
     let mechanics = Mechanics::new(&system)?;
     let material = system.material()?;
-    let contact = arguments.table.as_ref().map(|path| anyhow::Ok(read_table(path)?.contact(&system)?)).transpose()?;
+    let contact = arguments
+        .table
+        .as_ref()
+        .map(|path| anyhow::Ok(read_table(path)?.contact(&system)?))
+        .transpose()?;
 
     let bar = progress_bar(points as usize, "solving");
     let row = |i: u32| {
@@ -94,10 +114,19 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         let jkr = mechanics.jkr_point(a, load);
         Ok([a, load, penetration, jkr.abscissa, jkr.ordinate])
     };
-    let rows = (0..points).into_par_iter().map(row).collect::<anyhow::Result<Vec<_>>>()?;
+    let rows = (0..points)
+        .into_par_iter()
+        .map(row)
+        .collect::<anyhow::Result<Vec<_>>>()?;
     bar.finish_and_clear();
     let mut writer = csv::Writer::from_writer(Vec::new());
-    writer.write_record(["contact_radius", "load", "penetration", "jkr_abscissa", "jkr_ordinate"])?;
+    writer.write_record([
+        "contact_radius",
+        "load",
+        "penetration",
+        "jkr_abscissa",
+        "jkr_ordinate",
+    ])?;
     for row in rows {
         writer.write_record(row.map(number))?;
     }

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 use std::path::PathBuf;
 
-use interp::schema::Parameter;
+use interp::Parameter;
 use interp::{Certificate, LowRank, Quantity, Table};
 
 use super::{read_table, write_text};
@@ -35,7 +35,13 @@ pub fn describe(table: &Table) -> Result<String, std::fmt::Error> {
     }
     writeln!(text, "{:15} {}", "nu0", description.nu0)?;
     let held: Vec<&str> = table.quantities().into_iter().map(Quantity::name).collect();
-    writeln!(text, "{:15} {} (normalised by {})", "quantities", held.join(", "), description.normalisation.symbol())?;
+    writeln!(
+        text,
+        "{:15} {} (normalised by {})",
+        "quantities",
+        held.join(", "),
+        description.normalisation.symbol()
+    )?;
     writeln!(text, "{:15} {:e}", "tolerance", description.tolerance)?;
     text += &describe_certificate(&description.certificate)?;
     writeln!(text, "{:15} {}", "created by", description.created_by)?;
@@ -44,23 +50,48 @@ pub fn describe(table: &Table) -> Result<String, std::fmt::Error> {
 
 /// The certificate, a line for each thing that it says.
 pub fn describe_certificate(certificate: &Certificate) -> Result<String, std::fmt::Error> {
-    let Certificate { max_error, median_error, points, seed, details } = certificate;
+    let Certificate {
+        max_error,
+        median_error,
+        points,
+        seed,
+        details,
+    } = certificate;
     let mut text = String::new();
-    let high = details.map(|details| format!("99.9 % {:.1e}, ", details.p999_error)).unwrap_or_default();
+    let high = details
+        .map(|details| format!("99.9 % {:.1e}, ", details.p999_error))
+        .unwrap_or_default();
     writeln!(
         text,
         "{:15} max {max_error:.1e}, {high}median {median_error:.1e} (relative, {points} direct solves, seed {seed})",
         "certified error"
     )?;
     if let Some(details) = details {
-        let place = Parameter::ALL.iter().zip(details.worst_point).map(|(p, value)| format!("{} = {value}", p.name()));
+        let place = Parameter::ALL
+            .iter()
+            .zip(details.worst_point)
+            .map(|(p, value)| format!("{} = {value}", p.name()));
         let place: Vec<String> = place.collect();
-        writeln!(text, "{:15} {} at {}", "worst", details.worst_quantity.name(), place.join(", "))?;
+        writeln!(
+            text,
+            "{:15} {} at {}",
+            "worst",
+            details.worst_quantity.name(),
+            place.join(", ")
+        )?;
         let names = ["Gamma^2 = es (x Eeq)'", "F0' = S delta0'"];
-        let broken = names.iter().zip(details.identity_errors).filter_map(|(name, error)| Some(format!("{name} {:.1e}", error?)));
+        let broken = names
+            .iter()
+            .zip(details.identity_errors)
+            .filter_map(|(name, error)| Some(format!("{name} {:.1e}", error?)));
         let broken: Vec<String> = broken.collect();
         if !broken.is_empty() {
-            writeln!(text, "{:15} {} (relative, largest)", "identities", broken.join(", "))?;
+            writeln!(
+                text,
+                "{:15} {} (relative, largest)",
+                "identities",
+                broken.join(", ")
+            )?;
         }
     }
     Ok(text)
@@ -71,6 +102,10 @@ pub fn describe_axis(parameter: Parameter, nodes: &[f64]) -> String {
     let (first, last) = (nodes[0], nodes[nodes.len() - 1]);
     match nodes.len() {
         1 => format!("{:15} {first}\n", parameter.name()),
-        n => format!("{:15} {first} to {last}, {n} nodes ({})\n", parameter.name(), parameter.scale()),
+        n => format!(
+            "{:15} {first} to {last}, {n} nodes ({})\n",
+            parameter.name(),
+            parameter.scale()
+        ),
     }
 }

@@ -7,15 +7,15 @@ use clap::value_parser;
 
 use super::generate::Bars;
 use super::{info, read_table, write_text};
-use crate::certify::points_for;
 use crate::output;
-use crate::pack::low_rank;
+use crate::table::low_rank;
+use crate::table::points_for;
 
 /// Convert an HDF5 table to the packed form that `interp` loads without HDF5
 ///
-/// Value for value, or with `--tolerance` in low-rank form, some 100 times smaller for four axes: it is compared with direct solves
-/// at points of its own, and holds what is measured as its certificate. If it cannot keep the tolerance nothing is written and the
-/// exit status is 1.
+/// Value for value, or with `--tolerance` in low-rank form, some 100 times smaller for four axes:
+/// it is compared with direct solves at points of its own, and holds what is measured as its
+/// certificate. If it cannot keep the tolerance nothing is written and the exit status is 1.
 #[derive(clap::Args)]
 pub struct Arguments {
     /// The HDF5 table
@@ -27,10 +27,11 @@ pub struct Arguments {
     /// Low-rank form with this relative tolerance, between the nodes as well as at them
     #[arg(long, allow_negative_numbers = true)]
     tolerance: Option<f64>,
-    /// How far the form may be from the table in derivatives with respect to nu1 at 0.5: those of the logarithms of quantities,
-    /// times 1/(1 + (a/t)^2) [default: any]
+    /// How far the form may be from the table in derivatives with respect to nu1 at 0.5: those of
+    /// the logarithms of quantities, times 1/(1 + (a/t)^2) [default: any]
     ///
-    /// Without it they may be off by hundreds of times the tolerance where films are soft and nearly incompressible.
+    /// Without it they may be off by hundreds of times the tolerance where films are soft and
+    /// nearly incompressible.
     #[arg(long, requires = "tolerance", allow_negative_numbers = true)]
     derivative_tolerance: Option<f64>,
     /// Number of points of the certificate [default: 2500 for each axis]
@@ -45,17 +46,35 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     output::check(Some(&arguments.output), Some(&arguments.table))?;
     let mut table = read_table(&arguments.table)?;
     if let Some(tolerance) = arguments.tolerance {
-        let points = arguments.points.map_or(points_for(&table), |points| points as usize);
-        let seed = arguments.seed.unwrap_or(table.description().certificate.seed.wrapping_add(1));
+        let points = arguments
+            .points
+            .map_or(points_for(&table), |points| points as usize);
+        let seed = arguments
+            .seed
+            .unwrap_or(table.description().certificate.seed.wrapping_add(1));
         let bars = Bars::new();
-        let packed = low_rank(&table, tolerance, arguments.derivative_tolerance, points, seed, &bars);
+        let packed = low_rank(
+            &table,
+            tolerance,
+            arguments.derivative_tolerance,
+            points,
+            seed,
+            &bars,
+        );
         bars.clear();
         table = packed.with_context(|| arguments.table.display().to_string())?;
     }
     let bytes = table.to_packed()?;
-    output::atomically(&arguments.output, |unfinished| std::fs::write(unfinished, &bytes))?;
+    output::atomically(&arguments.output, |unfinished| {
+        std::fs::write(unfinished, &bytes)
+    })?;
     if arguments.tolerance.is_some() {
-        let written = format!("{:15} {}, {} bytes\n", "written", arguments.output.display(), bytes.len());
+        let written = format!(
+            "{:15} {}, {} bytes\n",
+            "written",
+            arguments.output.display(),
+            bytes.len()
+        );
         write_text(None, (info::describe(&table)? + &written).as_bytes())?;
     }
     Ok(())

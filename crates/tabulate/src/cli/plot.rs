@@ -10,7 +10,10 @@ use super::{cost, progress_bar, read_table, write_text};
 use crate::cost::read_csv;
 use crate::plot::chart;
 use crate::plot::picture::Format;
-use crate::plot::{effects, error_map, fig2, fig3, fig4, force_displacement, lookup_cost, table_cost, work_precision};
+use crate::plot::{
+    effects, error_map, fig2, fig3, fig4, force_displacement, lookup_cost, table_cost,
+    work_precision,
+};
 use crate::{Error, output};
 
 /// Draw a figure as SVG or PNG
@@ -26,7 +29,8 @@ enum Figure {
     Fig2(Output),
     /// Fig. 3 of the paper: Eeq and Gamma against a/t, with their limits
     Fig3(Output),
-    /// Fig. 4 of the paper: JKR plots for films of 1 to 100 um, with the lines of JKR without a film and without a substrate
+    /// Fig. 4 of the paper: JKR plots for films of 1 to 100 um, with the lines of JKR without a
+    /// film and without a substrate
     Fig4(Output),
     /// Load against penetration of the paper's system for several films, with the jumps
     ForceDisplacement(Output),
@@ -44,7 +48,8 @@ enum Figure {
         #[command(flatten)]
         output: Output,
     },
-    /// What each effect costs, and what the load is without it, as `tabulate cost effects` measures it
+    /// What each effect costs, and what the load is without it, as `tabulate cost effects` measures
+    /// it
     Effects {
         #[command(flatten)]
         rows: Rows,
@@ -77,8 +82,13 @@ struct Rows {
 
 impl Rows {
     /// Reads them or measures them.
-    fn get<R: DeserializeOwned>(&self, measure: impl FnOnce() -> anyhow::Result<Vec<R>>) -> anyhow::Result<Vec<R>> {
-        self.path.as_deref().map_or_else(measure, |path| Ok(read_csv(path)?))
+    fn get<R: DeserializeOwned>(
+        &self,
+        measure: impl FnOnce() -> anyhow::Result<Vec<R>>,
+    ) -> anyhow::Result<Vec<R>> {
+        self.path
+            .as_deref()
+            .map_or_else(measure, |path| Ok(read_csv(path)?))
     }
 }
 
@@ -104,7 +114,9 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         Figure::Fig2(output) => output.write(|| Ok(fig2::figure(&fig2::data()?))),
         Figure::Fig3(output) => output.write(|| Ok(fig3::figure(&fig3::data()?))),
         Figure::Fig4(output) => output.write(|| Ok(fig4::figure(&fig4::data()?))),
-        Figure::ForceDisplacement(output) => output.write(|| Ok(force_displacement::figure(&force_displacement::data()?))),
+        Figure::ForceDisplacement(output) => {
+            output.write(|| Ok(force_displacement::figure(&force_displacement::data()?)))
+        }
         Figure::ErrorMap { table, output } => output.write(|| {
             let read = table.as_deref().map(read_table).transpose()?;
             let table = read.as_ref().unwrap_or_else(|| Table::embedded());
@@ -113,12 +125,22 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
             bar.finish_and_clear();
             Ok(error_map::figure(&data))
         }),
-        Figure::TableCost { rows, output } => output.write(|| Ok(table_cost::figure(&rows.get(cost::measure_table)?))),
-        Figure::Effects { rows, output } => output.write(|| Ok(effects::figure(&rows.get(cost::measure_effects)?)?)),
-        Figure::WorkPrecision { rows, output } => {
-            output.write(|| Ok(work_precision::figure(&rows.get(|| Ok(cost::measure_solve()))?)?))
+        Figure::TableCost { rows, output } => {
+            output.write(|| Ok(table_cost::figure(&rows.get(cost::measure_table)?)))
         }
-        Figure::LookupCost { rows, output } => output.write(|| Ok(lookup_cost::figure(&rows.get(|| cost::measure_lookup(None))?)?)),
+        Figure::Effects { rows, output } => {
+            output.write(|| Ok(effects::figure(&rows.get(cost::measure_effects)?)?))
+        }
+        Figure::WorkPrecision { rows, output } => output.write(|| {
+            Ok(work_precision::figure(
+                &rows.get(|| Ok(cost::measure_solve()))?,
+            )?)
+        }),
+        Figure::LookupCost { rows, output } => output.write(|| {
+            Ok(lookup_cost::figure(
+                &rows.get(|| cost::measure_lookup(None))?,
+            )?)
+        }),
     }
 }
 

@@ -17,10 +17,15 @@ pub struct Point {
 /// The columns, of which the last may be missing.
 const COLUMNS: [&str; 5] = ["a_over_t", "e1_over_e2", "nu1", "e0_over_e2", "nu0"];
 
-/// Reads all points, or names the file, the line and what is wrong with it. `nu0` stands in where there is no such column.
+/// Reads all points, or names the file, the line and what is wrong with it. `nu0` stands in where
+/// there is no such column.
 pub fn read(path: &Path, nu0: f64) -> anyhow::Result<Vec<Point>> {
     let file = || path.display().to_string();
-    let mut reader = csv::ReaderBuilder::new().trim(csv::Trim::All).comment(Some(b'#')).from_path(path).with_context(file)?;
+    let mut reader = csv::ReaderBuilder::new()
+        .trim(csv::Trim::All)
+        .comment(Some(b'#'))
+        .from_path(path)
+        .with_context(file)?;
     let headers = reader.headers().with_context(file)?.clone();
     let columns = columns(&headers).with_context(file)?;
     let mut points = Vec::new();
@@ -38,26 +43,52 @@ pub fn read(path: &Path, nu0: f64) -> anyhow::Result<Vec<Point>> {
 fn columns(headers: &csv::StringRecord) -> anyhow::Result<[Option<usize>; 5]> {
     let known = |name: &&str| !COLUMNS.contains(name);
     if let Some(name) = headers.iter().find(known) {
-        bail!("the header has an unknown column {name:?}; the columns are {}", COLUMNS.join(", "));
+        bail!(
+            "the header has an unknown column {name:?}; the columns are {}",
+            COLUMNS.join(", ")
+        );
     }
     let mut columns = [None; 5];
     for (column, name) in columns.iter_mut().zip(COLUMNS) {
-        let mut places = headers.iter().enumerate().filter(|(_, header)| *header == name).map(|(i, _)| i);
+        let mut places = headers
+            .iter()
+            .enumerate()
+            .filter(|(_, header)| *header == name)
+            .map(|(i, _)| i);
         *column = places.next();
-        ensure!(column.is_some() || name == "nu0" || headers.is_empty(), "the header has no column {name}");
-        ensure!(places.next().is_none(), "the header has the column {name} twice");
+        ensure!(
+            column.is_some() || name == "nu0" || headers.is_empty(),
+            "the header has no column {name}"
+        );
+        ensure!(
+            places.next().is_none(),
+            "the header has the column {name} twice"
+        );
     }
     Ok(columns)
 }
 
-fn point(record: &csv::StringRecord, columns: [Option<usize>; 5], line: u64, nu0: f64) -> anyhow::Result<Point> {
+fn point(
+    record: &csv::StringRecord,
+    columns: [Option<usize>; 5],
+    line: u64,
+    nu0: f64,
+) -> anyhow::Result<Point> {
     let mut values = [0.0, 0.0, 0.0, 0.0, nu0];
     for ((value, column), name) in values.iter_mut().zip(columns).zip(COLUMNS) {
-        let Some(field) = column.and_then(|column| record.get(column)) else { continue };
-        *value = field.parse().with_context(|| format!("{name} = {field:?}"))?;
+        let Some(field) = column.and_then(|column| record.get(column)) else {
+            continue;
+        };
+        *value = field
+            .parse()
+            .with_context(|| format!("{name} = {field:?}"))?;
     }
     let [a_over_t, e1_over_e2, nu1, e0_over_e2, nu0] = values;
-    Ok(Point { line, a_over_t, material: Material::new(e1_over_e2, nu1, e0_over_e2, nu0)? })
+    Ok(Point {
+        line,
+        a_over_t,
+        material: Material::new(e1_over_e2, nu1, e0_over_e2, nu0)?,
+    })
 }
 
 /// Where a point stands, for an error.
@@ -71,7 +102,8 @@ pub struct Answer {
     pub values: [Option<f64>; 4],
     /// The relative error.
     pub error: f64,
-    /// The derivatives of each quantity with respect to the [`COLUMNS`], if they are asked for; none of those that are not known.
+    /// The derivatives of each quantity with respect to the [`COLUMNS`], if they are asked for;
+    /// none of those that are not known.
     pub gradient: Option<[[Option<f64>; COLUMNS.len()]; 4]>,
 }
 
@@ -80,13 +112,36 @@ pub fn format(points: &[Point], answers: &[Answer]) -> anyhow::Result<Vec<u8>> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     let names = Quantity::ALL.map(Quantity::name);
     let with_gradient = answers.iter().any(|answer| answer.gradient.is_some());
-    let derivatives = names.iter().flat_map(|name| COLUMNS.map(|column| format!("d_{name}_d_{column}")));
-    let header = COLUMNS.iter().chain(&names).chain(&["error"]).map(ToString::to_string);
+    let derivatives = names
+        .iter()
+        .flat_map(|name| COLUMNS.map(|column| format!("d_{name}_d_{column}")));
+    let header = COLUMNS
+        .iter()
+        .chain(&names)
+        .chain(&["error"])
+        .map(ToString::to_string);
     writer.write_record(header.chain(derivatives.filter(|_| with_gradient)))?;
-    for (Point { a_over_t, material, .. }, answer) in points.iter().zip(answers) {
-        let parameters = [*a_over_t, material.e1_over_e2(), material.nu1(), material.e0_over_e2(), material.nu0()].map(Some);
+    for (
+        Point {
+            a_over_t, material, ..
+        },
+        answer,
+    ) in points.iter().zip(answers)
+    {
+        let parameters = [
+            *a_over_t,
+            material.e1_over_e2(),
+            material.nu1(),
+            material.e0_over_e2(),
+            material.nu0(),
+        ]
+        .map(Some);
         let gradient = answer.gradient.into_iter().flatten().flatten();
-        let numbers = parameters.into_iter().chain(answer.values).chain([Some(answer.error)]).chain(gradient);
+        let numbers = parameters
+            .into_iter()
+            .chain(answer.values)
+            .chain([Some(answer.error)])
+            .chain(gradient);
         writer.write_record(numbers.map(|value| value.map(number).unwrap_or_default()))?;
     }
     Ok(writer.into_inner()?)

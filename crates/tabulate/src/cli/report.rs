@@ -10,8 +10,8 @@ use crate::report::{figures, report, steps};
 
 /// Write a self-contained HTML page about a table, with force curves to play with
 ///
-/// What the table covers, its certificate, a map of its errors, and the force curve of any system in it, with sliders, computed in
-/// the page. One file, which fetches nothing.
+/// What the table covers, its certificate, a map of its errors, and the force curve of any system
+/// in it, with sliders, computed in the page. One file, which fetches nothing.
 #[derive(clap::Args)]
 pub struct Arguments {
     /// The table, HDF5 or packed
@@ -25,7 +25,12 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     output::check(Some(&arguments.output), Some(&arguments.table))?;
     let table = read_table(&arguments.table)?;
     let bar = progress_bar(steps(&table), "drawing");
-    let page = figures(&table, &|count| bar.inc(count as u64)).and_then(|figures| report(&table, &figures));
+    let page = figures(&table, &|count| bar.inc(count as u64))
+        .and_then(|figures| report(&table, &figures));
     bar.finish_and_clear();
-    write_text(Some(&arguments.output), page.with_context(|| arguments.table.display().to_string())?.as_bytes())
+    write_text(
+        Some(&arguments.output),
+        page.with_context(|| arguments.table.display().to_string())?
+            .as_bytes(),
+    )
 }

@@ -13,21 +13,38 @@ use crate::solve::solve;
 
 /// Solve the contact directly, at one point or at every point of a CSV file
 ///
-/// Prints pi0, eeq, gamma, delta0 and the estimated relative error. See `tabulate --help` for the meaning of the parameters; rows
-/// with e1_over_e2 = 0 are normalised by E1*, all others by E2*.
+/// Prints pi0, eeq, gamma, delta0 and the estimated relative error. See `tabulate --help` for the
+/// meaning of the parameters; rows with e1_over_e2 = 0 are normalised by E1*, all others by E2*.
 #[derive(clap::Args)]
 pub struct Arguments {
     /// Contact radius over film thickness
-    #[arg(long, required_unless_present = "points", allow_negative_numbers = true)]
+    #[arg(
+        long,
+        required_unless_present = "points",
+        allow_negative_numbers = true
+    )]
     a_over_t: Option<f64>,
     /// Young's modulus of the film over the sphere's reduced modulus E2*; 0: rigid sphere
-    #[arg(long, required_unless_present = "points", allow_negative_numbers = true)]
+    #[arg(
+        long,
+        required_unless_present = "points",
+        allow_negative_numbers = true
+    )]
     e1_over_e2: Option<f64>,
     /// Poisson ratio of the film
-    #[arg(long, required_unless_present = "points", allow_negative_numbers = true)]
+    #[arg(
+        long,
+        required_unless_present = "points",
+        allow_negative_numbers = true
+    )]
     nu1: Option<f64>,
-    /// Young's modulus of the substrate over the sphere's reduced modulus E2*; inf: rigid substrate; under a rigid sphere E0/E1
-    #[arg(long, required_unless_present = "points", allow_negative_numbers = true)]
+    /// Young's modulus of the substrate over the sphere's reduced modulus E2*; inf: rigid
+    /// substrate; under a rigid sphere E0/E1
+    #[arg(
+        long,
+        required_unless_present = "points",
+        allow_negative_numbers = true
+    )]
     e0_over_e2: Option<f64>,
     /// Poisson ratio of the substrate, where a CSV has no column nu0
     #[arg(long, default_value_t = 0.25, allow_negative_numbers = true)]
@@ -51,14 +68,24 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         return solve_file(arguments, path);
     }
     let given = |value: Option<f64>| value.expect("clap requires the parameters without --points");
-    let (a_over_t, e1, nu1, e0) =
-        (given(arguments.a_over_t), given(arguments.e1_over_e2), given(arguments.nu1), given(arguments.e0_over_e2));
+    let (a_over_t, e1, nu1, e0) = (
+        given(arguments.a_over_t),
+        given(arguments.e1_over_e2),
+        given(arguments.nu1),
+        given(arguments.e0_over_e2),
+    );
     let material = Material::new(e1, nu1, e0, arguments.nu0)?;
     let solution = solve(a_over_t, &material, arguments.tolerance)?;
     let q = solution.quantities;
     let unit = material.normalisation().symbol();
     let text = if arguments.json {
-        let infinite = |value: f64| if value.is_finite() { serde_json::json!(value) } else { serde_json::json!("inf") };
+        let infinite = |value: f64| {
+            if value.is_finite() {
+                serde_json::json!(value)
+            } else {
+                serde_json::json!("inf")
+            }
+        };
         let object = serde_json::json!({
             "a_over_t": a_over_t, "e1_over_e2": e1, "nu1": nu1, "e0_over_e2": infinite(e0), "nu0": arguments.nu0,
             "pi0": q.pi0, "eeq": q.eeq, "gamma": q.gamma, "delta0": q.delta0,
@@ -66,8 +93,17 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         });
         format!("{object}\n")
     } else {
-        let rows = [("pi0", q.pi0), ("eeq", q.eeq), ("gamma", q.gamma), ("delta0", q.delta0), ("error", solution.error)];
-        let rows: String = rows.iter().map(|(name, value)| format!("{name:13} = {}\n", number(*value))).collect();
+        let rows = [
+            ("pi0", q.pi0),
+            ("eeq", q.eeq),
+            ("gamma", q.gamma),
+            ("delta0", q.delta0),
+            ("error", solution.error),
+        ];
+        let rows: String = rows
+            .iter()
+            .map(|(name, value)| format!("{name:13} = {}\n", number(*value)))
+            .collect();
         format!("{rows}normalised_by = {unit}\n")
     };
     write_text(None, text.as_bytes())
@@ -81,9 +117,19 @@ fn solve_file(arguments: &Arguments, path: &Path) -> anyhow::Result<()> {
         let solution = solve(point.a_over_t, &point.material, arguments.tolerance);
         let solution = solution.with_context(|| points::place(path, point.line))?;
         bar.inc(1);
-        Ok(Answer { values: solution.quantities.to_array().map(Some), error: solution.error, gradient: None })
+        Ok(Answer {
+            values: solution.quantities.to_array().map(Some),
+            error: solution.error,
+            gradient: None,
+        })
     };
-    let results = points.par_iter().map(solve_point).collect::<anyhow::Result<Vec<_>>>()?;
+    let results = points
+        .par_iter()
+        .map(solve_point)
+        .collect::<anyhow::Result<Vec<_>>>()?;
     bar.finish_and_clear();
-    write_text(arguments.output.as_deref(), &points::format(&points, &results)?)
+    write_text(
+        arguments.output.as_deref(),
+        &points::format(&points, &results)?,
+    )
 }

@@ -3,9 +3,11 @@
 use std::path::PathBuf;
 
 use super::read_table;
-use crate::{archive, output};
+use crate::output;
+use crate::table::archive;
 
-/// Convert a packed table back to HDF5: value for value, or the values of a low-rank one at its nodes
+/// Convert a packed table back to HDF5: value for value, or the values of a low-rank one at its
+/// nodes
 #[derive(clap::Args)]
 pub struct Arguments {
     /// The packed table
@@ -18,5 +20,8 @@ pub struct Arguments {
 
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     output::check(Some(&arguments.output), Some(&arguments.table))?;
-    Ok(archive::write(&read_table(&arguments.table)?, &arguments.output)?)
+    Ok(archive::write(
+        &read_table(&arguments.table)?,
+        &arguments.output,
+    )?)
 }

@@ -3,8 +3,8 @@
 use std::hint::black_box;
 use std::time::Instant;
 
-/// The median time of a call in seconds. Of about `budget` seconds of calls, one at least; what a clock cannot resolve is called
-/// many times between two looks at it.
+/// The median time of a call in seconds. Of about `budget` seconds of calls, one at least; what a
+/// clock cannot resolve is called many times between two looks at it.
 pub fn seconds<T>(budget: f64, mut call: impl FnMut() -> T) -> f64 {
     /// A clock's tick is less than a hundredth of this.
     const RESOLVED: f64 = 1e-5;
@@ -24,7 +24,11 @@ pub fn seconds<T>(budget: f64, mut call: impl FnMut() -> T) -> f64 {
         first = sample(calls);
     }
     let samples = (budget / first).clamp(1.0, SAMPLES) as usize;
-    let times = if samples == 1 { vec![first] } else { (0..samples).map(|_| sample(calls)).collect() };
+    let times = if samples == 1 {
+        vec![first]
+    } else {
+        (0..samples).map(|_| sample(calls)).collect()
+    };
     median(times) / f64::from(calls)
 }
 

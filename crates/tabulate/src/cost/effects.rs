@@ -9,12 +9,12 @@ use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use super::clock;
-use super::error::median_and_largest;
+use super::deviation::median_and_largest;
 use super::table::{Made, grouped, human_bytes};
 use crate::Error;
-use crate::generate::Observer;
-use crate::scene::{Extent, Scene};
 use crate::solve::solve;
+use crate::table::Observer;
+use crate::table::{Extent, Scene};
 
 /// Something that a scene can do without.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -22,7 +22,8 @@ use crate::solve::solve;
 pub enum Effect {
     /// The film: without it the sphere touches the bare substrate, which is JKR and takes no table.
     Film,
-    /// The sphere's compliance: without it `e1_over_e2 = 0`, and all is in units of the film's modulus.
+    /// The sphere's compliance: without it `e1_over_e2 = 0`, and all is in units of the film's
+    /// modulus.
     SphereCompliance,
     /// The substrate's compliance: without it `e0_over_e2 = inf`.
     SubstrateCompliance,
@@ -69,7 +70,8 @@ impl Effect {
         }
     }
 
-    /// Whether a scene has it, and something is left without it: between rigid bodies a film cannot be left out.
+    /// Whether a scene has it, and something is left without it: between rigid bodies a film cannot
+    /// be left out.
     pub fn is_in(self, scene: &Scene) -> bool {
         let [_, e1, nu1, e0] = scene.extents;
         let held = |quantity| scene.quantities.contains(&quantity);
@@ -93,13 +95,21 @@ impl Effect {
                 // E0/E1 of the same films on the same substrates.
                 let ([softest, stiffest], [from, to]) = (e1.ends(), e0.ends());
                 let [from, to] = [from / stiffest, to / softest];
-                *e0 = if from < to { Extent::Range { from, to } } else { Extent::Fixed(from) };
+                *e0 = if from < to {
+                    Extent::Range { from, to }
+                } else {
+                    Extent::Fixed(from)
+                };
                 *e1 = Extent::Fixed(0.0);
             }
             Self::SubstrateCompliance => *e0 = Extent::Fixed(f64::INFINITY),
             Self::FilmCompressibility => *nu1 = Extent::Fixed(0.5),
-            Self::Adhesion => variant.quantities.retain(|quantity| matches!(quantity, Quantity::Pi0 | Quantity::Delta0)),
-            Self::Penetration => variant.quantities.retain(|&quantity| quantity != Quantity::Delta0),
+            Self::Adhesion => variant
+                .quantities
+                .retain(|quantity| matches!(quantity, Quantity::Pi0 | Quantity::Delta0)),
+            Self::Penetration => variant
+                .quantities
+                .retain(|&quantity| quantity != Quantity::Delta0),
         }
         Some(variant)
     }
@@ -107,18 +117,29 @@ impl Effect {
     /// The load without the effect, in the units of [`Load`].
     fn load_without(self, a_over_t: f64, material: &Material, truth: Load) -> Result<Load, Error> {
         let with = |e1, nu1, e0| -> Result<Load, Error> {
-            Load::new(a_over_t, &Material::new(e1, nu1, e0, material.nu0())?, film_modulus(material))
+            Load::new(
+                a_over_t,
+                &Material::new(e1, nu1, e0, material.nu0())?,
+                film_modulus(material),
+            )
         };
         let (e1, nu1, e0) = (material.e1_over_e2(), material.nu1(), material.e0_over_e2());
         match self {
             Self::Film => {
-                let modulus = unit(material, film_modulus(material)) * material.sphere_substrate_modulus();
-                Ok(Load { pressed: 8.0 / 3.0 * modulus, adhesion: modulus.sqrt() })
+                let modulus =
+                    unit(material, film_modulus(material)) * material.sphere_substrate_modulus();
+                Ok(Load {
+                    pressed: 8.0 / 3.0 * modulus,
+                    adhesion: modulus.sqrt(),
+                })
             }
             Self::SphereCompliance => with(0.0, nu1, e0 / e1),
             Self::SubstrateCompliance => with(e1, nu1, f64::INFINITY),
             Self::FilmCompressibility => with(e1, 0.5, e0),
-            Self::Adhesion => Ok(Load { adhesion: 0.0, ..truth }),
+            Self::Adhesion => Ok(Load {
+                adhesion: 0.0,
+                ..truth
+            }),
             Self::Penetration => Ok(truth),
         }
     }
@@ -126,11 +147,14 @@ impl Effect {
 
 /// Whether a scene asks for what adhesion takes.
 fn is_adhesive(scene: &Scene) -> bool {
-    [Quantity::Eeq, Quantity::Gamma].iter().all(|quantity| scene.quantities.contains(quantity))
+    [Quantity::Eeq, Quantity::Gamma]
+        .iter()
+        .all(|quantity| scene.quantities.contains(quantity))
 }
 
-/// The parts of the load of eq. 9 at one contact radius, `2 R F/a^3 = pressed - h adhesion` with `h = 2 R (8 pi w/a^3)^{1/2}`, in
-/// units of a modulus that does not depend on what is left out: `E2*`, or `E1` under a rigid sphere.
+/// The parts of the load of eq. 9 at one contact radius, `2 R F/a^3 = pressed - h adhesion` with
+/// `h = 2 R (8 pi w/a^3)^{1/2}`, in units of a modulus that does not depend on what is left out:
+/// `E2*`, or `E1` under a rigid sphere.
 #[derive(Clone, Copy, Debug)]
 struct Load {
     /// `U Pi0`, with the modulus `U` that normalises the quantities.
@@ -146,8 +170,12 @@ impl Load {
     fn new(a_over_t: f64, material: &Material, film_modulus: f64) -> Result<Self, Error> {
         let quantities = solve(a_over_t, material, Self::TOLERANCE)?.quantities;
         let unit = unit(material, film_modulus);
-        let adhesion = (unit * material.sphere_film_modulus()).sqrt() * quantities.eeq / quantities.gamma;
-        Ok(Self { pressed: unit * quantities.pi0, adhesion })
+        let adhesion =
+            (unit * material.sphere_film_modulus()).sqrt() * quantities.eeq / quantities.gamma;
+        Ok(Self {
+            pressed: unit * quantities.pi0,
+            adhesion,
+        })
     }
 }
 
@@ -159,7 +187,8 @@ const fn film_modulus(material: &Material) -> f64 {
     }
 }
 
-/// The modulus that normalises a material's quantities in the unit of [`Load`], given the film's Young's modulus.
+/// The modulus that normalises a material's quantities in the unit of [`Load`], given the film's
+/// Young's modulus.
 fn unit(material: &Material, film_modulus: f64) -> f64 {
     match material.normalisation() {
         Normalisation::Sphere => 1.0,
@@ -167,21 +196,31 @@ fn unit(material: &Material, film_modulus: f64) -> f64 {
     }
 }
 
-/// The strengths of adhesion that errors are measured at: the adhesive part of the load over the adhesionless load `F0` at the same
-/// contact radius. From where adhesion is 1 % of the load, to JKR's pull-off under a load (1 where there is no load).
+/// The strengths of adhesion that errors are measured at: the adhesive part of the load over the
+/// adhesionless load `F0` at the same contact radius. From where adhesion is 1 % of the load, to
+/// JKR's pull-off under a load (1 where there is no load).
 pub const STRENGTHS: [f64; 2] = [0.01, 2.0];
 
-/// What leaving out each of some effects does to the load at one contact radius, relative to the adhesionless load there, which
-/// never vanishes: `|F' - F|/F0`, from direct solves to 1e-8. The strength of adhesion is its part of the load over `F0`, see
-/// [`STRENGTHS`]; contact radius, sphere and work of adhesion are the same without the effect.
+/// What leaving out each of some effects does to the load at one contact radius, relative to the
+/// adhesionless load there, which never vanishes: `|F' - F|/F0`, from direct solves to 1e-8. The
+/// strength of adhesion is its part of the load over `F0`, see [`STRENGTHS`]; contact radius,
+/// sphere and work of adhesion are the same without the effect.
 ///
 /// # Errors
 /// Those of the solve.
-pub fn errors(effects: &[Effect], a_over_t: f64, material: &Material, strength: f64) -> Result<Vec<f64>, Error> {
+pub fn errors(
+    effects: &[Effect],
+    a_over_t: f64,
+    material: &Material,
+    strength: f64,
+) -> Result<Vec<f64>, Error> {
     let truth = Load::new(a_over_t, material, film_modulus(material))?;
     let error = |&effect: &Effect| {
         let without = effect.load_without(a_over_t, material, truth)?;
-        let (pressed, adhesion) = (without.pressed / truth.pressed - 1.0, without.adhesion / truth.adhesion - 1.0);
+        let (pressed, adhesion) = (
+            without.pressed / truth.pressed - 1.0,
+            without.adhesion / truth.adhesion - 1.0,
+        );
         Ok((pressed - strength * adhesion).abs())
     };
     effects.iter().map(error).collect()
@@ -219,11 +258,21 @@ pub struct Row {
 impl Row {
     /// What the effect adds to the scene, in words: solves, time, bytes.
     pub fn saved(&self) -> [String; 3] {
-        let signed = |negative: bool, size: String| if negative { format!("−{size}") } else { size };
+        let signed =
+            |negative: bool, size: String| if negative { format!("−{size}") } else { size };
         [
-            signed(self.saved_solves < 0, grouped(self.saved_solves.unsigned_abs())),
-            signed(self.saved_seconds < 0.0, clock::human(self.saved_seconds.abs())),
-            signed(self.saved_bytes < 0, human_bytes(self.saved_bytes.unsigned_abs())),
+            signed(
+                self.saved_solves < 0,
+                grouped(self.saved_solves.unsigned_abs()),
+            ),
+            signed(
+                self.saved_seconds < 0.0,
+                clock::human(self.saved_seconds.abs()),
+            ),
+            signed(
+                self.saved_bytes < 0,
+                human_bytes(self.saved_bytes.unsigned_abs()),
+            ),
         ]
     }
 }
@@ -233,13 +282,14 @@ const SEED: u64 = 6;
 /// Of the runs that begin within this time the fastest counts.
 const PATIENCE: Duration = Duration::from_millis(500);
 
-/// Makes the tables of a scene with everything and without each of its effects, and compares the loads at `points` random points,
-/// evenly distributed in the axes' coordinates, with a strength of adhesion that is evenly distributed in its logarithm, see
-/// [`STRENGTHS`], or 0 in a scene without adhesion.
+/// Makes the tables of a scene with everything and without each of its effects, and compares the
+/// loads at `points` random points, evenly distributed in the axes' coordinates, with a strength of
+/// adhesion that is evenly distributed in its logarithm, see [`STRENGTHS`], or 0 in a scene without
+/// adhesion.
 ///
 /// # Errors
-/// [`Error::Table`] for a scene without `pi0`, which has no load; those of [`generate`](crate::generate::generate) and of the
-/// solve.
+/// [`Error::Table`] for a scene without `pi0`, which has no load; those of
+/// [`generate`](crate::table::generate) and of the solve.
 ///
 /// # Panics
 /// If there is no point.
@@ -247,14 +297,23 @@ pub fn measure(scene: &Scene, points: usize, observer: &dyn Observer) -> Result<
     if !scene.quantities.contains(&Quantity::Pi0) {
         return Err(interp::Error::MissingQuantity(Quantity::Pi0.name()).into());
     }
-    let effects: Vec<Effect> = Effect::ALL.into_iter().filter(|effect| effect.is_in(scene)).collect();
+    let effects: Vec<Effect> = Effect::ALL
+        .into_iter()
+        .filter(|effect| effect.is_in(scene))
+        .collect();
     let errors = errors_over(scene, &effects, points, observer)?;
     let whole = fastest(scene, observer)?;
     let mut rows = vec![whole.clone()];
     for (effect, [median_error, worst_error]) in effects.into_iter().zip(errors) {
         let left = match effect.scene_without(scene) {
             Some(variant) => fastest(&variant, observer)?,
-            None => Row { axes: 0, solves: 0, seconds: 0.0, bytes: 0, ..whole.clone() },
+            None => Row {
+                axes: 0,
+                solves: 0,
+                seconds: 0.0,
+                bytes: 0,
+                ..whole.clone()
+            },
         };
         rows.push(Row {
             without: Some(effect),
@@ -293,38 +352,71 @@ fn fastest(scene: &Scene, observer: &dyn Observer) -> Result<Row, Error> {
 }
 
 /// The median and the largest error of each effect over a scene.
-fn errors_over(scene: &Scene, effects: &[Effect], points: usize, observer: &dyn Observer) -> Result<Vec<[f64; 2]>, Error> {
+fn errors_over(
+    scene: &Scene,
+    effects: &[Effect],
+    points: usize,
+    observer: &dyn Observer,
+) -> Result<Vec<[f64; 2]>, Error> {
     let [weak, strong] = STRENGTHS.map(f64::ln);
     let mut random = Pcg64Mcg::seed_from_u64(SEED);
-    let mut strength = || if is_adhesive(scene) { random.random_range(weak..strong).exp() } else { 0.0 };
-    let places: Vec<([f64; 4], f64)> = scene.random_points(points, SEED).into_iter().map(|point| (point, strength())).collect();
+    let mut strength = || {
+        if is_adhesive(scene) {
+            random.random_range(weak..strong).exp()
+        } else {
+            0.0
+        }
+    };
+    let places: Vec<([f64; 4], f64)> = scene
+        .random_points(points, SEED)
+        .into_iter()
+        .map(|point| (point, strength()))
+        .collect();
     observer.begin("comparing", points, 0);
-    let found = places.into_par_iter().map(|([a_over_t, e1, nu1, e0], strength)| {
-        let found = errors(effects, a_over_t, &scene.material([e1, nu1, e0])?, strength)?;
-        observer.advance(1);
-        Ok(found)
-    });
+    let found = places
+        .into_par_iter()
+        .map(|([a_over_t, e1, nu1, e0], strength)| {
+            let found = errors(effects, a_over_t, &scene.material([e1, nu1, e0])?, strength)?;
+            observer.advance(1);
+            Ok(found)
+        });
     // In two steps: of several errors, the first one is returned.
     let found: Vec<Result<Vec<f64>, Error>> = found.collect();
     let found = found.into_iter().collect::<Result<Vec<_>, _>>()?;
-    Ok((0..effects.len()).map(|i| median_and_largest(found.iter().map(|errors| errors[i]).collect())).collect())
+    Ok((0..effects.len())
+        .map(|i| median_and_largest(found.iter().map(|errors| errors[i]).collect()))
+        .collect())
 }
 
-/// The rows as a table of the README: of the whole scene, and of each effect what it adds to that and what the load is without it.
+/// The rows as a table of the README: of the whole scene, and of each effect what it adds to that
+/// and what the load is without it.
 pub fn markdown(rows: &[Row]) -> String {
-    let [tolerance, threads, axes] = rows.first().map_or([f64::NAN; 3], |row| [row.tolerance, row.threads as f64, row.axes as f64]);
-    let mut text =
-        format!("| effect | left out by | axes | solves | time, {threads} threads | .h5 | error of the load, median | worst |\n");
+    let [tolerance, threads, axes] = rows.first().map_or([f64::NAN; 3], |row| {
+        [row.tolerance, row.threads as f64, row.axes as f64]
+    });
+    let mut text = format!(
+        "| effect | left out by | axes | solves | time, {threads} threads | .h5 | error of the load, median | worst |\n"
+    );
     text += "|---|---|---|---|---|---|---|---|\n";
     for row in rows {
         let Some(effect) = row.without else {
-            let (solves, seconds, bytes) = (grouped(row.solves), clock::human(row.seconds), human_bytes(row.bytes));
-            text += &format!("| all of the scene | | {axes} | {solves} | {seconds} | {bytes} | | |\n");
+            let (solves, seconds, bytes) = (
+                grouped(row.solves),
+                clock::human(row.seconds),
+                human_bytes(row.bytes),
+            );
+            text +=
+                &format!("| all of the scene | | {axes} | {solves} | {seconds} | {bytes} | | |\n");
             continue;
         };
         let [solves, seconds, bytes] = row.saved();
-        let [median, worst] =
-            [row.median_error, row.worst_error].map(|error| if error == 0.0 { "none".into() } else { format!("{error:.0e}") });
+        let [median, worst] = [row.median_error, row.worst_error].map(|error| {
+            if error == 0.0 {
+                "none".into()
+            } else {
+                format!("{error:.0e}")
+            }
+        });
         text += &format!(
             "| {} | {} | {} | {solves} | {seconds} | {bytes} | {median} | {worst} |\n",
             effect.name(),
@@ -337,8 +429,11 @@ pub fn markdown(rows: &[Row]) -> String {
         "\nTables to {tolerance:e}, planning and certificate included. Errors are relative to the adhesionless load at the same \
          contact radius, over random points of the scene where adhesion takes {weak} to {strong} times that load away.\n"
     );
-    let missing: Vec<&str> =
-        Effect::ALL.into_iter().filter(|&effect| rows.iter().all(|row| row.without != Some(effect))).map(Effect::name).collect();
+    let missing: Vec<&str> = Effect::ALL
+        .into_iter()
+        .filter(|&effect| rows.iter().all(|row| row.without != Some(effect)))
+        .map(Effect::name)
+        .collect();
     if !missing.is_empty() {
         text += &format!("Not in this scene: {}.\n", missing.join(", "));
     }

@@ -1,15 +1,17 @@
 //! The solver that people would write: Nyström's method, dense.
 //!
-//! The equation (`galerkin.rs` has it) on Gauss-Legendre nodes in `s`, whose kernel is a sum over wave numbers `q`,
+//! The equation (`galerkin.rs` has it) on Gauss-Legendre nodes in `s`, whose kernel is a sum over
+//! wave numbers `q`,
 //!
 //! ```text
 //! g(rho_i)/es + sum_j w_j K_ij g(s_j) = f(rho_i),    K_ij = (2x/(pi e1)) sum_q w_q (X(q)-1) cos(q x rho_i) cos(q x s_j)
 //! ```
 //!
-//! and the equation at `rho = 1` for the values at the edge. It is a fair opponent: the cosines are shared by all pairs of nodes, and
-//! made by the addition theorem within panels as wide as each other, so that all loops are vectorised; the kernel is one product of
-//! matrices and the solution one LU decomposition, by faer; the wave numbers are those of our own Galerkin method, on panels graded
-//! to the material. It does not estimate its error.
+//! and the equation at `rho = 1` for the values at the edge. It is a fair opponent: the cosines are
+//! shared by all pairs of nodes, and made by the addition theorem within panels as wide as each
+//! other, so that all loops are vectorised; the kernel is one product of matrices and the solution
+//! one LU decomposition, by faer; the wave numbers are those of our own Galerkin method, on panels
+//! graded to the material. It does not estimate its error.
 
 use std::f64::consts::FRAC_2_PI;
 
@@ -18,10 +20,11 @@ use faer::linalg::solvers::Solve;
 use faer::{Accum, Mat, Par};
 use interp::{Material, Quantities};
 
-use crate::compliance::Compliance;
-use crate::quadrature::{GaussLegendre, Panels};
+use crate::solve::Compliance;
+use crate::solve::quadrature::{GaussLegendre, Panels};
 
-/// Gauss-Legendre nodes and weights on `[0, 1]`, and the edge as one node more. They serve every contact.
+/// Gauss-Legendre nodes and weights on `[0, 1]`, and the edge as one node more. They serve every
+/// contact.
 #[derive(Clone, Debug)]
 pub struct Nystrom {
     nodes: Vec<f64>,
@@ -32,11 +35,20 @@ impl Nystrom {
     /// The method with `size` nodes.
     pub fn new(size: usize) -> Self {
         let rule = GaussLegendre::new(size);
-        let nodes = rule.abscissae.iter().map(|u| 0.5 + 0.5 * u).chain([1.0]).collect();
-        Self { nodes, weights: rule.weights.iter().map(|w| 0.5 * w).collect() }
+        let nodes = rule
+            .abscissae
+            .iter()
+            .map(|u| 0.5 + 0.5 * u)
+            .chain([1.0])
+            .collect();
+        Self {
+            nodes,
+            weights: rule.weights.iter().map(|w| 0.5 * w).collect(),
+        }
     }
 
-    /// The four quantities at `x = a/t`, with as many wave numbers as the relative `tolerance` of the kernel takes.
+    /// The four quantities at `x = a/t`, with as many wave numbers as the relative `tolerance` of
+    /// the kernel takes.
     pub fn solve(&self, x: f64, material: &Material, tolerance: f64) -> Quantities {
         let size = self.weights.len();
         let es = material.sphere_film_modulus();
@@ -44,21 +56,42 @@ impl Nystrom {
         let panels = Panels::new(x, compliance.smallest_scale(), tolerance);
         let cosines = self.cosines(x, &panels);
         let symbol = symbol(x / material.film_modulus(), &compliance, &panels);
-        let scaled = Mat::from_fn(symbol.len(), size, |q, j| symbol[q] * self.weights[j] * cosines[(q, j)]);
+        let scaled = Mat::from_fn(symbol.len(), size, |q, j| {
+            symbol[q] * self.weights[j] * cosines[(q, j)]
+        });
         let mut kernel = Mat::zeros(size + 1, size);
-        matmul(&mut kernel, Accum::Replace, cosines.transpose(), &scaled, 1.0, Par::Seq);
+        matmul(
+            &mut kernel,
+            Accum::Replace,
+            cosines.transpose(),
+            &scaled,
+            1.0,
+            Par::Seq,
+        );
 
         let mut matrix = kernel.subrows(0, size).to_owned();
         for i in 0..size {
             matrix[(i, i)] += 1.0 / es;
         }
         let right = |rho: f64| [1.0, rho * rho];
-        let g = matrix.partial_piv_lu().solve(Mat::from_fn(size, 2, |i, f| right(self.nodes[i])[f]));
+        let g = matrix
+            .partial_piv_lu()
+            .solve(Mat::from_fn(size, 2, |i, f| right(self.nodes[i])[f]));
         let integral = |f: usize| (0..size).map(|j| self.weights[j] * g[(j, f)]).sum::<f64>();
-        let edge = |f: usize| es * (right(1.0)[f] - (0..size).map(|j| kernel[(size, j)] * g[(j, f)]).sum::<f64>());
+        let edge = |f: usize| {
+            es * (right(1.0)[f]
+                - (0..size)
+                    .map(|j| kernel[(size, j)] * g[(j, f)])
+                    .sum::<f64>())
+        };
         let (eeq, gamma) = (integral(0), edge(0));
         let delta0 = edge(1) / gamma;
-        Quantities { pi0: 4.0 * (delta0 * eeq - integral(1)), eeq, gamma, delta0 }
+        Quantities {
+            pi0: 4.0 * (delta0 * eeq - integral(1)),
+            eeq,
+            gamma,
+            delta0,
+        }
     }
 
     /// `cos(q x rho)`: a column for each node and the edge.
@@ -69,7 +102,10 @@ impl Nystrom {
         for (column, rho) in self.nodes.iter().enumerate() {
             let mut half = f64::NAN;
             let column = cosines.col_as_slice_mut(column);
-            for (values, ends) in column.chunks_exact_mut(rule.len()).zip(panels.edges.windows(2)) {
+            for (values, ends) in column
+                .chunks_exact_mut(rule.len())
+                .zip(panels.edges.windows(2))
+            {
                 let width = 0.5 * (ends[1] - ends[0]);
                 if (width - half).abs() > f64::EPSILON * ends[1] || half.is_nan() {
                     half = width;
@@ -92,7 +128,9 @@ fn symbol(scale: f64, compliance: &Compliance, panels: &Panels) -> Vec<f64> {
     let rule = panels.rule;
     let panel = |ends: &[f64]| {
         let (middle, half) = (0.5 * (ends[0] + ends[1]), 0.5 * (ends[1] - ends[0]));
-        let value = move |(u, w): (&f64, &f64)| FRAC_2_PI * scale * half * w * compliance.sample(middle + half * u).excess;
+        let value = move |(u, w): (&f64, &f64)| {
+            FRAC_2_PI * scale * half * w * compliance.sample(middle + half * u).excess
+        };
         rule.abscissae.iter().zip(&rule.weights).map(value)
     };
     panels.edges.windows(2).flat_map(panel).collect()

@@ -2,7 +2,9 @@
 
 use std::ops::Range;
 
-use plotters::coord::ranged1d::{KeyPointHint, KeyPointWeight, NoDefaultFormatting, Ranged, ValueFormatter};
+use plotters::coord::ranged1d::{
+    KeyPointHint, KeyPointWeight, NoDefaultFormatting, Ranged, ValueFormatter,
+};
 
 /// An axis with its label, which names the unit.
 #[derive(Clone, Debug)]
@@ -19,38 +21,63 @@ enum Scale {
     Names(Vec<String>),
 }
 
-/// About as many intervals are between the numbers along a linear axis, and no more than twice as many decades along a logarithmic
-/// one.
+/// About as many intervals are between the numbers along a linear axis, and no more than twice as
+/// many decades along a logarithmic one.
 const INTERVALS: f64 = 5.0;
 
 impl Axis {
     /// From one value to another.
     pub fn linear(label: impl Into<String>, range: [f64; 2]) -> Self {
-        Self { label: label.into(), range, scale: Scale::Linear }
+        Self {
+            label: label.into(),
+            range,
+            scale: Scale::Linear,
+        }
     }
 
     /// From one positive value to another.
     pub fn logarithmic(label: impl Into<String>, range: [f64; 2]) -> Self {
-        Self { label: label.into(), range, scale: Scale::Logarithmic }
+        Self {
+            label: label.into(),
+            range,
+            scale: Scale::Logarithmic,
+        }
     }
 
     /// The decades that hold all of some positive values; 0, infinities and NaN are passed over.
     pub fn decades(label: impl Into<String>, values: impl IntoIterator<Item = f64>) -> Self {
-        let exponents = values.into_iter().filter(|value| *value > 0.0 && value.is_finite()).map(f64::log10);
-        let ends = exponents.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], e| [low.min(e), high.max(e)]);
-        let [low, high] = if ends[0] <= ends[1] { [ends[0].floor(), ends[1].ceil()] } else { [0.0, 1.0] };
+        let exponents = values
+            .into_iter()
+            .filter(|value| *value > 0.0 && value.is_finite())
+            .map(f64::log10);
+        let ends = exponents.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], e| {
+            [low.min(e), high.max(e)]
+        });
+        let [low, high] = if ends[0] <= ends[1] {
+            [ends[0].floor(), ends[1].ceil()]
+        } else {
+            [0.0, 1.0]
+        };
         Self::logarithmic(label, [low, high.max(low + 1.0)].map(|e| 10_f64.powf(e)))
     }
 
     /// Names down a vertical axis: number `i` at the value `i + 0.5`, the first on top.
     pub fn names<T: Into<String>>(names: impl IntoIterator<Item = T>) -> Self {
         let names: Vec<String> = names.into_iter().map(Into::into).collect();
-        Self { label: String::new(), range: [names.len() as f64, 0.0], scale: Scale::Names(names) }
+        Self {
+            label: String::new(),
+            range: [names.len() as f64, 0.0],
+            scale: Scale::Names(names),
+        }
     }
 
     /// From 0 to 1, with nothing written along it.
     pub fn hidden() -> Self {
-        Self { label: String::new(), range: [0.0, 1.0], scale: Scale::Names(Vec::new()) }
+        Self {
+            label: String::new(),
+            range: [0.0, 1.0],
+            scale: Scale::Names(Vec::new()),
+        }
     }
 
     /// What it says of itself.
@@ -63,7 +90,8 @@ impl Axis {
         self.range
     }
 
-    /// Where a value lies: 0 at the beginning of the axis and 1 at its end; not finite for what is not on it.
+    /// Where a value lies: 0 at the beginning of the axis and 1 at its end; not finite for what is
+    /// not on it.
     pub fn position(&self, value: f64) -> f64 {
         let [from, to] = self.range;
         match self.scale {
@@ -85,25 +113,47 @@ impl Axis {
     pub fn ticks(&self) -> Vec<(f64, String)> {
         let [from, to] = self.range;
         match &self.scale {
-            Scale::Names(names) => (0_u32..).zip(names).map(|(i, name)| (f64::from(i) + 0.5, name.clone())).collect(),
+            Scale::Names(names) => (0_u32..)
+                .zip(names)
+                .map(|(i, name)| (f64::from(i) + 0.5, name.clone()))
+                .collect(),
             Scale::Linear => {
                 let step = step((to - from).abs() / INTERVALS);
                 let decimals = (-step.log10().floor()).max(0.0) as usize;
-                let inside = (from.min(to) / step - 1e-9).ceil() as i64..=(from.max(to) / step + 1e-9).floor() as i64;
-                inside.map(|i| (i as f64 * step, format!("{:.decimals$}", i as f64 * step).replace('-', "−"))).collect()
+                let inside = (from.min(to) / step - 1e-9).ceil() as i64
+                    ..=(from.max(to) / step + 1e-9).floor() as i64;
+                inside
+                    .map(|i| {
+                        (
+                            i as f64 * step,
+                            format!("{:.decimals$}", i as f64 * step).replace('-', "−"),
+                        )
+                    })
+                    .collect()
             }
             Scale::Logarithmic => {
                 let [low, high] = self.exponents();
                 let every = (f64::from(high - low) / (2.0 * INTERVALS)).ceil().max(1.0) as usize;
-                let digits: &[f64] = if (to / from).log10() < 1.5 { &[1.0, 2.0, 5.0] } else { &[1.0] };
-                let values =
-                    (low..=high).step_by(every).flat_map(|e| digits.iter().map(move |digit| (digit * power(e), *digit, e)));
-                let name = |digit: f64, e: i32| match (low.min(high) >= -2 && high <= 3, digit == 1.0) {
-                    (true, _) => (digit * power(e)).to_string(),
-                    (false, true) => power_of_ten(e),
-                    (false, false) => format!("{digit}·{}", power_of_ten(e)),
+                let digits: &[f64] = if (to / from).log10() < 1.5 {
+                    &[1.0, 2.0, 5.0]
+                } else {
+                    &[1.0]
                 };
-                values.filter(|(value, ..)| self.holds(*value)).map(|(value, digit, e)| (value, name(digit, e))).collect()
+                let values = (low..=high).step_by(every).flat_map(|e| {
+                    digits
+                        .iter()
+                        .map(move |digit| (digit * power(e), *digit, e))
+                });
+                let name =
+                    |digit: f64, e: i32| match (low.min(high) >= -2 && high <= 3, digit == 1.0) {
+                        (true, _) => (digit * power(e)).to_string(),
+                        (false, true) => power_of_ten(e),
+                        (false, false) => format!("{digit}·{}", power_of_ten(e)),
+                    };
+                values
+                    .filter(|(value, ..)| self.holds(*value))
+                    .map(|(value, digit, e)| (value, name(digit, e)))
+                    .collect()
             }
         }
     }
@@ -113,7 +163,8 @@ impl Axis {
         let [low, high] = self.exponents();
         match self.scale {
             Scale::Logarithmic if high - low <= 4 => {
-                let values = (low - 1..=high).flat_map(|e| (2..10).map(move |digit| f64::from(digit) * power(e)));
+                let values = (low - 1..=high)
+                    .flat_map(|e| (2..10).map(move |digit| f64::from(digit) * power(e)));
                 values.filter(|value| self.holds(*value)).collect()
             }
             _ => Vec::new(),
@@ -126,14 +177,20 @@ impl Axis {
 
     /// Of ten, at the ends or beyond.
     fn exponents(&self) -> [i32; 2] {
-        [(self.range[0].log10() + 1e-9).floor() as i32, (self.range[1].log10() - 1e-9).ceil() as i32]
+        [
+            (self.range[0].log10() + 1e-9).floor() as i32,
+            (self.range[1].log10() - 1e-9).ceil() as i32,
+        ]
     }
 }
 
 /// 1, 2 or 5 times a power of ten, the closest one that is not much less.
 fn step(least: f64) -> f64 {
     let decade = 10_f64.powf(least.log10().floor());
-    let digit = [1.0, 2.0, 5.0].into_iter().find(|digit| least <= 1.2 * digit * decade).unwrap_or(10.0);
+    let digit = [1.0, 2.0, 5.0]
+        .into_iter()
+        .find(|digit| least <= 1.2 * digit * decade)
+        .unwrap_or(10.0);
     digit * decade
 }
 
@@ -169,7 +226,11 @@ impl Ranged for Axis {
 
 impl ValueFormatter<f64> for Axis {
     fn format_ext(&self, value: &f64) -> String {
-        self.ticks().into_iter().find(|(tick, _)| tick == value).map(|(_, name)| name).unwrap_or_default()
+        self.ticks()
+            .into_iter()
+            .find(|(tick, _)| tick == value)
+            .map(|(_, name)| name)
+            .unwrap_or_default()
     }
 }
 
@@ -183,18 +244,39 @@ mod tests {
 
     #[test]
     fn numbers_are_round_and_inside() {
-        assert_eq!(written(&Axis::linear("", [0.0, 1.0])), ["0.0", "0.2", "0.4", "0.6", "0.8", "1.0"]);
-        assert_eq!(written(&Axis::linear("", [-0.5, 0.25])), ["−0.4", "−0.2", "0.0", "0.2"]);
-        assert_eq!(written(&Axis::linear("", [55.0, 80.0])), ["55", "60", "65", "70", "75", "80"]);
-        assert_eq!(written(&Axis::logarithmic("", [1e-3, 1e3]))[..2], ["10^{−3}", "10^{−2}"]);
-        assert_eq!(written(&Axis::logarithmic("", [0.3, 4.0])), ["0.5", "1", "2"]);
-        assert_eq!(written(&Axis::logarithmic("", [0.01, 100.0])), ["0.01", "0.1", "1", "10", "100"]);
+        assert_eq!(
+            written(&Axis::linear("", [0.0, 1.0])),
+            ["0.0", "0.2", "0.4", "0.6", "0.8", "1.0"]
+        );
+        assert_eq!(
+            written(&Axis::linear("", [-0.5, 0.25])),
+            ["−0.4", "−0.2", "0.0", "0.2"]
+        );
+        assert_eq!(
+            written(&Axis::linear("", [55.0, 80.0])),
+            ["55", "60", "65", "70", "75", "80"]
+        );
+        assert_eq!(
+            written(&Axis::logarithmic("", [1e-3, 1e3]))[..2],
+            ["10^{−3}", "10^{−2}"]
+        );
+        assert_eq!(
+            written(&Axis::logarithmic("", [0.3, 4.0])),
+            ["0.5", "1", "2"]
+        );
+        assert_eq!(
+            written(&Axis::logarithmic("", [0.01, 100.0])),
+            ["0.01", "0.1", "1", "10", "100"]
+        );
         assert_eq!(written(&Axis::logarithmic("", [1e-15, 1e-1])).len(), 8);
     }
 
     #[test]
     fn decades_hold_the_values() {
-        assert_eq!(Axis::decades("", [3e-7, 0.02, 0.0, f64::INFINITY]).range(), [1e-7, 0.1]);
+        assert_eq!(
+            Axis::decades("", [3e-7, 0.02, 0.0, f64::INFINITY]).range(),
+            [1e-7, 0.1]
+        );
         assert_eq!(Axis::decades("", [10.0]).range(), [10.0, 100.0]);
         assert_eq!(Axis::decades("", []).range(), [1.0, 10.0]);
     }

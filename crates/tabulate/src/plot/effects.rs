@@ -10,16 +10,25 @@ use crate::cost::effects::{Effect, Row};
 /// # Errors
 /// [`Error::Picture`] if there is no row of the whole scene.
 pub fn figure(rows: &[Row]) -> Result<Figure, Error> {
-    let mut effects: Vec<(Effect, &Row)> = rows.iter().filter_map(|row| Some((row.without?, row))).collect();
+    let mut effects: Vec<(Effect, &Row)> = rows
+        .iter()
+        .filter_map(|row| Some((row.without?, row)))
+        .collect();
     effects.sort_by(|(_, a), (_, b)| b.worst_error.total_cmp(&a.worst_error));
     let whole = rows.iter().find(|row| row.without.is_none());
-    let whole = whole.ok_or_else(|| Error::Picture("there is no row of the whole scene".to_owned()))?;
-    Ok(Figure::new(120 + 50 * effects.len() as u32, [errors(&effects), costs(&effects, whole)]))
+    let whole =
+        whole.ok_or_else(|| Error::Picture("there is no row of the whole scene".to_owned()))?;
+    Ok(Figure::new(
+        120 + 50 * effects.len() as u32,
+        [errors(&effects), costs(&effects, whole)],
+    ))
 }
 
 /// From the median error to the worst, the worst effect on top.
 fn errors(effects: &[(Effect, &Row)]) -> Panel {
-    let values = effects.iter().flat_map(|(_, row)| [row.median_error, row.worst_error]);
+    let values = effects
+        .iter()
+        .flat_map(|(_, row)| [row.median_error, row.worst_error]);
     let x = Axis::decades("relative to the adhesionless load", values);
     let [smallest, _] = x.range();
     let names = effects.iter().map(|(effect, _)| effect.name());
@@ -30,11 +39,19 @@ fn errors(effects: &[(Effect, &Row)]) -> Panel {
             panel.label([smallest, y], "none", VERMILION, Side::Right);
             continue;
         }
-        let [median, worst] = [row.median_error, row.worst_error].map(|error| [error.max(smallest), y]);
-        panel.line([median, worst], VERMILION).markers([median], VERMILION, Marker::Full);
+        let [median, worst] =
+            [row.median_error, row.worst_error].map(|error| [error.max(smallest), y]);
+        panel
+            .line([median, worst], VERMILION)
+            .markers([median], VERMILION, Marker::Full);
         panel.markers([worst], VERMILION, Marker::Hollow);
         if i == 0 {
-            panel.label(median, "median", VERMILION, Side::Above).label(worst, "worst", VERMILION, Side::Above);
+            panel.label(median, "median", VERMILION, Side::Above).label(
+                worst,
+                "worst",
+                VERMILION,
+                Side::Above,
+            );
         }
     }
     panel
@@ -43,21 +60,38 @@ fn errors(effects: &[(Effect, &Row)]) -> Panel {
 /// What each effect takes of the scene's solves, above, and of its time.
 fn costs(effects: &[(Effect, &Row)], whole: &Row) -> Panel {
     let [solves, seconds] = [whole.solves as f64, whole.seconds];
-    let shares = |row: &Row| [100.0 * row.saved_solves as f64 / solves, 100.0 * row.saved_seconds / seconds];
-    let least = effects.iter().flat_map(|(_, row)| shares(row)).fold(0.0, f64::min);
-    let x = Axis::linear("part of the whole (%)", [10.0 * (0.1 * least).floor(), 100.0]);
-    let mut panel = Panel::new("Kept: what it adds", x, Axis::names(effects.iter().map(|_| ""))).margin(176);
+    let shares = |row: &Row| {
+        [
+            100.0 * row.saved_solves as f64 / solves,
+            100.0 * row.saved_seconds / seconds,
+        ]
+    };
+    let least = effects
+        .iter()
+        .flat_map(|(_, row)| shares(row))
+        .fold(0.0, f64::min);
+    let x = Axis::linear(
+        "part of the whole (%)",
+        [10.0 * (0.1 * least).floor(), 100.0],
+    );
+    let mut panel = Panel::new(
+        "Kept: what it adds",
+        x,
+        Axis::names(effects.iter().map(|_| "")),
+    )
+    .margin(176);
     for (i, (_, row)) in effects.iter().enumerate() {
         let [solves, seconds, bytes] = row.saved();
         let texts = [format!("{solves} solves, {bytes}"), seconds];
-        for (k, (share, (text, colour))) in shares(row).into_iter().zip(texts.into_iter().zip([BLUE, GREY])).enumerate() {
+        for (k, (share, (text, colour))) in shares(row)
+            .into_iter()
+            .zip(texts.into_iter().zip([BLUE, GREY]))
+            .enumerate()
+        {
             let middle = i as f64 + [0.3, 0.7][k];
-            panel.cell([0.0, share], [middle - 0.14, middle + 0.14], colour).label(
-                [share.max(0.0), middle],
-                text,
-                colour,
-                Side::Right,
-            );
+            panel
+                .cell([0.0, share], [middle - 0.14, middle + 0.14], colour)
+                .label([share.max(0.0), middle], text, colour, Side::Right);
         }
     }
     panel

@@ -1,7 +1,8 @@
-//! What a table really differs from direct solves between its nodes, over `a/t` and `E1/E2`: at the worst of many `nu1` and `E0/E2`.
+//! What a table really differs from direct solves between its nodes, over `a/t` and `E1/E2`: at the
+//! worst of many `nu1` and `E0/E2`.
 
+use interp::Parameter;
 use interp::Table;
-use interp::schema::Parameter;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 use rayon::prelude::*;
@@ -10,7 +11,8 @@ use super::axis::Axis;
 use super::chart::{BLACK, Colour, Figure, Panel, Side};
 use super::picture::legible;
 use crate::Error;
-use crate::certify::{self, sample};
+use crate::table::certify::Axis as TableAxis;
+use crate::table::sample;
 
 /// Cells of the map along `a/t` and `E1/E2`.
 pub const CELLS: [usize; 2] = [72, 42];
@@ -35,13 +37,16 @@ pub struct Data {
 
 /// What there is no map over, if anything: the name and the value of what the table fixes.
 pub fn fixed(table: &Table) -> Option<(&'static str, f64)> {
-    [Parameter::AOverT, Parameter::E1OverE2].into_iter().find_map(|parameter| match table.axis(parameter) {
-        [only] => Some((parameter.name(), *only)),
-        _ => None,
-    })
+    [Parameter::AOverT, Parameter::E1OverE2]
+        .into_iter()
+        .find_map(|parameter| match table.axis(parameter) {
+            [only] => Some((parameter.name(), *only)),
+            _ => None,
+        })
 }
 
-/// Compares a table with [`POINTS`] direct solves in each cell, and calls `progress` with the number of cells done.
+/// Compares a table with [`POINTS`] direct solves in each cell, and calls `progress` with the
+/// number of cells done.
 ///
 /// The result does not depend on the number of threads.
 ///
@@ -49,28 +54,45 @@ pub fn fixed(table: &Table) -> Option<(&'static str, f64)> {
 /// [`Error::Picture`] for a table that fixes `a/t` or `E1/E2`; those of the solve.
 pub fn data(table: &Table, progress: &(dyn Fn(usize) + Sync)) -> Result<Data, Error> {
     if let Some((name, only)) = fixed(table) {
-        let what = format!("the map is over a_over_t and e1_over_e2, but the table fixes {name} = {only}");
+        let what =
+            format!("the map is over a_over_t and e1_over_e2, but the table fixes {name} = {only}");
         return Err(Error::Picture(what));
     }
-    let axes = Parameter::ALL.map(|parameter| certify::Axis::new(parameter, table.axis(parameter)));
+    let axes = Parameter::ALL.map(|parameter| TableAxis::new(parameter, table.axis(parameter)));
     let share = |k: usize, i: usize| i as f64 / CELLS[k] as f64;
     let largest = |[column, row]: [usize; 2]| {
         let mut random = Pcg64Mcg::seed_from_u64((row * CELLS[0] + column) as u64);
         let mut worst = 0.0;
         for _ in 0..POINTS {
-            let [a_over_t, e1] =
-                [(0, column), (1, row)].map(|(k, i)| axes[k].at(random.random_range(share(k, i)..share(k, i + 1))));
-            let point = [a_over_t, e1, axes[2].anywhere(&mut random), axes[3].anywhere(&mut random)];
+            let [a_over_t, e1] = [(0, column), (1, row)]
+                .map(|(k, i)| axes[k].at(random.random_range(share(k, i)..share(k, i + 1))));
+            let point = [
+                a_over_t,
+                e1,
+                axes[2].anywhere(&mut random),
+                axes[3].anywhere(&mut random),
+            ];
             let error = sample(table, point)?.error;
             // NaN is the worst of all.
-            worst = if error > worst || error.is_nan() { error } else { worst };
+            worst = if error > worst || error.is_nan() {
+                error
+            } else {
+                worst
+            };
         }
         progress(1);
         Ok(worst)
     };
-    let row = |row: usize| (0..CELLS[0]).into_par_iter().map(|column| largest([column, row])).collect::<Vec<Result<f64, Error>>>();
+    let row = |row: usize| {
+        (0..CELLS[0])
+            .into_par_iter()
+            .map(|column| largest([column, row]))
+            .collect::<Vec<Result<f64, Error>>>()
+    };
     // In two steps: of several errors, the first one is returned.
-    let errors = (0..CELLS[1]).map(|i| row(i).into_iter().collect()).collect::<Result<_, Error>>()?;
+    let errors = (0..CELLS[1])
+        .map(|i| row(i).into_iter().collect())
+        .collect::<Result<_, Error>>()?;
     let description = table.description();
     Ok(Data {
         title: description.title.clone(),
@@ -88,27 +110,48 @@ const STEPS: f64 = 4.0;
 pub fn figure(data: &Data) -> Figure {
     let [x, y] = &data.borders;
     let ends = |borders: &[f64]| [borders[0], borders[borders.len() - 1]];
-    let title = format!("{}, tolerance {:e}", shortened(&legible(&data.title)), data.tolerance);
+    let title = format!(
+        "{}, tolerance {:e}",
+        shortened(&legible(&data.title)),
+        data.tolerance
+    );
     let x_axis = Axis::logarithmic("contact radius / film thickness, a/t", ends(x));
-    let mut map = Panel::new(title, x_axis, Axis::logarithmic("film modulus, E_{1}/E_{2}*", ends(y)));
+    let mut map = Panel::new(
+        title,
+        x_axis,
+        Axis::logarithmic("film modulus, E_{1}/E_{2}*", ends(y)),
+    );
     let scale = Scale::new(data);
     for (row, errors) in data.errors.iter().enumerate() {
-        // Neighbours of one colour are one cell. Each reaches to the far corner of the map, under those that follow: between shapes
-        // that only touch, the paper would shine through.
+        // Neighbours of one colour are one cell. Each reaches to the far corner of the map, under
+        // those that follow: between shapes that only touch, the paper would shine through.
         let mut column = 0;
         for cells in errors.chunk_by(|a, b| scale.step(*a) == scale.step(*b)) {
-            map.cell([x[column], ends(x)[1]], [y[row], ends(y)[1]], scale.colour(scale.step(cells[0])));
+            map.cell(
+                [x[column], ends(x)[1]],
+                [y[row], ends(y)[1]],
+                scale.colour(scale.step(cells[0])),
+            );
             column += cells.len();
         }
     }
-    let mut bar = Panel::new("", Axis::hidden(), Axis::logarithmic("relative error, worst ν_{1}, E_{0}/E_{2}*", scale.range()))
-        .share(0.3)
-        .margin(96);
+    let mut bar = Panel::new(
+        "",
+        Axis::hidden(),
+        Axis::logarithmic("relative error, worst ν_{1}, E_{0}/E_{2}*", scale.range()),
+    )
+    .share(0.3)
+    .margin(96);
     for step in 0..scale.steps {
-        bar.cell([0.0, 1.0], [step, step + 1].map(|step| scale.value(step)), scale.colour(step));
+        bar.cell(
+            [0.0, 1.0],
+            [step, step + 1].map(|step| scale.value(step)),
+            scale.colour(step),
+        );
     }
     for (error, name) in [(data.tolerance, "tolerance"), (data.certified, "certified")] {
-        bar.line([[0.0, error], [1.2, error]], BLACK).label([1.0, error], name, BLACK, Side::Right);
+        bar.line([[0.0, error], [1.2, error]], BLACK)
+            .label([1.0, error], name, BLACK, Side::Right);
     }
     Figure::new(460, [map, bar])
 }
@@ -116,7 +159,11 @@ pub fn figure(data: &Data) -> Figure {
 /// A title that leaves room for others.
 fn shortened(title: &str) -> String {
     const MOST: usize = 54;
-    if title.chars().count() <= MOST { title.to_owned() } else { title.chars().take(MOST - 1).chain(['…']).collect() }
+    if title.chars().count() <= MOST {
+        title.to_owned()
+    } else {
+        title.chars().take(MOST - 1).chain(['…']).collect()
+    }
 }
 
 /// Which colour an error has.
@@ -131,10 +178,20 @@ impl Scale {
     fn new(data: &Data) -> Self {
         let mut errors: Vec<f64> = data.errors.iter().flatten().copied().collect();
         errors.sort_by(f64::total_cmp);
-        let largest = errors.iter().rev().find(|error| error.is_finite()).map_or(data.tolerance, |e| e.max(data.tolerance));
+        let largest = errors
+            .iter()
+            .rev()
+            .find(|error| error.is_finite())
+            .map_or(data.tolerance, |e| e.max(data.tolerance));
         let median = errors[errors.len() / 2].max(1e-16);
-        let (from, to) = ((median.log10() - 2.0).floor(), (STEPS * largest.log10()).ceil() / STEPS);
-        Self { from, steps: (STEPS * (to - from)) as u32 }
+        let (from, to) = (
+            (median.log10() - 2.0).floor(),
+            (STEPS * largest.log10()).ceil() / STEPS,
+        );
+        Self {
+            from,
+            steps: (STEPS * (to - from)) as u32,
+        }
     }
 
     fn range(&self) -> [f64; 2] {
@@ -149,7 +206,11 @@ impl Scale {
     fn step(&self, error: f64) -> u32 {
         let step = STEPS * (error.log10() - self.from);
         // NaN is beyond all errors.
-        if step.is_nan() { self.steps - 1 } else { step.clamp(0.0, f64::from(self.steps - 1)) as u32 }
+        if step.is_nan() {
+            self.steps - 1
+        } else {
+            step.clamp(0.0, f64::from(self.steps - 1)) as u32
+        }
     }
 
     fn colour(&self, step: u32) -> Colour {
@@ -157,7 +218,8 @@ impl Scale {
     }
 }
 
-/// The colour map viridis, by van der Walt and Smith (2015): as even to the colour-blind, and in grey.
+/// The colour map viridis, by van der Walt and Smith (2015): as even to the colour-blind, and in
+/// grey.
 fn viridis(part: f64) -> Colour {
     const STOPS: [[u8; 3]; 9] = [
         [68, 1, 84],

@@ -1,4 +1,5 @@
-//! Fig. 2 of the paper: the adhesionless load `Pi0` against `a/t` for the material of Table 1, between its two limits.
+//! Fig. 2 of the paper: the adhesionless load `Pi0` against `a/t` for the material of Table 1,
+//! between its two limits.
 
 use interp::Quantity;
 
@@ -19,24 +20,47 @@ pub struct Data {
 /// From direct solves.
 ///
 /// # Errors
-/// Those of [`crate::curve::curve`].
+/// Those of [`crate::solve::curve`].
 pub fn data() -> Result<Data, Error> {
     let curve = paper::quantities()?;
     let point = |a_over_t| Ok([a_over_t, curve.quantity(Quantity::Pi0, a_over_t)?]);
     let material = curve.material();
-    let limits = [material.thick_film_limit().pi0, material.thin_film_limit().pi0];
-    Ok(Data { pi0: paper::a_over_t(301).map(point).collect::<Result<_, Error>>()?, limits })
+    let limits = [
+        material.thick_film_limit().pi0,
+        material.thin_film_limit().pi0,
+    ];
+    Ok(Data {
+        pi0: paper::a_over_t(301)
+            .map(point)
+            .collect::<Result<_, Error>>()?,
+        limits,
+    })
 }
 
 /// Draws it.
 pub fn figure(data: &Data) -> Figure {
     let x = Axis::logarithmic("contact radius / film thickness, a/t", paper::A_OVER_T);
-    let y = Axis::linear("normalised load Π_{0} = 2RF_{0} / (a^{3}E_{2}*)", [1.8, 2.8]);
-    let mut panel = Panel::new("Fig. 2: adhesionless load of a sphere on a coated substrate", x, y);
+    let y = Axis::linear(
+        "normalised load Π_{0} = 2RF_{0} / (a^{3}E_{2}*)",
+        [1.8, 2.8],
+    );
+    let mut panel = Panel::new(
+        "Fig. 2: adhesionless load of a sphere on a coated substrate",
+        x,
+        y,
+    );
     let [film, substrate] = data.limits;
     panel
-        .horizontal_guide(film, format!("sphere on film alone: (8/3) E_{{s}}*/E_{{2}}* = {film:.3}"), Side::Right)
-        .horizontal_guide(substrate, format!("sphere on substrate alone: 8/3 = {substrate:.3}"), Side::Left)
+        .horizontal_guide(
+            film,
+            format!("sphere on film alone: (8/3) E_{{s}}*/E_{{2}}* = {film:.3}"),
+            Side::Right,
+        )
+        .horizontal_guide(
+            substrate,
+            format!("sphere on substrate alone: 8/3 = {substrate:.3}"),
+            Side::Left,
+        )
         .line(data.pi0.clone(), BLUE);
     let middle = data.pi0[data.pi0.len() * 11 / 20];
     panel.label(middle, "Π_{0}", BLUE, Side::AboveLeft);

@@ -1,4 +1,5 @@
-//! Fig. 3 of the paper: the contact stiffness `Eeq` and the edge singularity `Gamma` against `a/t` for the material of Table 1.
+//! Fig. 3 of the paper: the contact stiffness `Eeq` and the edge singularity `Gamma` against `a/t`
+//! for the material of Table 1.
 
 use interp::Quantity;
 
@@ -14,39 +15,74 @@ pub struct Data {
     pub eeq: Vec<Point>,
     /// `a/t` and `Gamma`.
     pub gamma: Vec<Point>,
-    /// `es`, `sqrt(es einf)` and `einf`: all three of a thick film, the edge on a thin film, the stiffness on a thin film.
+    /// `es`, `sqrt(es einf)` and `einf`: all three of a thick film, the edge on a thin film, the
+    /// stiffness on a thin film.
     pub limits: [f64; 3],
 }
 
 /// From direct solves.
 ///
 /// # Errors
-/// Those of [`crate::curve::curve`].
+/// Those of [`crate::solve::curve`].
 pub fn data() -> Result<Data, Error> {
     let curve = paper::quantities()?;
-    let line = |quantity| paper::a_over_t(301).map(|x| Ok([x, curve.quantity(quantity, x)?])).collect::<Result<_, Error>>();
-    let (thick, thin) = (curve.material().thick_film_limit(), curve.material().thin_film_limit());
-    Ok(Data { eeq: line(Quantity::Eeq)?, gamma: line(Quantity::Gamma)?, limits: [thick.eeq, thin.gamma, thin.eeq] })
+    let line = |quantity| {
+        paper::a_over_t(301)
+            .map(|x| Ok([x, curve.quantity(quantity, x)?]))
+            .collect::<Result<_, Error>>()
+    };
+    let (thick, thin) = (
+        curve.material().thick_film_limit(),
+        curve.material().thin_film_limit(),
+    );
+    Ok(Data {
+        eeq: line(Quantity::Eeq)?,
+        gamma: line(Quantity::Gamma)?,
+        limits: [thick.eeq, thin.gamma, thin.eeq],
+    })
 }
 
 /// Draws it.
 pub fn figure(data: &Data) -> Figure {
     let x = Axis::logarithmic("contact radius / film thickness, a/t", paper::A_OVER_T);
     let y = Axis::linear("normalised by E_{2}*", [0.65, 1.05]);
-    let mut panel = Panel::new("Fig. 3: stiffness and edge singularity of the contact", x, y);
+    let mut panel = Panel::new(
+        "Fig. 3: stiffness and edge singularity of the contact",
+        x,
+        y,
+    );
     let [film, edge, substrate] = data.limits;
     panel
-        .horizontal_guide(film, format!("sphere on film alone: E_{{s}}*/E_{{2}}* = {film:.1}"), Side::Right)
-        .horizontal_guide(edge, format!("edge on a thin film: √{film:.1} = {edge:.3}"), Side::Left)
-        .horizontal_guide(substrate, format!("sphere on substrate alone: {substrate:.0}"), Side::Left)
+        .horizontal_guide(
+            film,
+            format!("sphere on film alone: E_{{s}}*/E_{{2}}* = {film:.1}"),
+            Side::Right,
+        )
+        .horizontal_guide(
+            edge,
+            format!("edge on a thin film: √{film:.1} = {edge:.3}"),
+            Side::Left,
+        )
+        .horizontal_guide(
+            substrate,
+            format!("sphere on substrate alone: {substrate:.0}"),
+            Side::Left,
+        )
         .line(data.eeq.clone(), BLUE)
         .line(data.gamma.clone(), VERMILION);
     let at = |line: &[Point], twentieths: usize| line[line.len() * twentieths / 20];
-    panel.label(at(&data.eeq, 11), "E_{eq}, contact stiffness", BLUE, Side::AboveLeft).label(
-        at(&data.gamma, 11),
-        "Γ, edge singularity",
-        VERMILION,
-        Side::BelowRight,
-    );
+    panel
+        .label(
+            at(&data.eeq, 11),
+            "E_{eq}, contact stiffness",
+            BLUE,
+            Side::AboveLeft,
+        )
+        .label(
+            at(&data.gamma, 11),
+            "Γ, edge singularity",
+            VERMILION,
+            Side::BelowRight,
+        );
     Figure::new(440, [panel])
 }

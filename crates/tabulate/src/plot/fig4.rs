@@ -1,5 +1,5 @@
-//! Fig. 4 of the paper: reduced JKR plots (eq. 9) for several film thicknesses, with the lines of JKR without a film and without a
-//! substrate.
+//! Fig. 4 of the paper: reduced JKR plots (eq. 9) for several film thicknesses, with the lines of
+//! JKR without a film and without a substrate.
 
 use interp::{Contact, HalfSpace};
 
@@ -28,12 +28,20 @@ pub struct Data {
 /// From direct solves.
 ///
 /// # Errors
-/// Those of [`crate::curve::curve`].
+/// Those of [`crate::solve::curve`].
 pub fn data() -> Result<Data, Error> {
     let system = paper::system(THICKNESSES[0])?;
-    let half_space = |solid| Contact::half_space(&HalfSpace { solid, ..system.without_film() });
+    let half_space = |solid| {
+        Contact::half_space(&HalfSpace {
+            solid,
+            ..system.without_film()
+        })
+    };
     Ok(Data {
-        films: THICKNESSES.iter().map(|&t| jkr_plot(&paper::contact(t)?)).collect::<Result<_, Error>>()?,
+        films: THICKNESSES
+            .iter()
+            .map(|&t| jkr_plot(&paper::contact(t)?))
+            .collect::<Result<_, Error>>()?,
         sphere: jkr_plot(&half_space(system.substrate)?)?,
         sphere_film: jkr_plot(&half_space(system.film)?)?,
     })
@@ -44,7 +52,9 @@ fn jkr_plot(contact: &Contact) -> Result<Vec<Point>, Error> {
     const POINTS: u32 = 300;
     let point = |i: u32| {
         let a = LARGEST_RADIUS * (f64::from(i) / f64::from(POINTS)).powf(2.0 / 3.0);
-        let jkr = contact.mechanics().jkr_point(a, contact.load(a, WORK_OF_ADHESION)?);
+        let jkr = contact
+            .mechanics()
+            .jkr_point(a, contact.load(a, WORK_OF_ADHESION)?);
         Ok([jkr.abscissa, jkr.ordinate])
     };
     (1..=POINTS).map(point).collect()
@@ -52,19 +62,36 @@ fn jkr_plot(contact: &Contact) -> Result<Vec<Point>, Error> {
 
 /// Draws it.
 pub fn figure(data: &Data) -> Figure {
-    let scaled = |line: &[Point]| -> Vec<Point> { line.iter().map(|[x, y]| [1e4 * x, *y]).collect() };
+    let scaled =
+        |line: &[Point]| -> Vec<Point> { line.iter().map(|[x, y]| [1e4 * x, *y]).collect() };
     let (sphere, sphere_film) = (scaled(&data.sphere), scaled(&data.sphere_film));
     let end = sphere[sphere.len() - 1][0];
     let x = Axis::linear("a^{3/2} / (√π R)  (10^{−4} m^{1/2})", [0.0, end]);
     let y = Axis::linear("F / (√6π a^{3/2})  (N m^{−3/2})", [-400.0, 600.0]);
-    let mut panel = Panel::new("Fig. 4: reduced JKR plots for films of 1 to 100 μm", x, y).margin(70);
-    for ((line, t), colour) in data.films.iter().zip(THICKNESSES).zip([BLUE, GREEN, ORANGE, VERMILION, PURPLE]) {
+    let mut panel =
+        Panel::new("Fig. 4: reduced JKR plots for films of 1 to 100 μm", x, y).margin(70);
+    for ((line, t), colour) in data
+        .films
+        .iter()
+        .zip(THICKNESSES)
+        .zip([BLUE, GREEN, ORANGE, VERMILION, PURPLE])
+    {
         let line = scaled(line);
         panel.line(line.clone(), colour);
-        panel.label(line[line.len() - 1], format!("{:.0} μm", 1e6 * t), colour, Side::Right);
+        panel.label(
+            line[line.len() - 1],
+            format!("{:.0} μm", 1e6 * t),
+            colour,
+            Side::Right,
+        );
     }
     let at = |line: &[Point], part: f64| line[(part * line.len() as f64) as usize];
-    panel.dashed(sphere.clone(), BLACK).label(at(&sphere, 0.75), "JKR, sphere: no film", BLACK, Side::AboveLeft);
+    panel.dashed(sphere.clone(), BLACK).label(
+        at(&sphere, 0.75),
+        "JKR, sphere: no film",
+        BLACK,
+        Side::AboveLeft,
+    );
     panel.dashed(sphere_film.clone(), BLACK).label(
         at(&sphere_film, 0.6),
         "JKR, sphere-film: no substrate",

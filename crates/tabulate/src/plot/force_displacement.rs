@@ -1,5 +1,5 @@
-//! Load against penetration for the paper's system with films of several thicknesses: the course with imposed penetration and with
-//! imposed load, with the jumps where stability ends.
+//! Load against penetration for the paper's system with films of several thicknesses: the course
+//! with imposed penetration and with imposed load, with the jumps where stability ends.
 
 use interp::{Control, ForceDisplacement, State};
 
@@ -31,13 +31,21 @@ pub struct Film {
 /// From direct solves, for each of [`THICKNESSES`].
 ///
 /// # Errors
-/// Those of [`crate::curve::curve`].
+/// Those of [`crate::solve::curve`].
 pub fn data() -> Result<Vec<Film>, Error> {
     let film = |&thickness: &f64| {
         let contact = paper::contact(thickness)?;
-        let course = |control, most| contact.equilibria(WORK_OF_ADHESION, control)?.force_displacement(most, POINTS);
+        let course = |control, most| {
+            contact
+                .equilibria(WORK_OF_ADHESION, control)?
+                .force_displacement(most, POINTS)
+        };
         let [deepest, heaviest] = FARTHEST;
-        Ok(Film { thickness, displacement: course(Control::Displacement, deepest)?, load: course(Control::Load, heaviest)? })
+        Ok(Film {
+            thickness,
+            displacement: course(Control::Displacement, deepest)?,
+            load: course(Control::Load, heaviest)?,
+        })
     };
     THICKNESSES.iter().map(film).collect()
 }
@@ -45,9 +53,16 @@ pub fn data() -> Result<Vec<Film>, Error> {
 /// Draws it.
 pub fn figure(films: &[Film]) -> Figure {
     let mut penetration = panel("Imposed penetration", films, |film| &film.displacement);
-    penetration.label([0.0, -0.05], "touch", GREY, Side::Right).label([-1.45, -0.05], "separation", GREY, Side::Left);
+    penetration
+        .label([0.0, -0.05], "touch", GREY, Side::Right)
+        .label([-1.45, -0.05], "separation", GREY, Side::Left);
     let mut load = panel("Imposed load", films, |film| &film.load);
-    load.label([0.7, 0.0], "touch", GREY, Side::Above).label([-2.4, -0.19], "separation", GREY, Side::Above);
+    load.label([0.7, 0.0], "touch", GREY, Side::Above).label(
+        [-2.4, -0.19],
+        "separation",
+        GREY,
+        Side::Above,
+    );
     Figure::new(460, [penetration, load])
 }
 
@@ -55,9 +70,19 @@ pub fn figure(films: &[Film]) -> Figure {
 const PENETRATIONS: [f64; 2] = [-4.0, 5.0];
 
 fn panel(title: &str, films: &[Film], course: fn(&Film) -> &ForceDisplacement) -> Panel {
-    let mut panel = Panel::new(title, Axis::linear("penetration (μm)", PENETRATIONS), Axis::linear("load (mN)", [-0.25, 0.4]));
-    panel.line([[PENETRATIONS[0], 0.0], [0.0, 0.0]], GREY).label([-2.5, 0.0], "no contact", GREY, Side::Above);
-    for (film, (colour, side)) in films.iter().zip([(BLUE, Side::Left), (GREEN, Side::Below), (VERMILION, Side::Right)]) {
+    let mut panel = Panel::new(
+        title,
+        Axis::linear("penetration (μm)", PENETRATIONS),
+        Axis::linear("load (mN)", [-0.25, 0.4]),
+    );
+    panel
+        .line([[PENETRATIONS[0], 0.0], [0.0, 0.0]], GREY)
+        .label([-2.5, 0.0], "no contact", GREY, Side::Above);
+    for (film, (colour, side)) in films.iter().zip([
+        (BLUE, Side::Left),
+        (GREEN, Side::Below),
+        (VERMILION, Side::Right),
+    ]) {
         let course = course(film);
         let branches = course.loading.iter().chain(&course.unloading);
         for branch in branches.clone() {
@@ -66,13 +91,30 @@ fn panel(title: &str, films: &[Film], course: fn(&Film) -> &ForceDisplacement) -
         for jump in &course.jumps {
             // Where there is no rest, the sphere leaves the figure, too.
             let gone = [PENETRATIONS[0], point(&jump.from)[1]];
-            panel.arrow(point(&jump.from), jump.to.as_ref().map_or(gone, point), colour);
+            panel.arrow(
+                point(&jump.from),
+                jump.to.as_ref().map_or(gone, point),
+                colour,
+            );
         }
         // Beside the curve above zero load, or below its lowest point.
-        let height = |state: &State| if side == Side::Below { state.load } else { (state.load - 0.06e-3).abs() };
-        let named = branches.flatten().min_by(|a, b| height(a).total_cmp(&height(b)));
+        let height = |state: &State| {
+            if side == Side::Below {
+                state.load
+            } else {
+                (state.load - 0.06e-3).abs()
+            }
+        };
+        let named = branches
+            .flatten()
+            .min_by(|a, b| height(a).total_cmp(&height(b)));
         if let Some(state) = named {
-            panel.label(point(state), format!("{:.0} μm film", 1e6 * film.thickness), colour, side);
+            panel.label(
+                point(state),
+                format!("{:.0} μm film", 1e6 * film.thickness),
+                colour,
+                side,
+            );
         }
     }
     panel

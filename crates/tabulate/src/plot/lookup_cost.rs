@@ -5,7 +5,8 @@ use super::chart::{BLUE, Colour, Figure, GREEN, Marker, Panel, Side, VERMILION};
 use crate::Error;
 use crate::cost::lookup::{FURTHER, Family, NEW, Row};
 
-/// Draws it: what holds over the whole box of the table, and the series for layers where they apply.
+/// Draws it: what holds over the whole box of the table, and the series for layers where they
+/// apply.
 ///
 /// # Errors
 /// [`Error::Picture`] if one of them has no row.
@@ -14,23 +15,39 @@ pub fn figure(rows: &[Row]) -> Result<Figure, Error> {
         let mut rows = rows.iter().filter(|row| row.at == at).peekable();
         // Of the scopes of the layers, the first has the thickest.
         let scope = rows.peek().map_or("", |row| row.scope.as_str());
-        let drawn: Vec<_> = rows.filter(move |row| row.scope == scope && is_drawn(row)).collect();
-        if drawn.is_empty() { Err(Error::Picture(format!("there is no row at a given {at}"))) } else { Ok(drawn) }
+        let drawn: Vec<_> = rows
+            .filter(move |row| row.scope == scope && is_drawn(row))
+            .collect();
+        if drawn.is_empty() {
+            Err(Error::Picture(format!("there is no row at a given {at}")))
+        } else {
+            Ok(drawn)
+        }
     };
     let (in_box, of_layers) = (drawn("contact radius")?, drawn("penetration")?);
     let all = || in_box.iter().chain(&of_layers);
-    let [least, most] = Axis::decades("", all().flat_map(|row| [row.median_error, largest(row)])).range();
+    let [least, most] =
+        Axis::decades("", all().flat_map(|row| [row.median_error, largest(row)])).range();
     let errors = |label: &str| Axis::logarithmic(label, [least, 10.0 * most]);
     let left = Panel::new(
         "any contact in the table's box",
         times(&in_box, [0.15, 12.0]),
         errors("relative error of the load: disc median, circle largest; shifted apart"),
     );
-    let right = Panel::new("bonded layer, a/t < 1, ν_{1} = 0.5", times(&of_layers, [0.4, 30.0]), errors("")).share(0.55);
-    Ok(Figure::new(600, [panel(left, &in_box), panel(right, &of_layers)]))
+    let right = Panel::new(
+        "bonded layer, a/t < 1, ν_{1} = 0.5",
+        times(&of_layers, [0.4, 30.0]),
+        errors(""),
+    )
+    .share(0.55);
+    Ok(Figure::new(
+        600,
+        [panel(left, &in_box), panel(right, &of_layers)],
+    ))
 }
 
-/// The largest error, or how many times too small the largest underestimate is, less one: a load of nothing is off by more than 1.
+/// The largest error, or how many times too small the largest underestimate is, less one: a load of
+/// nothing is off by more than 1.
 fn largest(row: &Row) -> f64 {
     row.max_error.max(row.max_factor - 1.0)
 }
@@ -47,17 +64,24 @@ fn nanoseconds(row: &Row) -> f64 {
 /// From this part of the first to so many times the last, for labels.
 fn times(rows: &[&Row], [before, after]: [f64; 2]) -> Axis {
     let times = || rows.iter().map(|row| nanoseconds(row));
-    Axis::logarithmic("time (ns)", [before * times().fold(f64::INFINITY, f64::min), after * times().fold(0.0, f64::max)])
+    Axis::logarithmic(
+        "time (ns)",
+        [
+            before * times().fold(f64::INFINITY, f64::min),
+            after * times().fold(0.0, f64::max),
+        ],
+    )
 }
 
-/// A disc at the median error of each form, and a line to a circle at the largest: beside each other where they would lie on each
-/// other.
+/// A disc at the median error of each form, and a line to a circle at the largest: beside each
+/// other where they would lie on each other.
 fn panel(mut panel: Panel, rows: &[&Row]) -> Panel {
     /// The ratio of times at which they no longer do.
     const APART: f64 = 1.25;
     let mut before: Vec<(f64, &Row)> = Vec::new();
     for row in rows {
-        let meets = |other: &Row| other.median_error <= largest(row) && largest(other) >= row.median_error;
+        let meets =
+            |other: &Row| other.median_error <= largest(row) && largest(other) >= row.median_error;
         let mut time = nanoseconds(row);
         for (other, _) in before.iter().filter(|(_, other)| meets(other)) {
             if time < APART * other && *other < APART * time {
@@ -68,9 +92,16 @@ fn panel(mut panel: Panel, rows: &[&Row]) -> Panel {
         let colour = colour(row.family);
         let ends @ [median, circle] = [[time, row.median_error], [time, largest(row)]];
         panel.line(ends, colour);
-        panel.markers([median], colour, Marker::Full).markers([circle], colour, Marker::Hollow);
+        panel
+            .markers([median], colour, Marker::Full)
+            .markers([circle], colour, Marker::Hollow);
         let (text, end, side) = label(row);
-        panel.label(if end == End::Disc { median } else { circle }, text, colour, side);
+        panel.label(
+            if end == End::Disc { median } else { circle },
+            text,
+            colour,
+            side,
+        );
     }
     panel
 }
@@ -89,7 +120,11 @@ fn label(row: &Row) -> (&str, End, Side) {
         ("packed table", _) => ("packed: new material", End::Disc, Side::Right),
         ("dense table", _) => ("dense: new material", End::Circle, Side::Above),
         (form, _) => {
-            let name = form.split(',').next().unwrap_or_default().trim_start_matches("direct ");
+            let name = form
+                .split(',')
+                .next()
+                .unwrap_or_default()
+                .trim_start_matches("direct ");
             match name.split(' ').next().unwrap_or_default() {
                 "bulk" => (name, End::Circle, Side::Above),
                 "film" => (name, End::Disc, Side::Left),

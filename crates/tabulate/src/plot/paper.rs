@@ -1,10 +1,11 @@
-//! The case that the paper calculates, Tables 1 and 2 of Barthel, *Adhesive contact of a compliant sphere to an elastic coated
-//! substrate: the thin film limit*: an elastomer lens on an incompressible film on silicon.
+//! The case that the paper calculates, Tables 1 and 2 of Barthel, *Adhesive contact of a compliant
+//! sphere to an elastic coated substrate: the thin film limit*: an elastomer lens on an
+//! incompressible film on silicon.
 
 use interp::{Contact, Curve, Elastic, System};
 
 use crate::Error;
-use crate::curve::curve;
+use crate::solve::curve;
 
 /// Work of adhesion, J/m^2 (Table 2).
 pub const WORK_OF_ADHESION: f64 = 0.04;
@@ -21,7 +22,13 @@ const TOLERANCE: f64 = 1e-8;
 /// None for a thickness: the rest is physical.
 pub fn system(film_thickness: f64) -> Result<System, Error> {
     let [film, substrate] = [Elastic::new(3.5e6, 0.5)?, Elastic::new(2e11, 0.25)?];
-    Ok(System { sphere_radius: 1e-3, sphere_modulus: 2e6, film, film_thickness, substrate })
+    Ok(System {
+        sphere_radius: 1e-3,
+        sphere_modulus: 2e6,
+        film,
+        film_thickness,
+        substrate,
+    })
 }
 
 /// The quantities of Table 1 as functions of `a/t`, from direct solves.
@@ -43,5 +50,6 @@ pub fn contact(film_thickness: f64) -> Result<Contact, Error> {
 /// `count` values of `a/t`, evenly spaced in its logarithm, both ends of [`A_OVER_T`] included.
 pub(super) fn a_over_t(count: usize) -> impl Iterator<Item = f64> {
     let [from, to] = A_OVER_T;
-    (0..count).map(move |i| (from * (to / from).powf(i as f64 / (count - 1) as f64)).clamp(from, to))
+    (0..count)
+        .map(move |i| (from * (to / from).powf(i as f64 / (count - 1) as f64)).clamp(from, to))
 }

@@ -1,5 +1,5 @@
-//! A finished picture: SVG whose text is outlines, or PNG. No font of the system is looked for, and the same picture is the same
-//! bytes everywhere.
+//! A finished picture: SVG whose text is outlines, or PNG. No font of the system is looked for, and
+//! the same picture is the same bytes everywhere.
 
 use std::path::Path;
 use std::sync::{Arc, LazyLock};
@@ -34,7 +34,10 @@ impl Format {
         match path.extension().and_then(|ending| ending.to_str()) {
             Some("svg") => Ok(Self::Svg),
             Some("png") => Ok(Self::Png),
-            _ => Err(Error::Picture(format!("the name of a picture ends in .svg or .png, but this is {}", path.display()))),
+            _ => Err(Error::Picture(format!(
+                "the name of a picture ends in .svg or .png, but this is {}",
+                path.display()
+            ))),
         }
     }
 }
@@ -55,11 +58,20 @@ impl Picture {
         static OPTIONS: LazyLock<Options<'_>> = LazyLock::new(|| {
             let mut fonts = Database::new();
             fonts.load_font_data(FONT.to_vec());
-            let family = fonts.faces().next().and_then(|face| face.families.first()).map(|(name, _)| name.clone());
+            let family = fonts
+                .faces()
+                .next()
+                .and_then(|face| face.families.first())
+                .map(|(name, _)| name.clone());
             fonts.set_sans_serif_family(family.expect("the embedded font has a name"));
-            Options { fontdb: Arc::new(fonts), ..Options::default() }
+            Options {
+                fontdb: Arc::new(fonts),
+                ..Options::default()
+            }
         });
-        Tree::from_str(&raised_and_lowered(svg), &OPTIONS).map(Self).map_err(|e| Error::Picture(e.to_string()))
+        Tree::from_str(&raised_and_lowered(svg), &OPTIONS)
+            .map(Self)
+            .map_err(|e| Error::Picture(e.to_string()))
     }
 
     /// Width and height in pixels.
@@ -83,19 +95,37 @@ impl Picture {
                 Ok(self.0.to_string(&options).into_bytes())
             }
             Format::Png => {
-                let [width, height] = self.size().map(|length| (length * PNG_SCALE as f32).ceil() as u32);
-                let mut pixels =
-                    Pixmap::new(width, height).ok_or_else(|| Error::Picture(format!("{width} by {height} pixels are too many")))?;
-                resvg::render(&self.0, Transform::from_scale(PNG_SCALE as f32, PNG_SCALE as f32), &mut pixels.as_mut());
-                pixels.encode_png().map_err(|e| Error::Picture(e.to_string()))
+                let [width, height] = self
+                    .size()
+                    .map(|length| (length * PNG_SCALE as f32).ceil() as u32);
+                let mut pixels = Pixmap::new(width, height).ok_or_else(|| {
+                    Error::Picture(format!("{width} by {height} pixels are too many"))
+                })?;
+                resvg::render(
+                    &self.0,
+                    Transform::from_scale(PNG_SCALE as f32, PNG_SCALE as f32),
+                    &mut pixels.as_mut(),
+                );
+                pixels
+                    .encode_png()
+                    .map_err(|e| Error::Picture(e.to_string()))
             }
         }
     }
 }
 
-/// Text from elsewhere, with question marks for characters that the font lacks, and without sub- and superscripts.
+/// Text from elsewhere, with question marks for characters that the font lacks, and without sub-
+/// and superscripts.
 pub fn legible(text: &str) -> String {
-    text.chars().map(|c| if CHARACTERS.contains(c) && !"{}".contains(c) { c } else { '?' }).collect()
+    text.chars()
+        .map(|c| {
+            if CHARACTERS.contains(c) && !"{}".contains(c) {
+                c
+            } else {
+                '?'
+            }
+        })
+        .collect()
 }
 
 /// The width of text of size 1.
@@ -116,9 +146,16 @@ fn raised_and_lowered(svg: &str) -> String {
     let mut rest = svg;
     while let Some(at) = rest.find("_{").into_iter().chain(rest.find("^{")).min() {
         let (before, inner) = rest.split_at(at);
-        let shift = if inner.starts_with('_') { "-22%" } else { "38%" };
-        let Some((inner, after)) = inner[2..].split_once('}') else { break };
-        out += &format!("{before}<tspan baseline-shift=\"{shift}\" font-size=\"72%\">{inner}</tspan>");
+        let shift = if inner.starts_with('_') {
+            "-22%"
+        } else {
+            "38%"
+        };
+        let Some((inner, after)) = inner[2..].split_once('}') else {
+            break;
+        };
+        out +=
+            &format!("{before}<tspan baseline-shift=\"{shift}\" font-size=\"72%\">{inner}</tspan>");
         rest = after;
     }
     out + rest
@@ -134,7 +171,13 @@ mod tests {
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"9\" height=\"9\"><text font-family=\"sans-serif\">&#{};</text></svg>",
             u32::from(text)
         );
-        String::from_utf8(Picture::from_svg(&svg).unwrap().encode(Format::Svg).unwrap()).unwrap()
+        String::from_utf8(
+            Picture::from_svg(&svg)
+                .unwrap()
+                .encode(Format::Svg)
+                .unwrap(),
+        )
+        .unwrap()
     }
 
     #[test]
@@ -143,7 +186,11 @@ mod tests {
         assert!(!outlines('☃').contains("<path"));
         for character in CHARACTERS.chars() {
             let drawn = outlines(character);
-            assert_eq!(drawn.contains("<path"), !character.is_whitespace(), "{character:?}: {drawn}");
+            assert_eq!(
+                drawn.contains("<path"),
+                !character.is_whitespace(),
+                "{character:?}: {drawn}"
+            );
         }
     }
 
@@ -155,7 +202,10 @@ mod tests {
 
     #[test]
     fn subscripts_are_told_from_what_is_not() {
-        assert_eq!(raised_and_lowered("a_{b}c"), "a<tspan baseline-shift=\"-22%\" font-size=\"72%\">b</tspan>c");
+        assert_eq!(
+            raised_and_lowered("a_{b}c"),
+            "a<tspan baseline-shift=\"-22%\" font-size=\"72%\">b</tspan>c"
+        );
         for plain in ["a_b", "a}", "_{a", "{a}"] {
             assert_eq!(raised_and_lowered(plain), plain);
         }

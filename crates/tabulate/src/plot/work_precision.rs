@@ -1,4 +1,5 @@
-//! Work-precision fronts: the error that one solve achieves against the time it takes, beside Nyström's method.
+//! Work-precision fronts: the error that one solve achieves against the time it takes, beside
+//! Nyström's method.
 
 use super::axis::{Axis, power_of_ten};
 use super::chart::{BLACK, BLUE, Figure, Marker, Panel, Point, Side, VERMILION};
@@ -8,24 +9,41 @@ use crate::cost::solve::{NYSTROM, PAPER, REFUSED, Row, by_contact, front};
 /// The contacts that have a panel, by name and `a/t`, row by row.
 const DRAWN: [[(&str, f64); 2]; 3] = [
     [(PAPER, 1.0), ("stiff film on a soft base", 30.0)],
-    [(PAPER, 30.0), ("nearly incompressible film on a rigid base", 30.0)],
-    [(PAPER, 100.0), ("incompressible film between rigid bodies", 100.0)],
+    [
+        (PAPER, 30.0),
+        ("nearly incompressible film on a rigid base", 30.0),
+    ],
+    [
+        (PAPER, 100.0),
+        ("incompressible film between rigid bodies", 100.0),
+    ],
 ];
 
-/// Draws it: discs for Galerkin's method, circles for Wiener and Hopf's, in any colour but that of Nyström's method.
+/// Draws it: discs for Galerkin's method, circles for Wiener and Hopf's, in any colour but that of
+/// Nyström's method.
 ///
 /// # Errors
 /// [`Error::Picture`] naming a contact that has no row.
 pub fn figure(rows: &[Row]) -> Result<Figure, Error> {
     let contact = |name: &str, x: f64| {
         let found = by_contact(rows).find(|rows| rows[0].contact == name && rows[0].a_over_t == x);
-        found.ok_or_else(|| Error::Picture(format!("there is no row of {name:?} at a_over_t = {x}")))
+        found
+            .ok_or_else(|| Error::Picture(format!("there is no row of {name:?} at a_over_t = {x}")))
     };
     let line = |line: [(&str, f64); 2]| {
-        let panels = line.into_iter().enumerate().map(|(column, (name, x))| Ok(panel(contact(name, x)?, name, x, column == 0)));
+        let panels = line
+            .into_iter()
+            .enumerate()
+            .map(|(column, (name, x))| Ok(panel(contact(name, x)?, name, x, column == 0)));
         panels.collect::<Result<Vec<_>, Error>>()
     };
-    Ok(Figure::grid(800, DRAWN.into_iter().map(line).collect::<Result<Vec<_>, Error>>()?))
+    Ok(Figure::grid(
+        800,
+        DRAWN
+            .into_iter()
+            .map(line)
+            .collect::<Result<Vec<_>, Error>>()?,
+    ))
 }
 
 /// One contact.
@@ -36,16 +54,27 @@ fn panel(rows: &[Row], name: &str, x: f64, first: bool) -> Panel {
     const ERRORS: [f64; 2] = [1e-18, 1.0];
     let errors = Axis::logarithmic(if first { "relative error achieved" } else { "" }, ERRORS);
     // The label takes room from the panel.
-    let mut panel = Panel::new(name, Axis::logarithmic("time (µs)", TIMES), errors).share(if first { 1.05 } else { 1.0 });
+    let mut panel = Panel::new(name, Axis::logarithmic("time (µs)", TIMES), errors)
+        .share(if first { 1.05 } else { 1.0 });
     let point = |row: &Row| -> Point { [1e6 * row.seconds, row.error.unwrap_or(f64::NAN)] };
 
     if let Some(refused) = rows.iter().find(|row| row.method == REFUSED) {
         let exponent = power_of_ten(refused.tolerance.log10().round() as i32);
-        panel.horizontal_guide(refused.tolerance, format!("tolerances of {exponent} and less are refused"), Side::Left);
+        panel.horizontal_guide(
+            refused.tolerance,
+            format!("tolerances of {exponent} and less are refused"),
+            Side::Left,
+        );
     }
     let nystrom = front(rows, |method| method == NYSTROM);
-    let points: Vec<Point> = nystrom.into_iter().map(point).filter(|[_, error]| *error < ERRORS[1]).collect();
-    panel.line(points.clone(), VERMILION).markers(points.clone(), VERMILION, Marker::Full);
+    let points: Vec<Point> = nystrom
+        .into_iter()
+        .map(point)
+        .filter(|[_, error]| *error < ERRORS[1])
+        .collect();
+    panel
+        .line(points.clone(), VERMILION)
+        .markers(points.clone(), VERMILION, Marker::Full);
     if let Some(middle) = points.get(points.len() / 2) {
         panel.label(*middle, "Nyström", VERMILION, Side::AboveRight);
     }
@@ -58,13 +87,26 @@ fn panel(rows: &[Row], name: &str, x: f64, first: bool) -> Panel {
     let runs: Vec<_> = own.chunk_by(|a, b| family(a) == family(b)).collect();
     for name in ["Galerkin", "Wiener–Hopf"] {
         // A method that is left and taken up again is named once.
-        let longest = runs.iter().enumerate().filter(|(_, run)| family(run[0]).0 == name).max_by_key(|(_, run)| run.len());
+        let longest = runs
+            .iter()
+            .enumerate()
+            .filter(|(_, run)| family(run[0]).0 == name)
+            .max_by_key(|(_, run)| run.len());
         if let Some((i, run)) = longest {
-            let (row, side) = if i + 1 == runs.len() { (run[run.len() - 1], Side::Below) } else { (run[0], Side::AboveLeft) };
+            let (row, side) = if i + 1 == runs.len() {
+                (run[run.len() - 1], Side::Below)
+            } else {
+                (run[0], Side::AboveLeft)
+            };
             panel.label(point(row), name, BLUE, side);
         }
     }
-    panel.label([TIMES[1], ERRORS[1]], format!("a/t = {x}"), BLACK, Side::BelowLeft);
+    panel.label(
+        [TIMES[1], ERRORS[1]],
+        format!("a/t = {x}"),
+        BLACK,
+        Side::BelowLeft,
+    );
     panel
 }
 

@@ -1,4 +1,5 @@
-//! The pictures in a report: what can be drawn of any table, and the paper's figures where they are its subject.
+//! The pictures in a report: what can be drawn of any table, and the paper's figures where they are
+//! its subject.
 
 use interp::Table;
 
@@ -17,15 +18,23 @@ pub struct Illustration {
 
 /// How many steps [`figures()`] takes for a table, of which it tells its progress.
 pub fn steps(table: &Table) -> usize {
-    if error_map::fixed(table).is_none() { error_map::CELLS.iter().product() } else { 0 }
+    if error_map::fixed(table).is_none() {
+        error_map::CELLS.iter().product()
+    } else {
+        0
+    }
 }
 
-/// The figures for a table: its error map, unless it fixes `a_over_t` or `e1_over_e2`; Figs. 2 to 4 of the paper, if it covers the
-/// paper's material. They take direct solves, a second or some ten seconds.
+/// The figures for a table: its error map, unless it fixes `a_over_t` or `e1_over_e2`; Figs. 2 to 4
+/// of the paper, if it covers the paper's material. They take direct solves, a second or some ten
+/// seconds.
 ///
 /// # Errors
 /// Those of the solve.
-pub fn figures(table: &Table, progress: &(dyn Fn(usize) + Sync)) -> Result<Vec<Illustration>, Error> {
+pub fn figures(
+    table: &Table,
+    progress: &(dyn Fn(usize) + Sync),
+) -> Result<Vec<Illustration>, Error> {
     let mut figures = Vec::new();
     if error_map::fixed(table).is_none() {
         let figure = error_map::figure(&error_map::data(table, progress)?);
@@ -35,7 +44,10 @@ pub fn figures(table: &Table, progress: &(dyn Fn(usize) + Sync)) -> Result<Vec<I
     }
     if table.curve(&paper::system(1e-6)?.material()?).is_ok() {
         let paper = [
-            (fig2::figure(&fig2::data()?), "The adhesionless load of the paper’s system, from direct solves."),
+            (
+                fig2::figure(&fig2::data()?),
+                "The adhesionless load of the paper’s system, from direct solves.",
+            ),
             (
                 fig3::figure(&fig3::data()?),
                 "The contact stiffness and the edge singularity of the paper’s system, from direct solves.",

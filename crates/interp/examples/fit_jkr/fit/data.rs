@@ -38,18 +38,35 @@ pub struct Data {
 }
 
 impl Data {
-    /// Reads CSV: a header that names two columns, `load` and one of `contact_radius` and `penetration`, and a point in SI units in
-    /// each line below it. Lines that begin with `#` are comments.
+    /// Reads CSV: a header that names two columns, `load` and one of `contact_radius` and
+    /// `penetration`, and a point in SI units in each line below it. Lines that begin with `#` are
+    /// comments.
     pub fn parse(text: &str) -> Result<Self, String> {
-        let mut lines = text.lines().enumerate().map(|(i, line)| (i + 1, line.trim()));
-        let mut lines = lines.by_ref().filter(|(_, line)| !line.is_empty() && !line.starts_with('#'));
-        let fields = |line: &str| line.split(',').map(|field| field.trim().to_owned()).collect::<Vec<_>>();
-        let (_, header) = lines.next().ok_or("no header: contact_radius,load or load,penetration")?;
+        let mut lines = text
+            .lines()
+            .enumerate()
+            .map(|(i, line)| (i + 1, line.trim()));
+        let mut lines = lines
+            .by_ref()
+            .filter(|(_, line)| !line.is_empty() && !line.starts_with('#'));
+        let fields = |line: &str| {
+            line.split(',')
+                .map(|field| field.trim().to_owned())
+                .collect::<Vec<_>>()
+        };
+        let (_, header) = lines
+            .next()
+            .ok_or("no header: contact_radius,load or load,penetration")?;
         let columns = fields(header);
         let column = |name: &str| columns.iter().position(|column| column == name);
-        let against = Against::ALL.into_iter().find_map(|against| Some((against, column(against.name())?)));
-        let (Some((against, abscissa)), Some(load), 2) = (against, column("load"), columns.len()) else {
-            return Err(format!("the header is {header:?}, not contact_radius,load or load,penetration"));
+        let against = Against::ALL
+            .into_iter()
+            .find_map(|against| Some((against, column(against.name())?)));
+        let (Some((against, abscissa)), Some(load), 2) = (against, column("load"), columns.len())
+        else {
+            return Err(format!(
+                "the header is {header:?}, not contact_radius,load or load,penetration"
+            ));
         };
         let point = |(number, line): (usize, &str)| {
             let fields = fields(line);
@@ -58,23 +75,37 @@ impl Data {
             }
             let value = |index: usize| match fields[index].parse::<f64>() {
                 Ok(value) if value.is_finite() => Ok(value),
-                _ => Err(format!("line {number}: {} is {:?}, not a finite number", columns[index], fields[index])),
+                _ => Err(format!(
+                    "line {number}: {} is {:?}, not a finite number",
+                    columns[index], fields[index]
+                )),
             };
             let (abscissa, load) = (value(abscissa)?, value(load)?);
             if against == Against::ContactRadius && abscissa <= 0.0 {
-                return Err(format!("line {number}: contact_radius is {abscissa:?}, not above 0"));
+                return Err(format!(
+                    "line {number}: contact_radius is {abscissa:?}, not above 0"
+                ));
             }
             Ok((abscissa, load))
         };
-        Ok(Self { against, points: lines.map(point).collect::<Result<_, _>>()? })
+        Ok(Self {
+            against,
+            points: lines.map(point).collect::<Result<_, _>>()?,
+        })
     }
 
-    /// The difference of the largest and the smallest value: of what the load was measured against, and of the load.
+    /// The difference of the largest and the smallest value: of what the load was measured against,
+    /// and of the load.
     pub fn ranges(&self) -> [f64; 2] {
         let range = |values: &mut dyn Iterator<Item = f64>| {
-            let [low, high] = values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], v| [low.min(v), high.max(v)]);
+            let [low, high] = values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], v| {
+                [low.min(v), high.max(v)]
+            });
             high - low
         };
-        [range(&mut self.points.iter().map(|point| point.0)), range(&mut self.points.iter().map(|point| point.1))]
+        [
+            range(&mut self.points.iter().map(|point| point.0)),
+            range(&mut self.points.iter().map(|point| point.1)),
+        ]
     }
 }

@@ -1,4 +1,5 @@
-//! The fit without a film: JKR, whose parameters follow from straight lines. It gives the start values.
+//! The fit without a film: JKR, whose parameters follow from straight lines. It gives the start
+//! values.
 
 use std::f64::consts::PI;
 
@@ -13,7 +14,8 @@ pub struct Homogeneous {
     pub modulus: f64,
     /// J/m^2.
     pub work_of_adhesion: f64,
-    /// Of the load (N) measured against the contact radius, or of the penetration (m); 0 if not asked for.
+    /// Of the load (N) measured against the contact radius, or of the penetration (m); 0 if not
+    /// asked for.
     pub offset: f64,
 }
 
@@ -29,8 +31,8 @@ impl Homogeneous {
             .ok_or_else(|| "the data are no adhesive contact: JKR finds no positive modulus".into())
     }
 
-    /// The line of eq. 1. With an offset of the load, `F = 4 E*/(3 R) a^3 - sqrt(8 pi w E*) a^{3/2} + F0` in the weights of the JKR
-    /// plot.
+    /// The line of eq. 1. With an offset of the load,
+    /// `F = 4 E*/(3 R) a^3 - sqrt(8 pi w E*) a^{3/2} + F0` in the weights of the JKR plot.
     fn of_radii(data: &Data, radius: f64, offset: bool) -> Option<Self> {
         let rows = data.points.iter().map(|(a, load)| {
             let power = a * a.sqrt();
@@ -38,22 +40,36 @@ impl Homogeneous {
         });
         let [slope, intercept, offset] = least_squares(rows, if offset { 3 } else { 2 })?.0;
         let modulus = 0.75 * radius * slope;
-        Some(Self { modulus, work_of_adhesion: intercept * intercept / (8.0 * PI * modulus), offset })
+        Some(Self {
+            modulus,
+            work_of_adhesion: intercept * intercept / (8.0 * PI * modulus),
+            offset,
+        })
     }
 
-    /// For a given `w`, JKR's contact radius and penetration at a load are `E*^{-1/3} b` and `E*^{-2/3} (b^2/R - sqrt(2 pi b w))`
-    /// with a `b` that does not depend on `E*`: a line again. The best `w` is searched for.
+    /// For a given `w`, JKR's contact radius and penetration at a load are `E*^{-1/3} b` and
+    /// `E*^{-2/3} (b^2/R - sqrt(2 pi b w))` with a `b` that does not depend on `E*`: a line again.
+    /// The best `w` is searched for.
     fn of_penetrations(data: &Data, radius: f64, offset: bool) -> Option<Self> {
         let fit = |work: f64| {
             let pull = 3.0 * PI * work * radius;
             let rows = data.points.iter().map(|&(penetration, load)| {
-                let b = (0.75 * radius * (load + pull + (2.0 * pull * load + pull * pull).sqrt())).cbrt();
-                ([b * b / radius - (2.0 * PI * b * work).sqrt(), 1.0, 0.0], penetration)
+                let b = (0.75 * radius * (load + pull + (2.0 * pull * load + pull * pull).sqrt()))
+                    .cbrt();
+                (
+                    [b * b / radius - (2.0 * PI * b * work).sqrt(), 1.0, 0.0],
+                    penetration,
+                )
             });
             least_squares(rows, if offset { 2 } else { 1 })
         };
         let misfit = |logarithm: f64| fit(logarithm.exp()).map_or(f64::INFINITY, |(_, sum)| sum);
-        let extreme = |sign: f64| data.points.iter().map(|point| sign * point.1).fold(0.0, f64::max);
+        let extreme = |sign: f64| {
+            data.points
+                .iter()
+                .map(|point| sign * point.1)
+                .fold(0.0, f64::max)
+        };
         // No load is below the pull-off load, -3/2 pi w R.
         let least = (extreme(-1.0) / (1.5 * PI * radius)).max(1e-6 * extreme(1.0) / (PI * radius));
         let step = 0.1;
@@ -61,26 +77,50 @@ impl Homogeneous {
         let best = (0..140).min_by(|&i, &j| misfit(at(i)).total_cmp(&misfit(at(j))))?;
         let work_of_adhesion = minimum(at(best) - step, at(best) + step, misfit).exp();
         let [power, offset, _] = fit(work_of_adhesion)?.0;
-        Some(Self { modulus: power.powf(-1.5), work_of_adhesion, offset })
+        Some(Self {
+            modulus: power.powf(-1.5),
+            work_of_adhesion,
+            offset,
+        })
     }
 }
 
-/// The solution of least squares with the first `count` columns, the others 0, and the sum of the squares; `None` where a row is
-/// not finite.
-fn least_squares(rows: impl Iterator<Item = ([f64; 3], f64)>, count: usize) -> Option<([f64; 3], f64)> {
+/// The solution of least squares with the first `count` columns, the others 0, and the sum of the
+/// squares; `None` where a row is not finite.
+fn least_squares(
+    rows: impl Iterator<Item = ([f64; 3], f64)>,
+    count: usize,
+) -> Option<([f64; 3], f64)> {
     let (rows, right): (Vec<[f64; 3]>, Vec<f64>) = rows.unzip();
     let mut matrix = DMatrix::from_fn(rows.len(), count, |i, j| rows[i][j]);
     let right = DVector::from_vec(right);
-    if !matrix.iter().chain(right.iter()).all(|value| value.is_finite()) {
+    if !matrix
+        .iter()
+        .chain(right.iter())
+        .all(|value| value.is_finite())
+    {
         return None;
     }
     // Columns of very different units.
-    let units: Vec<f64> = matrix.column_iter().map(|column| column.norm().max(f64::MIN_POSITIVE)).collect();
-    matrix.column_iter_mut().zip(&units).for_each(|(mut column, unit)| column /= *unit);
-    let solution = matrix.clone().svd(true, true).solve(&right, f64::EPSILON).ok()?;
+    let units: Vec<f64> = matrix
+        .column_iter()
+        .map(|column| column.norm().max(f64::MIN_POSITIVE))
+        .collect();
+    matrix
+        .column_iter_mut()
+        .zip(&units)
+        .for_each(|(mut column, unit)| column /= *unit);
+    let solution = matrix
+        .clone()
+        .svd(true, true)
+        .solve(&right, f64::EPSILON)
+        .ok()?;
     let sum = (&matrix * &solution - right).norm_squared();
     let mut values = [0.0; 3];
-    values.iter_mut().zip(solution.iter().zip(&units)).for_each(|(value, (solution, unit))| *value = solution / unit);
+    values
+        .iter_mut()
+        .zip(solution.iter().zip(&units))
+        .for_each(|(value, (solution, unit))| *value = solution / unit);
     Some((values, sum))
 }
 
@@ -89,7 +129,11 @@ fn minimum(mut low: f64, mut high: f64, f: impl Fn(f64) -> f64) -> f64 {
     let golden = (5.0_f64.sqrt() - 1.0) / 2.0;
     for _ in 0..40 {
         let (left, right) = (high - golden * (high - low), low + golden * (high - low));
-        if f(left) < f(right) { high = right } else { low = left }
+        if f(left) < f(right) {
+            high = right
+        } else {
+            low = left
+        }
     }
     0.5 * (low + high)
 }

@@ -1,7 +1,9 @@
-//! Least squares through the contact model, by Levenberg and Marquardt's method with the analytic Jacobian.
+//! Least squares through the contact model, by Levenberg and Marquardt's method with the analytic
+//! Jacobian.
 //!
-//! Residuals are differences of loads, whatever they were measured against, in units of the noise. Moduli, work of adhesion and
-//! thickness are fitted by their logarithms, so that they stay positive.
+//! Residuals are differences of loads, whatever they were measured against, in units of the noise.
+//! Moduli, work of adhesion and thickness are fitted by their logarithms, so that they stay
+//! positive.
 
 mod data;
 mod jkr;
@@ -19,21 +21,23 @@ use nalgebra::storage::Owned;
 use nalgebra::{DMatrix, DVector, Dyn};
 use uncertainty::Uncertainty;
 
-/// A parameter is called not identifiable if its standard error is larger than this, relative; for the offset, relative to the
-/// range of the data.
+/// A parameter is called not identifiable if its standard error is larger than this, relative; for
+/// the offset, relative to the range of the data.
 const IDENTIFIABLE: f64 = 0.5;
-/// Or if the singular values of the Jacobian, its columns scaled to length 1, are further apart than this: the derivatives have no
-/// more digits.
+/// Or if the singular values of the Jacobian, its columns scaled to length 1, are further apart
+/// than this: the derivatives have no more digits.
 const CONDITION: f64 = 1e6;
 
-/// A fit that ends further than this from the minimum of its linearisation, in standard errors, was stopped by the end of the
-/// table.
+/// A fit that ends further than this from the minimum of its linearisation, in standard errors, was
+/// stopped by the end of the table.
 const SHORT: f64 = 0.1;
 
-/// A sum of squares further above its expectation than this, in standard deviations, is not made by noise: once in 300,000 fits.
+/// A sum of squares further above its expectation than this, in standard deviations, is not made by
+/// noise: once in 300,000 fits.
 const BEYOND_NOISE: f64 = 4.5;
 
-/// Residuals at parameters where there is no contact, as outside the table: so large that the step is taken back.
+/// Residuals at parameters where there is no contact, as outside the table: so large that the step
+/// is taken back.
 const REFUSED: f64 = 1e100;
 
 /// A fitted parameter.
@@ -56,25 +60,37 @@ pub struct Fit {
     pub estimates: Vec<Estimate>,
     /// Of the estimates, in their order.
     pub correlation: DMatrix<f64>,
-    /// The sum of the squares of the residuals, in units of the noise given, per degree of freedom; `None` where the noise had to
-    /// be estimated.
+    /// The sum of the squares of the residuals, in units of the noise given, per degree of freedom;
+    /// `None` where the noise had to be estimated.
     pub reduced_chi_squared: Option<f64>,
     /// The noise of the load (N), given or estimated.
     pub noise: f64,
     pub warnings: Vec<String>,
 }
 
-/// Fits the parameters that are `free`. Of the system, their values are where the fit starts, but for the sphere's modulus and the
-/// work of adhesion, which start from JKR.
-pub fn fit(table: &Table, data: &Data, system: &System, free: &[Parameter], noise: Option<f64>) -> Result<Fit, String> {
+/// Fits the parameters that are `free`. Of the system, their values are where the fit starts, but
+/// for the sphere's modulus and the work of adhesion, which start from JKR.
+pub fn fit(
+    table: &Table,
+    data: &Data,
+    system: &System,
+    free: &[Parameter],
+    noise: Option<f64>,
+) -> Result<Fit, String> {
     let (count, points) = (free.len(), data.points.len());
     if points <= count {
-        return Err(format!("{points} points do not determine {count} parameters and their errors"));
+        return Err(format!(
+            "{points} points do not determine {count} parameters and their errors"
+        ));
     }
     if let Some(noise) = noise.filter(|&noise| !(noise > 0.0 && noise.is_finite())) {
         return Err(format!("the noise is {noise:?}, not above 0 and finite"));
     }
-    let homogeneous = Homogeneous::fit(data, system.sphere_radius, free.contains(&Parameter::Offset))?;
+    let homogeneous = Homogeneous::fit(
+        data,
+        system.sphere_radius,
+        free.contains(&Parameter::Offset),
+    )?;
     let start = start(data, system, &homogeneous);
     let [abscissae, loads] = data.ranges();
     let offset_unit = match data.against {
@@ -82,15 +98,38 @@ pub fn fit(table: &Table, data: &Data, system: &System, free: &[Parameter], nois
         Against::Penetration => abscissae,
     };
     let unit = noise.unwrap_or(1e-3 * loads);
-    let mut problem = Problem { table, data, free, start, offset_unit, unit, x: DVector::zeros(count), predicted: None };
-    let outside = |error| format!("where the fit starts, E2* = {:e} Pa: {error}", start.system.sphere_modulus);
+    let mut problem = Problem {
+        table,
+        data,
+        free,
+        start,
+        offset_unit,
+        unit,
+        x: DVector::zeros(count),
+        predicted: None,
+    };
+    let outside = |error| {
+        format!(
+            "where the fit starts, E2* = {:e} Pa: {error}",
+            start.system.sphere_modulus
+        )
+    };
     problem.predicted = Some(problem.predict().map_err(outside)?);
 
     // The parameters are scaled already: a factor e, or the range of the data.
-    let method = LevenbergMarquardt::new().with_scale_diag(false).with_stepbound(1.0).with_ftol(1e-12).with_xtol(1e-10);
+    let method = LevenbergMarquardt::new()
+        .with_scale_diag(false)
+        .with_stepbound(1.0)
+        .with_ftol(1e-12)
+        .with_xtol(1e-10);
     let (problem, report) = method.minimize(problem);
     // Where rounding stops it, it has converged.
-    if !(report.termination.was_successful() || matches!(report.termination, TerminationReason::NoImprovementPossible(_))) {
+    if !(report.termination.was_successful()
+        || matches!(
+            report.termination,
+            TerminationReason::NoImprovementPossible(_)
+        ))
+    {
         return Err(format!(
             "the fit did not converge: {:?} after {} evaluations",
             report.termination, report.number_of_evaluations
@@ -99,18 +138,38 @@ pub fn fit(table: &Table, data: &Data, system: &System, free: &[Parameter], nois
     problem.finish(homogeneous, noise.is_some())
 }
 
-/// JKR's modulus is that of the sphere and the body under it: the film if it is thick, else the substrate.
+/// JKR's modulus is that of the sphere and the body under it: the film if it is thick, else the
+/// substrate.
 fn start(data: &Data, system: &System, homogeneous: &Homogeneous) -> State {
-    let largest = data.points.iter().map(|point| point.0.abs()).fold(0.0, f64::max);
+    let largest = data
+        .points
+        .iter()
+        .map(|point| point.0.abs())
+        .fold(0.0, f64::max);
     let radius = match data.against {
         Against::ContactRadius => largest,
         Against::Penetration => (largest * system.sphere_radius).sqrt(),
     };
-    let below = if system.film_thickness > radius { system.film.reduced() } else { system.substrate.reduced() };
+    let below = if system.film_thickness > radius {
+        system.film.reduced()
+    } else {
+        system.substrate.reduced()
+    };
     let compliance = 1.0 / homogeneous.modulus - 1.0 / below;
-    let sphere_modulus = if compliance > 0.0 { 1.0 / compliance } else { homogeneous.modulus };
+    let sphere_modulus = if compliance > 0.0 {
+        1.0 / compliance
+    } else {
+        homogeneous.modulus
+    };
     let work_of_adhesion = homogeneous.work_of_adhesion.max(f64::MIN_POSITIVE);
-    State { system: System { sphere_modulus, ..*system }, work_of_adhesion, offset: homogeneous.offset }
+    State {
+        system: System {
+            sphere_modulus,
+            ..*system
+        },
+        work_of_adhesion,
+        offset: homogeneous.offset,
+    }
 }
 
 /// The problem at one set of parameters.
@@ -122,7 +181,8 @@ struct Problem<'a> {
     offset_unit: f64,
     /// The unit of loads.
     unit: f64,
-    /// The logarithm of each free parameter over its start; for the offset, the difference in its unit.
+    /// The logarithm of each free parameter over its start; for the offset, the difference in its
+    /// unit.
     x: DVector<f64>,
     /// At every point, if there is a contact with these parameters.
     predicted: Option<Vec<Predicted>>,
@@ -130,10 +190,20 @@ struct Problem<'a> {
 
 impl Problem<'_> {
     fn state(&self) -> Result<State, interp::Error> {
-        self.free.iter().zip(self.x.iter()).try_fold(self.start, |state, (&parameter, x)| {
-            let start = self.start.get(parameter);
-            state.with(parameter, if parameter == Parameter::Offset { start + x * self.offset_unit } else { start * x.exp() })
-        })
+        self.free
+            .iter()
+            .zip(self.x.iter())
+            .try_fold(self.start, |state, (&parameter, x)| {
+                let start = self.start.get(parameter);
+                state.with(
+                    parameter,
+                    if parameter == Parameter::Offset {
+                        start + x * self.offset_unit
+                    } else {
+                        start * x.exp()
+                    },
+                )
+            })
     }
 
     fn predict(&self) -> Result<Vec<Predicted>, interp::Error> {
@@ -143,21 +213,50 @@ impl Problem<'_> {
     /// Estimates, their errors and what is doubtful of them, where the sum of squares is least.
     fn finish(self, homogeneous: Homogeneous, noise_given: bool) -> Result<Fit, String> {
         let state = self.state().map_err(|error| error.to_string())?;
-        let (residuals, jacobian) = self.residuals().zip(self.jacobian()).ok_or("the fit ended outside the table")?;
+        let (residuals, jacobian) = self
+            .residuals()
+            .zip(self.jacobian())
+            .ok_or("the fit ended outside the table")?;
         let reduced_chi_squared = residuals.norm_squared() / self.freedom();
         let (points, against) = (self.data.points.len(), self.data.against);
-        let scatter = if noise_given { 1.0 } else { reduced_chi_squared.sqrt() };
+        let scatter = if noise_given {
+            1.0
+        } else {
+            reduced_chi_squared.sqrt()
+        };
         let uncertainty = Uncertainty::new(jacobian, &residuals, scatter);
         let estimate = |(&parameter, relative): (&Parameter, &f64)| {
             let value = state.get(parameter);
-            let unit = if parameter == Parameter::Offset { self.offset_unit } else { value };
-            Estimate { parameter, value, error: relative * unit }
+            let unit = if parameter == Parameter::Offset {
+                self.offset_unit
+            } else {
+                value
+            };
+            Estimate {
+                parameter,
+                value,
+                error: relative * unit,
+            }
         };
-        let estimates = self.free.iter().zip(&uncertainty.errors).map(estimate).collect();
+        let estimates = self
+            .free
+            .iter()
+            .zip(&uncertainty.errors)
+            .map(estimate)
+            .collect();
         let reduced_chi_squared = noise_given.then_some(reduced_chi_squared);
         let warnings = self.warnings(&uncertainty, reduced_chi_squared);
         let (correlation, noise) = (uncertainty.correlation, scatter * self.unit);
-        Ok(Fit { points, against, homogeneous, estimates, correlation, reduced_chi_squared, noise, warnings })
+        Ok(Fit {
+            points,
+            against,
+            homogeneous,
+            estimates,
+            correlation,
+            reduced_chi_squared,
+            noise,
+            warnings,
+        })
     }
 
     /// How many points there are more than parameters.
@@ -187,12 +286,23 @@ impl Problem<'_> {
         }
         // Wilson and Hilferty: the cube root of chi^2 is nearly normal.
         let spread = 2.0 / (9.0 * self.freedom());
-        if let Some(value) = reduced_chi_squared.filter(|value| (value.cbrt() - (1.0 - spread)) / spread.sqrt() > BEYOND_NOISE) {
-            warnings.push(format!("the model does not describe the data to their noise: reduced chi^2 is {value:.2}"));
+        if let Some(value) = reduced_chi_squared
+            .filter(|value| (value.cbrt() - (1.0 - spread)) / spread.sqrt() > BEYOND_NOISE)
+        {
+            warnings.push(format!(
+                "the model does not describe the data to their noise: reduced chi^2 is {value:.2}"
+            ));
         }
-        let pulled_off = self.predicted.iter().flatten().filter(|predicted| predicted.pulled_off).count();
+        let pulled_off = self
+            .predicted
+            .iter()
+            .flatten()
+            .filter(|predicted| predicted.pulled_off)
+            .count();
         if pulled_off > 0 {
-            warnings.push(format!("points beyond the pull-off of the fitted contact: {pulled_off}"));
+            warnings.push(format!(
+                "points beyond the pull-off of the fitted contact: {pulled_off}"
+            ));
         }
         warnings
     }
@@ -205,7 +315,10 @@ impl LeastSquaresProblem<f64, Dyn, Dyn> for Problem<'_> {
 
     fn set_params(&mut self, x: &DVector<f64>) {
         self.x.copy_from(x);
-        self.predicted = self.predict().ok().filter(|all| all.iter().all(|predicted| predicted.load.is_finite()));
+        self.predicted = self
+            .predict()
+            .ok()
+            .filter(|all| all.iter().all(|predicted| predicted.load.is_finite()));
     }
 
     fn params(&self) -> DVector<f64> {
@@ -215,7 +328,9 @@ impl LeastSquaresProblem<f64, Dyn, Dyn> for Problem<'_> {
     fn residuals(&self) -> Option<DVector<f64>> {
         let points = &self.data.points;
         Some(match &self.predicted {
-            Some(all) => DVector::from_fn(points.len(), |i, _| (all[i].load - points[i].1) / self.unit),
+            Some(all) => {
+                DVector::from_fn(points.len(), |i, _| (all[i].load - points[i].1) / self.unit)
+            }
             None => DVector::from_element(points.len(), REFUSED),
         })
     }
@@ -223,7 +338,11 @@ impl LeastSquaresProblem<f64, Dyn, Dyn> for Problem<'_> {
     fn jacobian(&self) -> Option<DMatrix<f64>> {
         let all = self.predicted.as_ref()?;
         Some(DMatrix::from_fn(all.len(), self.free.len(), |i, j| {
-            let unit = if self.free[j] == Parameter::Offset { self.offset_unit } else { 1.0 };
+            let unit = if self.free[j] == Parameter::Offset {
+                self.offset_unit
+            } else {
+                1.0
+            };
             all[i].by[self.free[j] as usize] * unit / self.unit
         }))
     }

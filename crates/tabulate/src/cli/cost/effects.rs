@@ -7,16 +7,16 @@ use clap::value_parser;
 use super::Rows;
 use crate::cli::generate::{Bars, read_scene};
 use crate::cost::effects::{Row, markdown, measure};
-use crate::scene::Scene;
+use crate::table::Scene;
 
 const TOLERANCE: f64 = 1e-4;
 const POINTS: u32 = 10_000;
 
 /// The effects of a scene: what each one costs, and what the load would be without it
 ///
-/// Makes the table of a scene without its film, sphere compliance, substrate compliance, film compressibility, adhesion or
-/// penetration, and compares the loads with those of the whole scene, by direct solves. Errors are relative to the adhesionless
-/// load at the same contact radius.
+/// Makes the table of a scene without its film, sphere compliance, substrate compliance, film
+/// compressibility, adhesion or penetration, and compares the loads with those of the whole scene,
+/// by direct solves. Errors are relative to the adhesionless load at the same contact radius.
 #[derive(clap::Args)]
 pub struct Arguments {
     /// The scene; without one, the default four-parameter box
@@ -34,7 +34,11 @@ pub struct Arguments {
 
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let scene = read_scene(arguments.scene.as_deref(), Some(arguments.tolerance))?;
-    arguments.rows.report(arguments.scene.as_deref(), || measured(&scene, arguments.points), markdown)
+    arguments.rows.report(
+        arguments.scene.as_deref(),
+        || measured(&scene, arguments.points),
+        markdown,
+    )
 }
 
 /// The effects of the default scene.

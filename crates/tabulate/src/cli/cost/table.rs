@@ -6,15 +6,16 @@ use std::time::Duration;
 use super::Rows;
 use crate::cli::generate::{Bars, budget, read_scene};
 use crate::cost::table::{Row, markdown, measure};
-use crate::scene::Scene;
+use crate::table::Scene;
 
 /// In seconds.
 const BUDGET: f64 = 60.0;
 
-/// A table: tolerance against nodes, solves, time, bytes and certified error, and from how many evaluations on it pays
+/// A table: tolerance against nodes, solves, time, bytes and certified error, and from how many
+/// evaluations on it pays
 ///
-/// Makes the tables of a scene to 1e-2, 1e-3 and so on to 1e-8, packs each to the same tolerance, and stops before the one that
-/// would not be ready within the budget.
+/// Makes the tables of a scene to 1e-2, 1e-3 and so on to 1e-8, packs each to the same tolerance,
+/// and stops before the one that would not be ready within the budget.
 #[derive(clap::Args)]
 pub struct Arguments {
     /// The scene, whose own tolerance plays no part; without one, the default four-parameter box
@@ -30,7 +31,11 @@ pub struct Arguments {
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let scene = read_scene(arguments.scene.as_deref(), None)?;
     let budget = budget(arguments.budget)?;
-    arguments.rows.report(arguments.scene.as_deref(), || measured(&scene, budget), markdown)
+    arguments.rows.report(
+        arguments.scene.as_deref(),
+        || measured(&scene, budget),
+        markdown,
+    )
 }
 
 /// The tables of the default scene within the default budget.

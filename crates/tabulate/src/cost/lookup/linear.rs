@@ -1,6 +1,7 @@
-//! Linear interpolation, what one would write first: of the logarithms that the table splines, in the same coordinates.
+//! Linear interpolation, what one would write first: of the logarithms that the table splines, in
+//! the same coordinates.
 
-use interp::schema::Parameter;
+use interp::Parameter;
 use interp::{Curve, Error, Material, Quantity, Table};
 
 /// Of one quantity, in all four parameters at once.
@@ -12,21 +13,50 @@ pub struct Multilinear {
     logarithms: Vec<f64>,
 }
 
-/// The order of the dimensions: along `a/t`, neighbours are neighbours in memory, as in [`Table::logarithms`].
-const ORDER: [Parameter; 4] = [Parameter::E1OverE2, Parameter::Nu1, Parameter::E0OverE2, Parameter::AOverT];
+/// The order of the dimensions: along `a/t`, neighbours are neighbours in memory, as in
+/// [`Table::logarithms`].
+const ORDER: [Parameter; 4] = [
+    Parameter::E1OverE2,
+    Parameter::Nu1,
+    Parameter::E0OverE2,
+    Parameter::AOverT,
+];
 
 impl Multilinear {
     /// The nodes of a table that holds all four quantities.
     pub fn new(table: &Table, quantity: Quantity) -> Self {
-        let axes = ORDER.map(|parameter| table.axis(parameter).iter().map(|&node| parameter.coordinate(node)).collect());
-        let of_film = |e1| table.logarithms(e1).chunks_exact(4).map(|four| four[quantity as usize]).collect::<Vec<f64>>();
-        let logarithms = (0..table.axis(Parameter::E1OverE2).len()).flat_map(of_film).collect();
-        Self { quantity, axes, logarithms }
+        let axes = ORDER.map(|parameter| {
+            table
+                .axis(parameter)
+                .iter()
+                .map(|&node| parameter.coordinate(node))
+                .collect()
+        });
+        let of_film = |e1| {
+            table
+                .logarithms(e1)
+                .chunks_exact(4)
+                .map(|four| four[quantity as usize])
+                .collect::<Vec<f64>>()
+        };
+        let logarithms = (0..table.axis(Parameter::E1OverE2).len())
+            .flat_map(of_film)
+            .collect();
+        Self {
+            quantity,
+            axes,
+            logarithms,
+        }
     }
 
     /// The quantity at a point of the table's box.
     pub fn at(&self, a_over_t: f64, material: &Material) -> f64 {
-        let point = [material.e1_over_e2(), material.nu1(), material.e0_over_e2(), a_over_t];
+        let point = [
+            material.e1_over_e2(),
+            material.nu1(),
+            material.e0_over_e2(),
+            a_over_t,
+        ];
         let (mut places, mut shares) = ([0; 4], [0.0; 4]);
         for (k, axis) in self.axes.iter().enumerate() {
             (places[k], shares[k]) = bracket(axis, ORDER[k].coordinate(point[k]));
@@ -36,7 +66,11 @@ impl Multilinear {
             let (mut weight, mut index) = (1.0, 0);
             for (k, axis) in self.axes.iter().enumerate() {
                 let upper = corner >> k & 1;
-                weight *= if upper == 1 { shares[k] } else { 1.0 - shares[k] };
+                weight *= if upper == 1 {
+                    shares[k]
+                } else {
+                    1.0 - shares[k]
+                };
                 index = index * axis.len() + (places[k] + upper).min(axis.len() - 1);
             }
             sum += weight * self.logarithms[index];
@@ -59,10 +93,19 @@ impl Linear {
     /// Those of the curve.
     pub fn new(curve: &Curve, quantity: Quantity, nodes: &[f64]) -> Result<Self, Error> {
         let es = curve.material().sphere_film_modulus();
-        let logarithms =
-            nodes.iter().map(|&x| Ok(quantity.logarithm(curve.quantity(quantity, x)?, es))).collect::<Result<_, Error>>()?;
-        let places = nodes.iter().map(|&x| Parameter::AOverT.coordinate(x)).collect();
-        Ok(Self { scale: quantity.scale(es), places, logarithms })
+        let logarithms = nodes
+            .iter()
+            .map(|&x| Ok(quantity.logarithm(curve.quantity(quantity, x)?, es)))
+            .collect::<Result<_, Error>>()?;
+        let places = nodes
+            .iter()
+            .map(|&x| Parameter::AOverT.coordinate(x))
+            .collect();
+        Ok(Self {
+            scale: quantity.scale(es),
+            places,
+            logarithms,
+        })
     }
 
     /// The quantity between the first and the last of them.
@@ -73,11 +116,15 @@ impl Linear {
     }
 }
 
-/// The node before a coordinate and the share of the way to the next one; of a single node, that and nothing.
+/// The node before a coordinate and the share of the way to the next one; of a single node, that
+/// and nothing.
 fn bracket(axis: &[f64], coordinate: f64) -> (usize, f64) {
     if axis.len() == 1 {
         return (0, 0.0);
     }
     let place = axis[1..axis.len() - 1].partition_point(|&node| node <= coordinate);
-    (place, (coordinate - axis[place]) / (axis[place + 1] - axis[place]))
+    (
+        place,
+        (coordinate - axis[place]) / (axis[place + 1] - axis[place]),
+    )
 }

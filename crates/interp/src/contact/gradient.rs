@@ -1,0 +1,301 @@
+//! Derivatives of load and penetration with respect to all that they depend on.
+
+use crate::contact::contact::{Bodies, finite};
+use crate::material::one_minus_square;
+use crate::{Contact, Error, HalfSpace, Normalisation, Quantities, QuantityGradient, System};
+
+/// What the load and the penetration of a contact depend on, in SI units.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Input {
+    /// Contact radius `a`, m.
+    ContactRadius,
+    /// Work of adhesion `w`, J/m^2.
+    WorkOfAdhesion,
+    /// Radius `R` of the sphere, m.
+    SphereRadius,
+    /// Reduced modulus `E2*` of the sphere, Pa.
+    SphereModulus,
+    /// Thickness `t` of the film, m.
+    FilmThickness,
+    /// Young's modulus `E1` of the film, Pa.
+    FilmModulus,
+    /// Poisson ratio `nu1` of the film.
+    FilmPoisson,
+    /// Young's modulus `E0` of the substrate, Pa.
+    SubstrateModulus,
+    /// Poisson ratio `nu0` of the substrate.
+    SubstratePoisson,
+}
+
+impl Input {
+    /// All nine.
+    pub const ALL: [Self; 9] = [
+        Self::ContactRadius,
+        Self::WorkOfAdhesion,
+        Self::SphereRadius,
+        Self::SphereModulus,
+        Self::FilmThickness,
+        Self::FilmModulus,
+        Self::FilmPoisson,
+        Self::SubstrateModulus,
+        Self::SubstratePoisson,
+    ];
+
+    /// Its name, in words.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::ContactRadius => "contact radius",
+            Self::WorkOfAdhesion => "work of adhesion",
+            Self::SphereRadius => "sphere radius",
+            Self::SphereModulus => "sphere modulus",
+            Self::FilmThickness => "film thickness",
+            Self::FilmModulus => "film modulus",
+            Self::FilmPoisson => "film Poisson ratio",
+            Self::SubstrateModulus => "substrate modulus",
+            Self::SubstratePoisson => "substrate Poisson ratio",
+        }
+    }
+}
+
+/// The derivatives of load and penetration with respect to one [`Input`], all others being fixed: N
+/// and m per unit of the input.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Derivatives {
+    /// Of the load `F`.
+    pub load: f64,
+    /// Of the penetration `delta`.
+    pub penetration: f64,
+}
+
+/// Load and penetration at one contact radius and work of adhesion, with their derivatives.
+#[derive(Clone, Copy, Debug)]
+pub struct ContactGradient {
+    load: f64,
+    penetration: f64,
+    /// In the order of [`Input::ALL`].
+    derivatives: [Option<Derivatives>; 9],
+}
+
+impl ContactGradient {
+    /// Load `F`, N.
+    pub const fn load(&self) -> f64 {
+        self.load
+    }
+
+    /// Penetration `delta`, m.
+    pub const fn penetration(&self) -> f64 {
+        self.penetration
+    }
+
+    /// The derivatives with respect to one input. They are 0 with respect to the modulus of a rigid
+    /// body, and to its Poisson ratio.
+    ///
+    /// # Errors
+    /// [`Error::FixedParameter`] for a parameter of the material that the table fixes, or that
+    /// takes one; for a film's on a half-space; and for the work of adhesion where there is none
+    /// (or less than 2.3e-308 J/m^2), as the load falls like its square root.
+    pub fn by(&self, input: Input) -> Result<Derivatives, Error> {
+        self.derivatives[input as usize].ok_or(Error::FixedParameter(input.name()))
+    }
+}
+
+/// The changes of the logarithms of all that load and penetration are products of.
+#[derive(Clone, Copy, Default)]
+struct Change {
+    contact_radius: f64,
+    work_of_adhesion: f64,
+    sphere_radius: f64,
+    /// Of the modulus that normalises the quantities.
+    modulus: f64,
+    /// Of `es`, `Es*` in units of that modulus.
+    es: f64,
+    quantities: [f64; 4],
+}
+
+impl Contact {
+    /// Load and penetration at contact radius `a` (m) and work of adhesion `w` (J/m^2), as
+    /// [`Contact::load_and_penetration`] gives them, and their derivatives with respect to every
+    /// [`Input`], by the chain rule through eqs. 2, 4 to 8 and the derivatives of the table's
+    /// splines.
+    ///
+    /// ```
+    /// # #[cfg(feature = "embedded")]
+    /// # fn main() -> Result<(), interp::Error> {
+    /// # use interp::{Elastic, Input, System, Table};
+    /// # let (film, substrate) = (Elastic::new(3.5e6, 0.5)?, Elastic::new(2e11, 0.25)?);
+    /// # let system = System { sphere_radius: 1e-3, sphere_modulus: 2e6, film, film_thickness: 1e-6, substrate };
+    /// let contact = Table::embedded().contact_with_gradient(&system)?;
+    /// let gradient = contact.gradient(65e-6, 0.04)?;
+    /// let [film, sphere] = [(Input::FilmModulus, 3.5e6), (Input::SphereModulus, 2e6)].map(|(input, modulus)| {
+    ///     gradient.by(input).map(|derivatives| derivatives.load * modulus)
+    /// });
+    /// assert!(film?.abs() < 0.05 * sphere?.abs()); // a thin film is hardly seen
+    /// # Ok(()) }
+    /// # #[cfg(not(feature = "embedded"))]
+    /// # fn main() {}
+    /// ```
+    ///
+    /// # Errors
+    /// As [`Contact::load_and_penetration`], but always [`Error::OutsideTable`] above the nodes in
+    /// `a/t`; [`Error::NoGradient`] on a curve made without derivatives; [`Error::Unphysical`] for
+    /// a derivative too large for f64; [`Error::OtherMaterial`] on a curve whose derivatives are
+    /// those of an equivalent on another substrate.
+    pub fn gradient(&self, a: f64, w: f64) -> Result<ContactGradient, Error> {
+        let edge = self.mechanics.edge_singularity(a, w)?;
+        let (values, by_bodies) = match &self.bodies {
+            Bodies::HalfSpace(system) => (Quantities::homogeneous(1.0), on_half_space(system)?),
+            Bodies::Coated { system, curve } => {
+                let gradient = curve.gradient(a / system.film_thickness)?;
+                let material = system.material()?;
+                if !material.is_close_to(gradient.material()) {
+                    return Err(Error::OtherMaterial {
+                        curve: *gradient.material(),
+                        system: material,
+                    });
+                }
+                (gradient.values(), on_film(system, &gradient, a))
+            }
+        };
+        let (load, penetration) = self.mechanics.load_and_penetration(a, edge, &values);
+        let f0 = self.mechanics.adhesionless_load(a, values.pi0);
+        let delta0 = self.mechanics.adhesionless_penetration(a, values.delta0);
+        let derivatives = |change: Change| {
+            let Change {
+                contact_radius,
+                work_of_adhesion,
+                sphere_radius,
+                modulus,
+                es,
+                quantities: [pi0, eeq, gamma, delta],
+            } = change;
+            // Of `g = sqrt(pi a w Es* / 2)`.
+            let edge = 0.5 * (contact_radius + work_of_adhesion + modulus + es);
+            Derivatives {
+                load: f0 * (3.0 * contact_radius + modulus + pi0 - sphere_radius)
+                    - (f0 - load) * (contact_radius + edge + eeq - gamma),
+                penetration: delta0 * (2.0 * contact_radius + delta - sphere_radius)
+                    - (delta0 - penetration) * (edge - modulus - gamma),
+            }
+        };
+        let mut changes = by_bodies;
+        if let Some(change) = &mut changes[Input::ContactRadius as usize] {
+            change.contact_radius = 1.0 / a;
+        }
+        changes[Input::SphereRadius as usize] = Some(Change {
+            sphere_radius: 1.0 / self.mechanics.sphere_radius(),
+            ..Change::default()
+        });
+        // One over it may not be a number.
+        changes[Input::WorkOfAdhesion as usize] = w.is_normal().then(|| Change {
+            work_of_adhesion: 1.0 / w,
+            ..Change::default()
+        });
+        let derivatives = changes.map(|change| change.map(derivatives));
+        let numbers = derivatives
+            .iter()
+            .flatten()
+            .flat_map(|by| [by.load, by.penetration]);
+        numbers
+            .chain([load, penetration])
+            .try_for_each(|number| finite(a, number).map(drop))?;
+        Ok(ContactGradient {
+            load,
+            penetration,
+            derivatives,
+        })
+    }
+}
+
+/// What changes with the contact radius, the thickness and the elastic constants of a coated
+/// contact, in the order of [`Input::ALL`].
+fn on_film(system: &System, gradient: &QuantityGradient, a: f64) -> [Option<Change>; 9] {
+    let (values, slopes) = (gradient.values().to_array(), gradient.slopes().to_array());
+    let moduli = [
+        system.sphere_modulus,
+        system.film.young(),
+        system.substrate.young(),
+    ];
+    Input::ALL.map(|input| {
+        let with_a_over_t = |factor: f64| {
+            let quantities =
+                std::array::from_fn(|quantity| factor * slopes[quantity] / values[quantity]);
+            Some(Change {
+                quantities,
+                ..Change::default()
+            })
+        };
+        match input {
+            Input::ContactRadius => with_a_over_t(1.0 / a),
+            Input::FilmThickness => with_a_over_t(-1.0 / system.film_thickness),
+            Input::SphereRadius | Input::WorkOfAdhesion => None,
+            _ => of_material(gradient, input, moduli),
+        }
+    })
+}
+
+/// The same on a half-space, where the quantities are constant and the compound modulus `E*` is
+/// their unit.
+fn on_half_space(system: &HalfSpace) -> Result<[Option<Change>; 9], Error> {
+    let compound = system.compound_modulus()?;
+    let (young, nu0) = (system.solid.young(), system.solid.poisson());
+    let share = compound / system.solid.reduced();
+    let modulus = |modulus: f64| {
+        Some(Change {
+            modulus,
+            ..Change::default()
+        })
+    };
+    Ok(Input::ALL.map(|input| match input {
+        Input::ContactRadius => modulus(0.0),
+        Input::SphereModulus => modulus(compound / system.sphere_modulus / system.sphere_modulus),
+        Input::SubstrateModulus => modulus(share / young),
+        Input::SubstratePoisson => modulus(share * 2.0 * nu0 / one_minus_square(nu0)),
+        _ => None,
+    }))
+}
+
+/// The change with one of the elastic constants; none if it is not known.
+fn of_material(gradient: &QuantityGradient, input: Input, moduli: [f64; 3]) -> Option<Change> {
+    let material = gradient.material();
+    // How `ln e1_over_e2`, `nu1`, `ln e0_over_e2`, `nu0` and the logarithm of the normalising
+    // modulus follow the logarithm of a modulus, or a Poisson ratio.
+    let ([e1, nu1, e0, nu0], modulus) = match (input, material.normalisation()) {
+        (Input::SphereModulus, Normalisation::Sphere) => ([-1.0, 0.0, -1.0, 0.0], 1.0),
+        (Input::FilmModulus, Normalisation::Sphere) => ([1.0, 0.0, 0.0, 0.0], 0.0),
+        (Input::FilmPoisson, Normalisation::Sphere) => ([0.0, 1.0, 0.0, 0.0], 0.0),
+        (Input::FilmModulus, Normalisation::Film) => ([0.0, 0.0, -1.0, 0.0], 1.0),
+        (Input::FilmPoisson, Normalisation::Film) => (
+            [0.0, 1.0, 0.0, 0.0],
+            2.0 * material.nu1() / one_minus_square(material.nu1()),
+        ),
+        (Input::SubstrateModulus, _) => ([0.0, 0.0, 1.0, 0.0], 0.0),
+        (Input::SubstratePoisson, _) => ([0.0, 0.0, 0.0, 1.0], 0.0),
+        // Of a rigid sphere.
+        _ => ([0.0; 4], 0.0),
+    };
+    let [sphere, film, substrate] = moduli;
+    let unit = match input {
+        Input::SphereModulus => 1.0 / sphere,
+        Input::FilmModulus => 1.0 / film,
+        Input::SubstrateModulus => 1.0 / substrate,
+        _ => 1.0,
+    };
+    let mut change = Change {
+        modulus: unit * modulus,
+        ..Change::default()
+    };
+    for (parameter, factor) in [e1, nu1, e0, nu0]
+        .into_iter()
+        .enumerate()
+        .filter(|&(_, factor)| factor != 0.0)
+    {
+        let derivatives = gradient.relative(parameter)?;
+        change.es += unit * factor * gradient.scale(parameter);
+        change
+            .quantities
+            .iter_mut()
+            .zip(derivatives)
+            .for_each(|(sum, derivative)| *sum += unit * factor * derivative);
+    }
+    Some(change)
+}

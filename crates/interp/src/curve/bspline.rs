@@ -1,0 +1,426 @@
+//! Interpolating splines in one variable, on nodes of any spacing.
+//!
+//! A spline of degree `p` through `n` nodes has the knots of the "not-a-knot" choice: the nodes
+//! without the `(p+1)/2 - 1` next to each end, so that it has exactly `n` coefficients and
+//! reproduces polynomials of degree `p`. Its error falls like `h^{p+1}`.
+//!
+//! A spline with a flat end has two knots more next to the last node, and no first and second
+//! derivative there. That is what functions of `1 - 2 nu1 = s^3` have over `s` for an
+//! incompressible film, and what makes their derivative with respect to `nu1`, `2/(3 s^2)` times
+//! that with respect to `s`, finite.
+
+/// The degree of the splines through the nodes of a table (fewer nodes than ten lower it). Higher
+/// degrees save hardly any nodes from 1e-4 to 1e-8, and each doubles what a curve gathers; a
+/// quintic takes 1.2 to 1.3 times as many nodes on each axis at 1e-6, 1.7 to 1.9 at 1e-8
+/// (`cargo xtask cargo bench -p tabulate --bench interpolation`).
+pub const TABLE_DEGREE: usize = 9;
+
+/// The highest degree there is.
+pub const LARGEST_DEGREE: usize = 13;
+
+/// The B-splines of one set of nodes, with the factorised collocation matrix.
+#[derive(Clone, Debug)]
+pub struct Basis {
+    degree: usize,
+    knots: Vec<f64>,
+    /// The number of nodes, and of coefficients. With a flat end, the last function is the sum of
+    /// the three that do not vanish there with their first two derivatives.
+    count: usize,
+    /// Row `i` holds the entries `i - degree ..= i + degree` of `L` (unit diagonal, below) and `U`
+    /// of the collocation matrix.
+    factors: Vec<[f64; 2 * LARGEST_DEGREE + 1]>,
+}
+
+/// The B-splines that do not vanish at one point: those from `first` on, with their values and
+/// first derivatives.
+#[derive(Clone, Copy, Debug)]
+pub struct Weights {
+    /// Index of the first of them.
+    pub first: usize,
+    /// Their values; the first [`Weights::count`] entries are used.
+    pub values: [f64; LARGEST_DEGREE + 1],
+    /// Their derivatives.
+    pub slopes: [f64; LARGEST_DEGREE + 1],
+    /// How many there are: the degree plus one, less next to a flat end.
+    pub count: usize,
+}
+
+impl Basis {
+    /// The basis of the given degree, or of `n - 1` where there are fewer nodes.
+    ///
+    /// # Panics
+    /// If there is no node or `degree` is above [`LARGEST_DEGREE`]. Nodes that do not ascend
+    /// strictly give a basis of no use, not a panic.
+    pub fn new(nodes: &[f64], degree: usize) -> Self {
+        Self::with_end_conditions(nodes, degree, 0)
+    }
+
+    /// The basis whose first and second derivatives vanish at the last node. Five nodes are the
+    /// fewest that it takes; the basis of fewer is [`Basis::new`]'s.
+    ///
+    /// # Panics
+    /// As [`Basis::new`].
+    pub fn flat_at_the_end(nodes: &[f64], degree: usize) -> Self {
+        let conditions = if degree.min(nodes.len().saturating_sub(1)) < 4 {
+            0
+        } else {
+            2
+        };
+        Self::with_end_conditions(nodes, degree, conditions)
+    }
+
+    /// The splines of a table along an axis whose nodes have these coordinates: of degree
+    /// [`TABLE_DEGREE`], and with a flat end if
+    /// [`Parameter::is_flat_at`](crate::Parameter::is_flat_at) the last one.
+    ///
+    /// # Panics
+    /// If there is no node.
+    pub fn of_table(nodes: &[f64], flat: bool) -> Self {
+        if flat {
+            Self::flat_at_the_end(nodes, TABLE_DEGREE)
+        } else {
+            Self::new(nodes, TABLE_DEGREE)
+        }
+    }
+
+    /// The basis in which so many derivatives vanish at the last node.
+    fn with_end_conditions(nodes: &[f64], degree: usize, conditions: usize) -> Self {
+        assert!(
+            !nodes.is_empty() && degree <= LARGEST_DEGREE,
+            "{} nodes, degree {degree}",
+            nodes.len()
+        );
+        let count = nodes.len();
+        let degree = degree.min(count - 1);
+        let dropped = degree.div_ceil(2);
+        let mut knots = vec![nodes[0]; degree + 1];
+        let inner = count + conditions - degree - 1;
+        if inner > 0 {
+            knots.extend(&nodes[dropped..dropped + inner]);
+        }
+        knots.extend(vec![nodes[count - 1]; degree + 1]);
+        let mut basis = Self {
+            degree,
+            knots,
+            count,
+            factors: Vec::new(),
+        };
+        basis.factors = basis.factorise(nodes);
+        basis
+    }
+
+    /// The number of nodes, and of coefficients.
+    pub(crate) fn len(&self) -> usize {
+        self.count
+    }
+
+    /// The degree of the polynomials.
+    pub(crate) fn degree(&self) -> usize {
+        self.degree
+    }
+
+    /// Whether the first and the second derivative vanish there.
+    pub(crate) fn is_flat_at(&self, end: f64) -> bool {
+        self.knots.len() - self.degree - 1 > self.count && self.knots.last() == Some(&end)
+    }
+
+    /// The intervals between the knots, on each of which a spline is one polynomial.
+    /// [`Weights::first`] is the number of an interval.
+    pub(crate) fn intervals(&self) -> impl Iterator<Item = [f64; 2]> {
+        self.knots[self.degree..self.knots.len() - self.degree]
+            .windows(2)
+            .map(|ends| [ends[0], ends[1]])
+    }
+
+    /// The non-vanishing B-splines at `u`. Beyond the first and the last node they are the
+    /// polynomials of the end, which grow without bound; at NaN they are NaN, but for the one of
+    /// degree 0.
+    pub fn weights(&self, u: f64) -> Weights {
+        let p = self.degree;
+        let inner = &self.knots[p + 1..self.knots.len() - p - 1];
+        let span = p + inner.partition_point(|&knot| knot <= u);
+        let mut values = [0.0; LARGEST_DEGREE + 1];
+        let mut lower = [0.0; LARGEST_DEGREE + 1];
+        values[0] = 1.0;
+        // Cox-de Boor, one degree after the other.
+        for degree in 1..=p {
+            lower = values;
+            let mut carried = 0.0;
+            for (i, &value) in lower[..degree].iter().enumerate() {
+                let (left, right) = (self.knots[span + 1 + i - degree], self.knots[span + 1 + i]);
+                let share = value / (right - left);
+                values[i] = carried + (right - u) * share;
+                carried = (u - left) * share;
+            }
+            values[degree] = carried;
+        }
+        let first = span - p;
+        let count = (p + 1).min(self.count - first);
+        // Functions that stand for one at a flat end; what they share of each other's slopes is
+        // never added, and so leaves no rounding.
+        for i in count..=p {
+            values[count - 1] += std::mem::take(&mut values[i]);
+        }
+        let mut slopes = [0.0; LARGEST_DEGREE + 1];
+        for (i, &value) in lower[..count - 1].iter().enumerate() {
+            let share =
+                p as f64 * value / (self.knots[span + 1 + i] - self.knots[span + 1 + i - p]);
+            slopes[i] -= share;
+            slopes[i + 1] += share;
+        }
+        Weights {
+            first,
+            values,
+            slopes,
+            count,
+        }
+    }
+
+    /// Banded elimination of the collocation matrix `B_j(nodes_i)`. It is totally positive and
+    /// needs no pivoting.
+    fn factorise(&self, nodes: &[f64]) -> Vec<[f64; 2 * LARGEST_DEGREE + 1]> {
+        let p = self.degree;
+        let mut rows: Vec<[f64; 2 * LARGEST_DEGREE + 1]> = nodes
+            .iter()
+            .enumerate()
+            .map(|(i, &node)| {
+                let weights = self.weights(node);
+                let mut row = [0.0; 2 * LARGEST_DEGREE + 1];
+                for (k, value) in weights.values[..weights.count].iter().enumerate() {
+                    // A vanishing value may stand outside the band, at the last node for instance.
+                    if let Some(entry) = (weights.first + k + p)
+                        .checked_sub(i)
+                        .and_then(|at| row.get_mut(at))
+                    {
+                        *entry = *value;
+                    }
+                }
+                row
+            })
+            .collect();
+        for i in 0..rows.len() {
+            let pivot = rows[i];
+            for below in i + 1..rows.len().min(i + p + 1) {
+                let offset = below - i;
+                let factor = rows[below][p - offset] / pivot[p];
+                rows[below][p - offset] = factor;
+                for k in 1..=p {
+                    rows[below][p - offset + k] -= factor * pivot[p + k];
+                }
+            }
+        }
+        rows
+    }
+
+    /// Turns values at the nodes into coefficients, in place, for many splines at once: `values`
+    /// holds a row of `width` numbers for each node, and every column is one spline. Numbers after
+    /// the last row stay as they are.
+    ///
+    /// # Panics
+    /// If there are fewer numbers.
+    pub fn interpolate(&self, values: &mut [f64], width: usize) {
+        let (n, p) = (self.len(), self.degree);
+        for i in 0..n {
+            for k in 1..=p.min(i) {
+                subtract_row(values, width, i, i - k, self.factors[i][p - k]);
+            }
+        }
+        for i in (0..n).rev() {
+            for k in 1..=p.min(n - 1 - i) {
+                subtract_row(values, width, i, i + k, self.factors[i][p + k]);
+            }
+            let pivot = self.factors[i][p];
+            values[i * width..][..width]
+                .iter_mut()
+                .for_each(|value| *value /= pivot);
+        }
+    }
+}
+
+/// `values[target] -= factor values[source]`, for rows of `width` numbers.
+fn subtract_row(values: &mut [f64], width: usize, target: usize, source: usize, factor: f64) {
+    if factor == 0.0 {
+        return;
+    }
+    let (low, high) = values.split_at_mut(target.max(source) * width);
+    let (low, high) = (
+        &mut low[target.min(source) * width..][..width],
+        &mut high[..width],
+    );
+    let (target, source) = if target > source {
+        (high, low)
+    } else {
+        (low, high)
+    };
+    for (target, source) in target.iter_mut().zip(source) {
+        *target -= factor * *source;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn nodes(n: usize) -> Vec<f64> {
+        (0..n)
+            .map(|i| (i as f64 + 0.3 * (i as f64).sin()) / n as f64)
+            .collect()
+    }
+
+    fn evaluate(
+        weights: &Weights,
+        factors: &[f64; LARGEST_DEGREE + 1],
+        coefficients: &[f64],
+    ) -> f64 {
+        (0..weights.count)
+            .map(|k| factors[k] * coefficients[weights.first + k])
+            .sum()
+    }
+
+    #[test]
+    fn reproduces_polynomials_of_its_degree_with_their_slopes() {
+        for degree in [1, 3, 5, 9, 13] {
+            for n in 1..20 {
+                let order = degree.min(n - 1) as i32;
+                let nodes = nodes(n);
+                let basis = Basis::new(&nodes, degree);
+                let mut coefficients: Vec<f64> =
+                    nodes.iter().map(|x| (x - 0.4).powi(order)).collect();
+                basis.interpolate(&mut coefficients, 1);
+                for i in 0..=50 {
+                    let u = nodes[0] + (nodes[n - 1] - nodes[0]) * f64::from(i) / 50.0;
+                    let weights = basis.weights(u);
+                    let value = evaluate(&weights, &weights.values, &coefficients);
+                    let slope = evaluate(&weights, &weights.slopes, &coefficients);
+                    assert!(
+                        (value - (u - 0.4).powi(order)).abs() < 1e-13,
+                        "degree {degree}, {n} nodes, u = {u}: {value}"
+                    );
+                    let expected = if order == 0 {
+                        0.0
+                    } else {
+                        f64::from(order) * (u - 0.4).powi(order - 1)
+                    };
+                    assert!(
+                        (slope - expected).abs() < 1e-11,
+                        "degree {degree}, {n} nodes, u = {u}: slope {slope}"
+                    );
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_flat_end_has_no_first_two_derivatives_and_keeps_the_order() {
+        let function = |u: f64| (5.0 * (1.0 - u).powi(3)).sin();
+        let error = |n: usize| {
+            let nodes: Vec<f64> = (0..n).map(|i| i as f64 / (n - 1) as f64).collect();
+            let basis = Basis::flat_at_the_end(&nodes, 9);
+            let mut coefficients: Vec<f64> = nodes.iter().map(|&u| function(u)).collect();
+            basis.interpolate(&mut coefficients, 1);
+            let at = |u: f64, slope: bool| {
+                let weights = basis.weights(u);
+                evaluate(
+                    &weights,
+                    if slope {
+                        &weights.slopes
+                    } else {
+                        &weights.values
+                    },
+                    &coefficients,
+                )
+            };
+            assert!(
+                nodes
+                    .iter()
+                    .all(|&u| (at(u, false) - function(u)).abs() < 1e-14)
+            );
+            // The slope of a function of `s^3` is `3 s^2` times a smooth one, to the last digit.
+            for s in [1e-3, 1e-5, 1e-7] {
+                let ratio = at(1.0 - s, true) / (-15.0 * s * s);
+                assert!(
+                    (ratio - 1.0).abs() < 3e3 * (1.0 / n as f64).powi(7) + 1e-16 / s,
+                    "{n} nodes, s = {s}: {ratio}"
+                );
+            }
+            assert_eq!(at(1.0, true), 0.0);
+            (0..=997)
+                .map(|i| f64::from(i) / 997.0)
+                .map(|u| (at(u, false) - function(u)).abs())
+                .fold(0.0, f64::max)
+        };
+        let measured = (error(30) / error(59)).log2();
+        assert!(measured > 9.5, "order {measured}");
+        for few in 1..5 {
+            let nodes = nodes(few);
+            assert_eq!(
+                Basis::flat_at_the_end(&nodes, 9).weights(0.1).values,
+                Basis::new(&nodes, 9).weights(0.1).values
+            );
+        }
+        for n in 5..20 {
+            // One is flat.
+            let nodes = nodes(n);
+            let basis = Basis::flat_at_the_end(&nodes, 9);
+            let mut coefficients = vec![1.0; n];
+            basis.interpolate(&mut coefficients, 1);
+            assert!(
+                coefficients
+                    .iter()
+                    .all(|coefficient| (coefficient - 1.0).abs() < 1e-13),
+                "{n} nodes: {coefficients:?}"
+            );
+        }
+    }
+
+    #[test]
+    fn beyond_its_nodes_it_is_the_polynomial_of_the_end_and_at_nan_it_is_nan() {
+        for n in [1, 4, 12, 20] {
+            let nodes = nodes(n);
+            let basis = Basis::new(&nodes, 9);
+            let order = 9.min(n - 1) as i32;
+            let mut coefficients: Vec<f64> = nodes.iter().map(|x| (x - 0.4).powi(order)).collect();
+            coefficients.push(7.0);
+            basis.interpolate(&mut coefficients, 1);
+            assert_eq!(coefficients[n], 7.0, "it is in no row");
+            for u in [nodes[0] - 0.1, nodes[n - 1] + 0.1] {
+                let weights = basis.weights(u);
+                let value = evaluate(&weights, &weights.values, &coefficients);
+                assert!(
+                    (value - (u - 0.4).powi(order)).abs() < 1e-9,
+                    "{n} nodes, u = {u}: {value}"
+                );
+            }
+            let weights = basis.weights(f64::NAN);
+            assert!(n == 1 || evaluate(&weights, &weights.values, &coefficients).is_nan());
+            for u in [f64::INFINITY, f64::NEG_INFINITY] {
+                assert!(basis.weights(u).first + basis.weights(u).count <= n);
+            }
+        }
+    }
+
+    #[test]
+    fn goes_through_the_values_at_its_nodes_and_converges_with_its_order() {
+        for (degree, order) in [(3, 4), (5, 6), (9, 10)] {
+            let error = |n: usize| {
+                let nodes: Vec<f64> = (0..n).map(|i| i as f64 / (n - 1) as f64).collect();
+                let basis = Basis::new(&nodes, degree);
+                let mut coefficients: Vec<f64> = nodes.iter().map(|x| (12.0 * x).sin()).collect();
+                basis.interpolate(&mut coefficients, 1);
+                let error = |u: f64| {
+                    let weights = basis.weights(u);
+                    (evaluate(&weights, &weights.values, &coefficients) - (12.0 * u).sin()).abs()
+                };
+                assert!(nodes.iter().all(|&u| error(u) < 8e-15));
+                (0..=997)
+                    .map(|i| error(f64::from(i) / 997.0))
+                    .fold(0.0, f64::max)
+            };
+            let measured = (error(30) / error(59)).log2();
+            assert!(
+                (measured - f64::from(order)).abs() < 0.5,
+                "degree {degree}: order {measured}"
+            );
+        }
+    }
+}

@@ -1,0 +1,204 @@
+//! Derivatives of the quantities with respect to the material.
+
+use std::sync::Arc;
+
+use crate::Parameter;
+use crate::curve::piecewise::{Logarithms, Place, all};
+use crate::material::equivalence::Jacobian;
+use crate::material::one_minus_square;
+use crate::{Error, Material, Normalisation, Quantities, Quantity};
+
+/// What a curve knows of the derivatives with respect to its material.
+#[derive(Clone, Debug)]
+pub(crate) struct Sensitivities {
+    /// The derivatives of the logarithms with respect to `ln e1_over_e2`, `nu1` and `ln e0_over_e2`
+    /// of the table.
+    by_table: [Arc<[Logarithms]>; 3],
+    /// Which of them the table knows: a parameter that it fixes to a finite value is unknown.
+    known: [bool; 3],
+    /// How the table's parameters follow those of the material asked for, which may be on another
+    /// substrate.
+    jacobian: Jacobian,
+    /// The derivatives of `ln es` with respect to `ln e1_over_e2`, `nu1`, `ln e0_over_e2` and
+    /// `nu0`.
+    scale: [f64; 4],
+    /// The material asked for.
+    material: Material,
+}
+
+impl Sensitivities {
+    /// From the derivatives on the pieces, whether they are known, and the material asked for with
+    /// how its equivalent follows it.
+    pub(crate) fn new(
+        by_table: [Arc<[Logarithms]>; 3],
+        known: [bool; 3],
+        material: Material,
+        jacobian: Jacobian,
+    ) -> Self {
+        let film = match material.normalisation() {
+            Normalisation::Sphere => material.sphere_film_modulus() / material.film_modulus(),
+            Normalisation::Film => 0.0,
+        };
+        let scale = [
+            film,
+            film * 2.0 * material.nu1() / one_minus_square(material.nu1()),
+            0.0,
+            0.0,
+        ];
+        Self {
+            by_table,
+            known,
+            jacobian,
+            scale,
+            material,
+        }
+    }
+
+    /// The gradient at a place, where the quantities and their slopes are given.
+    pub(crate) fn gradient(
+        &self,
+        place: Place,
+        values: Quantities,
+        slopes: Quantities,
+    ) -> QuantityGradient {
+        let by_table = self
+            .by_table
+            .each_ref()
+            .map(|pieces| all(&pieces[place.piece], place));
+        let mut relative = [[0.0; 4]; 4];
+        for (parameter, relative) in relative.iter_mut().enumerate() {
+            for (by_table, factors) in by_table.iter().zip(&self.jacobian) {
+                relative
+                    .iter_mut()
+                    .zip(by_table)
+                    .for_each(|(sum, derivative)| *sum += factors[parameter] * derivative);
+            }
+            for quantity in [Quantity::Pi0, Quantity::Eeq, Quantity::Gamma] {
+                relative[quantity as usize] += self.scale[parameter];
+            }
+        }
+        let unknown =
+            |parameter: usize| (0..3).any(|i| !self.known[i] && self.jacobian[i][parameter] != 0.0);
+        QuantityGradient {
+            values,
+            slopes,
+            relative,
+            known: std::array::from_fn(|parameter| !unknown(parameter)),
+            scale: self.scale,
+            material: self.material,
+        }
+    }
+}
+
+/// The four quantities at one `a/t`, with their derivatives.
+#[derive(Clone, Copy, Debug)]
+pub struct QuantityGradient {
+    values: Quantities,
+    slopes: Quantities,
+    /// The derivatives of the logarithms of the quantities with respect to `ln e1_over_e2`, `nu1`,
+    /// `ln e0_over_e2` and `nu0`.
+    relative: [[f64; 4]; 4],
+    known: [bool; 4],
+    /// Those of `ln es`.
+    scale: [f64; 4],
+    material: Material,
+}
+
+impl QuantityGradient {
+    /// That of the expansion for thick films where `a/t` is `ratio` times as large, from the
+    /// quantities and their slopes there: the departure of a quantity, or of one over it, from its
+    /// limit is `ratio` times what it is here.
+    pub(crate) fn continued_to_thicker_films(
+        self,
+        ratio: f64,
+        values: Quantities,
+        slopes: Quantities,
+    ) -> Self {
+        let change = |quantity: Quantity| values.get(quantity) / self.values.get(quantity);
+        let shares = Quantity::ALL.map(|quantity| match quantity {
+            Quantity::Pi0 | Quantity::Delta0 => ratio / change(quantity),
+            Quantity::Eeq | Quantity::Gamma => ratio * change(quantity),
+        });
+        let mut relative = self.relative;
+        for (relative, scale) in relative.iter_mut().zip(self.scale) {
+            for quantity in Quantity::ALL {
+                let of_limit = if quantity == Quantity::Delta0 {
+                    0.0
+                } else {
+                    scale
+                };
+                let own = &mut relative[quantity as usize];
+                *own = of_limit + shares[quantity as usize] * (*own - of_limit);
+            }
+        }
+        Self {
+            values,
+            slopes,
+            relative,
+            ..self
+        }
+    }
+
+    /// The quantities themselves.
+    pub const fn values(&self) -> Quantities {
+        self.values
+    }
+
+    /// Their logarithmic slopes `x dQ/dx` with `x = a/t`.
+    pub const fn slopes(&self) -> Quantities {
+        self.slopes
+    }
+
+    /// The derivatives with respect to `e1_over_e2`, `nu1` or `e0_over_e2` of the material asked
+    /// for, all else being fixed; 0 with respect to an infinite `e0_over_e2`. With respect to
+    /// `a_over_t` they are the [slopes](QuantityGradient::slopes) over it.
+    ///
+    /// # Errors
+    /// [`Error::FixedParameter`] where the table does not know them, because its scene fixes a
+    /// parameter that they need; for `a_over_t`; and for an `e1_over_e2` of 0, where the
+    /// normalisation changes.
+    pub fn by(&self, parameter: Parameter) -> Result<Quantities, Error> {
+        let unknown = Error::FixedParameter(parameter.name());
+        let (index, modulus) = match parameter {
+            Parameter::AOverT => return Err(unknown),
+            Parameter::E1OverE2 if self.material.e1_over_e2() == 0.0 => return Err(unknown),
+            Parameter::E1OverE2 => (0, self.material.e1_over_e2()),
+            Parameter::Nu1 => (1, 1.0),
+            Parameter::E0OverE2 => (2, self.material.e0_over_e2()),
+        };
+        let relative = self.relative(index).ok_or(unknown)?;
+        Ok(self.absolute(relative.map(|derivative| derivative / modulus)))
+    }
+
+    /// The derivatives with respect to the substrate's Poisson ratio, through the
+    /// [equivalent](Material::with_substrate_poisson_ratio) of the material.
+    ///
+    /// # Errors
+    /// [`Error::FixedParameter`] where the table does not know them.
+    pub fn by_nu0(&self) -> Result<Quantities, Error> {
+        Ok(self.absolute(self.relative(3).ok_or(Error::FixedParameter("nu0"))?))
+    }
+
+    /// The derivatives of the logarithms with respect to `ln e1_over_e2`, `nu1`, `ln e0_over_e2` or
+    /// `nu0`, by number, if they are known.
+    pub(crate) fn relative(&self, parameter: usize) -> Option<[f64; 4]> {
+        self.known[parameter].then_some(self.relative[parameter])
+    }
+
+    /// The derivative of `ln es` with respect to the same.
+    pub(crate) const fn scale(&self, parameter: usize) -> f64 {
+        self.scale[parameter]
+    }
+
+    /// The material whose parameters these derivatives are with respect to.
+    pub(crate) const fn material(&self) -> &Material {
+        &self.material
+    }
+
+    fn absolute(&self, relative: [f64; 4]) -> Quantities {
+        let values = self.values.to_array();
+        Quantities::from_array(std::array::from_fn(|quantity| {
+            values[quantity] * relative[quantity]
+        }))
+    }
+}

@@ -1,0 +1,204 @@
+//! The dimensionless material of sphere (2), film (1) and substrate (0): ratios, reduced moduli and
+//! exact limits.
+
+use crate::{Error, Quantities};
+use serde::{Deserialize, Serialize};
+
+/// What the rounding of a ratio of SI values may add up to.
+pub(crate) const ROUNDING: f64 = 1e-12;
+
+/// The modulus in whose units the tabulated quantities are given.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Normalisation {
+    /// The sphere's reduced modulus `E2* = E2 / (1 - nu2^2)`: the usual case.
+    Sphere,
+    /// The film's reduced modulus `E1* = E1 / (1 - nu1^2)`: the sphere is rigid.
+    Film,
+}
+
+impl Normalisation {
+    /// The symbol, as stored in the table's attribute `normalised_by`.
+    pub const fn symbol(self) -> &'static str {
+        match self {
+            Self::Sphere => "E2*",
+            Self::Film => "E1*",
+        }
+    }
+}
+
+/// The dimensionless material parameters of a coated contact.
+///
+/// `e1_over_e2` and `e0_over_e2` are *Young's* moduli of film and substrate over the sphere's
+/// *reduced* modulus `E2*`, as Barthel's Table 1 normalises them. `e0_over_e2 = inf` is a rigid
+/// substrate. `e1_over_e2 = 0` is a rigid sphere: then every quantity is normalised by the film's
+/// reduced modulus `E1*` and `e0_over_e2` is read as `E0/E1`.
+///
+/// ```
+/// # fn main() -> Result<(), interp::Error> {
+/// let paper = interp::Material::new(1.75, 0.5, 1e5, 0.25)?;
+/// assert!((paper.sphere_film_modulus() - 0.7).abs() < 1e-15); // eq. 7: es = 1/(1 + 3/7)
+/// # Ok(()) }
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Material {
+    e1_over_e2: f64,
+    nu1: f64,
+    e0_over_e2: f64,
+    nu0: f64,
+}
+
+impl Material {
+    /// A material from its four ratios.
+    ///
+    /// # Errors
+    /// [`Error::Unphysical`] unless `0 <= e1_over_e2 < inf`, `0 < e0_over_e2 <= inf` and both
+    /// Poisson ratios are in `(-1, 0.5]`.
+    pub fn new(e1_over_e2: f64, nu1: f64, e0_over_e2: f64, nu0: f64) -> Result<Self, Error> {
+        let finite = (0.0..f64::INFINITY).contains(&e1_over_e2);
+        Error::unless(
+            finite,
+            "e1_over_e2",
+            e1_over_e2,
+            "finite and >= 0 (0 is a rigid sphere)",
+        )?;
+        Error::unless(
+            e0_over_e2 > 0.0,
+            "e0_over_e2",
+            e0_over_e2,
+            "> 0 (inf is a rigid substrate)",
+        )?;
+        poisson_ratio("nu1", nu1)?;
+        poisson_ratio("nu0", nu0)?;
+        Ok(Self {
+            e1_over_e2,
+            nu1,
+            e0_over_e2,
+            nu0,
+        })
+    }
+
+    /// Whether two materials differ by the rounding of ratios of SI values at most.
+    pub(crate) fn is_close_to(&self, other: &Self) -> bool {
+        let close = |a: f64, b: f64, size: f64| a == b || (a - b).abs() <= ROUNDING * size;
+        close(self.e1_over_e2, other.e1_over_e2, other.e1_over_e2)
+            && close(self.nu1, other.nu1, 1.0)
+            && close(self.e0_over_e2, other.e0_over_e2, other.e0_over_e2)
+            && close(self.nu0, other.nu0, 1.0)
+    }
+
+    /// `E1/E2*`, or 0 for a rigid sphere.
+    pub const fn e1_over_e2(&self) -> f64 {
+        self.e1_over_e2
+    }
+
+    /// The film's Poisson ratio.
+    pub const fn nu1(&self) -> f64 {
+        self.nu1
+    }
+
+    /// `E0/E2*`, or `E0/E1` under a rigid sphere.
+    pub const fn e0_over_e2(&self) -> f64 {
+        self.e0_over_e2
+    }
+
+    /// The substrate's Poisson ratio.
+    pub const fn nu0(&self) -> f64 {
+        self.nu0
+    }
+
+    /// The modulus in whose units all quantities of this material are given.
+    pub const fn normalisation(&self) -> Normalisation {
+        if self.e1_over_e2 == 0.0 {
+            Normalisation::Film
+        } else {
+            Normalisation::Sphere
+        }
+    }
+
+    /// The sphere's compliance in the normalising unit: 1, or 0 for a rigid sphere.
+    pub const fn sphere_compliance(&self) -> f64 {
+        match self.normalisation() {
+            Normalisation::Sphere => 1.0,
+            Normalisation::Film => 0.0,
+        }
+    }
+
+    /// The film's reduced modulus `e1 = E1*/E2*` (1 under a rigid sphere, where it is the unit).
+    pub const fn film_modulus(&self) -> f64 {
+        match self.normalisation() {
+            Normalisation::Sphere => self.e1_over_e2 / one_minus_square(self.nu1),
+            Normalisation::Film => 1.0,
+        }
+    }
+
+    /// The substrate's reduced modulus `e0 = E0*/E2*` (`E0*/E1*` under a rigid sphere).
+    pub const fn substrate_modulus(&self) -> f64 {
+        let young = self.e0_over_e2 / one_minus_square(self.nu0);
+        match self.normalisation() {
+            Normalisation::Sphere => young,
+            Normalisation::Film => young * one_minus_square(self.nu1),
+        }
+    }
+
+    /// `E1/E0`, exactly 0 on a rigid substrate.
+    pub const fn film_over_substrate(&self) -> f64 {
+        match self.normalisation() {
+            Normalisation::Sphere => self.e1_over_e2 / self.e0_over_e2,
+            Normalisation::Film => 1.0 / self.e0_over_e2,
+        }
+    }
+
+    /// The compound sphere-film modulus `es = 1/(1 + 1/e1)` (eq. 7): the crack tip's, and all there
+    /// is as `a/t -> 0`.
+    pub const fn sphere_film_modulus(&self) -> f64 {
+        1.0 / (self.sphere_compliance() + 1.0 / self.film_modulus())
+    }
+
+    /// The compound sphere-substrate modulus `einf = 1/(1 + 1/e0)`: all there is as `a/t -> inf`.
+    /// Infinite between rigid bodies.
+    pub const fn sphere_substrate_modulus(&self) -> f64 {
+        1.0 / (self.sphere_compliance() + 1.0 / self.substrate_modulus())
+    }
+
+    /// `(1/e1) X'(0)`, how the compliance of film and substrate begins to fall with the wave number
+    /// `q = kt` (physically: with `1/a`): of `X = N/D` with `m = G1/G0`, `g = 3 - 4 nu`,
+    ///
+    /// ```text
+    /// X'(0) = 2 (c2 c3 - c0^2)/c3^2,   c0 = m (1+g1)(1+g0),   c2 = 4 m^2 g0 - 8 m nu1 (1-2 nu0) + 4 (1-2 nu1),   c3 = (1+g1)^2
+    /// ```
+    pub(crate) fn compliance_slope(&self) -> f64 {
+        let (g1, g0) = (3.0 - 4.0 * self.nu1, 3.0 - 4.0 * self.nu0);
+        let m = self.film_over_substrate() * ((1.0 + self.nu0) / (1.0 + self.nu1));
+        let c0 = m * (1.0 + g1) * (1.0 + g0);
+        let c2 = 4.0 * m * m * g0 - 8.0 * m * self.nu1 * (1.0 - 2.0 * self.nu0)
+            + 4.0 * (1.0 - 2.0 * self.nu1);
+        let c3 = (1.0 + g1) * (1.0 + g1);
+        2.0 * (c2 - c0 * (c0 / c3)) / c3 / self.film_modulus()
+    }
+
+    /// The exact limit `a/t -> 0`: sphere on a half-space of film.
+    pub const fn thick_film_limit(&self) -> Quantities {
+        Quantities::homogeneous(self.sphere_film_modulus())
+    }
+
+    /// The exact limit `a/t -> inf`: sphere on bare substrate, but for the edge,
+    /// `Gamma = sqrt(es einf)`.
+    pub fn thin_film_limit(&self) -> Quantities {
+        let einf = self.sphere_substrate_modulus();
+        let gamma = (self.sphere_film_modulus() * einf).sqrt();
+        Quantities {
+            gamma,
+            ..Quantities::homogeneous(einf)
+        }
+    }
+}
+
+/// `1 - nu^2`, accurate near `nu = -1`.
+pub(crate) const fn one_minus_square(nu: f64) -> f64 {
+    (1.0 - nu) * (1.0 + nu)
+}
+
+/// Accepts a Poisson ratio in `(-1, 0.5]`.
+pub(crate) fn poisson_ratio(name: &'static str, nu: f64) -> Result<(), Error> {
+    Error::unless(nu > -1.0 && nu <= 0.5, name, nu, "in (-1, 0.5]")
+}

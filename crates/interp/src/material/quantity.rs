@@ -1,0 +1,117 @@
+//! The four functions that are tabulated.
+
+use serde::{Deserialize, Serialize};
+
+/// One of the four dimensionless functions of (`a_over_t`, `e1_over_e2`, `nu1`, `e0_over_e2`).
+///
+/// The order of the variants is the order of columns and of arrays of four values everywhere.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Quantity {
+    /// Adhesionless load, `F0 = a^3 E2* Pi0 / (2 R)` (Barthel, eq. 4).
+    Pi0,
+    /// Contact stiffness, `S = 2 a E2* Eeq` (Barthel, eq. 5).
+    Eeq,
+    /// Edge singularity per flat-punch penetration, `g(a) = delta_fp E2* Gamma / 2` (Barthel, eq.
+    /// 6).
+    Gamma,
+    /// Adhesionless penetration, `delta0 = a^2 Delta0 / R`.
+    Delta0,
+}
+
+impl Quantity {
+    /// All four, in their fixed order.
+    pub const ALL: [Self; 4] = [Self::Pi0, Self::Eeq, Self::Gamma, Self::Delta0];
+
+    /// The name used in the API, on the command line, in CSV, TOML and HDF5.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Pi0 => "pi0",
+            Self::Eeq => "eeq",
+            Self::Gamma => "gamma",
+            Self::Delta0 => "delta0",
+        }
+    }
+
+    /// What it is, in words.
+    pub const fn long_name(self) -> &'static str {
+        match self {
+            Self::Pi0 => "adhesionless load",
+            Self::Eeq => "contact stiffness",
+            Self::Gamma => "edge singularity per flat-punch penetration",
+            Self::Delta0 => "adhesionless penetration",
+        }
+    }
+
+    /// The definition. `E*` stands for the modulus that normalises: the sphere's, or the film's
+    /// under a rigid sphere.
+    pub const fn equation(self) -> &'static str {
+        match self {
+            Self::Pi0 => "F0 = a^3 E* pi0 / (2 R), Barthel eq. 4",
+            Self::Eeq => "S = 2 a E* eeq, Barthel eq. 5",
+            Self::Gamma => "g(a) = delta_fp E* gamma / 2, Barthel eq. 6",
+            Self::Delta0 => "penetration = a^2 delta0 / R",
+        }
+    }
+
+    /// What the quantity is divided by before its logarithm is splined, given the sphere-film
+    /// modulus `es`: its order of magnitude where films are thick.
+    pub const fn scale(self, es: f64) -> f64 {
+        match self {
+            Self::Pi0 | Self::Eeq | Self::Gamma => es,
+            Self::Delta0 => 1.0,
+        }
+    }
+
+    /// What is splined in place of a value: the logarithm of it over its [scale](Quantity::scale).
+    pub fn logarithm(self, value: f64, es: f64) -> f64 {
+        (value / self.scale(es)).ln()
+    }
+}
+
+/// The four functions at one point, dimensionless.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Quantities {
+    /// See [`Quantity::Pi0`].
+    pub pi0: f64,
+    /// See [`Quantity::Eeq`].
+    pub eeq: f64,
+    /// See [`Quantity::Gamma`].
+    pub gamma: f64,
+    /// See [`Quantity::Delta0`].
+    pub delta0: f64,
+}
+
+impl Quantities {
+    /// The values in the order of [`Quantity::ALL`].
+    pub const fn to_array(self) -> [f64; 4] {
+        [self.pi0, self.eeq, self.gamma, self.delta0]
+    }
+
+    /// The inverse of [`Quantities::to_array`].
+    pub const fn from_array([pi0, eeq, gamma, delta0]: [f64; 4]) -> Self {
+        Self {
+            pi0,
+            eeq,
+            gamma,
+            delta0,
+        }
+    }
+
+    /// The value of one quantity.
+    pub const fn get(&self, quantity: Quantity) -> f64 {
+        self.to_array()[quantity as usize]
+    }
+
+    /// A sphere on a half-space whose compound reduced modulus is `modulus` (in units of the
+    /// normalising one): Hertz and the flat punch, `Pi0 = 8/3 E*`, `Eeq = Gamma = E*`,
+    /// `Delta0 = 1`.
+    pub const fn homogeneous(modulus: f64) -> Self {
+        Self {
+            pi0: 8.0 / 3.0 * modulus,
+            eeq: modulus,
+            gamma: modulus,
+            delta0: 1.0,
+        }
+    }
+}

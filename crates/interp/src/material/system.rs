@@ -1,0 +1,140 @@
+//! What touches what, in SI units.
+
+use crate::material::{one_minus_square, poisson_ratio};
+use crate::{Error, Material};
+
+/// An isotropic elastic solid.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Elastic {
+    young: f64,
+    poisson: f64,
+}
+
+impl Elastic {
+    /// From Young's modulus (Pa; infinity is rigid) and Poisson ratio.
+    ///
+    /// # Errors
+    /// [`Error::Unphysical`] unless `young > 0` and `poisson` is in `(-1, 0.5]`.
+    pub fn new(young: f64, poisson: f64) -> Result<Self, Error> {
+        Error::unless(young > 0.0, "Young's modulus", young, "> 0 (inf is rigid)")?;
+        poisson_ratio("Poisson ratio", poisson)?;
+        Ok(Self { young, poisson })
+    }
+
+    /// Young's modulus, Pa.
+    pub const fn young(&self) -> f64 {
+        self.young
+    }
+
+    /// Poisson ratio.
+    pub const fn poisson(&self) -> f64 {
+        self.poisson
+    }
+
+    /// The reduced modulus `E/(1 - nu^2)`, Pa.
+    pub const fn reduced(&self) -> f64 {
+        self.young / one_minus_square(self.poisson)
+    }
+}
+
+/// Sphere, film and substrate in SI units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct System {
+    /// Radius `R` of the sphere, m.
+    pub sphere_radius: f64,
+    /// Reduced modulus `E2* = E2/(1 - nu2^2)` of the sphere, Pa; infinity is a rigid sphere.
+    pub sphere_modulus: f64,
+    /// The film (body 1).
+    pub film: Elastic,
+    /// Thickness `t` of the film, m.
+    pub film_thickness: f64,
+    /// The substrate (body 0).
+    pub substrate: Elastic,
+}
+
+impl System {
+    /// The dimensionless material of the system.
+    ///
+    /// # Errors
+    /// [`Error::Unphysical`] for a length or modulus that is not positive, or a rigid film.
+    pub fn material(&self) -> Result<Material, Error> {
+        positive("sphere_radius", self.sphere_radius)?;
+        positive("film_thickness", self.film_thickness)?;
+        positive("film modulus", self.film.young)?;
+        sphere_modulus(self.sphere_modulus)?;
+        let rigid = self.sphere_modulus == f64::INFINITY;
+        let unit = if rigid {
+            self.film.young
+        } else {
+            self.sphere_modulus
+        };
+        let e1_over_e2 = if rigid { 0.0 } else { self.film.young / unit };
+        Material::new(
+            e1_over_e2,
+            self.film.poisson,
+            self.substrate.young / unit,
+            self.substrate.poisson,
+        )
+    }
+
+    /// The same sphere on the bare substrate.
+    pub const fn without_film(&self) -> HalfSpace {
+        HalfSpace {
+            sphere_radius: self.sphere_radius,
+            sphere_modulus: self.sphere_modulus,
+            solid: self.substrate,
+        }
+    }
+}
+
+/// A sphere and a half-space in SI units: no film, no table, JKR.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HalfSpace {
+    /// Radius `R` of the sphere, m.
+    pub sphere_radius: f64,
+    /// Reduced modulus `E2* = E2/(1 - nu2^2)` of the sphere, Pa; infinity is a rigid sphere.
+    pub sphere_modulus: f64,
+    /// The solid that fills the half-space.
+    pub solid: Elastic,
+}
+
+impl HalfSpace {
+    /// The compound modulus `E*` of sphere and solid (Pa), `1/E* = (1 - nu2^2)/E2 + (1 - nu^2)/E`:
+    /// all that the contact knows of both.
+    ///
+    /// # Errors
+    /// [`Error::Unphysical`] for a radius or modulus that is not positive, or a rigid sphere on a
+    /// rigid solid.
+    pub fn compound_modulus(&self) -> Result<f64, Error> {
+        positive("sphere_radius", self.sphere_radius)?;
+        sphere_modulus(self.sphere_modulus)?;
+        let (sphere, solid) = (self.sphere_modulus, self.solid.reduced());
+        let softer = sphere.min(solid);
+        Error::unless(
+            softer < f64::INFINITY,
+            "sphere_modulus",
+            sphere,
+            "finite on a rigid half-space",
+        )?;
+        Ok(softer / (1.0 + softer / sphere.max(solid)))
+    }
+}
+
+/// Accepts a positive finite value.
+pub(crate) fn positive(name: &'static str, value: f64) -> Result<(), Error> {
+    Error::unless(
+        value > 0.0 && value.is_finite(),
+        name,
+        value,
+        "> 0 and finite",
+    )
+}
+
+fn sphere_modulus(value: f64) -> Result<(), Error> {
+    Error::unless(
+        value > 0.0,
+        "sphere_modulus",
+        value,
+        "> 0 (inf is a rigid sphere)",
+    )
+}

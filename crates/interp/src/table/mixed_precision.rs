@@ -1,0 +1,223 @@
+//! Weighted sums of rows that are read in as few bytes as they need.
+//!
+//! A block of columns keeps a row only where it matters there, and in single precision where that
+//! is enough.
+
+use fearless_simd::prelude::*;
+use fearless_simd::{f32x16, f64x8};
+
+/// The columns of a block: sums over it stay in registers.
+pub(crate) const BLOCK: usize = 16;
+
+/// Rows of equal length.
+#[derive(Clone, Debug)]
+pub(crate) struct MixedPrecision {
+    length: usize,
+    double: Blocks<f64>,
+    single: Blocks<f32>,
+}
+
+/// The rows of one precision, block after block.
+#[derive(Clone, Debug)]
+struct Blocks<T> {
+    entries: Vec<Entries<T>>,
+    /// Which row that is.
+    rows: Vec<u32>,
+    /// Where each block ends among these.
+    ends: Vec<usize>,
+}
+
+/// A block of a row, the last one filled up with zeros; on cache lines of its own, as one that
+/// begins in the middle of a line takes twice the time.
+#[derive(Clone, Copy, Debug)]
+#[repr(align(64))]
+struct Entries<T>([T; BLOCK]);
+
+impl MixedPrecision {
+    /// Without what adds no more to a block than `negligible` of its row, in single precision what
+    /// is rounded by no more than `rounding` then. All are root sums of squares over the columns of
+    /// a block, for a weight of 1.
+    pub(crate) fn new(
+        rows: &[f64],
+        length: usize,
+        negligible: impl Fn(usize) -> f64,
+        rounding: f64,
+    ) -> Self {
+        let (mut double, mut single) = (Blocks::new(), Blocks::new());
+        for first in (0..length).step_by(BLOCK) {
+            for (i, row) in rows.chunks_exact(length).enumerate() {
+                let block = &row[first..length.min(first + BLOCK)];
+                let size = block.iter().map(|entry| entry * entry).sum::<f64>().sqrt();
+                if size <= negligible(i) {
+                    continue;
+                }
+                if size * f64::from(0.5 * f32::EPSILON) <= rounding {
+                    single.push(i, block.iter().map(|&entry| entry as f32));
+                } else {
+                    double.push(i, block.iter().copied());
+                }
+            }
+            double.end_block();
+            single.end_block();
+        }
+        Self {
+            length,
+            double,
+            single,
+        }
+    }
+
+    /// The weighted sum.
+    #[inline(always)]
+    pub(crate) fn sum<S: Simd>(&self, simd: S, weights: &[f64]) -> Vec<f64> {
+        let single: Vec<f32> = weights.iter().map(|&weight| weight as f32).collect();
+        let mut sum = vec![0.0; self.length.next_multiple_of(BLOCK)];
+        for (i, sum) in sum.chunks_exact_mut(BLOCK).enumerate() {
+            let [first, second] = self.double.sum_of_block::<S, f64x8<S>, 2>(simd, i, weights);
+            let [rest] = self
+                .single
+                .sum_of_block::<S, f32x16<S>, 1>(simd, i, &single);
+            let (first_half, second_half) = sum.split_at_mut(BLOCK / 2);
+            first.store_slice(first_half);
+            second.store_slice(second_half);
+            sum.iter_mut()
+                .zip(rest.as_slice())
+                .for_each(|(sum, &entry)| *sum += f64::from(entry));
+        }
+        sum.truncate(self.length);
+        sum
+    }
+}
+
+impl<T: Copy + Default> Blocks<T> {
+    fn new() -> Self {
+        Self {
+            entries: Vec::new(),
+            rows: Vec::new(),
+            ends: Vec::new(),
+        }
+    }
+
+    fn push(&mut self, row: usize, block: impl Iterator<Item = T>) {
+        let mut entries = [T::default(); BLOCK];
+        entries
+            .iter_mut()
+            .zip(block)
+            .for_each(|(entry, value)| *entry = value);
+        self.entries.push(Entries(entries));
+        self.rows
+            .push(u32::try_from(row).expect("a row that fits in memory"));
+    }
+
+    fn end_block(&mut self) {
+        self.ends.push(self.rows.len());
+    }
+
+    /// In as many vectors as a block fills. Two rows at once, because a sum cannot begin before the
+    /// one before it has ended.
+    #[inline(always)]
+    fn sum_of_block<S: Simd, V: SimdFloat<S, Element = T>, const VECTORS: usize>(
+        &self,
+        simd: S,
+        block: usize,
+        weights: &[T],
+    ) -> [V; VECTORS] {
+        let block = if block == 0 { 0 } else { self.ends[block - 1] }..self.ends[block];
+        let (pairs, last) = self.rows[block.clone()].as_chunks::<2>();
+        let (pairs_of_entries, last_entries) = self.entries[block].as_chunks::<2>();
+        let mut even = [V::splat(simd, T::default()); VECTORS];
+        let mut odd = even;
+        for (&[p, q], [of_p, of_q]) in pairs.iter().zip(pairs_of_entries) {
+            add(simd, &mut even, of_p, weights[p as usize]);
+            add(simd, &mut odd, of_q, weights[q as usize]);
+        }
+        if let ([p], [of_p]) = (last, last_entries) {
+            add(simd, &mut even, of_p, weights[*p as usize]);
+        }
+        for (even, odd) in even.iter_mut().zip(odd) {
+            *even += odd;
+        }
+        even
+    }
+}
+
+/// Adds a weighted row of a block.
+#[inline(always)]
+fn add<S: Simd, V: SimdFloat<S>>(
+    simd: S,
+    sum: &mut [V],
+    entries: &Entries<V::Element>,
+    weight: V::Element,
+) {
+    let weight = V::splat(simd, weight);
+    for (sum, entries) in sum.iter_mut().zip(entries.0.chunks_exact(V::LEN)) {
+        *sum = V::from_slice(simd, entries).mul_add(weight, *sum);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use fearless_simd::{Level, dispatch};
+
+    use super::*;
+
+    #[test]
+    fn each_row_keeps_the_digits_that_it_needs() {
+        const LENGTH: usize = 2 * BLOCK + 5;
+        const ROUNDING: f64 = 1e-13;
+        const NEGLIGIBLE: f64 = 1e-11;
+        // A row for each power of ten, whose columns fall by ten from block to block.
+        let size = |row: usize, column: usize| 0.1_f64.powi((row + column / BLOCK) as i32);
+        let entry =
+            |row: usize, column: usize| size(row, column) * ((7 * row + 3 * column) as f64).sin();
+        let count = 15;
+        let rows: Vec<f64> = (0..count)
+            .flat_map(|row| (0..LENGTH).map(move |column| entry(row, column)))
+            .collect();
+        let rows_in_two = MixedPrecision::new(&rows, LENGTH, |_| NEGLIGIBLE, ROUNDING);
+        for row in 0..count {
+            let mut weights = vec![0.0; count];
+            weights[row] = 1.0 / 3.0;
+            let sum = dispatch!(Level::new(), simd => rows_in_two.sum(simd, &weights));
+            assert_eq!(sum.len(), LENGTH);
+            for (column, value) in sum.iter().enumerate() {
+                let error = (value - entry(row, column) / 3.0).abs();
+                // Twice rounded to single precision where the block of 16 columns of this size
+                // bears it.
+                let allowed = match size(row, column) {
+                    size if size > 1.1e-6 => f64::EPSILON * size,
+                    size if size > 1.1e-11 => 2.0 * ROUNDING,
+                    _ => NEGLIGIBLE,
+                };
+                assert!(
+                    error <= allowed,
+                    "row {row}, column {column}: {value}, wrong by {error}"
+                );
+            }
+        }
+        let sizes = [rows_in_two.double.rows.len(), rows_in_two.single.rows.len()];
+        assert!(
+            sizes[0] <= 7 + 6 + 5 && sizes[1] <= 6 * 3,
+            "{sizes:?} rows of blocks in double and in single precision"
+        );
+    }
+
+    #[test]
+    fn what_must_not_be_left_out_is_not() {
+        let rows = [1e-9, 1e-9];
+        let rows_in_two =
+            MixedPrecision::new(&rows, 1, |row| if row == 0 { 1e-13 } else { 1e-8 }, 1e-13);
+        assert_eq!(
+            dispatch!(Level::new(), simd => rows_in_two.sum(simd, &[1.0, 0.0])),
+            [f64::from(1e-9_f32)]
+        );
+        assert_eq!(
+            dispatch!(Level::new(), simd => rows_in_two.sum(simd, &[0.0, 1.0])),
+            [0.0]
+        );
+        assert_eq!(
+            dispatch!(Level::new(), simd => rows_in_two.sum(simd, &[0.0, 0.0])),
+            [0.0]
+        );
+    }
+}

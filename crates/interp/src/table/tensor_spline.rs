@@ -1,0 +1,146 @@
+//! The tensor spline of a table: from its coefficients to those of one material's splines over
+//! `ln(a/t)`.
+
+use std::array;
+
+use crate::Parameter;
+use crate::curve::bspline::{Basis, LARGEST_DEGREE, Weights};
+use crate::table::axes::{Axes, MATERIAL};
+use crate::table::low_rank::LowRank;
+use crate::table::tensor_train::TensorTrain;
+use crate::table::weighted_sum::add_rows;
+
+/// The tensor B-spline of a table.
+///
+/// What is splined is `ln(Pi0/es)`, `ln(Eeq/es)`, `ln(Gamma/es)` and `ln Delta0` over `ln(a/t)`,
+/// `ln(E1/E2)`, `c(nu1)` and `ln(E0/E2)`.
+#[derive(Clone, Debug)]
+pub(crate) struct TensorSpline {
+    /// Of `e1_over_e2`, `nu1` and `e0_over_e2`.
+    bases: [Basis; 3],
+    /// The splines along `a_over_t`.
+    pub(crate) along: Basis,
+    form: Form,
+}
+
+#[derive(Clone, Debug)]
+enum Form {
+    /// One row for each combination of the splines of the material axes, `e1_over_e2` slowest: a
+    /// group of the quantities held for each spline of `a_over_t`.
+    Dense(Vec<f64>),
+    Train(Box<TensorTrain>),
+}
+
+impl TensorSpline {
+    /// The spline of a low-rank form, as accurate as `tolerance` needs.
+    pub(crate) fn of_low_rank(axes: &Axes, form: &LowRank, tolerance: f64) -> Self {
+        let (bases, along) = bases(axes);
+        let train = TensorTrain::new(form, bases.each_ref(), &along, tolerance);
+        Self {
+            bases,
+            along,
+            form: Form::Train(Box::new(train)),
+        }
+    }
+
+    /// The spline through `logarithms` at the nodes, row-major over `e1_over_e2`, `nu1`,
+    /// `e0_over_e2`, `a_over_t` and the quantities, so that a curve sums whole rows. They become
+    /// the coefficients in place.
+    pub(crate) fn through(axes: &Axes, mut logarithms: Vec<f64>) -> Self {
+        let (bases, along) = bases(axes);
+        let [n_a, n_e1, n_nu, n_e0] = axes.shape();
+        let width = logarithms.len() / (n_e1 * n_nu * n_e0);
+        bases[0].interpolate(&mut logarithms, n_nu * n_e0 * width);
+        for slab in logarithms.chunks_exact_mut(n_nu * n_e0 * width) {
+            bases[1].interpolate(slab, n_e0 * width);
+            slab.chunks_exact_mut(n_e0 * width)
+                .for_each(|slab| bases[2].interpolate(slab, width));
+        }
+        logarithms
+            .chunks_exact_mut(width)
+            .for_each(|row| along.interpolate(row, width / n_a));
+        Self {
+            bases,
+            along,
+            form: Form::Dense(logarithms),
+        }
+    }
+
+    /// The splines of the material axes at a place.
+    fn weights(&self, place: [f64; 3]) -> [Weights; 3] {
+        array::from_fn(|axis| self.bases[axis].weights(place[axis]))
+    }
+
+    /// The coefficients of the splines over `ln(a/t)` of one material: a group of the quantities
+    /// held for each.
+    pub(crate) fn at(&self, place: [f64; 3]) -> Vec<f64> {
+        match &self.form {
+            Form::Train(train) => train.at(place),
+            Form::Dense(rows) => {
+                let [sum] = self.sums(rows, &self.weights(place), [[false; 3]]);
+                sum
+            }
+        }
+    }
+
+    /// The same, followed by their derivatives with respect to the three coordinates, each of them
+    /// where it says, which is at the place or so near that it makes no difference to the values.
+    pub(crate) fn with_slopes(&self, place: [f64; 3], slopes_at: [f64; 3]) -> [Vec<f64>; 4] {
+        match &self.form {
+            Form::Train(train) => train.with_slopes(place, slopes_at),
+            Form::Dense(rows) => {
+                let mut weights = self.weights(place);
+                for (weights, near) in weights.iter_mut().zip(self.weights(slopes_at)) {
+                    *weights = if near.first == weights.first {
+                        Weights {
+                            slopes: near.slopes,
+                            ..*weights
+                        }
+                    } else {
+                        near
+                    };
+                }
+                let by = |axis: usize| array::from_fn(|i| i == axis);
+                self.sums(rows, &weights, [[false; 3], by(0), by(1), by(2)])
+            }
+        }
+    }
+
+    /// Weighted sums of the rows around one material, each with the slopes of some axes in place of
+    /// the values. A row is read once for all.
+    fn sums<const N: usize>(
+        &self,
+        rows: &[f64],
+        weights: &[Weights; 3],
+        slopes: [[bool; 3]; N],
+    ) -> [Vec<f64>; N] {
+        let [n_e1, n_nu, n_e0] = self.bases.each_ref().map(Basis::len);
+        let width = rows.len() / (n_e1 * n_nu * n_e0);
+        let [e1, nu, e0] = weights;
+        let mut sums = array::from_fn(|_| vec![0.0; width]);
+        for (i, j) in (0..e1.count).flat_map(|i| (0..nu.count).map(move |j| (i, j))) {
+            let rows = &rows[(((e1.first + i) * n_nu + nu.first + j) * n_e0 + e0.first) * width..];
+            for (sum, slopes) in sums.iter_mut().zip(slopes) {
+                let [of_e1, of_nu, of_e0] = array::from_fn(|axis| {
+                    if slopes[axis] {
+                        &weights[axis].slopes
+                    } else {
+                        &weights[axis].values
+                    }
+                });
+                let row_weights: [f64; LARGEST_DEGREE + 1] =
+                    array::from_fn(|k| of_e1[i] * of_nu[j] * of_e0[k]);
+                add_rows(sum, &row_weights[..e0.count], rows, width);
+            }
+        }
+        sums
+    }
+}
+
+/// The B-splines of the material axes, and those of `a_over_t`.
+fn bases(axes: &Axes) -> ([Basis; 3], Basis) {
+    (
+        MATERIAL.map(|parameter| axes.basis(parameter)),
+        axes.basis(Parameter::AOverT),
+    )
+}

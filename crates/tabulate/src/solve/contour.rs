@@ -1,0 +1,349 @@
+//! Quadrature for the Wiener-Hopf method: nodes, weights and matrices that hold nothing of the
+//! material and nothing of `a/t`.
+//!
+//! In the variable `zeta = q a/t` all that the method integrates is the same for every contact but
+//! for the values of the symbol `S` ([`wiener_hopf`](crate::wiener_hopf)), so that one solve is a
+//! few products with the matrices kept here.
+//!
+//! Integrals run from 0 to infinity along a line through the origin. With `|zeta| = e^l` and the
+//! map
+//!
+//! ```text
+//! l(u) = ln knee + u - c s(-u)^2,      s(y) = ln(1 + e^y)
+//! ```
+//!
+//! the trapezoidal rule in `u` converges exponentially. Above the knee its nodes are equally spaced
+//! in `ln |zeta|`. Below, where the integrands are smooth but for logarithms and powers of `zeta`
+//! and count in proportion to `|zeta|`, the nodes thin out. `digits` is the natural logarithm of
+//! the accuracy aimed at: it sets the step, `2 pi strip / digits`, where `strip` is the angle
+//! between the line and the nearest singularity, and both ends.
+
+use std::f64::consts::PI;
+use std::sync::OnceLock;
+
+use num_complex::Complex64;
+
+/// The lines that the edges' coupling is integrated along.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Path {
+    /// The imaginary axis, where all unknowns are real. It leaves out the zeros of `S` off the
+    /// axis.
+    Axis,
+    /// A ray and its mirror image below all zeros and poles of `S`, which leaves out nothing.
+    Ray,
+}
+
+/// How a line is cut into nodes.
+struct Rule {
+    /// The angle to the nearest singularity, which sets the step.
+    strip: f64,
+    /// How fast nodes thin out below the knee.
+    thinning: f64,
+}
+
+impl Path {
+    /// The direction of its right half: exactly `i` for the axis, as one of 6e-17 beside it would
+    /// let in what must cancel.
+    fn direction(self) -> Complex64 {
+        match self {
+            Self::Axis => Complex64::I,
+            Self::Ray => Complex64::from_polar(1.0, RAY),
+        }
+    }
+
+    /// The parts of a node's strength `y`. On the imaginary axis its real part has no influence.
+    fn units(self) -> &'static [Complex64] {
+        match self {
+            Self::Axis => &[Complex64::I],
+            Self::Ray => &[Complex64::ONE, Complex64::I],
+        }
+    }
+
+    /// Beyond the strip, `e^{2 i zeta}` grows towards the real axis and `S` has zeros towards the
+    /// imaginary one. Strip and thinning were settled on the contacts of `tests/data/contacts.csv`:
+    /// where larger ones would begin to cost digits.
+    fn rule(self) -> Rule {
+        match self {
+            Self::Axis => Rule {
+                strip: 1.3,
+                thinning: 0.35,
+            },
+            Self::Ray => Rule {
+                strip: 0.45,
+                thinning: 0.18,
+            },
+        }
+    }
+}
+
+/// The angle of the ray, in radians: 32 degrees. The zeros and poles of `S` lie above 53 degrees.
+const RAY: f64 = 0.55;
+
+/// The logarithm of `S` is smooth up to the zeros and poles of `S`.
+const LOGARITHM: Rule = Rule {
+    strip: 0.8,
+    thinning: 0.3,
+};
+
+/// `S` differs from `S(inf)` by less than rounding beyond this wave number.
+pub const FLAT: f64 = 24.0;
+
+/// The largest `a/t` that the abscissae of `ln S` reach to.
+pub const LARGEST_A_OVER_T: f64 = 1e6;
+
+/// The accuracies (`digits`) for which contours are made. Neighbours differ by a factor of at least
+/// 150 in the error.
+pub const LEVELS: [f64; 7] = [11.0, 16.0, 21.0, 26.0, 31.0, 37.0, 43.0];
+
+/// Knees are apart by this much in `ln |zeta|`, and reach to where nothing is left to see in double
+/// precision.
+const KNEE_STEP: f64 = 3.0;
+const KNEES: usize = 13;
+
+/// Abscissae `z` at which the two functions of the edge are read out. They are entire functions of
+/// `z^2` that grow like `cos z`, of which this many give 15 digits.
+pub const READOUTS: usize = 15;
+
+/// One path, cut for one accuracy and one knee.
+#[derive(Debug)]
+pub struct Contour {
+    pub path: Path,
+    /// The nodes `zeta`.
+    pub nodes: Vec<Complex64>,
+    /// `e^{2 i zeta} d zeta / (2 pi i)`.
+    pub weights: Vec<Complex64>,
+    /// What the strengths `y` of the nodes add to `V` at the nodes,
+    /// `y/(q + zeta) - conj(y)/(q - conj(zeta))`, column by column: [`Self::unknowns`] squared.
+    pub kernel: Vec<f64>,
+    pub readouts: Readouts,
+    /// What they add to `V` at the readouts, a row for each.
+    pub readout: Vec<[Complex64; READOUTS]>,
+    /// The abscissae `t` of `ln S`, ascending.
+    pub abscissae: Vec<f64>,
+    /// What `ln S` at an abscissa adds to `ln S_+`, a column for each: [`Self::rows`] long.
+    pub factor: Vec<f64>,
+    /// What `ln S` at a point itself adds to `ln S_+`: nodes, then readouts.
+    pub own: Vec<Complex64>,
+}
+
+/// The readouts `z`, and the weights that extrapolate an even function's values there to `z = 0`:
+/// to its value, and to its slope in `z^2`.
+#[derive(Debug)]
+pub struct Readouts {
+    pub z: [f64; READOUTS],
+    pub value: [f64; READOUTS],
+    pub slope: [f64; READOUTS],
+}
+
+impl Readouts {
+    /// Chebyshev points of `z^2`, moved off the given ascending abscissae.
+    ///
+    /// Closer to 0, rounding would count as `z^-3` where `S` is small; within a shorter interval it
+    /// would be extrapolated further.
+    fn between(abscissae: &[f64]) -> Self {
+        const FROM: f64 = 0.1;
+        const TO: f64 = 40.0;
+        let z: [f64; READOUTS] = std::array::from_fn(|i| {
+            let chebyshev = (PI * (i as f64 + 0.5) / READOUTS as f64).cos();
+            let z = (0.5 * (FROM + TO) - 0.5 * (TO - FROM) * chebyshev).sqrt();
+            let above = abscissae.partition_point(|&t| t <= z);
+            let [below, above] = [abscissae[above - 1], abscissae[above]];
+            below + (above - below) * (0.25 + 0.5 * (z - below) / (above - below))
+        });
+        let square = z.map(|z| z * z);
+        let others = |i: usize| {
+            (0..READOUTS)
+                .filter(move |&j| j != i)
+                .map(move |j| square[j])
+        };
+        let value: [f64; READOUTS] =
+            std::array::from_fn(|i| others(i).map(|other| other / (other - square[i])).product());
+        let slope =
+            std::array::from_fn(|i| -value[i] * others(i).map(|other| 1.0 / other).sum::<f64>());
+        Self { z, value, slope }
+    }
+}
+
+impl Contour {
+    /// The contour for the given accuracy, with a knee at or a little below `knee`, made once and
+    /// kept. An ordinary table needs a few megabytes of them; all that there are, for every corner
+    /// of the domain, half a gigabyte.
+    pub fn get(path: Path, level: usize, knee: f64) -> &'static Self {
+        static CONTOURS: [[[OnceLock<Contour>; KNEES]; LEVELS.len()]; 2] =
+            [const { [const { [const { OnceLock::new() }; KNEES] }; LEVELS.len()] }; 2];
+        let n = ((-knee.ln() / KNEE_STEP).ceil().max(0.0) as usize).min(KNEES - 1);
+        CONTOURS[path as usize][level][n]
+            .get_or_init(|| Self::new(path, LEVELS[level], (-KNEE_STEP * n as f64).exp()))
+    }
+
+    fn new(path: Path, digits: f64, knee: f64) -> Self {
+        let direction = path.direction();
+        let decayed = 0.5 * digits / direction.im;
+        let (radii, steps) = path.rule().nodes(digits, knee, decayed);
+        let nodes: Vec<Complex64> = radii.iter().map(|radius| direction * radius).collect();
+        let weight = |(zeta, step): (&Complex64, &f64)| {
+            (2.0 * Complex64::I * zeta).exp() * direction * step / (2.0 * PI * Complex64::I)
+        };
+        let weights = nodes.iter().zip(&steps).map(weight).collect();
+
+        // The far end of the integral of 1 beyond the last abscissa of `ln S` is not zero.
+        let last = FLAT * LARGEST_A_OVER_T;
+        let (mut abscissae, mut steps) = LOGARITHM.nodes(digits, knee, last * digits.exp());
+        abscissae.reverse();
+        steps.reverse();
+        let kept = abscissae.partition_point(|&t| t <= last);
+        let readouts = Readouts::between(&abscissae);
+        let z = readouts.z.map(Complex64::from);
+        let points: Vec<Complex64> = nodes.iter().copied().chain(z).collect();
+        let share =
+            |q: Complex64, t: f64, step: f64| q / (PI * Complex64::I) * step / (t * t - q * q);
+        let own = points.iter().map(|&q| {
+            let sum: Complex64 = abscissae
+                .iter()
+                .zip(&steps)
+                .map(|(&t, &step)| share(q, t, step))
+                .sum();
+            0.5 - sum
+        });
+        let own = own.collect();
+        let mut factor = Vec::new();
+        for (&t, &step) in abscissae[..kept].iter().zip(&steps) {
+            factor.extend(nodes.iter().map(|&q| share(q, t, step).re));
+            if path == Path::Ray {
+                factor.extend(nodes.iter().map(|&q| share(q, t, step).im));
+            }
+            factor.extend(z.iter().map(|&q| share(q, t, step).im));
+        }
+        abscissae.truncate(kept);
+
+        let (mut kernel, mut readout) = (Vec::new(), Vec::new());
+        for unit in path.units() {
+            for &zeta in &nodes {
+                let influence = |q: Complex64| unit / (q + zeta) - unit.conj() / (q - zeta.conj());
+                kernel.extend(nodes.iter().map(|&q| influence(q).re));
+                if path == Path::Ray {
+                    kernel.extend(nodes.iter().map(|&q| influence(q).im));
+                }
+                readout.push(z.map(influence));
+            }
+        }
+        Self {
+            path,
+            nodes,
+            weights,
+            kernel,
+            readouts,
+            readout,
+            abscissae,
+            factor,
+            own,
+        }
+    }
+
+    /// The number of real unknowns: `V` on the imaginary axis is real, elsewhere it has two parts,
+    /// all real parts first.
+    pub fn unknowns(&self) -> usize {
+        self.nodes.len() * self.path.units().len()
+    }
+
+    /// The number of values of `ln S_+`: of the unknowns' layout, then the phases at the readouts.
+    pub fn rows(&self) -> usize {
+        self.unknowns() + READOUTS
+    }
+}
+
+impl Rule {
+    /// The nodes, descending from `end`, and the lengths that they stand for.
+    fn nodes(&self, digits: f64, knee: f64, end: f64) -> (Vec<f64>, Vec<f64>) {
+        let h = 2.0 * PI * self.strip / digits;
+        let mut nodes = (Vec::new(), Vec::new());
+        let mut u = (end / knee).ln();
+        loop {
+            let bend = if u > -30.0 { (-u).exp().ln_1p() } else { -u };
+            let log = u - self.thinning * bend * bend;
+            if log < -digits {
+                return nodes;
+            }
+            let radius = knee * log.exp();
+            nodes.0.push(radius);
+            nodes
+                .1
+                .push(radius * h * (1.0 + 2.0 * self.thinning * bend / (1.0 + u.exp())));
+            u -= h;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The readouts of film = substrate: `a = cos z` and `b/z = sin z/z`, on every contour.
+    #[test]
+    fn readouts_extrapolate_entire_functions() {
+        let mut worst: f64 = 0.0;
+        for path in [Path::Axis, Path::Ray] {
+            for level in 0..LEVELS.len() {
+                let Readouts { z, value, slope } = Contour::get(path, level, 1.0).readouts;
+                let sum = |weights: &[f64; READOUTS], f: fn(f64) -> f64| -> f64 {
+                    weights.iter().zip(z).map(|(w, z)| w * f(z)).sum()
+                };
+                let cosine = [
+                    sum(&value, f64::cos) - 1.0,
+                    sum(&slope, f64::cos) + 1.0 / 2.0,
+                ];
+                let sine = [
+                    sum(&value, |z| z.sin() / z) - 1.0,
+                    sum(&slope, |z| z.sin() / z) + 1.0 / 6.0,
+                ];
+                worst = cosine
+                    .into_iter()
+                    .chain(sine)
+                    .map(f64::abs)
+                    .fold(worst, f64::max);
+            }
+        }
+        println!("readouts: {worst:.1e}");
+        // Measured: 3.2e-14.
+        assert!(worst < 1e-13);
+    }
+
+    /// `ln S_+` of `S = (t^2 + 4)/(t^2 + 1)`, whose factor is `(q + 2i)/(q + i)`, at the nodes and
+    /// at the readouts.
+    #[test]
+    fn logarithms_of_factors_are_exact() {
+        let mut worst: f64 = 0.0;
+        for path in [Path::Axis, Path::Ray] {
+            let contour = Contour::get(path, LEVELS.len() - 1, 1.0);
+            let log = |t: Complex64| ((t * t + 4.0) / (t * t + 1.0)).ln();
+            let mut sums = vec![0.0; contour.rows()];
+            for (t, column) in contour
+                .abscissae
+                .iter()
+                .zip(contour.factor.chunks_exact(contour.rows()))
+            {
+                sums.iter_mut()
+                    .zip(column)
+                    .for_each(|(sum, share)| *sum += share * log(Complex64::from(*t)).re);
+            }
+            let exact = |q: Complex64| ((q + 2.0 * Complex64::I) / (q + Complex64::I)).ln();
+            let n = contour.nodes.len();
+            for (j, &q) in contour.nodes.iter().enumerate() {
+                let factor = match path {
+                    Path::Axis => Complex64::from(sums[j]),
+                    Path::Ray => Complex64::new(sums[j], sums[n + j]) + contour.own[j] * log(q),
+                };
+                // What counts is the error against the weight of the node.
+                worst = worst.max((factor - exact(q)).norm() * q.norm().min(1.0));
+            }
+            for (m, &z) in contour.readouts.z.iter().enumerate() {
+                let q = Complex64::from(z);
+                let phase = sums[contour.unknowns() + m] + contour.own[n + m].im * log(q).re;
+                worst = worst.max((phase - exact(q).im).abs());
+            }
+        }
+        println!("ln S_+: {worst:.1e}");
+        // Measured: 7.4e-15.
+        assert!(worst < 3e-14);
+    }
+}

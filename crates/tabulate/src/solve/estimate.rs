@@ -1,0 +1,42 @@
+//! What every method of solution returns, and how far two solutions are apart.
+
+use interp::Quantities;
+
+/// The four quantities with their estimated error, whether that is small enough or not.
+#[derive(Clone, Copy, Debug)]
+pub struct Estimate {
+    /// `Pi0`, `Eeq`, `Gamma`, `Delta0`.
+    pub quantities: Quantities,
+    /// Estimated largest relative error of the four; infinite where a method has failed.
+    pub error: f64,
+    /// Legendre modes, or real unknowns along a contour.
+    pub modes: usize,
+}
+
+impl Estimate {
+    /// No answer at all.
+    pub const FAILED: Self = Self {
+        quantities: Quantities {
+            pi0: f64::NAN,
+            eeq: f64::NAN,
+            gamma: f64::NAN,
+            delta0: f64::NAN,
+        },
+        error: f64::INFINITY,
+        modes: 0,
+    };
+}
+
+/// The largest of the four relative differences; infinite if one is not a number.
+pub fn difference(a: &Quantities, b: &Quantities) -> f64 {
+    let pairs = a.to_array().into_iter().zip(b.to_array());
+    pairs
+        .map(|(a, b)| (a / b - 1.0).abs())
+        .fold(0.0, |largest, d| {
+            if d.is_nan() {
+                f64::INFINITY
+            } else {
+                largest.max(d)
+            }
+        })
+}

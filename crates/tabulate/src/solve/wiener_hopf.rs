@@ -1,0 +1,398 @@
+//! The Wiener-Hopf method on the finite interval: a solve whose cost does not grow with `a/t`.
+//!
+//! # The equation on the two edges
+//!
+//! Let `rho` run over `[-1, 1]`, `z = q a/t` be the wave number in units of `1/a`, and `S(q)` the
+//! [`Symbol`] with `S(inf) = 1`. Consider fields that are a delta function at each edge plus
+//! something regular inside, even (`s = +1`) or odd (`s = -1`) in `rho`, on which the operator with
+//! symbol `S` gives zero inside. Their transforms `Y(z)` are entire, and with `Phi` analytic in the
+//! upper half plane
+//!
+//! ```text
+//! S Y = e^{iz} Phi(z) + s e^{-iz} Phi(-z),      Y -> e^{iz} + s e^{-iz},      Phi -> 1 as z -> i inf
+//! ```
+//!
+//! With the factors `S(z) = S_+(z) S_+(-z)`, `S_+` analytic and free of zeros in the upper half
+//! plane,
+//!
+//! ```text
+//! ln S_+(q) = q/(pi i) int_0^inf ln S(t)/(t^2 - q^2) dt                                              (1)
+//! ```
+//!
+//! and `Phi = S_+ V`, the usual splitting into half planes leaves one equation of the second kind
+//! for the edges' coupling,
+//!
+//! ```text
+//! V(z) = 1 + s/(2 pi i) int e^{2 i zeta} S_+(zeta)^2/S(zeta) V(zeta)/(zeta + z) d zeta              (2)
+//! ```
+//!
+//! along any line from `-inf` to `inf` in the upper half plane that passes below the zeros of `S`;
+//! there `S` is continued from the right for `Re zeta > 0` and from the left for `Re zeta < 0`. The
+//! kernel decays like `e^{-2 Im zeta}`: the edges feel each other through wave numbers of order
+//! `1/a` only, however thin the film. Two lines are in use ([`Path`]):
+//!
+//! * **A ray at 32 degrees and its mirror image.** All zeros and poles lie higher.
+//!   `V(-conj zeta) = conj V(zeta)`, and a constant may be taken off `1/S`, as its integrals
+//!   cancel: `1/S(0)` leaves a kernel that is weak where `a/t` is large.
+//! * **The imaginary axis**, both sides of it. There `V` is real and `1/S` leaves
+//!   `2 i Im 1/S(i p + 0)`: a quarter of the work. Zeros at a height `eta` are left out with an
+//!   error like `e^{-2 eta a/t}`, so this needs `a/t` large enough ([`left_out`]).
+//!
+//! Nodes, weights and all that multiplies values of `S` are kept in a [`Contour`]; (2) is solved
+//! for both parities at once by minimal residuals, in a few steps as its kernel is compact
+//! ([`krylov`](crate::krylov)).
+//!
+//! # What is read out
+//!
+//! On the real axis `S_+ = sqrt(S) e^{i theta}`, and the two entire functions are
+//!
+//! ```text
+//! a(z) = Re[e^{iz} S_+ V_even]/S = a0 + a1 z^2 + ...,      b(z) = Im[e^{iz} S_+ V_odd]/S,      z b(z) = b1 z^2 + b2 z^4 + ...
+//! ```
+//!
+//! The inverse `A^-1` of the contact's operator commutes with differentiation but for the edges, so
+//! that its double transform is
+//! `int int cos(k rho) A^-1 cos(z rho') = 2 es [k b(k) a(z) - z b(z) a(k)]/(k^2 -
+//! z^2)`, and the edge value of `A^-1 cos(k rho)` is `es
+//! a(k)`. Expanding in `k^2` and `z^2` gives the right-hand sides 1 and `rho^2` at once:
+//!
+//! ```text
+//! Gamma = es a0      Eeq = es a0 b1      Delta0 = -2 a1/a0      Pi0 = 8 es (a0 b2 - a1 b1)
+//! ```
+//!
+//! For film = substrate `a = cos z`, `b = sin z`, which gives back 8/3, 1, 1, 1. `a` and `b/z` are
+//! entire functions of `z^2` of slow growth; their values at fifteen `z^2` between 0.1 and 40
+//! extrapolate to 0.
+//!
+//! # Accuracy
+//!
+//! Contours of neighbouring [`LEVELS`] differ by a factor of about 150 in their error. Two of them,
+//! and the rounding of the sums that are read out, give the stated error; `tests/contacts.rs`
+//! measures it. What limits it in the end is the rounding of `Pi0`, some 1e-13, and up to 1e-10 for
+//! a soft incompressible film between rigid bodies, where `S(t/a)` and with it `V` are small.
+
+use interp::Quantities;
+use num_complex::Complex64;
+
+use crate::solve::contour::{Contour, FLAT, LEVELS, Path, READOUTS};
+use crate::solve::estimate::{Estimate, difference};
+use crate::solve::krylov;
+use crate::solve::symbol::{HEIGHT, Symbol};
+
+/// The relative error that the zeros of `S` leave, of which the imaginary axis knows nothing.
+///
+/// A zero at the height `eta` leaves some `e^{-2 eta x}`. Measured over 4900 materials, the factor
+/// is at most 6.
+pub fn left_out(x: f64, symbol: &Symbol) -> f64 {
+    10.0 * (-2.0 * HEIGHT * symbol.zero_free_radius() * x).exp()
+}
+
+/// A rough estimate of the time that the ray takes, in microseconds, to choose between methods: a
+/// fit to the bench `accuracy`.
+pub fn ray_cost(x: f64, symbol: &Symbol, tolerance: f64) -> f64 {
+    let scales = 11.0 - 0.7 * (x * symbol.smallest_scale()).min(1.0).ln();
+    let unknowns = scales * (8.0 - tolerance.ln());
+    0.005 * unknowns * unknowns
+}
+
+/// Solves with contours of growing accuracy until two agree to the tolerance, or until there are no
+/// better ones.
+///
+/// Where the compliance that is left at long waves, `S(0)`, is next to nothing against `S` at the
+/// contact's own wave numbers, as between rigid bodies, (2) is ill-conditioned: it sees what
+/// happens at `|zeta| << 1` only through that little. The quantities are analytic in the sphere's
+/// compliance, so that two slightly softer spheres extrapolate to the given one: `2 f(h) - f(2h)`
+/// differs from `f(0)` by `h^2 f''`, and as `f` is a sum of `c/(l + h)` with `l` above `S(t/a)` or
+/// so, by less than twice the square of `h/S(t/a)`. Measured: 1.5 times.
+pub fn solve(x: f64, symbol: &Symbol, path: Path, tolerance: f64) -> Estimate {
+    /// The added compliance, of `S(t/a)`; its square is lost.
+    const SOFTENING: f64 = 1e-6;
+    const WEIGHTS: [f64; 2] = [2.0, -1.0];
+    let softening = SOFTENING * symbol.at(1.0 / x);
+    if symbol.at(0.0) > softening {
+        return converge(x, symbol, path, tolerance);
+    }
+    let softened = |k: usize| {
+        converge(
+            x,
+            &symbol.softened((k + 1) as f64 * softening),
+            path,
+            tolerance / 3.0,
+        )
+    };
+    let answers = [0, 1].map(softened);
+    let sum = |value: fn(&Estimate) -> f64| {
+        answers
+            .iter()
+            .zip(WEIGHTS)
+            .map(|(answer, weight)| weight * value(answer))
+            .sum()
+    };
+    let quantities = Quantities {
+        pi0: sum(|answer| answer.quantities.pi0),
+        eeq: sum(|answer| answer.quantities.eeq),
+        gamma: sum(|answer| answer.quantities.gamma),
+        delta0: sum(|answer| answer.quantities.delta0),
+    };
+    let error = answers
+        .iter()
+        .zip(WEIGHTS)
+        .map(|(answer, weight)| weight.abs() * answer.error)
+        .sum::<f64>()
+        + 2.0 * SOFTENING.powi(2);
+    Estimate {
+        quantities,
+        error,
+        modes: answers[0].modes,
+    }
+}
+
+/// The error of a contour is at most this share of its difference from the contour before. Most
+/// often it is a hundredth.
+const GAIN: f64 = 0.3;
+
+/// Two contours that differ by this little may differ by rounding, of which both have their part.
+const NOISE: f64 = 3e-11;
+
+/// Solves with contours of growing accuracy until two agree.
+fn converge(x: f64, symbol: &Symbol, path: Path, tolerance: f64) -> Estimate {
+    let left_out = if path == Path::Axis {
+        left_out(x, symbol)
+    } else {
+        0.0
+    };
+    let first = LEVELS
+        .iter()
+        .position(|&digits| digits > -tolerance.ln())
+        .unwrap_or(LEVELS.len())
+        .clamp(1, LEVELS.len() - 1);
+    let mut best = Estimate {
+        error: f64::INFINITY,
+        ..on_contour(x, symbol, path, first - 1)
+    };
+    for level in first..LEVELS.len() {
+        let this = on_contour(x, symbol, path, level);
+        // Of all four, whatever is wanted: one of them may agree by chance.
+        let difference = difference(&this.quantities, &best.quantities);
+        let error = GAIN * difference + 2.0 * difference.min(NOISE) + this.error + left_out;
+        best = Estimate { error, ..this };
+        if error <= tolerance {
+            break;
+        }
+    }
+    best
+}
+
+/// The answer of one contour. Its error is that of rounding.
+fn on_contour(x: f64, symbol: &Symbol, path: Path, level: usize) -> Estimate {
+    /// The knee lies a little below the smallest scale.
+    const BELOW: f64 = 0.3;
+    let contour = Contour::get(path, level, BELOW * x * symbol.smallest_scale());
+    let log_factors = log_factors(x, symbol, contour);
+    let couplings = couplings(x, symbol, contour, &log_factors);
+    let [even, odd] = solve_coupling(contour, &couplings, (-LEVELS[level]).exp());
+    read_out(
+        x,
+        symbol,
+        contour,
+        &log_factors[contour.unknowns()..],
+        &even,
+        &odd,
+    )
+}
+
+/// `ln S_+` at the nodes and its phase at the readouts, by (1), but for what the value of `S` there
+/// itself contributes.
+fn log_factors(x: f64, symbol: &Symbol, contour: &Contour) -> Vec<f64> {
+    let mut sums = vec![0.0; contour.rows()];
+    let columns = contour.factor.chunks_exact(sums.len());
+    for (t, column) in contour
+        .abscissae
+        .iter()
+        .zip(columns)
+        .take_while(|(t, _)| **t <= FLAT * x)
+    {
+        let log = symbol.at(t / x).ln();
+        sums.iter_mut()
+            .zip(column)
+            .for_each(|(sum, share)| *sum += share * log);
+    }
+    sums
+}
+
+/// What `V` is multiplied with at the nodes in (2): `e^{2 i zeta} S_+^2/S d zeta/(2 pi i)`.
+fn couplings(x: f64, symbol: &Symbol, contour: &Contour, log_factors: &[f64]) -> Vec<Complex64> {
+    /// Below, the constant would bring in more than it takes off.
+    const SMALL: f64 = 0.3;
+    let long_waves = symbol.at(0.0);
+    let constant = if long_waves > SMALL {
+        1.0 / long_waves
+    } else {
+        0.0
+    };
+    let coupling = |(j, (&zeta, weight)): (usize, (&Complex64, &Complex64))| {
+        let s = symbol.at(zeta / x);
+        let log_factor = match contour.path {
+            Path::Axis => Complex64::from(log_factors[j]),
+            Path::Ray => {
+                Complex64::new(log_factors[j], log_factors[contour.nodes.len() + j])
+                    + contour.own[j] * s.ln()
+            }
+        };
+        weight * (2.0 * log_factor).exp() * (1.0 / s - constant)
+    };
+    contour
+        .nodes
+        .iter()
+        .zip(&contour.weights)
+        .enumerate()
+        .map(coupling)
+        .collect()
+}
+
+/// The strengths that the values `V` at the nodes give rise to, in the unknowns' layout.
+fn strengths(path: Path, couplings: &[Complex64], v: &[f64], strengths: &mut Vec<f64>) {
+    strengths.clear();
+    match path {
+        Path::Axis => {
+            strengths.extend(v.iter().zip(couplings).map(|(v, coupling)| v * coupling.im))
+        }
+        Path::Ray => {
+            let (re, im) = v.split_at(couplings.len());
+            let parts = || couplings.iter().zip(re.iter().zip(im));
+            strengths.extend(parts().map(|(c, (re, im))| c.re * re - c.im * im));
+            strengths.extend(parts().map(|(c, (re, im))| c.re * im + c.im * re));
+        }
+    }
+}
+
+/// Solves (2); returns the strengths of the nodes for the even and for the odd fields.
+fn solve_coupling(contour: &Contour, couplings: &[Complex64], accuracy: f64) -> [Vec<f64>; 2] {
+    /// Of the accuracy of the contour, and what rounding allows.
+    const SHARE: f64 = 0.01;
+    let unknowns = contour.unknowns();
+    let mut one = vec![1.0; contour.nodes.len()];
+    one.resize(unknowns, 0.0);
+    let mut work = Vec::with_capacity(unknowns);
+    let solutions = krylov::solve(&one, (SHARE * accuracy).max(f64::EPSILON), |v, out| {
+        strengths(contour.path, couplings, v, &mut work);
+        out.fill(0.0);
+        for (strength, column) in work.iter().zip(contour.kernel.chunks_exact(unknowns)) {
+            out.iter_mut()
+                .zip(column)
+                .for_each(|(out, influence)| *out += influence * strength);
+        }
+    });
+    solutions.map(|v| {
+        let mut result = Vec::with_capacity(unknowns);
+        strengths(contour.path, couplings, &v, &mut result);
+        result
+    })
+}
+
+/// A sum and the size of its terms, which its rounding error is proportional to.
+#[derive(Clone, Copy, Default)]
+struct Sum {
+    value: f64,
+    size: f64,
+}
+
+impl Sum {
+    fn add(&mut self, weight: f64, term: Self) {
+        self.value += weight * term.value;
+        self.size += weight.abs() * term.size;
+    }
+
+    fn over(self, divisor: f64) -> Self {
+        Self {
+            value: self.value / divisor,
+            size: self.size / divisor.abs(),
+        }
+    }
+}
+
+/// The quantities from the strengths.
+fn read_out(
+    x: f64,
+    symbol: &Symbol,
+    contour: &Contour,
+    phases: &[f64],
+    even: &[f64],
+    odd: &[f64],
+) -> Estimate {
+    let mut v = [[Complex64::ONE; 2]; READOUTS];
+    for ((even, odd), row) in even.iter().zip(odd).zip(&contour.readout) {
+        for (v, influence) in v.iter_mut().zip(row) {
+            v[0] += influence * even;
+            v[1] -= influence * odd;
+        }
+    }
+    let readouts = &contour.readouts;
+    // a and b, with the size of what they are sums of, which does not shrink with them.
+    let values: [[Sum; 2]; READOUTS] = std::array::from_fn(|m| {
+        let (z, [even, odd]) = (readouts.z[m], v[m]);
+        let s = symbol.at(z / x);
+        let wave = Complex64::from_polar(
+            1.0 / s.sqrt(),
+            z + phases[m] + contour.own[contour.nodes.len() + m].im * s.ln(),
+        );
+        let size = |v: Complex64| wave.norm() * (1.0 + v.norm());
+        [
+            Sum {
+                value: (wave * even).re,
+                size: size(even),
+            },
+            Sum {
+                value: (wave * odd).im,
+                size: size(odd),
+            },
+        ]
+    });
+    let [mut a0, mut a1, mut b1, mut b2, mut pole] = [Sum::default(); 5];
+    for (m, [a, b]) in values.iter().enumerate() {
+        a0.add(readouts.value[m], *a);
+        a1.add(readouts.slope[m], *a);
+        pole.add(readouts.value[m] * readouts.z[m], *b);
+    }
+    // a(z)/z is an odd field too, but for its pole at 0. Only through S(0) does (2) know that there
+    // must be none: where that is small, b comes with some a(z)/z, which is told from z b(z) at 0
+    // and taken off, unless it is rounding.
+    let share = if pole.value.abs() > ROUNDING * pole.size {
+        pole.over(a0.value)
+    } else {
+        Sum::default()
+    };
+    for (m, [a, b]) in values.iter().enumerate() {
+        let z = readouts.z[m];
+        let mut regular = Sum::default();
+        regular.add(1.0 / z, *b);
+        regular.add(-a.value / (z * z), share);
+        b1.add(readouts.value[m], regular);
+        b2.add(readouts.slope[m], regular);
+    }
+    let es = symbol.modulus();
+    let load = a0.value * b2.value - a1.value * b1.value;
+    let load_size = a0.size * b2.value.abs()
+        + a0.value.abs() * b2.size
+        + a1.size * b1.value.abs()
+        + a1.value.abs() * b1.size;
+    let quantities = Quantities {
+        pi0: 8.0 * es * load,
+        eeq: es * a0.value * b1.value,
+        gamma: es * a0.value,
+        delta0: -2.0 * a1.value / a0.value,
+    };
+    let relative = |sum: Sum| (sum.size / sum.value).abs();
+    let [eeq, delta0] = [relative(a0) + relative(b1), relative(a0) + relative(a1)];
+    let rounding = (load_size / load).abs().max(eeq).max(delta0);
+    // Long waves of a stiff film on a soft base, on which the contact hardly acts, bring in theirs.
+    let long_waves = symbol.at(0.0) / symbol.at(1.0 / x);
+    Estimate {
+        quantities,
+        error: ROUNDING * (rounding + long_waves),
+        modes: contour.unknowns(),
+    }
+}
+
+/// Rounding error of the sums at the readouts.
+const ROUNDING: f64 = 3.0 * f64::EPSILON;

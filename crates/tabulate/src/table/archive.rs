@@ -1,0 +1,172 @@
+//! Writes the HDF5 file of a table. It is read by `interp::Table::open`, which needs no C library.
+
+use std::io;
+use std::path::Path;
+
+use hdf5::types::VarLenUnicode;
+use hdf5::{H5Type, Location};
+use interp::schema::{AXES, FORMAT, FORMAT_VERSION, VALUES, attribute};
+use interp::{Parameter, Quantity, Table};
+use ndarray::{ArrayView1, ArrayView4};
+
+use crate::table::bindings::{attach_scale, create_group, make_scale};
+use crate::{Error, output};
+
+/// Values compressed together: a chunk spans all substrates and Poisson ratios of a few films.
+const CHUNK: usize = 1 << 15;
+/// Compression level: more costs time and saves next to nothing on smooth f64 data.
+const DEFLATE: u8 = 4;
+
+/// Writes the table, a low-rank one with its values at the nodes, under a temporary name and
+/// renames it when it is complete, so that `path` never holds half a table.
+///
+/// # Errors
+/// [`Error::Write`] with the path, and those of [`Table::expand`].
+pub fn write(table: &Table, path: &Path) -> Result<(), Error> {
+    let table = table.expand()?;
+    output::atomically(path, |unfinished| {
+        fill(&table, unfinished).map_err(io::Error::other)
+    })
+}
+
+/// [`write()`] through a temporary path that the caller owns.
+pub(crate) fn write_through(table: &Table, path: &Path, unfinished: &Path) -> Result<(), Error> {
+    output::through(path, unfinished, |unfinished| {
+        fill(table, unfinished).map_err(io::Error::other)
+    })
+}
+
+fn fill(table: &Table, path: &Path) -> hdf5::Result<()> {
+    // Readable by every library since HDF5 1.8, and without time stamps: equal tables are equal
+    // files.
+    let file = hdf5::File::with_options()
+        .with_fapl(|access| access.libver_v18())
+        .with_fcpl(|creation| creation.obj_track_times(false))
+        .create(path)?;
+    let description = table.description();
+    text(&file, attribute::FORMAT, FORMAT)?;
+    number(&file, attribute::FORMAT_VERSION, FORMAT_VERSION)?;
+    text(&file, attribute::TITLE, &description.title)?;
+    text(&file, attribute::SCENE, &description.scene)?;
+    number(&file, attribute::NU0, description.nu0)?;
+    text(
+        &file,
+        attribute::NORMALISED_BY,
+        description.normalisation.symbol(),
+    )?;
+    number(&file, attribute::TOLERANCE, description.tolerance)?;
+    text(&file, attribute::CREATED_BY, &description.created_by)?;
+    let certificate = &description.certificate;
+    number(&file, attribute::CERTIFIED_MAX_ERROR, certificate.max_error)?;
+    number(
+        &file,
+        attribute::CERTIFIED_MEDIAN_ERROR,
+        certificate.median_error,
+    )?;
+    number(&file, attribute::CERTIFIED_POINTS, certificate.points)?;
+    number(&file, attribute::CERTIFIED_SEED, certificate.seed)?;
+    if let Some(details) = &certificate.details {
+        number(&file, attribute::CERTIFIED_P999_ERROR, details.p999_error)?;
+        text(
+            &file,
+            attribute::CERTIFIED_WORST_QUANTITY,
+            details.worst_quantity.name(),
+        )?;
+        numbers(
+            &file,
+            attribute::CERTIFIED_WORST_POINT,
+            &details.worst_point,
+        )?;
+        numbers(
+            &file,
+            attribute::CERTIFIED_IDENTITY_ERRORS,
+            &details
+                .identity_errors
+                .map(|error| error.unwrap_or(f64::NAN)),
+        )?;
+    }
+
+    let axes = create_group(&file, AXES)?;
+    let mut scales = Vec::new();
+    for parameter in Parameter::ALL {
+        let nodes = table.axis(parameter);
+        // One chunk, because only chunks can have a checksum.
+        let builder = axes
+            .new_dataset_builder()
+            .obj_track_times(false)
+            .chunk(nodes.len())
+            .fletcher32();
+        let axis = builder
+            .with_data(ArrayView1::from(nodes))
+            .create(parameter.name())?;
+        text(&axis, attribute::UNITS, "1")?;
+        text(&axis, attribute::LONG_NAME, parameter.long_name())?;
+        text(
+            &axis,
+            attribute::SCALE,
+            if nodes.len() == 1 {
+                "fixed"
+            } else {
+                parameter.scale()
+            },
+        )?;
+        make_scale(&axis, parameter.name())?;
+        scales.push(axis);
+    }
+
+    let values = create_group(&file, VALUES)?;
+    let shape = table.shape();
+    let chunk = chunk(shape);
+    for quantity in Quantity::ALL {
+        let Some(data) = table.values(quantity) else {
+            continue;
+        };
+        let view = ArrayView4::from_shape(shape, data).map_err(|e| e.to_string())?;
+        let builder = values
+            .new_dataset_builder()
+            .obj_track_times(false)
+            .chunk(chunk)
+            .shuffle()
+            .deflate(DEFLATE)
+            .fletcher32();
+        let dataset = builder.with_data(view).create(quantity.name())?;
+        text(&dataset, attribute::UNITS, "1")?;
+        text(&dataset, attribute::LONG_NAME, quantity.long_name())?;
+        text(&dataset, attribute::EQUATION, quantity.equation())?;
+        for (dimension, scale) in (0..).zip(&scales) {
+            attach_scale(&dataset, scale, dimension)?;
+        }
+    }
+    file.flush()
+}
+
+/// Whole trailing dimensions as long as they fit.
+fn chunk(shape: [usize; 4]) -> [usize; 4] {
+    let mut room = CHUNK;
+    let mut chunk = [1; 4];
+    for dimension in (0..4).rev() {
+        chunk[dimension] = shape[dimension].min(room).max(1);
+        room /= chunk[dimension];
+    }
+    chunk
+}
+
+fn text(location: &Location, name: &str, value: &str) -> hdf5::Result<()> {
+    let value: VarLenUnicode = value.parse().map_err(|e| format!("{name}: {e}"))?;
+    location
+        .new_attr::<VarLenUnicode>()
+        .create(name)?
+        .write_scalar(&value)
+}
+
+fn number<T: H5Type>(location: &Location, name: &str, value: T) -> hdf5::Result<()> {
+    location.new_attr::<T>().create(name)?.write_scalar(&value)
+}
+
+fn numbers(location: &Location, name: &str, values: &[f64]) -> hdf5::Result<()> {
+    location
+        .new_attr::<f64>()
+        .shape(values.len())
+        .create(name)?
+        .write(ArrayView1::from(values))
+}

@@ -1,0 +1,272 @@
+//! The measured accuracy of a table: direct solves off the nodes, and the two exact identities.
+
+use interp::Parameter;
+use interp::{Certificate, Curve, Details, Material, Quantity, Table};
+use rand::{RngExt, SeedableRng};
+use rand_pcg::Pcg64Mcg;
+use rayon::prelude::*;
+
+use crate::Error;
+use crate::table::sweep::solve_for_table;
+
+/// How far a table is from a direct solve at one point.
+#[derive(Clone, Copy, Debug)]
+pub struct Sample {
+    /// `a_over_t`, `e1_over_e2`, `nu1`, `e0_over_e2`.
+    pub point: [f64; 4],
+    /// The largest relative error of the quantities that the table holds.
+    pub error: f64,
+    /// The quantity that has it.
+    pub quantity: Quantity,
+    /// By how much the interpolant breaks the two exact identities, relative; none where a quantity
+    /// is missing or `a/t` is fixed.
+    pub identity_errors: [Option<f64>; 2],
+}
+
+/// How many points certify a table with so many axes, if nothing else is asked for.
+pub const fn default_points(axes: usize) -> usize {
+    2500 * if axes == 0 { 1 } else { axes }
+}
+
+/// How many points certify this table, if nothing else is asked for.
+pub fn points_for(table: &Table) -> usize {
+    default_points(table.shape().iter().filter(|&&nodes| nodes > 1).count())
+}
+
+/// Compares the table with direct solves at `points` points, see [`measure`], and sums up.
+///
+/// # Errors
+/// Those of the solve.
+///
+/// # Panics
+/// If `points` is 0.
+pub fn certify(
+    table: &Table,
+    points: usize,
+    seed: u64,
+    progress: &(dyn Fn(usize) + Sync),
+) -> Result<Certificate, Error> {
+    Ok(certificate(&measure(table, points, seed, progress)?, seed))
+}
+
+/// What the samples of one seed say of a table.
+///
+/// # Panics
+/// If there is none.
+pub fn certificate(samples: &[Sample], seed: u64) -> Certificate {
+    let mut errors: Vec<f64> = samples.iter().map(|sample| sample.error).collect();
+    errors.sort_by(f64::total_cmp);
+    let largest = |a: &&Sample, b: &&Sample| a.error.total_cmp(&b.error);
+    let worst = samples
+        .iter()
+        .max_by(largest)
+        .expect("a certificate needs points");
+    let identity = |i: usize| {
+        samples
+            .iter()
+            .filter_map(|sample| sample.identity_errors[i])
+            .max_by(f64::total_cmp)
+    };
+    let count = errors.len();
+    let details = Details {
+        // The point that leaves a thousandth above it.
+        p999_error: errors[count - 1 - count / 1000],
+        worst_quantity: worst.quantity,
+        worst_point: worst.point,
+        identity_errors: [identity(0), identity(1)],
+    };
+    Certificate {
+        max_error: worst.error,
+        median_error: errors[count / 2],
+        points: count as u64,
+        seed,
+        details: Some(details),
+    }
+}
+
+/// Compares the table with direct solves at `points` points: the corners of the box, a tenth of all
+/// at most, for they are nodes; a tenth on its edges; a tenth in the middles of the widest cells;
+/// the others random, evenly distributed in the axes' coordinates but for those that lie on faces,
+/// edges or corners, one in five where there are four axes.
+///
+/// # Errors
+/// Those of the solve.
+pub fn measure(
+    table: &Table,
+    points: usize,
+    seed: u64,
+    progress: &(dyn Fn(usize) + Sync),
+) -> Result<Vec<Sample>, Error> {
+    let samples = places(table, points, seed).into_par_iter().map(|point| {
+        let sample = sample(table, point)?;
+        progress(1);
+        Ok(sample)
+    });
+    // In two steps: of several errors, the first one is returned.
+    let samples: Vec<Result<Sample, Error>> = samples.collect();
+    samples.into_iter().collect()
+}
+
+/// The points that a table is compared at.
+fn places(table: &Table, count: usize, seed: u64) -> Vec<[f64; 4]> {
+    let mut random = Pcg64Mcg::seed_from_u64(seed);
+    let axes = Parameter::ALL.map(|parameter| Axis::new(parameter, table.axis(parameter)));
+    let free: Vec<usize> = (0..4).filter(|&k| axes[k].cells() > 0).collect();
+    let corners = 1_usize << free.len();
+    let corner = |index: usize| {
+        std::array::from_fn(|k| {
+            axes[k].end(
+                free.iter()
+                    .position(|&f| f == k)
+                    .map_or(0, |bit| index >> bit & 1),
+            )
+        })
+    };
+    let mut places: Vec<[f64; 4]> = (0..corners.min(count / 10)).map(corner).collect();
+    for i in places.len()..count {
+        places.push(match i % 10 {
+            0 if !free.is_empty() => {
+                let mut place = corner(random.random_range(0..corners));
+                let along = free[random.random_range(0..free.len())];
+                place[along] = axes[along].at(random.random_range(0.0..1.0));
+                place
+            }
+            1 => axes
+                .each_ref()
+                .map(|axis| axis.middle_of_a_wide_cell(&mut random)),
+            _ => axes.each_ref().map(|axis| axis.anywhere(&mut random)),
+        });
+    }
+    places
+}
+
+/// With four axes, a fifth of the random points is on the surface of the box:
+/// `1 - (1 + 2 * 0.03)^-4 = 0.2`.
+const OVERSHOOT: f64 = 0.03;
+
+/// An axis of the table, for placing points on it.
+pub(crate) struct Axis<'a> {
+    parameter: Parameter,
+    nodes: &'a [f64],
+    /// The cells, the widest first.
+    widest: Vec<usize>,
+}
+
+impl<'a> Axis<'a> {
+    pub(crate) fn new(parameter: Parameter, nodes: &'a [f64]) -> Self {
+        let width =
+            |&i: &usize| parameter.coordinate(nodes[i]) - parameter.coordinate(nodes[i + 1]);
+        let mut widest: Vec<usize> = (0..nodes.len() - 1).collect();
+        widest.sort_by(|a, b| width(a).total_cmp(&width(b)));
+        Self {
+            parameter,
+            nodes,
+            widest,
+        }
+    }
+
+    fn cells(&self) -> usize {
+        self.nodes.len() - 1
+    }
+
+    /// The first or the last node.
+    fn end(&self, which: usize) -> f64 {
+        self.nodes[which * self.cells()]
+    }
+
+    /// The value at this share of the way along the axis, in its coordinate.
+    pub(crate) fn at(&self, share: f64) -> f64 {
+        if self.cells() == 0 {
+            self.nodes[0]
+        } else {
+            self.between(self.end(0), self.end(1), share)
+        }
+    }
+
+    /// A random value; the ends, which are nodes, are more likely than others.
+    pub(crate) fn anywhere(&self, random: &mut Pcg64Mcg) -> f64 {
+        // A little beyond both ends, and back onto them.
+        self.at(random
+            .random_range(-OVERSHOOT..1.0 + OVERSHOOT)
+            .clamp(0.0, 1.0))
+    }
+
+    fn between(&self, low: f64, high: f64, share: f64) -> f64 {
+        let (from, to) = (
+            self.parameter.coordinate(low),
+            self.parameter.coordinate(high),
+        );
+        self.parameter
+            .value(from + (to - from) * share)
+            .clamp(low, high)
+    }
+
+    /// The middle of one of the widest cells, of which there are an eighth of all.
+    fn middle_of_a_wide_cell(&self, random: &mut Pcg64Mcg) -> f64 {
+        if self.cells() == 0 {
+            return self.nodes[0];
+        }
+        let cell = self.widest[random.random_range(0..self.cells().div_ceil(8))];
+        self.between(self.nodes[cell], self.nodes[cell + 1], 0.5)
+    }
+}
+
+/// Compares the table with the solve at one point.
+///
+/// # Errors
+/// Those of the solve; [`Error::Table`] for a point outside the table.
+pub fn sample(table: &Table, point: [f64; 4]) -> Result<Sample, Error> {
+    let [a_over_t, e1, nu1, e0] = point;
+    let description = table.description();
+    let material = Material::new(e1, nu1, e0, description.nu0)?;
+    let held = table.quantities();
+    let solved = solve_for_table(a_over_t, &material, description.tolerance)?;
+    let curve = table.curve(&material)?;
+    let (mut error, mut quantity) = (-1.0, Quantity::Pi0);
+    for candidate in held {
+        let found = (curve.quantity(candidate, a_over_t)? / solved.get(candidate) - 1.0).abs();
+        // NaN counts as the worst of all.
+        if found > error || found.is_nan() {
+            (error, quantity) = (found, candidate);
+        }
+    }
+    Ok(Sample {
+        point,
+        error,
+        quantity,
+        identity_errors: identity_errors(&curve, a_over_t),
+    })
+}
+
+/// By how much `Gamma^2 = es (Eeq + x Eeq')` and `3 Pi0 + x Pi0' = 4 Eeq (2 Delta0 + x Delta0')`
+/// are broken on a curve, relative to their left sides; none where that takes a quantity or a slope
+/// that the table does not hold.
+fn identity_errors(curve: &Curve, a_over_t: f64) -> [Option<f64>; 2] {
+    if curve.range()[0] == curve.range()[1] {
+        // A single a/t has no slope.
+        return [None; 2];
+    }
+    let both = |quantity| {
+        Some((
+            curve.quantity(quantity, a_over_t).ok()?,
+            curve.slope(quantity, a_over_t).ok()?,
+        ))
+    };
+    let (pi0, eeq, delta0) = (
+        both(Quantity::Pi0),
+        both(Quantity::Eeq),
+        both(Quantity::Delta0),
+    );
+    let gamma = curve.quantity(Quantity::Gamma, a_over_t).ok();
+    let es = curve.material().sphere_film_modulus();
+    let energy = gamma
+        .zip(eeq)
+        .map(|(gamma, (eeq, slope))| 1.0 - es * (eeq + slope) / (gamma * gamma));
+    let load =
+        pi0.zip(eeq)
+            .zip(delta0)
+            .map(|(((pi0, pi0_slope), (eeq, _)), (delta0, delta0_slope))| {
+                1.0 - 4.0 * eeq * (2.0 * delta0 + delta0_slope) / (3.0 * pi0 + pi0_slope)
+            });
+    [energy, load].map(|error| error.map(f64::abs))
+}

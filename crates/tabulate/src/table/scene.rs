@@ -1,0 +1,315 @@
+//! Scenes: what to tabulate, as a TOML file of data.
+//!
+//! Each parameter is a range, which becomes an axis of the table, or a number, which is settled and
+//! costs nothing.
+
+use std::fmt;
+use std::path::Path;
+
+use interp::Parameter;
+use interp::{Material, Quantity};
+use rand::{RngExt, SeedableRng};
+use rand_pcg::Pcg64Mcg;
+use serde::de::{Error as _, MapAccess, Visitor};
+use serde::{Deserialize, Deserializer};
+
+use crate::Error;
+use crate::solve::{A_OVER_T, E0_OVER_E2, E1_OVER_E2};
+
+/// A scene as it is written.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Text {
+    title: String,
+    #[serde(default = "default_tolerance")]
+    tolerance: f64,
+    #[serde(default = "all_quantities")]
+    quantities: Vec<Quantity>,
+    a_over_t: Values,
+    e1_over_e2: Values,
+    nu1: Values,
+    e0_over_e2: Values,
+    #[serde(default = "default_nu0")]
+    nu0: f64,
+}
+
+fn default_tolerance() -> f64 {
+    1e-5
+}
+
+fn all_quantities() -> Vec<Quantity> {
+    Quantity::ALL.to_vec()
+}
+
+fn default_nu0() -> f64 {
+    0.25
+}
+
+/// What a scene says of one parameter.
+#[derive(Clone, Debug)]
+enum Values {
+    Fixed(f64),
+    Range(Range),
+}
+
+/// A range, with the number of its nodes where the scene states it.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Range {
+    from: f64,
+    to: f64,
+    nodes: Option<usize>,
+    nodes_per_decade: Option<f64>,
+}
+
+impl<'de> Deserialize<'de> for Values {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Either;
+        impl<'de> Visitor<'de> for Either {
+            type Value = Values;
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("a number or a range { from = .., to = .. }")
+            }
+            fn visit_f64<E>(self, value: f64) -> Result<Values, E> {
+                Ok(Values::Fixed(value))
+            }
+            fn visit_i64<E>(self, value: i64) -> Result<Values, E> {
+                Ok(Values::Fixed(value as f64))
+            }
+            fn visit_map<M: MapAccess<'de>>(self, map: M) -> Result<Values, M::Error> {
+                Range::deserialize(serde::de::value::MapAccessDeserializer::new(map))
+                    .map(Values::Range)
+                    .map_err(M::Error::custom)
+            }
+        }
+        deserializer.deserialize_any(Either)
+    }
+}
+
+/// What a checked scene says of one parameter.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Extent {
+    /// The parameter is settled and costs nothing.
+    Fixed(f64),
+    /// A range whose nodes the planner chooses.
+    Range {
+        /// The smallest value.
+        from: f64,
+        /// The largest value.
+        to: f64,
+    },
+    /// A range with a stated number of nodes, evenly spaced in the parameter's coordinate.
+    Even {
+        /// The smallest value.
+        from: f64,
+        /// The largest value.
+        to: f64,
+        /// The number of nodes, two or more.
+        nodes: usize,
+    },
+}
+
+impl Extent {
+    /// The smallest and the largest value.
+    pub const fn ends(&self) -> [f64; 2] {
+        match *self {
+            Self::Fixed(value) => [value; 2],
+            Self::Range { from, to } | Self::Even { from, to, .. } => [from, to],
+        }
+    }
+}
+
+/// A checked scene.
+#[derive(Clone, Debug)]
+pub struct Scene {
+    /// The scene's title.
+    pub title: String,
+    /// The relative tolerance that the finished table is to keep between its nodes.
+    pub tolerance: f64,
+    /// What is tabulated, in the order of [`Quantity::ALL`].
+    pub quantities: Vec<Quantity>,
+    /// What the scene says of the four parameters.
+    pub extents: [Extent; 4],
+    /// The substrate's Poisson ratio.
+    pub nu0: f64,
+    /// The TOML text.
+    pub text: String,
+}
+
+/// The tolerances that a table can be asked for.
+pub(crate) const TOLERANCE: [f64; 2] = [1e-10, 1e-1];
+/// More nodes on an axis are taken for a mistake.
+pub(crate) const MOST_NODES: usize = 10_000;
+
+impl Scene {
+    /// Reads a scene file. `tolerance` replaces the scene's own.
+    ///
+    /// # Errors
+    /// [`Error::Read`] if the file cannot be read; [`Error::Scene`] naming file, key, value and
+    /// range.
+    pub fn read(path: &Path, tolerance: Option<f64>) -> Result<Self, Error> {
+        let text = std::fs::read_to_string(path).map_err(|source| Error::Read {
+            path: path.to_owned(),
+            source,
+        })?;
+        Self::parse(&text, tolerance).map_err(|what| Error::Scene {
+            path: path.to_owned(),
+            what,
+        })
+    }
+
+    /// Parses a scene; the error is in words.
+    ///
+    /// # Errors
+    /// What is wrong, with key, value and range.
+    pub fn parse(text: &str, tolerance: Option<f64>) -> Result<Self, String> {
+        let scene: Text = toml::from_str(text).map_err(|e| e.to_string().trim_end().to_owned())?;
+        let tolerance = tolerance.unwrap_or(scene.tolerance);
+        within("tolerance", tolerance, TOLERANCE)?;
+        let mut quantities = scene.quantities;
+        quantities.sort();
+        if quantities.is_empty() || quantities.windows(2).any(|pair| pair[0] == pair[1]) {
+            return Err(format!(
+                "quantities must name one to four of {}, each once",
+                Quantity::ALL.map(Quantity::name).join(", ")
+            ));
+        }
+        let mut extents = [Extent::Fixed(0.0); 4];
+        let given = [
+            scene.a_over_t,
+            scene.e1_over_e2,
+            scene.nu1,
+            scene.e0_over_e2,
+        ];
+        for ((extent, parameter), values) in extents.iter_mut().zip(Parameter::ALL).zip(given) {
+            *extent = checked(parameter, &values)?;
+        }
+        // The corners of the box stand for all of it: every bound is on one parameter alone.
+        for corner in [0, 1] {
+            let [_, e1, nu1, e0] = extents.map(|extent| extent.ends()[corner]);
+            Material::new(e1, nu1, e0, scene.nu0).map_err(|e| e.to_string())?;
+        }
+        Ok(Self {
+            title: scene.title,
+            tolerance,
+            quantities,
+            extents,
+            nu0: scene.nu0,
+            text: text.to_owned(),
+        })
+    }
+
+    /// The number of parameters that are ranges, and so axes of the table.
+    pub fn axes(&self) -> usize {
+        self.extents
+            .iter()
+            .filter(|extent| !matches!(extent, Extent::Fixed(_)))
+            .count()
+    }
+
+    /// `count` random points of the box, evenly distributed in the axes' coordinates.
+    pub fn random_points(&self, count: usize, seed: u64) -> Vec<[f64; 4]> {
+        random_points(self.extents.each_ref().map(Extent::ends), count, seed)
+    }
+
+    /// A material of the scene.
+    ///
+    /// # Errors
+    /// [`Error::Table`] for parameters that are not physical, and so not the scene's.
+    pub fn material(&self, [e1_over_e2, nu1, e0_over_e2]: [f64; 3]) -> Result<Material, Error> {
+        Ok(Material::new(e1_over_e2, nu1, e0_over_e2, self.nu0)?)
+    }
+}
+
+/// `count` random points of a box, evenly distributed in the axes' coordinates.
+pub(crate) fn random_points(ends: [[f64; 2]; 4], count: usize, seed: u64) -> Vec<[f64; 4]> {
+    let mut random = Pcg64Mcg::seed_from_u64(seed);
+    let mut value = |parameter: Parameter| {
+        let [from, to] = ends[parameter as usize];
+        if from == to {
+            return from;
+        }
+        let (first, last) = (parameter.coordinate(from), parameter.coordinate(to));
+        parameter
+            .value(random.random_range(first..last))
+            .clamp(from, to)
+    };
+    (0..count).map(|_| Parameter::ALL.map(&mut value)).collect()
+}
+
+/// What the scene says of one parameter, if that can be solved.
+fn checked(parameter: Parameter, values: &Values) -> Result<Extent, String> {
+    let name = parameter.name();
+    let range = match values {
+        Values::Fixed(value) => {
+            let rigid = match parameter {
+                Parameter::E1OverE2 => *value == 0.0,
+                Parameter::E0OverE2 => *value == f64::INFINITY,
+                Parameter::AOverT | Parameter::Nu1 => false,
+            };
+            if !rigid {
+                in_domain(parameter, name, *value)?;
+            }
+            return Ok(Extent::Fixed(*value));
+        }
+        Values::Range(range) => range,
+    };
+    in_domain(parameter, &format!("{name}.from"), range.from)?;
+    in_domain(parameter, &format!("{name}.to"), range.to)?;
+    if range.from >= range.to {
+        return Err(format!(
+            "{name} is an empty range: from = {} is not below to = {}",
+            range.from, range.to
+        ));
+    }
+    let (from, to) = (range.from, range.to);
+    let intervals = match (range.nodes, range.nodes_per_decade) {
+        (Some(_), Some(_)) => return Err(format!("{name} has both nodes and nodes_per_decade")),
+        (Some(nodes), None) => nodes as f64 - 1.0,
+        (None, Some(_)) if parameter == Parameter::Nu1 => {
+            return Err(format!(
+                "{name} is not logarithmic: give nodes, not nodes_per_decade"
+            ));
+        }
+        (None, Some(per_decade)) => {
+            within(
+                &format!("{name}.nodes_per_decade"),
+                per_decade,
+                [1.0, 1000.0],
+            )?;
+            // A hair below, so that a whole number of decades has a whole number of intervals.
+            (per_decade * (to / from).log10() - 1e-9).ceil()
+        }
+        (None, None) => return Ok(Extent::Range { from, to }),
+    };
+    if !(1.0..MOST_NODES as f64).contains(&intervals) {
+        return Err(format!(
+            "{name} has {} nodes; 2 to {MOST_NODES} are allowed",
+            intervals + 1.0
+        ));
+    }
+    Ok(Extent::Even {
+        from,
+        to,
+        nodes: intervals as usize + 1,
+    })
+}
+
+/// Accepts a value that can be solved.
+fn in_domain(parameter: Parameter, key: &str, value: f64) -> Result<(), String> {
+    match parameter {
+        Parameter::AOverT => within(key, value, A_OVER_T),
+        Parameter::E1OverE2 => within(key, value, E1_OVER_E2),
+        Parameter::Nu1 if value > -1.0 && value <= 0.5 => Ok(()),
+        Parameter::Nu1 => Err(format!("{key} = {value:?} is outside (-1, 0.5]")),
+        Parameter::E0OverE2 => within(key, value, E0_OVER_E2),
+    }
+}
+
+fn within(key: &str, value: f64, [from, to]: [f64; 2]) -> Result<(), String> {
+    if value >= from && value <= to {
+        Ok(())
+    } else {
+        Err(format!("{key} = {value:?} is outside {from:e} to {to:e}"))
+    }
+}

@@ -1,0 +1,124 @@
+//! What all `tabulate cost` commands share: rows that are summed up again, and compared with those
+//! of another run.
+
+use acceptance::{Desk, assert_names};
+use tabulate::cost::effects::Row;
+use tabulate::cost::{TIME_FACTOR, compare, read_csv, to_csv};
+
+const SCENE: &str = "\
+title = 'A small box'
+a_over_t = { from = 0.1, to = 10 }
+e1_over_e2 = { from = 0.3, to = 3 }
+nu1 = 0.5
+e0_over_e2 = 10
+";
+
+const MEASURE: [&str; 7] = [
+    "cost",
+    "effects",
+    "scene.toml",
+    "--tolerance",
+    "1e-2",
+    "--points",
+    "200",
+];
+
+#[test]
+fn rows_are_summed_up_and_compared_with_those_of_another_run() {
+    let desk = Desk::new(env!("CARGO_BIN_EXE_tabulate-under-test"));
+    desk.write("scene.toml", SCENE);
+    let printed = desk.succeed(&[&MEASURE[..], &["-o", "rows.csv"]].concat());
+    assert_eq!(
+        desk.succeed(&["cost", "effects", "--data", "rows.csv"]),
+        printed
+    );
+
+    // The rows with one cell of the third changed, against what they were. No second run: its times
+    // are not the same.
+    let rows: Vec<Row> = read_csv(&desk.path("rows.csv")).expect("what was written");
+    let compared = |change: fn(&mut Row)| {
+        let mut before = rows.clone();
+        change(&mut before[2]);
+        compare(&before, &rows).map_err(|error| error.to_string())
+    };
+    let noise: [fn(&mut Row); 3] = [
+        |row| row.saved_seconds *= -1.0,
+        |row| row.threads += 1,
+        |row| row.worst_error *= 1.0 + 1e-3,
+    ];
+    assert!(noise.into_iter().all(|change| compared(change) == Ok(())));
+    assert_eq!(compared(|row| row.seconds *= 0.5 * TIME_FACTOR), Ok(()));
+    let is_named = |change: fn(&mut Row), what: &str| {
+        assert_names(&compared(change).expect_err(what), &["row 3", what])
+    };
+    is_named(|row| row.worst_error *= 1.02, "worst_error was");
+    is_named(|row| row.solves += 1, "solves was");
+    is_named(|row| row.seconds *= 2.0 * TIME_FACTOR, "seconds was");
+    assert_names(
+        &compare(&rows[..2], &rows)
+            .expect_err("rows are missing")
+            .to_string(),
+        &["the number of rows was 2 and is"],
+    );
+
+    desk.write("short.csv", to_csv(&rows[..2]));
+    let run = desk.run(&[&MEASURE[..], &["--compare", "short.csv"]].concat());
+    assert_eq!(run.status, 1, "{}", run.stderr);
+    assert_names(
+        &run.stderr,
+        &["short.csv", "the number of rows was 2 and is"],
+    );
+
+    desk.write("partial.csv", to_csv(&rows[1..2]));
+    assert_names(
+        &desk.fail(
+            1,
+            &["plot", "effects", "--data", "partial.csv", "-o", "x.svg"],
+        ),
+        &["no row of the whole scene"],
+    );
+}
+
+#[test]
+fn rows_that_cannot_be_read_are_an_error_before_anything_is_measured() {
+    let desk = Desk::new(env!("CARGO_BIN_EXE_tabulate-under-test"));
+    desk.write("other.csv", "a,b\n1,2\n");
+    for option in ["--data", "--compare"] {
+        assert_names(
+            &desk.fail(1, &["cost", "solve", option, "missing.csv"]),
+            &["missing.csv"],
+        );
+        assert_names(
+            &desk.fail(1, &["cost", "solve", option, "other.csv"]),
+            &["other.csv"],
+        );
+    }
+    desk.write("empty.csv", "");
+    for command in [["cost", "effects"], ["plot", "effects"]] {
+        let message = desk.fail(
+            1,
+            &[
+                &command[..],
+                &["--data", "empty.csv", "-o", "x.svg"][..if command[0] == "cost" { 2 } else { 4 }],
+            ]
+            .concat(),
+        );
+        assert_names(&message, &["empty.csv", "it has no rows"]);
+    }
+    desk.fail(2, &["cost", "effects", "scene.toml", "--data", "other.csv"]);
+    desk.fail(
+        2,
+        &[
+            "cost",
+            "solve",
+            "--data",
+            "other.csv",
+            "--compare",
+            "other.csv",
+        ],
+    );
+    desk.fail(
+        2,
+        &["cost", "solve", "--data", "other.csv", "-o", "rows.csv"],
+    );
+}

@@ -1,0 +1,385 @@
+//! `tabulate cost effects`: the errors of leaving effects out, against loads in SI units, closed
+//! forms and limits, and its rows.
+
+use std::f64::consts::PI;
+
+use acceptance::{Contacts, Desk, assert_names, material};
+use interp::{Contact, Elastic, HalfSpace, Material};
+use tabulate::cost::effects::{Effect, Row, STRENGTHS, errors, markdown};
+use tabulate::cost::{read_csv, to_csv};
+use tabulate::solve;
+
+/// Radius of the sphere (m), and its modulus (Pa).
+const RADIUS: f64 = 1e-3;
+const MODULUS: f64 = 2e6;
+
+fn desk() -> Desk {
+    Desk::new(env!("CARGO_BIN_EXE_tabulate-under-test"))
+}
+
+fn rows(desk: &Desk, file: &str) -> Vec<Row> {
+    read_csv(&desk.path(file)).expect("the command has written it")
+}
+
+/// Adhesionless load and load (N) by eq. 9, for a sphere of this modulus.
+fn loads(a: f64, a_over_t: f64, material: &Material, modulus: f64, w: f64) -> [f64; 2] {
+    let q = solve(a_over_t, material, 1e-10)
+        .expect("moderate contrasts converge")
+        .quantities;
+    let pressed = a.powi(3) * modulus * q.pi0 / (2.0 * RADIUS);
+    let adhesion = (8.0 * PI * w * material.sphere_film_modulus() * modulus * a.powi(3)).sqrt()
+        * q.eeq
+        / q.gamma;
+    [pressed, pressed - adhesion]
+}
+
+/// The rigid sphere is one that is a million times stiffer, the rigid substrate likewise, and the
+/// bare substrate is JKR's.
+#[test]
+fn errors_are_those_of_the_loads_of_other_systems() {
+    const RIGID: f64 = 1e6;
+    let mut contacts = Contacts::new(61);
+    for _ in 0..200 {
+        let a_over_t = contacts.log_uniform(1e-2, 1e2);
+        let (e1, e0) = (
+            contacts.log_uniform(0.1, 10.0),
+            contacts.log_uniform(1.0, 30.0),
+        );
+        let (nu1, strength) = (
+            contacts.uniform(0.0, 0.49),
+            contacts.log_uniform(STRENGTHS[0], STRENGTHS[1]),
+        );
+        let scene = material([e1, nu1, e0, 0.25]);
+        let a = 6e-5;
+        let [pressed, stuck] = loads(a, a_over_t, &scene, MODULUS, 1.0);
+        let w = (strength * pressed / (pressed - stuck)).powi(2);
+        let [_, load] = loads(a, a_over_t, &scene, MODULUS, w);
+        assert!(((pressed - load) / pressed / strength - 1.0).abs() < 1e-12);
+
+        let solid = Elastic::new(e0 * MODULUS, 0.25).expect("physical");
+        let bare = HalfSpace {
+            sphere_radius: RADIUS,
+            sphere_modulus: MODULUS,
+            solid,
+        };
+        let others = [
+            Contact::half_space(&bare)
+                .and_then(|contact| contact.load(a, w))
+                .expect("a contact"),
+            loads(
+                a,
+                a_over_t,
+                &material([e1 / RIGID, nu1, e0 / RIGID, 0.25]),
+                RIGID * MODULUS,
+                w,
+            )[1],
+            loads(
+                a,
+                a_over_t,
+                &material([e1, nu1, RIGID * e0, 0.25]),
+                MODULUS,
+                w,
+            )[1],
+            loads(a, a_over_t, &material([e1, 0.5, e0, 0.25]), MODULUS, w)[1],
+            pressed,
+            load,
+        ];
+        let found =
+            errors(&Effect::ALL, a_over_t, &scene, strength).expect("moderate contrasts converge");
+        for ((effect, found), other) in Effect::ALL.into_iter().zip(found).zip(others) {
+            let expected = ((other - load) / pressed).abs();
+            // What is rigid to 1e-6 only, of thirty times the sphere's modulus.
+            let allowed = 5e-5 * (other / pressed).abs().max(1.0);
+            assert!(
+                (found - expected).abs() <= allowed,
+                "{effect:?} at {a_over_t}, {scene:?}: {found:e}, not {expected:e}"
+            );
+        }
+    }
+}
+
+/// A rigid sphere, whose loads are in units of the film's modulus, is the limit of a stiff one.
+#[test]
+fn errors_under_a_rigid_sphere_are_the_limit_of_those_under_a_stiff_one() {
+    let effects = [
+        Effect::Film,
+        Effect::SubstrateCompliance,
+        Effect::FilmCompressibility,
+        Effect::Adhesion,
+    ];
+    for (a_over_t, nu1, e0_over_e1) in [(0.1, 0.3, 3.0), (1.0, 0.1, 20.0), (10.0, 0.45, 30.0)] {
+        let stiff = material([1e-6, nu1, 1e-6 * e0_over_e1, 0.25]);
+        let rigid = material([0.0, nu1, e0_over_e1, 0.25]);
+        let [stiff, rigid] = [stiff, rigid]
+            .map(|material| errors(&effects, a_over_t, &material, 0.5).expect("solved"));
+        for (effect, (stiff, rigid)) in effects.iter().zip(stiff.into_iter().zip(rigid)) {
+            assert!(
+                (stiff - rigid).abs() <= 5e-5 * (1.0 + rigid),
+                "{effect:?} at {a_over_t}: {stiff:e}, {rigid:e}"
+            );
+        }
+    }
+}
+
+#[test]
+fn a_film_like_its_substrate_can_be_left_out() {
+    let film = |e1, nu1, a_over_t| {
+        errors(
+            &[Effect::Film],
+            a_over_t,
+            &material([e1, nu1, 2.0, 0.25]),
+            1.0,
+        )
+        .expect("solved")[0]
+    };
+    for a_over_t in [1e-3, 0.1, 1.0, 10.0, 1e3] {
+        assert!(film(2.0, 0.25, a_over_t) <= 1e-15);
+        for difference in [1e-2, 1e-4, 1e-6] {
+            let error = film(
+                2.0 * (1.0 + difference),
+                0.25 * (1.0 + difference),
+                a_over_t,
+            );
+            assert!(
+                error <= difference,
+                "{difference:e} at {a_over_t}: {error:e}"
+            );
+        }
+    }
+}
+
+/// On a thick film alone, the loads are JKR's on a half-space of film, and every error is a closed
+/// form.
+#[test]
+fn a_thick_film_is_a_half_space() {
+    for strength in STRENGTHS {
+        let thick = material([0.5, 0.3, 40.0, 0.25]);
+        let [film, sphere, substrate, compressibility] = [
+            thick.sphere_substrate_modulus(),
+            thick.film_modulus(),
+            thick.sphere_film_modulus(),
+            material([0.5, 0.5, 40.0, 0.25]).sphere_film_modulus(),
+        ]
+        .map(|modulus| {
+            let ratio = modulus / thick.sphere_film_modulus();
+            (ratio - 1.0 - strength * (ratio.sqrt() - 1.0)).abs()
+        });
+        let expected = [film, sphere, substrate, compressibility, strength, 0.0];
+        let found = errors(&Effect::ALL, 1e-6, &thick, strength).expect("solved");
+        for ((effect, found), expected) in Effect::ALL.iter().zip(found).zip(expected) {
+            assert!(
+                (found - expected).abs() <= 1e-5,
+                "{effect:?}, {strength}: {found:e}, not {expected:e}"
+            );
+        }
+    }
+}
+
+#[test]
+fn a_stiff_substrate_is_as_good_as_rigid() {
+    for a_over_t in [0.1, 1.0, 30.0] {
+        let error = |e0| {
+            errors(
+                &[Effect::SubstrateCompliance],
+                a_over_t,
+                &material([1.75, 0.4, e0, 0.25]),
+                0.5,
+            )
+            .expect("solved")[0]
+        };
+        let errors = [1e2, 1e4, 1e6].map(error);
+        assert!(
+            errors
+                .windows(2)
+                .all(|pair| (50.0..200.0).contains(&(pair[0] / pair[1]))),
+            "{a_over_t}: {errors:?}"
+        );
+    }
+}
+
+const SCENE: &str = "\
+title = 'A small box'
+a_over_t = { from = 0.1, to = 10 }
+e1_over_e2 = { from = 0.3, to = 3 }
+nu1 = { from = 0.3, to = 0.5 }
+e0_over_e2 = 10
+";
+
+#[test]
+fn rows_say_what_generate_says_of_the_scene_without_an_effect() {
+    let desk = desk();
+    desk.write("scene.toml", SCENE);
+    let printed = desk.succeed(&[
+        "cost",
+        "effects",
+        "scene.toml",
+        "--tolerance",
+        "1e-3",
+        "--points",
+        "2000",
+        "-o",
+        "effects.csv",
+    ]);
+    let rows = rows(&desk, "effects.csv");
+    assert_eq!(
+        to_csv(&rows),
+        desk.read("effects.csv"),
+        "numbers do not read back"
+    );
+    assert_eq!(printed, markdown(&rows));
+    assert_eq!(desk.files(), ["effects.csv", "scene.toml"]);
+    let effects: Vec<_> = rows.iter().map(|row| row.without).collect();
+    assert_eq!(
+        effects,
+        [vec![None], Effect::ALL.map(Some).to_vec()].concat()
+    );
+
+    let whole = &rows[0];
+    let without = [
+        (
+            "rigid sphere",
+            SCENE.replace("{ from = 0.3, to = 3 }", "0").replace(
+                "10\n",
+                "{ from = 3.3333333333333335, to = 33.333333333333336 }\n",
+            ),
+            &rows[2],
+        ),
+        (
+            "rigid substrate",
+            SCENE.replace("e0_over_e2 = 10", "e0_over_e2 = inf"),
+            &rows[3],
+        ),
+        (
+            "incompressible",
+            SCENE.replace("{ from = 0.3, to = 0.5 }", "0.5"),
+            &rows[4],
+        ),
+        (
+            "no adhesion",
+            format!("{SCENE}quantities = ['pi0', 'delta0']\n"),
+            &rows[5],
+        ),
+        (
+            "no penetration",
+            format!("{SCENE}quantities = ['pi0', 'eeq', 'gamma']\n"),
+            &rows[6],
+        ),
+    ];
+    for (name, scene, row) in without {
+        desk.write("without.toml", scene);
+        let said = desk.succeed(&["generate", "without.toml", "--tolerance", "1e-3"]);
+        assert_names(&said, &[&format!("{} points in", row.solves)]);
+        assert_eq!(
+            row.axes,
+            [3, 3, 3, 2, 3, 3][rows
+                .iter()
+                .position(|other| other == row)
+                .expect("one of them")
+                - 1],
+            "{name}"
+        );
+    }
+    for row in &rows {
+        assert_eq!(
+            row.saved_solves,
+            whole.solves.cast_signed() - row.solves.cast_signed()
+        );
+        assert_eq!(
+            row.saved_bytes,
+            whole.bytes.cast_signed() - row.bytes.cast_signed()
+        );
+        assert_eq!(row.saved_seconds, whole.seconds - row.seconds);
+        assert!(row.median_error <= row.worst_error);
+    }
+    let [film, adhesion, penetration] = [&rows[1], &rows[5], &rows[6]];
+    assert_eq!(
+        (film.axes, film.solves, film.seconds, film.bytes),
+        (0, 0, 0.0, 0)
+    );
+    // The error without adhesion is its strength.
+    let [weak, strong] = STRENGTHS;
+    assert!(
+        (adhesion.median_error / (weak * strong).sqrt()).ln().abs() < 0.2,
+        "{adhesion:?}"
+    );
+    assert!(
+        adhesion.worst_error <= strong && adhesion.worst_error > 0.98 * strong,
+        "{adhesion:?}"
+    );
+    assert_eq!(
+        (penetration.median_error, penetration.worst_error),
+        (0.0, 0.0)
+    );
+
+    desk.succeed(&[
+        "plot",
+        "effects",
+        "--data",
+        "effects.csv",
+        "-o",
+        "effects.svg",
+    ]);
+    assert!(desk.read("effects.svg").starts_with(b"<svg"));
+    desk.write("other.csv", "tolerance\n1\n");
+    let message = desk.fail(
+        1,
+        &["plot", "effects", "--data", "other.csv", "-o", "other.svg"],
+    );
+    assert_names(
+        &message,
+        &["cannot read other.csv", "line: 2", "missing field"],
+    );
+}
+
+#[test]
+fn effects_that_a_scene_does_not_have_are_named() {
+    let desk = desk();
+    let like = "title = 'x'\na_over_t = { from = 0.1, to = 10 }\ne1_over_e2 = 2\nnu1 = 0.25\ne0_over_e2 = 2\nnu0 = 0.25\nquantities = ['pi0']\n";
+    desk.write("like.toml", like);
+    let printed = desk.succeed(&[
+        "cost",
+        "effects",
+        "like.toml",
+        "--points",
+        "500",
+        "-o",
+        "like.csv",
+    ]);
+    assert_names(
+        &printed,
+        &[
+            "Not in this scene: adhesion, penetration.",
+            "| film | JKR on the bare substrate | 1 |",
+        ],
+    );
+    let film = &rows(&desk, "like.csv")[1];
+    assert_eq!(film.without, Some(Effect::Film));
+    assert!(film.worst_error <= 1e-15, "{film:?}");
+
+    desk.write(
+        "rigid.toml",
+        "title = 'x'\na_over_t = 1\ne1_over_e2 = 0\nnu1 = 0.5\ne0_over_e2 = inf\n",
+    );
+    let printed = desk.succeed(&["cost", "effects", "rigid.toml", "--points", "500"]);
+    assert_names(
+        &printed,
+        &[
+            "Not in this scene: film, sphere compliance, substrate compliance, film compressibility.",
+        ],
+    );
+
+    desk.write("stiffness.toml", "title = 'x'\na_over_t = 1\ne1_over_e2 = 1\nnu1 = 0.5\ne0_over_e2 = inf\nquantities = ['eeq']\n");
+    assert_names(
+        &desk.fail(1, &["cost", "effects", "stiffness.toml"]),
+        &["pi0"],
+    );
+    for tolerance in ["1e-11", "0.5", "NaN"] {
+        assert_names(
+            &desk.fail(
+                1,
+                &["cost", "effects", "rigid.toml", "--tolerance", tolerance],
+            ),
+            &["tolerance = ", "1e-10 to 1e-1"],
+        );
+    }
+}

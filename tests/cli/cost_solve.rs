@@ -1,0 +1,187 @@
+//! `tabulate cost solve`: that what it calls errors are errors, and that it writes and prints what
+//! it measures.
+
+use acceptance::{Data, Desk, assert_names, larger, relative_error};
+use tabulate::cost::nystrom::Nystrom;
+use tabulate::cost::read_csv;
+use tabulate::cost::solve::{NYSTROM, REFUSED, Row, TOLERANCES, contacts, markdown};
+use tabulate::solve;
+
+/// Tolerances from here on are refused nowhere (`hard_cases.rs`).
+const ANSWERED: f64 = 1e-9;
+
+fn desk() -> Desk {
+    Desk::new(env!("CARGO_BIN_EXE_tabulate-under-test"))
+}
+
+/// The contacts that other references have too. Under a rigid base its Poisson ratio is without
+/// meaning.
+#[test]
+fn the_truth_is_that_of_the_other_references() {
+    let files = ["barthel_reference", "contacts", "hard_cases"].map(Data::read);
+    let mut common = 0;
+    for contact in contacts() {
+        let same = |case: &acceptance::Case| {
+            let material = case.material();
+            case.get("a_over_t") == contact.a_over_t
+                && material.e1_over_e2() == contact.e1_over_e2
+                && material.nu1() == contact.nu1
+                && material.e0_over_e2() == contact.e0_over_e2
+                && (material.nu0() == contact.nu0 || contact.e0_over_e2 == f64::INFINITY)
+        };
+        for case in files.iter().flat_map(Data::cases).filter(same) {
+            assert!(case.get("digits_agreed") >= 17.0);
+            let error = relative_error(&contact.truth(), &case.quantities());
+            assert!(error <= f64::EPSILON, "{contact:?}: {error:e}");
+            common += 1;
+        }
+    }
+    println!(
+        "{common} of {} contacts are in other references",
+        contacts().len()
+    );
+    assert!(common >= 4);
+}
+
+/// The opponent solves the right equation, by means of which the solve has nothing but `X` and the
+/// panels in `q`.
+#[test]
+fn nystroms_method_converges_to_values_from_elsewhere() {
+    let data = Data::read("barthel_reference");
+    let (mut worst, mut count) = (0.0, 0);
+    for case in data.cases().filter(|case| case.get("a_over_t") <= 30.0) {
+        let x = case.get("a_over_t");
+        let error = |size: f64| {
+            relative_error(
+                &Nystrom::new(size as usize).solve(x, &case.material(), 1e-14),
+                &case.quantities(),
+            )
+        };
+        let (few, many) = (error(4.0 + x), error(48.0 + 6.0 * x));
+        println!("{:?} at {x}: {few:.1e}, then {many:.1e}", case.material());
+        assert!(many <= few.max(1e-12));
+        (worst, count) = (larger(worst, many), count + 1);
+    }
+    println!("{count} contacts: at most {worst:.1e}");
+    assert!(count >= 20);
+    // Measured: 1.0e-13, a soft film at a/t = 10.
+    assert!(worst <= 2e-12);
+}
+
+#[test]
+fn the_command_writes_errors_within_tolerances_that_are_the_same_in_every_run() {
+    let desk = desk();
+    let printed = desk.succeed(&["cost", "solve", "-o", "solve.csv"]);
+    let text = String::from_utf8(desk.read("solve.csv")).expect("UTF-8");
+    let header = "contact,a_over_t,e1_over_e2,nu1,e0_over_e2,nu0,method,tolerance,size,error_estimated,error,seconds";
+    assert_eq!(text.lines().next(), Some(header));
+    let rows: Vec<Row> = read_csv(&desk.path("solve.csv")).expect("it is what was written");
+    assert_eq!(text.lines().count(), rows.len() + 1);
+    assert_eq!(printed, markdown(&rows));
+    assert!(rows.iter().all(|row| row.seconds > 0.0));
+
+    for name in ["one.svg", "two.svg", "one.png"] {
+        assert_eq!(
+            desk.succeed(&["plot", "work-precision", "--data", "solve.csv", "-o", name]),
+            ""
+        );
+    }
+    let drawn = desk.read("one.svg");
+    assert!(
+        drawn.starts_with(b"<svg")
+            && drawn == desk.read("two.svg")
+            && desk.read("one.png").starts_with(b"\x89PNG")
+    );
+
+    for contact in contacts() {
+        let of_contact =
+            |row: &&Row| row.contact == contact.contact && row.a_over_t == contact.a_over_t;
+        let (nystrom, own): (Vec<&Row>, Vec<&Row>) = rows
+            .iter()
+            .filter(of_contact)
+            .partition(|row| row.method == NYSTROM);
+        assert_eq!(
+            own.iter().map(|row| row.tolerance).collect::<Vec<_>>(),
+            TOLERANCES
+        );
+        for row in &own {
+            let estimated = row.error_estimated.expect("the solve always says");
+            match solve(contact.a_over_t, &contact.material(), row.tolerance) {
+                Ok(solution) => {
+                    let error = row.error.expect("an answer has one");
+                    assert_eq!(
+                        error,
+                        relative_error(&solution.quantities, &contact.truth())
+                            .max(0.5 * f64::EPSILON)
+                    );
+                    assert_eq!(
+                        (row.method.as_str(), row.size),
+                        (solution.method.name(), solution.modes as u64)
+                    );
+                    assert!(error <= estimated && estimated <= row.tolerance, "{row:?}");
+                }
+                Err(_) => {
+                    assert!(
+                        row.method == REFUSED && row.error.is_none() && row.size == 0,
+                        "{row:?}"
+                    );
+                    assert!(
+                        row.tolerance < ANSWERED && estimated > row.tolerance,
+                        "{row:?}"
+                    );
+                }
+            }
+        }
+        for row in &nystrom {
+            let solved = Nystrom::new(row.size as usize).solve(
+                contact.a_over_t,
+                &contact.material(),
+                row.tolerance,
+            );
+            assert_eq!(
+                row.error,
+                Some(relative_error(&solved, &contact.truth()).max(0.5 * f64::EPSILON))
+            );
+        }
+        // Nodes enough were among those tried, as far as double precision goes: the solve says
+        // where that ends.
+        let refused = own
+            .iter()
+            .filter(|row| row.method == REFUSED)
+            .map(|row| row.tolerance)
+            .reduce(f64::max);
+        let reached = nystrom.iter().filter_map(|row| row.error).reduce(f64::min);
+        assert!(
+            reached.is_none_or(|error| error <= refused.unwrap_or(1e-13)),
+            "{contact:?}: {reached:?}"
+        );
+        assert_eq!(reached.is_some(), contact.a_over_t <= 100.0);
+    }
+}
+
+#[test]
+fn a_figure_of_anything_else_is_refused() {
+    let desk = desk();
+    desk.write("other.csv", "contact,a_over_t\nthe paper's,thin\n");
+    let message = desk.fail(
+        1,
+        &[
+            "plot",
+            "work-precision",
+            "--data",
+            "other.csv",
+            "-o",
+            "picture.svg",
+        ],
+    );
+    assert_names(&message, &["other.csv", "line: 2"]);
+    assert_eq!(desk.files(), ["other.csv"]);
+}
+
+#[test]
+fn an_output_that_cannot_be_written_is_named_before_anything_is_measured() {
+    assert_names(
+        &desk().fail(1, &["cost", "solve", "-o", "nowhere/solve.csv"]),
+        &["nowhere/solve.csv", "no folder"],
+    );
+}

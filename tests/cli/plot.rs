@@ -1,0 +1,359 @@
+//! `tabulate plot`: what the figures show, and the files that they are.
+
+use std::f64::consts::PI;
+
+use acceptance::{Desk, assert_names, ends, error_at, material, shipped};
+use interp::Parameter;
+use interp::{ForceDisplacement, Jump, State, Table};
+use resvg::tiny_skia::{Pixmap, Transform};
+use resvg::usvg::{Node, Options, Tree};
+use tabulate::plot::{error_map, fig2, fig3, fig4, force_displacement};
+
+/// Width of every figure in pixels, and pixels of a PNG for each.
+const WIDTH: u32 = 840;
+const SCALE: u32 = 2;
+
+/// The figures that are drawn from direct solves alone.
+const OF_THE_PAPER: [&str; 4] = ["fig2", "fig3", "fig4", "force-displacement"];
+
+fn desk() -> Desk {
+    Desk::new(env!("CARGO_BIN_EXE_tabulate-under-test"))
+}
+
+fn close(value: f64, truth: f64, tolerance: f64, what: &str) {
+    assert!(
+        (value / truth - 1.0).abs() <= tolerance,
+        "{what}: {value}, not {truth}"
+    );
+}
+
+#[test]
+fn fig2_goes_from_one_published_limit_to_the_other() {
+    let data = fig2::data().unwrap();
+    // Substrate 1e5 times as stiff as the sphere: the paper's 8/3, but for 1e-5.
+    close(data.limits[0], 8.0 / 3.0 * 0.7, 1e-14, "thick film");
+    close(data.limits[1], 8.0 / 3.0, 1.1e-5, "thin film");
+    let (first, last) = (data.pi0[0], data.pi0[data.pi0.len() - 1]);
+    assert_eq!(
+        [first[0], last[0]],
+        [1e-3, 1e3],
+        "Fig. 2 runs from 0.001 to 1000"
+    );
+    close(first[1], data.limits[0], 1e-6, "at 0.001");
+    close(last[1], data.limits[1], 1e-3, "at 1000");
+    assert!(
+        data.pi0.is_sorted_by(|a, b| a[0] < b[0] && a[1] < b[1]),
+        "it does not rise throughout"
+    );
+}
+
+#[test]
+fn fig3_goes_from_and_to_the_published_limits() {
+    let data = fig3::data().unwrap();
+    for (limit, truth) in data.limits.into_iter().zip([0.7, 0.7_f64.sqrt(), 1.0]) {
+        close(limit, truth, 1.1e-5, "limit");
+    }
+    for (line, to) in [(&data.eeq, 1.0), (&data.gamma, 0.7_f64.sqrt())] {
+        let (first, last) = (line[0], line[line.len() - 1]);
+        assert_eq!([first[0], last[0]], [1e-3, 1e3]);
+        close(first[1], 0.7, 1e-3, "at 0.001");
+        close(last[1], to, 1e-3, "at 1000");
+    }
+    // Gamma^2 = es d(x Eeq)/dx, between neighbouring points of the figure: es (x2 Eeq2 - x1 Eeq1)
+    // is the mean of Gamma^2.
+    for (eeq, gamma) in data.eeq.windows(2).zip(data.gamma.windows(2)) {
+        let ([x1, e1], [x2, e2]) = (eeq[0], eeq[1]);
+        let square = 0.5 * (gamma[0][1].powi(2) + gamma[1][1].powi(2));
+        close(
+            0.7 * (x2 * e2 - x1 * e1) / (x2 - x1),
+            square,
+            2e-4,
+            &format!("energy release rate at {x1}"),
+        );
+    }
+}
+
+#[test]
+fn fig4_shows_the_lines_of_jkr_and_the_published_radii_at_zero_load() {
+    let data = fig4::data().unwrap();
+    let (sphere, w) = (2e6_f64, 0.04_f64);
+    // F / (sqrt(6 pi) a^(3/2)) = 4 E* / (3 sqrt 6) x - sqrt(4 w E* / 3): JKR in the coordinates of
+    // eq. 9.
+    for (line, modulus) in [
+        (&data.sphere, sphere / (1.0 + 1e-5 * 0.9375)),
+        (&data.sphere_film, 0.7 * sphere),
+    ] {
+        for [x, y] in line {
+            let jkr = 4.0 * modulus / (3.0 * 6_f64.sqrt()) * x - (4.0 * w * modulus / 3.0).sqrt();
+            assert!(
+                (y - jkr).abs() <= 1e-9 * sphere.sqrt(),
+                "{y}, not {jkr}, at {x}"
+            );
+        }
+    }
+    // Where a line crosses zero, and what was published as a there.
+    let crossing = |line: &[[f64; 2]]| {
+        let i = line.iter().position(|[_, y]| *y > 0.0).unwrap();
+        let ([x1, y1], [x2, y2]) = (line[i - 1], line[i]);
+        let abscissa = x1 - y1 * (x2 - x1) / (y2 - y1);
+        (abscissa * PI.sqrt() * 1e-3).powf(2.0 / 3.0)
+    };
+    close(crossing(&data.sphere), 65.63e-6, 1e-4, "no film");
+    for (thickness, radius, tolerance) in [
+        (1e-6, 65.77e-6, 1e-4),
+        (10e-6, 67.06e-6, 1e-4),
+        (100e-6, 73.5e-6, 1e-3),
+    ] {
+        let i = fig4::THICKNESSES
+            .iter()
+            .position(|t| *t == thickness)
+            .unwrap();
+        close(
+            crossing(&data.films[i]),
+            radius,
+            tolerance,
+            &format!("{thickness} m"),
+        );
+    }
+}
+
+#[test]
+fn force_curves_jump_at_what_is_imposed_and_separate_where_jkr_does() {
+    for film in force_displacement::data().unwrap() {
+        let (displacement, load): (&ForceDisplacement, &ForceDisplacement) =
+            (&film.displacement, &film.load);
+        for jump in &displacement.jumps {
+            let to = jump.to.unwrap();
+            assert!(
+                (jump.from.penetration - to.penetration).abs() < 1e-15,
+                "{jump:?}"
+            );
+        }
+        for Jump { from, to } in &load.jumps {
+            assert!(
+                to.is_none_or(|to: State| (from.load - to.load).abs() < 1e-13),
+                "{from:?} {to:?}"
+            );
+        }
+        assert_eq!(displacement.jumps[0].from, State::ORIGIN);
+        assert_eq!(load.jumps[0].from, State::ORIGIN);
+        if film.thickness == 1e-6 {
+            close(
+                load.jumps[0].to.unwrap().contact_radius,
+                65.77e-6,
+                1e-4,
+                "first contact without a load",
+            );
+        }
+        // JKR's 3/2 pi w R, whatever the modulus; a film between thin and thick takes more.
+        let separation = load.jumps.last().unwrap().from.load / (PI * 0.04 * 1e-3);
+        let extreme = film.thickness == 1e-6 || film.thickness == 300e-6;
+        assert!(
+            if extreme {
+                (separation / -1.5 - 1.0).abs() < 0.01
+            } else {
+                separation < -1.5
+            },
+            "{}: {separation}",
+            film.thickness
+        );
+    }
+}
+
+#[test]
+fn the_error_map_finds_what_direct_solves_find() {
+    let table = Table::read(shipped("paper.bin")).unwrap();
+    let data = error_map::data(&table, &|_| {}).unwrap();
+    let [columns, rows] = error_map::CELLS;
+    assert_eq!((data.errors.len(), data.errors[0].len()), (rows, columns));
+    for (k, parameter) in [Parameter::AOverT, Parameter::E1OverE2]
+        .into_iter()
+        .enumerate()
+    {
+        let borders = &data.borders[k];
+        let (first, last) = ends(&table, parameter);
+        close(borders[0], first, 1e-12, parameter.name());
+        close(borders[borders.len() - 1], last, 1e-12, parameter.name());
+        assert!(borders.is_sorted_by(|a, b| a < b));
+    }
+    let largest = data
+        .errors
+        .iter()
+        .flatten()
+        .fold(0.0, |a: f64, b| a.max(*b));
+    assert!(
+        data.errors
+            .iter()
+            .flatten()
+            .all(|error| (0.0..=data.tolerance).contains(error)),
+        "{largest:e}"
+    );
+    // As in `tabulate check`: three times the certified error is more than chance makes of other
+    // points.
+    assert!(
+        largest > data.certified / 3.0 && largest < 3.0 * data.certified,
+        "{largest:e} and {:e}",
+        data.certified
+    );
+    // At the middle of a cell the table cannot be much worse than at the worst of many points
+    // around it.
+    let middle = |k: usize, i: usize| (data.borders[k][i] * data.borders[k][i + 1]).sqrt();
+    for (row, column) in [(5, 7), (20, 36), (30, 60), (40, 70)] {
+        let error = error_at(
+            &table,
+            middle(0, column),
+            &material([middle(1, row), 0.5, 1e5, 0.25]),
+        );
+        let found = data.errors[row][column];
+        assert!(
+            error <= 2.0 * found + 1e-11,
+            "{error:e} in the middle, {found:e} in the cell"
+        );
+    }
+}
+
+/// Whether anything in the picture is text.
+fn has_text(group: &resvg::usvg::Group) -> bool {
+    group.children().iter().any(|node| match node {
+        Node::Text(_) => true,
+        Node::Group(group) => has_text(group),
+        Node::Path(_) | Node::Image(_) => false,
+    })
+}
+
+#[test]
+fn pictures_are_outlines_of_one_size_and_the_same_every_time() {
+    let desk = desk();
+    for figure in OF_THE_PAPER {
+        for name in ["a.svg", "b.svg", "a.png", "b.png"] {
+            assert_eq!(desk.succeed(&["plot", figure, "-o", name]), "");
+        }
+        assert!(
+            desk.read("a.svg") == desk.read("b.svg") && desk.read("a.png") == desk.read("b.png"),
+            "{figure} varies"
+        );
+
+        let svg = String::from_utf8(desk.read("a.svg")).unwrap();
+        assert!(
+            !svg.contains("<text") && !svg.contains("font"),
+            "{figure} holds text"
+        );
+        // Well-formed, of the width of a README, and without a font: the parser has none.
+        let tree = Tree::from_str(&svg, &Options::default()).unwrap();
+        assert!(!has_text(tree.root()));
+        let size = tree.size().to_int_size();
+        assert_eq!(size.width(), WIDTH, "{figure}");
+
+        // Both are the same picture, but for the rounding of coordinates.
+        let png = Pixmap::decode_png(&desk.read("a.png")).unwrap();
+        assert_eq!(
+            [png.width(), png.height()],
+            [SCALE * WIDTH, SCALE * size.height()],
+            "{figure}"
+        );
+        let mut pixels = Pixmap::new(png.width(), png.height()).unwrap();
+        resvg::render(
+            &tree,
+            Transform::from_scale(SCALE as f32, SCALE as f32),
+            &mut pixels.as_mut(),
+        );
+        let apart = png
+            .data()
+            .iter()
+            .zip(pixels.data())
+            .filter(|(a, b)| a.abs_diff(**b) > 32)
+            .count();
+        assert!(
+            apart * 1000 < png.data().len(),
+            "{figure}: {apart} bytes of {} differ",
+            png.data().len()
+        );
+        let dark = png
+            .pixels()
+            .iter()
+            .filter(|pixel| pixel.red() < 128)
+            .count();
+        assert!(dark > 5000, "{figure} is almost white: {dark} pixels");
+    }
+}
+
+#[test]
+fn the_error_map_is_drawn_of_a_table_given() {
+    let desk = desk();
+    let table = shipped("paper.h5");
+    desk.succeed(&[
+        "plot",
+        "error-map",
+        table.to_str().unwrap(),
+        "-o",
+        "map.svg",
+    ]);
+    let tree = Tree::from_data(&desk.read("map.svg"), &Options::default()).unwrap();
+    assert_eq!(tree.size().to_int_size().width(), WIDTH);
+}
+
+#[test]
+fn the_help_names_every_figure_and_what_it_takes() {
+    let desk = desk();
+    let help = desk.succeed(&["plot", "--help"]);
+    assert_names(&help, &OF_THE_PAPER);
+    for figure in OF_THE_PAPER {
+        assert_names(
+            &desk.succeed(&["plot", figure, "--help"]),
+            &["-o", "--output", "FILE.svg|FILE.png"],
+        );
+    }
+    assert_names(
+        &desk.succeed(&["plot", "error-map", "--help"]),
+        &["[TABLE]", "-o", "--output"],
+    );
+}
+
+#[test]
+fn what_cannot_be_drawn_says_why() {
+    let desk = desk();
+    for name in ["fig2.pdf", "fig2", "fig2.SVG.gz"] {
+        assert_names(
+            &desk.fail(2, &["plot", "fig2", "-o", name]),
+            &[name, ".svg or .png"],
+        );
+    }
+    assert_names(&desk.fail(2, &["plot", "fig5", "-o", "a.svg"]), &["fig5"]);
+    assert_names(&desk.fail(2, &["plot", "fig2"]), &["--output"]);
+    assert_names(
+        &desk.fail(2, &["plot", "fig2", "table.h5", "-o", "a.svg"]),
+        &["table.h5"],
+    );
+    assert_names(
+        &desk.fail(1, &["plot", "fig2", "-o", "nowhere/a.svg"]),
+        &["nowhere"],
+    );
+    assert_names(
+        &desk.fail(1, &["plot", "error-map", "none.h5", "-o", "a.svg"]),
+        &["none.h5"],
+    );
+    desk.write("no.h5", "no table");
+    assert_names(
+        &desk.fail(1, &["plot", "error-map", "no.h5", "-o", "a.svg"]),
+        &["no.h5"],
+    );
+    assert_eq!(desk.files(), ["no.h5"]);
+}
+
+#[test]
+fn a_map_of_what_the_table_fixes_is_refused() {
+    let table = acceptance::table(
+        "
+        title      = 'One film'
+        tolerance  = 1e-2
+        quantities = ['eeq']
+        a_over_t   = { from = 0.1, to = 10, nodes = 9 }
+        e1_over_e2 = 1.75
+        nu1        = 0.5
+        e0_over_e2 = inf
+        nu0        = 0.1
+        ",
+    );
+    let error = error_map::data(&table, &|_| {}).unwrap_err().to_string();
+    assert_names(&error, &["e1_over_e2", "1.75"]);
+}

@@ -1,0 +1,52 @@
+//! The README shows the examples that are compiled, and the certificate of the table that is
+//! shipped.
+
+use interp::Table;
+
+fn read(path: &str) -> String {
+    let path = format!("{}/../{path}", env!("CARGO_MANIFEST_DIR"));
+    std::fs::read_to_string(&path).unwrap_or_else(|e| panic!("{path}: {e}"))
+}
+
+#[test]
+fn shows_the_examples() {
+    for path in [
+        "crates/interp/examples/force.rs",
+        "crates/interp/examples/contact.rs",
+        "crates/tabulate/examples/curve.rs",
+    ] {
+        let example = read(path);
+        let (title, program) = example
+            .split_once('\n')
+            .expect("the example begins with its title");
+        assert!(title.starts_with("//! The README's program"), "{title}");
+        assert!(
+            read("README.md").contains(&format!("```rust\n{program}```")),
+            "the README shows another program than {path}"
+        );
+    }
+}
+
+#[test]
+fn quotes_the_certificates_of_the_shipped_tables() {
+    for (table, files) in [
+        ("tables/paper.bin", &["README.md", "tables/README.md"][..]),
+        ("crates/interp/embedded/default.bin", &["tables/README.md"]),
+    ] {
+        let path = format!("{}/../{table}", env!("CARGO_MANIFEST_DIR"));
+        let certificate = Table::read(path)
+            .expect("a shipped table")
+            .description()
+            .certificate;
+        let quoted = format!(
+            "{:.1e} ({:.1e})",
+            certificate.max_error, certificate.median_error
+        );
+        for file in files {
+            assert!(
+                read(file).contains(&quoted),
+                "{file} does not quote {quoted} of {table}"
+            );
+        }
+    }
+}

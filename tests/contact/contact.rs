@@ -1,0 +1,583 @@
+//! What a contact says besides its equilibria: energy release rates from measurements, apparent JKR
+//! parameters, validity; and of any f64.
+
+use std::f64::consts::PI;
+
+use acceptance::{Contacts, larger, paper_system};
+use interp::{
+    Contact, Control, Elastic, Error, HalfSpace, JkrFit, JkrPoint, Mechanics, Quantity, System,
+    Table,
+};
+use tabulate::solve;
+
+fn bare() -> HalfSpace {
+    paper_system(1e-6).without_film()
+}
+
+fn half_space() -> Contact {
+    Contact::half_space(&bare()).expect("physical")
+}
+
+fn coated(film_thickness: f64) -> Contact {
+    Table::embedded()
+        .contact(&paper_system(film_thickness))
+        .expect("in the table")
+}
+
+#[test]
+fn load_and_penetration_of_direct_solves_give_radius_and_energy_release_rate_back() {
+    let (mut contacts, mut errors) = (Contacts::new(95), [0.0; 2]);
+    for _ in 0..300 {
+        let t = contacts.log_uniform(3e-7, 3e-4);
+        let (system, w, a) = (
+            paper_system(t),
+            contacts.log_uniform(1e-2, 1.0),
+            contacts.log_uniform(2e-5, 2e-4),
+        );
+        let (mechanics, material) = (
+            Mechanics::new(&system).expect("physical"),
+            system.material().expect("physical"),
+        );
+        let solution = solve(a / t, &material, 1e-11)
+            .expect("converges")
+            .quantities;
+        let edge = mechanics.edge_singularity(a, w).expect("physical");
+        let (load, penetration) = mechanics.load_and_penetration(a, edge, &solution);
+        let (radius, g) = coated(t)
+            .radius_and_energy_release_rate(load, penetration)
+            .expect("in range");
+        // Where the flat-punch part is small, the radius follows it to half the digits only, the
+        // energy release rate of the whole to a part of the error.
+        let (_, adhesionless) = mechanics.load_and_penetration(a, 0.0, &solution);
+        let part = (adhesionless - penetration) / adhesionless;
+        for (error, found) in errors
+            .iter_mut()
+            .zip([(radius / a - 1.0).abs(), (g / w - 1.0).abs()])
+        {
+            *error = larger(*error, found * part.min(1.0));
+        }
+        for found in [
+            coated(t).energy_release_rate_at_load(a, load),
+            coated(t).energy_release_rate_at_penetration(a, penetration),
+        ] {
+            let found = found.expect("in range");
+            assert!(
+                (found / w - 1.0).abs() * part.min(1.0) <= 1e-6,
+                "{found}, not {w}"
+            );
+        }
+    }
+    println!(
+        "from F and delta: radius {:.1e}, energy release rate {:.1e}, times the flat punch's part",
+        errors[0], errors[1]
+    );
+    assert!(errors[0] <= 1e-6 && errors[1] <= 1e-6);
+}
+
+#[test]
+fn on_a_half_space_radius_and_energy_release_rate_come_back_to_rounding() {
+    let (mut contacts, mut worst) = (Contacts::new(96), 0.0);
+    let contact = half_space();
+    for _ in 0..1000 {
+        let (w, a) = (
+            contacts.log_uniform(1e-4, 10.0),
+            contacts.log_uniform(1e-6, 1e-4),
+        );
+        let (load, penetration) = contact.load_and_penetration(a, w).expect("any radius");
+        let (radius, g) = contact
+            .radius_and_energy_release_rate(load, penetration)
+            .expect("any radius");
+        let part = (a * a / 1e-3 - penetration) / (a * a / 1e-3);
+        worst = larger(worst, (radius / a - 1.0).abs() * part.min(1.0));
+        worst = larger(worst, (g / w - 1.0).abs() * (part * part).min(1.0));
+    }
+    println!("on a half-space: {worst:.1e}");
+    // Measured: 5.1e-15.
+    assert!(worst <= 1e-12);
+}
+
+#[test]
+fn a_load_that_no_adhesive_contact_bears_has_no_energy_release_rate() {
+    let contact = coated(1e-5);
+    let (load, penetration) = contact.load_and_penetration(5e-5, 0.0).expect("in range");
+    let (a, g) = contact
+        .radius_and_energy_release_rate(load * (1.0 - 1e-4), penetration)
+        .expect("in range");
+    assert!(a > 5e-5 && g > 0.0 && g < 0.04, "{a}, {g}");
+    for (load, penetration) in [
+        (1.001 * load, penetration),
+        (1e-9, 0.0),
+        (1e-9, -1e-9),
+        (1.0, -1.0),
+    ] {
+        let error = contact
+            .radius_and_energy_release_rate(load, penetration)
+            .expect_err("no such contact");
+        assert!(
+            matches!(error, Error::Unphysical { name: "load", .. }),
+            "{error}"
+        );
+    }
+    // Deeper, and under more tension, than the largest radius has it.
+    for (load, penetration) in [(1.0, 1.0), (-1e6, -1e-6)] {
+        let error = contact
+            .radius_and_energy_release_rate(load, penetration)
+            .expect_err("out of range");
+        assert!(matches!(error, Error::OutsideRadii { .. }), "{error}");
+    }
+    // A flat punch so small that it sees the film only.
+    let (a, g) = contact
+        .radius_and_energy_release_rate(-1e-20, -1e-9)
+        .expect("far below the nodes");
+    let (load, penetration) = contact.load_and_penetration(a, g).expect("below the nodes");
+    assert!(
+        a < 1e-17
+            && (load / -1e-20 - 1.0).abs() < 1e-12
+            && (penetration / -1e-9 - 1.0).abs() < 1e-12,
+        "{a}: {load}, {penetration}"
+    );
+}
+
+#[test]
+fn the_jkr_fit_of_a_half_space_gives_its_modulus_and_work_of_adhesion_back() {
+    let (contact, w) = (half_space(), 0.04);
+    let e = contact.mechanics().sphere_film_modulus();
+    let bias = contact.film_bias(w, [4e-5, 1.3e-4], 15).expect("physical");
+    for (what, bias) in [
+        ("modulus", bias.modulus),
+        ("w", bias.work_of_adhesion),
+        ("w", bias.work_of_adhesion_at_known_modulus),
+    ] {
+        assert!(bias.abs() <= 1e-13, "{what}: {bias:e}");
+    }
+    assert!(!bias.exceeds(1e-12) && bias.exceeds(-1.0) && bias.exceeds(f64::NAN));
+    assert!((bias.fit.modulus / e - 1.0).abs() <= 1e-13);
+    // From measured radii and loads, in any order.
+    let points =
+        [9e-5, 5e-5, 7e-5].map(|a| JkrPoint::new(a, contact.load(a, w).expect("any radius"), 1e-3));
+    let fit = JkrFit::through(&points).expect("three points");
+    assert!(
+        (fit.modulus / e - 1.0).abs() <= 1e-13 && (fit.work_of_adhesion() / w - 1.0).abs() <= 1e-13
+    );
+    // Loads above Hertz are no adhesion.
+    let repelled = points.map(|point| JkrPoint {
+        ordinate: point.ordinate - 2.0 * fit.intercept,
+        ..point
+    });
+    assert!(
+        (JkrFit::through(&repelled)
+            .expect("three points")
+            .work_of_adhesion()
+            / -w
+            - 1.0)
+            .abs()
+            <= 1e-12
+    );
+    for points in [
+        &[][..],
+        &points[..1],
+        &[points[0]; 3],
+        &[JkrPoint {
+            abscissa: f64::NAN,
+            ordinate: 1.0,
+        }; 2],
+    ] {
+        assert!(matches!(
+            JkrFit::through(points),
+            Err(Error::Unphysical { .. })
+        ));
+    }
+    let falling = [0.0, 1.0].map(|x| JkrPoint {
+        abscissa: x,
+        ordinate: -x,
+    });
+    // The slope is a number, the modulus is none.
+    let steep = [0.0, 1.0].map(|x| JkrPoint {
+        abscissa: x,
+        ordinate: 1.5e308 * x,
+    });
+    for points in [falling, steep] {
+        assert!(matches!(
+            JkrFit::through(&points),
+            Err(Error::Unphysical {
+                name: "slope of the JKR plot",
+                ..
+            })
+        ));
+    }
+}
+
+/// A very thin film between rigid bodies is the foundation that the compressibility is derived
+/// from.
+#[test]
+fn the_compressibility_is_the_ratio_of_a_thin_films_two_stiffnesses() {
+    for nu1 in [0.5, 0.3, 0.0] {
+        let film = Elastic::new(1e6, nu1).expect("physical");
+        let rigid = Elastic::new(f64::INFINITY, 0.25).expect("rigid");
+        let system = System {
+            sphere_radius: 1e-3,
+            sphere_modulus: f64::INFINITY,
+            film,
+            film_thickness: 1e-9,
+            substrate: rigid,
+        };
+        let material = system.material().expect("physical");
+        let x = 1e3;
+        let (a, shear) = (x * system.film_thickness, 0.5 * film.young() / (1.0 + nu1));
+        let stiffness =
+            2.0 * a * film.reduced() * solve(x, &material, 1e-8).expect("converges").quantities.eeq;
+        let flowing = 3.0 * PI * shear * a.powi(4) / (8.0 * system.film_thickness.powi(3));
+        let curve =
+            interp::Curve::through(&[(x, material.thick_film_limit())], material).expect("a node");
+        let film = Contact::new(&system, curve)
+            .expect("its own")
+            .validity(a)
+            .expect("physical")
+            .film
+            .expect("coated");
+        assert!((film.a_over_t / x - 1.0).abs() < 1e-14);
+        let expected = if film.compressibility == 0.0 {
+            flowing
+        } else {
+            flowing / film.compressibility
+        };
+        println!(
+            "nu1 = {nu1}: compressibility {:.3e}, stiffness {:.4} of the foundation's",
+            film.compressibility,
+            stiffness / expected
+        );
+        assert!((stiffness / expected - 1.0).abs() <= 0.01);
+        assert_eq!(film.is_confined(), nu1 == 0.5);
+    }
+}
+
+#[test]
+fn validity_says_how_large_thin_and_short_ranged_a_contact_is() {
+    let contact = coated(1e-5);
+    let validity = contact.validity(5e-5).expect("physical");
+    let film = validity.film.expect("coated");
+    assert!((validity.a_over_r - 0.05).abs() < 1e-15 && !validity.is_large_contact());
+    assert!((film.a_over_t - 5.0).abs() < 1e-14 && film.in_range && film.is_confined());
+    assert_eq!(film.compressibility, 0.0);
+    let validity = contact.validity(0.011).expect("physical");
+    assert!(validity.is_large_contact() && !validity.film.expect("coated").in_range);
+    assert!(
+        !contact
+            .validity(0.9e-5)
+            .expect("physical")
+            .film
+            .expect("coated")
+            .is_confined()
+    );
+    let system = System {
+        film: Elastic::new(3.5e6, 0.3).expect("physical"),
+        ..paper_system(1e-5)
+    };
+    let compressible = Table::embedded().contact(&system).expect("in the table");
+    let film = compressible
+        .validity(1e-4)
+        .expect("physical")
+        .film
+        .expect("coated");
+    assert!(
+        (film.compressibility / (3.0 / 16.0 * 0.4 / 0.7 * 100.0) - 1.0).abs() < 1e-13
+            && !film.is_confined()
+    );
+    assert_eq!(half_space().validity(5e-5).expect("physical").film, None);
+
+    let (w, z0): (f64, f64) = (0.04, 3e-10);
+    let range = contact.adhesion_range(w, z0).expect("physical");
+    let es = 0.7 * 2e6;
+    assert!((range.tabor / (1e-3 * w * w / (es * es * z0.powi(3))).cbrt() - 1.0).abs() < 1e-13);
+    // Dugdale: pi K_I^2 / (8 stress^2).
+    let k = contact.stress_intensity(5e-5, w).expect("in range");
+    assert!((range.cohesive_zone / (PI * k * k / 8.0 / (w / z0).powi(2)) - 1.0).abs() < 1e-13);
+    assert!(range.is_jkr() && range.is_short_beside(1e-10) && !range.is_short_beside(1e-11));
+    assert!(!contact.adhesion_range(w, 1e-6).expect("physical").is_jkr());
+}
+
+#[test]
+fn every_function_answers_any_number_with_a_finite_result_or_an_error() {
+    let hostile = [
+        f64::NAN,
+        f64::INFINITY,
+        f64::NEG_INFINITY,
+        0.0,
+        -0.0,
+        -1.0,
+        -1e-4,
+        -1e-9,
+        -f64::MAX,
+        5e-324,
+        f64::MIN_POSITIVE,
+        1e-150,
+        1e-30,
+        1e-9,
+        5e-5,
+        0.04,
+        1.0,
+        1e30,
+        1e150,
+        f64::MAX,
+    ];
+    let pairs = || hostile.into_iter().flat_map(|a| hostile.map(|b| (a, b)));
+    let held = |values: &[f64], what: &str| {
+        assert!(
+            values.iter().all(|value| value.is_finite()),
+            "{what}: {values:?}"
+        )
+    };
+    let absurd = |r, e| {
+        Contact::half_space(&HalfSpace {
+            sphere_radius: r,
+            sphere_modulus: e,
+            ..bare()
+        })
+    };
+    let mut systems = vec![coated(1e-5), half_space()];
+    for (r, e) in pairs() {
+        systems.extend(absurd(r, e));
+        let system = System {
+            sphere_radius: r,
+            ..paper_system(e)
+        };
+        systems.extend(Table::embedded().contact(&system));
+    }
+    println!("{} systems", systems.len());
+    let mut answered = 0;
+    for contact in &systems {
+        for a in hostile {
+            answered += usize::from(
+                contact
+                    .stiffness(a)
+                    .is_ok_and(|stiffness| stiffness.is_finite()),
+            );
+            contact
+                .quantities(a)
+                .into_iter()
+                .for_each(|q| held(&q.to_array(), "quantities"));
+            contact.validity(a).into_iter().for_each(|v| {
+                held(
+                    &[
+                        v.a_over_r,
+                        v.film.map_or(0.0, |f| f.a_over_t * f.compressibility),
+                    ],
+                    "validity",
+                )
+            });
+        }
+    }
+    // All pairs on the sound two, some on the absurd ones.
+    for (i, contact) in systems.iter().enumerate() {
+        for (j, (a, b)) in pairs().enumerate() {
+            if i >= 2 && (7 * i + j) % 41 != 0 {
+                continue;
+            }
+            contact
+                .load(a, b)
+                .into_iter()
+                .for_each(|f| held(&[f], "load"));
+            contact
+                .load_and_penetration(a, b)
+                .into_iter()
+                .for_each(|(f, d)| held(&[f, d], "load and penetration"));
+            contact
+                .stress_intensity(a, b)
+                .into_iter()
+                .for_each(|k| held(&[k], "stress intensity"));
+            contact
+                .energy_release_rate_at_load(a, b)
+                .into_iter()
+                .for_each(|g| held(&[g], "G from a and F"));
+            contact
+                .energy_release_rate_at_penetration(a, b)
+                .into_iter()
+                .for_each(|g| held(&[g], "G from a and delta"));
+            contact
+                .radius_and_energy_release_rate(a, b)
+                .into_iter()
+                .for_each(|(a, g)| held(&[a, g], "from F and delta"));
+            contact
+                .adhesion_range(a, b)
+                .into_iter()
+                .for_each(|range| held(&[range.tabor, range.cohesive_zone], "range"));
+            contact
+                .zero_load(a)
+                .into_iter()
+                .for_each(|s| held(&[s.contact_radius, s.load, s.penetration], "zero load"));
+            contact
+                .jkr_fit(0.04, [a, b], 5)
+                .into_iter()
+                .for_each(|fit| held(&[fit.modulus, fit.intercept], "fit"));
+            contact
+                .jkr_fit(a, [1e-5, b], 5)
+                .into_iter()
+                .for_each(|fit| held(&[fit.modulus, fit.intercept], "fit"));
+            let _ = contact.film_bias(a, [1e-5, b], 3);
+            for control in [
+                Control::Load,
+                Control::Displacement,
+                Control::Spring { stiffness: a },
+                Control::Spring { stiffness: 1.0 },
+            ] {
+                let Ok(equilibria) = contact.equilibria(b, control) else {
+                    continue;
+                };
+                let states = [
+                    equilibria.pull_off(),
+                    equilibria.loading(a),
+                    equilibria.unloading(a),
+                ]
+                .into_iter()
+                .flatten();
+                let branches = equilibria
+                    .force_displacement(a, 3)
+                    .into_iter()
+                    .flat_map(|curve| [curve.loading, curve.unloading].concat());
+                let found = equilibria
+                    .at(a)
+                    .into_iter()
+                    .flatten()
+                    .map(|equilibrium| equilibrium.state);
+                for state in states.chain(branches.flatten()).chain(found) {
+                    held(
+                        &[state.contact_radius, state.load, state.penetration],
+                        "state",
+                    );
+                    answered += 1;
+                }
+            }
+        }
+    }
+    println!("{answered} answers");
+    assert!(answered > 1000);
+}
+
+#[test]
+fn numbers_out_of_bounds_are_named() {
+    let contact = half_space();
+    let assert_names = |result: Result<(), Error>, name: &str, value: f64| match result {
+        Err(error @ Error::Unphysical { allowed, .. }) => {
+            acceptance::assert_names(&error.to_string(), &[name, &format!("{value:?}"), allowed])
+        }
+        other => panic!("{name} = {value}: {other:?}"),
+    };
+    for a in [0.0, -1.0, f64::NAN, f64::INFINITY, 1e200] {
+        assert_names(contact.load(a, 0.04).map(drop), "contact radius", a);
+        assert_names(
+            contact.load_and_penetration(a, 0.04).map(drop),
+            "contact radius",
+            a,
+        );
+        if a != 1e200 {
+            assert_names(contact.validity(a).map(drop), "contact radius", a);
+            assert_names(contact.stiffness(a).map(drop), "contact radius", a);
+        }
+    }
+    for w in [-1.0, f64::NAN, f64::INFINITY] {
+        assert_names(
+            contact.equilibria(w, Control::Load).map(drop),
+            "work of adhesion",
+            w,
+        );
+        assert_names(
+            contact.film_bias(w, [1e-5, 1e-4], 5).map(drop),
+            "work of adhesion",
+            w,
+        );
+        assert_names(
+            contact.adhesion_range(w, 1e-9).map(drop),
+            "work of adhesion",
+            w,
+        );
+        assert_names(
+            contact.adhesion_range(0.04, w).map(drop),
+            "interaction range",
+            w,
+        );
+        let equilibria = contact
+            .equilibria(0.04, Control::Displacement)
+            .expect("physical");
+        if !w.is_finite() {
+            assert_names(equilibria.at(w).map(drop), "penetration", w);
+            assert_names(
+                contact.radius_and_energy_release_rate(w, 0.0).map(drop),
+                "load",
+                w,
+            );
+            assert_names(
+                contact.radius_and_energy_release_rate(0.0, w).map(drop),
+                "penetration",
+                w,
+            );
+        }
+    }
+    for stiffness in [0.0, -1.0, 1e-101, 1e101, f64::NAN, f64::INFINITY] {
+        assert_names(
+            contact
+                .equilibria(0.04, Control::Spring { stiffness })
+                .map(drop),
+            "stiffness of the spring",
+            stiffness,
+        );
+    }
+    let system = bare();
+    for value in [0.0, -1.0, f64::NAN] {
+        assert_names(
+            Contact::half_space(&HalfSpace {
+                sphere_radius: value,
+                ..system
+            })
+            .map(drop),
+            "sphere_radius",
+            value,
+        );
+        assert_names(
+            Contact::half_space(&HalfSpace {
+                sphere_modulus: value,
+                ..system
+            })
+            .map(drop),
+            "sphere_modulus",
+            value,
+        );
+    }
+    let rigid = HalfSpace {
+        sphere_modulus: f64::INFINITY,
+        solid: Elastic::new(f64::INFINITY, 0.3).expect("rigid"),
+        ..system
+    };
+    assert_names(
+        Contact::half_space(&rigid).map(drop),
+        "sphere_modulus",
+        f64::INFINITY,
+    );
+    assert!(contact.curve().is_none() && contact.system().is_none());
+    assert_eq!(contact.contact_radius_range(), [0.0, f64::INFINITY]);
+    assert_eq!(
+        contact
+            .quantities(1e-5)
+            .expect("any radius")
+            .get(Quantity::Delta0),
+        1.0
+    );
+}
+
+#[test]
+fn many_loads_are_those_of_one_after_the_other() {
+    let contact = Table::embedded()
+        .contact(&paper_system(1e-5))
+        .expect("inside");
+    let radii: Vec<f64> = (1..=100).map(|i| 1e-6 * f64::from(i)).collect();
+    let mut loads = vec![0.0; radii.len()];
+    contact
+        .load_at_all(&radii, 0.04, &mut loads)
+        .expect("inside");
+    for (&a, load) in radii.iter().zip(&loads) {
+        assert_eq!(*load, contact.load(a, 0.04).expect("inside"));
+    }
+    assert!(matches!(
+        contact.load_at_all(&radii, 0.04, &mut loads[1..]),
+        Err(Error::Unphysical { .. })
+    ));
+}

@@ -1,0 +1,155 @@
+//! Contact lines under crack-tip laws, slow and in time, against JKR in closed form, energy
+//! balances and an integration with fixed steps.
+
+mod in_time;
+mod jkr;
+mod slow;
+
+use acceptance::paper_system;
+use interp::{Contact, Control, CrackTip, Error, Hysteresis, RateDependent, State, Table};
+
+use jkr::{W, half_space};
+
+fn film(thickness: f64) -> Contact {
+    Table::embedded()
+        .contact(&paper_system(thickness))
+        .expect("in the table")
+}
+
+fn rate_dependent(v0: f64, n: f64) -> RateDependent {
+    RateDependent::new(W, v0, n).expect("physical")
+}
+
+fn impose<L: CrackTip>(
+    line: &mut interp::ContactLine<'_, L>,
+    control: Control,
+    value: f64,
+) -> State {
+    line.impose(control, value)
+        .expect("in range")
+        .expect("in contact")
+}
+
+/// `from` to `to` in equal steps, without `from`.
+fn steps(from: f64, to: f64, count: usize) -> impl Iterator<Item = f64> {
+    (1..=count).map(move |i| from + (to - from) * i as f64 / count as f64)
+}
+
+/// The integral of `y dx` along a chain of points, by trapezia.
+fn integral(points: impl IntoIterator<Item = (f64, f64)>) -> f64 {
+    let points: Vec<_> = points.into_iter().collect();
+    points
+        .windows(2)
+        .map(|pair| 0.5 * (pair[0].1 + pair[1].1) * (pair[1].0 - pair[0].0))
+        .sum()
+}
+
+#[test]
+fn a_line_that_leaves_the_table_is_an_error_and_stays() {
+    let contact = film(1e-6);
+    let [_, most] = contact.contact_radius_range();
+    let load = 2.0 * contact.load(most, W).expect("in range");
+    let mut line = contact.line(W, 60e-6).expect("physical");
+    let before = line.state();
+    assert!(matches!(
+        line.impose(Control::Load, load),
+        Err(Error::OutsideRadii { .. })
+    ));
+    assert_eq!(line.state(), before);
+    let mut line = contact
+        .line(rate_dependent(1e-3, 0.6), 60e-6)
+        .expect("physical");
+    let error = line
+        .ramp(Control::Load, load, 1.0, 1e-4)
+        .expect_err("out of range");
+    assert!(matches!(error, Error::OutsideRadii { .. }), "{error}");
+    assert_eq!(line.state(), before);
+}
+
+/// Whatever the numbers, there is an answer or an error, and nothing of an answer is NaN.
+#[test]
+fn hostile_numbers_are_errors() {
+    const HOSTILE: [f64; 12] = [
+        f64::NAN,
+        f64::INFINITY,
+        f64::NEG_INFINITY,
+        0.0,
+        -0.0,
+        -1.0,
+        5e-324,
+        f64::MIN_POSITIVE,
+        1e-150,
+        1e150,
+        f64::MAX,
+        f64::MIN,
+    ];
+    let named = |error: Error| assert!(!error.to_string().is_empty());
+    for x in HOSTILE {
+        for y in HOSTILE {
+            let in_order = (0.0..=y).contains(&x) && y.is_finite();
+            assert_eq!(Hysteresis::new(x, y).is_ok(), in_order, "{x} {y}");
+            let positive = |value: f64| value > 0.0 && value.is_finite();
+            assert_eq!(
+                RateDependent::new(W, x, y).is_ok(),
+                positive(x) && positive(y),
+                "{x} {y}"
+            );
+            assert_eq!(
+                RateDependent::new(x, y, y).is_ok(),
+                positive(x) && positive(y),
+                "{x} {y}"
+            );
+            if let Ok(law) = RateDependent::new(W, x, y) {
+                for z in HOSTILE {
+                    // The energy of a finite speed may still be too large.
+                    assert!(
+                        law.energy_release_rate(z).is_ok_and(f64::is_finite)
+                            || !z.is_finite()
+                            || z.abs() >= x,
+                        "{x} {y} {z}"
+                    );
+                    assert!(law.energy_release_rate(z).is_err() || z.is_finite());
+                    assert_eq!(law.speed(z).is_nan(), z.is_nan(), "{x} {y} {z}");
+                }
+            }
+        }
+    }
+    let [bare, coated] = [half_space(), film(10e-6)];
+    for contact in [&bare, &coated] {
+        let line = contact.line(W, 60e-6).expect("physical");
+        let in_time = contact
+            .line(rate_dependent(1e-5, 0.6), 60e-6)
+            .expect("physical");
+        for x in HOSTILE {
+            contact.line(x, 60e-6).map(drop).unwrap_or_else(named);
+            contact.line(W, x).map(drop).unwrap_or_else(named);
+            for control in [
+                Control::Load,
+                Control::Displacement,
+                Control::Spring { stiffness: 100.0 },
+                Control::Spring { stiffness: x },
+            ] {
+                for y in HOSTILE {
+                    match line.clone().impose(control, y) {
+                        Ok(state) => assert!(state.is_none_or(
+                            |state| state.load.is_finite() && state.penetration.is_finite()
+                        )),
+                        Err(error) => named(error),
+                    }
+                    for (value, duration, tolerance) in [(x, y, 1e-3), (1e-5, x, y), (x, 1.0, 1e-3)]
+                    {
+                        match in_time.clone().ramp(control, value, duration, tolerance) {
+                            Ok(moments) => {
+                                assert!(
+                                    moments.iter().all(|moment| moment.state.load.is_finite()),
+                                    "{value} {duration}"
+                                )
+                            }
+                            Err(error) => named(error),
+                        }
+                    }
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,226 @@
+//! A line that is at rest all the time.
+
+use std::f64::consts::PI;
+
+use acceptance::larger;
+use interp::{Control, Hysteresis};
+
+use crate::crack_tip::jkr::{Jkr, R, W, half_space};
+use crate::crack_tip::{film, impose, integral, steps};
+
+#[test]
+fn a_constant_work_of_adhesion_is_jkr() {
+    /// Measured: 7.9e-14.
+    const EXACT: f64 = 5e-13;
+    let contact = half_space();
+    let jkr = Jkr::of(&contact);
+    let pull_off = -1.5 * PI * W * R;
+    let mut line = contact.line(W, 60e-6).expect("physical");
+    let mut worst = 0.0;
+    for load in steps(0.0, 5e-3, 50).chain(steps(5e-3, pull_off * (1.0 - 1e-9), 200)) {
+        let state = impose(&mut line, Control::Load, load);
+        // The radius has the root of rounding at pull-off, where it has a vertical tangent.
+        let condition = (1.0 - load / pull_off).sqrt();
+        worst = larger(
+            worst,
+            condition * (state.contact_radius / jkr.radius(load, W) - 1.0).abs(),
+        );
+        worst = larger(worst, (state.load - load).abs() / load.abs());
+    }
+    println!("loads to radii: {worst:.1e}");
+    assert!(worst <= EXACT, "{worst:e}");
+    assert_eq!(
+        line.impose(Control::Load, pull_off * (1.0 + 1e-9))
+            .expect("finite"),
+        None
+    );
+    assert_eq!(line.state(), None);
+    assert_eq!(
+        line.impose(Control::Load, 1.0).expect("finite"),
+        None,
+        "for good"
+    );
+
+    let (_, apart) = jkr.pull_off(W);
+    let mut line = contact.line(W, 60e-6).expect("physical");
+    for penetration in steps(0.0, apart * (1.0 - 1e-9), 100) {
+        let state = impose(&mut line, Control::Displacement, penetration);
+        let expected = jkr.penetration(state.contact_radius, W);
+        assert!(
+            (expected - penetration).abs() <= EXACT * apart.abs(),
+            "{expected} at {penetration}"
+        );
+    }
+    let last = line.state().expect("in contact").load / (PI * W * R);
+    assert!((last + 5.0 / 6.0).abs() < 1e-4, "{last}");
+    assert_eq!(
+        line.impose(Control::Displacement, apart * (1.0 + 1e-9))
+            .expect("finite"),
+        None
+    );
+}
+
+#[test]
+fn equal_energies_are_no_hysteresis() {
+    let contact = film(10e-6);
+    let mut constant = contact.line(W, 60e-6).expect("physical");
+    let mut equal = contact
+        .line(Hysteresis::new(W, W).expect("in order"), 60e-6)
+        .expect("physical");
+    for load in steps(0.0, 1e-3, 20).chain(steps(1e-3, -1e-3, 50)) {
+        let states = [
+            constant.impose(Control::Load, load),
+            equal.impose(Control::Load, load),
+        ]
+        .map(|state| state.expect("in range"));
+        assert_eq!(states[0], states[1]);
+    }
+    assert_eq!(constant.state(), None);
+}
+
+#[test]
+fn a_pinned_line_is_a_flat_punch_until_an_energy_is_reached() {
+    let contact = half_space();
+    let jkr = Jkr::of(&contact);
+    let (advancing, receding) = (0.02, 0.07);
+    let mut line = contact
+        .line(
+            Hysteresis::new(advancing, receding).expect("in order"),
+            60e-6,
+        )
+        .expect("physical");
+    let grown = impose(&mut line, Control::Displacement, 8e-6);
+    let a = grown.contact_radius;
+    assert!((jkr.penetration(a, advancing) / 8e-6 - 1.0).abs() < 1e-14);
+    let leaves = jkr.penetration(a, receding);
+    for penetration in steps(8e-6, leaves + 1e-15, 30) {
+        let state = impose(&mut line, Control::Displacement, penetration);
+        assert_eq!(state.contact_radius, a);
+        let punch = grown.load + 2.0 * jkr.e * a * (penetration - 8e-6);
+        assert!(
+            (state.load - punch).abs() <= 1e-13 * grown.load,
+            "{} at {penetration}",
+            state.load
+        );
+    }
+    let state = impose(&mut line, Control::Displacement, leaves - 1e-12);
+    assert!(state.contact_radius < a);
+    assert!(
+        (jkr.penetration(state.contact_radius, receding) / (leaves - 1e-12) - 1.0).abs() < 1e-13
+    );
+    // And pinned again on the way back.
+    assert_eq!(
+        impose(&mut line, Control::Displacement, leaves).contact_radius,
+        state.contact_radius
+    );
+}
+
+/// On a closed cycle without jumps the machine's work is `w_rec` times the area left less `w_adv`
+/// times the area covered.
+#[test]
+fn the_work_of_a_cycle_is_the_energy_left_at_the_line() {
+    /// Of trapezia. Measured: 1.9e-7 at most.
+    const CLOSE: f64 = 1e-6;
+    let (advancing, receding) = (0.03, 0.05);
+    for contact in [half_space(), film(1e-6), film(100e-6)] {
+        for (control, high, low) in [
+            (Control::Displacement, 1e-5, 1e-6),
+            (Control::Load, 2e-3, 1e-4),
+            (Control::Spring { stiffness: 100.0 }, 2e-5, 1e-6),
+        ] {
+            let mut line = contact
+                .line(
+                    Hysteresis::new(advancing, receding).expect("in order"),
+                    60e-6,
+                )
+                .expect("physical");
+            impose(&mut line, control, high);
+            let start = impose(&mut line, control, low);
+            let way = steps(low, high, 4000).chain(steps(high, low, 4000));
+            let mut cycle = vec![start];
+            cycle.extend(way.map(|value| impose(&mut line, control, value)));
+            let work = integral(cycle.iter().map(|state| (state.penetration, state.load)));
+            let largest = cycle[4000].contact_radius;
+            let area = PI * (largest.powi(2) - start.contact_radius.powi(2));
+            let left = (receding - advancing) * area;
+            println!(
+                "{control:?}: work {work:e} J, left at the line {left:e} J, apart {:.1e}",
+                work / left - 1.0
+            );
+            assert!(cycle[8000].contact_radius / start.contact_radius - 1.0 < 1e-12 && area > 0.0);
+            assert!((work / left - 1.0).abs() <= CLOSE);
+        }
+    }
+}
+
+#[test]
+fn slow_motion_does_not_depend_on_its_steps() {
+    let contacts = [half_space(), film(1e-6), film(30e-6)];
+    for contact in &contacts {
+        for (control, turns) in [
+            (Control::Load, [2e-3, 3e-4, 1e-3, -1.2e-4]),
+            (Control::Displacement, [1e-5, 3e-6, 8e-6, -5e-7]),
+            (
+                Control::Spring { stiffness: 50.0 },
+                [3e-5, 1e-5, 2e-5, -2e-6],
+            ),
+        ] {
+            let lines = || {
+                contact
+                    .line(Hysteresis::new(0.035, 0.045).expect("in order"), 60e-6)
+                    .expect("physical")
+            };
+            let (mut once, mut often) = (lines(), lines());
+            let mut from = 0.0;
+            for turn in turns {
+                let [at_once, in_steps] = [
+                    impose(&mut once, control, turn),
+                    steps(from, turn, 300)
+                        .map(|value| impose(&mut often, control, value))
+                        .last()
+                        .expect("steps"),
+                ];
+                let apart = (at_once.contact_radius / in_steps.contact_radius - 1.0).abs();
+                assert!(apart <= 1e-12, "{control:?} to {turn}: {apart:e}");
+                from = turn;
+            }
+        }
+    }
+}
+
+/// The pull-off loads of the paper's system in units of `pi w R`, by two scripts independent of
+/// this project.
+#[test]
+fn films_are_pulled_off_where_they_should() {
+    const UNIT: f64 = PI * W * R;
+    for (t, dead_weight, rigid) in [
+        (1e-6, -1.5038, -0.8343),
+        (10e-6, -1.5401, -0.8402),
+        (30e-6, -1.5775, -0.7564),
+        (100e-6, -1.5233, -0.7478),
+    ] {
+        let contact = film(t);
+        let mut line = contact.line(W, 60e-6).expect("physical");
+        impose(&mut line, Control::Load, (dead_weight + 1e-4) * UNIT);
+        assert_eq!(
+            line.impose(Control::Load, (dead_weight - 1e-4) * UNIT)
+                .expect("finite"),
+            None,
+            "{t}"
+        );
+        let mut line = contact.line(W, 60e-6).expect("physical");
+        let apart = contact
+            .pull_off(W, Control::Displacement)
+            .expect("in range")
+            .penetration;
+        // Towards the pull-off the load has a vertical tangent.
+        let last = impose(&mut line, Control::Displacement, apart * (1.0 - 1e-10)).load / UNIT;
+        assert!((last - rigid).abs() <= 1e-4, "{last}, not {rigid}, for {t}");
+        assert_eq!(
+            line.impose(Control::Displacement, apart * (1.0 + 1e-10))
+                .expect("finite"),
+            None,
+            "{t}"
+        );
+    }
+}

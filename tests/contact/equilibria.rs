@@ -1,0 +1,606 @@
+//! Equilibria of coated contacts: pull-off, stability, jumps.
+
+use std::f64::consts::PI;
+
+use acceptance::{Contacts, larger, paper_system, table};
+use interp::{
+    Contact, Control, Curve, Elastic, Error, ForceDisplacement, Quantities, State, System, Table,
+};
+use tabulate::solve::curve;
+
+const CONTROLS: [Control; 3] = [
+    Control::Load,
+    Control::Displacement,
+    Control::Spring { stiffness: 3.0 },
+];
+
+/// What a control imposes in a state.
+fn imposed(control: Control, state: &State) -> f64 {
+    match control {
+        Control::Load => state.load,
+        Control::Displacement => state.penetration,
+        Control::Spring { stiffness } => state.penetration + state.load / stiffness,
+    }
+}
+
+/// Random coated contacts of the embedded table, pulled off well inside of it, with a work of
+/// adhesion.
+fn coated(seed: u64, count: usize) -> impl Iterator<Item = (Contact, f64)> {
+    let mut contacts = Contacts::new(seed);
+    let contact = move || {
+        let modulus = 2e6;
+        let film = Elastic::new(
+            modulus * contacts.log_uniform(1e-3, 1e3),
+            contacts.uniform(0.0, 0.5),
+        )
+        .expect("physical");
+        let substrate =
+            Elastic::new(modulus * contacts.log_uniform(1.0, 1e6), 0.25).expect("physical");
+        let contact = Table::embedded()
+            .contact(&System {
+                film,
+                substrate,
+                ..paper_system(1e-6)
+            })
+            .expect("in the table");
+        let w = with_pull_off_near(&contact, 1e-6 * contacts.log_uniform(1e-2, 1e2));
+        (contact, w)
+    };
+    std::iter::repeat_with(contact).take(count)
+}
+
+/// Random stiff films on soft substrates under a rigid sphere, which may come off the film or the
+/// substrate.
+fn stiff_films(seed: u64, count: usize) -> impl Iterator<Item = (Contact, f64)> {
+    let mut contacts = Contacts::new(seed);
+    let contact = move || {
+        let film = Elastic::new(1e9, contacts.uniform(0.0, 0.5)).expect("physical");
+        let substrate = Elastic::new(
+            1e9 * contacts.log_uniform(1e-5, 1e-2),
+            contacts.uniform(0.0, 0.5),
+        )
+        .expect("physical");
+        let system = System {
+            sphere_modulus: f64::INFINITY,
+            film,
+            substrate,
+            ..paper_system(1e-6)
+        };
+        let curve =
+            curve(&system.material().expect("physical"), [1e-3, 1e3], 1e-6).expect("converges");
+        let contact = Contact::new(&system, curve).expect("its own curve");
+        let w = with_pull_off_near(&contact, 1e-6 * contacts.log_uniform(3e-2, 3.0));
+        (contact, w)
+    };
+    std::iter::repeat_with(contact).take(count)
+}
+
+/// The work of adhesion with which a half-space of the film would be pulled off at a radius, under
+/// load control.
+fn with_pull_off_near(contact: &Contact, radius: f64) -> f64 {
+    let mechanics = contact.mechanics();
+    8.0 * mechanics.sphere_film_modulus() * radius.powi(3)
+        / (9.0 * PI * mechanics.sphere_radius().powi(2))
+}
+
+/// The pull-off force of a rigid sphere on a film on a rigid base; two scripts apart from this
+/// workspace agree on the digits.
+#[test]
+fn pull_off_of_a_rigid_sphere_from_a_film_on_a_rigid_base() {
+    /// Half of the last digit. Measured: 4.5e-5.
+    const PRINTED: f64 = 0.5e-4;
+    let expected = [
+        (0.5, [1.5349, 1.9341, 2.3415, 2.6593]),
+        (0.0, [1.5175, 1.7559, 1.9289, 1.9781]),
+    ];
+    for (nu1, expected) in expected {
+        let (r, t) = (1e-3, 1e-6);
+        let film = Elastic::new(1e6, nu1).expect("physical");
+        let substrate = Elastic::new(f64::INFINITY, 0.25).expect("rigid");
+        let system = System {
+            sphere_radius: r,
+            sphere_modulus: f64::INFINITY,
+            film,
+            film_thickness: t,
+            substrate,
+        };
+        let curve =
+            curve(&system.material().expect("physical"), [1e-2, 1e2], 1e-8).expect("converges");
+        let contact = Contact::new(&system, curve).expect("its own curve");
+        for (group, expected) in [1e-2, 1.0, 1e2, 1e4].into_iter().zip(expected) {
+            let w = group * film.reduced() * t.powi(3) / (r * r);
+            let found = contact.pull_off(w, Control::Load).expect("in range").load / (-PI * w * r);
+            println!("nu1 = {nu1}, w R^2/(E1* t^3) = {group:e}: {found:.6}");
+            assert!(
+                (found - expected).abs() <= PRINTED,
+                "{found}, not {expected}"
+            );
+        }
+    }
+}
+
+/// Film = substrate through the table.
+#[test]
+fn a_film_of_the_substrates_material_is_jkr_within_the_tables_error() {
+    let table = Table::embedded();
+    let certified = table.description().certificate.max_error;
+    let mut contacts = Contacts::new(90);
+    let [mut terms, mut forces, mut radii] = [0.0; 3];
+    for _ in 0..200 {
+        let solid = Elastic::new(2e6 * contacts.log_uniform(1.0, 1e3), 0.25).expect("physical");
+        let system = System {
+            film: solid,
+            substrate: solid,
+            ..paper_system(1e-6)
+        };
+        let coated = table.contact(&system).expect("in the table");
+        let bare = Contact::half_space(&system.without_film()).expect("physical");
+        let (e, r) = (bare.mechanics().sphere_film_modulus(), system.sphere_radius);
+        assert!((coated.mechanics().sphere_substrate_modulus() / e - 1.0).abs() < 1e-14);
+        let radius = 1e-6 * contacts.log_uniform(1e-2, 1e2);
+        let w = 8.0 * e * radius.powi(3) / (9.0 * PI * r * r);
+        for a in [0.5 * radius, 3.0 * radius] {
+            let [(load, depth), (f, d)] = [&coated, &bare]
+                .map(|contact| contact.load_and_penetration(a, w).expect("in range"));
+            let (f0, d0) = bare.load_and_penetration(a, 0.0).expect("in range");
+            // With the same edge, twice the adhesionless term less the whole is the sum of the
+            // sizes of both terms.
+            terms = larger(terms, (load - f).abs() / (2.0 * f0 - f));
+            terms = larger(terms, (depth - d).abs() / (2.0 * d0 - d));
+        }
+        for control in CONTROLS {
+            let [found, expected] =
+                [&coated, &bare].map(|contact| contact.pull_off(w, control).expect("in range"));
+            forces = larger(
+                forces,
+                (imposed(control, &found) / imposed(control, &expected) - 1.0).abs(),
+            );
+            radii = larger(
+                radii,
+                (found.contact_radius / expected.contact_radius - 1.0).abs(),
+            );
+        }
+        radii = larger(
+            radii,
+            (coated.zero_load(w).expect("in range").contact_radius
+                / bare.zero_load(w).expect("there").contact_radius
+                - 1.0)
+                .abs(),
+        );
+    }
+    println!(
+        "film = substrate, certified {certified:.1e}: terms {terms:.1e}, pull-off {forces:.1e}, radii {radii:.1e}"
+    );
+    // Measured: 1.4e-8, 2.5e-8, 1.2e-7 with 4.8e-8 certified. `Eeq/Gamma` has the errors of two
+    // quantities.
+    assert!(terms <= 2.0 * certified);
+    // At pull-off under load control the terms are 1 and 2 times the load, under the others less.
+    assert!(forces <= 5.0 * certified);
+    // The slope is 0 there, and it has some ten times the error of the values.
+    assert!(radii <= 30.0 * certified);
+}
+
+/// Counted by brute force on a grid seven times as fine.
+#[test]
+fn no_equilibrium_is_missed() {
+    let mut contacts = Contacts::new(92);
+    let mut most = 0;
+    for (contact, w) in coated(91, 100).chain(stiff_films(94, 40)) {
+        for control in CONTROLS {
+            let equilibria = contact.equilibria(w, control).expect("physical");
+            // Below 1e-15 m there are only values closer to 0 than those asked for.
+            let [least, to] = contact.contact_radius_range();
+            let from = least.max(1e-15);
+            let radius = |i: u32| (from * (to / from).powf(f64::from(i) / 4000.0)).clamp(from, to);
+            let states: Vec<State> = (0..=4000)
+                .map(|i| {
+                    let (load, penetration) = contact
+                        .load_and_penetration(radius(i), w)
+                        .expect("in range");
+                    State {
+                        contact_radius: radius(i),
+                        load,
+                        penetration,
+                    }
+                })
+                .collect();
+            let values: Vec<f64> = states.iter().map(|state| imposed(control, state)).collect();
+            let least = values.iter().copied().fold(f64::INFINITY, f64::min);
+            let pull_off = equilibria.pull_off().expect("in range");
+            let found = imposed(control, &pull_off);
+            assert!(
+                found <= least && found >= least * 1.001,
+                "pull-off at {found}, on the grid {least}"
+            );
+            for _ in 0..5 {
+                let value = least * contacts.uniform(-1.0, 0.999);
+                let expected: Vec<usize> = (0..4000)
+                    .filter(|&i| (values[i] < value) != (values[i + 1] < value))
+                    .collect();
+                let found = equilibria.at(value).expect("in range");
+                assert_eq!(
+                    found.len(),
+                    expected.len(),
+                    "at {value} of {least} under {control:?}"
+                );
+                most = most.max(found.len());
+                for (equilibrium, i) in found.iter().zip(expected) {
+                    let state = &equilibrium.state;
+                    assert!(
+                        (states[i].contact_radius..=states[i + 1].contact_radius)
+                            .contains(&state.contact_radius)
+                    );
+                    assert!(
+                        (imposed(control, state) - value).abs()
+                            <= 1e-12 * (least.abs() + value.abs())
+                    );
+                    assert_eq!(
+                        equilibrium.stable,
+                        values[i] < value,
+                        "stable where the imposed value grows"
+                    );
+                }
+                // The largest radius is what unloading reaches; loading begins at 0.
+                let last = found[found.len() - 1].state;
+                assert_eq!(equilibria.unloading(value).expect("in contact"), last);
+                if value >= 0.0 {
+                    let first = found
+                        .iter()
+                        .find(|equilibrium| equilibrium.stable)
+                        .expect("in contact")
+                        .state;
+                    assert_eq!(equilibria.loading(value).expect("in contact"), first);
+                }
+            }
+        }
+    }
+    println!("{most} equilibria at most");
+    // Measured: 4, so films with two stable contacts are among them.
+    assert!(most >= 4);
+}
+
+/// Follows the curve step by step: what is imposed grows, and then falls; it is the same before and
+/// after a jump; no state is unstable or no equilibrium.
+#[test]
+fn force_displacement_curves_hold_together() {
+    let mut jumps = [0; 2];
+    for (contact, w) in coated(93, 100).chain(stiff_films(97, 40)) {
+        for control in CONTROLS {
+            let equilibria = contact.equilibria(w, control).expect("physical");
+            let pull_off = equilibria.pull_off().expect("in range");
+            // As far beyond 0 as pull-off is below, five times.
+            let most = -5.0 * imposed(control, &pull_off);
+            let curve = match equilibria.force_displacement(most, 30) {
+                Err(Error::OutsideRadii { .. }) => continue,
+                curve => curve.expect("physical"),
+            };
+            let size = most;
+            let same = |one: f64, other: f64| {
+                assert!(
+                    (one - other).abs() <= 1e-11 * size,
+                    "{one} and {other} of {size}"
+                )
+            };
+            let value = |state: &State| imposed(control, state);
+            for (branches, sign) in [(&curve.loading, 1.0), (&curve.unloading, -1.0)] {
+                let states: Vec<&State> = branches.iter().flatten().collect();
+                assert_eq!(states.len(), 30 * branches.len());
+                for pair in states.windows(2) {
+                    assert!(
+                        sign * (value(pair[1]) - value(pair[0])) >= -1e-11 * size,
+                        "{pair:?}"
+                    );
+                    assert!(
+                        sign * (pair[1].contact_radius - pair[0].contact_radius) >= 0.0,
+                        "{pair:?}"
+                    );
+                }
+                for state in states {
+                    let (load, penetration) = contact
+                        .load_and_penetration(state.contact_radius, w)
+                        .expect("in range");
+                    assert_eq!((state.load, state.penetration), (load, penetration));
+                }
+            }
+            let [loading, unloading] = [&curve.loading, &curve.unloading];
+            assert_eq!(curve.jumps.len(), loading.len() + unloading.len());
+            assert_eq!(curve.jumps[0].from, State::ORIGIN);
+            for jump in &curve.jumps {
+                jump.to
+                    .into_iter()
+                    .for_each(|to| same(value(&jump.from), value(&to)));
+            }
+            // Jumps lead from branch to branch.
+            for (i, branch) in loading.iter().enumerate() {
+                assert_eq!(curve.jumps[i].to, Some(branch[0]));
+                assert!(i == 0 || curve.jumps[i].from == loading[i - 1][29]);
+            }
+            for (i, branch) in unloading.iter().enumerate() {
+                let jump = curve.jumps[loading.len() + i];
+                assert_eq!(jump.from, branch[29]);
+                assert!(i + 1 == unloading.len() || jump.to == Some(unloading[i + 1][0]));
+            }
+            same(value(&loading[loading.len() - 1][29]), most);
+            same(value(&unloading[0][0]), most);
+            assert!(
+                (unloading[unloading.len() - 1][29].contact_radius / pull_off.contact_radius - 1.0)
+                    .abs()
+                    <= 1e-12
+            );
+            jumps[0] += loading.len() - 1;
+            jumps[1] += unloading.len() - 1;
+        }
+    }
+    println!("jumps between stable contacts on loading and unloading: {jumps:?}");
+    // Measured: 0 and 6. On loading, under compression, none of these films gives way.
+    assert!(jumps[1] > 0);
+}
+
+/// Quantities of no film, `F0 ~ x^3 (1/(1 + x^6) + c)`, which rises to a maximum, falls to a
+/// minimum and rises again.
+#[test]
+fn a_load_that_falls_between_two_rises_is_jumped_over_both_ways() {
+    let system = paper_system(1e-6);
+    let material = system.material().expect("physical");
+    let node = |i: u32| {
+        let x = 10_f64.powf(-2.0 + f64::from(i) / 1000.0);
+        (
+            x,
+            Quantities {
+                pi0: 1.0 / (1.0 + x.powi(6)) + 1e-4,
+                ..material.thick_film_limit()
+            },
+        )
+    };
+    let nodes: Vec<_> = (0..=4000).map(node).collect();
+    let contact = Contact::new(
+        &system,
+        Curve::through(&nodes, material).expect("sound samples"),
+    )
+    .expect("its own curve");
+    let equilibria = contact.equilibria(0.0, Control::Load).expect("physical");
+    // With z = x^3, F = z/(1 + z^2) + c z in units of E* t^3/(2R) is stationary where c z^4 + (2c -
+    // 1) z^2 + 1 + c = 0.
+    let (unit, c): (f64, f64) = (2e6 * 1e-18 / 2e-3, 1e-4);
+    let root = ((1.0 - 2.0 * c).powi(2) - 4.0 * c * (1.0 + c)).sqrt();
+    let [top, bottom] = [-1.0, 1.0].map(|sign| ((1.0 - 2.0 * c + sign * root) / (2.0 * c)).sqrt());
+    let load = |z: f64| z / (1.0 + z * z) + c * z;
+    // At the other end of a jump: c z^3 - F z^2 + (1 + c) z - F = c (z - z0)^2 (z - 2 h) with z0^2
+    // h = F/(2c).
+    let landing = |z: f64| load(z) / (c * z * z);
+    let mut worst = 0.0;
+    let curve = equilibria
+        .force_displacement(10.0 * load(top) * unit, 50)
+        .expect("in range");
+    assert_eq!(
+        (
+            curve.loading.len(),
+            curve.unloading.len(),
+            curve.jumps.len()
+        ),
+        (2, 2, 2)
+    );
+    for (jump, z) in curve.jumps.iter().zip([top, bottom]) {
+        let to = jump.to.expect("another contact");
+        for (state, z) in [(&jump.from, z), (&to, landing(z))] {
+            worst = larger(
+                worst,
+                (state.contact_radius / (1e-6 * z.cbrt()) - 1.0).abs(),
+            );
+            worst = larger(worst, (state.load / (unit * load(z)) - 1.0).abs());
+        }
+    }
+    println!("jumps between two branches: {worst:.1e}");
+    // Measured: 1.2e-13.
+    assert!(worst <= 1e-9);
+    // Between the two, three equilibria, and which of the stable ones is there depends on the way.
+    let between = 0.5 * (load(top) + load(bottom)) * unit;
+    let found = equilibria.at(between).expect("in range");
+    assert_eq!(
+        found
+            .iter()
+            .map(|equilibrium| equilibrium.stable)
+            .collect::<Vec<_>>(),
+        [true, false, true]
+    );
+    assert_eq!(
+        equilibria.loading(between).expect("in contact"),
+        found[0].state
+    );
+    assert_eq!(
+        equilibria.unloading(between).expect("in contact"),
+        found[2].state
+    );
+}
+
+/// Below the nodes of the table, against direct solves.
+#[test]
+fn on_thick_films_states_are_those_of_direct_solves() {
+    let (w, mut worst, mut worst_radius) = (0.04, 0.0, 0.0);
+    for t in [5e-2, 0.2, 1.0, 10.0] {
+        let system = paper_system(t);
+        let contact = Table::embedded().contact(&system).expect("in the table");
+        let direct =
+            curve(&system.material().expect("physical"), [1e-6, 1.0], 1e-9).expect("converges");
+        let direct = Contact::new(&system, direct).expect("its own curve");
+        assert_eq!(contact.contact_radius_range()[0], 0.0);
+        for control in CONTROLS {
+            let [found, truth] =
+                [&contact, &direct].map(|contact| contact.pull_off(w, control).expect("in range"));
+            worst_radius = larger(
+                worst_radius,
+                (found.contact_radius / truth.contact_radius - 1.0).abs(),
+            );
+            worst = larger(
+                worst,
+                (imposed(control, &found) / imposed(control, &truth) - 1.0).abs(),
+            );
+            // The states of every branch.
+            let [found, truth] = [&contact, &direct].map(|contact| {
+                let equilibria = contact.equilibria(w, control).expect("physical");
+                equilibria.force_displacement(1e-6, 20).expect("in range")
+            });
+            let states = |curve: &ForceDisplacement| {
+                [curve.loading.concat(), curve.unloading.concat()].concat()
+            };
+            let (found, truth) = (states(&found), states(&truth));
+            assert_eq!(found.len(), truth.len());
+            for (found, truth) in found.iter().zip(&truth) {
+                worst = larger(
+                    worst,
+                    (found.contact_radius / truth.contact_radius - 1.0).abs(),
+                );
+            }
+        }
+    }
+    println!("thick films: {worst:.1e}, radii at pull-off {worst_radius:.1e}");
+    // Measured: 1.7e-10, 9.4e-11.
+    assert!(worst <= 1e-8 && worst_radius <= 1e-8);
+}
+
+#[test]
+fn a_state_out_of_range_is_an_error_with_the_radii() {
+    let contact_on = |t: f64| {
+        Table::embedded()
+            .contact(&paper_system(t))
+            .expect("in the table")
+    };
+    let w = 0.04;
+    // A film so thin that the table ends before the pull-off radius; one so thick that a table
+    // begins beyond it, and with too large an a/t for the expansion.
+    let thick = table(
+        "
+        title      = 'Thin films'
+        tolerance  = 1e-4
+        a_over_t   = { from = 1, to = 10 }
+        e1_over_e2 = 1.75
+        nu1        = 0.5
+        e0_over_e2 = 1e5
+    ",
+    );
+    for contact in [
+        contact_on(1e-9),
+        thick.contact(&paper_system(1e-2)).expect("in the table"),
+    ] {
+        let [from, to] = contact.contact_radius_range();
+        let smallest = if from == 0.0 { 1e-60 } else { from };
+        let assert_outside = |result: Result<State, Error>| match result {
+            Err(
+                error @ Error::OutsideRadii {
+                    from: least,
+                    to: most,
+                    ..
+                },
+            ) => {
+                assert_eq!([least, most], [smallest, to]);
+                acceptance::assert_names(
+                    &error.to_string(),
+                    &[&format!("{smallest:?}"), &format!("{to:?}")],
+                );
+            }
+            other => panic!("{other:?}"),
+        };
+        assert_outside(contact.zero_load(w));
+        for control in CONTROLS {
+            assert_outside(contact.pull_off(w, control));
+            let equilibria = contact.equilibria(w, control).expect("physical");
+            assert_outside(equilibria.loading(0.0));
+            assert_outside(equilibria.unloading(-1e-6));
+            assert_outside(equilibria.at(1e30).map(|found| found[0].state));
+            assert!(matches!(
+                equilibria.force_displacement(1e-6, 3),
+                Err(Error::OutsideRadii { .. })
+            ));
+        }
+    }
+    let contact = contact_on(1e-5);
+    let equilibria = contact.equilibria(w, Control::Load).expect("physical");
+    let least = equilibria.pull_off().expect("in range").load;
+    let Err(
+        error @ Error::NoContact {
+            name: "load",
+            least: found,
+            ..
+        },
+    ) = equilibria.unloading(1.01 * least)
+    else {
+        panic!("apart")
+    };
+    assert_eq!(found, least);
+    acceptance::assert_names(
+        &error.to_string(),
+        &[
+            "load",
+            &format!("{:?}", 1.01 * least),
+            &format!("{least:?}"),
+        ],
+    );
+    assert!(matches!(
+        equilibria.loading(-1e-9),
+        Err(Error::NoContact { least: 0.0, .. })
+    ));
+    for points in [0, 1, 1_000_001, usize::MAX] {
+        assert!(matches!(
+            equilibria.force_displacement(1e-4, points),
+            Err(Error::Unphysical {
+                name: "number of points",
+                ..
+            })
+        ));
+    }
+}
+
+#[test]
+fn without_adhesion_a_table_needs_no_stiffness() {
+    let table = table(
+        "
+        title      = 'No adhesion'
+        tolerance  = 1e-4
+        quantities = ['pi0', 'delta0']
+        a_over_t   = { from = 0.1, to = 10 }
+        e1_over_e2 = 1.75
+        nu1        = 0.5
+        e0_over_e2 = 1e5
+    ",
+    );
+    let contact = table.contact(&paper_system(1e-5)).expect("in the table");
+    let embedded = Table::embedded()
+        .contact(&paper_system(1e-5))
+        .expect("in the table");
+    let mut worst = 0.0;
+    for control in CONTROLS {
+        let (load, penetration) = embedded.load_and_penetration(2e-5, 0.0).expect("in range");
+        let at = imposed(
+            control,
+            &State {
+                contact_radius: 2e-5,
+                load,
+                penetration,
+            },
+        );
+        let equilibria = contact
+            .equilibria(0.0, control)
+            .expect("nothing else is needed");
+        worst = larger(
+            worst,
+            (equilibria.unloading(at).expect("in range").contact_radius / 2e-5 - 1.0).abs(),
+        );
+        assert_eq!(equilibria.pull_off().expect("the origin"), State::ORIGIN);
+        assert!(matches!(
+            contact.equilibria(0.04, control),
+            Err(Error::MissingQuantity("eeq" | "gamma"))
+        ));
+        // Before the curve begins.
+        assert!(matches!(
+            equilibria.unloading(1e-6 * at),
+            Err(Error::OutsideRadii { .. })
+        ));
+        assert!(matches!(
+            equilibria.unloading(-at),
+            Err(Error::NoContact { least: 0.0, .. })
+        ));
+    }
+    println!("radii without adhesion: {worst:.1e}");
+    // Measured: 1.6e-6.
+    assert!(worst <= 1e-4);
+}

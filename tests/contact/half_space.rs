@@ -1,0 +1,391 @@
+//! A half-space without a film is JKR, in closed form.
+
+use std::f64::consts::PI;
+
+use acceptance::{Contacts, larger};
+use interp::{Contact, Control, Elastic, HalfSpace, State};
+
+/// Relative, everywhere.
+const EXACT: f64 = 1e-12;
+
+/// JKR with radius `R`, compound modulus `E*` and work of adhesion `w`.
+#[derive(Clone, Copy)]
+struct Jkr {
+    r: f64,
+    e: f64,
+    w: f64,
+}
+
+impl Jkr {
+    /// Load and penetration, each as its adhesionless and its flat-punch term.
+    fn terms(&self, a: f64) -> [[f64; 2]; 2] {
+        let Self { r, e, w } = *self;
+        [
+            [
+                4.0 * e * a.powi(3) / (3.0 * r),
+                (8.0 * PI * w * e * a.powi(3)).sqrt(),
+            ],
+            [a * a / r, (2.0 * PI * a * w / e).sqrt()],
+        ]
+    }
+
+    /// Radii of the stable and the unstable contact at a load, from `F = A y^2 - B y` with
+    /// `y = a^{3/2}`.
+    fn radii(&self, load: f64) -> [f64; 2] {
+        let Self { r, e, w } = *self;
+        let (a, b) = (4.0 * e / (3.0 * r), (8.0 * PI * w * e).sqrt());
+        let sum = b + (b * b + 4.0 * a * load).sqrt();
+        [sum / (2.0 * a), -2.0 * load / sum].map(|y| y.powf(2.0 / 3.0))
+    }
+
+    /// The radius of least penetration.
+    fn least_penetration(&self) -> f64 {
+        (PI * self.w * self.r * self.r / (8.0 * self.e)).cbrt()
+    }
+}
+
+/// Random half-spaces under random spheres, some of them or their solids rigid.
+fn systems(seed: u64) -> impl Iterator<Item = (Contact, Jkr)> {
+    let mut contacts = Contacts::new(seed);
+    (0..300).map(move |i| {
+        let mut moduli = [
+            contacts.log_uniform(1e3, 1e13),
+            contacts.log_uniform(1e3, 1e13),
+        ];
+        if i % 10 < 2 {
+            moduli[i % 10] = f64::INFINITY;
+        }
+        let (sphere, solid) = (
+            moduli[0],
+            Elastic::new(moduli[1], contacts.poisson_ratio()).expect("physical"),
+        );
+        let system = HalfSpace {
+            sphere_radius: contacts.log_uniform(1e-9, 1.0),
+            sphere_modulus: sphere,
+            solid,
+        };
+        let e = 1.0 / (1.0 / sphere + (1.0 - solid.poisson().powi(2)) / solid.young());
+        let jkr = Jkr {
+            r: system.sphere_radius,
+            e,
+            w: contacts.log_uniform(1e-4, 10.0),
+        };
+        (Contact::half_space(&system).expect("physical"), jkr)
+    })
+}
+
+fn relative(found: f64, expected: f64) -> f64 {
+    (found / expected - 1.0).abs()
+}
+
+#[test]
+fn load_penetration_stiffness_and_stress_intensity_are_those_of_jkr() {
+    let (mut contacts, mut worst) = (Contacts::new(71), 0.0);
+    for (contact, jkr) in systems(70) {
+        let unit = jkr.least_penetration();
+        for _ in 0..10 {
+            let a = unit * contacts.log_uniform(1e-3, 1e3);
+            let (load, penetration) = contact.load_and_penetration(a, jkr.w).expect("any radius");
+            assert_eq!(contact.load(a, jkr.w).expect("any radius"), load);
+            for (found, [hertz, punch]) in [load, penetration].into_iter().zip(jkr.terms(a)) {
+                worst = larger(worst, (found - (hertz - punch)).abs() / hertz.max(punch));
+            }
+            let (hertz, _) = contact.load_and_penetration(a, 0.0).expect("no adhesion");
+            worst = larger(worst, relative(hertz, jkr.terms(a)[0][0]));
+            worst = larger(
+                worst,
+                relative(contact.stiffness(a).expect("any radius"), 2.0 * jkr.e * a),
+            );
+            let k = contact.stress_intensity(a, jkr.w).expect("any radius");
+            let edge = contact
+                .mechanics()
+                .edge_singularity(a, jkr.w)
+                .expect("any radius");
+            worst = larger(
+                worst,
+                relative(contact.mechanics().energy_release_rate(a, edge), jkr.w),
+            );
+            // Irwin's relation between two solids, and Maugis' K_I = F1/(2 a sqrt(pi a)) of the
+            // flat-punch load F1 that adhesion takes away.
+            worst = larger(worst, relative(k * k / (2.0 * jkr.e), jkr.w));
+            worst = larger(
+                worst,
+                relative(k, jkr.terms(a)[0][1] / (2.0 * a * (PI * a).sqrt())),
+            );
+        }
+    }
+    println!("JKR: forward {worst:.1e}");
+    // Measured: 7.8e-16.
+    assert!(worst <= EXACT);
+}
+
+/// The traction of JKR just inside the edge,
+/// `2 E* a/(pi R) (1 - r^2/a^2)^{1/2} - (2 w E*/(pi a))^{1/2} (1 - r^2/a^2)^{-1/2}` (Johnson,
+/// Kendall and Roberts 1971).
+#[test]
+fn the_stress_intensity_is_that_of_the_traction_at_the_edge() {
+    for (contact, jkr) in systems(72) {
+        let a = 2.0 * jkr.least_penetration();
+        let distance = 1e-6 * a;
+        let r_over_a: f64 = 1.0 - 1e-6;
+        let root = (1.0 - r_over_a * r_over_a).sqrt();
+        let traction =
+            (2.0 * jkr.w * jkr.e / (PI * a)).sqrt() / root - 2.0 * jkr.e * a / (PI * jkr.r) * root;
+        let k = contact.stress_intensity(a, jkr.w).expect("any radius");
+        // What is left out is of the order of the distance over a.
+        assert!(relative(traction * (2.0 * PI * distance).sqrt(), k) <= 1e-5);
+    }
+}
+
+#[test]
+fn radii_at_a_load_are_the_two_of_jkr_with_their_stability() {
+    let (mut contacts, mut worst) = (Contacts::new(74), 0.0);
+    for (contact, jkr) in systems(73) {
+        let equilibria = contact.equilibria(jkr.w, Control::Load).expect("physical");
+        let unit = PI * jkr.w * jkr.r;
+        for load in [
+            contacts.uniform(-1.49, -0.01) * unit,
+            contacts.log_uniform(1e-3, 1e6) * unit,
+        ] {
+            let found = equilibria.at(load).expect("all radii are in range");
+            let [stable, unstable] = jkr.radii(load);
+            worst = larger(
+                worst,
+                relative(
+                    equilibria
+                        .unloading(load)
+                        .expect("in contact")
+                        .contact_radius,
+                    stable,
+                ),
+            );
+            if load < 0.0 {
+                assert_eq!(
+                    found
+                        .iter()
+                        .map(|equilibrium| equilibrium.stable)
+                        .collect::<Vec<_>>(),
+                    [false, true]
+                );
+                worst = larger(worst, relative(found[0].state.contact_radius, unstable));
+                worst = larger(worst, relative(found[1].state.contact_radius, stable));
+            } else {
+                assert!(found.len() == 1 && found[0].stable, "{found:?}");
+                worst = larger(
+                    worst,
+                    relative(
+                        equilibria.loading(load).expect("in contact").contact_radius,
+                        stable,
+                    ),
+                );
+            }
+            let off = |state: &State| {
+                (state.load - load).abs()
+                    / jkr.terms(state.contact_radius)[0]
+                        .into_iter()
+                        .fold(0.0, larger)
+            };
+            worst = found
+                .iter()
+                .map(|equilibrium| off(&equilibrium.state))
+                .fold(worst, larger);
+        }
+        let zero_load = contact.zero_load(jkr.w).expect("in contact").contact_radius;
+        worst = larger(
+            worst,
+            relative(
+                zero_load,
+                (9.0 * PI * jkr.w * jkr.r * jkr.r / (2.0 * jkr.e)).cbrt(),
+            ),
+        );
+        assert_eq!(
+            equilibria.at(-1.51 * unit).expect("none is out of range"),
+            []
+        );
+    }
+    println!("JKR: radii at a load {worst:.1e}");
+    // Measured: 8.2e-15.
+    assert!(worst <= EXACT);
+}
+
+#[test]
+fn radii_at_a_penetration_are_those_of_jkr_with_their_stability() {
+    let (mut contacts, mut worst) = (Contacts::new(76), 0.0);
+    for (contact, jkr) in systems(75) {
+        let equilibria = contact
+            .equilibria(jkr.w, Control::Displacement)
+            .expect("physical");
+        let unit = jkr.least_penetration();
+        // The penetration is 0 at 4^{2/3} = 2.52 times the radius where it is least.
+        for (ratio, count, stable) in [
+            (0.3, 2, false),
+            (0.8, 2, false),
+            (1.2, 2, true),
+            (2.4, 2, true),
+            (2.6, 1, true),
+            (1e3, 1, true),
+        ] {
+            let a = ratio * contacts.uniform(0.98, 1.02) * unit;
+            let [_, [hertz, punch]] = jkr.terms(a);
+            let found = equilibria
+                .at(hertz - punch)
+                .expect("all radii are in range");
+            assert_eq!(found.len(), count, "{ratio}: {found:?}");
+            let same = &found[usize::from(stable && count == 2)];
+            assert_eq!(same.stable, stable);
+            worst = larger(worst, relative(same.state.contact_radius, a));
+        }
+    }
+    println!("JKR: radii at a penetration {worst:.1e}");
+    // Measured: 6.2e-15.
+    assert!(worst <= EXACT);
+}
+
+#[test]
+fn pull_off_under_load_displacement_and_springs_is_that_of_jkr() {
+    let (mut contacts, mut worst) = (Contacts::new(78), 0.0);
+    for (contact, jkr) in systems(77) {
+        let unit = PI * jkr.w * jkr.r;
+        let least = jkr.least_penetration();
+        let mut check = |control, radius: f64, load: Option<f64>| {
+            let state = contact
+                .pull_off(jkr.w, control)
+                .expect("all radii are in range");
+            worst = larger(worst, relative(state.contact_radius, radius));
+            worst = load.map_or(worst, |load| {
+                larger(worst, relative(state.load, load * unit))
+            });
+        };
+        check(Control::Load, 9_f64.cbrt() * least, Some(-1.5));
+        check(Control::Displacement, least, Some(-5.0 / 6.0));
+        // With s = a/least, d(delta + F/k)/da = 0 is s^{3/2} - 1 + 2 E* a/k (s^{3/2} - 3) = 0.
+        let s = contacts.uniform(1.0001, 2.08);
+        let power = s.powf(1.5);
+        let stiffness = 2.0 * jkr.e * s * least * (3.0 - power) / (power - 1.0);
+        check(Control::Spring { stiffness }, s * least, None);
+        for (stiffness, load) in [(1e-12, -1.5), (1e12, -5.0 / 6.0)] {
+            let spring = Control::Spring {
+                stiffness: stiffness * 2.0 * jkr.e * least,
+            };
+            let found = contact
+                .pull_off(jkr.w, spring)
+                .expect("all radii are in range")
+                .load
+                / unit;
+            assert!(
+                (found - load).abs() <= 1e-9,
+                "{found} pi w R with a spring of {stiffness:e} times the contact's stiffness"
+            );
+        }
+    }
+    println!("JKR: pull-off {worst:.1e}");
+    // Measured: 3.8e-15.
+    assert!(worst <= EXACT);
+}
+
+#[test]
+fn without_adhesion_it_is_hertz() {
+    let mut worst = 0.0;
+    for (contact, jkr) in systems(79) {
+        let a = 7.0 * jkr.least_penetration();
+        let [[load, _], [penetration, _]] = jkr.terms(a);
+        for (control, imposed) in [(Control::Load, load), (Control::Displacement, penetration)] {
+            let equilibria = contact.equilibria(0.0, control).expect("physical");
+            let found = equilibria.at(imposed).expect("in range");
+            assert!(found.len() == 1 && found[0].stable, "{found:?}");
+            worst = larger(worst, relative(found[0].state.contact_radius, a));
+            assert_eq!(equilibria.pull_off().expect("the origin"), State::ORIGIN);
+            assert_eq!(
+                equilibria.at(0.0).expect("the origin")[0].state,
+                State::ORIGIN
+            );
+            assert_eq!(equilibria.at(-imposed).expect("nothing"), []);
+            let curve = equilibria
+                .force_displacement(imposed, 10)
+                .expect("physical");
+            assert_eq!(
+                (
+                    curve.loading.len(),
+                    curve.unloading.len(),
+                    curve.jumps.len()
+                ),
+                (1, 1, 0)
+            );
+            let backwards: Vec<State> = curve.unloading[0].iter().rev().copied().collect();
+            for (up, down) in curve.loading[0].iter().zip(backwards) {
+                assert!(
+                    up.load >= 0.0 && (up.load - down.load).abs() <= EXACT * load,
+                    "{up:?} and {down:?}"
+                );
+            }
+        }
+        assert_eq!(contact.zero_load(0.0).expect("the origin"), State::ORIGIN);
+    }
+    println!("Hertz: radii {worst:.1e}");
+    // Measured: 3.4e-15.
+    assert!(worst <= EXACT);
+}
+
+#[test]
+fn the_force_displacement_curve_is_that_of_jkr() {
+    for (contact, jkr) in systems(80).take(30) {
+        let least = jkr.least_penetration();
+        let most = jkr.terms(20.0 * least).map(|[hertz, punch]| hertz - punch);
+        let stiffness = 2.0 * jkr.e * least;
+        let spring = Control::Spring { stiffness };
+        // Zero load at 36^{1/3}, zero penetration at 16^{1/3} times the radius of least
+        // penetration.
+        for (control, most, first) in [
+            (Control::Load, most[0], Some(36_f64.cbrt())),
+            (Control::Displacement, most[1], Some(16_f64.cbrt())),
+            (spring, most[1] + most[0] / stiffness, None),
+        ] {
+            let equilibria = contact.equilibria(jkr.w, control).expect("physical");
+            let curve = equilibria.force_displacement(most, 40).expect("in range");
+            let [loading, unloading] = [&curve.loading, &curve.unloading].map(|branches| {
+                assert_eq!(branches.len(), 1);
+                assert_eq!(branches[0].len(), 40);
+                &branches[0]
+            });
+            let near = |state: &State, radius: f64| {
+                assert!(
+                    relative(state.contact_radius, radius) <= EXACT,
+                    "{state:?}, not {radius}"
+                )
+            };
+            let pull_off = contact.pull_off(jkr.w, control).expect("in range");
+            near(&loading[39], 20.0 * least);
+            near(&unloading[0], 20.0 * least);
+            near(&unloading[39], pull_off.contact_radius);
+            first
+                .into_iter()
+                .for_each(|first| near(&loading[0], first * least));
+            let [into, out] = [curve.jumps[0], curve.jumps[1]];
+            assert_eq!((into.from, into.to), (State::ORIGIN, Some(loading[0])));
+            assert_eq!(out.from, unloading[39]);
+            match control {
+                Control::Load => assert_eq!(out.to, None),
+                Control::Displacement => {
+                    assert_eq!(
+                        out.to,
+                        Some(State {
+                            contact_radius: 0.0,
+                            load: 0.0,
+                            penetration: out.from.penetration
+                        })
+                    );
+                }
+                Control::Spring { stiffness } => {
+                    let to = out.to.expect("the spring takes it away");
+                    assert_eq!((to.contact_radius, to.load), (0.0, 0.0));
+                    assert!(
+                        relative(
+                            to.penetration,
+                            out.from.penetration + out.from.load / stiffness
+                        ) <= EXACT
+                    );
+                }
+            }
+        }
+    }
+}

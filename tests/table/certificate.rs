@@ -1,0 +1,225 @@
+//! The certificate: where its points are, and what it makes of them.
+
+use acceptance::{larger, table};
+use interp::Parameter;
+use interp::{Description, Quantity, Table};
+use tabulate::table::{Sample, certificate, measure, sample};
+
+/// Two axes, `a/t` among them, and all quantities.
+const TWO_AXES: &str = "
+    title      = 'Two axes'
+    tolerance  = 1e-5
+    a_over_t   = { from = 0.1, to = 10 }
+    e1_over_e2 = { from = 0.3, to = 3 }
+    nu1        = 0.5
+    e0_over_e2 = 1e4
+";
+/// Four axes, which the nodes do not follow well.
+const FOUR_AXES: &str = "
+    title      = 'Four axes'
+    tolerance  = 1e-1
+    a_over_t   = { from = 0.1, to = 10, nodes = 9 }
+    e1_over_e2 = { from = 0.3, to = 3, nodes = 4 }
+    nu1        = { from = 0.3, to = 0.5, nodes = 4 }
+    e0_over_e2 = { from = 10, to = 100, nodes = 3 }
+";
+
+fn measured(table: &Table, points: usize, seed: u64) -> Vec<Sample> {
+    measure(table, points, seed, &|_| {}).expect("within reach")
+}
+
+#[test]
+fn of_known_samples_the_worst_the_median_and_what_999_of_1000_keep_are_right() {
+    // In an order that is not theirs.
+    let samples: Vec<Sample> = (0..2000)
+        .map(|i| (i * 1237) % 2000)
+        .map(|i| Sample {
+            point: [f64::from(i), 1.0, 2.0, 3.0],
+            error: 1e-9 * f64::from(i),
+            quantity: if i == 1999 {
+                Quantity::Gamma
+            } else {
+                Quantity::Pi0
+            },
+            identity_errors: [(i < 1500).then_some(f64::from(i)), None],
+        })
+        .collect();
+    let found = certificate(&samples, 5);
+    let details = found.details.expect("always");
+    assert_eq!(
+        (
+            found.max_error,
+            found.median_error,
+            found.points,
+            found.seed
+        ),
+        (1e-9 * 1999.0, 1e-9 * 1000.0, 2000, 5)
+    );
+    // Two of two thousand are larger.
+    assert_eq!(details.p999_error, 1e-9 * 1997.0);
+    assert_eq!(
+        (details.worst_quantity, details.worst_point),
+        (Quantity::Gamma, [1999.0, 1.0, 2.0, 3.0])
+    );
+    assert_eq!(details.identity_errors, [Some(1499.0), None]);
+
+    // Of a few, all keep the largest; and NaN is the worst of all.
+    let mut few = samples[..10].to_vec();
+    let largest = few.iter().map(|sample| sample.error).fold(0.0, larger);
+    assert_eq!(
+        certificate(&few, 5).details.expect("always").p999_error,
+        largest
+    );
+    few[3].error = f64::NAN;
+    let found = certificate(&few, 5);
+    assert!(
+        found.max_error.is_nan()
+            && found
+                .details
+                .is_some_and(|details| details.worst_point == few[3].point)
+    );
+}
+
+#[test]
+fn the_points_are_in_the_box_on_its_edges_and_corners_and_few_are_nodes() {
+    let table = table(FOUR_AXES);
+    let samples = measured(&table, 1000, 3);
+    assert_eq!(samples.len(), 1000);
+    assert!(
+        samples
+            .iter()
+            .zip(measured(&table, 1000, 3))
+            .all(|(a, b)| a.point == b.point),
+        "another seed, not chance"
+    );
+    let ends = Parameter::ALL.map(|parameter| acceptance::ends(&table, parameter));
+    let at_ends = |sample: &Sample| {
+        (0..4)
+            .filter(|&k| sample.point[k] == ends[k].0 || sample.point[k] == ends[k].1)
+            .count()
+    };
+    assert!(
+        samples
+            .iter()
+            .all(|sample| (0..4).all(|k| (ends[k].0..=ends[k].1).contains(&sample.point[k])))
+    );
+    let count = |number| {
+        samples
+            .iter()
+            .filter(|sample| at_ends(sample) == number)
+            .count()
+    };
+    let counts = [0, 1, 2, 3, 4].map(count);
+    println!("on so many faces at once: {counts:?}");
+    assert_eq!(counts.iter().sum::<usize>(), 1000);
+    // Every corner, once; a tenth of the others on edges; a fifth of the random ones on the
+    // surface.
+    assert_eq!(counts[4], 16);
+    assert!(counts[3] >= 95 && counts[1] + counts[2] >= 100 && counts[0] >= 600);
+    let nodes = Parameter::ALL.map(|parameter| table.axis(parameter));
+    let is_node = |sample: &&Sample| (0..4).all(|k| nodes[k].contains(&sample.point[k]));
+    assert_eq!(samples.iter().filter(is_node).count(), 16);
+
+    // The worst point has the error that is certified.
+    let found = certificate(&samples, 3);
+    let details = found.details.expect("always");
+    let again = sample(&table, details.worst_point).expect("inside");
+    assert_eq!(
+        (again.error, again.quantity),
+        (found.max_error, details.worst_quantity)
+    );
+    assert!(found.median_error < details.p999_error && details.p999_error <= found.max_error);
+    assert!(
+        sample(&table, [0.5, 1e9, 0.4, 30.0]).is_err(),
+        "outside the table"
+    );
+}
+
+/// A table whose values of one quantity are off by one percent breaks the identities by what that
+/// makes of them.
+#[test]
+fn the_identities_are_broken_by_as_much_as_the_values_are() {
+    let sound = table(TWO_AXES);
+    let scaled = |scaled: Quantity| {
+        let axes = Parameter::ALL.map(|parameter| sound.axis(parameter).to_vec());
+        let factor = |quantity| if quantity == scaled { 1.01 } else { 1.0 };
+        let values = Quantity::ALL.map(|q| {
+            Some(
+                sound
+                    .values(q)?
+                    .iter()
+                    .map(|value| factor(q) * value)
+                    .collect(),
+            )
+        });
+        Table::new(
+            Description {
+                ..sound.description().clone()
+            },
+            axes,
+            values,
+        )
+        .expect("sound values")
+    };
+    let broken = |table: &Table| {
+        let details = certificate(&measured(table, 200, 4), 4)
+            .details
+            .expect("always");
+        details
+            .identity_errors
+            .map(|error| error.expect("all are held"))
+    };
+    let kept = broken(&sound);
+    println!("kept to {kept:?}");
+    // Measured: 1.7e-5 and 9.1e-6, where the quantities are within 1e-5.
+    assert!(kept.iter().all(|error| (1e-12..1e-4).contains(error)));
+    // Gamma^2 = es (Eeq + x Eeq'), and 3 Pi0 + x Pi0' = 4 Eeq (2 Delta0 + x Delta0'), relative to
+    // the left sides.
+    for (quantity, expected) in [
+        (Quantity::Gamma, [1.0 - 1.0 / (1.01 * 1.01), 0.0]),
+        (Quantity::Eeq, [0.01, 0.01]),
+        (Quantity::Pi0, [0.0, 1.0 - 1.0 / 1.01]),
+        (Quantity::Delta0, [0.0, 0.01]),
+    ] {
+        let found = broken(&scaled(quantity));
+        for (found, (expected, kept)) in found.iter().zip(expected.iter().zip(kept)) {
+            assert!(
+                (found - expected).abs() <= 1.1 * kept,
+                "{quantity:?}: {found:e}, not {expected:e}"
+            );
+        }
+    }
+}
+
+#[test]
+fn an_identity_that_takes_more_than_is_held_is_not_measured() {
+    for (changes, expected) in [
+        (
+            ("title ", "quantities = ['eeq', 'gamma']\n title "),
+            [true, false],
+        ),
+        (
+            ("title ", "quantities = ['pi0', 'eeq', 'delta0']\n title "),
+            [false, true],
+        ),
+        (
+            ("title ", "quantities = ['pi0', 'gamma', 'delta0']\n title "),
+            [false, false],
+        ),
+        (
+            ("a_over_t   = { from = 0.1, to = 10 }", "a_over_t = 1"),
+            [false, false],
+        ),
+    ] {
+        let found = table(&TWO_AXES.replace(changes.0, changes.1))
+            .description()
+            .certificate
+            .details
+            .expect("always");
+        assert_eq!(
+            found.identity_errors.map(|error| error.is_some()),
+            expected,
+            "{changes:?}"
+        );
+    }
+}

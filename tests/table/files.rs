@@ -1,0 +1,525 @@
+//! The two files of a table: nothing is lost between them, and nothing that is no table is taken
+//! for one.
+
+use std::path::{Path, PathBuf};
+use std::sync::{LazyLock, mpsc};
+use std::time::Duration;
+use std::{fs, panic, thread};
+
+use acceptance::{Desk, PREFIX, all_bits, assert_names, table, with_payload};
+use interp::Parameter;
+use interp::{Certificate, Error, Quantity, Table};
+use ndarray::{Array1, Array4};
+use tabulate::table::archive;
+
+const BOX: &str = "
+    title      = 'Four axes: µm'
+    tolerance  = 1e-1
+    quantities = ['pi0', 'gamma', 'delta0']
+    a_over_t   = { from = 0.1, to = 10, nodes = 5 }
+    e1_over_e2 = { from = 0.3, to = 3, nodes = 4 }
+    nu1        = { from = 0.3, to = 0.5, nodes = 3 }
+    e0_over_e2 = { from = 10, to = 100, nodes = 2 }
+    nu0        = 0.2
+";
+const RIGID: &str = "
+    title      = 'Rigid sphere and substrate'
+    tolerance  = 1e-3
+    a_over_t   = { from = 0.1, to = 10, nodes = 9 }
+    e1_over_e2 = 0
+    nu1        = 0.3
+    e0_over_e2 = inf
+";
+
+static TABLE: LazyLock<Table> = LazyLock::new(|| table(BOX));
+static PACKED: LazyLock<Vec<u8>> = LazyLock::new(|| TABLE.to_packed().expect("a small table"));
+
+fn desk() -> Desk {
+    let desk = Desk::new(env!("CARGO_BIN_EXE_tabulate-under-test"));
+    archive::write(&TABLE, &desk.path("table.h5")).expect("written");
+    desk
+}
+
+fn assert_same(found: &Table, expected: &Table) {
+    assert_eq!(found.description(), expected.description());
+    assert_eq!(all_bits(found), all_bits(expected));
+}
+
+/// The bits of axes and values as the C library reads them.
+fn bits_by_c_library(path: &Path) -> Vec<Option<Vec<u64>>> {
+    let file = hdf5::File::open(path).expect("a sound file");
+    let names = Parameter::ALL
+        .map(|p| format!("axes/{}", p.name()))
+        .into_iter()
+        .chain(Quantity::ALL.map(|q| format!("values/{}", q.name())));
+    let bits = |name: String| {
+        file.dataset(&name)
+            .ok()
+            .map(|dataset| dataset.read_raw::<f64>().expect("numbers"))
+    };
+    names
+        .map(|name| bits(name).map(|values| values.into_iter().map(f64::to_bits).collect()))
+        .collect()
+}
+
+/// A copy of the table's file after some change.
+fn altered(
+    desk: &Desk,
+    name: &str,
+    alter: impl FnOnce(&hdf5::File) -> hdf5::Result<()>,
+) -> PathBuf {
+    let path = desk.write(name, desk.read("table.h5"));
+    alter(&hdf5::File::open_rw(&path).expect("a sound file"))
+        .unwrap_or_else(|e| panic!("{name}: {e}"));
+    path
+}
+
+#[test]
+fn every_form_and_reader_gives_the_same_bits() {
+    for (scene, points) in [
+        (BOX, "1,1,0.4,30\n0.1,0.3,0.3,10\n7,2.9,0.45,99\n"),
+        (RIGID, "1,0,0.3,inf\n0.123,0,0.3,inf\n"),
+    ] {
+        let (table, desk) = (
+            table(scene),
+            Desk::new(env!("CARGO_BIN_EXE_tabulate-under-test")),
+        );
+        archive::write(&table, &desk.path("table.h5")).expect("written");
+        assert_eq!(desk.succeed(&["pack", "table.h5", "-o", "table.bin"]), "");
+        assert_same(
+            &Table::open(desk.path("table.h5")).expect("a sound table"),
+            &table,
+        );
+        assert_eq!(bits_by_c_library(&desk.path("table.h5")), all_bits(&table));
+        assert_same(
+            &Table::read(desk.path("table.bin")).expect("a sound table"),
+            &table,
+        );
+        assert_eq!(
+            desk.read("table.bin"),
+            table.to_packed().expect("a small table")
+        );
+        desk.write(
+            "points.csv",
+            format!("a_over_t,e1_over_e2,nu1,e0_over_e2\n{points}"),
+        );
+        let query = |table: &str| desk.succeed(&["query", table, "--points", "points.csv"]);
+        let answer = query("table.h5");
+        assert_eq!(answer.lines().count(), points.lines().count() + 1);
+        assert_eq!(answer, query("table.bin"));
+    }
+}
+
+/// A file of another program may do without the certificate's details, but not with a part of them.
+#[test]
+fn the_details_of_a_certificate_are_kept_in_every_form_and_may_be_absent() {
+    let details = TABLE
+        .description()
+        .certificate
+        .details
+        .expect("they are measured");
+    // One quantity is not held, so that no identity is measured.
+    assert_eq!(details.identity_errors, [None; 2]);
+    let known = table(RIGID)
+        .description()
+        .certificate
+        .details
+        .expect("they are measured");
+    assert!(known.identity_errors.iter().all(Option::is_some));
+    for details in [
+        None,
+        Some(details),
+        Some(known),
+        Some(interp::Details {
+            identity_errors: [None, Some(1e-3)],
+            ..details
+        }),
+    ] {
+        let (desk, mut table) = (desk(), TABLE.clone());
+        table.set_certificate(Certificate {
+            details,
+            ..table.description().certificate
+        });
+        archive::write(&table, &desk.path("table.h5")).expect("written");
+        assert_same(
+            &Table::open(desk.path("table.h5")).expect("a sound table"),
+            &table,
+        );
+        let packed = table.to_packed().expect("a small table");
+        assert_same(&Table::from_packed(&packed).expect("a sound table"), &table);
+        desk.succeed(&["pack", "table.h5", "-o", "table.bin"]);
+        assert_eq!(desk.read("table.bin"), packed);
+        desk.succeed(&["unpack", "table.bin", "-o", "again.h5"]);
+        assert_eq!(desk.read("again.h5"), desk.read("table.h5"));
+        assert_eq!(
+            desk.succeed(&["info", "table.h5"]).contains("99.9 %"),
+            details.is_some()
+        );
+    }
+}
+
+#[test]
+fn a_packed_table_of_any_other_length_is_an_error() {
+    let (bytes, payload) = (&*PACKED, (PACKED.len() - PREFIX) as u64);
+    for length in 0..bytes.len() {
+        match (length, Table::from_packed(&bytes[..length])) {
+            (0..8, Err(Error::Foreign(_))) => {}
+            (
+                8..PREFIX,
+                Err(Error::Length {
+                    expected: 24,
+                    found,
+                }),
+            ) => assert_eq!(found, length as u64),
+            (_, Err(Error::Length { expected, found })) => {
+                assert_eq!((expected, found), (payload, (length - PREFIX) as u64))
+            }
+            (_, other) => panic!("{length} bytes: {other:?}"),
+        }
+    }
+    for trailing in [1, 8, 1000] {
+        let longer = [bytes.as_slice(), &vec![0; trailing]].concat();
+        match Table::from_packed(&longer) {
+            Err(Error::Length { expected, found }) => {
+                assert_eq!((expected, found), (payload, payload + trailing as u64))
+            }
+            other => panic!("{trailing} bytes more: {other:?}"),
+        }
+    }
+}
+
+#[test]
+fn every_changed_byte_of_a_packed_table_is_noticed() {
+    let mut bytes = PACKED.clone();
+    for at in 0..bytes.len() {
+        for change in [0x01, 0x80, 0xff] {
+            bytes[at] ^= change;
+            match (at, Table::from_packed(&bytes)) {
+                (0..8, Err(Error::Foreign(_))) => {}
+                (8..12, Err(Error::Version { supported: 3, .. })) => {}
+                (12..20, Err(Error::Length { .. })) => {}
+                (20.., Err(Error::Checksum { stored, found })) => assert_ne!(stored, found),
+                (_, other) => panic!("byte {at} changed by {change:#x}: {other:?}"),
+            }
+            bytes[at] ^= change;
+        }
+    }
+    assert_same(&Table::from_packed(&bytes).expect("as it was"), &TABLE);
+}
+
+#[test]
+fn a_packed_table_with_forged_content_is_malformed_even_if_its_checksum_is_right() {
+    let forged = |payload: &[u8]| Table::from_packed(&with_payload(&PACKED, payload));
+    let payload = &PACKED[PREFIX..];
+    assert_same(
+        &forged(payload).expect("the checksum is that of the format"),
+        &TABLE,
+    );
+    // Too few and too many values, lengths that no memory holds, and a value that is not positive.
+    let header = payload.len() - 8 * 3 * TABLE.shape().iter().product::<usize>();
+    let last = payload.len() - 8;
+    let cases = [
+        payload[..last].to_vec(),
+        [payload, &[0; 8]].concat(),
+        vec![],
+        vec![0xff; 100],
+        payload[..header / 2].to_vec(),
+        [&u64::MAX.to_le_bytes(), &payload[8..]].concat(),
+        [&payload[..last], &(-1.0_f64).to_le_bytes()].concat(),
+        [&payload[..last], &f64::NAN.to_le_bytes()].concat(),
+    ];
+    for (i, case) in cases.iter().enumerate() {
+        let result = forged(case);
+        assert!(
+            matches!(result, Err(Error::Malformed(_))),
+            "case {i}: {result:?}"
+        );
+    }
+    // Anything else that a forger may do to the header ends in an error or in a table, not in a
+    // panic or out of memory.
+    let mut bytes = payload.to_vec();
+    for at in 0..header {
+        for change in [0x01, 0x80, 0xff] {
+            bytes[at] ^= change;
+            if let Err(error) = forged(&bytes) {
+                assert!(matches!(error, Error::Malformed(_)), "byte {at}: {error}");
+            }
+            bytes[at] ^= change;
+        }
+    }
+}
+
+#[test]
+fn a_file_of_something_else_is_foreign_to_every_reader() {
+    let desk = desk();
+    let other = hdf5::File::create(desk.path("other.h5")).expect("a new file");
+    other
+        .new_dataset::<f64>()
+        .shape([3])
+        .create("values")
+        .expect("a dataset");
+    other.close().expect("written");
+    desk.write("empty", "");
+    desk.write("text", "a_over_t,e1_over_e2,nu1,e0_over_e2\n1,1,0.5,inf\n");
+    desk.write("image", b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR");
+    desk.write("signature", b"\x89HDF\r\n\x1a\n");
+    altered(&desk, "named.h5", |file| {
+        file.attr("format")?
+            .write_scalar(&"other".parse::<hdf5::types::VarLenUnicode>().expect("text"))
+    });
+    for name in [
+        "empty",
+        "text",
+        "image",
+        "signature",
+        "other.h5",
+        "named.h5",
+    ] {
+        let path = desk.path(name);
+        for result in [Table::open(&path), Table::read(&path)] {
+            assert!(
+                matches!(result, Err(Error::Foreign(_))),
+                "{name}: {result:?}"
+            );
+        }
+        let message = desk.fail(1, &["info", name]);
+        assert_names(&message, &[name, "not a coated-contact table"]);
+    }
+    // Each form is foreign to the reader of the other one; a missing file is none of this.
+    let packed = desk.write("table.bin", &*PACKED);
+    for result in [Table::open(&packed), Table::read(desk.path("table.h5"))] {
+        assert!(matches!(result, Err(Error::Foreign(_))), "{result:?}");
+    }
+    let missing = desk.path("missing");
+    for result in [Table::read(&missing), Table::open(&missing)] {
+        assert!(matches!(result, Err(Error::Io { path, .. }) if path == missing));
+    }
+    assert_names(
+        &desk.fail(1, &["info", "missing"]),
+        &["missing", "No such file"],
+    );
+}
+
+#[test]
+fn another_version_is_an_error_that_names_both() {
+    let desk = desk();
+    for (name, version) in [("table1.bin", 1_u32), ("table2.bin", 2), ("table4.bin", 4)] {
+        let mut packed = PACKED.clone();
+        packed[8..12].copy_from_slice(&version.to_le_bytes());
+        desk.write(name, &packed);
+        match Table::from_packed(&packed) {
+            Err(Error::Version {
+                found,
+                supported: 3,
+            }) => assert_eq!(found, version),
+            other => panic!("{other:?}"),
+        }
+        assert_names(
+            &desk.fail(1, &["info", name]),
+            &[name, &format!("format version {version}"), "version 3"],
+        );
+    }
+    let path = altered(&desk, "table2.h5", |file| {
+        file.attr("format_version")?.write_scalar(&2_u32)
+    });
+    assert!(matches!(
+        Table::open(&path),
+        Err(Error::Version {
+            found: 2,
+            supported: 1
+        })
+    ));
+    assert_names(
+        &desk.fail(1, &["info", "table2.h5"]),
+        &["table2.h5", "format version 2", "version 1"],
+    );
+}
+
+/// Replaces a dataset of the file.
+fn replace<T: hdf5::H5Type, D: ndarray::Dimension>(
+    file: &hdf5::File,
+    name: &str,
+    data: &ndarray::Array<T, D>,
+) -> hdf5::Result<()> {
+    file.unlink(name)?;
+    file.new_dataset_builder()
+        .with_data(data)
+        .create(name)
+        .map(drop)
+}
+
+#[test]
+fn a_mistyped_misshapen_or_missing_part_is_malformed() {
+    type Change = fn(&hdf5::File) -> hdf5::Result<()>;
+    let changes: [(&str, Change); 19] = [
+        ("values of f32", |file| {
+            replace(
+                file,
+                "values/pi0",
+                &Array4::from_elem([5, 4, 3, 2], 1.0_f32),
+            )
+        }),
+        ("values of i64", |file| {
+            replace(file, "values/pi0", &Array4::from_elem([5, 4, 3, 2], 1_i64))
+        }),
+        ("values in another order", |file| {
+            replace(
+                file,
+                "values/pi0",
+                &Array4::from_elem([4, 5, 3, 2], 1.0_f64),
+            )
+        }),
+        ("values in one dimension", |file| {
+            replace(file, "values/pi0", &Array1::from_elem(120, 1.0_f64))
+        }),
+        ("a value that is not positive", |file| {
+            replace(
+                file,
+                "values/pi0",
+                &Array4::from_elem([5, 4, 3, 2], 0.0_f64),
+            )
+        }),
+        ("a value that is no number", |file| {
+            replace(
+                file,
+                "values/pi0",
+                &Array4::from_elem([5, 4, 3, 2], f64::NAN),
+            )
+        }),
+        ("no values", |file| {
+            ["pi0", "gamma", "delta0"]
+                .iter()
+                .try_for_each(|name| file.unlink(&format!("values/{name}")))
+        }),
+        ("no axis", |file| file.unlink("axes/nu1")),
+        ("an axis of f32", |file| {
+            replace(file, "axes/nu1", &ndarray::arr1(&[0.3_f32, 0.4, 0.5]))
+        }),
+        ("an axis too short", |file| {
+            replace(file, "axes/nu1", &ndarray::arr1(&[0.3, 0.5]))
+        }),
+        ("an axis that descends", |file| {
+            replace(file, "axes/nu1", &ndarray::arr1(&[0.5, 0.4, 0.3]))
+        }),
+        ("an axis outside physics", |file| {
+            replace(file, "axes/nu1", &ndarray::arr1(&[0.3, 0.4, 0.6]))
+        }),
+        ("an axis of two dimensions", |file| {
+            replace(file, "axes/nu1", &ndarray::arr2(&[[0.3], [0.4], [0.5]]))
+        }),
+        ("no certificate", |file| {
+            file.delete_attr("certified_max_error")
+        }),
+        ("a part of the certificate's details", |file| {
+            file.delete_attr("certified_worst_point")
+        }),
+        ("a worst point of three numbers", |file| {
+            file.delete_attr("certified_worst_point")?;
+            file.new_attr::<f64>()
+                .shape(3)
+                .create("certified_worst_point")?
+                .write(&ndarray::arr1(&[1.0, 1.0, 0.5]))
+        }),
+        ("a worst quantity that there is not", |file| {
+            let name = "pi1".parse::<hdf5::types::VarLenUnicode>().expect("text");
+            file.attr("certified_worst_quantity")?.write_scalar(&name)
+        }),
+        ("a number as f32", |file| {
+            file.delete_attr("nu0")?;
+            file.new_attr::<f32>()
+                .create("nu0")?
+                .write_scalar(&0.25_f32)
+        }),
+        ("an unknown normalisation", |file| {
+            let symbol = "E0*".parse::<hdf5::types::VarLenUnicode>().expect("text");
+            file.attr("normalised_by")?.write_scalar(&symbol)
+        }),
+    ];
+    let desk = desk();
+    let mut wrong = Vec::new();
+    for (what, change) in changes {
+        let path = altered(&desk, "changed.h5", change);
+        let result = Table::open(&path);
+        if !matches!(result, Err(Error::Malformed(_))) {
+            wrong.push(format!("{what}: {:?}", result.map(|table| table.shape())));
+        }
+    }
+    assert!(wrong.is_empty(), "{wrong:#?}");
+}
+
+#[test]
+fn a_truncated_hdf5_file_is_an_error_and_one_with_trailing_bytes_is_not_changed_by_them() {
+    let desk = desk();
+    let bytes = desk.read("table.h5");
+    let mut complete = 0;
+    for length in (0..bytes.len()).step_by(97).chain([bytes.len() - 1]) {
+        let path = desk.write("shorter.h5", &bytes[..length]);
+        match Table::open(&path) {
+            Err(Error::Foreign(_) | Error::Malformed(_)) => {}
+            Err(error) => panic!("{length} bytes: {error}"),
+            // The last bytes of a file may be unused.
+            Ok(table) => {
+                assert_same(&table, &TABLE);
+                complete += 1;
+            }
+        }
+        fs::remove_file(path).expect("it is there");
+    }
+    println!("{complete} truncated files are complete");
+    // HDF5 has a place for an end of file in its superblock, and what follows belongs to nobody.
+    let path = desk.write("longer.h5", [bytes.as_slice(), &[0; 100]].concat());
+    assert_same(&Table::open(&path).expect("HDF5 allows it"), &TABLE);
+}
+
+/// Axes and values have checksums and are wrong in no reading. Attributes have none, and may be
+/// read as they are.
+#[test]
+fn a_changed_byte_of_an_hdf5_file_is_an_error_or_leaves_the_values_as_they_are() {
+    let desk = desk();
+    let bytes = desk.read("table.h5");
+    let (sender, results) = mpsc::channel();
+    let (original, path) = (bytes.clone(), desk.path("changed.h5"));
+    // In a thread of its own, so that a reader without end is noticed.
+    thread::spawn(move || {
+        for at in 0..original.len() {
+            let mut changed = original.clone();
+            changed[at] ^= 0xff;
+            fs::write(&path, &changed).expect("the folder is there");
+            let _ = sender.send(panic::catch_unwind(|| Table::open(&path)));
+        }
+    });
+    let (mut counts, mut panics) = ([0; 3], Vec::new());
+    for at in 0..bytes.len() {
+        let result = results.recv_timeout(Duration::from_secs(20));
+        match result
+            .unwrap_or_else(|e| panic!("byte {at}: no end in 20 s ({e}); panics at {panics:?}"))
+        {
+            Err(_) => panics.push(at),
+            Ok(Err(_)) => counts[0] += 1,
+            Ok(Ok(found)) => {
+                assert_eq!(all_bits(&found), all_bits(&TABLE), "byte {at}: values");
+                counts[1 + usize::from(found.description() == TABLE.description())] += 1;
+            }
+        }
+    }
+    println!(
+        "{} bytes: errors, other attributes, no difference: {counts:?}",
+        bytes.len()
+    );
+    assert!(counts[0] > 0);
+    assert!(panics.is_empty(), "panics at the bytes {panics:?}");
+}
+
+#[test]
+fn text_that_is_no_utf_8_is_malformed() {
+    let desk = desk();
+    let mut bytes = desk.read("table.h5");
+    let texts: Vec<usize> = (0..bytes.len())
+        .filter(|&at| bytes[at..].starts_with(b"E2*\0"))
+        .collect();
+    assert_eq!(texts.len(), 1);
+    bytes[texts[0] + 2] = 0xff;
+    let path = desk.write("changed.h5", &bytes);
+    let result = Table::open(&path);
+    assert!(matches!(result, Err(Error::Malformed(_))), "{result:?}");
+}

@@ -1,0 +1,415 @@
+//! `tabulate generate`: scenes, the file it writes and when it does, and its certificate.
+
+use acceptance::{Desk, all_bits, assert_names, table};
+use interp::Table;
+
+const SCENE: &str = "\
+title = 'A small box'
+tolerance = 1e-1
+a_over_t = { from = 0.1, to = 10, nodes = 8 }
+e1_over_e2 = { from = 0.3, to = 3, nodes = 4 }
+nu1 = 0.5
+e0_over_e2 = inf
+";
+/// An incompressible film between rigid bodies: the method loses too much to rounding for such a
+/// tolerance.
+const OUT_OF_REACH: &str = "\
+title = 'Out of reach'
+tolerance = 1e-10
+a_over_t = { from = 1e3, to = 1e4, nodes = 2 }
+e1_over_e2 = 0
+nu1 = 0.5
+e0_over_e2 = inf
+";
+
+fn desk() -> Desk {
+    let desk = Desk::new(env!("CARGO_BIN_EXE_tabulate-under-test"));
+    desk.write("scene.toml", SCENE);
+    desk.write("out_of_reach.toml", OUT_OF_REACH);
+    desk
+}
+
+#[test]
+fn a_table_is_written_beside_its_scene_or_where_it_is_asked_for() {
+    let desk = desk();
+    let summary = desk.succeed(&[
+        "generate",
+        "scene.toml",
+        "--certificate-points",
+        "50",
+        "--seed",
+        "7",
+    ]);
+    let found = Table::open(desk.path("scene.h5")).expect("a sound table");
+    assert_eq!(all_bits(&found), all_bits(&table(SCENE)));
+    let description = found.description();
+    assert_eq!(
+        (
+            description.title.as_str(),
+            description.scene.as_str(),
+            description.tolerance
+        ),
+        ("A small box", SCENE, 1e-1)
+    );
+    assert_eq!(
+        (description.certificate.points, description.certificate.seed),
+        (50, 7)
+    );
+    assert_names(
+        &description.created_by,
+        &["tabulate ", env!("CARGO_PKG_VERSION")],
+    );
+    assert_names(
+        &summary,
+        &[
+            "A small box",
+            "scene.h5",
+            "32 points",
+            "50 direct solves, seed 7",
+        ],
+    );
+
+    let other = [
+        "generate",
+        "scene.toml",
+        "-o",
+        "other.h5",
+        "--certificate-points",
+        "50",
+        "--seed",
+        "7",
+        "--tolerance",
+        "5e-2",
+    ];
+    desk.succeed(&other);
+    assert_eq!(
+        Table::open(desk.path("other.h5"))
+            .expect("a sound table")
+            .description()
+            .tolerance,
+        5e-2
+    );
+    assert_eq!(
+        desk.files(),
+        ["other.h5", "out_of_reach.toml", "scene.h5", "scene.toml"]
+    );
+}
+
+#[test]
+fn an_output_that_cannot_be_written_fails_before_any_solving() {
+    let desk = desk();
+    std::fs::create_dir(desk.path("folder")).expect("a new folder");
+    let before = desk.files();
+    // This scene fails when it is solved; here it must not come to that.
+    for output in ["missing/table.h5", "folder", "scene.toml/table.h5"] {
+        let message = desk.fail(1, &["generate", "out_of_reach.toml", "-o", output]);
+        assert_names(&message, &["cannot write", output]);
+        assert!(!message.contains("tolerance"), "{message}");
+        let message = desk.fail(
+            1,
+            &[
+                "solve",
+                "--points",
+                "out_of_reach.csv",
+                "--tolerance",
+                "1e-13",
+                "-o",
+                output,
+            ],
+        );
+        assert_names(&message, &["cannot write", output]);
+        assert!(!message.contains("tolerance"), "{message}");
+    }
+    assert_eq!(desk.files(), before);
+}
+
+#[test]
+fn a_failing_generate_leaves_the_table_that_was_there_and_nothing_else() {
+    let desk = desk();
+    desk.succeed(&[
+        "generate",
+        "scene.toml",
+        "-o",
+        "table.h5",
+        "--certificate-points",
+        "50",
+    ]);
+    let (bytes, files) = (desk.read("table.h5"), desk.files());
+    let message = desk.fail(1, &["generate", "out_of_reach.toml", "-o", "table.h5"]);
+    assert_names(
+        &message,
+        &["tolerance", "is not reached", "estimated error"],
+    );
+    desk.write("wrong.toml", "title = 1\n");
+    desk.fail(1, &["generate", "wrong.toml", "-o", "table.h5"]);
+    std::fs::remove_file(desk.path("wrong.toml")).expect("it is there");
+    assert_eq!(desk.files(), files);
+    assert!(desk.read("table.h5") == bytes, "the table has changed");
+}
+
+#[test]
+fn a_table_that_misses_its_tolerance_is_written_and_the_status_is_1() {
+    let desk = desk();
+    desk.write("coarse.toml", SCENE.replace("nodes = 8", "nodes = 4"));
+    let run = desk.run(&[
+        "generate",
+        "coarse.toml",
+        "--tolerance",
+        "1e-5",
+        "--certificate-points",
+        "100",
+    ]);
+    assert_eq!(run.status, 1, "{run:?}");
+    let table = Table::open(desk.path("coarse.h5")).expect("a sound table");
+    let (error, tolerance) = (
+        table.description().certificate.max_error,
+        table.description().tolerance,
+    );
+    assert_eq!(tolerance, 1e-5);
+    assert!(error > 1e-5, "{error}");
+    assert_names(&run.stderr, &["coarse.h5", &format!("{error:.1e}"), "1e-5"]);
+    assert_eq!(
+        run.stderr.lines().count(),
+        1,
+        "no progress bar where there is no terminal: {}",
+        run.stderr
+    );
+    assert_names(&run.stdout, &["certified error", &format!("{error:.1e}")]);
+}
+
+/// The corners of the box are nodes, and say nothing.
+#[test]
+fn a_few_points_are_off_the_nodes() {
+    let desk = desk();
+    let scene = "title = 'x'\na_over_t = { from = 1e-2, to = 1e2, nodes = 3 }\ne1_over_e2 = 1\nnu1 = 0.5\ne0_over_e2 = 1e4\n";
+    desk.write("scene.toml", scene);
+    for points in ["1", "2", "10"] {
+        assert_eq!(
+            desk.run(&["generate", "scene.toml", "--certificate-points", points])
+                .status,
+            1,
+            "{points} points"
+        );
+        let error = Table::open(desk.path("scene.h5"))
+            .expect("a sound table")
+            .description()
+            .certificate
+            .max_error;
+        assert!(error > 1e-2, "{points} points: {error:e}");
+    }
+}
+
+/// Near a Poisson ratio of -1 the film's moduli span fifteen decades within a part of the range
+/// that no node but the first would be in.
+#[test]
+fn a_range_that_no_number_of_nodes_resolves_is_an_error_that_names_it() {
+    let desk = desk();
+    desk.write("steep.toml", "title = 'x'\ntolerance = 1e-6\na_over_t = 1\ne1_over_e2 = 1\nnu1 = { from = -0.999999999999999, to = 0.5 }\ne0_over_e2 = 10\n");
+    for more in [&[][..], &["--plan"]] {
+        let message = desk.fail(1, &[&["generate", "steep.toml"][..], more].concat());
+        assert_names(
+            &message,
+            &["nu1 would take", "nodes or more", "1e-6", "smaller range"],
+        );
+    }
+    assert!(!desk.files().iter().any(|file| file.starts_with("steep.h5")));
+}
+
+#[test]
+fn a_plan_says_what_is_made_and_makes_nothing() {
+    let desk = desk();
+    desk.write(
+        "box.toml",
+        SCENE
+            .replace(", nodes = 8", "")
+            .replace(", nodes = 4", "")
+            .replace("1e-1", "1e-4"),
+    );
+    let before = desk.files();
+    let plan = desk.succeed(&["generate", "box.toml", "--plan"]);
+    assert_eq!(desk.files(), before);
+    desk.succeed(&["generate", "box.toml", "--certificate-points", "50"]);
+    let [n_a, n_e1, ..] = Table::open(desk.path("box.h5"))
+        .expect("a sound table")
+        .shape();
+    let nodes = [
+        format!("0.1 to 10, {n_a} nodes"),
+        format!("0.3 to 3, {n_e1} nodes"),
+        format!("{} and 5000 for the certificate", n_a * n_e1),
+    ];
+    assert_names(&plan, &nodes.each_ref().map(String::as_str));
+    assert_names(&plan, &["time", "about", "memory", "MB", "size", "kB"]);
+}
+
+#[test]
+fn a_wrong_scene_is_named_with_key_value_and_range() {
+    /// The line that is changed, what to, and words of the error.
+    const CHANGES: [(&str, &str, &[&str]); 25] = [
+        ("nu1 = 0.5", "nu1 = 0.5\nnu2 = 0.3", &["nu2"]),
+        ("title = 'A small box'", "", &["title"]),
+        ("nu1 = 0.5", "", &["nu1"]),
+        ("title = 'A small box'", "title = 3", &["title", "string"]),
+        (
+            "nu1 = 0.5",
+            "nu1 = 'half'",
+            &["nu1", "half", "a number or a range"],
+        ),
+        (
+            "nu1 = 0.5",
+            "nu1 = [0.3, 0.5]",
+            &["nu1", "a number or a range"],
+        ),
+        ("nu1 = 0.5", "nu1 = { from = 0.3 }", &["nu1", "to"]),
+        (
+            "nu1 = 0.5",
+            "nu1 = { from = 0.3, to = 0.5, steps = 3 }",
+            &["nu1", "steps"],
+        ),
+        ("nu1 = 0.5", "nu1 = 0.6", &["nu1", "0.6", "(-1, 0.5]"]),
+        ("nu1 = 0.5", "nu1 = nan", &["nu1", "NaN"]),
+        (
+            "nu1 = 0.5",
+            "nu1 = { from = 0.3, to = 0.500001 }",
+            &["nu1.to", "0.500001", "(-1, 0.5]"],
+        ),
+        (
+            "nu1 = 0.5",
+            "nu1 = { from = 0.5, to = 0.3 }",
+            &["nu1", "empty", "0.5", "0.3"],
+        ),
+        (
+            "nu1 = 0.5",
+            "nu1 = { from = 0.3, to = 0.5, nodes_per_decade = 3 }",
+            &["nu1", "nodes_per_decade"],
+        ),
+        (
+            "nodes = 8",
+            "nodes = 8, nodes_per_decade = 4",
+            &["a_over_t", "both nodes and nodes_per_decade"],
+        ),
+        ("nodes = 8", "nodes = 1", &["a_over_t", "1 nodes", "2 to"]),
+        ("nodes = 8", "nodes = 8.5", &["a_over_t", "8.5"]),
+        (
+            "from = 0.1, to = 10",
+            "from = 1, to = 1",
+            &["a_over_t", "empty", "1"],
+        ),
+        (
+            "from = 0.1, to = 10",
+            "from = 0, to = 10",
+            &["a_over_t.from", "0", "1e-6 to 1e6"],
+        ),
+        (
+            "from = 0.3, to = 3",
+            "from = 0.3, to = inf",
+            &["e1_over_e2.to", "inf", "1e-8 to 1e8"],
+        ),
+        (
+            "e0_over_e2 = inf",
+            "e0_over_e2 = 0",
+            &["e0_over_e2", "0", "1e-6 to 1e12"],
+        ),
+        (
+            "e0_over_e2 = inf",
+            "e0_over_e2 = -3.0",
+            &["e0_over_e2", "-3", "1e-6 to 1e12"],
+        ),
+        (
+            "e0_over_e2 = inf",
+            "e0_over_e2 = inf\nnu0 = 0.7",
+            &["nu0", "0.7", "(-1, 0.5]"],
+        ),
+        (
+            "tolerance = 1e-1",
+            "tolerance = 1e-20",
+            &["tolerance", "1e-10 to 1e-1"],
+        ),
+        (
+            "tolerance = 1e-1",
+            "quantities = []",
+            &["quantities", "pi0, eeq, gamma, delta0"],
+        ),
+        (
+            "tolerance = 1e-1",
+            "quantities = ['pi0', 'pi0']",
+            &["quantities", "each once"],
+        ),
+    ];
+    let desk = desk();
+    let mut wrong = Vec::new();
+    let unknown = (
+        "tolerance = 1e-1",
+        "quantities = ['pi1']",
+        &["quantities", "pi1", "pi0"][..],
+    );
+    for (line, change, words) in CHANGES.into_iter().chain([unknown]) {
+        assert!(SCENE.contains(line));
+        desk.write("changed.toml", SCENE.replacen(line, change, 1));
+        let message = desk.fail(1, &["generate", "changed.toml", "-o", "table.h5"]);
+        let missing: Vec<&&str> = words
+            .iter()
+            .chain(&["changed.toml"])
+            .filter(|word| !message.contains(**word))
+            .collect();
+        if !missing.is_empty() {
+            wrong.push(format!("{change}: {missing:?} not in {message}"));
+        }
+    }
+    assert!(!desk.files().contains(&"table.h5".to_owned()));
+    assert_names(
+        &desk.fail(1, &["generate", "missing.toml"]),
+        &["missing.toml", "No such file"],
+    );
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn wrong_arguments_are_named() {
+    let desk = desk();
+    for (status, arguments, words) in [
+        (2, ["--jobs", "0"], ["--jobs", "0"]),
+        (
+            2,
+            ["--certificate-points", "0"],
+            ["--certificate-points", "0"],
+        ),
+        (1, ["--tolerance", "-1"], ["tolerance", "-1"]),
+        (1, ["--tolerance", "nan"], ["tolerance", "NaN"]),
+        (1, ["-o", "scene.toml"], ["scene.toml", "it is the input"]),
+    ] {
+        assert_names(
+            &desk.fail(
+                status,
+                &[&["generate", "scene.toml"][..], &arguments].concat(),
+            ),
+            &words,
+        );
+    }
+    assert_eq!(desk.files(), ["out_of_reach.toml", "scene.toml"]);
+}
+
+#[cfg(unix)]
+#[test]
+fn only_files_are_replaced_and_links_stay_links() {
+    let desk = desk();
+    let generate = |output| {
+        [
+            "generate",
+            "scene.toml",
+            "-o",
+            output,
+            "--certificate-points",
+            "50",
+        ]
+    };
+    desk.write("real.h5", "something else");
+    std::os::unix::fs::symlink("real.h5", desk.path("link.h5")).expect("a link");
+    desk.succeed(&generate("link.h5"));
+    assert!(desk.path("link.h5").is_symlink());
+    Table::open(desk.path("real.h5")).expect("the table is behind the link");
+    let _socket = std::os::unix::net::UnixListener::bind(desk.path("socket")).expect("a socket");
+    assert_names(
+        &desk.fail(1, &generate("socket")),
+        &["socket", "not a file"],
+    );
+}

@@ -1,0 +1,199 @@
+//! A table's HDF5 file as a collaborator reads it: with h5py, by `read_table.py`.
+
+use std::env;
+use std::path::Path;
+use std::process::Command;
+
+use acceptance::{bits, table};
+use interp::Parameter;
+use interp::Table;
+use serde_json::{Value, json};
+use tabulate::table::archive;
+
+/// Four axes; more values than a chunk holds.
+const BOX: &str = "
+    title      = 'Four axes: µm'
+    tolerance  = 1e-1
+    a_over_t   = { from = 0.1, to = 10, nodes = 7 }
+    e1_over_e2 = { from = 0.3, to = 3, nodes = 6 }
+    nu1        = { from = 0.3, to = 0.5, nodes = 30 }
+    e0_over_e2 = { from = 10, to = 100, nodes = 40 }
+    nu0        = 0.2
+";
+/// A rigid sphere on a film on a rigid substrate, and two quantities.
+const RIGID: &str = "
+    title      = 'Rigid sphere and substrate'
+    tolerance  = 1e-3
+    quantities = ['gamma', 'pi0']
+    a_over_t   = { from = 0.1, to = 10, nodes = 20 }
+    e1_over_e2 = 0
+    nu1        = 0.3
+    e0_over_e2 = inf
+";
+
+/// What h5py reads in a file.
+fn read(path: &Path) -> Value {
+    let packages = env::var_os("H5PY_PATH")
+        .expect("H5PY_PATH is not set: run the tests with `cargo xtask test`, which fetches h5py");
+    let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("table/read_table.py");
+    let mut python = Command::new("python3");
+    let output = python
+        .arg("-B")
+        .arg(script)
+        .arg(path)
+        .env("PYTHONPATH", packages)
+        .output()
+        .expect("python3 runs");
+    assert!(
+        output.status.success(),
+        "{}",
+        String::from_utf8_lossy(&output.stderr)
+    );
+    serde_json::from_slice(&output.stdout).expect("JSON")
+}
+
+fn hexadecimal(values: &[f64]) -> Value {
+    bits(values)
+        .iter()
+        .map(|word| format!("{word:016x}"))
+        .collect()
+}
+
+fn double(value: f64) -> Value {
+    json!(["float64", format!("{:016x}", value.to_bits())])
+}
+
+/// Asserts that h5py reads all of the table in the file, and nothing else.
+fn assert_reads(table: &Table, normalised_by: &str) {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let path = folder.path().join("table.h5");
+    archive::write(table, &path).expect("written");
+    let file = read(&path);
+    let description = table.description();
+    let certificate = &description.certificate;
+    let details = certificate.details.expect("measured");
+    let text = |value: &str| json!(["text", value]);
+    assert_eq!(
+        file["attributes"],
+        json!({
+            "format": text("coated-contact-table"),
+            "format_version": ["uint32", 1],
+            "title": text(&description.title),
+            "scene": text(&description.scene),
+            "nu0": double(description.nu0),
+            "normalised_by": text(normalised_by),
+            "tolerance": double(description.tolerance),
+            "created_by": text(&description.created_by),
+            "certified_max_error": double(certificate.max_error),
+            "certified_median_error": double(certificate.median_error),
+            "certified_points": ["uint64", certificate.points],
+            "certified_seed": ["uint64", certificate.seed],
+            "certified_p999_error": double(details.p999_error),
+            "certified_worst_quantity": text(details.worst_quantity.name()),
+            // The first of each list.
+            "certified_worst_point": double(details.worst_point[0]),
+            "certified_identity_errors": double(details.identity_errors[0].unwrap_or(f64::NAN)),
+        })
+    );
+
+    let names = |group: &str| -> Vec<String> {
+        file["groups"][group]
+            .as_object()
+            .expect("a group")
+            .keys()
+            .cloned()
+            .collect()
+    };
+    assert_eq!(
+        file["groups"]
+            .as_object()
+            .expect("groups")
+            .keys()
+            .collect::<Vec<_>>(),
+        ["axes", "values"]
+    );
+    assert_eq!(
+        names("axes"),
+        ["a_over_t", "e0_over_e2", "e1_over_e2", "nu1"]
+    );
+    for parameter in Parameter::ALL {
+        let (axis, nodes) = (
+            &file["groups"]["axes"][parameter.name()],
+            table.axis(parameter),
+        );
+        assert_eq!(axis["dtype"], "float64");
+        assert_eq!(axis["shape"], json!([nodes.len()]));
+        assert_eq!(axis["is_scale"], true);
+        assert_eq!(axis["bits"], hexadecimal(nodes), "{parameter:?}");
+        let scale = match (nodes.len(), parameter) {
+            (1, _) => "fixed",
+            (_, Parameter::Nu1) => "c, with 1 - 2 nu1 = (1 - 2 c)^3",
+            _ => "logarithmic",
+        };
+        assert_eq!(
+            axis["attributes"],
+            json!({ "units": text("1"), "long_name": text(parameter.long_name()), "scale": text(scale) })
+        );
+    }
+
+    let mut quantities: Vec<&str> = table
+        .quantities()
+        .iter()
+        .map(|quantity| quantity.name())
+        .collect();
+    quantities.sort_unstable();
+    assert_eq!(names("values"), quantities);
+    for quantity in table.quantities() {
+        let values = &file["groups"]["values"][quantity.name()];
+        assert_eq!(values["dtype"], "float64");
+        assert_eq!(values["shape"], json!(table.shape()));
+        assert!(values["chunks"].is_array(), "{values:.200}");
+        assert_eq!(
+            (
+                &values["shuffle"],
+                &values["compression"],
+                &values["fletcher32"]
+            ),
+            (&json!(true), &json!("gzip"), &json!(true))
+        );
+        assert_eq!(values["is_scale"], false);
+        let named = |prefix: &str| -> Value {
+            Parameter::ALL
+                .iter()
+                .map(|p| json!([format!("{prefix}{}", p.name())]))
+                .collect()
+        };
+        assert_eq!(values["scales"], named("/axes/"));
+        assert_eq!(values["labels"], named(""));
+        let long = [
+            ("units", "1"),
+            ("long_name", quantity.long_name()),
+            ("equation", quantity.equation()),
+        ];
+        let long: serde_json::Map<String, Value> = long
+            .into_iter()
+            .map(|(name, value)| (name.to_owned(), text(value)))
+            .collect();
+        assert_eq!(values["attributes"], Value::Object(long));
+        assert_eq!(
+            values["bits"],
+            hexadecimal(table.values(quantity).expect("held")),
+            "{quantity:?}"
+        );
+    }
+}
+
+#[test]
+fn h5py_reads_a_table_of_four_axes() {
+    let table = table(BOX);
+    assert!(
+        table.shape().iter().product::<usize>() > 1 << 15,
+        "several chunks"
+    );
+    assert_reads(&table, "E2*");
+}
+
+#[test]
+fn h5py_reads_a_table_of_one_axis_and_two_quantities() {
+    assert_reads(&table(RIGID), "E1*");
+}

@@ -1,0 +1,422 @@
+//! Whatever cannot be answered is an error that says what was asked and what is allowed.
+
+use std::sync::LazyLock;
+
+use acceptance::{Desk, assert_names, ends, material, paper_system, table};
+use interp::Parameter;
+use interp::{Elastic, Error, Material, Mechanics, Quantities, System, Table};
+
+/// A box whose ends are no limits of physics.
+const BOX: &str = "
+    title      = 'Four axes'
+    tolerance  = 1e-2
+    a_over_t   = { from = 0.1, to = 10, nodes = 6 }
+    e1_over_e2 = { from = 0.3, to = 3, nodes = 3 }
+    nu1        = { from = 0.2, to = 0.45, nodes = 4 }
+    e0_over_e2 = { from = 10, to = 100, nodes = 3 }
+";
+const RIGID_SPHERE: &str = "
+    title      = 'Rigid sphere'
+    tolerance  = 1e-2
+    a_over_t   = { from = 0.1, to = 10, nodes = 6 }
+    e1_over_e2 = 0
+    nu1        = 0.5
+    e0_over_e2 = inf
+";
+const INSIDE: [f64; 4] = [1.0, 1.0, 0.3, 30.0];
+
+static TABLE: LazyLock<Table> = LazyLock::new(|| table(BOX));
+
+fn look_up(table: &Table, [x, e1, nu1, e0]: [f64; 4]) -> Result<Quantities, Error> {
+    table
+        .curve(&Material::new(e1, nu1, e0, 0.25)?)?
+        .quantities(x)
+}
+
+/// A point that is inside but for one parameter.
+fn with(parameter: Parameter, value: f64) -> [f64; 4] {
+    let mut point = INSIDE;
+    point[parameter as usize] = value;
+    point
+}
+
+/// Asserts that an error is `Unphysical`, of the given parameter, and that its message says so.
+fn assert_unphysical<T: std::fmt::Debug>(result: Result<T, Error>, expected: &str, given: f64) {
+    match result {
+        Err(
+            error @ Error::Unphysical {
+                name,
+                value,
+                allowed,
+            },
+        ) => {
+            assert_eq!(name, expected);
+            assert_eq!(value.to_bits(), given.to_bits());
+            assert_names(&error.to_string(), &[name, &format!("{given:?}"), allowed]);
+        }
+        other => panic!("{expected} = {given}: {other:?}"),
+    }
+}
+
+#[test]
+fn a_point_outside_the_box_is_an_error_with_axis_value_and_range() {
+    for parameter in Parameter::ALL {
+        let (first, last) = ends(&TABLE, parameter);
+        for (end, outwards) in [(first, -1.0), (last, 1.0)] {
+            // Rounding is allowed for: relative to the value, but for nu1, which may be 0.
+            let size = if parameter == Parameter::Nu1 {
+                1.0
+            } else {
+                end
+            };
+            for inside in [end, end + 0.5e-12 * size * outwards] {
+                assert!(
+                    look_up(&TABLE, with(parameter, inside)).is_ok(),
+                    "{parameter:?} = {inside}"
+                );
+            }
+            for outside in [
+                end + 2e-12 * size * outwards,
+                end * (1.0 + 0.01 * outwards),
+                end * (1.0 + 0.1 * outwards),
+            ] {
+                match look_up(&TABLE, with(parameter, outside)) {
+                    // Next to the table in a/t, the expansions about the limits are not accurate
+                    // enough.
+                    Err(
+                        error @ Error::Extrapolation {
+                            value,
+                            edge,
+                            tolerance,
+                            ..
+                        },
+                    ) if parameter == Parameter::AOverT => {
+                        assert_eq!(
+                            (value, edge, tolerance),
+                            (outside, end, TABLE.description().tolerance)
+                        );
+                        assert_names(
+                            &error.to_string(),
+                            &[
+                                "a_over_t",
+                                &format!("{value:?}"),
+                                &format!("{end:?}"),
+                                "accurate to",
+                            ],
+                        );
+                    }
+                    Err(
+                        error @ Error::OutsideTable {
+                            axis,
+                            value,
+                            from,
+                            to,
+                        },
+                    ) => {
+                        assert_eq!(
+                            (axis, value, from, to),
+                            (parameter.name(), outside, first, last)
+                        );
+                        assert_names(
+                            &error.to_string(),
+                            &[
+                                axis,
+                                &format!("{value:?}"),
+                                &format!("{from:?}"),
+                                &format!("{to:?}"),
+                            ],
+                        );
+                    }
+                    other => panic!("{parameter:?} = {outside}: {other:?}"),
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn extreme_values_of_a_over_t_are_outside_or_the_limits() {
+    let material = material([1.0, 0.3, 30.0, 0.25]);
+    let curve = TABLE.curve(&material).expect("inside");
+    for (x, limit) in [
+        (f64::from_bits(1), material.thick_film_limit()),
+        (f64::MAX, material.thin_film_limit()),
+    ] {
+        assert!(
+            acceptance::relative_error(&curve.quantities(x).expect("the limit"), &limit) <= 1e-15,
+            "a_over_t = {x}"
+        );
+    }
+    for x in [0.0, -0.0, -1.0, f64::INFINITY, f64::NEG_INFINITY, f64::NAN] {
+        match curve.quantities(x) {
+            Err(Error::OutsideTable {
+                axis: "a_over_t",
+                value,
+                from: 0.1,
+                to: 10.0,
+            }) => assert_eq!(value.to_bits(), x.to_bits()),
+            other => panic!("a_over_t = {x}: {other:?}"),
+        }
+    }
+}
+
+#[test]
+fn a_rigid_substrate_is_outside_a_table_of_compliant_ones() {
+    let error = TABLE
+        .curve(&material([1.0, 0.3, f64::INFINITY, 0.25]))
+        .expect_err("outside");
+    assert!(
+        matches!(
+            error,
+            Error::OutsideTable {
+                axis: "e0_over_e2",
+                value: f64::INFINITY,
+                ..
+            }
+        ),
+        "{error}"
+    );
+}
+
+#[test]
+fn a_fixed_parameter_holds_no_other_value() {
+    let table = table(&BOX.replace("{ from = 0.2, to = 0.45, nodes = 4 }", "0.3"));
+    assert!(look_up(&table, INSIDE).is_ok());
+    for nu1 in [0.3 - 2e-12, 0.3 + 2e-12, 0.31] {
+        let error = look_up(&table, with(Parameter::Nu1, nu1)).expect_err("not the fixed value");
+        assert!(
+            matches!(
+                error,
+                Error::OutsideTable {
+                    axis: "nu1",
+                    from: 0.3,
+                    to: 0.3,
+                    ..
+                }
+            ),
+            "{error}"
+        );
+    }
+}
+
+#[test]
+fn an_unphysical_ratio_is_an_error_that_names_it() {
+    let cases: [(&str, usize, &[f64]); 4] = [
+        ("e1_over_e2", 0, &[-1.0, f64::INFINITY, f64::NAN]),
+        (
+            "nu1",
+            1,
+            &[-1.0, 0.5000000000000001, f64::INFINITY, f64::NAN],
+        ),
+        ("e0_over_e2", 2, &[0.0, -1.0, f64::NAN]),
+        (
+            "nu0",
+            3,
+            &[-1.0, 0.5000000000000001, f64::INFINITY, f64::NAN],
+        ),
+    ];
+    for (name, index, values) in cases {
+        for &value in values {
+            let mut given = [1.0, 0.3, 30.0, 0.25];
+            given[index] = value;
+            let [e1, nu1, e0, nu0] = given;
+            assert_unphysical(Material::new(e1, nu1, e0, nu0), name, value);
+        }
+    }
+}
+
+#[test]
+fn a_rigid_sphere_needs_a_table_of_its_own() {
+    let rigid = table(RIGID_SPHERE);
+    let system = |sphere_modulus| System {
+        sphere_modulus,
+        ..paper_system(1e-6)
+    };
+    for (table, sphere, holds, asked) in [
+        (&*TABLE, f64::INFINITY, "E2*", "E1*"),
+        (&rigid, 2e6, "E1*", "E2*"),
+    ] {
+        match table.contact(&system(sphere)) {
+            Err(error @ Error::Normalisation { table, query }) => {
+                assert_eq!((table, query), (holds, asked));
+                assert_names(&error.to_string(), &[holds, asked]);
+            }
+            other => panic!("{sphere}: {other:?}"),
+        }
+    }
+    let solid = System {
+        substrate: Elastic::new(f64::INFINITY, 0.25).expect("rigid"),
+        ..system(f64::INFINITY)
+    };
+    assert!(rigid.contact(&solid).is_ok(), "its own rigid sphere");
+}
+
+#[test]
+fn a_material_without_an_equivalent_on_the_tables_substrate_is_an_error() {
+    // An auxetic film on an incompressible substrate: on one of 0.25 it would need a Poisson ratio
+    // below -1.
+    let result = TABLE.curve(&material([1.0, -0.9, 1.0, 0.5]));
+    match result {
+        Err(
+            error @ Error::Equivalent {
+                nu1: -0.9,
+                nu0: 0.5,
+                table_nu0: 0.25,
+                ..
+            },
+        ) => {
+            assert_names(
+                &error.to_string(),
+                &["nu1 = -0.9", "nu0 = 0.5", "nu0 = 0.25"],
+            );
+            let Error::Equivalent { source, .. } = error else {
+                unreachable!("matched above")
+            };
+            assert!(
+                matches!(*source, Error::Unphysical { name: "nu1", .. }),
+                "{source}"
+            );
+        }
+        other => panic!("{other:?}"),
+    }
+}
+
+#[test]
+fn a_table_for_a_rigid_substrate_holds_no_compliant_one() {
+    let table = table(&BOX.replace("{ from = 10, to = 100, nodes = 3 }", "inf"));
+    assert!(
+        table
+            .curve(&material([1.0, 0.3, f64::INFINITY, 0.25]))
+            .is_ok()
+    );
+    for e0 in [1.0, 1e12, f64::MAX] {
+        let result = table.curve(&material([1.0, 0.3, e0, 0.25]));
+        assert!(
+            matches!(result, Err(Error::OutsideTable { axis: "e0_over_e2", value, .. }) if value == e0),
+            "{result:?}"
+        );
+    }
+}
+
+#[test]
+fn the_work_of_adhesion_is_finite_and_not_negative() {
+    let system = System {
+        film: Elastic::new(2e6, 0.3).expect("physical"),
+        substrate: Elastic::new(6e7, 0.25).expect("physical"),
+        ..paper_system(1e-6)
+    };
+    let contact = TABLE.contact(&system).expect("inside");
+    assert!(contact.load(1e-6, 0.0).expect("no adhesion") > 0.0);
+    for w in [-1e-300, -0.04, f64::NEG_INFINITY, f64::INFINITY, f64::NAN] {
+        assert_unphysical(contact.load(1e-6, w), "work of adhesion", w);
+        assert_unphysical(contact.load_and_penetration(1e-6, w), "work of adhesion", w);
+    }
+    for a in [0.0, -1e-6, f64::INFINITY, f64::NAN] {
+        assert_unphysical(contact.load(a, 0.04), "contact radius", a);
+        assert_unphysical(contact.load_and_penetration(a, 0.04), "contact radius", a);
+        let result = contact.stiffness(a);
+        assert!(
+            matches!(
+                result,
+                Err(Error::OutsideTable {
+                    axis: "a_over_t",
+                    ..
+                })
+            ),
+            "{a}: {result:?}"
+        );
+    }
+    let [first, last] = contact.contact_radius_range();
+    for a in [0.99 * first, 1.01 * last] {
+        for result in [
+            contact.load(a, 0.04),
+            contact.load_and_penetration(a, 0.04).map(|(load, _)| load),
+            contact.stiffness(a),
+        ] {
+            assert!(
+                matches!(result, Err(Error::Extrapolation { .. })),
+                "{a}: {result:?}"
+            );
+        }
+    }
+}
+
+#[test]
+fn an_unphysical_solid_or_system_is_an_error_that_names_it() {
+    for young in [0.0, -1.0, f64::NEG_INFINITY, f64::NAN] {
+        assert_unphysical(Elastic::new(young, 0.3), "Young's modulus", young);
+    }
+    for poisson in [-1.0, 0.5000000000000001, f64::INFINITY, f64::NAN] {
+        assert_unphysical(Elastic::new(1e6, poisson), "Poisson ratio", poisson);
+    }
+    let sound = paper_system(1e-6);
+    let mut broken = Vec::new();
+    for value in [0.0, -1.0, f64::INFINITY, f64::NAN] {
+        broken.push((
+            "sphere_radius",
+            value,
+            System {
+                sphere_radius: value,
+                ..sound
+            },
+        ));
+        broken.push((
+            "film_thickness",
+            value,
+            System {
+                film_thickness: value,
+                ..sound
+            },
+        ));
+    }
+    for value in [0.0, -1.0, f64::NAN] {
+        broken.push((
+            "sphere_modulus",
+            value,
+            System {
+                sphere_modulus: value,
+                ..sound
+            },
+        ));
+    }
+    let rigid = Elastic::new(f64::INFINITY, 0.3).expect("a rigid solid is one");
+    broken.push((
+        "film modulus",
+        f64::INFINITY,
+        System {
+            film: rigid,
+            ..sound
+        },
+    ));
+    for (name, value, system) in broken {
+        assert_unphysical(system.material(), name, value);
+        assert_unphysical(Mechanics::new(&system), name, value);
+        assert_unphysical(TABLE.contact(&system), name, value);
+    }
+}
+
+#[test]
+fn the_program_names_the_point_the_axis_and_the_range() {
+    let desk = Desk::new(env!("CARGO_BIN_EXE_tabulate-under-test"));
+    desk.write("table.bin", TABLE.to_packed().expect("a small table"));
+    desk.write(
+        "points.csv",
+        "a_over_t,e1_over_e2,nu1,e0_over_e2\n1,1,0.3,30\n1,1,0.3,300\n",
+    );
+    let message = desk.fail(
+        1,
+        &[
+            "query",
+            "table.bin",
+            "--points",
+            "points.csv",
+            "-o",
+            "out.csv",
+        ],
+    );
+    assert_names(
+        &message,
+        &["points.csv, line 3", "e0_over_e2", "300", "10", "100"],
+    );
+    assert_eq!(desk.files(), ["points.csv", "table.bin"]);
+}

@@ -1,0 +1,15 @@
+//! Tables: scenes, generation, certificates, files, and the lookup.
+
+#![forbid(unsafe_code)]
+
+mod beyond;
+mod certificate;
+mod curve;
+mod files;
+mod generate;
+mod h5py;
+mod lookup;
+mod lookup_errors;
+mod low_rank;
+mod scenes;
+mod tables;

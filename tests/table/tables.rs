@@ -1,0 +1,449 @@
+//! Tables: what a scene becomes, and what is looked up in it.
+
+use std::sync::LazyLock;
+
+use acceptance::{Contacts, Desk, TRUTH, all_bits, error_at, larger, material, shipped, table};
+use interp::Parameter;
+use interp::{Error, Normalisation, Quantities, Quantity, Table};
+use tabulate::solve;
+use tabulate::table::certify;
+use tabulate::table::solve_tolerance;
+
+/// Largest relative difference of a curve at a node from the value stored there, in parts of the
+/// table's tolerance: what the pieces of a curve may add.
+const AT_NODES: f64 = 0.1;
+/// Largest relative error of stored values where solves to 1e-6 were asked for. Measured: 2.0e-8.
+const STORED: f64 = 5e-7;
+/// By how much the largest error of some hundred fresh points may exceed that of a certificate's
+/// points. Measured: 1.5.
+const BEYOND_CERTIFICATE: f64 = 3.0;
+/// The median errors of two independent samples of the same table agree within this factor.
+/// Measured: 1.2.
+const MEDIANS: f64 = 2.0;
+
+/// Four axes.
+const BOX: &str = "
+    title      = 'Four axes'
+    tolerance  = 1e-4
+    a_over_t   = { from = 0.1, to = 10 }
+    e1_over_e2 = { from = 0.3, to = 3 }
+    nu1        = { from = 0.3, to = 0.5 }
+    e0_over_e2 = { from = 10, to = 100 }
+";
+/// The effect of the substrate's modulus is settled.
+const RIGID_SUBSTRATE: &str = "
+    title      = 'Rigid substrate'
+    tolerance  = 1e-5
+    a_over_t   = { from = 0.1, to = 10 }
+    e1_over_e2 = { from = 0.3, to = 3 }
+    nu1        = 0.5
+    e0_over_e2 = inf
+";
+/// The sphere's modulus is settled, and normalises no more. The box ends where the quantities grow
+/// steeply with `a/t`, whose nodes are stated.
+const RIGID_SPHERE: &str = "
+    title      = 'Rigid sphere'
+    tolerance  = 1e-5
+    a_over_t   = { from = 0.1, to = 10, nodes_per_decade = 20 }
+    e1_over_e2 = 0
+    nu1        = { from = 0.3, to = 0.5 }
+    e0_over_e2 = { from = 1, to = 100 }
+";
+/// Everything is settled but `a/t`, and only two quantities are wanted.
+const TWO_QUANTITIES: &str = "
+    title      = 'Two quantities'
+    tolerance  = 1e-6
+    quantities = ['delta0', 'eeq']
+    a_over_t   = { from = 0.01, to = 100 }
+    e1_over_e2 = 1.75
+    nu1        = 0.5
+    e0_over_e2 = 1e5
+";
+/// Homogeneous systems are inside: film and substrate can be equal.
+const AROUND_EQUALITY: &str = "
+    title      = 'Film like substrate'
+    tolerance  = 1e-5
+    a_over_t   = { from = 0.1, to = 10 }
+    e1_over_e2 = { from = 0.3, to = 3 }
+    nu1        = { from = 0.1, to = 0.4 }
+    e0_over_e2 = { from = 0.3, to = 3 }
+    nu0        = 0.25
+";
+
+const TIGHT: &str = "
+    title      = 'Solved to 1e-12'
+    tolerance  = 1e-10
+    a_over_t   = { from = 0.01, to = 100, nodes = 13 }
+    e1_over_e2 = { from = 0.1, to = 10, nodes = 7 }
+    nu1        = 0.5
+    e0_over_e2 = 1e5
+";
+/// Films that are thick for most of the range: the median error is a thousandth of the largest.
+const COARSE_AT_ONE_END: &str = "
+    title      = 'Coarse at one end'
+    tolerance  = 1e-1
+    a_over_t   = { from = 1e-4, to = 10, nodes = 20 }
+    e1_over_e2 = { from = 0.1, to = 10, nodes = 20 }
+    nu1        = 0.5
+    e0_over_e2 = inf
+";
+static FOUR_AXES: LazyLock<Table> = LazyLock::new(|| table(BOX));
+
+/// Compares a table with direct solves at fresh random points: within its tolerance, and like its
+/// certificate.
+fn assert_certified(table: &Table, seed: u64, points: usize) {
+    let mut contacts = Contacts::new(seed);
+    let mut errors: Vec<f64> = (0..points)
+        .map(|_| {
+            let (x, material) = contacts.point_of(table);
+            error_at(table, x, &material)
+        })
+        .collect();
+    errors.sort_by(f64::total_cmp);
+    let (max, median) = (errors[points - 1], errors[points / 2]);
+    let description = table.description();
+    let certificate = &description.certificate;
+    println!(
+        "{}: {points} points: max {max:.1e}, median {median:.1e}; certified {:.1e}, {:.1e}; tolerance {:e}",
+        description.title, certificate.max_error, certificate.median_error, description.tolerance
+    );
+    assert!(max <= description.tolerance);
+    assert!(max <= BEYOND_CERTIFICATE * certificate.max_error);
+    assert!(
+        median <= MEDIANS * certificate.median_error
+            && certificate.median_error <= MEDIANS * median
+    );
+}
+
+#[test]
+fn a_curve_goes_through_the_nodes() {
+    let table = &*FOUR_AXES;
+    let [a_over_t, e1, nu1, e0] = Parameter::ALL.map(|parameter| table.axis(parameter));
+    let mut worst = 0.0;
+    for (i1, &e1) in e1.iter().enumerate() {
+        for (i2, &nu1) in nu1.iter().enumerate() {
+            for (i3, &e0) in e0.iter().enumerate() {
+                let curve = table
+                    .curve(&material([e1, nu1, e0, 0.25]))
+                    .expect("a node is inside the box");
+                for (i0, &x) in a_over_t.iter().enumerate() {
+                    let [_, n1, n2, n3] = table.shape();
+                    let at = ((i0 * n1 + i1) * n2 + i2) * n3 + i3;
+                    for quantity in Quantity::ALL {
+                        let stored = table.values(quantity).expect("all are held")[at];
+                        let looked_up = curve
+                            .quantity(quantity, x)
+                            .expect("a node is inside the box");
+                        worst = larger(worst, (looked_up / stored - 1.0).abs());
+                    }
+                }
+            }
+        }
+    }
+    println!(
+        "at {:?} nodes: largest difference {worst:.1e}",
+        table.shape()
+    );
+    assert!(worst <= AT_NODES * table.description().tolerance);
+}
+
+#[test]
+fn stored_values_are_solves_to_a_hundredth_of_the_tolerance() {
+    let table = &*FOUR_AXES;
+    let shape = table.shape();
+    let mut contacts = Contacts::new(51);
+    let mut worst = 0.0;
+    for _ in 0..500 {
+        let index = shape.map(|n| contacts.uniform(0.0, n as f64) as usize);
+        let [x, e1, nu1, e0] =
+            Parameter::ALL.map(|parameter| table.axis(parameter)[index[parameter as usize]]);
+        let at = index.iter().zip(&shape).fold(0, |at, (i, n)| at * n + i);
+        let truth = solve(x, &material([e1, nu1, e0, 0.25]), TRUTH)
+            .expect("moderate contrasts converge")
+            .quantities;
+        for quantity in Quantity::ALL {
+            let stored = table.values(quantity).expect("all are held")[at];
+            worst = larger(worst, (stored / truth.get(quantity) - 1.0).abs());
+        }
+    }
+    println!(
+        "500 nodes: largest error {worst:.1e}, asked for {:e}",
+        solve_tolerance(table.description().tolerance)
+    );
+    assert!(worst <= STORED);
+}
+
+/// At the tightest tolerance the values are the solves' to rounding, though they were solved with
+/// panels shared by all materials.
+#[test]
+fn values_at_the_nodes_are_the_solves_to_rounding() {
+    let table = table(TIGHT);
+    let mut worst = 0.0;
+    let (axes, values) = (
+        Parameter::ALL.map(|parameter| table.axis(parameter)),
+        Quantity::ALL.map(|q| table.values(q).expect("held")),
+    );
+    for (i, &x) in axes[0].iter().enumerate() {
+        for (j, &e1) in axes[1].iter().enumerate() {
+            let solution = solve(x, &material([e1, 0.5, 1e5, 0.25]), 1e-12)
+                .expect("moderate contrasts converge")
+                .quantities;
+            let curve = table
+                .curve(&material([e1, 0.5, 1e5, 0.25]))
+                .expect("a node");
+            for quantity in Quantity::ALL {
+                let stored = values[quantity as usize][i * axes[1].len() + j];
+                let interpolated = curve.quantity(quantity, x).expect("a node");
+                for found in [stored, interpolated] {
+                    worst = larger(worst, (found / solution.get(quantity) - 1.0).abs());
+                }
+            }
+        }
+    }
+    println!("nodes of a tight table: largest difference from solves {worst:.1e}");
+    // Measured: 4.2e-12, which is what the pieces of the curve may add.
+    assert!(worst <= 1e-11);
+}
+
+#[test]
+fn between_the_nodes_a_table_keeps_tolerance_and_certificate() {
+    assert_certified(&FOUR_AXES, 52, 1000);
+}
+
+#[test]
+fn a_fixed_parameter_has_one_node_and_settles_the_normalisation() {
+    let cases = [
+        (
+            RIGID_SUBSTRATE,
+            Normalisation::Sphere,
+            "E2*",
+            [false, false, true, true],
+        ),
+        (
+            RIGID_SPHERE,
+            Normalisation::Film,
+            "E1*",
+            [false, true, false, false],
+        ),
+        (
+            TWO_QUANTITIES,
+            Normalisation::Sphere,
+            "E2*",
+            [false, true, true, true],
+        ),
+    ];
+    for (scene, normalisation, symbol, fixed) in cases {
+        let table = table(scene);
+        assert_eq!(table.shape().map(|n| n == 1), fixed, "{:?}", table.shape());
+        assert_eq!(table.description().normalisation, normalisation);
+        assert_eq!(normalisation.symbol(), symbol);
+        assert_certified(&table, 53, 500);
+    }
+}
+
+#[test]
+fn only_the_quantities_of_the_scene_are_held_and_another_is_an_error_that_names_it() {
+    let table = table(TWO_QUANTITIES);
+    assert_eq!(table.quantities(), [Quantity::Eeq, Quantity::Delta0]);
+    let curve = table
+        .curve(&material([1.75, 0.5, 1e5, 0.25]))
+        .expect("the scene's material");
+    for quantity in Quantity::ALL {
+        match (curve.quantity(quantity, 1.0), table.holds(quantity)) {
+            (Ok(value), true) => assert!(value > 0.0),
+            (Err(error @ Error::MissingQuantity(name)), false) => {
+                assert_eq!(name, quantity.name());
+                assert!(error.to_string().contains(name), "{error}");
+            }
+            other => panic!("{quantity:?}: {other:?}"),
+        }
+    }
+    let contact = table
+        .contact(&acceptance::paper_system(1e-6))
+        .expect("the scene's material");
+    assert!(contact.stiffness(1e-6).is_ok(), "eeq is all that it needs");
+    let missing = |name| {
+        move |error: Error| {
+            assert!(
+                matches!(error, Error::MissingQuantity(found) if found == name),
+                "{error}"
+            )
+        }
+    };
+    curve
+        .quantities(1.0)
+        .map(drop)
+        .map_err(missing("pi0"))
+        .expect_err("pi0 is not held");
+    contact
+        .load(1e-6, 0.04)
+        .map(drop)
+        .map_err(missing("pi0"))
+        .expect_err("pi0 is not held");
+    contact
+        .load_and_penetration(1e-6, 0.04)
+        .map(drop)
+        .map_err(missing("pi0"))
+        .expect_err("pi0 is not held");
+}
+
+#[test]
+fn neither_the_table_nor_its_file_depends_on_the_number_of_threads_or_the_time() {
+    let desk = Desk::new(env!("CARGO_BIN_EXE_tabulate-under-test"));
+    desk.write("box.toml", BOX);
+    for (output, jobs) in [("one.h5", "1"), ("two.h5", "2"), ("again.h5", "2")] {
+        // Time stamps, of which HDF5 has many, count seconds.
+        std::thread::sleep(std::time::Duration::from_millis(1100));
+        desk.succeed(&[
+            "generate",
+            "box.toml",
+            "-o",
+            output,
+            "--jobs",
+            jobs,
+            "--certificate-points",
+            "300",
+        ]);
+    }
+    let one = desk.read("one.h5");
+    for other in ["two.h5", "again.h5"] {
+        let read = |name| all_bits(&Table::open(desk.path(name)).expect("a sound table"));
+        assert_eq!(read(other), read("one.h5"));
+        let differing = one
+            .iter()
+            .zip(desk.read(other))
+            .filter(|(a, b)| **a != *b)
+            .count();
+        assert!(
+            one == desk.read(other),
+            "{differing} bytes of equal tables differ"
+        );
+    }
+}
+
+/// Values that are off by less than the tolerance are not what was certified.
+#[test]
+fn check_notices_a_table_that_is_not_as_accurate_as_it_says() {
+    let mut sound = table(COARSE_AT_ONE_END);
+    sound.set_certificate(certify(&sound, 1000, 1, &|_| {}).expect("within reach"));
+    let desk = Desk::new(env!("CARGO_BIN_EXE_tabulate-under-test"));
+    let tolerance = sound.description().tolerance;
+    // Of the tolerance: the median gives away the first, the largest error the second.
+    for (off, word) in [
+        (0.0, None),
+        (0.03, Some("its median error is")),
+        (2.0, Some("its error is")),
+    ] {
+        let axes = Parameter::ALL.map(|parameter| sound.axis(parameter).to_vec());
+        let values = Quantity::ALL.map(|q| {
+            sound
+                .values(q)
+                .map(|values| values.iter().map(|v| v * (1.0 + off * tolerance)).collect())
+        });
+        let table = Table::new(sound.description().clone(), axes, values).expect("sound values");
+        tabulate::table::archive::write(&table, &desk.path("table.h5")).expect("written");
+        std::fs::write(desk.path("table.bin"), table.to_packed().expect("small")).expect("written");
+        for file in ["table.h5", "table.bin"] {
+            let run = desk.run(&["check", file, "--points", "1000"]);
+            assert_eq!(run.status, i32::from(word.is_some()), "{run:?}");
+            assert!(
+                word.is_none_or(|word| run.stderr.contains(word)
+                    && run.stderr.contains("does not hold what it says")),
+                "{run:?}"
+            );
+        }
+    }
+}
+
+#[test]
+fn a_table_without_a_sensible_tolerance_is_malformed() {
+    let sound = &*FOUR_AXES;
+    for tolerance in [0.0, -1e-6, 1.5, f64::NAN, f64::INFINITY] {
+        let axes = Parameter::ALL.map(|parameter| sound.axis(parameter).to_vec());
+        let values = Quantity::ALL.map(|quantity| sound.values(quantity).map(<[f64]>::to_vec));
+        let description = interp::Description {
+            tolerance,
+            ..sound.description().clone()
+        };
+        match Table::new(description, axes, values) {
+            Err(Error::Malformed(what)) => assert!(
+                what.contains(&format!("tolerance is {tolerance:?}")),
+                "{what}"
+            ),
+            other => panic!("{tolerance}: {other:?}"),
+        }
+    }
+}
+
+#[test]
+fn the_shipped_table_is_the_same_in_both_forms_and_as_accurate_as_it_says() {
+    let hdf5 = Table::open(shipped("paper.h5")).expect("a sound table");
+    let packed = Table::read(shipped("paper.bin")).expect("a sound table");
+    assert_eq!(hdf5.description(), packed.description());
+    assert_eq!(all_bits(&hdf5), all_bits(&packed));
+    let description = packed.description();
+    let scene = std::fs::read_to_string(shipped("paper.toml")).expect("the scene is beside it");
+    assert_eq!(description.scene, scene);
+    assert!(
+        description.certificate.points >= 1000,
+        "{:?}",
+        description.certificate
+    );
+    assert!(
+        description.certificate.max_error <= description.tolerance,
+        "{:?}",
+        description.certificate
+    );
+    assert_certified(&packed, 54, 300);
+}
+
+#[test]
+fn a_material_on_another_substrate_poisson_ratio_is_looked_up_as_its_equivalent() {
+    let table = &*FOUR_AXES;
+    let mut contacts = Contacts::new(55);
+    let (mut worst, mut furthest, mut count) = (0.0, 0.0_f64, 0);
+    while count < 300 {
+        let (x, inside) = contacts.point_of(table);
+        let nu0 = contacts.uniform(-0.5, 0.5);
+        // The original is found from an equivalent inside the box.
+        let Ok(original) = inside.with_substrate_poisson_ratio(nu0) else {
+            continue;
+        };
+        worst = larger(worst, error_at(table, x, &original));
+        furthest = furthest.max((original.nu1() - inside.nu1()).abs());
+        count += 1;
+    }
+    println!(
+        "{count} materials on other substrates: largest error {worst:.1e}, largest change of nu1 {furthest:.3}"
+    );
+    assert!(worst <= BEYOND_CERTIFICATE * table.description().certificate.max_error);
+    assert!(
+        furthest > 0.01,
+        "the films must differ for the comparison to mean anything"
+    );
+}
+
+#[test]
+fn film_like_substrate_inside_a_table_is_hertz_and_the_flat_punch() {
+    let table = table(AROUND_EQUALITY);
+    let mut contacts = Contacts::new(56);
+    let mut worst = 0.0;
+    for _ in 0..300 {
+        let e = contacts.log_uniform(0.3, 3.0);
+        let material = material([e, 0.25, e, 0.25]);
+        let exact = Quantities::homogeneous(1.0 / (1.0 + (1.0 - 0.25 * 0.25) / e));
+        let found = table
+            .curve(&material)
+            .and_then(|curve| curve.quantities(contacts.log_uniform(0.1, 10.0)));
+        worst = larger(
+            worst,
+            acceptance::relative_error(&found.expect("inside the box"), &exact),
+        );
+    }
+    let certificate = &table.description().certificate;
+    println!(
+        "film = substrate: largest error {worst:.1e}, certified {:.1e}",
+        certificate.max_error
+    );
+    assert!(worst <= certificate.max_error && worst <= table.description().tolerance);
+}

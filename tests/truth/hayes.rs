@@ -1,0 +1,71 @@
+//! The rigid sphere on a layer bonded to a rigid base against the table of Hayes et al. (1972).
+
+use acceptance::{Data, larger, material, relative_error};
+use tabulate::solve;
+
+/// Largest relative difference from the printed values, which lose accuracy as `a/t` grows.
+/// Measured: 8.8e-3 at `a/t = 2`.
+const PRINTED: f64 = 1e-2;
+
+/// `S/(2 a E1*)` of a rigid sphere on a layer on a rigid base.
+fn kappa(a_over_t: f64, nu1: f64) -> f64 {
+    let layer = material([0.0, nu1, f64::INFINITY, 0.25]);
+    solve(a_over_t, &layer, 1e-10)
+        .expect("a benign contact")
+        .quantities
+        .eeq
+}
+
+#[test]
+fn the_stiffness_agrees_with_the_printed_table() {
+    let mut worst = 0.0;
+    for case in Data::read("hayes1972").cases() {
+        let (x, nu1, printed) = (case.get("a_over_t"), case.get("nu1"), case.get("kappa"));
+        let kappa = kappa(x, nu1);
+        worst = larger(worst, (printed / kappa - 1.0).abs());
+        // To the last of three printed decimals: rounded at 0.2, within one unit of it (it looks
+        // cut off) at 0.4.
+        let unit = if x <= 0.2 { 0.5e-3 } else { 1e-3 };
+        assert!(
+            x > 0.4 || (printed - kappa).abs() <= unit,
+            "a/t = {x}, nu1 = {nu1}: printed {printed}, solved {kappa}"
+        );
+    }
+    println!("largest difference from the printed values {worst:.1e}");
+    assert!(worst <= PRINTED);
+}
+
+#[test]
+fn the_incompressible_layer_agrees_with_an_independent_solve() {
+    // Computed apart from this workspace, to the digits given.
+    for (x, digits, value) in [(0.2, 5, 1.28064), (1.0, 4, 3.6187), (2.0, 3, 9.149)] {
+        let kappa = kappa(x, 0.5);
+        assert!(
+            (kappa - value).abs() <= 0.5 * 0.1_f64.powi(digits),
+            "a/t = {x}: {kappa}, not {value}"
+        );
+    }
+}
+
+/// The same layer, between bodies that are a million times stiffer, in the reference file.
+/// Measured: 3.9e-13.
+#[test]
+fn the_nearly_rigid_sphere_agrees_with_the_reference_file() {
+    let (data, mut worst, mut count) = (Data::read("barthel_reference"), 0.0, 0);
+    for case in data
+        .cases()
+        .filter(|case| case.get("e1_over_e2") <= 1e-6 && case.get("e0_over_e2") == 1e12)
+    {
+        let solution =
+            solve(case.get("a_over_t"), &case.material(), 1e-10).expect("a benign contact");
+        (worst, count) = (
+            larger(
+                worst,
+                relative_error(&solution.quantities, &case.quantities()),
+            ),
+            count + 1,
+        );
+    }
+    println!("{count} references of a layer between nearly rigid bodies: {worst:.1e}");
+    assert!(count >= 10 && worst <= 1e-11);
+}

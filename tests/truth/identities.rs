@@ -1,0 +1,85 @@
+//! The two exact identities between the quantities and their derivatives in `x = a/t`, at random
+//! contacts:
+//!
+//! ```text
+//! Gamma^2 = es d(x Eeq)/dx                         energy release rate from the compliance, and from the singularity
+//! 3 Pi0 + x Pi0' = 4 Eeq (2 Delta0 + x Delta0')    dF0/da = S d(delta0)/da
+//! ```
+//!
+//! The derivatives are those of the Chebyshev interpolant in `ln x`, spectrally exact: the
+//! quantities are analytic functions of it in a strip whose half-width, about 0.9, is set by the
+//! poles of `X`.
+
+use std::f64::consts::PI;
+
+use acceptance::{Contacts, larger};
+use interp::Material;
+use tabulate::solve;
+
+/// The solves' tolerance.
+const TOLERANCE: f64 = 1e-12;
+/// The interpolant's nodes.
+const NODES: usize = 24;
+/// The interval of `ln x` on either side of the contact that they cover.
+const HALF_WIDTH: f64 = 0.5;
+/// Random contacts.
+const CONTACTS: usize = 150;
+/// Largest relative residual of the first identity. Measured: 1.2e-13.
+const ENERGY: f64 = 2e-12;
+/// Largest relative residual of the second identity. Measured: 9.8e-14.
+const LOAD: f64 = 1e-12;
+
+/// The quantities at `x` and their derivatives in `ln x`.
+fn with_derivatives(x: f64, material: &Material) -> ([f64; 4], [f64; 4]) {
+    let values = |x: f64| {
+        solve(x, material, TOLERANCE)
+            .expect("moderate contrasts converge")
+            .quantities
+            .to_array()
+    };
+    let mut derivatives = [0.0; 4];
+    for j in 0..NODES {
+        let angle = PI * (j as f64 + 0.5) / NODES as f64;
+        // d/dt at t = 0 of sum_k c_k T_k(t), with T_k'(0) = k sin(k pi/2) and c_k = 2/n sum_j f_j
+        // cos(k angle_j).
+        let odd = (1..NODES).step_by(2);
+        let weight: f64 = odd
+            .map(|k| k as f64 * (k as f64 * PI / 2.0).sin() * (k as f64 * angle).cos())
+            .sum();
+        let f = values(x * (HALF_WIDTH * angle.cos()).exp());
+        for (derivative, f) in derivatives.iter_mut().zip(f) {
+            *derivative += 2.0 / NODES as f64 / HALF_WIDTH * weight * f;
+        }
+    }
+    (values(x), derivatives)
+}
+
+#[test]
+fn energy_release_rate_and_load_identities_hold() {
+    let mut contacts = Contacts::new(20);
+    let (mut energy, mut load) = (0.0, 0.0);
+    for _ in 0..CONTACTS {
+        let material = contacts.material([1e-2, 1e4], [1e-2, 1e6]);
+        let x = contacts.log_uniform(1e-3, 100.0);
+        let ([pi0, eeq, gamma, delta0], [pi0_rate, eeq_rate, _, delta0_rate]) =
+            with_derivatives(x, &material);
+        let residual = |left: f64, right: f64| (left / right - 1.0).abs();
+        energy = larger(
+            energy,
+            residual(
+                gamma * gamma,
+                material.sphere_film_modulus() * (eeq + eeq_rate),
+            ),
+        );
+        load = larger(
+            load,
+            residual(
+                3.0 * pi0 + pi0_rate,
+                4.0 * eeq * (2.0 * delta0 + delta0_rate),
+            ),
+        );
+    }
+    println!("largest residuals of {CONTACTS}: energy {energy:.1e}, load {load:.1e}");
+    assert!(energy <= ENERGY);
+    assert!(load <= LOAD);
+}

@@ -1,0 +1,17 @@
+//! The solve and the model against published and independently computed values, exact identities
+//! and limits.
+
+#![forbid(unsafe_code)]
+
+mod approximations;
+mod compliance;
+mod contacts;
+mod domain;
+mod equivalence;
+mod hard_cases;
+mod hayes;
+mod identities;
+mod limits;
+mod paper;
+mod reference;
+mod regimes;

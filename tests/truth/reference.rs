@@ -1,0 +1,105 @@
+//! The solve against double-double values, whose origin `data/barthel_reference.csv` states.
+
+use acceptance::{Case, Contacts, Data, larger, relative_error};
+use tabulate::solve;
+
+/// Largest relative error at tolerance 1e-10. Measured: 1.5e-12 where `e1_over_e2 >= 1e-2`, 2.6e-12
+/// for softer films.
+const AT_1E_10: f64 = 2e-11;
+/// The same at `a/t = 1e4`. Measured: 2.6e-15.
+const THINNEST: f64 = 1e-13;
+
+/// The true and the stated error of one case.
+fn errors(case: &Case, tolerance: f64) -> [f64; 2] {
+    let solution = solve(case.get("a_over_t"), &case.material(), tolerance)
+        .expect("the references are within reach");
+    let error = relative_error(&solution.quantities, &case.quantities());
+    assert!(
+        solution.error <= tolerance,
+        "{} > {tolerance}: {:?} at {}",
+        solution.error,
+        case.material(),
+        case.get("a_over_t")
+    );
+    assert!(
+        error <= solution.error,
+        "{error} > {}: {:?} at {}",
+        solution.error,
+        case.material(),
+        case.get("a_over_t")
+    );
+    [error, solution.error]
+}
+
+/// The largest true error over the chosen cases. The stated error bounds each of them (measured:
+/// from 1e-4 to 1e-10 the true error is at most 0.17 of it).
+fn largest_error(tolerance: f64, choose: impl Fn(&Case) -> bool) -> f64 {
+    let data = Data::read("barthel_reference");
+    let (mut largest, mut share, mut count) = (0.0, 0.0, 0);
+    for case in data.cases().filter(choose) {
+        let [error, stated] = errors(&case, tolerance);
+        (largest, share, count) = (
+            larger(largest, error),
+            larger(share, error / stated),
+            count + 1,
+        );
+    }
+    assert!(count > 0);
+    println!(
+        "{count} cases at {tolerance:e}: largest error {largest:.1e}, at most {share:.2} of the stated one"
+    );
+    largest
+}
+
+#[test]
+fn quantities_agree_at_1e_10() {
+    assert!(
+        largest_error(1e-10, |case| case.get("a_over_t") <= 1000.0
+            && case.get("e1_over_e2") >= 1e-2)
+            <= AT_1E_10
+    );
+    assert!(
+        largest_error(1e-10, |case| case.get("a_over_t") <= 1000.0
+            && case.get("e1_over_e2") < 1e-2)
+            <= AT_1E_10
+    );
+}
+
+#[test]
+fn the_stated_error_bounds_the_true_one_at_looser_tolerances_too() {
+    for tolerance in [1e-4, 1e-6, 1e-8] {
+        // Measured: 1.0e-6, 2.5e-8, 1.1e-10.
+        assert!(largest_error(tolerance, |case| case.get("a_over_t") <= 1000.0) <= 0.1 * tolerance);
+    }
+}
+
+#[test]
+fn quantities_agree_at_the_largest_a_over_t() {
+    assert!(largest_error(1e-10, |case| case.get("a_over_t") > 1000.0) <= THINNEST);
+}
+
+/// Two answers to different tolerances differ by no more than both say. Measured: 0.15 of it at
+/// most.
+#[test]
+fn answers_at_random_points_are_as_close_to_the_tightest_as_they_say() {
+    let (mut contacts, mut share, mut count) = (Contacts::new(7), 0.0, 0);
+    for _ in 0..1500 {
+        let x = contacts.log_uniform(1e-4, 200.0);
+        let material = contacts.material([1e-6, 1e6], [1e-4, 1e8]);
+        let tolerance = contacts.log_uniform(1e-10, 1e-3);
+        let tightest = [1e-12, 1e-11, 1e-10]
+            .into_iter()
+            .find_map(|tolerance| solve(x, &material, tolerance).ok());
+        let (Some(tightest), Ok(solution)) = (tightest, solve(x, &material, tolerance)) else {
+            continue;
+        };
+        let error = relative_error(&solution.quantities, &tightest.quantities);
+        (share, count) = (
+            larger(share, error / (solution.error + tightest.error)),
+            count + 1,
+        );
+    }
+    println!("{count} random contacts: at most {share:.2} of the stated errors");
+    assert!(count > 1400);
+    assert!(share <= 1.0);
+}
