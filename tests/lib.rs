@@ -248,13 +248,7 @@ pub fn table(scene: &str) -> Table {
         normalisation,
         tolerance: scene.tolerance,
         created_by: "acceptance tests".into(),
-        certificate: Certificate {
-            max_error: f64::NAN,
-            median_error: f64::NAN,
-            points: 0,
-            seed: 0,
-            details: None,
-        },
+        certificate: Certificate::UNMEASURED,
     };
     let mut table = Table::new(description, axes, values).expect("a sweep makes a whole table");
     table.set_certificate(

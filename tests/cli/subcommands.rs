@@ -731,8 +731,7 @@ fn info_prints_axes_quantities_and_certificate() {
     let table = Table::read(&table_path).expect("a sound table");
     let description = table.description();
     let certificate = &description.certificate;
-    let details = certificate.details.expect("the program measures them");
-    let [energy, load] = details
+    let [energy, load] = certificate
         .identity_errors
         .map(|error| error.expect("all quantities are held"));
     let [n_a, n_e1, _, _] = table.shape();
@@ -753,15 +752,15 @@ fn info_prints_axes_quantities_and_certificate() {
             "certified error",
             format!(
                 "max {:.1e}, 99.9 % {:.1e}, median {:.1e}",
-                certificate.max_error, details.p999_error, certificate.median_error
+                certificate.max_error, certificate.p999_error, certificate.median_error
             ),
         ),
         (
             "worst",
             format!(
                 "{} at a_over_t = {}",
-                details.worst_quantity.name(),
-                details.worst_point[0]
+                certificate.worst_quantity.name(),
+                certificate.worst_point[0]
             ),
         ),
         (

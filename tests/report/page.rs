@@ -79,7 +79,6 @@ fn the_file_is_whole_and_the_same_twice() {
     let table = Table::read(shipped("paper.bin")).expect("the shipped table");
     let description = table.description();
     let certificate = &description.certificate;
-    let details = certificate.details.expect("the shipped table has them");
     let words = [
         format!("<title>{}</title>", description.title),
         format!("<dd>{:.1e}</dd>", certificate.max_error),
@@ -90,8 +89,8 @@ fn the_file_is_whole_and_the_same_twice() {
         ),
         format!(
             "{} at a/t = {}",
-            details.worst_quantity.name(),
-            &details.worst_point[0].to_string()[..5]
+            certificate.worst_quantity.name(),
+            &certificate.worst_point[0].to_string()[..5]
         ),
         description.created_by.clone(),
         description.scene.trim_end().replace('"', "&quot;"),

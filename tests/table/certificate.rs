@@ -45,7 +45,6 @@ fn of_known_samples_the_worst_the_median_and_what_999_of_1000_keep_are_right() {
         })
         .collect();
     let found = certificate(&samples, 5);
-    let details = found.details.expect("always");
     assert_eq!(
         (
             found.max_error,
@@ -56,28 +55,20 @@ fn of_known_samples_the_worst_the_median_and_what_999_of_1000_keep_are_right() {
         (1e-9 * 1999.0, 1e-9 * 1000.0, 2000, 5)
     );
     // Two of two thousand are larger.
-    assert_eq!(details.p999_error, 1e-9 * 1997.0);
+    assert_eq!(found.p999_error, 1e-9 * 1997.0);
     assert_eq!(
-        (details.worst_quantity, details.worst_point),
+        (found.worst_quantity, found.worst_point),
         (Quantity::Gamma, [1999.0, 1.0, 2.0, 3.0])
     );
-    assert_eq!(details.identity_errors, [Some(1499.0), None]);
+    assert_eq!(found.identity_errors, [Some(1499.0), None]);
 
     // Of a few, all keep the largest; and NaN is the worst of all.
     let mut few = samples[..10].to_vec();
     let largest = few.iter().map(|sample| sample.error).fold(0.0, larger);
-    assert_eq!(
-        certificate(&few, 5).details.expect("always").p999_error,
-        largest
-    );
+    assert_eq!(certificate(&few, 5).p999_error, largest);
     few[3].error = f64::NAN;
     let found = certificate(&few, 5);
-    assert!(
-        found.max_error.is_nan()
-            && found
-                .details
-                .is_some_and(|details| details.worst_point == few[3].point)
-    );
+    assert!(found.max_error.is_nan() && found.worst_point == few[3].point);
 }
 
 #[test]
@@ -122,13 +113,12 @@ fn the_points_are_in_the_box_on_its_edges_and_corners_and_few_are_nodes() {
 
     // The worst point has the error that is certified.
     let found = certificate(&samples, 3);
-    let details = found.details.expect("always");
-    let again = sample(&table, details.worst_point).expect("inside");
+    let again = sample(&table, found.worst_point).expect("inside");
     assert_eq!(
         (again.error, again.quantity),
-        (found.max_error, details.worst_quantity)
+        (found.max_error, found.worst_quantity)
     );
-    assert!(found.median_error < details.p999_error && details.p999_error <= found.max_error);
+    assert!(found.median_error < found.p999_error && found.p999_error <= found.max_error);
     assert!(
         sample(&table, [0.5, 1e9, 0.4, 30.0]).is_err(),
         "outside the table"
@@ -162,10 +152,7 @@ fn the_identities_are_broken_by_as_much_as_the_values_are() {
         .expect("sound values")
     };
     let broken = |table: &Table| {
-        let details = certificate(&measured(table, 200, 4), 4)
-            .details
-            .expect("always");
-        details
+        certificate(&measured(table, 200, 4), 4)
             .identity_errors
             .map(|error| error.expect("all are held"))
     };
@@ -213,9 +200,7 @@ fn an_identity_that_takes_more_than_is_held_is_not_measured() {
     ] {
         let found = table(&TWO_AXES.replace(changes.0, changes.1))
             .description()
-            .certificate
-            .details
-            .expect("always");
+            .certificate;
         assert_eq!(
             found.identity_errors.map(|error| error.is_some()),
             expected,

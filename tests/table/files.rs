@@ -110,36 +110,20 @@ fn every_form_and_reader_gives_the_same_bits() {
     }
 }
 
-/// A file of another program may do without the certificate's details, but not with a part of them.
 #[test]
-fn the_details_of_a_certificate_are_kept_in_every_form_and_may_be_absent() {
-    let details = TABLE
-        .description()
-        .certificate
-        .details
-        .expect("they are measured");
+fn a_certificate_is_kept_in_every_form() {
+    let measured = TABLE.description().certificate;
     // One quantity is not held, so that no identity is measured.
-    assert_eq!(details.identity_errors, [None; 2]);
-    let known = table(RIGID)
-        .description()
-        .certificate
-        .details
-        .expect("they are measured");
+    assert_eq!(measured.identity_errors, [None; 2]);
+    let known = table(RIGID).description().certificate;
     assert!(known.identity_errors.iter().all(Option::is_some));
-    for details in [
-        None,
-        Some(details),
-        Some(known),
-        Some(interp::Details {
-            identity_errors: [None, Some(1e-3)],
-            ..details
-        }),
-    ] {
+    let half_known = Certificate {
+        identity_errors: [None, Some(1e-3)],
+        ..measured
+    };
+    for certificate in [measured, known, half_known] {
         let (desk, mut table) = (desk(), TABLE.clone());
-        table.set_certificate(Certificate {
-            details,
-            ..table.description().certificate
-        });
+        table.set_certificate(certificate);
         archive::write(&table, &desk.path("table.h5")).expect("written");
         assert_same(
             &Table::open(desk.path("table.h5")).expect("a sound table"),
@@ -151,10 +135,6 @@ fn the_details_of_a_certificate_are_kept_in_every_form_and_may_be_absent() {
         assert_eq!(desk.read("table.bin"), packed);
         desk.succeed(&["unpack", "table.bin", "-o", "again.h5"]);
         assert_eq!(desk.read("again.h5"), desk.read("table.h5"));
-        assert_eq!(
-            desk.succeed(&["info", "table.h5"]).contains("99.9 %"),
-            details.is_some()
-        );
     }
 }
 
@@ -410,7 +390,7 @@ fn a_mistyped_misshapen_or_missing_part_is_malformed() {
         ("no certificate", |file| {
             file.delete_attr("certified_max_error")
         }),
-        ("a part of the certificate's details", |file| {
+        ("a part of the certificate", |file| {
             file.delete_attr("certified_worst_point")
         }),
         ("a worst point of three numbers", |file| {

@@ -19,6 +19,16 @@ pub enum Error {
         /// What is allowed, in words.
         allowed: &'static str,
     },
+    /// An argument that no computation takes: a wrong length, count or order.
+    #[error("{name} = {value:?} cannot be used: it must be {allowed}")]
+    InvalidArgument {
+        /// The argument.
+        name: &'static str,
+        /// The value given.
+        value: f64,
+        /// The values allowed, in words.
+        allowed: &'static str,
+    },
     /// A query outside the box that the table covers, or the range of the curve.
     #[error("{axis} = {value:?} is outside the range of the table or curve, {from:?} to {to:?}")]
     OutsideTable {
@@ -194,6 +204,24 @@ impl Error {
             Ok(())
         } else {
             Err(Self::Unphysical {
+                name,
+                value,
+                allowed,
+            })
+        }
+    }
+
+    /// Accepts an argument of which `holds` is true.
+    pub(crate) const fn argument(
+        holds: bool,
+        name: &'static str,
+        value: f64,
+        allowed: &'static str,
+    ) -> Result<(), Self> {
+        if holds {
+            Ok(())
+        } else {
+            Err(Self::InvalidArgument {
                 name,
                 value,
                 allowed,

@@ -105,4 +105,4 @@ pub use error::Error;
 pub use material::{
     Elastic, HalfSpace, Material, Normalisation, Parameter, Quantities, Quantity, System,
 };
-pub use table::{Certificate, Description, Details, LowRank, Table, is_packed, schema};
+pub use table::{Certificate, Description, LowRank, Table, is_packed, schema};

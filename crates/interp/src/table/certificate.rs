@@ -1,37 +1,43 @@
-//! How accurate a table is between its nodes, as measured against direct solves.
+//! The certificate of a table: its largest error at sampled points, measured against direct solves.
 
 use serde::{Deserialize, Serialize};
 
 use crate::Quantity;
 
-/// The measured accuracy of a table: relative errors of the interpolated quantities against direct
-/// solves off the nodes.
+/// The certificate of a table: relative errors of the interpolated quantities at points off the
+/// nodes, measured against direct solves.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Certificate {
     /// The largest relative error of any quantity at any point.
     pub max_error: f64,
+    /// The relative error that 99.9 % of the points keep.
+    pub p999_error: f64,
     /// The median over the points of the largest relative error at a point.
     pub median_error: f64,
-    /// How many points were solved.
+    /// The number of points solved.
     pub points: u64,
     /// The seed of the random points.
     pub seed: u64,
-    /// What a file made by another program need not hold.
-    pub details: Option<Details>,
+    /// The quantity with the largest error.
+    pub worst_quantity: Quantity,
+    /// The point with the largest error: `a_over_t`, `e1_over_e2`, `nu1`, `e0_over_e2`.
+    pub worst_point: [f64; 4],
+    /// The largest relative errors of the two identities `Gamma^2 = es (Eeq + x Eeq')` and
+    /// `3 Pi0 + x Pi0' = 4 Eeq (2 Delta0 + x Delta0')` on the interpolant, each relative to its left
+    /// side; none where a quantity is missing or `a/t` is fixed.
+    pub identity_errors: [Option<f64>; 2],
 }
 
-/// More of what a certificate's points say.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Details {
-    /// The largest relative error at 99.9 % of the points.
-    pub p999_error: f64,
-    /// The quantity that has the largest error.
-    pub worst_quantity: Quantity,
-    /// Where it has it: `a_over_t`, `e1_over_e2`, `nu1`, `e0_over_e2`.
-    pub worst_point: [f64; 4],
-    /// By how much the interpolant breaks `Gamma^2 = es (Eeq + x Eeq')` and
-    /// `3 Pi0 + x Pi0' = 4 Eeq (2 Delta0 + x Delta0')`, relative to the left sides: the largest of
-    /// all points, which are others than `worst_point`; none where a quantity is missing or `a/t`
-    /// is fixed.
-    pub identity_errors: [Option<f64>; 2],
+impl Certificate {
+    /// The certificate of a table that was not compared with solves yet: its errors are NaN.
+    pub const UNMEASURED: Self = Self {
+        max_error: f64::NAN,
+        p999_error: f64::NAN,
+        median_error: f64::NAN,
+        points: 0,
+        seed: 0,
+        worst_quantity: Quantity::Pi0,
+        worst_point: [f64::NAN; 4],
+        identity_errors: [None; 2],
+    };
 }

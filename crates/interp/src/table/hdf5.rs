@@ -6,7 +6,7 @@ use std::path::Path;
 use hdf5_pure::{AttrValue, DType, File};
 
 use crate::table::schema::{AXES, FORMAT, FORMAT_VERSION, VALUES, attribute};
-use crate::{Certificate, Description, Details, Error, Normalisation, Parameter, Quantity, Table};
+use crate::{Certificate, Description, Error, Normalisation, Parameter, Quantity, Table};
 
 impl Table {
     /// Reads an HDF5 table (feature `hdf5`).
@@ -55,13 +55,7 @@ impl Table {
             normalisation,
             tolerance: attributes.number(attribute::TOLERANCE)?,
             created_by: attributes.text(attribute::CREATED_BY)?.to_owned(),
-            certificate: Certificate {
-                max_error: attributes.number(attribute::CERTIFIED_MAX_ERROR)?,
-                median_error: attributes.number(attribute::CERTIFIED_MEDIAN_ERROR)?,
-                points: attributes.integer(attribute::CERTIFIED_POINTS)?,
-                seed: attributes.integer(attribute::CERTIFIED_SEED)?,
-                details: details(&attributes)?,
-            },
+            certificate: certificate(&attributes)?,
         };
         let mut axes = [const { Vec::new() }; 4];
         for (axis, parameter) in axes.iter_mut().zip(Parameter::ALL) {
@@ -87,24 +81,25 @@ impl Table {
     }
 }
 
-/// The certificate's details, which other programs need not write.
-fn details(attributes: &Attributes) -> Result<Option<Details>, Error> {
-    if !attributes.0.contains_key(attribute::CERTIFIED_P999_ERROR) {
-        return Ok(None);
-    }
+/// The certificate that the attributes hold.
+fn certificate(attributes: &Attributes) -> Result<Certificate, Error> {
     let name = attributes.text(attribute::CERTIFIED_WORST_QUANTITY)?;
     let quantity = Quantity::ALL
         .into_iter()
         .find(|quantity| quantity.name() == name);
-    Ok(Some(Details {
+    Ok(Certificate {
+        max_error: attributes.number(attribute::CERTIFIED_MAX_ERROR)?,
         p999_error: attributes.number(attribute::CERTIFIED_P999_ERROR)?,
+        median_error: attributes.number(attribute::CERTIFIED_MEDIAN_ERROR)?,
+        points: attributes.integer(attribute::CERTIFIED_POINTS)?,
+        seed: attributes.integer(attribute::CERTIFIED_SEED)?,
         worst_quantity: quantity
             .ok_or_else(|| Error::Malformed(format!("its largest error is that of {name:?}")))?,
         worst_point: attributes.numbers(attribute::CERTIFIED_WORST_POINT)?,
         identity_errors: attributes
             .numbers(attribute::CERTIFIED_IDENTITY_ERRORS)?
             .map(|error: f64| (!error.is_nan()).then_some(error)),
-    }))
+    })
 }
 
 /// More than deflate can shrink anything: a dataset larger than the file times this is a forged

@@ -24,7 +24,7 @@ mod tensor_spline;
 mod tensor_train;
 mod weighted_sum;
 
-pub use certificate::{Certificate, Details};
+pub use certificate::Certificate;
 pub use description::Description;
 pub use low_rank::LowRank;
 pub use packed::is_packed;

@@ -28,7 +28,7 @@ use crate::{Description, Error, LowRank, Quantity, Table};
 
 const MAGIC: [u8; 8] = *b"COATTBL\n";
 /// The one version of the packed form that is written and read.
-const VERSION: u32 = 3;
+const VERSION: u32 = 1;
 const PREFIX: usize = 24;
 /// Axes, scene and description fit many times over.
 const HEADER_LIMIT: usize = 1 << 20;

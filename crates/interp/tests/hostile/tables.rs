@@ -30,8 +30,7 @@ pub fn description() -> Description {
             max_error: 1e-3,
             median_error: 1e-4,
             points: 10,
-            seed: 1,
-            details: None,
+            ..Certificate::UNMEASURED
         },
     }
 }

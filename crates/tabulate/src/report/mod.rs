@@ -11,7 +11,7 @@ use std::fmt::Write;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use interp::Parameter;
-use interp::{Certificate, Description, Normalisation, Table};
+use interp::{Description, Normalisation, Table};
 
 pub use figures::{Illustration, figures, steps};
 
@@ -242,46 +242,47 @@ fn certificate(table: &Table) -> String {
         certificate,
         ..
     } = table.description();
-    let Certificate {
-        max_error,
-        median_error,
-        points,
-        seed,
-        details,
-    } = certificate;
+    let place = Parameter::ALL.into_iter().zip(certificate.worst_point);
+    let place = place.map(|(parameter, place)| {
+        format!(
+            "{} = {}",
+            symbol(parameter, *normalisation).0,
+            value(parameter, short(place))
+        )
+    });
+    let place: Vec<String> = place.collect();
     let mut items = vec![
         ("tolerance", format!("{tolerance:e}")),
-        ("largest error", format!("{max_error:.1e}")),
-        ("median error", format!("{median_error:.1e}")),
-        ("points", format!("{points} direct solves, seed {seed}")),
-    ];
-    if let Some(details) = details {
-        items.insert(2, ("99.9 % below", format!("{:.1e}", details.p999_error)));
-        let place = Parameter::ALL.into_iter().zip(details.worst_point);
-        let place = place.map(|(parameter, place)| {
+        ("largest error", format!("{:.1e}", certificate.max_error)),
+        ("99.9 % below", format!("{:.1e}", certificate.p999_error)),
+        ("median error", format!("{:.1e}", certificate.median_error)),
+        (
+            "points",
             format!(
-                "{} = {}",
-                symbol(parameter, *normalisation).0,
-                value(parameter, short(place))
-            )
-        });
-        let place: Vec<String> = place.collect();
-        items.push((
+                "{} direct solves, seed {}",
+                certificate.points, certificate.seed
+            ),
+        ),
+        (
             "worst point",
-            format!("{} at {}", details.worst_quantity.name(), place.join(", ")),
+            format!(
+                "{} at {}",
+                certificate.worst_quantity.name(),
+                place.join(", ")
+            ),
+        ),
+    ];
+    let names = ["Γ² = es (x Eeq)′", "F₀′ = S δ₀′"];
+    let broken = names
+        .iter()
+        .zip(certificate.identity_errors)
+        .filter_map(|(name, error)| Some(format!("{name}: {:.1e}", error?)));
+    let broken: Vec<String> = broken.collect();
+    if !broken.is_empty() {
+        items.push((
+            "identities",
+            format!("{} (relative, largest)", broken.join(", ")),
         ));
-        let names = ["Γ² = es (x Eeq)′", "F₀′ = S δ₀′"];
-        let broken = names
-            .iter()
-            .zip(details.identity_errors)
-            .filter_map(|(name, error)| Some(format!("{name}: {:.1e}", error?)));
-        let broken: Vec<String> = broken.collect();
-        if !broken.is_empty() {
-            items.push((
-                "identities",
-                format!("{} (relative, largest)", broken.join(", ")),
-            ));
-        }
     }
     items.iter().fold(String::new(), |text, (name, value)| {
         text + &format!("<dt>{name}</dt><dd>{value}</dd>\n")

@@ -65,26 +65,28 @@ fn fill(table: &Table, path: &Path) -> hdf5::Result<()> {
     )?;
     number(&file, attribute::CERTIFIED_POINTS, certificate.points)?;
     number(&file, attribute::CERTIFIED_SEED, certificate.seed)?;
-    if let Some(details) = &certificate.details {
-        number(&file, attribute::CERTIFIED_P999_ERROR, details.p999_error)?;
-        text(
-            &file,
-            attribute::CERTIFIED_WORST_QUANTITY,
-            details.worst_quantity.name(),
-        )?;
-        numbers(
-            &file,
-            attribute::CERTIFIED_WORST_POINT,
-            &details.worst_point,
-        )?;
-        numbers(
-            &file,
-            attribute::CERTIFIED_IDENTITY_ERRORS,
-            &details
-                .identity_errors
-                .map(|error| error.unwrap_or(f64::NAN)),
-        )?;
-    }
+    number(
+        &file,
+        attribute::CERTIFIED_P999_ERROR,
+        certificate.p999_error,
+    )?;
+    text(
+        &file,
+        attribute::CERTIFIED_WORST_QUANTITY,
+        certificate.worst_quantity.name(),
+    )?;
+    numbers(
+        &file,
+        attribute::CERTIFIED_WORST_POINT,
+        &certificate.worst_point,
+    )?;
+    numbers(
+        &file,
+        attribute::CERTIFIED_IDENTITY_ERRORS,
+        &certificate
+            .identity_errors
+            .map(|error| error.unwrap_or(f64::NAN)),
+    )?;
 
     let axes = create_group(&file, AXES)?;
     let mut scales = Vec::new();

@@ -1,7 +1,7 @@
 //! The measured accuracy of a table: direct solves off the nodes, and the two exact identities.
 
 use interp::Parameter;
-use interp::{Certificate, Curve, Details, Material, Quantity, Table};
+use interp::{Certificate, Curve, Material, Quantity, Table};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 use rayon::prelude::*;
@@ -68,19 +68,16 @@ pub fn certificate(samples: &[Sample], seed: u64) -> Certificate {
             .max_by(f64::total_cmp)
     };
     let count = errors.len();
-    let details = Details {
-        // The point that leaves a thousandth above it.
-        p999_error: errors[count - 1 - count / 1000],
-        worst_quantity: worst.quantity,
-        worst_point: worst.point,
-        identity_errors: [identity(0), identity(1)],
-    };
     Certificate {
         max_error: worst.error,
+        // The point that leaves a thousandth above it.
+        p999_error: errors[count - 1 - count / 1000],
         median_error: errors[count / 2],
         points: count as u64,
         seed,
-        details: Some(details),
+        worst_quantity: worst.quantity,
+        worst_point: worst.point,
+        identity_errors: [identity(0), identity(1)],
     }
 }
 

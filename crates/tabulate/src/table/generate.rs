@@ -167,11 +167,7 @@ fn run(
         for piece in 0..sweep.pieces() {
             sweep.place(&mut values, piece, &journal.values(piece, sweep.values())?);
         }
-        let mut table = Table::new(
-            description(scene, &axes, options.seed)?,
-            axes.clone(),
-            values,
-        )?;
+        let mut table = Table::new(description(scene, &axes)?, axes.clone(), values)?;
         observer.begin("checking", options.certificate_points, 0);
         let samples = measure(&table, options.certificate_points, options.seed, &|count| {
             observer.advance(count)
@@ -340,7 +336,7 @@ fn created_by() -> String {
 }
 
 /// The description of a table before its certificate is measured.
-fn description(scene: &Scene, axes: &[Vec<f64>; 4], seed: u64) -> Result<Description, Error> {
+fn description(scene: &Scene, axes: &[Vec<f64>; 4]) -> Result<Description, Error> {
     Ok(Description {
         title: scene.title.clone(),
         scene: scene.text.clone(),
@@ -350,12 +346,6 @@ fn description(scene: &Scene, axes: &[Vec<f64>; 4], seed: u64) -> Result<Descrip
             .normalisation(),
         tolerance: scene.tolerance,
         created_by: created_by(),
-        certificate: Certificate {
-            max_error: f64::NAN,
-            median_error: f64::NAN,
-            points: 0,
-            seed,
-            details: None,
-        },
+        certificate: Certificate::UNMEASURED,
     })
 }
