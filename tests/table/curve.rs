@@ -4,7 +4,7 @@ use acceptance::{Contacts, larger, material, paper_system, relative_error, shipp
 use interp::{Contact, Curve, Elastic, Material, Quantities, System, Table};
 use tabulate::Error;
 use tabulate::solve::{A_OVER_T, solve};
-use tabulate::solve::{TOLERANCE, curve};
+use tabulate::solve::{CURVE_TOLERANCE as TOLERANCE, curve};
 
 const RANGE: [f64; 2] = [1e-3, 1e3];
 const PAPER: [f64; 4] = [1.75, 0.5, 1e5, 0.25];
