@@ -87,9 +87,9 @@ impl<L: CrackTip> ContactLine<'_, L> {
     /// [`Error::Unphysical`] for a `value` that is not finite, a stiffness outside
     /// `[1e-100, 1e100]`, or a `duration` that is not positive and finite;
     /// [`Error::InvalidArgument`] for a `tolerance` outside `[1e-10, 1e-2]`, or a law without
-    /// finite speeds; [`Error::Motion`] where the solver fails. It fails on ramps so slow that `G` is
-    /// within some 1e-6 of that at rest (1e-5 at a tolerance of 1e-4); [`ContactLine::impose`] is
-    /// as accurate for these. After an error the state is that before the call.
+    /// finite speeds; [`Error::Motion`] where the solver fails. It fails on ramps so slow that `G`
+    /// is within some 1e-6 of that at rest (1e-5 at a tolerance of 1e-4); [`ContactLine::impose`]
+    /// is as accurate for these. After an error the state is that before the call.
     pub fn ramp(
         &mut self,
         control: Control,
