@@ -1,4 +1,4 @@
-//! The README shows the examples that are compiled, and the certificate of the table that is
+//! The READMEs show the examples that are compiled, and the certificate of the table that is
 //! shipped.
 
 use interp::Table;
@@ -10,10 +10,13 @@ fn read(path: &str) -> String {
 
 #[test]
 fn shows_the_examples() {
-    for path in [
-        "crates/interp/examples/force.rs",
-        "crates/interp/examples/contact.rs",
-        "crates/tabulate/examples/curve.rs",
+    for (path, readme) in [
+        ("crates/interp/examples/force.rs", "README.md"),
+        (
+            "crates/interp/examples/contact.rs",
+            "crates/interp/README.md",
+        ),
+        ("crates/tabulate/examples/curve.rs", "README.md"),
     ] {
         let example = read(path);
         let program = example
@@ -21,8 +24,8 @@ fn shows_the_examples() {
             .skip_while(|line| line.starts_with("//!"))
             .collect::<String>();
         assert!(
-            read("README.md").contains(&format!("```rust\n{program}```")),
-            "the README shows another program than {path}"
+            read(readme).contains(&format!("```rust\n{program}```")),
+            "{readme} shows another program than {path}"
         );
     }
 }

@@ -370,8 +370,8 @@ fn the_example_data_are_made_as_they_say() {
 fn the_readme_shows_what_the_example_prints() {
     let (path, experiment) = example();
     let data = Data::parse(&fs::read_to_string(path).expect("the example's data")).expect("sound");
-    let readme = fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../README.md"))
-        .expect("the README");
+    let readme = concat!(env!("CARGO_MANIFEST_DIR"), "/../crates/interp/README.md");
+    let readme = fs::read_to_string(readme).expect("the README of interp");
     let printed = experiment
         .fit(
             &data,
