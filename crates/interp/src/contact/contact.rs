@@ -1,6 +1,5 @@
 //! The contact in SI units: what follows from contact radius and work of adhesion.
 
-use crate::curve::curve::same_length;
 use crate::material::system::positive;
 use crate::{Curve, Error, HalfSpace, Mechanics, Quantities, Quantity, System, Table};
 
@@ -73,8 +72,8 @@ impl Contact {
             .with_substrate_poisson_ratio(made_for.nu0())?;
         if !material.is_close_to(made_for) {
             return Err(Error::OtherMaterial {
-                curve: *made_for,
-                system: material,
+                curve: made_for.to_array(),
+                system: material.to_array(),
             });
         }
         Ok(Self {
@@ -181,9 +180,9 @@ impl Contact {
     ///
     /// # Errors
     /// As [`Contact::load`] at the first radius that has one, with the loads before it written;
-    /// [`Error::Unphysical`] if there is not one load to write for each radius.
+    /// [`Error::InvalidArgument`] if `radii` and `loads` differ in length.
     pub fn load_at_all(&self, radii: &[f64], w: f64, loads: &mut [f64]) -> Result<(), Error> {
-        same_length(radii, loads)?;
+        Error::same_length(radii, loads)?;
         for (load, &a) in loads.iter_mut().zip(radii) {
             *load = self.load(a, w)?;
         }
