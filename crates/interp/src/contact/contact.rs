@@ -2,7 +2,6 @@
 //! contact radius.
 
 use super::checks::finite_result;
-use crate::curve::curve::same_length;
 use crate::material::system::positive;
 use crate::{Curve, Error, HalfSpace, Mechanics, Quantities, Quantity, System, Table};
 
@@ -83,8 +82,8 @@ impl Contact {
             .with_substrate_poisson_ratio(made_for.nu0())?;
         if !material.is_close_to(made_for) {
             return Err(Error::OtherMaterial {
-                curve: *made_for,
-                system: material,
+                curve: made_for.to_array(),
+                system: material.to_array(),
             });
         }
         Ok(Self {
@@ -165,7 +164,7 @@ impl Contact {
     /// [`Error::InvalidArgument`] unless `loads` is as long as `radii`; else as [`Contact::load`]
     /// at the first radius that has an error. The loads before it are written.
     pub fn load_at_all(&self, radii: &[f64], w: f64, loads: &mut [f64]) -> Result<(), Error> {
-        same_length(radii, loads)?;
+        Error::same_length(radii, loads)?;
         for (load, &a) in loads.iter_mut().zip(radii) {
             *load = self.load(a, w)?;
         }

@@ -157,8 +157,8 @@ impl Contact {
                 let material = system.material()?;
                 if !material.is_close_to(gradient.material()) {
                     return Err(Error::OtherMaterial {
-                        curve: *gradient.material(),
-                        system: material,
+                        curve: gradient.material().to_array(),
+                        system: material.to_array(),
                     });
                 }
                 (gradient.values(), coated_derivatives(system, &gradient, a))
