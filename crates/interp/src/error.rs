@@ -20,7 +20,10 @@ pub enum Error {
     },
     /// An argument with a length, a count, an order or a range that the computation does not
     /// accept.
-    #[error("{name} = {} cannot be used: it must be {allowed}", count_or_number(*value))]
+    #[error(
+        "{name} = {} cannot be used: it must be {allowed}",
+        count_or_number(*value)
+    )]
     InvalidArgument {
         /// The name of the argument.
         name: &'static str,
@@ -109,7 +112,7 @@ pub enum Error {
     #[error(
         "the table is normalised by {table}, the query needs one normalised by {query}: use a table \
          with {} in its scene",
-        if *query == "E1*" { "e1_over_e2 = 0 (rigid sphere)" } else { "e1_over_e2 > 0 (compliant sphere)" }
+        sphere_of(query)
     )]
     Normalisation {
         /// The modulus that normalises the table.
@@ -225,6 +228,15 @@ fn extent(from: f64, to: f64) -> String {
         format!("has only {from:?}")
     } else {
         format!("covers {from:?} to {to:?}")
+    }
+}
+
+/// Returns the `e1_over_e2` of a scene whose table is normalised by this modulus.
+fn sphere_of(normalisation: &str) -> &'static str {
+    if normalisation == "E1*" {
+        "e1_over_e2 = 0 (rigid sphere)"
+    } else {
+        "e1_over_e2 > 0 (compliant sphere)"
     }
 }
 

@@ -39,7 +39,8 @@ impl Parameter {
             }
             Self::Nu1 => "Poisson ratio of the film",
             Self::E0OverE2 => {
-                "Young's modulus of the substrate over the sphere's reduced modulus E2* (over the film's Young's modulus if the sphere is rigid)"
+                "Young's modulus of the substrate over the sphere's reduced modulus E2* \
+                 (over the film's Young's modulus if the sphere is rigid)"
             }
         }
     }

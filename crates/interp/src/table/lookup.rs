@@ -20,7 +20,7 @@ pub(crate) struct Lookup {
 impl Lookup {
     /// The largest error that the pieces may add to the curves of the materials for which they are
     /// made, relative to the table's tolerance. Curves of other materials may have a slightly
-    /// larger error. In the embedded table it is 0.06 (`tests/table/lookup.rs`).
+    /// larger error; with the embedded table it is 0.06 tolerances (`tests/table/lookup.rs`).
     const SHARE: f64 = 0.1;
     /// The smallest error of the pieces that is asked for, whatever the table's tolerance.
     const LEAST_ERROR: f64 = 1e-11;
