@@ -20,10 +20,7 @@ pub enum Error {
     },
     /// An argument with a length, a count, an order or a range that the computation does not
     /// accept.
-    #[error(
-        "{name} = {} cannot be used: it must be {allowed}",
-        count_or_number(*value)
-    )]
+    #[error("{name} = {value:?} cannot be used: it must be {allowed}")]
     InvalidArgument {
         /// The name of the argument.
         name: &'static str,
@@ -211,15 +208,6 @@ pub enum Error {
         /// The reason.
         source: io::Error,
     },
-}
-
-/// Formats a value without `.0` where it may be a count.
-fn count_or_number(value: f64) -> String {
-    if value.fract() == 0.0 && value.abs() < 1e15 {
-        format!("{value}")
-    } else {
-        format!("{value:?}")
-    }
 }
 
 /// Formats the range of an axis, or its only value.

@@ -48,7 +48,7 @@ impl Curve {
         }
         let a_over_t: Vec<f64> = nodes.iter().map(|node| node.0).collect();
         if let Some([_, close]) = too_close(Parameter::AOverT, &a_over_t) {
-            let allowed = "above that of the node before: ln(a/t) by at least 1e-9, and by \
+            let allowed = "larger than the one before: ln(a/t) by at least 1e-9, and by \
                            1e-7 of the range of all nodes";
             Error::argument(false, Parameter::AOverT.name(), close, allowed)?;
         }
