@@ -30,6 +30,10 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         })?;
     }
     let mut page = Vec::new();
-    clap_mangen::Man::new(command.clone()).render(&mut page)?;
-    write_text(None, &page)
+    clap_mangen::Man::new(command.clone())
+        .source(concat!("tabulate ", env!("CARGO_PKG_VERSION")))
+        .render(&mut page)?;
+    // clap_mangen calls the text after the options EXTRA.
+    let page = String::from_utf8(page)?.replace(".SH EXTRA\n", ".SH EXAMPLES\n");
+    write_text(None, page.as_bytes())
 }
