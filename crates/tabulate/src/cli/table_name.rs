@@ -115,7 +115,7 @@ fn refuse(path: PathBuf, endings: &[&str], why: &'static str) -> Result<PathBuf,
         path.extension()
             .is_some_and(|found| found.eq_ignore_ascii_case(ending))
     };
-    if endings.iter().any(|ending| refused(&ending)) {
+    if endings.iter().any(refused) {
         Err(why)
     } else {
         Ok(path)
