@@ -20,7 +20,7 @@ pub enum Error {
     },
     /// An argument with a length, a count, an order or a range that the computation does not
     /// accept.
-    #[error("{name} = {} cannot be used: it must be {allowed}", count_or_number(*value))]
+    #[error("{name} = {value:?} cannot be used: it must be {allowed}")]
     InvalidArgument {
         /// The name of the argument.
         name: &'static str,
@@ -109,7 +109,7 @@ pub enum Error {
     #[error(
         "the table is normalised by {table}, the query needs one normalised by {query}: use a table \
          with {} in its scene",
-        if *query == "E1*" { "e1_over_e2 = 0 (rigid sphere)" } else { "e1_over_e2 > 0 (compliant sphere)" }
+        sphere_of(query)
     )]
     Normalisation {
         /// The modulus that normalises the table.
@@ -210,21 +210,21 @@ pub enum Error {
     },
 }
 
-/// Formats a value without `.0` where it may be a count.
-fn count_or_number(value: f64) -> String {
-    if value.fract() == 0.0 && value.abs() < 1e15 {
-        format!("{value}")
-    } else {
-        format!("{value:?}")
-    }
-}
-
 /// Formats the range of an axis, or its only value.
 fn extent(from: f64, to: f64) -> String {
     if from == to {
         format!("has only {from:?}")
     } else {
         format!("covers {from:?} to {to:?}")
+    }
+}
+
+/// Returns the `e1_over_e2` of a scene whose table is normalised by this modulus.
+fn sphere_of(normalisation: &str) -> &'static str {
+    if normalisation == "E1*" {
+        "e1_over_e2 = 0 (rigid sphere)"
+    } else {
+        "e1_over_e2 > 0 (compliant sphere)"
     }
 }
 

@@ -1,6 +1,6 @@
 //! Adhesive contact of a sphere on a coated substrate, from a precomputed table.
 //!
-//! A sphere (body 2) touches a film (1) bonded to a substrate (0) and sticks to it. Barthel's
+//! A sphere (body 2) touches a film (1) bonded to a substrate (0) and adheres to it. Barthel's
 //! model, *Adhesive contact of a compliant sphere to an elastic coated substrate: the thin film
 //! limit*, needs four dimensionless functions of (`a/t`, `E1/E2*`, `nu1`, `E0/E2*`), the
 //! [`Quantities`]. The crate `tabulate` computes them once for a table. This crate interpolates the

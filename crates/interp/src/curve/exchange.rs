@@ -11,8 +11,8 @@ impl Curve {
     /// The spline is a function of `ln(a/t)` between the ends of [`Curve::range`]. It has `pieces`
     /// Bezier pieces of equal length (`pieces + 1` keys with handles) with the values and the
     /// slopes of the curve at their ends. Its error falls with the fourth power of `pieces`: on six
-    /// decades, 600 pieces of an ordinary quantity have an error of some 1e-9, as measured by the
-    /// test in this file.
+    /// decades, 600 pieces of an ordinary quantity have an error of some 1e-9 (measured by the unit
+    /// test `the_cubic_spline_of_the_curve_converges_to_it_with_its_order`).
     ///
     /// # Errors
     /// As [`Curve::quantity`]; [`Error::InvalidArgument`] unless `pieces` is 1 to 1,000,000.

@@ -86,7 +86,9 @@ pub(crate) fn first_piece_outside<'a>(
     dispatch!(Level::new(), simd => {
         for piece in pieces {
             if !are_surely_within(simd, range, piece) {
-                let leaving = |&q: &Quantity| held[q as usize] && !is_within(range, piece, q as usize);
+                let leaving = |&quantity: &Quantity| {
+                    held[quantity as usize] && !is_within(range, piece, quantity as usize)
+                };
                 if let Some(quantity) = Quantity::ALL.into_iter().find(leaving) {
                     return Some((piece, quantity));
                 }
@@ -122,7 +124,10 @@ fn is_within(range: &RangeInclusive<f64>, piece: &Values, quantity: usize) -> bo
     };
     // The coefficient of `u^m`, with `u = (t + 1)/2` from 0 to 1.
     let power = |m: usize| {
-        let terms = (m..VALUE).map(|k| if (k - m).is_multiple_of(2) { choose(k, m) } else { -choose(k, m) } * piece[k][quantity]);
+        let terms = (m..VALUE).map(|k| {
+            let sign = if (k - m).is_multiple_of(2) { 1.0 } else { -1.0 };
+            sign * choose(k, m) * piece[k][quantity]
+        });
         terms.sum::<f64>() * (1_u64 << m) as f64
     };
     let bernstein = |j: usize| {

@@ -208,7 +208,10 @@ impl Resampler {
         coefficients: &[[f64; 4]],
     ) -> f64 {
         let mut values = [[0.0; 4]; VALUE];
-        dispatch!(Level::new(), simd => exponential(simd, self.logarithms(simd, piece, coefficients), [1.0; 4], &mut values));
+        dispatch!(Level::new(), simd => {
+            let logarithms = self.logarithms(simd, piece, coefficients);
+            exponential(simd, logarithms, [1.0; 4], &mut values);
+        });
         let samples = chebyshev_points(ends, range.map(|x| x * self.grid.factor));
         let middles = samples
             .windows(2)
@@ -363,7 +366,8 @@ mod tests {
         });
         let mut values = [[0.0; 4]; VALUE];
         dispatch!(Level::new(), simd => {
-            exponential(simd, logarithms.map(|row| f64x4::simd_from(simd, row)), [2.0, 1.0, 1.0, 3.0], &mut values)
+            let logarithms = logarithms.map(|row| f64x4::simd_from(simd, row));
+            exponential(simd, logarithms, [2.0, 1.0, 1.0, 3.0], &mut values)
         });
         for t in [-1.0, -0.3, 0.0, 0.5, 1.0] {
             let position = Position { piece: 0, t };

@@ -48,7 +48,8 @@ impl Curve {
         }
         let a_over_t: Vec<f64> = nodes.iter().map(|node| node.0).collect();
         if let Some([_, close]) = too_close(Parameter::AOverT, &a_over_t) {
-            let allowed = "above that of the node before, in ln(a/t) by at least 1e-9 and 1e-7 of the range of all nodes";
+            let allowed = "larger than the one before: ln(a/t) by at least 1e-9, and by \
+                           1e-7 of the range of all nodes";
             Error::argument(false, Parameter::AOverT.name(), close, allowed)?;
         }
         let es = material.sphere_film_modulus();
@@ -71,9 +72,9 @@ impl Curve {
             Some((quantity, value)) => Err(Error::InvalidArgument {
                 name: quantity.name(),
                 value,
-                allowed:
-                    "in [1e-30, 1e30] between the nodes, too: give more nodes where it changes fast"
-                        .into(),
+                allowed: "in [1e-30, 1e30] between the nodes, too: give more nodes where it \
+                          changes fast"
+                    .into(),
             }),
         }
     }

@@ -39,7 +39,8 @@ impl Parameter {
             }
             Self::Nu1 => "Poisson ratio of the film",
             Self::E0OverE2 => {
-                "Young's modulus of the substrate over the sphere's reduced modulus E2* (over the film's Young's modulus if the sphere is rigid)"
+                "Young's modulus of the substrate over the sphere's reduced modulus E2* \
+                 (over the film's Young's modulus if the sphere is rigid)"
             }
         }
     }
@@ -68,8 +69,8 @@ impl Parameter {
     /// coordinate vanish at `value`.
     ///
     /// They do for an incompressible film, `nu1 = 0.5`, because the quantities are smooth functions
-    /// of `1 - 2 nu1`, which is the cube of `1 - 2c`. Splines whose last node is there are given
-    /// the same end conditions.
+    /// of `1 - 2 nu1`, which is the cube of `1 - 2c`. The derivatives of splines that end there are
+    /// made to vanish, too.
     pub fn is_flat_at(self, value: f64) -> bool {
         self == Self::Nu1 && value == 0.5
     }

@@ -20,12 +20,12 @@ pub(crate) struct Lookup {
 impl Lookup {
     /// The largest error that the pieces may add to the curves of the materials for which they are
     /// made, relative to the table's tolerance. Curves of other materials may have a slightly
-    /// larger error. In the embedded table it is 0.06 (`tests/table/lookup.rs`).
+    /// larger error; with the embedded table it is 0.06 tolerances (`tests/table/lookup.rs`).
     const SHARE: f64 = 0.1;
     /// The smallest error of the pieces that is asked for, whatever the table's tolerance.
     const LEAST_ERROR: f64 = 1e-11;
-    /// The number of parts into which these materials divide each axis. With 2 the error for other
-    /// materials of the embedded table was 0.28 tolerances.
+    /// The number of parts into which these materials divide each axis. Two parts gave an error of
+    /// 0.28 tolerances for other materials of the embedded table.
     const PARTS: usize = 4;
 
     /// Prepares the lookup in `spline`, which holds `quantities` to a relative `tolerance`.

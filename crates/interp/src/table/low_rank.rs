@@ -274,7 +274,7 @@ impl LowRank {
 
     /// Returns the cores of `e0_over_e2`, `e1_over_e2`, `nu1` and `a_over_t`, row-major over the
     /// bond before, the node, and the bond after (the quantities held, for the last core).
-    pub(crate) fn cores(&self) -> [Vec<f64>; 4] {
+    fn cores(&self) -> [Vec<f64>; 4] {
         let [a, b, c] = self.ranks();
         let at_nodes = |i: usize, after: usize| {
             let (functions, core, nodes) = (&self.functions[i], &self.cores[i], self.nodes[i]);

@@ -255,7 +255,7 @@ impl Table {
     /// Makes the curve of `material` with its derivatives with respect to the material, which
     /// [`Curve::gradient`] returns.
     ///
-    /// They are the derivatives of the splines. It takes some three times as long as
+    /// They are the derivatives of the splines. Making this curve takes some three times as long as
     /// [`Table::curve`].
     ///
     /// # Errors

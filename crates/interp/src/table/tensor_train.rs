@@ -1,9 +1,9 @@
 //! A tensor train prepared for lookup: from its cores to the coefficients of the splines of one
 //! material over `ln(a/t)`.
 //!
-//! At a point ten B-splines of an axis do not vanish. But between two knots a table is smoother
-//! than any sum of ten B-splines, and of a bond index with a small weight only the first digits
-//! matter. Therefore each core is expanded, over each interval between knots, in functions that
+//! Ten B-splines of an axis contribute at any point. Between two knots, however, a table is
+//! smoother than a general sum of ten B-splines, and a bond index with a small weight needs few
+//! digits. Therefore each core is expanded, over each interval between knots, in functions that
 //! oscillate more and more. The contribution of a bond index and a function to a block of indices
 //! of the next bond is dropped where it is far below the table's tolerance, and stored in single
 //! precision where that is accurate enough. This leaves fewer multiplications, and more of them are
