@@ -11,8 +11,7 @@ use super::axis::Axis;
 use super::chart::{BLACK, Colour, Figure, Panel, Side};
 use super::picture::legible;
 use crate::Error;
-use crate::table::certify::Axis as TableAxis;
-use crate::table::sample;
+use crate::table::{SampledAxis, sample};
 
 /// Cells of the map along `a/t` and `E1/E2`.
 pub const CELLS: [usize; 2] = [72, 42];
@@ -58,7 +57,7 @@ pub fn data(table: &Table, progress: &(dyn Fn(usize) + Sync)) -> Result<Data, Er
             format!("the map is over a_over_t and e1_over_e2, but the table fixes {name} = {only}");
         return Err(Error::Picture(what));
     }
-    let axes = Parameter::ALL.map(|parameter| TableAxis::new(parameter, table.axis(parameter)));
+    let axes = Parameter::ALL.map(|parameter| SampledAxis::new(parameter, table.axis(parameter)));
     let share = |k: usize, i: usize| i as f64 / CELLS[k] as f64;
     let largest = |[column, row]: [usize; 2]| {
         let mut random = Pcg64Mcg::seed_from_u64((row * CELLS[0] + column) as u64);
