@@ -74,9 +74,16 @@ pub fn report(table: &Table, illustrations: &[Illustration]) -> Result<String, E
         ("bytes", packed.len().div_ceil(1000).to_string()),
         (
             "difference",
-            format!("{:.1e}", largest_difference(table, &embedded)?),
+            if table.low_rank().is_some() {
+                "the table itself, in low-rank form".to_owned()
+            } else {
+                format!(
+                    "a low-rank form of the table, whose quantities differ from those of the table by at most {:.1e} \
+                     (relative, at {COMPARED} random points)",
+                    largest_difference(table, &embedded)?
+                )
+            },
         ),
-        ("compared", COMPARED.to_string()),
         ("figures", section(illustrations)?),
         ("packed", STANDARD.encode(&packed)),
         ("script", script.concat()),
