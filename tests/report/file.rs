@@ -8,7 +8,7 @@ use tabulate::report::report;
 
 use crate::{DIFFERENCE, FOUR_AXES, RIGID_SPHERE, desk, embedded_default};
 
-/// The table in a page.
+/// Reads the table in a page.
 fn packed(page: &str) -> Table {
     let (_, rest) = page
         .split_once("id=\"packed\">")
@@ -54,7 +54,7 @@ fn the_file_is_whole_and_the_same_twice() {
         "the error map, and the paper's figures"
     );
     assert!(!page.contains("{{") && !page.contains("}}"));
-    // A name of XML, which is no address to fetch from.
+    // The name of the SVG format is not an address to fetch.
     assert!(
         !page
             .replace("http://www.w3.org/2000/svg", "")
@@ -102,7 +102,7 @@ fn the_table_in_the_page_is_the_table() {
             table.description().title
         );
     }
-    // One that is in this form already is in the page as it is.
+    // A table in low-rank form is in the page unchanged.
     let table = Table::read(embedded_default()).expect("the embedded table");
     let embedded = packed(&report(&table, &[]).expect("a report"));
     assert_eq!(

@@ -10,7 +10,7 @@ use tabulate::report::report;
 use crate::browser::browse;
 use crate::{DIFFERENCE, RIGID_SPHERE, desk, embedded_default};
 
-/// What a force against a contact radius takes, and no more; a rigid sphere with adhesion.
+/// A rigid sphere with adhesion, without `delta0`: enough for load against contact radius.
 const NO_PENETRATION: &str = "
     title      = 'Rigid sphere and substrate'
     tolerance  = 1e-6
@@ -21,7 +21,8 @@ const NO_PENETRATION: &str = "
     e0_over_e2 = inf
 ";
 
-/// Settings as in an address and in a command line, and the work of adhesion.
+/// The settings of a page, in SI units. `film` and `substrate` are Young's modulus and Poisson
+/// ratio.
 #[derive(Clone, Copy)]
 struct Setting {
     thickness: f64,
@@ -32,7 +33,7 @@ struct Setting {
     adhesion: f64,
 }
 
-/// The paper's, with a film of 1 um.
+/// The settings of the paper, with a film of 1 um.
 const PAPER: Setting = Setting {
     thickness: 1e-6,
     film: [3.5e6, 0.5],
@@ -43,7 +44,7 @@ const PAPER: Setting = Setting {
 };
 
 impl Setting {
-    /// The address that sets what the table leaves free.
+    /// Returns the address that sets the parameters that the table leaves free.
     fn address(&self, table: &Table) -> String {
         let free = |parameter| ends(table, parameter).0 < ends(table, parameter).1;
         let rigid_sphere = ends(table, Parameter::E1OverE2).0 == 0.0;
@@ -95,8 +96,8 @@ fn number(value: &Value) -> f64 {
         .unwrap_or_else(|| panic!("{value} is no number"))
 }
 
-/// Asserts that the page agrees with the library about a contact, relative to the two parts that
-/// the load is the difference of.
+/// Asserts that the `load` of a page at radius `a` agrees with the library. The difference is
+/// relative to the sum of the adhesionless load and the part that adhesion subtracts.
 fn assert_load(contact: &Contact, adhesion: f64, a: f64, load: f64, what: &str) {
     let truth = contact.load(a, adhesion).expect("in the table");
     let adhesionless = contact.load(a, 0.0).expect("in the table");
@@ -107,8 +108,8 @@ fn assert_load(contact: &Contact, adhesion: f64, a: f64, load: f64, what: &str) 
     );
 }
 
-/// Asserts that the page of a table shows what `tabulate curve` prints of it, and `interp`
-/// computes, at these settings.
+/// Asserts that the page of a table agrees with `tabulate curve` and with `interp` at each of the
+/// settings. Returns the content of the page; none without Chromium.
 fn assert_shows(desk: &Desk, name: &str, table: &Table, settings: &[Setting]) -> Option<Value> {
     let page = report(table, &[]).expect("a report");
     let addresses: Vec<String> = settings
@@ -124,7 +125,7 @@ fn assert_shows(desk: &Desk, name: &str, table: &Table, settings: &[Setting]) ->
         assert_eq!(look["hidden"], false, "{what}: {}", look["messages"]);
         let penetrates = table.holds(Quantity::Delta0);
 
-        // The command that the page gives prints what the page writes.
+        // The command in the page prints the curve of the page's CSV file.
         let command = look["command"].as_str().expect("a command");
         let arguments: Vec<&str> = command
             .split(' ')
@@ -149,7 +150,7 @@ fn assert_shows(desk: &Desk, name: &str, table: &Table, settings: &[Setting]) ->
                 let a = theirs.get("contact_radius");
                 assert!((ours.get("contact_radius") / a - 1.0).abs() < 1e-14);
                 assert_load(&contact, setting.adhesion, a, ours.get("load"), &what);
-                // No radius is that close to the one at which a value changes its sign.
+                // No radius is so close to a zero of a column that its relative error grows.
                 for column in ["load", "penetration", "jkr_abscissa", "jkr_ordinate"] {
                     let (ours, theirs) = (ours.get(column), theirs.get(column));
                     assert!(
@@ -219,8 +220,8 @@ fn assert_shows(desk: &Desk, name: &str, table: &Table, settings: &[Setting]) ->
             .iter()
             .map(|flag| flag == true)
             .collect();
-        // A stable and an unstable piece in each drawing, of which one may be empty; and the
-        // number.
+        // Each drawing has a stable and an unstable path, one of which may be empty. The last entry
+        // is the number.
         assert!(
             moved.len() == curves + 1
                 && moved[..curves]
@@ -422,7 +423,7 @@ fn without_penetration_there_is_load_against_contact_radius() {
     };
     let states = &seen["looks"][0]["states"];
     assert_eq!(states.as_object().map(serde_json::Map::len), Some(2));
-    // The least load of all, which no library call without penetrations gives.
+    // The least load; the library has no call for it without penetrations.
     let contact = setting.contact(&table);
     let pull_off = &states["pull-off-load"];
     let (a, load) = (

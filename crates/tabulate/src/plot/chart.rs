@@ -13,7 +13,7 @@
 //! let measured = [[1e-3, 2e-6], [1e-6, 4e-6], [1e-9, 9e-6]];
 //! let x = Axis::decades("relative error", measured.map(|[error, _]| error));
 //! let y = Axis::decades("time (s)", measured.map(|[_, seconds]| seconds));
-//! let mut panel = Panel::new("What accuracy costs", x, y);
+//! let mut panel = Panel::new("Error and time of a solve", x, y);
 //! panel.line(measured, BLUE).markers(measured, BLUE, Marker::Full).label(measured[2], "solve", BLUE, Side::Right);
 //! let svg = Figure::new(360, [panel]).picture()?.encode(Format::Svg)?;
 //! # assert!(svg.starts_with(b"<svg"));
