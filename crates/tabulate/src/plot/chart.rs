@@ -34,18 +34,18 @@ use crate::Error;
 pub use super::labels::Side;
 pub use plotters::style::RGBColor as Colour;
 
-/// A colour of the palette of Okabe and Ito (*Color Universal Design*, 2008), which colour-blind
+/// The blue of the palette of Okabe and Ito (*Color Universal Design*, 2008), which colour-blind
 /// people can distinguish. The yellow and the sky blue of the palette are too pale for lines.
 pub const BLUE: Colour = RGBColor(0, 114, 178);
-/// See [`BLUE`].
+/// The vermilion of the palette of [`BLUE`].
 pub const VERMILION: Colour = RGBColor(213, 94, 0);
-/// See [`BLUE`].
+/// The green of the palette of [`BLUE`].
 pub const GREEN: Colour = RGBColor(0, 158, 115);
-/// See [`BLUE`].
+/// The purple of the palette of [`BLUE`].
 pub const PURPLE: Colour = RGBColor(204, 121, 167);
-/// See [`BLUE`].
+/// The orange of the palette of [`BLUE`].
 pub const ORANGE: Colour = RGBColor(230, 159, 0);
-/// See [`BLUE`].
+/// The black of the palette of [`BLUE`].
 pub const BLACK: Colour = RGBColor(0, 0, 0);
 /// The colour of guides and notes.
 pub const GREY: Colour = RGBColor(90, 90, 90);

@@ -25,9 +25,9 @@ const FINE_GRID: Colour = RGBColor(242, 242, 242);
 /// The coordinates of `plotters` are whole numbers: this many to a pixel.
 pub const FINE: i32 = 10;
 
-/// Sizes of text in pixels.
+/// The size of titles in pixels.
 const TITLE: f64 = 16.0;
-/// See [`TITLE`].
+/// The size of other text in pixels.
 const TEXT: f64 = 14.0;
 
 type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;

@@ -133,17 +133,18 @@ struct Candidate {
     cost: f64,
 }
 
-/// Costs, where a pixel between a label and its point costs 1.
+/// The cost of an eighth of a turn away from the preferred side. A pixel between a label and its
+/// point costs 1.
 const TURN: f64 = 5.0;
-/// See [`TURN`]: another point than the preferred one.
+/// The cost of another point than the preferred one.
 const OTHER_ANCHOR: f64 = 6.0;
-/// See [`TURN`]: a pixel by which a label is closer to something that it does not name.
+/// The cost of each pixel by which a label is closer to something that it does not name.
 const AMBIGUOUS: f64 = 2.0;
-/// See [`TURN`]: a covered point of a line or marker.
+/// The cost of a covered point of a line or marker.
 const COVERED: f64 = 12.0;
-/// See [`TURN`]: an overlap with another label.
+/// The cost of an overlap with another label.
 const OVERLAP: f64 = 1000.0;
-/// See [`TURN`]: a label that leaves the room.
+/// The cost of a label that leaves the room.
 const OUTSIDE: f64 = 5000.0;
 
 impl Label {
