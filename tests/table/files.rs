@@ -2,9 +2,8 @@
 //! for one.
 
 use std::path::{Path, PathBuf};
-use std::sync::{LazyLock, mpsc};
-use std::time::Duration;
-use std::{fs, panic, thread};
+use std::sync::LazyLock;
+use std::{fs, panic};
 
 use acceptance::{PREFIX, Workdir, all_bits, assert_names, table, with_payload, workdir};
 use interp::Parameter;
@@ -454,39 +453,45 @@ fn a_truncated_hdf5_file_is_an_error_and_one_with_trailing_bytes_is_not_changed_
     assert_same(&Table::open(&path).expect("HDF5 allows it"), &TABLE);
 }
 
-/// Axes and values have checksums and are wrong in no reading. Attributes have none, and may be
-/// read as they are.
+/// Returns the places in `bytes` to change: all but most of the bytes in long runs of zeros, which
+/// are space that HDF5 reserves and does not use.
+fn places(bytes: &[u8]) -> Vec<usize> {
+    let (mut places, mut start) = (Vec::new(), 0);
+    for run in bytes.chunk_by(|a, b| (*a, *b) == (0, 0)) {
+        let length = run.len();
+        let chosen = |&i: &usize| i < 64 || i + 64 >= length || i % 97 == 0;
+        places.extend((0..length).filter(chosen).map(|i| start + i));
+        start += length;
+    }
+    places
+}
+
+/// Checksums protect axes and values, so that no changed byte of theirs is read as another number.
+/// Attributes have none: a changed one is read as it is, or is refused.
 #[test]
 fn a_changed_byte_of_an_hdf5_file_is_an_error_or_leaves_the_values_as_they_are() {
-    let workdir = with_table();
-    let bytes = workdir.read("table.h5");
-    let (sender, results) = mpsc::channel();
-    let (original, path) = (bytes.clone(), workdir.path("changed.h5"));
-    // In a thread of its own, so that a reader without end is noticed.
-    thread::spawn(move || {
-        for at in 0..original.len() {
-            let mut changed = original.clone();
-            changed[at] ^= 0xff;
-            fs::write(&path, &changed).expect("the folder is there");
-            let _ = sender.send(panic::catch_unwind(|| Table::open(&path)));
-        }
-    });
+    let table = table(&BOX.replace("'pi0', 'gamma', 'delta0'", "'gamma'"));
+    let workdir = workdir!();
+    archive::write(&table, &workdir.path("table.h5")).expect("written");
+    let mut bytes = workdir.read("table.h5");
+    let (places, path) = (places(&bytes), workdir.path("changed.h5"));
     let (mut counts, mut panics) = ([0; 3], Vec::new());
-    for at in 0..bytes.len() {
-        let result = results.recv_timeout(Duration::from_secs(20));
-        match result
-            .unwrap_or_else(|e| panic!("byte {at}: no end in 20 s ({e}); panics at {panics:?}"))
-        {
+    for &at in &places {
+        bytes[at] ^= 0xff;
+        fs::write(&path, &bytes).expect("the folder is there");
+        bytes[at] ^= 0xff;
+        match panic::catch_unwind(|| Table::open(&path)) {
             Err(_) => panics.push(at),
             Ok(Err(_)) => counts[0] += 1,
             Ok(Ok(found)) => {
-                assert_eq!(all_bits(&found), all_bits(&TABLE), "byte {at}: values");
-                counts[1 + usize::from(found.description() == TABLE.description())] += 1;
+                assert_eq!(all_bits(&found), all_bits(&table), "byte {at}: values");
+                counts[1 + usize::from(found.description() == table.description())] += 1;
             }
         }
     }
     println!(
-        "{} bytes: errors, other attributes, no difference: {counts:?}",
+        "{} of {} bytes: errors, other attributes, no difference: {counts:?}",
+        places.len(),
         bytes.len()
     );
     assert!(counts[0] > 0);
