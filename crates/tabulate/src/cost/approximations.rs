@@ -134,9 +134,9 @@ impl Weighted {
 /// It is a series about Hertz, of which the first term alone is exact, as far as the fit `alpha`
 /// is: it is 0.5 % from the exact `int_0^inf (X(q) - 1) dq` at `nu = 0.5`, 0.5 % at 0.3 and 6 % at
 /// 0. The second should be `14/3 alpha^2/pi^2` (see [`garcia`]). At `nu = 0.5` the first three are
-/// the numbers of [`dimitriadis_incompressible`], and the fourth is its -0.0975 with the other
-/// sign. These numbers, and `alpha` beside the exact kernel's, confirm the formula; for other `nu`
-/// no second print of it was at hand.
+///    the numbers of [`dimitriadis_incompressible`], and the fourth is its -0.0975 with the other
+///    sign. These numbers, and `alpha` beside the exact kernel's, confirm the formula; for other
+///    `nu` no second print of it was at hand.
 ///
 /// # Errors
 /// [`Error::Domain`] unless `chi` is in `[0, 1e6]` and `nu` in `[0, 0.5]`.
