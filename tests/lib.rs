@@ -267,7 +267,7 @@ pub fn axes(table: &Table) -> [Vec<f64>; 4] {
 /// # Panics
 /// If rounding does not allow it.
 pub fn low_rank(table: &Table, error: f64) -> Table {
-    let form = tabulate::table::compress(table, error, None).expect("above rounding");
+    let form = tabulate::table::compress(table, error).expect("above rounding");
     Table::from_low_rank(table.description().clone(), axes(table), form)
         .expect("a form of this table")
 }

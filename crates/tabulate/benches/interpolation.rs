@@ -8,8 +8,7 @@
 use interp::Parameter;
 use interp::bspline::{Basis, LARGEST_DEGREE, TABLE_DEGREE};
 use rayon::prelude::*;
-use tabulate::table::Scene;
-use tabulate::table::plan::{EVENNESS, lines, logarithms, places};
+use tabulate::table::{EVENNESS, Scene, lines, logarithms, places};
 
 const DEFAULT_SCENE: &str = include_str!("../../../tables/default.toml");
 
@@ -70,7 +69,7 @@ fn main() {
 #[derive(Clone, Copy)]
 struct Choice {
     degree: usize,
-    /// See [`tabulate::table::plan::Placement::Nodes`]; each axis has the one that wants the fewest
+    /// See [`tabulate::table::Placement::Nodes`]; each axis has the one that wants the fewest
     /// nodes.
     evenness: &'static [f64],
     nu1: Coordinate,

@@ -15,6 +15,7 @@ pub mod cli;
 pub mod cost;
 mod error;
 mod output;
+mod parallel;
 pub mod plot;
 pub mod report;
 pub mod solve;

@@ -15,7 +15,7 @@ use crate::table::Plan;
 use crate::table::Scene;
 use crate::table::default_points;
 use crate::table::sweep;
-use crate::table::{Generated, Observer, Options, generate};
+use crate::table::{Budget, Generated, Observer, Options, generate};
 
 /// The four-parameter scene that is made when no other is named.
 const DEFAULT_SCENE: &str = include_str!("../../../../tables/default.toml");
@@ -85,7 +85,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         certificate_points: points,
         seed: arguments.seed,
         resume: arguments.resume,
-        budget,
+        budget: budget.map(Budget::of),
     };
 
     let start = Instant::now();

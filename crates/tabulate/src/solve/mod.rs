@@ -11,7 +11,7 @@ pub(crate) mod batch;
 mod bessel;
 mod compliance;
 mod contour;
-mod estimate;
+pub(crate) mod estimate;
 mod galerkin;
 mod krylov;
 pub(crate) mod quadrature;
