@@ -25,6 +25,9 @@ pub struct Arguments {
     #[arg(short, long, value_name = "TABLE.bin")]
     output: PathBuf,
     /// Low-rank form with this relative tolerance, between the nodes as well as at them
+    ///
+    /// Derivatives with respect to nu1 of incompressible films are kept about as well as the table
+    /// has them, and to 75 tolerances where it was generated to a fifth of this tolerance.
     #[arg(long, allow_negative_numbers = true)]
     tolerance: Option<f64>,
     /// Number of points of the certificate [default: 2500 for each axis]

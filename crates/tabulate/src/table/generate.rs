@@ -67,8 +67,8 @@ const UNFINISHED: &str = "partial";
 /// The largest number of refinements. More of them would not help.
 const MOST_ROUNDS: usize = 5;
 
-/// The error that a refined axis is to leave, in parts of the tolerance; and the error from which on
-/// an axis is refined, in parts of the largest error of an axis.
+/// The error that a refined axis is to leave, in parts of the tolerance; and the error from which
+/// on an axis is refined, in parts of the largest error of an axis.
 const AIM: f64 = 0.5;
 
 /// The order at which the error is taken to fall with the number `n` of nodes. Errors of splines of

@@ -48,7 +48,8 @@ pub struct Header {
     pub plan: Plan,
 }
 
-/// The finished pieces of a generation. Dropping the journal leaves the file for another generation.
+/// The finished pieces of a generation. Dropping the journal leaves the file for another
+/// generation.
 pub struct Journal {
     path: PathBuf,
     file: File,

@@ -170,8 +170,8 @@ impl Lines {
         (best.0 <= self.most()).then_some(best)
     }
 
-    /// Returns the largest error of the splines through `count` nodes in the middles of their cells,
-    /// where it is largest.
+    /// Returns the largest error of the splines through `count` nodes in the middles of their
+    /// cells, where it is largest.
     fn error(&self, count: usize, evenness: f64) -> f64 {
         let nodes = places_to(self.flat, count, evenness);
         let middles: Vec<f64> = nodes

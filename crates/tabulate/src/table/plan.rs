@@ -31,8 +31,8 @@ const MOST_VALUES: usize = 200_000_000;
 const SHARE: f64 = 0.5;
 
 impl Plan {
-    /// Plans the table of a scene. An axis has the number of nodes that the scene states for it. The
-    /// plan does not depend on the number of threads.
+    /// Plans the table of a scene. An axis has the number of nodes that the scene states for it.
+    /// The plan does not depend on the number of threads.
     ///
     /// # Errors
     /// Those of the solve; [`Error::Unresolved`] where an axis would need thousands of nodes, or

@@ -7,8 +7,8 @@ use crate::solve::batch::Batch;
 use crate::solve::{TOLERANCE, solve};
 use crate::table::scene::Scene;
 
-/// Returns the relative tolerance of the solves for a table: a hundredth of the table's own,
-/// within the range of the solve and 1e-6 at most.
+/// Returns the relative tolerance of the solves for a table: a hundredth of the table's own, within
+/// the range of the solve and 1e-6 at most.
 pub fn solve_tolerance(table_tolerance: f64) -> f64 {
     (0.01 * table_tolerance).clamp(TOLERANCE[0], 1e-6)
 }

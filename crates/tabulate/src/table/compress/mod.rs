@@ -9,4 +9,4 @@ mod end_slope;
 mod truncation;
 
 pub use compress::low_rank;
-pub use truncation::compress;
+pub use truncation::{compress, compress_with_derivatives};
