@@ -41,7 +41,7 @@ enum Figure {
         #[command(flatten)]
         output: Output,
     },
-    /// What a table costs, and from when on it pays, as `tabulate cost table` measures it
+    /// The cost of a table and its break-even, as `tabulate cost table` measures them
     TableCost {
         #[command(flatten)]
         rows: Rows,
@@ -136,11 +136,9 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
                 &rows.get(|| Ok(cost::measure_solve()))?,
             )?)
         }),
-        Figure::LookupCost { rows, output } => output.write(|| {
-            Ok(lookup_cost::figure(
-                &rows.get(|| cost::measure_lookup(None))?,
-            )?)
-        }),
+        Figure::LookupCost { rows, output } => {
+            output.write(|| Ok(lookup_cost::figure(&rows.get(cost::measure_lookup)?)?))
+        }
     }
 }
 

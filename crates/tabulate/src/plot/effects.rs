@@ -63,7 +63,7 @@ fn costs(effects: &[(Effect, &Row)], whole: &Row) -> Panel {
     let shares = |row: &Row| {
         [
             100.0 * row.saved_solves as f64 / solves,
-            100.0 * row.saved_seconds / seconds,
+            100.0 * row.saved_seconds.unwrap_or(0.0).max(0.0) / seconds,
         ]
     };
     let least = effects

@@ -3,7 +3,8 @@
 
 use super::axis::{Axis, power_of_ten};
 use super::chart::{BLUE, Colour, Figure, GREEN, Marker, Panel, Side, VERMILION};
-use crate::cost::table::{Row, human_bytes, human_count};
+use crate::cost::numbers::{human_bytes, human_count};
+use crate::cost::table::Row;
 
 /// Draws it.
 pub fn figure(rows: &[Row]) -> Figure {
@@ -82,7 +83,7 @@ fn evaluating(rows: &[Row]) -> Panel {
         .iter()
         .flat_map(|(row, _)| [few, many].map(|count| count * row.solve_seconds));
     let mut panel = Panel::new(
-        "A table pays from the dots on",
+        "Break-even: the dots",
         x,
         Axis::decades("processor time (s)", times),
     );

@@ -14,11 +14,12 @@ mod contour;
 mod estimate;
 mod galerkin;
 mod krylov;
-pub(crate) mod quadrature;
+mod quadrature;
 mod solve;
 mod symbol;
 mod wiener_hopf;
 
 pub use adaptive_curve::{CURVE_TOLERANCE, curve};
 pub use compliance::{Compliance, Sample};
+pub(crate) use quadrature::{GaussLegendre, Panels};
 pub use solve::{A_OVER_T, E0_OVER_E2, E1_OVER_E2, Method, Solution, TOLERANCE, solve};

@@ -19,5 +19,6 @@ pub use certify::{Sample, certificate, certify, default_points, measure, points_
 pub use compress::{compress, low_rank};
 pub use generate::{Generated, Observer, Options, generate};
 pub use plan::Plan;
+pub(crate) use scene::random_points;
 pub use scene::{Extent, Scene};
 pub use sweep::{Sweep, Values, solve_tolerance, sweep};

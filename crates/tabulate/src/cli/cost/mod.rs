@@ -13,17 +13,18 @@ use serde::Serialize;
 use serde::de::DeserializeOwned;
 
 pub use self::effects::of_default as measure_effects;
-pub use self::lookup::measured as measure_lookup;
-pub use self::solve::measured as measure_solve;
+pub use self::lookup::of_default as measure_lookup;
+pub use self::solve::of_default as measure_solve;
 pub use self::table::of_default as measure_table;
 use super::write_text;
-use crate::cost::{compare, read_csv, to_csv};
+use crate::cost::clock::Timing;
+use crate::cost::{Measured, compare, read_csv, to_csv};
 use crate::output;
 
 /// Measure what accuracy costs in time and memory
 ///
-/// Prints a summary as Markdown; -o writes all that was measured as CSV, which `tabulate plot`
-/// draws. Errors and sizes are the same in every run, times are not.
+/// Prints a summary in Markdown. -o writes all rows as CSV, which `tabulate plot` draws. Two runs
+/// differ only in their times.
 #[derive(clap::Args)]
 pub struct Arguments {
     #[command(subcommand)]
@@ -47,49 +48,87 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     }
 }
 
-/// Where rows come from and go to.
+/// The files that rows are written to and read from.
 #[derive(clap::Args)]
 struct Rows {
-    /// Write all rows here, as CSV
+    /// Write all rows to this file, as CSV
     #[arg(short, long, value_name = "OUT.csv")]
     output: Option<PathBuf>,
-    /// Sum up the rows that -o wrote here before, instead of measuring
+    /// Sum up the rows of this file, which -o has written, instead of measuring
     #[arg(long, value_name = "COST.csv", conflicts_with_all = ["output", "compare"])]
     data: Option<PathBuf>,
-    /// Fail where the rows differ from those that -o wrote here before: errors and sizes but for
-    /// rounding, times by a factor of ten
+    /// Fail where the rows differ from those of this file, which -o has written
+    ///
+    /// Counts must be equal, errors equal but for rounding. Times may differ by a factor of ten
+    /// more than the other times of their column, whatever the speed of the machine. Without -o,
+    /// times are measured briefly, which is enough for that.
     #[arg(long, value_name = "COST.csv")]
     compare: Option<PathBuf>,
 }
 
 impl Rows {
-    /// Gets the rows, writes and compares them if asked to, and prints their summary. `input` is a
-    /// file that must not be overwritten.
+    /// Gets the rows, writes and compares them if that is asked for, and prints their summary. What
+    /// is left out is named in the summary and on standard error. `input` is a file that must not
+    /// be overwritten.
     fn report<R: Serialize + DeserializeOwned>(
         &self,
         input: Option<&Path>,
-        measure: impl FnOnce() -> anyhow::Result<Vec<R>>,
+        measure: impl FnOnce(Timing) -> anyhow::Result<Measured<R>>,
         markdown: fn(&[R]) -> String,
     ) -> anyhow::Result<()> {
         output::check(self.output.as_deref(), input)?;
         let before = self
             .compare
             .as_ref()
-            .map(|path| anyhow::Ok((path, read_csv(path)?)))
+            .map(|path| anyhow::Ok((path, read_csv::<R>(path)?)))
             .transpose()?;
-        let rows = self
-            .data
-            .as_ref()
-            .map_or_else(measure, |path| Ok(read_csv(path)?))?;
+        let Measured { rows, left_out } = match &self.data {
+            Some(path) => read_csv(path)?.into(),
+            None => measure(self.timing())?,
+        };
         if self.output.is_some() {
             write_text(self.output.as_deref(), &to_csv(&rows))?;
         }
-        write_text(None, markdown(&rows).as_bytes())?;
-        match before {
-            Some((path, before)) => {
-                compare(&before, &rows).with_context(|| path.display().to_string())
-            }
-            None => Ok(()),
+        let mut summary = markdown(&rows);
+        for sentence in &left_out {
+            summary += &format!("{sentence}\n");
+        }
+        write_text(None, summary.as_bytes())?;
+        report_left_out(&left_out);
+        let Some((path, before)) = before else {
+            return Ok(());
+        };
+        compare(&before, &rows).with_context(|| path.display().to_string())?;
+        let fewer = before.len() - rows.len();
+        if fewer > 0 {
+            eprintln!(
+                "tabulate: {}: the last {fewer} of its {} rows are not compared",
+                path.display(),
+                before.len()
+            );
+        }
+        Ok(())
+    }
+
+    /// Rows that are only compared need no exact times.
+    const fn timing(&self) -> Timing {
+        if self.compare.is_some() && self.output.is_none() {
+            Timing::Brief
+        } else {
+            Timing::Thorough
         }
     }
+}
+
+/// Says on standard error what has no row.
+fn report_left_out(left_out: &[String]) {
+    for sentence in left_out {
+        eprintln!("tabulate: {sentence}");
+    }
+}
+
+/// Returns the rows of a measurement for a figure, and says what is left out.
+fn complete<R>(measured: Measured<R>) -> Vec<R> {
+    report_left_out(&measured.left_out);
+    measured.rows
 }

@@ -1,56 +1,98 @@
 //! `tabulate cost table`
 
 use std::path::PathBuf;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
-use super::Rows;
+use anyhow::ensure;
+
+use super::{Rows, complete};
 use crate::cli::generate::{Bars, budget, read_scene};
-use crate::cost::table::{Row, markdown, measure};
+use crate::cost::Measured;
+use crate::cost::clock::Timing;
+use crate::cost::table::{Limits, Row, TOLERANCES, markdown, measure};
 use crate::table::Scene;
 
-/// In seconds.
+/// The budget in seconds if neither --budget nor --to is given.
 const BUDGET: f64 = 60.0;
 
-/// A table: tolerance against nodes, solves, time, bytes and certified error, and from how many
-/// evaluations on it pays
+/// A table: tolerance, nodes, solves, time, bytes and certified error, and its break-even
 ///
-/// Makes the tables of a scene to 1e-2, 1e-3 and so on to 1e-8, packs each to the same tolerance,
-/// and stops before the one that would not be ready within the budget.
+/// Makes the tables of a scene to 1e-2, 1e-3 and so on to 1e-8, and packs each to the same
+/// tolerance. Stops before the first table that would not be ready within the budget, and says so.
+/// Break-even is after the number of evaluations from which on the table has cost less processor
+/// time than direct solves. The certified error is the largest one at sampled points.
 #[derive(clap::Args)]
 pub struct Arguments {
-    /// The scene, whose own tolerance plays no part; without one, the default four-parameter box
+    /// The scene, whose own tolerance is ignored [default: the four-parameter box]
     #[arg(value_name = "SCENE.toml", conflicts_with = "data")]
     scene: Option<PathBuf>,
-    /// Time for all tables together
-    #[arg(long, value_name = "SECONDS", default_value_t = BUDGET, allow_negative_numbers = true, conflicts_with = "data")]
-    budget: f64,
+    /// Time for all tables together [default: 60, or no limit with --to]
+    #[arg(
+        long,
+        value_name = "SECONDS",
+        allow_negative_numbers = true,
+        conflicts_with = "data"
+    )]
+    budget: Option<f64>,
+    /// Make the tables down to this tolerance, 1e-2 to 1e-8, on a machine of any speed
+    #[arg(
+        long,
+        value_name = "TOLERANCE",
+        allow_negative_numbers = true,
+        conflicts_with = "data"
+    )]
+    to: Option<f64>,
     #[command(flatten)]
     rows: Rows,
 }
 
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let scene = read_scene(arguments.scene.as_deref(), None)?;
-    let budget = budget(arguments.budget)?;
+    let seconds = match (arguments.budget, arguments.to) {
+        (None, None) => Some(BUDGET),
+        (seconds, _) => seconds,
+    };
+    let budget = seconds.map(budget).transpose()?;
+    let [loosest, .., tightest] = TOLERANCES;
+    let to = arguments.to.unwrap_or(tightest);
+    ensure!(
+        to >= tightest && to <= loosest,
+        "--to = {to:?}: it must be from {loosest:e} to {tightest:e}"
+    );
     arguments.rows.report(
         arguments.scene.as_deref(),
-        || measured(&scene, budget),
+        |timing| measured(&scene, to, budget, timing),
         markdown,
     )
 }
 
-/// The tables of the default scene within the default budget.
+/// Measures the tables of the default scene within the default budget, for a figure.
 pub fn of_default() -> anyhow::Result<Vec<Row>> {
-    measured(&read_scene(None, None)?, budget(BUDGET)?)
+    let [.., tightest] = TOLERANCES;
+    let (scene, budget) = (read_scene(None, None)?, budget(BUDGET)?);
+    Ok(complete(measured(
+        &scene,
+        tightest,
+        Some(budget),
+        Timing::Thorough,
+    )?))
 }
 
-/// All rows, with bars; says what is left out.
-fn measured(scene: &Scene, budget: Duration) -> anyhow::Result<Vec<Row>> {
+/// Measures all rows, with bars.
+fn measured(
+    scene: &Scene,
+    tightest: f64,
+    budget: Option<Duration>,
+    timing: Timing,
+) -> anyhow::Result<Measured<Row>> {
+    let began = Instant::now();
+    let limits = Limits {
+        tightest,
+        budget,
+        clock: &|| began.elapsed(),
+    };
     let bars = Bars::new();
-    let measured = measure(scene, budget, &bars);
+    let measured = measure(scene, &limits, timing, &bars);
     bars.clear();
-    let measured = measured?;
-    if let Some((tolerance, why)) = measured.left_out {
-        eprintln!("from {tolerance:e} on left out: {why}");
-    }
-    Ok(measured.rows)
+    Ok(measured?)
 }
