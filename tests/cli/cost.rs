@@ -2,12 +2,12 @@
 //! with those of another run.
 
 use acceptance::{Desk, assert_names};
-use tabulate::cost::effects::Row;
+use tabulate::cost::effects::{Row, markdown};
 use tabulate::cost::{TIME_FACTOR, compare, read_csv, to_csv};
 
 const SCENE: &str = "\
-title = 'A small box'
-a_over_t = { from = 0.1, to = 10 }
+title = 'A line'
+a_over_t = 1
 e1_over_e2 = { from = 0.3, to = 3 }
 nu1 = 0.5
 e0_over_e2 = 10
@@ -33,9 +33,16 @@ fn rows_are_summed_up_and_compared_with_those_of_another_run() {
         printed
     );
 
+    assert_eq!(desk.files(), ["rows.csv", "scene.toml"]);
     // The rows with one cell of the third changed, against themselves. There is no second run, as
     // it has other times.
     let rows: Vec<Row> = read_csv(&desk.path("rows.csv")).expect("its own");
+    assert_eq!(printed, markdown(&rows));
+    assert_eq!(
+        to_csv(&rows),
+        desk.read("rows.csv"),
+        "numbers do not read back"
+    );
     let compared = |change: fn(&mut Row)| {
         let mut before = rows.clone();
         change(&mut before[2]);

@@ -1,7 +1,7 @@
 //! Times: how they are measured and how they are printed.
 
 use std::hint::black_box;
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 /// How carefully times are measured.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -13,18 +13,20 @@ pub enum Timing {
 }
 
 impl Timing {
-    /// Returns the time of a call in seconds: [`seconds`] if thorough, otherwise the fastest of up
-    /// to three samples.
+    /// Returns the time of a call in seconds: [`seconds`] if thorough, otherwise the fastest of a
+    /// few samples. An interruption by another program spoils a sample, and seldom all of them.
     pub fn seconds<T>(self, budget: f64, mut call: impl FnMut() -> T) -> f64 {
-        /// An interruption spoils one sample of three, or a small part of a longer one.
-        const LONG: f64 = 3e-3;
+        const SAMPLES: usize = 5;
+        /// No further sample is taken after this time.
+        const ENOUGH: Duration = Duration::from_millis(100);
         match self {
             Self::Thorough => seconds(budget, call),
             Self::Brief => {
+                let began = Instant::now();
                 let mut fastest = f64::INFINITY;
-                for _ in 0..3 {
+                for _ in 0..SAMPLES {
                     fastest = seconds(0.0, &mut call).min(fastest);
-                    if fastest >= LONG {
+                    if began.elapsed() > ENOUGH {
                         break;
                     }
                 }

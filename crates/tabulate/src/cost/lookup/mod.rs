@@ -1,4 +1,5 @@
-//! One lookup: time and error of every form of it, beside direct solves and the closed forms in use.
+//! One lookup: time and error of every form of it, beside direct solves and the closed forms in
+//! use.
 //!
 //! An error is that of the load at a given contact radius, once without adhesion and once with
 //! adhesion that halves the load. For the series for thin layers, it is that of the load at a given
