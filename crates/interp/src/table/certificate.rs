@@ -23,8 +23,8 @@ pub struct Certificate {
     /// The point with the largest error: `a_over_t`, `e1_over_e2`, `nu1`, `e0_over_e2`.
     pub worst_point: [f64; 4],
     /// The largest relative errors of the two identities `Gamma^2 = es (Eeq + x Eeq')` and
-    /// `3 Pi0 + x Pi0' = 4 Eeq (2 Delta0 + x Delta0')` on the interpolant, each relative to its
-    /// left side; none where a quantity is missing or `a/t` is fixed.
+    /// `3 Pi0 + x Pi0' = 4 Eeq (2 Delta0 + x Delta0')` on the interpolant, each relative to its left
+    /// side; none where a quantity is missing or `a/t` is fixed.
     pub identity_errors: [Option<f64>; 2],
 }
 
