@@ -181,7 +181,7 @@ fn seen(page: &str) -> Option<String> {
         // Not `eprintln`, which tests keep to themselves.
         let _ = writeln!(
             stderr(),
-            "skipped: CHROMIUM is not set; `cargo xtask test` finds or installs Chromium, if it can"
+            "skipped: there is no browser: install Chromium and run `cargo xtask test`, or set CHROMIUM"
         );
         return None;
     };

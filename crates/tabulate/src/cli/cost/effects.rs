@@ -5,7 +5,8 @@ use std::path::PathBuf;
 use clap::value_parser;
 
 use super::Rows;
-use crate::cli::generate::{Bars, read_scene};
+use crate::cli::generate::read_scene;
+use crate::cli::progress::Bars;
 use crate::cost::clock::Timing;
 use crate::cost::effects::{Row, markdown, measure};
 use crate::table::Scene;
@@ -13,16 +14,20 @@ use crate::table::Scene;
 const TOLERANCE: f64 = 1e-4;
 const POINTS: u32 = 10_000;
 
-/// The effects of a scene: the cost of each, and the error of the load without it
+/// Measure effects: the cost of each, and the error of the load without it
 ///
 /// Makes the table of a scene without its film, sphere compliance, substrate compliance, film
-/// compressibility, adhesion or penetration, and compares the loads with those of the whole scene,
-/// by direct solves. Errors are relative to the adhesionless load at the same contact radius. A
+/// compressibility, adhesion or penetration. Compares the loads with those of the whole scene, by
+/// direct solves. Errors are relative to the adhesionless load at the same contact radius. A
 /// time is printed as not measurable where it is the difference of two times and not above their
 /// noise.
 #[derive(clap::Args)]
+#[command(after_help = crate::cli::examples!(
+    "tabulate cost effects --data tables/figures/effects.csv",
+    "tabulate cost effects tables/incompressible.toml --tolerance 1e-3 --points 1000",
+))]
 pub struct Arguments {
-    /// The scene [default: the four-parameter box]
+    /// The scene; without one, the default four-parameter box
     #[arg(value_name = "SCENE.toml", conflicts_with = "data")]
     scene: Option<PathBuf>,
     /// Relative tolerance of the tables, instead of the scene's

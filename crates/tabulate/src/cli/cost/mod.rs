@@ -13,19 +13,23 @@ use serde::Serialize;
 use serde::de::DeserializeOwned;
 
 pub use self::effects::of_default as measure_effects;
-pub use self::lookup::of_default as measure_lookup;
+pub use self::lookup::of_table as measure_lookup;
 pub use self::solve::of_default as measure_solve;
 pub use self::table::of_default as measure_table;
-use super::write_text;
+use super::{note, write_text};
 use crate::cost::clock::Timing;
 use crate::cost::{Measured, compare, read_csv, to_csv};
 use crate::output;
 
-/// Measure what accuracy costs in time and memory
+/// Measure the cost of accuracy in time and memory
 ///
-/// Prints a summary in Markdown. -o writes all rows as CSV, which `tabulate plot` draws. Two runs
-/// differ only in their times.
+/// Prints a summary as Markdown. With -o, writes all rows as CSV, from which `tabulate plot` draws.
+/// Errors and sizes do not change from run to run; times do.
 #[derive(clap::Args)]
+#[command(after_help = super::examples!(
+    "tabulate cost table --data tables/figures/table.csv",
+    "tabulate cost solve -o solve.csv",
+))]
 pub struct Arguments {
     #[command(subcommand)]
     of: Of,
@@ -48,13 +52,13 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     }
 }
 
-/// The files that rows are written to and read from.
+/// The files from which rows are read and to which they are written.
 #[derive(clap::Args)]
 struct Rows {
     /// Write all rows to this file, as CSV
     #[arg(short, long, value_name = "OUT.csv")]
     output: Option<PathBuf>,
-    /// Sum up the rows of this file, which -o has written, instead of measuring
+    /// Summarise the rows of this file, which -o has written, instead of measuring
     #[arg(long, value_name = "COST.csv", conflicts_with_all = ["output", "compare"])]
     data: Option<PathBuf>,
     /// Fail where the rows differ from those of this file, which -o has written
@@ -68,8 +72,8 @@ struct Rows {
 
 impl Rows {
     /// Gets the rows, writes and compares them if that is asked for, and prints their summary. What
-    /// is left out is named in the summary and on standard error. `input` is a file that must not
-    /// be overwritten.
+    /// is left out is named in the summary and on standard error. `input` is a file that the output
+    /// must not replace.
     fn report<R: Serialize + DeserializeOwned>(
         &self,
         input: Option<&Path>,
@@ -101,11 +105,11 @@ impl Rows {
         compare(&before, &rows).with_context(|| path.display().to_string())?;
         let fewer = before.len() - rows.len();
         if fewer > 0 {
-            eprintln!(
-                "tabulate: {}: the last {fewer} of its {} rows are not compared",
+            note(&format!(
+                "{}: the last {fewer} of its {} rows are not compared",
                 path.display(),
                 before.len()
-            );
+            ));
         }
         Ok(())
     }
@@ -122,9 +126,7 @@ impl Rows {
 
 /// Says on standard error what has no row.
 fn report_left_out(left_out: &[String]) {
-    for sentence in left_out {
-        eprintln!("tabulate: {sentence}");
-    }
+    left_out.iter().for_each(|sentence| note(sentence));
 }
 
 /// Returns the rows of a measurement for a figure, and says what is left out.

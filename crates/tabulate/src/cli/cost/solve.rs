@@ -1,12 +1,16 @@
 //! `tabulate cost solve`
 
 use super::Rows;
-use crate::cli::progress_bar;
+use crate::cli::progress::progress_bar;
 use crate::cost::clock::Timing;
 use crate::cost::solve::{Row, contacts, markdown, measure};
 
-/// One solve: error and time, beside a plain dense solver by Nystrom's method
+/// Measure one solve: error against time, beside a plain dense Nystrom solve
 #[derive(clap::Args)]
+#[command(after_help = crate::cli::examples!(
+    "tabulate cost solve --data tables/figures/solve.csv",
+    "tabulate cost solve -o solve.csv",
+))]
 pub struct Arguments {
     #[command(flatten)]
     rows: Rows,

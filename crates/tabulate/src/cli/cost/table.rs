@@ -6,7 +6,8 @@ use std::time::{Duration, Instant};
 use anyhow::ensure;
 
 use super::{Rows, complete};
-use crate::cli::generate::{Bars, budget, read_scene};
+use crate::cli::generate::{budget, read_scene};
+use crate::cli::progress::Bars;
 use crate::cost::Measured;
 use crate::cost::clock::Timing;
 use crate::cost::table::{Limits, Row, TOLERANCES, markdown, measure};
@@ -15,18 +16,24 @@ use crate::table::Scene;
 /// The budget in seconds if neither --budget nor --to is given.
 const BUDGET: f64 = 60.0;
 
-/// A table: tolerance, nodes, solves, time, bytes and certified error, and its break-even
+/// Measure tables: nodes, solves, time, bytes and certified error for each tolerance
 ///
-/// Makes the tables of a scene to 1e-2, 1e-3 and so on to 1e-8, and packs each to the same
-/// tolerance. Stops before the first table that would not be ready within the budget, and says so.
-/// Break-even is after the number of evaluations from which on the table has cost less processor
-/// time than direct solves. The certified error is the largest one at sampled points.
+/// Makes the tables of a scene with the tolerances 1e-2, 1e-3, ..., 1e-8, and packs each with its
+/// own tolerance. Stops before the first table that would not be ready within the budget, and says
+/// so. The summary also states the break-even: the number of evaluations after which a table has
+/// cost as much processor time as direct solves. A certified error is the largest at sampled
+/// points.
 #[derive(clap::Args)]
+#[command(after_help = crate::cli::examples!(
+    "tabulate cost table --data tables/figures/table.csv",
+    "tabulate cost table --budget 20 -o table.csv",
+    "tabulate cost table --to 1e-4",
+))]
 pub struct Arguments {
-    /// The scene, whose own tolerance is ignored [default: the four-parameter box]
+    /// The scene, whose own tolerance is not used; without one, the default four-parameter box
     #[arg(value_name = "SCENE.toml", conflicts_with = "data")]
     scene: Option<PathBuf>,
-    /// Time for all tables together [default: 60, or no limit with --to]
+    /// The time for all tables together [default: 60, or no limit with --to]
     #[arg(
         long,
         value_name = "SECONDS",
