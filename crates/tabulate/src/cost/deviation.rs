@@ -4,7 +4,7 @@ use interp::{Material, Quantities};
 
 use super::clock::median;
 use crate::Error;
-use crate::solve::{Solution, solve};
+use crate::solve::{Solution, larger, solve};
 
 /// Returns the solve at the tightest tolerance from 1e-13 to 1e-9 that is not refused.
 ///
@@ -21,15 +21,10 @@ pub fn tightest(a_over_t: f64, material: &Material) -> Result<Solution, Error> {
 /// Returns the largest relative deviation of the four quantities of `a` from those of `b`, at least
 /// half a unit of rounding. NaN if one deviation is NaN.
 pub fn deviation(a: &Quantities, b: &Quantities) -> f64 {
-    let deviations = a
-        .to_array()
-        .into_iter()
-        .zip(b.to_array())
-        .map(|(a, b)| (a / b - 1.0).abs());
-    deviations.fold(
-        0.5 * f64::EPSILON,
-        |a, b| if a.is_nan() || b <= a { a } else { b },
-    )
+    let pairs = a.to_array().into_iter().zip(b.to_array());
+    pairs
+        .map(|(a, b)| (a / b - 1.0).abs())
+        .fold(0.5 * f64::EPSILON, larger)
 }
 
 /// Returns the median and the largest of at least one error. NaN counts as larger than any number.

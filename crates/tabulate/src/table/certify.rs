@@ -4,9 +4,9 @@ use interp::Parameter;
 use interp::{Certificate, Curve, Material, Quantity, Table};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
-use rayon::prelude::*;
 
 use crate::Error;
+use crate::parallel::try_map;
 use crate::table::sweep::solve_for_table;
 
 /// How far a table is from a direct solve at one point.
@@ -94,14 +94,11 @@ pub fn measure(
     seed: u64,
     progress: &(dyn Fn(usize) + Sync),
 ) -> Result<Vec<Sample>, Error> {
-    let samples = places(table, points, seed).into_par_iter().map(|point| {
+    try_map(places(table, points, seed), |point| {
         let sample = sample(table, point)?;
         progress(1);
         Ok(sample)
-    });
-    // In two steps: of several errors, the first one is returned.
-    let samples: Vec<Result<Sample, Error>> = samples.collect();
-    samples.into_iter().collect()
+    })
 }
 
 /// The points that a table is compared at.

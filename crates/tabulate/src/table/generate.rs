@@ -9,8 +9,8 @@ use std::time::{Duration, Instant};
 
 use interp::Parameter;
 use interp::{Certificate, Description, Table};
-use rayon::prelude::*;
 
+use crate::parallel::try_map;
 use crate::table::archive;
 use crate::table::certify::{Sample, certificate, measure, sample};
 use crate::table::journal::{Header, Journal, beside};
@@ -267,20 +267,12 @@ fn factors(table: &Table, mut samples: Vec<Sample>) -> Result<[f64; 4], Error> {
         .into_iter()
         .filter(|&parameter| table.axis(parameter).len() > 1)
     {
-        let errors: Vec<Result<f64, Error>> = samples
-            .par_iter()
-            .map(|suspect| {
-                let mut point =
-                    Parameter::ALL.map(|other| snap(other, suspect.point[other as usize]));
-                point[parameter as usize] = suspect.point[parameter as usize];
-                Ok(sample(table, point)?.error)
-            })
-            .collect();
-        shares[parameter as usize] = errors
-            .into_iter()
-            .collect::<Result<Vec<_>, _>>()?
-            .into_iter()
-            .fold(0.0, f64::max);
+        let error = |suspect: &Sample| -> Result<f64, Error> {
+            let mut point = Parameter::ALL.map(|other| snap(other, suspect.point[other as usize]));
+            point[parameter as usize] = suspect.point[parameter as usize];
+            Ok(sample(table, point)?.error)
+        };
+        shares[parameter as usize] = try_map(&samples, error)?.into_iter().fold(0.0, f64::max);
     }
     let largest = shares.into_iter().fold(0.0, f64::max);
     let factor = (samples[0].error / (AIM * tolerance)).powf(1.0 / ORDER);

@@ -17,6 +17,8 @@ use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use crate::Error;
+use crate::parallel::try_map;
+use crate::solve::estimate::larger;
 use crate::table::scene::{Extent, MOST_NODES, Scene};
 use crate::table::sweep::solve_for_table;
 
@@ -326,11 +328,7 @@ impl Lines {
                     point
                 })
                 .collect();
-            let rows: Vec<Result<Vec<f64>, Error>> = points
-                .par_iter()
-                .map(|&point| logarithms(scene, point))
-                .collect();
-            Ok(rows.into_iter().collect::<Result<Vec<_>, _>>()?.concat())
+            Ok(try_map(points, |point| logarithms(scene, point))?.concat())
         };
         let mut intervals = Self::FIRST;
         let mut lines = Self {
@@ -459,16 +457,15 @@ impl Lines {
                 }
                 largest_difference(&splines, truth)
             });
-        errors.reduce(|| 0.0, |a, b| if b <= a { a } else { b })
+        errors.reduce(|| 0.0, larger)
     }
 }
 
 fn largest_difference(a: &[f64], b: &[f64]) -> f64 {
-    // Not `f64::max`, which drops NaN.
     a.iter()
         .zip(b)
         .map(|(a, b)| (a - b).abs())
-        .fold(0.0, |largest, d| if d <= largest { largest } else { d })
+        .fold(0.0, larger)
 }
 
 /// Lines along an axis: every edge of the box, and others that are drawn at random, each parameter

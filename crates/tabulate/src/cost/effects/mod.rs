@@ -10,7 +10,6 @@ mod summary;
 use interp::Quantity;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
-use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 pub use self::effect::Effect;
@@ -20,6 +19,7 @@ use super::clock::{Times, Timing};
 use super::deviation::median_and_largest;
 use super::table::Made;
 use crate::Error;
+use crate::parallel::try_map;
 use crate::table::{Observer, Scene};
 
 /// The table of a scene without one effect, the cost that this saves, and the error of the load.
@@ -166,16 +166,11 @@ fn errors_over(
         .map(|point| (point, strength()))
         .collect();
     observer.begin("comparing", points, 0);
-    let found = places
-        .into_par_iter()
-        .map(|([a_over_t, e1, nu1, e0], strength)| {
-            let found = errors(effects, a_over_t, &scene.material([e1, nu1, e0])?, strength)?;
-            observer.advance(1);
-            Ok(found)
-        });
-    // In two steps: of several errors, the first one is returned.
-    let found: Vec<Result<Vec<f64>, Error>> = found.collect();
-    let found = found.into_iter().collect::<Result<Vec<_>, _>>()?;
+    let found = try_map(places, |([a_over_t, e1, nu1, e0], strength)| {
+        let found = errors(effects, a_over_t, &scene.material([e1, nu1, e0])?, strength);
+        observer.advance(1);
+        found
+    })?;
     Ok((0..effects.len())
         .map(|i| median_and_largest(found.iter().map(|errors| errors[i]).collect()))
         .collect())

@@ -5,7 +5,6 @@ use interp::{
     Contact, Curve, Elastic, Material, Normalisation, Parameter, Quantities, Quantity, System,
     Table,
 };
-use rayon::prelude::*;
 
 use super::linear::{Linear, Multilinear};
 use super::load::{Errors, Load, loads};
@@ -16,6 +15,7 @@ use crate::cost::Measured;
 use crate::cost::approximations::{bulk_jkr, film_jkr, gao, hay_crawford};
 use crate::cost::clock::Timing;
 use crate::cost::deviation::tightest;
+use crate::parallel::try_map;
 use crate::solve::solve;
 
 /// The tolerances of the direct solves.
@@ -72,14 +72,11 @@ fn solve_all(
     progress: &(dyn Fn(usize) + Sync),
     solve: impl Fn(&Point) -> Result<Quantities, Error> + Sync,
 ) -> Result<Vec<Quantities>, Error> {
-    let solved = points.par_iter().map(|point| {
+    try_map(points, |point| {
         let solved = solve(point);
         progress(1);
         solved
-    });
-    // In two steps: of several errors, the first one is returned.
-    let solved: Vec<Result<Quantities, Error>> = solved.collect();
-    solved.into_iter().collect()
+    })
 }
 
 /// Returns the box of a table in words, which the rows have as their scope.
