@@ -357,7 +357,7 @@ fn a_time_that_is_not_above_the_noise_is_not_a_cost() {
     let cells = [
         "| adhesion | w = 0 | 0 | 0 | 1.5 s |",
         "| penetration | no delta0 | 0 | 0 | not measurable (1.1 s is noise) |",
-        "| sphere compliance | e1_over_e2 = 0 | 0 | 0 | none (1.1 s more without it) |",
+        "| sphere compliance | e1_over_e2 = 0 | 0 | 0 | no time (1.1 s more without it) |",
     ];
     assert_names(&printed, &cells);
     desk.succeed(&["plot", "effects", "--data", "rows.csv", "-o", "rows.svg"]);

@@ -15,18 +15,24 @@ use tabulate::solve;
 /// the order `a/t`, `E1`, `nu1`, `E0`, `nu0`.
 const SHARES: [f64; 5] = [20.0, 20.0, 100.0, 20.0, 100.0];
 
-/// The derivative of a function at 0 from five or, on one side only, seven of its values.
-fn derivative(step: f64, one_sided: bool, f: impl Fn(f64) -> f64) -> f64 {
+/// Returns the derivatives of `N` functions at 0, from four values or, on one side only, seven.
+fn derivatives<const N: usize>(
+    step: f64,
+    one_sided: bool,
+    f: impl Fn(f64) -> [f64; N],
+) -> [f64; N] {
     if !one_sided {
-        return (8.0 * (f(step) - f(-step)) - (f(2.0 * step) - f(-2.0 * step))) / (12.0 * step);
+        let [near, far] = [1.0, 2.0].map(|steps| [f(steps * step), f(-steps * step)]);
+        return std::array::from_fn(|i| {
+            (8.0 * (near[0][i] - near[1][i]) - (far[0][i] - far[1][i])) / (12.0 * step)
+        });
     }
     let weights = [-2.45, 6.0, -7.5, 20.0 / 3.0, -3.75, 1.2, -1.0 / 6.0];
-    weights
-        .iter()
-        .enumerate()
-        .map(|(i, weight)| weight * f(-step * i as f64))
-        .sum::<f64>()
-        / -step
+    let values: [[f64; N]; 7] = std::array::from_fn(|k| f(-step * k as f64));
+    std::array::from_fn(|i| {
+        let terms = weights.iter().zip(&values);
+        terms.map(|(weight, value)| weight * value[i]).sum::<f64>() / -step
+    })
 }
 
 fn direct(x: f64, parameters: [f64; 4]) -> Quantities {
@@ -169,43 +175,31 @@ fn worst_misses(points: &[(f64, [f64; 4])]) -> [f64; 5] {
         let [e1, nu1, e0, nu0] = parameters;
         // The Poisson ratio of a film changes the contact by as little as this.
         let scale = (1.0 - 2.0 * nu1) + 1.0 / (1.0 + x * x);
-        for quantity in Quantity::ALL {
-            let value = gradient.values().get(quantity);
-            let log = |x: f64, parameters: [f64; 4]| direct(x, parameters).get(quantity).ln();
-            let true_slope = derivative(0.01, false, |h| log(x * h.exp(), parameters));
-            let true_e1 = derivative(0.01, false, |h| log(x, [e1 * h.exp(), nu1, e0, nu0]));
-            let true_e0 = derivative(0.01, false, |h| log(x, [e1, nu1, e0 * h.exp(), nu0]));
-            let step = 0.005 * scale.min(0.5);
-            let true_nu1 = derivative(step, nu1 + 2.0 * step > 0.5, |h| {
+        let log = |x: f64, parameters: [f64; 4]| direct(x, parameters).to_array().map(f64::ln);
+        let step = 0.005 * scale.min(0.5);
+        // In the order of `SHARES`.
+        let truths = [
+            derivatives(0.01, false, |h| log(x * h.exp(), parameters)),
+            derivatives(0.01, false, |h| log(x, [e1 * h.exp(), nu1, e0, nu0])),
+            derivatives(step, nu1 + 2.0 * step > 0.5, |h| {
                 log(x, [e1, nu1 + h, e0, nu0])
-            });
-            let true_nu0 = derivative(0.005, nu0 > 0.48, |h| log(x, [e1, nu1, e0, nu0 + h]));
-            let get = |quantities: Quantities, unit: f64| quantities.get(quantity) * unit / value;
-            let found = [
-                (get(gradient.slopes(), 1.0), true_slope, 1.0),
-                (
-                    get(gradient.by(Parameter::E1OverE2).expect("an axis"), e1),
-                    true_e1,
-                    1.0,
-                ),
-                (
-                    get(gradient.by(Parameter::Nu1).expect("an axis"), 1.0),
-                    true_nu1,
-                    scale,
-                ),
-                (
-                    get(gradient.by(Parameter::E0OverE2).expect("an axis"), e0),
-                    true_e0,
-                    1.0,
-                ),
-                (
-                    get(gradient.by_nu0().expect("axes"), 1.0),
-                    true_nu0,
-                    1.0 / (1.0 + e1 / e0),
-                ),
-            ];
-            for (worst, (found, truth, unit)) in worst.iter_mut().zip(found) {
-                let miss = (found - truth).abs() * unit / tolerance;
+            }),
+            derivatives(0.01, false, |h| log(x, [e1, nu1, e0 * h.exp(), nu0])),
+            derivatives(0.005, nu0 > 0.48, |h| log(x, [e1, nu1, e0, nu0 + h])),
+        ];
+        let by = |parameter| gradient.by(parameter).expect("an axis").to_array();
+        let found = [
+            gradient.slopes().to_array(),
+            by(Parameter::E1OverE2).map(|rate| rate * e1),
+            by(Parameter::Nu1),
+            by(Parameter::E0OverE2).map(|rate| rate * e0),
+            gradient.by_nu0().expect("axes").to_array(),
+        ];
+        let units = [1.0, 1.0, scale, 1.0, 1.0 / (1.0 + e1 / e0)];
+        let values = gradient.values().to_array();
+        for (i, worst) in worst.iter_mut().enumerate() {
+            for (k, value) in values.iter().enumerate() {
+                let miss = (found[i][k] / value - truths[i][k]).abs() * units[i] / tolerance;
                 *worst = larger(*worst, miss);
             }
         }
@@ -228,45 +222,44 @@ fn derivatives_of_the_quantities_are_those_of_the_interpolant() {
         // At nu1 = 0.5 the table ends, and near it the differences would have to be as small as
         // rounding.
         let near = nu1 > 0.48;
-        let log = |quantity: Quantity, x: f64, parameters: [f64; 4]| {
-            table
-                .curve(&material(parameters))
-                .and_then(|curve| curve.quantity(quantity, x))
-                .expect("inside")
-                .ln()
+        let log = |x: f64, parameters: [f64; 4]| {
+            let curve = table.curve(&material(parameters)).expect("inside");
+            Quantity::ALL.map(|quantity| curve.quantity(quantity, x).expect("inside").ln())
         };
-        for quantity in Quantity::ALL {
-            let value = gradient.values().get(quantity);
-            let get = |quantities: Quantities| quantities.get(quantity) / value;
-            let mut compare = |found: f64, expected: f64| {
-                worst = larger(worst, (found - expected).abs() / (1.0 + expected.abs()))
-            };
-            compare(
-                get(gradient.slopes()),
-                derivative(1e-3, false, |h| log(quantity, x * h.exp(), parameters)),
-            );
-            let e1_expected = derivative(1e-3, false, |h| {
-                log(quantity, x, [e1 * h.exp(), nu1, e0, nu0])
-            });
-            compare(
-                e1 * get(gradient.by(Parameter::E1OverE2).expect("an axis")),
-                e1_expected,
-            );
-            let e0_expected = derivative(1e-3, false, |h| {
-                log(quantity, x, [e1, nu1, e0 * h.exp(), nu0])
-            });
-            compare(
-                e0 * get(gradient.by(Parameter::E0OverE2).expect("an axis")),
-                e0_expected,
-            );
-            if !near {
-                let expected =
-                    derivative(1e-4, false, |h| log(quantity, x, [e1, nu1 + h, e0, nu0]));
-                compare(get(gradient.by(Parameter::Nu1).expect("an axis")), expected);
-                let expected =
-                    derivative(1e-4, false, |h| log(quantity, x, [e1, nu1, e0, nu0 + h]));
-                compare(get(gradient.by_nu0().expect("axes")), expected);
+        let values = gradient.values().to_array();
+        let mut compare = |found: Quantities, unit: f64, expected: [f64; 4]| {
+            for ((found, value), expected) in found.to_array().iter().zip(values).zip(expected) {
+                let difference = found * unit / value - expected;
+                worst = larger(worst, difference.abs() / (1.0 + expected.abs()));
             }
+        };
+        let by = |parameter| gradient.by(parameter).expect("an axis");
+        compare(
+            gradient.slopes(),
+            1.0,
+            derivatives(1e-3, false, |h| log(x * h.exp(), parameters)),
+        );
+        compare(
+            by(Parameter::E1OverE2),
+            e1,
+            derivatives(1e-3, false, |h| log(x, [e1 * h.exp(), nu1, e0, nu0])),
+        );
+        compare(
+            by(Parameter::E0OverE2),
+            e0,
+            derivatives(1e-3, false, |h| log(x, [e1, nu1, e0 * h.exp(), nu0])),
+        );
+        if !near {
+            compare(
+                by(Parameter::Nu1),
+                1.0,
+                derivatives(1e-4, false, |h| log(x, [e1, nu1 + h, e0, nu0])),
+            );
+            compare(
+                gradient.by_nu0().expect("axes"),
+                1.0,
+                derivatives(1e-4, false, |h| log(x, [e1, nu1, e0, nu0 + h])),
+            );
         }
     }
     println!("largest difference {worst:.1e}");
@@ -400,8 +393,9 @@ fn derivatives_of_load_and_penetration_are_those_of_direct_solves() {
                     _ => solved(with(system, input, own * h.exp()), a, w),
                 };
                 let one_sided = is_poisson && own > 0.49;
+                let expected = derivatives(step, one_sided, value);
                 for (k, found) in [found.load, found.penetration].into_iter().enumerate() {
-                    let expected = derivative(step, one_sided, |h| value(h)[k]);
+                    let expected = expected[k];
                     let miss =
                         (found * unit - expected).abs() / units[k] / table.description().tolerance;
                     assert!(
@@ -541,17 +535,14 @@ fn derivatives_on_a_half_space_are_those_of_jkr() {
     .expect("physical");
     let gradient = contact.gradient(a, w).expect("physical");
     for (i, input) in inputs.into_iter().enumerate() {
-        let derivatives = gradient.by(input).expect("known");
-        for (k, found) in [derivatives.load, derivatives.penetration]
-            .into_iter()
-            .enumerate()
-        {
+        let by = gradient.by(input).expect("known");
+        for (k, found) in [by.load, by.penetration].into_iter().enumerate() {
             let at = |h: f64| {
                 let mut inputs = own;
                 inputs[i] *= 1.0 + h;
                 jkr(inputs)[k]
             };
-            let expected = derivative(1e-3, false, at);
+            let [expected] = derivatives(1e-3, false, |h| [at(h)]);
             assert!(
                 (found * own[i] - expected).abs() <= 1e-10 * jkr(own)[k].abs(),
                 "{input:?}: {found}, not {}",

@@ -2,7 +2,7 @@
 
 use std::sync::LazyLock;
 
-use acceptance::{Desk, assert_names, ends, material, paper_system, table};
+use acceptance::{assert_names, ends, material, paper_system, table, workdir};
 use interp::Parameter;
 use interp::{Elastic, Error, Material, Mechanics, Quantities, System, Table};
 
@@ -406,13 +406,13 @@ fn an_unphysical_solid_or_system_is_an_error_that_names_it() {
 
 #[test]
 fn the_program_names_the_point_the_axis_and_the_range() {
-    let desk = Desk::new(env!("CARGO_BIN_EXE_tabulate-under-test"));
-    desk.write("table.bin", TABLE.to_packed().expect("a small table"));
-    desk.write(
+    let workdir = workdir!();
+    workdir.write("table.bin", TABLE.to_packed().expect("a small table"));
+    workdir.write(
         "points.csv",
         "a_over_t,e1_over_e2,nu1,e0_over_e2\n1,1,0.3,30\n1,1,0.3,300\n",
     );
-    let message = desk.fail(
+    let message = workdir.fail(
         1,
         &[
             "query",
@@ -427,5 +427,5 @@ fn the_program_names_the_point_the_axis_and_the_range() {
         &message,
         &["points.csv, line 3", "e0_over_e2", "300", "10", "100"],
     );
-    assert_eq!(desk.files(), ["points.csv", "table.bin"]);
+    assert_eq!(workdir.files(), ["points.csv", "table.bin"]);
 }

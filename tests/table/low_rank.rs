@@ -1,11 +1,10 @@
 //! Low-rank tables: what is left of a table, in how few bytes, and whether it keeps what it says.
 
-use std::process::Command;
 use std::sync::LazyLock;
 
 use acceptance::{
-    BOX, Contacts, Desk, PREFIX, RIGID_SPHERE, all_bits, assert_names, axes, error_at, larger,
-    low_rank, material, shipped, table, with_payload,
+    BOX, Contacts, PREFIX, RIGID_SPHERE, all_bits, assert_names, axes, error_at, larger, low_rank,
+    material, shipped, table, with_payload, workdir,
 };
 use interp::Parameter;
 use interp::{Description, Error, LowRank, Quantity, Table};
@@ -41,16 +40,16 @@ const ONE_RADIUS: &str = "
 
 static FOUR_AXES: LazyLock<Table> = LazyLock::new(|| table(BOX));
 
-/// A small low-rank table, packed.
+/// A low-rank table with few nodes, packed.
 static PACKED: LazyLock<Vec<u8>> = LazyLock::new(|| {
-    low_rank(&table(RIGID_SPHERE), 1e-4)
+    let few_nodes = RIGID_SPHERE
+        .replace("1e-4", "1e-1")
+        .replace("nodes = 20", "nodes = 7")
+        .replace("nodes = 9", "nodes = 5");
+    low_rank(&table(&few_nodes), 1e-4)
         .to_packed()
         .expect("a small table")
 });
-
-fn desk() -> Desk {
-    Desk::new(env!("CARGO_BIN_EXE_tabulate-under-test"))
-}
 
 /// The largest relative difference of the values of two tables at their nodes.
 fn apart(found: &Table, expected: &Table) -> f64 {
@@ -235,12 +234,12 @@ fn an_error_below_rounding_is_refused_with_what_was_reached() {
 
 #[test]
 fn packing_keeps_the_tolerance_at_fresh_points_and_says_so() {
-    let desk = desk();
-    archive::write(&FOUR_AXES, &desk.path("table.h5")).expect("written");
+    let workdir = workdir!();
+    archive::write(&FOUR_AXES, &workdir.path("table.h5")).expect("written");
     let own = FOUR_AXES.description().certificate;
     let mut sizes = Vec::new();
     for tolerance in ["1e-3", "1e-4", "1e-5", "1e-6"] {
-        let summary = desk.succeed(&[
+        let summary = workdir.succeed(&[
             "pack",
             "table.h5",
             "-o",
@@ -250,7 +249,7 @@ fn packing_keeps_the_tolerance_at_fresh_points_and_says_so() {
             "--points",
             "1000",
         ]);
-        let packed = Table::read(desk.path("table.bin")).expect("a sound table");
+        let packed = Table::read(workdir.path("table.bin")).expect("a sound table");
         let (value, ranks) = (
             tolerance.parse::<f64>().expect("a number"),
             packed.low_rank().expect("low-rank").ranks(),
@@ -270,7 +269,7 @@ fn packing_keeps_the_tolerance_at_fresh_points_and_says_so() {
             }
         );
         assert!(certificate.max_error <= value);
-        let size = desk.read("table.bin").len();
+        let size = workdir.read("table.bin").len();
         let [a, b, c] = ranks;
         let form = format!("ranks {a}, {b}, {c}");
         assert_names(
@@ -285,7 +284,7 @@ fn packing_keeps_the_tolerance_at_fresh_points_and_says_so() {
             ],
         );
         assert_names(
-            &desk.succeed(&["info", "table.bin"]),
+            &workdir.succeed(&["info", "table.bin"]),
             &[&form, "30 nodes", "low rank"],
         );
 
@@ -302,8 +301,8 @@ fn packing_keeps_the_tolerance_at_fresh_points_and_says_so() {
         sizes.push(size);
 
         // The certificate holds for the values at the nodes as well.
-        desk.succeed(&["unpack", "table.bin", "-o", "unpacked.h5"]);
-        let unpacked = Table::open(desk.path("unpacked.h5")).expect("a sound table");
+        workdir.succeed(&["unpack", "table.bin", "-o", "unpacked.h5"]);
+        let unpacked = Table::open(workdir.path("unpacked.h5")).expect("a sound table");
         assert_eq!(unpacked.description(), description);
         assert_eq!(
             all_bits(&unpacked),
@@ -311,13 +310,13 @@ fn packing_keeps_the_tolerance_at_fresh_points_and_says_so() {
         );
         for name in ["table.bin", "unpacked.h5"] {
             assert_names(
-                &desk.succeed(&["check", name, "--points", "300"]),
+                &workdir.succeed(&["check", name, "--points", "300"]),
                 &["300 points", "certified max"],
             );
         }
     }
     assert!(sizes.is_sorted_by(|a, b| a < b), "{sizes:?}");
-    let dense = desk.read("table.h5").len();
+    let dense = workdir.read("table.h5").len();
     println!(
         "dense: {dense} bytes, {} times as many as at 1e-6",
         dense / sizes[3]
@@ -325,23 +324,24 @@ fn packing_keeps_the_tolerance_at_fresh_points_and_says_so() {
     // Measured: 97.
     assert!(dense > 80 * sizes[3]);
     // Every command takes it; ten thousand points compare a table with four axes.
-    desk.write(
+    workdir.write(
         "points.csv",
         "a_over_t,e1_over_e2,nu1,e0_over_e2\n1,1,0.4,30\n",
     );
     assert_eq!(
-        desk.succeed(&["query", "table.bin", "--points", "points.csv"])
+        workdir
+            .succeed(&["query", "table.bin", "--points", "points.csv"])
             .lines()
             .count(),
         2
     );
-    assert_names(&desk.succeed(&["check", "table.bin"]), &["10000 points"]);
+    assert_names(&workdir.succeed(&["check", "table.bin"]), &["10000 points"]);
 }
 
 /// The axes that a table does not have cost nothing and are in no one's way.
 #[test]
 fn tables_of_fewer_axes_are_packed_to_a_tolerance_and_checked_too() {
-    let desk = desk();
+    let workdir = workdir!();
     for (scene, axes) in [
         (RIGID_SPHERE, 3),
         (TWO_AXES, 2),
@@ -349,9 +349,9 @@ fn tables_of_fewer_axes_are_packed_to_a_tolerance_and_checked_too() {
         (ONE_RADIUS, 2),
     ] {
         let dense = table(scene);
-        archive::write(&dense, &desk.path("table.h5")).expect("written");
+        archive::write(&dense, &workdir.path("table.h5")).expect("written");
         let tolerance = 2.0 * dense.description().certificate.max_error + 1e-9;
-        let text = desk.succeed(&[
+        let text = workdir.succeed(&[
             "pack",
             "table.h5",
             "-o",
@@ -366,7 +366,7 @@ fn tables_of_fewer_axes_are_packed_to_a_tolerance_and_checked_too() {
                 &format!("{:e}", tolerance),
             ],
         );
-        let packed = Table::read(desk.path("table.bin")).expect("a sound table");
+        let packed = Table::read(workdir.path("table.bin")).expect("a sound table");
         let form = packed.low_rank().expect("low-rank");
         assert!(packed.description().certificate.max_error <= tolerance);
         let ([n_a, n_e1, n_nu, n_e0], [a, b, c]) = (dense.shape(), form.ranks());
@@ -381,7 +381,7 @@ fn tables_of_fewer_axes_are_packed_to_a_tolerance_and_checked_too() {
             .map(|_| contacts.point_of(&packed))
             .map(|(x, material)| error_at(&packed, x, &material));
         assert!(fresh.fold(0.0, larger) <= tolerance);
-        desk.succeed(&["check", "table.bin"]);
+        workdir.succeed(&["check", "table.bin"]);
     }
 }
 
@@ -405,8 +405,8 @@ fn the_same_table_gives_the_same_bytes_on_any_number_of_threads() {
 
 #[test]
 fn what_cannot_be_packed_to_a_tolerance_is_said_and_nothing_is_written() {
-    let desk = desk();
-    archive::write(&FOUR_AXES, &desk.path("table.h5")).expect("written");
+    let workdir = workdir!();
+    archive::write(&FOUR_AXES, &workdir.path("table.h5")).expect("written");
     let certified = format!("{:.1e}", FOUR_AXES.description().certificate.max_error);
     let pack = |tolerance| {
         [
@@ -425,7 +425,7 @@ fn what_cannot_be_packed_to_a_tolerance_is_said_and_nothing_is_written() {
         ("nan", ["tolerance", "NaN", "1e-10 to 1e-1"]),
         ("1e-8", ["table.h5", &certified, "1e-8"]),
     ] {
-        assert_names(&desk.fail(1, &pack(tolerance)), &words);
+        assert_names(&workdir.fail(1, &pack(tolerance)), &words);
     }
     // A certificate that says too little is found out.
     let mut wrong = FOUR_AXES.clone();
@@ -433,8 +433,8 @@ fn what_cannot_be_packed_to_a_tolerance_is_said_and_nothing_is_written() {
         max_error: 1e-12,
         ..FOUR_AXES.description().certificate
     });
-    archive::write(&wrong, &desk.path("wrong.h5")).expect("written");
-    let message = desk.fail(
+    archive::write(&wrong, &workdir.path("wrong.h5")).expect("written");
+    let message = workdir.fail(
         1,
         &[
             "pack",
@@ -449,8 +449,8 @@ fn what_cannot_be_packed_to_a_tolerance_is_said_and_nothing_is_written() {
     );
     assert_names(&message, &["wrong.h5", "measured error", "1e-8", "1.0e-12"]);
     // Derivatives of films that the table does not have, or none that anyone would ask for.
-    archive::write(&table(RIGID_SPHERE), &desk.path("compressible.h5")).expect("written");
-    archive::write(&table(TWO_AXES), &desk.path("one.h5")).expect("written");
+    archive::write(&table(RIGID_SPHERE), &workdir.path("compressible.h5")).expect("written");
+    archive::write(&table(TWO_AXES), &workdir.path("one.h5")).expect("written");
     for (name, allowed, words) in [
         ("compressible.h5", "1e-3", ["nu1 = 0.5", "9 to 0.45"]),
         ("one.h5", "1e-3", ["nu1 = 0.5", "1 to 0.5"]),
@@ -483,16 +483,16 @@ fn what_cannot_be_packed_to_a_tolerance_is_said_and_nothing_is_written() {
             "--derivative-tolerance",
             allowed,
         ];
-        assert_names(&desk.fail(1, &pack), &words);
+        assert_names(&workdir.fail(1, &pack), &words);
     }
     for argument in ["--points", "--seed", "--derivative-tolerance"] {
         assert_names(
-            &desk.fail(2, &["pack", "table.h5", "-o", "table.bin", argument, "5"]),
+            &workdir.fail(2, &["pack", "table.h5", "-o", "table.bin", argument, "5"]),
             &["--tolerance"],
         );
     }
     assert_eq!(
-        desk.files(),
+        workdir.files(),
         ["compressible.h5", "one.h5", "table.h5", "wrong.h5"]
     );
 }
@@ -538,7 +538,7 @@ fn a_forged_form_is_an_error_or_a_table_that_can_be_looked_up() {
 #[cfg(unix)]
 #[test]
 fn nothing_is_allocated_on_the_word_of_a_file() {
-    let desk = desk();
+    let workdir = workdir!();
     let table = Table::from_packed(&PACKED).expect("as it was");
     let ranks = table.low_rank().expect("low-rank").ranks();
     let payload = &PACKED[PREFIX..];
@@ -578,7 +578,6 @@ fn nothing_is_allocated_on_the_word_of_a_file() {
         (0..count).for_each(|_| at += whole(at).1);
     }
     assert_eq!(at, payload.len());
-    let program = env!("CARGO_BIN_EXE_tabulate-under-test");
     for at in lengths {
         let size = if payload[at] == 251 { 3 } else { 1 };
         for claimed in [1_u64 << 27, 1 << 32, 1 << 60, u64::MAX] {
@@ -589,19 +588,10 @@ fn nothing_is_allocated_on_the_word_of_a_file() {
                 &payload[at + size..],
             ]
             .concat();
-            let path = desk.write("forged.bin", with_payload(&PACKED, &forged));
-            let limited = format!("ulimit -v 262144 && exec {program} info {}", path.display());
-            let output = Command::new("sh")
-                .args(["-c", &limited])
-                .output()
-                .expect("a shell");
-            let message = String::from_utf8_lossy(&output.stderr);
-            assert_eq!(
-                output.status.code(),
-                Some(1),
-                "{claimed} at {at}: {message}"
-            );
-            assert_names(&message, &["the table is malformed"]);
+            workdir.write("forged.bin", with_payload(&PACKED, &forged));
+            let run = workdir.script("ulimit -v 262144 && exec \"$0\" info forged.bin");
+            assert_eq!(run.status, 1, "{claimed} at {at}: {}", run.stderr);
+            assert_names(&run.stderr, &["the table is malformed"]);
         }
     }
 }

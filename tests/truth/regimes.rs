@@ -1,6 +1,8 @@
 //! Every regime of the solve on both sides of its switch: the values do not jump where the method
 //! changes, and do not bend there.
 
+use std::sync::LazyLock;
+
 use acceptance::{larger, material, relative_error};
 use interp::Material;
 use tabulate::solve::{Method, Solution, solve};
@@ -51,15 +53,46 @@ fn answer(x: f64, material: &Material, tolerance: f64) -> Solution {
     solve(x, material, tolerance).unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// The neighbouring `a/t` between which the method changes, one pair for each switch along `a/t`
-/// that a scan from 0.01 to 10,000 meets.
+/// A change of the method along `a/t`.
+struct Switch {
+    /// Name of the material.
+    name: &'static str,
+    material: Material,
+    tolerance: f64,
+    /// The neighbouring numbers between which the method changes.
+    a_over_t: [f64; 2],
+}
+
+/// The switches of all materials at both of their tolerances.
+static SWITCHES: LazyLock<Vec<Switch>> = LazyLock::new(|| {
+    let cases = MATERIALS
+        .into_iter()
+        .flat_map(|(name, own, tolerances)| tolerances.map(|tolerance| (name, own, tolerance)));
+    cases
+        .flat_map(|(name, own, tolerance)| {
+            let material = material(own);
+            let found = switches(&material, tolerance);
+            found.into_iter().map(move |a_over_t| Switch {
+                name,
+                material,
+                tolerance,
+                a_over_t,
+            })
+        })
+        .collect()
+});
+
+/// Returns the pairs of neighbouring `a/t` between which the method changes, one pair for each
+/// switch that a scan from 0.01 to 10,000 meets.
 fn switches(material: &Material, tolerance: f64) -> Vec<[f64; 2]> {
     const STEPS: u32 = 400;
     let method = |x: f64| answer(x, material, tolerance).method;
     let at = |i: u32| 10.0_f64.powf(-2.0 + 6.0 * f64::from(i) / f64::from(STEPS));
-    let changes = (0..STEPS)
-        .map(|i| [at(i), at(i + 1)])
-        .filter(|&[left, right]| method(left) != method(right));
+    let scanned: Vec<(f64, Method)> = (0..=STEPS).map(|i| (at(i), method(at(i)))).collect();
+    let changes = scanned
+        .windows(2)
+        .filter(|pair| pair[0].1 != pair[1].1)
+        .map(|pair| [pair[0].0, pair[1].0]);
     let close_in = |[mut left, mut right]: [f64; 2]| {
         let before = method(left);
         while right > left.next_up() {
@@ -75,11 +108,19 @@ fn switches(material: &Material, tolerance: f64) -> Vec<[f64; 2]> {
     changes.map(close_in).collect()
 }
 
-/// Neighbours of a scan are this far apart in `ln(a/t)`.
+/// The distance in `ln(a/t)` between neighbours of a scan.
 const STEP: f64 = 2e-7;
-/// What the second difference of a quantity over two steps, `STEP^2 q''`, may come to besides
-/// errors.
+/// Neighbours come in groups of this many, enough for a second difference.
+const GROUP: usize = 3;
+/// A group begins this many steps after the last one.
+const STRIDE: usize = 12;
+/// The largest second difference of a quantity over two steps, `STEP^2 q''`, that is no error.
 const CURVATURE: f64 = 1e-12;
+
+/// Returns the distance in `ln(a/t)` of the `i`-th point of a scan from the switch.
+fn distance(i: usize) -> f64 {
+    STEP * ((i / GROUP * STRIDE + i % GROUP) as f64 + 0.5)
+}
 
 /// One side of a switch: a quantity, over its value at the switch, as a cubic in `ln(a/t)`.
 struct Trend {
@@ -92,12 +133,13 @@ struct Trend {
 }
 
 impl Trend {
-    /// The least-squares fit to values at `STEP (i + 1/2)` from the switch.
+    /// Fits the values at [`distance`] from the switch by least squares.
     fn fit(values: &[f64]) -> Self {
         /// Orthogonal polynomials for a cubic.
         const TERMS: usize = 4;
         let n = values.len();
-        let at: Vec<f64> = (0..n).map(|i| (i as f64 + 0.5) / n as f64).collect();
+        let length = distance(n);
+        let at: Vec<f64> = (0..n).map(|i| distance(i) / length).collect();
         let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
         // Orthogonal polynomials by Gram and Schmidt, with value and slope at the switch.
         let mut basis: Vec<(Vec<f64>, f64, f64)> = Vec::new();
@@ -133,7 +175,6 @@ impl Trend {
             slope += share * slope_there;
             spread += slope_there * slope_there / norm;
         }
-        let length = n as f64 * STEP;
         Self {
             value,
             slope: slope / length,
@@ -151,11 +192,12 @@ struct Found {
     second_difference: f64,
 }
 
-/// Scans `points` contacts across the switch between two neighbouring values of `a/t`.
-fn scan([left, right]: [f64; 2], material: &Material, tolerance: f64, points: usize) -> Found {
+/// Scans `groups` groups of contacts on either side of the switch between two neighbouring values
+/// of `a/t`.
+fn scan([left, right]: [f64; 2], material: &Material, tolerance: f64, groups: usize) -> Found {
     let side = |from: f64, direction: f64| -> Vec<Solution> {
-        let at = |i: usize| from * (direction * STEP * (i as f64 + 0.5)).exp();
-        (0..points / 2)
+        let at = |i: usize| from * (direction * distance(i)).exp();
+        (0..GROUP * groups)
             .map(|i| answer(at(i), material, tolerance))
             .collect()
     };
@@ -180,19 +222,17 @@ fn scan([left, right]: [f64; 2], material: &Material, tolerance: f64, points: us
             found.bend,
             bend / (stated + 5.0 * (trend_left.scatter + trend_right.scatter)),
         );
-        let errors: Vec<f64> = before
-            .iter()
-            .rev()
-            .chain(&after)
-            .map(|solution| solution.error)
-            .collect();
-        let values: Vec<f64> = left.into_iter().rev().chain(right).collect();
-        for (value, error) in values.windows(3).zip(errors.windows(3)) {
-            let allowed = error[0] + error[2] + CURVATURE;
-            found.second_difference = larger(
-                found.second_difference,
-                (value[2] - 2.0 * value[1] + value[0]).abs() / allowed,
-            );
+        let with_errors = |values: &[f64], side: &[Solution]| -> Vec<(f64, f64)> {
+            let errors = side.iter().map(|solution| solution.error);
+            values.iter().copied().zip(errors).collect()
+        };
+        let [left, right] = [with_errors(&left, &before), with_errors(&right, &after)];
+        let across = [[left[1], left[0], right[0]], [left[0], right[0], right[1]]];
+        let groups = left.chunks(GROUP).chain(right.chunks(GROUP));
+        for group in groups.chain(across.iter().map(|group| &group[..])) {
+            let allowed = group[0].1 + group[2].1 + CURVATURE;
+            let difference = group[2].0 - 2.0 * group[1].0 + group[0].0;
+            found.second_difference = larger(found.second_difference, difference.abs() / allowed);
         }
     }
     found
@@ -205,33 +245,35 @@ fn nothing_jumps_or_bends_where_the_method_changes() {
     println!("| material | tolerance | a/t | switch | points | jump | bend | second differences |");
     println!("|---|---|---|---|---|---|---|---|");
     let (mut worst, mut pairs) = (Found::default(), Vec::new());
-    for (name, parameters, tolerances) in MATERIALS {
-        let material = material(parameters);
-        for tolerance in tolerances {
-            for switch in switches(&material, tolerance) {
-                let methods = switch.map(|x| answer(x, &material, tolerance).method);
-                // At the other switches an answer takes milliseconds.
-                let points = if methods == [Method::Galerkin, Method::Axis] {
-                    10_000
-                } else {
-                    1000
-                };
-                let found = scan(switch, &material, tolerance, points);
-                println!(
-                    "| {name} | {tolerance:e} | {:.2} | {} to {} | {points} | {:.3} | {:.3} | {:.3} |",
-                    switch[1],
-                    methods[0].name(),
-                    methods[1].name(),
-                    found.jump,
-                    found.bend,
-                    found.second_difference,
-                );
-                worst.jump = larger(worst.jump, found.jump);
-                worst.bend = larger(worst.bend, found.bend);
-                worst.second_difference = larger(worst.second_difference, found.second_difference);
-                pairs.push(methods);
-            }
-        }
+    for switch in &*SWITCHES {
+        let Switch {
+            name,
+            material,
+            tolerance,
+            a_over_t,
+        } = switch;
+        let methods = a_over_t.map(|x| answer(x, material, *tolerance).method);
+        // At the other switches an answer takes milliseconds.
+        let groups = if methods == [Method::Galerkin, Method::Axis] {
+            416
+        } else {
+            42
+        };
+        let found = scan(*a_over_t, material, *tolerance, groups);
+        println!(
+            "| {name} | {tolerance:e} | {:.2} | {} to {} | {} | {:.3} | {:.3} | {:.3} |",
+            a_over_t[1],
+            methods[0].name(),
+            methods[1].name(),
+            2 * GROUP * groups,
+            found.jump,
+            found.bend,
+            found.second_difference,
+        );
+        worst.jump = larger(worst.jump, found.jump);
+        worst.bend = larger(worst.bend, found.bend);
+        worst.second_difference = larger(worst.second_difference, found.second_difference);
+        pairs.push(methods);
     }
     let Found {
         jump,
@@ -263,21 +305,22 @@ fn nothing_jumps_or_bends_where_the_method_changes() {
 #[test]
 fn both_sides_of_a_switch_keep_the_tolerance() {
     let (mut worst, mut count, mut others) = (0.0, 0, 0);
-    for (name, parameters, tolerances) in MATERIALS {
-        let material = material(parameters);
-        for tolerance in tolerances {
-            for x in switches(&material, tolerance).into_iter().flatten() {
-                let tightest = (-26..0).find_map(|halves| {
-                    solve(x, &material, 10.0_f64.powf(0.5 * f64::from(halves))).ok()
-                });
-                let tightest = tightest.expect("one of them is answered");
-                let given = answer(x, &material, tolerance);
-                let share = relative_error(&given.quantities, &tightest.quantities)
-                    / (given.error + tightest.error);
-                assert!(share <= 1.0, "{name} at {x}: {given:?}, {tightest:?}");
-                (worst, count) = (larger(worst, share), count + 1);
-                others += usize::from(given.method != tightest.method);
-            }
+    for switch in &*SWITCHES {
+        for x in switch.a_over_t {
+            let material = &switch.material;
+            let tightest = (-26..0)
+                .find_map(|halves| solve(x, material, 10.0_f64.powf(0.5 * f64::from(halves))).ok())
+                .expect("one of the tolerances is reached");
+            let given = answer(x, material, switch.tolerance);
+            let share = relative_error(&given.quantities, &tightest.quantities)
+                / (given.error + tightest.error);
+            assert!(
+                share <= 1.0,
+                "{} at {x}: {given:?}, {tightest:?}",
+                switch.name
+            );
+            (worst, count) = (larger(worst, share), count + 1);
+            others += usize::from(given.method != tightest.method);
         }
     }
     println!(

@@ -75,7 +75,7 @@ impl<L: CrackTip> ContactLine<'_, L> {
     /// line.ramp(Control::Load, 1e-3, 10.0, 1e-6)?;
     /// let unloading = line.ramp(Control::Load, -1e-3, 20.0, 1e-6)?;
     /// assert!(line.state().is_none()); // pulled off,
-    /// let pull_off = unloading.last().expect("a moment").state;
+    /// let pull_off = unloading.last().expect("a state").state;
     /// assert!(pull_off.load < -0.19e-3); // at more than 1.5 pi w R
     /// # Ok(()) }
     /// # #[cfg(not(feature = "embedded"))]

@@ -40,7 +40,7 @@ impl Equilibria<'_> {
     ///
     /// The surfaces meet at load and penetration 0, where the contact jumps to
     /// [`Equilibria::loading`] of 0. From then on it follows the stable equilibria. Where they end,
-    /// it jumps to the next stable equilibrium at the same imposed value: to a larger contact on
+    /// it jumps to the next stable equilibrium at this imposed value: to a larger contact on
     /// loading, to a smaller one or to separation on unloading. Inertia, which might carry the
     /// contact further, is not considered.
     ///

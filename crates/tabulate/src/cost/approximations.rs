@@ -135,11 +135,11 @@ impl Weighted {
 /// ```
 ///
 /// It is a series about Hertz. Only its first term is exact, as far as the fit `alpha` is: `alpha`
-/// differs from the exact `int_0^inf (X(q) - 1) dq` by 0.5 % at `nu = 0.5`, 0.5 % at 0.3 and 6 % at
-/// 0. The second coefficient should be `14/3 alpha^2/pi^2` (see [`garcia`]). At `nu = 0.5` the
-///    first three coefficients are those of [`dimitriadis_incompressible`]; the fourth is its
-///    0.0975 with the other sign. These numbers, and `alpha` beside that of the exact kernel,
-///    confirm the formula. For other `nu` no second print of it was at hand.
+/// differs from the exact `int_0^inf (X(q) - 1) dq` by 0.5 % at `nu = 0.5`, 0.5 % at `nu = 0.3` and
+/// 6 % at `nu = 0`. The second coefficient should be `14/3 alpha^2/pi^2` (see [`garcia`]). At
+/// `nu = 0.5` the first three coefficients are those of [`dimitriadis_incompressible`]; the fourth
+/// is its 0.0975 with the other sign. These numbers, and `alpha` beside that of the exact kernel,
+/// confirm the formula. For other `nu` no second print of it was at hand.
 ///
 /// # Errors
 /// [`Error::Domain`] unless `chi` is in `[0, 1e6]` and `nu` in `[0, 0.5]`.

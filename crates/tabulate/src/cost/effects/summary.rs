@@ -17,7 +17,7 @@ impl Row {
             ),
             match self.saved_seconds {
                 None => "not measurable".into(),
-                Some(seconds) if seconds < 0.0 => "none".into(),
+                Some(seconds) if seconds < 0.0 => "no time".into(),
                 Some(seconds) => human(seconds),
             },
             signed(

@@ -1,0 +1,22 @@
+//! Support for the acceptance tests: reference data, random contacts, small tables, measures of
+//! error, and the program under test with a folder to work in.
+
+#![forbid(unsafe_code)]
+
+mod contacts;
+mod data;
+mod error;
+mod forgery;
+mod material;
+mod tables;
+mod workdir;
+
+pub use contacts::Contacts;
+pub use data::{Case, Data};
+pub use error::{TRUTH, all_bits, bits, error_at, larger, relative_error, relative_errors};
+pub use forgery::{PREFIX, checksum, with_payload};
+pub use material::{material, paper_system};
+pub use tables::{BOX, RIGID_SPHERE, axes, ends, low_rank, shipped, table};
+pub use workdir::{Run, Workdir, assert_names};
+/// Another name of [`Workdir`].
+pub type Desk = Workdir;

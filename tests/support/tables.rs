@@ -1,0 +1,84 @@
+//! Small tables, made of the scenes that many tests use, and the shipped ones.
+
+use std::path::{Path, PathBuf};
+
+use interp::{Certificate, Description, Parameter, Table};
+use tabulate::table::{Plan, Scene, certify, sweep};
+
+/// A scene of four axes.
+pub const BOX: &str = "
+    title      = 'Four axes'
+    tolerance  = 1e-6
+    a_over_t   = { from = 0.1, to = 10, nodes = 30 }
+    e1_over_e2 = { from = 0.3, to = 3, nodes = 14 }
+    nu1        = { from = 0.3, to = 0.5, nodes = 13 }
+    e0_over_e2 = { from = 10, to = 100, nodes = 10 }
+";
+/// A scene of three axes and two quantities, normalised by `E1*` because the sphere is rigid.
+pub const RIGID_SPHERE: &str = "
+    title      = 'Rigid sphere'
+    tolerance  = 1e-4
+    quantities = ['eeq', 'delta0']
+    a_over_t   = { from = 0.1, to = 10, nodes = 20 }
+    e1_over_e2 = 0
+    nu1        = { from = 0.3, to = 0.45, nodes = 9 }
+    e0_over_e2 = { from = 1, to = 100, nodes = 9 }
+";
+
+/// Makes the table of a scene, certified at 400 points.
+///
+/// # Panics
+/// If the scene is refused or a point does not converge.
+pub fn table(scene: &str) -> Table {
+    let scene = Scene::parse(scene, None).expect("the tests' scenes are sound");
+    let axes = Plan::new(&scene)
+        .expect("the tests' scenes are within reach")
+        .axes();
+    let values = sweep(&scene, &axes, &|_| {}).expect("the tests' scenes are within reach");
+    let normalisation = scene
+        .material([axes[1][0], axes[2][0], axes[3][0]])
+        .expect("physical")
+        .normalisation();
+    let description = Description {
+        title: scene.title,
+        scene: scene.text,
+        nu0: scene.nu0,
+        normalisation,
+        tolerance: scene.tolerance,
+        created_by: "acceptance tests".into(),
+        certificate: Certificate::UNMEASURED,
+    };
+    let mut table = Table::new(description, axes, values).expect("a sweep makes a whole table");
+    table.set_certificate(
+        certify(&table, 400, 1, &|_| {}).expect("the tests' scenes are within reach"),
+    );
+    table
+}
+
+/// Returns the nodes of each axis of a table.
+pub fn axes(table: &Table) -> [Vec<f64>; 4] {
+    Parameter::ALL.map(|parameter| table.axis(parameter).to_vec())
+}
+
+/// Returns the first and the last node of an axis.
+pub fn ends(table: &Table, parameter: Parameter) -> (f64, f64) {
+    let nodes = table.axis(parameter);
+    (nodes[0], nodes[nodes.len() - 1])
+}
+
+/// Compresses a table to its low-rank form, with errors up to `error` at the nodes.
+///
+/// # Panics
+/// If `error` is below rounding.
+pub fn low_rank(table: &Table, error: f64) -> Table {
+    let form = tabulate::table::compress(table, error, None).expect("above rounding");
+    Table::from_low_rank(table.description().clone(), axes(table), form)
+        .expect("a form of this table")
+}
+
+/// Returns the path of a shipped table or scene, `tables/<name>`.
+pub fn shipped(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("../tables")
+        .join(name)
+}

@@ -1,0 +1,179 @@
+//! The program under test, run in a temporary folder.
+
+use std::fs;
+use std::path::PathBuf;
+use std::process::{Child, Command, Stdio};
+
+use tempfile::TempDir;
+
+/// A temporary folder, and the program under test, which runs in it.
+#[derive(Debug)]
+pub struct Workdir {
+    program: &'static str,
+    folder: TempDir,
+}
+
+/// Exit status and output of a run of the program.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Run {
+    /// Exit status.
+    pub status: i32,
+    /// Standard output.
+    pub stdout: String,
+    /// Standard error.
+    pub stderr: String,
+}
+
+/// Makes an empty [`Workdir`] for the program under test.
+///
+/// A macro, because cargo tells the path of the program to the tests only, and not to this library.
+#[macro_export]
+macro_rules! workdir {
+    () => {
+        $crate::Workdir::new(env!("CARGO_BIN_EXE_tabulate-under-test"))
+    };
+}
+
+impl Workdir {
+    /// Makes an empty folder for `program`, a path. [`workdir!`](crate::workdir) knows the path.
+    ///
+    /// # Panics
+    /// If no folder can be made.
+    pub fn new(program: &'static str) -> Self {
+        Self {
+            program,
+            folder: TempDir::new().expect("a temporary folder"),
+        }
+    }
+
+    /// Returns the path of the file `name` in the folder.
+    pub fn path(&self, name: &str) -> PathBuf {
+        self.folder.path().join(name)
+    }
+
+    /// Writes the file `name` and returns its path.
+    ///
+    /// # Panics
+    /// If it cannot be written.
+    pub fn write(&self, name: &str, content: impl AsRef<[u8]>) -> PathBuf {
+        let path = self.path(name);
+        fs::write(&path, content).unwrap_or_else(|e| panic!("{name}: {e}"));
+        path
+    }
+
+    /// Returns the bytes of the file `name`.
+    ///
+    /// # Panics
+    /// If it cannot be read.
+    pub fn read(&self, name: &str) -> Vec<u8> {
+        fs::read(self.path(name)).unwrap_or_else(|e| panic!("{name}: {e}"))
+    }
+
+    /// Returns the names of all files in the folder, hidden ones too, sorted.
+    ///
+    /// # Panics
+    /// If the folder cannot be read.
+    pub fn files(&self) -> Vec<String> {
+        let entries = fs::read_dir(self.folder.path()).expect("the folder is there");
+        let mut names: Vec<String> = entries
+            .map(|entry| {
+                let name = entry.expect("an entry").file_name();
+                name.to_string_lossy().into()
+            })
+            .collect();
+        names.sort();
+        names
+    }
+
+    /// Runs the program to its end. Its output is captured, and so is not a terminal.
+    ///
+    /// # Panics
+    /// If it cannot be run, is killed, or prints something other than UTF-8.
+    pub fn run(&self, args: &[&str]) -> Run {
+        self.end(args, self.start(args))
+    }
+
+    /// Starts the program. Its output is captured.
+    ///
+    /// # Panics
+    /// If it cannot be started.
+    pub fn start(&self, args: &[&str]) -> Child {
+        self.spawn(Command::new(self.program).args(args))
+    }
+
+    /// Runs a shell script, in which `$0` is the program.
+    ///
+    /// # Panics
+    /// As [`Workdir::run`].
+    pub fn script(&self, script: &str) -> Run {
+        let child = self.spawn(Command::new("sh").args(["-c", script, self.program]));
+        self.end(&[script], child)
+    }
+
+    fn spawn(&self, command: &mut Command) -> Child {
+        command
+            .current_dir(self.folder.path())
+            .stdin(Stdio::null())
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .expect("the program starts")
+    }
+
+    /// Waits for the end of `child` and returns its exit status and output. Messages name it by
+    /// `args`.
+    ///
+    /// # Panics
+    /// As [`Workdir::run`].
+    pub fn end(&self, args: &[&str], child: Child) -> Run {
+        let output = child.wait_with_output().expect("the program runs");
+        let text = |bytes| String::from_utf8(bytes).expect("UTF-8");
+        let status = output
+            .status
+            .code()
+            .unwrap_or_else(|| panic!("{args:?}: {}", output.status));
+        Run {
+            status,
+            stdout: text(output.stdout),
+            stderr: text(output.stderr),
+        }
+    }
+
+    /// Runs the program, which must succeed and print nothing on standard error, and returns its
+    /// standard output.
+    ///
+    /// # Panics
+    /// If it fails or prints on standard error.
+    pub fn succeed(&self, args: &[&str]) -> String {
+        let run = self.run(args);
+        assert!(
+            run.status == 0 && run.stderr.is_empty(),
+            "{args:?}: {run:?}"
+        );
+        run.stdout
+    }
+
+    /// Runs the program, which must end with `status` and print nothing on standard output, and
+    /// returns its standard error.
+    ///
+    /// # Panics
+    /// If it ends otherwise.
+    pub fn fail(&self, status: i32, args: &[&str]) -> String {
+        let run = self.run(args);
+        assert!(
+            run.status == status && run.stdout.is_empty() && !run.stderr.contains("panicked"),
+            "{args:?}: {run:?}"
+        );
+        run.stderr
+    }
+}
+
+/// Asserts that `message` contains each of the words.
+///
+/// # Panics
+/// If a word is missing.
+pub fn assert_names(message: &str, words: &[&str]) {
+    for word in words {
+        assert!(message.contains(word), "{word:?} is not in: {message}");
+    }
+}
