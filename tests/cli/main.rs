@@ -1,4 +1,4 @@
-//! The command line program, its figures, and what it measures of its own cost.
+//! The command line program, its figures, and its measurements of its own cost.
 
 #![forbid(unsafe_code)]
 
@@ -7,6 +7,44 @@ mod cost_effects;
 mod cost_lookup;
 mod cost_solve;
 mod cost_table;
+mod curve;
+mod embedded;
+mod help;
+mod info;
+mod pipes;
+mod plan;
 mod plot;
+mod points;
 mod readme;
-mod subcommands;
+
+use acceptance::{Desk, shipped};
+use interp::Material;
+use tabulate::solve::{Solution, solve};
+
+/// A small scene with two of the four quantities.
+const TWO_QUANTITIES: &str = "
+    title      = 'Two quantities'
+    tolerance  = 1e-2
+    quantities = ['delta0', 'eeq']
+    a_over_t   = { from = 0.1, to = 10, nodes = 9 }
+    e1_over_e2 = { from = 1, to = 2, nodes = 4 }
+    nu1        = 0.5
+    e0_over_e2 = inf
+    nu0        = 0.1
+";
+
+fn desk() -> Desk {
+    Desk::new(env!("CARGO_BIN_EXE_tabulate-under-test"))
+}
+
+fn solved(x: f64, material: &Material, tolerance: f64) -> Solution {
+    solve(x, material, tolerance).expect("moderate contrasts converge")
+}
+
+/// Returns the path of the shipped table, as an argument.
+fn paper_table() -> String {
+    shipped("paper.bin")
+        .to_str()
+        .expect("a path in UTF-8")
+        .to_owned()
+}

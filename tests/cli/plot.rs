@@ -1,19 +1,19 @@
-//! `tabulate plot`: what the figures show, and the files that they are.
+//! `tabulate plot`: the data of the figures, and the files.
 
 use std::f64::consts::PI;
 
 use acceptance::{Desk, assert_names, ends, error_at, material, shipped};
-use interp::Parameter;
-use interp::{ForceDisplacement, Jump, State, Table};
+use interp::{ForceDisplacement, Jump, Parameter, State, Table};
 use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg::{Node, Options, Tree};
 use tabulate::plot::{error_map, fig2, fig3, fig4, force_displacement};
 
-/// Width of every figure in pixels, and pixels of a PNG for each.
+/// The width of every figure in pixels.
 const WIDTH: u32 = 840;
+/// The number of pixels of a PNG, along each side, for a pixel of the figure.
 const SCALE: u32 = 2;
 
-/// The figures that are drawn from direct solves alone.
+/// The figures that need direct solves only.
 const OF_THE_PAPER: [&str; 4] = ["fig2", "fig3", "fig4", "force-displacement"];
 
 fn desk() -> Desk {
@@ -30,7 +30,7 @@ fn close(value: f64, truth: f64, tolerance: f64, what: &str) {
 #[test]
 fn fig2_goes_from_one_published_limit_to_the_other() {
     let data = fig2::data().unwrap();
-    // Substrate 1e5 times as stiff as the sphere: the paper's 8/3, but for 1e-5.
+    // The substrate is 1e5 times as stiff as the sphere: the paper's 8/3 to 1e-5.
     close(data.limits[0], 8.0 / 3.0 * 0.7, 1e-14, "thick film");
     close(data.limits[1], 8.0 / 3.0, 1.1e-5, "thin film");
     let (first, last) = (data.pi0[0], data.pi0[data.pi0.len() - 1]);
@@ -91,7 +91,7 @@ fn fig4_shows_the_lines_of_jkr_and_the_published_radii_at_zero_load() {
             );
         }
     }
-    // Where a line crosses zero, and what was published as a there.
+    // The contact radius at zero load, and its published value.
     let crossing = |line: &[[f64; 2]]| {
         let i = line.iter().position(|[_, y]| *y > 0.0).unwrap();
         let ([x1, y1], [x2, y2]) = (line[i - 1], line[i]);
@@ -145,7 +145,7 @@ fn force_curves_jump_at_what_is_imposed_and_separate_where_jkr_does() {
                 "first contact without a load",
             );
         }
-        // JKR's 3/2 pi w R, whatever the modulus; a film between thin and thick takes more.
+        // JKR: 3/2 pi w R at any modulus. A film between thin and thick needs a larger pull.
         let separation = load.jumps.last().unwrap().from.load / (PI * 0.04 * 1e-3);
         let extreme = film.thickness == 1e-6 || film.thickness == 300e-6;
         assert!(
@@ -188,8 +188,8 @@ fn the_error_map_finds_what_direct_solves_find() {
             .all(|error| (0.0..=data.tolerance).contains(error)),
         "{largest:e}"
     );
-    // As in `tabulate check`: three times the certified error is more than chance makes of other
-    // points.
+    // As in `tabulate check`: other random points change the largest error by less than a factor of
+    // 3.
     assert!(
         largest > data.certified / 3.0 && largest < 3.0 * data.certified,
         "{largest:e} and {:e}",
@@ -212,7 +212,7 @@ fn the_error_map_finds_what_direct_solves_find() {
     }
 }
 
-/// Whether anything in the picture is text.
+/// True if anything in the picture is text.
 fn has_text(group: &resvg::usvg::Group) -> bool {
     group.children().iter().any(|node| match node {
         Node::Text(_) => true,
@@ -238,13 +238,13 @@ fn pictures_are_outlines_of_one_size_and_the_same_every_time() {
             !svg.contains("<text") && !svg.contains("font"),
             "{figure} holds text"
         );
-        // Well-formed, of the width of a README, and without a font: the parser has none.
+        // Well-formed, as wide as a README, and drawn without a font: the parser has none.
         let tree = Tree::from_str(&svg, &Options::default()).unwrap();
         assert!(!has_text(tree.root()));
         let size = tree.size().to_int_size();
         assert_eq!(size.width(), WIDTH, "{figure}");
 
-        // Both are the same picture, but for the rounding of coordinates.
+        // SVG and PNG are equal pictures, to the rounding of coordinates.
         let png = Pixmap::decode_png(&desk.read("a.png")).unwrap();
         assert_eq!(
             [png.width(), png.height()],

@@ -5,8 +5,8 @@ use std::f64::consts::PI;
 
 use acceptance::{Contacts, larger, paper_system};
 use interp::{
-    Contact, Control, Elastic, Error, HalfSpace, JkrFit, JkrPoint, Mechanics, Quantity, System,
-    Table,
+    Contact, Control, Elastic, Error, HalfSpace, JkrFit, JkrPoint, Material, Mechanics, Quantity,
+    System, Table,
 };
 use tabulate::solve;
 
@@ -184,7 +184,10 @@ fn the_jkr_fit_of_a_half_space_gives_its_modulus_and_work_of_adhesion_back() {
     ] {
         assert!(matches!(
             JkrFit::through(points),
-            Err(Error::Unphysical { .. })
+            Err(Error::InvalidArgument {
+                name: "spread of the JKR plot's abscissas",
+                ..
+            })
         ));
     }
     let falling = [0.0, 1.0].map(|x| JkrPoint {
@@ -204,6 +207,74 @@ fn the_jkr_fit_of_a_half_space_gives_its_modulus_and_work_of_adhesion_back() {
                 ..
             })
         ));
+    }
+}
+
+/// The error of a fit that ignores the film is relative to a compliant sphere.
+#[test]
+fn under_a_rigid_sphere_there_is_a_jkr_fit_but_no_film_bias() {
+    let material = Material::new(0.0, 0.5, 1e5, 0.25).expect("a rigid sphere");
+    let curve = solve::curve(&material, [0.5, 10.0], 1e-8).expect("converges");
+    let film = Elastic::new(3.5e6, 0.5).expect("physical");
+    let substrate = Elastic::new(3.5e11, 0.25).expect("physical");
+    let system = System {
+        sphere_modulus: f64::INFINITY,
+        film,
+        substrate,
+        ..paper_system(1e-5)
+    };
+    let contact = Contact::new(&system, curve).expect("the system of the curve");
+    let radii = [1e-5, 5e-5];
+    let error = contact.film_bias(0.04, radii, 15).expect_err("no bias");
+    assert!(
+        matches!(
+            error,
+            Error::InvalidArgument {
+                name: "sphere_modulus",
+                value: f64::INFINITY,
+                ..
+            }
+        ),
+        "{error}"
+    );
+    acceptance::assert_names(
+        &error.to_string(),
+        &["sphere_modulus", "inf", "finite", "Contact::jkr_fit"],
+    );
+    // The film, between its own modulus and that of the substrate, is all that deforms.
+    let fit = contact.jkr_fit(0.04, radii, 15).expect("as the error says");
+    assert!(
+        film.reduced() < fit.modulus && fit.modulus < 1e-2 * substrate.reduced(),
+        "{fit:?}"
+    );
+    // Without the film the compound modulus is finite, and JKR is exact.
+    let bare = Contact::half_space(&system.without_film()).expect("a compliant solid");
+    let bias = bare.film_bias(0.04, radii, 15).expect("a half-space");
+    assert!(!bias.exceeds(1e-12), "{bias:?}");
+    // Without adhesion there is no error of the work of adhesion, either.
+    assert!(matches!(
+        bare.film_bias(0.0, radii, 15),
+        Err(Error::InvalidArgument {
+            name: "work of adhesion",
+            ..
+        })
+    ));
+}
+
+#[test]
+fn numbers_of_points_are_bounded() {
+    for points in [0, 1, 1_000_001, usize::MAX] {
+        let result = half_space().jkr_fit(0.04, [4e-5, 1.3e-4], points);
+        assert!(
+            matches!(
+                result,
+                Err(Error::InvalidArgument {
+                    name: "number of points",
+                    ..
+                })
+            ),
+            "{result:?}"
+        );
     }
 }
 
@@ -578,6 +649,6 @@ fn many_loads_are_those_of_one_after_the_other() {
     }
     assert!(matches!(
         contact.load_at_all(&radii, 0.04, &mut loads[1..]),
-        Err(Error::Unphysical { .. })
+        Err(Error::InvalidArgument { .. })
     ));
 }

@@ -542,7 +542,7 @@ fn a_state_out_of_range_is_an_error_with_the_radii() {
     for points in [0, 1, 1_000_001, usize::MAX] {
         assert!(matches!(
             equilibria.force_displacement(1e-4, points),
-            Err(Error::Unphysical {
+            Err(Error::InvalidArgument {
                 name: "number of points",
                 ..
             })

@@ -3,10 +3,11 @@
 
 use std::f64::consts::PI;
 use std::fs;
+use std::io::{self, ErrorKind, Write};
 use std::path::PathBuf;
 
 use acceptance::{Contacts, assert_names, paper_system};
-use fit::{Against, Data, Estimate, Fit, Parameter, State, fit};
+use fit::{Against, Data, Estimate, Fit, Parameter, State, fit, print};
 use interp::{Contact, Elastic, System, Table};
 use rayon::prelude::*;
 
@@ -369,8 +370,8 @@ fn the_example_data_are_made_as_they_say() {
 fn the_readme_shows_what_the_example_prints() {
     let (path, experiment) = example();
     let data = Data::parse(&fs::read_to_string(path).expect("the example's data")).expect("sound");
-    let readme = fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../README.md"))
-        .expect("the README");
+    let readme = concat!(env!("CARGO_MANIFEST_DIR"), "/../crates/interp/README.md");
+    let readme = fs::read_to_string(readme).expect("the README of interp");
     let printed = experiment
         .fit(
             &data,
@@ -383,6 +384,39 @@ fn the_readme_shows_what_the_example_prints() {
         readme.contains(printed.trim_end()),
         "the README does not show\n{printed}"
     );
+}
+
+/// An output that fails after some lines, as a pipe does whose reader has ended.
+struct Failing(ErrorKind, usize);
+
+impl Write for Failing {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        let Self(kind, lines) = self;
+        if *lines == 0 {
+            return Err((*kind).into());
+        }
+        *lines -= usize::from(bytes.contains(&b'\n'));
+        Ok(bytes.len())
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        Ok(())
+    }
+}
+
+#[test]
+fn a_reader_that_stops_early_is_no_error() {
+    let (path, experiment) = example();
+    let data = Data::parse(&fs::read_to_string(path).expect("the example's data")).expect("sound");
+    let found = experiment.fit(&data, &[], 1.0, None);
+    let mut whole = Vec::new();
+    print(&mut whole, &found).expect("memory takes it all");
+    assert_eq!(whole, found.to_string().into_bytes());
+    for lines in 0..5 {
+        assert_eq!(print(Failing(ErrorKind::BrokenPipe, lines), &found), Ok(()));
+        let error = print(Failing(ErrorKind::StorageFull, lines), &found).expect_err("a full disk");
+        assert_names(&error, &["cannot write the output", "no storage space"]);
+    }
 }
 
 #[test]

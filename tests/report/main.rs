@@ -1,5 +1,50 @@
-//! The HTML report, in a browser where there is one.
+//! The HTML report: the file, and its page in a browser.
+//!
+//! The tests in `file` read the HTML. The tests in `force_curve`, `inputs` and `layout` need
+//! Chromium, which the environment variable `CHROMIUM` names. Without it each of them prints a line
+//! that says that it is skipped. `browser` runs Chromium.
 
 #![forbid(unsafe_code)]
 
-mod page;
+mod browser;
+mod file;
+mod force_curve;
+mod inputs;
+mod layout;
+
+use std::path::{Path, PathBuf};
+
+use acceptance::Desk;
+
+/// The largest relative difference between the quantities in a page and those of its table, as the
+/// documentation of `tabulate::report` states it.
+const DIFFERENCE: f64 = 1e-6;
+
+const FOUR_AXES: &str = "
+    title      = 'Ångström & <Söhne>'
+    tolerance  = 1e-6
+    a_over_t   = { from = 1e-2, to = 1e2 }
+    e1_over_e2 = { from = 0.3, to = 3 }
+    nu1        = { from = 0.3, to = 0.5 }
+    e0_over_e2 = { from = 10, to = 1000 }
+    nu0        = 0.2
+";
+/// A rigid sphere without adhesion.
+const RIGID_SPHERE: &str = "
+    title      = 'Rigid sphere, no adhesion'
+    tolerance  = 1e-6
+    quantities = ['pi0', 'delta0']
+    a_over_t   = { from = 1e-2, to = 10 }
+    e1_over_e2 = 0
+    nu1        = { from = 0.2, to = 0.45 }
+    e0_over_e2 = { from = 1, to = 1e4 }
+    nu0        = 0.25
+";
+
+fn desk() -> Desk {
+    Desk::new(env!("CARGO_BIN_EXE_tabulate-under-test"))
+}
+
+fn embedded_default() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../crates/interp/embedded/default.bin")
+}

@@ -1,43 +1,62 @@
-// Appended to a copy of a report: takes it to each of the addresses in `CASES`, and leaves what it shows as JSON in base64. What
-// the page complains of is collected in `complaints`.
+// Appended to a copy of a report. `browse` and `fill` use the page as a user does, and `leave` writes the result into the page
+// as JSON in base64. Everything runs to its end before the event `load`, without waiting. The complaints of the page are
+// collected in `complaints`.
 
-/** What the page shows of one system. */
-async function look() {
+/** Takes the page to an address, and tells the page at once. The browser itself would tell it later. */
+function visit(address) {
+    history.replaceState(null, "", `#${address}`);
+    dispatchEvent(new HashChangeEvent("hashchange"));
+}
+
+/** The text of the file that the button "download" makes. */
+function download() {
+    let csv = null;
+    class Written extends Blob {
+        constructor(parts, options) {
+            super(parts, options);
+            csv = parts.join("");
+        }
+    }
+    const before = { Blob, click: HTMLAnchorElement.prototype.click };
+    globalThis.Blob = Written;
+    HTMLAnchorElement.prototype.click = () => {};
+    document.getElementById("download").click();
+    globalThis.Blob = before.Blob;
+    HTMLAnchorElement.prototype.click = before.click;
+    return csv;
+}
+
+/** The results that the page shows of one system. */
+function look() {
     const value = (cell) => [cell.className, cell.firstChild.value];
     const values = (row) => Object.fromEntries([...row.querySelectorAll("td")].map(value));
-    let csv = null;
-    URL.createObjectURL = (blob) => {
-        csv = blob;
-        return "#";
-    };
-    HTMLAnchorElement.prototype.click = () => {};
-    const answer = document.getElementById("answer");
-    if (!answer.hidden) document.getElementById("download").click();
+    const { hidden } = document.getElementById("results");
     return {
-        hidden: answer.hidden,
+        hidden,
         messages: document.getElementById("message").innerText,
         command: document.getElementById("command").textContent,
         states: Object.fromEntries([...document.querySelectorAll("#states tbody tr")].map((row) => [row.id, values(row)])),
         points: [...document.querySelectorAll("#points tbody tr")].map(values),
         paths: paths(),
-        csv: csv && (await csv.text()),
+        csv: hidden ? null : download(),
     };
 }
 
 const paths = () => [...document.querySelectorAll("#charts path")].map((path) => path.getAttribute("d"));
 
-/** Takes each slider some steps towards its middle and back: which curves, and which number, follow. */
+/** Types a text into an input, or moves a slider. */
+function enter(input, text) {
+    input.value = text;
+    input.dispatchEvent(new Event("input", { bubbles: true }));
+}
+
+/** Moves each slider some steps towards its middle and back: which curves, and which number, follow. */
 function slide() {
     return [...document.querySelectorAll("input[type=range]")].map((slider) => {
         const number = document.getElementById(`${slider.id}-number`), before = [...paths(), number.value], start = slider.value;
-        const move = (value) => {
-            slider.value = value;
-            slider.dispatchEvent(new Event("input", { bubbles: true }));
-        };
-        move(Number(start) + (start < 500 ? 20 : -20));
+        enter(slider, Number(start) + (start < 500 ? 20 : -20));
         const after = [...paths(), number.value];
-        number.value = before.at(-1);
-        number.dispatchEvent(new Event("input", { bubbles: true }));
+        enter(number, before.at(-1));
         return {
             id: slider.id,
             label: slider.labels.length,
@@ -47,18 +66,40 @@ function slide() {
     });
 }
 
-const looks = [];
-for (const address of CASES) {
-    const changed = new Promise((resolve) => addEventListener("hashchange", resolve, { once: true }));
-    location.hash = address;
-    await changed;
-    looks.push(await look());
+/** The page at each of the addresses, the effect of the sliders at the last one, and the address that the page writes. */
+function browse(addresses) {
+    const looks = addresses.map((address) => {
+        visit(address);
+        return look();
+    });
+    const sliders = slide();
+    // The page writes the address when a slider is let go.
+    history.replaceState(null, "", "#");
+    document.querySelector("input[type=range]").dispatchEvent(new Event("change", { bubbles: true }));
+    return { looks, sliders, address: location.hash };
 }
-const sliders = slide();
-// The page writes the address when a slider is let go.
-history.replaceState(null, "", "#");
-document.querySelector("input[type=range]").dispatchEvent(new Event("change", { bubbles: true }));
-const seen = { looks, sliders, address: location.hash, fetched: performance.getEntriesByType("resource").length, complaints };
-const bytes = new TextEncoder().encode(JSON.stringify(seen));
-const text = btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(""));
-document.body.append(Object.assign(document.createElement("pre"), { id: "seen", textContent: text }));
+
+/** Each number field: whether it is marked as invalid, and the text that describes it. */
+function fields() {
+    return Object.fromEntries([...document.querySelectorAll("#controls input[type=text]")].map((input) => {
+        const described = (input.getAttribute("aria-describedby") ?? "").split(" ").filter((id) => id !== "");
+        const text = described.map((id) => document.getElementById(id).textContent).join(" ");
+        return [input.id.replace("-number", ""), { invalid: input.getAttribute("aria-invalid"), text }];
+    }));
+}
+
+/** The fields and messages after each entry `[field, text]`. */
+function fill(entries) {
+    return entries.map(([field, text]) => {
+        enter(document.getElementById(`${field}-number`), text);
+        const hidden = document.getElementById("results").hidden, messages = document.getElementById("message").innerText;
+        return { hidden, messages, fields: fields() };
+    });
+}
+
+function leave(result) {
+    const seen = { result, fetched: performance.getEntriesByType("resource").length, complaints };
+    const bytes = new TextEncoder().encode(JSON.stringify(seen));
+    const text = btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(""));
+    document.body.append(Object.assign(document.createElement("pre"), { id: "seen", textContent: text }));
+}

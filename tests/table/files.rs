@@ -164,8 +164,9 @@ fn a_packed_table_of_any_other_length_is_an_error() {
     for trailing in [1, 8, 1000] {
         let longer = [bytes.as_slice(), &vec![0; trailing]].concat();
         match Table::from_packed(&longer) {
-            Err(Error::Length { expected, found }) => {
-                assert_eq!((expected, found), (payload, payload + trailing as u64))
+            Err(error @ Error::Length { expected, found }) => {
+                assert_eq!((expected, found), (payload, payload + trailing as u64));
+                assert_names(&error.to_string(), &["copy or download the file again"]);
             }
             other => panic!("{trailing} bytes more: {other:?}"),
         }
@@ -269,10 +270,28 @@ fn a_file_of_something_else_is_foreign_to_every_reader() {
         let message = workdir.fail(1, &["info", name]);
         assert_names(&message, &[name, "not a coated-contact table"]);
     }
-    // Each form is foreign to the reader of the other one; a missing file is none of this.
+    // Each form is foreign to the reader of the other one, and the message names the right reader.
+    // A missing file is not foreign.
     let packed = workdir.write("table.bin", &*PACKED);
-    for result in [Table::open(&packed), Table::read(workdir.path("table.h5"))] {
-        assert!(matches!(result, Err(Error::Foreign(_))), "{result:?}");
+    let pack = "`tabulate pack TABLE.h5 -o TABLE.bin`";
+    for (result, words) in [
+        (
+            Table::open(&packed),
+            &["packed table", "`Table::read`"] as &[_],
+        ),
+        (
+            Table::read(workdir.path("table.h5")),
+            &["HDF5 table", pack, "`Table::open`"],
+        ),
+        (
+            Table::from_packed(&workdir.read("table.h5")),
+            &["HDF5 table", pack, "`Table::open`"],
+        ),
+    ] {
+        match result {
+            Err(error @ Error::Foreign(_)) => assert_names(&error.to_string(), words),
+            other => panic!("{other:?}"),
+        }
     }
     let missing = workdir.path("missing");
     for result in [Table::read(&missing), Table::open(&missing)] {
@@ -300,7 +319,12 @@ fn another_version_is_an_error_that_names_both() {
         }
         assert_names(
             &workdir.fail(1, &["info", name]),
-            &[name, &format!("format version {version}"), "version 1"],
+            &[
+                name,
+                &format!("format version {version}"),
+                "version 1",
+                "make the table again",
+            ],
         );
     }
     let path = altered(&workdir, "table2.h5", |file| {

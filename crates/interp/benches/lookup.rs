@@ -1,4 +1,5 @@
-//! Time of making a curve and of evaluating it. Ratios within one run are what counts.
+//! Measures the time to make a curve and to evaluate it. Only ratios within one run are meaningful:
+//! `cargo bench -p interp`.
 
 use std::hint::black_box;
 
@@ -21,7 +22,8 @@ fn lookup(criterion: &mut Criterion) {
         substrate,
     };
     let contact = table.contact(&system).expect("in the table");
-    // Points in no order, so that neither cache nor branch predictor can know the next.
+    // The points are in no order, so that neither cache nor branch predictor can guess the next
+    // one.
     let points: Vec<f64> = (0..1000)
         .map(|i| 10_f64.powf(-3.0 + 6.0 * (f64::from(i) * 0.618_034 % 1.0)))
         .collect();
@@ -40,8 +42,8 @@ fn lookup(criterion: &mut Criterion) {
             |b| b.iter(|| table.curve(black_box(&material))),
         );
     }
-    // One material after the other, evenly spread over the box, as in no fit: each needs another
-    // part of what the table prepares.
+    // The materials are evenly spread over the box, as in no fit. Each one needs another part of
+    // the coefficients that the table prepares.
     let materials: Vec<Material> = (1..=1000).map(material_of_the_box).collect();
     let mut next = materials.iter().cycle();
     let mut any = || next.next().expect("endless");
@@ -51,8 +53,8 @@ fn lookup(criterion: &mut Criterion) {
     criterion.bench_function("curve with derivatives, four axes, low-rank", |b| {
         b.iter(|| low_rank.curve_with_gradient(black_box(&material)))
     });
-    // What a curve would pay for the search in its keys without its buckets: one value, as many
-    // keys, in the same order of points.
+    // The cost of a search among the pieces of a curve, which the curve itself avoids: one value
+    // among as many keys at these points.
     let key = |i: i32| {
         let u = 0.022 * f64::from(i) - 6.907_755;
         Key::new(
@@ -86,9 +88,9 @@ fn lookup(criterion: &mut Criterion) {
     });
 }
 
-/// A point of an additive recurrence over the axes of the embedded table.
+/// Returns the `i`-th point of an additive recurrence over the axes of the embedded table.
 fn material_of_the_box(i: i32) -> Material {
-    // Powers of the root of `x^4 = x + 1`.
+    // The inverse powers of the root of `x^4 = x + 1`.
     let [e1, nu1, e0] =
         [0.819_172_513, 0.671_043_607, 0.549_700_478].map(|step| f64::from(i) * step % 1.0);
     Material::new(

@@ -1,39 +1,33 @@
-//! The README's program of what a contact answers.
+//! Shows the results that a contact gives: pull-off, equilibria, energy release rates, derivatives,
+//! force-displacement curves, the effect of the film on a JKR fit, the validity of the model, and a
+//! contact line with hysteresis: `cargo run --release -p interp --example contact`.
 use interp::{Control, Elastic, Hysteresis, Input, System, Table};
 
 fn main() -> Result<(), interp::Error> {
-    let (film, substrate) = (Elastic::new(3.5e6, 0.5)?, Elastic::new(2e11, 0.25)?);
     let system = System {
         sphere_radius: 1e-3,
         sphere_modulus: 2e6,
-        film,
+        film: Elastic::new(3.5e6, 0.5)?,
         film_thickness: 1e-5,
-        substrate,
+        substrate: Elastic::new(2e11, 0.25)?,
     };
-    let contact = Table::embedded().contact_with_gradient(&system)?; // without derivatives: `contact`
+    // Without derivatives, `contact` is enough.
+    let contact = Table::embedded().contact_with_gradient(&system)?;
     let w = 0.040; // work of adhesion, J/m^2
+    let mut report = String::new();
 
-    for control in [
-        Control::Load,
-        Control::Displacement,
-        Control::Spring { stiffness: 50.0 },
-    ] {
-        let apart = contact.pull_off(w, control)?;
-        println!(
-            "pull-off, {control:?}: {:.4e} N, a = {:.3e} m",
-            apart.load, apart.contact_radius
-        );
+    let spring = Control::Spring { stiffness: 50.0 };
+    for control in [Control::Load, Control::Displacement, spring] {
+        let pull_off = contact.pull_off(w, control)?;
+        let (load, radius) = (pull_off.load, pull_off.contact_radius);
+        report += &format!("pull-off, {control:?}: {load:.4e} N, a = {radius:.3e} m\n");
     }
-    let a = contact
-        .equilibria(w, Control::Load)?
-        .unloading(1e-4)?
-        .contact_radius;
-    println!(
-        "contact radius at 0.1 mN: {a:.4e} m, without a load: {:.4e} m",
-        contact.zero_load(w)?.contact_radius
-    );
-    let measured = contact.energy_release_rate_at_load(70e-6, 1e-5)?;
-    println!("energy release rate where 70 um are measured at 10 uN: {measured:.4} J/m^2");
+    let equilibria = contact.equilibria(w, Control::Load)?;
+    let a = equilibria.unloading(1e-4)?.contact_radius;
+    let a0 = contact.zero_load(w)?.contact_radius;
+    report += &format!("contact radius at 0.1 mN: {a:.4e} m, without a load: {a0:.4e} m\n");
+    let g = contact.energy_release_rate_at_load(70e-6, 1e-5)?;
+    report += &format!("energy release rate where 70 um are measured at 10 uN: {g:.4} J/m^2\n");
 
     let gradient = contact.gradient(a, w)?;
     for (input, value) in [
@@ -41,47 +35,38 @@ fn main() -> Result<(), interp::Error> {
         (Input::FilmModulus, 3.5e6),
         (Input::FilmThickness, 1e-5),
     ] {
-        println!(
-            "1 % more {} changes the load by {:+.2e} N",
-            input.name(),
-            0.01 * value * gradient.by(input)?.load
-        );
+        let (name, change) = (input.name(), 0.01 * value * gradient.by(input)?.load);
+        report += &format!("1 % more {name} changes the load by {change:+.2e} N\n");
     }
 
-    // To a penetration of 1 um and back: stable branches of 100 states each, and the jumps between
-    // them.
-    let curve = contact
-        .equilibria(w, Control::Displacement)?
-        .force_displacement(1e-6, 100)?;
-    for jump in &curve.jumps {
-        let after = jump.to.map_or(0.0, |to| to.load);
-        println!(
-            "jump at {:.2e} m from {:.2e} N to {after:.2e} N",
-            jump.from.penetration, jump.from.load
-        );
+    // To a penetration of 1 um and back: stable branches of 100 states each, with the jumps.
+    let equilibria = contact.equilibria(w, Control::Displacement)?;
+    for jump in equilibria.force_displacement(1e-6, 100)?.jumps {
+        let (before, after) = (jump.from, jump.to.map_or(0.0, |to| to.load));
+        let (penetration, load) = (before.penetration, before.load);
+        report += &format!("jump at {penetration:.2e} m from {load:.2e} N to {after:.2e} N\n");
     }
 
-    let bias = contact.film_bias(w, [40e-6, 130e-6], 20)?; // of JKR fitted to 20 points at these contact radii
+    // A fit of JKR, which ignores the film, to 20 points between these contact radii.
+    let bias = contact.film_bias(w, [40e-6, 130e-6], 20)?;
     let [modulus, adhesion] = [bias.modulus, bias.work_of_adhesion].map(|bias| 100.0 * bias);
-    println!(
-        "JKR without a film errs by {modulus:+.1} % in E*, {adhesion:+.1} % in w; above 3 %: {}",
-        bias.exceeds(0.03)
-    );
-    let (validity, range) = (contact.validity(a)?, contact.adhesion_range(w, 1e-9)?); // attraction over 1 nm
-    println!(
-        "a/R = {:.3}, Tabor's parameter {:.0}, in the JKR limit: {}",
-        validity.a_over_r,
-        range.tabor,
-        range.is_jkr()
-    );
+    let large = bias.exceeds(0.03);
+    report += &format!("JKR without a film errs by {modulus:+.1} % in E*, {adhesion:+.1} % in w; ");
+    report += &format!("above 3 %: {large}\n");
+    // An attraction over 1 nm.
+    let range = contact.adhesion_range(w, 1e-9)?;
+    let (ratio, tabor) = (contact.validity(a)?.a_over_r, range.tabor);
+    let jkr = range.is_jkr();
+    report += &format!("a/R = {ratio:.3}, Tabor's parameter {tabor:.0}, in the JKR limit: {jkr}\n");
 
-    // A line that gains 0.03 J/m^2 where it advances and costs 0.05 where it recedes.
+    // A line that gains 0.03 J/m^2 where it advances and costs 0.05 J/m^2 where it recedes.
     let mut line = contact.line(Hysteresis::new(0.03, 0.05)?, 50e-6)?;
     for load in [1e-3, 0.5e-3, -0.1e-3] {
-        let radius = line
-            .impose(Control::Load, load)?
-            .map_or(0.0, |state| state.contact_radius);
-        println!("brought to {load:+.1e} N: a = {radius:.3e} m");
+        let state = line.impose(Control::Load, load)?;
+        let radius = state.map_or(0.0, |state| state.contact_radius);
+        report += &format!("brought to {load:+.1e} N: a = {radius:.3e} m\n");
     }
+    // Printed at once, because a reader such as `head` may close the pipe after some lines.
+    print!("{report}");
     Ok(())
 }

@@ -1,5 +1,5 @@
-//! Writes the inputs to begin with into `corpus/`: a small table of each form, and for every
-//! function arguments that it answers.
+//! Writes the first inputs of the fuzzer into `corpus/`: a small table of each form, and for every
+//! function one list of valid arguments.
 
 use std::{fs, io};
 
@@ -8,7 +8,7 @@ use tables::PREFIX;
 
 #[path = "../tests/hostile/functions.rs"]
 mod functions;
-#[allow(dead_code, reason = "of the tables, the test makes more use")]
+#[allow(dead_code, reason = "the test uses more of these tables")]
 #[path = "../tests/hostile/tables.rs"]
 mod tables;
 
@@ -20,9 +20,15 @@ fn main() -> io::Result<()> {
         let packed = table.to_packed().expect("a small table");
         fs::write(format!("corpus/packed/{name}"), &packed[PREFIX..])?;
     }
-    for (chosen, (_, sound, _)) in FUNCTIONS.iter().enumerate() {
-        let numbers = sound.iter().flat_map(|number| number.to_le_bytes());
-        fs::write(format!("corpus/numbers/{chosen}"), [chosen as u8].into_iter().chain(numbers).collect::<Vec<u8>>())?;
+    for (chosen, (_, valid, _)) in FUNCTIONS.iter().enumerate() {
+        let numbers = valid.iter().flat_map(|number| number.to_le_bytes());
+        fs::write(
+            format!("corpus/numbers/{chosen}"),
+            [chosen as u8]
+                .into_iter()
+                .chain(numbers)
+                .collect::<Vec<u8>>(),
+        )?;
     }
     Ok(())
 }

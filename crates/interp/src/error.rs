@@ -1,9 +1,8 @@
-//! What can go wrong, with the numbers that say why.
+//! The errors of this crate. Each message names the value, the values allowed and the next step.
 
+use std::borrow::Cow;
 use std::io;
 use std::path::PathBuf;
-
-use crate::Material;
 
 /// Any failure of this crate.
 #[derive(Debug, thiserror::Error)]
@@ -12,27 +11,32 @@ pub enum Error {
     /// A value that no physical system has.
     #[error("{name} = {value:?} is not physical: it must be {allowed}")]
     Unphysical {
-        /// The parameter's name.
-        name: &'static str,
-        /// The value given.
-        value: f64,
-        /// What is allowed, in words.
-        allowed: &'static str,
-    },
-    /// An argument that no computation takes: a wrong length, count or order.
-    #[error("{name} = {value:?} cannot be used: it must be {allowed}")]
-    InvalidArgument {
-        /// The argument.
+        /// The name of the parameter.
         name: &'static str,
         /// The value given.
         value: f64,
         /// The values allowed, in words.
         allowed: &'static str,
     },
-    /// A query outside the box that the table covers, or the range of the curve.
-    #[error("{axis} = {value:?} is outside the range of the table or curve, {from:?} to {to:?}")]
+    /// An argument with a length, a count, an order or a range that the computation does not
+    /// accept.
+    #[error("{name} = {value:?} cannot be used: it must be {allowed}")]
+    InvalidArgument {
+        /// The name of the argument.
+        name: &'static str,
+        /// The value given.
+        value: f64,
+        /// The values allowed, in words.
+        allowed: Cow<'static, str>,
+    },
+    /// A query outside the box of the table or outside the `a/t` of the curve.
+    #[error(
+        "{axis} = {value:?} is outside the table or curve, which {}; ask for a value inside, or make \
+         a table that covers it: change {axis} in the scene and run `tabulate generate`",
+        extent(*from, *to)
+    )]
     OutsideTable {
-        /// The axis that does not hold the value.
+        /// The axis whose range does not include the value.
         axis: &'static str,
         /// The value asked for.
         value: f64,
@@ -44,25 +48,28 @@ pub enum Error {
     /// A query beyond the nodes in `a/t`, where the expansion about the limit is not accurate
     /// enough.
     #[error(
-        "a_over_t = {value:?} is beyond the table, which ends at {edge:?}: \
-         the expansion about the limit is accurate to {estimate:.1e} there, and the table to {tolerance:.1e}"
+        "a_over_t = {value:?} is beyond the table, which ends at {edge:?}: the expansion about the \
+         limit has an estimated error of {estimate:.1e} there, more than the table's tolerance \
+         {tolerance:.1e}; make a table whose scene extends a_over_t to this value"
     )]
     Extrapolation {
         /// The `a/t` asked for.
         value: f64,
-        /// The end of the nodes that it is beyond.
+        /// The first or the last node in `a/t`, whichever is nearer to the value.
         edge: f64,
         /// The estimated relative error of the expansion.
         estimate: f64,
-        /// The tolerance of the table.
+        /// The relative tolerance of the table.
         tolerance: f64,
     },
-    /// A state whose contact radius is out of the range of the table or curve.
+    /// A state whose contact radius is outside the range of the table or curve.
     #[error(
-        "{name} = {value:?} takes a contact radius outside the range of the table or curve, {from:?} m to {to:?} m"
+        "{name} = {value:?} leads to a contact radius outside the table or curve, which covers \
+         {from:?} m to {to:?} m; give a value that keeps the radius inside, or make a table with a \
+         larger range of a_over_t"
     )]
     OutsideRadii {
-        /// What was imposed or measured.
+        /// The name of the quantity imposed or measured.
         name: &'static str,
         /// Its value.
         value: f64,
@@ -72,104 +79,126 @@ pub enum Error {
         to: f64,
     },
     /// A load, penetration or position of the spring at which there is no contact.
-    #[error("there is no contact at {name} = {value:?}: it is {least:?} at least")]
+    #[error("there is no contact at {name} = {value:?}: give {least:?} or more")]
     NoContact {
-        /// What was imposed.
+        /// The name of the quantity imposed.
         name: &'static str,
         /// Its value.
         value: f64,
-        /// The least value there is.
+        /// The smallest value with a contact.
         least: f64,
     },
-    /// A material on a substrate with another Poisson ratio than the table's, whose equivalent the
-    /// table does not cover.
+    /// A material on a substrate with another Poisson ratio than the table's, whose equivalent does
+    /// not exist or is outside the table.
     #[error(
-        "nu1 = {nu1:?} with nu0 = {nu0:?} has no equivalent in a table made for nu0 = {table_nu0:?}"
+        "nu1 = {nu1:?} with nu0 = {nu0:?} has no equivalent in a table made for nu0 = {table_nu0:?} \
+         ({cause}); a table made for nu0 = {nu0:?} needs no equivalent"
     )]
     Equivalent {
-        /// The film's Poisson ratio.
+        /// The Poisson ratio of the film.
         nu1: f64,
-        /// The substrate's Poisson ratio.
+        /// The Poisson ratio of the substrate.
         nu0: f64,
         /// The Poisson ratio of the table's substrate.
         table_nu0: f64,
-        /// What is wrong with the equivalent.
-        source: Box<Error>,
+        /// The error of the equivalent material. The message includes it; therefore it is not the
+        /// [source](std::error::Error::source), which many programs print after the message.
+        cause: Box<Error>,
     },
-    /// A rigid sphere asked of a table for compliant ones, or the other way round.
-    #[error("the table is normalised by {table}, the query needs one normalised by {query}")]
+    /// A rigid sphere in a table for compliant spheres, or the other way round.
+    #[error(
+        "the table is normalised by {table}, the query needs one normalised by {query}: use a table \
+         with {} in its scene",
+        sphere_of(query)
+    )]
     Normalisation {
         /// The modulus that normalises the table.
         table: &'static str,
-        /// The modulus that would normalise the query's result.
+        /// The modulus that would normalise the result of the query.
         query: &'static str,
     },
     /// A curve made for another material than the system's.
     #[error(
-        "the curve was made for {}, the system has {}",
-        parameters(curve),
-        parameters(system)
+        "the curve was made for {}, the system has {}: make the curve for `System::material`",
+        material(curve),
+        material(system)
     )]
     OtherMaterial {
-        /// The material of the curve.
-        curve: Material,
-        /// The system's, on a substrate with the Poisson ratio of the curve's.
-        system: Material,
+        /// The material of the curve: `e1_over_e2`, `nu1`, `e0_over_e2`, `nu0`.
+        curve: [f64; 4],
+        /// The material of the system, on a substrate with the Poisson ratio of the curve's:
+        /// `e1_over_e2`, `nu1`, `e0_over_e2`, `nu0`.
+        system: [f64; 4],
     },
-    /// A quantity that the scene of the table did not ask for.
-    #[error("the table does not hold {0}: its scene did not ask for it")]
+    /// A quantity that the table does not hold, because its scene did not ask for it.
+    #[error(
+        "the table does not hold {0}: add it to `quantities` in the scene and make the table again"
+    )]
     MissingQuantity(&'static str),
     /// A motion of the contact line that cannot be integrated to the tolerance.
     #[cfg(feature = "dynamics")]
-    #[error("the contact line cannot be followed beyond {time:?} s: {reason}")]
+    #[error(
+        "the contact line cannot be followed beyond {time:?} s: {reason}; try another tolerance or, \
+         for a very slow ramp, `ContactLine::impose`"
+    )]
     Motion {
-        /// How far it was followed, s from the beginning of the ramp.
+        /// The time from the beginning of the ramp up to which it was followed, s.
         time: f64,
-        /// What stopped the solver.
+        /// The failure of the solver.
         reason: String,
     },
-    /// A derivative that is not known, in most cases because the scene of the table fixes the
+    /// A derivative that is unknown, in most cases because the scene of the table fixes the
     /// parameter.
     #[error(
-        "there is no derivative with respect to {0}: it is no axis of the table, or needs a parameter that is none"
+        "there is no derivative with respect to {0}: the contact does not depend on it, it is at \
+         the end of its domain, or the table fixes a parameter that the derivative needs; in the \
+         last case make a table whose scene gives e1_over_e2, nu1 and e0_over_e2 as ranges"
     )]
     FixedParameter(&'static str),
-    /// A gradient of a curve that was made without one.
+    /// The gradient of a curve that was made without one.
     #[error(
-        "the curve has no derivatives with respect to the material: make it with `curve_with_gradient`"
+        "the curve has no derivatives with respect to the material: make it with \
+         `Table::curve_with_gradient`, or the contact with `Table::contact_with_gradient`"
     )]
     NoGradient,
-    /// Bytes that are no table of this project.
-    #[error("not a coated-contact table: {0}")]
+    /// Bytes that are no table of this project, or a table in another form than the one read.
+    #[error("not a coated-contact table of the form read here: {0}")]
     Foreign(String),
     /// A table in another version of the format.
-    #[error("the table has format version {found}, this program reads version {supported}")]
+    #[error(
+        "the table has format version {found}, this program reads version {supported}: make the \
+         table again with this program, or read it with the version of the program that made it"
+    )]
     Version {
         /// The version in the file.
         found: u32,
         /// The only version that is read.
         supported: u32,
     },
-    /// Bytes that are missing or too many.
+    /// Missing or trailing bytes.
     #[error(
-        "the table is truncated or has trailing bytes: {expected} bytes expected, {found} found"
+        "the table is truncated or has trailing bytes: {expected} bytes expected, {found} found; \
+         copy or download the file again"
     )]
     Length {
         /// The length that the header states.
         expected: u64,
-        /// The length there is.
+        /// The length found.
         found: u64,
     },
     /// Bytes that changed after they were written.
-    #[error("the table is corrupt: checksum {found:08x}, stored {stored:08x}")]
+    #[error(
+        "the table is corrupt: checksum {found:08x}, stored {stored:08x}; copy or download the file \
+         again"
+    )]
     Checksum {
         /// The checksum in the file.
         stored: u32,
-        /// The checksum of the bytes.
+        /// The checksum of the bytes found.
         found: u32,
     },
     /// A table whose parts contradict each other or the schema.
-    #[error("the table is malformed: {0}")]
+    #[error("the table is malformed: {0}; make the table again, or copy the file again")]
     Malformed(String),
     /// A file that cannot be read.
     #[error("cannot read {}", path.display())]
@@ -181,19 +210,32 @@ pub enum Error {
     },
 }
 
-/// A material in words.
-fn parameters(material: &Material) -> String {
-    let [e1, nu1, e0, nu0] = [
-        material.e1_over_e2(),
-        material.nu1(),
-        material.e0_over_e2(),
-        material.nu0(),
-    ];
+/// Formats the range of an axis, or its only value.
+fn extent(from: f64, to: f64) -> String {
+    if from == to {
+        format!("has only {from:?}")
+    } else {
+        format!("covers {from:?} to {to:?}")
+    }
+}
+
+/// Returns the `e1_over_e2` of a scene whose table is normalised by this modulus.
+fn sphere_of(normalisation: &str) -> &'static str {
+    if normalisation == "E1*" {
+        "e1_over_e2 = 0 (rigid sphere)"
+    } else {
+        "e1_over_e2 > 0 (compliant sphere)"
+    }
+}
+
+/// Formats the four parameters of a material.
+fn material([e1, nu1, e0, nu0]: &[f64; 4]) -> String {
     format!("e1_over_e2 = {e1:?}, nu1 = {nu1:?}, e0_over_e2 = {e0:?}, nu0 = {nu0:?}")
 }
 
 impl Error {
-    /// Accepts a value of which `holds` is true; comparisons with NaN are not.
+    /// Returns [`Error::Unphysical`] unless `holds`. A condition that compares with NaN must be
+    /// false.
     pub(crate) const fn unless(
         holds: bool,
         name: &'static str,
@@ -211,7 +253,7 @@ impl Error {
         }
     }
 
-    /// Accepts an argument of which `holds` is true.
+    /// Returns [`Error::InvalidArgument`] unless `holds`.
     pub(crate) const fn argument(
         holds: bool,
         name: &'static str,
@@ -224,8 +266,20 @@ impl Error {
             Err(Self::InvalidArgument {
                 name,
                 value,
-                allowed,
+                allowed: Cow::Borrowed(allowed),
             })
         }
+    }
+
+    /// Returns [`Error::InvalidArgument`] unless there are as many values to write as points.
+    pub(crate) fn same_length(points: &[f64], values: &[f64]) -> Result<(), Self> {
+        if points.len() == values.len() {
+            return Ok(());
+        }
+        Err(Self::InvalidArgument {
+            name: "the number of values to write",
+            value: values.len() as f64,
+            allowed: Cow::Owned(format!("{}, one for each point", points.len())),
+        })
     }
 }

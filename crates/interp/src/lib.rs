@@ -1,11 +1,11 @@
 //! Adhesive contact of a sphere on a coated substrate, from a precomputed table.
 //!
-//! A sphere (body 2) touches a film (1) bonded to a substrate (0) and sticks to it. Barthel's
+//! A sphere (body 2) touches a film (1) bonded to a substrate (0) and adheres to it. Barthel's
 //! model, *Adhesive contact of a compliant sphere to an elastic coated substrate: the thin film
-//! limit*, needs four dimensionless functions of (`a/t`, `E1/E2`, `nu1`, `E0/E2`), the
-//! [`Quantities`]. They are tabulated once, by the crate `tabulate`; this crate interpolates them
-//! and does the arithmetic of eqs. 2 to 9. All units are SI, loads are positive in compression,
-//! penetrations positive when the sphere is in.
+//! limit*, needs four dimensionless functions of (`a/t`, `E1/E2*`, `nu1`, `E0/E2*`), the
+//! [`Quantities`]. The crate `tabulate` computes them once for a table. This crate interpolates the
+//! table and evaluates eqs. 2 to 9 of the model. All units are SI. Loads are positive in
+//! compression; penetrations are positive when the sphere is below the undeformed surface.
 //!
 //! # From a system to its pull-off
 //!
@@ -14,12 +14,18 @@
 //! # fn main() -> Result<(), interp::Error> {
 //! use interp::{Control, Elastic, System, Table};
 //!
-//! // What touches what: a sphere of 1 mm and E2* = 2 MPa, an incompressible film of 10 um, a substrate that hardly yields.
+//! // A sphere of 1 mm and E2* = 2 MPa, an incompressible film of 10 um, a stiff substrate.
 //! let film = Elastic::new(3.5e6, 0.5)?; // Young's modulus (Pa), Poisson ratio
 //! let substrate = Elastic::new(2e11, 0.25)?;
-//! let system = System { sphere_radius: 1e-3, sphere_modulus: 2e6, film, film_thickness: 1e-5, substrate };
+//! let system = System {
+//!     sphere_radius: 1e-3,
+//!     sphere_modulus: 2e6,
+//!     film,
+//!     film_thickness: 1e-5,
+//!     substrate,
+//! };
 //!
-//! // Its material is looked up once; all that follows is arithmetic.
+//! // The material is looked up once. Everything after this is arithmetic.
 //! let contact = Table::embedded().contact(&system)?;
 //! let w = 0.040; // work of adhesion, J/m^2
 //! for a in [40e-6, 65e-6, 90e-6] {
@@ -27,52 +33,54 @@
 //!     println!("{a:e} m: {load:e} N, {penetration:e} m");
 //! }
 //!
-//! // It separates under a larger pull than without the film, where it would be 1.5 pi w R.
+//! // The pull-off load is larger than that without a film, 1.5 pi w R.
 //! let pull_off = contact.pull_off(w, Control::Load)?;
-//! assert!((pull_off.load / (std::f64::consts::PI * w * system.sphere_radius) + 1.5401).abs() < 1e-4);
+//! let unit = std::f64::consts::PI * w * system.sphere_radius;
+//! assert!((pull_off.load / unit + 1.5401).abs() < 1e-4);
 //! # Ok(()) }
 //! # #[cfg(not(feature = "embedded"))]
 //! # fn main() {}
 //! ```
 //!
-//! # Where the quantities come from
+//! # Tables, curves and contacts
 //!
-//! * `Table::embedded` (feature `embedded`) is the table that comes with the crate; [`Table::read`]
-//!   (packed) and `Table::open` (HDF5, feature `hdf5`) load another.
+//! * `Table::embedded` (feature `embedded`) is the table that comes with the crate. [`Table::read`]
+//!   (packed) and `Table::open` (HDF5, feature `hdf5`) load another one.
 //! * [`Table::curve`] makes the [`Curve`] of one [`Material`]: the quantities as functions of
-//!   `a/t`. [`Table::contact`] makes the [`Contact`] of one [`System`]. Another Poisson ratio of
-//!   the substrate than the table's is exact, by Dundurs' equivalence.
-//! * [`Table::curve_with_gradient`] and [`Table::contact_with_gradient`] make them with derivatives
-//!   with respect to all that they depend on: [`Curve::gradient`], [`Contact::gradient`].
-//! * [`Curve::through`] and [`Contact::new`] need no table, but quantities solved elsewhere;
-//!   [`Contact::half_space`] is JKR, without a film.
+//!   `a/t`. [`Table::contact`] makes the [`Contact`] of one [`System`]. The Poisson ratio of the
+//!   substrate may differ from the table's: Dundurs' equivalence is exact.
+//! * [`Table::curve_with_gradient`] and [`Table::contact_with_gradient`] add the derivatives with
+//!   respect to every parameter: [`Curve::gradient`], [`Contact::gradient`].
+//! * [`Curve::through`] and [`Contact::new`] use quantities solved elsewhere in place of a table.
+//!   [`Contact::half_space`] is JKR: no film, no table.
+//! * [`Curve::spline`] converts a curve to a spline of the crate `splines`, for other programs.
 //!
-//! # What a contact answers
+//! # Results of a contact
 //!
-//! * [`Contact::load`], [`Contact::load_and_penetration`], [`Contact::stiffness`],
-//!   [`Contact::stress_intensity`] at a contact radius.
-//! * [`Contact::equilibria`]: the contacts at a load, a penetration or the position of a spring
-//!   ([`Control`]) with their stability, and whole force-displacement curves with their jumps
-//!   ([`Equilibria::force_displacement`]); [`Contact::pull_off`] and [`Contact::zero_load`] of
-//!   them.
-//! * [`Contact::energy_release_rate_at_load`], [`Contact::energy_release_rate_at_penetration`] and
-//!   [`Contact::radius_and_energy_release_rate`] from any two measured values, without a work of
-//!   adhesion.
-//! * [`Contact::film_bias`]: whether the film matters to a fit of JKR. [`Contact::validity`] and
-//!   [`Contact::adhesion_range`]: whether the model holds.
+//! * At a contact radius: [`Contact::load`], [`Contact::load_and_penetration`],
+//!   [`Contact::stiffness`], [`Contact::stress_intensity`].
+//! * At a load, a penetration or a position of a spring ([`Control`]): [`Contact::equilibria`]
+//!   finds the contacts and their stability, whole force-displacement curves with their jumps
+//!   ([`Equilibria::force_displacement`]), [`Contact::pull_off`] and [`Contact::zero_load`].
+//! * From any two measured values, without a work of adhesion:
+//!   [`Contact::energy_release_rate_at_load`], [`Contact::energy_release_rate_at_penetration`] and
+//!   [`Contact::radius_and_energy_release_rate`].
+//! * [`Contact::film_bias`] tells whether the film matters to a fit of JKR; [`Contact::validity`]
+//!   and [`Contact::adhesion_range`] tell whether the assumptions of the model hold.
 //! * [`Contact::line`] moves the contact line by a [`CrackTip`] law, of which eq. 8 is the
-//!   simplest: different energies for an advancing and a receding line ([`Hysteresis`]), or
-//!   energies that depend on its speed ([`RateDependent`]); slowly ([`ContactLine::impose`]), or in
-//!   time (`ContactLine::ramp`, feature `dynamics`).
+//!   simplest. Advancing and receding lines may have different energies ([`Hysteresis`]), or
+//!   energies that depend on the speed ([`RateDependent`]). The line moves slowly
+//!   ([`ContactLine::impose`]) or in time (`ContactLine::ramp`, feature `dynamics`).
 //!
 //! # Outside the table
 //!
-//! No value is clamped. A material outside the table's box is an [`Error`] with the axis, the value
-//! and the range (but for rounding, 1e-12). Beyond its `a/t` there are the first terms of the
-//! expansions about the exact limits, thick and thin film, where their estimated error
-//! ([`Curve::error`]) is within the table's tolerance, and an error elsewhere. On thick films they
-//! have derivatives, too, and states are sought down to a radius of 0; above the nodes there are
-//! neither. Any f64 gives finite numbers or an error, never a panic.
+//! No value is clamped. A material outside the table's box (by more than rounding, 1e-12) is an
+//! [`Error`] with the axis, the value and the range. Beyond the `a/t` of the nodes the first terms
+//! of the expansions about the exact limits, thick and thin film, are used where their estimated
+//! error ([`Curve::error`]) is within the table's tolerance; elsewhere there is an error. Below the
+//! nodes (thick films) the expansions have derivatives, and equilibria are sought down to a radius
+//! of 0. Above the nodes there are no derivatives, and equilibria are not sought. Any f64 gives
+//! finite numbers or an error, never a panic.
 //!
 //! # Features
 //!
@@ -82,8 +90,8 @@
 //! | `hdf5` | `Table::open`, without a C library |
 //! | `dynamics` | `ContactLine::ramp`: contact lines that move at a finite speed |
 //!
-//! Rust 1.89 or newer. The crate needs `std`, for files and for what a table makes when it is first
-//! used.
+//! Rust 1.89 or newer. The crate needs `std`, for files and for the parts of a table that are made
+//! at the first use.
 
 #![forbid(unsafe_code)]
 

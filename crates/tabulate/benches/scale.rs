@@ -9,6 +9,7 @@ use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
 use interp::{Quantity, Table};
+use serde_json::Value;
 use tabulate::plot::axis::{Axis, power_of_ten};
 use tabulate::plot::chart::{BLUE, Colour, Figure, GREY, Marker, Panel, Point, Side, VERMILION};
 use tabulate::plot::picture::Format;
@@ -54,7 +55,7 @@ struct Size {
     error: f64,
 }
 
-/// What the program says of itself.
+/// The numbers of one run of the program.
 #[derive(Clone, Copy)]
 struct Run {
     points: f64,
@@ -118,6 +119,7 @@ impl Run {
         command
             .args([
                 "generate",
+                "--json",
                 "--tolerance",
                 &tolerance.to_string(),
                 "--jobs",
@@ -129,22 +131,18 @@ impl Run {
         if !output.status.success() {
             return Err(format!("{command:?} failed ({})", output.status).into());
         }
-        let text = String::from_utf8(output.stdout)?;
-        let before = |unit| {
-            number_before(&text, unit)
-                .ok_or_else(|| format!("{command:?} does not say its number of{unit}:\n{text}"))
+        let object: Value = serde_json::from_slice(&output.stdout)?;
+        let number = |field: &str| {
+            object[field]
+                .as_f64()
+                .ok_or_else(|| format!("{command:?} prints no number {field}: {object}"))
         };
         Ok(Self {
-            points: before(" points in")?,
-            seconds: before(" s with the certificate")?,
-            megabytes: before(" MB at most")?,
+            points: number("points_solved")?,
+            seconds: number("seconds")?,
+            megabytes: 1e-6 * number("peak_memory_bytes")?,
         })
     }
-}
-
-/// The number that stands before a phrase.
-fn number_before(text: &str, phrase: &str) -> Option<f64> {
-    text.split_once(phrase)?.0.rsplit(' ').next()?.parse().ok()
 }
 
 /// Of the numbers of threads.

@@ -8,8 +8,8 @@ use tempfile::TempPath;
 
 use crate::Error;
 
-/// Accepts an output, before any work, if a file can be made or replaced there and it is not the
-/// input.
+/// Accepts an output, before any work, if a file can be made or replaced there and if it is not the
+/// `input`.
 ///
 /// # Errors
 /// [`Error::Write`] naming the output.
@@ -34,8 +34,8 @@ pub fn check(output: Option<&Path>, input: Option<&Path>) -> Result<(), Error> {
 /// to `path`.
 ///
 /// # Errors
-/// [`Error::Write`] naming `path`; an existing file is then untouched. Anything there but a file, a
-/// device for instance, is an error.
+/// [`Error::Write`] naming `path`; an existing file is then untouched. Anything but a file at
+/// `path`, a device for instance, is an error.
 pub fn atomically(path: &Path, fill: impl FnOnce(&Path) -> io::Result<()>) -> Result<(), Error> {
     let attempt = || {
         let (unfinished, target) = temporary(path)?;
@@ -47,8 +47,8 @@ pub fn atomically(path: &Path, fill: impl FnOnce(&Path) -> io::Result<()>) -> Re
     })
 }
 
-/// Like [`atomically`], through a temporary path of the caller's, which nobody else uses. What an
-/// earlier process, that was killed, has left there is replaced.
+/// Calls `fill` as [`atomically`] does, with the temporary path `unfinished`, which no other
+/// process uses. A file that a killed process has left there is replaced.
 ///
 /// # Errors
 /// As [`atomically`].
@@ -75,8 +75,8 @@ fn complete(
     sync_folder(target)
 }
 
-/// A new file, removed when dropped, in the same folder as the file that `path` means, and that
-/// file's path.
+/// Makes a temporary file beside the [`target`] of `path`. Returns its path, which removes the file
+/// when it is dropped, and the target.
 fn temporary(path: &Path) -> io::Result<(TempPath, PathBuf)> {
     let target = target(path)?;
     let folder = folder(&target);
@@ -97,10 +97,10 @@ fn temporary(path: &Path) -> io::Result<(TempPath, PathBuf)> {
     Ok((unfinished, target))
 }
 
-/// The file that a path means: the one behind a link is replaced, not the link.
+/// Returns the file that `path` leads to: the file behind a link is replaced, not the link.
 ///
 /// # Errors
-/// [`Error::Write`] naming `path`, if there is anything but a file.
+/// [`Error::Write`] naming `path`, if it exists and is not a file.
 pub fn behind_links(path: &Path) -> Result<PathBuf, Error> {
     target(path).map_err(|source| Error::Write {
         path: path.to_owned(),
@@ -116,14 +116,14 @@ fn target(path: &Path) -> io::Result<PathBuf> {
     }
 }
 
-/// The folder of a file; a bare file name has an empty parent.
+/// Returns the folder of a file. A bare file name is in the current folder.
 fn folder(path: &Path) -> &Path {
     path.parent()
         .filter(|folder| !folder.as_os_str().is_empty())
         .unwrap_or(Path::new("."))
 }
 
-/// Makes a new or renamed file survive a loss of power.
+/// Flushes the folder of `path`, so that a new or renamed file survives a loss of power.
 #[cfg(unix)]
 pub fn sync_folder(path: &Path) -> io::Result<()> {
     File::open(folder(path))?.sync_all()

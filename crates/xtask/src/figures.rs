@@ -1,23 +1,23 @@
 //! The figures and the numbers of the documentation: measured, drawn and quoted, or compared with
-//! what is there.
+//! those in the repository.
 //!
-//! `tables/figures/` holds all figures, and what each `tabulate cost` measured as CSV. The Markdown
-//! files quote the summaries of these measurements between `<!-- tabulate cost NAME -->` and
+//! `tables/figures/` holds all figures, and the rows of each `tabulate cost` as CSV. The Markdown
+//! files quote the summaries of these rows between `<!-- tabulate cost NAME -->` and
 //! `<!-- end -->`.
 
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use crate::tabulate::tabulate;
+use crate::tabulate;
 use crate::workspace;
 
-/// What `tabulate cost` measures.
+/// The measurements of `tabulate cost`.
 const COSTS: [&str; 4] = ["solve", "table", "lookup", "effects"];
 
-/// For how many seconds tables are made, to be quoted or only to be compared.
+/// The seconds that `tabulate cost table` may take: to be quoted, or only to be compared.
 const BUDGETS: [&str; 2] = ["400", "20"];
 
-/// What `tabulate plot` draws, and of which measurement.
+/// The figures of `tabulate plot`, and the measurement that each is drawn from.
 const FIGURES: [(&str, Option<&str>); 9] = [
     ("fig2", None),
     ("fig3", None),
@@ -30,12 +30,12 @@ const FIGURES: [(&str, Option<&str>); 9] = [
     ("effects", Some("effects")),
 ];
 
-/// Where the measurements are quoted.
-const DOCUMENTS: [&str; 2] = ["README.md", "tables/README.md"];
+/// The files that quote measurements. A file without a quotation stays as it is.
+const DOCUMENTS: [&str; 2] = ["crates/tabulate/COST.md", "tables/README.md"];
 const END: &str = "<!-- end -->\n";
 
-/// How far apart the coordinates of the same picture may be that two processors draw, in tenths of
-/// a pixel.
+/// The largest difference of a coordinate between two drawings of one figure, in tenths of a pixel:
+/// processors round differently.
 const ROUNDING: f64 = 1.5;
 
 /// Measures, draws and quotes everything anew.
@@ -57,8 +57,8 @@ pub fn figures() -> Result<(), String> {
     Ok(())
 }
 
-/// Measures again and fails if errors or sizes differ from those kept, or times by more than
-/// machines do; draws again and fails if a figure differs; and fails if a document quotes another
+/// Compares the repository with new measurements and drawings. Fails if an error or a size differs,
+/// if a time differs by more than machines do, if a figure differs, or if a document quotes another
 /// summary.
 pub fn check() -> Result<(), String> {
     let folder = folder();
@@ -66,7 +66,7 @@ pub fn check() -> Result<(), String> {
         let text = read(&workspace::root().join(document))?;
         if quoted(&text)? != text {
             return Err(format!(
-                "{document} quotes something else than tables/figures/*.csv; `cargo xtask figures` writes it anew"
+                "{document} differs from the summaries of tables/figures/*.csv; `cargo xtask figures` writes it anew"
             ));
         }
     }
@@ -84,7 +84,7 @@ pub fn check() -> Result<(), String> {
         draw(figure, cost, &now)?;
         if !alike(&read(Path::new(&before))?, &read(Path::new(&now))?) {
             return Err(format!(
-                "{before} is not what is drawn now, {now}; `cargo xtask figures` draws it anew"
+                "{before} differs from {now}, which is drawn now; `cargo xtask figures` draws it anew"
             ));
         }
     }
@@ -112,17 +112,17 @@ fn measure(cost: &str, arguments: &[&str], budget: &str) -> Result<String, Strin
     } else {
         &[]
     };
-    tabulate(&[&["cost", cost], arguments, budget].concat())
+    tabulate::text(&[&["cost", cost], arguments, budget].concat())
 }
 
-/// Draws a figure of what was measured, if it was.
+/// Draws a figure, from the rows of its measurement if it has one.
 fn draw(figure: &str, cost: Option<&str>, picture: &str) -> Result<String, String> {
     let data = cost.map(|cost| name(&folder(), cost, "csv"));
     let data = data.as_ref().map_or(vec![], |data| vec!["--data", data]);
-    tabulate(&[&["plot", figure, "-o", picture], &data[..]].concat())
+    tabulate::text(&[&["plot", figure, "-o", picture], &data[..]].concat())
 }
 
-/// A document with the summary of each measurement that it quotes.
+/// Returns the text of a document with the present summary in each quotation.
 fn quoted(text: &str) -> Result<String, String> {
     let mut quoted = String::new();
     let mut rest = text;
@@ -133,14 +133,14 @@ fn quoted(text: &str) -> Result<String, String> {
         let (_, after) = after
             .split_once(END)
             .ok_or_else(|| format!("the quotation of tabulate cost {cost} does not end"))?;
-        let summary = tabulate(&["cost", cost, "--data", &name(&folder(), cost, "csv")])?;
+        let summary = tabulate::text(&["cost", cost, "--data", &name(&folder(), cost, "csv")])?;
         quoted += &format!("{before}<!-- tabulate cost {cost} -->\n{summary}{END}");
         rest = after;
     }
     Ok(quoted + rest)
 }
 
-/// Whether two pictures are the same but for rounding.
+/// Returns true if two pictures differ by no more than rounding.
 fn alike(a: &str, b: &str) -> bool {
     let tokens = |text: &str| {
         text.split([' ', ',', '"', '<', '>'])

@@ -1,4 +1,4 @@
-//! Finds a libhdf5 to link, or what is needed to build one.
+//! Finds a libhdf5 to link, or the tools to build one.
 //!
 //! In this order: a system library (`HDF5_DIR`, or pkg-config's `hdf5`), then a static build from
 //! source with cmake from `$CMAKE`, from the path, or from PyPI, and with ninja from there where
@@ -10,10 +10,10 @@ use std::process::{Command, Stdio};
 
 use crate::python;
 
-/// libhdf5's own build refuses anything older.
+/// The oldest cmake, major and minor version, that can build libhdf5.
 const OLDEST_CMAKE: (u32, u32) = (3, 26);
 
-/// A cargo command, with the feature and the environment that HDF5 needs on this machine.
+/// Returns a cargo command with the feature and the environment that HDF5 needs on this machine.
 pub fn cargo(args: &[&str]) -> Result<Command, String> {
     let mut command = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
     let Some((subcommand, rest)) = args.split_first() else {
@@ -63,7 +63,7 @@ fn cmake() -> Result<PathBuf, String> {
     Ok(package.join("cmake/data/bin/cmake"))
 }
 
-/// `(major, minor)` of "cmake version 3.31.2".
+/// Returns `(major, minor)` of a cmake that prints "cmake version 3.31.2".
 fn cmake_version(cmake: &Path) -> Option<(u32, u32)> {
     let output = Command::new(cmake).arg("--version").output().ok()?;
     let text = String::from_utf8(output.stdout).ok()?;

@@ -1,8 +1,9 @@
 //! The project's own commands, run as `cargo xtask COMMAND`.
 //!
-//! They need Rust, a C compiler and python3, and fetch the rest (cmake for libhdf5, h5py for one
-//! test, scipy for two benches) from PyPI into the target directory. The tests of the report run in
-//! Chromium, which is installed with apt-get where that is possible.
+//! They need Rust, a C compiler and python3 with pip. All else is fetched from PyPI into the target
+//! directory: cmake to build libhdf5 where no library is installed, h5py for one test, scipy for
+//! two benches. Nothing is installed on the system. The tests of the report's page run in Chromium,
+//! and are skipped, with a message, where there is none.
 
 #![forbid(unsafe_code)]
 
@@ -15,17 +16,20 @@ mod tabulate;
 mod workspace;
 
 use std::env;
+use std::io::{Write, stderr, stdout};
 use std::process::{Command, ExitCode};
 
 const USAGE: &str = "\
 usage: cargo xtask COMMAND
 
+  tabulate ARGS  run the program `tabulate`, built optimised: `cargo xtask tabulate curve`
   table [SCENE] [ARGS]
-                 make a table: `tabulate generate SCENE ARGS`; without SCENE the default one, into tables/default.h5
+                 make a table: `tabulate generate SCENE ARGS`; without SCENE, the default scene into tables/default.h5
   tables         make and pack the table of every scene in tables/, in target/tables/, and print the rows of tables/README.md
-  figures [--check]
-                 measure what accuracy costs, draw all figures and quote the numbers in README.md and tables/README.md; or measure
-                 and draw again, and fail where that differs
+  figures        measure the cost of accuracy, draw all figures, and quote the numbers in crates/tabulate/COST.md and
+                 tables/README.md
+  figures --check
+                 measure and draw again, and fail where the figures or the quoted numbers differ
   test [ARGS]    run the whole test suite, optimised; ARGS go to `cargo test`
   compare        time the solve against numpy and scipy on the same equation, and the lookup against interpn and scipy on
                  the same nodes
@@ -37,6 +41,7 @@ fn main() -> ExitCode {
     let command = args.next();
     let rest: Vec<String> = args.collect();
     let outcome = match command.as_deref() {
+        Some("tabulate") => tabulate(&rest),
         Some("table") => table(&rest),
         Some("tables") if rest.is_empty() => tables::tables(),
         Some("figures") if rest.is_empty() => figures::figures(),
@@ -45,26 +50,32 @@ fn main() -> ExitCode {
         Some("compare") if rest.is_empty() => compare(),
         Some("cargo") if !rest.is_empty() => cargo(&rest),
         Some("help" | "--help" | "-h") => {
-            print!("{USAGE}");
+            let _ = write!(stdout(), "{USAGE}");
             return ExitCode::SUCCESS;
         }
         _ => {
-            eprint!("{USAGE}");
+            let _ = write!(stderr(), "{USAGE}");
             return ExitCode::from(2);
         }
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,
         Err(message) => {
-            eprintln!("xtask: {message}");
+            let _ = writeln!(stderr(), "xtask: {message}");
             ExitCode::FAILURE
         }
     }
 }
 
-/// `tabulate generate`, built optimised.
+/// Runs `tabulate`.
+fn tabulate(args: &[String]) -> Result<(), String> {
+    let args: Vec<&str> = args.iter().map(String::as_str).collect();
+    succeed(&mut tabulate::command(&args)?)
+}
+
+/// Runs `tabulate generate`.
 fn table(args: &[String]) -> Result<(), String> {
-    let mut command = vec!["run", "--release", "-p", "tabulate", "--", "generate"];
+    let mut command = vec!["generate"];
     // Without a scene it is the workspace's default one, wherever the command is run; the table is
     // written beside it.
     let scene = workspace::root()
@@ -75,10 +86,10 @@ fn table(args: &[String]) -> Result<(), String> {
         command.push(&scene);
     }
     command.extend(args.iter().map(String::as_str));
-    succeed(&mut hdf5::cargo(&command)?)
+    succeed(&mut tabulate::command(&command)?)
 }
 
-/// Every test of every member with every feature, documentation examples included.
+/// Runs every test of every member, documentation examples included.
 fn test(args: &[String]) -> Result<(), String> {
     let mut command = vec!["test", "--release", "--workspace"];
     command.extend(args.iter().map(String::as_str));
@@ -89,10 +100,10 @@ fn test(args: &[String]) -> Result<(), String> {
     succeed(&mut cargo)
 }
 
-/// The h5py versions that one test of the HDF5 file is known to pass with.
+/// The versions of h5py with which the test of the HDF5 file passes.
 const H5PY: &str = ">=3.8,<4";
 
-/// The benches that need scipy; pip fetches numpy with it.
+/// Runs the benches that need scipy; pip fetches numpy with it.
 fn compare() -> Result<(), String> {
     let bench = [
         "bench", "-p", "tabulate", "--bench", "nystrom", "--bench", "rivals",
@@ -100,7 +111,7 @@ fn compare() -> Result<(), String> {
     succeed(hdf5::cargo(&bench)?.env("PYTHONPATH", python::package("scipy", SCIPY)?))
 }
 
-/// The scipy versions that the benches are known to run with.
+/// The versions of scipy with which the benches run.
 const SCIPY: &str = ">=1.11,<2";
 
 fn cargo(args: &[String]) -> Result<(), String> {
@@ -108,7 +119,7 @@ fn cargo(args: &[String]) -> Result<(), String> {
     succeed(&mut hdf5::cargo(&args)?)
 }
 
-/// Runs a command that prints for itself; an error names the command.
+/// Runs a command whose output is its own. An error names the command.
 fn succeed(command: &mut Command) -> Result<(), String> {
     let status = command
         .status()

@@ -1,5 +1,5 @@
-//! Python packages for the project's own use, kept in the target directory and never in the user's
-//! environment.
+//! Python packages for the project's own use. They lie in the target directory; the user's own
+//! environment is not changed.
 
 use std::fs;
 use std::path::PathBuf;
@@ -7,10 +7,10 @@ use std::process::Command;
 
 use crate::workspace;
 
-/// The folder (for `PYTHONPATH`) that holds `name` at a version in `range`, fetched by pip at the
-/// first call.
+/// Returns the folder (for `PYTHONPATH`) of the package `name` at a version in `range`. The first
+/// call fetches it with pip.
 pub fn package(name: &str, range: &str) -> Result<PathBuf, String> {
-    // Another range is another folder.
+    // Each range has a folder of its own.
     let folder = workspace::target()?
         .join("tools")
         .join(format!("{name}{range}").replace(|c: char| !c.is_ascii_alphanumeric(), "-"));
@@ -21,7 +21,7 @@ pub fn package(name: &str, range: &str) -> Result<PathBuf, String> {
         "xtask: fetching {name} {range} from PyPI into {}",
         folder.display()
     );
-    // Renamed when complete, so that an interrupted download is never taken for a finished one.
+    // The folder is renamed when it is complete: an interrupted download is not used later.
     let unfinished = folder.with_extension(format!("partial-{}", std::process::id()));
     let status = Command::new("python3")
         .args([
@@ -38,8 +38,8 @@ pub fn package(name: &str, range: &str) -> Result<PathBuf, String> {
         .status()
         .map_err(|e| format!("cannot run python3: {e}; install python3 with pip"))?;
     if !status.success() {
-        // What there is of it is of no use; if it cannot be removed either, the error below still
-        // says what to do.
+        // Half a package is useless. If it cannot be removed, the error below still tells the user
+        // how to proceed.
         let _ = fs::remove_dir_all(&unfinished);
         return Err(format!(
             "`python3 -m pip install {name}{range}` failed; it needs python3 with pip (Debian: python3-pip), and PyPI within reach"

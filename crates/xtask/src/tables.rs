@@ -1,17 +1,22 @@
-//! The tables of the scenes in `tables/`, and what `tables/README.md` says of them.
-//!
-//! Every number comes from what `tabulate` prints or from the size of a file.
+//! The tables of the scenes in `tables/`, and the rows of `tables/README.md` about them.
 
 use std::fs;
+use std::io::{Write, stdout};
 use std::path::Path;
 
-use crate::tabulate::tabulate;
+use serde_json::Value;
+
+use crate::tabulate;
 use crate::workspace;
 
 const PARAMETERS: [&str; 4] = ["a_over_t", "e1_over_e2", "nu1", "e0_over_e2"];
 
-/// Makes and packs the table of every scene in the target directory, and prints a row of markdown
-/// on each.
+const HEADER: &str = "\
+| scene | a/t | E1/E2\\* | nu1 | E0/E2\\* | nu0 | tolerance | nodes | solves | seconds | peak memory | .h5 \
+| certified error, max (median) | .bin | certified error | made by |";
+
+/// Makes and packs the table of every scene in the target directory, and prints a row of Markdown
+/// for each.
 pub fn tables() -> Result<(), String> {
     let (scenes, made) = (
         workspace::root().join("tables"),
@@ -25,18 +30,19 @@ pub fn tables() -> Result<(), String> {
         .filter_map(|file| Some(file.strip_suffix(".toml")?.to_owned()))
         .collect();
     names.sort();
-    println!(
-        "| scene | a/t | E1/E2 | nu1 | E0/E2 | nu0 | tolerance | nodes | solves | seconds | peak memory | .h5 | \
-         certified error, max (median) | .bin | certified error | made by |"
-    );
-    println!("|{}", "---|".repeat(16));
-    for name in names {
-        println!("{}", row(&name, &scenes, &made)?);
-    }
-    Ok(())
+    print(HEADER)?;
+    print(&format!("|{}", "---|".repeat(16)))?;
+    names
+        .iter()
+        .try_for_each(|name| print(&row(name, &scenes, &made)?))
 }
 
-/// Makes and packs the table of a scene, and tells what that took.
+/// Prints a line; a closed standard output is an error, not a panic.
+fn print(line: &str) -> Result<(), String> {
+    writeln!(stdout(), "{line}").map_err(|e| format!("cannot print: {e}"))
+}
+
+/// Makes and packs the table of a scene, and returns its row.
 fn row(name: &str, scenes: &Path, made: &Path) -> Result<String, String> {
     let path = |folder: &Path, ending| {
         folder
@@ -44,97 +50,78 @@ fn row(name: &str, scenes: &Path, made: &Path) -> Result<String, String> {
             .display()
             .to_string()
     };
-    let (scene, table, packed) = (path(scenes, "toml"), path(made, "h5"), path(made, "bin"));
-    let said = Said(tabulate(&["generate", &scene, "-o", &table])?);
-    let tolerance = said.of("tolerance")?;
-    let said_of_packed = Said(tabulate(&[
-        "pack",
-        &table,
-        "-o",
-        &packed,
-        "--tolerance",
-        tolerance,
-    ])?);
+    let (scene, file, packed) = (path(scenes, "toml"), path(made, "h5"), path(made, "bin"));
+    let table = Object(tabulate::json(&["generate", &scene, "-o", &file])?);
+    let tolerance = table.text("/tolerance")?;
+    let pack = ["pack", &file, "-o", &packed, "--tolerance", &tolerance];
+    let packed = Object(tabulate::json(&pack)?);
 
-    let axes = PARAMETERS
+    let ranges = PARAMETERS.map(|parameter| {
+        let [from, to] = ["from", "to"].map(|end| table.text(&format!("/axes/{parameter}/{end}")));
+        let (from, to) = (from?, to?);
+        Ok(if from == to {
+            from
+        } else {
+            format!("{from} … {to}")
+        })
+    });
+    let nodes = PARAMETERS.map(|parameter| table.number(&format!("/axes/{parameter}/nodes")));
+    let nodes = nodes.into_iter().collect::<Result<Vec<_>, String>>()?;
+    let axes: Vec<String> = nodes
         .iter()
-        .map(|parameter| said.of(parameter))
-        .collect::<Result<Vec<_>, _>>()?;
-    let ranges: Vec<String> = axes.iter().map(|axis| range(axis)).collect();
-    let nodes: Vec<&str> = axes
-        .iter()
-        .filter_map(|axis| axis.split_once(", ")?.1.split_once(" nodes"))
-        .map(|nodes| nodes.0)
+        .filter(|nodes| **nodes > 1.0)
+        .map(f64::to_string)
         .collect();
-    let (solved, error, packed_error) = (
-        said.of("solved")?,
-        said.of("certified error")?,
-        said_of_packed.of("certified error")?,
-    );
     let cells = [
         format!("[`{name}`]({name}.toml)"),
-        ranges.join(" | "),
-        said.of("nu0")?.to_owned(),
-        tolerance.to_owned(),
-        nodes.join(" × "),
-        thousands(between(solved, "", " points")?),
-        between(solved, " s, ", " s with the certificate")?.to_owned(),
-        between(said.of("memory")?, "", " at most")?.to_owned(),
-        size(&table)?,
+        ranges
+            .into_iter()
+            .collect::<Result<Vec<_>, String>>()?
+            .join(" | "),
+        table.text("/nu0")?,
+        tolerance,
+        axes.join(" × "),
+        thousands(&table.number("/points_solved")?.to_string()),
+        format!("{:.1}", table.number("/seconds")?),
+        format!("{:.0} MB", 1e-6 * table.number("/peak_memory_bytes")?),
+        size(table.number("/bytes")?),
         format!(
-            "{} ({})",
-            between(error, "max ", ",")?,
-            between(error, "median ", " ")?
+            "{:.1e} ({:.1e})",
+            table.number("/certificate/max_error")?,
+            table.number("/certificate/median_error")?
         ),
-        size(&packed)?,
-        between(packed_error, "max ", ",")?.to_owned(),
+        size(packed.number("/bytes")?),
+        format!("{:.1e}", packed.number("/certificate/max_error")?),
         format!("`cargo xtask table tables/{name}.toml`"),
     ];
     Ok(format!("| {} |", cells.join(" | ")))
 }
 
-/// The lines that `tabulate generate` or `pack` prints, each of which begins with the name of what
-/// it tells.
-struct Said(String);
+/// The JSON object of a table. `tabulate info --help` lists its fields; a field is named by its
+/// JSON pointer.
+struct Object(Value);
 
-impl Said {
-    fn of(&self, name: &str) -> Result<&str, String> {
-        let mut lines = self.0.lines();
-        let found = lines.find_map(|line| line.strip_prefix(name)?.strip_prefix(' '));
-        found
-            .map(str::trim_start)
-            .ok_or_else(|| format!("tabulate does not print its {name}:\n{}", self.0))
+impl Object {
+    fn number(&self, field: &str) -> Result<f64, String> {
+        let number = self.0.pointer(field).and_then(Value::as_f64);
+        number.ok_or_else(|| format!("tabulate prints no number {field}: {}", self.0))
     }
-}
 
-/// What stands after one phrase and before the next.
-fn between<'a>(text: &'a str, before: &str, after: &str) -> Result<&'a str, String> {
-    let rest = text.split_once(before).map(|parts| parts.1);
-    let found = rest.and_then(|rest| Some(rest.split_once(after)?.0));
-    found.ok_or_else(|| format!("{text:?} has nothing between {before:?} and {after:?}"))
-}
-
-/// "0.001 to 1000, 70 nodes (logarithmic)" and "0.5" without what is said of nodes, and with powers
-/// of ten.
-fn range(axis: &str) -> String {
-    let ends = axis.split_once(", ").map_or(axis, |parts| parts.0);
-    ends.split(" to ")
-        .map(short)
-        .collect::<Vec<_>>()
-        .join(" … ")
-}
-
-/// A number as people write it.
-fn short(number: &str) -> String {
-    match number.parse::<f64>() {
-        Ok(value) if value.is_finite() && value != 0.0 && !(0.1..100.0).contains(&value) => {
-            format!("{value:e}")
+    /// Returns a number in its short form: powers of ten far from 1; "inf" for a rigid substrate.
+    fn text(&self, field: &str) -> Result<String, String> {
+        if let Some(text) = self.0.pointer(field).and_then(Value::as_str) {
+            return Ok(text.to_owned());
         }
-        _ => number.to_owned(),
+        let value = self.number(field)?;
+        Ok(if value == 0.0 || (0.1..100.0).contains(&value) {
+            value.to_string()
+        } else {
+            format!("{value:e}")
+        })
     }
 }
 
-/// Digits in groups of three.
+/// Separates digits in groups of three.
 fn thousands(digits: &str) -> String {
     let comma = |i: usize| {
         if i > 0 && (digits.len() - i).is_multiple_of(3) {
@@ -150,14 +137,11 @@ fn thousands(digits: &str) -> String {
         .collect()
 }
 
-/// The size of a file.
-fn size(path: &str) -> Result<String, String> {
-    let bytes = fs::metadata(path)
-        .map_err(|e| format!("cannot read {path}: {e}"))?
-        .len() as f64;
-    Ok(if bytes < 1e6 {
+/// Formats a size in bytes.
+fn size(bytes: f64) -> String {
+    if bytes < 1e6 {
         format!("{:.0} kB", 1e-3 * bytes)
     } else {
         format!("{:.1} MB", 1e-6 * bytes)
-    })
+    }
 }

@@ -1,18 +1,20 @@
-//! The program of this workspace.
+//! The program of this workspace, built optimised.
 
-use std::process::Stdio;
+use std::process::{Command, Stdio};
+
+use serde_json::Value;
 
 use crate::hdf5;
 
-/// Runs `tabulate`, built optimised, and returns what it prints.
-pub fn tabulate(args: &[&str]) -> Result<String, String> {
-    let mut command = hdf5::cargo(
-        &[
-            &["run", "--quiet", "--release", "-p", "tabulate", "--"],
-            args,
-        ]
-        .concat(),
-    )?;
+/// Returns the command that builds and runs `tabulate` with these arguments.
+pub fn command(args: &[&str]) -> Result<Command, String> {
+    let run = ["run", "--quiet", "--release", "-p", "tabulate", "--"];
+    hdf5::cargo(&[&run, args].concat())
+}
+
+/// Runs `tabulate` and returns the text that it prints.
+pub fn text(args: &[&str]) -> Result<String, String> {
+    let mut command = command(args)?;
     let output = command
         .stderr(Stdio::inherit())
         .output()
@@ -21,4 +23,10 @@ pub fn tabulate(args: &[&str]) -> Result<String, String> {
         return Err(format!("{command:?} failed ({})", output.status));
     }
     String::from_utf8(output.stdout).map_err(|e| e.to_string())
+}
+
+/// Runs `tabulate` with `--json` and returns the object that it prints.
+pub fn json(args: &[&str]) -> Result<Value, String> {
+    let text = text(&[args, &["--json"]].concat())?;
+    serde_json::from_str(&text).map_err(|e| format!("tabulate {args:?} prints no JSON: {e}"))
 }

@@ -1,12 +1,12 @@
-//! Where the workspace and its build products are.
+//! The folders of the workspace and of its build products.
 
 use std::env;
 use std::path::PathBuf;
 
-/// The folder of the workspace's `Cargo.toml`.
+/// Returns the folder of the workspace's `Cargo.toml`.
 pub fn root() -> PathBuf {
-    // As cargo says when it runs this: a target directory that was copied with its checkout holds a
-    // program that was built elsewhere.
+    // The environment comes first: in a target directory that was copied with its checkout, this
+    // program was built in another folder.
     let here = env::var_os("CARGO_MANIFEST_DIR")
         .map_or_else(|| PathBuf::from(env!("CARGO_MANIFEST_DIR")), PathBuf::from);
     here.ancestors()
@@ -15,8 +15,7 @@ pub fn root() -> PathBuf {
         .to_path_buf()
 }
 
-/// The target directory, which `CARGO_TARGET_DIR` may put anywhere; if relative, cargo reads it
-/// from the current folder.
+/// Returns the target directory: `CARGO_TARGET_DIR`, relative to the current folder, or `target`.
 pub fn target() -> Result<PathBuf, String> {
     let current = env::current_dir().map_err(|e| format!("no current folder: {e}"))?;
     Ok(env::var_os("CARGO_TARGET_DIR")

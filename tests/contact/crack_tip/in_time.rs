@@ -365,7 +365,7 @@ fn films_are_like_half_spaces() {
 fn a_law_without_a_rate_has_no_time() {
     let contact = half_space();
     let mut line = contact.line(W, 60e-6).expect("physical");
-    let Err(Error::Unphysical { name, .. }) = line.ramp(Control::Load, 1e-3, 1.0, 1e-6) else {
+    let Err(Error::InvalidArgument { name, .. }) = line.ramp(Control::Load, 1e-3, 1.0, 1e-6) else {
         panic!("infinitely fast")
     };
     assert_eq!(name, "speed of the crack-tip law");

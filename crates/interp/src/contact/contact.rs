@@ -1,37 +1,43 @@
-//! The contact in SI units: what follows from contact radius and work of adhesion.
+//! A system with the curve of its material: load, penetration, stiffness and stress intensity at a
+//! contact radius.
 
-use crate::curve::curve::same_length;
+use super::checks::finite_result;
 use crate::material::system::positive;
 use crate::{Curve, Error, HalfSpace, Mechanics, Quantities, Quantity, System, Table};
 
-/// A system with the curve of its material, from a table or a solve, or a half-space without
-/// either: all else is arithmetic.
+/// A contact of a sphere with a coated substrate, or with a half-space.
+///
+/// On a coated substrate it holds the system and the curve of its material, from a table or from a
+/// solve. A half-space needs no curve. Each function is arithmetic with the values of the curve.
 #[derive(Clone, Debug)]
 pub struct Contact {
-    pub(crate) mechanics: Mechanics,
-    pub(crate) bodies: Bodies,
+    pub(super) mechanics: Mechanics,
+    pub(super) bodies: Bodies,
 }
 
-/// What touches what.
+/// The bodies in contact.
 #[derive(Clone, Debug)]
-pub(crate) enum Bodies {
+pub(super) enum Bodies {
+    /// A sphere on a homogeneous half-space.
     HalfSpace(HalfSpace),
+    /// A sphere on a coated substrate, with the curve of its material.
     Coated { system: System, curve: Curve },
 }
 
-/// A contact: how large it is, what presses it, how far the sphere is in.
+/// A state of a contact: its radius, its load and its penetration.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct State {
     /// Contact radius `a`, m.
     pub contact_radius: f64,
     /// Load `F`, N, positive in compression.
     pub load: f64,
-    /// Penetration `delta`, m, positive when the sphere is in.
+    /// Penetration `delta`, m, positive when the sphere has moved in.
     pub penetration: f64,
 }
 
 impl State {
-    /// No contact, no load, and the sphere where its lowest point would just touch.
+    /// The state without contact and without load in which the lowest point of the sphere would
+    /// just touch.
     pub const ORIGIN: Self = Self {
         contact_radius: 0.0,
         load: 0.0,
@@ -40,16 +46,17 @@ impl State {
 }
 
 impl Table {
-    /// Looks up the material of a system.
+    /// Looks up the curve of a system's material, and returns the contact.
     ///
     /// # Errors
-    /// Those of [`System::material`] and [`Table::curve`].
+    /// As [`System::material`] and [`Table::curve`].
     pub fn contact(&self, system: &System) -> Result<Contact, Error> {
         Contact::new(system, self.curve(&system.material()?)?)
     }
 
-    /// The same with derivatives with respect to all that the system consists of, which
-    /// [`Contact::gradient`] gives.
+    /// Looks up the curve of a system's material with its derivatives, and returns the contact.
+    ///
+    /// [`Contact::gradient`] needs these derivatives.
     ///
     /// # Errors
     /// As [`Table::contact`].
@@ -59,13 +66,15 @@ impl Table {
 }
 
 impl Contact {
-    /// A system with a curve made for its material, or for the
-    /// [equivalent](crate::Material::with_substrate_poisson_ratio) on a substrate with another
-    /// Poisson ratio.
+    /// Joins a system with a curve made for its material.
+    ///
+    /// The curve may also be that of the
+    /// [equivalent](crate::Material::with_substrate_poisson_ratio) material on a substrate with
+    /// another Poisson ratio.
     ///
     /// # Errors
-    /// Those of [`System::material`]; [`Error::OtherMaterial`] if the curve was made for another
-    /// one, by more than rounding (`1e-12`).
+    /// As [`System::material`]; [`Error::OtherMaterial`] if the material of the curve differs by
+    /// more than rounding (`1e-12`).
     pub fn new(system: &System, curve: Curve) -> Result<Self, Error> {
         let (mechanics, made_for) = (Mechanics::new(system)?, curve.material());
         let material = system
@@ -73,8 +82,8 @@ impl Contact {
             .with_substrate_poisson_ratio(made_for.nu0())?;
         if !material.is_close_to(made_for) {
             return Err(Error::OtherMaterial {
-                curve: *made_for,
-                system: material,
+                curve: made_for.to_array(),
+                system: material.to_array(),
             });
         }
         Ok(Self {
@@ -86,7 +95,7 @@ impl Contact {
         })
     }
 
-    /// A sphere on a half-space: JKR, to rounding, at any contact radius.
+    /// Makes the contact of a sphere on a half-space: JKR, to rounding, at any contact radius.
     ///
     /// ```
     /// # fn main() -> Result<(), interp::Error> {
@@ -99,7 +108,7 @@ impl Contact {
     /// ```
     ///
     /// # Errors
-    /// Those of [`HalfSpace::compound_modulus`].
+    /// As [`HalfSpace::compound_modulus`].
     pub fn half_space(system: &HalfSpace) -> Result<Self, Error> {
         Ok(Self {
             mechanics: Mechanics::half_space(system)?,
@@ -107,7 +116,7 @@ impl Contact {
         })
     }
 
-    /// The dimensionless quantities as functions of `a/t`; none on a half-space.
+    /// Returns the dimensionless quantities as functions of `a/t`; `None` on a half-space.
     pub fn curve(&self) -> Option<&Curve> {
         match &self.bodies {
             Bodies::HalfSpace(_) => None,
@@ -115,7 +124,7 @@ impl Contact {
         }
     }
 
-    /// Sphere, film and substrate; none on a half-space.
+    /// Returns sphere, film and substrate; `None` on a half-space.
     pub fn system(&self) -> Option<&System> {
         match &self.bodies {
             Bodies::HalfSpace(_) => None,
@@ -123,49 +132,21 @@ impl Contact {
         }
     }
 
-    /// The arithmetic, for quantities from elsewhere.
+    /// Returns the arithmetic of the contact, for quantities that are not those of its curve.
     pub fn mechanics(&self) -> &Mechanics {
         &self.mechanics
     }
 
-    /// The contact radii (m) among which states are sought: from the smallest of the curve's nodes
-    /// to the largest. They begin at 0 where the expansion for thick films is accurate enough below
-    /// the nodes, as it is on the embedded table; on a half-space they go from 0 to infinity. In
-    /// numbers, 0 is 1e-60 m (or the smallest node's, if that is smaller) and infinity 1e60 m.
-    pub fn contact_radius_range(&self) -> [f64; 2] {
-        match self.node_radii() {
-            Some([from, to]) => [if self.goes_on_to_zero() { 0.0 } else { from }, to],
-            None => [0.0, f64::INFINITY],
-        }
-    }
-
-    /// The smallest and the largest contact radius (m) of the curve's nodes; none on a half-space.
-    pub(crate) fn node_radii(&self) -> Option<[f64; 2]> {
-        match &self.bodies {
-            Bodies::Coated { system, curve } => Some(
-                curve
-                    .range()
-                    .map(|a_over_t| a_over_t * system.film_thickness),
-            ),
-            Bodies::HalfSpace(_) => None,
-        }
-    }
-
-    /// Whether there are states of all contact radii below the nodes.
-    pub(crate) fn goes_on_to_zero(&self) -> bool {
-        self.curve().is_none_or(Curve::goes_on_to_zero)
-    }
-
-    /// Load `F` (N, positive in compression) at contact radius `a` (m) and work of adhesion `w`
-    /// (J/m^2): eq. 9.
+    /// Returns the load `F` (N, positive in compression) at contact radius `a` (m) and work of
+    /// adhesion `w` (J/m^2).
     ///
-    /// Each of its two terms has the relative error of the curve.
+    /// It is eq. 9. Each of its two terms has the relative error of the curve.
     ///
     /// # Errors
-    /// [`Error::OutsideTable`] or [`Error::Extrapolation`] where the curve does not cover `a/t`,
-    /// see [`Curve::quantity`]; [`Error::Unphysical`] for `a <= 0`, `w < 0`, NaN, or a load too
-    /// large for f64; [`Error::MissingQuantity`] without `pi0` and, with adhesion, `eeq` and
-    /// `gamma`.
+    /// [`Error::OutsideTable`] or [`Error::Extrapolation`] where the curve does not cover `a/t`, as
+    /// [`Curve::quantity`]; [`Error::Unphysical`] for `a <= 0`, `w < 0`, infinity, NaN, or a load
+    /// that overflows an f64; [`Error::MissingQuantity`] without `pi0` and, if `w > 0`, without
+    /// `eeq` and `gamma`.
     pub fn load(&self, a: f64, w: f64) -> Result<f64, Error> {
         let edge = self.mechanics.edge_singularity(a, w)?;
         let (pi0, eeq_over_gamma) = if w == 0.0 {
@@ -173,25 +154,25 @@ impl Contact {
         } else {
             self.load_factors(a)?
         };
-        finite(a, self.mechanics.load(a, edge, pi0, eeq_over_gamma))
+        finite_result(a, self.mechanics.load(a, edge, pi0, eeq_over_gamma))
     }
 
-    /// The loads (N) at many contact radii (m), in the order given, and work of adhesion `w`
-    /// (J/m^2): as [`Contact::load`].
+    /// Writes into `loads` the load (N) at each of the contact `radii` (m), in their order, at work
+    /// of adhesion `w` (J/m^2).
     ///
     /// # Errors
-    /// As [`Contact::load`] at the first radius that has one, with the loads before it written;
-    /// [`Error::Unphysical`] if there is not one load to write for each radius.
+    /// [`Error::InvalidArgument`] unless `loads` is as long as `radii`; else as [`Contact::load`]
+    /// at the first radius that has an error. The loads before it are written.
     pub fn load_at_all(&self, radii: &[f64], w: f64, loads: &mut [f64]) -> Result<(), Error> {
-        same_length(radii, loads)?;
+        Error::same_length(radii, loads)?;
         for (load, &a) in loads.iter_mut().zip(radii) {
             *load = self.load(a, w)?;
         }
         Ok(())
     }
 
-    /// Load (N) and penetration (m, positive when the sphere moves in) at contact radius `a` (m)
-    /// and work of adhesion `w` (J/m^2).
+    /// Returns load (N) and penetration (m, positive when the sphere moves in) at contact radius
+    /// `a` (m) and work of adhesion `w` (J/m^2).
     ///
     /// # Errors
     /// As [`Contact::load`], and [`Error::MissingQuantity`] without `delta0`.
@@ -211,62 +192,66 @@ impl Contact {
             self.quantities(a)?
         };
         let (load, penetration) = self.mechanics.load_and_penetration(a, edge, &quantities);
-        Ok((finite(a, load)?, finite(a, penetration)?))
+        Ok((finite_result(a, load)?, finite_result(a, penetration)?))
     }
 
-    /// Contact stiffness `S = 2 a E* Eeq` (N/m) at contact radius `a` (m), eq. 5.
+    /// Returns the contact stiffness `S = 2 a E* Eeq` (N/m) at contact radius `a` (m), eq. 5.
     ///
     /// # Errors
-    /// [`Error::OutsideTable`] or [`Error::Extrapolation`] where the curve does not cover `a/t`,
-    /// [`Error::MissingQuantity`] without `eeq`; on a half-space [`Error::Unphysical`] unless `a`
-    /// is positive and finite, and the stiffness not too large for f64.
+    /// [`Error::OutsideTable`] or [`Error::Extrapolation`] where the curve does not cover `a/t`;
+    /// [`Error::MissingQuantity`] without `eeq`; [`Error::Unphysical`] for a stiffness that
+    /// overflows an f64 and, on a half-space, unless `a` is positive and finite.
     pub fn stiffness(&self, a: f64) -> Result<f64, Error> {
-        finite(
+        finite_result(
             a,
             self.mechanics
                 .stiffness(a, self.quantity(Quantity::Eeq, a)?),
         )
     }
 
-    /// Stress intensity `K_I` (Pa m^{1/2}) of the edge at contact radius `a` (m) and work of
-    /// adhesion `w` (J/m^2), `sqrt(2 w Es*)`: see [`Mechanics::stress_intensity`], and
-    /// [`Mechanics::edge_singularity`] for `g(a)`. In the JKR limit it depends on no radius and on
-    /// no film but through `Es*`.
+    /// Returns the stress intensity `K_I = sqrt(2 w Es*)` (Pa m^{1/2}) of the edge at contact
+    /// radius `a` (m) and work of adhesion `w` (J/m^2).
+    ///
+    /// In the JKR limit `K_I` does not depend on the radius, and on the film only through `Es*`.
+    /// [`Mechanics::stress_intensity`] gives its definition, [`Mechanics::edge_singularity`] gives
+    /// `g(a)`.
     ///
     /// # Errors
-    /// [`Error::Unphysical`] for `a <= 0`, `w < 0`, NaN, or a stress intensity too large for f64.
+    /// [`Error::Unphysical`] for `a <= 0`, `w < 0`, infinity, NaN, or a stress intensity that
+    /// overflows an f64.
     pub fn stress_intensity(&self, a: f64, w: f64) -> Result<f64, Error> {
-        finite(
+        finite_result(
             a,
             self.mechanics
                 .stress_intensity(a, self.mechanics.edge_singularity(a, w)?),
         )
     }
 
-    /// All four quantities at contact radius `a` (m), normalised as the [`Mechanics`] takes them.
+    /// Returns all four quantities at contact radius `a` (m), in the normalisation that
+    /// [`Mechanics`] expects.
     ///
     /// # Errors
-    /// As [`Contact::stiffness`], and [`Error::MissingQuantity`] without any of them.
+    /// As [`Contact::stiffness`], and [`Error::MissingQuantity`] unless the curve holds all four.
     pub fn quantities(&self, a: f64) -> Result<Quantities, Error> {
-        self.look_up(a, Curve::quantities, Quantities::homogeneous(1.0))
+        self.evaluate(a, Curve::quantities, Quantities::homogeneous(1.0))
     }
 
-    /// One of them.
-    pub(crate) fn quantity(&self, quantity: Quantity, a: f64) -> Result<f64, Error> {
-        self.look_up(
+    /// Returns one quantity at contact radius `a` (m).
+    pub(super) fn quantity(&self, quantity: Quantity, a: f64) -> Result<f64, Error> {
+        self.evaluate(
             a,
             |curve, x| curve.quantity(quantity, x),
             Quantities::homogeneous(1.0).get(quantity),
         )
     }
 
-    /// `Pi0` and `Eeq/Gamma`, all that the force of eq. 9 needs.
-    pub(crate) fn load_factors(&self, a: f64) -> Result<(f64, f64), Error> {
-        self.look_up(a, Curve::load_factors, (8.0 / 3.0, 1.0))
+    /// Returns `Pi0` and `Eeq/Gamma`, which eq. 9 needs, at contact radius `a` (m).
+    pub(super) fn load_factors(&self, a: f64) -> Result<(f64, f64), Error> {
+        self.evaluate(a, Curve::load_factors, (8.0 / 3.0, 1.0))
     }
 
-    /// The state at contact radius `a` (m) and work of adhesion `w` (J/m^2), if there is one.
-    pub(crate) fn state(&self, a: f64, w: f64) -> Result<State, Error> {
+    /// Returns the state at contact radius `a` (m) and work of adhesion `w` (J/m^2).
+    pub(super) fn state(&self, a: f64, w: f64) -> Result<State, Error> {
         let (load, penetration) = self.load_and_penetration(a, w)?;
         Ok(State {
             contact_radius: a,
@@ -275,10 +260,12 @@ impl Contact {
         })
     }
 
-    /// The slopes `dF/d ln a` (N) and `d delta/d ln a` (m) at constant work of adhesion `w`
-    /// (J/m^2): the derivatives of `F = F0 - 4 a g Eeq/Gamma` and
+    /// Returns the slopes `dF/d ln a` (N) and `d delta/d ln a` (m) at contact radius `a` (m) and
+    /// constant work of adhesion `w` (J/m^2).
+    ///
+    /// They are the derivatives of `F = F0 - 4 a g Eeq/Gamma` and
     /// `delta = delta0 - 2 g/(E* Gamma)`, where `g` grows like `a^{1/2}`.
-    pub(crate) fn slopes(&self, a: f64, w: f64) -> Result<(f64, f64), Error> {
+    pub(super) fn slopes(&self, a: f64, w: f64) -> Result<(f64, f64), Error> {
         let edge = self.mechanics.edge_singularity(a, w)?;
         let (one, zero) = (
             Quantities::homogeneous(1.0),
@@ -286,7 +273,7 @@ impl Contact {
         );
         let (values, slopes) = if w == 0.0 {
             let both = |quantity| {
-                self.look_up(
+                self.evaluate(
                     a,
                     |curve, x| Ok((curve.quantity(quantity, x)?, curve.slope(quantity, x)?)),
                     (one.get(quantity), 0.0),
@@ -303,7 +290,7 @@ impl Contact {
                 },
             )
         } else {
-            self.look_up(a, Curve::quantities_and_slopes, (one, zero))?
+            self.evaluate(a, Curve::quantities_and_slopes, (one, zero))?
         };
         let relative = |quantity| slopes.get(quantity) / values.get(quantity);
         let (load, penetration) = self.mechanics.load_and_penetration(a, edge, &values);
@@ -317,8 +304,9 @@ impl Contact {
         ))
     }
 
-    /// What the curve says at contact radius `a`, or what holds on any half-space.
-    fn look_up<T>(
+    /// Evaluates `curve` at the `a/t` of contact radius `a` (m), or returns the constant
+    /// `half_space`.
+    fn evaluate<T>(
         &self,
         a: f64,
         curve: impl FnOnce(&Curve, f64) -> Result<T, Error>,
@@ -329,10 +317,4 @@ impl Contact {
             Bodies::HalfSpace(_) => positive("contact radius", a).map(|()| half_space),
         }
     }
-}
-
-/// Accepts a result at contact radius `a` unless it overflowed.
-pub(crate) fn finite(a: f64, result: f64) -> Result<f64, Error> {
-    let allowed = "such that load, penetration and stresses are numbers that f64 holds";
-    Error::unless(result.is_finite(), "contact radius", a, allowed).map(|()| result)
 }

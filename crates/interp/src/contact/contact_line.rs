@@ -1,18 +1,18 @@
-//! The contact line: where a load or a penetration, changed slowly, takes it.
+//! The slow motion of the contact line under a load, a penetration or a spring.
 
-use crate::contact::contact::finite;
-use crate::contact::crack_tip;
+use super::checks::{finite_input, finite_result};
+use super::crack_tip::energies_in_order;
 use crate::{Contact, Control, CrackTip, Error, State};
 
-/// How far (of a radius) an equilibrium may be on the wrong side of the line that goes to it:
-/// rounding moves the line and the equilibrium, most near a turning point.
+/// The part of a radius by which an equilibrium may lie on the wrong side of the line that moves to
+/// it. Rounding shifts both, most of all near a turning point.
 const ROUNDING: f64 = 1e-6;
 
-/// A contact and where its line is, which is moved by a load, a penetration or a spring according
-/// to a [`CrackTip`] law.
+/// A contact with the position of its line, which moves by a [`CrackTip`] law.
 ///
-/// [`ContactLine::impose`] moves it so slowly that the line is at rest all the time;
-/// `ContactLine::ramp` (feature `dynamics`) in a given time.
+/// [`ContactLine::impose`] changes a load, a penetration or the position of a spring so slowly that
+/// the line is at rest all the time. `ContactLine::ramp` (feature `dynamics`) changes it in a given
+/// time.
 ///
 /// ```
 /// # fn main() -> Result<(), interp::Error> {
@@ -29,21 +29,22 @@ const ROUNDING: f64 = 1e-6;
 /// ```
 #[derive(Clone, Debug)]
 pub struct ContactLine<'a, L> {
-    pub(crate) contact: &'a Contact,
-    pub(crate) law: L,
-    /// None once the contact has parted.
-    pub(crate) state: Option<State>,
+    pub(super) contact: &'a Contact,
+    pub(super) law: L,
+    /// `None` after the contact has separated.
+    pub(super) state: Option<State>,
 }
 
 impl Contact {
-    /// The line of a contact that has slowly grown to radius `a` (m).
+    /// Returns the line of a contact that has slowly grown to radius `a` (m) under a crack-tip
+    /// `law`.
     ///
     /// # Errors
-    /// Those of [`Contact::load_and_penetration`]; [`Error::Unphysical`] for a law whose energies
-    /// at rest are negative, infinite or in the wrong order; [`Error::MissingQuantity`] without all
-    /// four quantities.
+    /// As [`Contact::load_and_penetration`]; [`Error::Unphysical`] for a law whose energies at rest
+    /// are negative, infinite or in the wrong order; [`Error::MissingQuantity`] without all four
+    /// quantities.
     pub fn line<L: CrackTip>(&self, law: L, a: f64) -> Result<ContactLine<'_, L>, Error> {
-        let [advancing, _] = crack_tip::checked(law.at_rest())?;
+        let [advancing, _] = energies_in_order(law.at_rest())?;
         self.quantities(a)?;
         let state = self.state(a, advancing)?;
         Ok(ContactLine {
@@ -53,9 +54,10 @@ impl Contact {
         })
     }
 
-    /// The state at contact radius `a` (m) under an imposed value, whatever the work of adhesion,
-    /// and its energy release rate (J/m^2), negative where the edge presses.
-    pub(crate) fn under(
+    /// Returns the state at contact radius `a` (m) under an `imposed` value, and its energy release
+    /// rate (J/m^2), which is negative where the stress at the edge is compressive. No work of
+    /// adhesion is assumed.
+    pub(super) fn state_under(
         &self,
         control: Control,
         imposed: f64,
@@ -63,7 +65,7 @@ impl Contact {
     ) -> Result<(State, f64), Error> {
         let (quantities, mechanics) = (self.quantities(a)?, self.mechanics());
         let (load, penetration) = mechanics.load_and_penetration(a, 0.0, &quantities);
-        // What an edge singularity of 1 N/m takes away: that of a flat punch.
+        // An edge singularity of 1 N/m reduces both by those of a flat punch.
         let penetration_of_edge = 1.0 / mechanics.edge_of_flat_punch(1.0, quantities.gamma);
         let load_of_edge = mechanics.stiffness(a, quantities.eeq) * penetration_of_edge;
         let edge = (control.imposed(load, penetration) - imposed)
@@ -73,33 +75,36 @@ impl Contact {
             load: load - edge * load_of_edge,
             penetration: penetration - edge * penetration_of_edge,
         };
-        Ok((state, finite(a, mechanics.energy_release_rate(a, edge))?))
+        Ok((
+            state,
+            finite_result(a, mechanics.energy_release_rate(a, edge))?,
+        ))
     }
 }
 
 impl<L: CrackTip> ContactLine<'_, L> {
-    /// The contact as it is; `None` once it has parted.
+    /// Returns the present state; `None` after the contact has separated.
     pub const fn state(&self) -> Option<State> {
         self.state
     }
 
-    /// Brings what is controlled slowly to a value: the load (N), the penetration or the position
-    /// of the spring (m). Gives the new state; `None` once the contact has parted, which is for
-    /// good.
+    /// Brings the load (N), the penetration (m) or the position of the spring (m) slowly to
+    /// `value`. Returns the new state, or `None` after the contact has separated. A separated
+    /// contact does not form again.
     ///
-    /// The line stays where it is while the energy release rate is between the two energies of the
-    /// [law at rest](CrackTip::at_rest). Beyond them it goes to the nearest [stable
-    /// equilibrium](crate::Equilibria) with the energy it has passed, in a jump if need be, whose
-    /// kinetic energy is lost. Where there is none, the contact parts. All at once or in steps
-    /// makes no difference, unless they go back.
+    /// The line does not move while the energy release rate is between the two energies of the [law
+    /// at rest](CrackTip::at_rest). Outside them it moves to the nearest [stable
+    /// equilibrium](crate::Equilibria) of the energy that was passed. The motion may be a jump,
+    /// whose kinetic energy is lost. Where there is no such equilibrium, the contact separates. One
+    /// large change and several small ones in one direction give one result.
     ///
     /// # Errors
     /// [`Error::OutsideRadii`] where the line may leave the curve; [`Error::Unphysical`] for a
-    /// value that is not finite, or a stiffness outside `[1e-100, 1e100]`. The line then stays
-    /// where it was.
+    /// `value` that is not finite, or a stiffness outside `[1e-100, 1e100]`. After an error the
+    /// state is that before the call.
     pub fn impose(&mut self, control: Control, value: f64) -> Result<Option<State>, Error> {
         control.check()?;
-        Error::unless(value.is_finite(), control.name(), value, "finite")?;
+        finite_input(control.name(), value)?;
         let Some(State {
             contact_radius: a, ..
         }) = self.state
@@ -107,7 +112,7 @@ impl<L: CrackTip> ContactLine<'_, L> {
             return Ok(None);
         };
         let [advancing, receding] = self.law.at_rest();
-        let (here, energy_release_rate) = self.contact.under(control, value, a)?;
+        let (here, energy_release_rate) = self.contact.state_under(control, value, a)?;
         let stable = |energy| {
             let equilibria = self
                 .contact

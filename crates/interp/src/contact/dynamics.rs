@@ -1,11 +1,12 @@
 //! The contact line in time: `da/dt = -v(G)` under a load or penetration that changes at a constant
 //! rate.
 //!
-//! Where the line jumps, `a(t)` is all but vertical, and where the contact parts, the speed has no
-//! bound. So the curve is followed along its length `s`, `ds^2 = (da/a1)^2 + (dt/T)^2`, with the
-//! radius `a1` at the beginning and the duration `T` as units: nothing changes faster than `s`, and
-//! while an infinitely fast line moves, time stands still. The slower the ramp, the stiffer the
-//! equation, so the solver is implicit (Radau IIA of order 5).
+//! Where the line jumps, `a(t)` is nearly vertical, and where the contact separates, the speed is
+//! not bounded. So the curve `(a, t)` is followed along its length `s`,
+//! `ds^2 = (da/a1)^2 + (dt/T)^2`, with the radius `a1` at the beginning and the duration `T` as
+//! units. Neither coordinate changes faster than `s`, and the time is constant while the line moves
+//! infinitely fast. The equation is the stiffer the slower the ramp is, so the solver is implicit
+//! (Radau IIA of order 5).
 
 use std::cell::Cell;
 
@@ -14,46 +15,52 @@ use differential_equations::linalg::Matrix;
 use differential_equations::methods::ImplicitRungeKutta;
 use differential_equations::ode::{ODE, OrdinaryNumericalMethod};
 
+use super::checks::finite_input;
 use crate::{Contact, ContactLine, Control, CrackTip, Error, State};
 
-/// Radius and time in units of their scales.
+/// A point of the curve: radius over `a1`, and time over `T`.
 type Point = [f64; 2];
 const RADIUS: usize = 0;
 const TIME: usize = 1;
 
-/// The longest step: no two moments are farther apart, for the sake of those who plot or integrate
-/// them.
+/// The longest step. It bounds the distance of neighbouring states, so that they can be plotted and
+/// integrated.
 const LONGEST_STEP: f64 = 0.01;
-/// Far more than a ramp takes: growth to 400 times the radius takes 40 000.
-const STEPS: usize = 50_000;
-/// The step of the derivatives: between rounding and what the stiffest equations allow.
+/// The largest number of steps. Growth to 400 times the radius takes 40 000.
+const MOST_STEPS: usize = 50_000;
+/// The step of the difference quotients: above rounding, and short for the stiffest equations.
 const DIFFERENCE: f64 = 1e-10;
-/// Halvings of a step that leave nothing of it.
+/// The number of halvings after which a step is shorter than rounding.
 const HALVINGS: usize = 60;
 
-/// A contact at one time.
+/// The name of a law's speed in errors.
+const SPEED: &str = "speed of the crack-tip law";
+
+/// The state of a contact at one time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TimedState {
     /// Time since the ramp began, s.
     pub time: f64,
-    /// The contact.
+    /// The state of the contact.
     pub state: State,
-    /// Its energy release rate `G`, J/m^2.
+    /// The energy release rate `G`, J/m^2.
     pub energy_release_rate: f64,
 }
 
 impl<L: CrackTip> ContactLine<'_, L> {
-    /// Brings what is controlled, the load (N), the penetration or the position of the spring (m),
-    /// to a value in `duration` (s) at a constant rate. Gives the moments in between, from the
-    /// beginning to the end, or to where the contact parts: [`ContactLine::state`] is `None` then.
-    /// Between two moments the radius changes by 1 % of the first one at most, the time by 1 % of
-    /// the duration. To hold what is controlled, impose its own value. The sphere has no inertia.
+    /// Brings the load (N), the penetration (m) or the position of the spring (m) to `value` in
+    /// `duration` (s) at a constant rate. To hold it constant, impose its present value.
     ///
-    /// `tolerance` bounds the error that the solver makes in a step, relative to the radius at the
+    /// Returns the states from the beginning to the end of the ramp, or to the separation of the
+    /// contact, after which [`ContactLine::state`] is `None`. Between neighbouring states the
+    /// radius changes by at most 1 % of the first one, and the time by at most 1 % of the duration.
+    /// The sphere has no inertia.
+    ///
+    /// `tolerance` bounds the error of the solver in one step, relative to the radius at the
     /// beginning and to the duration.
     ///
-    /// A contact has parted when it is smaller than `tolerance` times its radius at the beginning,
-    /// or than the smallest of [`Contact::contact_radius_range`], and `G` rises as it shrinks.
+    /// A contact has separated when its radius is below `tolerance` times that at the beginning, or
+    /// below the smallest of [`Contact::contact_radius_range`], and `G` rises as it shrinks.
     ///
     /// ```
     /// # #[cfg(feature = "embedded")]
@@ -68,7 +75,7 @@ impl<L: CrackTip> ContactLine<'_, L> {
     /// line.ramp(Control::Load, 1e-3, 10.0, 1e-6)?;
     /// let unloading = line.ramp(Control::Load, -1e-3, 20.0, 1e-6)?;
     /// assert!(line.state().is_none()); // pulled off,
-    /// let pull_off = unloading.last().expect("a moment").state;
+    /// let pull_off = unloading.last().expect("a state").state;
     /// assert!(pull_off.load < -0.19e-3); // at more than 1.5 pi w R
     /// # Ok(()) }
     /// # #[cfg(not(feature = "embedded"))]
@@ -77,11 +84,12 @@ impl<L: CrackTip> ContactLine<'_, L> {
     ///
     /// # Errors
     /// [`Error::OutsideRadii`] where the line leaves [`Contact::contact_radius_range`];
-    /// [`Error::Unphysical`] for a value that is not finite, a stiffness outside `[1e-100, 1e100]`,
-    /// a `duration` that is not positive and finite, a `tolerance` outside `[1e-10, 1e-2]`, or a
-    /// law without finite speeds; [`Error::Motion`] where the solver fails, as it does in ramps so
-    /// slow that `G` is within some 1e-6 of that at rest (1e-5 at a tolerance of 1e-4):
-    /// [`ContactLine::impose`] is as good for these. The line then stays where it was.
+    /// [`Error::Unphysical`] for a `value` that is not finite, a stiffness outside
+    /// `[1e-100, 1e100]`, or a `duration` that is not positive and finite;
+    /// [`Error::InvalidArgument`] for a `tolerance` outside `[1e-10, 1e-2]`, or a law without
+    /// finite speeds; [`Error::Motion`] where the solver fails. It fails on ramps so slow that `G`
+    /// is within some 1e-6 of that at rest (1e-5 at a tolerance of 1e-4); [`ContactLine::impose`]
+    /// is as accurate for these. After an error the state is that before the call.
     pub fn ramp(
         &mut self,
         control: Control,
@@ -90,34 +98,30 @@ impl<L: CrackTip> ContactLine<'_, L> {
         tolerance: f64,
     ) -> Result<Vec<TimedState>, Error> {
         control.check()?;
-        Error::unless(value.is_finite(), control.name(), value, "finite")?;
+        finite_input(control.name(), value)?;
         Error::unless(
             duration > 0.0 && duration.is_finite(),
             "duration",
             duration,
             "> 0 and finite",
         )?;
-        Error::unless(
+        Error::argument(
             (1e-10..=1e-2).contains(&tolerance),
             "tolerance",
             tolerance,
             "in [1e-10, 1e-2]",
         )?;
         let [advancing, receding] = self.law.at_rest();
-        for beyond in [receding.next_up(), advancing.next_down().max(0.0)] {
-            let speed = self.law.speed(beyond);
-            Error::unless(
-                speed.is_finite(),
-                "speed of the crack-tip law",
-                speed,
-                "finite for a motion in time",
-            )?;
+        for moving in [receding.next_up(), advancing.next_down().max(0.0)] {
+            let speed = self.law.speed(moving);
+            let allowed = "finite for a motion in time: give the line a `RateDependent` law, or use `ContactLine::impose`";
+            Error::argument(speed.is_finite(), SPEED, speed, allowed)?;
         }
         let Some(start) = self.state else {
             return Ok(Vec::new());
         };
         let a1 = start.contact_radius;
-        self.contact.under(control, value, a1)?;
+        self.contact.state_under(control, value, a1)?;
         let [least, most] = self.contact.contact_radius_range();
         if !(least..=most).contains(&a1) {
             return Err(self.contact.outside(control.name(), value));
@@ -133,40 +137,40 @@ impl<L: CrackTip> ContactLine<'_, L> {
             range: [least.max(tolerance * a1), most],
             failure: Cell::new(None),
         };
-        let (moments, parted) = motion.follow()?;
-        self.state = moments
-            .last()
-            .filter(|_| !parted)
-            .map(|moment| moment.state);
-        Ok(moments)
+        let (states, separated) = motion.follow()?;
+        let last = states.last().filter(|_| !separated);
+        self.state = last.map(|last| last.state);
+        Ok(states)
     }
 }
 
-/// A ramp.
+/// The motion of a contact line in one ramp.
 struct Motion<'a, L> {
     contact: &'a Contact,
     law: &'a L,
     control: Control,
-    /// At the beginning and at the end.
+    /// The imposed values at the beginning and at the end.
     imposed: [f64; 2],
+    /// The contact radius at the beginning, m.
     a1: f64,
     duration: f64,
     tolerance: f64,
+    /// The radius (m) below which the contact has separated, and the largest of the curve.
     range: [f64; 2],
-    /// Why there is no direction somewhere.
+    /// The error of the last direction that could not be computed.
     failure: Cell<Option<Error>>,
 }
 
 impl<L: CrackTip> Motion<'_, L> {
-    /// The moments of the ramp, and whether the contact has parted at the last.
+    /// Returns the states of the ramp, and whether the contact has separated in the last one.
     fn follow(&self) -> Result<(Vec<TimedState>, bool), Error> {
         let mut point = [1.0, 0.0];
-        let mut moments = vec![self.moment(&point)?];
-        // The solver chooses its first step.
+        let mut states = vec![self.timed_state(&point)?];
+        // With a first step of 0 the solver chooses one.
         let mut solver = solver(self.tolerance, 0.0);
         self.checked(&point, solver.init(self, 0.0, f64::MAX, &point))?;
         let ended = |point: &Point| point[TIME] >= 1.0;
-        let parted = |point: &Point| point[RADIUS] * self.a1 < self.range[0];
+        let separated = |point: &Point| point[RADIUS] * self.a1 < self.range[0];
         loop {
             let before = point;
             self.checked(&before, solver.step(self))?;
@@ -179,53 +183,53 @@ impl<L: CrackTip> Motion<'_, L> {
                     .contact
                     .outside(self.control.name(), self.imposed_at(&point)));
             }
-            if !ended(&point) && !parted(&point) {
-                moments.push(self.moment(&point)?);
+            if !ended(&point) && !separated(&point) {
+                states.push(self.timed_state(&point)?);
                 continue;
             }
-            // Where in the step is the end?
+            // Bisection finds the length within the step at which the motion ends.
             let (from, mut within, mut length) =
                 (solver.t_prev(), 0.0, solver.t() - solver.t_prev());
             for _ in 0..HALVINGS {
                 let middle = 0.5 * (within + length);
                 let between = solver.interpolate(from + middle).unwrap_or(point);
-                if ended(&between) || parted(&between) {
+                if ended(&between) || separated(&between) {
                     (point, length) = (between, middle)
                 } else {
                     within = middle
                 }
             }
-            let parted = parted(&point);
-            let end = if parted {
+            let separated = separated(&point);
+            let end = if separated {
                 (RADIUS, self.range[0] / self.a1)
             } else {
                 (TIME, 1.0)
             };
-            point = self.land(&before, length, end)?;
-            if parted && !self.parts(&point)? {
+            point = self.end_point(&before, length, end)?;
+            if separated && !self.shrinks_further(&point)? {
                 return Err(self
                     .contact
                     .outside(self.control.name(), self.imposed_at(&point)));
             }
-            moments.push(self.moment(&point)?);
-            return Ok((moments, parted));
+            states.push(self.timed_state(&point)?);
+            return Ok((states, separated));
         }
     }
 
-    /// Whether a contact that shrinks to this will part: the smaller it is, the larger its energy
-    /// release rate.
-    fn parts(&self, point: &Point) -> Result<bool, Error> {
+    /// Tells whether a contact that has shrunk to the least radius shrinks on until it separates.
+    /// It does if its energy release rate rises as the radius falls.
+    fn shrinks_further(&self, point: &Point) -> Result<bool, Error> {
         let rate = |a| {
             self.contact
-                .under(self.control, self.imposed_at(point), a)
+                .state_under(self.control, self.imposed_at(point), a)
                 .map(|(_, rate)| rate)
         };
         Ok(rate(self.range[0])? > rate(self.range[0] * (1.0 + LONGEST_STEP))?)
     }
 
-    /// The place near `before`, `length` from there, where one coordinate has its last value. An
-    /// interpolation would not be as accurate as a step.
-    fn land(
+    /// Returns the point at a `length` of about the given one from `before`, at which one
+    /// coordinate has a given value. A step of the solver is more accurate than its interpolation.
+    fn end_point(
         &self,
         before: &Point,
         length: f64,
@@ -250,7 +254,8 @@ impl<L: CrackTip> Motion<'_, L> {
         Ok(point)
     }
 
-    /// What the solver says, unless there was no direction to give it.
+    /// Accepts a step of the solver from `point`, unless it or the direction at one of its points
+    /// failed.
     fn checked<T, E: std::fmt::Debug>(
         &self,
         point: &Point,
@@ -266,8 +271,9 @@ impl<L: CrackTip> Motion<'_, L> {
         }
     }
 
-    fn moment(&self, point: &Point) -> Result<TimedState, Error> {
-        let (state, energy_release_rate) = self.contact.under(
+    /// Returns the state at a point.
+    fn timed_state(&self, point: &Point) -> Result<TimedState, Error> {
+        let (state, energy_release_rate) = self.contact.state_under(
             self.control,
             self.imposed_at(point),
             point[RADIUS] * self.a1,
@@ -279,25 +285,26 @@ impl<L: CrackTip> Motion<'_, L> {
         })
     }
 
+    /// Returns the imposed value at a point.
     fn imposed_at(&self, point: &Point) -> f64 {
         let [from, to] = self.imposed;
         from + (to - from) * point[TIME]
     }
 
-    /// The unit vector along the curve.
+    /// Returns the unit vector along the curve.
     fn direction(&self, point: &Point) -> Result<Point, Error> {
-        // Where the solver tries a radius out of range, it is as if it were in range: no step ends
-        // there but the last.
+        // The solver may try a radius out of range. The nearest one in range replaces it, because
+        // only the last step can end out of range.
         let a = (point[RADIUS] * self.a1).clamp(self.range[0], self.range[1]);
         let (_, energy_release_rate) =
             self.contact
-                .under(self.control, self.imposed_at(point), a)?;
+                .state_under(self.control, self.imposed_at(point), a)?;
         let speed = self.law.speed(energy_release_rate);
-        Error::unless(
+        Error::argument(
             !speed.is_nan(),
-            "speed of the crack-tip law",
+            SPEED,
             speed,
-            "a number",
+            "a number at any energy release rate",
         )?;
         let slope = speed * (self.duration / self.a1);
         let length = slope.hypot(1.0);
@@ -309,18 +316,21 @@ impl<L: CrackTip> Motion<'_, L> {
     }
 }
 
-/// The solver for a tolerance and a first step.
+/// Makes the solver for a tolerance and a first step.
 fn solver(
     tolerance: f64,
     first_step: f64,
 ) -> impl OrdinaryNumericalMethod<f64, Point> + Interpolation<f64, Point> {
-    // Radau5 takes 0.1 r^(2/3) for a tolerance of r, as Hairer's code does, and takes it again for
-    // each further coordinate that shares it.
+    // Radau5 replaces a tolerance r by 0.1 r^(2/3), as Hairer's code does. It would do so twice if
+    // both coordinates shared one tolerance.
     let tolerances = || vec![(10.0 * tolerance).powf(1.5); 2];
     let radau = ImplicitRungeKutta::radau5()
         .rtol(tolerances())
         .atol(tolerances());
-    radau.h0(first_step).h_max(LONGEST_STEP).max_steps(STEPS)
+    radau
+        .h0(first_step)
+        .h_max(LONGEST_STEP)
+        .max_steps(MOST_STEPS)
 }
 
 impl<L: CrackTip> ODE<f64, Point> for Motion<'_, L> {
@@ -331,8 +341,8 @@ impl<L: CrackTip> ODE<f64, Point> for Motion<'_, L> {
         });
     }
 
-    /// By differences, as the solver would, but with a step that suits stiff equations: beyond a
-    /// speed of 1 the direction is no longer linear.
+    /// Computes difference quotients, as the solver would, but with a step for stiff equations:
+    /// above a speed of 1 the direction is not linear over a longer one.
     fn jacobian(&self, length: f64, point: &Point, jacobian: &mut Matrix<f64>) {
         let (mut here, mut there) = ([0.0; 2], [0.0; 2]);
         self.diff(length, point, &mut here);

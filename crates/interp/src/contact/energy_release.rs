@@ -1,15 +1,17 @@
-//! The energy release rate from measured contact radius, load and penetration, any two of them: no
-//! work of adhesion is supposed.
+//! The energy release rate from any two measured values of contact radius, load and penetration. No
+//! work of adhesion is assumed.
 
-use crate::contact::contact::finite;
-use crate::contact::root::root;
+use super::checks::{finite_input, finite_result};
+use super::root::root;
 use crate::material::system::positive;
 use crate::{Contact, Error, Quantity};
 
 impl Contact {
-    /// Energy release rate `G` (J/m^2) from a measured contact radius `a` (m) and load (N): that of
-    /// the edge which takes the load from the adhesionless `F0(a)` to `load`. Negative for a load
-    /// above `F0`, which only a contact that grows can bear.
+    /// Returns the energy release rate `G` (J/m^2) of a measured contact radius `a` (m) and `load`
+    /// (N).
+    ///
+    /// It belongs to the edge singularity that lowers the load from the adhesionless `F0(a)` to
+    /// `load`. It is negative for a `load` above `F0`, under which the contact grows.
     ///
     /// # Errors
     /// [`Error::OutsideTable`] or [`Error::Extrapolation`] where the curve does not cover `a/t`;
@@ -17,16 +19,18 @@ impl Contact {
     /// [`Error::MissingQuantity`] without `pi0`, `eeq` and `gamma`.
     pub fn energy_release_rate_at_load(&self, a: f64, load: f64) -> Result<f64, Error> {
         positive("contact radius", a)?;
-        known("load", load)?;
+        finite_input("load", load)?;
         let (pi0, eeq_over_gamma) = self.load_factors(a)?;
         let edge = (self.mechanics().adhesionless_load(a, pi0) - load) / (4.0 * a * eeq_over_gamma);
-        finite(a, self.mechanics().energy_release_rate(a, edge))
+        finite_result(a, self.mechanics().energy_release_rate(a, edge))
     }
 
-    /// Energy release rate `G` (J/m^2) from a measured contact radius `a` (m) and penetration (m):
-    /// that of the edge which takes the penetration from the adhesionless `delta0(a)` to
-    /// `penetration`. Negative for a penetration above `delta0`, which only a contact that grows
-    /// can have.
+    /// Returns the energy release rate `G` (J/m^2) of a measured contact radius `a` (m) and
+    /// `penetration` (m).
+    ///
+    /// It belongs to the edge singularity that lowers the penetration from the adhesionless
+    /// `delta0(a)` to `penetration`. It is negative for a `penetration` above `delta0`, at which
+    /// the contact grows.
     ///
     /// # Errors
     /// As [`Contact::energy_release_rate_at_load`], but [`Error::MissingQuantity`] without `gamma`
@@ -37,43 +41,43 @@ impl Contact {
         penetration: f64,
     ) -> Result<f64, Error> {
         positive("contact radius", a)?;
-        known("penetration", penetration)?;
+        finite_input("penetration", penetration)?;
         let (gamma, delta0) = (
             self.quantity(Quantity::Gamma, a)?,
             self.quantity(Quantity::Delta0, a)?,
         );
         let flat_punch = self.mechanics().adhesionless_penetration(a, delta0) - penetration;
-        finite(
+        finite_result(
             a,
             self.mechanics()
                 .energy_release_rate(a, self.mechanics().edge_of_flat_punch(flat_punch, gamma)),
         )
     }
 
-    /// Contact radius `a` (m) and energy release rate `G >= 0` (J/m^2) from measured load (N) and
-    /// penetration (m).
+    /// Returns the contact radius `a` (m) and the energy release rate `G >= 0` (J/m^2) of a
+    /// measured `load` (N) and `penetration` (m).
     ///
-    /// `F0(a) - S(a) (delta0(a) - delta)` is the load of a contact of radius `a` at this
-    /// penetration. Its derivative is `-S' (delta0 - delta)`, because `F0' = S delta0'`: it falls
-    /// from its largest value, the adhesionless one, where `delta0 = delta`. So there is one radius
-    /// from there on.
+    /// `F0(a) - S(a) (delta0(a) - delta)` is the load of a contact of radius `a` at the penetration
+    /// `delta`. Its derivative is `-S' (delta0 - delta)`, because `F0' = S delta0'`. So it falls
+    /// from its largest value, the adhesionless one, which it has where `delta0 = delta`, and one
+    /// radius above that one belongs to `load`.
     ///
-    /// A load short of the largest by `x` has `G` proportional to `x`, and an `a` that is larger
-    /// than the adhesionless one in proportion to `x^{1/2}`: without adhesion the radius is known
+    /// For a load smaller than the largest by `x`, `G` is proportional to `x`, and `a` exceeds the
+    /// adhesionless radius in proportion to `x^{1/2}`. So without adhesion the radius is accurate
     /// to half the digits only.
     ///
     /// # Errors
-    /// [`Error::Unphysical`] for a load that is larger than without adhesion at this penetration
-    /// (above 0 where the penetration is not), or numbers that are not finite;
-    /// [`Error::OutsideRadii`] if the contact radius is not in [`Contact::contact_radius_range`];
-    /// [`Error::MissingQuantity`] without all four quantities.
+    /// [`Error::Unphysical`] for a `load` that is larger than without adhesion at this
+    /// `penetration` (larger than 0 if the `penetration` is not positive), or numbers that are not
+    /// finite; [`Error::OutsideRadii`] if the contact radius is not in
+    /// [`Contact::contact_radius_range`]; [`Error::MissingQuantity`] without all four quantities.
     pub fn radius_and_energy_release_rate(
         &self,
         load: f64,
         penetration: f64,
     ) -> Result<(f64, f64), Error> {
-        known("load", load)?;
-        known("penetration", penetration)?;
+        finite_input("load", load)?;
+        finite_input("penetration", penetration)?;
         let [u_least, u_most] = self.search_range().map(f64::ln);
         let outside = |name, value| Err(self.outside(name, value));
         let flat_punch = |u: f64| {
@@ -109,7 +113,7 @@ impl Contact {
                 !possible,
                 "load",
                 load,
-                "at most what a contact without adhesion bears at this penetration",
+                "at most the load of a contact without adhesion at this penetration: check its sign",
             )?;
             return outside("load", load);
         }
@@ -119,9 +123,4 @@ impl Contact {
         let a = root(excess, u_from, u_most)?.exp();
         Ok((a, self.energy_release_rate_at_penetration(a, penetration)?))
     }
-}
-
-/// Accepts a measured value.
-fn known(name: &'static str, value: f64) -> Result<(), Error> {
-    Error::unless(value.is_finite(), name, value, "finite")
 }

@@ -1,19 +1,19 @@
-//! The equilibria of a contact with a given work of adhesion: which there are at a given load or
-//! penetration, which are stable, and where the contact separates.
+//! The equilibria of a contact with a given work of adhesion under a load, a penetration or a
+//! spring, their stability, and the separation.
 
-use crate::contact::mechanics::work_of_adhesion;
-use crate::contact::root::root;
+use super::checks::{finite_input, work_of_adhesion};
+use super::root::root;
 use crate::{Contact, Error, State};
 
-/// What is imposed on the contact. It decides which equilibria are stable.
+/// The quantity that is imposed on the contact. The stability of the equilibria depends on it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Control {
     /// The load `F`, N: a dead weight.
     Load,
-    /// The penetration `delta`, m: a rigid machine.
+    /// The penetration `delta`, m: a rigid testing machine.
     Displacement,
-    /// The position `delta + F/k` (m) of the far end of a spring in series with the contact, as of
-    /// a cantilever: 0 where the sphere would just touch.
+    /// The position `delta + F/k` (m) of the far end of a spring in series with the contact, such
+    /// as a cantilever. It is 0 where the sphere would just touch.
     Spring {
         /// The stiffness `k` of the spring, N/m, from 1e-100 to 1e100.
         stiffness: f64,
@@ -21,8 +21,8 @@ pub enum Control {
 }
 
 impl Control {
-    /// The name of what is imposed.
-    pub(crate) const fn name(self) -> &'static str {
+    /// Returns the name of the imposed quantity.
+    pub(super) const fn name(self) -> &'static str {
         match self {
             Self::Load => "load",
             Self::Displacement => "penetration",
@@ -30,8 +30,8 @@ impl Control {
         }
     }
 
-    /// Accepts a spring whose stiffness is a number to compute with.
-    pub(crate) fn check(self) -> Result<(), Error> {
+    /// Accepts a spring unless its stiffness is so extreme that computations would overflow.
+    pub(super) fn check(self) -> Result<(), Error> {
         match self {
             Self::Spring { stiffness } => Error::unless(
                 (1e-100..=1e100).contains(&stiffness),
@@ -43,8 +43,8 @@ impl Control {
         }
     }
 
-    /// The imposed value at a load and a penetration, or its slope from theirs.
-    pub(crate) fn imposed(self, load: f64, penetration: f64) -> f64 {
+    /// Returns the imposed value at a `load` and a `penetration`, or its slope from their slopes.
+    pub(super) fn imposed(self, load: f64, penetration: f64) -> f64 {
         match self {
             Self::Load => load,
             Self::Displacement => penetration,
@@ -53,49 +53,51 @@ impl Control {
     }
 }
 
-/// One of the equilibria at an imposed value.
+/// An equilibrium at an imposed value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Equilibrium {
-    /// The contact.
+    /// The state of the contact.
     pub state: State,
-    /// Whether the contact returns to it after a small change of its radius: whether the imposed
-    /// value grows with the contact radius.
+    /// Whether the contact returns to this state after a small change of its radius. It does where
+    /// the imposed value grows with the contact radius.
     pub stable: bool,
 }
 
 /// The equilibria of a contact with one work of adhesion under one control, at all contact radii of
-/// [`Contact::contact_radius_range`]: "in range" below.
+/// [`Contact::contact_radius_range`]. "In range" below means in this range.
 ///
 /// At each contact radius there is one equilibrium, `G = w`, and so one imposed value `v(a)`: the
-/// load, the penetration or the spring's position. Where `v` grows with `a` the equilibrium is
-/// stable: at the same `v`, a contact a little larger has `G > w`, and opens again. The turning
-/// points of `v` are sought on a grid of `ln a`, by the change of sign of the exact slope, and then
-/// found to rounding. Two within one interval of the grid, 0.05, would go unseen, and with them a
-/// hysteresis too small to matter.
+/// load, the penetration or the spring's position. The equilibrium is stable where `v` grows with
+/// `a`, because a slightly larger contact at an unchanged `v` has `G > w`, and shrinks back.
+///
+/// The turning points of `v` are found by the change of sign of its exact slope on a grid of
+/// `ln a`, and then refined to rounding. Two turning points within one interval of the grid, 0.05,
+/// are missed, and with them a hysteresis too small to matter.
 ///
 /// JKR has one turning point, a minimum, and so has a contact that is smaller than the curve's
-/// nodes. Films can make further ones, and then several stable equilibria at one `v`.
+/// nodes. Films can cause more turning points, and then several stable equilibria at one `v`.
 #[derive(Clone, Debug)]
 pub struct Equilibria<'a> {
-    pub(crate) contact: &'a Contact,
-    pub(crate) work_of_adhesion: f64,
-    pub(crate) control: Control,
-    /// From the smallest contact radius to the largest.
-    pub(crate) sections: Vec<Section>,
+    pub(super) contact: &'a Contact,
+    pub(super) work_of_adhesion: f64,
+    pub(super) control: Control,
+    /// In ascending order of contact radius.
+    pub(super) sections: Vec<Section>,
 }
 
-/// Contact radii between two neighbouring turning points, or ends of the range.
+/// An interval of contact radii between two neighbouring turning points, or ends of the range.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Section {
+pub(super) struct Section {
     /// The logarithms of the smallest and largest contact radius.
     pub u: [f64; 2],
-    /// The imposed values there.
+    /// The imposed values at these two radii.
     pub imposed: [f64; 2],
-    /// Whether the imposed value grows: the equilibria are stable.
+    /// Whether the imposed value grows with the radius, so that the equilibria are stable.
     pub rises: bool,
 }
 
 impl Section {
+    /// Tells whether an imposed value occurs in the section.
     fn holds(&self, imposed: f64) -> bool {
         let [first, last] = self.imposed;
         (first.min(last)..=first.max(last)).contains(&imposed)
@@ -103,8 +105,10 @@ impl Section {
 }
 
 impl Contact {
-    /// The equilibria with work of adhesion `w` (J/m^2). This seeks the turning points; each
-    /// question that is then asked takes a few lookups.
+    /// Finds the turning points of the equilibria with work of adhesion `w` (J/m^2) under a
+    /// `control`.
+    ///
+    /// Each function of the result then takes a few evaluations of the curve.
     ///
     /// ```
     /// # #[cfg(feature = "embedded")]
@@ -139,8 +143,8 @@ impl Contact {
             self.slopes(u.exp(), w)
                 .map(|(load, penetration)| control.imposed(load, penetration))
         };
-        let places = self.search_grid();
-        let (first, last) = (places[0], places[places.len() - 1]);
+        let grid = self.search_grid();
+        let (first, last) = (grid[0], grid[grid.len() - 1]);
         let rises_at = |u: f64| slope(u).map(|slope| slope >= 0.0);
 
         let mut sections = Vec::new();
@@ -155,7 +159,7 @@ impl Contact {
             start = (end, value);
             Ok(())
         };
-        for pair in places.windows(2) {
+        for pair in grid.windows(2) {
             if rises_at(pair[1])? != rises {
                 end_section(root(slope, pair[0], pair[1])?, rises)?;
                 rises = !rises;
@@ -170,42 +174,28 @@ impl Contact {
         })
     }
 
-    /// Where a contact with work of adhesion `w` (J/m^2) separates on unloading: see
-    /// [`Equilibria::pull_off`].
+    /// Returns the state in which a contact with work of adhesion `w` (J/m^2) separates on
+    /// unloading, [`Equilibria::pull_off`].
     ///
     /// # Errors
-    /// Those of [`Contact::equilibria`] and [`Equilibria::pull_off`].
+    /// As [`Contact::equilibria`] and [`Equilibria::pull_off`].
     pub fn pull_off(&self, w: f64, control: Control) -> Result<State, Error> {
         self.equilibria(w, control)?.pull_off()
     }
 
-    /// The stable contact with work of adhesion `w` (J/m^2) under no load, the one that unloading
-    /// under load control reaches: see [`Equilibria::unloading`]. Without adhesion it is
-    /// [`State::ORIGIN`].
+    /// Returns the stable state with work of adhesion `w` (J/m^2) at zero load.
+    ///
+    /// It is the state that unloading under load control reaches, [`Equilibria::unloading`].
+    /// Without adhesion it is [`State::ORIGIN`].
     ///
     /// # Errors
-    /// Those of [`Contact::equilibria`] and [`Equilibria::unloading`].
+    /// As [`Contact::equilibria`] and [`Equilibria::unloading`].
     pub fn zero_load(&self, w: f64) -> Result<State, Error> {
         self.equilibria(w, Control::Load)?.unloading(0.0)
     }
 
-    /// [`Contact::contact_radius_range`] with numbers to compute with for 0 and infinity.
-    pub(crate) fn search_range(&self) -> [f64; 2] {
-        const SMALLEST: f64 = 1e-60;
-        const LARGEST: f64 = 1e60;
-        let [from, to] = self.node_radii().unwrap_or([SMALLEST, LARGEST]);
-        [
-            if self.goes_on_to_zero() {
-                SMALLEST.min(from)
-            } else {
-                from
-            },
-            to,
-        ]
-    }
-
-    /// Logarithms of contact radii that have at most one turning point from each to the next: on
-    /// films, those of a grid.
+    /// Returns the logarithms of contact radii between which the signs of the slopes are compared:
+    /// on a film a grid, on a half-space, which has one turning point, the ends of the range.
     fn search_grid(&self) -> Vec<f64> {
         const STEP: f64 = 0.05;
         let [smallest, largest] = self.search_range();
@@ -222,24 +212,15 @@ impl Contact {
             .chain(nodes)
             .collect()
     }
-
-    /// What to say of a state whose contact radius is out of range.
-    pub(crate) fn outside(&self, name: &'static str, value: f64) -> Error {
-        let [from, to] = self.search_range();
-        Error::OutsideRadii {
-            name,
-            value,
-            from,
-            to,
-        }
-    }
 }
 
 impl Equilibria<'_> {
-    /// All equilibria in range at an imposed load (N), penetration or position of the spring (m),
-    /// in ascending order of contact radius: none beyond pull-off. At a turning point the stable
-    /// and the unstable equilibrium are one, called unstable at a minimum and stable at a maximum.
-    /// An unstable one whose contact radius is smaller than the range is left out.
+    /// Returns all equilibria in range at an `imposed` load (N), penetration (m) or position of the
+    /// spring (m), in ascending order of contact radius.
+    ///
+    /// There are none beyond pull-off. At a turning point the stable and the unstable equilibrium
+    /// are one; it is called unstable at a minimum and stable at a maximum. An unstable equilibrium
+    /// with a contact radius below the range is left out.
     ///
     /// # Errors
     /// [`Error::OutsideRadii`] if a stable equilibrium has a contact radius out of range;
@@ -266,11 +247,11 @@ impl Equilibria<'_> {
         .collect()
     }
 
-    /// The stable equilibrium at an imposed value that unloading from a large contact reaches: the
-    /// one of the largest contact radius.
+    /// Returns the stable equilibrium at an `imposed` value that unloading from a large contact
+    /// reaches: that of the largest contact radius.
     ///
     /// # Errors
-    /// Those of [`Equilibria::at`], and [`Error::NoContact`] for a value below that of
+    /// As [`Equilibria::at`]; [`Error::NoContact`] for a value below that of
     /// [`Equilibria::pull_off`].
     pub fn unloading(&self, imposed: f64) -> Result<State, Error> {
         self.check(imposed)?;
@@ -300,15 +281,15 @@ impl Equilibria<'_> {
         }
     }
 
-    /// The stable equilibrium at an imposed value that loading reaches after the sphere has
-    /// touched: the one of the smallest contact radius.
+    /// Returns the stable equilibrium at an `imposed` value that loading reaches after the first
+    /// touch: that of the smallest contact radius.
     ///
-    /// Surfaces that attract each other over no distance meet where load and penetration are 0.
-    /// There the contact grows at once to `loading(0.0)`.
+    /// The attraction has no range, so the surfaces meet where load and penetration are 0. There
+    /// the contact grows at once to `loading(0.0)`.
     ///
     /// # Errors
-    /// Those of [`Equilibria::at`]; [`Error::NoContact`] for a negative value: the sphere does not
-    /// touch yet.
+    /// As [`Equilibria::at`]; [`Error::NoContact`] for a negative value, at which the sphere does
+    /// not touch yet.
     pub fn loading(&self, imposed: f64) -> Result<State, Error> {
         self.check(imposed)?;
         if imposed < 0.0 {
@@ -333,14 +314,16 @@ impl Equilibria<'_> {
         }
     }
 
-    /// Where the contact finally separates on unloading: the equilibrium of least imposed value.
+    /// Returns the state in which the contact finally separates on unloading: the equilibrium of
+    /// the smallest imposed value.
     ///
-    /// Unloading follows the stable equilibria of the largest contact radius down to where they
-    /// end, at a minimum of the imposed value. If there is another stable equilibrium with a
-    /// smaller contact radius at this value, the contact jumps to it and unloading goes on from
-    /// there. So the minimum from which there is nothing left to jump to is the least of all.
-    /// [`Equilibria::force_displacement`] gives the jumps before it. Without adhesion it is
-    /// [`State::ORIGIN`].
+    /// Unloading follows the stable equilibria of the largest contact radius down to their end, a
+    /// minimum of the imposed value. If another stable equilibrium with a smaller contact radius
+    /// exists at this value, the contact jumps to it, and unloading continues from there. No
+    /// equilibrium is left to jump to at the smallest of all minima.
+    ///
+    /// [`Equilibria::force_displacement`] gives the jumps before the separation. Without adhesion
+    /// the state is [`State::ORIGIN`].
     ///
     /// # Errors
     /// [`Error::OutsideRadii`] if its contact radius is out of range.
@@ -361,18 +344,18 @@ impl Equilibria<'_> {
         self.state(least.u[0])
     }
 
-    pub(crate) fn adhesionless(&self) -> bool {
+    pub(super) fn adhesionless(&self) -> bool {
         self.work_of_adhesion == 0.0
     }
 
-    /// The first and the last section.
+    /// Returns the first and the last section.
     fn ends(&self) -> [&Section; 2] {
         [&self.sections[0], &self.sections[self.sections.len() - 1]]
     }
 
-    /// Accepts an imposed value if no stable equilibrium has a contact radius out of range.
-    pub(crate) fn check(&self, imposed: f64) -> Result<(), Error> {
-        Error::unless(imposed.is_finite(), self.control.name(), imposed, "finite")?;
+    /// Accepts an imposed value unless a stable equilibrium may have a contact radius out of range.
+    fn check(&self, imposed: f64) -> Result<(), Error> {
+        finite_input(self.control.name(), imposed)?;
         let [first, last] = self.ends();
         let below =
             first.rises && imposed < first.imposed[0] && !(self.adhesionless() && imposed <= 0.0);
@@ -384,19 +367,19 @@ impl Equilibria<'_> {
         }
     }
 
-    /// The state at the logarithm of a contact radius.
-    pub(crate) fn state(&self, u: f64) -> Result<State, Error> {
+    /// Returns the state at the contact radius with logarithm `u`.
+    pub(super) fn state(&self, u: f64) -> Result<State, Error> {
         self.contact.state(u.exp(), self.work_of_adhesion)
     }
 
-    /// The imposed value of a state.
-    pub(crate) fn imposed(&self, state: &State) -> f64 {
+    /// Returns the imposed value of a state.
+    pub(super) fn imposed(&self, state: &State) -> f64 {
         self.control.imposed(state.load, state.penetration)
     }
 
-    /// The logarithm of the contact radius at which a section, which holds it, has an imposed
-    /// value.
-    pub(crate) fn place(&self, section: &Section, imposed: f64) -> Result<f64, Error> {
+    /// Returns the logarithm of the contact radius at which a section has an imposed value. The
+    /// value must occur in the section.
+    pub(super) fn log_radius(&self, section: &Section, imposed: f64) -> Result<f64, Error> {
         root(
             |u| Ok(self.imposed(&self.state(u)?) - imposed),
             section.u[0],
@@ -404,7 +387,8 @@ impl Equilibria<'_> {
         )
     }
 
+    /// Returns the state of a section at an imposed value.
     fn find(&self, section: &Section, imposed: f64) -> Result<State, Error> {
-        self.state(self.place(section, imposed)?)
+        self.state(self.log_radius(section, imposed)?)
     }
 }

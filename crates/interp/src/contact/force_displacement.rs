@@ -1,50 +1,55 @@
-//! Loading and unloading as they go, with the jumps.
+//! Whole force-displacement curves: loading and unloading, with the jumps.
 
-use crate::contact::equilibria::Section;
+use super::checks::number_of_points;
+use super::equilibria::Section;
 use crate::{Control, Equilibria, Error, State};
 
-/// A sudden change of the contact, at a fixed imposed value: the load under [`Control::Load`], the
-/// penetration under [`Control::Displacement`], and under [`Control::Spring`] the position of its
-/// far end, so that load and penetration move on the line of slope `-k`.
+/// A sudden change of the contact at a fixed imposed value.
+///
+/// The load is fixed under [`Control::Load`], the penetration under [`Control::Displacement`].
+/// Under [`Control::Spring`] the position of the far end is fixed, so that load and penetration
+/// move along a line of slope `-k`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Jump {
-    /// Where stability is lost, or the surfaces meet.
+    /// The state in which stability is lost, or in which the surfaces meet.
     pub from: State,
-    /// Where the contact, or without one the sphere, comes to rest: nowhere if it separates under a
-    /// load.
+    /// The state in which the contact, or the separated sphere, comes to rest. `None` if the
+    /// contact separates under a load, where the sphere does not come to rest.
     pub to: Option<State>,
 }
 
-/// Loading from the first touch and unloading until separation, infinitely slowly.
+/// Infinitely slow loading from the first touch, and unloading until separation.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ForceDisplacement {
-    /// Branches of stable states in order, with a jump before each one (the first is that into
-    /// contact), ending at the largest imposed value.
+    /// The branches of stable states in order, up to the largest imposed value. A jump precedes
+    /// each branch; the first jump is that into contact.
     pub loading: Vec<Vec<State>>,
-    /// Branches of stable states in order, with a jump after each one (the last is the separation).
+    /// The branches of stable states in order, down to separation. A jump follows each branch; the
+    /// last jump is the separation.
     pub unloading: Vec<Vec<State>>,
-    /// All jumps in order: as many as branches but for the turn, which is none. Without adhesion
-    /// there is none at first touch and at separation, either.
+    /// All jumps in order: one for each branch. Without adhesion there is no jump at first touch
+    /// and none at separation.
     pub jumps: Vec<Jump>,
 }
 
 impl Equilibria<'_> {
-    /// The whole force-displacement curve up to the imposed value `most` (load in N; penetration or
-    /// position of the spring in m) and back, as branches of `points` states each, ends included,
-    /// evenly spaced in contact radius.
+    /// Computes the force-displacement curve from first touch to the imposed value `most` (load in
+    /// N; penetration or position of the spring in m) and back.
+    ///
+    /// Each branch consists of `points` states, ends included, evenly spaced in contact radius.
     ///
     /// The surfaces meet at load and penetration 0, where the contact jumps to
-    /// [`Equilibria::loading`] of 0. From then on it follows the stable equilibria, and where they
-    /// end it jumps to the next stable equilibrium at the same imposed value: to a larger contact
-    /// on loading, to a smaller one or to separation on unloading. What a contact's inertia might
-    /// do beyond is not considered.
+    /// [`Equilibria::loading`] of 0. From then on it follows the stable equilibria. Where they end,
+    /// it jumps to the next stable equilibrium at this imposed value: to a larger contact on
+    /// loading, to a smaller one or to separation on unloading. Inertia, which might carry the
+    /// contact further, is not considered.
     ///
     /// Without adhesion the branches end at the smallest radius of
     /// [`Contact::contact_radius_range`](crate::Contact::contact_radius_range).
     ///
     /// # Errors
-    /// Those of [`Equilibria::loading`] at `most` and at 0, those of [`Equilibria::pull_off`], and
-    /// [`Error::Unphysical`] unless `points` is 2 to 1,000,000.
+    /// As [`Equilibria::loading`] at `most` and at 0, and as [`Equilibria::pull_off`];
+    /// [`Error::InvalidArgument`] unless `points` is 2 to 1,000,000.
     ///
     /// ```
     /// # fn main() -> Result<(), interp::Error> {
@@ -59,12 +64,7 @@ impl Equilibria<'_> {
     /// # Ok(()) }
     /// ```
     pub fn force_displacement(&self, most: f64, points: usize) -> Result<ForceDisplacement, Error> {
-        Error::unless(
-            (2..=1_000_000).contains(&points),
-            "number of points",
-            points as f64,
-            "2 to 1000000",
-        )?;
+        number_of_points(points)?;
         let u_turn = self.loading(most)?.contact_radius.ln();
         self.loading(0.0)?;
         self.pull_off()?;
@@ -75,15 +75,15 @@ impl Equilibria<'_> {
             .collect();
         let (mut loading, mut unloading, mut jumps) = (Vec::new(), Vec::new(), Vec::new());
 
-        // Loading goes where the imposed value is larger than ever before.
-        let (mut record, mut from) = (0.0, State::ORIGIN);
+        // A section adds a branch to loading where its imposed value exceeds all before it.
+        let (mut extreme, mut from) = (0.0, State::ORIGIN);
         for section in &reached {
-            if section.imposed[1] > record {
+            if section.imposed[1] > extreme {
                 let touches_at_once = self.adhesionless() && loading.is_empty();
                 let start = if touches_at_once {
                     section.u[0]
                 } else {
-                    self.place(section, record)?
+                    self.log_radius(section, extreme)?
                 };
                 let branch = self.branch(start, section.u[1].min(u_turn), points)?;
                 if !touches_at_once {
@@ -92,25 +92,25 @@ impl Equilibria<'_> {
                         to: Some(branch[0]),
                     });
                 }
-                (record, from) = (section.imposed[1], branch[points - 1]);
+                (extreme, from) = (section.imposed[1], branch[points - 1]);
                 loading.push(branch);
             }
         }
-        // Unloading goes where it is smaller than ever since.
+        // A section adds a branch to unloading where its imposed value is below all since the turn.
         let mut last: Option<State> = None;
         for section in reached.iter().rev() {
-            if last.is_none() || section.imposed[0] < record {
+            if last.is_none() || section.imposed[0] < extreme {
                 let start = if last.is_none() {
                     u_turn
                 } else {
-                    self.place(section, record)?
+                    self.log_radius(section, extreme)?
                 };
                 let branch = self.branch(start, section.u[0], points)?;
                 jumps.extend(last.map(|from| Jump {
                     from,
                     to: Some(branch[0]),
                 }));
-                (record, last) = (section.imposed[0], Some(branch[points - 1]));
+                (extreme, last) = (section.imposed[0], Some(branch[points - 1]));
                 unloading.push(branch);
             }
         }
@@ -127,21 +127,17 @@ impl Equilibria<'_> {
         })
     }
 
-    /// The states between the logarithms of two contact radii.
+    /// Returns `points` states between the contact radii with logarithms `start` and `end`.
     fn branch(&self, start: f64, end: f64, points: usize) -> Result<Vec<State>, Error> {
         let [start, end] = [start.exp(), end.exp()];
-        let radius = |part: f64| (1.0 - part) * start + part * end;
+        let part = |i: usize| i as f64 / (points - 1) as f64;
+        let radius = |i: usize| (1.0 - part(i)) * start + part(i) * end;
         (0..points)
-            .map(|i| {
-                self.contact.state(
-                    radius(i as f64 / (points - 1) as f64),
-                    self.work_of_adhesion,
-                )
-            })
+            .map(|i| self.contact.state(radius(i), self.work_of_adhesion))
             .collect()
     }
 
-    /// Where the sphere comes to rest after it has separated.
+    /// Returns the state in which the sphere comes to rest after it has separated in state `from`.
     fn separated(&self, from: &State) -> Option<State> {
         match self.control {
             Control::Load => None,

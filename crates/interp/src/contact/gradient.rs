@@ -1,10 +1,11 @@
-//! Derivatives of load and penetration with respect to all that they depend on.
+//! Derivatives of load and penetration with respect to all their inputs.
 
-use crate::contact::contact::{Bodies, finite};
+use super::checks::finite_result;
+use super::contact::Bodies;
 use crate::material::one_minus_square;
 use crate::{Contact, Error, HalfSpace, Normalisation, Quantities, QuantityGradient, System};
 
-/// What the load and the penetration of a contact depend on, in SI units.
+/// An input on which the load and the penetration of a contact depend, in SI units.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Input {
     /// Contact radius `a`, m.
@@ -28,7 +29,7 @@ pub enum Input {
 }
 
 impl Input {
-    /// All nine.
+    /// All nine inputs.
     pub const ALL: [Self; 9] = [
         Self::ContactRadius,
         Self::WorkOfAdhesion,
@@ -41,7 +42,7 @@ impl Input {
         Self::SubstratePoisson,
     ];
 
-    /// Its name, in words.
+    /// Returns the name in words.
     pub const fn name(self) -> &'static str {
         match self {
             Self::ContactRadius => "contact radius",
@@ -57,13 +58,13 @@ impl Input {
     }
 }
 
-/// The derivatives of load and penetration with respect to one [`Input`], all others being fixed: N
-/// and m per unit of the input.
+/// The derivatives of load and penetration with respect to one [`Input`] at fixed other inputs, in
+/// N and m per unit of the input.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Derivatives {
-    /// Of the load `F`.
+    /// The derivative of the load `F`.
     pub load: f64,
-    /// Of the penetration `delta`.
+    /// The derivative of the penetration `delta`.
     pub penetration: f64,
 }
 
@@ -72,51 +73,55 @@ pub struct Derivatives {
 pub struct ContactGradient {
     load: f64,
     penetration: f64,
-    /// In the order of [`Input::ALL`].
+    /// The derivatives in the order of [`Input::ALL`]; `None` where one is not known.
     derivatives: [Option<Derivatives>; 9],
 }
 
 impl ContactGradient {
-    /// Load `F`, N.
+    /// Returns the load `F`, N.
     pub const fn load(&self) -> f64 {
         self.load
     }
 
-    /// Penetration `delta`, m.
+    /// Returns the penetration `delta`, m.
     pub const fn penetration(&self) -> f64 {
         self.penetration
     }
 
-    /// The derivatives with respect to one input. They are 0 with respect to the modulus of a rigid
-    /// body, and to its Poisson ratio.
+    /// Returns the derivatives with respect to one `input`.
+    ///
+    /// They are 0 with respect to the modulus and the Poisson ratio of a rigid body.
     ///
     /// # Errors
-    /// [`Error::FixedParameter`] for a parameter of the material that the table fixes, or that
-    /// takes one; for a film's on a half-space; and for the work of adhesion where there is none
-    /// (or less than 2.3e-308 J/m^2), as the load falls like its square root.
+    /// [`Error::FixedParameter`] for an input whose derivative needs a parameter of the material
+    /// that the table fixes; for an input of the film on a half-space; and for the work of adhesion
+    /// if it is below 2.3e-308 J/m^2, because the load falls like its square root.
     pub fn by(&self, input: Input) -> Result<Derivatives, Error> {
         self.derivatives[input as usize].ok_or(Error::FixedParameter(input.name()))
     }
 }
 
-/// The changes of the logarithms of all that load and penetration are products of.
+/// The derivatives, with respect to one input, of the logarithms of the factors of which the terms
+/// of load and penetration are products.
 #[derive(Clone, Copy, Default)]
-struct Change {
+struct LogDerivatives {
     contact_radius: f64,
     work_of_adhesion: f64,
     sphere_radius: f64,
-    /// Of the modulus that normalises the quantities.
+    /// That of the modulus that normalises the quantities.
     modulus: f64,
-    /// Of `es`, `Es*` in units of that modulus.
+    /// That of `es`, which is `Es*` in units of that modulus.
     es: f64,
+    /// Those of the four quantities, in the order of [`Quantity::ALL`](crate::Quantity::ALL).
     quantities: [f64; 4],
 }
 
 impl Contact {
-    /// Load and penetration at contact radius `a` (m) and work of adhesion `w` (J/m^2), as
-    /// [`Contact::load_and_penetration`] gives them, and their derivatives with respect to every
-    /// [`Input`], by the chain rule through eqs. 2, 4 to 8 and the derivatives of the table's
-    /// splines.
+    /// Computes load and penetration at contact radius `a` (m) and work of adhesion `w` (J/m^2),
+    /// and their derivatives with respect to every [`Input`].
+    ///
+    /// Load and penetration are those of [`Contact::load_and_penetration`]. The derivatives follow
+    /// by the chain rule through eqs. 2 and 4 to 8 and from the derivatives of the table's splines.
     ///
     /// ```
     /// # #[cfg(feature = "embedded")]
@@ -138,37 +143,40 @@ impl Contact {
     /// # Errors
     /// As [`Contact::load_and_penetration`], but always [`Error::OutsideTable`] above the nodes in
     /// `a/t`; [`Error::NoGradient`] on a curve made without derivatives; [`Error::Unphysical`] for
-    /// a derivative too large for f64; [`Error::OtherMaterial`] on a curve whose derivatives are
-    /// those of an equivalent on another substrate.
+    /// a derivative that overflows an f64; [`Error::OtherMaterial`] on a curve whose derivatives
+    /// are those of an equivalent material on another substrate.
     pub fn gradient(&self, a: f64, w: f64) -> Result<ContactGradient, Error> {
         let edge = self.mechanics.edge_singularity(a, w)?;
         let (values, by_bodies) = match &self.bodies {
-            Bodies::HalfSpace(system) => (Quantities::homogeneous(1.0), on_half_space(system)?),
+            Bodies::HalfSpace(system) => (
+                Quantities::homogeneous(1.0),
+                half_space_derivatives(system)?,
+            ),
             Bodies::Coated { system, curve } => {
                 let gradient = curve.gradient(a / system.film_thickness)?;
                 let material = system.material()?;
                 if !material.is_close_to(gradient.material()) {
                     return Err(Error::OtherMaterial {
-                        curve: *gradient.material(),
-                        system: material,
+                        curve: gradient.material().to_array(),
+                        system: material.to_array(),
                     });
                 }
-                (gradient.values(), on_film(system, &gradient, a))
+                (gradient.values(), coated_derivatives(system, &gradient, a))
             }
         };
         let (load, penetration) = self.mechanics.load_and_penetration(a, edge, &values);
         let f0 = self.mechanics.adhesionless_load(a, values.pi0);
         let delta0 = self.mechanics.adhesionless_penetration(a, values.delta0);
-        let derivatives = |change: Change| {
-            let Change {
+        let derivatives = |logarithms: LogDerivatives| {
+            let LogDerivatives {
                 contact_radius,
                 work_of_adhesion,
                 sphere_radius,
                 modulus,
                 es,
                 quantities: [pi0, eeq, gamma, delta],
-            } = change;
-            // Of `g = sqrt(pi a w Es* / 2)`.
+            } = logarithms;
+            // That of `g = sqrt(pi a w Es* / 2)`.
             let edge = 0.5 * (contact_radius + work_of_adhesion + modulus + es);
             Derivatives {
                 load: f0 * (3.0 * contact_radius + modulus + pi0 - sphere_radius)
@@ -177,27 +185,27 @@ impl Contact {
                     - (delta0 - penetration) * (edge - modulus - gamma),
             }
         };
-        let mut changes = by_bodies;
-        if let Some(change) = &mut changes[Input::ContactRadius as usize] {
-            change.contact_radius = 1.0 / a;
+        let mut by_inputs = by_bodies;
+        if let Some(logarithms) = &mut by_inputs[Input::ContactRadius as usize] {
+            logarithms.contact_radius = 1.0 / a;
         }
-        changes[Input::SphereRadius as usize] = Some(Change {
+        by_inputs[Input::SphereRadius as usize] = Some(LogDerivatives {
             sphere_radius: 1.0 / self.mechanics.sphere_radius(),
-            ..Change::default()
+            ..LogDerivatives::default()
         });
-        // One over it may not be a number.
-        changes[Input::WorkOfAdhesion as usize] = w.is_normal().then(|| Change {
+        // Below the normal numbers `1 / w` may overflow.
+        by_inputs[Input::WorkOfAdhesion as usize] = w.is_normal().then(|| LogDerivatives {
             work_of_adhesion: 1.0 / w,
-            ..Change::default()
+            ..LogDerivatives::default()
         });
-        let derivatives = changes.map(|change| change.map(derivatives));
+        let derivatives = by_inputs.map(|logarithms| logarithms.map(derivatives));
         let numbers = derivatives
             .iter()
             .flatten()
             .flat_map(|by| [by.load, by.penetration]);
         numbers
             .chain([load, penetration])
-            .try_for_each(|number| finite(a, number).map(drop))?;
+            .try_for_each(|number| finite_result(a, number).map(drop))?;
         Ok(ContactGradient {
             load,
             penetration,
@@ -206,9 +214,13 @@ impl Contact {
     }
 }
 
-/// What changes with the contact radius, the thickness and the elastic constants of a coated
-/// contact, in the order of [`Input::ALL`].
-fn on_film(system: &System, gradient: &QuantityGradient, a: f64) -> [Option<Change>; 9] {
+/// Returns the derivatives with respect to the contact radius (but for its own logarithm), the
+/// thickness and the elastic constants of a coated contact, in the order of [`Input::ALL`].
+fn coated_derivatives(
+    system: &System,
+    gradient: &QuantityGradient,
+    a: f64,
+) -> [Option<LogDerivatives>; 9] {
     let (values, slopes) = (gradient.values().to_array(), gradient.slopes().to_array());
     let moduli = [
         system.sphere_modulus,
@@ -219,30 +231,30 @@ fn on_film(system: &System, gradient: &QuantityGradient, a: f64) -> [Option<Chan
         let with_a_over_t = |factor: f64| {
             let quantities =
                 std::array::from_fn(|quantity| factor * slopes[quantity] / values[quantity]);
-            Some(Change {
+            Some(LogDerivatives {
                 quantities,
-                ..Change::default()
+                ..LogDerivatives::default()
             })
         };
         match input {
             Input::ContactRadius => with_a_over_t(1.0 / a),
             Input::FilmThickness => with_a_over_t(-1.0 / system.film_thickness),
             Input::SphereRadius | Input::WorkOfAdhesion => None,
-            _ => of_material(gradient, input, moduli),
+            _ => elastic_derivatives(gradient, input, moduli),
         }
     })
 }
 
-/// The same on a half-space, where the quantities are constant and the compound modulus `E*` is
-/// their unit.
-fn on_half_space(system: &HalfSpace) -> Result<[Option<Change>; 9], Error> {
+/// Returns the derivatives of a contact with a half-space, in the order of [`Input::ALL`]. The
+/// quantities are constant, and the compound modulus `E*` is their unit.
+fn half_space_derivatives(system: &HalfSpace) -> Result<[Option<LogDerivatives>; 9], Error> {
     let compound = system.compound_modulus()?;
     let (young, nu0) = (system.solid.young(), system.solid.poisson());
     let share = compound / system.solid.reduced();
     let modulus = |modulus: f64| {
-        Some(Change {
+        Some(LogDerivatives {
             modulus,
-            ..Change::default()
+            ..LogDerivatives::default()
         })
     };
     Ok(Input::ALL.map(|input| match input {
@@ -254,11 +266,15 @@ fn on_half_space(system: &HalfSpace) -> Result<[Option<Change>; 9], Error> {
     }))
 }
 
-/// The change with one of the elastic constants; none if it is not known.
-fn of_material(gradient: &QuantityGradient, input: Input, moduli: [f64; 3]) -> Option<Change> {
+/// Returns the derivatives with respect to one elastic constant; `None` if they are not known.
+fn elastic_derivatives(
+    gradient: &QuantityGradient,
+    input: Input,
+    moduli: [f64; 3],
+) -> Option<LogDerivatives> {
     let material = gradient.material();
-    // How `ln e1_over_e2`, `nu1`, `ln e0_over_e2`, `nu0` and the logarithm of the normalising
-    // modulus follow the logarithm of a modulus, or a Poisson ratio.
+    // The derivatives of `ln e1_over_e2`, `nu1`, `ln e0_over_e2`, `nu0` and the logarithm of the
+    // normalising modulus with respect to the logarithm of the modulus, or to the Poisson ratio.
     let ([e1, nu1, e0, nu0], modulus) = match (input, material.normalisation()) {
         (Input::SphereModulus, Normalisation::Sphere) => ([-1.0, 0.0, -1.0, 0.0], 1.0),
         (Input::FilmModulus, Normalisation::Sphere) => ([1.0, 0.0, 0.0, 0.0], 0.0),
@@ -270,7 +286,7 @@ fn of_material(gradient: &QuantityGradient, input: Input, moduli: [f64; 3]) -> O
         ),
         (Input::SubstrateModulus, _) => ([0.0, 0.0, 1.0, 0.0], 0.0),
         (Input::SubstratePoisson, _) => ([0.0, 0.0, 0.0, 1.0], 0.0),
-        // Of a rigid sphere.
+        // The modulus of a rigid sphere.
         _ => ([0.0; 4], 0.0),
     };
     let [sphere, film, substrate] = moduli;
@@ -280,9 +296,9 @@ fn of_material(gradient: &QuantityGradient, input: Input, moduli: [f64; 3]) -> O
         Input::SubstrateModulus => 1.0 / substrate,
         _ => 1.0,
     };
-    let mut change = Change {
+    let mut logarithms = LogDerivatives {
         modulus: unit * modulus,
-        ..Change::default()
+        ..LogDerivatives::default()
     };
     for (parameter, factor) in [e1, nu1, e0, nu0]
         .into_iter()
@@ -290,12 +306,12 @@ fn of_material(gradient: &QuantityGradient, input: Input, moduli: [f64; 3]) -> O
         .filter(|&(_, factor)| factor != 0.0)
     {
         let derivatives = gradient.relative(parameter)?;
-        change.es += unit * factor * gradient.scale(parameter);
-        change
+        logarithms.es += unit * factor * gradient.scale(parameter);
+        logarithms
             .quantities
             .iter_mut()
             .zip(derivatives)
             .for_each(|(sum, derivative)| *sum += unit * factor * derivative);
     }
-    Some(change)
+    Some(logarithms)
 }

@@ -1,25 +1,30 @@
-//! What a fit of JKR for a bare half-space would report of a coated one, and so whether the film
-//! matters.
+//! The fit of JKR for a bare half-space to a coated contact, and the error that the film causes in
+//! its results.
 
-use crate::contact::mechanics::work_of_adhesion;
+use super::checks::{number_of_points, work_of_adhesion};
 use crate::{Contact, Error, JkrPoint};
 
-/// The straight line of least squares through a JKR plot, read by eq. 1:
+/// The works of adhesion that an error can be relative to.
+const RELATIVE_TO_W: &str =
+    "> 0, and so large that an error relative to it is finite: `Contact::jkr_fit` takes any";
+
+/// The straight line of least squares through a JKR plot, interpreted by eq. 1:
 /// `y = 4 E*/(3 sqrt 6) x - sqrt(4 w E*/3)`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct JkrFit {
-    /// The modulus `E*` of the slope, Pa.
+    /// The modulus `E*` that follows from the slope, Pa.
     pub modulus: f64,
-    /// The ordinate at abscissa 0, N m^{-3/2}: negative with adhesion.
+    /// The ordinate at abscissa 0, N m^{-3/2}. It is negative with adhesion.
     pub intercept: f64,
 }
 
 impl JkrFit {
-    /// Through measured or computed points.
+    /// Fits measured or computed points.
     ///
     /// # Errors
-    /// [`Error::Unphysical`] unless the points have two different abscissas at least, finite
-    /// coordinates, and a slope above 0 whose line f64 holds.
+    /// [`Error::InvalidArgument`] unless at least two of the `points` differ in their abscissa and
+    /// all abscissas are finite; [`Error::Unphysical`] unless the slope is positive, and slope and
+    /// intercept are finite.
     pub fn through(points: &[JkrPoint]) -> Result<Self, Error> {
         let count = points.len() as f64;
         let mean =
@@ -32,57 +37,60 @@ impl JkrFit {
                 .sum::<f64>()
         };
         let spread = moment(&|point| point.abscissa - x);
-        Error::unless(
+        Error::argument(
             spread > 0.0,
             "spread of the JKR plot's abscissas",
             spread,
-            "> 0: two different ones at least, all finite",
+            "> 0: give points at two different contact radii at least, all finite",
         )?;
         let slope = moment(&|point| point.ordinate - y) / spread;
         let fit = Self {
             modulus: 0.75 * 6.0_f64.sqrt() * slope,
             intercept: y - slope * x,
         };
-        let held = fit.modulus.is_finite() && fit.intercept.is_finite();
+        let finite = fit.modulus.is_finite() && fit.intercept.is_finite();
         Error::unless(
-            slope > 0.0 && held,
+            slope > 0.0 && finite,
             "slope of the JKR plot",
             slope,
-            "> 0, and the line such that f64 holds it",
+            "> 0, with a finite modulus and intercept: check the units and signs of the loads",
         )?;
         Ok(fit)
     }
 
-    /// The work of adhesion (J/m^2) of the intercept with the fitted modulus. Negative if the
-    /// intercept is positive, as of no JKR contact.
+    /// Returns the work of adhesion (J/m^2) that follows from the intercept and the fitted modulus.
+    ///
+    /// It is negative if the intercept is positive, as in no contact that JKR describes.
     pub fn work_of_adhesion(&self) -> f64 {
         self.work_of_adhesion_with(self.modulus)
     }
 
-    /// The work of adhesion (J/m^2) of the intercept with a modulus (Pa) known from elsewhere.
+    /// Returns the work of adhesion (J/m^2) that follows from the intercept and a known `modulus`
+    /// (Pa).
     pub fn work_of_adhesion_with(&self, modulus: f64) -> f64 {
         -0.75 * self.intercept * self.intercept.abs() / modulus
     }
 }
 
-/// By how much JKR for the bare substrate errs on a coated one.
+/// The relative errors of a JKR fit that ignores the film of a coated substrate.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FilmBias {
     /// The fit to the JKR plot of the coated contact.
     pub fit: JkrFit,
-    /// Its modulus relative to that of sphere and bare substrate, `E*/Einf* - 1`; -1 between rigid
-    /// bodies.
+    /// The error of its modulus, relative to that of sphere and bare substrate: `E*/Einf* - 1`.
     pub modulus: f64,
-    /// Its work of adhesion, with the fitted modulus, relative to the true one, `w_fit/w - 1`.
+    /// The error of its work of adhesion, relative to the true one: `w_fit/w - 1`.
     pub work_of_adhesion: f64,
-    /// The same with `Einf*` in place of the fitted modulus, as where sphere and substrate are
-    /// known; -1 between rigid bodies.
+    /// The error of the work of adhesion that follows from the intercept with `Einf*` in place of
+    /// the fitted modulus, for an experiment in which sphere and substrate are known.
     pub work_of_adhesion_at_known_modulus: f64,
 }
 
 impl FilmBias {
-    /// Whether the film matters: whether any of the three biases is larger than a relative
-    /// tolerance, as of the measurement.
+    /// Tells whether the film matters: whether any of the three biases is larger than a relative
+    /// `tolerance`, such as that of the measurement.
+    ///
+    /// It is true for a `tolerance` of NaN.
     pub fn exceeds(&self, tolerance: f64) -> bool {
         let biases = [
             self.modulus,
@@ -94,20 +102,17 @@ impl FilmBias {
 }
 
 impl Contact {
-    /// The fit of JKR to this contact with work of adhesion `w` (J/m^2) at `points` contact radii,
-    /// evenly spaced between two (m): the apparent modulus and work of adhesion of someone who does
-    /// not know of the film.
+    /// Fits JKR to this contact with work of adhesion `w` (J/m^2), at a number of `points` contact
+    /// radii that are evenly spaced between two (m).
+    ///
+    /// The result holds the apparent modulus and work of adhesion: those that are found if the film
+    /// is ignored.
     ///
     /// # Errors
-    /// Those of [`Contact::load`] and [`JkrFit::through`]; [`Error::Unphysical`] unless `points` is
+    /// As [`Contact::load`] and [`JkrFit::through`]; [`Error::InvalidArgument`] unless `points` is
     /// 2 to 1,000,000.
     pub fn jkr_fit(&self, w: f64, [from, to]: [f64; 2], points: usize) -> Result<JkrFit, Error> {
-        Error::unless(
-            (2..=1_000_000).contains(&points),
-            "number of points",
-            points as f64,
-            "2 to 1000000",
-        )?;
+        number_of_points(points)?;
         let radius = |i: usize| from + (to - from) * (i as f64 / (points - 1) as f64);
         let point = |a: f64| Ok(self.mechanics().jkr_point(a, self.load(a, w)?));
         let points = (0..points)
@@ -116,11 +121,17 @@ impl Contact {
         JkrFit::through(&points)
     }
 
-    /// Does the film matter? What [`Contact::jkr_fit`] reports, relative to the truth.
+    /// Computes the errors of a JKR fit that ignores the film: those of [`Contact::jkr_fit`] with
+    /// work of adhesion `w` (J/m^2), at `points` contact radii between two (m).
+    ///
+    /// The errors are relative to `w` and to the compound modulus `Einf*` of a compliant sphere and
+    /// the bare substrate. A rigid sphere on a film is refused: film and substrate alone deform,
+    /// and no modulus of the sphere is left for the fitted modulus to be compared with. Use
+    /// [`Contact::jkr_fit`] there, which gives the fitted values themselves.
     ///
     /// # Errors
-    /// Those of [`Contact::jkr_fit`], and [`Error::Unphysical`] for a `w` of 0 or next to it, to
-    /// which nothing is relative.
+    /// As [`Contact::jkr_fit`]; [`Error::InvalidArgument`] for a rigid sphere on a film, and for a
+    /// `w` of 0 or so small that an error relative to it overflows an f64.
     ///
     /// ```
     /// # #[cfg(feature = "embedded")]
@@ -139,30 +150,33 @@ impl Contact {
     /// ```
     pub fn film_bias(&self, w: f64, radii: [f64; 2], points: usize) -> Result<FilmBias, Error> {
         work_of_adhesion(w)?;
-        Error::unless(
-            w > 0.0,
-            "work of adhesion",
-            w,
-            "> 0: a bias is relative to it",
-        )?;
-        let (fit, bare) = (
-            self.jkr_fit(w, radii, points)?,
-            self.mechanics().sphere_substrate_modulus(),
-        );
+        self.compliant_sphere()?;
+        let relative = |holds| Error::argument(holds, "work of adhesion", w, RELATIVE_TO_W);
+        relative(w > 0.0)?;
+        let fit = self.jkr_fit(w, radii, points)?;
+        let bare = self.mechanics().sphere_substrate_modulus();
         let work_of_adhesion = fit.work_of_adhesion() / w - 1.0;
         let work_of_adhesion_at_known_modulus = fit.work_of_adhesion_with(bare) / w - 1.0;
-        let held = work_of_adhesion.is_finite() && work_of_adhesion_at_known_modulus.is_finite();
-        Error::unless(
-            held,
-            "work of adhesion",
-            w,
-            "large enough for a bias relative to it that f64 holds",
-        )?;
+        relative(work_of_adhesion.is_finite() && work_of_adhesion_at_known_modulus.is_finite())?;
         Ok(FilmBias {
             fit,
             modulus: fit.modulus / bare - 1.0,
             work_of_adhesion,
             work_of_adhesion_at_known_modulus,
         })
+    }
+
+    /// Accepts a contact unless its sphere is rigid and it has a film.
+    fn compliant_sphere(&self) -> Result<(), Error> {
+        let Some(system) = self.system() else {
+            return Ok(());
+        };
+        Error::argument(
+            system.sphere_modulus.is_finite(),
+            "sphere_modulus",
+            system.sphere_modulus,
+            "finite for a film bias, which is relative to a compliant sphere on the bare substrate: \
+             under a rigid sphere use `Contact::jkr_fit`, which gives the fitted modulus itself",
+        )
     }
 }

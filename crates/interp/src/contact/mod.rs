@@ -1,14 +1,15 @@
-//! The contact in SI units: loads, penetrations, equilibria and their derivatives, from the curve
-//! of a material.
+//! The contact in SI units: loads, penetrations, equilibria and their derivatives.
 //!
-//! [`Contact`] joins a system with its curve, and `mechanics` is the arithmetic of eqs. 2 to 9. On
-//! them build the states under a load, a penetration or a spring (`equilibria`,
-//! `force_displacement`), the energy release rate of measured values (`energy_release`),
-//! derivatives (`gradient`), fits of JKR (`jkr_fit`), the limits of the model (`validity`), and
-//! contact lines that move by a law of their own (`crack_tip`, `contact_line`, `dynamics`). `root`
+//! [`Contact`] joins a system with the curve of its material, and [`Mechanics`] is the arithmetic
+//! of eqs. 2 to 9. `equilibria` and `force_displacement` find the states under a load, a
+//! penetration or a spring, `radii` the contact radii among which they search. `energy_release`
+//! starts from measured values, `gradient` differentiates, `jkr_fit` fits a straight line,
+//! `validity` compares a contact with the limits of the model. `crack_tip`, `contact_line` and
+//! `dynamics` move the contact line by other laws than eq. 8. `checks` accepts numbers, `root`
 //! finds zeros for all of them.
 
-pub(crate) mod contact;
+mod checks;
+mod contact;
 mod contact_line;
 mod crack_tip;
 #[cfg(feature = "dynamics")]
@@ -19,6 +20,7 @@ mod force_displacement;
 mod gradient;
 mod jkr_fit;
 mod mechanics;
+mod radii;
 mod root;
 mod validity;
 

@@ -1,36 +1,41 @@
-//! The root of a function between two places where its signs differ.
+//! The root of a function between two points at which its signs differ.
 
 use crate::Error;
 
-/// Steps after which an interval is narrow beyond all use, even if every one were a bisection.
-const STEPS: usize = 300;
+/// The largest number of steps: after as many bisections an interval is narrower than rounding.
+const MOST_STEPS: usize = 300;
 
-/// Where `f` changes its sign between `a` and `b`, to rounding: Chandrupatla's method (Adv. Eng.
-/// Software 28, 145, 1997), inverse quadratic interpolation where it is sure to be good, else
-/// bisection. Without a change of sign it is one of the ends.
-pub(crate) fn root(f: impl Fn(f64) -> Result<f64, Error>, a: f64, b: f64) -> Result<f64, Error> {
-    // The ends of the interval, as `(x, f(x))`, `new` the later one.
+/// Finds, to rounding, the point between `a` and `b` at which `f` changes its sign.
+///
+/// Chandrupatla's method (Adv. Eng. Software 28, 145, 1997) interpolates by an inverse quadratic
+/// function where that is safe, and bisects elsewhere. Without a change of sign the result is one
+/// of the ends.
+///
+/// # Errors
+/// Those of `f`.
+pub(super) fn root(f: impl Fn(f64) -> Result<f64, Error>, a: f64, b: f64) -> Result<f64, Error> {
+    // The ends of the interval as `(x, f(x))`; `new` is the one computed last.
     let (mut old, mut new) = ((a, f(a)?), (b, f(b)?));
     let mut part: f64 = 0.5;
-    for _ in 0..STEPS {
+    for _ in 0..MOST_STEPS {
         let best = if new.1.abs() < old.1.abs() { new } else { old };
         let least = 2.0 * f64::EPSILON * best.0.abs() / (old.0 - new.0).abs();
-        // NaN, from an interval without length, ends it, too.
+        // An interval without length gives NaN, which is not wide.
         let wide = least < 0.5;
         if !wide || best.1 == 0.0 || (new.1 < 0.0) == (old.1 < 0.0) {
             return Ok(best.0);
         }
         let x = new.0 + part.clamp(least, 1.0 - least) * (old.0 - new.0);
         let point = (x, f(x)?);
-        // The end that was given up.
+        // The end that the new point replaces.
         let third = if (point.1 < 0.0) == (new.1 < 0.0) {
             new
         } else {
             std::mem::replace(&mut old, new)
         };
         new = point;
-        // Is `x` monotonic as a quadratic function of `f` through the three? With infinities there
-        // is NaN, and no `true`.
+        // Is `x`, as a quadratic function of `f` through the three points, monotonic? Infinite
+        // values give NaN, for which the comparisons are false.
         let (xi, phi) = (
             (new.0 - old.0) / (third.0 - old.0),
             (new.1 - old.1) / (third.1 - old.1),
@@ -52,7 +57,7 @@ mod tests {
 
     use super::root;
 
-    /// The root and the number of evaluations.
+    /// Returns the root and the number of evaluations.
     fn count(f: impl Fn(f64) -> f64, a: f64, b: f64) -> (f64, usize) {
         let count = Cell::new(0);
         let counted = |x| {
@@ -111,7 +116,7 @@ mod tests {
     }
 
     #[test]
-    fn an_end_is_a_root_or_the_answer_without_one() {
+    fn an_end_is_a_root_or_the_result_without_a_change_of_sign() {
         assert_eq!(count(|x| x, 0.0, 1.0).0, 0.0);
         assert_eq!(count(|x| x, -1.0, 0.0).0, 0.0);
         assert_eq!(count(|x| x + 1.0, 1.0, 2.0), (1.0, 2));

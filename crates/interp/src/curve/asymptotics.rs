@@ -1,19 +1,19 @@
-//! Beyond the nodes in `a/t`: the first terms of the expansions about the exact limits, with an
-//! estimate of what they leave out.
+//! The continuation of a curve beyond its nodes in `a/t`: the first terms of the expansions about
+//! the exact limits, with an estimate of the terms left out.
 
 use std::f64::consts::{LN_2, PI};
 
 use crate::{Material, Quantities, Quantity};
 
-/// `ln 2` and Euler's constant.
+/// The sum of `ln 2` and Euler's constant.
 const C0: f64 = LN_2 + 0.577_215_664_901_532_9;
 
-/// The quantities at an end of a curve's nodes, from which the expansions go on.
+/// The quantities at the first or the last node of a curve, where an expansion begins.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Edge {
     /// The first or the last `a/t` of the nodes.
     pub(crate) a_over_t: f64,
-    /// The quantities there; those that are not held mean nothing.
+    /// The quantities at this `a/t`. A quantity that is not held has no meaningful value.
     pub(crate) quantities: Quantities,
     /// Which quantities the curve holds, in the order of [`Quantity::ALL`].
     pub(crate) held: [bool; 4],
@@ -21,30 +21,36 @@ pub(crate) struct Edge {
     pub(crate) error: f64,
 }
 
-/// What an expansion gives at one `a/t`.
+/// The result of an expansion at one `a/t`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Expansion {
-    /// The quantities; those that the curve does not hold mean nothing.
+    /// The quantities. A quantity that the curve does not hold has no meaningful value.
     pub(crate) values: Quantities,
-    /// Their logarithmic slopes `x dQ/dx`.
+    /// The logarithmic slopes of the quantities, `x dQ/dx`.
     pub(crate) slopes: Quantities,
     /// The estimated relative error.
     pub(crate) error: f64,
 }
 
 impl Edge {
-    /// Thick films. The kernel is even and smooth, so that all it does to first and second order in
-    /// `x` is to add a constant: with one coefficient `k` of the material, and errors of the third
-    /// order,
+    /// Continues the quantities to thicker films, `x < self.a_over_t`. Returns `None` if no two
+    /// held quantities allow an estimate of the error.
+    ///
+    /// The kernel is even and smooth. Therefore it only adds a constant to first and second order
+    /// in `x`. With one coefficient `k` of the material, and errors of the third order,
     ///
     /// ```text
     /// es/Eeq = es/Gamma = 1 + k x,   Delta0 = 1 + 2/3 k x,   Pi0 = 8/3 es
     /// ```
     ///
-    /// Each quantity is continued from its own value at the edge, and how much these contradict
-    /// each other there is the size of the third order. (With a quadratic kernel the contradictions
-    /// are two thirds of the next coefficient, and the largest error, `Gamma`'s, is four thirds.)
-    pub(crate) fn thick(&self, material: &Material, x: f64) -> Option<Expansion> {
+    /// Each quantity is continued from its own value at the edge. The differences of the `k` of
+    /// these values estimate the third order. (With a quadratic kernel the differences are two
+    /// thirds of the next coefficient. The largest error, that of `Gamma`, is four thirds of it.)
+    pub(crate) fn continue_to_thicker_films(
+        &self,
+        material: &Material,
+        x: f64,
+    ) -> Option<Expansion> {
         let (ratio, es) = (x / self.a_over_t, material.sphere_film_modulus());
         let (at, limit) = (self.quantities, material.thick_film_limit());
         let [pi0, delta0] = [at.pi0 / limit.pi0 - 1.0, at.delta0 - 1.0];
@@ -70,7 +76,7 @@ impl Edge {
             ratio * delta0,
         ];
 
-        let contradictions = [
+        let differences = [
             (Quantity::Pi0, Quantity::Pi0, pi0),
             (Quantity::Eeq, Quantity::Gamma, eeq - gamma),
             (Quantity::Eeq, Quantity::Delta0, 2.0 / 3.0 * eeq - delta0),
@@ -80,7 +86,7 @@ impl Edge {
                 2.0 / 3.0 * gamma - delta0,
             ),
         ];
-        let third_order = self.largest_known(contradictions)?;
+        let third_order = self.largest_of_held(differences)?;
         let error = ratio * (self.error + 2.0 * third_order);
         Some(Expansion {
             values: Quantities::from_array(values),
@@ -89,25 +95,32 @@ impl Edge {
         })
     }
 
-    /// Thin films. With `A = einf X'(0)/(pi e1)`, `c0 = ln 2 + 0.5772`, one coefficient `C` of the
-    /// material and errors of order `(ln x / x)^2`,
+    /// Continues the quantities to thinner films, `x > self.a_over_t`. Returns `None` between rigid
+    /// bodies, or if no two held quantities allow an estimate of the error.
+    ///
+    /// With `A = einf X'(0)/(pi e1)`, `c0 = ln 2 + 0.5772`, one coefficient `C` of the material and
+    /// errors of order `(ln x / x)^2`,
     ///
     /// ```text
     /// Eeq = einf {1 - [A (ln x + c0) + C]/x}           Gamma = sqrt(es einf) [1 - A/(2x)]
     /// Delta0 = 1 - 2 [A (ln x + c0 - 2) + C]/x          Pi0 = 8/3 einf {1 - 3 [A (ln x + c0 - 1) + C]/x}
     /// ```
     ///
-    /// (from the Wiener-Hopf solution for a half-plane). Each quantity takes `C`, and `Gamma` its
-    /// second order, from its own value at the edge. How much the values of `C` contradict each
-    /// other is the size of the second order there, and what it adds to the error of the most
-    /// sensitive one, `Pi0`.
-    pub(crate) fn thin(&self, material: &Material, x: f64) -> Option<Expansion> {
+    /// (from the Wiener-Hopf solution for a half-plane). `C` is found for each quantity, and the
+    /// second order for `Gamma`, from its own value at the edge. The differences of these `C`
+    /// estimate the second order there, and with it the error of the most sensitive quantity,
+    /// `Pi0`.
+    pub(crate) fn continue_to_thinner_films(
+        &self,
+        material: &Material,
+        x: f64,
+    ) -> Option<Expansion> {
         let (edge, at, limit) = (self.a_over_t, self.quantities, material.thin_film_limit());
         if !limit.eeq.is_finite() {
             return None;
         }
         let slope = limit.eeq * material.compliance_slope() / PI;
-        // A quantity `limit {1 - factor [A (ln x + c0 - offset) + C]/x}`: C, value and slope.
+        // `C`, value and slope of a quantity `limit {1 - factor [A (ln x + c0 - offset) + C]/x}`.
         let logarithmic = |at: f64, limit: f64, factor: f64, offset: f64| {
             let bracket = |x: f64| slope * (x.ln() + C0 - offset);
             let constant = edge * (1.0 - at / limit) / factor - bracket(edge);
@@ -127,13 +140,13 @@ impl Edge {
         let values = [pi0.1, eeq.1, limit.gamma * (1.0 - first - second), delta0.1];
         let slopes = [pi0.2, eeq.2, limit.gamma * (first + 2.0 * second), delta0.2];
 
-        let contradictions = [
+        let differences = [
             (Quantity::Gamma, Quantity::Gamma, second_order / edge),
             (Quantity::Pi0, Quantity::Eeq, pi0.0 - eeq.0),
             (Quantity::Pi0, Quantity::Delta0, pi0.0 - delta0.0),
             (Quantity::Eeq, Quantity::Delta0, eeq.0 - delta0.0),
         ];
-        let constant = self.largest_known(contradictions)?;
+        let constant = self.largest_of_held(differences)?;
         let error = self.error * (edge / x) + 6.0 * constant * (1.0 - edge / x) / x;
         Some(Expansion {
             values: Quantities::from_array(values),
@@ -142,15 +155,16 @@ impl Edge {
         })
     }
 
-    /// The largest size of those numbers whose two quantities are both held; none where no pair is.
-    fn largest_known<const N: usize>(
+    /// Returns the largest absolute value of the numbers whose two quantities are both held, or
+    /// `None` if there is no such number.
+    fn largest_of_held<const N: usize>(
         &self,
         numbers: [(Quantity, Quantity, f64); N],
     ) -> Option<f64> {
         let holds = |quantity: Quantity| self.held[quantity as usize];
-        let known = numbers
+        let of_held = numbers
             .into_iter()
-            .filter(|&(one, other, _)| holds(one) && holds(other));
-        known.map(|(_, _, number)| number.abs()).reduce(f64::max)
+            .filter(|&(first, second, _)| holds(first) && holds(second));
+        of_held.map(|(_, _, number)| number.abs()).reduce(f64::max)
     }
 }

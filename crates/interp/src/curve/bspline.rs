@@ -1,62 +1,67 @@
 //! Interpolating splines in one variable, on nodes of any spacing.
 //!
 //! A spline of degree `p` through `n` nodes has the knots of the "not-a-knot" choice: the nodes
-//! without the `(p+1)/2 - 1` next to each end, so that it has exactly `n` coefficients and
-//! reproduces polynomials of degree `p`. Its error falls like `h^{p+1}`.
+//! without the `(p+1)/2 - 1` next to each end. It has exactly `n` coefficients and reproduces
+//! polynomials of degree `p`. Its error falls like `h^{p+1}` with the distance `h` of the nodes.
 //!
-//! A spline with a flat end has two knots more next to the last node, and no first and second
-//! derivative there. That is what functions of `1 - 2 nu1 = s^3` have over `s` for an
-//! incompressible film, and what makes their derivative with respect to `nu1`, `2/(3 s^2)` times
+//! A spline with a flat end has two more knots next to the last node, and its first and second
+//! derivatives vanish there. So do those of functions of `1 - 2 nu1 = s^3` with respect to `s`, for
+//! an incompressible film. This makes their derivative with respect to `nu1`, `2/(3 s^2)` times
 //! that with respect to `s`, finite.
 
-/// The degree of the splines through the nodes of a table (fewer nodes than ten lower it). Higher
-/// degrees save hardly any nodes from 1e-4 to 1e-8, and each doubles what a curve gathers; a
-/// quintic takes 1.2 to 1.3 times as many nodes on each axis at 1e-6, 1.7 to 1.9 at 1e-8
-/// (`cargo xtask cargo bench -p tabulate --bench interpolation`).
+/// The degree of the splines through the nodes of a table; on fewer than ten nodes it is lower.
+///
+/// Higher degrees save few nodes at tolerances from 1e-4 to 1e-8, and each doubles the number of
+/// coefficients that a curve is summed from. A quintic needs 1.2 to 1.3 times as many nodes on each
+/// axis at 1e-6, and 1.7 to 1.9 times as many at 1e-8 (measured by
+/// `cargo xtask cargo bench -p tabulate --bench interpolation`).
 pub const TABLE_DEGREE: usize = 9;
 
-/// The highest degree there is.
+/// The highest degree of a [`Basis`].
 pub const LARGEST_DEGREE: usize = 13;
 
 /// The B-splines of one set of nodes, with the factorised collocation matrix.
 #[derive(Clone, Debug)]
 pub struct Basis {
+    /// The degree of the polynomials.
     degree: usize,
+    /// Ascending; the first and the last are repeated `degree + 1` times.
     knots: Vec<f64>,
     /// The number of nodes, and of coefficients. With a flat end, the last function is the sum of
-    /// the three that do not vanish there with their first two derivatives.
+    /// the three B-splines whose value, first or second derivative is not 0 there.
     count: usize,
-    /// Row `i` holds the entries `i - degree ..= i + degree` of `L` (unit diagonal, below) and `U`
-    /// of the collocation matrix.
+    /// The `LU` factors of the collocation matrix: row `i` holds the entries
+    /// `i - degree ..= i + degree` of `L` (below the diagonal, which is 1) and of `U`.
     factors: Vec<[f64; 2 * LARGEST_DEGREE + 1]>,
 }
 
-/// The B-splines that do not vanish at one point: those from `first` on, with their values and
-/// first derivatives.
+/// The B-splines that do not vanish at one point, with their values and first derivatives.
 #[derive(Clone, Copy, Debug)]
 pub struct Weights {
-    /// Index of the first of them.
+    /// The index of the first B-spline that does not vanish.
     pub first: usize,
-    /// Their values; the first [`Weights::count`] entries are used.
+    /// The values of the B-splines from `first` on; the first [`Weights::count`] entries are used.
     pub values: [f64; LARGEST_DEGREE + 1],
-    /// Their derivatives.
+    /// The first derivatives, in the order of the values.
     pub slopes: [f64; LARGEST_DEGREE + 1],
-    /// How many there are: the degree plus one, less next to a flat end.
+    /// The number of B-splines that do not vanish: the degree plus one, or fewer next to a flat
+    /// end.
     pub count: usize,
 }
 
 impl Basis {
-    /// The basis of the given degree, or of `n - 1` where there are fewer nodes.
+    /// Makes the basis of `degree`, or of one less than the number of nodes if that is lower.
     ///
     /// # Panics
-    /// If there is no node or `degree` is above [`LARGEST_DEGREE`]. Nodes that do not ascend
-    /// strictly give a basis of no use, not a panic.
+    /// If `nodes` is empty or `degree` is above [`LARGEST_DEGREE`]. Nodes that do not ascend
+    /// strictly give a useless basis, not a panic.
     pub fn new(nodes: &[f64], degree: usize) -> Self {
         Self::with_end_conditions(nodes, degree, 0)
     }
 
-    /// The basis whose first and second derivatives vanish at the last node. Five nodes are the
-    /// fewest that it takes; the basis of fewer is [`Basis::new`]'s.
+    /// Makes the basis of splines whose first and second derivatives vanish at the last node.
+    ///
+    /// It needs five nodes and degree 4 or more; otherwise the basis is that of [`Basis::new`].
     ///
     /// # Panics
     /// As [`Basis::new`].
@@ -69,12 +74,13 @@ impl Basis {
         Self::with_end_conditions(nodes, degree, conditions)
     }
 
-    /// The splines of a table along an axis whose nodes have these coordinates: of degree
-    /// [`TABLE_DEGREE`], and with a flat end if
-    /// [`Parameter::is_flat_at`](crate::Parameter::is_flat_at) the last one.
+    /// Makes the basis of a table along an axis; `nodes` are the coordinates of the axis' nodes.
+    ///
+    /// Its degree is [`TABLE_DEGREE`]. The last end is flat if `flat`, which is
+    /// [`Parameter::is_flat_at`](crate::Parameter::is_flat_at) of the last node.
     ///
     /// # Panics
-    /// If there is no node.
+    /// If `nodes` is empty.
     pub fn of_table(nodes: &[f64], flat: bool) -> Self {
         if flat {
             Self::flat_at_the_end(nodes, TABLE_DEGREE)
@@ -83,7 +89,7 @@ impl Basis {
         }
     }
 
-    /// The basis in which so many derivatives vanish at the last node.
+    /// Makes the basis whose first `conditions` derivatives vanish at the last node.
     fn with_end_conditions(nodes: &[f64], degree: usize, conditions: usize) -> Self {
         assert!(
             !nodes.is_empty() && degree <= LARGEST_DEGREE,
@@ -109,32 +115,34 @@ impl Basis {
         basis
     }
 
-    /// The number of nodes, and of coefficients.
+    /// Returns the number of nodes, and of coefficients.
     pub(crate) fn len(&self) -> usize {
         self.count
     }
 
-    /// The degree of the polynomials.
+    /// Returns the degree of the polynomials.
     pub(crate) fn degree(&self) -> usize {
         self.degree
     }
 
-    /// Whether the first and the second derivative vanish there.
+    /// Returns whether `end` is the last node and the first and second derivatives vanish there.
     pub(crate) fn is_flat_at(&self, end: f64) -> bool {
         self.knots.len() - self.degree - 1 > self.count && self.knots.last() == Some(&end)
     }
 
-    /// The intervals between the knots, on each of which a spline is one polynomial.
-    /// [`Weights::first`] is the number of an interval.
+    /// Returns the intervals between the knots, on each of which a spline is one polynomial.
+    ///
+    /// [`Weights::first`] is the number of the interval.
     pub(crate) fn intervals(&self) -> impl Iterator<Item = [f64; 2]> {
         self.knots[self.degree..self.knots.len() - self.degree]
             .windows(2)
             .map(|ends| [ends[0], ends[1]])
     }
 
-    /// The non-vanishing B-splines at `u`. Beyond the first and the last node they are the
-    /// polynomials of the end, which grow without bound; at NaN they are NaN, but for the one of
-    /// degree 0.
+    /// Evaluates the B-splines that do not vanish at `u`.
+    ///
+    /// Beyond the first and the last node they are the polynomials of the nearest interval, which
+    /// grow without bound. At NaN they are NaN, except for the one of degree 0.
     pub fn weights(&self, u: f64) -> Weights {
         let p = self.degree;
         let inner = &self.knots[p + 1..self.knots.len() - p - 1];
@@ -142,7 +150,7 @@ impl Basis {
         let mut values = [0.0; LARGEST_DEGREE + 1];
         let mut lower = [0.0; LARGEST_DEGREE + 1];
         values[0] = 1.0;
-        // Cox-de Boor, one degree after the other.
+        // The recursion of Cox and de Boor, degree by degree.
         for degree in 1..=p {
             lower = values;
             let mut carried = 0.0;
@@ -156,8 +164,8 @@ impl Basis {
         }
         let first = span - p;
         let count = (p + 1).min(self.count - first);
-        // Functions that stand for one at a flat end; what they share of each other's slopes is
-        // never added, and so leaves no rounding.
+        // The B-splines that are summed into one at a flat end. Those parts of their slopes that
+        // cancel are never added, and so leave no rounding.
         for i in count..=p {
             values[count - 1] += std::mem::take(&mut values[i]);
         }
@@ -176,8 +184,8 @@ impl Basis {
         }
     }
 
-    /// Banded elimination of the collocation matrix `B_j(nodes_i)`. It is totally positive and
-    /// needs no pivoting.
+    /// Factorises the banded collocation matrix `B_j(nodes_i)`. It is totally positive and needs no
+    /// pivoting.
     fn factorise(&self, nodes: &[f64]) -> Vec<[f64; 2 * LARGEST_DEGREE + 1]> {
         let p = self.degree;
         let mut rows: Vec<[f64; 2 * LARGEST_DEGREE + 1]> = nodes
@@ -187,7 +195,7 @@ impl Basis {
                 let weights = self.weights(node);
                 let mut row = [0.0; 2 * LARGEST_DEGREE + 1];
                 for (k, value) in weights.values[..weights.count].iter().enumerate() {
-                    // A vanishing value may stand outside the band, at the last node for instance.
+                    // A value outside the band is 0, for instance one at the last node.
                     if let Some(entry) = (weights.first + k + p)
                         .checked_sub(i)
                         .and_then(|at| row.get_mut(at))
@@ -212,12 +220,13 @@ impl Basis {
         rows
     }
 
-    /// Turns values at the nodes into coefficients, in place, for many splines at once: `values`
-    /// holds a row of `width` numbers for each node, and every column is one spline. Numbers after
-    /// the last row stay as they are.
+    /// Turns values at the nodes into coefficients, in place, for `width` splines at once.
+    ///
+    /// `values` is row-major: a row of `width` numbers for each node, one for each spline. Numbers
+    /// after the last row are not changed.
     ///
     /// # Panics
-    /// If there are fewer numbers.
+    /// If `values` has fewer numbers than nodes times `width`.
     pub fn interpolate(&self, values: &mut [f64], width: usize) {
         let (n, p) = (self.len(), self.degree);
         for i in 0..n {
@@ -237,7 +246,7 @@ impl Basis {
     }
 }
 
-/// `values[target] -= factor values[source]`, for rows of `width` numbers.
+/// Computes `values[target] -= factor * values[source]` for rows of `width` numbers.
 fn subtract_row(values: &mut [f64], width: usize, target: usize, source: usize, factor: f64) {
     if factor == 0.0 {
         return;
@@ -359,7 +368,7 @@ mod tests {
             );
         }
         for n in 5..20 {
-            // One is flat.
+            // The constant 1 satisfies the end conditions.
             let nodes = nodes(n);
             let basis = Basis::flat_at_the_end(&nodes, 9);
             let mut coefficients = vec![1.0; n];
@@ -382,7 +391,7 @@ mod tests {
             let mut coefficients: Vec<f64> = nodes.iter().map(|x| (x - 0.4).powi(order)).collect();
             coefficients.push(7.0);
             basis.interpolate(&mut coefficients, 1);
-            assert_eq!(coefficients[n], 7.0, "it is in no row");
+            assert_eq!(coefficients[n], 7.0, "it is after the last row");
             for u in [nodes[0] - 0.1, nodes[n - 1] + 0.1] {
                 let weights = basis.weights(u);
                 let value = evaluate(&weights, &weights.values, &coefficients);

@@ -1,16 +1,24 @@
 //! The quantities of one material as functions of `a/t`.
 //!
-//! A table, or a solve, gives values at `nodes`. `bspline` puts splines through them, `piecewise`
-//! turns these into polynomials that are found without a search, and [`Curve`] evaluates them.
-//! `asymptotics` goes on beyond the nodes, `sensitivity` holds the derivatives with respect to the
-//! material.
+//! A table, or a solve, gives values at `nodes`. `bspline` interpolates them by splines.
+//! `resampler` turns the splines into polynomials on the pieces of a `grid`, which finds a piece
+//! without a search; `piecewise` evaluates the polynomials. [`Curve`] holds the pieces; `through`
+//! makes one from values at nodes, and `exchange` converts one for the crate `splines`.
+//! `asymptotics` continues a curve beyond its nodes; `sensitivity` holds its derivatives with
+//! respect to the material.
 
-pub(crate) mod asymptotics;
+mod asymptotics;
 pub mod bspline;
-pub(crate) mod curve;
+mod curve;
+mod exchange;
+mod grid;
 pub(crate) mod nodes;
-pub(crate) mod piecewise;
+mod piecewise;
+pub(crate) mod resampler;
 pub(crate) mod sensitivity;
+#[cfg(test)]
+mod test_curve;
+mod through;
 
 pub use curve::Curve;
 pub use sensitivity::QuantityGradient;

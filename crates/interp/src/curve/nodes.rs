@@ -1,19 +1,20 @@
-//! The nodes of a spline: which values and which distances it takes.
+//! The nodes of a spline: the values that they may have, and how close they may be.
 
 use std::ops::RangeInclusive;
 
 use crate::Parameter;
 
-/// What moduli, `a/t` and quantities may be: far more than is solved, and far from where arithmetic
-/// overflows.
+/// The values allowed for moduli, `a/t` and quantities.
+///
+/// The range is much larger than that of any solve, and far from overflow.
 pub(crate) const REASONABLE: RangeInclusive<f64> = 1e-30..=1e30;
 
-/// The closest that nodes may be, relative to the length of their axis.
+/// The smallest distance of two nodes relative to the length of their axis.
 const CLOSEST: f64 = 1e-7;
-/// And in the coordinate of the axis.
+/// The smallest distance of two nodes in the coordinate of the axis.
 const SHORTEST: f64 = 1e-9;
 
-/// The first neighbours on an axis that a spline could not tell apart, or that descend.
+/// Returns the first two neighbours in `nodes` that descend or are too close for a spline.
 pub(crate) fn too_close(parameter: Parameter, nodes: &[f64]) -> Option<[f64; 2]> {
     let distance = |from: f64, to: f64| parameter.coordinate(to) - parameter.coordinate(from);
     let least = (CLOSEST * distance(nodes[0], nodes[nodes.len() - 1]).abs()).max(SHORTEST);

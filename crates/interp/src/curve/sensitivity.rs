@@ -1,23 +1,24 @@
-//! Derivatives of the quantities with respect to the material.
+//! The derivatives of the quantities with respect to the parameters of the material.
 
 use std::sync::Arc;
 
-use crate::Parameter;
-use crate::curve::piecewise::{Logarithms, Place, all};
+use crate::curve::grid::Position;
+use crate::curve::piecewise::{Logarithms, evaluate_all};
 use crate::material::equivalence::Jacobian;
 use crate::material::one_minus_square;
-use crate::{Error, Material, Normalisation, Quantities, Quantity};
+use crate::{Error, Material, Normalisation, Parameter, Quantities, Quantity};
 
-/// What a curve knows of the derivatives with respect to its material.
+/// The derivatives of a curve with respect to the parameters of its material, on every piece.
 #[derive(Clone, Debug)]
 pub(crate) struct Sensitivities {
     /// The derivatives of the logarithms with respect to `ln e1_over_e2`, `nu1` and `ln e0_over_e2`
     /// of the table.
     by_table: [Arc<[Logarithms]>; 3],
-    /// Which of them the table knows: a parameter that it fixes to a finite value is unknown.
+    /// Whether each of them is known. The derivative with respect to a parameter that the table
+    /// fixes to a finite value is unknown.
     known: [bool; 3],
-    /// How the table's parameters follow those of the material asked for, which may be on another
-    /// substrate.
+    /// The derivatives of the table's parameters with respect to those of the material asked for,
+    /// which may be on another substrate.
     jacobian: Jacobian,
     /// The derivatives of `ln es` with respect to `ln e1_over_e2`, `nu1`, `ln e0_over_e2` and
     /// `nu0`.
@@ -27,8 +28,8 @@ pub(crate) struct Sensitivities {
 }
 
 impl Sensitivities {
-    /// From the derivatives on the pieces, whether they are known, and the material asked for with
-    /// how its equivalent follows it.
+    /// Takes the derivatives on the pieces, whether each is known, the material asked for, and the
+    /// derivatives of its equivalent with respect to it.
     pub(crate) fn new(
         by_table: [Arc<[Logarithms]>; 3],
         known: [bool; 3],
@@ -54,17 +55,17 @@ impl Sensitivities {
         }
     }
 
-    /// The gradient at a place, where the quantities and their slopes are given.
+    /// Returns the gradient at a position, whose quantities and slopes are given.
     pub(crate) fn gradient(
         &self,
-        place: Place,
+        position: Position,
         values: Quantities,
         slopes: Quantities,
     ) -> QuantityGradient {
         let by_table = self
             .by_table
             .each_ref()
-            .map(|pieces| all(&pieces[place.piece], place));
+            .map(|pieces| evaluate_all(&pieces[position.piece], position));
         let mut relative = [[0.0; 4]; 4];
         for (parameter, relative) in relative.iter_mut().enumerate() {
             for (by_table, factors) in by_table.iter().zip(&self.jacobian) {
@@ -98,16 +99,20 @@ pub struct QuantityGradient {
     /// The derivatives of the logarithms of the quantities with respect to `ln e1_over_e2`, `nu1`,
     /// `ln e0_over_e2` and `nu0`.
     relative: [[f64; 4]; 4],
+    /// Whether each of them is known.
     known: [bool; 4],
-    /// Those of `ln es`.
+    /// The derivatives of `ln es` with respect to these parameters.
     scale: [f64; 4],
+    /// The material asked for.
     material: Material,
 }
 
 impl QuantityGradient {
-    /// That of the expansion for thick films where `a/t` is `ratio` times as large, from the
-    /// quantities and their slopes there: the departure of a quantity, or of one over it, from its
-    /// limit is `ratio` times what it is here.
+    /// Returns the gradient of the expansion for thick films at an `a/t` that is `ratio` times as
+    /// large, where the quantities and their slopes are `values` and `slopes`.
+    ///
+    /// There the departures of `Pi0`, `Delta0`, `1/Eeq` and `1/Gamma` from their limits are `ratio`
+    /// times as large.
     pub(crate) fn continued_to_thicker_films(
         self,
         ratio: f64,
@@ -139,24 +144,25 @@ impl QuantityGradient {
         }
     }
 
-    /// The quantities themselves.
+    /// Returns the quantities.
     pub const fn values(&self) -> Quantities {
         self.values
     }
 
-    /// Their logarithmic slopes `x dQ/dx` with `x = a/t`.
+    /// Returns the logarithmic slopes of the quantities, `x dQ/dx` with `x = a/t`.
     pub const fn slopes(&self) -> Quantities {
         self.slopes
     }
 
-    /// The derivatives with respect to `e1_over_e2`, `nu1` or `e0_over_e2` of the material asked
-    /// for, all else being fixed; 0 with respect to an infinite `e0_over_e2`. With respect to
-    /// `a_over_t` they are the [slopes](QuantityGradient::slopes) over it.
+    /// Returns the derivatives with respect to `e1_over_e2`, `nu1` or `e0_over_e2` of the material
+    /// asked for, with all other parameters fixed.
+    ///
+    /// They are 0 with respect to an infinite `e0_over_e2`. The derivatives with respect to
+    /// `a_over_t` are the [slopes](QuantityGradient::slopes) divided by `a_over_t`.
     ///
     /// # Errors
-    /// [`Error::FixedParameter`] where the table does not know them, because its scene fixes a
-    /// parameter that they need; for `a_over_t`; and for an `e1_over_e2` of 0, where the
-    /// normalisation changes.
+    /// [`Error::FixedParameter`] if the scene of the table fixes a parameter that they need; for
+    /// `a_over_t`; and for an `e1_over_e2` of 0, where the normalisation changes.
     pub fn by(&self, parameter: Parameter) -> Result<Quantities, Error> {
         let unknown = Error::FixedParameter(parameter.name());
         let (index, modulus) = match parameter {
@@ -170,31 +176,33 @@ impl QuantityGradient {
         Ok(self.absolute(relative.map(|derivative| derivative / modulus)))
     }
 
-    /// The derivatives with respect to the substrate's Poisson ratio, through the
+    /// Returns the derivatives with respect to the Poisson ratio of the substrate, by the
     /// [equivalent](Material::with_substrate_poisson_ratio) of the material.
     ///
     /// # Errors
-    /// [`Error::FixedParameter`] where the table does not know them.
+    /// [`Error::FixedParameter`] if the scene of the table fixes a parameter that they need.
     pub fn by_nu0(&self) -> Result<Quantities, Error> {
         Ok(self.absolute(self.relative(3).ok_or(Error::FixedParameter("nu0"))?))
     }
 
-    /// The derivatives of the logarithms with respect to `ln e1_over_e2`, `nu1`, `ln e0_over_e2` or
-    /// `nu0`, by number, if they are known.
+    /// Returns the derivatives of the logarithms of the quantities, if they are known, with respect
+    /// to a parameter by number: `ln e1_over_e2`, `nu1`, `ln e0_over_e2`, `nu0`.
     pub(crate) fn relative(&self, parameter: usize) -> Option<[f64; 4]> {
         self.known[parameter].then_some(self.relative[parameter])
     }
 
-    /// The derivative of `ln es` with respect to the same.
+    /// Returns the derivative of `ln es` with respect to a parameter, numbered as in
+    /// [`Self::relative`].
     pub(crate) const fn scale(&self, parameter: usize) -> f64 {
         self.scale[parameter]
     }
 
-    /// The material whose parameters these derivatives are with respect to.
+    /// Returns the material with respect to whose parameters these derivatives are.
     pub(crate) const fn material(&self) -> &Material {
         &self.material
     }
 
+    /// Turns derivatives of logarithms into derivatives.
     fn absolute(&self, relative: [f64; 4]) -> Quantities {
         let values = self.values.to_array();
         Quantities::from_array(std::array::from_fn(|quantity| {

@@ -4,7 +4,7 @@
 use crate::{Error, Quantities};
 use serde::{Deserialize, Serialize};
 
-/// What the rounding of a ratio of SI values may add up to.
+/// The largest relative rounding of a ratio of SI values.
 pub(crate) const ROUNDING: f64 = 1e-12;
 
 /// The modulus in whose units the tabulated quantities are given.
@@ -48,7 +48,7 @@ pub struct Material {
 }
 
 impl Material {
-    /// A material from its four ratios.
+    /// Makes a material from its four ratios.
     ///
     /// # Errors
     /// [`Error::Unphysical`] unless `0 <= e1_over_e2 < inf`, `0 < e0_over_e2 <= inf` and both
@@ -77,7 +77,12 @@ impl Material {
         })
     }
 
-    /// Whether two materials differ by the rounding of ratios of SI values at most.
+    /// Returns the four ratios in the order of the arguments of [`Material::new`].
+    pub(crate) const fn to_array(self) -> [f64; 4] {
+        [self.e1_over_e2, self.nu1, self.e0_over_e2, self.nu0]
+    }
+
+    /// Returns whether two materials differ by no more than the rounding of ratios of SI values.
     pub(crate) fn is_close_to(&self, other: &Self) -> bool {
         let close = |a: f64, b: f64, size: f64| a == b || (a - b).abs() <= ROUNDING * size;
         close(self.e1_over_e2, other.e1_over_e2, other.e1_over_e2)
@@ -86,27 +91,27 @@ impl Material {
             && close(self.nu0, other.nu0, 1.0)
     }
 
-    /// `E1/E2*`, or 0 for a rigid sphere.
+    /// Returns `E1/E2*`, or 0 for a rigid sphere.
     pub const fn e1_over_e2(&self) -> f64 {
         self.e1_over_e2
     }
 
-    /// The film's Poisson ratio.
+    /// Returns the Poisson ratio of the film.
     pub const fn nu1(&self) -> f64 {
         self.nu1
     }
 
-    /// `E0/E2*`, or `E0/E1` under a rigid sphere.
+    /// Returns `E0/E2*`, or `E0/E1` under a rigid sphere.
     pub const fn e0_over_e2(&self) -> f64 {
         self.e0_over_e2
     }
 
-    /// The substrate's Poisson ratio.
+    /// Returns the Poisson ratio of the substrate.
     pub const fn nu0(&self) -> f64 {
         self.nu0
     }
 
-    /// The modulus in whose units all quantities of this material are given.
+    /// Returns the modulus in whose units all quantities of this material are given.
     pub const fn normalisation(&self) -> Normalisation {
         if self.e1_over_e2 == 0.0 {
             Normalisation::Film
@@ -115,7 +120,7 @@ impl Material {
         }
     }
 
-    /// The sphere's compliance in the normalising unit: 1, or 0 for a rigid sphere.
+    /// Returns the compliance of the sphere in the normalising unit: 1, or 0 for a rigid sphere.
     pub const fn sphere_compliance(&self) -> f64 {
         match self.normalisation() {
             Normalisation::Sphere => 1.0,
@@ -123,7 +128,8 @@ impl Material {
         }
     }
 
-    /// The film's reduced modulus `e1 = E1*/E2*` (1 under a rigid sphere, where it is the unit).
+    /// Returns the reduced modulus of the film, `e1 = E1*/E2*` (1 under a rigid sphere, where `E1*`
+    /// is the unit).
     pub const fn film_modulus(&self) -> f64 {
         match self.normalisation() {
             Normalisation::Sphere => self.e1_over_e2 / one_minus_square(self.nu1),
@@ -131,7 +137,8 @@ impl Material {
         }
     }
 
-    /// The substrate's reduced modulus `e0 = E0*/E2*` (`E0*/E1*` under a rigid sphere).
+    /// Returns the reduced modulus of the substrate, `e0 = E0*/E2*` (`E0*/E1*` under a rigid
+    /// sphere).
     pub const fn substrate_modulus(&self) -> f64 {
         let young = self.e0_over_e2 / one_minus_square(self.nu0);
         match self.normalisation() {
@@ -140,7 +147,7 @@ impl Material {
         }
     }
 
-    /// `E1/E0`, exactly 0 on a rigid substrate.
+    /// Returns `E1/E0`, exactly 0 on a rigid substrate.
     pub const fn film_over_substrate(&self) -> f64 {
         match self.normalisation() {
             Normalisation::Sphere => self.e1_over_e2 / self.e0_over_e2,
@@ -148,20 +155,21 @@ impl Material {
         }
     }
 
-    /// The compound sphere-film modulus `es = 1/(1 + 1/e1)` (eq. 7): the crack tip's, and all there
-    /// is as `a/t -> 0`.
+    /// Returns the compound sphere-film modulus `es = 1/(1 + 1/e1)` (Barthel, eq. 7).
+    ///
+    /// It is the modulus at the crack tip, and that of the whole contact as `a/t -> 0`.
     pub const fn sphere_film_modulus(&self) -> f64 {
         1.0 / (self.sphere_compliance() + 1.0 / self.film_modulus())
     }
 
-    /// The compound sphere-substrate modulus `einf = 1/(1 + 1/e0)`: all there is as `a/t -> inf`.
-    /// Infinite between rigid bodies.
+    /// Returns the compound sphere-substrate modulus `einf = 1/(1 + 1/e0)`, that of the contact as
+    /// `a/t -> inf`. It is infinite between rigid bodies.
     pub const fn sphere_substrate_modulus(&self) -> f64 {
         1.0 / (self.sphere_compliance() + 1.0 / self.substrate_modulus())
     }
 
-    /// `(1/e1) X'(0)`, how the compliance of film and substrate begins to fall with the wave number
-    /// `q = kt` (physically: with `1/a`): of `X = N/D` with `m = G1/G0`, `g = 3 - 4 nu`,
+    /// Returns `(1/e1) X'(0)`: the slope, at wave number `q = kt` of 0, of the compliance of film
+    /// and substrate. With `X = N/D`, `m = G1/G0` and `g = 3 - 4 nu`,
     ///
     /// ```text
     /// X'(0) = 2 (c2 c3 - c0^2)/c3^2,   c0 = m (1+g1)(1+g0),   c2 = 4 m^2 g0 - 8 m nu1 (1-2 nu0) + 4 (1-2 nu1),   c3 = (1+g1)^2
@@ -176,13 +184,13 @@ impl Material {
         2.0 * (c2 - c0 * (c0 / c3)) / c3 / self.film_modulus()
     }
 
-    /// The exact limit `a/t -> 0`: sphere on a half-space of film.
+    /// Returns the quantities in the exact limit `a/t -> 0`: a sphere on a half-space of film.
     pub const fn thick_film_limit(&self) -> Quantities {
         Quantities::homogeneous(self.sphere_film_modulus())
     }
 
-    /// The exact limit `a/t -> inf`: sphere on bare substrate, but for the edge,
-    /// `Gamma = sqrt(es einf)`.
+    /// Returns the quantities in the exact limit `a/t -> inf`: a sphere on the bare substrate. Only
+    /// the edge differs, `Gamma = sqrt(es einf)`.
     pub fn thin_film_limit(&self) -> Quantities {
         let einf = self.sphere_substrate_modulus();
         let gamma = (self.sphere_film_modulus() * einf).sqrt();
@@ -193,7 +201,7 @@ impl Material {
     }
 }
 
-/// `1 - nu^2`, accurate near `nu = -1`.
+/// Returns `1 - nu^2`, accurate near `nu = -1`.
 pub(crate) const fn one_minus_square(nu: f64) -> f64 {
     (1.0 - nu) * (1.0 + nu)
 }

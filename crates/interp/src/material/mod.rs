@@ -1,10 +1,9 @@
-//! What touches what: sphere, film and substrate in SI units, and the dimensionless material that
-//! they make.
+//! The bodies in contact, in SI units, and the dimensionless material that they make.
 //!
-//! [`System`] (SI) becomes a [`Material`] (four ratios); the [`Parameter`]s are these ratios with
-//! `a/t`, the [`Quantity`] the functions of them that the model needs. `equivalence` moves a
-//! material to a substrate with another Poisson ratio. Everything else in this crate depends on
-//! this folder, and it depends on nothing but the errors.
+//! A [`System`] of sphere, film and substrate (SI units) becomes a [`Material`] of four ratios. The
+//! [`Parameter`]s are three of these ratios and `a/t`. A [`Quantity`] is a function of the
+//! parameters that the model needs. `equivalence` moves a material to a substrate with another
+//! Poisson ratio. This folder depends only on the errors; every other folder depends on it.
 
 pub(crate) mod equivalence;
 mod material;

@@ -1,8 +1,9 @@
-//! The four functions that are tabulated.
+//! The four quantities that a table holds.
 
 use serde::{Deserialize, Serialize};
 
-/// One of the four dimensionless functions of (`a_over_t`, `e1_over_e2`, `nu1`, `e0_over_e2`).
+/// One of the four dimensionless quantities, functions of (`a_over_t`, `e1_over_e2`, `nu1`,
+/// `e0_over_e2`).
 ///
 /// The order of the variants is the order of columns and of arrays of four values everywhere.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
@@ -20,10 +21,10 @@ pub enum Quantity {
 }
 
 impl Quantity {
-    /// All four, in their fixed order.
+    /// All four quantities, in their fixed order.
     pub const ALL: [Self; 4] = [Self::Pi0, Self::Eeq, Self::Gamma, Self::Delta0];
 
-    /// The name used in the API, on the command line, in CSV, TOML and HDF5.
+    /// Returns the name used in the API, on the command line, in CSV, TOML and HDF5.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Pi0 => "pi0",
@@ -33,7 +34,7 @@ impl Quantity {
         }
     }
 
-    /// What it is, in words.
+    /// Returns the meaning in words, as stored in the table's attribute `long_name`.
     pub const fn long_name(self) -> &'static str {
         match self {
             Self::Pi0 => "adhesionless load",
@@ -43,8 +44,8 @@ impl Quantity {
         }
     }
 
-    /// The definition. `E*` stands for the modulus that normalises: the sphere's, or the film's
-    /// under a rigid sphere.
+    /// Returns the defining equation, as stored in the table's attribute `equation`. `E*` stands
+    /// for the normalising modulus: the sphere's, or the film's under a rigid sphere.
     pub const fn equation(self) -> &'static str {
         match self {
             Self::Pi0 => "F0 = a^3 E* pi0 / (2 R), Barthel eq. 4",
@@ -54,8 +55,8 @@ impl Quantity {
         }
     }
 
-    /// What the quantity is divided by before its logarithm is splined, given the sphere-film
-    /// modulus `es`: its order of magnitude where films are thick.
+    /// Returns the scale by which the quantity is divided before its logarithm is interpolated: its
+    /// order of magnitude on thick films. `es` is the sphere-film modulus.
     pub const fn scale(self, es: f64) -> f64 {
         match self {
             Self::Pi0 | Self::Eeq | Self::Gamma => es,
@@ -63,13 +64,14 @@ impl Quantity {
         }
     }
 
-    /// What is splined in place of a value: the logarithm of it over its [scale](Quantity::scale).
+    /// Returns the logarithm of `value` over its [scale](Quantity::scale), which the splines
+    /// interpolate. `es` is the sphere-film modulus.
     pub fn logarithm(self, value: f64, es: f64) -> f64 {
         (value / self.scale(es)).ln()
     }
 }
 
-/// The four functions at one point, dimensionless.
+/// The values of the four quantities at one point, dimensionless.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Quantities {
     /// See [`Quantity::Pi0`].
@@ -83,12 +85,12 @@ pub struct Quantities {
 }
 
 impl Quantities {
-    /// The values in the order of [`Quantity::ALL`].
+    /// Returns the values in the order of [`Quantity::ALL`].
     pub const fn to_array(self) -> [f64; 4] {
         [self.pi0, self.eeq, self.gamma, self.delta0]
     }
 
-    /// The inverse of [`Quantities::to_array`].
+    /// Makes the quantities from values in the order of [`Quantity::ALL`].
     pub const fn from_array([pi0, eeq, gamma, delta0]: [f64; 4]) -> Self {
         Self {
             pi0,
@@ -98,13 +100,15 @@ impl Quantities {
         }
     }
 
-    /// The value of one quantity.
+    /// Returns the value of `quantity`.
     pub const fn get(&self, quantity: Quantity) -> f64 {
         self.to_array()[quantity as usize]
     }
 
-    /// A sphere on a half-space whose compound reduced modulus is `modulus` (in units of the
-    /// normalising one): Hertz and the flat punch, `Pi0 = 8/3 E*`, `Eeq = Gamma = E*`,
+    /// Returns the quantities of a sphere on a half-space with compound reduced modulus `modulus`,
+    /// in units of the normalising modulus.
+    ///
+    /// They are those of Hertz and of the flat punch, `Pi0 = 8/3 E*`, `Eeq = Gamma = E*`,
     /// `Delta0 = 1`.
     pub const fn homogeneous(modulus: f64) -> Self {
         Self {

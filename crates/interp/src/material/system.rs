@@ -1,4 +1,4 @@
-//! What touches what, in SI units.
+//! The bodies in contact, in SI units.
 
 use crate::material::{one_minus_square, poisson_ratio};
 use crate::{Error, Material};
@@ -11,7 +11,7 @@ pub struct Elastic {
 }
 
 impl Elastic {
-    /// From Young's modulus (Pa; infinity is rigid) and Poisson ratio.
+    /// Makes a solid from Young's modulus (Pa; infinity is rigid) and Poisson ratio.
     ///
     /// # Errors
     /// [`Error::Unphysical`] unless `young > 0` and `poisson` is in `(-1, 0.5]`.
@@ -21,17 +21,17 @@ impl Elastic {
         Ok(Self { young, poisson })
     }
 
-    /// Young's modulus, Pa.
+    /// Returns Young's modulus, Pa.
     pub const fn young(&self) -> f64 {
         self.young
     }
 
-    /// Poisson ratio.
+    /// Returns the Poisson ratio.
     pub const fn poisson(&self) -> f64 {
         self.poisson
     }
 
-    /// The reduced modulus `E/(1 - nu^2)`, Pa.
+    /// Returns the reduced modulus `E/(1 - nu^2)`, Pa.
     pub const fn reduced(&self) -> f64 {
         self.young / one_minus_square(self.poisson)
     }
@@ -53,7 +53,7 @@ pub struct System {
 }
 
 impl System {
-    /// The dimensionless material of the system.
+    /// Returns the dimensionless material of the system.
     ///
     /// # Errors
     /// [`Error::Unphysical`] for a length or modulus that is not positive, or a rigid film.
@@ -77,7 +77,7 @@ impl System {
         )
     }
 
-    /// The same sphere on the bare substrate.
+    /// Returns the sphere of this system on the bare substrate.
     pub const fn without_film(&self) -> HalfSpace {
         HalfSpace {
             sphere_radius: self.sphere_radius,
@@ -87,7 +87,7 @@ impl System {
     }
 }
 
-/// A sphere and a half-space in SI units: no film, no table, JKR.
+/// A sphere on a half-space without a film, in SI units: the system of JKR, which needs no table.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HalfSpace {
     /// Radius `R` of the sphere, m.
@@ -99,8 +99,10 @@ pub struct HalfSpace {
 }
 
 impl HalfSpace {
-    /// The compound modulus `E*` of sphere and solid (Pa), `1/E* = (1 - nu2^2)/E2 + (1 - nu^2)/E`:
-    /// all that the contact knows of both.
+    /// Returns the compound modulus `E*` of sphere and solid (Pa),
+    /// `1/E* = (1 - nu2^2)/E2 + (1 - nu^2)/E`.
+    ///
+    /// The contact depends on the two bodies only through it.
     ///
     /// # Errors
     /// [`Error::Unphysical`] for a radius or modulus that is not positive, or a rigid sphere on a
@@ -130,6 +132,7 @@ pub(crate) fn positive(name: &'static str, value: f64) -> Result<(), Error> {
     )
 }
 
+/// Accepts a positive modulus, infinity included.
 fn sphere_modulus(value: f64) -> Result<(), Error> {
     Error::unless(
         value > 0.0,

@@ -1,20 +1,22 @@
-//! The certificate of a table: its largest error at sampled points, measured against direct solves.
+//! The certificate of a table: the largest error at sampled points, measured by direct solves.
 
 use serde::{Deserialize, Serialize};
 
 use crate::Quantity;
 
-/// The certificate of a table: relative errors of the interpolated quantities at points off the
-/// nodes, measured against direct solves.
+/// The certificate of a table: the largest error at sampled points, with its statistics.
+///
+/// The errors are those of the interpolated quantities at points off the nodes, relative to direct
+/// solves.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Certificate {
-    /// The largest relative error of any quantity at any point.
+    /// The largest relative error of all quantities at all points.
     pub max_error: f64,
-    /// The relative error that 99.9 % of the points keep.
+    /// The relative error that 99.9 % of the points do not exceed.
     pub p999_error: f64,
     /// The median over the points of the largest relative error at a point.
     pub median_error: f64,
-    /// The number of points solved.
+    /// The number of sampled points.
     pub points: u64,
     /// The seed of the random points.
     pub seed: u64,
@@ -22,14 +24,14 @@ pub struct Certificate {
     pub worst_quantity: Quantity,
     /// The point with the largest error: `a_over_t`, `e1_over_e2`, `nu1`, `e0_over_e2`.
     pub worst_point: [f64; 4],
-    /// The largest relative errors of the two identities `Gamma^2 = es (Eeq + x Eeq')` and
+    /// The largest errors of the two identities `Gamma^2 = es (Eeq + x Eeq')` and
     /// `3 Pi0 + x Pi0' = 4 Eeq (2 Delta0 + x Delta0')` on the interpolant, each relative to its
-    /// left side; none where a quantity is missing or `a/t` is fixed.
+    /// left side; `None` where a quantity is missing or `a/t` is fixed.
     pub identity_errors: [Option<f64>; 2],
 }
 
 impl Certificate {
-    /// The certificate of a table that was not compared with solves yet: its errors are NaN.
+    /// The certificate of a table that has not yet been compared with solves: its errors are NaN.
     pub const UNMEASURED: Self = Self {
         max_error: f64::NAN,
         p999_error: f64::NAN,

@@ -1,23 +1,25 @@
-//! The table that comes with the crate (feature `embedded`).
+//! The table that is compiled into the crate (feature `embedded`).
 
 use std::sync::LazyLock;
 
 use crate::Table;
 
-/// `tabulate pack --tolerance` of `tables/default.toml`.
+/// The table of the scene `tables/default.toml`, packed by `tabulate pack --tolerance`.
 static DEFAULT: LazyLock<Table> = LazyLock::new(|| {
     let bytes = include_bytes!("../../embedded/default.bin");
     Table::from_packed(bytes).expect("the bytes are compiled in, and tested")
 });
 
 impl Table {
-    /// The table that is compiled into the crate (feature `embedded`, on by default): any sphere
-    /// but a rigid one on any film on a substrate at least as stiff as the sphere, `a/t` and
-    /// `E1/E2` from 1e-3 to 1e3, `nu1` from 0 to 0.5, `E0/E2` from 1 to 1e6, `nu0 = 0.25` (others
-    /// as [`Table::curve`] says), all four quantities, in low-rank form to 1e-7. What accuracy it
-    /// has been measured to have is its [`certificate`](crate::Description::certificate).
+    /// Returns the table that is compiled into the crate (feature `embedded`, on by default).
     ///
-    /// The first call decodes it, which takes some 20 to 40 milliseconds.
+    /// It holds all four quantities for compliant spheres on films on a substrate at least as stiff
+    /// as the sphere: `a/t` and `E1/E2*` from 1e-3 to 1e3, `nu1` from 0 to 0.5, `E0/E2*` from 1 to
+    /// 1e6, `nu0 = 0.25` ([`Table::curve`] explains other `nu0`). It is in low-rank form to a
+    /// tolerance of 1e-7. Its [`certificate`](crate::Description::certificate) states the largest
+    /// error at sampled points.
+    ///
+    /// The first call decodes the table in some 20 to 40 milliseconds.
     ///
     /// ```
     /// # fn main() -> Result<(), interp::Error> {

@@ -1,36 +1,51 @@
-//! Reads the HDF5 table without a C library.
+//! Reads an HDF5 table, without a C library.
 
 use std::collections::HashMap;
+use std::io::Read;
 use std::path::Path;
 
 use hdf5_pure::{AttrValue, DType, File};
 
+use crate::table::packed::is_packed;
 use crate::table::schema::{AXES, FORMAT, FORMAT_VERSION, VALUES, attribute};
 use crate::{Certificate, Description, Error, Normalisation, Parameter, Quantity, Table};
 
 impl Table {
-    /// Reads an HDF5 table (feature `hdf5`).
+    /// Reads an HDF5 table (feature `hdf5`). A packed table is read by [`Table::read`].
     ///
     /// # Errors
-    /// [`Error::Io`] if the file cannot be opened, [`Error::Foreign`] if it is no HDF5 file or
-    /// holds no table, [`Error::Version`] for another version, [`Error::Malformed`] for missing,
-    /// mistyped or contradicting parts.
+    /// [`Error::Io`] if the file cannot be opened; [`Error::Foreign`] if it is not an HDF5 file, or
+    /// one without a table; [`Error::Version`] for another version; [`Error::Malformed`] for
+    /// missing, mistyped or contradictory parts.
     pub fn open(path: impl AsRef<Path>) -> Result<Self, Error> {
-        // Opened here first, so that a missing file is told from a foreign one.
         let path = path.as_ref();
         let io = |source| Error::Io {
             path: path.to_owned(),
             source,
         };
         let bytes = std::fs::metadata(path).map_err(io)?.len();
-        drop(std::fs::File::open(path).map_err(io)?);
-        let file = File::open(path).map_err(|e| Error::Foreign(e.to_string()))?;
+        // Opened here first: the errors of HDF5 do not tell a missing file from a foreign one.
+        let mut start = Vec::new();
+        std::fs::File::open(path)
+            .and_then(|file| file.take(8).read_to_end(&mut start))
+            .map_err(io)?;
+        if is_packed(&start) {
+            return Err(Error::Foreign(
+                "it is a packed table, not an HDF5 file; read it with `Table::read`".into(),
+            ));
+        }
+        let file = File::open(path).map_err(|error| {
+            Error::Foreign(format!(
+                "it cannot be read as an HDF5 file ({error}); \
+                 `tabulate generate SCENE.toml -o TABLE.h5` makes a table"
+            ))
+        })?;
         let attributes = Attributes(file.root().attrs().map_err(malformed)?);
         match attributes.text(attribute::FORMAT) {
             Ok(FORMAT) => {}
             _ => {
                 return Err(Error::Foreign(format!(
-                    "its attribute {} is not {FORMAT:?}",
+                    "its attribute {} is not {FORMAT:?}, as it is in the files of `tabulate generate`",
                     attribute::FORMAT
                 )));
             }
@@ -47,7 +62,11 @@ impl Table {
         let normalisation = [Normalisation::Sphere, Normalisation::Film]
             .into_iter()
             .find(|normalisation| normalisation.symbol() == normalised_by)
-            .ok_or_else(|| Error::Malformed(format!("it is normalised by {normalised_by:?}")))?;
+            .ok_or_else(|| {
+                Error::Malformed(format!(
+                    "it is normalised by {normalised_by:?}, it must be by \"E2*\" or \"E1*\""
+                ))
+            })?;
         let description = Description {
             title: attributes.text(attribute::TITLE)?.to_owned(),
             scene: attributes.text(attribute::SCENE)?.to_owned(),
@@ -81,7 +100,7 @@ impl Table {
     }
 }
 
-/// The certificate that the attributes hold.
+/// Reads the certificate from the attributes.
 fn certificate(attributes: &Attributes) -> Result<Certificate, Error> {
     let name = attributes.text(attribute::CERTIFIED_WORST_QUANTITY)?;
     let quantity = Quantity::ALL
@@ -93,8 +112,11 @@ fn certificate(attributes: &Attributes) -> Result<Certificate, Error> {
         median_error: attributes.number(attribute::CERTIFIED_MEDIAN_ERROR)?,
         points: attributes.integer(attribute::CERTIFIED_POINTS)?,
         seed: attributes.integer(attribute::CERTIFIED_SEED)?,
-        worst_quantity: quantity
-            .ok_or_else(|| Error::Malformed(format!("its largest error is that of {name:?}")))?,
+        worst_quantity: quantity.ok_or_else(|| {
+            Error::Malformed(format!(
+                "its largest error is that of {name:?}, which is no quantity"
+            ))
+        })?,
         worst_point: attributes.numbers(attribute::CERTIFIED_WORST_POINT)?,
         identity_errors: attributes
             .numbers(attribute::CERTIFIED_IDENTITY_ERRORS)?
@@ -102,12 +124,13 @@ fn certificate(attributes: &Attributes) -> Result<Certificate, Error> {
     })
 }
 
-/// More than deflate can shrink anything: a dataset larger than the file times this is a forged
-/// one.
+/// The largest factor by which deflate shrinks data. A dataset that is larger than the file times
+/// this factor is forged.
 const COMPRESSION: u64 = 1032;
 
-/// The f64 values of a dataset, which must have the given shape (or one dimension), in a file of
-/// the given size.
+/// Reads the f64 values of the dataset at `path`, in a file of `bytes` bytes.
+///
+/// The dataset must have `shape`, or one dimension if `shape` is `None`.
 fn dataset(file: &File, bytes: u64, path: &str, shape: Option<&[u64]>) -> Result<Vec<f64>, Error> {
     let dataset = file.dataset(path).map_err(malformed)?;
     let kind = dataset.dtype().map_err(malformed)?;
@@ -133,51 +156,58 @@ fn dataset(file: &File, bytes: u64, path: &str, shape: Option<&[u64]>) -> Result
     dataset.read_f64().map_err(malformed)
 }
 
+/// The attributes of the root group.
 struct Attributes(HashMap<String, AttrValue>);
 
 impl Attributes {
+    /// Returns an attribute.
     fn get(&self, name: &str) -> Result<&AttrValue, Error> {
         self.0
             .get(name)
             .ok_or_else(|| Error::Malformed(format!("attribute {name} is missing")))
     }
 
+    /// Returns the text of an attribute.
     fn text(&self, name: &str) -> Result<&str, Error> {
         let value = self.get(name)?;
         value
             .as_str()
-            .ok_or_else(|| Error::Malformed(format!("attribute {name} is no string")))
+            .ok_or_else(|| Error::Malformed(format!("attribute {name} is not a string")))
     }
 
+    /// Returns the f64 of an attribute.
     fn number(&self, name: &str) -> Result<f64, Error> {
         match self.get(name)? {
             AttrValue::F64(value) => Ok(*value),
-            _ => Err(Error::Malformed(format!("attribute {name} is no f64"))),
+            _ => Err(Error::Malformed(format!("attribute {name} is not an f64"))),
         }
     }
 
+    /// Returns the `N` f64 of an attribute.
     fn numbers<const N: usize>(&self, name: &str) -> Result<[f64; N], Error> {
         match self.get(name)? {
             AttrValue::F64Array(values) if values.len() == N => {
                 Ok(std::array::from_fn(|i| values[i]))
             }
             _ => Err(Error::Malformed(format!(
-                "attribute {name} is no array of {N} f64"
+                "attribute {name} is not an array of {N} f64"
             ))),
         }
     }
 
+    /// Returns the unsigned integer of an attribute.
     fn integer(&self, name: &str) -> Result<u64, Error> {
         match self.get(name)? {
             AttrValue::U32(value) => Ok(u64::from(*value)),
             AttrValue::U64(value) => Ok(*value),
             _ => Err(Error::Malformed(format!(
-                "attribute {name} is no unsigned integer"
+                "attribute {name} is not an unsigned integer"
             ))),
         }
     }
 }
 
+/// An error of the HDF5 reader inside a file that is a table.
 fn malformed(error: hdf5_pure::Error) -> Error {
     Error::Malformed(error.to_string())
 }

@@ -1,14 +1,14 @@
-//! From a material to its curve: all that a table prepares once, and what it does for each
-//! material.
+//! The lookup of the curve of one material: the preparation, once for a table, and the sums for
+//! each material.
 
-use crate::curve::piecewise::Resampler;
+use crate::curve::resampler::Resampler;
 use crate::curve::sensitivity::Sensitivities;
 use crate::material::equivalence::Equivalence;
 use crate::table::axes::{Axes, MATERIAL};
 use crate::table::tensor_spline::TensorSpline;
 use crate::{Curve, Description, Error, Material, Parameter, Quantity};
 
-/// All that a table prepares for its curves.
+/// A table prepared for lookup.
 #[derive(Clone, Debug)]
 pub(crate) struct Lookup {
     spline: TensorSpline,
@@ -18,16 +18,17 @@ pub(crate) struct Lookup {
 }
 
 impl Lookup {
-    /// What the pieces of a curve may add to its error, in parts of the table's tolerance, and at
-    /// least, for the materials that they are made for. Others may have a little more: those of the
-    /// embedded table have 0.06 (`tests/lookup.rs`).
+    /// The largest error that the pieces may add to the curves of the materials for which they are
+    /// made, relative to the table's tolerance. Curves of other materials may have a slightly
+    /// larger error; with the embedded table it is 0.06 tolerances (`tests/table/lookup.rs`).
     const SHARE: f64 = 0.1;
-    const FINEST: f64 = 1e-11;
-    /// Into how many parts these materials divide each axis. With two, others of the embedded table
-    /// had 0.28 tolerances.
+    /// The smallest error of the pieces that is asked for, whatever the table's tolerance.
+    const LEAST_ERROR: f64 = 1e-11;
+    /// The number of parts into which these materials divide each axis. Two parts gave an error of
+    /// 0.28 tolerances for other materials of the embedded table.
     const PARTS: usize = 4;
 
-    /// Prepares the lookup in a spline of these quantities, which is to keep `tolerance`.
+    /// Prepares the lookup in `spline`, which holds `quantities` to a relative `tolerance`.
     pub(crate) fn new(
         axes: &Axes,
         quantities: Vec<Quantity>,
@@ -39,11 +40,11 @@ impl Lookup {
             let [from, to] = axes
                 .ends(parameter)
                 .map(|value| parameter.coordinate(value));
-            let place = |i: usize| from + (to - from) * i as f64 / Self::PARTS as f64;
+            let node = |i: usize| from + (to - from) * i as f64 / Self::PARTS as f64;
             if from == to {
                 vec![from]
             } else {
-                (0..=Self::PARTS).map(place).collect()
+                (0..=Self::PARTS).map(node).collect()
             }
         });
         let materials = e1
@@ -52,10 +53,10 @@ impl Lookup {
         let materials: Vec<_> = materials
             .flat_map(|[e1, nu1]| e0.iter().map(move |&e0| [e1, nu1, e0]))
             .collect();
-        let curve = |i: usize| spline.at(materials[i]);
-        let error = (Self::SHARE * tolerance).max(Self::FINEST);
+        let curve = |i: usize| spline.coefficients(materials[i]);
+        let error = (Self::SHARE * tolerance).max(Self::LEAST_ERROR);
         let resampler = Resampler::fitting(
-            &spline.along,
+            &spline.a_over_t_basis,
             range,
             &quantities,
             materials.len(),
@@ -70,36 +71,40 @@ impl Lookup {
         }
     }
 
+    /// Makes the curve of `material`.
     pub(crate) fn curve(
         &self,
         axes: &Axes,
         description: &Description,
         material: &Material,
     ) -> Result<Curve, Error> {
-        let (equivalent, place) = in_the_table(description, material, || {
+        let (equivalent, coordinates) = find_equivalent(description, material, || {
             let equivalent = material.with_substrate_poisson_ratio(description.nu0)?;
             Ok((equivalent, axes.locate(&equivalent)?))
         })?;
-        let coefficients = self.spline.at(place);
+        let coefficients = self.spline.coefficients(coordinates);
         self.of_splines(description, &coefficients, equivalent)
     }
 
+    /// Makes the curve of `material` with its derivatives with respect to it.
     pub(crate) fn curve_with_gradient(
         &self,
         axes: &Axes,
         description: &Description,
         material: &Material,
     ) -> Result<Curve, Error> {
-        let (equivalence, place) = in_the_table(description, material, || {
+        let (equivalence, coordinates) = find_equivalent(description, material, || {
             let equivalence = Equivalence::new(material, description.nu0)?;
             Ok((equivalence, axes.locate(&equivalence.equivalent)?))
         })?;
-        // Where the derivative with respect to `c` falls like `s^2`, that of `c` with respect to
-        // `nu1` grows like `1/s^2`: their product at this `s` is that at 0, but for rounding.
-        let [e1, nu1, e0] = place;
+        // Towards `s = 1 - 2c` of 0 the derivative with respect to `c` falls like `s^2`, and that
+        // of `c` with respect to `nu1` grows like `1/s^2`. Their product is evaluated at a small
+        // `s`, where it equals that at 0 except for rounding.
+        let [e1, nu1, e0] = coordinates;
         let before_the_end = nu1.min(Parameter::Nu1.coordinate(0.5) - 5e-7);
-        let [values, by_e1, mut by_nu1, by_e0] =
-            self.spline.with_slopes(place, [e1, before_the_end, e0]);
+        let [values, by_e1, mut by_nu1, by_e0] = self
+            .spline
+            .coefficients_and_slopes(coordinates, [e1, before_the_end, e0]);
         let speed = Parameter::Nu1.speed(before_the_end);
         by_nu1.iter_mut().for_each(|slope| *slope *= speed);
         let known = MATERIAL.map(|parameter| {
@@ -114,6 +119,7 @@ impl Lookup {
             .with_sensitivities(sensitivities))
     }
 
+    /// Makes the curve of the equivalent material from the coefficients over `ln(a/t)`.
     fn of_splines(
         &self,
         description: &Description,
@@ -129,7 +135,7 @@ impl Lookup {
         );
         if let Some((quantity, value)) = curve.unreasonable() {
             return Err(Error::Malformed(format!(
-                "{} reaches {value:?} between the nodes",
+                "{} reaches {value:?} between the nodes, outside [1e-30, 1e30]",
                 quantity.name()
             )));
         }
@@ -137,9 +143,12 @@ impl Lookup {
     }
 }
 
-/// What is found for a material in a table made for another substrate's Poisson ratio or the same,
-/// with an error that says so.
-fn in_the_table<T>(
+/// Returns the result of `find`, which looks for the equivalent of `material` in the table.
+///
+/// # Errors
+/// [`Error::Normalisation`]; the error of `find`, in [`Error::Equivalent`] if the table is made for
+/// another Poisson ratio of the substrate than the material's.
+fn find_equivalent<T>(
     description: &Description,
     material: &Material,
     find: impl Fn() -> Result<T, Error>,
@@ -158,7 +167,7 @@ fn in_the_table<T>(
             nu1,
             nu0,
             table_nu0,
-            source: Box::new(error),
+            cause: Box::new(error),
         },
     })
 }

@@ -1,4 +1,4 @@
-//! The low-rank form of a table: a tensor train, one small tensor for each axis.
+//! The low-rank form of a table: a tensor train, one core for each axis.
 
 use crate::curve::bspline::TABLE_DEGREE;
 use crate::curve::nodes::REASONABLE;
@@ -6,61 +6,73 @@ use crate::table::mixed_precision::BLOCK;
 use crate::table::weighted_sum::add_rows;
 use crate::{Error, Quantity};
 
-/// Entries of a core are whole numbers that f64 holds exactly.
+/// The largest entry of a core: f64 holds whole numbers up to this one exactly.
 const LARGEST_ENTRY: i64 = 1 << 53;
 
-/// More values on the nodes are taken for a mistake or a forgery: writing them out would not fit in
-/// memory.
+/// The largest number of values at the nodes. More are taken for a mistake or a forgery: they would
+/// not fit in memory when written out.
 const MOST_VALUES: usize = 200_000_000;
 
-/// So are more numbers prepared for lookup. The default box to 1e-8 has 5 million.
+/// The largest number of numbers prepared for lookup. More are taken for a mistake or a forgery:
+/// the default box at a tolerance of 1e-8 has 5 million.
 const MOST_PREPARED: usize = 20_000_000;
 
-/// The logarithms that a table splines, as a tensor train (I. V. Oseledets, SIAM J. Sci. Comput. 33
-/// (2011) 2295). With the scale `s = es`, or 1 for `Delta0`, and at the nodes
-/// `(x_i, e1_j, nu1_k, e0_l)`,
+/// The logarithms of a table's quantities at its nodes, as a tensor train (I. V. Oseledets, SIAM J.
+/// Sci. Comput. 33 (2011) 2295).
+///
+/// With the scale `s = es`, or 1 for `Delta0`, and at the nodes `(x_i, e1_j, nu1_k, e0_l)`,
 ///
 /// ```text
 /// ln(Q_q / s) = sum_{abc}  C0[l,a] / w0[a]  C1[a,j,b] / w1[b]  C2[b,k,c] / w2[c]  C3[c,i,q]
-/// C1[a,j,b] = sum_f F1[j,f] G1[a,f,b], and so the others
+/// C1[a,j,b] = sum_f F1[j,f] G1[a,f,b], and the other cores likewise
 /// ```
 ///
-/// with the cores `C` of `e0_over_e2`, `e1_over_e2`, `nu1` and `a_over_t`, in the order that takes
-/// the fewest multiplications, and the weights `w` of the indices that join them. A core combines a
-/// few functions `F` along its axis, which are smooth: rounding its numbers `G` leaves derivatives
-/// alone. Between the nodes every core is a spline like the table's own, so that this is the tensor
-/// spline through these logarithms: what is measured of it holds for
-/// [`Table::expand`](crate::Table::expand) as well.
+/// with the cores `C` of `e0_over_e2`, `e1_over_e2`, `nu1` and `a_over_t`, in the order that needs
+/// the fewest multiplications. The bonds `a`, `b` and `c` are the indices shared by neighbouring
+/// cores; `w` are their weights. A core combines a few smooth functions `F` along its axis;
+/// therefore rounding its numbers `G` does not spoil derivatives. Between the nodes every core is
+/// interpolated by the splines of the table. The form is then the tensor spline through these
+/// logarithms, and its measured errors hold for [`Table::expand`](crate::Table::expand), too.
 ///
-/// A number of a core is to be about as large as what it adds to the logarithms, which is what the
-/// weights are for: the root mean square that an index adds. Then all numbers of a core may be
-/// rounded to multiples of one step.
+/// The weight of a bond index is the root mean square of its contribution to the logarithms. With
+/// these weights each number of a core is about as large as its contribution, and all numbers of a
+/// core can be rounded to multiples of one step.
 #[derive(Clone, Debug)]
 pub struct LowRank {
     quantities: Vec<Quantity>,
+    /// The weights of the three bonds.
     weights: [Vec<f64>; 3],
-    /// In the order of the cores, as what follows: a row of the functions' values for each node.
+    /// For each core, in the order of the cores: a row of the functions' values for each node.
     functions: [Vec<f64>; 4],
+    /// The steps to whose multiples the numbers of each core are rounded.
     steps: [f64; 4],
-    /// Whole numbers, multiples of the steps.
+    /// The numbers of each core as multiples of its step: whole numbers.
     cores: [Vec<f64>; 4],
+    /// The number of nodes of each core's axis.
     nodes: [usize; 4],
 }
 
 impl LowRank {
-    /// From its parts: the quantities held, ascending; the weights of the three indices that join
-    /// the cores, as many as the index has values; the functions of each core's axis, a row of
-    /// their values for each node; and the cores as multiples of their steps, row-major over the
-    /// index before, the function, and the index after or the quantities held.
+    /// Makes the form from its parts.
+    ///
+    /// * `quantities`: the quantities held, ascending.
+    /// * `weights`: the weights of the three bonds, one for each value of the bond.
+    /// * `functions`: the functions along each core's axis, a row of their values for each node.
+    /// * `steps`: the step of each core.
+    /// * `cores`: the cores as multiples of their steps, row-major over the bond before, the
+    ///   function, and the bond after (the quantities held, for the last core).
     ///
     /// # Errors
-    /// [`Error::Malformed`] if no quantity is given, or one twice or not in order; if an index or
-    /// an axis has no value; if the lengths contradict each other; if there are more functions than
-    /// nodes, or more values of an index than of the index before it and the nodes between
-    /// together; if a weight or a step is not in `[1e-30, 1e30]`, a function's value, or an entry
-    /// of a core times the step, not in `[-1e30, 1e30]`, or an entry of a core not in
-    /// `[-2^53, 2^53]`; or if there are more than 2e8 values on the nodes, or more than 2e7 numbers
-    /// to prepare for lookup.
+    /// [`Error::Malformed`]
+    ///
+    /// * if no quantity is given, one is given twice, or they are not in order;
+    /// * if a bond or an axis is empty, or the lengths contradict each other;
+    /// * if there are more functions than nodes, or a bond is longer than the product of the bond
+    ///   before and the nodes between;
+    /// * if a weight or a step is not in `[1e-30, 1e30]`, a function's value, or an entry of a core
+    ///   times its step, not in `[-1e30, 1e30]`, or an entry of a core not in `[-2^53, 2^53]`;
+    /// * if there are more than 2e8 values at the nodes, or more than 2e7 numbers to prepare for
+    ///   lookup.
     pub fn new(
         quantities: Vec<Quantity>,
         weights: [Vec<f64>; 3],
@@ -70,7 +82,9 @@ impl LowRank {
     ) -> Result<Self, Error> {
         let malformed = |what: String| Err(Error::Malformed(what));
         if quantities.is_empty() || !quantities.is_sorted_by(|a, b| a < b) {
-            return malformed(format!("a low-rank form of {quantities:?}"));
+            return malformed(format!(
+                "a low-rank form holds {quantities:?}: it must hold one quantity at least, in order"
+            ));
         }
         if let Some(number) = weights
             .iter()
@@ -78,14 +92,18 @@ impl LowRank {
             .chain(&steps)
             .find(|number| !REASONABLE.contains(number))
         {
-            return malformed(format!("a low-rank form has the weight or step {number:?}"));
+            return malformed(format!(
+                "a low-rank form has the weight or step {number:?}, outside [1e-30, 1e30]"
+            ));
         }
         if let Some(number) = functions
             .iter()
             .flatten()
             .find(|number| !(0.0..=*REASONABLE.end()).contains(&number.abs()))
         {
-            return malformed(format!("a low-rank form has the function value {number:?}"));
+            return malformed(format!(
+                "a low-rank form has the function value {number:?}, outside [-1e30, 1e30]"
+            ));
         }
         for (core, step) in cores.iter().zip(steps) {
             let allowed = |entry: &&i64| {
@@ -93,7 +111,10 @@ impl LowRank {
                     && (**entry as f64).abs() * step <= *REASONABLE.end()
             };
             if let Some(entry) = core.iter().find(|entry| !allowed(entry)) {
-                return malformed(format!("a core holds {entry} times {step:?}"));
+                return malformed(format!(
+                    "a core holds {entry} times {step:?}: entries must be in [-2^53, 2^53], and their \
+                     products with the step in [-1e30, 1e30]"
+                ));
             }
         }
         let [a, b, c] = weights.each_ref().map(Vec::len);
@@ -117,7 +138,8 @@ impl LowRank {
                 .filter(sound)
             else {
                 return malformed(format!(
-                    "a core of {core} entries joins {before} and {after} with {values} values of functions"
+                    "a core of {core} entries between bonds of {before} and {after} cannot have {values} \
+                     values of functions"
                 ));
             };
             nodes[i] = count;
@@ -126,9 +148,12 @@ impl LowRank {
             product.checked_mul(nodes)
         });
         if values.is_none_or(|values| values > MOST_VALUES) {
-            return malformed(format!("a low-rank form has {nodes:?} nodes"));
+            return malformed(format!(
+                "a low-rank form has {nodes:?} nodes, more than {MOST_VALUES} values"
+            ));
         }
-        // A lookup fills up the rows, and has one for each function of each interval between nodes.
+        // A lookup has a row, padded to whole blocks, for each function of each interval between
+        // nodes.
         let prepared = [[1, a], [a, b], [b, c]].iter().zip(nodes).try_fold(
             0_usize,
             |sum, ([before, after], nodes)| {
@@ -138,7 +163,8 @@ impl LowRank {
         );
         if prepared.is_none_or(|numbers| numbers > MOST_PREPARED) {
             return malformed(format!(
-                "a low-rank form has the ranks {:?} with {nodes:?} nodes",
+                "a low-rank form has the ranks {:?} with {nodes:?} nodes: a lookup needs more than \
+                 {MOST_PREPARED} numbers",
                 [a, b, c]
             ));
         }
@@ -153,29 +179,30 @@ impl LowRank {
         })
     }
 
-    /// The quantities held, in the order of [`Quantity::ALL`].
+    /// Returns the quantities held, in the order of [`Quantity::ALL`].
     pub fn quantities(&self) -> &[Quantity] {
         &self.quantities
     }
 
-    /// How many values each of the indices has that join the cores of `e0_over_e2`, `e1_over_e2`,
+    /// Returns the ranks: the lengths of the bonds between the cores of `e0_over_e2`, `e1_over_e2`,
     /// `nu1` and `a_over_t`.
     pub fn ranks(&self) -> [usize; 3] {
         self.weights.each_ref().map(Vec::len)
     }
 
-    /// The number of nodes on each axis, in the order of [`Parameter::ALL`](crate::Parameter::ALL).
+    /// Returns the number of nodes on each axis, in the order of
+    /// [`Parameter::ALL`](crate::Parameter::ALL).
     pub(crate) fn shape(&self) -> [usize; 4] {
         let [e0, e1, nu, a] = self.nodes;
         [a, e1, nu, e0]
     }
 
-    /// The functions along the axes, in the order of the cores.
+    /// Returns the functions along the axes, in the order of the cores.
     pub(crate) fn functions(&self) -> &[Vec<f64>; 4] {
         &self.functions
     }
 
-    /// The steps, and the whole numbers of the cores.
+    /// Returns the steps, and the cores as multiples of them.
     pub(crate) fn rounded(&self) -> ([f64; 4], [Vec<i64>; 4]) {
         (
             self.steps,
@@ -185,18 +212,19 @@ impl LowRank {
         )
     }
 
-    /// The weights of the indices that join the cores.
+    /// Returns the weights of the bonds.
     pub(crate) fn weights(&self) -> &[Vec<f64>; 3] {
         &self.weights
     }
 
-    /// The weights and the [cores](Self::cores), scaled such that each index has the root mean
-    /// square 1 over the nodes before it, and the weight that it adds to the logarithms. That is
-    /// what they should be already, but a lookup leaves out what adds little, and takes nobody's
-    /// word for it.
+    /// Returns the weights and the [cores](Self::cores), scaled such that each bond index has a
+    /// root mean square of 1 over the nodes before it, and its contribution to the logarithms as
+    /// weight.
+    ///
+    /// Recomputed, because lookup drops small entries and must not trust the file.
     pub(crate) fn normalised(&self) -> ([Vec<f64>; 3], [Vec<f64>; 4]) {
         let (mut weights, mut cores) = (self.weights.clone(), self.cores());
-        // Not of an index that adds nothing.
+        // A bond index without any contribution is not scaled.
         let sound = |scale: f64| {
             if REASONABLE.contains(&scale) {
                 scale
@@ -223,7 +251,7 @@ impl LowRank {
         for bond in (0..3).rev() {
             let (before, after) = cores.split_at_mut(bond + 1);
             let (core, next, width) = (&mut before[bond], &after[0], weights[bond].len());
-            let (length, added_up) = (
+            let (length, summed) = (
                 next.len() / width,
                 weights.get(bond + 1).map_or(1, Vec::len),
             );
@@ -232,7 +260,7 @@ impl LowRank {
                 .zip(next.chunks_exact(length))
                 .enumerate()
             {
-                let mean_square = sum_of_squares(row.iter()) * added_up as f64 / length as f64;
+                let mean_square = sum_of_squares(row.iter()) * summed as f64 / length as f64;
                 let share = sound(mean_square.sqrt() / *weight);
                 *weight *= share;
                 core[j..]
@@ -244,9 +272,9 @@ impl LowRank {
         (weights, cores)
     }
 
-    /// The cores of `e0_over_e2`, `e1_over_e2`, `nu1` and `a_over_t`, row-major over the index
-    /// before, the node, and the index after.
-    pub(crate) fn cores(&self) -> [Vec<f64>; 4] {
+    /// Returns the cores of `e0_over_e2`, `e1_over_e2`, `nu1` and `a_over_t`, row-major over the
+    /// bond before, the node, and the bond after (the quantities held, for the last core).
+    fn cores(&self) -> [Vec<f64>; 4] {
         let [a, b, c] = self.ranks();
         let at_nodes = |i: usize, after: usize| {
             let (functions, core, nodes) = (&self.functions[i], &self.cores[i], self.nodes[i]);
@@ -274,11 +302,11 @@ impl LowRank {
         ]
     }
 
-    /// The logarithms at all nodes with one `e1_over_e2`, row-major over `nu1`, `e0_over_e2`,
-    /// `a_over_t` and the quantities held.
+    /// Returns the logarithms at all nodes with node `e1` of `e1_over_e2`, row-major over `nu1`,
+    /// `e0_over_e2`, `a_over_t` and the quantities held.
     ///
     /// # Panics
-    /// If there is no node of this number.
+    /// If `e1` is not below the number of nodes of `e1_over_e2`.
     pub fn logarithms(&self, e1: usize) -> Vec<f64> {
         let [substrate, film_modulus, film, radius] = self.cores();
         let [_, n_e1, n_nu, _] = self.nodes;
@@ -298,14 +326,14 @@ impl LowRank {
             add_rows(&mut sum, &vector, &core[node * length..], nodes * length);
             sum
         };
-        let joined: Vec<Vec<f64>> = substrate
+        let before: Vec<Vec<f64>> = substrate
             .chunks_exact(a)
             .map(|vector| product(0, vector, &film_modulus, n_e1, e1, b))
             .collect();
         let width = radius.len() / c;
-        let mut logarithms = Vec::with_capacity(n_nu * joined.len() * width);
+        let mut logarithms = Vec::with_capacity(n_nu * before.len() * width);
         for nu in 0..n_nu {
-            for vector in &joined {
+            for vector in &before {
                 logarithms.extend(product(
                     2,
                     &product(1, vector, &film, n_nu, nu, c),
@@ -320,6 +348,7 @@ impl LowRank {
     }
 }
 
+/// Returns the sum of the squares of the numbers.
 fn sum_of_squares<'a>(numbers: impl Iterator<Item = &'a f64>) -> f64 {
     numbers.map(|number| number * number).sum()
 }
@@ -329,8 +358,7 @@ mod tests {
     use crate::Parameter;
     use crate::{Material, Table};
 
-    /// Factors that cancel in the product, between a core and the one after it or a core and its
-    /// weights.
+    /// Factors that cancel, between two neighbouring cores or between a core and its weights.
     #[test]
     fn what_a_lookup_leaves_out_depends_on_the_product_only() {
         let embedded = Table::embedded();

@@ -1,15 +1,15 @@
-//! Weighted sums of rows that are read in as few bytes as they need.
+//! Weighted sums of rows that are stored in as few bytes as their accuracy needs.
 //!
-//! A block of columns keeps a row only where it matters there, and in single precision where that
-//! is enough.
+//! The columns are divided into blocks. In each block a row is dropped where it is negligible, and
+//! stored in single precision where that is accurate enough.
 
 use fearless_simd::prelude::*;
 use fearless_simd::{f32x16, f64x8};
 
-/// The columns of a block: sums over it stay in registers.
+/// The number of columns of a block, small enough that the sum of a block stays in registers.
 pub(crate) const BLOCK: usize = 16;
 
-/// Rows of equal length.
+/// Rows of equal length, in blocks of two precisions.
 #[derive(Clone, Debug)]
 pub(crate) struct MixedPrecision {
     length: usize,
@@ -17,26 +17,30 @@ pub(crate) struct MixedPrecision {
     single: Blocks<f32>,
 }
 
-/// The rows of one precision, block after block.
+/// The blocks of rows that are stored in one precision, block by block.
 #[derive(Clone, Debug)]
 struct Blocks<T> {
     entries: Vec<Entries<T>>,
-    /// Which row that is.
+    /// The number of the row of each entry.
     rows: Vec<u32>,
-    /// Where each block ends among these.
+    /// The end of each block in `entries` and `rows`.
     ends: Vec<usize>,
 }
 
-/// A block of a row, the last one filled up with zeros; on cache lines of its own, as one that
-/// begins in the middle of a line takes twice the time.
+/// The columns of one row in one block, padded with zeros in the last block.
+///
+/// It is aligned to cache lines, because a read that begins in the middle of a line takes twice the
+/// time.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(64))]
 struct Entries<T>([T; BLOCK]);
 
 impl MixedPrecision {
-    /// Without what adds no more to a block than `negligible` of its row, in single precision what
-    /// is rounded by no more than `rounding` then. All are root sums of squares over the columns of
-    /// a block, for a weight of 1.
+    /// Drops blocks whose norm is at most `negligible(row)`; stores a block as f32 where that
+    /// rounds it by at most `rounding`.
+    ///
+    /// `rows` holds rows of `length` numbers, one after the other. Norms are root sums of squares
+    /// over the columns of one row in one block, for a weight of 1.
     pub(crate) fn new(
         rows: &[f64],
         length: usize,
@@ -67,7 +71,7 @@ impl MixedPrecision {
         }
     }
 
-    /// The weighted sum.
+    /// Returns the sum of the rows, each times its weight.
     #[inline(always)]
     pub(crate) fn sum<S: Simd>(&self, simd: S, weights: &[f64]) -> Vec<f64> {
         let single: Vec<f32> = weights.iter().map(|&weight| weight as f32).collect();
@@ -90,6 +94,7 @@ impl MixedPrecision {
 }
 
 impl<T: Copy + Default> Blocks<T> {
+    /// Returns no blocks.
     fn new() -> Self {
         Self {
             entries: Vec::new(),
@@ -98,6 +103,7 @@ impl<T: Copy + Default> Blocks<T> {
         }
     }
 
+    /// Appends the columns of `row` to the present block.
     fn push(&mut self, row: usize, block: impl Iterator<Item = T>) {
         let mut entries = [T::default(); BLOCK];
         entries
@@ -109,12 +115,15 @@ impl<T: Copy + Default> Blocks<T> {
             .push(u32::try_from(row).expect("a row that fits in memory"));
     }
 
+    /// Ends the present block.
     fn end_block(&mut self) {
         self.ends.push(self.rows.len());
     }
 
-    /// In as many vectors as a block fills. Two rows at once, because a sum cannot begin before the
-    /// one before it has ended.
+    /// Returns the weighted sum of a block, in as many vectors as a block fills.
+    ///
+    /// The sums of even and of odd rows are independent, because an addition to a sum must wait for
+    /// the one before it.
     #[inline(always)]
     fn sum_of_block<S: Simd, V: SimdFloat<S, Element = T>, const VECTORS: usize>(
         &self,
@@ -141,7 +150,7 @@ impl<T: Copy + Default> Blocks<T> {
     }
 }
 
-/// Adds a weighted row of a block.
+/// Adds a row of a block, times its weight, to the sum.
 #[inline(always)]
 fn add<S: Simd, V: SimdFloat<S>>(
     simd: S,
@@ -182,8 +191,8 @@ mod tests {
             assert_eq!(sum.len(), LENGTH);
             for (column, value) in sum.iter().enumerate() {
                 let error = (value - entry(row, column) / 3.0).abs();
-                // Twice rounded to single precision where the block of 16 columns of this size
-                // bears it.
+                // Entry and weight are rounded to single precision where a block of 16 columns of
+                // this size allows it.
                 let allowed = match size(row, column) {
                     size if size > 1.1e-6 => f64::EPSILON * size,
                     size if size > 1.1e-11 => 2.0 * ROUNDING,

@@ -1,13 +1,13 @@
-//! The table: quantities at nodes of four parameters, the files it lies in, and the lookup of one
-//! material's curve.
+//! The table: quantities at nodes of four parameters, its files, and the lookup of the curve of one
+//! material.
 //!
 //! A [`Table`] holds `axes`, a `description` with its `certificate`, and values or a `low_rank`
-//! form, read by `packed` or `hdf5` (whose names are in [`schema`]) or compiled in (`embedded`). At
-//! the first lookup it becomes a `tensor_spline`, dense or a `tensor_train`, whose sums are those
-//! of `weighted_sum` and `mixed_precision`; `lookup` makes the [`Curve`](crate::Curve) of a
-//! material from it.
+//! form. `packed` and `hdf5` read it from files ([`schema`] has the names of the parts), `embedded`
+//! from the program. For the first lookup it becomes a `tensor_spline`, either dense or a
+//! `tensor_train`; their sums are those of `weighted_sum` and `mixed_precision`. `lookup` makes the
+//! [`Curve`](crate::Curve) of a material from it.
 
-pub(crate) mod axes;
+mod axes;
 mod certificate;
 mod description;
 #[cfg(feature = "embedded")]
@@ -15,7 +15,7 @@ mod embedded;
 #[cfg(feature = "hdf5")]
 mod hdf5;
 mod lookup;
-pub(crate) mod low_rank;
+mod low_rank;
 mod mixed_precision;
 mod packed;
 pub mod schema;

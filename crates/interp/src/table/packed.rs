@@ -1,4 +1,4 @@
-//! The packed table: one self-describing binary file, quick to load, from which nothing is lost.
+//! The packed table: one self-describing binary file that loads fast and loses nothing.
 //!
 //! ```text
 //! offset  size  content (little-endian)
@@ -9,13 +9,14 @@
 //! 24      -     payload: header (bincode, fixed-width integers), then the content
 //! ```
 //!
-//! The content of a dense table is its values as f64, quantity after quantity; that of a low-rank
-//! one the weights, the functions, and the steps and integers of its cores (bincode, integers of
-//! variable width: one byte for most).
+//! The content of a dense table is its values as f64, quantity by quantity. The content of a
+//! low-rank table is the weights, the functions, and the steps and integers of its cores (bincode,
+//! integers of variable width: one byte for most).
 //!
-//! Nothing is allocated on the word of the file: the header is limited, the values' number must
-//! match the bytes there are, and an integer of a core, 8 bytes in memory, has a byte of its own.
-//! (A list is read by serde, which reserves a megabyte at most before it has seen the numbers.)
+//! A forged length cannot allocate much memory. The length of the header is limited. The number of
+//! values must match the number of bytes. An integer of a core has 8 bytes in memory and at least
+//! one in the file. serde reads a list, and reserves at most a megabyte before it has read the
+//! numbers.
 
 use std::fmt::Display;
 use std::fs;
@@ -23,16 +24,20 @@ use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 
-use crate::Parameter;
-use crate::{Description, Error, LowRank, Quantity, Table};
+use crate::{Description, Error, LowRank, Parameter, Quantity, Table};
 
+/// The first bytes of a packed table.
 const MAGIC: [u8; 8] = *b"COATTBL\n";
-/// The one version of the packed form that is written and read.
+/// The first bytes of an HDF5 file.
+const HDF5_SIGNATURE: [u8; 8] = *b"\x89HDF\r\n\x1a\n";
+/// The only version of the packed form that is written and read.
 const VERSION: u32 = 1;
+/// The number of bytes before the payload.
 const PREFIX: usize = 24;
-/// Axes, scene and description fit many times over.
+/// The largest header, many times that of any real table.
 const HEADER_LIMIT: usize = 1 << 20;
 
+/// The part of the payload before the content.
 #[derive(Serialize, Deserialize)]
 struct Header {
     description: Description,
@@ -41,6 +46,7 @@ struct Header {
     form: Form,
 }
 
+/// The form of the content.
 #[derive(Serialize, Deserialize)]
 enum Form {
     Dense,
@@ -56,6 +62,7 @@ struct Content {
     cores: [Vec<i64>; 4],
 }
 
+/// The bincode configuration of the header.
 fn configuration() -> impl bincode::config::Config {
     bincode::config::standard()
         .with_little_endian()
@@ -63,20 +70,21 @@ fn configuration() -> impl bincode::config::Config {
         .with_limit::<HEADER_LIMIT>()
 }
 
+/// The bincode configuration of the content of a low-rank table.
 fn content_configuration() -> impl bincode::config::Config {
     bincode::config::standard()
 }
 
-/// True if the bytes begin like a packed table of any version.
+/// Returns whether the bytes begin like a packed table of any version.
 pub fn is_packed(bytes: &[u8]) -> bool {
     bytes.starts_with(&MAGIC)
 }
 
 impl Table {
-    /// Reads a packed table from a file.
+    /// Reads a packed table from a file. An HDF5 table is read by `Table::open` (feature `hdf5`).
     ///
     /// # Errors
-    /// [`Error::Io`], and those of [`Table::from_packed`].
+    /// [`Error::Io`] if the file cannot be read; those of [`Table::from_packed`].
     pub fn read(path: impl AsRef<Path>) -> Result<Self, Error> {
         let path = path.as_ref();
         Self::from_packed(&fs::read(path).map_err(|source| Error::Io {
@@ -85,7 +93,7 @@ impl Table {
         })?)
     }
 
-    /// The packed form, which [`Table::from_packed`] turns back into the same table, bit for bit.
+    /// Returns the packed form, from which [`Table::from_packed`] restores this table bit for bit.
     ///
     /// # Errors
     /// [`Error::Malformed`] if title, scene and axes exceed a megabyte; those of [`Table::expand`].
@@ -139,17 +147,22 @@ impl Table {
         Ok(bytes)
     }
 
-    /// Reads a packed table from bytes, `include_bytes!` for instance.
+    /// Reads a packed table from bytes, for instance from those of `include_bytes!`.
     ///
     /// # Errors
-    /// [`Error::Foreign`] without the magic bytes, [`Error::Version`] for another version,
-    /// [`Error::Length`] for missing or trailing bytes, [`Error::Checksum`] for changed ones,
-    /// [`Error::Malformed`] for a forged content.
+    /// [`Error::Foreign`] for bytes of an HDF5 table or of anything else; [`Error::Version`] for
+    /// another version; [`Error::Length`] for missing or trailing bytes; [`Error::Checksum`] for
+    /// changed bytes; [`Error::Malformed`] for a forged content.
     pub fn from_packed(bytes: &[u8]) -> Result<Self, Error> {
         if !is_packed(bytes) {
-            return Err(Error::Foreign(
-                "it does not begin with the magic bytes of a packed table".into(),
-            ));
+            let what = if bytes.starts_with(&HDF5_SIGNATURE) {
+                "it begins like an HDF5 table; pack it with `tabulate pack TABLE.h5 -o TABLE.bin`, or \
+                 open it with `Table::open` (feature `hdf5`)"
+            } else {
+                "it does not begin like a packed table; `tabulate pack TABLE.h5 -o TABLE.bin` makes \
+                 one from an HDF5 table"
+            };
+            return Err(Error::Foreign(what.into()));
         }
         let Some((prefix, payload)) = bytes.split_at_checked(PREFIX) else {
             return Err(Error::Length {
@@ -190,10 +203,12 @@ impl Table {
     }
 }
 
+/// An error of bincode inside a packed table.
 fn malformed(error: impl Display) -> Error {
     Error::Malformed(error.to_string())
 }
 
+/// Reads the content of a dense table.
 fn dense(header: Header, content: &[u8]) -> Result<Table, Error> {
     let count = header
         .axes
@@ -202,13 +217,14 @@ fn dense(header: Header, content: &[u8]) -> Result<Table, Error> {
     let expected = count.and_then(|count| count.checked_mul(header.quantities.len()));
     if expected != Some(content.len()) || !header.quantities.is_sorted_by(|a, b| a < b) {
         return Err(Error::Malformed(format!(
-            "{} bytes of values for {:?}",
+            "it has {} bytes of values for {:?} at its nodes, which must be ascending and need {}",
             content.len(),
-            header.quantities
+            header.quantities,
+            expected.map_or("more than fit in memory".into(), |bytes| bytes.to_string())
         )));
     }
     let mut quantities = [const { None }; 4];
-    // Without nodes there is nothing to split; `Table::new` then names the empty axis.
+    // Without nodes there are no bytes to split, and `Table::new` names the empty axis.
     for (quantity, bytes) in header
         .quantities
         .iter()
@@ -224,6 +240,7 @@ fn dense(header: Header, content: &[u8]) -> Result<Table, Error> {
     Table::new(header.description, header.axes, quantities)
 }
 
+/// Reads the content of a low-rank table.
 fn low_rank(header: Header, content: &[u8]) -> Result<Table, Error> {
     let (
         Content {
@@ -236,7 +253,7 @@ fn low_rank(header: Header, content: &[u8]) -> Result<Table, Error> {
     ) = bincode::serde::decode_from_slice(content, content_configuration()).map_err(malformed)?;
     if used != content.len() {
         return Err(Error::Malformed(format!(
-            "a low-rank form of {used} bytes in {}",
+            "its low-rank form has {used} bytes, but its content has {}",
             content.len()
         )));
     }

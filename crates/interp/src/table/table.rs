@@ -1,4 +1,4 @@
-//! The table: axes, values, where they come from, and how accurate they are between the nodes.
+//! The table: its axes, its values, their description, and their interpolation for one material.
 
 use std::borrow::Cow;
 use std::sync::OnceLock;
@@ -15,11 +15,11 @@ pub struct Table {
     description: Description,
     axes: Axes,
     content: Content,
-    /// Made at the first interpolation: a table may also be read only to be written elsewhere.
+    /// Made at the first interpolation, because some tables are read only to be written elsewhere.
     lookup: OnceLock<Lookup>,
 }
 
-/// The forms of a table.
+/// The values of a table in one of two forms.
 #[derive(Clone, Debug)]
 enum Content {
     /// Row-major over the four axes, `a_over_t` slowest.
@@ -28,15 +28,22 @@ enum Content {
 }
 
 impl Table {
-    /// A table from its parts. `values[quantity]` is row-major over the four axes, `a_over_t`
-    /// slowest; `None` where the scene did not ask for the quantity.
+    /// Makes a table from its parts.
+    ///
+    /// `axes` holds the nodes of each parameter in the order of [`Parameter::ALL`].
+    /// `values[quantity]` is row-major over the four axes, `a_over_t` slowest, or `None` if the
+    /// scene does not ask for the quantity.
     ///
     /// # Errors
-    /// [`Error::Malformed`] if an axis is empty or not strictly ascending, holds a value outside
-    /// physics, has two nodes that a spline could not tell apart, or has another number of nodes
-    /// than the values; or if no quantity is given. Moduli, `a_over_t` and the quantities must be
-    /// in `[1e-30, 1e30]`, but for a rigid sphere or substrate, which is a fixed parameter; the
-    /// tolerance in `(0, 1]`.
+    /// [`Error::Malformed`]
+    ///
+    /// * if an axis is empty or not strictly ascending, or has two nodes too close for a spline;
+    /// * if a modulus, an `a_over_t` or a quantity is not in `[1e-30, 1e30]` (a rigid sphere, 0, or
+    ///   a rigid substrate, infinity, must be the only node of its axis), or `nu1` or `nu0` not in
+    ///   `(-1, 0.5]`;
+    /// * if the number of values is not the product of the numbers of nodes, or all quantities are
+    ///   `None`;
+    /// * if the normalisation contradicts the axes, or the tolerance is not in `(0, 1]`.
     pub fn new(
         description: Description,
         axes: [Vec<f64>; 4],
@@ -53,17 +60,21 @@ impl Table {
             let Some(values) = values else { continue };
             if Some(values.len()) != count {
                 return malformed(format!(
-                    "{} has {} values on {count:?} nodes",
+                    "{} has {} values, its axes have {:?} nodes",
                     quantity.name(),
-                    values.len()
+                    values.len(),
+                    axes.shape()
                 ));
             }
             if let Some(value) = values.iter().find(|&value| !REASONABLE.contains(value)) {
-                return malformed(format!("{} holds {value:?}", quantity.name()));
+                return malformed(format!(
+                    "{} holds {value:?}, its values must be in [1e-30, 1e30]",
+                    quantity.name()
+                ));
             }
         }
         if values.iter().all(Option::is_none) {
-            return malformed("it holds no quantity".into());
+            return malformed("it holds no quantity, it must hold one at least".into());
         }
         Ok(Self {
             description,
@@ -73,11 +84,11 @@ impl Table {
         })
     }
 
-    /// A low-rank table from its parts.
+    /// Makes a table in low-rank form from its parts.
     ///
     /// # Errors
-    /// Those of [`Table::new`] that concern description and axes; [`Error::Malformed`] if an axis
-    /// has another number of nodes than its core.
+    /// Those of [`Table::new`] about description and axes; [`Error::Malformed`] if an axis and its
+    /// core differ in the number of nodes.
     pub fn from_low_rank(
         description: Description,
         axes: [Vec<f64>; 4],
@@ -88,7 +99,7 @@ impl Table {
         let shape = axes.shape();
         if form.shape() != shape {
             return Err(Error::Malformed(format!(
-                "cores for {:?} nodes on {shape:?}",
+                "its cores are made for {:?} nodes, its axes have {shape:?}",
                 form.shape()
             )));
         }
@@ -100,27 +111,27 @@ impl Table {
         })
     }
 
-    /// What the table says of itself.
+    /// Returns the description: origin, units and accuracy.
     pub fn description(&self) -> &Description {
         &self.description
     }
 
-    /// Replaces the certificate, which is measured when the table is there.
+    /// Replaces the certificate, which can be measured only after the table is made.
     pub fn set_certificate(&mut self, certificate: Certificate) {
         self.description.certificate = certificate;
     }
 
-    /// The nodes of a parameter, ascending; a single one where the scene fixes it.
+    /// Returns the nodes of `parameter`, ascending; a single node if the scene fixes it.
     pub fn axis(&self, parameter: Parameter) -> &[f64] {
         self.axes.nodes(parameter)
     }
 
-    /// The number of nodes on each axis, in the order of [`Parameter::ALL`].
+    /// Returns the number of nodes on each axis, in the order of [`Parameter::ALL`].
     pub fn shape(&self) -> [usize; 4] {
         self.axes.shape()
     }
 
-    /// True if the table holds the quantity, false if its scene did not ask for it.
+    /// Returns whether the table holds `quantity`, which depends on its scene.
     pub fn holds(&self, quantity: Quantity) -> bool {
         match &self.content {
             Content::Dense(values) => values[quantity as usize].is_some(),
@@ -128,7 +139,7 @@ impl Table {
         }
     }
 
-    /// The quantities held, in the order of [`Quantity::ALL`].
+    /// Returns the quantities held, in the order of [`Quantity::ALL`].
     pub fn quantities(&self) -> Vec<Quantity> {
         Quantity::ALL
             .into_iter()
@@ -136,8 +147,10 @@ impl Table {
             .collect()
     }
 
-    /// The values of a quantity at the nodes, row-major with `a_over_t` slowest, if the table holds
-    /// them: one in low-rank form does after [`Table::expand`].
+    /// Returns the values of `quantity` at the nodes, row-major with `a_over_t` slowest.
+    ///
+    /// It is `None` if the table does not hold the quantity or is in low-rank form;
+    /// [`Table::expand`] computes the values of that form.
     pub fn values(&self, quantity: Quantity) -> Option<&[f64]> {
         match &self.content {
             Content::Dense(values) => values[quantity as usize].as_deref(),
@@ -145,7 +158,7 @@ impl Table {
         }
     }
 
-    /// The low-rank form, if the table has it.
+    /// Returns the low-rank form, or `None` if the table is dense.
     pub fn low_rank(&self) -> Option<&LowRank> {
         match &self.content {
             Content::LowRank(form) => Some(form),
@@ -153,11 +166,13 @@ impl Table {
         }
     }
 
-    /// What is splined, `ln(Q/es)` (`ln Delta0`), at all nodes with one `e1_over_e2`: row-major
-    /// over `nu1`, `e0_over_e2`, `a_over_t` and the quantities held.
+    /// Returns the logarithms that the splines interpolate, `ln(Q/es)` (`ln Delta0`), at all nodes
+    /// with node `e1` of `e1_over_e2`.
+    ///
+    /// They are row-major over `nu1`, `e0_over_e2`, `a_over_t` and the quantities held.
     ///
     /// # Panics
-    /// If the axis `e1_over_e2` has no node of this number.
+    /// If `e1` is not below the number of nodes of `e1_over_e2`.
     pub fn logarithms(&self, e1: usize) -> Vec<f64> {
         let values = match &self.content {
             Content::LowRank(form) => return form.logarithms(e1),
@@ -184,12 +199,13 @@ impl Table {
         logarithms
     }
 
-    /// The dense table on the nodes: itself, or the values of one in low-rank form. The description
-    /// stays, and with it the certificate, because the splines through these values are the table's
-    /// but for rounding.
+    /// Returns the dense table: this table, or the values of its low-rank form at the nodes.
     ///
-    /// The values take 8 bytes each. A low-rank file of a few kilobytes may stand for 2e8 of them:
-    /// see [`Table::shape`] first if its origin is doubtful.
+    /// The description and its certificate are kept, because the splines through these values are
+    /// those of the low-rank form except for rounding.
+    ///
+    /// Each value takes 8 bytes. A low-rank file of a few kilobytes may expand to 2e8 values: check
+    /// [`Table::shape`] first if the origin of the file is doubtful.
     ///
     /// # Errors
     /// [`Error::Malformed`] if a value is not in `[1e-30, 1e30]`.
@@ -219,25 +235,28 @@ impl Table {
         Self::new(self.description.clone(), self.axes.all().clone(), values).map(Cow::Owned)
     }
 
-    /// The quantities as functions of `a/t` for one material, from tensor splines of degree 9 along
-    /// the material axes.
+    /// Makes the curve of `material`, the quantities as functions of `a/t`, by tensor splines of
+    /// degree 9 along the material axes.
     ///
     /// A material on a substrate with another Poisson ratio than the table's `nu0` is replaced by
-    /// its exact [equivalent](Material::with_substrate_poisson_ratio), where there is one: for
-    /// `nu0` below the table's, an incompressible film has none. A parameter may miss the box, or a
-    /// fixed value, by `1e-12` relative, which is rounding.
+    /// its exact [equivalent](Material::with_substrate_poisson_ratio) if one exists: an
+    /// incompressible film has none for a `nu0` below the table's. A parameter may miss the box, or
+    /// a fixed value, by `1e-12` relative, which allows for rounding.
     ///
     /// # Errors
-    /// [`Error::Normalisation`] for a rigid sphere in a table for compliant ones or the reverse;
-    /// [`Error::OutsideTable`] for a material outside the box; [`Error::Equivalent`] where the
-    /// equivalent does not exist or is outside the box; [`Error::Malformed`] if a quantity leaves
-    /// `[1e-30, 1e30]`, which only forged tables have.
+    /// [`Error::Normalisation`] for a rigid sphere in a table for compliant spheres, or the
+    /// reverse; [`Error::OutsideTable`] for a material outside the box; [`Error::Equivalent`] if
+    /// the equivalent does not exist or is outside the box; [`Error::Malformed`] if a quantity
+    /// leaves `[1e-30, 1e30]`, which happens only in forged tables.
     pub fn curve(&self, material: &Material) -> Result<Curve, Error> {
         self.lookup().curve(&self.axes, &self.description, material)
     }
 
-    /// The same with its derivatives with respect to the material, which [`Curve::gradient`] gives:
-    /// those of the splines. Making it takes some three times as long.
+    /// Makes the curve of `material` with its derivatives with respect to the material, which
+    /// [`Curve::gradient`] returns.
+    ///
+    /// They are the derivatives of the splines. Making this curve takes some three times as long as
+    /// [`Table::curve`].
     ///
     /// # Errors
     /// As [`Table::curve`].
@@ -246,6 +265,7 @@ impl Table {
             .curve_with_gradient(&self.axes, &self.description, material)
     }
 
+    /// Returns the prepared lookup, and makes it at the first call.
     fn lookup(&self) -> &Lookup {
         self.lookup.get_or_init(|| {
             let (quantities, tolerance) = (self.quantities(), self.description.tolerance);

@@ -1,4 +1,4 @@
-//! The tensor spline of a table: from its coefficients to those of one material's splines over
+//! The tensor spline of a table: from its coefficients to those of the splines of one material over
 //! `ln(a/t)`.
 
 use std::array;
@@ -12,42 +12,44 @@ use crate::table::weighted_sum::add_rows;
 
 /// The tensor B-spline of a table.
 ///
-/// What is splined is `ln(Pi0/es)`, `ln(Eeq/es)`, `ln(Gamma/es)` and `ln Delta0` over `ln(a/t)`,
-/// `ln(E1/E2)`, `c(nu1)` and `ln(E0/E2)`.
+/// It interpolates `ln(Pi0/es)`, `ln(Eeq/es)`, `ln(Gamma/es)` and `ln Delta0` over `ln(a/t)`,
+/// `ln(E1/E2*)`, `c(nu1)` and `ln(E0/E2*)`.
 #[derive(Clone, Debug)]
 pub(crate) struct TensorSpline {
-    /// Of `e1_over_e2`, `nu1` and `e0_over_e2`.
+    /// The B-splines of `e1_over_e2`, `nu1` and `e0_over_e2`.
     bases: [Basis; 3],
-    /// The splines along `a_over_t`.
-    pub(crate) along: Basis,
+    /// The B-splines of `a_over_t`.
+    pub(crate) a_over_t_basis: Basis,
     form: Form,
 }
 
+/// The coefficients in one of two forms.
 #[derive(Clone, Debug)]
 enum Form {
-    /// One row for each combination of the splines of the material axes, `e1_over_e2` slowest: a
-    /// group of the quantities held for each spline of `a_over_t`.
+    /// A row for each combination of the B-splines of the material axes, `e1_over_e2` slowest: a
+    /// group of the quantities held for each B-spline of `a_over_t`.
     Dense(Vec<f64>),
     Train(Box<TensorTrain>),
 }
 
 impl TensorSpline {
-    /// The spline of a low-rank form, as accurate as `tolerance` needs.
+    /// Makes the spline of a low-rank form, accurate enough for `tolerance`.
     pub(crate) fn of_low_rank(axes: &Axes, form: &LowRank, tolerance: f64) -> Self {
-        let (bases, along) = bases(axes);
-        let train = TensorTrain::new(form, bases.each_ref(), &along, tolerance);
+        let (bases, a_over_t_basis) = bases(axes);
+        let train = TensorTrain::new(form, bases.each_ref(), &a_over_t_basis, tolerance);
         Self {
             bases,
-            along,
+            a_over_t_basis,
             form: Form::Train(Box::new(train)),
         }
     }
 
-    /// The spline through `logarithms` at the nodes, row-major over `e1_over_e2`, `nu1`,
-    /// `e0_over_e2`, `a_over_t` and the quantities, so that a curve sums whole rows. They become
-    /// the coefficients in place.
+    /// Makes the spline through `logarithms` at the nodes, which become the coefficients in place.
+    ///
+    /// They are row-major over `e1_over_e2`, `nu1`, `e0_over_e2`, `a_over_t` and the quantities: a
+    /// curve is then a sum of whole rows.
     pub(crate) fn through(axes: &Axes, mut logarithms: Vec<f64>) -> Self {
-        let (bases, along) = bases(axes);
+        let (bases, a_over_t_basis) = bases(axes);
         let [n_a, n_e1, n_nu, n_e0] = axes.shape();
         let width = logarithms.len() / (n_e1 * n_nu * n_e0);
         bases[0].interpolate(&mut logarithms, n_nu * n_e0 * width);
@@ -58,38 +60,45 @@ impl TensorSpline {
         }
         logarithms
             .chunks_exact_mut(width)
-            .for_each(|row| along.interpolate(row, width / n_a));
+            .for_each(|row| a_over_t_basis.interpolate(row, width / n_a));
         Self {
             bases,
-            along,
+            a_over_t_basis,
             form: Form::Dense(logarithms),
         }
     }
 
-    /// The splines of the material axes at a place.
-    fn weights(&self, place: [f64; 3]) -> [Weights; 3] {
-        array::from_fn(|axis| self.bases[axis].weights(place[axis]))
+    /// Evaluates the B-splines of the material axes.
+    fn weights(&self, coordinates: [f64; 3]) -> [Weights; 3] {
+        array::from_fn(|axis| self.bases[axis].weights(coordinates[axis]))
     }
 
-    /// The coefficients of the splines over `ln(a/t)` of one material: a group of the quantities
-    /// held for each.
-    pub(crate) fn at(&self, place: [f64; 3]) -> Vec<f64> {
+    /// Returns the coefficients over `ln(a/t)` of the material at `coordinates`: a group of the
+    /// quantities held for each B-spline.
+    pub(crate) fn coefficients(&self, coordinates: [f64; 3]) -> Vec<f64> {
         match &self.form {
-            Form::Train(train) => train.at(place),
+            Form::Train(train) => train.coefficients(coordinates),
             Form::Dense(rows) => {
-                let [sum] = self.sums(rows, &self.weights(place), [[false; 3]]);
+                let [sum] = self.sums(rows, &self.weights(coordinates), [[false; 3]]);
                 sum
             }
         }
     }
 
-    /// The same, followed by their derivatives with respect to the three coordinates, each of them
-    /// where it says, which is at the place or so near that it makes no difference to the values.
-    pub(crate) fn with_slopes(&self, place: [f64; 3], slopes_at: [f64; 3]) -> [Vec<f64>; 4] {
+    /// Returns these coefficients, followed by their derivatives with respect to the three
+    /// coordinates.
+    ///
+    /// The derivative with respect to coordinate `i` is evaluated where that coordinate is
+    /// `slopes_at[i]`. This must be `coordinates[i]`, or so near that the values do not differ.
+    pub(crate) fn coefficients_and_slopes(
+        &self,
+        coordinates: [f64; 3],
+        slopes_at: [f64; 3],
+    ) -> [Vec<f64>; 4] {
         match &self.form {
-            Form::Train(train) => train.with_slopes(place, slopes_at),
+            Form::Train(train) => train.coefficients_and_slopes(coordinates, slopes_at),
             Form::Dense(rows) => {
-                let mut weights = self.weights(place);
+                let mut weights = self.weights(coordinates);
                 for (weights, near) in weights.iter_mut().zip(self.weights(slopes_at)) {
                     *weights = if near.first == weights.first {
                         Weights {
@@ -106,8 +115,10 @@ impl TensorSpline {
         }
     }
 
-    /// Weighted sums of the rows around one material, each with the slopes of some axes in place of
-    /// the values. A row is read once for all.
+    /// Returns weighted sums of the rows around one material.
+    ///
+    /// Sum `i` has the slopes of axis `j` in place of its values if `slopes[i][j]`. Each row is
+    /// read once for all sums.
     fn sums<const N: usize>(
         &self,
         rows: &[f64],
@@ -137,7 +148,7 @@ impl TensorSpline {
     }
 }
 
-/// The B-splines of the material axes, and those of `a_over_t`.
+/// Makes the B-splines of the material axes, and those of `a_over_t`.
 fn bases(axes: &Axes) -> ([Basis; 3], Basis) {
     (
         MATERIAL.map(|parameter| axes.basis(parameter)),

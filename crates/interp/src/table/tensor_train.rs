@@ -1,16 +1,18 @@
-//! A tensor train prepared for lookup: from its splines at a material to those over `ln(a/t)`.
+//! A tensor train prepared for lookup: from its cores to the coefficients of the splines of one
+//! material over `ln(a/t)`.
 //!
-//! Ten splines of an axis do not vanish at a point, but between two knots a table is smoother than
-//! they could be, and the less an index of the train weighs, the fewer of its digits matter.
-//! Therefore each core is expanded, over each interval between knots, in functions that oscillate
-//! more and more. What an index and a function add to a block of indices after them is kept where
-//! it is not far below the table's tolerance, and in single precision where that is enough: fewer
-//! multiplications, and more of them at a time. All but the first two functions, or three next to a
-//! flat end, vanish at the knots, so that leaving them out makes no jump there.
+//! Ten B-splines of an axis contribute at any point. Between two knots, however, a table is
+//! smoother than a general sum of ten B-splines, and a bond index with a small weight needs few
+//! digits. Therefore each core is expanded, over each interval between knots, in functions that
+//! oscillate more and more. The contribution of a bond index and a function to a block of indices
+//! of the next bond is dropped where it is far below the table's tolerance, and stored in single
+//! precision where that is accurate enough. This leaves fewer multiplications, and more of them are
+//! done at a time. All but the first two functions, or three next to a flat end, vanish at the
+//! knots: dropping them makes no jump there.
 //!
-//! What begins with `simd` is compiled several times, and chosen at run time for the instructions
-//! that the processor has. All of it must be inlined, closures too, as only then it is compiled for
-//! them.
+//! A function with an argument `simd` is compiled for several instruction sets, and that of the
+//! processor is chosen at run time. It must be inlined, with its closures: only then is it compiled
+//! for these instructions.
 
 use std::f64::consts::PI;
 
@@ -22,63 +24,70 @@ use crate::table::low_rank::LowRank;
 use crate::table::mixed_precision::{BLOCK, MixedPrecision};
 use crate::table::weighted_sum::add_rows;
 
-/// What may be left out of a block, and how much a rounding to single precision may be, in parts of
-/// the table's tolerance: root mean squares of what is added to the logarithms. Next to a flat end
-/// the derivative with respect to the parameter itself divides what is left out by the cube of the
-/// interval. A rounding, or a jump at a knot, is that small because it is a noise, which a
-/// difference quotient of two lookups divides by its step.
+/// The largest norm of a block that is dropped, relative to the table's tolerance.
+///
+/// Norms are root mean squares of contributions to the logarithms.
 const NEGLIGIBLE: f64 = 1e-5;
+/// The largest norm of a block that is dropped next to a flat end, where the derivative with
+/// respect to `nu1` divides the error by the cube of the interval.
 const NEGLIGIBLE_AT_FLAT_END: f64 = 3e-6;
+/// The largest rounding to single precision, and the largest jump at a knot. It is smaller, because
+/// it is a noise: a difference quotient of two lookups divides it by its step.
 const ROUNDING: f64 = 3e-7;
 
-/// The most functions on an interval.
-const MOST: usize = TABLE_DEGREE + 1;
+/// The largest number of functions on an interval.
+const MOST_FUNCTIONS: usize = TABLE_DEGREE + 1;
 
-/// The cores of a [`LowRank`] form.
+/// The cores of a [`LowRank`] form, prepared for lookup.
 #[derive(Clone, Debug)]
 pub(crate) struct TensorTrain {
-    /// Of `e0_over_e2`, `e1_over_e2` and `nu1`.
+    /// The cores of `e0_over_e2`, `e1_over_e2` and `nu1`.
     cores: [Core; 3],
-    /// A row for each value of the last index: coefficients over `ln(a/t)`, all quantities of one
-    /// after those of the other.
+    /// The core of `a_over_t`: a row of coefficients over `ln(a/t)` for each index of the last
+    /// bond, a group of the quantities for each B-spline.
     last: MixedPrecision,
 }
 
+/// A core of a material parameter.
 #[derive(Clone, Debug)]
 struct Core {
-    /// For each interval of the axis.
+    /// The intervals between the knots of the axis.
     intervals: Vec<Interval>,
-    /// The ends between them.
+    /// The knots between the intervals.
     breaks: Vec<f64>,
-    /// One over the weights of the index after it.
+    /// One over the weights of the next bond.
     scales: Vec<f64>,
 }
 
-/// A core over an interval: for each function of the interval, and each index before the core, a
-/// row over the index after it.
+/// A core over an interval: a row over the next bond for each function of the interval and each
+/// index of the bond before.
 #[derive(Clone, Debug)]
 struct Interval {
     functions: Functions,
     rows: MixedPrecision,
 }
 
-/// What a spline is a sum of between two knots: the Chebyshev polynomials `T0`, `T1`, `T2 - T0`,
-/// `T3 - T1`, `T4 - T0` and so on; next to a flat end, 1 and `s^3` times each of these, where `s`
-/// is the distance from the end.
+/// The functions whose sum is a spline between two knots.
+///
+/// They are the Chebyshev polynomials `T0`, `T1`, `T2 - T0`, `T3 - T1`, `T4 - T0` and so on; next
+/// to a flat end, 1 and `s^3` times each of these, where `s` is the distance from the end.
 #[derive(Clone, Copy, Debug)]
 struct Functions {
+    /// The two knots.
     ends: [f64; 2],
+    /// The number of functions.
     count: usize,
+    /// Whether the second knot is a flat end.
     flat: bool,
 }
 
 impl TensorTrain {
-    /// With the bases of `e1_over_e2`, `nu1`, `e0_over_e2`, and of `a_over_t`, to be as accurate as
-    /// `tolerance` needs.
+    /// Prepares `form`, accurate enough for `tolerance`, with the B-splines of `e1_over_e2`, `nu1`,
+    /// `e0_over_e2`, and of `a_over_t`.
     pub(crate) fn new(
         form: &LowRank,
         [e1, nu, e0]: [&Basis; 3],
-        along: &Basis,
+        a_over_t_basis: &Basis,
         tolerance: f64,
     ) -> Self {
         let ([a, b, c], [substrate, film_modulus, film, mut last]) = form.normalised();
@@ -117,9 +126,9 @@ impl TensorTrain {
         ];
         let width = last.len() / c.len();
         last.chunks_exact_mut(width)
-            .for_each(|row| along.interpolate(row, width / along.len()));
-        // A column of these is a logarithm: what is left out of a block is spread over its columns,
-        // and not added up.
+            .for_each(|row| a_over_t_basis.interpolate(row, width / a_over_t_basis.len()));
+        // A column of the last core is a logarithm: the error of a dropped block is spread over its
+        // columns, not summed.
         let limit = |share: f64| (BLOCK as f64).sqrt() * share * tolerance;
         Self {
             cores,
@@ -127,16 +136,21 @@ impl TensorTrain {
         }
     }
 
-    /// The coefficients over `ln(a/t)` at the coordinates `e1_over_e2`, `nu1` and `e0_over_e2` of a
-    /// material.
-    pub(crate) fn at(&self, place: [f64; 3]) -> Vec<f64> {
-        dispatch!(Level::new(), simd => self.value(simd, place))
+    /// Returns the coefficients over `ln(a/t)` of the material with these coordinates of
+    /// `e1_over_e2`, `nu1` and `e0_over_e2`.
+    pub(crate) fn coefficients(&self, coordinates: [f64; 3]) -> Vec<f64> {
+        dispatch!(Level::new(), simd => self.value(simd, coordinates))
     }
 
-    /// The same, followed by the derivatives with respect to the three coordinates, each of them
-    /// where it says.
-    pub(crate) fn with_slopes(&self, place: [f64; 3], slopes_at: [f64; 3]) -> [Vec<f64>; 4] {
-        dispatch!(Level::new(), simd => self.value_and_slopes(simd, place, slopes_at))
+    /// Returns these coefficients, followed by their derivatives with respect to the three
+    /// coordinates. The derivative with respect to coordinate `i` is evaluated where that
+    /// coordinate is `slopes_at[i]`.
+    pub(crate) fn coefficients_and_slopes(
+        &self,
+        coordinates: [f64; 3],
+        slopes_at: [f64; 3],
+    ) -> [Vec<f64>; 4] {
+        dispatch!(Level::new(), simd => self.value_and_slopes(simd, coordinates, slopes_at))
     }
 
     #[inline(always)]
@@ -144,7 +158,7 @@ impl TensorTrain {
         let mut vector = vec![1.0];
         for (core, u) in self.cores.iter().zip([e0, e1, nu]) {
             let interval = core.interval(u);
-            vector = core.after(simd, interval, &vector, &interval.functions.at(u).0);
+            vector = core.multiply(simd, interval, &vector, &interval.functions.evaluate(u).0);
         }
         self.last.sum(simd, &vector)
     }
@@ -153,28 +167,28 @@ impl TensorTrain {
     fn value_and_slopes<S: Simd>(
         &self,
         simd: S,
-        place: [f64; 3],
+        coordinates: [f64; 3],
         slopes_at: [f64; 3],
     ) -> [Vec<f64>; 4] {
-        // The vector, and its derivatives with respect to the coordinates so far.
+        // The product of the cores so far, and its derivatives with respect to their coordinates.
         let mut vectors = vec![vec![1.0]];
         for (core, axis) in self.cores.iter().zip([2, 0, 1]) {
             let interval = core.interval(slopes_at[axis]);
-            let by_this = core.after(
+            let slope = core.multiply(
                 simd,
                 interval,
                 &vectors[0],
-                &interval.functions.at(slopes_at[axis]).1,
+                &interval.functions.evaluate(slopes_at[axis]).1,
             );
-            let interval = core.interval(place[axis]);
-            let (values, _) = interval.functions.at(place[axis]);
+            let interval = core.interval(coordinates[axis]);
+            let (values, _) = interval.functions.evaluate(coordinates[axis]);
             for vector in &mut vectors {
-                *vector = core.after(simd, interval, vector, &values);
+                *vector = core.multiply(simd, interval, vector, &values);
             }
-            vectors.push(by_this);
+            vectors.push(slope);
         }
         let [value, by_e0, by_e1, by_nu] = &vectors[..] else {
-            unreachable!("one for each axis and one more")
+            unreachable!("the values, and the derivatives of three axes")
         };
         [
             self.last.sum(simd, value),
@@ -186,19 +200,20 @@ impl TensorTrain {
 }
 
 impl Core {
-    /// The interval that a coordinate is on.
+    /// Returns the interval that contains the coordinate `u`.
     fn interval(&self, u: f64) -> &Interval {
         &self.intervals[self.breaks.partition_point(|&end| end <= u)]
     }
 
-    /// The vector after a core, from that before it.
+    /// Multiplies the vector over the bond before by the core; returns the vector over the next
+    /// bond.
     #[inline(always)]
-    fn after<S: Simd>(
+    fn multiply<S: Simd>(
         &self,
         simd: S,
         interval: &Interval,
         before: &[f64],
-        functions: &[f64; MOST],
+        functions: &[f64; MOST_FUNCTIONS],
     ) -> Vec<f64> {
         let mut weights = vec![0.0; before.len() * interval.functions.count];
         for (weights, function) in weights.chunks_exact_mut(before.len()).zip(functions) {
@@ -217,8 +232,10 @@ impl Core {
 }
 
 impl Interval {
-    /// From the coefficients of an index before it, one of so many, and a spline; `transform` holds
-    /// a row for each function.
+    /// Expands the core in the functions of an interval.
+    ///
+    /// `coefficients(i, spline)` is the row over the next bond of index `i`, below `before`, of the
+    /// bond before. `transform` holds a row for each function.
     fn new<'a>(
         functions: Functions,
         transform: &[Vec<f64>],
@@ -235,7 +252,7 @@ impl Interval {
                 }
             }
         }
-        let jumps = functions.constant_and_line() * before;
+        let jumps = functions.count_at_knots() * before;
         let inside = if functions.flat {
             NEGLIGIBLE_AT_FLAT_END
         } else {
@@ -250,7 +267,7 @@ impl Interval {
 }
 
 impl Functions {
-    /// Between two neighbouring knots.
+    /// Chooses the functions between two neighbouring knots.
     fn new(basis: &Basis, ends: [f64; 2]) -> Self {
         let flat = basis.is_flat_at(ends[1]);
         Self {
@@ -264,18 +281,18 @@ impl Functions {
         }
     }
 
-    /// How many come before those that vanish at both ends.
-    fn constant_and_line(&self) -> usize {
+    /// Returns the number of functions that do not vanish at both ends; they are the first.
+    fn count_at_knots(&self) -> usize {
         if self.flat { 3 } else { 2 }
     }
 
-    /// The values and the slopes.
-    fn at(&self, u: f64) -> ([f64; MOST], [f64; MOST]) {
+    /// Evaluates the functions and their slopes at `u`.
+    fn evaluate(&self, u: f64) -> ([f64; MOST_FUNCTIONS], [f64; MOST_FUNCTIONS]) {
         if self.count == 1 {
-            // An axis of one node, which has no length: only 1 is left.
-            let mut values = [0.0; MOST];
+            // An axis of one node has no length: its only function is 1.
+            let mut values = [0.0; MOST_FUNCTIONS];
             values[0] = 1.0;
-            return (values, [0.0; MOST]);
+            return (values, [0.0; MOST_FUNCTIONS]);
         }
         let [from, to] = self.ends;
         let length = to - from;
@@ -285,12 +302,12 @@ impl Functions {
         }
         let s = (to - u) / length;
         let (polynomials, derivatives) = chebyshev(1.0 - 2.0 * s);
-        let (mut values, mut slopes) = ([0.0; MOST], [0.0; MOST]);
+        let (mut values, mut slopes) = ([0.0; MOST_FUNCTIONS], [0.0; MOST_FUNCTIONS]);
         values[0] = 1.0;
         for (i, (polynomial, derivative)) in polynomials
             .iter()
             .zip(derivatives)
-            .take(MOST - 1)
+            .take(MOST_FUNCTIONS - 1)
             .enumerate()
         {
             values[i + 1] = s * s * s * polynomial;
@@ -299,11 +316,11 @@ impl Functions {
         (values, slopes)
     }
 
-    /// Their coefficients in terms of those of the splines that do not vanish here: a row for each
-    /// function.
+    /// Returns the matrix from the coefficients of the B-splines that do not vanish on the interval
+    /// to those of the functions: a row for each function.
     fn transform(&self, basis: &Basis) -> Vec<Vec<f64>> {
         let [from, to] = self.ends;
-        // The polynomials, and as many Chebyshev points.
+        // The number of polynomials, and of Chebyshev points.
         let skipped = usize::from(self.flat);
         let count = self.count - skipped;
         let angle = |point: usize| PI * (point as f64 + 0.5) / count as f64;
@@ -312,8 +329,8 @@ impl Functions {
         for point in 0..count {
             let s = 0.5 - 0.5 * angle(point).cos();
             let splines = basis.weights(to - (to - from) * s);
-            // At a flat end the last spline is 1, and all others fall like `s^3`. They add up to
-            // one, so that its difference from 1 is that of the others from 0, without
+            // Towards a flat end the last B-spline tends to 1 and the others fall like `s^3`.
+            // Because they add up to one, 1 minus the last is the sum of the others, without
             // cancellation.
             let last = splines.count - 1;
             let value = |spline: usize| match self.flat {
@@ -332,7 +349,7 @@ impl Functions {
                 transform[0][last] = 1.0;
             }
         }
-        // From the polynomials to their differences from the first two.
+        // From the Chebyshev polynomials to their differences from the first two.
         let polynomials = &mut transform[skipped..];
         for function in 2..count {
             let (firsts, row) = polynomials.split_at_mut(function);
@@ -345,15 +362,15 @@ impl Functions {
     }
 }
 
-/// `T0`, `T1`, `T2 - T0`, `T3 - T1`, `T4 - T0` and so on, and their derivatives.
-fn chebyshev(t: f64) -> ([f64; MOST], [f64; MOST]) {
-    let (mut values, mut slopes) = ([1.0; MOST], [0.0; MOST]);
+/// Evaluates `T0`, `T1`, `T2 - T0`, `T3 - T1`, `T4 - T0` and so on, and their derivatives, at `t`.
+fn chebyshev(t: f64) -> ([f64; MOST_FUNCTIONS], [f64; MOST_FUNCTIONS]) {
+    let (mut values, mut slopes) = ([1.0; MOST_FUNCTIONS], [0.0; MOST_FUNCTIONS]);
     (values[1], slopes[1]) = (t, 1.0);
-    for k in 2..MOST {
+    for k in 2..MOST_FUNCTIONS {
         values[k] = 2.0 * t * values[k - 1] - values[k - 2];
         slopes[k] = 2.0 * (values[k - 1] + t * slopes[k - 1]) - slopes[k - 2];
     }
-    for k in 2..MOST {
+    for k in 2..MOST_FUNCTIONS {
         values[k] -= values[k % 2];
         slopes[k] -= slopes[k % 2];
     }

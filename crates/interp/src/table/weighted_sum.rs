@@ -1,12 +1,14 @@
-//! Weighted sums of rows, all that the interpolation along the material axes consists of.
+//! Weighted sums of rows, of which the interpolation along the material axes consists.
 
-/// Adds the weighted sum of rows, one each `stride` numbers, as long as the sum. [f64; 4] at once,
+/// Adds rows, each times its weight, to `sum`.
+///
+/// Row `i` begins at `rows[i * stride]` and is as long as `sum`. Four rows are added at a time,
 /// because the sum is not kept in registers.
 pub(crate) fn add_rows(sum: &mut [f64], weights: &[f64], rows: &[f64], stride: usize) {
     let length = sum.len();
     let row = |i: usize| &rows[i * stride..][..length];
-    let (fours, rest) = weights.as_chunks::<4>();
-    for (i, &[p, q, r, s]) in fours.iter().enumerate() {
+    let (groups, rest) = weights.as_chunks::<4>();
+    for (i, &[p, q, r, s]) in groups.iter().enumerate() {
         let rows = row(4 * i)
             .iter()
             .zip(row(4 * i + 1))
@@ -16,7 +18,7 @@ pub(crate) fn add_rows(sum: &mut [f64], weights: &[f64], rows: &[f64], stride: u
         }
     }
     for (i, &weight) in rest.iter().enumerate() {
-        for (sum, &value) in sum.iter_mut().zip(row(4 * fours.len() + i)) {
+        for (sum, &value) in sum.iter_mut().zip(row(4 * groups.len() + i)) {
             *sum += weight * value;
         }
     }

@@ -1,6 +1,6 @@
 //! The public functions that take numbers, in one list for the property test and for the fuzzer.
 //!
-//! A new function is a row of [`FUNCTIONS`] and, for what is true of its answers, a property in
+//! For a new function add a row to [`FUNCTIONS`], and a test of the properties of its results to
 //! `physics.rs`.
 
 use std::array::from_fn;
@@ -16,17 +16,18 @@ use interp::{
 
 use crate::tables::{self, AXES, look_up};
 
-/// What a function answers: numbers that must be finite, or an error. (What may be infinite is
-/// looked at on the way.)
-pub type Answer = Result<Vec<f64>, Error>;
+/// The results of a function, which must be finite, or an error. Results that may be infinite are
+/// checked where they are computed.
+pub type Results = Result<Vec<f64>, Error>;
 
-/// Name, numbers that it answers, as many as it takes, and itself.
-pub type Function = (&'static str, &'static [f64], fn(&[f64]) -> Answer);
+/// A function under test: its name, valid arguments, and a call with any arguments.
+pub type Function = (&'static str, &'static [f64], fn(&[f64]) -> Results);
 
-/// On a film, and on a half-space.
+/// A contact on a film, and one on a half-space.
 static CONTACTS: LazyLock<[Contact; 2]> =
     LazyLock::new(|| [tables::contact(), tables::bare_contact()]);
 
+/// All functions under test.
 pub const FUNCTIONS: &[Function] = &[
     ("Elastic::new", &[1e6, 0.3], |x| {
         let solid = Elastic::new(x[0], x[1])?;
@@ -266,10 +267,10 @@ pub const FUNCTIONS: &[Function] = &[
                     RateDependent::new(Hysteresis::new(x[0], x[1])?, x[2], x[3])?,
                     x[4],
                 )?;
-                let moments = line.ramp(Control::Load, x[5], x[6], x[7])?;
-                Ok(moments
+                let states = line.ramp(Control::Load, x[5], x[6], x[7])?;
+                Ok(states
                     .into_iter()
-                    .flat_map(|moment| [vec![moment.time], numbers(moment.state).to_vec()].concat())
+                    .flat_map(|at| [vec![at.time], numbers(at.state).to_vec()].concat())
                     .collect())
             })
         },
@@ -318,7 +319,7 @@ pub const FUNCTIONS: &[Function] = &[
             ])
         },
     ),
-    // These give what arithmetic gives, NaN for NaN.
+    // These functions are plain arithmetic: they may return NaN and infinity, but not panic.
     (
         "Mechanics::load",
         &[
@@ -348,7 +349,7 @@ pub const FUNCTIONS: &[Function] = &[
         let _ = Quantity::ALL.map(|quantity| quantity.logarithm(x[0], x[1]));
         Ok(vec![])
     }),
-    // Nodes that do not ascend make a basis of no use, not a panic.
+    // Nodes that do not ascend make a useless basis, but no panic.
     (
         "Basis::new",
         &[
@@ -369,7 +370,7 @@ pub const FUNCTIONS: &[Function] = &[
             Ok(vec![])
         },
     ),
-    // A table holds numbers or is malformed, whatever it is made of.
+    // A table holds finite numbers, or it is malformed.
     (
         "Table::new",
         &[1e-3, 0.25, 0.7, 2.0, 0.1, 0.5, 1.0, 0.7],
@@ -392,7 +393,7 @@ pub const FUNCTIONS: &[Function] = &[
     ("LowRank::new", &[1.0, 1.0, 1.0, 0.1, 0.1, 1.0], |x| {
         let nodes = AXES.map(|nodes| vec![1; nodes.len()]);
         let cores = [&nodes[3][..], &nodes[1], &nodes[2], &nodes[0]];
-        let weights = from_fn(|joint| vec![x[joint]]);
+        let weights = from_fn(|bond| vec![x[bond]]);
         let mut functions = tables::functions(AXES.map(|nodes| nodes.len()));
         functions[1][0] = x[5];
         let form = LowRank::new(
@@ -411,26 +412,28 @@ pub const FUNCTIONS: &[Function] = &[
     }),
 ];
 
-/// The first of them with gradients.
+/// The contact on a film, with gradients.
 static GRADIENTS: LazyLock<Contact> = LazyLock::new(|| {
     Table::embedded()
         .contact_with_gradient(CONTACTS[0].system().expect("on a film"))
         .expect("in the table")
 });
 
+/// Returns the curve of the contact on a film.
 fn curve() -> &'static Curve {
     CONTACTS[0].curve().expect("on a film")
 }
 
-/// What the contacts answer; one may have none.
-fn each(ask: impl Fn(&Contact) -> Answer) -> Answer {
-    let [film, half_space] = CONTACTS.each_ref().map(ask);
+/// Calls a function of both contacts. It is an error only if both calls are.
+fn each(call: impl Fn(&Contact) -> Results) -> Results {
+    let [film, half_space] = CONTACTS.each_ref().map(call);
     match (film, half_space) {
         (Ok(film), Ok(half_space)) => Ok([film, half_space].concat()),
         (film, half_space) => film.or(half_space),
     }
 }
 
+/// Returns all controls.
 fn controls(stiffness: f64) -> [Control; 3] {
     [
         Control::Load,
@@ -439,10 +442,12 @@ fn controls(stiffness: f64) -> [Control; 3] {
     ]
 }
 
+/// Returns the numbers of a state.
 fn numbers(state: State) -> [f64; 3] {
     [state.contact_radius, state.load, state.penetration]
 }
 
+/// Makes a system of seven numbers.
 fn system(x: &[f64]) -> Result<System, Error> {
     let (film, substrate) = (Elastic::new(x[2], x[3])?, Elastic::new(x[5], x[6])?);
     Ok(System {
@@ -454,12 +459,13 @@ fn system(x: &[f64]) -> Result<System, Error> {
     })
 }
 
+/// Makes a material of four numbers.
 fn material(x: &[f64]) -> Result<Material, Error> {
     Material::new(x[0], x[1], x[2], x[3])
 }
 
-/// What is finite of any material; the rest is a number.
-fn moduli(material: &Material) -> Answer {
+/// Returns the moduli and limits of a material that must be finite, and checks the others.
+fn moduli(material: &Material) -> Results {
     let moduli = [
         material.film_modulus(),
         material.substrate_modulus(),
@@ -480,8 +486,8 @@ fn moduli(material: &Material) -> Answer {
     Ok([finite, material.thick_film_limit().to_array()].concat())
 }
 
-/// The quantities of a curve, which are positive, and their slopes.
-fn quantities(curve: &Curve, a_over_t: f64) -> Answer {
+/// Returns the quantities of a curve, which must be positive, and their slopes.
+fn quantities(curve: &Curve, a_over_t: f64) -> Results {
     let values = curve.quantities(a_over_t)?.to_array();
     assert!(
         values.iter().all(|&value| value > 0.0),
@@ -494,12 +500,14 @@ fn quantities(curve: &Curve, a_over_t: f64) -> Answer {
     Ok([values.to_vec(), slopes?].concat())
 }
 
-fn loads(contact: &Contact, a: f64, w: f64) -> Answer {
+/// Returns the load, and load and penetration together.
+fn loads(contact: &Contact, a: f64, w: f64) -> Results {
     let (load, penetration) = contact.load_and_penetration(a, w)?;
     Ok(vec![contact.load(a, w)?, load, penetration])
 }
 
-fn gradients(contact: &Contact, a: f64, w: f64) -> Answer {
+/// Returns load, penetration and their known derivatives.
+fn gradients(contact: &Contact, a: f64, w: f64) -> Results {
     let gradient = contact.gradient(a, w)?;
     let by = Input::ALL
         .into_iter()

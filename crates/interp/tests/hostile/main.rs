@@ -1,4 +1,7 @@
-//! What the library makes of bytes and numbers that nobody should give it.
+//! Tests of the library with hostile bytes and arbitrary numbers.
+//!
+//! `packed` forges packed tables, `numbers` gives any f64 to the public functions that `functions`
+//! lists, `physics` tests properties of the results, and `tables` makes the small tables for them.
 
 mod functions;
 mod numbers;
@@ -8,7 +11,8 @@ mod tables;
 
 use proptest::test_runner::{Config, RngSeed};
 
-/// The same cases in every run; the fuzzer looks for others.
+/// Returns a configuration with a fixed seed, so that each run tests equal cases. The fuzzer looks
+/// for others.
 fn config(cases: u32) -> Config {
     Config {
         failure_persistence: None,

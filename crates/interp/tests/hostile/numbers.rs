@@ -1,5 +1,5 @@
-//! Every public function is total on f64: whatever it is asked, it answers with finite numbers or
-//! an error, never a panic.
+//! Every public function is total on f64: it returns finite numbers or an error for any arguments,
+//! and never panics.
 
 use proptest::prelude::*;
 use proptest::test_runner::TestRunner;
@@ -7,8 +7,8 @@ use proptest::test_runner::TestRunner;
 use crate::config;
 use crate::functions::{FUNCTIONS, Function};
 
-/// Any f64 at all: those at the ends of arithmetic, any bits, any magnitude; and, more often, such
-/// as a contact may have.
+/// Generates any f64: numbers at the ends of arithmetic, any bits, any magnitude; and, more often,
+/// numbers of the size that a contact may have.
 fn any_number() -> impl Strategy<Value = f64> {
     let ends = [
         0.0,
@@ -41,35 +41,38 @@ fn any_number() -> impl Strategy<Value = f64> {
     ]
 }
 
-/// All of them any numbers, or all but one those that are answered.
-fn arguments(sound: &'static [f64]) -> impl Strategy<Value = Vec<f64>> {
-    let one = (0..sound.len(), any_number()).prop_map(|(i, number)| {
-        let mut numbers = sound.to_vec();
+/// Generates arguments: any numbers, or the valid ones of which one is replaced by any number.
+fn arguments(valid: &'static [f64]) -> impl Strategy<Value = Vec<f64>> {
+    let one = (0..valid.len(), any_number()).prop_map(|(i, number)| {
+        let mut numbers = valid.to_vec();
         numbers[i] = number;
         numbers
     });
-    prop_oneof![prop::collection::vec(any_number(), sound.len()), one]
+    prop_oneof![prop::collection::vec(any_number(), valid.len()), one]
 }
 
 #[test]
-fn any_numbers_are_answered_with_finite_ones_or_an_error() {
-    let fails = |(name, sound, function): &Function| {
-        let answered = TestRunner::new(config(1000)).run(&arguments(sound), |numbers| {
-            let answer = function(&numbers).unwrap_or_default();
-            prop_assert!(answer.iter().all(|number| number.is_finite()), "{answer:?}");
+fn any_numbers_give_finite_results_or_an_error() {
+    let fails = |(name, valid, function): &Function| {
+        let tested = TestRunner::new(config(1000)).run(&arguments(valid), |numbers| {
+            let results = function(&numbers).unwrap_or_default();
+            prop_assert!(
+                results.iter().all(|number| number.is_finite()),
+                "{results:?}"
+            );
             Ok(())
         });
-        Some(format!("{name}: {}", answered.err()?))
+        Some(format!("{name}: {}", tested.err()?))
     };
     let failures: Vec<String> = FUNCTIONS.iter().filter_map(fails).collect();
     assert!(failures.is_empty(), "{}", failures.join("\n"));
 }
 
-/// Or nothing would be asked of the answers.
+/// Without this the test above might only meet errors.
 #[test]
-fn sound_numbers_are_answered() {
+fn valid_numbers_give_results() {
     let fails =
-        |(name, sound, function): &Function| Some(format!("{name}: {}", function(sound).err()?));
+        |(name, valid, function): &Function| Some(format!("{name}: {}", function(valid).err()?));
     let failures: Vec<String> = FUNCTIONS.iter().filter_map(fails).collect();
     assert!(failures.is_empty(), "{}", failures.join("\n"));
 }

@@ -1,19 +1,21 @@
-//! Packed bytes of any kind end in an error, or in a table that can be looked up, and take no more
-//! memory than a small multiple of theirs.
+//! Any packed bytes give an error or a table that can be looked up, and reading them takes memory
+//! of at most a small multiple of their length.
 
 use allocation_counter::measure;
 use interp::{Elastic, Error, Quantity, System, Table};
 
 use crate::tables::{self, PREFIX, look_up, with_prefix};
 
-/// The most memory that reading takes, in bytes: so many for each byte of the input, where a list
-/// of one-byte integers has just outgrown its memory, and a megabyte, which the header's limit lets
-/// a forged length claim. Measured: 24.0 and 1.05e6.
+/// The largest memory that reading may take: bytes for each byte of the input, and a constant
+/// number of bytes. The first is reached where a list of one-byte integers has just outgrown its
+/// memory. The second is the megabyte that a forged length can claim under the header's limit.
+/// Measured: 24.0 and 1.05e6.
 const READING: (usize, usize) = (25, 1_060_000);
 
-/// The same of what a table prepares when it is first looked up, and of the curve with its
-/// gradients. Measured: 48.4 for a low-rank table of many nodes, of which the header's limit allows
-/// 130,000, and 1.2e7 for noise on 60 decades of `a/t`, which has the finest pieces.
+/// The largest memory that the first look-up of a curve with gradients may take: bytes for each
+/// byte of the packed table, and a constant number of bytes. Measured: 48.4 for a low-rank table of
+/// many nodes, of which the header's limit allows 130,000, and 1.2e7 for noise on 60 decades of
+/// `a/t`, which needs the finest pieces.
 const LOOKING_UP: (usize, usize) = (50, 13_000_000);
 
 /// Reads packed bytes, and asserts that this takes little memory.
@@ -24,6 +26,7 @@ fn read(bytes: &[u8]) -> Result<Table, Error> {
     result.expect("measured")
 }
 
+/// Asserts that memory is at most the given multiple of a number of bytes, plus the constant.
 fn assert_little(memory: usize, (multiple, constant): (usize, usize), bytes: usize) {
     assert!(
         memory <= multiple * bytes + constant,
@@ -31,11 +34,12 @@ fn assert_little(memory: usize, (multiple, constant): (usize, usize), bytes: usi
     );
 }
 
-/// Reads a payload with a sound checksum.
+/// Reads a payload after a valid prefix.
 fn read_payload(payload: &[u8]) -> Result<Table, Error> {
     read(&with_prefix(payload))
 }
 
+/// Asserts that a payload is malformed.
 fn assert_malformed(case: &str, payload: &[u8]) {
     let result = read_payload(payload);
     assert!(
@@ -44,8 +48,8 @@ fn assert_malformed(case: &str, payload: &[u8]) {
     );
 }
 
-/// Malformed, or a table that gives numbers or is malformed. Every 31st forgery is looked up, if it
-/// is a table: that takes a while.
+/// Asserts that a forged payload is malformed, or a table whose look-up gives numbers or finds that
+/// it is malformed. Only every 31st forgery is looked up, because that is slow.
 fn assert_harmless(case: &str, number: usize, payload: &[u8]) {
     let look_up = |table: Table| {
         if number.is_multiple_of(31) {
@@ -59,12 +63,13 @@ fn assert_harmless(case: &str, number: usize, payload: &[u8]) {
     }
 }
 
+/// Returns a packed table of each form.
 fn packed() -> [(&'static str, Vec<u8>); 2] {
     [("dense", tables::dense()), ("low rank", tables::low_rank())]
         .map(|(form, table)| (form, table.to_packed().expect("small")))
 }
 
-/// Random bytes, the same in every run (xorshift).
+/// Returns pseudorandom bytes from a fixed seed (xorshift).
 fn noise(count: usize) -> Vec<u8> {
     let mut state = 0x9e37_79b9_7f4a_7c15_u64;
     let mut next = || {
@@ -83,7 +88,7 @@ fn noise(count: usize) -> Vec<u8> {
 fn the_prefix_is_that_of_the_format() {
     for (form, bytes) in packed() {
         assert_eq!(with_prefix(&bytes[PREFIX..]), bytes, "{form}");
-        look_up(&read(&bytes).expect("sound")).expect("sound");
+        look_up(&read(&bytes).expect("valid")).expect("valid");
     }
 }
 
@@ -99,7 +104,7 @@ fn truncated_bytes_are_an_error_at_every_length() {
         }
         for length in PREFIX..bytes.len() {
             assert_malformed(
-                &format!("{form}, {length} bytes, sound checksum"),
+                &format!("{form}, {length} bytes, valid checksum"),
                 &bytes[PREFIX..length],
             );
         }
@@ -107,7 +112,7 @@ fn truncated_bytes_are_an_error_at_every_length() {
 }
 
 #[test]
-fn every_flipped_bit_is_an_error_and_with_a_sound_checksum_harmless() {
+fn every_flipped_bit_is_an_error_and_with_a_valid_checksum_harmless() {
     for (form, bytes) in packed() {
         let mut flipped = bytes.clone();
         for bit in 0..8 * bytes.len() {
@@ -119,8 +124,8 @@ fn every_flipped_bit_is_an_error_and_with_a_sound_checksum_harmless() {
     }
 }
 
-/// Wherever a length may stand, in the fixed width of the header and the variable one of the
-/// content.
+/// Lengths are forged at every place, in the fixed width of the header and in the variable width of
+/// the content.
 #[test]
 fn forged_lengths_are_harmless() {
     for (form, bytes) in packed() {
@@ -150,7 +155,7 @@ fn forged_lengths_are_harmless() {
                 );
             }
         }
-        // That of the payload.
+        // The length of the payload.
         for length in [
             0,
             1,
@@ -168,7 +173,7 @@ fn forged_lengths_are_harmless() {
     }
 }
 
-/// Zeros are numbers in as few bytes as there may be.
+/// Zeros are the numbers of the fewest bytes.
 #[test]
 fn a_long_list_of_zeros_takes_little_memory_wherever_it_is() {
     let zeros = vec![0; (1 << 20) + 1];
@@ -215,9 +220,9 @@ fn looking_up_takes_little_memory() {
     }
 }
 
-/// Fitting code asks in its innermost loop.
+/// Fitting code calls these functions in its innermost loop.
 #[test]
-fn a_contact_that_is_made_answers_without_allocating() {
+fn evaluating_a_contact_does_not_allocate() {
     let substrate = Elastic::new(2e11, 0.25).expect("physical");
     let film = Elastic::new(3.5e6, 0.5).expect("physical");
     let system = System {
@@ -252,15 +257,15 @@ fn a_contact_that_is_made_answers_without_allocating() {
 #[test]
 fn ten_megabytes_of_noise_are_an_error() {
     let noise = noise(10_000_000);
-    let same = [0x00, 0x01, 0x80, 0xfb, 0xfd, 0xff].map(|byte| vec![byte; noise.len()]);
-    for content in same.iter().chain([&noise]) {
+    let uniform = [0x00, 0x01, 0x80, 0xfb, 0xfd, 0xff].map(|byte| vec![byte; noise.len()]);
+    for content in uniform.iter().chain([&noise]) {
         assert!(matches!(read(content), Err(Error::Foreign(_))));
         assert!(matches!(
             read(&[b"COATTBL\n", content.as_slice()].concat()),
             Err(Error::Version { .. })
         ));
         assert_malformed("noise alone", content);
-        // Behind a part of a sound payload, or all of it.
+        // The noise follows a part of a valid payload, or all of it.
         for (form, bytes) in packed() {
             for kept in (PREFIX..bytes.len()).step_by(101).chain([bytes.len()]) {
                 assert_malformed(

@@ -1,5 +1,5 @@
-//! What is true of every answer: signs, monotony and exact identities, for any contact in the
-//! embedded table's box.
+//! Properties of the results of any contact in the embedded table's box: signs, monotony and exact
+//! identities.
 
 use std::sync::LazyLock;
 
@@ -12,17 +12,18 @@ use crate::{config, tables};
 
 static CONTACT: LazyLock<Contact> = LazyLock::new(tables::contact);
 
+/// Generates powers of ten with exponents in `range`.
 fn magnitude(range: std::ops::RangeInclusive<f64>) -> impl Strategy<Value = f64> {
     range.prop_map(|exponent| 10_f64.powf(exponent))
 }
 
-/// Any in the box of the embedded table.
+/// Generates any material in the box of the embedded table.
 fn material() -> impl Strategy<Value = Material> {
     (magnitude(-2.99..=2.99), 0.0..=0.5, magnitude(0.01..=5.99))
         .prop_map(|(e1, nu1, e0)| Material::new(e1, nu1, e0, 0.25).expect("physical"))
 }
 
-/// Any system with such a material, lengths and modulus within nine decades.
+/// Generates any system with such a material, with lengths and modulus within nine decades.
 fn system() -> impl Strategy<Value = System> {
     let lengths = (
         magnitude(-6.0..=0.0),
@@ -47,6 +48,7 @@ fn system() -> impl Strategy<Value = System> {
     )
 }
 
+/// Returns the curve of a material in the box.
 fn curve(material: &Material) -> Curve {
     Table::embedded().curve(material).expect("in the box")
 }
@@ -74,8 +76,8 @@ proptest! {
         prop_assert!(identities.into_iter().all(|error| error.abs() < 1e-6), "{identities:?}");
     }
 
-    /// Dundurs: the equivalent of the equivalent is the material, and on the way the moduli that
-    /// matter stay.
+    /// The equivalent of the equivalent is the material itself, and an equivalent keeps the reduced
+    /// moduli (Dundurs).
     #[test]
     fn an_equivalent_material_has_the_same_moduli(material in material(), nu0 in -0.9..=0.5) {
         let Ok(equivalent) = material.with_substrate_poisson_ratio(nu0) else { return Ok(()) };
@@ -92,14 +94,14 @@ proptest! {
         }
     }
 
-    /// Adhesion pulls, and the energy release rate of what it makes is the work of adhesion.
+    /// Adhesion lowers load and penetration, and their energy release rate is the work of adhesion.
     #[test]
     fn adhesion_pulls_and_its_energy_is_released(system in system(), x in magnitude(-2.99..=2.99), pull in magnitude(-3.0..=1.0)) {
         let contact = Table::embedded().contact(&system).expect("in the box");
         let a = x * system.film_thickness;
         let bare = contact.load_and_penetration(a, 0.0).expect("in the box");
         prop_assert!(bare.0 > 0.0 && bare.1 > 0.0, "{bare:?}");
-        // Of a load some tenth to ten times the adhesionless one.
+        // `pull` is the edge singularity over the adhesionless load per radius.
         let edge = pull * bare.0 / a;
         let w = contact.mechanics().energy_release_rate(a, edge);
         let (load, penetration) = contact.load_and_penetration(a, w).expect("in the box");
@@ -112,14 +114,14 @@ proptest! {
         }
     }
 
-    /// A rigid machine holds a contact longer than a dead weight, a spring in between; at
-    /// separation the edge is in equilibrium.
+    /// A rigid machine separates a contact later than a spring, and a spring later than a dead
+    /// weight. At separation the edge is in equilibrium.
     #[test]
     fn a_stiffer_machine_separates_later(system in system(), x in magnitude(-2.0..=2.0), stiffness in magnitude(-3.0..=3.0)) {
         let contact = Table::embedded().contact(&system).expect("in the box");
         let a = x * system.film_thickness;
-        // As large as the adhesionless load is at this radius, so that the radii of separation are
-        // about as large.
+        // This work of adhesion balances the adhesionless load at this radius, so that the radii of
+        // separation are near it.
         let bare = contact.load(a, 0.0).expect("in the box");
         let w = contact.mechanics().energy_release_rate(a, bare / a);
         let stiffness = stiffness * contact.stiffness(a).expect("in the box");
@@ -141,7 +143,7 @@ proptest! {
         }
     }
 
-    /// Metres and pascals are no part of the physics.
+    /// The results scale with the units of length and modulus.
     #[test]
     fn other_units_change_nothing(
         system in system(),
@@ -169,8 +171,8 @@ proptest! {
         prop_assert!((other.1 - penetration).abs() < 1e-12 * length * (one.1.abs() + a * a / system.sphere_radius), "{other:?}, not {penetration}");
     }
 
-    /// The contact radius is told from the load by bisection: load and penetration without adhesion
-    /// grow with it.
+    /// Load and penetration without adhesion grow with the contact radius, as the search for the
+    /// radius of a load assumes.
     #[test]
     fn adhesionless_load_and_penetration_grow(x in magnitude(-2.99..=2.9), step in magnitude(-6.0..=-1.1)) {
         let at = |x: f64| CONTACT.load_and_penetration(1e-6 * x, 0.0).expect("in the box");
@@ -179,7 +181,7 @@ proptest! {
     }
 
     #[test]
-    fn coordinates_are_turned_back(modulus in magnitude(-30.0..=30.0), nu in -1.0..=0.5) {
+    fn the_value_of_a_coordinate_is_the_parameter(modulus in magnitude(-30.0..=30.0), nu in -1.0..=0.5) {
         for parameter in Parameter::ALL {
             let (value, size) = if parameter == Parameter::Nu1 { (nu, 1.0) } else { (modulus, modulus) };
             let again = parameter.value(parameter.coordinate(value));

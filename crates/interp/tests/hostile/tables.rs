@@ -1,4 +1,4 @@
-//! Small tables, whose numbers mean nothing: what matters is what becomes of their bytes.
+//! Small tables with meaningless numbers, for tests of their bytes and of their look-up.
 
 use interp::Parameter;
 use interp::{
@@ -6,7 +6,7 @@ use interp::{
     System, Table,
 };
 
-/// Of four axes.
+/// The nodes of the four axes.
 pub const AXES: [&[f64]; 4] = [
     &[0.5, 0.7, 1.0, 1.5, 2.0],
     &[0.1, 1.0, 3.0, 10.0],
@@ -14,10 +14,12 @@ pub const AXES: [&[f64]; 4] = [
     &[1.0, 1e5],
 ];
 
+/// Returns the nodes of the axes.
 pub fn axes() -> [Vec<f64>; 4] {
     AXES.map(<[f64]>::to_vec)
 }
 
+/// Returns the description of all tables.
 pub fn description() -> Description {
     Description {
         title: "Small".into(),
@@ -35,7 +37,7 @@ pub fn description() -> Description {
     }
 }
 
-/// A dense table of three quantities.
+/// Makes a dense table of three quantities.
 pub fn dense() -> Table {
     let count: usize = AXES.iter().map(|nodes| nodes.len()).product();
     let values = |offset: f64| (0..count).map(|i| offset + 1e-3 * i as f64).collect();
@@ -49,11 +51,11 @@ pub fn dense() -> Table {
             Some(values(0.7)),
         ],
     )
-    .expect("sound")
+    .expect("valid")
 }
 
-/// As many functions as nodes for each core of a low-rank form, which have the axes in this order:
-/// each is 1 at a node and 0 at the others.
+/// Returns the functions for the four cores of a low-rank form, in the order of its cores: as many
+/// for each axis as it has nodes. Each function is 1 at one node and 0 at the others.
 pub fn functions([a, e1, nu, e0]: [usize; 4]) -> [Vec<f64>; 4] {
     [e0, e1, nu, a].map(|n| {
         (0..n * n)
@@ -62,7 +64,7 @@ pub fn functions([a, e1, nu, e0]: [usize; 4]) -> [Vec<f64>; 4] {
     })
 }
 
-/// A low-rank table of all quantities, whose cores are joined by two values each.
+/// Makes a low-rank table of all quantities, with bonds of rank 2.
 pub fn low_rank() -> Table {
     let core = |length: i64| {
         (0..length)
@@ -80,16 +82,17 @@ pub fn low_rank() -> Table {
     let functions = functions(AXES.map(|nodes| nodes.len()));
     let cores = cores.each_ref().map(Vec::as_slice);
     let form =
-        LowRank::new(Quantity::ALL.to_vec(), weights, functions, [0.01; 4], cores).expect("sound");
-    Table::from_low_rank(description(), axes(), form).expect("sound")
+        LowRank::new(Quantity::ALL.to_vec(), weights, functions, [0.01; 4], cores).expect("valid");
+    Table::from_low_rank(description(), axes(), form).expect("valid")
 }
 
-/// In the box of every table here.
+/// Returns a material in the box of every table of this file.
 pub fn material() -> Material {
     Material::new(1.75, 0.3, 300.0, 0.25).expect("physical")
 }
 
-/// One material at so many nodes, as one function, which takes next to no bytes.
+/// Makes a low-rank table of one material with `count` nodes in `a/t`, of rank 1. It takes few
+/// bytes.
 pub fn of_nodes(count: usize, [from, to]: [f64; 2]) -> Table {
     let node = |i: usize| from * (to / from).powf(i as f64 / (count - 1) as f64);
     let axes = [
@@ -113,7 +116,7 @@ pub fn of_nodes(count: usize, [from, to]: [f64; 2]) -> Table {
         [0.1; 4],
         cores,
     )
-    .expect("sound");
+    .expect("valid");
     Table::from_low_rank(
         Description {
             tolerance: 1e-12,
@@ -122,11 +125,11 @@ pub fn of_nodes(count: usize, [from, to]: [f64; 2]) -> Table {
         axes,
         form,
     )
-    .expect("sound")
+    .expect("valid")
 }
 
-/// A dense table of so many nodes on each axis, and one of rank 1: noise, which the splines through
-/// it make worse.
+/// Makes a dense table of noise with `shape` nodes on the axes, and a low-rank one of rank 1. The
+/// splines amplify the noise.
 pub fn of_shape(shape: [usize; 4], a_over_t: [f64; 2]) -> [Table; 2] {
     let middle = [1.0, 1.75, 0.3, 300.0];
     let axes: [Vec<f64>; 4] = std::array::from_fn(|axis| {
@@ -161,22 +164,22 @@ pub fn of_shape(shape: [usize; 4], a_over_t: [f64; 2]) -> [Table; 2] {
         [0.1; 4],
         cores,
     )
-    .expect("sound");
-    let low_rank = Table::from_low_rank(description.clone(), axes.clone(), form).expect("sound");
+    .expect("valid");
+    let low_rank = Table::from_low_rank(description.clone(), axes.clone(), form).expect("valid");
     [
-        Table::new(description, axes, values).expect("sound"),
+        Table::new(description, axes, values).expect("valid"),
         low_rank,
     ]
 }
 
-/// Magic, version, length and checksum.
+/// The number of bytes of magic, version, length and checksum.
 pub const PREFIX: usize = 24;
 
-/// A payload behind the magic, version, length and checksum that it takes to be read at all.
+/// Returns a payload after magic, version, length and checksum, without which it is not read.
 pub fn with_prefix(payload: &[u8]) -> Vec<u8> {
     let (length, checksum) = (payload.len() as u64, crc32fast::hash(payload));
     [
-        &b"COATTBL\n\x03\0\0\0"[..],
+        &b"COATTBL\n\x01\0\0\0"[..],
         &length.to_le_bytes(),
         &checksum.to_le_bytes(),
         payload,
@@ -184,8 +187,8 @@ pub fn with_prefix(payload: &[u8]) -> Vec<u8> {
     .concat()
 }
 
-/// Looks up a material in the middle of the table's box: an error, or numbers, which are positive
-/// where they must be.
+/// Looks up a material in the middle of the table's box, and asserts that quantities are positive
+/// and finite, and slopes and gradients finite.
 pub fn look_up(table: &Table) -> Result<(), Error> {
     let middle = |parameter: Parameter| {
         let axis = table.axis(parameter);
@@ -241,7 +244,8 @@ pub fn look_up(table: &Table) -> Result<(), Error> {
     Ok(())
 }
 
-/// The paper's system, but for the substrate, which is as the embedded table's, of a film of 1 um.
+/// Returns the contact of the paper's system with a film of 1 um, on a substrate with the Poisson
+/// ratio of the embedded table.
 pub fn contact() -> Contact {
     let (film, substrate) = (Elastic::new(3.5e6, 0.5), Elastic::new(2e11, 0.25));
     let (film, substrate) = (film.expect("physical"), substrate.expect("physical"));
@@ -255,7 +259,7 @@ pub fn contact() -> Contact {
     Table::embedded().contact(&system).expect("in the table")
 }
 
-/// Without the film.
+/// Returns the contact of this system without the film.
 pub fn bare_contact() -> Contact {
     let half_space = contact().system().expect("on a film").without_film();
     Contact::half_space(&half_space).expect("physical")

@@ -3,24 +3,39 @@
 use std::path::PathBuf;
 
 use anyhow::{Context, ensure};
-use clap::value_parser;
+use clap::{ValueHint, value_parser};
 use interp::{Elastic, Mechanics, System};
 use rayon::prelude::*;
 
 use super::points::number;
-use super::{progress_bar, read_table, write_text};
+use super::progress::progress_bar;
+use super::table_name::{self, TableName};
+use super::write_text;
 use crate::output;
 use crate::solve::solve;
 
 /// Print the force curve of one system as CSV, in SI units
 ///
-/// The columns are contact_radius (m), load (N), penetration (m), and the coordinates of the
-/// reduced JKR plot, jkr_abscissa = a^(3/2) / (sqrt(pi) R) and jkr_ordinate = F / (sqrt(6 pi)
-/// a^(3/2)). The defaults are those of the paper (Tables 1 and 2).
+/// Each row is an equilibrium at one contact radius: contact_radius (m), load (N, positive in
+/// compression), penetration (m), and the coordinates of the reduced JKR plot, jkr_abscissa =
+/// a^(3/2) / (sqrt(pi) R) and jkr_ordinate = F / (sqrt(6 pi) a^(3/2)). At a small radius or a
+/// negative load an equilibrium may be unstable.
+///
+/// Without arguments the system is that of Barthel's Tables 1 and 2: an elastomer sphere of 1 mm on
+/// an elastomer film of 1 um on silicon.
 #[derive(clap::Args)]
+#[command(after_help = super::examples!(
+    "tabulate curve",
+    "tabulate curve --film-thickness 1e-5 --points 20 | cut -d, -f1-3",
+    "tabulate curve --sphere-modulus inf --film-modulus 1e9 --film-poisson-ratio 0.4",
+    "tabulate curve embedded --work-of-adhesion 0.1 -o curve.csv",
+))]
 pub struct Arguments {
-    /// The table, HDF5 or packed; without one, every point is solved directly
-    table: Option<PathBuf>,
+    #[arg(
+        help = format!("{}. Without a table, every point is solved directly", table_name::HELP),
+        value_hint = ValueHint::FilePath
+    )]
+    table: Option<TableName>,
     /// Thickness of the film, m
     #[arg(long, default_value = "1e-6", allow_negative_numbers = true)]
     film_thickness: f64,
@@ -67,6 +82,24 @@ pub struct Arguments {
     output: Option<PathBuf>,
 }
 
+/// Returns the contact radius of row `i`. Between the ends it is rounded to 15 digits, so that
+/// steps of 1 um print as such.
+fn radius(
+    &Arguments {
+        from, to, points, ..
+    }: &Arguments,
+    i: u32,
+) -> f64 {
+    match i {
+        0 => from,
+        _ if i == points - 1 => to,
+        _ => {
+            let a = from + (to - from) * (f64::from(i) / f64::from(points - 1));
+            format!("{a:.14e}").parse().unwrap_or(a)
+        }
+    }
+}
+
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let Arguments {
         from,
@@ -75,7 +108,8 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         work_of_adhesion,
         ..
     } = *arguments;
-    output::check(arguments.output.as_deref(), arguments.table.as_deref())?;
+    let input = arguments.table.as_ref().and_then(TableName::path);
+    output::check(arguments.output.as_deref(), input)?;
     ensure!(
         from > 0.0 && to > from && to < f64::INFINITY,
         "the contact radii must run from > 0 to more than that: from {from} to {to}"
@@ -96,12 +130,12 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let contact = arguments
         .table
         .as_ref()
-        .map(|path| anyhow::Ok(read_table(path)?.contact(&system)?))
+        .map(|name| anyhow::Ok(name.read()?.contact(&system)?))
         .transpose()?;
 
     let bar = progress_bar(points as usize, "solving");
     let row = |i: u32| {
-        let a = from + (to - from) * (f64::from(i) / f64::from(points - 1));
+        let a = radius(arguments, i);
         let (load, penetration) = match &contact {
             Some(contact) => contact.load_and_penetration(a, work_of_adhesion)?,
             None => {

@@ -1,21 +1,20 @@
 //! `tabulate generate`
 
 use std::path::{Path, PathBuf};
-use std::sync::Mutex;
 use std::time::{Duration, Instant};
 
 use anyhow::{Context, bail, ensure};
 use clap::value_parser;
-use indicatif::ProgressBar;
-use interp::Parameter;
+use serde::Serialize;
 
-use super::{info, progress_bar, write_text};
+use super::json::{self, OfParameters, TableObject, Written};
+use super::progress::Bars;
+use super::table_name::hdf5_file;
+use super::{info, plan, write_text};
 use crate::output;
-use crate::table::Plan;
 use crate::table::Scene;
 use crate::table::default_points;
-use crate::table::sweep;
-use crate::table::{Generated, Observer, Options, generate};
+use crate::table::{Generated, Options, generate};
 
 /// The four-parameter scene that is made when no other is named.
 const DEFAULT_SCENE: &str = include_str!("../../../../tables/default.toml");
@@ -23,21 +22,28 @@ const DEFAULT_SCENE: &str = include_str!("../../../../tables/default.toml");
 /// Make the HDF5 table of a scene: choose the nodes, solve them, measure the accuracy
 ///
 /// The nodes are chosen so that the splines between them keep the tolerance. Then the table is
-/// compared with direct solves at other points, and what they say is stored in it; axes that hold
-/// too large an error get more nodes, and the table is made again. A table that still exceeds its
-/// tolerance, because the scene states its nodes or the budget is spent, is written, and the exit
-/// status is 1.
+/// compared with direct solves at sampled points between the nodes. The largest error found is
+/// stored in the table, as its certificate. An axis with too large an error gets more nodes, and
+/// the table is made again. A table can still exceed its tolerance, because the scene states its
+/// nodes or the budget is spent: then it is written, and the exit status is 1.
 ///
-/// Finished pieces are kept in TABLE.h5.unfinished until the table is complete, so that a run that
-/// was killed goes on with --resume. An existing table is not touched until then. In a scene the
-/// moduli are Young's moduli over the sphere's reduced modulus E2*, see `tabulate --help`.
+/// Finished pieces are kept in TABLE.h5.unfinished until the table is complete: after an
+/// interruption, --resume goes on from them. An existing table is not touched until then. In a
+/// scene, e1_over_e2 and e0_over_e2 are Young's moduli over the sphere's reduced modulus E2*, see
+/// `tabulate --help`.
 #[derive(clap::Args)]
+#[command(after_help = super::examples!(
+    "tabulate generate tables/paper.toml --plan",
+    "tabulate generate tables/paper.toml -o paper.h5",
+    "tabulate generate tables/incompressible.toml -o films.h5 --tolerance 1e-4 --jobs 2",
+    "tabulate generate                                  # the default scene: a million contacts",
+))]
 pub struct Arguments {
     /// The scene; without one, the default four-parameter box
     #[arg(value_name = "SCENE.toml")]
     scene: Option<PathBuf>,
-    /// The table to write [default: the scene's path with the ending .h5, or default.h5]
-    #[arg(short, long, value_name = "TABLE.h5")]
+    /// The HDF5 table to write [default: the scene's path with the ending .h5, or default.h5]
+    #[arg(short, long, value_name = "TABLE.h5", value_parser = hdf5_file())]
     output: Option<PathBuf>,
     /// Relative tolerance between the nodes, instead of the scene's
     #[arg(long, allow_negative_numbers = true)]
@@ -45,21 +51,50 @@ pub struct Arguments {
     /// Number of threads [default: one per core]
     #[arg(long, value_parser = value_parser!(u16).range(1..=1024))]
     jobs: Option<u16>,
-    /// Go on from the finished pieces of a run of the same scene that was interrupted
+    /// Go on from the finished pieces of an interrupted run of the scene
     #[arg(long)]
     resume: bool,
-    /// Print axes, nodes, solves, and the time, memory and bytes to expect, and make nothing
+    /// Print axes, nodes, solves, and the expected time, memory and size, and make nothing
     #[arg(long)]
     plan: bool,
-    /// Stop after this time, with what is finished
+    /// Stop after this time, with the pieces that are finished
     #[arg(long, value_name = "SECONDS", allow_negative_numbers = true)]
     budget: Option<f64>,
     /// Number of points of the certificate [default: 2500 for each axis]
     #[arg(long, value_parser = value_parser!(u32).range(1..))]
     certificate_points: Option<u32>,
-    /// Seed of the random ones
+    /// Seed of the random points of the certificate
     #[arg(long, default_value_t = 1)]
     seed: u64,
+    /// Print one JSON object
+    ///
+    /// The fields are those of `tabulate info --json`, then path, points_solved, points_resumed (of
+    /// them, solved before an interruption), seconds_solving, seconds (with the certificate),
+    /// peak_memory_bytes (null where the system does not tell it), and refined (nodes and max_error
+    /// of each earlier round). With --plan the fields are axes, points, certificate_points,
+    /// seconds, memory_bytes and bytes.
+    #[arg(long)]
+    json: bool,
+}
+
+/// The JSON object that `generate --json` prints.
+#[derive(Serialize)]
+struct GeneratedObject<'a> {
+    #[serde(flatten)]
+    written: Written<'a>,
+    points_solved: usize,
+    points_resumed: usize,
+    seconds_solving: f64,
+    seconds: f64,
+    peak_memory_bytes: Option<u64>,
+    refined: Vec<Round>,
+}
+
+/// An earlier round, whose error exceeded the tolerance.
+#[derive(Serialize)]
+struct Round {
+    nodes: OfParameters<usize>,
+    max_error: f64,
 }
 
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
@@ -72,7 +107,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         .certificate_points
         .map_or_else(|| default_points(scene.axes()), |points| points as usize);
     if arguments.plan {
-        return threads.install(|| print_plan(&scene, points));
+        return threads.install(|| plan::print(&scene, points, arguments.json));
     }
     let path = match (&arguments.output, &arguments.scene) {
         (Some(path), _) => path.clone(),
@@ -92,45 +127,15 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let bars = Bars::new();
     let generated = threads.install(|| generate(&scene, &path, &options, &bars));
     bars.clear();
-    let Generated {
-        table,
-        refined,
-        points,
-        resumed,
-        solved,
-    } = generated?;
-    let mut text = info::describe(&table)?;
-    for (shape, certificate) in refined {
-        let shape = shape.map(|nodes| nodes.to_string()).join(" x ");
-        text += &format!(
-            "{:15} {shape} nodes left an error of {:.1e}\n",
-            "refined", certificate.max_error
-        );
-    }
-    let before = if resumed > 0 {
-        format!(" ({resumed} before they were resumed)")
+    let generated = generated?;
+    let (all, bytes) = (start.elapsed(), std::fs::metadata(&path)?.len());
+    if arguments.json {
+        print_json(&generated, &path, bytes, all)?;
     } else {
-        String::new()
-    };
-    let (solved, all) = (solved.as_secs_f64(), start.elapsed().as_secs_f64());
-    text += &format!(
-        "{:15} {points} points{before} in {solved:.1} s, {all:.1} s with the certificate\n",
-        "solved"
-    );
-    if let Some(bytes) = peak_memory() {
-        text += &format!("{:15} {:.0} MB at most\n", "memory", bytes as f64 / 1e6);
+        print_text(&generated, &path, bytes, all)?;
     }
-    text += &format!(
-        "{:15} {} ({} bytes)\n",
-        "written",
-        path.display(),
-        std::fs::metadata(&path)?.len()
-    );
-    write_text(None, text.as_bytes())?;
-    let (error, tolerance) = (
-        table.description().certificate.max_error,
-        table.description().tolerance,
-    );
+    let description = generated.table.description();
+    let (error, tolerance) = (description.certificate.max_error, description.tolerance);
     // Not an ordered comparison the other way round: NaN must not pass.
     let held = error <= tolerance;
     if !held {
@@ -147,7 +152,53 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// The scene of a file, or the default one.
+fn print_json(generated: &Generated, path: &Path, bytes: u64, all: Duration) -> anyhow::Result<()> {
+    let rounds = generated.refined.iter().map(|(nodes, certificate)| Round {
+        nodes: (*nodes).into(),
+        max_error: certificate.max_error,
+    });
+    json::print(&GeneratedObject {
+        written: Written {
+            table: TableObject::new(&generated.table, bytes),
+            path: path.display().to_string(),
+        },
+        points_solved: generated.points,
+        points_resumed: generated.resumed,
+        seconds_solving: generated.solved.as_secs_f64(),
+        seconds: all.as_secs_f64(),
+        peak_memory_bytes: peak_memory(),
+        refined: rounds.collect(),
+    })
+}
+
+fn print_text(generated: &Generated, path: &Path, bytes: u64, all: Duration) -> anyhow::Result<()> {
+    let mut text = info::describe(&generated.table)?;
+    for (shape, certificate) in &generated.refined {
+        let shape = shape.map(|nodes| nodes.to_string()).join(" x ");
+        text += &format!(
+            "{:15} {shape} nodes left an error of {:.1e}\n",
+            "refined", certificate.max_error
+        );
+    }
+    let before = match generated.resumed {
+        0 => String::new(),
+        resumed => format!(" ({resumed} before they were resumed)"),
+    };
+    text += &format!(
+        "{:15} {} points{before} in {:.1} s, {:.1} s with the certificate\n",
+        "solved",
+        generated.points,
+        generated.solved.as_secs_f64(),
+        all.as_secs_f64()
+    );
+    if let Some(bytes) = peak_memory() {
+        text += &format!("{:15} {:.0} MB at most\n", "memory", bytes as f64 / 1e6);
+    }
+    text += &format!("{:15} {} ({bytes} bytes)\n", "written", path.display());
+    write_text(None, text.as_bytes())
+}
+
+/// Reads the scene of a file, or the default one.
 pub fn read_scene(path: Option<&Path>, tolerance: Option<f64>) -> anyhow::Result<Scene> {
     match path {
         Some(path) => Ok(Scene::read(path, tolerance)?),
@@ -157,7 +208,7 @@ pub fn read_scene(path: Option<&Path>, tolerance: Option<f64>) -> anyhow::Result
     }
 }
 
-/// The time that `--budget` allows.
+/// Returns the time that `--budget` allows.
 pub fn budget(seconds: f64) -> anyhow::Result<Duration> {
     ensure!(
         seconds > 0.0 && seconds <= 1e9,
@@ -166,7 +217,8 @@ pub fn budget(seconds: f64) -> anyhow::Result<Duration> {
     Ok(Duration::from_secs_f64(seconds))
 }
 
-/// The most memory that this process has held, where the system says (Linux).
+/// Returns the largest memory that this process has held; none where the system does not tell it
+/// (anywhere but Linux).
 fn peak_memory() -> Option<u64> {
     let status = std::fs::read_to_string("/proc/self/status").ok()?;
     let kilobytes = status
@@ -175,103 +227,4 @@ fn peak_memory() -> Option<u64> {
         .trim()
         .strip_suffix(" kB")?;
     Some(1024 * kilobytes.parse::<u64>().ok()?)
-}
-
-/// Prints what the table of a scene will take.
-fn print_plan(scene: &Scene, certificate_points: usize) -> anyhow::Result<()> {
-    let plan = Plan::new(scene)?;
-    let mut text = String::new();
-    for (parameter, nodes) in Parameter::ALL.into_iter().zip(plan.axes()) {
-        text += &info::describe_axis(parameter, &nodes);
-    }
-    let seconds = seconds_per_point(scene, &plan)?;
-    let certificate = (seconds + SECONDS_PER_CURVE / rayon::current_num_threads() as f64)
-        * certificate_points as f64;
-    let bytes = (8 * plan.points() * scene.quantities.len()) as f64;
-    text += &format!("{:15} {}\n", "nodes", plan.points());
-    text += &format!(
-        "{:15} {} and {certificate_points} for the certificate\n",
-        "solves",
-        plan.points()
-    );
-    text += &format!(
-        "{:15} about {:.1} s\n",
-        "time",
-        seconds * plan.points() as f64 + certificate
-    );
-    text += &format!(
-        "{:15} about {:.0} MB\n",
-        "memory",
-        (1.2 * bytes + PROGRAM) / 1e6
-    );
-    let size = COMPRESSED * bytes;
-    let size = if size < 1e6 {
-        format!("{:.0} kB", size / 1e3)
-    } else {
-        format!("{:.1} MB", size / 1e6)
-    };
-    text += &format!("{:15} about {size}\n", "size");
-    write_text(None, text.as_bytes())
-}
-
-/// What deflate leaves of the values.
-const COMPRESSED: f64 = 0.65;
-/// Memory besides that of the table, which is its values and a fifth of them: within a quarter of
-/// what is measured (`benches/scale.rs`).
-const PROGRAM: f64 = 20e6;
-/// Making the curve of a material, on one thread.
-const SECONDS_PER_CURVE: f64 = 3e-4;
-
-/// The time for a point of the sweep on all threads, measured on a few nodes of each axis.
-fn seconds_per_point(scene: &Scene, plan: &Plan) -> anyhow::Result<f64> {
-    const FEW: usize = 8;
-    let axes = plan.axes().map(|nodes| {
-        nodes
-            .iter()
-            .copied()
-            .step_by(nodes.len().div_ceil(FEW))
-            .collect::<Vec<f64>>()
-    });
-    let points: usize = axes.iter().map(Vec::len).product();
-    // Once before, for what is made at the first use.
-    sweep(scene, &axes, &|_| ())?;
-    let start = Instant::now();
-    sweep(scene, &axes, &|_| ())?;
-    Ok(start.elapsed().as_secs_f64() / points as f64)
-}
-
-/// A bar for each stage.
-pub struct Bars(Mutex<ProgressBar>);
-
-impl Bars {
-    pub fn new() -> Self {
-        Self(Mutex::new(ProgressBar::hidden()))
-    }
-
-    fn bar(&self) -> std::sync::MutexGuard<'_, ProgressBar> {
-        self.0
-            .lock()
-            .unwrap_or_else(std::sync::PoisonError::into_inner)
-    }
-
-    pub fn clear(&self) {
-        self.bar().finish_and_clear();
-    }
-}
-
-impl Observer for Bars {
-    fn begin(&self, what: &'static str, points: usize, finished: usize) {
-        self.clear();
-        let bar = progress_bar(points, what);
-        bar.inc(finished as u64);
-        *self.bar() = bar;
-    }
-
-    fn advance(&self, points: usize) {
-        self.bar().inc(points as u64);
-    }
-
-    fn note(&self, text: &str) {
-        eprintln!("tabulate: {text}");
-    }
 }

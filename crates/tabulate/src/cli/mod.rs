@@ -1,43 +1,70 @@
-//! The command line: one module per subcommand.
+//! The command line: one module for each subcommand.
+//!
+//! Each has `Arguments`, which clap fills and whose comments are the help, and `run`. A table is
+//! named by a `table_name`, points come from CSV (`points`), results go through `write_text` to a
+//! file or to standard output, as text or as one object of `json`, and notes to standard error.
 
 mod check;
+mod completions;
 mod cost;
 mod curve;
 mod generate;
 mod info;
+mod json;
+mod man;
 mod pack;
+mod plan;
 mod plot;
 mod points;
+mod progress;
 mod query;
 mod report;
 mod solve;
+mod table_name;
 mod unpack;
 
-use std::fs::File;
-use std::io::{self, Read, Write};
+use std::io::{self, Write};
 use std::path::Path;
 use std::process::ExitCode;
 
 use anyhow::Context;
 use clap::{Parser, Subcommand};
-use indicatif::{ProgressBar, ProgressStyle};
-use interp::Table;
 
 use crate::output;
+
+/// The section of a help text that shows commands, one to a line.
+macro_rules! examples {
+    ($($line:literal),+ $(,)?) => {
+        concat!("Examples, run at the root of the repository:", $("\n  ", $line),+)
+    };
+}
+use examples;
+
+/// The name of the program.
+const NAME: &str = "tabulate";
 
 /// Adhesive contact of a sphere (2) on a film (1) bonded to a substrate (0): solve it, tabulate it,
 /// look it up.
 ///
-/// a/t is contact radius over film thickness. E1/E2 and E0/E2 are Young's moduli of film and
-/// substrate over the sphere's REDUCED modulus E2* = E2/(1 - nu2^2). E0/E2 = inf is a rigid
-/// substrate. E1/E2 = 0 is a rigid sphere: then results are normalised by the film's reduced
-/// modulus E1* instead of E2*, and E0/E2 is read as E0/E1.
+/// a/t is contact radius over film thickness. E1/E2* and E0/E2* are the Young's moduli of film and
+/// substrate over the sphere's REDUCED modulus E2* = E2/(1 - nu2^2). E0/E2* = inf is a rigid
+/// substrate. E1/E2* = 0 is a rigid sphere: then results are normalised by the film's reduced
+/// modulus E1* instead of E2*, and e0_over_e2 is read as E0/E1.
+///
+/// Wherever a command takes a TABLE, the word `embedded` stands for the table that is compiled into
+/// the program.
 #[derive(Parser)]
 #[command(
-    name = "tabulate",
-    bin_name = "tabulate",
+    name = NAME,
+    bin_name = NAME,
     version,
-    max_term_width = 120
+    max_term_width = 120,
+    after_help = examples!(
+        "tabulate curve",
+        "tabulate solve --a-over-t 65 --e1-over-e2 1.75 --nu1 0.5 --e0-over-e2 1e5",
+        "tabulate query embedded --points tables/points.csv",
+        "tabulate info embedded",
+    )
 )]
 struct Arguments {
     #[command(subcommand)]
@@ -46,87 +73,65 @@ struct Arguments {
 
 #[derive(Subcommand)]
 enum Command {
-    Generate(generate::Arguments),
+    Curve(curve::Arguments),
     Solve(solve::Arguments),
     Query(query::Arguments),
-    Report(report::Arguments),
-    Curve(curve::Arguments),
+    Generate(generate::Arguments),
     Info(info::Arguments),
     Check(check::Arguments),
-    Cost(cost::Arguments),
+    Report(report::Arguments),
     Pack(pack::Arguments),
     Unpack(unpack::Arguments),
     Plot(plot::Arguments),
+    Cost(cost::Arguments),
+    Completions(completions::Arguments),
+    Man(man::Arguments),
 }
 
 /// Runs the program on the process's arguments. Exit status 0, 1 (the work failed) or 2 (usage).
 pub fn run() -> ExitCode {
     let outcome = match Arguments::parse().command {
-        Command::Generate(arguments) => generate::run(&arguments),
+        Command::Curve(arguments) => curve::run(&arguments),
         Command::Solve(arguments) => solve::run(&arguments),
         Command::Query(arguments) => query::run(&arguments),
-        Command::Report(arguments) => report::run(&arguments),
-        Command::Curve(arguments) => curve::run(&arguments),
+        Command::Generate(arguments) => generate::run(&arguments),
         Command::Info(arguments) => info::run(&arguments),
         Command::Check(arguments) => check::run(&arguments),
-        Command::Cost(arguments) => cost::run(&arguments),
+        Command::Report(arguments) => report::run(&arguments),
         Command::Pack(arguments) => pack::run(&arguments),
         Command::Unpack(arguments) => unpack::run(&arguments),
         Command::Plot(arguments) => plot::run(&arguments),
+        Command::Cost(arguments) => cost::run(&arguments),
+        Command::Completions(arguments) => completions::run(&arguments),
+        Command::Man(arguments) => man::run(&arguments),
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,
-        // Whoever reads our output may stop reading when it has enough.
-        Err(error)
-            if error
-                .downcast_ref::<io::Error>()
-                .is_some_and(|e| e.kind() == io::ErrorKind::BrokenPipe) =>
-        {
-            ExitCode::SUCCESS
-        }
         Err(error) => {
-            eprintln!("tabulate: {error:#}");
+            note(&format!("{error:#}"));
             ExitCode::FAILURE
         }
     }
 }
 
-/// Reads a table, HDF5 or packed, whichever its first bytes say.
-fn read_table(path: &Path) -> anyhow::Result<Table> {
-    let context = || path.display().to_string();
-    let mut start = Vec::new();
-    File::open(path)
-        .and_then(|file| file.take(8).read_to_end(&mut start))
-        .with_context(context)?;
-    let table = if interp::is_packed(&start) {
-        Table::read(path)
-    } else {
-        Table::open(path)
-    };
-    table.with_context(context)
-}
-
-/// Writes text to a file, complete or not at all, or to standard output.
+/// Writes to a file, complete or not at all, or to standard output.
+///
+/// A reader that has closed standard output has read enough: this is no error, and the exit status
+/// stays that of the work.
 fn write_text(path: Option<&Path>, text: &[u8]) -> anyhow::Result<()> {
-    match path {
-        Some(path) => Ok(output::atomically(path, |unfinished| {
-            std::fs::write(unfinished, text)
-        })?),
-        None => {
-            let mut out = io::stdout().lock();
-            out.write_all(text)?;
-            Ok(out.flush()?)
-        }
-    }
+    let Some(path) = path else {
+        let mut out = io::stdout().lock();
+        return match out.write_all(text).and_then(|()| out.flush()) {
+            Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
+            outcome => outcome.context("cannot write to standard output"),
+        };
+    };
+    Ok(output::atomically(path, |unfinished| {
+        std::fs::write(unfinished, text)
+    })?)
 }
 
-/// A bar on a terminal, nothing elsewhere.
-fn progress_bar(length: usize, what: &str) -> ProgressBar {
-    let style = ProgressStyle::with_template(
-        "{msg:9} {wide_bar} {human_pos}/{human_len} {elapsed_precise} eta {eta_precise}",
-    )
-    .expect("the template is valid");
-    ProgressBar::new(length as u64)
-        .with_style(style)
-        .with_message(what.to_owned())
+/// Writes a line to standard error, if somebody reads it: `eprintln` panics where nobody does.
+fn note(text: &str) {
+    let _ = writeln!(io::stderr(), "{NAME}: {text}");
 }

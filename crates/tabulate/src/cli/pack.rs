@@ -1,30 +1,37 @@
 //! `tabulate pack`
 
+use std::borrow::Cow;
 use std::path::PathBuf;
 
 use anyhow::Context;
-use clap::value_parser;
+use clap::{ValueHint, value_parser};
 
-use super::generate::Bars;
-use super::{info, read_table, write_text};
+use super::json::{self, TableObject, Written};
+use super::progress::Bars;
+use super::table_name::{self, TableName, packed_file};
+use super::{info, write_text};
 use crate::output;
 use crate::table::low_rank;
 use crate::table::points_for;
 
 /// Convert an HDF5 table to the packed form that `interp` loads without HDF5
 ///
-/// Value for value, or with `--tolerance` in low-rank form, some 100 times smaller for four axes:
-/// it is compared with direct solves at points of its own, and holds what is measured as its
-/// certificate. If it cannot keep the tolerance nothing is written and the exit status is 1.
+/// Value for value, or with --tolerance in low-rank form, which is some 100 times smaller for four
+/// axes. The low-rank form is compared with direct solves at points of its own. The largest error
+/// found is stored in it, as its certificate. If it exceeds the tolerance, nothing is written, and
+/// the exit status is 1.
 #[derive(clap::Args)]
+#[command(after_help = super::examples!(
+    "tabulate pack tables/paper.h5 -o paper.bin",
+    "tabulate pack tables/paper.h5 -o small.bin --tolerance 1e-6",
+))]
 pub struct Arguments {
-    /// The HDF5 table
-    #[arg(value_name = "TABLE.h5")]
-    table: PathBuf,
+    #[arg(value_name = "TABLE.h5", help = table_name::HELP, value_hint = ValueHint::FilePath)]
+    table: TableName,
     /// The packed table to write
-    #[arg(short, long, value_name = "TABLE.bin")]
+    #[arg(short, long, value_name = "TABLE.bin", value_parser = packed_file())]
     output: PathBuf,
-    /// Low-rank form with this relative tolerance, between the nodes as well as at them
+    /// Use the low-rank form, with this relative tolerance between the nodes and at them
     #[arg(long, allow_negative_numbers = true)]
     tolerance: Option<f64>,
     /// How far the form may be from the table in derivatives with respect to nu1 at 0.5: those of
@@ -37,14 +44,17 @@ pub struct Arguments {
     /// Number of points of the certificate [default: 2500 for each axis]
     #[arg(long, requires = "tolerance", value_parser = value_parser!(u32).range(1..))]
     points: Option<u32>,
-    /// Seed of the random ones [default: another than the table's]
+    /// Seed of the random points [default: another than the table's]
     #[arg(long, requires = "tolerance")]
     seed: Option<u64>,
+    /// Print one JSON object: the fields of `tabulate info --json`, then path
+    #[arg(long)]
+    json: bool,
 }
 
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
-    output::check(Some(&arguments.output), Some(&arguments.table))?;
-    let mut table = read_table(&arguments.table)?;
+    output::check(Some(&arguments.output), arguments.table.path())?;
+    let mut table = arguments.table.read()?;
     if let Some(tolerance) = arguments.tolerance {
         let points = arguments
             .points
@@ -62,12 +72,18 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
             &bars,
         );
         bars.clear();
-        table = packed.with_context(|| arguments.table.display().to_string())?;
+        table = Cow::Owned(packed.with_context(|| arguments.table.to_string())?);
     }
     let bytes = table.to_packed()?;
     output::atomically(&arguments.output, |unfinished| {
         std::fs::write(unfinished, &bytes)
     })?;
+    if arguments.json {
+        return json::print(&Written {
+            table: TableObject::new(&table, bytes.len() as u64),
+            path: arguments.output.display().to_string(),
+        });
+    }
     if arguments.tolerance.is_some() {
         let written = format!(
             "{:15} {}, {} bytes\n",

@@ -2,11 +2,12 @@
 
 use std::path::PathBuf;
 
-use clap::{Args, Subcommand};
-use interp::Table;
+use clap::{Args, Subcommand, ValueHint};
 use serde::de::DeserializeOwned;
 
-use super::{cost, progress_bar, read_table, write_text};
+use super::progress::progress_bar;
+use super::table_name::{self, TableName};
+use super::{cost, write_text};
 use crate::cost::read_csv;
 use crate::plot::chart;
 use crate::plot::picture::Format;
@@ -18,6 +19,12 @@ use crate::{Error, output};
 
 /// Draw a figure as SVG or PNG
 #[derive(clap::Args)]
+#[command(after_help = super::examples!(
+    "tabulate plot fig4 -o fig4.svg",
+    "tabulate plot force-displacement -o curves.png",
+    "tabulate plot error-map tables/paper.h5 -o errors.svg",
+    "tabulate plot table-cost --data tables/figures/table.csv -o cost.svg",
+))]
 pub struct Arguments {
     #[command(subcommand)]
     figure: Figure,
@@ -26,44 +33,65 @@ pub struct Arguments {
 #[derive(Subcommand)]
 enum Figure {
     /// Fig. 2 of the paper: Pi0 against a/t, with both limits
+    #[command(after_help = super::examples!("tabulate plot fig2 -o fig2.svg"))]
     Fig2(Output),
     /// Fig. 3 of the paper: Eeq and Gamma against a/t, with their limits
+    #[command(after_help = super::examples!("tabulate plot fig3 -o fig3.svg"))]
     Fig3(Output),
-    /// Fig. 4 of the paper: JKR plots for films of 1 to 100 um, with the lines of JKR without a
-    /// film and without a substrate
+    /// Fig. 4 of the paper: JKR plots for films of 1 to 100 um, with the straight lines of JKR for
+    /// the substrate alone and for the film alone
+    #[command(after_help = super::examples!("tabulate plot fig4 -o fig4.png"))]
     Fig4(Output),
     /// Load against penetration of the paper's system for several films, with the jumps
+    #[command(after_help = super::examples!("tabulate plot force-displacement -o curves.svg"))]
     ForceDisplacement(Output),
-    /// What a table differs from direct solves, over a/t and E1/E2, at the worst nu1 and E0/E2
+    /// Largest difference of a table from direct solves, over a/t and E1/E2*, at the worst nu1 and
+    /// E0/E2*
+    #[command(after_help = super::examples!(
+        "tabulate plot error-map tables/paper.h5 -o errors.svg",
+        "tabulate plot error-map embedded -o embedded.svg",
+    ))]
     ErrorMap {
-        /// The table, HDF5 or packed [default: the one that is compiled in]
-        table: Option<PathBuf>,
+        #[arg(default_value = "embedded", help = table_name::HELP, value_hint = ValueHint::FilePath)]
+        table: TableName,
         #[command(flatten)]
         output: Output,
     },
-    /// What a table costs, and from when on it pays, as `tabulate cost table` measures it
+    /// Cost of a table, and the number of evaluations from which on it is faster than direct solves
+    /// (`tabulate cost table`)
+    #[command(after_help = super::examples!(
+        "tabulate plot table-cost --data tables/figures/table.csv -o table-cost.svg",
+    ))]
     TableCost {
         #[command(flatten)]
         rows: Rows,
         #[command(flatten)]
         output: Output,
     },
-    /// What each effect costs, and what the load is without it, as `tabulate cost effects` measures
-    /// it
+    /// Cost of each effect, and error of the load without it (`tabulate cost effects`)
+    #[command(after_help = super::examples!(
+        "tabulate plot effects --data tables/figures/effects.csv -o effects.svg",
+    ))]
     Effects {
         #[command(flatten)]
         rows: Rows,
         #[command(flatten)]
         output: Output,
     },
-    /// Error against time of one solve, as `tabulate cost solve` measures it
+    /// Error against time of one solve (`tabulate cost solve`)
+    #[command(after_help = super::examples!(
+        "tabulate plot work-precision --data tables/figures/solve.csv -o work-precision.svg",
+    ))]
     WorkPrecision {
         #[command(flatten)]
         rows: Rows,
         #[command(flatten)]
         output: Output,
     },
-    /// Error against nanoseconds of one lookup, as `tabulate cost lookup` measures it
+    /// Error against nanoseconds of one lookup (`tabulate cost lookup`)
+    #[command(after_help = super::examples!(
+        "tabulate plot lookup-cost --data tables/figures/lookup.csv -o lookup-cost.svg",
+    ))]
     LookupCost {
         #[command(flatten)]
         rows: Rows,
@@ -72,16 +100,16 @@ enum Figure {
     },
 }
 
-/// Where the rows of a figure of costs come from.
+/// The source of the rows of a figure of costs.
 #[derive(Args)]
 struct Rows {
-    /// What `tabulate cost` has written [default: measure it now]
+    /// The CSV that `tabulate cost` has written [default: measure now]
     #[arg(long = "data", value_name = "COST.csv")]
     path: Option<PathBuf>,
 }
 
 impl Rows {
-    /// Reads them or measures them.
+    /// Reads the rows, or measures them without a file.
     fn get<R: DeserializeOwned>(
         &self,
         measure: impl FnOnce() -> anyhow::Result<Vec<R>>,
@@ -92,7 +120,7 @@ impl Rows {
     }
 }
 
-/// Where a picture goes.
+/// The file of a picture.
 #[derive(Args)]
 struct Output {
     /// The picture: SVG or PNG by the ending of its name
@@ -101,7 +129,7 @@ struct Output {
 }
 
 impl Output {
-    /// Makes a figure, and then its file.
+    /// Checks the output, makes the figure and writes it.
     fn write(&self, figure: impl FnOnce() -> anyhow::Result<chart::Figure>) -> anyhow::Result<()> {
         output::check(Some(&self.path), None)?;
         let picture = figure()?.picture()?.encode(Format::of(&self.path)?)?;
@@ -118,10 +146,9 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
             output.write(|| Ok(force_displacement::figure(&force_displacement::data()?)))
         }
         Figure::ErrorMap { table, output } => output.write(|| {
-            let read = table.as_deref().map(read_table).transpose()?;
-            let table = read.as_ref().unwrap_or_else(|| Table::embedded());
+            let table = table.read()?;
             let bar = progress_bar(error_map::CELLS[0] * error_map::CELLS[1], "comparing");
-            let data = error_map::data(table, &|count| bar.inc(count as u64))?;
+            let data = error_map::data(&table, &|count| bar.inc(count as u64))?;
             bar.finish_and_clear();
             Ok(error_map::figure(&data))
         }),
@@ -138,13 +165,13 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         }),
         Figure::LookupCost { rows, output } => output.write(|| {
             Ok(lookup_cost::figure(
-                &rows.get(|| cost::measure_lookup(None))?,
+                &rows.get(|| cost::measure_lookup(&TableName::Embedded))?,
             )?)
         }),
     }
 }
 
-/// The name of a picture that can be written.
+/// Parses the name of a picture: its ending is that of a format that can be written.
 fn picture(name: &str) -> Result<PathBuf, Error> {
     let path = PathBuf::from(name);
     Format::of(&path).map(|_| path)

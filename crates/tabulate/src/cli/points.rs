@@ -8,17 +8,17 @@ use interp::{Material, Quantity};
 /// One point to solve or look up.
 #[derive(Clone, Copy)]
 pub struct Point {
-    /// The line of the file that it stands in.
+    /// The line of the file.
     pub line: u64,
     pub a_over_t: f64,
     pub material: Material,
 }
 
-/// The columns, of which the last may be missing.
+/// The columns. The last, `nu0`, may be missing.
 const COLUMNS: [&str; 5] = ["a_over_t", "e1_over_e2", "nu1", "e0_over_e2", "nu0"];
 
-/// Reads all points, or names the file, the line and what is wrong with it. `nu0` stands in where
-/// there is no such column.
+/// Reads all points. A file without a column `nu0` gets the argument `nu0`. Errors name the file,
+/// the line and the value.
 pub fn read(path: &Path, nu0: f64) -> anyhow::Result<Vec<Point>> {
     let file = || path.display().to_string();
     let mut reader = csv::ReaderBuilder::new()
@@ -39,7 +39,7 @@ pub fn read(path: &Path, nu0: f64) -> anyhow::Result<Vec<Point>> {
     Ok(points)
 }
 
-/// Where each of [`COLUMNS`] is in the file.
+/// Returns the position in the file of each of [`COLUMNS`].
 fn columns(headers: &csv::StringRecord) -> anyhow::Result<[Option<usize>; 5]> {
     let known = |name: &&str| !COLUMNS.contains(name);
     if let Some(name) = headers.iter().find(known) {
@@ -91,23 +91,23 @@ fn point(
     })
 }
 
-/// Where a point stands, for an error.
+/// Returns the file and the line of a point, for an error message.
 pub fn place(path: &Path, line: u64) -> String {
     format!("{}, line {line}", path.display())
 }
 
-/// What is printed beside a point.
+/// The numbers that are printed after those of a point.
 pub struct Answer {
     /// None for a quantity that is missing.
     pub values: [Option<f64>; 4],
     /// The relative error.
     pub error: f64,
-    /// The derivatives of each quantity with respect to the [`COLUMNS`], if they are asked for;
-    /// none of those that are not known.
+    /// The derivatives of each quantity with respect to the [`COLUMNS`], if they are asked for. One
+    /// that is not known is none.
     pub gradient: Option<[[Option<f64>; COLUMNS.len()]; 4]>,
 }
 
-/// The points with their answers, as CSV; an empty field where a number is missing.
+/// Formats points and answers as CSV. A missing number is an empty field.
 pub fn format(points: &[Point], answers: &[Answer]) -> anyhow::Result<Vec<u8>> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     let names = Quantity::ALL.map(Quantity::name);
@@ -147,7 +147,7 @@ pub fn format(points: &[Point], answers: &[Answer]) -> anyhow::Result<Vec<u8>> {
     Ok(writer.into_inner()?)
 }
 
-/// The shortest decimal that reads back to the same f64.
+/// Returns the shortest decimal that reads back to the same f64.
 pub fn number(value: f64) -> String {
     format!("{value:?}")
 }

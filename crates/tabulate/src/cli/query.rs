@@ -3,23 +3,31 @@
 use std::path::PathBuf;
 
 use anyhow::Context;
+use clap::ValueHint;
 use interp::Parameter;
 use interp::{Quantity, Table};
 
 use super::points::{self, Answer, Point};
-use super::{read_table, write_text};
+use super::table_name::{self, TableName};
+use super::write_text;
 use crate::output;
 
 /// Look up every point of a CSV file in a table
 ///
-/// Prints the points with the interpolated pi0, eeq, gamma and delta0 and, as error, the table's
-/// certified relative error; beyond its a/t that of the expansion about the limit, where it keeps
-/// the table's tolerance. A point elsewhere outside the table is an error. The moduli are Young's
-/// moduli over the sphere's reduced modulus E2*, see `tabulate --help`.
+/// Prints the points with the interpolated pi0, eeq, gamma and delta0. The column error is the
+/// certified relative error of the table: the largest at sampled points. At an a/t outside the
+/// table, the values and the error are those of the expansion about the limit of a thin or a thick
+/// film, where that keeps the tolerance of the table. Any other point outside the table is an
+/// error. The moduli are Young's moduli over the sphere's reduced modulus E2*, see
+/// `tabulate --help`.
 #[derive(clap::Args)]
+#[command(after_help = super::examples!(
+    "tabulate query embedded --points tables/points.csv",
+    "tabulate query tables/paper.h5 --points tables/points.csv --gradient -o values.csv",
+))]
 pub struct Arguments {
-    /// The table, HDF5 or packed
-    table: PathBuf,
+    #[arg(help = table_name::HELP, value_hint = ValueHint::FilePath)]
+    table: TableName,
     /// CSV with the columns a_over_t, e1_over_e2, nu1, e0_over_e2 and perhaps nu0 (default: the
     /// table's), in any order
     #[arg(long, value_name = "IN.csv")]
@@ -29,15 +37,17 @@ pub struct Arguments {
     output: Option<PathBuf>,
     /// Print the derivatives too: d_pi0_d_a_over_t, d_pi0_d_e1_over_e2, ..., d_delta0_d_nu0
     ///
-    /// An empty field stands for a derivative that the table does not know, because its scene fixes
-    /// a parameter. There are none above its a/t, and none in a table without all four quantities.
+    /// A field is empty where the scene of the table fixes the parameter. There are no derivatives
+    /// above the a/t of the table, and none from a table without all four quantities.
     #[arg(long)]
     gradient: bool,
 }
 
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
-    output::check(arguments.output.as_deref(), Some(&arguments.points))?;
-    let table = read_table(&arguments.table)?;
+    let output = arguments.output.as_deref();
+    output::check(output, Some(&arguments.points))?;
+    output::check(output, arguments.table.path())?;
+    let table = arguments.table.read()?;
     let points = points::read(&arguments.points, table.description().nu0)?;
     let look_up = |point: &Point| {
         look_up(&table, point, arguments.gradient)
@@ -47,13 +57,10 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         .iter()
         .map(look_up)
         .collect::<anyhow::Result<Vec<_>>>()?;
-    write_text(
-        arguments.output.as_deref(),
-        &points::format(&points, &answers)?,
-    )
+    write_text(output, &points::format(&points, &answers)?)
 }
 
-/// The quantities that the table holds at one point.
+/// Looks up the quantities that `table` holds at one point.
 fn look_up(table: &Table, point: &Point, gradient: bool) -> Result<Answer, interp::Error> {
     let x = point.a_over_t;
     let curve = if gradient {

@@ -3,34 +3,42 @@
 use std::path::PathBuf;
 
 use anyhow::Context;
+use clap::ValueHint;
 
-use super::{progress_bar, read_table, write_text};
+use super::progress::progress_bar;
+use super::table_name::{self, TableName};
+use super::write_text;
 use crate::output;
 use crate::report::{figures, report, steps};
 
-/// Write a self-contained HTML page about a table, with force curves to play with
+/// Write an HTML page about a table, with force curves that follow sliders
 ///
-/// What the table covers, its certificate, a map of its errors, and the force curve of any system
-/// in it, with sliders, computed in the page. One file, which fetches nothing.
+/// The page shows the range of the table, its certificate, a map of its errors, and the force curve
+/// of any system in the table, which is computed in the page. It is one file, which fetches
+/// nothing.
 #[derive(clap::Args)]
+#[command(after_help = super::examples!(
+    "tabulate report tables/paper.h5 -o paper.html",
+    "tabulate report embedded -o report.html",
+))]
 pub struct Arguments {
-    /// The table, HDF5 or packed
-    table: PathBuf,
+    #[arg(help = table_name::HELP, value_hint = ValueHint::FilePath)]
+    table: TableName,
     /// The page to write
     #[arg(short, long, value_name = "REPORT.html")]
     output: PathBuf,
 }
 
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
-    output::check(Some(&arguments.output), Some(&arguments.table))?;
-    let table = read_table(&arguments.table)?;
+    output::check(Some(&arguments.output), arguments.table.path())?;
+    let table = arguments.table.read()?;
     let bar = progress_bar(steps(&table), "drawing");
     let page = figures(&table, &|count| bar.inc(count as u64))
         .and_then(|figures| report(&table, &figures));
     bar.finish_and_clear();
     write_text(
         Some(&arguments.output),
-        page.with_context(|| arguments.table.display().to_string())?
+        page.with_context(|| arguments.table.to_string())?
             .as_bytes(),
     )
 }

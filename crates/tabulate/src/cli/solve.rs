@@ -6,16 +6,23 @@ use anyhow::Context;
 use interp::Material;
 use rayon::prelude::*;
 
+use super::json::Number;
 use super::points::{self, Answer, Point, number};
-use super::{progress_bar, write_text};
+use super::progress::progress_bar;
+use super::write_text;
 use crate::output;
 use crate::solve::solve;
 
 /// Solve the contact directly, at one point or at every point of a CSV file
 ///
-/// Prints pi0, eeq, gamma, delta0 and the estimated relative error. See `tabulate --help` for the
-/// meaning of the parameters; rows with e1_over_e2 = 0 are normalised by E1*, all others by E2*.
+/// Prints pi0, eeq, gamma, delta0 and the estimated relative error. Results with e1_over_e2 = 0 are
+/// normalised by E1*, all others by E2*. `tabulate --help` explains the parameters.
 #[derive(clap::Args)]
+#[command(after_help = super::examples!(
+    "tabulate solve --a-over-t 65 --e1-over-e2 1.75 --nu1 0.5 --e0-over-e2 1e5",
+    "tabulate solve --a-over-t 1 --e1-over-e2 0 --nu1 0.3 --e0-over-e2 inf --json",
+    "tabulate solve --points tables/points.csv -o solved.csv",
+))]
 pub struct Arguments {
     /// Contact radius over film thickness
     #[arg(
@@ -46,7 +53,7 @@ pub struct Arguments {
         allow_negative_numbers = true
     )]
     e0_over_e2: Option<f64>,
-    /// Poisson ratio of the substrate, where a CSV has no column nu0
+    /// Poisson ratio of the substrate; with --points, where the CSV has no column nu0
     #[arg(long, default_value_t = 0.25, allow_negative_numbers = true)]
     nu0: f64,
     /// CSV with the columns a_over_t, e1_over_e2, nu1, e0_over_e2 and perhaps nu0, in any order
@@ -59,6 +66,9 @@ pub struct Arguments {
     #[arg(long, default_value = "1e-10", allow_negative_numbers = true)]
     tolerance: f64,
     /// Print one JSON object
+    ///
+    /// The fields are a_over_t, e1_over_e2, nu1, e0_over_e2, nu0, pi0, eeq, gamma, delta0, error,
+    /// normalised_by, modes and method (of the solve). An infinite number is the text "inf".
     #[arg(long)]
     json: bool,
 }
@@ -79,15 +89,8 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let q = solution.quantities;
     let unit = material.normalisation().symbol();
     let text = if arguments.json {
-        let infinite = |value: f64| {
-            if value.is_finite() {
-                serde_json::json!(value)
-            } else {
-                serde_json::json!("inf")
-            }
-        };
         let object = serde_json::json!({
-            "a_over_t": a_over_t, "e1_over_e2": e1, "nu1": nu1, "e0_over_e2": infinite(e0), "nu0": arguments.nu0,
+            "a_over_t": a_over_t, "e1_over_e2": e1, "nu1": nu1, "e0_over_e2": Number(e0), "nu0": arguments.nu0,
             "pi0": q.pi0, "eeq": q.eeq, "gamma": q.gamma, "delta0": q.delta0,
             "error": solution.error, "normalised_by": unit, "modes": solution.modes, "method": solution.method.name(),
         });

@@ -2,26 +2,30 @@
 
 use std::path::PathBuf;
 
-use super::read_table;
+use clap::ValueHint;
+
+use super::table_name::{self, TableName, hdf5_file};
 use crate::output;
 use crate::table::archive;
 
-/// Convert a packed table back to HDF5: value for value, or the values of a low-rank one at its
-/// nodes
+/// Convert a packed table to HDF5
+///
+/// Value for value; of a table in low-rank form, the values at its nodes.
 #[derive(clap::Args)]
+#[command(after_help = super::examples!(
+    "tabulate unpack tables/paper.bin -o paper.h5",
+    "tabulate unpack embedded -o default.h5",
+))]
 pub struct Arguments {
-    /// The packed table
-    #[arg(value_name = "TABLE.bin")]
-    table: PathBuf,
+    #[arg(value_name = "TABLE.bin", help = table_name::HELP, value_hint = ValueHint::FilePath)]
+    table: TableName,
     /// The HDF5 table to write
-    #[arg(short, long, value_name = "TABLE.h5")]
+    #[arg(short, long, value_name = "TABLE.h5", value_parser = hdf5_file())]
     output: PathBuf,
 }
 
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
-    output::check(Some(&arguments.output), Some(&arguments.table))?;
-    Ok(archive::write(
-        &read_table(&arguments.table)?,
-        &arguments.output,
-    )?)
+    output::check(Some(&arguments.output), arguments.table.path())?;
+    let table = arguments.table.read()?;
+    Ok(archive::write(&table, &arguments.output)?)
 }

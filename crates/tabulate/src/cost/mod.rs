@@ -13,6 +13,8 @@ pub mod nystrom;
 pub mod solve;
 pub mod table;
 
+pub(crate) use lookup::random_points;
+
 use std::io;
 use std::path::Path;
 

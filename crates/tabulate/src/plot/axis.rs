@@ -1,4 +1,4 @@
-//! An axis of a panel: where a value lies on it, and which values are written along it.
+//! An axis of a panel: the positions of values on it, and the values that are written along it.
 
 use std::ops::Range;
 
@@ -6,7 +6,7 @@ use plotters::coord::ranged1d::{
     KeyPointHint, KeyPointWeight, NoDefaultFormatting, Ranged, ValueFormatter,
 };
 
-/// An axis with its label, which names the unit.
+/// An axis with its label, which includes the unit.
 #[derive(Clone, Debug)]
 pub struct Axis {
     label: String,
@@ -21,12 +21,12 @@ enum Scale {
     Names(Vec<String>),
 }
 
-/// About as many intervals are between the numbers along a linear axis, and no more than twice as
-/// many decades along a logarithmic one.
+/// The approximate number of intervals between the numbers along a linear axis. A logarithmic axis
+/// has at most twice this number.
 const INTERVALS: f64 = 5.0;
 
 impl Axis {
-    /// From one value to another.
+    /// Makes a linear axis from one value to another.
     pub fn linear(label: impl Into<String>, range: [f64; 2]) -> Self {
         Self {
             label: label.into(),
@@ -35,7 +35,7 @@ impl Axis {
         }
     }
 
-    /// From one positive value to another.
+    /// Makes a logarithmic axis from one positive value to another.
     pub fn logarithmic(label: impl Into<String>, range: [f64; 2]) -> Self {
         Self {
             label: label.into(),
@@ -44,7 +44,8 @@ impl Axis {
         }
     }
 
-    /// The decades that hold all of some positive values; 0, infinities and NaN are passed over.
+    /// Makes a logarithmic axis of the decades that hold all positive, finite `values`. Other
+    /// values are ignored.
     pub fn decades(label: impl Into<String>, values: impl IntoIterator<Item = f64>) -> Self {
         let exponents = values
             .into_iter()
@@ -61,7 +62,8 @@ impl Axis {
         Self::logarithmic(label, [low, high.max(low + 1.0)].map(|e| 10_f64.powf(e)))
     }
 
-    /// Names down a vertical axis: number `i` at the value `i + 0.5`, the first on top.
+    /// Makes a vertical axis with names along it: name number `i` at the value `i + 0.5`, the first
+    /// on top.
     pub fn names<T: Into<String>>(names: impl IntoIterator<Item = T>) -> Self {
         let names: Vec<String> = names.into_iter().map(Into::into).collect();
         Self {
@@ -71,7 +73,7 @@ impl Axis {
         }
     }
 
-    /// From 0 to 1, with nothing written along it.
+    /// Makes an axis from 0 to 1 with nothing written along it.
     pub fn hidden() -> Self {
         Self {
             label: String::new(),
@@ -80,18 +82,18 @@ impl Axis {
         }
     }
 
-    /// What it says of itself.
+    /// Returns the label.
     pub fn label(&self) -> &str {
         &self.label
     }
 
-    /// The values at its ends.
+    /// Returns the values at the ends.
     pub fn range(&self) -> [f64; 2] {
         self.range
     }
 
-    /// Where a value lies: 0 at the beginning of the axis and 1 at its end; not finite for what is
-    /// not on it.
+    /// Returns the position of a value: 0 at the beginning of the axis and 1 at its end. It is not
+    /// finite for a value that a logarithmic axis cannot show.
     pub fn position(&self, value: f64) -> f64 {
         let [from, to] = self.range;
         match self.scale {
@@ -100,7 +102,7 @@ impl Axis {
         }
     }
 
-    /// The value at a position: the inverse of [`Axis::position`].
+    /// Returns the value at a position: the inverse of [`Axis::position`].
     pub fn value(&self, position: f64) -> f64 {
         let [from, to] = self.range;
         match self.scale {
@@ -109,7 +111,7 @@ impl Axis {
         }
     }
 
-    /// The values that are written along the axis, with what is written.
+    /// Returns the values that are written along the axis, with their texts.
     pub fn ticks(&self) -> Vec<(f64, String)> {
         let [from, to] = self.range;
         match &self.scale {
@@ -158,7 +160,7 @@ impl Axis {
         }
     }
 
-    /// Between them, what shows that the axis is logarithmic.
+    /// Returns the values of the fine grid lines of a logarithmic axis.
     fn minor_ticks(&self) -> Vec<f64> {
         let [low, high] = self.exponents();
         match self.scale {
@@ -175,7 +177,7 @@ impl Axis {
         (-1e-9..=1.0 + 1e-9).contains(&self.position(value))
     }
 
-    /// Of ten, at the ends or beyond.
+    /// Returns the exponents of the powers of ten at the ends of the axis or just beyond.
     fn exponents(&self) -> [i32; 2] {
         [
             (self.range[0].log10() + 1e-9).floor() as i32,
@@ -184,7 +186,7 @@ impl Axis {
     }
 }
 
-/// 1, 2 or 5 times a power of ten, the closest one that is not much less.
+/// Returns 1, 2 or 5 times a power of ten: the smallest such number above `least / 1.2`.
 fn step(least: f64) -> f64 {
     let decade = 10_f64.powf(least.log10().floor());
     let digit = [1.0, 2.0, 5.0]
@@ -194,12 +196,12 @@ fn step(least: f64) -> f64 {
     digit * decade
 }
 
-/// Correctly rounded, as `powi` is not.
+/// Returns a power of ten, correctly rounded, which `powi` is not.
 fn power(exponent: i32) -> f64 {
     format!("1e{exponent}").parse().expect("it is a number")
 }
 
-/// `10^{-3}`, with a minus that is one.
+/// Returns the text of a power of ten, such as `10^{−3}`, with a minus sign instead of a hyphen.
 pub fn power_of_ten(exponent: i32) -> String {
     format!("10^{{{exponent}}}").replace('-', "−")
 }

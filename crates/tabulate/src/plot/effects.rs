@@ -1,11 +1,11 @@
-//! What each effect of a scene costs, and what the load is without it.
+//! Each effect of a scene: its cost, and the error of the load without it.
 
 use super::axis::Axis;
 use super::chart::{BLUE, Figure, GREY, Marker, Panel, Side, VERMILION};
 use crate::Error;
 use crate::cost::effects::{Effect, Row};
 
-/// Draws it.
+/// Draws the errors on the left and the costs on the right.
 ///
 /// # Errors
 /// [`Error::Picture`] if there is no row of the whole scene.
@@ -24,15 +24,20 @@ pub fn figure(rows: &[Row]) -> Result<Figure, Error> {
     ))
 }
 
-/// From the median error to the worst, the worst effect on top.
+/// Draws a line from the median error to the worst error of each effect, the worst effect on top.
 fn errors(effects: &[(Effect, &Row)]) -> Panel {
     let values = effects
         .iter()
         .flat_map(|(_, row)| [row.median_error, row.worst_error]);
-    let x = Axis::decades("relative to the adhesionless load", values);
+    let x = Axis::decades("error relative to the adhesionless load", values);
     let [smallest, _] = x.range();
     let names = effects.iter().map(|(effect, _)| effect.name());
-    let mut panel = Panel::new("Left out: error of the load", x, Axis::names(names)).share(1.1);
+    let mut panel = Panel::new(
+        "Error of the load without the effect",
+        x,
+        Axis::names(names),
+    )
+    .share(1.1);
     for (i, (_, row)) in effects.iter().enumerate() {
         let y = i as f64 + 0.5;
         if row.worst_error == 0.0 {
@@ -57,7 +62,9 @@ fn errors(effects: &[(Effect, &Row)]) -> Panel {
     panel
 }
 
-/// What each effect takes of the scene's solves, above, and of its time.
+/// Draws the share of each effect in the solves of the whole scene, above, and in its time, below.
+///
+/// A negative difference of two times is noise: it is drawn as 0.
 fn costs(effects: &[(Effect, &Row)], whole: &Row) -> Panel {
     let [solves, seconds] = [whole.solves as f64, whole.seconds];
     let shares = |row: &Row| {
@@ -65,23 +72,21 @@ fn costs(effects: &[(Effect, &Row)], whole: &Row) -> Panel {
             100.0 * row.saved_solves as f64 / solves,
             100.0 * row.saved_seconds / seconds,
         ]
+        .map(|share| share.max(0.0))
     };
-    let least = effects
-        .iter()
-        .flat_map(|(_, row)| shares(row))
-        .fold(0.0, f64::min);
-    let x = Axis::linear(
-        "part of the whole (%)",
-        [10.0 * (0.1 * least).floor(), 100.0],
-    );
     let mut panel = Panel::new(
-        "Kept: what it adds",
-        x,
+        "Cost of the effect",
+        Axis::linear("part of the whole scene (%)", [0.0, 100.0]),
         Axis::names(effects.iter().map(|_| "")),
     )
     .margin(176);
     for (i, (_, row)) in effects.iter().enumerate() {
         let [solves, seconds, bytes] = row.saved();
+        let seconds = if row.saved_seconds > 0.0 {
+            seconds
+        } else {
+            "too little time to measure".to_owned()
+        };
         let texts = [format!("{solves} solves, {bytes}"), seconds];
         for (k, (share, (text, colour))) in shares(row)
             .into_iter()
@@ -91,7 +96,7 @@ fn costs(effects: &[(Effect, &Row)], whole: &Row) -> Panel {
             let middle = i as f64 + [0.3, 0.7][k];
             panel
                 .cell([0.0, share], [middle - 0.14, middle + 0.14], colour)
-                .label([share.max(0.0), middle], text, colour, Side::Right);
+                .label([share, middle], text, colour, Side::Right);
         }
     }
     panel

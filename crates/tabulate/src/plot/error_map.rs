@@ -1,8 +1,7 @@
-//! What a table really differs from direct solves between its nodes, over `a/t` and `E1/E2`: at the
-//! worst of many `nu1` and `E0/E2`.
+//! The error map of a table: its largest difference from direct solves over `a/t` and `E1/E2*`, at
+//! the worst of many `nu1` and `E0/E2*`.
 
-use interp::Parameter;
-use interp::Table;
+use interp::{Parameter, Table};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 use rayon::prelude::*;
@@ -11,31 +10,32 @@ use super::axis::Axis;
 use super::chart::{BLACK, Colour, Figure, Panel, Side};
 use super::picture::legible;
 use crate::Error;
-use crate::table::certify::Axis as TableAxis;
-use crate::table::sample;
+use crate::table::{SampledAxis, sample};
 
-/// Cells of the map along `a/t` and `E1/E2`.
+/// The numbers of cells along `a/t` and `E1/E2*`.
 pub const CELLS: [usize; 2] = [72, 42];
 
-/// Random points in each cell. All but those on faces of the box are between the nodes.
+/// The number of random points in each cell. All but those on faces of the box are off the nodes.
 pub const POINTS: usize = 32;
 
-/// What is drawn.
+/// The data of the figure.
 #[derive(Clone, Debug)]
 pub struct Data {
     /// The table's title.
     pub title: String,
     /// The table's tolerance.
     pub tolerance: f64,
-    /// The largest error in the table's certificate.
+    /// The certificate of the table: its largest error at sampled points.
     pub certified: f64,
-    /// The borders of the cells along `a/t` and `E1/E2`.
+    /// The borders of the cells along `a/t` and `E1/E2*`.
     pub borders: [Vec<f64>; 2],
-    /// The largest relative error of any quantity at a cell's points: a row for each `E1/E2`.
+    /// The largest relative error of any quantity at the points of each cell: `errors[row][column]`
+    /// is the cell at number `row` of `E1/E2*` and number `column` of `a/t`.
     pub errors: Vec<Vec<f64>>,
 }
 
-/// What there is no map over, if anything: the name and the value of what the table fixes.
+/// Returns the name and the value of the parameter of the map that the table fixes: none if the
+/// table has a map.
 pub fn fixed(table: &Table) -> Option<(&'static str, f64)> {
     [Parameter::AOverT, Parameter::E1OverE2]
         .into_iter()
@@ -48,17 +48,17 @@ pub fn fixed(table: &Table) -> Option<(&'static str, f64)> {
 /// Compares a table with [`POINTS`] direct solves in each cell, and calls `progress` with the
 /// number of cells done.
 ///
-/// The result does not depend on the number of threads.
+/// The data does not depend on the number of threads.
 ///
 /// # Errors
-/// [`Error::Picture`] for a table that fixes `a/t` or `E1/E2`; those of the solve.
+/// [`Error::Picture`] for a table that fixes `a/t` or `E1/E2*`; those of the solve.
 pub fn data(table: &Table, progress: &(dyn Fn(usize) + Sync)) -> Result<Data, Error> {
     if let Some((name, only)) = fixed(table) {
         let what =
             format!("the map is over a_over_t and e1_over_e2, but the table fixes {name} = {only}");
         return Err(Error::Picture(what));
     }
-    let axes = Parameter::ALL.map(|parameter| TableAxis::new(parameter, table.axis(parameter)));
+    let axes = Parameter::ALL.map(|parameter| SampledAxis::new(parameter, table.axis(parameter)));
     let share = |k: usize, i: usize| i as f64 / CELLS[k] as f64;
     let largest = |[column, row]: [usize; 2]| {
         let mut random = Pcg64Mcg::seed_from_u64((row * CELLS[0] + column) as u64);
@@ -73,7 +73,7 @@ pub fn data(table: &Table, progress: &(dyn Fn(usize) + Sync)) -> Result<Data, Er
                 axes[3].anywhere(&mut random),
             ];
             let error = sample(table, point)?.error;
-            // NaN is the worst of all.
+            // NaN counts as the largest error.
             worst = if error > worst || error.is_nan() {
                 error
             } else {
@@ -89,7 +89,7 @@ pub fn data(table: &Table, progress: &(dyn Fn(usize) + Sync)) -> Result<Data, Er
             .map(|column| largest([column, row]))
             .collect::<Vec<Result<f64, Error>>>()
     };
-    // In two steps: of several errors, the first one is returned.
+    // In two steps, so that the first of several errors is returned.
     let errors = (0..CELLS[1])
         .map(|i| row(i).into_iter().collect())
         .collect::<Result<_, Error>>()?;
@@ -103,10 +103,10 @@ pub fn data(table: &Table, progress: &(dyn Fn(usize) + Sync)) -> Result<Data, Er
     })
 }
 
-/// Colours for each decade of error.
+/// The number of colours for each decade of error.
 const STEPS: f64 = 4.0;
 
-/// Draws it.
+/// Draws the map and the scale of its colours.
 pub fn figure(data: &Data) -> Figure {
     let [x, y] = &data.borders;
     let ends = |borders: &[f64]| [borders[0], borders[borders.len() - 1]];
@@ -123,8 +123,8 @@ pub fn figure(data: &Data) -> Figure {
     );
     let scale = Scale::new(data);
     for (row, errors) in data.errors.iter().enumerate() {
-        // Neighbours of one colour are one cell. Each reaches to the far corner of the map, under
-        // those that follow: between shapes that only touch, the paper would shine through.
+        // Neighbours of one colour are one cell. Each cell reaches to the far corner of the map,
+        // under the cells that follow: otherwise the paper would shine through between them.
         let mut column = 0;
         for cells in errors.chunk_by(|a, b| scale.step(*a) == scale.step(*b)) {
             map.cell(
@@ -138,7 +138,10 @@ pub fn figure(data: &Data) -> Figure {
     let mut bar = Panel::new(
         "",
         Axis::hidden(),
-        Axis::logarithmic("relative error, worst ν_{1}, E_{0}/E_{2}*", scale.range()),
+        Axis::logarithmic(
+            "largest relative error over ν_{1}, E_{0}/E_{2}*",
+            scale.range(),
+        ),
     )
     .share(0.3)
     .margin(96);
@@ -156,7 +159,7 @@ pub fn figure(data: &Data) -> Figure {
     Figure::new(460, [map, bar])
 }
 
-/// A title that leaves room for others.
+/// Cuts a title after 53 characters.
 fn shortened(title: &str) -> String {
     const MOST: usize = 54;
     if title.chars().count() <= MOST {
@@ -166,15 +169,15 @@ fn shortened(title: &str) -> String {
     }
 }
 
-/// Which colour an error has.
+/// The colours of errors: equal steps of the logarithm.
 struct Scale {
-    /// The logarithm to base 10 of the smallest error that is told from smaller ones.
+    /// The decimal logarithm of the upper end of the lowest step's errors, less one step.
     from: f64,
     steps: u32,
 }
 
 impl Scale {
-    /// From a hundredth of the median to the largest error and the tolerance.
+    /// Makes a scale from a hundredth of the median to the largest error or the tolerance.
     fn new(data: &Data) -> Self {
         let mut errors: Vec<f64> = data.errors.iter().flatten().copied().collect();
         errors.sort_by(f64::total_cmp);
@@ -198,14 +201,14 @@ impl Scale {
         [0, self.steps].map(|step| self.value(step))
     }
 
-    /// The smallest error of a step.
+    /// Returns the smallest error of a step.
     fn value(&self, step: u32) -> f64 {
         10_f64.powf(self.from + f64::from(step) / STEPS)
     }
 
     fn step(&self, error: f64) -> u32 {
         let step = STEPS * (error.log10() - self.from);
-        // NaN is beyond all errors.
+        // NaN counts as the largest error.
         if step.is_nan() {
             self.steps - 1
         } else {
@@ -218,8 +221,8 @@ impl Scale {
     }
 }
 
-/// The colour map viridis, by van der Walt and Smith (2015): as even to the colour-blind, and in
-/// grey.
+/// Returns a colour of the map viridis of van der Walt and Smith (2015), whose steps look equal to
+/// colour-blind people too, and in grey.
 fn viridis(part: f64) -> Colour {
     const STOPS: [[u8; 3]; 9] = [
         [68, 1, 84],

@@ -8,16 +8,16 @@ use super::chart::{BLUE, Figure, Panel, Point, Side};
 use super::paper;
 use crate::Error;
 
-/// What is drawn.
+/// The data of the figure.
 #[derive(Clone, Debug)]
 pub struct Data {
     /// `a/t` and `Pi0`.
     pub pi0: Vec<Point>,
-    /// `8/3 es` and `8/3 einf`: the sphere on a half-space of film, and on bare substrate.
+    /// `8/3 es` and `8/3 einf`: the sphere on a half-space of film, and on the bare substrate.
     pub limits: [f64; 2],
 }
 
-/// From direct solves.
+/// Computes the data from direct solves.
 ///
 /// # Errors
 /// Those of [`crate::solve::curve`].
@@ -37,7 +37,7 @@ pub fn data() -> Result<Data, Error> {
     })
 }
 
-/// Draws it.
+/// Draws the load between its limits.
 pub fn figure(data: &Data) -> Figure {
     let x = Axis::logarithmic("contact radius / film thickness, a/t", paper::A_OVER_T);
     let y = Axis::linear(

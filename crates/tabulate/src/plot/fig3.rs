@@ -8,19 +8,19 @@ use super::chart::{BLUE, Figure, Panel, Point, Side, VERMILION};
 use super::paper;
 use crate::Error;
 
-/// What is drawn.
+/// The data of the figure.
 #[derive(Clone, Debug)]
 pub struct Data {
     /// `a/t` and `Eeq`.
     pub eeq: Vec<Point>,
     /// `a/t` and `Gamma`.
     pub gamma: Vec<Point>,
-    /// `es`, `sqrt(es einf)` and `einf`: all three of a thick film, the edge on a thin film, the
-    /// stiffness on a thin film.
+    /// The limits `es` of both on a thick film, `sqrt(es einf)` of `Gamma` on a thin film, and
+    /// `einf` of `Eeq` on a thin film.
     pub limits: [f64; 3],
 }
 
-/// From direct solves.
+/// Computes the data from direct solves.
 ///
 /// # Errors
 /// Those of [`crate::solve::curve`].
@@ -42,7 +42,7 @@ pub fn data() -> Result<Data, Error> {
     })
 }
 
-/// Draws it.
+/// Draws both quantities between their limits.
 pub fn figure(data: &Data) -> Figure {
     let x = Axis::logarithmic("contact radius / film thickness, a/t", paper::A_OVER_T);
     let y = Axis::linear("normalised by E_{2}*", [0.65, 1.05]);

@@ -1,5 +1,5 @@
 //! Fig. 4 of the paper: reduced JKR plots (eq. 9) for several film thicknesses, with the lines of
-//! JKR without a film and without a substrate.
+//! the JKR model without a film and without a substrate.
 
 use interp::{Contact, HalfSpace};
 
@@ -11,21 +11,23 @@ use crate::Error;
 /// The film thicknesses, m.
 pub const THICKNESSES: [f64; 5] = [1e-6, 3e-6, 10e-6, 30e-6, 100e-6];
 
-/// The largest contact radius, m: twice that at zero load, as far as the paper fits.
+/// The largest contact radius, m: twice that at zero load, the end of the paper's fits.
 const LARGEST_RADIUS: f64 = 130e-6;
 
-/// What is drawn: `a^{3/2} / (sqrt(pi) R)` in m^{1/2} and `F / (sqrt(6 pi) a^{3/2})` in N m^{-3/2}.
+/// The data of the figure: `a^{3/2} / (sqrt(pi) R)` in m^{1/2} and `F / (sqrt(6 pi) a^{3/2})` in N
+/// m^{-3/2}.
 #[derive(Clone, Debug)]
 pub struct Data {
-    /// With a film of each of [`THICKNESSES`].
+    /// A line for each film of [`THICKNESSES`].
     pub films: Vec<Vec<Point>>,
-    /// JKR on the bare substrate: the thin film's limit but for the smallest contacts.
+    /// The JKR model on the bare substrate: the limit of a thin film, except at the smallest
+    /// contacts.
     pub sphere: Vec<Point>,
-    /// JKR on a half-space of film: the thick film's limit.
+    /// The JKR model on a half-space of film: the limit of a thick film.
     pub sphere_film: Vec<Point>,
 }
 
-/// From direct solves.
+/// Computes the data from direct solves.
 ///
 /// # Errors
 /// Those of [`crate::solve::curve`].
@@ -47,7 +49,7 @@ pub fn data() -> Result<Data, Error> {
     })
 }
 
-/// At contact radii that are evenly spaced along the abscissa.
+/// Returns the line of a contact, at radii that are evenly spaced along the abscissa.
 fn jkr_plot(contact: &Contact) -> Result<Vec<Point>, Error> {
     const POINTS: u32 = 300;
     let point = |i: u32| {
@@ -60,14 +62,14 @@ fn jkr_plot(contact: &Contact) -> Result<Vec<Point>, Error> {
     (1..=POINTS).map(point).collect()
 }
 
-/// Draws it.
+/// Draws the lines, each with its film thickness.
 pub fn figure(data: &Data) -> Figure {
     let scaled =
         |line: &[Point]| -> Vec<Point> { line.iter().map(|[x, y]| [1e4 * x, *y]).collect() };
     let (sphere, sphere_film) = (scaled(&data.sphere), scaled(&data.sphere_film));
     let end = sphere[sphere.len() - 1][0];
     let x = Axis::linear("a^{3/2} / (√π R)  (10^{−4} m^{1/2})", [0.0, end]);
-    let y = Axis::linear("F / (√6π a^{3/2})  (N m^{−3/2})", [-400.0, 600.0]);
+    let y = Axis::linear("F / (√6π a^{3/2})  (N m^{−3/2})", [-400.0, 650.0]);
     let mut panel =
         Panel::new("Fig. 4: reduced JKR plots for films of 1 to 100 μm", x, y).margin(70);
     for ((line, t), colour) in data
@@ -78,11 +80,17 @@ pub fn figure(data: &Data) -> Figure {
     {
         let line = scaled(line);
         panel.line(line.clone(), colour);
+        // The uppermost label leaves room for the next ones.
+        let side = if t == THICKNESSES[0] {
+            Side::AboveRight
+        } else {
+            Side::Right
+        };
         panel.label(
             line[line.len() - 1],
             format!("{:.0} μm", 1e6 * t),
             colour,
-            Side::Right,
+            side,
         );
     }
     let at = |line: &[Point], part: f64| line[(part * line.len() as f64) as usize];

@@ -1,5 +1,5 @@
-//! Load against penetration for the paper's system with films of several thicknesses: the course
-//! with imposed penetration and with imposed load, with the jumps where stability ends.
+//! Load against penetration for the paper's system with films of several thicknesses, with imposed
+//! penetration and with imposed load. Arrows are the jumps at the ends of stability.
 
 use interp::{Control, ForceDisplacement, State};
 
@@ -11,24 +11,24 @@ use crate::Error;
 /// The film thicknesses, m.
 pub const THICKNESSES: [f64; 3] = [1e-6, 30e-6, 300e-6];
 
-/// How far the sphere is pushed in the figure: penetration in m, load in N.
+/// The largest imposed penetration, m, and the largest imposed load, N.
 const FARTHEST: [f64; 2] = [5e-6, 0.4e-3];
 
-/// States on each branch.
+/// The number of states on each branch.
 const POINTS: usize = 200;
 
-/// What is drawn for one film.
+/// The data of one film.
 #[derive(Clone, Debug)]
 pub struct Film {
-    /// m.
+    /// The thickness, m.
     pub thickness: f64,
-    /// With imposed penetration.
+    /// The curve with imposed penetration.
     pub displacement: ForceDisplacement,
-    /// With imposed load.
+    /// The curve with imposed load.
     pub load: ForceDisplacement,
 }
 
-/// From direct solves, for each of [`THICKNESSES`].
+/// Computes the data from direct solves, for each of [`THICKNESSES`].
 ///
 /// # Errors
 /// Those of [`crate::solve::curve`].
@@ -50,11 +50,11 @@ pub fn data() -> Result<Vec<Film>, Error> {
     THICKNESSES.iter().map(film).collect()
 }
 
-/// Draws it.
+/// Draws imposed penetration on the left and imposed load on the right.
 pub fn figure(films: &[Film]) -> Figure {
     let mut penetration = panel("Imposed penetration", films, |film| &film.displacement);
     penetration
-        .label([0.0, -0.05], "touch", GREY, Side::Right)
+        .label([0.0, 0.0], "touch", GREY, Side::AboveRight)
         .label([-1.45, -0.05], "separation", GREY, Side::Left);
     let mut load = panel("Imposed load", films, |film| &film.load);
     load.label([0.7, 0.0], "touch", GREY, Side::Above).label(
@@ -89,7 +89,7 @@ fn panel(title: &str, films: &[Film], course: fn(&Film) -> &ForceDisplacement) -
             panel.line(branch.iter().map(point).collect::<Vec<_>>(), colour);
         }
         for jump in &course.jumps {
-            // Where there is no rest, the sphere leaves the figure, too.
+            // After a separation without equilibrium the arrow leads to the edge of the figure.
             let gone = [PENETRATIONS[0], point(&jump.from)[1]];
             panel.arrow(
                 point(&jump.from),
@@ -97,7 +97,7 @@ fn panel(title: &str, films: &[Film], course: fn(&Film) -> &ForceDisplacement) -
                 colour,
             );
         }
-        // Beside the curve above zero load, or below its lowest point.
+        // The label is beside the curve above zero load, or below its lowest point.
         let height = |state: &State| {
             if side == Side::Below {
                 state.load
@@ -120,7 +120,7 @@ fn panel(title: &str, films: &[Film], course: fn(&Film) -> &ForceDisplacement) -
     panel
 }
 
-/// Penetration in um and load in mN.
+/// Returns penetration in um and load in mN.
 fn point(state: &State) -> Point {
     [1e6 * state.penetration, 1e3 * state.load]
 }

@@ -1,19 +1,19 @@
-//! Nanoseconds against error of one lookup, of every form of it.
+//! The error of one lookup against its time, for every form of lookup.
 
 use super::axis::Axis;
 use super::chart::{BLUE, Colour, Figure, GREEN, Marker, Panel, Side, VERMILION};
 use crate::Error;
 use crate::cost::lookup::{FURTHER, Family, NEW, Row};
 
-/// Draws it: what holds over the whole box of the table, and the series for layers where they
-/// apply.
+/// Draws the forms that hold in the whole box of the table on the left, and the series for bonded
+/// layers on the right.
 ///
 /// # Errors
-/// [`Error::Picture`] if one of them has no row.
+/// [`Error::Picture`] if one of the panels has no row.
 pub fn figure(rows: &[Row]) -> Result<Figure, Error> {
     let drawn = |at: &str| {
         let mut rows = rows.iter().filter(|row| row.at == at).peekable();
-        // Of the scopes of the layers, the first has the thickest.
+        // The first scope of the layers has the thickest layers.
         let scope = rows.peek().map_or("", |row| row.scope.as_str());
         let drawn: Vec<_> = rows
             .filter(move |row| row.scope == scope && is_drawn(row))
@@ -31,12 +31,16 @@ pub fn figure(rows: &[Row]) -> Result<Figure, Error> {
     let errors = |label: &str| Axis::logarithmic(label, [least, 10.0 * most]);
     let left = Panel::new(
         "any contact in the table's box",
-        times(&in_box, [0.15, 12.0]),
-        errors("relative error of the load: disc median, circle largest; shifted apart"),
+        times(
+            "time (ns); marks that would overlap are shifted apart",
+            &in_box,
+            [0.06, 30.0],
+        ),
+        errors("relative error of the load (disc: median, circle: largest)"),
     );
     let right = Panel::new(
         "bonded layer, a/t < 1, ν_{1} = 0.5",
-        times(&of_layers, [0.4, 30.0]),
+        times("time (ns)", &of_layers, [0.4, 30.0]),
         errors(""),
     )
     .share(0.55);
@@ -46,13 +50,13 @@ pub fn figure(rows: &[Row]) -> Result<Figure, Error> {
     ))
 }
 
-/// The largest error, or how many times too small the largest underestimate is, less one: a load of
-/// nothing is off by more than 1.
+/// Returns the largest error. For the largest underestimate it is the factor by which the load is
+/// too small, less one, so that a load near 0 counts by more than 1.
 fn largest(row: &Row) -> f64 {
     row.max_error.max(row.max_factor - 1.0)
 }
 
-/// Of the ways to use a table that cost the same, one.
+/// True if the figure shows a row. Several uses of a table cost equal times: one of them is shown.
 fn is_drawn(row: &Row) -> bool {
     row.what == NEW || row.what == FURTHER && row.form != "dense table"
 }
@@ -61,11 +65,12 @@ fn nanoseconds(row: &Row) -> f64 {
     1e9 * row.seconds
 }
 
-/// From this part of the first to so many times the last, for labels.
-fn times(rows: &[&Row], [before, after]: [f64; 2]) -> Axis {
+/// Returns an axis of times, from `before` times the shortest to `after` times the longest: the
+/// rest is room for labels.
+fn times(label: &str, rows: &[&Row], [before, after]: [f64; 2]) -> Axis {
     let times = || rows.iter().map(|row| nanoseconds(row));
     Axis::logarithmic(
-        "time (ns)",
+        label,
         [
             before * times().fold(f64::INFINITY, f64::min),
             after * times().fold(0.0, f64::max),
@@ -73,10 +78,10 @@ fn times(rows: &[&Row], [before, after]: [f64; 2]) -> Axis {
     )
 }
 
-/// A disc at the median error of each form, and a line to a circle at the largest: beside each
-/// other where they would lie on each other.
+/// Draws a disc at the median error of each form, a circle at the largest error, and a line between
+/// them. Forms that would overlap are shifted apart in time.
 fn panel(mut panel: Panel, rows: &[&Row]) -> Panel {
-    /// The ratio of times at which they no longer do.
+    /// The least ratio of the times of two forms without overlap.
     const APART: f64 = 1.25;
     let mut before: Vec<(f64, &Row)> = Vec::new();
     for row in rows {
@@ -96,24 +101,24 @@ fn panel(mut panel: Panel, rows: &[&Row]) -> Panel {
             .markers([median], colour, Marker::Full)
             .markers([circle], colour, Marker::Hollow);
         let (text, end, side) = label(row);
-        panel.label(
-            if end == End::Disc { median } else { circle },
-            text,
-            colour,
-            side,
-        );
+        let middle = [time, (row.median_error * largest(row)).sqrt()];
+        let anchors = match end {
+            End::Disc => [median, middle, circle],
+            End::Circle => [circle, middle, median],
+        };
+        panel.label_along(anchors, text, colour, side);
     }
     panel
 }
 
-/// Of the line of a form.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// An end of the line of a form.
+#[derive(Clone, Copy, Debug)]
 enum End {
     Disc,
     Circle,
 }
 
-/// What a form is called, and where there is room for that.
+/// Returns the name of a form, and the preferred end and side for its label.
 fn label(row: &Row) -> (&str, End, Side) {
     match (row.form.as_str(), row.what.as_str()) {
         ("packed table", FURTHER) => ("table: further point", End::Disc, Side::BelowRight),
@@ -130,7 +135,8 @@ fn label(row: &Row) -> (&str, End, Side) {
                 "film" => (name, End::Disc, Side::Left),
                 "Gao" | "Hay" | "Garcia" => (name, End::Circle, Side::Right),
                 "cubic" | "Hertz" => (name, End::Circle, Side::AboveRight),
-                _ if form.ends_with("1e-6") => (name, End::Disc, Side::BelowLeft),
+                "solve" if form.ends_with("1e-6") => (name, End::Disc, Side::Right),
+                "solve" => (name, End::Circle, Side::Right),
                 _ => (name, End::Disc, Side::Right),
             }
         }

@@ -1,10 +1,14 @@
-//! Figures, as SVG or PNG, with the font in the program.
+//! Draws figures as SVG or PNG, with the font in the program.
 //!
-//! [`chart`] draws panels with axes, lines and labels, [`picture`] writes them. Each figure is a
-//! module of its own, with the data that it draws apart from the drawing.
+//! Each figure is a module of its own: `data` computes its data and `figure` describes it as panels
+//! of [`chart`], with the axes of [`axis`]. `draw` draws the panels: `clip` cuts their lines, and
+//! `labels` finds places for their labels. [`picture`] turns the drawing into the bytes of a file.
+//! [`paper`] holds the system that several figures show.
 
 pub mod axis;
 pub mod chart;
+mod clip;
+mod draw;
 pub mod effects;
 pub mod error_map;
 pub mod fig2;

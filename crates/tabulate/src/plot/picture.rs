@@ -1,5 +1,6 @@
-//! A finished picture: SVG whose text is outlines, or PNG. No font of the system is looked for, and
-//! the same picture is the same bytes everywhere.
+//! A finished picture: SVG whose text is outlines, or PNG.
+//!
+//! The font is in the program, not of the system. Equal pictures are equal bytes on every machine.
 
 use std::path::Path;
 use std::sync::{Arc, LazyLock};
@@ -9,24 +10,24 @@ use resvg::usvg::{self, Options, Tree, WriteOptions, fontdb::Database};
 
 use crate::Error;
 
-/// Pixels of a PNG for each pixel of the picture.
+/// The number of pixels of a PNG, along each side, for a pixel of the picture.
 pub const PNG_SCALE: u32 = 2;
 
-/// DejaVu Sans, of which it holds [`CHARACTERS`] only; see the folder's README.
+/// DejaVu Sans, reduced to [`CHARACTERS`]; see the README of the folder.
 const FONT: &[u8] = include_bytes!("font/DejaVuSans-subset.ttf");
 const CHARACTERS: &str = include_str!("font/characters.txt");
 
-/// The forms in which a picture is written.
+/// A format of the file of a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Format {
     /// Vectors, text included.
     Svg,
-    /// [`PNG_SCALE`] pixels for each of the picture.
+    /// Pixels: [`PNG_SCALE`] along each side for a pixel of the picture.
     Png,
 }
 
 impl Format {
-    /// The format that the ending of a file's name asks for.
+    /// Returns the format for the ending of the name of a file.
     ///
     /// # Errors
     /// [`Error::Picture`] for any but `.svg` and `.png`.
@@ -47,10 +48,10 @@ impl Format {
 pub struct Picture(Tree);
 
 impl Picture {
-    /// From SVG with text, in which `_{...}` is a subscript and `^{...}` a superscript.
+    /// Reads SVG with text, in which `_{...}` is a subscript and `^{...}` a superscript.
     ///
     /// # Errors
-    /// [`Error::Picture`] if it is no SVG, or holds a character that the font lacks.
+    /// [`Error::Picture`] if the text is not SVG, or holds a character that the font lacks.
     pub fn from_svg(svg: &str) -> Result<Self, Error> {
         if let Some(missing) = svg.chars().find(|&c| c != '\n' && !CHARACTERS.contains(c)) {
             return Err(Error::Picture(format!("the font has no {missing:?}")));
@@ -74,12 +75,12 @@ impl Picture {
             .map_err(|e| Error::Picture(e.to_string()))
     }
 
-    /// Width and height in pixels.
+    /// Returns width and height in pixels.
     pub fn size(&self) -> [f32; 2] {
         [self.0.size().width(), self.0.size().height()]
     }
 
-    /// The bytes of a file.
+    /// Returns the bytes of a file.
     ///
     /// # Errors
     /// [`Error::Picture`] if the picture is too large for a PNG.
@@ -114,8 +115,8 @@ impl Picture {
     }
 }
 
-/// Text from elsewhere, with question marks for characters that the font lacks, and without sub-
-/// and superscripts.
+/// Replaces the characters that the font lacks, and the braces of sub- and superscripts, by
+/// question marks.
 pub fn legible(text: &str) -> String {
     text.chars()
         .map(|c| {
@@ -128,7 +129,7 @@ pub fn legible(text: &str) -> String {
         .collect()
 }
 
-/// The width of text of size 1.
+/// Returns the width of a text of size 1.
 ///
 /// # Errors
 /// As [`Picture::from_svg`].
@@ -140,7 +141,7 @@ pub fn text_width(text: &str) -> Result<f64, Error> {
     Ok(f64::from(Picture::from_svg(&svg)?.0.root().bounding_box().width()) / 100.0)
 }
 
-/// `_{...}` and `^{...}` as SVG says them.
+/// Replaces `_{...}` and `^{...}` by the subscripts and superscripts of SVG.
 fn raised_and_lowered(svg: &str) -> String {
     let mut out = String::with_capacity(svg.len());
     let mut rest = svg;
@@ -165,7 +166,7 @@ fn raised_and_lowered(svg: &str) -> String {
 mod tests {
     use super::*;
 
-    /// What is drawn for a text.
+    /// Returns the SVG of a character.
     fn outlines(text: char) -> String {
         let svg = format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"9\" height=\"9\"><text font-family=\"sans-serif\">&#{};</text></svg>",
@@ -181,8 +182,8 @@ mod tests {
     }
 
     #[test]
-    fn the_font_draws_every_character_that_it_is_said_to_hold() {
-        // Which takes that a character without a glyph is not drawn at all, not even as a box.
+    fn the_font_draws_every_character_of_its_list() {
+        // A character without a glyph must draw nothing, not even a box.
         assert!(!outlines('☃').contains("<path"));
         for character in CHARACTERS.chars() {
             let drawn = outlines(character);

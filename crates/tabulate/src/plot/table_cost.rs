@@ -1,16 +1,17 @@
-//! What a table costs: its certified error against the time of making it, and the time of many
-//! evaluations with it and without.
+//! The cost of a table: its certificate (the largest error at sampled points) against the time of
+//! making it, and the time of many evaluations with a table and without.
 
 use super::axis::{Axis, power_of_ten};
 use super::chart::{BLUE, Colour, Figure, GREEN, Marker, Panel, Side, VERMILION};
 use crate::cost::table::{Row, human_bytes, human_count};
 
-/// Draws it.
+/// Draws the making of tables on the left and the evaluation on the right.
 pub fn figure(rows: &[Row]) -> Figure {
     Figure::new(440, [making(rows), evaluating(rows)])
 }
 
-/// Certified error against time, with bytes: discs for the table, circles for its packed form.
+/// Draws the certified error against time, with the size of the file: discs for the table in HDF5,
+/// circles for its packed form.
 fn making(rows: &[Row]) -> Panel {
     let threads = rows.first().map_or(0, |row| row.threads);
     let x = Axis::decades(
@@ -19,12 +20,15 @@ fn making(rows: &[Row]) -> Panel {
     );
     let errors = rows
         .iter()
-        .flat_map(|row| [row.dense_error, row.packed_error]);
+        .flat_map(|row| [row.dense_error, row.packed_error])
+        // With room for the labels of the largest error.
+        .flat_map(|error| [error, 3.0 * error]);
     let mut panel = Panel::new(
         "Making a table",
         x,
         Axis::decades("certified relative error", errors),
-    );
+    )
+    .margin(48);
     let dense: Vec<_> = rows
         .iter()
         .map(|row| [row.seconds, row.dense_error])
@@ -57,13 +61,13 @@ fn making(rows: &[Row]) -> Panel {
     panel
 }
 
-/// When the packed table is there, and its error.
+/// Returns the time at which the packed table is finished, and its certified error.
 fn packed(row: &Row) -> [f64; 2] {
     [row.seconds + row.pack_seconds, row.packed_error]
 }
 
-/// Processor time against the number of evaluations, for three tolerances: solid with a table,
-/// whose materials have been looked up, dashed by direct solves.
+/// Draws processor time against the number of evaluations, for three tolerances: solid with a
+/// table, for evaluations along curves that exist, dashed by direct solves.
 fn evaluating(rows: &[Row]) -> Panel {
     let last = rows.len().saturating_sub(1);
     let mut drawn = vec![last, last / 2, 0];
@@ -73,33 +77,31 @@ fn evaluating(rows: &[Row]) -> Panel {
         .filter_map(|i| rows.get(i))
         .zip([VERMILION, GREEN, BLUE])
         .collect();
-    let counts = drawn
+    let ends = drawn
         .iter()
         .flat_map(|(row, _)| [0.03, 30.0].map(|factor| factor * row.break_even_along));
-    let x = Axis::decades("evaluations", counts);
+    let x = Axis::decades("number of evaluations", ends);
     let [few, many] = x.range();
     let times = drawn
         .iter()
         .flat_map(|(row, _)| [few, many].map(|count| count * row.solve_seconds));
     let mut panel = Panel::new(
-        "A table pays from the dots on",
+        "Time of evaluations; dots: break-even",
         x,
         Axis::decades("processor time (s)", times),
     );
     let solves = |row: &Row, count: f64| [count, count * row.solve_seconds];
     for (row, colour) in &drawn {
-        const POINTS: i32 = 60;
         let table = |count: f64| [count, row.making() + count * row.point_seconds];
-        let counts =
-            (0..=POINTS).map(|i| few * (many / few).powf(f64::from(i) / f64::from(POINTS)));
+        let line: Vec<_> = counts(few, many, 60).map(table).collect();
         panel
-            .line(counts.map(table).collect::<Vec<_>>(), *colour)
+            .line(line, *colour)
             .dashed([few, many].map(|count| solves(row, count)), *colour);
-        panel.label(
-            table(many),
+        panel.label_along(
+            counts(few, many, 12).map(table).collect::<Vec<_>>(),
             format!("table to {}", tolerance(row)),
             *colour,
-            Side::BelowLeft,
+            Side::Above,
         );
         if row.break_even_along.is_finite() {
             let even = solves(row, row.break_even_along);
@@ -111,23 +113,29 @@ fn evaluating(rows: &[Row]) -> Panel {
             );
         }
     }
-    if let (Some((tightest, above)), Some((loosest, below))) = (drawn.first(), drawn.last()) {
-        panel.label(
-            solves(tightest, 0.1 * many),
-            format!("solves to {}", tolerance(tightest)),
-            *above,
-            Side::AboveLeft,
-        );
-        panel.label(
-            solves(loosest, 0.3 * many),
-            format!("to {}", tolerance(loosest)),
-            *below,
-            Side::BelowRight,
-        );
+    for (end, side) in [
+        (drawn.first(), Side::AboveLeft),
+        (drawn.last(), Side::BelowRight),
+    ] {
+        if let Some((row, colour)) = end {
+            let line = counts(few, many, 12).map(|count| solves(row, count));
+            panel.label_along(
+                line.collect::<Vec<_>>(),
+                format!("solves to {}", tolerance(row)),
+                *colour,
+                side,
+            );
+        }
     }
     panel
 }
 
+/// Returns `intervals + 1` numbers from `few` to `many`, evenly spaced in their logarithms.
+fn counts(few: f64, many: f64, intervals: u32) -> impl Iterator<Item = f64> {
+    (0..=intervals).map(move |i| few * (many / few).powf(f64::from(i) / f64::from(intervals)))
+}
+
+/// Returns the tolerance of a row as a power of ten.
 fn tolerance(row: &Row) -> String {
     power_of_ten(row.tolerance.log10().round() as i32)
 }

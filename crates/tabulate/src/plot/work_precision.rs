@@ -1,4 +1,4 @@
-//! Work-precision fronts: the error that one solve achieves against the time it takes, beside
+//! Work-precision fronts: the error that one solve achieves against its time, compared with
 //! Nyström's method.
 
 use super::axis::{Axis, power_of_ten};
@@ -6,7 +6,7 @@ use super::chart::{BLACK, BLUE, Figure, Marker, Panel, Point, Side, VERMILION};
 use crate::Error;
 use crate::cost::solve::{NYSTROM, PAPER, REFUSED, Row, by_contact, front};
 
-/// The contacts that have a panel, by name and `a/t`, row by row.
+/// The contacts that have a panel: name and `a/t`, row by row.
 const DRAWN: [[(&str, f64); 2]; 3] = [
     [(PAPER, 1.0), ("stiff film on a soft base", 30.0)],
     [
@@ -19,11 +19,11 @@ const DRAWN: [[(&str, f64); 2]; 3] = [
     ],
 ];
 
-/// Draws it: discs for Galerkin's method, circles for Wiener and Hopf's, in any colour but that of
-/// Nyström's method.
+/// Draws the fronts: vermilion for Nyström's method, blue for this solver, with discs for
+/// Galerkin's method and circles for the Wiener-Hopf method.
 ///
 /// # Errors
-/// [`Error::Picture`] naming a contact that has no row.
+/// [`Error::Picture`] naming a contact without a row.
 pub fn figure(rows: &[Row]) -> Result<Figure, Error> {
     let contact = |name: &str, x: f64| {
         let found = by_contact(rows).find(|rows| rows[0].contact == name && rows[0].a_over_t == x);
@@ -46,23 +46,30 @@ pub fn figure(rows: &[Row]) -> Result<Figure, Error> {
     ))
 }
 
-/// One contact.
-fn panel(rows: &[Row], name: &str, x: f64, first: bool) -> Panel {
-    /// In microseconds, with room for labels before the fastest.
+/// Draws one contact.
+fn panel(rows: &[Row], name: &str, x: f64, leftmost: bool) -> Panel {
+    /// In microseconds, with room for labels left of the fastest.
     const TIMES: [f64; 2] = [0.1, 1e6];
-    /// From rounding, with room for labels, to errors as large as the quantities.
+    /// From rounding errors, with room for labels below, to 100 %.
     const ERRORS: [f64; 2] = [1e-18, 1.0];
-    let errors = Axis::logarithmic(if first { "relative error achieved" } else { "" }, ERRORS);
+    let errors = Axis::logarithmic(
+        if leftmost {
+            "relative error achieved"
+        } else {
+            ""
+        },
+        ERRORS,
+    );
     // The label takes room from the panel.
     let mut panel = Panel::new(name, Axis::logarithmic("time (µs)", TIMES), errors)
-        .share(if first { 1.05 } else { 1.0 });
+        .share(if leftmost { 1.05 } else { 1.0 });
     let point = |row: &Row| -> Point { [1e6 * row.seconds, row.error.unwrap_or(f64::NAN)] };
 
     if let Some(refused) = rows.iter().find(|row| row.method == REFUSED) {
         let exponent = power_of_ten(refused.tolerance.log10().round() as i32);
         panel.horizontal_guide(
             refused.tolerance,
-            format!("tolerances of {exponent} and less are refused"),
+            format!("refused: {exponent} and less"),
             Side::Left,
         );
     }
@@ -75,9 +82,8 @@ fn panel(rows: &[Row], name: &str, x: f64, first: bool) -> Panel {
     panel
         .line(points.clone(), VERMILION)
         .markers(points.clone(), VERMILION, Marker::Full);
-    if let Some(middle) = points.get(points.len() / 2) {
-        panel.label(*middle, "Nyström", VERMILION, Side::AboveRight);
-    }
+    let from_middle = preferred(points.len() / 2, points);
+    panel.label_along(from_middle, "Nyström", VERMILION, Side::AboveRight);
 
     let own = front(rows, |method| method != NYSTROM);
     panel.line(own.iter().map(|row| point(row)).collect::<Vec<_>>(), BLUE);
@@ -86,19 +92,20 @@ fn panel(rows: &[Row], name: &str, x: f64, first: bool) -> Panel {
     }
     let runs: Vec<_> = own.chunk_by(|a, b| family(a) == family(b)).collect();
     for name in ["Galerkin", "Wiener–Hopf"] {
-        // A method that is left and taken up again is named once.
+        // Where a method has several runs, its longest one is named.
         let longest = runs
             .iter()
             .enumerate()
             .filter(|(_, run)| family(run[0]).0 == name)
             .max_by_key(|(_, run)| run.len());
         if let Some((i, run)) = longest {
-            let (row, side) = if i + 1 == runs.len() {
-                (run[run.len() - 1], Side::Below)
+            let (first, side) = if i + 1 == runs.len() {
+                (run.len() - 1, Side::BelowLeft)
             } else {
-                (run[0], Side::AboveLeft)
+                (0, Side::AboveLeft)
             };
-            panel.label(point(row), name, BLUE, side);
+            let points = run.iter().map(|row| point(row)).collect();
+            panel.label_along(preferred(first, points), name, BLUE, side);
         }
     }
     panel.label(
@@ -110,7 +117,15 @@ fn panel(rows: &[Row], name: &str, x: f64, first: bool) -> Panel {
     panel
 }
 
-/// A method, whichever its path, and how it is marked.
+/// Returns the points with number `first` in front.
+fn preferred(first: usize, mut points: Vec<Point>) -> Vec<Point> {
+    if first < points.len() {
+        points.swap(0, first);
+    }
+    points
+}
+
+/// Returns the name of the method of a row, and its marker.
 fn family(row: &Row) -> (&str, Marker) {
     match row.method.split(',').next().unwrap_or_default() {
         "Wiener-Hopf" => ("Wiener–Hopf", Marker::Hollow),

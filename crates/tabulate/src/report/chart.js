@@ -1,9 +1,9 @@
-// Drawings of curves, and what they are made of.
+// Draws curves as SVG.
 
-/** A number without the rounding of a change of units. */
+/** A number rounded to `digits` digits: without the rounding error of a change of units. */
 const rounded = (value, digits = 14) => Number(value.toPrecision(digits));
 
-/** An element with attributes and children, in the page or in a drawing. */
+/** Makes an element of HTML or SVG with attributes and children. */
 function element(name, attributes = {}, ...children) {
     const drawing = ["svg", "g", "path", "line", "text", "circle", "rect"].includes(name);
     const made = drawing ? document.createElementNS("http://www.w3.org/2000/svg", name) : document.createElement(name);
@@ -14,14 +14,14 @@ function element(name, attributes = {}, ...children) {
 
 const PREFIXES = { 12: "T", 9: "G", 6: "M", 3: "k", 0: "", [-3]: "m", [-6]: "µ", [-9]: "n", [-12]: "p", [-15]: "f", [-18]: "a" };
 
-/** The power of a thousand, and its prefix, in which a value is best written. */
+/** The power of a thousand in which a value has one to three digits before the point, and its prefix. */
 function prefix(value) {
     const thousands = value === 0 ? 0 : Math.floor(Math.log10(Math.abs(value)) / 3 + 1e-9);
     const power = 3 * Math.min(4, Math.max(-6, thousands));
     return { scale: 10 ** power, prefix: PREFIXES[power] };
 }
 
-/** About `count` round numbers from `low` to `high`. */
+/** Returns about `count` round numbers from `low` to `high`. */
 function ticks(low, high, count) {
     const rough = (high - low) / count, power = 10 ** Math.floor(Math.log10(rough));
     const step = power * (rough < 1.5 * power ? 1 : rough < 3.5 * power ? 2 : rough < 7 * power ? 5 : 10);
@@ -29,7 +29,7 @@ function ticks(low, high, count) {
     return Array.from({ length: last - first + 1 }, (_, i) => rounded((first + i) * step, 10));
 }
 
-/** A drawing of the states, of which those that are not stable are dashed, with marks and their labels. */
+/** Draws the states as a curve, dashed where they are not `stable`, and the `marks` with their labels. */
 function chart(x, y, states, stable, marks, width) {
     const height = Math.round(Math.min(Math.max(0.72 * width, 300), 400));
     const box = { left: 58, right: width - 14, top: 10, bottom: height - 46 };
@@ -74,7 +74,7 @@ function chart(x, y, states, stable, marks, width) {
         const [u, v] = at(state), below = label === "load control";
         if (u > box.right + 1) continue;
         svg.append(element("circle", { cx: u, cy: v, r: 4.5 }));
-        // Below the least load; on the inner side of the bend, in two lines where it is narrow, but above it where it is flat.
+        // Below the mark at the least load. Otherwise right of the mark, in two lines on a narrow page; above it near zero load.
         const flat = v - vertical.place(0) < 20;
         const lines = below || flat || width > 420 ? [label] : label.split(" ");
         lines.forEach((line, i) => {

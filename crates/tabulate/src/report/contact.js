@@ -1,9 +1,9 @@
-// The contact in SI units: eqs. 2 to 9 (mechanics.rs), and where it separates (equilibrium.rs).
+// The contact in SI units: eqs. 2 to 9 (mechanics.rs), and its separation (equilibria.rs).
 
-/** The distance in ln a of the grid on which turning points are sought. */
+/** The step in ln a of the grid on which turning points are searched. */
 const SEARCH_STEP = 0.05;
 
-/** Where `f`, which changes its sign between `low` and `high`, vanishes. */
+/** Returns the root of `f` between `low` and `high`, at which `f` has opposite signs. */
 function root(f, low, high) {
     const sign = Math.sign(f(low));
     for (let i = 0; i < 200; i += 1) {
@@ -14,9 +14,9 @@ function root(f, low, high) {
     return 0.5 * (low + high);
 }
 
-/** A sphere on a film on a substrate, in contact with a work of adhesion. */
+/** The contact of a sphere with a film on a substrate, with a work of adhesion. */
 class Contact {
-    /** `system` holds radius, thickness, workOfAdhesion, and modulus, the one that normalises. */
+    /** `system` holds radius, thickness, workOfAdhesion, and modulus: the one by which the table normalises. */
     constructor(table, material, system) {
         Object.assign(this, system);
         this.curve = table.curve(material);
@@ -26,11 +26,11 @@ class Contact {
         this.sections = { load: this.sectionsOf("load"), penetration: this.sectionsOf("penetration") };
     }
 
-    /** Load, penetration and their slopes d/d ln a, at contact radius `a`. */
+    /** Returns load, penetration and their slopes d/d ln a at contact radius `a`. */
     state(a) {
         const { pi0, eeq, gamma, delta0 } = this.curve.at(a / this.thickness);
         const edge = Math.sqrt(0.5 * Math.PI * a * this.workOfAdhesion * this.sphereFilmModulus);
-        // Without adhesion, and what the edge takes away.
+        // The parts without adhesion, and the parts that adhesion subtracts.
         const pressed = {
             load: (a ** 3 * this.modulus * pi0.value) / (2 * this.radius),
             penetration: (a * a * delta0.value) / this.radius,
@@ -50,7 +50,7 @@ class Contact {
         };
     }
 
-    /** The pieces of the table's contact radii on which what is controlled, "load" or "penetration", rises or falls. */
+    /** Splits the table's contact radii into sections on which `controlled`, "load" or "penetration", rises or falls. */
     sectionsOf(controlled) {
         const [first, last] = this.range.map(Math.log);
         const slope = (u) => this.state(Math.exp(u)).slopes[controlled];
@@ -72,7 +72,7 @@ class Contact {
         return sections;
     }
 
-    /** Where the contact separates; nothing if its contact radius is outside the table, or without adhesion. */
+    /** Returns the state at which the contact separates: null if its contact radius is outside the table, or without adhesion. */
     pullOff(controlled) {
         const sections = this.sections[controlled];
         if (this.workOfAdhesion === 0 || sections[0].rises || !sections.at(-1).rises) return null;
@@ -81,15 +81,15 @@ class Contact {
         return this.state(Math.exp(least.u[0]));
     }
 
-    /** The largest stable contact without load; nothing if its contact radius is outside the table, or without adhesion. */
+    /** Returns the largest stable contact at zero load: null if its contact radius is outside the table, or without adhesion. */
     zeroLoad() {
         const rest = this.sections.load.findLast(({ rises, imposed: [from, to] }) => rises && from <= 0 && to >= 0);
         if (this.workOfAdhesion === 0 || !rest) return null;
-        // No load at all, not what rounding leaves of it.
+        // Exactly zero, without the rounding error of the root.
         return { ...this.state(Math.exp(root((u) => this.state(Math.exp(u)).load, ...rest.u))), load: 0 };
     }
 
-    /** The contact radii to draw: to somewhat beyond the one without load, or a tenth of the sphere's radius without adhesion. */
+    /** Returns the range of contact radii to draw: up to 1.3 times the one at zero load; without adhesion, up to a tenth of the sphere's radius. */
     drawn() {
         const [first, last] = this.range, rest = this.zeroLoad();
         let to = first;

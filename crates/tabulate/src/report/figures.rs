@@ -1,5 +1,5 @@
-//! The pictures in a report: what can be drawn of any table, and the paper's figures where they are
-//! its subject.
+//! The figures in a report: the error map of the table, and the paper's figures if the table covers
+//! the paper's material.
 
 use interp::Table;
 
@@ -7,16 +7,16 @@ use crate::Error;
 use crate::plot::chart::Figure;
 use crate::plot::{error_map, fig2, fig3, fig4, paper};
 
-/// A figure of a report, and what is said below it.
+/// A figure of a report with its caption.
 #[derive(Debug)]
 pub struct Illustration {
-    /// What there is to see, a sentence or two.
+    /// One or two sentences about the figure.
     pub caption: &'static str,
     /// The figure.
     pub figure: Figure,
 }
 
-/// How many steps [`figures()`] takes for a table, of which it tells its progress.
+/// Returns the number of steps that [`figures()`] reports to its `progress`.
 pub fn steps(table: &Table) -> usize {
     if error_map::fixed(table).is_none() {
         error_map::CELLS.iter().product()
@@ -25,9 +25,11 @@ pub fn steps(table: &Table) -> usize {
     }
 }
 
-/// The figures for a table: its error map, unless it fixes `a_over_t` or `e1_over_e2`; Figs. 2 to 4
-/// of the paper, if it covers the paper's material. They take direct solves, a second or some ten
-/// seconds.
+/// Draws the figures for a table: its error map, unless the table fixes `a_over_t` or `e1_over_e2`;
+/// Figs. 2 to 4 of the paper, if the table covers the paper's material.
+///
+/// The figures take direct solves: 1 to 10 s for the error map. `progress` is called with the
+/// number of cells done.
 ///
 /// # Errors
 /// Those of the solve.
@@ -38,23 +40,23 @@ pub fn figures(
     let mut figures = Vec::new();
     if error_map::fixed(table).is_none() {
         let figure = error_map::figure(&error_map::data(table, progress)?);
-        let caption = "The largest relative error of any quantity against direct solves at random points, over a/t and E₁/E₂*, \
-                       whatever the other parameters.";
+        let caption = "The largest relative error of any quantity against direct solves, over a/t and E₁/E₂*. \
+                       Each cell shows the worst of many random points.";
         figures.push(Illustration { caption, figure });
     }
     if table.curve(&paper::system(1e-6)?.material()?).is_ok() {
         let paper = [
             (
                 fig2::figure(&fig2::data()?),
-                "The adhesionless load of the paper’s system, from direct solves.",
+                "Fig. 2 of the paper: the adhesionless load, from direct solves.",
             ),
             (
                 fig3::figure(&fig3::data()?),
-                "The contact stiffness and the edge singularity of the paper’s system, from direct solves.",
+                "Fig. 3 of the paper: the contact stiffness and the edge singularity, from direct solves.",
             ),
             (
                 fig4::figure(&fig4::data()?),
-                "JKR plots of the paper’s system with films of several thicknesses, from direct solves.",
+                "Fig. 4 of the paper: JKR plots for films of several thicknesses, from direct solves.",
             ),
         ];
         figures.extend(paper.map(|(figure, caption)| Illustration { caption, figure }));

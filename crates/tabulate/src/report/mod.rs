@@ -1,8 +1,9 @@
-//! The report of a table: one HTML file that holds all it shows, and fetches nothing.
+//! The report of a table: one HTML file that works without a network.
 //!
-//! The page computes force curves from the packed low-rank table in it: `report/table.js` reads and
-//! splines it, `report/contact.js` has eqs. 2 to 9, `report/chart.js` draws, `report/page.js` has
-//! the sliders.
+//! [`report`] fills the template `page.html` with the range of the table, its certificate (the
+//! largest error at sampled points), the figures of [`figures()`], and the packed low-rank form of
+//! the table. In the browser `table.js` reads this form and evaluates its splines, `contact.js`
+//! computes eqs. 2 to 9, `chart.js` draws, and `page.js` connects the sliders and fields with them.
 
 mod figures;
 
@@ -10,39 +11,42 @@ use std::fmt::Write;
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
-use interp::Parameter;
-use interp::{Description, Normalisation, Table};
+use interp::{Description, Normalisation, Parameter, Table};
 
 pub use figures::{Illustration, figures, steps};
 
 use crate::Error;
-use crate::cost::lookup::random_points;
+use crate::cost::random_points;
 use crate::plot::picture::Format;
 use crate::table::compress;
 
-/// By how much the quantities of the form in a page may differ from the table's at its nodes,
-/// relative. The splines through these differences are larger between the nodes, 1.4 times in the
-/// default table and 2.4 times in one of few nodes: 1e-6 is kept.
+/// The largest relative difference, at the nodes, between the quantities of the form in a page and
+/// those of its table. Between the nodes the difference is larger: 1.4 times in the default table,
+/// 2.4 times in a table of few nodes. It stays below 1e-6.
 const TRUNCATION: f64 = 4e-7;
-/// At how many random points, of this seed, a page says how large the difference is.
+/// The number of random points at which the two forms are compared.
 const COMPARED: usize = 2000;
+/// The seed of these points.
 const SEED: u64 = 1;
 
-/// The page of a table: what it covers, its certificate, force curves that are computed in the
-/// page, and [`figures()`].
+/// Returns the HTML page of a table: its range, its certificate, force curves that the page
+/// computes, and the `illustrations`, which are those of [`figures()`].
 ///
-/// A dense table is embedded in low-rank form, whose quantities differ from it by 1e-6 or less; one
-/// in low-rank form as it is. The same table gives the same page.
+/// A dense table is embedded in low-rank form. Its quantities differ from those of the table by at
+/// most 1e-6, relative (`tests/report` measures it). A table in low-rank form is embedded
+/// unchanged. Equal tables give equal pages, byte for byte.
 ///
 /// # Errors
-/// Those of [`compress`], [`Table::to_packed`], of looking up and of drawing.
+/// Those of [`compress`], of [`Table::to_packed`], of the lookup and of the drawing.
 pub fn report(table: &Table, illustrations: &[Illustration]) -> Result<String, Error> {
     let embedded = embedded(table)?;
     let packed = embedded.to_packed()?;
     let description = table.description();
     let normalisation = match description.normalisation {
         Normalisation::Sphere => "E₂*, the sphere’s reduced modulus E₂/(1 − ν₂²)",
-        Normalisation::Film => "E₁*, the film’s reduced modulus E₁/(1 − ν₁²): the sphere is rigid",
+        Normalisation::Film => {
+            "E₁*, the film’s reduced modulus E₁/(1 − ν₁²), because the sphere is rigid"
+        }
     };
     let script = [
         include_str!("table.js"),
@@ -70,9 +74,16 @@ pub fn report(table: &Table, illustrations: &[Illustration]) -> Result<String, E
         ("bytes", packed.len().div_ceil(1000).to_string()),
         (
             "difference",
-            format!("{:.1e}", largest_difference(table, &embedded)?),
+            if table.low_rank().is_some() {
+                "the table itself, in low-rank form".to_owned()
+            } else {
+                format!(
+                    "a low-rank form of the table, whose quantities differ from those of the table by at most {:.1e} \
+                     (relative, at {COMPARED} random points)",
+                    largest_difference(table, &embedded)?
+                )
+            },
         ),
-        ("compared", COMPARED.to_string()),
         ("figures", section(illustrations)?),
         ("packed", STANDARD.encode(&packed)),
         ("script", script.concat()),
@@ -80,7 +91,7 @@ pub fn report(table: &Table, illustrations: &[Illustration]) -> Result<String, E
     Ok(fill(include_str!("page.html"), &parts))
 }
 
-/// The low-rank form that goes into the page.
+/// Returns the low-rank form that goes into the page.
 fn embedded(table: &Table) -> Result<Table, Error> {
     if table.low_rank().is_some() {
         return Ok(table.clone());
@@ -94,7 +105,8 @@ fn embedded(table: &Table) -> Result<Table, Error> {
     )?)
 }
 
-/// The largest relative difference of two tables' quantities at random points of their box.
+/// Returns the largest relative difference of the quantities of two tables at random points of
+/// their box.
 fn largest_difference(table: &Table, other: &Table) -> Result<f64, Error> {
     let mut largest = 0.0_f64;
     for (x, material) in random_points(table, COMPARED, SEED) {
@@ -110,8 +122,8 @@ fn largest_difference(table: &Table, other: &Table) -> Result<f64, Error> {
     Ok(largest)
 }
 
-/// The section of the figures: nothing without any. They are pictures by themselves, so that their
-/// names do not meet.
+/// Returns the section of the figures: empty if there are none. Each figure is an image of its own,
+/// because the names inside two SVG figures are equal.
 fn section(illustrations: &[Illustration]) -> Result<String, Error> {
     let mut section = String::new();
     for Illustration { caption, figure } in illustrations {
@@ -131,26 +143,26 @@ fn section(illustrations: &[Illustration]) -> Result<String, Error> {
     ))
 }
 
-/// The template with `{{name}}` replaced by the part of this name. What the parts hold is not
-/// searched.
+/// Returns the template with each `{{name}}` replaced by the part of this name. Braces inside the
+/// parts stay.
 fn fill(template: &str, parts: &[(&str, String)]) -> String {
     let mut pieces = template.split("{{");
     let mut page = pieces.next().unwrap_or_default().to_owned();
     for piece in pieces {
         let (name, rest) = piece
             .split_once("}}")
-            .expect("the template closes its names");
+            .expect("every name in the template is closed");
         let (_, part) = parts
             .iter()
             .find(|(part, _)| *part == name)
-            .expect("the template names parts that there are");
+            .expect("every name in the template has a part");
         page += part;
         page += rest;
     }
     page
 }
 
-/// Text as HTML.
+/// Escapes text for HTML.
 fn escape(text: &str) -> String {
     text.replace('&', "&amp;")
         .replace('<', "&lt;")
@@ -158,26 +170,27 @@ fn escape(text: &str) -> String {
         .replace('"', "&quot;")
 }
 
-/// How a parameter is written in formulas, and what it is.
+/// Returns the symbol of a parameter and its meaning.
 fn symbol(parameter: Parameter, normalisation: Normalisation) -> (&'static str, &'static str) {
     match (parameter, normalisation) {
         (Parameter::AOverT, _) => ("a/t", "contact radius over film thickness"),
         (Parameter::E1OverE2, _) => (
             "E₁/E₂*",
-            "film’s Young’s modulus over the sphere’s reduced one",
+            "film’s Young’s modulus over the sphere’s reduced modulus",
         ),
         (Parameter::Nu1, _) => ("ν₁", "film’s Poisson ratio"),
         (Parameter::E0OverE2, Normalisation::Sphere) => (
             "E₀/E₂*",
-            "substrate’s Young’s modulus over the sphere’s reduced one",
+            "substrate’s Young’s modulus over the sphere’s reduced modulus",
         ),
-        (Parameter::E0OverE2, Normalisation::Film) => {
-            ("E₀/E₁", "substrate’s Young’s modulus over the film’s")
-        }
+        (Parameter::E0OverE2, Normalisation::Film) => (
+            "E₀/E₁",
+            "substrate’s Young’s modulus over the film’s Young’s modulus",
+        ),
     }
 }
 
-/// What a fixed value means.
+/// Returns the text of a fixed value of a parameter.
 fn value(parameter: Parameter, value: f64) -> String {
     match parameter {
         Parameter::E1OverE2 if value == 0.0 => "0 (rigid sphere)".to_owned(),
@@ -186,7 +199,7 @@ fn value(parameter: Parameter, value: f64) -> String {
     }
 }
 
-/// A number as people write it: without an exponent where it is short.
+/// Returns the text of a number: with an exponent only where the text is long without it.
 fn number(value: f64) -> String {
     let [plain, exponential] = [format!("{value}"), format!("{value:e}")];
     if plain.len() <= exponential.len().max(6) {
@@ -196,12 +209,12 @@ fn number(value: f64) -> String {
     }
 }
 
-/// A number to six digits.
+/// Rounds a number to six digits.
 fn short(value: f64) -> f64 {
     format!("{value:.5e}").parse().unwrap_or(value)
 }
 
-/// A row for each parameter.
+/// Returns the table of the parameters in HTML, a row for each.
 fn axes(table: &Table) -> String {
     let description = table.description();
     let mut rows = String::new();
@@ -234,7 +247,7 @@ fn axes(table: &Table) -> String {
     rows
 }
 
-/// What the certificate says, a pair of `dt` and `dd` for each thing.
+/// Returns the certificate in HTML, a pair of `dt` and `dd` for each number.
 fn certificate(table: &Table) -> String {
     let Description {
         tolerance,
@@ -281,7 +294,7 @@ fn certificate(table: &Table) -> String {
     if !broken.is_empty() {
         items.push((
             "identities",
-            format!("{} (relative, largest)", broken.join(", ")),
+            format!("largest relative errors of {}", broken.join(", ")),
         ));
     }
     items.iter().fold(String::new(), |text, (name, value)| {

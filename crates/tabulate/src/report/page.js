@@ -1,6 +1,6 @@
-// The page: sliders to a contact, a contact to curves and numbers.
+// The page: reads the sliders and fields, and shows the curves and numbers of the contact that they set.
 
-/** What the sliders set, by the names of `tabulate curve`'s options; `scale` is the unit shown, in SI units. */
+/** The settings, by the names of `tabulate curve`'s options. `scale` is the size of the unit shown, in SI units. */
 const SETTINGS = {
     film_thickness: { name: "film thickness", symbol: "t", unit: "µm", scale: 1e-6, usual: 1e-6, sensible: [1e-9, 1e-3] },
     film_modulus: { name: "film modulus", symbol: "E₁", unit: "MPa", scale: 1e6, usual: 3.5e6, sensible: [1e3, 1e12] },
@@ -10,20 +10,20 @@ const SETTINGS = {
     sphere_radius: { name: "sphere radius", symbol: "R", unit: "µm", scale: 1e-6, usual: 1e-3, sensible: [1e-8, 0.1] },
     work_of_adhesion: { name: "work of adhesion", symbol: "w", unit: "mJ/m²", scale: 1e-3, usual: 0.04, sensible: [1e-4, 10] },
 };
-/** A slider has this many steps. */
+/** The number of steps of a slider. */
 const STEPS = 1000;
 const COLUMNS = ["contact_radius", "load", "penetration", "jkr_abscissa", "jkr_ordinate"];
 
 const byId = (id) => document.getElementById(id);
 
-/** A value with its unit for people, and to the last digit for programs. */
+/** A value with its unit: rounded as text, exact in the attribute `value`. */
 function shown(value, unit) {
     const { scale, prefix: sign } = unit === "" ? { scale: 1, prefix: "" } : prefix(value);
     const text = value === 0 ? "0" : (value / scale).toPrecision(6).replace("-", "−");
     return element("data", { value }, `${text} ${sign}${unit}`.trim());
 }
 
-/** The state of the page: SI values by name, and what the table makes of them. */
+/** The state of the page: the settings in SI units by name, and the contact that they describe. */
 class Page {
     constructor(table) {
         this.table = table;
@@ -33,7 +33,7 @@ class Page {
         this.values = Object.fromEntries(Object.entries(SETTINGS).map(([key, setting]) => [key, setting.usual]));
         this.rows = new Map();
         this.settle();
-        // The paper's system, or the next one to it in the box.
+        // The paper's system, or the nearest one in the box.
         for (const [key, parameter] of [["film_modulus", "e1_over_e2"], ["substrate_modulus", "e0_over_e2"]]) {
             if (this.sliding(key) && key !== this.unit) this.values[key] = this.within(this.values[key], this.box(parameter));
         }
@@ -50,12 +50,12 @@ class Page {
         return Math.min(Math.max(value, from), to);
     }
 
-    /** The moduli that a ratio's range allows with the present unit. */
+    /** The range of a modulus, from the range of its ratio and the present value of the modulus that is the unit. */
     box(parameter) {
         return this.table.range(parameter).map((ratio) => rounded(ratio * this.values[this.unit]));
     }
 
-    /** Whether a setting is free. */
+    /** True if the user can change a setting. */
     sliding(key) {
         switch (key) {
             case "film_modulus": return this.table.rigidSphere || !this.table.fixes("e1_over_e2");
@@ -67,7 +67,7 @@ class Page {
         }
     }
 
-    /** Gives settings that the table fixes their values. */
+    /** Sets the values that the table fixes. */
     settle() {
         const { table, values } = this;
         if (table.rigidSphere) values.sphere_modulus = Infinity;
@@ -77,21 +77,21 @@ class Page {
         if (!this.adhesive) values.work_of_adhesion = 0;
     }
 
-    /** What the table fixes, in words. */
+    /** Describes a setting that the table fixes. */
     fixed(key) {
         const { table, values } = this, value = values[key], { unit, scale } = SETTINGS[key];
         const amount = `${rounded(value / scale)} ${unit}`.trim();
-        const ratio = (parameter, of) => `${table.range(parameter)[0]} ${of}, which the table fixes: ${amount}`;
+        const ratio = (parameter, of) => `${table.range(parameter)[0]} ${of}, fixed by the table: ${amount}`;
         switch (key) {
             case "film_modulus": return ratio("e1_over_e2", "E₂*");
             case "substrate_modulus": return value === Infinity ? "rigid" : ratio("e0_over_e2", table.rigidSphere ? "E₁" : "E₂*");
-            case "sphere_modulus": return "rigid: all is in units of E₁*";
-            case "work_of_adhesion": return "none: the table lacks eeq or gamma";
-            default: return `${amount}, which the table fixes`;
+            case "sphere_modulus": return "rigid: the unit is E₁*";
+            case "work_of_adhesion": return "0: the table lacks eeq or gamma";
+            default: return `${amount}, fixed by the table`;
         }
     }
 
-    /** The range of a slider, and whether it is logarithmic. */
+    /** The ends of a slider, and whether its scale is logarithmic. */
     range(key) {
         switch (key) {
             case "film_poisson_ratio": return { ends: this.table.range("nu1"), logarithmic: false };
@@ -122,14 +122,14 @@ class Page {
                 const text = number.value.trim().replace("−", "-").replace(",", ".");
                 this.change(key, text === "" ? NaN : rounded(Number(text) * scale), number);
             });
-            // The address changes less often than a slider: browsers allow no more.
+            // Written when a slider is let go: browsers limit how often the address may change.
             [slider, number].forEach((input) => input.addEventListener("change", () => this.writeAddress()));
             const label = element("label", { for: key }, `${name} `, element("i", {}, symbol));
             const field = element("span", { class: "field" }, number, element("span", {}, unit));
             byId("controls").append(element("div", { class: "control" }, label, slider, field));
             this.rows.set(key, { slider, number });
         }
-        const nu0 = element("output", {}, `${this.table.nu0}, which the table fixes`);
+        const nu0 = element("output", {}, `${this.table.nu0}, fixed by the table`);
         byId("controls").append(element("div", { class: "control" }, element("span", {}, "substrate Poisson ratio ν₀"), nu0));
         byId("controls").addEventListener("submit", (event) => event.preventDefault());
     }
@@ -139,7 +139,7 @@ class Page {
         this.show(typing);
     }
 
-    /** Settings from the address, `#film_thickness=1e-6&...` in SI units; the usual ones where it says nothing. */
+    /** Reads settings from the address, `#film_thickness=1e-6&...` in SI units. The others get their usual values. */
     readAddress() {
         this.unknown = [];
         Object.assign(this.values, this.usual);
@@ -156,7 +156,7 @@ class Page {
         history.replaceState(null, "", `#${free.map((key) => `${key}=${this.values[key]}`).join("&")}`);
     }
 
-    /** Shows the settings, all but in the field that is being typed in, and what follows from them. */
+    /** Shows the settings and the results. Leaves the text of the field `typing` alone, in which the user types. */
     show(typing) {
         this.settle();
         for (const [key, { slider, number, text }] of this.rows) {
@@ -173,16 +173,32 @@ class Page {
             slider.setAttribute("aria-valuetext", `${amount} ${unit}`.trim());
         }
         const wrong = this.wrong();
-        byId("message").replaceChildren(...wrong.map((text) => element("p", {}, text)));
+        byId("message").replaceChildren(...wrong.map(({ text }, i) => element("p", { id: `wrong-${i}` }, text)));
+        this.markFields(wrong);
         this.contact = null;
         if (!wrong.length) {
             this.contact = this.makeContact();
             this.drawn = this.contact.drawn();
-            const notes = this.answer();
+            const notes = this.fillTables();
             byId("message").replaceChildren(...notes.map((text) => element("p", { class: "note" }, text)));
         }
-        byId("answer").hidden = wrong.length > 0;
+        byId("results").hidden = wrong.length > 0;
         this.draw();
+    }
+
+    /** Marks the fields that a message is about, and ties them to it for screen readers. */
+    markFields(wrong) {
+        for (const [key, { number }] of this.rows) {
+            if (!number) continue;
+            const messages = wrong.flatMap(({ keys }, i) => (keys.includes(key) ? [`wrong-${i}`] : []));
+            if (messages.length) {
+                number.setAttribute("aria-invalid", "true");
+                number.setAttribute("aria-describedby", messages.join(" "));
+            } else {
+                number.removeAttribute("aria-invalid");
+                number.removeAttribute("aria-describedby");
+            }
+        }
     }
 
     /** The material's ratios. */
@@ -196,25 +212,31 @@ class Page {
         };
     }
 
-    /** Why there is no curve: nothing if there is one. */
+    /** The reasons why there is no curve: for each its text, and the keys of the fields that it is about. */
     wrong() {
-        const wrong = this.unknown.map((key) => `The address sets “${key}”, which is no setting of this table.`);
+        const unknown = (key) => ({ text: `The address sets “${key}”, which is not a setting of this table.`, keys: [] });
+        const wrong = this.unknown.map(unknown);
         for (const [key, { name }] of Object.entries(SETTINGS)) {
             if (!this.sliding(key) || key === "film_poisson_ratio") continue;
             const value = this.values[key], zero = key === "work_of_adhesion";
             if (!(value > 0 || (zero && value === 0)) || value === Infinity) {
-                wrong.push(`The ${name} must be a number ${zero ? "that is 0 or more" : "above 0"}.`);
+                const text = `The ${name} must be a number ${zero ? "that is 0 or larger" : "above 0"}.`;
+                wrong.push({ text, keys: [key] });
             }
         }
         if (wrong.length) return wrong;
-        const of = this.table.rigidSphere ? "E₁" : "E₂*";
-        const names = { e1_over_e2: `E₁/${of}`, nu1: "ν₁", e0_over_e2: `E₀/${of}` };
+        const unit = this.table.rigidSphere ? "E₁" : "E₂*";
+        const ratios = {
+            e1_over_e2: { symbol: `E₁/${unit}`, keys: ["film_modulus", this.unit] },
+            nu1: { symbol: "ν₁", keys: ["film_poisson_ratio"] },
+            e0_over_e2: { symbol: `E₀/${unit}`, keys: ["substrate_modulus", this.unit] },
+        };
         for (const [parameter, value] of Object.entries(this.material())) {
-            const [from, to] = this.table.range(parameter);
-            if (!this.table.covers(parameter, value)) {
-                const amount = Number.isNaN(value) ? "no number" : String(rounded(value, 6));
-                wrong.push(`${names[parameter]} = ${amount} is outside the table’s ${from} to ${to}.`);
-            }
+            if (this.table.covers(parameter, value)) continue;
+            const [from, to] = this.table.range(parameter), { symbol, keys } = ratios[parameter];
+            const amount = Number.isNaN(value) ? "not a number" : String(rounded(value, 6));
+            const names = keys.map((key) => `the ${SETTINGS[key].name}`).join(" or ");
+            wrong.push({ text: `${symbol} is ${amount}; the table holds ${from} to ${to}. Change ${names}.`, keys });
         }
         return wrong;
     }
@@ -229,8 +251,8 @@ class Page {
         });
     }
 
-    /** Fills the tables; returns what is to be said of them. */
-    answer() {
+    /** Fills the tables of numbers. Returns notes on them. */
+    fillTables() {
         const { contact } = this, notes = [], [, to] = this.drawn;
         const columns = [["load", "F", "N"], ...(this.penetrates ? [["penetration", "δ", "m"]] : []), ["contact_radius", "a", "m"]];
         const cells = (state) => [
@@ -267,12 +289,12 @@ class Page {
         };
         if (least > 0.1 * to) limit("begins", least, x0);
         if (to === most) limit("ends", most, x1);
-        if (to > 0.3 * contact.radius) notes.push("The contact radius is no longer small compared with R, as the model supposes.");
+        if (to > 0.3 * contact.radius) notes.push("The contact radius is not small compared with R, as the model assumes.");
         byId("command").textContent = this.command();
         return notes;
     }
 
-    /** Equally spaced contact radii along the curve, as `tabulate curve` takes them. */
+    /** Equally spaced contact radii along the curve, as `tabulate curve` spaces them. */
     radii(points) {
         const [from, to] = this.ends();
         return Array.from({ length: points }, (_, i) => from + (to - from) * (i / (points - 1)));
@@ -328,7 +350,14 @@ class Page {
 
 const bytes = Uint8Array.from(atob(byId("packed").textContent.trim()), (character) => character.charCodeAt(0));
 const table = new Table(bytes);
-const missing = table.held.includes("pi0") ? "" : "The table does not hold pi0, without which there is no load.";
-const single = table.fixes("a_over_t") ? "The table holds a single a/t, and so no curve." : "";
+const missing = table.held.includes("pi0") ? "" : "The table does not hold pi0, from which the load is computed.";
+const single = table.fixes("a_over_t") ? "The table holds a single a/t: there is no curve." : "";
 if (missing || single) byId("message").append(element("p", {}, missing || single));
 else new Page(table);
+
+// On a narrow page a figure is as wide as the page; a button shows it at its full size, to be moved sideways.
+for (const figure of document.querySelectorAll(".figures figure")) {
+    const button = element("button", { type: "button", class: "enlarge", "aria-pressed": "false" }, "Full size");
+    button.addEventListener("click", () => button.setAttribute("aria-pressed", String(figure.classList.toggle("large"))));
+    figure.querySelector("figcaption").append(" ", button);
+}

@@ -1,11 +1,11 @@
-// The table, as the crate `interp` packs it (pack.rs), and its splines (spline.rs, low_rank.rs).
+// Reads a table that the crate `interp` packed (packed.rs), and evaluates its splines (bspline.rs, low_rank.rs).
 
-/** The version of the packed form that is read here. */
-const PACKED_VERSION = 3;
+/** The version of the packed form that this page reads. */
+const PACKED_VERSION = 1;
 const PREFIX = 24;
 /** The degree of the splines through a table's nodes, where there are enough of them. */
 const DEGREE = 9;
-/** What the rounding of a ratio of moduli may add up to, relative. */
+/** The largest relative rounding error of a ratio of moduli. */
 const ROUNDING = 1e-12;
 
 const QUANTITIES = ["pi0", "eeq", "gamma", "delta0"];
@@ -13,7 +13,7 @@ const PARAMETERS = ["a_over_t", "e1_over_e2", "nu1", "e0_over_e2"];
 /** The parameters in the order of the train's cores. */
 const CORES = ["e0_over_e2", "e1_over_e2", "nu1", "a_over_t"];
 
-/** Reads bincode's two encodings of integers, and what is made of them. */
+/** Reads numbers, texts and lists in bincode's two encodings: integers of fixed and of variable width. */
 class Reader {
     constructor(bytes, at) {
         this.bytes = bytes;
@@ -40,7 +40,7 @@ class Reader {
         const length = this.u64();
         return new TextDecoder().decode(this.bytes.subarray(this.take(length), this.at));
     }
-    /** Variable width: one byte below 251, otherwise a mark and 2, 4 or 8 bytes. */
+    /** Reads an unsigned integer of variable width: one byte below 251, otherwise a mark and 2, 4 or 8 bytes. */
     variable() {
         const byte = this.view.getUint8(this.take(1));
         switch (byte) {
@@ -50,7 +50,7 @@ class Reader {
             default: return byte;
         }
     }
-    /** Signs alternate: 0, -1, 1, -2. */
+    /** Reads a signed integer of variable width, in the order 0, -1, 1, -2. */
     signed() {
         const wide = this.bytes[this.at] === 253;
         const zigzag = wide ? this.view.getBigUint64(this.take(9) + 1, true) : BigInt(this.variable());
@@ -61,7 +61,7 @@ class Reader {
     }
 }
 
-/** The B-splines of the nodes of an axis: "not-a-knot" ends, or no first and second derivative at the last node. */
+/** The B-splines on the nodes of an axis, with "not-a-knot" ends. If `flat`, both derivatives vanish at the last node. */
 class Basis {
     constructor(nodes, flat) {
         this.count = nodes.length;
@@ -80,7 +80,7 @@ class Basis {
         });
     }
 
-    /** The splines that do not vanish at `u`, from `first` on, with their derivatives (Cox-de Boor). */
+    /** Returns the values and slopes at `u` of the splines that do not vanish there, from number `first` on (Cox-de Boor). */
     weights(u) {
         const p = this.degree, { knots } = this;
         let span = p;
@@ -99,7 +99,7 @@ class Basis {
             values.push(carried);
         }
         const first = span - p, count = Math.min(p + 1, this.count - first);
-        // Next to a flat end the last function stands for all that follow it.
+        // Next to a flat end the last function is the sum of those after it.
         const beyond = values.slice(count).reduce((sum, value) => sum + value, 0);
         values.length = count;
         values[count - 1] += beyond;
@@ -112,13 +112,13 @@ class Basis {
         return { first, values, slopes };
     }
 
-    /** Turns rows of values at the nodes, `width` splines side by side, into rows of coefficients. */
+    /** Replaces rows of values at the nodes, of `width` splines side by side, by rows of spline coefficients. */
     interpolate(rows, width) {
         const matrix = this.matrix.map((row) => row.slice()), n = this.count;
         const subtract = (target, source, factor) => {
             for (let k = 0; k < width; k += 1) rows[target * width + k] -= factor * rows[source * width + k];
         };
-        // The matrix is totally positive: no pivots.
+        // The matrix is totally positive: elimination needs no pivots.
         for (let i = 0; i < n; i += 1) {
             for (let below = i + 1; below < Math.min(n, i + DEGREE + 1); below += 1) {
                 const factor = matrix[below][i] / matrix[i][i];
@@ -134,7 +134,7 @@ class Basis {
     }
 }
 
-/** The coordinate in which a parameter is splined. */
+/** The coordinate of a parameter in which the splines are polynomials. */
 function coordinate(parameter, value) {
     return parameter === "nu1" ? 0.5 * (1 - Math.cbrt(1 - 2 * value)) : Math.log(value);
 }
@@ -155,11 +155,8 @@ class Table {
         this.rigidSphere = reader.u32() === 1;
         reader.f64();
         reader.text();
-        [f64, f64, u64, u64].forEach((item) => item.call(reader));
-        reader.option(() => {
-            [f64, u32, f64, f64, f64, f64].forEach((item) => item.call(reader));
-            reader.array(2, () => reader.option(() => reader.f64()));
-        });
+        [f64, f64, f64, u64, u64, u32, f64, f64, f64, f64].forEach((item) => item.call(reader));
+        reader.array(2, () => reader.option(() => reader.f64()));
         this.axes = Object.fromEntries(PARAMETERS.map((parameter) => [parameter, list(f64)]));
         this.held = list(u32).map((variant) => QUANTITIES[variant]);
         if (reader.u32() !== 1) throw new Error("the data is not in low-rank form");
@@ -186,19 +183,19 @@ class Table {
         return [nodes[0], nodes[nodes.length - 1]];
     }
 
-    /** True if the table holds one value of the parameter only. */
+    /** True if the table holds a single value of the parameter. */
     fixes(parameter) {
         return this.axes[parameter].length === 1;
     }
 
-    /** True if a value is in the table's range, but for rounding. */
+    /** True if a value is in the table's range, to rounding. */
     covers(parameter, value) {
         const [from, to] = this.range(parameter);
         const near = (end) => Math.abs(value - end) <= ROUNDING * (parameter === "nu1" ? 1 : Math.abs(end));
         return (value >= from && value <= to) || near(from) || near(to);
     }
 
-    /** The splines over ln(a/t) of a material `{ e1_over_e2, nu1, e0_over_e2 }` in the box. */
+    /** Returns the quantities of a material `{ e1_over_e2, nu1, e0_over_e2 }` in the box, as splines over ln(a/t). */
     curve(material) {
         let vector = [1];
         for (const [i, parameter] of CORES.slice(0, 3).entries()) {
@@ -228,7 +225,7 @@ class Table {
         return new Curve(this, basis, coefficients, sphereFilmModulus(this, material));
     }
 
-    /** The coordinate of a value in the range, rounded into it. */
+    /** Returns the coordinate of a value, clamped to the table's range. */
     place(parameter, value) {
         const [from, to] = this.range(parameter);
         return coordinate(parameter, Math.min(Math.max(value, from), to));
@@ -240,13 +237,13 @@ function sphereFilmModulus(table, { e1_over_e2, nu1 }) {
     return table.rigidSphere ? 1 : 1 / (1 + ((1 - nu1) * (1 + nu1)) / e1_over_e2);
 }
 
-/** The quantities of one material as functions of a/t. What is splined is ln(Pi0/es), ln(Eeq/es), ln(Gamma/es), ln Delta0. */
+/** The quantities of one material as functions of a/t. The splines are of ln(Pi0/es), ln(Eeq/es), ln(Gamma/es), ln Delta0. */
 class Curve {
     constructor(table, basis, coefficients, es) {
         Object.assign(this, { table, basis, coefficients, es });
     }
 
-    /** For each quantity its value, and its logarithmic slope d ln Q / d ln(a/t). One that is not held is 1, and constant. */
+    /** Returns the value of each quantity and its logarithmic slope d ln Q / d ln(a/t). A quantity not in the table is 1. */
     at(x) {
         const { first, values, slopes } = this.basis.weights(this.table.place("a_over_t", x));
         const result = Object.fromEntries(QUANTITIES.map((quantity) => [quantity, { value: 1, slope: 0 }]));

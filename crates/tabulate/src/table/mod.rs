@@ -7,7 +7,7 @@
 
 pub mod archive;
 mod bindings;
-pub(crate) mod certify;
+mod certify;
 mod compress;
 mod generate;
 mod journal;
@@ -15,6 +15,7 @@ pub mod plan;
 pub mod scene;
 mod sweep;
 
+pub(crate) use certify::Axis as SampledAxis;
 pub use certify::{Sample, certificate, certify, default_points, measure, points_for, sample};
 pub use compress::{compress, low_rank};
 pub use generate::{Generated, Observer, Options, generate};

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-/// What the load was measured against.
+/// The quantity that was measured with the load.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Against {
     /// The contact radius, m.
@@ -14,7 +14,7 @@ pub enum Against {
 impl Against {
     const ALL: [Self; 2] = [Self::ContactRadius, Self::Penetration];
 
-    /// The name of its column.
+    /// Returns the name of its column.
     const fn name(self) -> &'static str {
         match self {
             Self::ContactRadius => "contact_radius",
@@ -29,18 +29,20 @@ impl fmt::Display for Against {
     }
 }
 
-/// Loads (N) and what they were measured against (m).
+/// Measured points: loads (N) against contact radii or penetrations (m).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Data {
+    /// The quantity that the loads were measured against.
     pub against: Against,
-    /// Contact radius or penetration, and load.
+    /// Pairs of contact radius or penetration, and load.
     pub points: Vec<(f64, f64)>,
 }
 
 impl Data {
-    /// Reads CSV: a header that names two columns, `load` and one of `contact_radius` and
-    /// `penetration`, and a point in SI units in each line below it. Lines that begin with `#` are
-    /// comments.
+    /// Reads points from CSV.
+    ///
+    /// A header names two columns, `load` and one of `contact_radius` and `penetration`. Each line
+    /// below it is a point in SI units. Lines that begin with `#` are comments.
     pub fn parse(text: &str) -> Result<Self, String> {
         let mut lines = text
             .lines()
@@ -94,8 +96,8 @@ impl Data {
         })
     }
 
-    /// The difference of the largest and the smallest value: of what the load was measured against,
-    /// and of the load.
+    /// Returns the difference of the largest and the smallest contact radius or penetration, and
+    /// that of the loads.
     pub fn ranges(&self) -> [f64; 2] {
         let range = |values: &mut dyn Iterator<Item = f64>| {
             let [low, high] = values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], v| {

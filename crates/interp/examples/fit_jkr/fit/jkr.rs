@@ -1,5 +1,5 @@
-//! The fit without a film: JKR, whose parameters follow from straight lines. It gives the start
-//! values.
+//! The fit of JKR, without a film, whose parameters follow from straight lines. It gives the start
+//! values of the fit with a film.
 
 use std::f64::consts::PI;
 
@@ -7,20 +7,20 @@ use nalgebra::{DMatrix, DVector};
 
 use super::data::{Against, Data};
 
-/// A homogeneous contact as it would be read from the data.
+/// The homogeneous contact that describes the data best.
 #[derive(Clone, Copy, Debug)]
 pub struct Homogeneous {
     /// The compound modulus `E*`, Pa.
     pub modulus: f64,
-    /// J/m^2.
+    /// The work of adhesion, J/m^2.
     pub work_of_adhesion: f64,
-    /// Of the load (N) measured against the contact radius, or of the penetration (m); 0 if not
-    /// asked for.
+    /// The offset of the load (N) if it was measured against the contact radius, else of the
+    /// penetration (m). It is 0 unless it is fitted.
     pub offset: f64,
 }
 
 impl Homogeneous {
-    /// Least squares in the JKR plot or, without contact radii, in the penetration.
+    /// Fits by least squares in the JKR plot or, without contact radii, in the penetration.
     pub fn fit(data: &Data, radius: f64, offset: bool) -> Result<Self, String> {
         let found = match data.against {
             Against::ContactRadius => Self::of_radii(data, radius, offset),
@@ -28,11 +28,13 @@ impl Homogeneous {
         };
         found
             .filter(|found| found.modulus > 0.0 && found.modulus.is_finite())
-            .ok_or_else(|| "the data are no adhesive contact: JKR finds no positive modulus".into())
+            .ok_or_else(|| {
+                "JKR finds no positive modulus in these data: check their units and signs".into()
+            })
     }
 
-    /// The line of eq. 1. With an offset of the load,
-    /// `F = 4 E*/(3 R) a^3 - sqrt(8 pi w E*) a^{3/2} + F0` in the weights of the JKR plot.
+    /// Fits the straight line of eq. 1. With an offset of the load it is
+    /// `F = 4 E*/(3 R) a^3 - sqrt(8 pi w E*) a^{3/2} + F0`, weighted as in the JKR plot.
     fn of_radii(data: &Data, radius: f64, offset: bool) -> Option<Self> {
         let rows = data.points.iter().map(|(a, load)| {
             let power = a * a.sqrt();
@@ -47,9 +49,10 @@ impl Homogeneous {
         })
     }
 
+    /// Fits a straight line for each `w`, and searches for the best `w`.
+    ///
     /// For a given `w`, JKR's contact radius and penetration at a load are `E*^{-1/3} b` and
-    /// `E*^{-2/3} (b^2/R - sqrt(2 pi b w))` with a `b` that does not depend on `E*`: a line again.
-    /// The best `w` is searched for.
+    /// `E*^{-2/3} (b^2/R - sqrt(2 pi b w))`, with a `b` that does not depend on `E*`.
     fn of_penetrations(data: &Data, radius: f64, offset: bool) -> Option<Self> {
         let fit = |work: f64| {
             let pull = 3.0 * PI * work * radius;
@@ -85,8 +88,8 @@ impl Homogeneous {
     }
 }
 
-/// The solution of least squares with the first `count` columns, the others 0, and the sum of the
-/// squares; `None` where a row is not finite.
+/// Returns the least-squares solution with the first `count` columns, 0 for the other columns, and
+/// the sum of the squares; `None` if a row is not finite.
 fn least_squares(
     rows: impl Iterator<Item = ([f64; 3], f64)>,
     count: usize,
@@ -101,7 +104,7 @@ fn least_squares(
     {
         return None;
     }
-    // Columns of very different units.
+    // The columns are scaled to length 1, because their units are very different.
     let units: Vec<f64> = matrix
         .column_iter()
         .map(|column| column.norm().max(f64::MIN_POSITIVE))
@@ -124,7 +127,7 @@ fn least_squares(
     Some((values, sum))
 }
 
-/// Where a function has its minimum, by golden section.
+/// Returns the point at which a function has its minimum, by golden section.
 fn minimum(mut low: f64, mut high: f64, f: impl Fn(f64) -> f64) -> f64 {
     let golden = (5.0_f64.sqrt() - 1.0) / 2.0;
     for _ in 0..40 {

@@ -1,9 +1,11 @@
-//! Least squares through the contact model, by Levenberg and Marquardt's method with the analytic
+//! Least squares with the contact model, by Levenberg and Marquardt's method with the analytic
 //! Jacobian.
 //!
-//! Residuals are differences of loads, whatever they were measured against, in units of the noise.
-//! Moduli, work of adhesion and thickness are fitted by their logarithms, so that they stay
-//! positive.
+//! `data` reads the measured points, `jkr` finds start values without a film, `model` predicts the
+//! loads and their derivatives, `uncertainty` gives the errors at the minimum, and `report` prints
+//! the result. The residuals are differences of loads in units of the noise, also where the load
+//! was measured against the penetration. Moduli, work of adhesion and thickness are fitted by their
+//! logarithms, so that they stay positive.
 
 mod data;
 mod jkr;
@@ -19,57 +21,65 @@ pub use model::{Parameter, State};
 use model::{Predicted, predict};
 use nalgebra::storage::Owned;
 use nalgebra::{DMatrix, DVector, Dyn};
+pub use report::print;
 use uncertainty::Uncertainty;
 
-/// A parameter is called not identifiable if its standard error is larger than this, relative; for
-/// the offset, relative to the range of the data.
+/// The largest standard error of an identifiable parameter, relative to its value; for the offset,
+/// relative to the range of the data.
 const IDENTIFIABLE: f64 = 0.5;
-/// Or if the singular values of the Jacobian, its columns scaled to length 1, are further apart
-/// than this: the derivatives have no more digits.
+/// The largest ratio of the singular values of the Jacobian, with columns scaled to length 1, of
+/// identifiable parameters. The derivatives are not accurate enough for a larger one.
 const CONDITION: f64 = 1e6;
 
-/// A fit that ends further than this from the minimum of its linearisation, in standard errors, was
-/// stopped by the end of the table.
+/// The largest distance of the end of a fit from the minimum of its linearisation, in standard
+/// errors. A fit that ends farther away was stopped by the end of the table.
 const SHORT: f64 = 0.1;
 
-/// A sum of squares further above its expectation than this, in standard deviations, is not made by
-/// noise: once in 300,000 fits.
+/// The largest excess of a sum of squares over its expectation that noise explains, in standard
+/// deviations. Noise exceeds it once in 300,000 fits.
 const BEYOND_NOISE: f64 = 4.5;
 
-/// Residuals at parameters where there is no contact, as outside the table: so large that the step
-/// is taken back.
+/// The residuals at parameters without a contact, such as those outside the table. They are so
+/// large that the method rejects the step.
 const REFUSED: f64 = 1e100;
 
 /// A fitted parameter.
 #[derive(Clone, Copy, Debug)]
 pub struct Estimate {
     pub parameter: Parameter,
+    /// The value, in SI units.
     pub value: f64,
     /// The standard error.
     pub error: f64,
 }
 
-/// What a fit finds.
+/// The result of a fit.
 #[derive(Clone, Debug)]
 pub struct Fit {
-    /// How many there were.
+    /// The number of points.
     pub points: usize,
+    /// The quantity that the loads were measured against.
     pub against: Against,
-    /// JKR through the same data: what they say if the film is ignored.
+    /// The fit of JKR to these data, which ignores the film.
     pub homogeneous: Homogeneous,
+    /// The fitted parameters.
     pub estimates: Vec<Estimate>,
-    /// Of the estimates, in their order.
+    /// The correlation matrix of the estimates, in their order.
     pub correlation: DMatrix<f64>,
-    /// The sum of the squares of the residuals, in units of the noise given, per degree of freedom;
-    /// `None` where the noise had to be estimated.
+    /// The sum of the squares of the residuals, in units of the given noise, per degree of freedom;
+    /// `None` if the noise was estimated.
     pub reduced_chi_squared: Option<f64>,
     /// The noise of the load (N), given or estimated.
     pub noise: f64,
+    /// The doubts about the result, in words.
     pub warnings: Vec<String>,
 }
 
-/// Fits the parameters that are `free`. Of the system, their values are where the fit starts, but
-/// for the sphere's modulus and the work of adhesion, which start from JKR.
+/// Fits the parameters in `free` to `data`.
+///
+/// The sphere's modulus and the work of adhesion start from the fit of JKR, the other parameters
+/// from their values in `system`. `noise` is the standard deviation of a load (N); without it the
+/// noise is estimated from the residuals.
 pub fn fit(
     table: &Table,
     data: &Data,
@@ -80,11 +90,11 @@ pub fn fit(
     let (count, points) = (free.len(), data.points.len());
     if points <= count {
         return Err(format!(
-            "{points} points do not determine {count} parameters and their errors"
+            "{points} points do not determine {count} parameters and their errors: give more points or fit fewer parameters"
         ));
     }
     if let Some(noise) = noise.filter(|&noise| !(noise > 0.0 && noise.is_finite())) {
-        return Err(format!("the noise is {noise:?}, not above 0 and finite"));
+        return Err(format!("the noise is {noise:?}: it must be > 0 and finite"));
     }
     let homogeneous = Homogeneous::fit(
         data,
@@ -110,20 +120,20 @@ pub fn fit(
     };
     let outside = |error| {
         format!(
-            "where the fit starts, E2* = {:e} Pa: {error}",
+            "where the fit starts, at E2* = {:e} Pa: {error}",
             start.system.sphere_modulus
         )
     };
     problem.predicted = Some(problem.predict().map_err(outside)?);
 
-    // The parameters are scaled already: a factor e, or the range of the data.
+    // The parameters are scaled already, by a factor of e or by the range of the data.
     let method = LevenbergMarquardt::new()
         .with_scale_diag(false)
         .with_stepbound(1.0)
         .with_ftol(1e-12)
         .with_xtol(1e-10);
     let (problem, report) = method.minimize(problem);
-    // Where rounding stops it, it has converged.
+    // A fit that rounding has stopped has converged.
     if !(report.termination.was_successful()
         || matches!(
             report.termination,
@@ -131,15 +141,17 @@ pub fn fit(
         ))
     {
         return Err(format!(
-            "the fit did not converge: {:?} after {} evaluations",
+            "the fit did not converge: {:?} after {} evaluations; fit fewer parameters or start from other values",
             report.termination, report.number_of_evaluations
         ));
     }
     problem.finish(homogeneous, noise.is_some())
 }
 
-/// JKR's modulus is that of the sphere and the body under it: the film if it is thick, else the
-/// substrate.
+/// Returns the parameters at which the fit starts.
+///
+/// JKR's modulus is taken for that of the sphere and the body below it, which is a thick film or
+/// else the substrate.
 fn start(data: &Data, system: &System, homogeneous: &Homogeneous) -> State {
     let largest = data
         .points
@@ -172,23 +184,25 @@ fn start(data: &Data, system: &System, homogeneous: &Homogeneous) -> State {
     }
 }
 
-/// The problem at one set of parameters.
+/// The least-squares problem at one set of parameters.
 struct Problem<'a> {
     table: &'a Table,
     data: &'a Data,
     free: &'a [Parameter],
     start: State,
+    /// The unit of the offset.
     offset_unit: f64,
     /// The unit of loads.
     unit: f64,
-    /// The logarithm of each free parameter over its start; for the offset, the difference in its
-    /// unit.
+    /// The logarithm of each free parameter over its start value; for the offset, the difference
+    /// from its start value in its unit.
     x: DVector<f64>,
-    /// At every point, if there is a contact with these parameters.
+    /// The loads at all points; `None` if there is no contact with these parameters.
     predicted: Option<Vec<Predicted>>,
 }
 
 impl Problem<'_> {
+    /// Returns the values of all parameters.
     fn state(&self) -> Result<State, interp::Error> {
         self.free
             .iter()
@@ -206,17 +220,18 @@ impl Problem<'_> {
             })
     }
 
+    /// Predicts the loads at all points.
     fn predict(&self) -> Result<Vec<Predicted>, interp::Error> {
         predict(self.table, &self.state()?, self.data)
     }
 
-    /// Estimates, their errors and what is doubtful of them, where the sum of squares is least.
+    /// Returns the estimates at the minimum of the sum of squares, with their errors and doubts.
     fn finish(self, homogeneous: Homogeneous, noise_given: bool) -> Result<Fit, String> {
         let state = self.state().map_err(|error| error.to_string())?;
         let (residuals, jacobian) = self
             .residuals()
             .zip(self.jacobian())
-            .ok_or("the fit ended outside the table")?;
+            .ok_or("the fit ended outside the table: give a larger one with --table")?;
         let reduced_chi_squared = residuals.norm_squared() / self.freedom();
         let (points, against) = (self.data.points.len(), self.data.against);
         let scatter = if noise_given {
@@ -259,11 +274,12 @@ impl Problem<'_> {
         })
     }
 
-    /// How many points there are more than parameters.
+    /// Returns the degrees of freedom: the number of points minus that of the parameters.
     fn freedom(&self) -> f64 {
         (self.data.points.len() - self.free.len()) as f64
     }
 
+    /// Lists the doubts about the result.
     fn warnings(&self, uncertainty: &Uncertainty, reduced_chi_squared: Option<f64>) -> Vec<String> {
         let mut warnings = Vec::new();
         for (parameter, error) in self.free.iter().zip(&uncertainty.errors) {
@@ -282,9 +298,9 @@ impl Problem<'_> {
         }
         let short = uncertainty.short;
         if short > SHORT {
-            warnings.push(format!("the fit ended {short:.1} standard errors from the least squares: there the table ends"));
+            warnings.push(format!("the fit ended {short:.1} standard errors from the least squares: the table ends there"));
         }
-        // Wilson and Hilferty: the cube root of chi^2 is nearly normal.
+        // The cube root of chi^2 is nearly normal (Wilson and Hilferty).
         let spread = 2.0 / (9.0 * self.freedom());
         if let Some(value) = reduced_chi_squared
             .filter(|value| (value.cbrt() - (1.0 - spread)) / spread.sqrt() > BEYOND_NOISE)

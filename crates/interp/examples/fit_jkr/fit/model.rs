@@ -1,19 +1,20 @@
-//! What the contact model predicts for a measured point, and how that depends on the parameters.
+//! The loads that the contact model predicts for measured points, with their derivatives with
+//! respect to the parameters.
 
 use interp::{Contact, Control, Elastic, Error, Input, System, Table};
 
 use super::data::{Against, Data};
 
-/// What may be fitted.
+/// A parameter that can be fitted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Parameter {
-    /// `E2*`.
+    /// The reduced modulus `E2*` of the sphere.
     SphereModulus,
-    /// `w`.
+    /// The work of adhesion `w`.
     WorkOfAdhesion,
-    /// `E1`, Young's modulus.
+    /// Young's modulus `E1` of the film.
     FilmModulus,
-    /// `t`.
+    /// The thickness `t` of the film.
     FilmThickness,
     /// The zero of the load where it was measured against the contact radius, else that of the
     /// penetration.
@@ -21,7 +22,7 @@ pub enum Parameter {
 }
 
 impl Parameter {
-    /// In the order of arrays of derivatives.
+    /// All parameters, in the order of arrays of derivatives.
     pub const ALL: [Self; 5] = [
         Self::SphereModulus,
         Self::WorkOfAdhesion,
@@ -30,7 +31,7 @@ impl Parameter {
         Self::Offset,
     ];
 
-    /// The name in options and output.
+    /// Returns the name in options and output.
     pub const fn name(self) -> &'static str {
         match self {
             Self::SphereModulus => "sphere-modulus",
@@ -41,20 +42,20 @@ impl Parameter {
         }
     }
 
-    /// The parameter of this name.
+    /// Returns the parameter with the given name.
     pub fn named(name: &str) -> Result<Self, String> {
         let found = Self::ALL
             .into_iter()
             .find(|parameter| parameter.name() == name);
         found.ok_or_else(|| {
             format!(
-                "no parameter {name:?} but {}",
+                "{name:?} is not a parameter; the parameters are {}",
                 Self::ALL.map(Self::name).join(", ")
             )
         })
     }
 
-    /// The unit in output.
+    /// Returns the unit in output.
     pub const fn unit(self, against: Against) -> &'static str {
         match (self, against) {
             (Self::SphereModulus | Self::FilmModulus, _) => "Pa",
@@ -65,7 +66,7 @@ impl Parameter {
     }
 }
 
-/// A value of every parameter, and what is known of the system.
+/// A value of every parameter, with the rest of the system.
 #[derive(Clone, Copy, Debug)]
 pub struct State {
     pub system: System,
@@ -74,7 +75,7 @@ pub struct State {
 }
 
 impl State {
-    /// The value of one parameter.
+    /// Returns the value of one parameter.
     pub fn get(&self, parameter: Parameter) -> f64 {
         match parameter {
             Parameter::SphereModulus => self.system.sphere_modulus,
@@ -85,7 +86,7 @@ impl State {
         }
     }
 
-    /// With another value of one parameter.
+    /// Replaces the value of one parameter.
     pub fn with(mut self, parameter: Parameter, value: f64) -> Result<Self, Error> {
         match parameter {
             Parameter::SphereModulus => self.system.sphere_modulus = value,
@@ -103,20 +104,21 @@ impl State {
 /// A predicted load.
 #[derive(Clone, Copy, Debug)]
 pub struct Predicted {
-    /// N.
+    /// The load, N.
     pub load: f64,
-    /// Its derivatives with respect to the logarithms of the parameters, and to the offset itself.
+    /// The derivatives of the load with respect to the logarithms of the parameters, and to the
+    /// offset itself.
     pub by: [f64; 5],
-    /// Whether the sphere has come off at this penetration; the load is then that of pull-off.
+    /// Whether the contact has separated at this penetration. The load is then that of pull-off.
     pub pulled_off: bool,
 }
 
-/// The loads that are measured at contact radii or penetrations.
+/// Predicts the load at each measured contact radius or penetration.
 ///
-/// At a penetration it is that of the contact which unloading under displacement control reaches.
-/// Its derivatives there are those along the curve of constant penetration,
-/// `F_p - F_a delta_p / delta_a`: the contact is stable, so `delta_a > 0`, also where the load is
-/// least. At fixed load they would be infinite there.
+/// At a penetration it is the load of the contact that unloading under displacement control
+/// reaches. Its derivatives are those along the curve of constant penetration,
+/// `F_p - F_a delta_p / delta_a`. The contact is stable, so `delta_a > 0`, even where the load is
+/// smallest. Derivatives at constant load would be infinite there.
 pub fn predict(table: &Table, state: &State, data: &Data) -> Result<Vec<Predicted>, Error> {
     let contact = table.contact_with_gradient(&state.system)?;
     let at = |a: f64| Derivatives::new(&contact, state, a);
@@ -142,15 +144,17 @@ pub fn predict(table: &Table, state: &State, data: &Data) -> Result<Vec<Predicte
     }
 }
 
-/// Load and penetration at one contact radius, and how they depend on it and on the parameters.
+/// The load at one contact radius, and the derivatives of load and penetration with respect to the
+/// radius and to the parameters.
 struct Derivatives {
     load: f64,
     by_radius: interp::Derivatives,
-    /// With respect to the logarithms of the parameters but the offset.
+    /// The derivatives with respect to the logarithms of all parameters except the offset.
     by: [interp::Derivatives; 4],
 }
 
 impl Derivatives {
+    /// Evaluates the contact at contact radius `a` (m).
     fn new(contact: &Contact, state: &State, a: f64) -> Result<Self, Error> {
         const INPUTS: [Input; 4] = [
             Input::SphereModulus,
@@ -176,6 +180,7 @@ impl Derivatives {
         })
     }
 
+    /// Predicts the load at this radius.
     fn at_radius(&self, offset: f64) -> Predicted {
         let [e2, w, e1, t] = self.by.map(|by| by.load);
         Predicted {
@@ -185,6 +190,7 @@ impl Derivatives {
         }
     }
 
+    /// Predicts the load at the penetration of this radius.
     fn at_penetration(&self) -> Predicted {
         let stiffness = self.by_radius.load / self.by_radius.penetration;
         let [e2, w, e1, t] = self.by.map(|by| by.load - stiffness * by.penetration);
@@ -195,8 +201,8 @@ impl Derivatives {
         }
     }
 
-    /// As the derivatives at constant penetration are infinite at pull-off, those at constant
-    /// radius.
+    /// Predicts the load of pull-off, with the derivatives at constant radius. Those at constant
+    /// penetration are infinite there.
     fn at_pull_off(&self) -> Predicted {
         let [e2, w, e1, t] = self.by.map(|by| by.load);
         Predicted {

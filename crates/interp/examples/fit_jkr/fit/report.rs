@@ -1,10 +1,22 @@
-//! A fit in words.
+//! A fit as text.
 
-use std::fmt;
+use std::fmt::{self, Display};
+use std::io::{ErrorKind, Write};
 
 use super::Fit;
 
-impl fmt::Display for Fit {
+/// Writes a text and flushes. A reader that has closed its end of the pipe, such as `head`, is no
+/// error.
+pub fn print(mut out: impl Write, text: &impl Display) -> Result<(), String> {
+    match write!(out, "{text}").and_then(|()| out.flush()) {
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => {
+            Err(format!("cannot write the output: {error}"))
+        }
+        _ => Ok(()),
+    }
+}
+
+impl Display for Fit {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let jkr = &self.homogeneous;
         writeln!(f, "{} points, load against {}", self.points, self.against)?;

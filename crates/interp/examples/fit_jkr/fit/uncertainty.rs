@@ -1,21 +1,23 @@
-//! What the Jacobian where the sum of squares is least says of the errors.
+//! The uncertainty of the parameters, from the Jacobian at the minimum of the sum of squares.
 
 use nalgebra::{DMatrix, DVector};
 
-/// The errors of the parameters, in their units, if the model is linear over them.
+/// The uncertainty of the parameters, in units of the columns of the Jacobian, for a model that is
+/// linear in them over the size of their errors.
 pub struct Uncertainty {
-    /// The standard error of each.
+    /// The standard errors of the parameters.
     pub errors: Vec<f64>,
+    /// The correlation matrix of the parameters.
     pub correlation: DMatrix<f64>,
     /// The ratio of the singular values of the Jacobian with columns of length 1.
     pub condition: f64,
-    /// How far it is from the minimum of the linearised problem, in standard errors.
+    /// The distance to the minimum of the linearised problem, in standard errors.
     pub short: f64,
 }
 
 impl Uncertainty {
-    /// From residuals with standard deviation `scatter`: `(J^T J)^-1` by the singular values of
-    /// `J`.
+    /// Computes `(J^T J)^-1` from the singular values of `jacobian`, for `residuals` with standard
+    /// deviation `scatter`.
     pub fn new(mut jacobian: DMatrix<f64>, residuals: &DVector<f64>, scatter: f64) -> Self {
         let lengths: Vec<f64> = jacobian
             .column_iter()

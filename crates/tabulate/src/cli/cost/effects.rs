@@ -5,19 +5,24 @@ use std::path::PathBuf;
 use clap::value_parser;
 
 use super::Rows;
-use crate::cli::generate::{Bars, read_scene};
+use crate::cli::generate::read_scene;
+use crate::cli::progress::Bars;
 use crate::cost::effects::{Row, markdown, measure};
 use crate::table::Scene;
 
 const TOLERANCE: f64 = 1e-4;
 const POINTS: u32 = 10_000;
 
-/// The effects of a scene: what each one costs, and what the load would be without it
+/// Measure effects: the cost of each, and the error of the load without it
 ///
 /// Makes the table of a scene without its film, sphere compliance, substrate compliance, film
-/// compressibility, adhesion or penetration, and compares the loads with those of the whole scene,
-/// by direct solves. Errors are relative to the adhesionless load at the same contact radius.
+/// compressibility, adhesion or penetration. Compares the loads with those of the whole scene, by
+/// direct solves. Errors are relative to the adhesionless load at the same contact radius.
 #[derive(clap::Args)]
+#[command(after_help = crate::cli::examples!(
+    "tabulate cost effects --data tables/figures/effects.csv",
+    "tabulate cost effects tables/incompressible.toml --tolerance 1e-3 --points 1000",
+))]
 pub struct Arguments {
     /// The scene; without one, the default four-parameter box
     #[arg(value_name = "SCENE.toml", conflicts_with = "data")]
@@ -25,7 +30,7 @@ pub struct Arguments {
     /// Relative tolerance of the tables, instead of the scene's
     #[arg(long, default_value_t = TOLERANCE, allow_negative_numbers = true, conflicts_with = "data")]
     tolerance: f64,
-    /// Number of random points that the loads are compared at
+    /// Number of random points at which loads are compared
     #[arg(long, default_value_t = POINTS, value_parser = value_parser!(u32).range(1..), conflicts_with = "data")]
     points: u32,
     #[command(flatten)]
@@ -41,7 +46,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     )
 }
 
-/// The effects of the default scene.
+/// Measures the effects of the default scene.
 pub fn of_default() -> anyhow::Result<Vec<Row>> {
     measured(&read_scene(None, Some(TOLERANCE))?, POINTS)
 }

@@ -1,48 +1,47 @@
 //! `tabulate cost lookup`
 
-use std::path::{Path, PathBuf};
-
 use anyhow::Context;
-use interp::Table;
+use clap::ValueHint;
 
 use super::Rows;
-use crate::cli::{progress_bar, read_table};
+use crate::cli::progress::progress_bar;
+use crate::cli::table_name::{self, TableName};
 use crate::cost::lookup::{POINTS, Row, markdown, measure, solves};
 
-/// One lookup: nanoseconds against error for every form of it, beside direct solves and the closed
-/// forms in use
+/// Measure one lookup: error against nanoseconds, beside direct solves and closed forms
 ///
 /// Errors are those of the load at random points of the table's box: at a given contact radius,
-/// without adhesion and with adhesion that takes half of that load away; of the series for thin
-/// layers at a given penetration, where they apply.
+/// without adhesion and with adhesion that takes half of that load away. Errors of the series for
+/// thin layers are those at a given penetration, where the series apply.
 #[derive(clap::Args)]
+#[command(after_help = crate::cli::examples!(
+    "tabulate cost lookup --data tables/figures/lookup.csv",
+    "tabulate cost lookup tables/paper.h5 -o lookup.csv",
+))]
 pub struct Arguments {
-    /// A table with all four quantities, HDF5 or packed [default: the one that is built in]
-    #[arg(conflicts_with = "data")]
-    table: Option<PathBuf>,
+    #[arg(
+        default_value = "embedded",
+        conflicts_with = "data",
+        help = format!("{}. It must hold all four quantities", table_name::HELP),
+        value_hint = ValueHint::FilePath
+    )]
+    table: TableName,
     #[command(flatten)]
     rows: Rows,
 }
 
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
-    let table = arguments.table.as_deref();
-    arguments.rows.report(table, || measured(table), markdown)
+    let table = &arguments.table;
+    arguments
+        .rows
+        .report(table.path(), || measured(table), markdown)
 }
 
-/// All rows of a table, or of the one that is built in, with a bar.
-pub fn measured(table: Option<&Path>) -> anyhow::Result<Vec<Row>> {
-    let read = table.map(read_table).transpose()?;
+/// Measures all rows of a table, with a bar.
+pub fn measured(name: &TableName) -> anyhow::Result<Vec<Row>> {
+    let table = name.read()?;
     let bar = progress_bar(solves(POINTS), "measuring");
-    let rows = measure(
-        read.as_ref().unwrap_or_else(|| Table::embedded()),
-        POINTS,
-        &|count| bar.inc(count as u64),
-    );
-    let rows = rows.with_context(|| {
-        table.map_or("the built-in table".into(), |path| {
-            path.display().to_string()
-        })
-    })?;
+    let rows = measure(&table, POINTS, &|count| bar.inc(count as u64));
     bar.finish_and_clear();
-    Ok(rows)
+    rows.with_context(|| name.to_string())
 }

@@ -20,11 +20,15 @@ use super::write_text;
 use crate::cost::{compare, read_csv, to_csv};
 use crate::output;
 
-/// Measure what accuracy costs in time and memory
+/// Measure the cost of accuracy in time and memory
 ///
-/// Prints a summary as Markdown; -o writes all that was measured as CSV, which `tabulate plot`
-/// draws. Errors and sizes are the same in every run, times are not.
+/// Prints a summary as Markdown. With -o, writes all rows as CSV, from which `tabulate plot` draws.
+/// Errors and sizes do not change from run to run; times do.
 #[derive(clap::Args)]
+#[command(after_help = super::examples!(
+    "tabulate cost table --data tables/figures/table.csv",
+    "tabulate cost solve -o solve.csv",
+))]
 pub struct Arguments {
     #[command(subcommand)]
     of: Of,
@@ -47,24 +51,24 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     }
 }
 
-/// Where rows come from and go to.
+/// The files from which rows are read and to which they are written.
 #[derive(clap::Args)]
 struct Rows {
-    /// Write all rows here, as CSV
+    /// Write all rows to this file, as CSV
     #[arg(short, long, value_name = "OUT.csv")]
     output: Option<PathBuf>,
-    /// Sum up the rows that -o wrote here before, instead of measuring
+    /// Summarise the rows of this file, which -o has written, instead of measuring
     #[arg(long, value_name = "COST.csv", conflicts_with_all = ["output", "compare"])]
     data: Option<PathBuf>,
-    /// Fail where the rows differ from those that -o wrote here before: errors and sizes but for
-    /// rounding, times by a factor of ten
+    /// Fail where the rows differ from those of this file, which -o has written: errors and sizes
+    /// by more than rounding, times by more than a factor of ten
     #[arg(long, value_name = "COST.csv")]
     compare: Option<PathBuf>,
 }
 
 impl Rows {
     /// Gets the rows, writes and compares them if asked to, and prints their summary. `input` is a
-    /// file that must not be overwritten.
+    /// file that the output must not replace.
     fn report<R: Serialize + DeserializeOwned>(
         &self,
         input: Option<&Path>,

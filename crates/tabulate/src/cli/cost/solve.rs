@@ -1,11 +1,15 @@
 //! `tabulate cost solve`
 
-use super::super::progress_bar;
 use super::Rows;
+use crate::cli::progress::progress_bar;
 use crate::cost::solve::{Row, contacts, markdown, measure};
 
-/// One solve: error against time, beside a plain dense Nystrom solve
+/// Measure one solve: error against time, beside a plain dense Nystrom solve
 #[derive(clap::Args)]
+#[command(after_help = crate::cli::examples!(
+    "tabulate cost solve --data tables/figures/solve.csv",
+    "tabulate cost solve -o solve.csv",
+))]
 pub struct Arguments {
     #[command(flatten)]
     rows: Rows,
@@ -15,7 +19,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     arguments.rows.report(None, || Ok(measured()), markdown)
 }
 
-/// All rows, with a bar.
+/// Measures all rows, with a bar.
 pub fn measured() -> Vec<Row> {
     let bar = progress_bar(contacts().len(), "measuring");
     let rows = measure(&|| bar.inc(1));

@@ -1,0 +1,31 @@
+//! `tabulate completions`
+
+use clap::CommandFactory;
+use clap_complete::Shell;
+
+use super::write_text;
+
+/// Print a script that completes the commands and options of `tabulate` in a shell
+///
+/// Save the script where the shell looks for completions.
+#[derive(clap::Args)]
+#[command(after_help = super::examples!(
+    "tabulate completions bash > tabulate.bash          # then: source tabulate.bash",
+    "tabulate completions zsh > _tabulate               # in a folder of $fpath",
+    "tabulate completions fish > tabulate.fish          # in ~/.config/fish/completions",
+))]
+pub struct Arguments {
+    /// The shell
+    shell: Shell,
+}
+
+pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
+    let mut script = Vec::new();
+    clap_complete::generate(
+        arguments.shell,
+        &mut super::Arguments::command(),
+        super::NAME,
+        &mut script,
+    );
+    write_text(None, &script)
+}

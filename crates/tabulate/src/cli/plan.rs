@@ -1,0 +1,99 @@
+//! `tabulate generate --plan`: nodes, and an estimate of the time, the memory and the file.
+
+use std::time::Instant;
+
+use interp::Parameter;
+use serde::Serialize;
+
+use super::json::{self, Axis, OfParameters};
+use super::{info, write_text};
+use crate::table::Plan;
+use crate::table::Scene;
+use crate::table::sweep;
+
+/// The JSON object that `generate --plan --json` prints.
+#[derive(Serialize)]
+struct PlanObject {
+    axes: OfParameters<Axis>,
+    points: usize,
+    certificate_points: usize,
+    seconds: f64,
+    memory_bytes: u64,
+    bytes: u64,
+}
+
+/// Prints the nodes of the table of a scene, and an estimate of its cost.
+pub fn print(scene: &Scene, certificate_points: usize, json: bool) -> anyhow::Result<()> {
+    let plan = Plan::new(scene)?;
+    let (axes, points) = (plan.axes(), plan.points());
+    let per_point = seconds_per_point(scene, &axes)?;
+    let certificate = (per_point + SECONDS_PER_CURVE / rayon::current_num_threads() as f64)
+        * certificate_points as f64;
+    let seconds = per_point * points as f64 + certificate;
+    let values = (8 * points * scene.quantities.len()) as f64;
+    let memory = TABLE_MEMORY * values + PROGRAM;
+    let size =
+        COMPRESSED * values + FILE_OVERHEAD + DATASET_OVERHEAD * scene.quantities.len() as f64;
+    if json {
+        return json::print(&PlanObject {
+            axes: json::axes(|parameter| &axes[parameter as usize]),
+            points,
+            certificate_points,
+            seconds,
+            memory_bytes: memory as u64,
+            bytes: size as u64,
+        });
+    }
+    let mut text: String = Parameter::ALL
+        .iter()
+        .zip(&axes)
+        .map(|(parameter, nodes)| info::describe_axis(*parameter, nodes))
+        .collect();
+    let size = if size < 1e6 {
+        format!("{:.0} kB", size / 1e3)
+    } else {
+        format!("{:.1} MB", size / 1e6)
+    };
+    text += &format!("{:15} {points}\n", "nodes");
+    text += &format!(
+        "{:15} {points} and {certificate_points} for the certificate\n",
+        "solves"
+    );
+    text += &format!("{:15} about {seconds:.1} s\n", "time");
+    text += &format!("{:15} about {:.0} MB\n", "memory", memory / 1e6);
+    text += &format!("{:15} about {size}\n", "size");
+    write_text(None, text.as_bytes())
+}
+
+/// The part of the values' bytes that deflate leaves.
+const COMPRESSED: f64 = 0.65;
+/// Bytes of a file without its datasets of values: HDF5's own structures, the attributes and the
+/// axes.
+const FILE_OVERHEAD: f64 = 17e3;
+/// Bytes of a dataset of values besides the values: its header, attributes and index of chunks.
+const DATASET_OVERHEAD: f64 = 5e3;
+/// Memory of a table over its values.
+const TABLE_MEMORY: f64 = 1.2;
+/// Memory besides that of the table: the sum is within a quarter of the memory measured
+/// (`benches/scale.rs`).
+const PROGRAM: f64 = 20e6;
+/// Time to make the curve of a material, on one thread.
+const SECONDS_PER_CURVE: f64 = 3e-4;
+
+/// Returns the time for a point of the sweep on all threads, measured on a few nodes of each axis.
+fn seconds_per_point(scene: &Scene, axes: &[Vec<f64>; 4]) -> anyhow::Result<f64> {
+    const FEW: usize = 8;
+    let axes = axes.each_ref().map(|nodes| {
+        nodes
+            .iter()
+            .copied()
+            .step_by(nodes.len().div_ceil(FEW))
+            .collect::<Vec<f64>>()
+    });
+    let points: usize = axes.iter().map(Vec::len).product();
+    // The first sweep also pays for the constants that are computed at their first use.
+    sweep(scene, &axes, &|_| ())?;
+    let start = Instant::now();
+    sweep(scene, &axes, &|_| ())?;
+    Ok(start.elapsed().as_secs_f64() / points as f64)
+}

@@ -1,0 +1,123 @@
+//! A table as the command line names it: a file, or the word `embedded`.
+
+use std::borrow::Cow;
+use std::ffi::OsString;
+use std::fmt;
+use std::fs::File;
+use std::io::Read;
+use std::path::{Path, PathBuf};
+
+use anyhow::Context;
+use clap::builder::{PathBufValueParser, TypedValueParser};
+use interp::Table;
+
+/// The word for the table that is compiled into the program.
+const EMBEDDED: &str = "embedded";
+
+/// The help of every argument that is a [`TableName`].
+pub const HELP: &str = "The table: an HDF5 or packed file, or the word `embedded` for the table that is compiled into \
+                        the program (a file of that name is ./embedded)";
+
+/// A table as the command line names it.
+#[derive(Clone, Debug)]
+pub enum TableName {
+    /// The table that is compiled into the program.
+    Embedded,
+    /// An HDF5 or packed file.
+    File(PathBuf),
+}
+
+impl From<OsString> for TableName {
+    fn from(name: OsString) -> Self {
+        if name == EMBEDDED {
+            Self::Embedded
+        } else {
+            Self::File(name.into())
+        }
+    }
+}
+
+impl fmt::Display for TableName {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Embedded => f.write_str(EMBEDDED),
+            Self::File(path) => path.display().fmt(f),
+        }
+    }
+}
+
+impl TableName {
+    /// Returns the path of a file, none of the embedded table.
+    pub fn path(&self) -> Option<&Path> {
+        match self {
+            Self::Embedded => None,
+            Self::File(path) => Some(path),
+        }
+    }
+
+    /// Reads the table. The first bytes of a file decide between HDF5 and the packed form.
+    pub fn read(&self) -> anyhow::Result<Cow<'static, Table>> {
+        let path = match self {
+            Self::Embedded => return Ok(Cow::Borrowed(Table::embedded())),
+            Self::File(path) => path,
+        };
+        let mut start = Vec::new();
+        let table = File::open(path)
+            .and_then(|file| file.take(8).read_to_end(&mut start))
+            .map_err(anyhow::Error::from)
+            .and_then(|_| {
+                Ok(if interp::is_packed(&start) {
+                    Table::read(path)
+                } else {
+                    Table::open(path)
+                }?)
+            });
+        table
+            .map(Cow::Owned)
+            .with_context(|| path.display().to_string())
+    }
+
+    /// Returns the size of the file in bytes; of the embedded `table`, the size of its packed form.
+    pub fn bytes(&self, table: &Table) -> anyhow::Result<u64> {
+        match self {
+            Self::Embedded => Ok(table.to_packed()?.len() as u64),
+            Self::File(path) => Ok(std::fs::metadata(path)
+                .with_context(|| path.display().to_string())?
+                .len()),
+        }
+    }
+}
+
+/// Parses the name of an HDF5 file to write: any but one with the ending of a packed table.
+pub fn hdf5_file() -> impl TypedValueParser<Value = PathBuf> {
+    PathBufValueParser::new().try_map(|path| {
+        refuse(
+            path,
+            &["bin"],
+            "this command writes HDF5: let the name end in .h5, and pack the table with `tabulate pack`",
+        )
+    })
+}
+
+/// Parses the name of a packed file to write: any but one with an ending of HDF5.
+pub fn packed_file() -> impl TypedValueParser<Value = PathBuf> {
+    PathBufValueParser::new().try_map(|path| {
+        refuse(
+            path,
+            &["h5", "hdf5"],
+            "this command writes the packed form: let the name end in .bin; `tabulate unpack` writes HDF5",
+        )
+    })
+}
+
+fn refuse(path: PathBuf, endings: &[&str], why: &'static str) -> Result<PathBuf, &'static str> {
+    let refused = |ending: &&str| {
+        path.extension()
+            .is_some_and(|found| found.eq_ignore_ascii_case(ending))
+    };
+    if endings.iter().any(refused) {
+        Err(why)
+    } else {
+        Ok(path)
+    }
+}

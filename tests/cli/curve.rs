@@ -1,0 +1,138 @@
+//! `tabulate curve`
+
+use acceptance::{Data, larger, paper_system};
+use interp::{Mechanics, Table};
+
+use crate::{desk, paper_table, solved};
+
+#[test]
+fn curve_is_the_papers_by_default_and_the_same_from_the_table() {
+    /// Largest difference in units of what table and solves allow, and of the sum of both terms.
+    /// Measured: 0.13.
+    const OF_BOTH: f64 = 1.0;
+    let desk = desk();
+    let table_path = paper_table();
+    let outputs = [
+        desk.succeed(&["curve"]),
+        desk.succeed(&["curve", &table_path]),
+    ];
+    let [direct, looked_up] = outputs.each_ref().map(|text| Data::parse("curve", text));
+    assert_eq!(
+        direct.columns(),
+        [
+            "contact_radius",
+            "load",
+            "penetration",
+            "jkr_abscissa",
+            "jkr_ordinate"
+        ]
+    );
+    assert_eq!(direct.columns(), looked_up.columns());
+    assert_eq!(direct.cases().count(), 150);
+
+    let (system, w) = (paper_system(1e-6), 0.04);
+    let (mechanics, material) = (
+        Mechanics::new(&system).expect("physical"),
+        system.material().expect("physical"),
+    );
+    let table = Table::read(&table_path).expect("a sound table");
+    let contact = table.contact(&system).expect("the table is the paper's");
+    let certified = table.description().certificate.max_error;
+    let mut worst = 0.0;
+    for (i, (direct, looked_up)) in direct.cases().zip(looked_up.cases()).enumerate() {
+        let a = direct.get("contact_radius");
+        assert_eq!(a, looked_up.get("contact_radius"));
+        assert!((a / (1e-6 * (i + 1) as f64) - 1.0).abs() <= 1e-12, "{a}");
+        let edge = mechanics.edge_singularity(a, w).expect("physical");
+        let quantities = solved(a / 1e-6, &material, 1e-8).quantities;
+        let expected = mechanics.load_and_penetration(a, edge, &quantities);
+        assert_eq!((direct.get("load"), direct.get("penetration")), expected);
+        let from_table = contact.load_and_penetration(a, w).expect("inside");
+        assert_eq!(
+            (looked_up.get("load"), looked_up.get("penetration")),
+            from_table
+        );
+        for (case, load) in [(&direct, expected.0), (&looked_up, from_table.0)] {
+            let jkr = mechanics.jkr_point(a, load);
+            assert_eq!(
+                (case.get("jkr_abscissa"), case.get("jkr_ordinate")),
+                (jkr.abscissa, jkr.ordinate)
+            );
+        }
+        // What adhesion adds has the table's error, and so has what is there without.
+        let bare = mechanics.load_and_penetration(a, 0.0, &quantities);
+        for (found, expected, bare) in [
+            (from_table.0, expected.0, bare.0),
+            (from_table.1, expected.1, bare.1),
+        ] {
+            worst = larger(
+                worst,
+                (found - expected).abs() / (bare.abs() + (expected - bare).abs()) / certified,
+            );
+        }
+    }
+    println!(
+        "curve from the table: at most {worst:.2} times the certified {certified:.1e} and the solve's 1e-8 from the direct one"
+    );
+    assert!(worst <= OF_BOTH);
+}
+
+#[test]
+fn curve_takes_every_part_of_the_system() {
+    let desk = desk();
+    let arguments = [
+        "curve",
+        "--film-thickness",
+        "2e-6",
+        "--film-modulus",
+        "5e6",
+        "--film-poisson-ratio",
+        "0.4",
+        "--substrate-modulus",
+        "inf",
+        "--substrate-poisson-ratio",
+        "0.1",
+        "--sphere-radius",
+        "5e-4",
+        "--sphere-modulus",
+        "inf",
+        "--work-of-adhesion",
+        "0.07",
+        "--from",
+        "1e-6",
+        "--to",
+        "3e-6",
+        "--points",
+        "3",
+        "--tolerance",
+        "1e-8",
+        "-o",
+        "curve.csv",
+    ];
+    assert_eq!(desk.succeed(&arguments), "");
+    let output = String::from_utf8(desk.read("curve.csv")).expect("UTF-8");
+    let data = Data::parse("curve.csv", &output);
+    let solid = |young, poisson| interp::Elastic::new(young, poisson).expect("physical");
+    let system = interp::System {
+        sphere_radius: 5e-4,
+        sphere_modulus: f64::INFINITY,
+        film: solid(5e6, 0.4),
+        film_thickness: 2e-6,
+        substrate: solid(f64::INFINITY, 0.1),
+    };
+    let (mechanics, material) = (
+        Mechanics::new(&system).expect("physical"),
+        system.material().expect("physical"),
+    );
+    assert_eq!(data.cases().count(), 3);
+    for (case, a) in data.cases().zip([1e-6, 2e-6, 3e-6]) {
+        assert!((case.get("contact_radius") / a - 1.0).abs() <= 4.0 * f64::EPSILON);
+        let a = case.get("contact_radius");
+        let quantities = solved(a / 2e-6, &material, 1e-8).quantities;
+        let edge = mechanics.edge_singularity(a, 0.07).expect("physical");
+        assert_eq!(
+            (case.get("load"), case.get("penetration")),
+            mechanics.load_and_penetration(a, edge, &quantities)
+        );
+    }
+}

@@ -1,0 +1,70 @@
+//! The word `embedded` in place of a table.
+
+use std::path::Path;
+
+use acceptance::{assert_names, shipped, table};
+use interp::Table;
+
+use crate::{TWO_QUANTITIES, desk};
+
+#[test]
+fn embedded_is_the_table_that_is_compiled_in() {
+    let desk = desk();
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../crates/interp/embedded/default.bin");
+    let (path, points) = (file.to_str().expect("UTF-8"), shipped("points.csv"));
+    let points = points.to_str().expect("UTF-8");
+    let commands: [&[&str]; 6] = [
+        &["query", "TABLE", "--points", points, "--gradient"],
+        &["curve", "TABLE", "--points", "20"],
+        &["info", "TABLE"],
+        &["info", "TABLE", "--json"],
+        &["check", "TABLE", "--points", "50"],
+        &["check", "TABLE", "--points", "50", "--json"],
+    ];
+    for command in commands {
+        let of = |table: &str| {
+            let words = command.iter().map(|word| match *word {
+                "TABLE" => table,
+                word => word,
+            });
+            desk.succeed(&words.collect::<Vec<_>>())
+        };
+        assert_eq!(of("embedded"), of(path), "{command:?}");
+    }
+    desk.succeed(&["pack", "embedded", "-o", "packed.bin"]);
+    assert!(desk.read("packed.bin") == std::fs::read(&file).expect("it is there"));
+    assert_eq!(
+        Table::embedded().description(),
+        Table::read(&file).expect("a sound table").description()
+    );
+}
+
+#[test]
+fn a_file_of_that_name_is_reached_with_its_folder() {
+    let desk = desk();
+    let packed = table(TWO_QUANTITIES).to_packed().expect("a small table");
+    desk.write("embedded", packed);
+    assert_names(&desk.succeed(&["info", "./embedded"]), &["Two quantities"]);
+    let title = &Table::embedded().description().title;
+    assert_names(&desk.succeed(&["info", "embedded"]), &[title]);
+}
+
+#[test]
+fn every_help_with_a_table_says_so() {
+    let desk = desk();
+    let commands: [&[&str]; 9] = [
+        &["query"],
+        &["curve"],
+        &["info"],
+        &["check"],
+        &["report"],
+        &["pack"],
+        &["unpack"],
+        &["plot", "error-map"],
+        &["cost", "lookup"],
+    ];
+    for command in commands {
+        let help = desk.succeed(&[command, &["--help"]].concat());
+        assert_names(&help, &["the word `embedded`", "./embedded"]);
+    }
+}

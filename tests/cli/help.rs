@@ -1,0 +1,360 @@
+//! Help, examples, usage and exit status; completions and man pages.
+
+use std::fs;
+use std::path::Path;
+
+use acceptance::{Desk, assert_names};
+
+use crate::desk;
+
+#[test]
+fn the_help_of_every_command_has_its_arguments_and_the_program_says_whose_modulus() {
+    let desk = desk();
+    let commands: [(&str, &[&str]); 9] = [
+        (
+            "generate",
+            &[
+                "SCENE.toml",
+                "-o",
+                "--output",
+                "TABLE.h5",
+                "--tolerance",
+                "--jobs",
+                "--resume",
+                "--plan",
+                "--budget",
+                "--certificate-points",
+                "--seed",
+            ],
+        ),
+        (
+            "solve",
+            &[
+                "--a-over-t",
+                "--e1-over-e2",
+                "--nu1",
+                "--e0-over-e2",
+                "--nu0",
+                "--tolerance",
+                "--json",
+                "--points",
+                "-o",
+                "--output",
+            ],
+        ),
+        ("query", &["TABLE", "--points", "-o", "--output"]),
+        (
+            "curve",
+            &[
+                "TABLE",
+                "--film-thickness",
+                "--sphere-radius",
+                "--work-of-adhesion",
+                "--sphere-modulus",
+                "-o",
+                "--output",
+            ],
+        ),
+        ("info", &["TABLE"]),
+        ("cost", &["solve"]),
+        ("check", &["TABLE", "--points", "--seed"]),
+        ("unpack", &["TABLE.bin", "-o", "--output", "TABLE.h5"]),
+        (
+            "pack",
+            &[
+                "TABLE.h5",
+                "-o",
+                "--output",
+                "TABLE.bin",
+                "--tolerance",
+                "--derivative-tolerance",
+                "--points",
+                "--seed",
+            ],
+        ),
+    ];
+    let program = desk.succeed(&["--help"]);
+    assert_names(
+        &program,
+        &[
+            "generate",
+            "solve",
+            "query",
+            "curve",
+            "info",
+            "check",
+            "pack",
+            "unpack",
+            "cost",
+            "REDUCED",
+            "E2* = E2/(1 - nu2^2)",
+            "inf",
+        ],
+    );
+    for (command, arguments) in commands {
+        let help = desk.succeed(&[command, "--help"]);
+        assert_names(&help, arguments);
+        assert_names(&help, &[&format!("Usage: tabulate {command}")]);
+    }
+    for command in ["solve", "curve"] {
+        assert_names(
+            &desk.succeed(&[command, "--help"]),
+            &["educed modulus E2*", "inf"],
+        );
+    }
+    assert_names(
+        &desk.succeed(&["--version"]),
+        &["tabulate ", env!("CARGO_PKG_VERSION")],
+    );
+}
+
+#[test]
+fn wrong_usage_ends_with_2_and_failed_work_with_1() {
+    let desk = desk();
+    desk.write(
+        "points.csv",
+        "a_over_t,e1_over_e2,nu1,e0_over_e2\n1,1,0.5,inf\n",
+    );
+    let one = [
+        "solve",
+        "--a-over-t",
+        "1",
+        "--e1-over-e2",
+        "1",
+        "--nu1",
+        "0.5",
+        "--e0-over-e2",
+        "inf",
+    ];
+    let with = |more: &[&'static str]| [&one, more].concat();
+    let usage: [(Vec<&str>, &str); 11] = [
+        (vec![], "Usage"),
+        (vec!["plough"], "plough"),
+        (with(&["--plough"]), "--plough"),
+        (one[..7].to_vec(), "--e0-over-e2"),
+        (with(&["--nu0", "quarter"]), "quarter"),
+        (with(&["--points", "points.csv"]), "--points"),
+        (with(&["-o", "out.csv"]), "--output"),
+        (vec!["solve", "--points", "points.csv", "--json"], "--json"),
+        (vec!["query", "table.h5"], "--points"),
+        (vec!["pack", "table.h5"], "--output"),
+        (
+            vec!["curve", "table.h5", "--tolerance", "1e-3"],
+            "--tolerance",
+        ),
+    ];
+    for (arguments, word) in usage {
+        assert_names(&desk.fail(2, &arguments), &[word]);
+    }
+    let failed: [(Vec<&str>, &[&str]); 10] = [
+        (with(&["--nu0", "0.6"]), &["nu0", "0.6", "(-1, 0.5]"]),
+        (with(&["--nu0", "nan"]), &["nu0", "NaN"]),
+        (with(&["--tolerance", "1e-20"]), &["tolerance", "1e-20"]),
+        (
+            ["solve", "--a-over-t", "-1"]
+                .into_iter()
+                .chain(one[3..].iter().copied())
+                .collect(),
+            &["a_over_t", "-1", "1e-6", "10000"],
+        ),
+        (vec!["solve", "--points", "missing.csv"], &["missing.csv"]),
+        (
+            vec!["query", "missing.h5", "--points", "points.csv"],
+            &["missing.h5"],
+        ),
+        (vec!["info", "points.csv"], &["points.csv"]),
+        (
+            vec!["pack", "points.csv", "-o", "table.bin"],
+            &["not a coated-contact table"],
+        ),
+        (
+            vec!["curve", "--film-thickness", "-1"],
+            &["film_thickness", "-1"],
+        ),
+        (
+            vec!["curve", "--film-poisson-ratio", "0.6"],
+            &["film", "Poisson ratio", "0.6"],
+        ),
+    ];
+    for (arguments, words) in failed {
+        assert_names(&desk.fail(1, &arguments), words);
+    }
+    desk.succeed(&one);
+    assert_eq!(desk.files(), ["points.csv"]);
+}
+
+/// The beginning of an example in a help text.
+const EXAMPLE: &str = "  tabulate";
+
+/// Examples that take too long for a test. Other tests run most of these commands on smaller input.
+const LONG: [&str; 10] = [
+    "tabulate generate                                  # the default scene: a million contacts",
+    "tabulate report tables/paper.h5 -o paper.html",
+    "tabulate report embedded -o report.html",
+    "tabulate unpack embedded -o default.h5",
+    "tabulate plot error-map tables/paper.h5 -o errors.svg",
+    "tabulate plot error-map embedded -o embedded.svg",
+    "tabulate cost solve -o solve.csv",
+    "tabulate cost table --budget 20 -o table.csv",
+    "tabulate cost lookup tables/paper.h5 -o lookup.csv",
+    "tabulate cost effects tables/incompressible.toml --tolerance 1e-3 --points 1000",
+];
+
+/// The name of a command, word by word, and its help.
+type Help = (Vec<String>, String);
+
+/// Returns the help of the program and of every command.
+fn helps(desk: &Desk) -> Vec<Help> {
+    let mut helps: Vec<Help> = vec![(vec![], desk.succeed(&["--help"]))];
+    let mut read = 0;
+    while let Some((name, text)) = helps.get(read).cloned() {
+        for command in commands(&text) {
+            let name: Vec<String> = name.iter().cloned().chain([command]).collect();
+            let arguments: Vec<&str> = name.iter().map(String::as_str).chain(["--help"]).collect();
+            let text = desk.succeed(&arguments);
+            helps.push((name, text));
+        }
+        read += 1;
+    }
+    helps
+}
+
+/// Returns the commands that a help lists, without `help` itself.
+fn commands(help: &str) -> Vec<String> {
+    let Some((_, list)) = help.split_once("\nCommands:\n") else {
+        return vec![];
+    };
+    let lines = list.lines().take_while(|line| !line.is_empty());
+    lines
+        .filter_map(|line| line.strip_prefix("  ")?.split(' ').next())
+        .filter(|name| !name.is_empty() && *name != "help")
+        .map(str::to_owned)
+        .collect()
+}
+
+/// Returns the examples of a help.
+fn examples(help: &str) -> Vec<&str> {
+    help.split_once("\nExamples")
+        .map_or("", |(_, section)| section)
+        .lines()
+        .filter(|line| line.starts_with(EXAMPLE))
+        .map(str::trim)
+        .collect()
+}
+
+#[test]
+fn every_help_shows_examples_and_names_moduli_with_the_star() {
+    let helps = helps(&desk());
+    assert!(helps.len() > 25, "{} commands", helps.len());
+    for (name, text) in &helps {
+        let examples = examples(text);
+        assert!(!examples.is_empty(), "{name:?} has no example");
+        let command = ["tabulate".to_owned()]
+            .into_iter()
+            .chain(name.clone())
+            .collect::<Vec<_>>()
+            .join(" ");
+        for example in examples {
+            assert!(example.starts_with(&command), "{name:?}: {example}");
+        }
+        let unstarred = text.replace("E1/E2*", "").replace("E0/E2*", "");
+        for modulus in ["E1/E2", "E0/E2"] {
+            assert!(!unstarred.contains(modulus), "{name:?}: {modulus}");
+        }
+    }
+}
+
+#[test]
+fn the_examples_work_when_pasted_at_the_root_of_the_repository() {
+    let desk = desk();
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    for folder in ["tables", "tables/figures"] {
+        fs::create_dir_all(desk.path(folder)).expect("made");
+        for entry in fs::read_dir(root.join(folder)).expect("it is there") {
+            let path = entry.expect("an entry").path();
+            if path.is_file() {
+                let name = path.file_name().expect("a name");
+                fs::copy(&path, desk.path(folder).join(name)).expect("copied");
+            }
+        }
+    }
+    let helps = helps(&desk);
+    let mut left: Vec<&str> = helps.iter().flat_map(|(_, text)| examples(text)).collect();
+    left.sort_unstable();
+    left.dedup();
+    for long in LONG {
+        let place = left.iter().position(|example| *example == long);
+        left.remove(place.unwrap_or_else(|| panic!("no help shows {long:?}")));
+    }
+    assert!(left.len() > 25, "{left:?}");
+    for example in left {
+        let run = desk.script(&format!("tabulate() {{ \"$0\" \"$@\"; }}\n{example}"));
+        assert!(
+            run.status == 0 && run.stderr.is_empty(),
+            "{example}: {run:?}"
+        );
+        let words: Vec<&str> = example.split_whitespace().collect();
+        let output = words.windows(2).find(|pair| ["-o", ">"].contains(&pair[0]));
+        let (text, file) = match output {
+            Some(pair) => (run.stdout, desk.read(pair[1])),
+            None => (String::new(), run.stdout.into_bytes()),
+        };
+        assert!(file.len() > 30, "{example} leaves {file:?} and {text:?}");
+    }
+}
+
+#[test]
+fn completions_and_man_pages_mention_every_command_and_option() {
+    let desk = desk();
+    let helps = helps(&desk);
+    for shell in ["bash", "elvish", "fish", "powershell", "zsh"] {
+        let script = desk.succeed(&["completions", shell]);
+        for (name, _) in &helps {
+            if let Some(last) = name.last() {
+                assert!(script.contains(last), "{shell}: {name:?}");
+            }
+        }
+        assert_names(&script, &["film-thickness", "certificate-points"]);
+    }
+    // A shell can read it, where there is one.
+    let run =
+        desk.script("command -v bash >/dev/null || exit 0\n\"$0\" completions bash | bash -n");
+    assert_eq!((run.status, run.stderr.as_str()), (0, ""));
+
+    for (name, text) in &helps {
+        let arguments: Vec<&str> = ["man"]
+            .into_iter()
+            .chain(name.iter().map(String::as_str))
+            .collect();
+        let page = desk.succeed(&arguments).replace('\\', "");
+        let title = ["tabulate".to_owned()]
+            .into_iter()
+            .chain(name.clone())
+            .collect::<Vec<_>>()
+            .join("-");
+        assert_names(&page, &[&format!(".TH {title} 1"), ".SH EXAMPLES"]);
+        for command in commands(text) {
+            assert_names(&page, &[&format!("{title}-{command}(1)")]);
+        }
+        let options = text.split_whitespace().filter(|word| {
+            word.strip_prefix("--")
+                .is_some_and(|name| name.chars().all(|c| c.is_ascii_lowercase() || c == '-'))
+        });
+        assert_names(&page, &options.collect::<Vec<_>>());
+    }
+    assert_names(&desk.fail(1, &["man", "plough"]), &["plough", "curve"]);
+}
+
+#[test]
+fn a_file_is_not_given_the_ending_of_another_format() {
+    let desk = desk();
+    for command in [
+        ["generate", "-o", "table.bin", "--plan"],
+        ["unpack", "embedded", "-o", "table.BIN"],
+        ["pack", "embedded", "-o", "table.h5"],
+    ] {
+        let message = desk.fail(2, &command);
+        assert_names(&message, &["table.", "let the name end in .", "pack"]);
+    }
+    assert!(desk.files().is_empty());
+}

@@ -1,0 +1,202 @@
+//! `tabulate info`, and the JSON objects of all commands.
+
+use acceptance::{assert_names, table};
+use interp::{Parameter, Quantity, Table};
+use serde_json::Value;
+
+use crate::{TWO_QUANTITIES, desk, paper_table};
+
+#[test]
+fn info_prints_axes_quantities_and_certificate() {
+    let desk = desk();
+    let table_path = paper_table();
+    let table = Table::read(&table_path).expect("a sound table");
+    let description = table.description();
+    let certificate = &description.certificate;
+    let [energy, load] = certificate
+        .identity_errors
+        .map(|error| error.expect("all quantities are held"));
+    let [n_a, n_e1, _, _] = table.shape();
+    let text = desk.succeed(&["info", &table_path]);
+    let lines = [
+        ("title", description.title.clone()),
+        ("a_over_t", format!("0.001 to 1000, {n_a} nodes")),
+        ("e1_over_e2", format!("0.01 to 100, {n_e1} nodes")),
+        ("nu1", "0.5".to_owned()),
+        ("e0_over_e2", "100000".to_owned()),
+        ("nu0", "0.25".to_owned()),
+        (
+            "quantities",
+            "pi0, eeq, gamma, delta0 (normalised by E2*)".to_owned(),
+        ),
+        ("tolerance", "1e-9".to_owned()),
+        (
+            "certified error",
+            format!(
+                "max {:.1e}, 99.9 % {:.1e}, median {:.1e}",
+                certificate.max_error, certificate.p999_error, certificate.median_error
+            ),
+        ),
+        (
+            "worst",
+            format!(
+                "{} at a_over_t = {}",
+                certificate.worst_quantity.name(),
+                certificate.worst_point[0]
+            ),
+        ),
+        (
+            "identities",
+            format!("Gamma^2 = es (x Eeq)' {energy:.1e}, F0' = S delta0' {load:.1e}"),
+        ),
+        ("created by", description.created_by.clone()),
+        (
+            "size",
+            std::fs::metadata(&table_path)
+                .expect("it is there")
+                .len()
+                .to_string(),
+        ),
+    ];
+    assert_eq!(text.lines().count(), lines.len(), "{text}");
+    for (line, (name, content)) in text.lines().zip(lines) {
+        assert!(
+            line.strip_prefix(name)
+                .is_some_and(|rest| rest.trim_start().starts_with(&content)),
+            "{line}: {name}: {content}"
+        );
+    }
+    assert_names(
+        &text,
+        &[&format!(
+            "{} direct solves, seed {}",
+            certificate.points, certificate.seed
+        )],
+    );
+    let small = self::table(TWO_QUANTITIES);
+    desk.write("small.bin", small.to_packed().expect("a small table"));
+    assert_names(
+        &desk.succeed(&["info", "small.bin"]),
+        &["eeq, delta0 (normalised by E2*)", "inf"],
+    );
+}
+
+/// Asserts that `object` describes `table`, whose file has this many `bytes`.
+fn assert_describes(object: &Value, table: &Table, bytes: u64) {
+    let close = |field: &str, value: f64| {
+        let found = object.pointer(field).unwrap_or(&Value::Null);
+        let number = match found.as_str() {
+            Some(text) => text.parse().ok(),
+            None => found.as_f64(),
+        };
+        // The reading of serde_json may be one bit off.
+        let holds = number.is_some_and(|number: f64| {
+            number == value || (number / value - 1.0).abs() <= f64::EPSILON
+        });
+        assert!(holds, "{field}: {found}, not {value}");
+    };
+    let description = table.description();
+    assert_eq!(object["title"], description.title);
+    assert_eq!(object["scene"], description.scene);
+    assert_eq!(object["created_by"], description.created_by);
+    for parameter in Parameter::ALL {
+        let nodes = table.axis(parameter);
+        let axis = format!("/axes/{}", parameter.name());
+        close(&format!("{axis}/from"), nodes[0]);
+        close(&format!("{axis}/to"), nodes[nodes.len() - 1]);
+        close(&format!("{axis}/nodes"), nodes.len() as f64);
+    }
+    close("/nu0", description.nu0);
+    let names: Vec<&str> = table.quantities().into_iter().map(Quantity::name).collect();
+    assert_eq!(object["quantities"], serde_json::json!(names));
+    assert_eq!(object["normalised_by"], description.normalisation.symbol());
+    close("/tolerance", description.tolerance);
+    let ranks = table.low_rank().map(interp::LowRank::ranks);
+    assert_eq!(object["ranks"], serde_json::json!(ranks));
+    let certificate = &description.certificate;
+    close("/certificate/max_error", certificate.max_error);
+    close("/certificate/p999_error", certificate.p999_error);
+    close("/certificate/median_error", certificate.median_error);
+    close("/certificate/points", certificate.points as f64);
+    close("/certificate/seed", certificate.seed as f64);
+    let worst = certificate.worst_quantity.name();
+    assert_eq!(object["certificate"]["worst_quantity"], worst);
+    for (parameter, value) in Parameter::ALL.into_iter().zip(certificate.worst_point) {
+        close(
+            &format!("/certificate/worst_point/{}", parameter.name()),
+            value,
+        );
+    }
+    let identities = ["energy_release_rate", "stiffness"];
+    for (name, error) in identities.into_iter().zip(certificate.identity_errors) {
+        match error {
+            Some(error) => close(&format!("/certificate/identity_errors/{name}"), error),
+            None => assert!(object["certificate"]["identity_errors"][name].is_null()),
+        }
+    }
+    assert_eq!(object["bytes"], bytes);
+}
+
+#[test]
+fn json_holds_what_the_table_holds() {
+    let desk = desk();
+    let object = |args: &[&str]| -> Value {
+        let text = desk.succeed(&[args, &["--json"]].concat());
+        assert_eq!(text.lines().count(), 1, "{text}");
+        serde_json::from_str(&text).expect("JSON")
+    };
+    let size = |name: &str| std::fs::metadata(desk.path(name)).expect("a file").len();
+    let names = |object: &Value| -> Vec<String> {
+        object
+            .as_object()
+            .expect("an object")
+            .keys()
+            .cloned()
+            .collect()
+    };
+
+    let paper = object(&["info", &paper_table()]);
+    let bytes = std::fs::metadata(paper_table()).expect("a file").len();
+    let table = Table::read(paper_table()).expect("a sound table");
+    assert_describes(&paper, &table, bytes);
+    assert_eq!(names(&paper).len(), 11);
+    let embedded = Table::embedded();
+    let bytes = embedded.to_packed().expect("it was packed").len() as u64;
+    assert_describes(&object(&["info", "embedded"]), embedded, bytes);
+
+    // A substrate at infinity, and identities that are not known.
+    desk.write("scene.toml", TWO_QUANTITIES.replace("1e-2", "1e-1"));
+    let made = object(&["generate", "scene.toml", "--certificate-points", "50"]);
+    let table = Table::open(desk.path("scene.h5")).expect("a sound table");
+    assert_describes(&made, &table, size("scene.h5"));
+    assert_eq!(made["axes"]["e0_over_e2"]["to"], "inf");
+    assert_eq!(made["path"], "scene.h5");
+    assert_eq!(
+        (&made["points_solved"], &made["points_resumed"]),
+        (&36.into(), &0.into())
+    );
+    assert_eq!(made["refined"], serde_json::json!([]));
+    let seconds = |name: &str| made[name].as_f64().expect("a number");
+    assert!(seconds("seconds") >= seconds("seconds_solving"));
+    assert_eq!(names(&made).len(), 18);
+
+    let packed = object(&["pack", "scene.h5", "-o", "table.bin"]);
+    let table = Table::read(desk.path("table.bin")).expect("a sound table");
+    assert_describes(&packed, &table, size("table.bin"));
+    assert_eq!(packed["path"], "table.bin");
+    let tight = ["pack", "scene.h5", "-o", "low.bin", "--tolerance", "1e-1"];
+    let packed = object(&tight);
+    let table = Table::read(desk.path("low.bin")).expect("a sound table");
+    assert!(packed["ranks"].is_array());
+    assert_describes(&packed, &table, size("low.bin"));
+
+    let checked = object(&["check", &paper_table(), "--points", "20", "--seed", "3"]);
+    assert_eq!(checked["certified"], paper["certificate"]);
+    assert_eq!(checked["tolerance"], paper["tolerance"]);
+    let measured = &checked["measured"];
+    assert_eq!(
+        (&measured["points"], &measured["seed"]),
+        (&20.into(), &3.into())
+    );
+    assert_eq!(checked["holds"], true);
+}

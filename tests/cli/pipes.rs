@@ -1,0 +1,92 @@
+//! Output that nobody reads to its end: `tabulate X | head -1`.
+
+use std::io::pipe;
+use std::path::Path;
+use std::process::{Command, Output, Stdio};
+
+use acceptance::shipped;
+use interp::{Quantity, Table};
+
+use crate::desk;
+
+/// Runs the program in a folder. The readers of standard output and, if `both`, of standard error
+/// are closed before it starts.
+fn run_unread(folder: &Path, both: bool, args: &[&str]) -> Output {
+    let unread = || {
+        let (reader, writer) = pipe().expect("a pipe");
+        drop(reader);
+        Stdio::from(writer)
+    };
+    let stderr = if both { unread() } else { Stdio::piped() };
+    Command::new(env!("CARGO_BIN_EXE_tabulate-under-test"))
+        .args(args)
+        .current_dir(folder)
+        .stdin(Stdio::null())
+        .stdout(unread())
+        .stderr(stderr)
+        .output()
+        .expect("the program runs")
+}
+
+#[test]
+fn a_closed_reader_is_no_failure_of_any_command() {
+    let desk = desk();
+    let table = shipped("paper.bin");
+    let (table, points) = (table.to_str().expect("UTF-8"), shipped("points.csv"));
+    let points = points.to_str().expect("UTF-8");
+    let costs = shipped("figures/table.csv");
+    desk.write("scene.toml", crate::TWO_QUANTITIES.replace("1e-2", "1e-1"));
+    let commands: [&[&str]; 15] = [
+        &["--help"],
+        &["--version"],
+        &["help", "plot"],
+        &["curve", "--help"],
+        &["curve", "embedded"],
+        &["curve"],
+        &["solve", "--points", points],
+        &["query", table, "--points", points],
+        &["info", "embedded", "--json"],
+        &["check", table, "--points", "20"],
+        &["generate", "scene.toml", "--plan"],
+        &["generate", "scene.toml", "--certificate-points", "20"],
+        &["cost", "table", "--data", costs.to_str().expect("UTF-8")],
+        &["completions", "zsh"],
+        &["man"],
+    ];
+    for args in commands {
+        for both in [false, true] {
+            let output = run_unread(&desk.path("."), both, args);
+            assert!(
+                output.status.code() == Some(0) && output.stderr.is_empty(),
+                "{args:?}: {output:?}"
+            );
+        }
+    }
+    assert!(desk.files().contains(&"scene.h5".to_owned()));
+}
+
+#[test]
+fn work_that_fails_ends_with_1_whoever_reads() {
+    let desk = desk();
+    let sound = Table::read(shipped("paper.bin")).expect("a sound table");
+    let axes = acceptance::axes(&sound);
+    let values = Quantity::ALL.map(|quantity| {
+        let values = sound.values(quantity)?;
+        Some(values.iter().map(|value| 1.001 * value).collect())
+    });
+    let wrong = Table::new(sound.description().clone(), axes, values).expect("sound values");
+    desk.write("wrong.bin", wrong.to_packed().expect("small"));
+    for (args, status) in [
+        (&["check", "wrong.bin", "--points", "20"][..], 1),
+        (&["info", "missing.h5"], 1),
+        (&["plough"], 2),
+    ] {
+        for both in [false, true] {
+            let output = run_unread(&desk.path("."), both, args);
+            let message = String::from_utf8(output.stderr).expect("UTF-8");
+            assert_eq!(output.status.code(), Some(status), "{args:?}: {message}");
+            assert!(!message.contains("panicked"), "{args:?}: {message}");
+            assert_eq!(message.is_empty(), both, "{args:?}: {message}");
+        }
+    }
+}

@@ -1,0 +1,60 @@
+//! `tabulate generate --plan`: the size that it expects of the file.
+
+use serde_json::Value;
+
+use crate::{TWO_QUANTITIES, desk};
+
+/// Three planned axes, a few hundred kB.
+const MIDDLE: &str = "
+    title      = 'Incompressible films'
+    tolerance  = 1e-5
+    a_over_t   = { from = 1e-2, to = 1e2 }
+    e1_over_e2 = { from = 0.1, to = 10 }
+    nu1        = 0.5
+    e0_over_e2 = { from = 1, to = 1e6 }
+";
+const ONE_QUANTITY: &str = "
+    title      = 'One quantity'
+    tolerance  = 1e-1
+    quantities = ['eeq']
+    a_over_t   = { from = 0.1, to = 10, nodes = 4 }
+    e1_over_e2 = 1
+    nu1        = 0.5
+    e0_over_e2 = inf
+";
+
+#[test]
+fn the_size_of_a_plan_is_that_of_the_file() {
+    /// The largest factor between them, either way.
+    const FACTOR: f64 = 1.15;
+    let desk = desk();
+    for scene in [ONE_QUANTITY, TWO_QUANTITIES, MIDDLE] {
+        desk.write("scene.toml", scene);
+        let plan = desk.succeed(&["generate", "scene.toml", "--plan", "--json"]);
+        let plan: Value = serde_json::from_str(&plan).expect("JSON");
+        let expected = plan["bytes"].as_f64().expect("a number");
+        let text = desk.succeed(&["generate", "scene.toml", "--plan"]);
+        let size = format!("{:15} about {:.0} kB\n", "size", expected / 1e3);
+        assert!(text.ends_with(&size), "{text}{size}");
+
+        let made = desk.run(&[
+            "generate",
+            "scene.toml",
+            "--certificate-points",
+            "20",
+            "--json",
+        ]);
+        let made: Value = serde_json::from_str(&made.stdout).expect("JSON");
+        let bytes = made["bytes"].as_f64().expect("a number");
+        println!(
+            "{} points: {bytes} bytes, {expected} planned",
+            plan["points"]
+        );
+        assert!(
+            bytes <= FACTOR * expected && expected <= FACTOR * bytes,
+            "{bytes} bytes, {expected} planned: {scene}"
+        );
+        assert_eq!(plan["axes"], made["axes"]);
+        assert_eq!(plan["points"], made["points_solved"]);
+    }
+}

@@ -1,0 +1,389 @@
+//! `tabulate solve` and `tabulate query`: one point, and points from CSV.
+
+use acceptance::{Contacts, Data, material, table};
+use interp::Parameter;
+use interp::Table;
+use serde_json::Value;
+
+use crate::{TWO_QUANTITIES, desk, solved};
+
+/// The columns of every CSV output of `solve` and `query`.
+const COLUMNS: [&str; 10] = [
+    "a_over_t",
+    "e1_over_e2",
+    "nu1",
+    "e0_over_e2",
+    "nu0",
+    "pi0",
+    "eeq",
+    "gamma",
+    "delta0",
+    "error",
+];
+/// The tolerance of `solve` where none is given.
+const DEFAULT_TOLERANCE: f64 = 1e-10;
+
+#[test]
+fn solve_prints_one_point_to_the_last_bit() {
+    let desk = desk();
+    let mut contacts = Contacts::new(70);
+    for round in 0..12 {
+        let given = if round == 0 {
+            material([0.0, 0.3, f64::INFINITY, 0.2])
+        } else {
+            contacts.material([1e-2, 1e2], [1e-1, 1e6])
+        };
+        let x = contacts.log_uniform(1e-2, 1e2);
+        let tolerance = if round % 2 == 0 {
+            DEFAULT_TOLERANCE
+        } else {
+            1e-6
+        };
+        let expected = solved(x, &given, tolerance);
+        let values_given = [
+            x,
+            given.e1_over_e2(),
+            given.nu1(),
+            given.e0_over_e2(),
+            given.nu0(),
+        ];
+        let flags = [
+            "--a-over-t",
+            "--e1-over-e2",
+            "--nu1",
+            "--e0-over-e2",
+            "--nu0",
+            "--tolerance",
+        ];
+        let values: Vec<String> = values_given
+            .iter()
+            .chain([&tolerance])
+            .map(|value| format!("{value:?}"))
+            .collect();
+        let mut arguments = vec!["solve"];
+        arguments.extend(
+            flags
+                .iter()
+                .zip(&values)
+                .flat_map(|(flag, value)| [*flag, value])
+                .take(if round % 2 == 0 { 10 } else { 12 }),
+        );
+
+        let [pi0, eeq, gamma, delta0] = expected.quantities.to_array();
+        let rows = [
+            ("pi0", pi0),
+            ("eeq", eeq),
+            ("gamma", gamma),
+            ("delta0", delta0),
+            ("error", expected.error),
+        ];
+        let plain = desk.succeed(&arguments);
+        let lines: Vec<(&str, &str)> = plain
+            .lines()
+            .map(|line| line.split_once(" = ").expect("name = value"))
+            .collect();
+        let numbers = lines[..5]
+            .iter()
+            .map(|(name, value)| (name.trim(), value.parse().expect("a number")));
+        assert_eq!(numbers.collect::<Vec<(&str, f64)>>(), rows);
+        let symbol = given.normalisation().symbol();
+        assert_eq!(lines[5..], [("normalised_by", symbol)]);
+
+        arguments.push("--json");
+        let text = desk.succeed(&arguments);
+        let object: Value = serde_json::from_str(&text).expect("JSON");
+        assert_eq!(object["normalised_by"], symbol);
+        assert_eq!(object["modes"], expected.modes);
+        assert_eq!(object["method"], expected.method.name());
+        if given.e0_over_e2() == f64::INFINITY {
+            assert_eq!(object["e0_over_e2"], "inf");
+        }
+        assert_eq!(object.as_object().expect("an object").len(), 13);
+        let names = ["a_over_t", "e1_over_e2", "nu1", "e0_over_e2", "nu0"];
+        for (name, value) in names.into_iter().zip(values_given).chain(rows) {
+            // The digits themselves: serde_json's own reading may be one bit off.
+            let (_, rest) = text
+                .split_once(&format!("\"{name}\":"))
+                .expect("the name is there");
+            let digits = rest
+                .split([',', '}'])
+                .next()
+                .expect("a value")
+                .trim_matches('"');
+            assert_eq!(
+                digits.parse::<f64>().expect("a number").to_bits(),
+                value.to_bits(),
+                "{name}: {text}"
+            );
+        }
+    }
+}
+
+#[test]
+fn solve_takes_columns_in_any_order_and_gives_numbers_that_read_back() {
+    let desk = desk();
+    desk.write(
+        "ordered.csv",
+        "a_over_t,e1_over_e2,nu1,e0_over_e2,nu0\n1,1.75,0.5,1e5,0.25\n0.1,0,0.3,inf,0.1\n",
+    );
+    desk.write("mixed.csv", "# a comment\nnu0, e0_over_e2 ,nu1,a_over_t,e1_over_e2\n0.25,1e5,0.5,1,1.75\n0.1, inf,0.3,0.1,0\n");
+    let answer = desk.succeed(&["solve", "--points", "ordered.csv"]);
+    assert_eq!(answer, desk.succeed(&["solve", "--points", "mixed.csv"]));
+    assert_eq!(
+        desk.succeed(&["solve", "--points", "mixed.csv", "-o", "out.csv"]),
+        ""
+    );
+    assert_eq!(answer.as_bytes(), desk.read("out.csv"));
+
+    // Awkward numbers, without a column nu0: all come back as they were given.
+    let mut contacts = Contacts::new(71);
+    let points: Vec<[f64; 4]> = (0..50)
+        .map(|_| {
+            let material = contacts.material([1e-2, 1e2], [1e-1, 1e6]);
+            [
+                contacts.log_uniform(1e-2, 1e2),
+                material.e1_over_e2(),
+                material.nu1(),
+                material.e0_over_e2(),
+            ]
+        })
+        .collect();
+    let rows: String = points
+        .iter()
+        .map(|[x, e1, nu1, e0]| format!("{x},{e1},{nu1},{e0}\n"))
+        .collect();
+    desk.write(
+        "points.csv",
+        format!("a_over_t,e1_over_e2,nu1,e0_over_e2\n{rows}"),
+    );
+    for (arguments, nu0, tolerance) in [
+        (&[][..], 0.25, DEFAULT_TOLERANCE),
+        (&["--nu0", "0.1", "--tolerance", "1e-6"], 0.1, 1e-6),
+    ] {
+        let data = Data::parse(
+            "output",
+            &desk.succeed(&[&["solve", "--points", "points.csv"], arguments].concat()),
+        );
+        assert_eq!(data.columns(), COLUMNS);
+        assert_eq!(data.cases().count(), points.len());
+        for (case, [x, e1, nu1, e0]) in data.cases().zip(&points) {
+            assert_eq!(
+                COLUMNS[..5]
+                    .iter()
+                    .map(|name| case.get(name))
+                    .collect::<Vec<_>>(),
+                [*x, *e1, *nu1, *e0, nu0]
+            );
+            let expected = solved(*x, &material([*e1, *nu1, *e0, nu0]), tolerance);
+            assert_eq!(case.quantities(), expected.quantities);
+            assert_eq!(case.get("error"), expected.error);
+        }
+    }
+}
+
+#[test]
+fn query_prints_what_the_library_looks_up_and_the_certificate() {
+    let desk = desk();
+    let table = table(TWO_QUANTITIES);
+    desk.write("table.bin", table.to_packed().expect("a small table"));
+    desk.write(
+        "points.csv",
+        "e0_over_e2,nu1,a_over_t,e1_over_e2\ninf,0.5,0.1,1\ninf,0.5,3.3,1.9\n",
+    );
+    let answer = desk.succeed(&["query", "table.bin", "--points", "points.csv"]);
+    let mut lines = answer.lines();
+    assert_eq!(
+        lines
+            .next()
+            .expect("a header")
+            .split(',')
+            .collect::<Vec<_>>(),
+        COLUMNS
+    );
+    for (line, [x, e1]) in lines.by_ref().zip([[0.1, 1.0], [3.3, 1.9]]) {
+        let fields: Vec<&str> = line.split(',').collect();
+        // The table's substrate stands in where the points have none.
+        let curve = table
+            .curve(&material([e1, 0.5, f64::INFINITY, 0.1]))
+            .expect("inside");
+        let numbers = [x, e1, 0.5, f64::INFINITY, 0.1]
+            .into_iter()
+            .map(Some)
+            .chain(quantities_at(&table, &curve, x));
+        let expected: Vec<Option<f64>> = numbers
+            .chain([Some(table.description().certificate.max_error)])
+            .collect();
+        let found: Vec<Option<f64>> = fields
+            .iter()
+            .map(|field| (!field.is_empty()).then(|| field.parse().expect("a number")))
+            .collect();
+        assert_eq!(found, expected);
+    }
+    assert_eq!(lines.next(), None);
+    assert_eq!(
+        desk.succeed(&[
+            "query",
+            "table.bin",
+            "--points",
+            "points.csv",
+            "-o",
+            "out.csv"
+        ]),
+        ""
+    );
+    assert_eq!(desk.read("out.csv"), answer.as_bytes());
+}
+
+#[test]
+fn query_prints_the_derivatives_that_the_table_knows() {
+    let desk = desk();
+    let table =
+        table(&TWO_QUANTITIES.replace("['delta0', 'eeq']", "['pi0', 'eeq', 'gamma', 'delta0']"));
+    desk.write("table.bin", table.to_packed().expect("a small table"));
+    desk.write(
+        "points.csv",
+        "a_over_t,e1_over_e2,nu1,e0_over_e2\n3.3,1.9,0.5,inf\n",
+    );
+    let answer = desk.succeed(&["query", "table.bin", "--points", "points.csv", "--gradient"]);
+    let data = Data::parse("query", &answer);
+    assert_eq!(data.columns()[..10], COLUMNS);
+    let curve = table
+        .curve_with_gradient(&material([1.9, 0.5, f64::INFINITY, 0.1]))
+        .expect("inside");
+    let gradient = curve.gradient(3.3).expect("inside");
+    let case = data.cases().next().expect("a point");
+    for quantity in interp::Quantity::ALL {
+        let name = |parameter: &str| format!("d_{}_d_{parameter}", quantity.name());
+        assert_eq!(
+            case.get(&name("a_over_t")),
+            gradient.slopes().get(quantity) / 3.3
+        );
+        let by_film = gradient.by(Parameter::E1OverE2).expect("an axis");
+        assert_eq!(case.get(&name("e1_over_e2")), by_film.get(quantity));
+        // The scene fixes it; a rigid substrate changes nothing.
+        assert_eq!(case.text(&name("nu1")), "");
+        assert_eq!(
+            (case.get(&name("e0_over_e2")), case.get(&name("nu0"))),
+            (0.0, 0.0)
+        );
+    }
+    desk.write(
+        "table.bin",
+        acceptance::table(TWO_QUANTITIES)
+            .to_packed()
+            .expect("a small table"),
+    );
+    let message = desk.fail(
+        1,
+        &["query", "table.bin", "--points", "points.csv", "--gradient"],
+    );
+    assert!(message.contains("does not hold pi0"), "{message}");
+}
+
+/// The quantities at `x`, `None` where the table does not hold them.
+fn quantities_at(
+    table: &Table,
+    curve: &interp::Curve,
+    x: f64,
+) -> impl Iterator<Item = Option<f64>> {
+    interp::Quantity::ALL
+        .map(|q| {
+            table
+                .holds(q)
+                .then(|| curve.quantity(q, x).expect("inside"))
+        })
+        .into_iter()
+}
+
+/// Wrong files of points, with words of the error that each must cause beside the file's name.
+const BAD_POINTS: [(&str, &str, &[&str]); 13] = [
+    (
+        "missing column",
+        "a_over_t,e1_over_e2,nu1\n1,1,0.5\n",
+        &["e0_over_e2", "header"],
+    ),
+    (
+        "unknown column",
+        "a_over_t,e1_over_e2,nu1,e0_over_e2,nu2\n1,1,0.5,inf,0.3\n",
+        &["nu2", "header"],
+    ),
+    (
+        "column twice",
+        "a_over_t,e1_over_e2,nu1,e0_over_e2,nu1\n1,1,0.5,inf,0.3\n",
+        &["nu1", "header", "twice"],
+    ),
+    (
+        "text",
+        "a_over_t,e1_over_e2,nu1,e0_over_e2\n1,1,0.5,inf\n1,1,half,inf\n",
+        &["line 3", "nu1", "half"],
+    ),
+    (
+        "no number",
+        "a_over_t,e1_over_e2,nu1,e0_over_e2\n1,1,,inf\n",
+        &["line 2", "nu1"],
+    ),
+    (
+        "too few fields",
+        "a_over_t,e1_over_e2,nu1,e0_over_e2\n1,1,0.5,inf\n1,1,0.5\n",
+        &["line", "3"],
+    ),
+    (
+        "too many fields",
+        "a_over_t,e1_over_e2,nu1,e0_over_e2\n1,1,0.5,inf,1\n",
+        &["line", "2"],
+    ),
+    ("empty", "", &["no points"]),
+    (
+        "header only",
+        "a_over_t,e1_over_e2,nu1,e0_over_e2\n",
+        &["no points"],
+    ),
+    (
+        "nan material",
+        "a_over_t,e1_over_e2,nu1,e0_over_e2\n1,nan,0.5,inf\n",
+        &["line 2", "e1_over_e2", "NaN"],
+    ),
+    (
+        "unphysical",
+        "a_over_t,e1_over_e2,nu1,e0_over_e2\n1,1,0.5,inf\n1,1,0.6,inf\n",
+        &["line 3", "nu1", "0.6", "(-1, 0.5]"],
+    ),
+    (
+        "nan a_over_t",
+        "a_over_t,e1_over_e2,nu1,e0_over_e2\n1,1,0.5,inf\nnan,1,0.5,inf\n",
+        &["line 3", "a_over_t", "NaN"],
+    ),
+    (
+        "negative a_over_t",
+        "a_over_t,e1_over_e2,nu1,e0_over_e2\n-1,1,0.5,inf\n",
+        &["line 2", "a_over_t", "-1"],
+    ),
+];
+
+#[test]
+fn a_bad_file_of_points_is_named_with_the_line() {
+    let desk = desk();
+    desk.write(
+        "table.bin",
+        table(TWO_QUANTITIES).to_packed().expect("a small table"),
+    );
+    let mut wrong = Vec::new();
+    for (what, text, words) in BAD_POINTS {
+        desk.write("points.csv", text);
+        for command in [&["solve"][..], &["query", "table.bin"]] {
+            let message = desk.fail(
+                1,
+                &[command, &["--points", "points.csv", "-o", "out.csv"]].concat(),
+            );
+            if !words
+                .iter()
+                .chain(&["points.csv"])
+                .all(|word| message.contains(word))
+            {
+                wrong.push(format!("{what}: {command:?} says {message:?}"));
+            }
+        }
+    }
+    assert_eq!(desk.files(), ["points.csv", "table.bin"]);
+    assert!(wrong.is_empty(), "{wrong:#?}");
+}

@@ -1,0 +1,99 @@
+//! Runs a page in Chromium.
+//!
+//! The harness in a page runs to its end before the page's `load` event, and Chromium writes the
+//! page after this event. No clock, timeout or retry takes part: a slow machine only takes longer.
+
+use std::env;
+use std::io::{Write, stderr};
+use std::process::Command;
+use std::thread;
+
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
+use serde_json::Value;
+
+/// The options of Chromium: no window, no network, nothing but the page.
+const OPTIONS: [&str; 12] = [
+    "--headless",
+    "--no-sandbox",
+    "--disable-gpu",
+    "--disable-quic",
+    "--no-first-run",
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--disable-sync",
+    // Without these two, Chromium gives up on a page that takes long.
+    "--disable-hang-monitor",
+    "--disable-gpu-watchdog",
+    "--enable-logging=stderr",
+    "--dump-dom",
+];
+
+/// Returns the text that a page in Chromium leaves in its element `seen`; none without Chromium.
+pub fn seen(page: &str) -> Option<String> {
+    let Some(chromium) = env::var_os("CHROMIUM").filter(|path| !path.is_empty()) else {
+        // The macro `eprintln` would be captured, and not shown for a test that passes.
+        let _ = writeln!(
+            stderr(),
+            "SKIPPED {}: there is no browser. Install Chromium and run `cargo xtask test`, or set CHROMIUM to the path of the browser.",
+            thread::current().name().unwrap_or("a test of the report")
+        );
+        return None;
+    };
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let path = folder.path().join("report.html");
+    std::fs::write(&path, page).expect("written");
+    let output = Command::new(chromium)
+        .args(OPTIONS)
+        .arg(format!(
+            "--user-data-dir={}",
+            folder.path().join("profile").display()
+        ))
+        .arg(format!("file://{}", path.display()))
+        .output()
+        .expect("Chromium runs");
+    let [dom, log] = [&output.stdout, &output.stderr].map(|bytes| String::from_utf8_lossy(bytes));
+    let console: Vec<&str> = log
+        .lines()
+        .filter(|line| line.contains("CONSOLE"))
+        .collect();
+    assert!(console.is_empty(), "{console:?}");
+    let text = dom
+        .split_once("id=\"seen\">")
+        .and_then(|(_, rest)| rest.split_once('<'))
+        .map(|(text, _)| text.to_owned());
+    Some(text.unwrap_or_else(|| panic!("the page does not come to its end:\n{log}")))
+}
+
+/// Returns the value that a script, appended to a report, leaves in `seen` (see `report.js`). The
+/// page must have no complaints, and must fetch nothing. None without Chromium.
+fn run(page: &str, script: &str) -> Option<Value> {
+    const COLLECT: &str = "<head><script>const complaints = [];
+        addEventListener('error', (event) => complaints.push(String(event.message)));
+        addEventListener('unhandledrejection', (event) => complaints.push(String(event.reason)));
+        addEventListener('securitypolicyviolation', (event) => complaints.push(event.violatedDirective));
+        for (const kind of ['error', 'warn']) console[kind] = (...words) => complaints.push(words.join(' '));</script>";
+    let harness = include_str!("report.js");
+    let page = page.replacen("<head>", COLLECT, 1).replace(
+        "</body>",
+        &format!("<script type=\"module\">{harness}\nleave({script});</script></body>"),
+    );
+    let bytes = STANDARD.decode(seen(&page)?).expect("base64");
+    let seen: Value = serde_json::from_slice(&bytes).expect("JSON");
+    assert_eq!(seen["complaints"], Value::Array(Vec::new()));
+    assert_eq!(seen["fetched"], 0);
+    Some(seen["result"].clone())
+}
+
+/// Returns the content of a report at each of the addresses, and the effect of each slider.
+pub fn browse(page: &str, addresses: &[String]) -> Option<Value> {
+    let addresses = serde_json::to_string(addresses).expect("text");
+    run(page, &format!("browse({addresses})"))
+}
+
+/// Returns the state of the fields and messages of a report after each of the entries, a field's
+/// name and the text typed into it, one after the other.
+pub fn fill(page: &str, entries: &[(&str, &str)]) -> Option<Value> {
+    let entries = serde_json::to_string(entries).expect("text");
+    run(page, &format!("fill({entries})"))
+}

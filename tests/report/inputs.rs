@@ -1,0 +1,108 @@
+//! Wrong inputs of a page: in its address, and typed into its fields.
+
+use interp::Table;
+use serde_json::{Value, json};
+use tabulate::report::report;
+
+use crate::browser::{browse, fill};
+use crate::embedded_default;
+
+fn page() -> String {
+    let table = Table::read(embedded_default()).expect("the embedded table");
+    report(&table, &[]).expect("a report")
+}
+
+#[test]
+fn outside_the_box_there_is_a_message_and_no_curve() {
+    let cases = [
+        (
+            "sphere_modulus=2e4",
+            "E₀/E₂* is 10000000; the table holds 1 to 1000000. \
+             Change the substrate modulus or the sphere reduced modulus.",
+        ),
+        (
+            "film_modulus=1e3",
+            "E₁/E₂* is 0.0005; the table holds 0.001 to 1000. \
+             Change the film modulus or the sphere reduced modulus.",
+        ),
+        (
+            "film_poisson_ratio=0.51",
+            "ν₁ is 0.51; the table holds 0 to 0.5. Change the film Poisson ratio.",
+        ),
+        (
+            "film_thickness=-1",
+            "The film thickness must be a number above 0.",
+        ),
+        (
+            "work_of_adhesion=much",
+            "The work of adhesion must be a number that is 0 or larger.",
+        ),
+        (
+            "film_colour=3",
+            "The address sets “film_colour”, which is not a setting of this table.",
+        ),
+    ];
+    let addresses = cases.map(|(address, _)| address.to_owned());
+    let Some(seen) = browse(
+        &page(),
+        &[&addresses[..], &["sphere_radius=1e-3".to_owned()]].concat(),
+    ) else {
+        return;
+    };
+    let looks = seen["looks"].as_array().expect("looks");
+    for ((address, message), look) in cases.iter().zip(looks) {
+        assert_eq!(
+            (look["hidden"].as_bool(), look["messages"].as_str()),
+            (Some(true), Some(*message)),
+            "{address}"
+        );
+    }
+    assert_eq!(looks[cases.len()]["hidden"], false, "it comes back");
+}
+
+#[test]
+fn a_wrong_field_is_marked_as_invalid_with_its_message_until_it_is_mended() {
+    // The field, the text typed into it, and the fields that are wrong then. An entry of `true`
+    // stands for the first message, `false` for the second.
+    let first = &[("film_thickness", true)][..];
+    let both = &[("film_thickness", true), ("sphere_radius", false)][..];
+    let softened = &[("substrate_modulus", true), ("sphere_modulus", true)][..];
+    let entries = [
+        (("film_thickness", "thin"), first),
+        (("film_thickness", ""), first),
+        (("sphere_radius", "-1"), both),
+        (("sphere_radius", "1000"), first),
+        (("film_thickness", "1"), &[]),
+        // The two moduli whose ratio is outside the table.
+        (("sphere_modulus", "0.02"), softened),
+        (("sphere_modulus", "2"), &[]),
+        (
+            ("film_poisson_ratio", "0.6"),
+            &[("film_poisson_ratio", true)],
+        ),
+        (("film_poisson_ratio", "0,5"), &[]),
+    ];
+    let typed = entries.map(|(entry, _)| entry);
+    let Some(seen) = fill(&page(), &typed) else {
+        return;
+    };
+    for ((entry, wrong), look) in entries.iter().zip(seen.as_array().expect("looks")) {
+        assert_eq!(look["hidden"], !wrong.is_empty(), "{entry:?}");
+        let messages: Vec<&str> = look["messages"].as_str().expect("text").lines().collect();
+        let messages: Vec<&str> = messages
+            .into_iter()
+            .filter(|text| !text.is_empty())
+            .collect();
+        let fields = look["fields"].as_object().expect("fields");
+        assert_eq!(fields.len(), 7);
+        for (field, state) in fields {
+            let expected = match wrong.iter().find(|(name, _)| name == field) {
+                Some((_, first)) => {
+                    json!({ "invalid": "true", "text": messages[usize::from(!first)] })
+                }
+                None => json!({ "invalid": Value::Null, "text": "" }),
+            };
+            assert_eq!(*state, expected, "{field} after {entry:?}");
+        }
+    }
+}
