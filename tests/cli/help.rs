@@ -65,7 +65,6 @@ fn the_help_of_every_command_has_its_arguments_and_the_program_says_whose_modulu
                 "--output",
                 "TABLE.bin",
                 "--tolerance",
-                "--derivative-tolerance",
                 "--points",
                 "--seed",
             ],

@@ -1,4 +1,4 @@
-//! `tabulate generate`: scenes, the file it writes and when it does, and its certificate.
+//! `tabulate generate`: scenes, the file that it writes, and its certificate.
 
 use acceptance::{Desk, all_bits, assert_names, table};
 use interp::Table;
@@ -11,8 +11,8 @@ e1_over_e2 = { from = 0.3, to = 3, nodes = 4 }
 nu1 = 0.5
 e0_over_e2 = inf
 ";
-/// An incompressible film between rigid bodies: the method loses too much to rounding for such a
-/// tolerance.
+/// An incompressible film between rigid bodies. The method loses too many digits to rounding for
+/// this tolerance.
 const OUT_OF_REACH: &str = "\
 title = 'Out of reach'
 tolerance = 1e-10
@@ -100,7 +100,7 @@ fn an_output_that_cannot_be_written_fails_before_any_solving() {
     let desk = desk();
     std::fs::create_dir(desk.path("folder")).expect("a new folder");
     let before = desk.files();
-    // This scene fails when it is solved; here it must not come to that.
+    // This scene fails when it is solved. The output is refused before.
     for output in ["missing/table.h5", "folder", "scene.toml/table.h5"] {
         let message = desk.fail(1, &["generate", "out_of_reach.toml", "-o", output]);
         assert_names(&message, &["cannot write", output]);
@@ -121,6 +121,18 @@ fn an_output_that_cannot_be_written_fails_before_any_solving() {
         assert!(!message.contains("tolerance"), "{message}");
     }
     assert_eq!(desk.files(), before);
+}
+
+/// The ending `.bin` is that of packed tables, which are no HDF5.
+#[test]
+fn an_output_that_is_named_like_a_packed_table_is_refused() {
+    let desk = desk();
+    for output in ["table.bin", "table.BIN"] {
+        let run = desk.run(&["generate", "out_of_reach.toml", "-o", output]);
+        assert!(run.status != 0 && run.stdout.is_empty(), "{run:?}");
+        assert_names(&run.stderr, &[output, ".h5", "tabulate pack"]);
+    }
+    assert_eq!(desk.files(), ["out_of_reach.toml", "scene.toml"]);
 }
 
 #[test]
@@ -177,7 +189,7 @@ fn a_table_that_misses_its_tolerance_is_written_and_the_status_is_1() {
     assert_names(&run.stdout, &["certified error", &format!("{error:.1e}")]);
 }
 
-/// The corners of the box are nodes, and say nothing.
+/// The corners of the box are nodes, at which a table has no error.
 #[test]
 fn a_few_points_are_off_the_nodes() {
     let desk = desk();
@@ -199,8 +211,8 @@ fn a_few_points_are_off_the_nodes() {
     }
 }
 
-/// Near a Poisson ratio of -1 the film's moduli span fifteen decades within a part of the range
-/// that no node but the first would be in.
+/// Near a Poisson ratio of -1 the film's moduli span fifteen decades, in a part of the range that
+/// holds no node but the first.
 #[test]
 fn a_range_that_no_number_of_nodes_resolves_is_an_error_that_names_it() {
     let desk = desk();
@@ -243,9 +255,14 @@ fn a_plan_says_what_is_made_and_makes_nothing() {
 
 #[test]
 fn a_wrong_scene_is_named_with_key_value_and_range() {
-    /// The line that is changed, what to, and words of the error.
-    const CHANGES: [(&str, &str, &[&str]); 25] = [
-        ("nu1 = 0.5", "nu1 = 0.5\nnu2 = 0.3", &["nu2"]),
+    /// The line that is changed, its new text, and words of the error.
+    const CHANGES: [(&str, &str, &[&str]); 26] = [
+        ("nu1 = 0.5", "nu1 = 0.5\nnu2 = 0.3", &["nu2", "nu1"]),
+        (
+            "e0_over_e2 = inf",
+            "e0_over_e2 = inf\n[[layers]]\nthickness = 1",
+            &["layers", "not modelled", "one film on a half-space", "nu0"],
+        ),
         ("title = 'A small box'", "", &["title"]),
         ("nu1 = 0.5", "", &["nu1"]),
         ("title = 'A small box'", "title = 3", &["title", "string"]),

@@ -1,5 +1,5 @@
-//! What less than a solve and more than one costs in time: `Eeq` alone, curves, and a grid.
-//! `tabulate cost solve` measures one.
+//! The time of many solves: along a curve, and over the grid of a table. `tabulate cost solve`
+//! measures single ones.
 
 use std::hint::black_box;
 use std::time::Instant;
@@ -7,19 +7,15 @@ use std::time::Instant;
 use interp::Material;
 use tabulate::cost::clock::{human, median};
 use tabulate::solve;
-use tabulate::table::Plan;
-use tabulate::table::Scene;
-use tabulate::table::sweep;
+use tabulate::table::{Plan, Scene, sweep};
 
 fn main() {
-    many_solves();
+    along_curves();
+    over_a_grid();
 }
 
-fn material([e1, nu1, e0]: [f64; 3]) -> Material {
-    Material::new(e1, nu1, e0, 0.25).expect("physical")
-}
-
-fn many_solves() {
+/// Prints the time of 60 solves along `a/t`, for four materials and two tolerances.
+fn along_curves() {
     println!("\n60 a/t from 1e-3 to 1e3, one core\n\n| contact | 1e-8 | 1e-10 |\n|---|---|---|");
     let materials = [
         ("the paper's", [1.75, 0.5, 1e5]),
@@ -27,8 +23,8 @@ fn many_solves() {
         ("a film stiffer than sphere and base", [10.0, 0.3, 1.0]),
         ("a stiff film on a soft base", [1e2, 0.3, 1e-4]),
     ];
-    for (name, parameters) in materials {
-        let material = material(parameters);
+    for (name, [e1, nu1, e0]) in materials {
+        let material = Material::new(e1, nu1, e0, 0.25).expect("physical");
         let cell = |tolerance| {
             let times = (0..21).map(|_| {
                 let start = Instant::now();
@@ -45,8 +41,10 @@ fn many_solves() {
         };
         println!("| {name} |{}", [1e-8, 1e-10].map(cell).concat());
     }
+}
 
-    // A table solves to a hundredth of its tolerance.
+/// Prints the time of the sweep of a table, which solves to a hundredth of its tolerance.
+fn over_a_grid() {
     let text = "title = 'Benchmark'\ntolerance = 1e-6\nnu0 = 0.25\na_over_t = { from = 1e-3, to = 1e3, nodes = 60 }\n\
                 e1_over_e2 = { from = 1e-3, to = 1e3, nodes = 20 }\nnu1 = { from = 0, to = 0.5, nodes = 12 }\n\
                 e0_over_e2 = { from = 1, to = 1e6, nodes = 20 }\n";

@@ -1,10 +1,10 @@
-//! The solve against the same equation solved with numpy and scipy (`nystrom.py`), in one run and
-//! on one thread.
+//! Our solver against Nystrom's method for its equation in numpy and scipy (`nystrom.py`), in one
+//! run and on one thread.
 //!
 //! Prints a table of errors and times. An error is the largest of the four relative deviations from
-//! the solve at the tightest tolerance that converges. The Python is given the smallest sizes with
-//! which it keeps the tolerance, found with knowledge of the answer; the solve has to choose its
-//! sizes itself, and estimates its error.
+//! our solution at the tightest tolerance that converges. The Python program is given the smallest
+//! sizes with which it keeps the tolerance, found with the help of that solution. Our solver
+//! chooses its sizes itself and estimates its error.
 
 mod python;
 
@@ -20,9 +20,10 @@ use tabulate::solve;
 
 const A_OVER_T: [f64; 6] = [0.01, 1.0, 10.0, 30.0, 100.0, 300.0];
 const TOLERANCES: [f64; 2] = [1e-6, 1e-10];
-/// The two take turns, so that a machine that slows down does so for both.
+/// The number of times that both are measured in turn, so that a machine that slows down does so
+/// for both.
 const ROUNDS: usize = 7;
-/// Seconds for the time of a solve.
+/// The seconds spent on measuring one time of our solver.
 const BUDGET: f64 = 0.01;
 
 fn main() {
@@ -75,10 +76,10 @@ fn main() {
     python.stop();
 }
 
-/// Neither method is asked for less.
+/// The smallest error that either method is asked for.
 const ROUNDING: f64 = 1e-13;
 
-/// What the accuracy of Nystrom's method depends on.
+/// The sizes that set the accuracy of Nystrom's method.
 #[derive(Clone, Copy)]
 struct Sizes {
     /// Nodes in `s`.
@@ -90,8 +91,10 @@ struct Sizes {
 }
 
 impl Sizes {
-    /// Each as small as is `enough`, one after the other. A kernel of width `1/x` asks for nodes,
-    /// and its oscillation for panels, in proportion to `x`.
+    /// Returns sizes that are each as small as `enough` accepts, reduced one after the other.
+    ///
+    /// The search begins with nodes in proportion to `x`, for a kernel of width `1/x`, and with
+    /// panels in proportion to `x`, for its oscillation.
     fn smallest(x: f64, mut enough: impl FnMut(Self) -> bool) -> Self {
         let ample = Self {
             nodes: 40 + (6.0 * x) as usize,
@@ -106,7 +109,8 @@ impl Sizes {
     }
 }
 
-/// The first that is enough of numbers that grow by a tenth; `ample` where none is.
+/// Returns the first that `enough` accepts of numbers that grow by a tenth; `ample` where it
+/// accepts none.
 fn smallest(ample: usize, mut enough: impl FnMut(usize) -> bool) -> usize {
     let numbers = successors(Some(1), |n: &usize| Some(n + n.div_ceil(10)));
     numbers
@@ -115,20 +119,22 @@ fn smallest(ample: usize, mut enough: impl FnMut(usize) -> bool) -> usize {
         .unwrap_or(ample)
 }
 
+/// The output of `nystrom.py` for one contact.
 #[derive(Deserialize)]
-struct Answer {
+struct Reply {
     quantities: Quantities,
+    /// The times of the repetitions.
     seconds: Vec<f64>,
 }
 
-/// What `nystrom.py` says of a contact.
+/// Solves a contact with `nystrom.py`.
 fn ask(
     python: &mut Python,
     x: f64,
     material: &Material,
     sizes: Sizes,
     repetitions: usize,
-) -> Answer {
+) -> Reply {
     python.ask(&json!({
         "a_over_t": x,
         "e1_over_e2": material.e1_over_e2(),

@@ -1,5 +1,5 @@
-//! Time of one direct solve by `a/t` and tolerance, and of a whole curve on all cores, for the
-//! paper's material. Ratios within one run are what counts.
+//! The time of one direct solve by `a/t` and tolerance, and of a whole curve on all cores, for the
+//! paper's material. Compare times within one run only.
 
 use std::hint::black_box;
 

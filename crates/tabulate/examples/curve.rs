@@ -1,4 +1,4 @@
-//! The README's program without a table.
+//! The README's program, with a curve from direct solves in place of a table.
 use interp::{Contact, Elastic, System};
 
 fn main() -> Result<(), tabulate::Error> {
@@ -10,7 +10,7 @@ fn main() -> Result<(), tabulate::Error> {
         film_thickness: 1e-6,
         substrate,
     };
-    let curve = tabulate::solve::curve(&system.material()?, [1e-3, 1e3], 1e-8)?; // a/t from, to; relative tolerance
+    let curve = tabulate::curve(&system.material()?, [1e-3, 1e3], 1e-8)?; // a/t from, to; relative tolerance
     println!(
         "{:.3e} N",
         Contact::new(&system, curve)?.load(65e-6, 0.040)?

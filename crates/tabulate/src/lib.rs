@@ -1,13 +1,29 @@
 //! Solves the adhesive contact of a sphere on a coated substrate and tabulates it.
 //!
+//! [`solve()`] solves one contact, [`curve`] makes the [`interp::Curve`] of one material without a
+//! table, and [`generate`](generate()) goes from a scene, which describes a table, to its file.
+//!
 //! ```text
-//! scene -> plan -> sweep( solve <- galerkin    <- bessel, quadrature, compliance <- material
-//!                               <- wiener_hopf <- krylov, contour, symbol <- compliance ) -> certify -> archive (.h5), end_slope -> train -> pack (.bin)
+//! one contact    material, a/t ----------> solve ---------> quantities, estimated error
+//! one material   material, range of a/t -> curve ---------> interp::Curve
+//! a table        scene -> plan -> sweep -> certify -------> .h5 (archive) -> .bin (compress)
+//!                         nodes   batches  largest error
+//!                                 of solves  at sampled points
 //! ```
 //!
-//! Data flows one way along this line, and each word is a module here or, from the table on, in the
-//! crate `interp`. [`curve`] makes the [`interp::Curve`] of one material without a table,
-//! [`generate`] goes from a scene to the file of its table, and [`plot`] draws.
+//! Data flows from left to right, and never back. The rooms of the crate:
+//!
+//! | room | holds |
+//! |---|---|
+//! | [`solve`](mod@solve) | the solver: the film's compliance, the methods of solution, many contacts at once |
+//! | [`table`] | from a scene to a certified table, and its files |
+//! | [`cost`] | measurements of time and accuracy |
+//! | [`plot`] | the figures |
+//! | [`report`] | the interactive page |
+//! | [`cli`] | the program `tabulate` |
+//!
+//! Lookup in a finished table, curves and contact mechanics are in the crate `interp`, which does
+//! not depend on this one.
 
 #![deny(unsafe_code)]
 
@@ -15,6 +31,7 @@ pub mod cli;
 pub mod cost;
 mod error;
 mod output;
+mod parallel;
 pub mod plot;
 pub mod report;
 pub mod solve;

@@ -5,13 +5,13 @@ use std::path::PathBuf;
 use anyhow::{Context, ensure};
 use clap::{ValueHint, value_parser};
 use interp::{Elastic, Mechanics, System};
-use rayon::prelude::*;
 
 use super::points::number;
 use super::progress::progress_bar;
 use super::table_name::{self, TableName};
 use super::write_text;
 use crate::output;
+use crate::parallel::try_map;
 use crate::solve::solve;
 
 /// Print the force curve of one system as CSV, in SI units
@@ -146,12 +146,9 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         };
         bar.inc(1);
         let jkr = mechanics.jkr_point(a, load);
-        Ok([a, load, penetration, jkr.abscissa, jkr.ordinate])
+        anyhow::Ok([a, load, penetration, jkr.abscissa, jkr.ordinate])
     };
-    let rows = (0..points)
-        .into_par_iter()
-        .map(row)
-        .collect::<anyhow::Result<Vec<_>>>()?;
+    let rows = try_map(0..points, row)?;
     bar.finish_and_clear();
     let mut writer = csv::Writer::from_writer(Vec::new());
     writer.write_record([

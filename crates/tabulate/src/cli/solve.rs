@@ -4,13 +4,13 @@ use std::path::{Path, PathBuf};
 
 use anyhow::Context;
 use interp::Material;
-use rayon::prelude::*;
 
 use super::json::Number;
 use super::points::{self, Answer, Point, number};
 use super::progress::progress_bar;
 use super::write_text;
 use crate::output;
+use crate::parallel::try_map;
 use crate::solve::solve;
 
 /// Solve the contact directly, at one point or at every point of a CSV file
@@ -120,16 +120,13 @@ fn solve_file(arguments: &Arguments, path: &Path) -> anyhow::Result<()> {
         let solution = solve(point.a_over_t, &point.material, arguments.tolerance);
         let solution = solution.with_context(|| points::place(path, point.line))?;
         bar.inc(1);
-        Ok(Answer {
+        anyhow::Ok(Answer {
             values: solution.quantities.to_array().map(Some),
             error: solution.error,
             gradient: None,
         })
     };
-    let results = points
-        .par_iter()
-        .map(solve_point)
-        .collect::<anyhow::Result<Vec<_>>>()?;
+    let results = try_map(&points, solve_point)?;
     bar.finish_and_clear();
     write_text(
         arguments.output.as_deref(),

@@ -3,6 +3,7 @@
 use interp::{Material, Quantities};
 
 use super::clock::median;
+use crate::solve::estimate::larger;
 use crate::solve::{Solution, solve};
 
 /// The solve at the tightest tolerance that is answered.
@@ -20,15 +21,10 @@ pub fn tightest(a_over_t: f64, material: &Material) -> Result<Solution, crate::E
 /// The largest of the four relative deviations, NaN if one is; what is less than half a unit of
 /// rounding counts as that.
 pub fn deviation(a: &Quantities, b: &Quantities) -> f64 {
-    let deviations = a
-        .to_array()
-        .into_iter()
-        .zip(b.to_array())
-        .map(|(a, b)| (a / b - 1.0).abs());
-    deviations.fold(
-        0.5 * f64::EPSILON,
-        |a, b| if a.is_nan() || b <= a { a } else { b },
-    )
+    let pairs = a.to_array().into_iter().zip(b.to_array());
+    pairs
+        .map(|(a, b)| (a / b - 1.0).abs())
+        .fold(0.5 * f64::EPSILON, larger)
 }
 
 /// The median and the largest of at least one error; NaN is the worst of all.

@@ -5,13 +5,13 @@ use std::time::{Duration, Instant};
 use interp::{Material, Normalisation, Quantity};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
-use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use super::clock;
 use super::deviation::median_and_largest;
 use super::table::{Made, grouped, human_bytes};
 use crate::Error;
+use crate::parallel::try_map;
 use crate::solve::solve;
 use crate::table::Observer;
 use crate::table::{Extent, Scene};
@@ -373,16 +373,11 @@ fn errors_over(
         .map(|point| (point, strength()))
         .collect();
     observer.begin("comparing", points, 0);
-    let found = places
-        .into_par_iter()
-        .map(|([a_over_t, e1, nu1, e0], strength)| {
-            let found = errors(effects, a_over_t, &scene.material([e1, nu1, e0])?, strength)?;
-            observer.advance(1);
-            Ok(found)
-        });
-    // In two steps: of several errors, the first one is returned.
-    let found: Vec<Result<Vec<f64>, Error>> = found.collect();
-    let found = found.into_iter().collect::<Result<Vec<_>, _>>()?;
+    let found = try_map(places, |([a_over_t, e1, nu1, e0], strength)| {
+        let found = errors(effects, a_over_t, &scene.material([e1, nu1, e0])?, strength);
+        observer.advance(1);
+        found
+    })?;
     Ok((0..effects.len())
         .map(|i| median_and_largest(found.iter().map(|errors| errors[i]).collect()))
         .collect())

@@ -53,7 +53,7 @@ impl Nystrom {
         let size = self.weights.len();
         let es = material.sphere_film_modulus();
         let compliance = Compliance::new(material);
-        let panels = Panels::new(x, compliance.smallest_scale(), tolerance);
+        let panels = Panels::new(x, [&compliance], tolerance);
         let cosines = self.cosines(x, &panels);
         let symbol = symbol(x / material.film_modulus(), &compliance, &panels);
         let scaled = Mat::from_fn(symbol.len(), size, |q, j| {

@@ -13,7 +13,7 @@ use crate::solve;
 use crate::table::Plan;
 use crate::table::Scene;
 use crate::table::low_rank;
-use crate::table::{Observer, Options, generate};
+use crate::table::{Budget, Observer, Options, generate};
 use crate::table::{default_points, points_for};
 
 /// The tolerances of the rows, as far as the budget allows them.
@@ -185,7 +185,8 @@ fn row_before(
     seconds_per_point: f64,
     observer: &dyn Observer,
 ) -> Result<Row, Error> {
-    let plan = Plan::until(scene, Some(deadline))?;
+    let left = deadline.saturating_duration_since(Instant::now());
+    let plan = Plan::within(scene, Some(Budget::of(left)))?;
     let takes = seconds_per_point * points(scene, plan.points() as u64);
     let left = deadline.saturating_duration_since(Instant::now());
     if takes > left.as_secs_f64() {
@@ -216,7 +217,6 @@ fn row(scene: &Scene, budget: Duration, observer: &dyn Observer) -> Result<Row, 
     let packed = low_rank(
         &table,
         scene.tolerance,
-        None,
         points_for(&table),
         certificate.seed + 1,
         observer,
@@ -290,7 +290,7 @@ impl Made {
             certificate_points: default_points(scene.axes()),
             seed: 1,
             resume: false,
-            budget,
+            budget: budget.map(Budget::of),
         };
         let began = Instant::now();
         let generated =

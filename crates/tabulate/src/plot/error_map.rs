@@ -4,12 +4,13 @@
 use interp::{Parameter, Table};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
-use rayon::prelude::*;
 
 use super::axis::Axis;
 use super::chart::{BLACK, Colour, Figure, Panel, Side};
 use super::picture::legible;
 use crate::Error;
+use crate::parallel::try_map;
+use crate::solve::estimate::larger;
 use crate::table::{SampledAxis, sample};
 
 /// The numbers of cells along `a/t` and `E1/E2*`.
@@ -72,27 +73,13 @@ pub fn data(table: &Table, progress: &(dyn Fn(usize) + Sync)) -> Result<Data, Er
                 axes[2].anywhere(&mut random),
                 axes[3].anywhere(&mut random),
             ];
-            let error = sample(table, point)?.error;
-            // NaN counts as the largest error.
-            worst = if error > worst || error.is_nan() {
-                error
-            } else {
-                worst
-            };
+            worst = larger(worst, sample(table, point)?.error);
         }
         progress(1);
         Ok(worst)
     };
-    let row = |row: usize| {
-        (0..CELLS[0])
-            .into_par_iter()
-            .map(|column| largest([column, row]))
-            .collect::<Vec<Result<f64, Error>>>()
-    };
-    // In two steps, so that the first of several errors is returned.
-    let errors = (0..CELLS[1])
-        .map(|i| row(i).into_iter().collect())
-        .collect::<Result<_, Error>>()?;
+    let row = |row: usize| try_map(0..CELLS[0], |column| largest([column, row]));
+    let errors = (0..CELLS[1]).map(row).collect::<Result<_, Error>>()?;
     let description = table.description();
     Ok(Data {
         title: description.title.clone(),

@@ -1,52 +1,52 @@
-//! Many materials at one `a/t`, with all that they share.
+//! Many materials at one `a/t`, with the values and matrices that they share.
 //!
 //! The Bessel values of one `a/t` serve every material, and the matrices of one (`a/t`, `nu1`,
 //! `E0/E1`) serve every sphere. Where `E1/E2*` and `E0/E2*` are even grids with a common spacing,
-//! the ratios `E0/E1` repeat along diagonals, and a grid of `n x n` materials has `2n - 1` pairs of
-//! matrices only.
+//! the ratios `E0/E1` repeat along diagonals, and a grid of `n x n` materials has only `2n - 1`
+//! pairs of matrices.
 
 use interp::{Material, Quantities};
-use rayon::prelude::*;
 
 use crate::Error;
+use crate::parallel::try_map;
 use crate::solve::compliance::Compliance;
 use crate::solve::galerkin::{self, Abscissae, Block, Operator};
+use crate::solve::method::prefers_axis;
 use crate::solve::quadrature::Panels;
-use crate::solve::solve::prefers_axis;
 use crate::solve::symbol::Symbol;
 
 /// Materials, grouped by film and substrate.
 pub(crate) struct Batch {
     materials: Vec<Material>,
-    layers: Vec<Layer>,
+    groups: Vec<Group>,
 }
 
 /// One film on one substrate, with the indices of the materials that differ by the sphere only.
-struct Layer {
+struct Group {
     compliance: Compliance,
     members: Vec<usize>,
 }
 
 impl Batch {
-    /// Groups materials by `nu1` and `E1/E0`. Ratios that differ by rounding count as equal.
+    /// Groups `materials` by `nu1` and `E1/E0`. Ratios that differ by rounding count as equal.
     pub(crate) fn new(materials: Vec<Material>) -> Self {
         const ROUNDING: f64 = 1e-14;
         let key = |&i: &usize| (materials[i].nu1(), materials[i].film_over_substrate());
         let mut order: Vec<usize> = (0..materials.len()).collect();
         order.sort_by(|a, b| key(a).partial_cmp(&key(b)).expect("materials hold no NaN"));
-        let same = |a: &usize, b: &usize| {
+        let belong_together = |a: &usize, b: &usize| {
             let ((nu_a, ratio_a), (nu_b, ratio_b)) = (key(a), key(b));
             nu_a == nu_b && (ratio_a - ratio_b).abs() <= ROUNDING * ratio_a
         };
-        let group = |members: &[usize]| Layer {
+        let group = |members: &[usize]| Group {
             compliance: Compliance::new(&materials[members[0]]),
             members: members.to_vec(),
         };
-        let layers = order.chunk_by(same).map(group).collect();
-        Self { materials, layers }
+        let groups = order.chunk_by(belong_together).map(group).collect();
+        Self { materials, groups }
     }
 
-    /// The materials, in the order in which they were given.
+    /// Returns the materials, in the order in which they were given.
     pub(crate) fn materials(&self) -> &[Material] {
         &self.materials
     }
@@ -54,30 +54,29 @@ impl Batch {
     /// Solves every material at `x = a/t`, on all cores, and returns the quantities in the order of
     /// the materials.
     ///
-    /// Shared matrices are used where they reach `tolerance`; every other material is left to
-    /// `alone`. `progress` is called with the number of materials finished since the last call,
+    /// Shared matrices are used where they reach `tolerance`; every other material is solved with
+    /// `solve_one`. `progress` is called with the number of materials finished since the last call,
     /// from any thread. The result does not depend on the number of threads.
     ///
     /// # Errors
-    /// The first of those of `alone`, in the order of the groups.
+    /// The first of those of `solve_one`, in the order of the groups.
     pub(crate) fn solve(
         &self,
         x: f64,
         tolerance: f64,
-        alone: &(dyn Fn(&Material) -> Result<Quantities, Error> + Sync),
+        solve_one: &(dyn Fn(&Material) -> Result<Quantities, Error> + Sync),
         progress: &(dyn Fn(usize) + Sync),
     ) -> Result<Vec<Quantities>, Error> {
-        let shared = Shared::new(x, &self.layers, tolerance);
-        let solved = self.layers.par_iter().map(|layer| {
-            let solved = shared.solve(layer, &self.materials, alone)?;
+        let shared = Shared::new(x, &self.groups, tolerance);
+        let solve_group = |group: &Group| -> Result<_, Error> {
+            let solved = shared.solve(group, &self.materials, solve_one)?;
             progress(solved.len());
             Ok(solved)
-        });
-        // In two steps: of several errors, the first one is returned.
-        let solved: Vec<Result<Vec<Quantities>, Error>> = solved.collect();
+        };
+        let solved = try_map(&self.groups, solve_group)?;
         let mut quantities = vec![Quantities::from_array([f64::NAN; 4]); self.materials.len()];
-        for (layer, solved) in self.layers.iter().zip(solved) {
-            for (&member, solved) in layer.members.iter().zip(solved?) {
+        for (group, solved) in self.groups.iter().zip(solved) {
+            for (&member, solved) in group.members.iter().zip(solved) {
                 quantities[member] = solved;
             }
         }
@@ -85,25 +84,24 @@ impl Batch {
     }
 }
 
-/// What all materials share at one `a/t`.
+/// The values that all materials share at one `a/t`.
 struct Shared {
     x: f64,
     tolerance: f64,
-    /// The Bessel values of Galerkin's method, as far as that is used.
+    /// The abscissae and Bessel values of Galerkin's method; none where `a/t` is beyond its reach.
     galerkin: Option<(Abscissae, Vec<Block>)>,
 }
 
 impl Shared {
-    /// Up to this `a/t`, matrices that are shared cost less than a contour of one's own.
+    /// The `a/t` up to which shared matrices cost less than the Wiener-Hopf method for each
+    /// material.
     const REACH: f64 = 60.0;
 
-    fn new(x: f64, layers: &[Layer], tolerance: f64) -> Self {
+    /// Evaluates the Bessel functions at `x = a/t`, on panels that serve every group.
+    fn new(x: f64, groups: &[Group], tolerance: f64) -> Self {
         let galerkin = (x <= Self::REACH).then(|| {
-            let smallest_scale = layers
-                .iter()
-                .map(|layer| layer.compliance.smallest_scale())
-                .fold(1.0, f64::min);
-            let panels = Panels::new(x, smallest_scale, tolerance);
+            let compliances = groups.iter().map(|group| &group.compliance);
+            let panels = Panels::new(x, compliances, tolerance);
             let abscissae = Abscissae::new(x, galerkin::modes(x, tolerance), panels);
             let blocks = abscissae.blocks().collect();
             (abscissae, blocks)
@@ -115,22 +113,22 @@ impl Shared {
         }
     }
 
-    /// The quantities of every member of a layer.
+    /// Returns the quantities of every member of a group.
     fn solve(
         &self,
-        layer: &Layer,
+        group: &Group,
         materials: &[Material],
-        alone: &(dyn Fn(&Material) -> Result<Quantities, Error> + Sync),
+        solve_one: &(dyn Fn(&Material) -> Result<Quantities, Error> + Sync),
     ) -> Result<Vec<Quantities>, Error> {
-        let members = layer.members.iter().map(|&member| &materials[member]);
+        let members = group.members.iter().map(|&member| &materials[member]);
         let mut operator = None;
         let solve_member = |material: &Material| {
             if let Some((abscissae, blocks)) = &self.galerkin
-                && !layer.compliance.is_homogeneous()
+                && !group.compliance.is_constant()
                 && !prefers_axis(self.x, &Symbol::new(material), self.tolerance)
             {
                 let operator = operator.get_or_insert_with(|| {
-                    Operator::assemble(&layer.compliance, abscissae, blocks)
+                    Operator::assemble(&group.compliance, abscissae, blocks)
                 });
                 if let Some(solved) = operator
                     .solve(material)
@@ -140,7 +138,7 @@ impl Shared {
                 }
             }
             // Thin films, and the rare material that needs more modes or panels of its own.
-            alone(material)
+            solve_one(material)
         };
         members.map(solve_member).collect()
     }

@@ -9,13 +9,13 @@
 //! ```
 //!
 //! which is run upwards where all orders are below `z` and downwards (Miller) elsewhere, then
-//! scaled by the expansion of `cos(z rho)` at `rho = 0`: `sum_n (4n+1) |P_2n(0)| j_2n(z) = 1`,
-//! which takes no sines and cosines.
+//! scaled by the expansion of `cos(z rho)` at `rho = 0`, `sum_n (4n+1) |P_2n(0)| j_2n(z) = 1`. No
+//! sines and cosines are needed.
 
 use std::sync::LazyLock;
 
-/// Arguments handled at once; the recurrences of a group are independent and fill the processor's
-/// vectors.
+/// The number of arguments handled at once. The recurrences of a group are independent and fill the
+/// processor's vector registers.
 pub const LANES: usize = 8;
 
 type Group = [f64; LANES];
@@ -29,7 +29,7 @@ pub struct EvenBessel {
 }
 
 impl EvenBessel {
-    /// For `modes >= 1` orders.
+    /// Prepares `modes >= 1` orders.
     pub fn new(modes: usize) -> Self {
         let scale = |n| {
             let root = ((4 * n + 1) as f64).sqrt();
@@ -44,7 +44,7 @@ impl EvenBessel {
     /// Fills `column(n)[at..at + LANES]` with `J_n(z)`; `values` holds `modes` columns of `stride`
     /// values each.
     ///
-    /// `z` must be positive and ascending, and span no more than 64, which two neighbouring panels
+    /// `z` must be positive and ascending, and span at most 64; groups from two neighbouring panels
     /// hardly do. The absolute error is a few rounding units of `max_n |J_n(z)|`.
     pub fn fill(&self, z: &Group, values: &mut [f64], stride: usize, at: usize) {
         debug_assert!(z[0] > 0.0 && z[LANES - 1] <= z[0] + 64.0, "{z:?}");
@@ -81,8 +81,8 @@ impl EvenBessel {
         let top = start(z[LANES - 1]);
         let mut orders = vec![[0.0; LANES]; self.modes.max(top) + 1];
         let mut sums = [0.0; LANES];
-        // Nothing overflows from here: with the span of a group, lanes above 2 grow by less than
-        // 1e170 and lanes below by less than 1e200.
+        // Nothing overflows from here: within the span of a group, lanes with `z > 2` grow by less
+        // than 1e170, the others by less than 1e200.
         orders[top - 1] = [1e-100; LANES];
         for n in (1..top).rev() {
             let Step {
@@ -104,23 +104,23 @@ impl EvenBessel {
     }
 }
 
-/// The coefficients of the recurrence at `v = 2n`.
+/// The coefficients of the recurrences at `v = 2n`.
 #[derive(Clone, Copy, Debug)]
 struct Step {
     /// `(2v+1)(2v+3)`.
     alpha: f64,
     /// `(2v+3)/(2v-1)`.
     gamma: f64,
-    /// `alpha/gamma`, `(1 + gamma)/gamma` and `1/gamma`, for the way down.
+    /// `alpha/gamma`, `(1 + gamma)/gamma` and `1/gamma`, for the downward recurrence.
     down: [f64; 3],
     /// `(4n+1) |P_2n(0)|`.
     at_zero: f64,
 }
 
-/// More steps than any solve takes.
+/// A number of steps that no solve needs.
 const STEPS: usize = 2048;
 
-/// The coefficients of all steps, made once.
+/// Returns the coefficients of all steps, computed once.
 fn steps() -> &'static [Step] {
     static TABLE: LazyLock<Vec<Step>> = LazyLock::new(|| {
         let mut legendre = 1.0;
@@ -146,7 +146,7 @@ fn steps() -> &'static [Step] {
     &TABLE
 }
 
-/// The number of orders that the downward recurrence needs for arguments up to `z`.
+/// Returns the number of orders that the downward recurrence needs for arguments up to `z`.
 ///
 /// Beyond the turning point `v = z`, `j_v` falls like `exp(-2/3 xi^{3/2})` with
 /// `xi = (v - z)/(z/2)^{1/3}`: orders with `xi > 15` are below 1e-17.
@@ -160,6 +160,7 @@ fn start(z: f64) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::solve::estimate::larger;
 
     fn fill(modes: usize, z: Group) -> Vec<f64> {
         let mut values = vec![f64::NAN; modes * LANES];
@@ -184,7 +185,7 @@ mod tests {
                                 * ((4 * n + 1) as f64).sqrt()
                         })
                         .sum();
-                    worst = worst.max((cosine - (z[l] * rho).cos()).abs());
+                    worst = larger(worst, (cosine - (z[l] * rho).cos()).abs());
                 }
             }
         }
@@ -225,7 +226,8 @@ mod tests {
                         .into_iter()
                         .enumerate()
                     {
-                        worst = worst.max((values[n * LANES + l] - expected).abs() / amplitude);
+                        let error = (values[n * LANES + l] - expected).abs() / amplitude;
+                        worst = larger(worst, error);
                     }
                 }
             }

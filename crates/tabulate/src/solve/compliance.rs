@@ -1,4 +1,4 @@
-//! The surface compliance of a coated half-space in Hankel space.
+//! The film on its substrate: the surface compliance of a coated half-space in Hankel space.
 //!
 //! Under a normal pressure `p`, the surface displacement is `u(k) = 2 X(kt) / (E1* k) p(k)`, with
 //! `X(0) = E1*/E0*` and `X(inf) = 1`. With `m = G1/G0` (shear moduli), `g = 3 - 4 nu` and `q = kt`,
@@ -14,9 +14,9 @@
 //! c4 = (1+g1) (m (g0-1) + 2)
 //! ```
 //!
-//! which is used up to `q = 1` with both brackets summed as power series, so that nothing cancels
-//! where `X` is small: a nearly incompressible film on a rigid substrate has `X ~ 2/3 q^3`. Beyond,
-//! with `a = (m g0 - g1)/(1 + m g0)` and `b = (m-1)/(m+g1)`,
+//! This form is used up to `q = 1`. Both brackets are summed as power series, so that nothing
+//! cancels where `X` is small: a nearly incompressible film on a rigid substrate has `X ~ 2/3 q^3`.
+//! Beyond `q = 1`, with `a = (m g0 - g1)/(1 + m g0)` and `b = (m-1)/(m+g1)`,
 //!
 //! ```text
 //! X - 1 = [(a + b + 4 b q (1+q)) e^{-2q} - 2 a b e^{-4q}] / [1 - (a + b + 4 b q^2) e^{-2q} + a b e^{-4q}]
@@ -25,22 +25,32 @@
 //! Both forms continue `X` into the right half of the complex plane, where `wiener_hopf.rs` uses
 //! it. `N` and `D` are neither even nor odd: on the real line `X` is a function of `|q|`, and its
 //! continuations from the right and from the left differ on the imaginary axis.
+//!
+//! The contact's symbol adds the sphere: `S = sphere + film X` with two constants `sphere >= 0` and
+//! `film > 0`. Where its zeros lie follows from `N` and `D` and is therefore found here.
 
 use std::ops::{Add, Mul};
 
 use interp::Material;
 use num_complex::ComplexFloat;
 
-/// Real and complex wave numbers.
-pub(crate) trait WaveNumber:
+/// A real or complex wave number: `f64` or [`Complex64`](num_complex::Complex64).
+pub trait WaveNumber:
     ComplexFloat<Real = f64> + Add<f64, Output = Self> + Mul<f64, Output = Self>
 {
 }
 
 impl<T: ComplexFloat<Real = f64> + Add<f64, Output = T> + Mul<f64, Output = T>> WaveNumber for T {}
 
-/// Where the series form hands over to the exponential one. Both keep 14 digits of `X` on either
-/// side.
+/// The sine of 52 degrees. No zero and no pole of `S` was found within 53 degrees of the real axis,
+/// for any film, substrate and sphere; a test looks for them.
+pub const SINE_OF_FREE_ANGLE: f64 = 0.788;
+
+/// The wave number beyond which `X` differs from 1 by less than rounding, for every film.
+pub const FLAT: f64 = 24.0;
+
+/// The largest `|q|` of the series form; the exponential form is used beyond. Both give 14 digits
+/// of `X` on either side.
 const SWITCH: f64 = 1.0;
 
 /// The function `X(q)` of one film on one substrate; the sphere is not part of it.
@@ -51,7 +61,7 @@ pub struct Compliance {
     b: f64,
 }
 
-/// What the solve needs of `X` at one abscissa.
+/// `X - 1` and its slope at one wave number.
 #[derive(Clone, Copy, Debug)]
 pub struct Sample {
     /// `X(q) - 1`.
@@ -61,7 +71,7 @@ pub struct Sample {
 }
 
 impl Compliance {
-    /// The compliance of the material's film on its substrate.
+    /// Returns the compliance of the film of `material` on its substrate.
     pub fn new(material: &Material) -> Self {
         let (nu1, nu0) = (material.nu1(), material.nu0());
         let (g1, g0) = (3.0 - 4.0 * nu1, 3.0 - 4.0 * nu0);
@@ -80,27 +90,36 @@ impl Compliance {
         }
     }
 
-    /// Film and substrate are one and the same material, in the sense of Dundurs: `X = 1`
+    /// Returns whether film and substrate are one material in the sense of Dundurs: then `X = 1`
     /// everywhere.
-    pub fn is_homogeneous(&self) -> bool {
+    pub(crate) fn is_constant(&self) -> bool {
         self.a == 0.0 && self.b == 0.0
     }
 
-    /// The smallest wave number, in units of `1/t`, on which `X` varies.
+    /// Returns the smallest wave number, in units of `1/t`, on which `X` varies; at most 1.
     ///
     /// A film much stiffer than its substrate has poles of `X` as low as `q ~ G0/G1` (shear lag)
-    /// and `(G0/G1)^{1/3}` (bending); for all others the nearest pole is at `|q| > 1`.
-    pub fn smallest_scale(&self) -> f64 {
+    /// and `(G0/G1)^{1/3}` (bending). For all other films the nearest pole is at `|q| > 1`.
+    pub(crate) fn smallest_scale(&self) -> f64 {
         (0.5 * self.c[3] / self.c[0]).min(1.0)
     }
 
-    /// `X(q)` for finite `q >= 0`, to 14 digits.
-    pub fn x(&self, q: f64) -> f64 {
-        self.continued(q)
+    /// Returns a wave number beyond which `weight(q)` times `|X - 1|`, and `weight(q)` times
+    /// `|q X'|`, are at most `tolerance`, for every film on every substrate. `weight` must not grow
+    /// with `q`.
+    ///
+    /// `q X'` is the larger of the two. It is at most `28 q^3 e^{-2q}` for `q >= 4`, as `|b| <= 1`
+    /// and `|a| <= 7`.
+    pub(crate) fn cut_off(tolerance: f64, weight: impl Fn(f64) -> f64) -> f64 {
+        let mut q: f64 = 4.0;
+        while 28.0 * q.powi(3) * (-2.0 * q).exp() * weight(q) > tolerance {
+            q += 0.25;
+        }
+        q
     }
 
-    /// `X(q)` where `Re q >= 0`.
-    pub(crate) fn continued<T: WaveNumber>(&self, q: T) -> T {
+    /// Returns `X(q)` to 14 digits, for a finite `q >= 0` or a complex `q` with `Re q >= 0`.
+    pub fn x<T: WaveNumber>(&self, q: T) -> T {
         if q.abs() <= SWITCH {
             let [n, d] = self.fraction(q);
             n / d
@@ -113,18 +132,8 @@ impl Compliance {
         }
     }
 
-    /// The coefficients of `1`, `q`, `q^2` and `q^3` in the power series of `N` and of `D`. All
-    /// that follow are positive.
-    pub(crate) fn leading(&self) -> [[f64; 4]; 2] {
-        let [c0, c1, c2, c3, c4] = self.c;
-        [
-            [0.5 * c0, c2, c0, 2.0 / 3.0 * c1],
-            [0.5 * c3, c0, c4, 2.0 / 3.0 * c0],
-        ]
-    }
-
-    /// `X(q) - 1` and `q X'(q)` for finite `q >= 0`, with an absolute error of a few rounding units
-    /// of `max(X, 1)`.
+    /// Returns `X(q) - 1` and `q X'(q)` for a finite `q >= 0`, with an absolute error of a few
+    /// rounding units of `max(X, 1)`.
     pub fn sample(&self, q: f64) -> Sample {
         if q <= SWITCH {
             let [n, d] = self.fraction(q);
@@ -153,8 +162,83 @@ impl Compliance {
         }
     }
 
-    /// `N` and `D` for `|q| <= 1`.
-    pub(crate) fn fraction<T: WaveNumber>(&self, q: T) -> [T; 2] {
+    /// Returns a wave number, at most 1, below which `S = sphere + film X` hardly varies: there its
+    /// numerator `sphere D + film N` and its denominator `D` keep close to their values at 0. Needs
+    /// `S(0) > 0`.
+    pub(crate) fn smallest_scale_of_sum(&self, sphere: f64, film: f64) -> f64 {
+        let scale = |[value, rest @ ..]: [f64; 4]| {
+            let reach = |(power, coefficient): (usize, f64)| {
+                (value / coefficient.abs()).powf(1.0 / (power + 1) as f64)
+            };
+            rest.into_iter().enumerate().map(reach).fold(1.0, f64::min)
+        };
+        scale(self.leading_of_sum(sphere, film)).min(scale(self.leading()[1]))
+    }
+
+    /// Returns a radius, at most 1, such that `S = sphere + film X` has no zero but 0 in the
+    /// quarter disc within it; 0 if the radius would be tiny.
+    pub(crate) fn zero_free_radius(&self, sphere: f64, film: f64) -> f64 {
+        /// Smaller radii are of no use.
+        const LEAST: f64 = 1e-9;
+        /// The radius is found to 1 %.
+        const RATIO: f64 = 1.01;
+        let is_free = |radius| self.is_zero_free(sphere, film, radius);
+        if is_free(1.0) {
+            return 1.0;
+        }
+        let (mut free, mut beyond): (f64, f64) = (LEAST, 1.0);
+        if !is_free(free) {
+            return 0.0;
+        }
+        while beyond > RATIO * free {
+            let middle = (free * beyond).sqrt();
+            if is_free(middle) {
+                free = middle;
+            } else {
+                beyond = middle;
+            }
+        }
+        free
+    }
+
+    /// Returns whether it is certain that `S = sphere + film X` has no zero with
+    /// `0 < |q| <= radius <= 1` in the quarter plane.
+    ///
+    /// The numerator of `S` is `c + d q` and higher powers with positive coefficients. The sum of
+    /// the higher powers is at most its value on the real axis. `|c + d q|` is at least its value
+    /// on the imaginary axis, or if `d < 0` on the real one. As the higher powers fall faster
+    /// towards 0, a comparison at `radius` holds for all `q` within.
+    fn is_zero_free(&self, sphere: f64, film: f64, radius: f64) -> bool {
+        let [n, d] = self.fraction(radius);
+        let [value, slope, ..] = self.leading_of_sum(sphere, film);
+        let rest = sphere * d + film * n - value - slope * radius;
+        let linear = if slope >= 0.0 {
+            value.hypot(slope * radius)
+        } else {
+            value + slope * radius
+        };
+        linear > rest
+    }
+
+    /// Returns the coefficients of `1`, `q`, `q^2` and `q^3` in the power series of `N` and of `D`.
+    /// All that follow are positive.
+    fn leading(&self) -> [[f64; 4]; 2] {
+        let [c0, c1, c2, c3, c4] = self.c;
+        [
+            [0.5 * c0, c2, c0, 2.0 / 3.0 * c1],
+            [0.5 * c3, c0, c4, 2.0 / 3.0 * c0],
+        ]
+    }
+
+    /// Returns the coefficients of `1`, `q`, `q^2` and `q^3` in the power series of
+    /// `sphere D + film N`, the numerator of `S`.
+    fn leading_of_sum(&self, sphere: f64, film: f64) -> [f64; 4] {
+        let [n, d] = self.leading();
+        std::array::from_fn(|i| sphere * d[i] + film * n[i])
+    }
+
+    /// Returns `N` and `D` for `|q| <= 1`.
+    fn fraction<T: WaveNumber>(&self, q: T) -> [T; 2] {
         let [c0, c1, c2, c3, c4] = self.c;
         let [sinh_rest, cosh_rest] = hyperbolic_rests(q * 2.0);
         let square = q * q;
@@ -166,7 +250,7 @@ impl Compliance {
         ]
     }
 
-    /// `N'` and `D'` for `q <= 1`.
+    /// Returns `N'` and `D'` for `0 <= q <= 1`.
     fn slopes(&self, q: f64) -> [f64; 2] {
         let [c0, c1, c2, _, c4] = self.c;
         let [sinh_rest, cosh_rest] = hyperbolic_rests(2.0 * q);
@@ -178,7 +262,8 @@ impl Compliance {
     }
 }
 
-/// `sinh s - s` and `cosh s - 1 - s^2/2` for `|s| <= 2`, to rounding, by their power series.
+/// Returns `sinh s - s` and `cosh s - 1 - s^2/2` for `|s| <= 2`, to rounding, by their power
+/// series.
 fn hyperbolic_rests<T: WaveNumber>(s: T) -> [T; 2] {
     /// The first neglected term at `s = 2` is below 1e-18 of the sum.
     const TERMS: u32 = 11;
@@ -193,4 +278,145 @@ fn hyperbolic_rests<T: WaveNumber>(s: T) -> [T; 2] {
         s * square * sinh * (1.0 / 6.0),
         square * square * cosh * (1.0 / 24.0),
     ]
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::{FRAC_PI_2, PI};
+
+    use num_complex::Complex64;
+    use rand::{RngExt, SeedableRng};
+    use rand_pcg::Pcg64Mcg;
+
+    use super::*;
+    use crate::solve::domain::{E0_OVER_E2, E1_OVER_E2};
+    use crate::solve::estimate::larger;
+
+    /// Returns how often a function winds around 0 along the boundary of the sector
+    /// `arg q <= angle`, `inner <= |q| <= outer`.
+    fn winding(
+        function: impl Fn(Complex64) -> Complex64,
+        angle: f64,
+        inner: f64,
+        outer: f64,
+    ) -> f64 {
+        const STEPS: usize = 4000;
+        let ray = |angle: f64| {
+            move |t: f64| Complex64::from_polar(inner * (outer / inner).powf(t), angle)
+        };
+        let arc = |radius: f64| move |t: f64| Complex64::from_polar(radius, angle * t);
+        let turned = |from: Complex64, to: Complex64| (function(to) / function(from)).arg();
+        let along = |path: &dyn Fn(f64) -> Complex64| -> f64 {
+            (0..STEPS)
+                .map(|i| {
+                    turned(
+                        path(i as f64 / STEPS as f64),
+                        path((i + 1) as f64 / STEPS as f64),
+                    )
+                })
+                .sum()
+        };
+        (along(&ray(0.0)) + along(&arc(outer)) - along(&ray(angle)) - along(&arc(inner)))
+            / (2.0 * PI)
+    }
+
+    /// `S = sphere + film X`.
+    #[derive(Debug)]
+    struct Sum {
+        compliance: Compliance,
+        sphere: f64,
+        film: f64,
+    }
+
+    impl Sum {
+        /// Returns the sum for any material of the solver's domain, the ends of the domain
+        /// included.
+        fn random(random: &mut Pcg64Mcg) -> Self {
+            let mut log_uniform =
+                |[from, to]: [f64; 2], special: f64| match random.random_range(0..10) {
+                    0 => special,
+                    1 => from,
+                    2 => to,
+                    _ => random.random_range(from.ln()..to.ln()).exp(),
+                };
+            let (e1, e0) = (
+                log_uniform(E1_OVER_E2, 0.0),
+                log_uniform(E0_OVER_E2, f64::INFINITY),
+            );
+            let mut nu = || {
+                if random.random_bool(0.3) {
+                    0.5
+                } else {
+                    random.random_range(-0.99..0.5)
+                }
+            };
+            let material = Material::new(e1, nu(), e0, nu()).expect("physical");
+            Self {
+                compliance: Compliance::new(&material),
+                sphere: material.sphere_compliance(),
+                film: 1.0 / material.film_modulus(),
+            }
+        }
+    }
+
+    /// The ray of the Wiener-Hopf method and the panels of the quadrature rely on this.
+    #[test]
+    fn zeros_and_poles_lie_above_53_degrees() {
+        let mut random = Pcg64Mcg::seed_from_u64(1);
+        for _ in 0..1000 {
+            let sum = Sum::random(&mut random);
+            let Sum {
+                compliance,
+                sphere,
+                film,
+            } = sum;
+            let scale = compliance.smallest_scale_of_sum(sphere, film);
+            let symbol = |q: Complex64| compliance.x(q) * film + sphere;
+            let turns = winding(symbol, 53.0 * PI / 180.0, 1e-3 * scale.max(1e-20), 12.0);
+            assert!(turns.abs() < 1e-6, "{turns} turns: {sum:?}");
+        }
+    }
+
+    /// The imaginary axis relies on this: where no zero is promised, there is none.
+    #[test]
+    fn a_zero_free_disc_has_no_zeros() {
+        let mut random = Pcg64Mcg::seed_from_u64(2);
+        let mut free = 0;
+        for _ in 0..1000 {
+            let sum = Sum::random(&mut random);
+            let radius = sum.compliance.zero_free_radius(sum.sphere, sum.film);
+            if radius > 1e-6 {
+                free += 1;
+                let numerator = |q: Complex64| {
+                    let [n, d] = sum.compliance.fraction(q);
+                    n * sum.film + d * sum.sphere
+                };
+                let turns = winding(numerator, FRAC_PI_2, 1e-3 * radius, radius);
+                assert!(turns.abs() < 1e-6, "{turns} turns within {radius}: {sum:?}");
+            }
+        }
+        println!("{free} symbols of 1000 have discs without a zero");
+        // Measured: 904.
+        assert!(free > 500);
+    }
+
+    /// `X` is as close to 1 as the cut-off promises, for all films. Measured: at most 0.9 of it.
+    #[test]
+    fn the_cut_off_bounds_the_rest() {
+        let mut random = Pcg64Mcg::seed_from_u64(3);
+        let mut worst: f64 = 0.0;
+        for _ in 0..1000 {
+            let compliance = Sum::random(&mut random).compliance;
+            for tolerance in [1e-3, 1e-6, 1e-12] {
+                let from = Compliance::cut_off(tolerance, |_| 1.0);
+                for q in (0..40).map(|i| from + 0.1 * f64::from(i)) {
+                    let Sample { excess, slope } = compliance.sample(q);
+                    worst = larger(worst, excess.abs() / tolerance);
+                    worst = larger(worst, slope.abs() / tolerance);
+                }
+            }
+        }
+        println!("at most {worst:.2} of the tolerance is left beyond the cut-off");
+        assert!(worst <= 1.0);
+    }
 }

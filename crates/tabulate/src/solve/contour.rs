@@ -1,9 +1,9 @@
-//! Quadrature for the Wiener-Hopf method: nodes, weights and matrices that hold nothing of the
-//! material and nothing of `a/t`.
+//! Quadrature for the Wiener-Hopf method: nodes, weights and matrices that depend neither on the
+//! material nor on `a/t`.
 //!
-//! In the variable `zeta = q a/t` all that the method integrates is the same for every contact but
-//! for the values of the symbol `S` ([`wiener_hopf`](crate::wiener_hopf)), so that one solve is a
-//! few products with the matrices kept here.
+//! In the variable `zeta = q a/t` the integrals of [`wiener_hopf`](crate::solve::wiener_hopf)
+//! differ between contacts only by the values of the symbol `S`. One solve is therefore a few
+//! products with the matrices stored here.
 //!
 //! Integrals run from 0 to infinity along a line through the origin. With `|zeta| = e^l` and the
 //! map
@@ -13,15 +13,18 @@
 //! ```
 //!
 //! the trapezoidal rule in `u` converges exponentially. Above the knee its nodes are equally spaced
-//! in `ln |zeta|`. Below, where the integrands are smooth but for logarithms and powers of `zeta`
-//! and count in proportion to `|zeta|`, the nodes thin out. `digits` is the natural logarithm of
-//! the accuracy aimed at: it sets the step, `2 pi strip / digits`, where `strip` is the angle
-//! between the line and the nearest singularity, and both ends.
+//! in `ln |zeta|`. Below, the integrands are smooth but for logarithms and powers of `zeta` and
+//! count in proportion to `|zeta|`: there the nodes thin out. For an error of `e^{-digits}` the
+//! step is `2 pi strip / digits`, where `strip` is the angle between the line and the nearest
+//! singularity. `digits` sets both ends of the line as well.
 
 use std::f64::consts::PI;
 use std::sync::OnceLock;
 
 use num_complex::Complex64;
+
+use crate::solve::compliance::FLAT;
+use crate::solve::domain::A_OVER_T;
 
 /// The lines that the edges' coupling is integrated along.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -29,21 +32,21 @@ pub enum Path {
     /// The imaginary axis, where all unknowns are real. It leaves out the zeros of `S` off the
     /// axis.
     Axis,
-    /// A ray and its mirror image below all zeros and poles of `S`, which leaves out nothing.
+    /// A ray and its mirror image below all zeros and poles of `S`. It leaves out nothing.
     Ray,
 }
 
-/// How a line is cut into nodes.
+/// The rule that divides a line into nodes.
 struct Rule {
     /// The angle to the nearest singularity, which sets the step.
     strip: f64,
-    /// How fast nodes thin out below the knee.
+    /// The constant `c` of the map, by which nodes thin out below the knee.
     thinning: f64,
 }
 
 impl Path {
-    /// The direction of its right half: exactly `i` for the axis, as one of 6e-17 beside it would
-    /// let in what must cancel.
+    /// Returns the direction of the right half. It is exactly `i` for the axis, as parts that must
+    /// cancel would remain in a direction that is off by 6e-17.
     fn direction(self) -> Complex64 {
         match self {
             Self::Axis => Complex64::I,
@@ -51,7 +54,8 @@ impl Path {
         }
     }
 
-    /// The parts of a node's strength `y`. On the imaginary axis its real part has no influence.
+    /// Returns the units of the parts of a node's strength `y`. On the imaginary axis its real part
+    /// has no influence.
     fn units(self) -> &'static [Complex64] {
         match self {
             Self::Axis => &[Complex64::I],
@@ -59,9 +63,11 @@ impl Path {
         }
     }
 
+    /// Returns the rule for the nodes.
+    ///
     /// Beyond the strip, `e^{2 i zeta}` grows towards the real axis and `S` has zeros towards the
-    /// imaginary one. Strip and thinning were settled on the contacts of `tests/data/contacts.csv`:
-    /// where larger ones would begin to cost digits.
+    /// imaginary one. Strip and thinning were determined with the contacts of
+    /// `tests/data/contacts.csv`: larger values would begin to cost digits.
     fn rule(self) -> Rule {
         match self {
             Self::Axis => Rule {
@@ -76,53 +82,52 @@ impl Path {
     }
 }
 
-/// The angle of the ray, in radians: 32 degrees. The zeros and poles of `S` lie above 53 degrees.
+/// The angle of the ray, in radians: 32 degrees. The zeros and poles of `S` lie above 53 degrees
+/// ([`SINE_OF_FREE_ANGLE`](crate::solve::compliance::SINE_OF_FREE_ANGLE)).
 const RAY: f64 = 0.55;
 
-/// The logarithm of `S` is smooth up to the zeros and poles of `S`.
+/// The rule for the integrals of `ln S`, which is smooth up to the zeros and poles of `S`.
 const LOGARITHM: Rule = Rule {
     strip: 0.8,
     thinning: 0.3,
 };
 
-/// `S` differs from `S(inf)` by less than rounding beyond this wave number.
-pub const FLAT: f64 = 24.0;
-
-/// The largest `a/t` that the abscissae of `ln S` reach to.
-pub const LARGEST_A_OVER_T: f64 = 1e6;
-
-/// The accuracies (`digits`) for which contours are made. Neighbours differ by a factor of at least
-/// 150 in the error.
+/// The accuracies (`digits`) for which contours are made, ascending. The errors of neighbours
+/// differ by a factor of at least 150.
 pub const LEVELS: [f64; 7] = [11.0, 16.0, 21.0, 26.0, 31.0, 37.0, 43.0];
 
-/// Knees are apart by this much in `ln |zeta|`, and reach to where nothing is left to see in double
-/// precision.
+/// The distance of neighbouring knees in `ln |zeta|`.
 const KNEE_STEP: f64 = 3.0;
+/// The number of knees. Features below the last one do not count in double precision.
 const KNEES: usize = 13;
 
-/// Abscissae `z` at which the two functions of the edge are read out. They are entire functions of
-/// `z^2` that grow like `cos z`, of which this many give 15 digits.
+/// The number of abscissae `z` at which the two functions of the edge are read out. The functions
+/// are entire in `z^2` and grow like `cos z`; this number gives 15 digits.
 pub const READOUTS: usize = 15;
 
-/// One path, cut for one accuracy and one knee.
+/// One path, divided into nodes for one accuracy and one knee.
 #[derive(Debug)]
 pub struct Contour {
+    /// The path.
     pub path: Path,
     /// The nodes `zeta`.
     pub nodes: Vec<Complex64>,
     /// `e^{2 i zeta} d zeta / (2 pi i)`.
     pub weights: Vec<Complex64>,
-    /// What the strengths `y` of the nodes add to `V` at the nodes,
-    /// `y/(q + zeta) - conj(y)/(q - conj(zeta))`, column by column: [`Self::unknowns`] squared.
+    /// The matrix from the strengths `y` of the nodes to `V` at the nodes,
+    /// `y/(q + zeta) - conj(y)/(q - conj(zeta))`, column by column. Both sides have the length
+    /// [`Self::unknowns`].
     pub kernel: Vec<f64>,
+    /// The abscissae of the readouts.
     pub readouts: Readouts,
-    /// What they add to `V` at the readouts, a row for each.
+    /// The matrix from the strengths to `V` at the readouts: one element for each unknown.
     pub readout: Vec<[Complex64; READOUTS]>,
     /// The abscissae `t` of `ln S`, ascending.
     pub abscissae: Vec<f64>,
-    /// What `ln S` at an abscissa adds to `ln S_+`, a column for each: [`Self::rows`] long.
+    /// The matrix from `ln S` at the abscissae to `ln S_+`: a column of length [`Self::rows`] for
+    /// each abscissa.
     pub factor: Vec<f64>,
-    /// What `ln S` at a point itself adds to `ln S_+`: nodes, then readouts.
+    /// The factor from `ln S` at a point to `ln S_+` at that point: nodes, then readouts.
     pub own: Vec<Complex64>,
 }
 
@@ -130,16 +135,19 @@ pub struct Contour {
 /// to its value, and to its slope in `z^2`.
 #[derive(Debug)]
 pub struct Readouts {
+    /// The readouts, ascending.
     pub z: [f64; READOUTS],
+    /// The weights for the value at 0.
     pub value: [f64; READOUTS],
+    /// The weights for the slope in `z^2` at 0.
     pub slope: [f64; READOUTS],
 }
 
 impl Readouts {
-    /// Chebyshev points of `z^2`, moved off the given ascending abscissae.
+    /// Chooses Chebyshev points of `z^2` and moves them away from `abscissae`, which ascend.
     ///
-    /// Closer to 0, rounding would count as `z^-3` where `S` is small; within a shorter interval it
-    /// would be extrapolated further.
+    /// The interval is a compromise: where `S` is small, rounding counts as `z^-3` close to 0, and
+    /// it is extrapolated further from a shorter interval.
     fn between(abscissae: &[f64]) -> Self {
         const FROM: f64 = 0.1;
         const TO: f64 = 40.0;
@@ -165,9 +173,10 @@ impl Readouts {
 }
 
 impl Contour {
-    /// The contour for the given accuracy, with a knee at or a little below `knee`, made once and
-    /// kept. An ordinary table needs a few megabytes of them; all that there are, for every corner
-    /// of the domain, half a gigabyte.
+    /// Returns the contour of accuracy `LEVELS[level]` with a knee at or a little below `knee`.
+    ///
+    /// Each contour is made once and kept. An ordinary table needs a few megabytes of contours. All
+    /// contours, for every corner of the domain, would take half a gigabyte.
     pub fn get(path: Path, level: usize, knee: f64) -> &'static Self {
         static CONTOURS: [[[OnceLock<Contour>; KNEES]; LEVELS.len()]; 2] =
             [const { [const { [const { OnceLock::new() }; KNEES] }; LEVELS.len()] }; 2];
@@ -176,6 +185,7 @@ impl Contour {
             .get_or_init(|| Self::new(path, LEVELS[level], (-KNEE_STEP * n as f64).exp()))
     }
 
+    /// Divides `path` for an error of `e^{-digits}`.
     fn new(path: Path, digits: f64, knee: f64) -> Self {
         let direction = path.direction();
         let decayed = 0.5 * digits / direction.im;
@@ -187,7 +197,7 @@ impl Contour {
         let weights = nodes.iter().zip(&steps).map(weight).collect();
 
         // The far end of the integral of 1 beyond the last abscissa of `ln S` is not zero.
-        let last = FLAT * LARGEST_A_OVER_T;
+        let last = FLAT * A_OVER_T[1];
         let (mut abscissae, mut steps) = LOGARITHM.nodes(digits, knee, last * digits.exp());
         abscissae.reverse();
         steps.reverse();
@@ -240,20 +250,21 @@ impl Contour {
         }
     }
 
-    /// The number of real unknowns: `V` on the imaginary axis is real, elsewhere it has two parts,
-    /// all real parts first.
+    /// Returns the number of real unknowns. `V` is real on the imaginary axis; elsewhere it has two
+    /// parts, all real parts first.
     pub fn unknowns(&self) -> usize {
         self.nodes.len() * self.path.units().len()
     }
 
-    /// The number of values of `ln S_+`: of the unknowns' layout, then the phases at the readouts.
+    /// Returns the number of values of `ln S_+`: first at the nodes, in the layout of the unknowns,
+    /// then the phases at the readouts.
     pub fn rows(&self) -> usize {
         self.unknowns() + READOUTS
     }
 }
 
 impl Rule {
-    /// The nodes, descending from `end`, and the lengths that they stand for.
+    /// Returns the nodes, descending from `end`, and the length that each one represents.
     fn nodes(&self, digits: f64, knee: f64, end: f64) -> (Vec<f64>, Vec<f64>) {
         let h = 2.0 * PI * self.strip / digits;
         let mut nodes = (Vec::new(), Vec::new());
@@ -277,6 +288,7 @@ impl Rule {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::solve::estimate::larger;
 
     /// The readouts of film = substrate: `a = cos z` and `b/z = sin z/z`, on every contour.
     #[test]
@@ -300,7 +312,7 @@ mod tests {
                     .into_iter()
                     .chain(sine)
                     .map(f64::abs)
-                    .fold(worst, f64::max);
+                    .fold(worst, larger);
             }
         }
         println!("readouts: {worst:.1e}");
@@ -333,13 +345,13 @@ mod tests {
                     Path::Axis => Complex64::from(sums[j]),
                     Path::Ray => Complex64::new(sums[j], sums[n + j]) + contour.own[j] * log(q),
                 };
-                // What counts is the error against the weight of the node.
-                worst = worst.max((factor - exact(q)).norm() * q.norm().min(1.0));
+                // The error counts in proportion to the weight of the node.
+                worst = larger(worst, (factor - exact(q)).norm() * q.norm().min(1.0));
             }
             for (m, &z) in contour.readouts.z.iter().enumerate() {
                 let q = Complex64::from(z);
                 let phase = sums[contour.unknowns() + m] + contour.own[n + m].im * log(q).re;
-                worst = worst.max((phase - exact(q).im).abs());
+                worst = larger(worst, (phase - exact(q).im).abs());
             }
         }
         println!("ln S_+: {worst:.1e}");

@@ -1,4 +1,4 @@
-//! What every method of solution returns, and how far two solutions are apart.
+//! The result of every method of solution, and the distance between two results.
 
 use interp::Quantities;
 
@@ -14,7 +14,7 @@ pub struct Estimate {
 }
 
 impl Estimate {
-    /// No answer at all.
+    /// The result of a method that has failed: NaN, with an infinite error.
     pub const FAILED: Self = Self {
         quantities: Quantities {
             pi0: f64::NAN,
@@ -27,16 +27,27 @@ impl Estimate {
     };
 }
 
-/// The largest of the four relative differences; infinite if one is not a number.
+/// Returns the largest of the four relative differences; infinite if one is not a number.
 pub fn difference(a: &Quantities, b: &Quantities) -> f64 {
     let pairs = a.to_array().into_iter().zip(b.to_array());
-    pairs
-        .map(|(a, b)| (a / b - 1.0).abs())
-        .fold(0.0, |largest, d| {
-            if d.is_nan() {
-                f64::INFINITY
-            } else {
-                largest.max(d)
-            }
-        })
+    let largest = pairs.map(|(a, b)| (a / b - 1.0).abs()).fold(0.0, larger);
+    if largest.is_nan() {
+        f64::INFINITY
+    } else {
+        largest
+    }
+}
+
+/// Returns the larger of two numbers, NaN if either is NaN.
+///
+/// `f64::max` drops NaN; an error that is NaN must not pass for a small one.
+pub const fn larger(a: f64, b: f64) -> f64 {
+    if a.is_nan() || b <= a { a } else { b }
+}
+
+/// Returns the larger of two numbers, NaN if either is NaN.
+///
+/// `f64::max` drops NaN; an error that is NaN must not pass for a small one.
+pub const fn larger(a: f64, b: f64) -> f64 {
+    if a.is_nan() || b <= a { a } else { b }
 }

@@ -13,7 +13,7 @@
 //! sides have one and two entries.
 //!
 //! The edge values come from the exact identity `Gamma^2 = es d(x Eeq)/dx` and from its bilinear
-//! form, not from sums at the edge: with `C_mn = (2/pi) int q X' J_m J_n dz`,
+//! form, not from sums at the edge. If `C_mn = (2/pi) int q X' J_m J_n dz`, they are
 //!
 //! ```text
 //! Gamma^2     = es (Eeq     + g1.C.g1 / e1)
@@ -23,8 +23,8 @@
 //! Both are stationary in the error of `g`, as `Eeq` is, and so converge twice as fast as `g`
 //! itself.
 //!
-//! `M` and `C` hold nothing of the sphere: one pair serves every `E1/E2` at fixed `a/t`, `nu1`,
-//! `nu0` and `E0/E1` ([`Operator::solve`]); the Bessel values hold nothing of the material
+//! `M` and `C` do not depend on the sphere: one pair serves every `E1/E2*` at fixed `a/t`, `nu1`,
+//! `nu0` and `E0/E1` ([`Operator::solve`]). The Bessel values do not depend on the material
 //! ([`Abscissae`]).
 
 use std::borrow::Borrow;
@@ -45,12 +45,12 @@ use crate::solve::compliance::{Compliance, Sample};
 use crate::solve::estimate::Estimate;
 use crate::solve::quadrature::Panels;
 
-/// Solves one contact at `x = a/t` with as many modes and panels as the tolerance takes, or as
-/// rounding allows.
+/// Solves one contact at `x = a/t`. Adds modes and panels until the estimated error is at most
+/// `tolerance`, or until only rounding is left of it.
 pub fn solve(x: f64, material: &Material, tolerance: f64) -> Estimate {
     let compliance = Compliance::new(material);
     let (mut modes, ample) = (modes(x, tolerance), modes(x, FINEST));
-    let mut panels = Panels::new(x, compliance.smallest_scale(), tolerance);
+    let mut panels = Panels::new(x, [&compliance], tolerance);
     let mut quadrature_tolerance = tolerance;
     loop {
         let abscissae = Abscissae::new(x, modes, panels.clone());
@@ -71,12 +71,12 @@ pub fn solve(x: f64, material: &Material, tolerance: f64) -> Estimate {
                 modes,
             };
         }
-        // More of what the error comes from, unless that is rounding.
+        // Refines the larger source of the error, unless that is rounding.
         if solved.truncation >= 0.5 * error && modes < MOST_MODES {
             modes += 2 + modes / 4;
         } else if solved.quadrature >= 0.5 * error && quadrature_tolerance > FINEST {
             quadrature_tolerance *= 0.01;
-            panels = Panels::new(x, compliance.smallest_scale(), quadrature_tolerance);
+            panels = Panels::new(x, [&compliance], quadrature_tolerance);
         } else {
             return Estimate {
                 quantities: solved.quantities,
@@ -87,22 +87,24 @@ pub fn solve(x: f64, material: &Material, tolerance: f64) -> Estimate {
     }
 }
 
-/// A rough estimate of the time for one contact, in microseconds, to choose between methods: a fit
-/// to the bench `accuracy`.
+/// Estimates the time for one contact roughly, in microseconds, to choose between methods: a fit to
+/// the bench `accuracy`.
 pub fn cost(x: f64, tolerance: f64) -> f64 {
     let digits = tolerance.ln() * x;
     10.0 + 1e-4 * digits * digits
 }
 
-/// Rounding hides what a still smaller error of truncation or quadrature would gain.
+/// The smallest tolerance of truncation and quadrature that is of use: below it, rounding is the
+/// larger error.
 const FINEST: f64 = 1e-15;
 
-/// More modes than any point within reach needs at the tightest tolerance.
+/// A number of modes that no contact within reach needs, even at the tightest tolerance.
 const MOST_MODES: usize = 1500;
 
-/// The modes that the worst material needs at `x = a/t`: the edge layer has width `1/x`, which
-/// Legendre modes resolve with a number that grows like `sqrt(x)`. The coefficients were measured
-/// over the whole domain of materials.
+/// Returns the number of modes that the worst material needs at `x = a/t`.
+///
+/// The edge layer has width `1/x`, which Legendre modes resolve with a number that grows like
+/// `sqrt(x)`. The coefficients were measured over the whole domain of materials.
 pub fn modes(x: f64, tolerance: f64) -> usize {
     let digits = -tolerance.log10();
     (2.4 + 0.35 * (digits - 6.0) + (2.6 + 0.42 * (digits - 6.0)) * x.sqrt())
@@ -110,10 +112,12 @@ pub fn modes(x: f64, tolerance: f64) -> usize {
         .max(3.0) as usize
 }
 
-/// Abscissae handled at once: the Bessel values of a block stay in the processor's cache.
+/// The number of abscissae handled at once: the Bessel values of a block stay in the processor's
+/// cache.
 const BLOCK: usize = 512;
 
-/// The quadrature of one `a/t` and the number of modes: all that does not depend on the material.
+/// The abscissae and weights for one `a/t`, and the number of modes. They do not depend on the
+/// material.
 #[derive(Clone, Debug)]
 pub struct Abscissae {
     x: f64,
@@ -135,7 +139,7 @@ pub struct Block {
 }
 
 impl Abscissae {
-    /// For `modes` modes at `x = a/t`, on the given panels.
+    /// Places abscissae on `panels`, for `modes` modes at `x = a/t`.
     pub fn new(x: f64, modes: usize, panels: Panels) -> Self {
         let (mut q, mut weights) = (Vec::new(), Vec::new());
         for ends in panels.edges.windows(2) {
@@ -155,7 +159,7 @@ impl Abscissae {
         }
     }
 
-    /// The Bessel values, a block at a time.
+    /// Evaluates the Bessel functions, a block at a time.
     pub fn blocks(&self) -> impl Iterator<Item = Block> {
         let bessel = EvenBessel::new(self.modes);
         self.q.chunks(BLOCK).enumerate().map(move |(i, q)| {
@@ -175,21 +179,23 @@ impl Abscissae {
 }
 
 /// The matrices `M` and `C` of one film on one substrate at one `a/t`. Only their lower triangles
-/// are held.
+/// are stored.
 #[derive(Clone, Debug)]
 pub struct Operator {
+    /// `M`.
     kernel: Mat<f64>,
+    /// `C`.
     slope: Mat<f64>,
-    /// What the panels may miss of `X` and `q X'`, in `g.M.g / (int g)^2`.
+    /// The error of `g.M.g / (int g)^2` where the panels do not resolve `X` and `q X'`.
     resolution_error: f64,
-    /// What they may miss of the Bessel products, in `g.C.g / g(1)^2`.
+    /// The error of `g.C.g / g(1)^2` where they do not resolve the Bessel products.
     design_error: f64,
-    /// Rounding error of the sums, relative to the sum of absolute values: panels for smaller
-    /// scales add theirs.
+    /// Rounding error of the sums, relative to the sum of absolute values. It grows with the number
+    /// of panels that a small scale needs.
     rounding: f64,
 }
 
-/// The solution of one contact, with what limits its accuracy.
+/// The quantities of one contact, with the sources of their error.
 #[derive(Clone, Copy, Debug)]
 pub struct Solved {
     /// The four quantities.
@@ -203,15 +209,15 @@ pub struct Solved {
 }
 
 impl Solved {
-    /// Estimated relative error from all sources.
+    /// Returns the estimated relative error from all sources.
     pub fn error(&self) -> f64 {
         self.truncation + self.quadrature + self.rounding
     }
 }
 
 impl Operator {
-    /// Sums `M` and `C` over the abscissae. `blocks` are those of `abscissae`, made on the fly or
-    /// kept for many materials.
+    /// Sums `M` and `C` over the abscissae. `blocks` are those of `abscissae`, evaluated one by one
+    /// or kept for many materials.
     pub fn assemble<B: Borrow<Block>>(
         compliance: &Compliance,
         abscissae: &Abscissae,
@@ -234,27 +240,20 @@ impl Operator {
             } = block.borrow();
             let samples = &samples[*first..first + rows];
             let weights = &abscissae.weights[*first..first + rows];
-            let factors = |symbol: fn(&Sample) -> f64| {
-                samples
-                    .iter()
-                    .zip(weights)
-                    .map(|(sample, w)| w * symbol(sample))
-                    .collect()
-            };
-            add_products(
-                &mut operator.kernel,
-                values,
-                factors(|sample| sample.excess),
-            );
-            add_products(&mut operator.slope, values, factors(|sample| sample.slope));
+            let terms = || samples.iter().zip(weights);
+            let excess: Vec<f64> = terms().map(|(sample, w)| w * sample.excess).collect();
+            let slope: Vec<f64> = terms().map(|(sample, w)| w * sample.slope).collect();
+            add_products(&mut operator.kernel, values, &excess);
+            add_products(&mut operator.slope, values, &slope);
         }
         operator
     }
 
-    /// Solves for one sphere on the film and substrate of this operator.
+    /// Solves the contact of one sphere with the film and substrate of this operator. `material`
+    /// holds all three bodies.
     ///
-    /// Returns `None` where rounding has cost the matrix its positive definiteness, or too few
-    /// modes `Gamma` its square root.
+    /// Returns `None` where the matrix is not positive definite, by rounding, or `Gamma^2` is not
+    /// positive, by too few modes.
     pub fn solve(&self, material: &Material) -> Option<Solved> {
         let n = self.kernel.nrows();
         let (film, es) = (material.film_modulus(), material.sphere_film_modulus());
@@ -282,8 +281,8 @@ impl Operator {
         g[(0, 1)] = 1.0 / 3.0;
         g[(1, 1)] = 2.0 / (3.0 * 5.0_f64.sqrt());
         solve_lower_triangular_in_place(factor.as_ref(), g.as_mut(), Par::Seq);
-        // The lower modes do not know how many follow: the forms of any smaller number of modes are
-        // partial sums over these.
+        // Forward substitution does not depend on the modes that follow: the forms of any smaller
+        // number of modes are partial sums over these.
         let missing = [0, 1].map(|column| missing_modes(g.col_as_slice(column)));
         solve_upper_triangular_in_place(factor.transpose(), g.as_mut(), Par::Seq);
 
@@ -308,18 +307,19 @@ impl Operator {
     }
 }
 
-/// Adds the lower triangle of `J^T F J` to `target`, given `J` by columns and the diagonal of `F`.
+/// Adds the lower triangle of `J^T F J` to `target`. `bessel` holds `J` by columns, `factors` the
+/// diagonal of `F`.
 ///
 /// A matrix library is no faster on matrices of this size: all of `J` is read for few products
 /// each.
-fn add_products(target: &mut Mat<f64>, bessel: &[f64], factors: Vec<f64>) {
+fn add_products(target: &mut Mat<f64>, bessel: &[f64], factors: &[f64]) {
     let rows = factors.len();
     let mut scaled = vec![0.0; rows];
     for (j, column) in bessel.chunks_exact(rows).enumerate() {
         scaled
             .iter_mut()
             .zip(column)
-            .zip(&factors)
+            .zip(factors)
             .for_each(|((scaled, value), factor)| *scaled = value * factor);
         for (i, column) in bessel.chunks_exact(rows).enumerate().skip(j) {
             target[(i, j)] += product(column, &scaled);
@@ -327,7 +327,7 @@ fn add_products(target: &mut Mat<f64>, bessel: &[f64], factors: Vec<f64>) {
     }
 }
 
-/// `a.b` of a multiple of [`LANES`] elements.
+/// Returns `a.b` for a number of elements that is a multiple of [`LANES`].
 fn product(a: &[f64], b: &[f64]) -> f64 {
     let mut sums = [0.0; LANES];
     for (a, b) in a.chunks_exact(LANES).zip(b.chunks_exact(LANES)) {
@@ -338,7 +338,7 @@ fn product(a: &[f64], b: &[f64]) -> f64 {
     sums.iter().sum()
 }
 
-/// `u.C.v`, given the lower triangle of `C`.
+/// Returns `u.C.v`, where `matrix` holds the lower triangle of `C`.
 fn form(matrix: &Mat<f64>, u: &[f64], v: &[f64]) -> f64 {
     let mut form = 0.0;
     for j in 0..u.len() {
@@ -352,8 +352,8 @@ fn form(matrix: &Mat<f64>, u: &[f64], v: &[f64]) -> f64 {
     form
 }
 
-/// Extrapolates `sum_{i >= n} y_i^2`, what the modes left out would add to a form, from the sums
-/// over the last two stretches of modes.
+/// Extrapolates `sum_{i >= n} y_i^2`, the contribution of the modes left out to a form, from the
+/// sums over the last two stretches of the `n` modes in `y`.
 ///
 /// A stretch spans the beats that the `y_i` show at large `a/t`, so that a node of a beat is not
 /// mistaken for convergence.
@@ -369,21 +369,22 @@ fn missing_modes(y: &[f64]) -> f64 {
     last * ratio / (1.0 - ratio)
 }
 
-/// Brings the extrapolation above the true truncation error: `tests/reference.rs` and
-/// `tests/domain.rs` measure how far.
+/// The factor that brings the extrapolation above the true truncation error. The acceptance tests
+/// `truth/reference.rs` and `truth/domain.rs` measure how far above.
 const TRUNCATION_SAFETY: f64 = 20.0;
 
-/// Rounding error of the assembled matrices of a film that is not stiffer than its substrate.
+/// The rounding error of the assembled matrices, for a film that is not stiffer than its substrate.
 const ROUNDING: f64 = 12.0 * f64::EPSILON;
 
 /// Estimates the error of the quadrature in `q` from how fast the Legendre coefficients of `q X'`
 /// fall on each panel. Those of `X - 1` are smaller, as differentiation multiplies them with their
 /// degree.
 ///
-/// An `n`-point rule is blind to an integrand's coefficients from degree `2n` on. They are
-/// extrapolated from the largest of the last four, which the panel's own values give:
-/// geometrically, at the mean rate since degree 0, which poles prescribe, or at the present rate,
-/// which is faster for exponentials. The Bessel product's share is kept small by the panel's width.
+/// An `n`-point rule misses an integrand's coefficients from degree `2n` on. They are extrapolated
+/// geometrically from the largest of the last four coefficients, which the panel's own values give.
+/// The rate is the mean rate since degree 0, which poles prescribe, or the rate over the last eight
+/// degrees if that is faster, as for exponentials. The panel's width keeps the error of the Bessel
+/// product small.
 fn resolution_error(abscissae: &Abscissae, samples: &[Sample]) -> f64 {
     let rule = abscissae.panels.rule;
     let n = rule.abscissae.len();

@@ -1,12 +1,14 @@
 //! Minimal residuals for `(1 - M) v = b` and `(1 + M) v = b` at once.
 //!
-//! Both have the same Krylov space, spanned by `b, M b, M^2 b, ...`: one Arnoldi process serves two
-//! problems.
+//! Both systems have one Krylov space, spanned by `b, M b, M^2 b, ...`: one Arnoldi process serves
+//! both.
 
-/// Solves `(1 - M) v = b` and `(1 + M) v = b`.
+use crate::solve::estimate::larger;
+
+/// Solves `(1 - M) v = b` and `(1 + M) v = b`, and returns both `v` in this order.
 ///
-/// `apply(v, out)` overwrites `out` with `M v`. Iterates until both residuals are below `tolerance`
-/// times `|b|`, or for as many steps as there are unknowns.
+/// `apply(v, out)` overwrites `out` with `M v`. The iteration ends when both residuals are below
+/// `tolerance` times `|b|`, or after one step for each unknown.
 pub fn solve(
     b: &[f64],
     tolerance: f64,
@@ -15,7 +17,7 @@ pub fn solve(
     let n = b.len();
     let norm = dot(b, b).sqrt();
     let mut basis: Vec<f64> = b.iter().map(|b| b / norm).collect();
-    let mut problems = [Least::new(-1.0), Least::new(1.0)];
+    let mut problems = [LeastSquares::new(-1.0), LeastSquares::new(1.0)];
     let mut steps = 0;
     let mut next = vec![0.0; n];
     loop {
@@ -37,7 +39,7 @@ pub fn solve(
         let residual = problems
             .iter_mut()
             .map(|problem| problem.add(&projections))
-            .fold(0.0, f64::max);
+            .fold(0.0, larger);
         if residual <= tolerance || residual.is_nan() || steps == n || length == 0.0 {
             break;
         }
@@ -55,6 +57,7 @@ pub fn solve(
     })
 }
 
+/// Returns `a.b`.
 fn dot(a: &[f64], b: &[f64]) -> f64 {
     // Four sums: the processor need not wait for one addition before the next.
     let mut sums = [0.0; 4];
@@ -75,15 +78,19 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
 
 /// The least-squares problem `|e_0 - (1 + sign H) y|` over a growing Hessenberg matrix `H`, reduced
 /// by Givens rotations.
-struct Least {
+struct LeastSquares {
+    /// The sign of `H`, 1 or -1.
     sign: f64,
     /// The columns of the triangle, one after the other.
     triangle: Vec<f64>,
+    /// The cosine and sine of each rotation.
     rotations: Vec<[f64; 2]>,
+    /// The rotated right-hand side; its last element is the residual.
     right: Vec<f64>,
 }
 
-impl Least {
+impl LeastSquares {
+    /// Begins with an empty matrix.
     fn new(sign: f64) -> Self {
         Self {
             sign,
@@ -93,7 +100,7 @@ impl Least {
         }
     }
 
-    /// Adds a column of `H`; returns the residual.
+    /// Adds a column of `H` and returns the residual.
     fn add(&mut self, column: &[f64]) -> f64 {
         let last = column.len() - 2;
         let mut column: Vec<f64> = column.iter().map(|h| self.sign * h).collect();
@@ -119,7 +126,7 @@ impl Least {
         (s * right).abs()
     }
 
-    /// Solves the triangle.
+    /// Returns the solution `y` by back substitution.
     fn coefficients(&self) -> Vec<f64> {
         let n = self.rotations.len();
         let mut y = self.right[..n].to_vec();
@@ -159,7 +166,7 @@ mod tests {
             let mut product = vec![0.0; N];
             apply(&v, &mut product);
             for i in 0..N {
-                worst = worst.max((v[i] + sign * product[i] - b[i]).abs());
+                worst = larger(worst, (v[i] + sign * product[i] - b[i]).abs());
             }
         }
         println!("residual {worst:.1e}");

@@ -1,19 +1,37 @@
-//! One contact, solved: from a material and `a/t` to the four quantities with an estimate of their
-//! error.
+//! The solver: from a material and `a/t` to the four quantities, with an estimate of their error.
 //!
-//! `compliance` is the film on its substrate, `symbol` adds the sphere. `solve` chooses the method:
-//! `galerkin` (with `bessel` and `quadrature`) for thick films, `wiener_hopf` (with `contour` and
-//! `krylov`) for thin ones; all return what `estimate` defines. `batch` solves many materials at
-//! one `a/t`, `adaptive_curve` one material at all `a/t`.
+//! `compliance` is the film on its substrate, `symbol` adds the sphere. `solve` accepts a contact
+//! within the `domain` and lets `method` choose: `galerkin` (with `bessel` and `quadrature`) for
+//! thick films, `wiener_hopf` (with `contour` and `krylov`) for thin ones. Both return an
+//! `estimate`. `batch` solves many materials at one `a/t`, `adaptive_curve` one material along
+//! `a/t`.
+//!
+//! # The face of the film
+//!
+//! The formulas of one film on one half-space are private to `compliance`. The rest of the room
+//! uses only this, and a stack of layers would have to offer it too:
+//!
+//! | [`Compliance`] | |
+//! |---|---|
+//! | `x(q)` | the value `X(q)`, real or complex |
+//! | `sample(q)` | the excess `X - 1` and the slope `q X'`, without cancellation |
+//! | `is_constant()` | whether `X = 1` everywhere |
+//! | `smallest_scale()` | the wave number of the nearest pole of `X`: the first panel |
+//! | `cut_off(tolerance, weight)` | the wave number beyond which `X` is 1: the last panel; `FLAT` to rounding |
+//! | `smallest_scale_of_sum(sphere, film)` | the smallest scale of `S = sphere + film X` |
+//! | `zero_free_radius(sphere, film)` | the disc in which `S` has no zero, for the imaginary axis |
+//! | `SINE_OF_FREE_ANGLE` | the sector in which `S` has neither zeros nor poles, for the ray and the panels |
 
 mod adaptive_curve;
 pub(crate) mod batch;
 mod bessel;
 mod compliance;
 mod contour;
-mod estimate;
+mod domain;
+pub(crate) mod estimate;
 mod galerkin;
 mod krylov;
+mod method;
 pub(crate) mod quadrature;
 mod solve;
 mod symbol;
@@ -21,4 +39,6 @@ mod wiener_hopf;
 
 pub use adaptive_curve::{CURVE_TOLERANCE, curve};
 pub use compliance::{Compliance, Sample};
-pub use solve::{A_OVER_T, E0_OVER_E2, E1_OVER_E2, Method, Solution, TOLERANCE, solve};
+pub use domain::{A_OVER_T, E0_OVER_E2, E1_OVER_E2, TOLERANCE};
+pub use method::Method;
+pub use solve::{Solution, solve};

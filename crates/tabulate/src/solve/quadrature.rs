@@ -3,18 +3,19 @@
 //! The integrand is `X(q) - 1` times a product of two spherical Bessel functions of `z = q a/t`.
 //! Three lengths matter:
 //!
-//! * `X` is analytic but for poles that lie more than 50 degrees off the real axis, the nearest at
-//!   `|q| ~ s`
-//!   ([`Compliance::smallest_scale`](crate::solve::compliance::Compliance::smallest_scale)). On a
-//!   panel `[c, 4c]` an `n`-point rule therefore converges like `2.5^{-2n}`: panels grow
-//!   geometrically from `[0, s]`.
+//! * `X` is analytic but for poles that lie more than 50 degrees off the real axis
+//!   ([`SINE_OF_FREE_ANGLE`](crate::solve::compliance::SINE_OF_FREE_ANGLE)), the nearest at
+//!   `|q| ~ s` ([`Compliance::smallest_scale`]). On a panel `[c, 4c]` an `n`-point rule therefore
+//!   converges like `2.5^{-2n}`, and panels grow geometrically from `[0, s]`.
 //! * The Bessel product oscillates like `cos 2z`. An `n`-point rule on a panel `w` long in `z` has
 //!   an error of about `(e w / (4 n))^{2n}`, which bounds the width.
-//! * `X - 1` dies out like `q^2 e^{-2q}`: the last panel ends where what is left out is below the
-//!   tolerance.
+//! * `X - 1` dies out like `q^2 e^{-2q}`. The last panel ends where the rest of the integral is
+//!   below the tolerance ([`Compliance::cut_off`]).
 
 use std::f64::consts::{E, PI};
 use std::sync::LazyLock;
+
+use crate::solve::compliance::Compliance;
 
 /// An `n`-point Gauss-Legendre rule on `[-1, 1]`, exact to degree `2n - 1`.
 #[derive(Clone, Debug)]
@@ -23,14 +24,15 @@ pub struct GaussLegendre {
     pub abscissae: Vec<f64>,
     /// The weights.
     pub weights: Vec<f64>,
-    /// What a function's values are multiplied with and summed to its Legendre coefficients of
-    /// degree `n - 8` to `n - 1`; where `n < 8`, of those from 0 on.
+    /// Eight rows of factors. A function's values at the abscissae, multiplied with row `k` and
+    /// summed, give its Legendre coefficient of degree `n - 8 + k`, or of degree 0 where that is
+    /// negative.
     pub coefficients: [Vec<f64>; 8],
 }
 
 impl GaussLegendre {
-    /// Newton's method on `P_n` from Tricomi's initial guess; abscissae and weights to a few
-    /// rounding units for `n <= 1024`.
+    /// Finds the zeros of `P_n` by Newton's method from Tricomi's initial guess. Abscissae and
+    /// weights are accurate to a few rounding units for `n <= 1024`.
     pub fn new(n: usize) -> Self {
         let mut rule = Self {
             abscissae: vec![0.0; n],
@@ -66,7 +68,7 @@ impl GaussLegendre {
     }
 }
 
-/// `P_n(x)` and `P_{n-1}(x)`.
+/// Returns `P_n(x)` and `P_{n-1}(x)`.
 fn legendre(n: usize, x: f64) -> (f64, f64) {
     let (mut previous, mut value) = (0.0, 1.0);
     for k in 0..n {
@@ -86,30 +88,38 @@ pub struct Panels {
     pub edges: Vec<f64>,
     /// The rule that serves every panel.
     pub rule: &'static GaussLegendre,
-    /// What the cut-off and the panels' width may cost of `g.C.g`, relative to `g(1)^2`.
+    /// The error of `g.C.g` from the cut-off and from the panels' width, relative to `g(1)^2`.
     pub design_error: f64,
 }
 
-/// Rules of 16, 20, 24 and 32 points.
+/// The rules of 16, 20, 24 and 32 points.
 static RULES: LazyLock<[GaussLegendre; 4]> =
     LazyLock::new(|| [16, 20, 24, 32].map(GaussLegendre::new));
 
-/// A panel at most this many times its lower end long keeps the poles of `X` outside the ellipse of
-/// convergence 2.5.
+/// The largest length of a panel over its lower end. It keeps the poles of `X` outside the ellipse
+/// of convergence 2.5.
 const GROWTH: f64 = 3.0;
 
-/// The last panel may be this much longer.
+/// The factor by which the last panel may be longer.
 const STRETCH: f64 = 1.1;
 
-/// The part of the tolerance that the cut-off and the panels' width are each designed to keep.
+/// The share of the tolerance for the cut-off, and for the panels' width.
 const SHARE: f64 = 0.1;
 
 impl Panels {
-    /// Panels for `x = a/t`, for compliances that vary on no scale below `smallest_scale`, to the
-    /// relative accuracy `tolerance`.
-    pub fn new(x: f64, smallest_scale: f64, tolerance: f64) -> Self {
-        // Many points a panel are economical where the oscillation rules, few where poles and decay
-        // do.
+    /// Chooses panels for `x = a/t` that serve every one of `compliances` to the relative accuracy
+    /// `tolerance`.
+    pub fn new<'a>(
+        x: f64,
+        compliances: impl IntoIterator<Item = &'a Compliance>,
+        tolerance: f64,
+    ) -> Self {
+        let smallest_scale = compliances
+            .into_iter()
+            .map(Compliance::smallest_scale)
+            .fold(1.0, f64::min);
+        // Many points a panel are economical where oscillation limits the panels, few where poles
+        // and decay do.
         let rule = &RULES[match tolerance {
             _ if x > 5.0 => 3,
             1e-6.. => 0,
@@ -117,9 +127,10 @@ impl Panels {
             _ => 2,
         }];
         let n = rule.abscissae.len() as f64;
-        // `e^{-2q}` asks for as much as an oscillation at `x = 1`.
+        // `e^{-2q}` needs panels as narrow as an oscillation at `x = 1` does.
         let width = 4.0 * n / E * (SHARE * tolerance).powf(0.5 / n) / (1.0 + x * x).sqrt();
-        let end = cutoff(x, SHARE * tolerance);
+        // The Bessel product is at most 1 where it has not begun to decay, and `1/z^2` beyond.
+        let end = Compliance::cut_off(SHARE * tolerance, |q| x / (1.0 + x * x * q * q));
         let mut edges = vec![0.0];
         let mut last = 0.0;
         while last < end {
@@ -128,7 +139,7 @@ impl Panels {
             } else {
                 GROWTH * last
             };
-            // A panel more for a little more range is not worth its points.
+            // A little more range is not worth the points of one more panel.
             let length = if last + STRETCH * length >= end {
                 end - last
             } else {
@@ -143,19 +154,6 @@ impl Panels {
             design_error: 2.0 * SHARE * tolerance,
         }
     }
-}
-
-/// Where the integral may end for an error of at most `tolerance`.
-///
-/// There `q X'` is the larger symbol, at most `28 q^3 e^{-2q}` as `|b| <= 1` and `|a| <= 7`. It
-/// comes times `a/t` where the Bessel product has not begun to decay and times `x/z^2` where it
-/// has.
-fn cutoff(x: f64, tolerance: f64) -> f64 {
-    let mut q: f64 = 4.0;
-    while 28.0 * q.powi(3) * (-2.0 * q).exp() * x / (1.0 + x * x * q * q) > tolerance {
-        q += 0.25;
-    }
-    q
 }
 
 #[cfg(test)]

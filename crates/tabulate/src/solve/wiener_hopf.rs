@@ -1,10 +1,10 @@
-//! The Wiener-Hopf method on the finite interval: a solve whose cost does not grow with `a/t`.
+//! The Wiener-Hopf method on the finite interval. Its cost does not grow with `a/t`.
 //!
 //! # The equation on the two edges
 //!
 //! Let `rho` run over `[-1, 1]`, `z = q a/t` be the wave number in units of `1/a`, and `S(q)` the
-//! [`Symbol`] with `S(inf) = 1`. Consider fields that are a delta function at each edge plus
-//! something regular inside, even (`s = +1`) or odd (`s = -1`) in `rho`, on which the operator with
+//! [`Symbol`] with `S(inf) = 1`. Consider fields that are a delta function at each edge plus a
+//! regular function inside, even (`s = +1`) or odd (`s = -1`) in `rho`, on which the operator with
 //! symbol `S` gives zero inside. Their transforms `Y(z)` are entire, and with `Phi` analytic in the
 //! upper half plane
 //!
@@ -28,21 +28,21 @@
 //!
 //! along any line from `-inf` to `inf` in the upper half plane that passes below the zeros of `S`;
 //! there `S` is continued from the right for `Re zeta > 0` and from the left for `Re zeta < 0`. The
-//! kernel decays like `e^{-2 Im zeta}`: the edges feel each other through wave numbers of order
-//! `1/a` only, however thin the film. Two lines are in use ([`Path`]):
+//! kernel decays like `e^{-2 Im zeta}`: only wave numbers of order `1/a` couple the edges, however
+//! thin the film. Two lines are in use ([`Path`]):
 //!
 //! * **A ray at 32 degrees and its mirror image.** All zeros and poles lie higher.
-//!   `V(-conj zeta) = conj V(zeta)`, and a constant may be taken off `1/S`, as its integrals
+//!   `V(-conj zeta) = conj V(zeta)`, and a constant may be subtracted from `1/S`, as its integrals
 //!   cancel: `1/S(0)` leaves a kernel that is weak where `a/t` is large.
 //! * **The imaginary axis**, both sides of it. There `V` is real and `1/S` leaves
 //!   `2 i Im 1/S(i p + 0)`: a quarter of the work. Zeros at a height `eta` are left out with an
-//!   error like `e^{-2 eta a/t}`, so this needs `a/t` large enough ([`left_out`]).
+//!   error like `e^{-2 eta a/t}`, so that `a/t` must be large enough ([`left_out`]).
 //!
-//! Nodes, weights and all that multiplies values of `S` are kept in a [`Contour`]; (2) is solved
-//! for both parities at once by minimal residuals, in a few steps as its kernel is compact
-//! ([`krylov`](crate::krylov)).
+//! Nodes, weights and all factors of values of `S` are stored in a [`Contour`]. Equation (2) is
+//! solved for both parities at once by minimal residuals ([`krylov`]), in a few steps as its kernel
+//! is compact.
 //!
-//! # What is read out
+//! # The quantities
 //!
 //! On the real axis `S_+ = sqrt(S) e^{i theta}`, and the two entire functions are
 //!
@@ -50,62 +50,68 @@
 //! a(z) = Re[e^{iz} S_+ V_even]/S = a0 + a1 z^2 + ...,      b(z) = Im[e^{iz} S_+ V_odd]/S,      z b(z) = b1 z^2 + b2 z^4 + ...
 //! ```
 //!
-//! The inverse `A^-1` of the contact's operator commutes with differentiation but for the edges, so
-//! that its double transform is
-//! `int int cos(k rho) A^-1 cos(z rho') = 2 es [k b(k) a(z) - z b(z) a(k)]/(k^2 -
-//! z^2)`, and the edge value of `A^-1 cos(k rho)` is `es
-//! a(k)`. Expanding in `k^2` and `z^2` gives the right-hand sides 1 and `rho^2` at once:
+//! The inverse `A^-1` of the contact's operator commutes with differentiation but for the edges.
+//! Its double transform is therefore
+//!
+//! ```text
+//! int int cos(k rho) A^-1 cos(z rho') = 2 es [k b(k) a(z) - z b(z) a(k)]/(k^2 - z^2)
+//! ```
+//!
+//! and the edge value of `A^-1 cos(k rho)` is `es a(k)`. Expanding in `k^2` and `z^2` gives the
+//! right-hand sides 1 and `rho^2` at once:
 //!
 //! ```text
 //! Gamma = es a0      Eeq = es a0 b1      Delta0 = -2 a1/a0      Pi0 = 8 es (a0 b2 - a1 b1)
 //! ```
 //!
-//! For film = substrate `a = cos z`, `b = sin z`, which gives back 8/3, 1, 1, 1. `a` and `b/z` are
+//! For film = substrate `a = cos z` and `b = sin z`, which gives 8/3, 1, 1, 1. `a` and `b/z` are
 //! entire functions of `z^2` of slow growth; their values at fifteen `z^2` between 0.1 and 40
 //! extrapolate to 0.
 //!
 //! # Accuracy
 //!
 //! Contours of neighbouring [`LEVELS`] differ by a factor of about 150 in their error. Two of them,
-//! and the rounding of the sums that are read out, give the stated error; `tests/contacts.rs`
-//! measures it. What limits it in the end is the rounding of `Pi0`, some 1e-13, and up to 1e-10 for
-//! a soft incompressible film between rigid bodies, where `S(t/a)` and with it `V` are small.
+//! and the rounding of the sums that are read out, give the stated error; the acceptance test
+//! `truth/contacts.rs` measures it. The rounding of `Pi0` sets the limit: some 1e-13, and up to
+//! 1e-10 for a soft incompressible film between rigid bodies, where `S(t/a)` and with it `V` are
+//! small.
 
 use interp::Quantities;
 use num_complex::Complex64;
 
-use crate::solve::contour::{Contour, FLAT, LEVELS, Path, READOUTS};
-use crate::solve::estimate::{Estimate, difference};
+use crate::solve::compliance::{FLAT, SINE_OF_FREE_ANGLE};
+use crate::solve::contour::{Contour, LEVELS, Path, READOUTS};
+use crate::solve::estimate::{Estimate, difference, larger};
 use crate::solve::krylov;
-use crate::solve::symbol::{HEIGHT, Symbol};
+use crate::solve::symbol::Symbol;
 
-/// The relative error that the zeros of `S` leave, of which the imaginary axis knows nothing.
+/// Returns the relative error of the imaginary axis from the zeros of `S` that it leaves out.
 ///
-/// A zero at the height `eta` leaves some `e^{-2 eta x}`. Measured over 4900 materials, the factor
-/// is at most 6.
+/// A zero at the height `eta` leaves an error of some `e^{-2 eta x}`. Measured over 4900 materials,
+/// the factor is at most 6.
 pub fn left_out(x: f64, symbol: &Symbol) -> f64 {
-    10.0 * (-2.0 * HEIGHT * symbol.zero_free_radius() * x).exp()
+    10.0 * (-2.0 * SINE_OF_FREE_ANGLE * symbol.zero_free_radius() * x).exp()
 }
 
-/// A rough estimate of the time that the ray takes, in microseconds, to choose between methods: a
-/// fit to the bench `accuracy`.
+/// Estimates the time of the ray for one contact roughly, in microseconds, to choose between
+/// methods: a fit to the bench `accuracy`.
 pub fn ray_cost(x: f64, symbol: &Symbol, tolerance: f64) -> f64 {
     let scales = 11.0 - 0.7 * (x * symbol.smallest_scale()).min(1.0).ln();
     let unknowns = scales * (8.0 - tolerance.ln());
     0.005 * unknowns * unknowns
 }
 
-/// Solves with contours of growing accuracy until two agree to the tolerance, or until there are no
-/// better ones.
+/// Solves the contact at `x = a/t` with contours of growing accuracy, until two agree to
+/// `tolerance` or there are no better ones.
 ///
-/// Where the compliance that is left at long waves, `S(0)`, is next to nothing against `S` at the
-/// contact's own wave numbers, as between rigid bodies, (2) is ill-conditioned: it sees what
-/// happens at `|zeta| << 1` only through that little. The quantities are analytic in the sphere's
-/// compliance, so that two slightly softer spheres extrapolate to the given one: `2 f(h) - f(2h)`
-/// differs from `f(0)` by `h^2 f''`, and as `f` is a sum of `c/(l + h)` with `l` above `S(t/a)` or
-/// so, by less than twice the square of `h/S(t/a)`. Measured: 1.5 times.
+/// Where the compliance of long waves, `S(0)`, is negligible against `S` at the contact's own wave
+/// numbers, as between rigid bodies, (2) is ill-conditioned: values at `|zeta| << 1` enter it only
+/// in proportion to `S(0)`. The quantities are analytic in the sphere's compliance, so that two
+/// slightly softer spheres extrapolate to the given one: `2 f(h) - f(2h)` differs from `f(0)` by
+/// `h^2 f''`. As `f` is a sum of `c/(l + h)` with `l` above `S(t/a)` or so, this is less than twice
+/// the square of `h/S(t/a)`. Measured: 1.5 times.
 pub fn solve(x: f64, symbol: &Symbol, path: Path, tolerance: f64) -> Estimate {
-    /// The added compliance, of `S(t/a)`; its square is lost.
+    /// The added compliance over `S(t/a)`. The error is about its square.
     const SOFTENING: f64 = 1e-6;
     const WEIGHTS: [f64; 2] = [2.0, -1.0];
     let softening = SOFTENING * symbol.at(1.0 / x);
@@ -120,38 +126,36 @@ pub fn solve(x: f64, symbol: &Symbol, path: Path, tolerance: f64) -> Estimate {
             tolerance / 3.0,
         )
     };
-    let answers = [0, 1].map(softened);
-    let sum = |value: fn(&Estimate) -> f64| {
-        answers
+    let estimates = [0, 1].map(softened);
+    let values = estimates
+        .each_ref()
+        .map(|estimate| estimate.quantities.to_array());
+    let extrapolated = std::array::from_fn(|i| {
+        values
             .iter()
             .zip(WEIGHTS)
-            .map(|(answer, weight)| weight * value(answer))
+            .map(|(value, weight)| weight * value[i])
             .sum()
-    };
-    let quantities = Quantities {
-        pi0: sum(|answer| answer.quantities.pi0),
-        eeq: sum(|answer| answer.quantities.eeq),
-        gamma: sum(|answer| answer.quantities.gamma),
-        delta0: sum(|answer| answer.quantities.delta0),
-    };
-    let error = answers
+    });
+    let error = estimates
         .iter()
         .zip(WEIGHTS)
-        .map(|(answer, weight)| weight.abs() * answer.error)
+        .map(|(estimate, weight)| weight.abs() * estimate.error)
         .sum::<f64>()
         + 2.0 * SOFTENING.powi(2);
     Estimate {
-        quantities,
+        quantities: Quantities::from_array(extrapolated),
         error,
-        modes: answers[0].modes,
+        modes: estimates[0].modes,
     }
 }
 
-/// The error of a contour is at most this share of its difference from the contour before. Most
-/// often it is a hundredth.
+/// The largest error of a contour over its difference from the contour before. Most often it is a
+/// hundredth.
 const GAIN: f64 = 0.3;
 
-/// Two contours that differ by this little may differ by rounding, of which both have their part.
+/// A difference of two contours below which it may come from rounding, in which both have their
+/// part.
 const NOISE: f64 = 3e-11;
 
 /// Solves with contours of growing accuracy until two agree.
@@ -171,11 +175,10 @@ fn converge(x: f64, symbol: &Symbol, path: Path, tolerance: f64) -> Estimate {
         ..on_contour(x, symbol, path, first - 1)
     };
     for level in first..LEVELS.len() {
-        let this = on_contour(x, symbol, path, level);
-        // Of all four, whatever is wanted: one of them may agree by chance.
-        let difference = difference(&this.quantities, &best.quantities);
-        let error = GAIN * difference + 2.0 * difference.min(NOISE) + this.error + left_out;
-        best = Estimate { error, ..this };
+        let next = on_contour(x, symbol, path, level);
+        let difference = difference(&next.quantities, &best.quantities);
+        let error = GAIN * difference + 2.0 * difference.min(NOISE) + next.error + left_out;
+        best = Estimate { error, ..next };
         if error <= tolerance {
             break;
         }
@@ -183,9 +186,9 @@ fn converge(x: f64, symbol: &Symbol, path: Path, tolerance: f64) -> Estimate {
     best
 }
 
-/// The answer of one contour. Its error is that of rounding.
+/// Solves with one contour. The error of the estimate is that of rounding only.
 fn on_contour(x: f64, symbol: &Symbol, path: Path, level: usize) -> Estimate {
-    /// The knee lies a little below the smallest scale.
+    /// The knee over the smallest scale.
     const BELOW: f64 = 0.3;
     let contour = Contour::get(path, level, BELOW * x * symbol.smallest_scale());
     let log_factors = log_factors(x, symbol, contour);
@@ -201,8 +204,8 @@ fn on_contour(x: f64, symbol: &Symbol, path: Path, level: usize) -> Estimate {
     )
 }
 
-/// `ln S_+` at the nodes and its phase at the readouts, by (1), but for what the value of `S` there
-/// itself contributes.
+/// Returns `ln S_+` at the nodes and its phase at the readouts, by (1), without the contribution of
+/// `ln S` at the same point ([`Contour::own`]).
 fn log_factors(x: f64, symbol: &Symbol, contour: &Contour) -> Vec<f64> {
     let mut sums = vec![0.0; contour.rows()];
     let columns = contour.factor.chunks_exact(sums.len());
@@ -220,9 +223,9 @@ fn log_factors(x: f64, symbol: &Symbol, contour: &Contour) -> Vec<f64> {
     sums
 }
 
-/// What `V` is multiplied with at the nodes in (2): `e^{2 i zeta} S_+^2/S d zeta/(2 pi i)`.
+/// Returns the factors of `V` at the nodes in (2): `e^{2 i zeta} S_+^2/S d zeta/(2 pi i)`.
 fn couplings(x: f64, symbol: &Symbol, contour: &Contour, log_factors: &[f64]) -> Vec<Complex64> {
-    /// Below, the constant would bring in more than it takes off.
+    /// The `S(0)` up to which no constant is subtracted: it would add more than it removes.
     const SMALL: f64 = 0.3;
     let long_waves = symbol.at(0.0);
     let constant = if long_waves > SMALL {
@@ -250,7 +253,8 @@ fn couplings(x: f64, symbol: &Symbol, contour: &Contour, log_factors: &[f64]) ->
         .collect()
 }
 
-/// The strengths that the values `V` at the nodes give rise to, in the unknowns' layout.
+/// Overwrites `strengths` with the strengths of the nodes, the values `v` of `V` there times
+/// `couplings`, in the layout of the unknowns.
 fn strengths(path: Path, couplings: &[Complex64], v: &[f64], strengths: &mut Vec<f64>) {
     strengths.clear();
     match path {
@@ -266,9 +270,9 @@ fn strengths(path: Path, couplings: &[Complex64], v: &[f64], strengths: &mut Vec
     }
 }
 
-/// Solves (2); returns the strengths of the nodes for the even and for the odd fields.
+/// Solves (2) and returns the strengths of the nodes, for the even and for the odd fields.
 fn solve_coupling(contour: &Contour, couplings: &[Complex64], accuracy: f64) -> [Vec<f64>; 2] {
-    /// Of the accuracy of the contour, and what rounding allows.
+    /// The residual over the accuracy of the contour, as far as rounding allows.
     const SHARE: f64 = 0.01;
     let unknowns = contour.unknowns();
     let mut one = vec![1.0; contour.nodes.len()];
@@ -290,7 +294,7 @@ fn solve_coupling(contour: &Contour, couplings: &[Complex64], accuracy: f64) -> 
     })
 }
 
-/// A sum and the size of its terms, which its rounding error is proportional to.
+/// A sum and the size of its terms. The rounding error is proportional to the size.
 #[derive(Clone, Copy, Default)]
 struct Sum {
     value: f64,
@@ -298,11 +302,13 @@ struct Sum {
 }
 
 impl Sum {
+    /// Adds `weight` times `term`.
     fn add(&mut self, weight: f64, term: Self) {
         self.value += weight * term.value;
         self.size += weight.abs() * term.size;
     }
 
+    /// Divides value and size by `divisor`.
     fn over(self, divisor: f64) -> Self {
         Self {
             value: self.value / divisor,
@@ -311,7 +317,7 @@ impl Sum {
     }
 }
 
-/// The quantities from the strengths.
+/// Returns the quantities from the strengths of the nodes for the even and for the odd fields.
 fn read_out(
     x: f64,
     symbol: &Symbol,
@@ -328,7 +334,7 @@ fn read_out(
         }
     }
     let readouts = &contour.readouts;
-    // a and b, with the size of what they are sums of, which does not shrink with them.
+    // a and b, with the size of their terms, which may be larger.
     let values: [[Sum; 2]; READOUTS] = std::array::from_fn(|m| {
         let (z, [even, odd]) = (readouts.z[m], v[m]);
         let s = symbol.at(z / x);
@@ -354,9 +360,9 @@ fn read_out(
         a1.add(readouts.slope[m], *a);
         pole.add(readouts.value[m] * readouts.z[m], *b);
     }
-    // a(z)/z is an odd field too, but for its pole at 0. Only through S(0) does (2) know that there
-    // must be none: where that is small, b comes with some a(z)/z, which is told from z b(z) at 0
-    // and taken off, unless it is rounding.
+    // a(z)/z is an odd field too, but for its pole at 0. Equation (2) excludes the pole in
+    // proportion to S(0) only: where S(0) is small, b comes with a share of a(z)/z. z b(z) at 0
+    // gives the share, which is subtracted unless it is rounding.
     let share = if pole.value.abs() > ROUNDING * pole.size {
         pole.over(a0.value)
     } else {
@@ -384,8 +390,9 @@ fn read_out(
     };
     let relative = |sum: Sum| (sum.size / sum.value).abs();
     let [eeq, delta0] = [relative(a0) + relative(b1), relative(a0) + relative(a1)];
-    let rounding = (load_size / load).abs().max(eeq).max(delta0);
-    // Long waves of a stiff film on a soft base, on which the contact hardly acts, bring in theirs.
+    let rounding = larger(larger((load_size / load).abs(), eeq), delta0);
+    // Long waves of a stiff film on a soft base add rounding errors, though the contact hardly acts
+    // on them.
     let long_waves = symbol.at(0.0) / symbol.at(1.0 / x);
     Estimate {
         quantities,
@@ -394,5 +401,5 @@ fn read_out(
     }
 }
 
-/// Rounding error of the sums at the readouts.
+/// The rounding error of the sums at the readouts, relative to the size of their terms.
 const ROUNDING: f64 = 3.0 * f64::EPSILON;

@@ -7,7 +7,6 @@ use interp::Parameter;
 use interp::{
     Contact, Curve, Elastic, Material, Normalisation, Quantities, Quantity, System, Table,
 };
-use rayon::prelude::*;
 
 use super::linear::{Linear, Multilinear};
 use super::{FURTHER, Family, NEW, Point, Row, SECONDS, SOLVED, ends};
@@ -15,6 +14,7 @@ use crate::Error;
 use crate::cost::approximations::{bulk_jkr, film_jkr, gao, hay_crawford};
 use crate::cost::clock;
 use crate::cost::deviation::{median_and_largest, tightest};
+use crate::parallel::try_map;
 use crate::solve::solve;
 
 /// The tolerances of the direct solves.
@@ -62,14 +62,11 @@ fn solve_all(
     progress: &(dyn Fn(usize) + Sync),
     solve: impl Fn(&Point) -> Result<Quantities, Error> + Sync,
 ) -> Result<Vec<Quantities>, Error> {
-    let solved = points.par_iter().map(|point| {
+    try_map(points, |point| {
         let solved = solve(point);
         progress(1);
         solved
-    });
-    // In two steps: of several errors, the first one is returned.
-    let solved: Vec<Result<Quantities, Error>> = solved.collect();
-    solved.into_iter().collect()
+    })
 }
 
 /// The box of a table, in words.

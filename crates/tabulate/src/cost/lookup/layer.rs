@@ -4,13 +4,13 @@
 use interp::Material;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
-use rayon::prelude::*;
 
 use super::form::{Errors, per_one};
 use super::{Family, NEW, Row};
 use crate::Error;
 use crate::cost::approximations::{dimitriadis, dimitriadis_incompressible, garcia};
 use crate::cost::deviation::tightest;
+use crate::parallel::try_map;
 
 /// A load at a penetration: `sqrt(R delta)/t`, the Poisson ratio, the load over Hertz's.
 struct Layer {
@@ -92,7 +92,7 @@ fn layers(
     let places: Vec<[f64; 2]> = (0..points)
         .map(|_| [between(x[0].ln(), x[1].ln()).exp(), between(nu[0], nu[1])])
         .collect();
-    let solved = places.into_par_iter().map(|[x, nu]| {
+    try_map(places, |[x, nu]| {
         let solved = tightest(x, &Material::new(0.0, nu, f64::INFINITY, 0.25)?)?.quantities;
         progress(1);
         // `F = a^3 E1* pi0/(2 R)` at `delta = a^2 delta0/R`, over `4/3 E1* sqrt(R) delta^{3/2}`.
@@ -102,7 +102,5 @@ fn layers(
             nu,
             factor,
         })
-    });
-    let solved: Vec<Result<Layer, Error>> = solved.collect();
-    solved.into_iter().collect()
+    })
 }

@@ -1,0 +1,95 @@
+//! The methods of solution, and which of them solves a contact at the least cost.
+
+use interp::{Material, Quantities};
+
+use crate::solve::contour::Path;
+use crate::solve::estimate::Estimate;
+use crate::solve::symbol::Symbol;
+use crate::solve::{galerkin, wiener_hopf};
+
+/// The methods of solution, one for each regime.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Method {
+    /// Hertz and the flat punch, for film = substrate and every `a/t`.
+    ClosedForm,
+    /// Galerkin's method in even Legendre polynomials (`galerkin.rs`), for a film that is thicker
+    /// than the contact is wide, or not much thinner.
+    Galerkin,
+    /// The Wiener-Hopf method along the imaginary axis (`wiener_hopf.rs`), for thin films where no
+    /// zero of the symbol is in the way.
+    Axis,
+    /// The Wiener-Hopf method along a ray, for thin films of all other materials.
+    Ray,
+}
+
+/// The `a/t` from which on the Wiener-Hopf method is as fast as Galerkin's.
+const THIN: f64 = 10.0;
+
+/// The `a/t` beyond which Galerkin's method is neither faster nor more accurate than the ray for
+/// any material.
+const GALERKIN_REACH: f64 = 300.0;
+
+impl Method {
+    /// Returns the name, as `tabulate solve --json` prints it.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::ClosedForm => "closed form",
+            Self::Galerkin => "Galerkin",
+            Self::Axis => "Wiener-Hopf, axis",
+            Self::Ray => "Wiener-Hopf, ray",
+        }
+    }
+
+    /// Returns the methods that may reach `tolerance` at `x = a/t`, the cheapest one first.
+    pub(crate) fn candidates(
+        x: f64,
+        symbol: &Symbol,
+        tolerance: f64,
+    ) -> impl Iterator<Item = Self> {
+        let galerkin_first =
+            galerkin::cost(x, tolerance) < wiener_hopf::ray_cost(x, symbol, tolerance);
+        let candidates = [
+            (Self::ClosedForm, symbol.is_constant()),
+            (Self::Axis, prefers_axis(x, symbol, tolerance)),
+            (Self::Galerkin, x <= GALERKIN_REACH && galerkin_first),
+            (Self::Ray, x >= THIN),
+            (Self::Galerkin, x <= GALERKIN_REACH && !galerkin_first),
+        ];
+        candidates
+            .into_iter()
+            .filter_map(|(method, applies)| applies.then_some(method))
+    }
+
+    /// Solves the contact at `x = a/t` to `tolerance`, or as accurately as this method can.
+    /// `symbol` is that of `material`.
+    pub(crate) fn solve(
+        self,
+        x: f64,
+        material: &Material,
+        symbol: &Symbol,
+        tolerance: f64,
+    ) -> Estimate {
+        match self {
+            Self::ClosedForm => closed_form(material),
+            Self::Galerkin => galerkin::solve(x, material, tolerance),
+            Self::Axis => wiener_hopf::solve(x, symbol, Path::Axis, tolerance),
+            Self::Ray => wiener_hopf::solve(x, symbol, Path::Ray, tolerance),
+        }
+    }
+}
+
+/// Returns whether the Wiener-Hopf method along the imaginary axis is the fastest.
+pub(crate) fn prefers_axis(x: f64, symbol: &Symbol, tolerance: f64) -> bool {
+    /// The share of the tolerance that the zeros left out may use up.
+    const SHARE: f64 = 0.05;
+    x >= THIN && wiener_hopf::left_out(x, symbol) <= SHARE * tolerance
+}
+
+/// Returns the quantities of Hertz's contact and the flat punch, for film = substrate.
+fn closed_form(material: &Material) -> Estimate {
+    Estimate {
+        quantities: Quantities::homogeneous(material.sphere_film_modulus()),
+        error: 4.0 * f64::EPSILON,
+        modes: 0,
+    }
+}
