@@ -44,10 +44,3 @@ pub fn difference(a: &Quantities, b: &Quantities) -> f64 {
 pub const fn larger(a: f64, b: f64) -> f64 {
     if a.is_nan() || b <= a { a } else { b }
 }
-
-/// Returns the larger of two numbers, NaN if either is NaN.
-///
-/// `f64::max` drops NaN; an error that is NaN must not pass for a small one.
-pub const fn larger(a: f64, b: f64) -> f64 {
-    if a.is_nan() || b <= a { a } else { b }
-}

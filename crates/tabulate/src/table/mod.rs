@@ -18,8 +18,8 @@ mod plan;
 pub(crate) mod scene;
 mod sweep;
 
-pub(crate) use certify::Axis as SampledAxis;
 pub use budget::{Budget, Clock};
+pub(crate) use certify::Axis as SampledAxis;
 pub use certify::{Sample, certificate, certify, default_points, measure, points_for, sample};
 pub use compress::{compress, compress_with_derivatives, low_rank};
 pub use generate::{Generated, Observer, Options, generate};
