@@ -1,13 +1,13 @@
-//! What all `tabulate cost` commands share: rows that are summed up again, and compared with those
-//! of another run.
+//! The options that all `tabulate cost` commands share: rows that are summed up again, and compared
+//! with those of another run.
 
 use acceptance::{Desk, assert_names};
-use tabulate::cost::effects::Row;
+use tabulate::cost::effects::{Row, markdown};
 use tabulate::cost::{TIME_FACTOR, compare, read_csv, to_csv};
 
 const SCENE: &str = "\
-title = 'A small box'
-a_over_t = { from = 0.1, to = 10 }
+title = 'A line'
+a_over_t = 1
 e1_over_e2 = { from = 0.3, to = 3 }
 nu1 = 0.5
 e0_over_e2 = 10
@@ -33,16 +33,23 @@ fn rows_are_summed_up_and_compared_with_those_of_another_run() {
         printed
     );
 
-    // The rows with one cell of the third changed, against what they were. No second run: its times
-    // are not the same.
-    let rows: Vec<Row> = read_csv(&desk.path("rows.csv")).expect("what was written");
+    assert_eq!(desk.files(), ["rows.csv", "scene.toml"]);
+    // The rows with one cell of the third changed, against themselves. There is no second run, as
+    // it has other times.
+    let rows: Vec<Row> = read_csv(&desk.path("rows.csv")).expect("its own");
+    assert_eq!(printed, markdown(&rows));
+    assert_eq!(
+        to_csv(&rows),
+        desk.read("rows.csv"),
+        "numbers do not read back"
+    );
     let compared = |change: fn(&mut Row)| {
         let mut before = rows.clone();
         change(&mut before[2]);
         compare(&before, &rows).map_err(|error| error.to_string())
     };
     let noise: [fn(&mut Row); 3] = [
-        |row| row.saved_seconds *= -1.0,
+        |row| row.saved_seconds = row.saved_seconds.map_or(Some(1.0), |_| None),
         |row| row.threads += 1,
         |row| row.worst_error *= 1.0 + 1e-3,
     ];
@@ -54,6 +61,18 @@ fn rows_are_summed_up_and_compared_with_those_of_another_run() {
     is_named(|row| row.worst_error *= 1.02, "worst_error was");
     is_named(|row| row.solves += 1, "solves was");
     is_named(|row| row.seconds *= 2.0 * TIME_FACTOR, "seconds was");
+    is_named(|row| row.seconds /= 2.0 * TIME_FACTOR, "seconds was");
+    // On a slower machine all times are longer, and one that is not is named.
+    let mut slower = rows.clone();
+    slower.iter_mut().for_each(|row| row.seconds *= 1e3);
+    assert!(compare(&rows, &slower).is_ok());
+    slower[2].seconds /= 1e3;
+    assert_names(
+        &compare(&rows, &slower)
+            .expect_err("one time is short")
+            .to_string(),
+        &["row 3", "seconds was", "1000.00 times as long"],
+    );
     assert_names(
         &compare(&rows[..2], &rows)
             .expect_err("rows are missing")

@@ -1,20 +1,20 @@
-//! `tabulate cost solve`: that what it calls errors are errors, and that it writes and prints what
-//! it measures.
+//! `tabulate cost solve`: its errors, sizes and methods against those of solves, and its files.
 
 use acceptance::{Data, Desk, assert_names, larger, relative_error};
+use tabulate::cost::clock::Timing;
 use tabulate::cost::nystrom::Nystrom;
-use tabulate::cost::read_csv;
-use tabulate::cost::solve::{NYSTROM, REFUSED, Row, TOLERANCES, contacts, markdown};
+use tabulate::cost::solve::{NYSTROM, REFUSED, Row, TOLERANCES, contacts, markdown, measure};
+use tabulate::cost::{read_csv, to_csv};
 use tabulate::solve;
 
-/// Tolerances from here on are refused nowhere (`hard_cases.rs`).
+/// The solve refuses no tolerance from here on (`truth/hard_cases.rs`).
 const ANSWERED: f64 = 1e-9;
 
 fn desk() -> Desk {
     Desk::new(env!("CARGO_BIN_EXE_tabulate-under-test"))
 }
 
-/// The contacts that other references have too. Under a rigid base its Poisson ratio is without
+/// Compares the contacts that other references have, too. The Poisson ratio of a rigid base has no
 /// meaning.
 #[test]
 fn the_truth_is_that_of_the_other_references() {
@@ -43,8 +43,8 @@ fn the_truth_is_that_of_the_other_references() {
     assert!(common >= 4);
 }
 
-/// The opponent solves the right equation, by means of which the solve has nothing but `X` and the
-/// panels in `q`.
+/// Nyström's method solves the right equation. It shares only `X` and the panels in `q` with the
+/// solve.
 #[test]
 fn nystroms_method_converges_to_values_from_elsewhere() {
     let data = Data::read("barthel_reference");
@@ -69,16 +69,20 @@ fn nystroms_method_converges_to_values_from_elsewhere() {
 }
 
 #[test]
-fn the_command_writes_errors_within_tolerances_that_are_the_same_in_every_run() {
+fn rows_have_errors_within_tolerances_that_are_the_same_in_every_run() {
     let desk = desk();
-    let printed = desk.succeed(&["cost", "solve", "-o", "solve.csv"]);
+    let rows = measure(Timing::Brief, &|| {});
+    assert!(rows.iter().all(|row| row.seconds > 0.0));
+    let file = desk.write("solve.csv", to_csv(&rows));
     let text = String::from_utf8(desk.read("solve.csv")).expect("UTF-8");
     let header = "contact,a_over_t,e1_over_e2,nu1,e0_over_e2,nu0,method,tolerance,size,error_estimated,error,seconds";
     assert_eq!(text.lines().next(), Some(header));
-    let rows: Vec<Row> = read_csv(&desk.path("solve.csv")).expect("it is what was written");
     assert_eq!(text.lines().count(), rows.len() + 1);
-    assert_eq!(printed, markdown(&rows));
-    assert!(rows.iter().all(|row| row.seconds > 0.0));
+    assert_eq!(read_csv::<Row>(&file).expect("its own"), rows);
+    assert_eq!(
+        desk.succeed(&["cost", "solve", "--data", "solve.csv"]),
+        markdown(&rows)
+    );
 
     for name in ["one.svg", "two.svg", "one.png"] {
         assert_eq!(
@@ -105,7 +109,7 @@ fn the_command_writes_errors_within_tolerances_that_are_the_same_in_every_run() 
             TOLERANCES
         );
         for row in &own {
-            let estimated = row.error_estimated.expect("the solve always says");
+            let estimated = row.error_estimated.expect("every solve has an estimate");
             match solve(contact.a_over_t, &contact.material(), row.tolerance) {
                 Ok(solution) => {
                     let error = row.error.expect("an answer has one");
@@ -143,8 +147,8 @@ fn the_command_writes_errors_within_tolerances_that_are_the_same_in_every_run() 
                 Some(relative_error(&solved, &contact.truth()).max(0.5 * f64::EPSILON))
             );
         }
-        // Nodes enough were among those tried, as far as double precision goes: the solve says
-        // where that ends.
+        // The largest number of nodes suffices as far as double precision allows. The solve refuses
+        // tolerances beyond that.
         let refused = own
             .iter()
             .filter(|row| row.method == REFUSED)

@@ -1,10 +1,16 @@
-//! `tabulate cost table`: that its rows say what `generate` and `pack` say, from when on a table
-//! pays, and what a budget leaves out.
+//! `tabulate cost table`: its rows against `generate` and `pack`, the break-even of a table, and
+//! the tables that a limit leaves out.
+
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::time::Duration;
 
 use acceptance::{Desk, assert_names};
 use interp::{LowRank, Table};
-use tabulate::cost::table::{Row, TOLERANCES, break_even, markdown};
-use tabulate::cost::{read_csv, to_csv};
+use tabulate::Error;
+use tabulate::cost::clock::Timing;
+use tabulate::cost::table::{Limits, Row, TOLERANCES, break_even, markdown, measure};
+use tabulate::cost::{Measured, read_csv, to_csv};
+use tabulate::table::{Observer, Plan, Scene};
 
 const SCENE: &str = "\
 title = 'A small box'
@@ -24,21 +30,43 @@ fn rows(desk: &Desk, file: &str) -> Vec<Row> {
     read_csv(&desk.path(file)).expect("the command has written it")
 }
 
+/// Counts the points that are solved.
+#[derive(Default)]
+struct Work(AtomicU64);
+
+impl Observer for Work {
+    fn begin(&self, _: &'static str, _: usize, _: usize) {}
+
+    fn advance(&self, points: usize) {
+        self.0.fetch_add(points as u64, Ordering::Relaxed);
+    }
+
+    fn note(&self, _: &str) {}
+}
+
+impl Work {
+    /// Measures the small box. A second of the budget is a point that is solved, on any machine.
+    fn measure(&self, budget: Option<u64>) -> Result<Measured<Row>, Error> {
+        let scene = Scene::parse(SCENE, None).expect("the scene is sound");
+        let limits = Limits {
+            tightest: 1e-8,
+            budget: budget.map(Duration::from_secs),
+            clock: &|| Duration::from_secs(self.0.load(Ordering::Relaxed)),
+        };
+        measure(&scene, &limits, Timing::Brief, self)
+    }
+}
+
 #[test]
 fn rows_say_what_generate_and_pack_say() {
     let desk = desk();
-    let printed = desk.succeed(&["cost", "table", "scene.toml", "-o", "table.csv"]);
-    let rows = rows(&desk, "table.csv");
-    assert_eq!(
-        to_csv(&rows),
-        desk.read("table.csv"),
-        "numbers do not read back"
-    );
+    let Measured { rows, left_out } = Work::default().measure(None).expect("within reach");
     assert_eq!(
         rows.iter().map(|row| row.tolerance).collect::<Vec<_>>(),
         TOLERANCES
     );
-    assert_eq!(desk.files(), ["scene.toml", "table.csv"]);
+    assert!(left_out.is_empty(), "{left_out:?}");
+    let printed = markdown(&rows);
     for row in rows.iter().step_by(3) {
         let tolerance = row.tolerance.to_string();
         let said = desk.succeed(&[
@@ -111,6 +139,42 @@ fn rows_say_what_generate_and_pack_say() {
         );
         assert!(row.making() >= row.seconds + row.pack_seconds);
     }
+}
+
+#[test]
+fn the_command_writes_and_prints_the_rows_down_to_a_tolerance() {
+    let desk = desk();
+    let printed = desk.succeed(&[
+        "cost",
+        "table",
+        "scene.toml",
+        "--to",
+        "1e-3",
+        "-o",
+        "table.csv",
+    ]);
+    let rows = rows(&desk, "table.csv");
+    assert_eq!(
+        to_csv(&rows),
+        desk.read("table.csv"),
+        "numbers do not read back"
+    );
+    assert_eq!(
+        rows.iter().map(|row| row.tolerance).collect::<Vec<_>>(),
+        [1e-2, 1e-3]
+    );
+    assert_eq!(desk.files(), ["scene.toml", "table.csv"]);
+    assert_eq!(printed, markdown(&rows));
+    assert_names(
+        &printed,
+        &[
+            "break-even after N evaluations",
+            "Tolerances without a table: 1e-4, 1e-5, 1e-6, 1e-7, 1e-8.",
+        ],
+    );
+    for row in &rows {
+        assert_names(&printed, &[&format!("| {:e} | ", row.tolerance)]);
+    }
 
     desk.succeed(&[
         "plot",
@@ -121,7 +185,7 @@ fn rows_say_what_generate_and_pack_say() {
         "table.svg",
     ]);
     assert!(desk.read("table.svg").starts_with(b"<svg"));
-    // A solve that takes no longer than a lookup: infinity reads back, too.
+    // A solve that takes no longer than a lookup: infinity is read back, too.
     let never = vec![Row {
         break_even_alone: f64::INFINITY,
         ..rows[0].clone()
@@ -129,6 +193,34 @@ fn rows_say_what_generate_and_pack_say() {
     desk.write("never.csv", to_csv(&never));
     assert_eq!(self::rows(&desk, "never.csv"), never);
     assert_names(&markdown(&never), &["| never |"]);
+
+    // Another run has the kept sizes and errors. Times of 0 are not compared. The last row is not
+    // measured again.
+    let mut kept = rows.clone();
+    for row in &mut kept {
+        (row.seconds, row.pack_seconds, row.solve_seconds) = (0.0, 0.0, 0.0);
+        (row.curve_seconds, row.point_seconds) = (0.0, 0.0);
+    }
+    desk.write("kept.csv", to_csv(&kept));
+    let compare = [
+        "cost",
+        "table",
+        "scene.toml",
+        "--compare",
+        "kept.csv",
+        "--to",
+    ];
+    let run = desk.run(&[&compare[..], &["1e-2"]].concat());
+    assert_eq!(run.status, 0, "{}", run.stderr);
+    assert_names(
+        &run.stderr,
+        &["kept.csv: the last 1 of its 2 rows are not compared"],
+    );
+    kept[0].packed_bytes += 1;
+    desk.write("kept.csv", to_csv(&kept));
+    let run = desk.run(&[&compare[..], &["1e-2"]].concat());
+    assert_eq!(run.status, 1);
+    assert_names(&run.stderr, &["kept.csv", "row 1", "packed_bytes was"]);
 }
 
 #[test]
@@ -144,27 +236,49 @@ fn a_table_breaks_even_where_both_have_taken_the_same_time() {
     assert_eq!(break_even(making, lookup, solve), f64::INFINITY);
 }
 
-/// All seven tables of the default box take minutes.
+/// The budget is in points, so that every machine stops at the same table.
 #[test]
-fn a_budget_is_kept_and_what_it_leaves_out_is_said() {
-    let desk = desk();
-    let run = desk.run(&["cost", "table", "--budget", "1.5", "-o", "table.csv"]);
-    if run.status == 1 {
-        assert_names(&run.stderr, &["the budget is spent", "1.5 s"]);
-        assert_eq!(desk.files(), ["scene.toml"]);
-        return;
-    }
-    assert_eq!(run.status, 0);
-    let rows = rows(&desk, "table.csv");
-    assert!((1..TOLERANCES.len()).contains(&rows.len()), "{rows:?}");
-    let next = TOLERANCES[rows.len()];
-    assert_names(
-        &run.stderr,
-        &[&format!(
-            "from {next:e} on left out: the budget of 1.5 s is spent"
-        )],
+fn a_budget_is_kept_and_the_table_that_it_leaves_out_is_named() {
+    let points = |tolerance: f64| {
+        let scene = Scene::parse(SCENE, Some(tolerance)).expect("the scene is sound");
+        Plan::new(&scene).expect("within reach").points() as u64
+    };
+    // Two certificates of 5000 points each.
+    let table = |tolerance: f64| points(tolerance) + 10_000;
+    let three: u64 = TOLERANCES[..3].iter().map(|&t| table(t)).sum();
+    let work = Work::default();
+    let Measured { rows, left_out } = work
+        .measure(Some(three + table(1e-5) / 2))
+        .expect("the first table is within the budget");
+    assert_eq!(work.0.into_inner(), three, "no more is solved");
+    assert_eq!(
+        rows.iter().map(|row| row.tolerance).collect::<Vec<_>>(),
+        TOLERANCES[..3]
     );
-    assert_eq!(run.stdout, markdown(&rows));
+    let [reason] = &left_out[..] else {
+        panic!("one reason: {left_out:?}")
+    };
+    assert_names(
+        reason,
+        &[
+            "There is no table to 1e-5: the budget is spent but for ",
+            "this table would take about ",
+            &format!("--budget is {:?} s", (three + table(1e-5) / 2) as f64),
+        ],
+    );
+    assert_names(
+        &markdown(&rows),
+        &["Tolerances without a table: 1e-5, 1e-6, 1e-7, 1e-8."],
+    );
+}
+
+#[test]
+fn a_budget_that_does_not_suffice_for_the_first_table_is_an_error() {
+    let desk = desk();
+    let command = ["cost", "table", "scene.toml", "-o", "table.csv", "--budget"];
+    let message = desk.fail(1, &[&command[..], &["1e-9"]].concat());
+    assert_names(&message, &["the budget is spent", "1e-9 s", "larger"]);
+    assert_eq!(desk.files(), ["scene.toml"]);
 }
 
 #[test]
@@ -174,7 +288,15 @@ fn tolerances_out_of_reach_are_left_out_and_the_reason_is_said() {
         "stated.toml",
         SCENE.replace("to = 10 }", "to = 10, nodes = 10 }"),
     );
-    let run = desk.run(&["cost", "table", "stated.toml", "-o", "table.csv"]);
+    let run = desk.run(&[
+        "cost",
+        "table",
+        "stated.toml",
+        "--to",
+        "1e-8",
+        "-o",
+        "table.csv",
+    ]);
     assert_eq!(run.status, 0);
     let rows = rows(&desk, "table.csv");
     assert!(
@@ -194,16 +316,17 @@ fn tolerances_out_of_reach_are_left_out_and_the_reason_is_said() {
         .description()
         .certificate
         .max_error;
-    let why = format!(
-        "its certified error {error:.1e} leaves no room below the tolerance {:e}",
+    let reason = format!(
+        "There is no table to {:e}: its certified error {error:.1e} leaves no room below the tolerance {:e}",
+        TOLERANCES[rows.len()],
         TOLERANCES[rows.len()]
     );
-    assert_names(
-        &run.stderr,
-        &[&format!(
-            "from {:e} on left out: {why}",
-            TOLERANCES[rows.len()]
-        )],
+    assert_names(&run.stderr, &[&format!("tabulate: {reason}")]);
+    assert_names(&run.stdout, &[&markdown(&rows), &reason]);
+    // The file of rows does not hold the reason.
+    assert_eq!(
+        desk.succeed(&["cost", "table", "--data", "table.csv"]),
+        markdown(&rows)
     );
 
     desk.write(
@@ -230,6 +353,13 @@ fn bad_scenes_and_budgets_are_errors_that_name_the_value() {
         );
     }
     desk.fail(2, &["cost", "table", "scene.toml", "--budget", "soon"]);
+    for to in ["1e-9", "0.1", "-1", "NaN"] {
+        let value = to.parse::<f64>().expect("a number");
+        assert_names(
+            &desk.fail(1, &["cost", "table", "scene.toml", "--to", to]),
+            &[&format!("--to = {value:?}"), "from 1e-2 to 1e-8"],
+        );
+    }
     desk.write("wrong.toml", SCENE.replace("nu1 = 0.5", "nu1 = 0.6"));
     for command in ["table", "effects"] {
         assert_names(

@@ -1,14 +1,13 @@
-//! The closed forms that people use instead of a solve, each as its authors gave it, with what it
-//! leaves out.
+//! The closed forms that are in use instead of a solve, each as its authors published it.
 //!
-//! Two kinds. The first replaces film and substrate by one half-space, whose compound modulus `E`
-//! with the sphere stands for the film at a contact radius: all of JKR follows,
-//! `F = 4 E a^3/(3R) - sqrt(8 pi w E a^3)`, that is [`Quantities::homogeneous`] of `E` with `E` for
+//! There are two kinds. The first replaces film and substrate by one half-space. Its compound
+//! modulus `E` with the sphere stands for the film at a given contact radius, and JKR follows:
+//! `F = 4 E a^3/(3R) - sqrt(8 pi w E a^3)`. This is [`Quantities::homogeneous`] of `E`, with `E` at
 //! the crack tip, too. The second is a factor on Hertz's load at a given penetration, for a rigid
 //! sphere on a layer bonded to a rigid base.
 //!
-//! `tests/approximations.rs` holds them against direct solves in their limits,
-//! `tabulate cost lookup` measures how wrong they are elsewhere.
+//! `tests/truth/approximations.rs` compares them with direct solves in their limits,
+//! `tabulate cost lookup` measures their errors elsewhere.
 //!
 //! [`Quantities::homogeneous`]: interp::Quantities::homogeneous
 
@@ -19,27 +18,28 @@ use interp::Material;
 use crate::Error;
 use crate::solve::A_OVER_T;
 
-/// The film ignored: the sphere on the bare substrate, `E = 1/(1 + 1/e0)` (Johnson, Kendall and
-/// Roberts, Proc. R. Soc. Lond. A 324, 301, 1971).
+/// Returns the modulus of the sphere on the bare substrate, without the film: `E = 1/(1 + 1/e0)`
+/// (Johnson, Kendall and Roberts, Proc. R. Soc. Lond. A 324, 301, 1971).
 ///
-/// Exact as `a/t -> inf`, load and stiffness alike. In the units of [`Material::normalisation`];
+/// Load and stiffness are exact as `a/t -> inf`. In the units of [`Material::normalisation`];
 /// infinite between rigid bodies.
 pub fn bulk_jkr(material: &Material) -> f64 {
     material.sphere_substrate_modulus()
 }
 
-/// The film taken for a half-space: the sphere on nothing but film, `E = 1/(1 + 1/e1)` (Johnson,
-/// Kendall and Roberts 1971, as [`bulk_jkr`]).
+/// Returns the modulus of the sphere on a half-space of film, without the substrate:
+/// `E = 1/(1 + 1/e1)` (Johnson, Kendall and Roberts 1971, see [`bulk_jkr`]).
 ///
 /// Exact as `a/t -> 0`. In the units of [`Material::normalisation`].
 pub fn film_jkr(material: &Material) -> f64 {
     material.sphere_film_modulus()
 }
 
-/// Film and substrate weighted as Gao, Chiu and Lee do (Int. J. Solids Struct. 29, 2471, 1992), and
-/// the sphere in series.
+/// Returns the modulus of film and substrate, weighted after Gao, Chiu and Lee (Int. J. Solids
+/// Struct. 29, 2471, 1992), in series with the sphere.
 ///
-/// From the energy of a flat punch on two materials that hardly differ, with `y = t/a`,
+/// The weights follow from the energy of a flat punch on two materials that hardly differ, with
+/// `y = t/a`:
 ///
 /// ```text
 /// mu = mu0 + (mu1 - mu0) I0(y)      I0 = 2/pi atan y + [(1 - 2 nu) y ln(1 + 1/y^2) - y/(1 + y^2)] / (2 pi (1 - nu))
@@ -47,34 +47,35 @@ pub fn film_jkr(material: &Material) -> f64 {
 /// 1/E = 1 + (1 - nu)/(2 mu)
 /// ```
 ///
-/// with the shear moduli `mu` in the units of [`Material::normalisation`], and 0 in place of 1
-/// under a rigid sphere. Both weights are 1 for thick films and 0 for thin ones. The stiffness is
-/// exact to first order in the differences of `mu` and of `nu`, in which the `nu` in `I0` does not
-/// matter: it is the weighted one here. On a rigid substrate `mu` is infinite and the film has no
-/// effect at all.
+/// The shear moduli `mu` are in the units of [`Material::normalisation`]. Under a rigid sphere,
+/// `1/E` has 0 in place of 1. Both weights are 1 for thick films and 0 for thin ones. The stiffness
+/// is exact to first order in the differences of `mu` and of `nu`. The `nu` in `I0` does not matter
+/// to that order; here it is the weighted one. On a rigid substrate `mu` is infinite and the film
+/// has no effect.
 ///
 /// # Errors
-/// [`Error::Domain`] for an `a/t` that is not one of [`A_OVER_T`].
+/// [`Error::Domain`] for an `a_over_t` outside [`A_OVER_T`].
 pub fn gao(a_over_t: f64, material: &Material) -> Result<f64, Error> {
     let weighted = Weighted::new(a_over_t, material)?;
     let [mu1, mu0] = weighted.shear_moduli;
     Ok(weighted.compound(mu0 * (1.0 - weighted.share) + mu1 * weighted.share))
 }
 
-/// The same weights on compliances instead of moduli, as Hay and Crawford fitted it to finite
-/// elements (J. Mater. Res. 26, 727, 2011, after Song and Pharr):
+/// Returns the modulus with the weights of [`gao`] on compliances instead of moduli, as Hay and
+/// Crawford fitted it to finite elements (J. Mater. Res. 26, 727, 2011, after Song and Pharr):
 ///
 /// ```text
 /// 1/mu = (1 - I0)/(mu0 + 0.0626 I0 mu1) + I0/mu1
 /// ```
 ///
 /// with `I0`, `nu` and `E` of [`gao`]. The formula was found in one place only, the manual of an
-/// indenter, and that the Poisson ratios are weighted as there is assumed. Without the number
-/// 0.0626 it would be exact to first order as [`gao`] is; with it, the stiffness of a film on a
-/// substrate of its own material is too large by up to 1.5 %, at `I0 = 1/2`.
+/// indenter. That the Poisson ratios are weighted as in [`gao`] is an assumption. Without the
+/// number 0.0626 the stiffness would be exact to first order, as that of [`gao`]. The number makes
+/// the stiffness of a film on a substrate of its own material too large by up to 1.5 %, at
+/// `I0 = 1/2`.
 ///
 /// # Errors
-/// As [`gao`].
+/// Those of [`gao`].
 pub fn hay_crawford(a_over_t: f64, material: &Material) -> Result<f64, Error> {
     /// Fitted by Hay and Crawford.
     const PARALLEL: f64 = 0.0626;
@@ -83,9 +84,9 @@ pub fn hay_crawford(a_over_t: f64, material: &Material) -> Result<f64, Error> {
     Ok(weighted.compound(1.0 / ((1.0 - share) / (mu0 + PARALLEL * share * mu1) + share / mu1)))
 }
 
-/// What the two have in common.
+/// The weighted quantities that [`gao`] and [`hay_crawford`] share.
 struct Weighted {
-    /// Of film and substrate.
+    /// The shear moduli of film and substrate.
     shear_moduli: [f64; 2],
     /// `I0`, the film's share of the shear modulus.
     share: f64,
@@ -114,16 +115,18 @@ impl Weighted {
         })
     }
 
-    /// The compound modulus of the sphere and a half-space of this shear modulus.
+    /// Returns the compound modulus of the sphere and a half-space of this shear modulus.
     fn compound(&self, shear_modulus: f64) -> f64 {
         1.0 / (self.sphere_compliance + (1.0 - self.poisson_ratio) / (2.0 * shear_modulus))
     }
 }
 
-/// The factor on Hertz's load `4/3 E1* sqrt(R) delta^{3/2}` at penetration `delta` of a rigid
-/// sphere into a layer of thickness `t` and Poisson ratio `nu` bonded to a rigid base, of
-/// Dimitriadis, Horkay, Maresca, Kachar and Chadwick (Biophys. J. 82, 2798, 2002, eq. 10), with
-/// `chi = sqrt(R delta)/t`:
+/// Returns the factor on Hertz's load by Dimitriadis, Horkay, Maresca, Kachar and Chadwick
+/// (Biophys. J. 82, 2798, 2002, eq. 10).
+///
+/// Hertz's load is `4/3 E1* sqrt(R) delta^{3/2}` at the penetration `delta` of a rigid sphere into
+/// a layer of thickness `t` and Poisson ratio `nu`, bonded to a rigid base. With
+/// `chi = sqrt(R delta)/t`, the factor is
 ///
 /// ```text
 /// 1 - 2 alpha/pi chi + 4 alpha^2/pi^2 chi^2 - 8/pi^3 (alpha^3 + 4 pi^2/15 beta) chi^3
@@ -131,12 +134,12 @@ impl Weighted {
 /// alpha = -(1.2876 - 1.4678 nu + 1.3442 nu^2)/(1 - nu),   beta = (0.6387 - 1.0277 nu + 1.5164 nu^2)/(1 - nu)
 /// ```
 ///
-/// It is a series about Hertz, of which the first term alone is exact, as far as the fit `alpha`
-/// is: it is 0.5 % from the exact `int_0^inf (X(q) - 1) dq` at `nu = 0.5`, 0.5 % at 0.3 and 6 % at
-/// 0. The second should be `14/3 alpha^2/pi^2` (see [`garcia`]). At `nu = 0.5` the first three are
-///    the numbers of [`dimitriadis_incompressible`], and the fourth is its -0.0975 with the other
-///    sign. These numbers, and `alpha` beside the exact kernel's, confirm the formula; for other
-///    `nu` no second print of it was at hand.
+/// It is a series about Hertz. Only its first term is exact, as far as the fit `alpha` is: `alpha`
+/// differs from the exact `int_0^inf (X(q) - 1) dq` by 0.5 % at `nu = 0.5`, 0.5 % at `nu = 0.3` and
+/// 6 % at `nu = 0`. The second coefficient should be `14/3 alpha^2/pi^2` (see [`garcia`]). At
+/// `nu = 0.5` the first three coefficients are those of [`dimitriadis_incompressible`]; the fourth
+/// is its 0.0975 with the other sign. These numbers, and `alpha` beside that of the exact kernel,
+/// confirm the formula. For other `nu` no second print of it was at hand.
 ///
 /// # Errors
 /// [`Error::Domain`] unless `chi` is in `[0, 1e6]` and `nu` in `[0, 0.5]`.
@@ -150,8 +153,8 @@ pub fn dimitriadis(chi: f64, nu: f64) -> Result<f64, Error> {
     series(chi, [-2.0 * alpha, 4.0 * alpha * alpha, third, fourth])
 }
 
-/// The same for an incompressible layer, `nu = 0.5`, with the numbers that are in use (Dimitriadis
-/// et al. 2002, eq. 12):
+/// Returns the factor of [`dimitriadis`] for an incompressible layer, `nu = 0.5`, with the numbers
+/// that are in use (Dimitriadis et al. 2002, eq. 12):
 ///
 /// ```text
 /// 1 + 1.133 chi + 1.283 chi^2 + 0.769 chi^3 + 0.0975 chi^4
@@ -163,14 +166,14 @@ pub fn dimitriadis_incompressible(chi: f64) -> Result<f64, Error> {
     series(chi, [1.133, 1.283, 0.769, 0.0975])
 }
 
-/// The same of Garcia and Garcia (Biophys. J. 114, 2923, 2018, their sphere on an incompressible
-/// layer):
+/// Returns the factor on Hertz's load by Garcia and Garcia (Biophys. J. 114, 2923, 2018, their
+/// sphere on an incompressible layer), with `chi` of [`dimitriadis`]:
 ///
 /// ```text
 /// 1 + 1.133 chi + 1.497 chi^2 + 1.469 chi^3 + 0.755 chi^4
 /// ```
 ///
-/// The exact series has 1.127, 1.482, 1.470 and 1.005.
+/// The coefficients of the exact series are 1.127, 1.482, 1.470 and 1.005.
 ///
 /// # Errors
 /// [`Error::Domain`] unless `chi` is in `[0, 1e6]`.
@@ -178,7 +181,7 @@ pub fn garcia(chi: f64) -> Result<f64, Error> {
     series(chi, [1.133, 1.497, 1.469, 0.755])
 }
 
-/// `1 + c1 chi + c2 chi^2 + c3 chi^3 + c4 chi^4`
+/// Returns `1 + c1 chi + c2 chi^2 + c3 chi^3 + c4 chi^4`.
 fn series(chi: f64, [c1, c2, c3, c4]: [f64; 4]) -> Result<f64, Error> {
     Error::check("chi", chi, [0.0, 1e6])?;
     Ok(1.0 + chi * (c1 + chi * (c2 + chi * (c3 + chi * c4))))

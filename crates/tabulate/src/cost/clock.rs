@@ -1,14 +1,57 @@
 //! Times: how they are measured and how they are printed.
 
 use std::hint::black_box;
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
-/// The median time of a call in seconds. Of about `budget` seconds of calls, one at least; what a
-/// clock cannot resolve is called many times between two looks at it.
+/// How carefully times are measured.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Timing {
+    /// For publication: medians of many calls, and several rounds.
+    Thorough,
+    /// For a comparison by [`compare`](super::compare): a few calls, and one round.
+    Brief,
+}
+
+impl Timing {
+    /// Returns the time of a call in seconds: [`seconds`] if thorough, otherwise the fastest of a
+    /// few samples. An interruption by another program spoils a sample, and seldom all of them.
+    pub fn seconds<T>(self, budget: f64, mut call: impl FnMut() -> T) -> f64 {
+        const SAMPLES: usize = 5;
+        /// No further sample is taken after this time.
+        const ENOUGH: Duration = Duration::from_millis(100);
+        match self {
+            Self::Thorough => seconds(budget, call),
+            Self::Brief => {
+                let began = Instant::now();
+                let mut fastest = f64::INFINITY;
+                for _ in 0..SAMPLES {
+                    fastest = seconds(0.0, &mut call).min(fastest);
+                    if began.elapsed() > ENOUGH {
+                        break;
+                    }
+                }
+                fastest
+            }
+        }
+    }
+
+    /// Returns the number of rounds: `thorough` or 1.
+    pub const fn rounds(self, thorough: usize) -> usize {
+        match self {
+            Self::Thorough => thorough,
+            Self::Brief => 1,
+        }
+    }
+}
+
+/// Returns the median time of a call in seconds.
+///
+/// Calls for about `budget` seconds, once at least. Calls that are shorter than the clock resolves
+/// are timed several at a time.
 pub fn seconds<T>(budget: f64, mut call: impl FnMut() -> T) -> f64 {
     /// A clock's tick is less than a hundredth of this.
     const RESOLVED: f64 = 1e-5;
-    /// More samples change a median no more.
+    /// More samples do not change a median any more.
     const SAMPLES: f64 = 201.0;
     let mut sample = |calls: u32| {
         let start = Instant::now();
@@ -32,16 +75,55 @@ pub fn seconds<T>(budget: f64, mut call: impl FnMut() -> T) -> f64 {
     median(times) / f64::from(calls)
 }
 
-/// The middle one of at least one time.
+/// The times of several runs of one piece of work, in seconds.
+#[derive(Clone, Debug, Default)]
+pub struct Times(Vec<f64>);
+
+impl Times {
+    /// Adds the time of one more run.
+    pub fn add(&mut self, seconds: f64) {
+        self.0.push(seconds);
+    }
+
+    /// Returns the shortest time; infinity if there is no run.
+    pub fn fastest(&self) -> f64 {
+        self.0.iter().copied().fold(f64::INFINITY, f64::min)
+    }
+
+    /// Returns the noise: the longest time less the shortest, infinity if there are fewer than two
+    /// runs.
+    pub fn noise(&self) -> f64 {
+        if self.0.len() < 2 {
+            f64::INFINITY
+        } else {
+            self.0.iter().copied().fold(0.0, f64::max) - self.fastest()
+        }
+    }
+
+    /// Returns the shortest time less the shortest time of `other`, which may be negative; none if
+    /// the difference is not above the noise of both together.
+    pub fn longer_than(&self, other: &Self) -> Option<f64> {
+        let difference = self.fastest() - other.fastest();
+        (difference.abs() > self.noise() + other.noise()).then_some(difference)
+    }
+}
+
+impl FromIterator<f64> for Times {
+    fn from_iter<I: IntoIterator<Item = f64>>(seconds: I) -> Self {
+        Self(seconds.into_iter().collect())
+    }
+}
+
+/// Returns the median of at least one number, of an even number of them the upper one.
 ///
 /// # Panics
 /// If there is none.
-pub fn median(mut times: Vec<f64>) -> f64 {
-    times.sort_by(f64::total_cmp);
-    times[times.len() / 2]
+pub fn median(mut numbers: Vec<f64>) -> f64 {
+    numbers.sort_by(f64::total_cmp);
+    numbers[numbers.len() / 2]
 }
 
-/// A time with its unit.
+/// Returns a time with its unit.
 pub fn human(seconds: f64) -> String {
     match seconds {
         ..1e-8 => format!("{:.1} ns", 1e9 * seconds),

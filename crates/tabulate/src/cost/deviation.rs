@@ -1,16 +1,16 @@
-//! Errors: against what they are measured.
+//! Errors: the solve they are measured against, and how they are summed up.
 
 use interp::{Material, Quantities};
 
 use super::clock::median;
-use crate::solve::estimate::larger;
-use crate::solve::{Solution, solve};
+use crate::Error;
+use crate::solve::{Solution, larger, solve};
 
-/// The solve at the tightest tolerance that is answered.
+/// Returns the solve at the tightest tolerance from 1e-13 to 1e-9 that is not refused.
 ///
 /// # Errors
-/// What [`solve`] says at 1e-9, where none is.
-pub fn tightest(a_over_t: f64, material: &Material) -> Result<Solution, crate::Error> {
+/// The error of [`solve`] at 1e-9, if that is refused, too.
+pub fn tightest(a_over_t: f64, material: &Material) -> Result<Solution, Error> {
     let tolerances = [1e-13, 1e-12, 1e-11, 1e-10];
     tolerances
         .iter()
@@ -18,8 +18,8 @@ pub fn tightest(a_over_t: f64, material: &Material) -> Result<Solution, crate::E
         .map_or_else(|| solve(a_over_t, material, 1e-9), Ok)
 }
 
-/// The largest of the four relative deviations, NaN if one is; what is less than half a unit of
-/// rounding counts as that.
+/// Returns the largest relative deviation of the four quantities of `a` from those of `b`, at least
+/// half a unit of rounding. NaN if one deviation is NaN.
 pub fn deviation(a: &Quantities, b: &Quantities) -> f64 {
     let pairs = a.to_array().into_iter().zip(b.to_array());
     pairs
@@ -27,7 +27,7 @@ pub fn deviation(a: &Quantities, b: &Quantities) -> f64 {
         .fold(0.5 * f64::EPSILON, larger)
 }
 
-/// The median and the largest of at least one error; NaN is the worst of all.
+/// Returns the median and the largest of at least one error. NaN counts as larger than any number.
 ///
 /// # Panics
 /// If there is none.

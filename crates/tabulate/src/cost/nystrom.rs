@@ -1,17 +1,19 @@
-//! The solver that people would write: Nyström's method, dense.
+//! A plain dense solver by Nyström's method, to measure the solve beside it.
 //!
-//! The equation (`galerkin.rs` has it) on Gauss-Legendre nodes in `s`, whose kernel is a sum over
-//! wave numbers `q`,
+//! The equation of `solve/galerkin.rs` on Gauss-Legendre abscissae `s_j` with weights `w_j`. The
+//! kernel is a sum over wave numbers `q`,
 //!
 //! ```text
 //! g(rho_i)/es + sum_j w_j K_ij g(s_j) = f(rho_i),    K_ij = (2x/(pi e1)) sum_q w_q (X(q)-1) cos(q x rho_i) cos(q x s_j)
 //! ```
 //!
-//! and the equation at `rho = 1` for the values at the edge. It is a fair opponent: the cosines are
-//! shared by all pairs of nodes, and made by the addition theorem within panels as wide as each
-//! other, so that all loops are vectorised; the kernel is one product of matrices and the solution
-//! one LU decomposition, by faer; the wave numbers are those of our own Galerkin method, on panels
-//! graded to the material. It does not estimate its error.
+//! and the equation at `rho = 1` gives the values at the edge.
+//!
+//! The comparison is fair. All pairs of abscissae share the cosines. The cosines follow from the
+//! addition theorem within panels of equal width, so all loops are vectorised. The kernel is one
+//! product of matrices, the solution one LU decomposition, both by faer. The wave numbers are those
+//! of our own Galerkin method, on panels graded to the material. The method does not estimate its
+//! error.
 
 use std::f64::consts::FRAC_2_PI;
 
@@ -20,11 +22,10 @@ use faer::linalg::solvers::Solve;
 use faer::{Accum, Mat, Par};
 use interp::{Material, Quantities};
 
-use crate::solve::Compliance;
-use crate::solve::quadrature::{GaussLegendre, Panels};
+use crate::solve::{Compliance, GaussLegendre, Panels};
 
-/// Gauss-Legendre nodes and weights on `[0, 1]`, and the edge as one node more. They serve every
-/// contact.
+/// Gauss-Legendre abscissae and weights on `[0, 1]`, with the edge as one more abscissa. They serve
+/// every contact.
 #[derive(Clone, Debug)]
 pub struct Nystrom {
     nodes: Vec<f64>,
@@ -32,7 +33,7 @@ pub struct Nystrom {
 }
 
 impl Nystrom {
-    /// The method with `size` nodes.
+    /// Returns the method with `size` abscissae, which the rows call nodes.
     pub fn new(size: usize) -> Self {
         let rule = GaussLegendre::new(size);
         let nodes = rule
@@ -47,8 +48,8 @@ impl Nystrom {
         }
     }
 
-    /// The four quantities at `x = a/t`, with as many wave numbers as the relative `tolerance` of
-    /// the kernel takes.
+    /// Returns the four quantities at `x = a/t`. The number of wave numbers follows from the
+    /// relative `tolerance` of the kernel.
     pub fn solve(&self, x: f64, material: &Material, tolerance: f64) -> Quantities {
         let size = self.weights.len();
         let es = material.sphere_film_modulus();
@@ -94,7 +95,7 @@ impl Nystrom {
         }
     }
 
-    /// `cos(q x rho)`: a column for each node and the edge.
+    /// Returns `cos(q x rho)`: a row for each wave number, a column for each abscissa and the edge.
     fn cosines(&self, x: f64, panels: &Panels) -> Mat<f64> {
         let rule = &panels.rule.abscissae;
         let mut cosines = Mat::zeros(rule.len() * (panels.edges.len() - 1), self.nodes.len());
@@ -123,7 +124,7 @@ impl Nystrom {
     }
 }
 
-/// `(2 scale/pi) w (X - 1)` at every wave number.
+/// Returns `(2 scale/pi) w (X - 1)` at every wave number.
 fn symbol(scale: f64, compliance: &Compliance, panels: &Panels) -> Vec<f64> {
     let rule = panels.rule;
     let panel = |ends: &[f64]| {

@@ -64,13 +64,13 @@ fn errors(effects: &[(Effect, &Row)]) -> Panel {
 
 /// Draws the share of each effect in the solves of the whole scene, above, and in its time, below.
 ///
-/// A negative difference of two times is noise: it is drawn as 0.
+/// A time that is not measurable or negative is drawn as 0.
 fn costs(effects: &[(Effect, &Row)], whole: &Row) -> Panel {
     let [solves, seconds] = [whole.solves as f64, whole.seconds];
     let shares = |row: &Row| {
         [
             100.0 * row.saved_solves as f64 / solves,
-            100.0 * row.saved_seconds / seconds,
+            100.0 * row.saved_seconds.unwrap_or(0.0) / seconds,
         ]
         .map(|share| share.max(0.0))
     };
@@ -82,11 +82,6 @@ fn costs(effects: &[(Effect, &Row)], whole: &Row) -> Panel {
     .margin(176);
     for (i, (_, row)) in effects.iter().enumerate() {
         let [solves, seconds, bytes] = row.saved();
-        let seconds = if row.saved_seconds > 0.0 {
-            seconds
-        } else {
-            "too little time to measure".to_owned()
-        };
         let texts = [format!("{solves} solves, {bytes}"), seconds];
         for (k, (share, (text, colour))) in shares(row)
             .into_iter()

@@ -10,7 +10,7 @@ use super::chart::{BLACK, Colour, Figure, Panel, Side};
 use super::picture::legible;
 use crate::Error;
 use crate::parallel::try_map;
-use crate::solve::estimate::larger;
+use crate::solve::larger;
 use crate::table::{SampledAxis, sample};
 
 /// The numbers of cells along `a/t` and `E1/E2*`.

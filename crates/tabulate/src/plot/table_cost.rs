@@ -3,7 +3,8 @@
 
 use super::axis::{Axis, power_of_ten};
 use super::chart::{BLUE, Colour, Figure, GREEN, Marker, Panel, Side, VERMILION};
-use crate::cost::table::{Row, human_bytes, human_count};
+use crate::cost::numbers::{human_bytes, human_count};
+use crate::cost::table::Row;
 
 /// Draws the making of tables on the left and the evaluation on the right.
 pub fn figure(rows: &[Row]) -> Figure {

@@ -10,7 +10,7 @@ use std::time::{Duration, Instant};
 use interp::{Certificate, Description, Parameter, Table};
 
 use crate::parallel::try_map;
-use crate::solve::estimate::larger;
+use crate::solve::larger;
 use crate::table::archive;
 use crate::table::budget::Budget;
 use crate::table::certify::{Sample, certificate, measure, sample};

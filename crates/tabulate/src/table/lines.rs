@@ -12,7 +12,7 @@ use rayon::prelude::*;
 
 use crate::Error;
 use crate::parallel::try_map;
-use crate::solve::estimate::larger;
+use crate::solve::larger;
 use crate::table::budget::Budget;
 use crate::table::placement::{EVENNESS, places, places_to};
 use crate::table::scene::{Extent, Scene};

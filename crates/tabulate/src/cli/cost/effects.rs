@@ -7,6 +7,7 @@ use clap::value_parser;
 use super::Rows;
 use crate::cli::generate::read_scene;
 use crate::cli::progress::Bars;
+use crate::cost::clock::Timing;
 use crate::cost::effects::{Row, markdown, measure};
 use crate::table::Scene;
 
@@ -17,7 +18,9 @@ const POINTS: u32 = 10_000;
 ///
 /// Makes the table of a scene without its film, sphere compliance, substrate compliance, film
 /// compressibility, adhesion or penetration. Compares the loads with those of the whole scene, by
-/// direct solves. Errors are relative to the adhesionless load at the same contact radius.
+/// direct solves. Errors are relative to the adhesionless load at the same contact radius. A
+/// time is printed as not measurable where it is the difference of two times and not above their
+/// noise.
 #[derive(clap::Args)]
 #[command(after_help = crate::cli::examples!(
     "tabulate cost effects --data tables/figures/effects.csv",
@@ -41,19 +44,24 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let scene = read_scene(arguments.scene.as_deref(), Some(arguments.tolerance))?;
     arguments.rows.report(
         arguments.scene.as_deref(),
-        || measured(&scene, arguments.points),
+        |timing| Ok(measured(&scene, arguments.points, timing)?.into()),
         markdown,
     )
 }
 
-/// Measures the effects of the default scene.
+/// Measures the effects of the default scene for a figure.
 pub fn of_default() -> anyhow::Result<Vec<Row>> {
-    measured(&read_scene(None, Some(TOLERANCE))?, POINTS)
+    measured(
+        &read_scene(None, Some(TOLERANCE))?,
+        POINTS,
+        Timing::Thorough,
+    )
 }
 
-fn measured(scene: &Scene, points: u32) -> anyhow::Result<Vec<Row>> {
+/// Measures all rows, with bars.
+fn measured(scene: &Scene, points: u32, timing: Timing) -> anyhow::Result<Vec<Row>> {
     let bars = Bars::new();
-    let rows = measure(scene, points as usize, &bars);
+    let rows = measure(scene, points as usize, timing, &bars);
     bars.clear();
     Ok(rows?)
 }

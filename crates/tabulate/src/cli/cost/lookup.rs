@@ -3,16 +3,18 @@
 use anyhow::Context;
 use clap::ValueHint;
 
-use super::Rows;
+use super::{Rows, complete};
 use crate::cli::progress::progress_bar;
 use crate::cli::table_name::{self, TableName};
+use crate::cost::Measured;
+use crate::cost::clock::Timing;
 use crate::cost::lookup::{POINTS, Row, markdown, measure, solves};
 
 /// Measure one lookup: error against nanoseconds, beside direct solves and closed forms
 ///
 /// Errors are those of the load at random points of the table's box: at a given contact radius,
-/// without adhesion and with adhesion that takes half of that load away. Errors of the series for
-/// thin layers are those at a given penetration, where the series apply.
+/// without adhesion and with adhesion that halves the load. Errors of the series for thin layers
+/// are those at a given penetration, where the series apply.
 #[derive(clap::Args)]
 #[command(after_help = crate::cli::examples!(
     "tabulate cost lookup --data tables/figures/lookup.csv",
@@ -34,14 +36,19 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let table = &arguments.table;
     arguments
         .rows
-        .report(table.path(), || measured(table), markdown)
+        .report(table.path(), |timing| measured(table, timing), markdown)
+}
+
+/// Measures all rows of a table for a figure.
+pub fn of_table(name: &TableName) -> anyhow::Result<Vec<Row>> {
+    Ok(complete(measured(name, Timing::Thorough)?))
 }
 
 /// Measures all rows of a table, with a bar.
-pub fn measured(name: &TableName) -> anyhow::Result<Vec<Row>> {
+fn measured(name: &TableName, timing: Timing) -> anyhow::Result<Measured<Row>> {
     let table = name.read()?;
     let bar = progress_bar(solves(POINTS), "measuring");
-    let rows = measure(&table, POINTS, &|count| bar.inc(count as u64));
+    let measured = measure(&table, POINTS, timing, &|count| bar.inc(count as u64));
     bar.finish_and_clear();
-    rows.with_context(|| name.to_string())
+    measured.with_context(|| name.to_string())
 }

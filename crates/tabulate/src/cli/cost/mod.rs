@@ -13,11 +13,12 @@ use serde::Serialize;
 use serde::de::DeserializeOwned;
 
 pub use self::effects::of_default as measure_effects;
-pub use self::lookup::measured as measure_lookup;
-pub use self::solve::measured as measure_solve;
+pub use self::lookup::of_table as measure_lookup;
+pub use self::solve::of_default as measure_solve;
 pub use self::table::of_default as measure_table;
-use super::write_text;
-use crate::cost::{compare, read_csv, to_csv};
+use super::{note, write_text};
+use crate::cost::clock::Timing;
+use crate::cost::{Measured, compare, read_csv, to_csv};
 use crate::output;
 
 /// Measure the cost of accuracy in time and memory
@@ -60,40 +61,76 @@ struct Rows {
     /// Summarise the rows of this file, which -o has written, instead of measuring
     #[arg(long, value_name = "COST.csv", conflicts_with_all = ["output", "compare"])]
     data: Option<PathBuf>,
-    /// Fail where the rows differ from those of this file, which -o has written: errors and sizes
-    /// by more than rounding, times by more than a factor of ten
+    /// Fail where the rows differ from those of this file, which -o has written
+    ///
+    /// Counts must be equal, errors equal but for rounding. Times may differ by a factor of ten
+    /// more than the other times of their column, whatever the speed of the machine. Without -o,
+    /// times are measured briefly, which is enough for that.
     #[arg(long, value_name = "COST.csv")]
     compare: Option<PathBuf>,
 }
 
 impl Rows {
-    /// Gets the rows, writes and compares them if asked to, and prints their summary. `input` is a
-    /// file that the output must not replace.
+    /// Gets the rows, writes and compares them if that is asked for, and prints their summary. What
+    /// is left out is named in the summary and on standard error. `input` is a file that the output
+    /// must not replace.
     fn report<R: Serialize + DeserializeOwned>(
         &self,
         input: Option<&Path>,
-        measure: impl FnOnce() -> anyhow::Result<Vec<R>>,
+        measure: impl FnOnce(Timing) -> anyhow::Result<Measured<R>>,
         markdown: fn(&[R]) -> String,
     ) -> anyhow::Result<()> {
         output::check(self.output.as_deref(), input)?;
         let before = self
             .compare
             .as_ref()
-            .map(|path| anyhow::Ok((path, read_csv(path)?)))
+            .map(|path| anyhow::Ok((path, read_csv::<R>(path)?)))
             .transpose()?;
-        let rows = self
-            .data
-            .as_ref()
-            .map_or_else(measure, |path| Ok(read_csv(path)?))?;
+        let Measured { rows, left_out } = match &self.data {
+            Some(path) => read_csv(path)?.into(),
+            None => measure(self.timing())?,
+        };
         if self.output.is_some() {
             write_text(self.output.as_deref(), &to_csv(&rows))?;
         }
-        write_text(None, markdown(&rows).as_bytes())?;
-        match before {
-            Some((path, before)) => {
-                compare(&before, &rows).with_context(|| path.display().to_string())
-            }
-            None => Ok(()),
+        let mut summary = markdown(&rows);
+        for sentence in &left_out {
+            summary += &format!("{sentence}\n");
+        }
+        write_text(None, summary.as_bytes())?;
+        report_left_out(&left_out);
+        let Some((path, before)) = before else {
+            return Ok(());
+        };
+        compare(&before, &rows).with_context(|| path.display().to_string())?;
+        let fewer = before.len() - rows.len();
+        if fewer > 0 {
+            note(&format!(
+                "{}: the last {fewer} of its {} rows are not compared",
+                path.display(),
+                before.len()
+            ));
+        }
+        Ok(())
+    }
+
+    /// Rows that are only compared need no exact times.
+    const fn timing(&self) -> Timing {
+        if self.compare.is_some() && self.output.is_none() {
+            Timing::Brief
+        } else {
+            Timing::Thorough
         }
     }
+}
+
+/// Says on standard error what has no row.
+fn report_left_out(left_out: &[String]) {
+    left_out.iter().for_each(|sentence| note(sentence));
+}
+
+/// Returns the rows of a measurement for a figure, and says what is left out.
+fn complete<R>(measured: Measured<R>) -> Vec<R> {
+    report_left_out(&measured.left_out);
+    measured.rows
 }

@@ -2,6 +2,7 @@
 
 use super::Rows;
 use crate::cli::progress::progress_bar;
+use crate::cost::clock::Timing;
 use crate::cost::solve::{Row, contacts, markdown, measure};
 
 /// Measure one solve: error against time, beside a plain dense Nystrom solve
@@ -16,13 +17,20 @@ pub struct Arguments {
 }
 
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
-    arguments.rows.report(None, || Ok(measured()), markdown)
+    arguments
+        .rows
+        .report(None, |timing| Ok(measured(timing).into()), markdown)
+}
+
+/// Measures all rows for a figure.
+pub fn of_default() -> Vec<Row> {
+    measured(Timing::Thorough)
 }
 
 /// Measures all rows, with a bar.
-pub fn measured() -> Vec<Row> {
+fn measured(timing: Timing) -> Vec<Row> {
     let bar = progress_bar(contacts().len(), "measuring");
-    let rows = measure(&|| bar.inc(1));
+    let rows = measure(timing, &|| bar.inc(1));
     bar.finish_and_clear();
     rows
 }

@@ -5,17 +5,22 @@ use interp::Material;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
-use super::form::{Errors, per_one};
+use super::load::Errors;
+use super::timer::Timer;
 use super::{Family, NEW, Row};
 use crate::Error;
 use crate::cost::approximations::{dimitriadis, dimitriadis_incompressible, garcia};
+use crate::cost::clock::Timing;
 use crate::cost::deviation::tightest;
 use crate::parallel::try_map;
 
-/// A load at a penetration: `sqrt(R delta)/t`, the Poisson ratio, the load over Hertz's.
+/// The load of a layer at a penetration.
 struct Layer {
+    /// `sqrt(R delta)/t`.
     chi: f64,
+    /// The Poisson ratio.
     nu: f64,
+    /// The load over Hertz's.
     factor: f64,
 }
 
@@ -29,19 +34,24 @@ const DIMITRIADIS: Form = ("Dimitriadis 2002, eq. 12", |chi, _| {
 const DIMITRIADIS_ANY: Form = ("Dimitriadis 2002, eq. 10", dimitriadis);
 const GARCIA: Form = ("Garcia 2018", |chi, _| garcia(chi));
 
-/// Where they are compared: `a/t`, the Poisson ratio, and which of them.
+/// The scopes of the comparison: the ranges of `a/t` and of the Poisson ratio, and the forms.
 const SCOPES: [([f64; 2], [f64; 2], &[Form]); 3] = [
     ([1e-3, 1.0], [0.5, 0.5], &[HERTZ, DIMITRIADIS, GARCIA]),
     ([1.0, 10.0], [0.5, 0.5], &[HERTZ, DIMITRIADIS, GARCIA]),
     ([1e-3, 1.0], [0.0, 0.5], &[HERTZ, DIMITRIADIS_ANY]),
 ];
 
-pub(super) const fn solves(points: usize) -> usize {
+/// Returns the number of solves that [`measure`] reports.
+pub const fn solves(points: usize) -> usize {
     SCOPES.len() * points
 }
 
-/// Measures the series at so many random points of each scope.
-pub(super) fn measure(points: usize, progress: &(dyn Fn(usize) + Sync)) -> Result<Vec<Row>, Error> {
+/// Measures the series at `points` random points of each scope.
+pub fn measure(
+    points: usize,
+    timing: Timing,
+    progress: &(dyn Fn(usize) + Sync),
+) -> Result<Vec<Row>, Error> {
     let mut rows = Vec::new();
     for (x, nu, forms) in SCOPES {
         let layers = layers(x, nu, points, progress)?;
@@ -63,7 +73,7 @@ pub(super) fn measure(points: usize, progress: &(dyn Fn(usize) + Sync)) -> Resul
                 .iter()
                 .zip(&layers)
                 .map(|(found, layer)| found / layer.factor);
-            let seconds = per_one(&layers, |layer| {
+            let seconds = Timer(timing).per_one(&layers, |layer| {
                 form(layer.chi, layer.nu).unwrap_or(f64::NAN)
             });
             let errors = Errors::of_ratios(ratios.collect());
@@ -80,7 +90,7 @@ pub(super) fn measure(points: usize, progress: &(dyn Fn(usize) + Sync)) -> Resul
     Ok(rows)
 }
 
-/// Solves at random points, evenly in `ln(a/t)` and in the Poisson ratio.
+/// Solves layers at random points, evenly distributed in `ln(a/t)` and in the Poisson ratio.
 fn layers(
     x: [f64; 2],
     nu: [f64; 2],

@@ -1,10 +1,8 @@
-//! Linear interpolation, what one would write first: of the logarithms that the table splines, in
-//! the same coordinates.
+//! Linear interpolation of the logarithms that the table splines, in the table's coordinates.
 
-use interp::Parameter;
-use interp::{Curve, Error, Material, Quantity, Table};
+use interp::{Curve, Error, Material, Parameter, Quantity, Table};
 
-/// Of one quantity, in all four parameters at once.
+/// Linear interpolation of one quantity in all four parameters at once.
 pub struct Multilinear {
     quantity: Quantity,
     /// The coordinates of the nodes, in the order of the values.
@@ -13,8 +11,8 @@ pub struct Multilinear {
     logarithms: Vec<f64>,
 }
 
-/// The order of the dimensions: along `a/t`, neighbours are neighbours in memory, as in
-/// [`Table::logarithms`].
+/// The order of the dimensions. `a/t` is the last, so that neighbours along it are neighbours in
+/// memory, as in [`Table::logarithms`].
 const ORDER: [Parameter; 4] = [
     Parameter::E1OverE2,
     Parameter::Nu1,
@@ -23,7 +21,7 @@ const ORDER: [Parameter; 4] = [
 ];
 
 impl Multilinear {
-    /// The nodes of a table that holds all four quantities.
+    /// Returns the interpolation between the nodes of a table that holds all four quantities.
     pub fn new(table: &Table, quantity: Quantity) -> Self {
         let axes = ORDER.map(|parameter| {
             table
@@ -49,7 +47,7 @@ impl Multilinear {
         }
     }
 
-    /// The quantity at a point of the table's box.
+    /// Returns the quantity at a point of the table's box.
     pub fn at(&self, a_over_t: f64, material: &Material) -> f64 {
         let point = [
             material.e1_over_e2(),
@@ -79,7 +77,7 @@ impl Multilinear {
     }
 }
 
-/// Of one quantity along the curve of one material.
+/// Linear interpolation of one quantity along the curve of one material.
 pub struct Linear {
     scale: f64,
     places: Vec<f64>,
@@ -87,10 +85,10 @@ pub struct Linear {
 }
 
 impl Linear {
-    /// Through the values at these `a/t`, ascending.
+    /// Returns the interpolation between the values at `nodes`, which are ascending `a/t`.
     ///
     /// # Errors
-    /// Those of the curve.
+    /// Those of [`Curve::quantity`].
     pub fn new(curve: &Curve, quantity: Quantity, nodes: &[f64]) -> Result<Self, Error> {
         let es = curve.material().sphere_film_modulus();
         let logarithms = nodes
@@ -108,7 +106,7 @@ impl Linear {
         })
     }
 
-    /// The quantity between the first and the last of them.
+    /// Returns the quantity between the first and the last node.
     pub fn at(&self, a_over_t: f64) -> f64 {
         let (place, share) = bracket(&self.places, Parameter::AOverT.coordinate(a_over_t));
         let next = (place + 1).min(self.logarithms.len() - 1);
@@ -116,8 +114,8 @@ impl Linear {
     }
 }
 
-/// The node before a coordinate and the share of the way to the next one; of a single node, that
-/// and nothing.
+/// Returns the index of the node before a coordinate, and the share of the way to the next node. Of
+/// a single node, returns its index and 0.
 fn bracket(axis: &[f64], coordinate: f64) -> (usize, f64) {
     if axis.len() == 1 {
         return (0, 0.0);

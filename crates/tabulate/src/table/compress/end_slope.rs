@@ -8,7 +8,7 @@
 use interp::bspline::Basis;
 use interp::{Parameter, Table};
 
-use crate::solve::estimate::larger;
+use crate::solve::larger;
 
 /// The smallest number of nodes of splines with a flat end.
 const FLAT_FROM: usize = 5;

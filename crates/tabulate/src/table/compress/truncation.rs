@@ -16,7 +16,7 @@ use interp::{LowRank, Table};
 use rayon::prelude::*;
 
 use crate::Error;
-use crate::solve::estimate::larger;
+use crate::solve::larger;
 use crate::table::compress::end_slope::EndSlope;
 
 /// The root mean square of what is left out at each bond, over the largest error allowed anywhere:

@@ -1,0 +1,106 @@
+//! The effects, and the scene without one of them.
+
+use interp::Quantity;
+use serde::{Deserialize, Serialize};
+
+use crate::table::{Extent, Scene};
+
+/// A part of the model that a scene can leave out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Effect {
+    /// The film. Without it the sphere touches the bare substrate: this is JKR, which needs no
+    /// table.
+    Film,
+    /// The sphere's compliance. Without it `e1_over_e2 = 0`, and all moduli are in units of the
+    /// film's.
+    SphereCompliance,
+    /// The substrate's compliance. Without it `e0_over_e2 = inf`.
+    SubstrateCompliance,
+    /// The film's compressibility. Without it `nu1 = 0.5`, with the Young's modulus unchanged.
+    FilmCompressibility,
+    /// Adhesion. Without it `w = 0`, and the table holds neither `eeq` nor `gamma`.
+    Adhesion,
+    /// The penetration. Without it the table does not hold `delta0`; the load does not change.
+    Penetration,
+}
+
+impl Effect {
+    /// All effects.
+    pub const ALL: [Self; 6] = [
+        Self::Film,
+        Self::SphereCompliance,
+        Self::SubstrateCompliance,
+        Self::FilmCompressibility,
+        Self::Adhesion,
+        Self::Penetration,
+    ];
+
+    /// Returns the name in words.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Film => "film",
+            Self::SphereCompliance => "sphere compliance",
+            Self::SubstrateCompliance => "substrate compliance",
+            Self::FilmCompressibility => "film compressibility",
+            Self::Adhesion => "adhesion",
+            Self::Penetration => "penetration",
+        }
+    }
+
+    /// Returns the assumption that replaces the effect.
+    pub const fn instead(self) -> &'static str {
+        match self {
+            Self::Film => "JKR on the bare substrate",
+            Self::SphereCompliance => "e1_over_e2 = 0",
+            Self::SubstrateCompliance => "e0_over_e2 = inf",
+            Self::FilmCompressibility => "nu1 = 0.5",
+            Self::Adhesion => "w = 0",
+            Self::Penetration => "no delta0",
+        }
+    }
+
+    /// Whether a scene has the effect and can do without it. A film between rigid bodies cannot be
+    /// left out.
+    pub fn is_in(self, scene: &Scene) -> bool {
+        let [_, e1, nu1, e0] = scene.extents;
+        let held = |quantity| scene.quantities.contains(&quantity);
+        match self {
+            Self::Film => e1 != Extent::Fixed(0.0) || e0 != Extent::Fixed(f64::INFINITY),
+            Self::SphereCompliance => e1 != Extent::Fixed(0.0),
+            Self::SubstrateCompliance => e0 != Extent::Fixed(f64::INFINITY),
+            Self::FilmCompressibility => nu1 != Extent::Fixed(0.5),
+            Self::Adhesion => held(Quantity::Eeq) && held(Quantity::Gamma),
+            Self::Penetration => held(Quantity::Delta0),
+        }
+    }
+
+    /// Returns the scene without the effect; none if a closed form replaces the table.
+    pub fn scene_without(self, scene: &Scene) -> Option<Scene> {
+        let mut variant = scene.clone();
+        let [_, e1, nu1, e0] = &mut variant.extents;
+        match self {
+            Self::Film => return None,
+            Self::SphereCompliance => {
+                // E0/E1 of the same films on the same substrates.
+                let ([softest, stiffest], [from, to]) = (e1.ends(), e0.ends());
+                let [from, to] = [from / stiffest, to / softest];
+                *e0 = if from < to {
+                    Extent::Range { from, to }
+                } else {
+                    Extent::Fixed(from)
+                };
+                *e1 = Extent::Fixed(0.0);
+            }
+            Self::SubstrateCompliance => *e0 = Extent::Fixed(f64::INFINITY),
+            Self::FilmCompressibility => *nu1 = Extent::Fixed(0.5),
+            Self::Adhesion => variant
+                .quantities
+                .retain(|quantity| matches!(quantity, Quantity::Pi0 | Quantity::Delta0)),
+            Self::Penetration => variant
+                .quantities
+                .retain(|&quantity| quantity != Quantity::Delta0),
+        }
+        Some(variant)
+    }
+}

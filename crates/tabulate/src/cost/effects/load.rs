@@ -1,0 +1,112 @@
+//! The error of the load without an effect.
+
+use interp::{Material, Normalisation};
+
+use super::Effect;
+use crate::Error;
+use crate::solve::solve;
+
+/// The smallest and the largest strength of adhesion at which errors are measured.
+///
+/// The strength is the adhesive part of the load over the adhesionless load `F0` at the same
+/// contact radius. At 0.01 adhesion is 1 % of the load. At 2 it is that of JKR's pull-off under a
+/// given load; it is 1 where the load is zero.
+pub const STRENGTHS: [f64; 2] = [0.01, 2.0];
+
+/// Returns the errors of the load at one contact radius without each of some effects,
+/// `|F' - F|/F0`, from direct solves to 1e-8.
+///
+/// `F` is the load and `F'` that without the effect. The adhesionless load `F0` never vanishes. The
+/// `strength` of adhesion is the adhesive part of the load over `F0`, see [`STRENGTHS`]. Contact
+/// radius, sphere and work of adhesion are those of the whole scene.
+///
+/// # Errors
+/// Those of the solve.
+pub fn errors(
+    effects: &[Effect],
+    a_over_t: f64,
+    material: &Material,
+    strength: f64,
+) -> Result<Vec<f64>, Error> {
+    let truth = Load::new(a_over_t, material, film_modulus(material))?;
+    let error = |&effect: &Effect| {
+        let without = truth.without(effect, a_over_t, material)?;
+        let (pressed, adhesion) = (
+            without.pressed / truth.pressed - 1.0,
+            without.adhesion / truth.adhesion - 1.0,
+        );
+        Ok((pressed - strength * adhesion).abs())
+    };
+    effects.iter().map(error).collect()
+}
+
+/// The parts of the load of eq. 9 at one contact radius, `2 R F/a^3 = pressed - h adhesion` with
+/// `h = 2 R (8 pi w/a^3)^{1/2}`. They are in units of a modulus that no effect changes: `E2*`, or
+/// `E1` under a rigid sphere.
+#[derive(Clone, Copy, Debug)]
+struct Load {
+    /// `U Pi0`, with the modulus `U` that normalises the quantities.
+    pressed: f64,
+    /// `(U es)^{1/2} Eeq/Gamma`.
+    adhesion: f64,
+}
+
+impl Load {
+    /// Relative tolerance of the solves.
+    const TOLERANCE: f64 = 1e-8;
+
+    fn new(a_over_t: f64, material: &Material, film_modulus: f64) -> Result<Self, Error> {
+        let quantities = solve(a_over_t, material, Self::TOLERANCE)?.quantities;
+        let unit = unit(material, film_modulus);
+        let adhesion =
+            (unit * material.sphere_film_modulus()).sqrt() * quantities.eeq / quantities.gamma;
+        Ok(Self {
+            pressed: unit * quantities.pi0,
+            adhesion,
+        })
+    }
+
+    /// Returns the load without an effect. `self` is the load of the material with all effects.
+    fn without(self, effect: Effect, a_over_t: f64, material: &Material) -> Result<Self, Error> {
+        let film_modulus = film_modulus(material);
+        let of = |e1, nu1, e0| -> Result<Self, Error> {
+            let other = Material::new(e1, nu1, e0, material.nu0())?;
+            Self::new(a_over_t, &other, film_modulus)
+        };
+        let (e1, nu1, e0) = (material.e1_over_e2(), material.nu1(), material.e0_over_e2());
+        match effect {
+            Effect::Film => {
+                let modulus = unit(material, film_modulus) * material.sphere_substrate_modulus();
+                Ok(Self {
+                    pressed: 8.0 / 3.0 * modulus,
+                    adhesion: modulus.sqrt(),
+                })
+            }
+            Effect::SphereCompliance => of(0.0, nu1, e0 / e1),
+            Effect::SubstrateCompliance => of(e1, nu1, f64::INFINITY),
+            Effect::FilmCompressibility => of(e1, 0.5, e0),
+            Effect::Adhesion => Ok(Self {
+                adhesion: 0.0,
+                ..self
+            }),
+            Effect::Penetration => Ok(self),
+        }
+    }
+}
+
+/// The film's Young's modulus in the unit of [`Load`].
+const fn film_modulus(material: &Material) -> f64 {
+    match material.normalisation() {
+        Normalisation::Sphere => material.e1_over_e2(),
+        Normalisation::Film => 1.0,
+    }
+}
+
+/// The modulus that normalises a material's quantities in the unit of [`Load`], given the film's
+/// Young's modulus.
+fn unit(material: &Material, film_modulus: f64) -> f64 {
+    match material.normalisation() {
+        Normalisation::Sphere => 1.0,
+        Normalisation::Film => film_modulus / ((1.0 - material.nu1()) * (1.0 + material.nu1())),
+    }
+}

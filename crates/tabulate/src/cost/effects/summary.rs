@@ -1,0 +1,104 @@
+//! The effects summed up as Markdown.
+
+use super::{Effect, Row, STRENGTHS};
+use crate::cost::clock::human;
+use crate::cost::numbers::{grouped, human_bytes};
+
+impl Row {
+    /// Returns the solves, the time and the bytes that the effect adds to the scene, in words. A
+    /// time is never negative.
+    pub fn saved(&self) -> [String; 3] {
+        let signed =
+            |negative: bool, size: String| if negative { format!("−{size}") } else { size };
+        [
+            signed(
+                self.saved_solves < 0,
+                grouped(self.saved_solves.unsigned_abs()),
+            ),
+            match self.saved_seconds {
+                None => "not measurable".into(),
+                Some(seconds) if seconds < 0.0 => "no time".into(),
+                Some(seconds) => human(seconds),
+            },
+            signed(
+                self.saved_bytes < 0,
+                human_bytes(self.saved_bytes.unsigned_abs()),
+            ),
+        ]
+    }
+
+    /// Returns the time that the effect adds, with the reason if that is no time, given the time of
+    /// the whole scene.
+    fn saved_time(&self, whole: f64) -> String {
+        let [_, saved, _] = self.saved();
+        let difference = whole - self.seconds;
+        match self.saved_seconds {
+            None => format!("{saved} ({} is noise)", human(difference.abs())),
+            Some(seconds) if seconds < 0.0 => {
+                format!("{saved} ({} more without it)", human(-seconds))
+            }
+            Some(_) => saved,
+        }
+    }
+}
+
+/// Returns a table in Markdown: the whole scene, the cost that each effect adds, and the error of
+/// the load without it. Names the effects that have no row.
+pub fn markdown(rows: &[Row]) -> String {
+    let [tolerance, threads, axes, whole] = rows.first().map_or([f64::NAN; 4], |row| {
+        [
+            row.tolerance,
+            row.threads as f64,
+            row.axes as f64,
+            row.seconds,
+        ]
+    });
+    let mut text = format!(
+        "| effect | left out by | axes | solves | time, {threads} threads | .h5 | error of the load, median | worst |\n"
+    );
+    text += "|---|---|---|---|---|---|---|---|\n";
+    for row in rows {
+        let Some(effect) = row.without else {
+            let (solves, seconds, bytes) = (
+                grouped(row.solves),
+                human(row.seconds),
+                human_bytes(row.bytes),
+            );
+            text +=
+                &format!("| all of the scene | | {axes} | {solves} | {seconds} | {bytes} | | |\n");
+            continue;
+        };
+        let [solves, _, bytes] = row.saved();
+        let seconds = row.saved_time(whole);
+        let [median, worst] = [row.median_error, row.worst_error].map(|error| {
+            if error == 0.0 {
+                "none".into()
+            } else {
+                format!("{error:.0e}")
+            }
+        });
+        text += &format!(
+            "| {} | {} | {} | {solves} | {seconds} | {bytes} | {median} | {worst} |\n",
+            effect.name(),
+            effect.instead(),
+            axes - row.axes as f64
+        );
+    }
+    let [weak, strong] = STRENGTHS;
+    text += &format!(
+        "\nEach effect has the axes, solves, time and bytes that it adds to the table of the scene. Tables have a tolerance of \
+         {tolerance:e}; times include planning and certificate (the largest error at sampled points). A time is not measurable \
+         where it is the difference of two times and not above their noise. Errors are relative to the adhesionless load at \
+         the same contact radius, over random points of the scene where the adhesive part of the load is {weak} to {strong} \
+         times that load.\n"
+    );
+    let missing: Vec<&str> = Effect::ALL
+        .into_iter()
+        .filter(|&effect| rows.iter().all(|row| row.without != Some(effect)))
+        .map(Effect::name)
+        .collect();
+    if !missing.is_empty() {
+        text += &format!("Not in this scene: {}.\n", missing.join(", "));
+    }
+    text
+}

@@ -1,0 +1,70 @@
+//! Times of single evaluations: a direct solve, the curve of a material, a point on a curve.
+
+use std::hint::black_box;
+
+use interp::{Curve, Material, Quantities, Quantity, Table};
+
+use crate::Error;
+use crate::cost::clock::Timing;
+use crate::solve::solve;
+use crate::table::Scene;
+
+/// The number of random points of the scene at which evaluations are timed.
+pub const POINTS: usize = 300;
+/// The seed of these points.
+const SEED: u64 = 6;
+/// The seconds spent on timing each kind of evaluation; all points are evaluated once at least.
+const BUDGET: f64 = 0.1;
+
+/// Mean times in seconds, on one thread.
+pub struct Evaluation {
+    /// A direct solve to the scene's tolerance.
+    pub solve: f64,
+    /// The curve of a material.
+    pub curve: f64,
+    /// A point on a curve.
+    pub point: f64,
+}
+
+impl Evaluation {
+    /// Times direct solves at random points of a scene, and lookups in its table.
+    ///
+    /// # Errors
+    /// Those of the solve and of the lookup.
+    pub fn measure(scene: &Scene, table: &Table, timing: Timing) -> Result<Self, Error> {
+        let points: Vec<(f64, Material)> = scene
+            .random_points(POINTS, SEED)
+            .into_iter()
+            .map(|[a_over_t, e1, nu1, e0]| Ok((a_over_t, scene.material([e1, nu1, e0])?)))
+            .collect::<Result<_, Error>>()?;
+        let solve =
+            |&(a_over_t, material): &(f64, Material)| solve(a_over_t, &material, scene.tolerance);
+        points.iter().try_for_each(|point| solve(point).map(drop))?;
+        let curve = table.curve(&points[0].1)?;
+        let point = |&(a_over_t, _): &(f64, Material)| look_up(&curve, &scene.quantities, a_over_t);
+        points.iter().try_for_each(|at| point(at).map(drop))?;
+
+        let mean = |all: &dyn Fn()| timing.seconds(BUDGET, all) / POINTS as f64;
+        Ok(Self {
+            solve: mean(&|| points.iter().for_each(|at| drop(black_box(solve(at))))),
+            curve: mean(&|| {
+                points
+                    .iter()
+                    .for_each(|(_, material)| drop(black_box(table.curve(material))))
+            }),
+            point: mean(&|| points.iter().for_each(|at| drop(black_box(point(at))))),
+        })
+    }
+}
+
+/// Returns the quantities of a scene on a curve of its table. The others are NaN.
+fn look_up(curve: &Curve, quantities: &[Quantity], a_over_t: f64) -> Result<Quantities, Error> {
+    if quantities == Quantity::ALL {
+        return Ok(curve.quantities(a_over_t)?);
+    }
+    let mut values = [f64::NAN; 4];
+    for &quantity in quantities {
+        values[quantity as usize] = curve.quantity(quantity, a_over_t)?;
+    }
+    Ok(Quantities::from_array(values))
+}
