@@ -47,7 +47,11 @@ fn shows_what_its_commands_print() {
         }
         let (output, _) = rest.split_once("```").expect("the output ends");
         let arguments: Vec<&str> = command.split_whitespace().collect();
-        assert_eq!(acceptance::workdir!().succeed(&arguments), output, "{command}");
+        assert_eq!(
+            acceptance::workdir!().succeed(&arguments),
+            output,
+            "{command}"
+        );
         shown += 1;
     }
     assert_eq!(shown, 1);

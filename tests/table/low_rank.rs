@@ -384,7 +384,7 @@ fn tables_of_fewer_axes_are_packed_to_a_tolerance_and_checked_too() {
             &text,
             &[
                 &format!("{} direct solves", 2500 * axes),
-                &format!("{:e}", tolerance),
+                &format!("{tolerance:e}"),
             ],
         );
         let packed = Table::read(workdir.path("table.bin")).expect("a sound table");
@@ -493,7 +493,7 @@ fn a_forged_form_is_an_error_or_a_table_that_can_be_looked_up() {
     let longer = Table::from_packed(&with_payload(&PACKED, &[payload, &[0]].concat()));
     assert!(matches!(longer, Err(Error::Malformed(_))), "{longer:?}");
     let (mut bytes, mut tables) = (payload.to_vec(), 0);
-    let material = acceptance::material([0.0, 0.4, 10.0, 0.25]);
+    let material = material([0.0, 0.4, 10.0, 0.25]);
     for at in 0..bytes.len() {
         for change in [0x01, 0x80, 0xff] {
             bytes[at] ^= change;

@@ -33,8 +33,9 @@ pub struct Arguments {
     output: PathBuf,
     /// Use the low-rank form, with this relative tolerance between the nodes and at them
     ///
-    /// Derivatives with respect to nu1 of incompressible films are about as accurate as the table's:
-    /// within 75 tolerances of them, if the table was generated to a fifth of this tolerance.
+    /// Derivatives with respect to nu1 of incompressible films are about as accurate as the
+    /// table's: within 75 tolerances of them, if the table was generated to a fifth of this
+    /// tolerance.
     #[arg(long, allow_negative_numbers = true)]
     tolerance: Option<f64>,
     /// Number of points of the certificate [default: 2500 for each axis]

@@ -242,7 +242,7 @@ fn table(
 
 /// Solves the pieces that the journal does not hold yet.
 fn solve(
-    sweep: &Sweep,
+    sweep: &Sweep<'_>,
     journal: &mut Journal,
     observer: &dyn Observer,
     budget: Option<Budget<'_>>,
