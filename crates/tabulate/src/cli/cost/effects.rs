@@ -18,9 +18,8 @@ const POINTS: u32 = 10_000;
 ///
 /// Makes the table of a scene without its film, sphere compliance, substrate compliance, film
 /// compressibility, adhesion or penetration. Compares the loads with those of the whole scene, by
-/// direct solves. Errors are relative to the adhesionless load at the same contact radius. A
-/// time is printed as not measurable where it is the difference of two times and not above their
-/// noise.
+/// direct solves. Errors are relative to the adhesionless load at the same contact radius. A time
+/// is printed as not measurable where it is the difference of two times and not above their noise.
 #[derive(clap::Args)]
 #[command(after_help = crate::cli::examples!(
     "tabulate cost effects --data tables/figures/effects.csv",
