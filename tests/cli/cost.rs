@@ -1,7 +1,7 @@
 //! The options that all `tabulate cost` commands share: rows that are summed up again, and compared
 //! with those of another run.
 
-use acceptance::{Desk, assert_names};
+use acceptance::{assert_names, workdir};
 use tabulate::cost::effects::{Row, markdown};
 use tabulate::cost::{TIME_FACTOR, compare, read_csv, to_csv};
 
@@ -25,22 +25,22 @@ const MEASURE: [&str; 7] = [
 
 #[test]
 fn rows_are_summed_up_and_compared_with_those_of_another_run() {
-    let desk = Desk::new(env!("CARGO_BIN_EXE_tabulate-under-test"));
-    desk.write("scene.toml", SCENE);
-    let printed = desk.succeed(&[&MEASURE[..], &["-o", "rows.csv"]].concat());
+    let workdir = workdir!();
+    workdir.write("scene.toml", SCENE);
+    let printed = workdir.succeed(&[&MEASURE[..], &["-o", "rows.csv"]].concat());
     assert_eq!(
-        desk.succeed(&["cost", "effects", "--data", "rows.csv"]),
+        workdir.succeed(&["cost", "effects", "--data", "rows.csv"]),
         printed
     );
 
-    assert_eq!(desk.files(), ["rows.csv", "scene.toml"]);
+    assert_eq!(workdir.files(), ["rows.csv", "scene.toml"]);
     // The rows with one cell of the third changed, against themselves. There is no second run, as
     // it has other times.
-    let rows: Vec<Row> = read_csv(&desk.path("rows.csv")).expect("its own");
+    let rows: Vec<Row> = read_csv(&workdir.path("rows.csv")).expect("its own");
     assert_eq!(printed, markdown(&rows));
     assert_eq!(
         to_csv(&rows),
-        desk.read("rows.csv"),
+        workdir.read("rows.csv"),
         "numbers do not read back"
     );
     let compared = |change: fn(&mut Row)| {
@@ -80,17 +80,17 @@ fn rows_are_summed_up_and_compared_with_those_of_another_run() {
         &["the number of rows was 2 and is"],
     );
 
-    desk.write("short.csv", to_csv(&rows[..2]));
-    let run = desk.run(&[&MEASURE[..], &["--compare", "short.csv"]].concat());
+    workdir.write("short.csv", to_csv(&rows[..2]));
+    let run = workdir.run(&[&MEASURE[..], &["--compare", "short.csv"]].concat());
     assert_eq!(run.status, 1, "{}", run.stderr);
     assert_names(
         &run.stderr,
         &["short.csv", "the number of rows was 2 and is"],
     );
 
-    desk.write("partial.csv", to_csv(&rows[1..2]));
+    workdir.write("partial.csv", to_csv(&rows[1..2]));
     assert_names(
-        &desk.fail(
+        &workdir.fail(
             1,
             &["plot", "effects", "--data", "partial.csv", "-o", "x.svg"],
         ),
@@ -100,21 +100,21 @@ fn rows_are_summed_up_and_compared_with_those_of_another_run() {
 
 #[test]
 fn rows_that_cannot_be_read_are_an_error_before_anything_is_measured() {
-    let desk = Desk::new(env!("CARGO_BIN_EXE_tabulate-under-test"));
-    desk.write("other.csv", "a,b\n1,2\n");
+    let workdir = workdir!();
+    workdir.write("other.csv", "a,b\n1,2\n");
     for option in ["--data", "--compare"] {
         assert_names(
-            &desk.fail(1, &["cost", "solve", option, "missing.csv"]),
+            &workdir.fail(1, &["cost", "solve", option, "missing.csv"]),
             &["missing.csv"],
         );
         assert_names(
-            &desk.fail(1, &["cost", "solve", option, "other.csv"]),
+            &workdir.fail(1, &["cost", "solve", option, "other.csv"]),
             &["other.csv"],
         );
     }
-    desk.write("empty.csv", "");
+    workdir.write("empty.csv", "");
     for command in [["cost", "effects"], ["plot", "effects"]] {
-        let message = desk.fail(
+        let message = workdir.fail(
             1,
             &[
                 &command[..],
@@ -124,8 +124,8 @@ fn rows_that_cannot_be_read_are_an_error_before_anything_is_measured() {
         );
         assert_names(&message, &["empty.csv", "it has no rows"]);
     }
-    desk.fail(2, &["cost", "effects", "scene.toml", "--data", "other.csv"]);
-    desk.fail(
+    workdir.fail(2, &["cost", "effects", "scene.toml", "--data", "other.csv"]);
+    workdir.fail(
         2,
         &[
             "cost",
@@ -136,7 +136,7 @@ fn rows_that_cannot_be_read_are_an_error_before_anything_is_measured() {
             "other.csv",
         ],
     );
-    desk.fail(
+    workdir.fail(
         2,
         &["cost", "solve", "--data", "other.csv", "-o", "rows.csv"],
     );

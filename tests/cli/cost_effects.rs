@@ -3,7 +3,7 @@
 
 use std::f64::consts::PI;
 
-use acceptance::{Contacts, Desk, assert_names, material};
+use acceptance::{Contacts, Workdir, assert_names, material, workdir};
 use interp::{Contact, Elastic, HalfSpace, Material};
 use tabulate::cost::clock::{Times, Timing};
 use tabulate::cost::effects::{Effect, Row, STRENGTHS, errors, markdown, measure};
@@ -15,12 +15,8 @@ use tabulate::table::{Observer, Scene};
 const RADIUS: f64 = 1e-3;
 const MODULUS: f64 = 2e6;
 
-fn desk() -> Desk {
-    Desk::new(env!("CARGO_BIN_EXE_tabulate-under-test"))
-}
-
-fn rows(desk: &Desk, file: &str) -> Vec<Row> {
-    read_csv(&desk.path(file)).expect("the command has written it")
+fn rows(workdir: &Workdir, file: &str) -> Vec<Row> {
+    read_csv(&workdir.path(file)).expect("the command has written it")
 }
 
 /// Adhesionless load and load (N) by eq. 9, for a sphere of this modulus.
@@ -217,8 +213,8 @@ e0_over_e2 = 10
 
 #[test]
 fn rows_say_what_generate_says_of_the_scene_without_an_effect() {
-    let desk = desk();
-    desk.write("scene.toml", SCENE);
+    let workdir = workdir!();
+    workdir.write("scene.toml", SCENE);
     let scene = Scene::parse(SCENE, Some(1e-3)).expect("the scene is sound");
     let rows = measure(&scene, 2000, Timing::Brief, &Silent).expect("within reach");
     let effects: Vec<_> = rows.iter().map(|row| row.without).collect();
@@ -259,8 +255,8 @@ fn rows_say_what_generate_says_of_the_scene_without_an_effect() {
         ),
     ];
     for (name, scene, row) in without {
-        desk.write("without.toml", scene);
-        let said = desk.succeed(&["generate", "without.toml", "--tolerance", "1e-3"]);
+        workdir.write("without.toml", scene);
+        let said = workdir.succeed(&["generate", "without.toml", "--tolerance", "1e-3"]);
         assert_names(&said, &[&format!("{} points in", row.solves)]);
         assert_eq!(
             row.axes,
@@ -306,8 +302,8 @@ fn rows_say_what_generate_says_of_the_scene_without_an_effect() {
         (0.0, 0.0)
     );
 
-    desk.write("other.csv", "tolerance\n1\n");
-    let message = desk.fail(
+    workdir.write("other.csv", "tolerance\n1\n");
+    let message = workdir.fail(
         1,
         &["plot", "effects", "--data", "other.csv", "-o", "other.svg"],
     );
@@ -349,10 +345,10 @@ fn a_time_that_is_not_above_the_noise_is_not_a_cost() {
         row(Some(Effect::Penetration), 3.6, None),
         row(Some(Effect::SphereCompliance), 3.6, Some(-1.1)),
     ];
-    let desk = desk();
-    let file = desk.write("rows.csv", to_csv(&rows));
+    let workdir = workdir!();
+    let file = workdir.write("rows.csv", to_csv(&rows));
     assert_eq!(read_csv::<Row>(&file).expect("its own"), rows);
-    let printed = desk.succeed(&["cost", "effects", "--data", "rows.csv"]);
+    let printed = workdir.succeed(&["cost", "effects", "--data", "rows.csv"]);
     assert_eq!(printed, markdown(&rows));
     let cells = [
         "| adhesion | w = 0 | 0 | 0 | 1.5 s |",
@@ -360,17 +356,17 @@ fn a_time_that_is_not_above_the_noise_is_not_a_cost() {
         "| sphere compliance | e1_over_e2 = 0 | 0 | 0 | no time (1.1 s more without it) |",
     ];
     assert_names(&printed, &cells);
-    desk.succeed(&["plot", "effects", "--data", "rows.csv", "-o", "rows.svg"]);
-    let drawn = String::from_utf8(desk.read("rows.svg")).expect("UTF-8");
+    workdir.succeed(&["plot", "effects", "--data", "rows.csv", "-o", "rows.svg"]);
+    let drawn = String::from_utf8(workdir.read("rows.svg")).expect("UTF-8");
     assert!(drawn.starts_with("<svg"));
 }
 
 #[test]
 fn effects_that_a_scene_does_not_have_are_named() {
-    let desk = desk();
+    let workdir = workdir!();
     let like = "title = 'x'\na_over_t = { from = 0.1, to = 10 }\ne1_over_e2 = 2\nnu1 = 0.25\ne0_over_e2 = 2\nnu0 = 0.25\nquantities = ['pi0']\n";
-    desk.write("like.toml", like);
-    let printed = desk.succeed(&[
+    workdir.write("like.toml", like);
+    let printed = workdir.succeed(&[
         "cost",
         "effects",
         "like.toml",
@@ -386,15 +382,15 @@ fn effects_that_a_scene_does_not_have_are_named() {
             "| film | JKR on the bare substrate | 1 |",
         ],
     );
-    let film = &rows(&desk, "like.csv")[1];
+    let film = &rows(&workdir, "like.csv")[1];
     assert_eq!(film.without, Some(Effect::Film));
     assert!(film.worst_error <= 1e-15, "{film:?}");
 
-    desk.write(
+    workdir.write(
         "rigid.toml",
         "title = 'x'\na_over_t = 1\ne1_over_e2 = 0\nnu1 = 0.5\ne0_over_e2 = inf\n",
     );
-    let printed = desk.succeed(&["cost", "effects", "rigid.toml", "--points", "500"]);
+    let printed = workdir.succeed(&["cost", "effects", "rigid.toml", "--points", "500"]);
     assert_names(
         &printed,
         &[
@@ -402,14 +398,14 @@ fn effects_that_a_scene_does_not_have_are_named() {
         ],
     );
 
-    desk.write("stiffness.toml", "title = 'x'\na_over_t = 1\ne1_over_e2 = 1\nnu1 = 0.5\ne0_over_e2 = inf\nquantities = ['eeq']\n");
+    workdir.write("stiffness.toml", "title = 'x'\na_over_t = 1\ne1_over_e2 = 1\nnu1 = 0.5\ne0_over_e2 = inf\nquantities = ['eeq']\n");
     assert_names(
-        &desk.fail(1, &["cost", "effects", "stiffness.toml"]),
+        &workdir.fail(1, &["cost", "effects", "stiffness.toml"]),
         &["pi0"],
     );
     for tolerance in ["1e-11", "0.5", "NaN"] {
         assert_names(
-            &desk.fail(
+            &workdir.fail(
                 1,
                 &["cost", "effects", "rigid.toml", "--tolerance", tolerance],
             ),

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 use std::sync::LazyLock;
 
-use acceptance::{Desk, assert_names, low_rank, shipped, table};
+use acceptance::{assert_names, low_rank, shipped, table, workdir};
 use interp::{Elastic, System, Table};
 use tabulate::cost::clock::Timing;
 use tabulate::cost::lookup::{POINTS, Row, markdown, measure, random_points};
@@ -23,8 +23,6 @@ const SMALL: &str = "
     nu1        = 0.5
     e0_over_e2 = 10
 ";
-
-const PROGRAM: &str = env!("CARGO_BIN_EXE_tabulate-under-test");
 
 fn paper() -> Table {
     Table::read(shipped("paper.bin")).expect("it comes with the project")
@@ -174,10 +172,10 @@ fn every_form_is_there_and_what_is_written_is_read() {
         (of(&rows, "packed table").max_error / of(&rows, "dense table").max_error - 1.0).abs()
             <= 0.05
     );
-    let desk = Desk::new(PROGRAM);
-    let file = desk.write("rows.csv", to_csv(&rows));
+    let workdir = workdir!();
+    let file = workdir.write("rows.csv", to_csv(&rows));
     assert_eq!(read_csv::<Row>(&file).expect("its own"), rows);
-    desk.succeed(&[
+    workdir.succeed(&[
         "plot",
         "lookup-cost",
         "--data",
@@ -185,7 +183,7 @@ fn every_form_is_there_and_what_is_written_is_read() {
         "-o",
         "lookup-cost.svg",
     ]);
-    assert!(desk.read("lookup-cost.svg").starts_with(b"<svg"));
+    assert!(workdir.read("lookup-cost.svg").starts_with(b"<svg"));
 }
 
 #[test]
@@ -214,21 +212,21 @@ fn a_table_without_all_quantities_is_an_error_that_names_one() {
 
 #[test]
 fn the_command_prints_a_summary_and_writes_all_rows() {
-    let desk = Desk::new(PROGRAM);
+    let workdir = workdir!();
     let file = shipped("paper.bin");
-    let summary = desk.succeed(&[
+    let summary = workdir.succeed(&[
         "cost",
         "lookup",
         file.to_str().expect("UTF-8"),
         "-o",
         "lookup.csv",
     ]);
-    let rows: Vec<Row> = read_csv(&desk.path("lookup.csv")).expect("its own");
+    let rows: Vec<Row> = read_csv(&workdir.path("lookup.csv")).expect("its own");
     assert_eq!(summary, markdown(&rows));
     assert!(rows.iter().any(|row| row.points == POINTS as u64));
-    let message = desk.fail(1, &["cost", "lookup", "missing.bin"]);
+    let message = workdir.fail(1, &["cost", "lookup", "missing.bin"]);
     assert_names(&message, &["missing.bin"]);
-    let message = desk.fail(
+    let message = workdir.fail(
         1,
         &[
             "cost",

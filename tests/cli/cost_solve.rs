@@ -1,6 +1,6 @@
 //! `tabulate cost solve`: its errors, sizes and methods against those of solves, and its files.
 
-use acceptance::{Data, Desk, assert_names, larger, relative_error};
+use acceptance::{Data, assert_names, larger, relative_error, workdir};
 use tabulate::cost::clock::Timing;
 use tabulate::cost::nystrom::Nystrom;
 use tabulate::cost::solve::{NYSTROM, REFUSED, Row, TOLERANCES, contacts, markdown, measure};
@@ -10,10 +10,6 @@ use tabulate::solve;
 /// The solve refuses no tolerance from here on (`truth/hard_cases.rs`).
 const ANSWERED: f64 = 1e-9;
 
-fn desk() -> Desk {
-    Desk::new(env!("CARGO_BIN_EXE_tabulate-under-test"))
-}
-
 /// Compares the contacts that other references have, too. The Poisson ratio of a rigid base has no
 /// meaning.
 #[test]
@@ -21,7 +17,7 @@ fn the_truth_is_that_of_the_other_references() {
     let files = ["barthel_reference", "contacts", "hard_cases"].map(Data::read);
     let mut common = 0;
     for contact in contacts() {
-        let same = |case: &acceptance::Case| {
+        let same = |case: &acceptance::Case<'_>| {
             let material = case.material();
             case.get("a_over_t") == contact.a_over_t
                 && material.e1_over_e2() == contact.e1_over_e2
@@ -70,31 +66,31 @@ fn nystroms_method_converges_to_values_from_elsewhere() {
 
 #[test]
 fn rows_have_errors_within_tolerances_that_are_the_same_in_every_run() {
-    let desk = desk();
+    let workdir = workdir!();
     let rows = measure(Timing::Brief, &|| {});
     assert!(rows.iter().all(|row| row.seconds > 0.0));
-    let file = desk.write("solve.csv", to_csv(&rows));
-    let text = String::from_utf8(desk.read("solve.csv")).expect("UTF-8");
+    let file = workdir.write("solve.csv", to_csv(&rows));
+    let text = String::from_utf8(workdir.read("solve.csv")).expect("UTF-8");
     let header = "contact,a_over_t,e1_over_e2,nu1,e0_over_e2,nu0,method,tolerance,size,error_estimated,error,seconds";
     assert_eq!(text.lines().next(), Some(header));
     assert_eq!(text.lines().count(), rows.len() + 1);
     assert_eq!(read_csv::<Row>(&file).expect("its own"), rows);
     assert_eq!(
-        desk.succeed(&["cost", "solve", "--data", "solve.csv"]),
+        workdir.succeed(&["cost", "solve", "--data", "solve.csv"]),
         markdown(&rows)
     );
 
     for name in ["one.svg", "two.svg", "one.png"] {
         assert_eq!(
-            desk.succeed(&["plot", "work-precision", "--data", "solve.csv", "-o", name]),
+            workdir.succeed(&["plot", "work-precision", "--data", "solve.csv", "-o", name]),
             ""
         );
     }
-    let drawn = desk.read("one.svg");
+    let drawn = workdir.read("one.svg");
     assert!(
         drawn.starts_with(b"<svg")
-            && drawn == desk.read("two.svg")
-            && desk.read("one.png").starts_with(b"\x89PNG")
+            && drawn == workdir.read("two.svg")
+            && workdir.read("one.png").starts_with(b"\x89PNG")
     );
 
     for contact in contacts() {
@@ -165,9 +161,9 @@ fn rows_have_errors_within_tolerances_that_are_the_same_in_every_run() {
 
 #[test]
 fn a_figure_of_anything_else_is_refused() {
-    let desk = desk();
-    desk.write("other.csv", "contact,a_over_t\nthe paper's,thin\n");
-    let message = desk.fail(
+    let workdir = workdir!();
+    workdir.write("other.csv", "contact,a_over_t\nthe paper's,thin\n");
+    let message = workdir.fail(
         1,
         &[
             "plot",
@@ -179,13 +175,13 @@ fn a_figure_of_anything_else_is_refused() {
         ],
     );
     assert_names(&message, &["other.csv", "line: 2"]);
-    assert_eq!(desk.files(), ["other.csv"]);
+    assert_eq!(workdir.files(), ["other.csv"]);
 }
 
 #[test]
 fn an_output_that_cannot_be_written_is_named_before_anything_is_measured() {
     assert_names(
-        &desk().fail(1, &["cost", "solve", "-o", "nowhere/solve.csv"]),
+        &workdir!().fail(1, &["cost", "solve", "-o", "nowhere/solve.csv"]),
         &["nowhere/solve.csv", "no folder"],
     );
 }

@@ -4,7 +4,7 @@
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Duration;
 
-use acceptance::{Desk, assert_names};
+use acceptance::{Workdir, assert_names, workdir};
 use interp::{LowRank, Table};
 use tabulate::Error;
 use tabulate::cost::clock::Timing;
@@ -20,14 +20,14 @@ nu1 = 0.5
 e0_over_e2 = inf
 ";
 
-fn desk() -> Desk {
-    let desk = Desk::new(env!("CARGO_BIN_EXE_tabulate-under-test"));
-    desk.write("scene.toml", SCENE);
-    desk
+fn workdir() -> Workdir {
+    let workdir = workdir!();
+    workdir.write("scene.toml", SCENE);
+    workdir
 }
 
-fn rows(desk: &Desk, file: &str) -> Vec<Row> {
-    read_csv(&desk.path(file)).expect("the command has written it")
+fn rows(workdir: &Workdir, file: &str) -> Vec<Row> {
+    read_csv(&workdir.path(file)).expect("the command has written it")
 }
 
 /// Counts the points that are solved.
@@ -59,7 +59,7 @@ impl Work {
 
 #[test]
 fn rows_say_what_generate_and_pack_say() {
-    let desk = desk();
+    let workdir = workdir();
     let Measured { rows, left_out } = Work::default().measure(None).expect("within reach");
     assert_eq!(
         rows.iter().map(|row| row.tolerance).collect::<Vec<_>>(),
@@ -69,7 +69,7 @@ fn rows_say_what_generate_and_pack_say() {
     let printed = markdown(&rows);
     for row in rows.iter().step_by(3) {
         let tolerance = row.tolerance.to_string();
-        let said = desk.succeed(&[
+        let said = workdir.succeed(&[
             "generate",
             "scene.toml",
             "-o",
@@ -77,7 +77,7 @@ fn rows_say_what_generate_and_pack_say() {
             "--tolerance",
             &tolerance,
         ]);
-        desk.succeed(&[
+        workdir.succeed(&[
             "pack",
             "table.h5",
             "-o",
@@ -86,15 +86,15 @@ fn rows_say_what_generate_and_pack_say() {
             &tolerance,
         ]);
         let (dense, packed) = (
-            Table::open(desk.path("table.h5")).expect("sound"),
-            Table::read(desk.path("table.bin")).expect("sound"),
+            Table::open(workdir.path("table.h5")).expect("sound"),
+            Table::read(workdir.path("table.bin")).expect("sound"),
         );
         assert_eq!(row.nodes(), dense.shape().map(|nodes| nodes as u64));
         assert_names(&said, &[&format!("{} points in", row.solves)]);
         assert_eq!(row.dense_error, dense.description().certificate.max_error);
         assert_eq!(row.packed_error, packed.description().certificate.max_error);
-        assert_eq!(row.dense_bytes, desk.read("table.h5").len() as u64);
-        assert_eq!(row.packed_bytes, desk.read("table.bin").len() as u64);
+        assert_eq!(row.dense_bytes, workdir.read("table.h5").len() as u64);
+        assert_eq!(row.packed_bytes, workdir.read("table.bin").len() as u64);
         let ranks = packed
             .low_rank()
             .map(LowRank::ranks)
@@ -143,8 +143,8 @@ fn rows_say_what_generate_and_pack_say() {
 
 #[test]
 fn the_command_writes_and_prints_the_rows_down_to_a_tolerance() {
-    let desk = desk();
-    let printed = desk.succeed(&[
+    let workdir = workdir();
+    let printed = workdir.succeed(&[
         "cost",
         "table",
         "scene.toml",
@@ -153,17 +153,17 @@ fn the_command_writes_and_prints_the_rows_down_to_a_tolerance() {
         "-o",
         "table.csv",
     ]);
-    let rows = rows(&desk, "table.csv");
+    let rows = rows(&workdir, "table.csv");
     assert_eq!(
         to_csv(&rows),
-        desk.read("table.csv"),
+        workdir.read("table.csv"),
         "numbers do not read back"
     );
     assert_eq!(
         rows.iter().map(|row| row.tolerance).collect::<Vec<_>>(),
         [1e-2, 1e-3]
     );
-    assert_eq!(desk.files(), ["scene.toml", "table.csv"]);
+    assert_eq!(workdir.files(), ["scene.toml", "table.csv"]);
     assert_eq!(printed, markdown(&rows));
     assert_names(
         &printed,
@@ -176,7 +176,7 @@ fn the_command_writes_and_prints_the_rows_down_to_a_tolerance() {
         assert_names(&printed, &[&format!("| {:e} | ", row.tolerance)]);
     }
 
-    desk.succeed(&[
+    workdir.succeed(&[
         "plot",
         "table-cost",
         "--data",
@@ -184,24 +184,24 @@ fn the_command_writes_and_prints_the_rows_down_to_a_tolerance() {
         "-o",
         "table.svg",
     ]);
-    assert!(desk.read("table.svg").starts_with(b"<svg"));
+    assert!(workdir.read("table.svg").starts_with(b"<svg"));
     // A solve that takes no longer than a lookup: infinity is read back, too.
     let never = vec![Row {
         break_even_alone: f64::INFINITY,
         ..rows[0].clone()
     }];
-    desk.write("never.csv", to_csv(&never));
-    assert_eq!(self::rows(&desk, "never.csv"), never);
+    workdir.write("never.csv", to_csv(&never));
+    assert_eq!(self::rows(&workdir, "never.csv"), never);
     assert_names(&markdown(&never), &["| never |"]);
 
     // Another run has the kept sizes and errors. Times of 0 are not compared. The last row is not
     // measured again.
-    let mut kept = rows.clone();
+    let mut kept = rows;
     for row in &mut kept {
         (row.seconds, row.pack_seconds, row.solve_seconds) = (0.0, 0.0, 0.0);
         (row.curve_seconds, row.point_seconds) = (0.0, 0.0);
     }
-    desk.write("kept.csv", to_csv(&kept));
+    workdir.write("kept.csv", to_csv(&kept));
     let compare = [
         "cost",
         "table",
@@ -210,15 +210,15 @@ fn the_command_writes_and_prints_the_rows_down_to_a_tolerance() {
         "kept.csv",
         "--to",
     ];
-    let run = desk.run(&[&compare[..], &["1e-2"]].concat());
+    let run = workdir.run(&[&compare[..], &["1e-2"]].concat());
     assert_eq!(run.status, 0, "{}", run.stderr);
     assert_names(
         &run.stderr,
         &["kept.csv: the last 1 of its 2 rows are not compared"],
     );
     kept[0].packed_bytes += 1;
-    desk.write("kept.csv", to_csv(&kept));
-    let run = desk.run(&[&compare[..], &["1e-2"]].concat());
+    workdir.write("kept.csv", to_csv(&kept));
+    let run = workdir.run(&[&compare[..], &["1e-2"]].concat());
     assert_eq!(run.status, 1);
     assert_names(&run.stderr, &["kept.csv", "row 1", "packed_bytes was"]);
 }
@@ -274,21 +274,21 @@ fn a_budget_is_kept_and_the_table_that_it_leaves_out_is_named() {
 
 #[test]
 fn a_budget_that_does_not_suffice_for_the_first_table_is_an_error() {
-    let desk = desk();
+    let workdir = workdir();
     let command = ["cost", "table", "scene.toml", "-o", "table.csv", "--budget"];
-    let message = desk.fail(1, &[&command[..], &["1e-9"]].concat());
+    let message = workdir.fail(1, &[&command[..], &["1e-9"]].concat());
     assert_names(&message, &["the budget is spent", "1e-9 s", "larger"]);
-    assert_eq!(desk.files(), ["scene.toml"]);
+    assert_eq!(workdir.files(), ["scene.toml"]);
 }
 
 #[test]
 fn tolerances_out_of_reach_are_left_out_and_the_reason_is_said() {
-    let desk = desk();
-    desk.write(
+    let workdir = workdir();
+    workdir.write(
         "stated.toml",
         SCENE.replace("to = 10 }", "to = 10, nodes = 10 }"),
     );
-    let run = desk.run(&[
+    let run = workdir.run(&[
         "cost",
         "table",
         "stated.toml",
@@ -298,20 +298,20 @@ fn tolerances_out_of_reach_are_left_out_and_the_reason_is_said() {
         "table.csv",
     ]);
     assert_eq!(run.status, 0);
-    let rows = rows(&desk, "table.csv");
+    let rows = rows(&workdir, "table.csv");
     assert!(
         (1..4).contains(&rows.len()),
         "ten nodes keep {} tolerances",
         rows.len()
     );
-    let said = desk.run(&[
+    let said = workdir.run(&[
         "generate",
         "stated.toml",
         "--tolerance",
         &TOLERANCES[rows.len()].to_string(),
     ]);
     assert_eq!(said.status, 1);
-    let error = Table::open(desk.path("stated.h5"))
+    let error = Table::open(workdir.path("stated.h5"))
         .expect("sound")
         .description()
         .certificate
@@ -325,25 +325,25 @@ fn tolerances_out_of_reach_are_left_out_and_the_reason_is_said() {
     assert_names(&run.stdout, &[&markdown(&rows), &reason]);
     // The file of rows does not hold the reason.
     assert_eq!(
-        desk.succeed(&["cost", "table", "--data", "table.csv"]),
+        workdir.succeed(&["cost", "table", "--data", "table.csv"]),
         markdown(&rows)
     );
 
-    desk.write(
+    workdir.write(
         "coarse.toml",
         SCENE.replace("to = 10 }", "to = 10, nodes = 3 }"),
     );
-    let message = desk.fail(1, &["cost", "table", "coarse.toml", "-o", "none.csv"]);
+    let message = workdir.fail(1, &["cost", "table", "coarse.toml", "-o", "none.csv"]);
     assert_names(&message, &["its certified error", "leaves no room", "1e-2"]);
-    assert!(!desk.files().contains(&"none.csv".to_owned()));
+    assert!(!workdir.files().contains(&"none.csv".to_owned()));
 }
 
 #[test]
 fn bad_scenes_and_budgets_are_errors_that_name_the_value() {
-    let desk = desk();
+    let workdir = workdir();
     for budget in ["0", "-1", "1e10", "NaN", "inf"] {
         let value = budget.parse::<f64>().expect("a number");
-        let message = desk.fail(1, &["cost", "table", "scene.toml", "--budget", budget]);
+        let message = workdir.fail(1, &["cost", "table", "scene.toml", "--budget", budget]);
         assert_names(
             &message,
             &[
@@ -352,32 +352,32 @@ fn bad_scenes_and_budgets_are_errors_that_name_the_value() {
             ],
         );
     }
-    desk.fail(2, &["cost", "table", "scene.toml", "--budget", "soon"]);
+    workdir.fail(2, &["cost", "table", "scene.toml", "--budget", "soon"]);
     for to in ["1e-9", "0.1", "-1", "NaN"] {
         let value = to.parse::<f64>().expect("a number");
         assert_names(
-            &desk.fail(1, &["cost", "table", "scene.toml", "--to", to]),
+            &workdir.fail(1, &["cost", "table", "scene.toml", "--to", to]),
             &[&format!("--to = {value:?}"), "from 1e-2 to 1e-8"],
         );
     }
-    desk.write("wrong.toml", SCENE.replace("nu1 = 0.5", "nu1 = 0.6"));
+    workdir.write("wrong.toml", SCENE.replace("nu1 = 0.5", "nu1 = 0.6"));
     for command in ["table", "effects"] {
         assert_names(
-            &desk.fail(1, &["cost", command, "missing.toml"]),
+            &workdir.fail(1, &["cost", command, "missing.toml"]),
             &["cannot read missing.toml"],
         );
         assert_names(
-            &desk.fail(1, &["cost", command, "wrong.toml"]),
+            &workdir.fail(1, &["cost", command, "wrong.toml"]),
             &["wrong.toml", "nu1 = 0.6", "(-1, 0.5]"],
         );
         assert_names(
-            &desk.fail(1, &["cost", command, "scene.toml", "-o", "scene.toml"]),
+            &workdir.fail(1, &["cost", command, "scene.toml", "-o", "scene.toml"]),
             &["scene.toml", "it is the input"],
         );
         assert_names(
-            &desk.fail(1, &["cost", command, "scene.toml", "-o", "none/x.csv"]),
+            &workdir.fail(1, &["cost", command, "scene.toml", "-o", "none/x.csv"]),
             &["none/x.csv", "there is no folder"],
         );
     }
-    assert_eq!(desk.read("scene.toml"), SCENE.as_bytes());
+    assert_eq!(workdir.read("scene.toml"), SCENE.as_bytes());
 }

@@ -1,20 +1,20 @@
 //! `tabulate curve`
 
-use acceptance::{Data, larger, paper_system};
+use acceptance::{Data, larger, paper_system, workdir};
 use interp::{Mechanics, Table};
 
-use crate::{desk, paper_table, solved};
+use crate::{paper_table, solved};
 
 #[test]
 fn curve_is_the_papers_by_default_and_the_same_from_the_table() {
     /// Largest difference in units of what table and solves allow, and of the sum of both terms.
     /// Measured: 0.13.
     const OF_BOTH: f64 = 1.0;
-    let desk = desk();
+    let workdir = workdir!();
     let table_path = paper_table();
     let outputs = [
-        desk.succeed(&["curve"]),
-        desk.succeed(&["curve", &table_path]),
+        workdir.succeed(&["curve"]),
+        workdir.succeed(&["curve", &table_path]),
     ];
     let [direct, looked_up] = outputs.each_ref().map(|text| Data::parse("curve", text));
     assert_eq!(
@@ -79,7 +79,7 @@ fn curve_is_the_papers_by_default_and_the_same_from_the_table() {
 
 #[test]
 fn curve_takes_every_part_of_the_system() {
-    let desk = desk();
+    let workdir = workdir!();
     let arguments = [
         "curve",
         "--film-thickness",
@@ -109,8 +109,8 @@ fn curve_takes_every_part_of_the_system() {
         "-o",
         "curve.csv",
     ];
-    assert_eq!(desk.succeed(&arguments), "");
-    let output = String::from_utf8(desk.read("curve.csv")).expect("UTF-8");
+    assert_eq!(workdir.succeed(&arguments), "");
+    let output = String::from_utf8(workdir.read("curve.csv")).expect("UTF-8");
     let data = Data::parse("curve.csv", &output);
     let solid = |young, poisson| interp::Elastic::new(young, poisson).expect("physical");
     let system = interp::System {

@@ -2,14 +2,14 @@
 
 use std::path::Path;
 
-use acceptance::{assert_names, shipped, table};
+use acceptance::{assert_names, shipped, table, workdir};
 use interp::Table;
 
-use crate::{TWO_QUANTITIES, desk};
+use crate::TWO_QUANTITIES;
 
 #[test]
 fn embedded_is_the_table_that_is_compiled_in() {
-    let desk = desk();
+    let workdir = workdir!();
     let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../crates/interp/embedded/default.bin");
     let (path, points) = (file.to_str().expect("UTF-8"), shipped("points.csv"));
     let points = points.to_str().expect("UTF-8");
@@ -27,12 +27,12 @@ fn embedded_is_the_table_that_is_compiled_in() {
                 "TABLE" => table,
                 word => word,
             });
-            desk.succeed(&words.collect::<Vec<_>>())
+            workdir.succeed(&words.collect::<Vec<_>>())
         };
         assert_eq!(of("embedded"), of(path), "{command:?}");
     }
-    desk.succeed(&["pack", "embedded", "-o", "packed.bin"]);
-    assert!(desk.read("packed.bin") == std::fs::read(&file).expect("it is there"));
+    workdir.succeed(&["pack", "embedded", "-o", "packed.bin"]);
+    assert!(workdir.read("packed.bin") == std::fs::read(&file).expect("it is there"));
     assert_eq!(
         Table::embedded().description(),
         Table::read(&file).expect("a sound table").description()
@@ -41,17 +41,20 @@ fn embedded_is_the_table_that_is_compiled_in() {
 
 #[test]
 fn a_file_of_that_name_is_reached_with_its_folder() {
-    let desk = desk();
+    let workdir = workdir!();
     let packed = table(TWO_QUANTITIES).to_packed().expect("a small table");
-    desk.write("embedded", packed);
-    assert_names(&desk.succeed(&["info", "./embedded"]), &["Two quantities"]);
+    workdir.write("embedded", packed);
+    assert_names(
+        &workdir.succeed(&["info", "./embedded"]),
+        &["Two quantities"],
+    );
     let title = &Table::embedded().description().title;
-    assert_names(&desk.succeed(&["info", "embedded"]), &[title]);
+    assert_names(&workdir.succeed(&["info", "embedded"]), &[title]);
 }
 
 #[test]
 fn every_help_with_a_table_says_so() {
-    let desk = desk();
+    let workdir = workdir!();
     let commands: [&[&str]; 9] = [
         &["query"],
         &["curve"],
@@ -64,7 +67,7 @@ fn every_help_with_a_table_says_so() {
         &["cost", "lookup"],
     ];
     for command in commands {
-        let help = desk.succeed(&[command, &["--help"]].concat());
+        let help = workdir.succeed(&[command, &["--help"]].concat());
         assert_names(&help, &["the word `embedded`", "./embedded"]);
     }
 }

@@ -3,13 +3,11 @@
 use std::fs;
 use std::path::Path;
 
-use acceptance::{Desk, assert_names};
-
-use crate::desk;
+use acceptance::{Workdir, assert_names, workdir};
 
 #[test]
 fn the_help_of_every_command_has_its_arguments_and_the_program_says_whose_modulus() {
-    let desk = desk();
+    let workdir = workdir!();
     let commands: [(&str, &[&str]); 9] = [
         (
             "generate",
@@ -67,13 +65,12 @@ fn the_help_of_every_command_has_its_arguments_and_the_program_says_whose_modulu
                 "--output",
                 "TABLE.bin",
                 "--tolerance",
-                "--derivative-tolerance",
                 "--points",
                 "--seed",
             ],
         ),
     ];
-    let program = desk.succeed(&["--help"]);
+    let program = workdir.succeed(&["--help"]);
     assert_names(
         &program,
         &[
@@ -92,26 +89,26 @@ fn the_help_of_every_command_has_its_arguments_and_the_program_says_whose_modulu
         ],
     );
     for (command, arguments) in commands {
-        let help = desk.succeed(&[command, "--help"]);
+        let help = workdir.succeed(&[command, "--help"]);
         assert_names(&help, arguments);
         assert_names(&help, &[&format!("Usage: tabulate {command}")]);
     }
     for command in ["solve", "curve"] {
         assert_names(
-            &desk.succeed(&[command, "--help"]),
+            &workdir.succeed(&[command, "--help"]),
             &["educed modulus E2*", "inf"],
         );
     }
     assert_names(
-        &desk.succeed(&["--version"]),
+        &workdir.succeed(&["--version"]),
         &["tabulate ", env!("CARGO_PKG_VERSION")],
     );
 }
 
 #[test]
 fn wrong_usage_ends_with_2_and_failed_work_with_1() {
-    let desk = desk();
-    desk.write(
+    let workdir = workdir!();
+    workdir.write(
         "points.csv",
         "a_over_t,e1_over_e2,nu1,e0_over_e2\n1,1,0.5,inf\n",
     );
@@ -144,7 +141,7 @@ fn wrong_usage_ends_with_2_and_failed_work_with_1() {
         ),
     ];
     for (arguments, word) in usage {
-        assert_names(&desk.fail(2, &arguments), &[word]);
+        assert_names(&workdir.fail(2, &arguments), &[word]);
     }
     let failed: [(Vec<&str>, &[&str]); 10] = [
         (with(&["--nu0", "0.6"]), &["nu0", "0.6", "(-1, 0.5]"]),
@@ -177,10 +174,10 @@ fn wrong_usage_ends_with_2_and_failed_work_with_1() {
         ),
     ];
     for (arguments, words) in failed {
-        assert_names(&desk.fail(1, &arguments), words);
+        assert_names(&workdir.fail(1, &arguments), words);
     }
-    desk.succeed(&one);
-    assert_eq!(desk.files(), ["points.csv"]);
+    workdir.succeed(&one);
+    assert_eq!(workdir.files(), ["points.csv"]);
 }
 
 /// The beginning of an example in a help text.
@@ -204,14 +201,14 @@ const LONG: [&str; 10] = [
 type Help = (Vec<String>, String);
 
 /// Returns the help of the program and of every command.
-fn helps(desk: &Desk) -> Vec<Help> {
-    let mut helps: Vec<Help> = vec![(vec![], desk.succeed(&["--help"]))];
+fn helps(workdir: &Workdir) -> Vec<Help> {
+    let mut helps: Vec<Help> = vec![(vec![], workdir.succeed(&["--help"]))];
     let mut read = 0;
     while let Some((name, text)) = helps.get(read).cloned() {
         for command in commands(&text) {
             let name: Vec<String> = name.iter().cloned().chain([command]).collect();
             let arguments: Vec<&str> = name.iter().map(String::as_str).chain(["--help"]).collect();
-            let text = desk.succeed(&arguments);
+            let text = workdir.succeed(&arguments);
             helps.push((name, text));
         }
         read += 1;
@@ -244,7 +241,7 @@ fn examples(help: &str) -> Vec<&str> {
 
 #[test]
 fn every_help_shows_examples_and_names_moduli_with_the_star() {
-    let helps = helps(&desk());
+    let helps = helps(&workdir!());
     assert!(helps.len() > 25, "{} commands", helps.len());
     for (name, text) in &helps {
         let examples = examples(text);
@@ -266,19 +263,19 @@ fn every_help_shows_examples_and_names_moduli_with_the_star() {
 
 #[test]
 fn the_examples_work_when_pasted_at_the_root_of_the_repository() {
-    let desk = desk();
+    let workdir = workdir!();
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
     for folder in ["tables", "tables/figures"] {
-        fs::create_dir_all(desk.path(folder)).expect("made");
+        fs::create_dir_all(workdir.path(folder)).expect("made");
         for entry in fs::read_dir(root.join(folder)).expect("it is there") {
             let path = entry.expect("an entry").path();
             if path.is_file() {
                 let name = path.file_name().expect("a name");
-                fs::copy(&path, desk.path(folder).join(name)).expect("copied");
+                fs::copy(&path, workdir.path(folder).join(name)).expect("copied");
             }
         }
     }
-    let helps = helps(&desk);
+    let helps = helps(&workdir);
     let mut left: Vec<&str> = helps.iter().flat_map(|(_, text)| examples(text)).collect();
     left.sort_unstable();
     left.dedup();
@@ -288,7 +285,7 @@ fn the_examples_work_when_pasted_at_the_root_of_the_repository() {
     }
     assert!(left.len() > 25, "{left:?}");
     for example in left {
-        let run = desk.script(&format!("tabulate() {{ \"$0\" \"$@\"; }}\n{example}"));
+        let run = workdir.script(&format!("tabulate() {{ \"$0\" \"$@\"; }}\n{example}"));
         assert!(
             run.status == 0 && run.stderr.is_empty(),
             "{example}: {run:?}"
@@ -296,7 +293,7 @@ fn the_examples_work_when_pasted_at_the_root_of_the_repository() {
         let words: Vec<&str> = example.split_whitespace().collect();
         let output = words.windows(2).find(|pair| ["-o", ">"].contains(&pair[0]));
         let (text, file) = match output {
-            Some(pair) => (run.stdout, desk.read(pair[1])),
+            Some(pair) => (run.stdout, workdir.read(pair[1])),
             None => (String::new(), run.stdout.into_bytes()),
         };
         assert!(file.len() > 30, "{example} leaves {file:?} and {text:?}");
@@ -305,10 +302,10 @@ fn the_examples_work_when_pasted_at_the_root_of_the_repository() {
 
 #[test]
 fn completions_and_man_pages_mention_every_command_and_option() {
-    let desk = desk();
-    let helps = helps(&desk);
+    let workdir = workdir!();
+    let helps = helps(&workdir);
     for shell in ["bash", "elvish", "fish", "powershell", "zsh"] {
-        let script = desk.succeed(&["completions", shell]);
+        let script = workdir.succeed(&["completions", shell]);
         for (name, _) in &helps {
             if let Some(last) = name.last() {
                 assert!(script.contains(last), "{shell}: {name:?}");
@@ -318,7 +315,7 @@ fn completions_and_man_pages_mention_every_command_and_option() {
     }
     // A shell can read it, where there is one.
     let run =
-        desk.script("command -v bash >/dev/null || exit 0\n\"$0\" completions bash | bash -n");
+        workdir.script("command -v bash >/dev/null || exit 0\n\"$0\" completions bash | bash -n");
     assert_eq!((run.status, run.stderr.as_str()), (0, ""));
 
     for (name, text) in &helps {
@@ -326,7 +323,7 @@ fn completions_and_man_pages_mention_every_command_and_option() {
             .into_iter()
             .chain(name.iter().map(String::as_str))
             .collect();
-        let page = desk.succeed(&arguments).replace('\\', "");
+        let page = workdir.succeed(&arguments).replace('\\', "");
         let title = ["tabulate".to_owned()]
             .into_iter()
             .chain(name.clone())
@@ -342,19 +339,19 @@ fn completions_and_man_pages_mention_every_command_and_option() {
         });
         assert_names(&page, &options.collect::<Vec<_>>());
     }
-    assert_names(&desk.fail(1, &["man", "plough"]), &["plough", "curve"]);
+    assert_names(&workdir.fail(1, &["man", "plough"]), &["plough", "curve"]);
 }
 
 #[test]
 fn a_file_is_not_given_the_ending_of_another_format() {
-    let desk = desk();
+    let workdir = workdir!();
     for command in [
         ["generate", "-o", "table.bin", "--plan"],
         ["unpack", "embedded", "-o", "table.BIN"],
         ["pack", "embedded", "-o", "table.h5"],
     ] {
-        let message = desk.fail(2, &command);
+        let message = workdir.fail(2, &command);
         assert_names(&message, &["table.", "let the name end in .", "pack"]);
     }
-    assert!(desk.files().is_empty());
+    assert!(workdir.files().is_empty());
 }

@@ -1,14 +1,14 @@
 //! `tabulate info`, and the JSON objects of all commands.
 
-use acceptance::{assert_names, table};
+use acceptance::{assert_names, table, workdir};
 use interp::{Parameter, Quantity, Table};
 use serde_json::Value;
 
-use crate::{TWO_QUANTITIES, desk, paper_table};
+use crate::{TWO_QUANTITIES, paper_table};
 
 #[test]
 fn info_prints_axes_quantities_and_certificate() {
-    let desk = desk();
+    let workdir = workdir!();
     let table_path = paper_table();
     let table = Table::read(&table_path).expect("a sound table");
     let description = table.description();
@@ -17,7 +17,7 @@ fn info_prints_axes_quantities_and_certificate() {
         .identity_errors
         .map(|error| error.expect("all quantities are held"));
     let [n_a, n_e1, _, _] = table.shape();
-    let text = desk.succeed(&["info", &table_path]);
+    let text = workdir.succeed(&["info", &table_path]);
     let lines = [
         ("title", description.title.clone()),
         ("a_over_t", format!("0.001 to 1000, {n_a} nodes")),
@@ -74,9 +74,9 @@ fn info_prints_axes_quantities_and_certificate() {
         )],
     );
     let small = self::table(TWO_QUANTITIES);
-    desk.write("small.bin", small.to_packed().expect("a small table"));
+    workdir.write("small.bin", small.to_packed().expect("a small table"));
     assert_names(
-        &desk.succeed(&["info", "small.bin"]),
+        &workdir.succeed(&["info", "small.bin"]),
         &["eeq, delta0 (normalised by E2*)", "inf"],
     );
 }
@@ -139,13 +139,13 @@ fn assert_describes(object: &Value, table: &Table, bytes: u64) {
 
 #[test]
 fn json_holds_what_the_table_holds() {
-    let desk = desk();
+    let workdir = workdir!();
     let object = |args: &[&str]| -> Value {
-        let text = desk.succeed(&[args, &["--json"]].concat());
+        let text = workdir.succeed(&[args, &["--json"]].concat());
         assert_eq!(text.lines().count(), 1, "{text}");
         serde_json::from_str(&text).expect("JSON")
     };
-    let size = |name: &str| std::fs::metadata(desk.path(name)).expect("a file").len();
+    let size = |name: &str| std::fs::metadata(workdir.path(name)).expect("a file").len();
     let names = |object: &Value| -> Vec<String> {
         object
             .as_object()
@@ -165,9 +165,9 @@ fn json_holds_what_the_table_holds() {
     assert_describes(&object(&["info", "embedded"]), embedded, bytes);
 
     // A substrate at infinity, and identities that are not known.
-    desk.write("scene.toml", TWO_QUANTITIES.replace("1e-2", "1e-1"));
+    workdir.write("scene.toml", TWO_QUANTITIES.replace("1e-2", "1e-1"));
     let made = object(&["generate", "scene.toml", "--certificate-points", "50"]);
-    let table = Table::open(desk.path("scene.h5")).expect("a sound table");
+    let table = Table::open(workdir.path("scene.h5")).expect("a sound table");
     assert_describes(&made, &table, size("scene.h5"));
     assert_eq!(made["axes"]["e0_over_e2"]["to"], "inf");
     assert_eq!(made["path"], "scene.h5");
@@ -181,12 +181,12 @@ fn json_holds_what_the_table_holds() {
     assert_eq!(names(&made).len(), 18);
 
     let packed = object(&["pack", "scene.h5", "-o", "table.bin"]);
-    let table = Table::read(desk.path("table.bin")).expect("a sound table");
+    let table = Table::read(workdir.path("table.bin")).expect("a sound table");
     assert_describes(&packed, &table, size("table.bin"));
     assert_eq!(packed["path"], "table.bin");
     let tight = ["pack", "scene.h5", "-o", "low.bin", "--tolerance", "1e-1"];
     let packed = object(&tight);
-    let table = Table::read(desk.path("low.bin")).expect("a sound table");
+    let table = Table::read(workdir.path("low.bin")).expect("a sound table");
     assert!(packed["ranks"].is_array());
     assert_describes(&packed, &table, size("low.bin"));
 

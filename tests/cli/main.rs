@@ -17,7 +17,7 @@ mod plot;
 mod points;
 mod readme;
 
-use acceptance::{Desk, shipped};
+use acceptance::shipped;
 use interp::Material;
 use tabulate::solve::{Solution, solve};
 
@@ -32,10 +32,6 @@ const TWO_QUANTITIES: &str = "
     e0_over_e2 = inf
     nu0        = 0.1
 ";
-
-fn desk() -> Desk {
-    Desk::new(env!("CARGO_BIN_EXE_tabulate-under-test"))
-}
 
 fn solved(x: f64, material: &Material, tolerance: f64) -> Solution {
     solve(x, material, tolerance).expect("moderate contrasts converge")

@@ -4,10 +4,8 @@ use std::io::pipe;
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
 
-use acceptance::shipped;
+use acceptance::{shipped, workdir};
 use interp::{Quantity, Table};
-
-use crate::desk;
 
 /// Runs the program in a folder. The readers of standard output and, if `both`, of standard error
 /// are closed before it starts.
@@ -30,12 +28,12 @@ fn run_unread(folder: &Path, both: bool, args: &[&str]) -> Output {
 
 #[test]
 fn a_closed_reader_is_no_failure_of_any_command() {
-    let desk = desk();
+    let workdir = workdir!();
     let table = shipped("paper.bin");
     let (table, points) = (table.to_str().expect("UTF-8"), shipped("points.csv"));
     let points = points.to_str().expect("UTF-8");
     let costs = shipped("figures/table.csv");
-    desk.write("scene.toml", crate::TWO_QUANTITIES.replace("1e-2", "1e-1"));
+    workdir.write("scene.toml", crate::TWO_QUANTITIES.replace("1e-2", "1e-1"));
     let commands: [&[&str]; 15] = [
         &["--help"],
         &["--version"],
@@ -55,19 +53,19 @@ fn a_closed_reader_is_no_failure_of_any_command() {
     ];
     for args in commands {
         for both in [false, true] {
-            let output = run_unread(&desk.path("."), both, args);
+            let output = run_unread(&workdir.path("."), both, args);
             assert!(
                 output.status.code() == Some(0) && output.stderr.is_empty(),
                 "{args:?}: {output:?}"
             );
         }
     }
-    assert!(desk.files().contains(&"scene.h5".to_owned()));
+    assert!(workdir.files().contains(&"scene.h5".to_owned()));
 }
 
 #[test]
 fn work_that_fails_ends_with_1_whoever_reads() {
-    let desk = desk();
+    let workdir = workdir!();
     let sound = Table::read(shipped("paper.bin")).expect("a sound table");
     let axes = acceptance::axes(&sound);
     let values = Quantity::ALL.map(|quantity| {
@@ -75,14 +73,14 @@ fn work_that_fails_ends_with_1_whoever_reads() {
         Some(values.iter().map(|value| 1.001 * value).collect())
     });
     let wrong = Table::new(sound.description().clone(), axes, values).expect("sound values");
-    desk.write("wrong.bin", wrong.to_packed().expect("small"));
+    workdir.write("wrong.bin", wrong.to_packed().expect("small"));
     for (args, status) in [
         (&["check", "wrong.bin", "--points", "20"][..], 1),
         (&["info", "missing.h5"], 1),
         (&["plough"], 2),
     ] {
         for both in [false, true] {
-            let output = run_unread(&desk.path("."), both, args);
+            let output = run_unread(&workdir.path("."), both, args);
             let message = String::from_utf8(output.stderr).expect("UTF-8");
             assert_eq!(output.status.code(), Some(status), "{args:?}: {message}");
             assert!(!message.contains("panicked"), "{args:?}: {message}");

@@ -1,8 +1,9 @@
 //! `tabulate generate --plan`: the size that it expects of the file.
 
+use acceptance::workdir;
 use serde_json::Value;
 
-use crate::{TWO_QUANTITIES, desk};
+use crate::TWO_QUANTITIES;
 
 /// Three planned axes, a few hundred kB.
 const MIDDLE: &str = "
@@ -27,17 +28,17 @@ const ONE_QUANTITY: &str = "
 fn the_size_of_a_plan_is_that_of_the_file() {
     /// The largest factor between them, either way.
     const FACTOR: f64 = 1.15;
-    let desk = desk();
+    let workdir = workdir!();
     for scene in [ONE_QUANTITY, TWO_QUANTITIES, MIDDLE] {
-        desk.write("scene.toml", scene);
-        let plan = desk.succeed(&["generate", "scene.toml", "--plan", "--json"]);
+        workdir.write("scene.toml", scene);
+        let plan = workdir.succeed(&["generate", "scene.toml", "--plan", "--json"]);
         let plan: Value = serde_json::from_str(&plan).expect("JSON");
         let expected = plan["bytes"].as_f64().expect("a number");
-        let text = desk.succeed(&["generate", "scene.toml", "--plan"]);
+        let text = workdir.succeed(&["generate", "scene.toml", "--plan"]);
         let size = format!("{:15} about {:.0} kB\n", "size", expected / 1e3);
         assert!(text.ends_with(&size), "{text}{size}");
 
-        let made = desk.run(&[
+        let made = workdir.run(&[
             "generate",
             "scene.toml",
             "--certificate-points",

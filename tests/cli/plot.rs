@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use acceptance::{Desk, assert_names, ends, error_at, material, shipped};
+use acceptance::{assert_names, ends, error_at, material, shipped, workdir};
 use interp::{ForceDisplacement, Jump, Parameter, State, Table};
 use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg::{Node, Options, Tree};
@@ -15,10 +15,6 @@ const SCALE: u32 = 2;
 
 /// The figures that need direct solves only.
 const OF_THE_PAPER: [&str; 4] = ["fig2", "fig3", "fig4", "force-displacement"];
-
-fn desk() -> Desk {
-    Desk::new(env!("CARGO_BIN_EXE_tabulate-under-test"))
-}
 
 fn close(value: f64, truth: f64, tolerance: f64, what: &str) {
     assert!(
@@ -223,17 +219,18 @@ fn has_text(group: &resvg::usvg::Group) -> bool {
 
 #[test]
 fn pictures_are_outlines_of_one_size_and_the_same_every_time() {
-    let desk = desk();
+    let workdir = workdir!();
     for figure in OF_THE_PAPER {
         for name in ["a.svg", "b.svg", "a.png", "b.png"] {
-            assert_eq!(desk.succeed(&["plot", figure, "-o", name]), "");
+            assert_eq!(workdir.succeed(&["plot", figure, "-o", name]), "");
         }
         assert!(
-            desk.read("a.svg") == desk.read("b.svg") && desk.read("a.png") == desk.read("b.png"),
+            workdir.read("a.svg") == workdir.read("b.svg")
+                && workdir.read("a.png") == workdir.read("b.png"),
             "{figure} varies"
         );
 
-        let svg = String::from_utf8(desk.read("a.svg")).unwrap();
+        let svg = String::from_utf8(workdir.read("a.svg")).unwrap();
         assert!(
             !svg.contains("<text") && !svg.contains("font"),
             "{figure} holds text"
@@ -245,7 +242,7 @@ fn pictures_are_outlines_of_one_size_and_the_same_every_time() {
         assert_eq!(size.width(), WIDTH, "{figure}");
 
         // SVG and PNG are equal pictures, to the rounding of coordinates.
-        let png = Pixmap::decode_png(&desk.read("a.png")).unwrap();
+        let png = Pixmap::decode_png(&workdir.read("a.png")).unwrap();
         assert_eq!(
             [png.width(), png.height()],
             [SCALE * WIDTH, SCALE * size.height()],
@@ -279,65 +276,68 @@ fn pictures_are_outlines_of_one_size_and_the_same_every_time() {
 
 #[test]
 fn the_error_map_is_drawn_of_a_table_given() {
-    let desk = desk();
+    let workdir = workdir!();
     let table = shipped("paper.h5");
-    desk.succeed(&[
+    workdir.succeed(&[
         "plot",
         "error-map",
         table.to_str().unwrap(),
         "-o",
         "map.svg",
     ]);
-    let tree = Tree::from_data(&desk.read("map.svg"), &Options::default()).unwrap();
+    let tree = Tree::from_data(&workdir.read("map.svg"), &Options::default()).unwrap();
     assert_eq!(tree.size().to_int_size().width(), WIDTH);
 }
 
 #[test]
 fn the_help_names_every_figure_and_what_it_takes() {
-    let desk = desk();
-    let help = desk.succeed(&["plot", "--help"]);
+    let workdir = workdir!();
+    let help = workdir.succeed(&["plot", "--help"]);
     assert_names(&help, &OF_THE_PAPER);
     for figure in OF_THE_PAPER {
         assert_names(
-            &desk.succeed(&["plot", figure, "--help"]),
+            &workdir.succeed(&["plot", figure, "--help"]),
             &["-o", "--output", "FILE.svg|FILE.png"],
         );
     }
     assert_names(
-        &desk.succeed(&["plot", "error-map", "--help"]),
+        &workdir.succeed(&["plot", "error-map", "--help"]),
         &["[TABLE]", "-o", "--output"],
     );
 }
 
 #[test]
 fn what_cannot_be_drawn_says_why() {
-    let desk = desk();
+    let workdir = workdir!();
     for name in ["fig2.pdf", "fig2", "fig2.SVG.gz"] {
         assert_names(
-            &desk.fail(2, &["plot", "fig2", "-o", name]),
+            &workdir.fail(2, &["plot", "fig2", "-o", name]),
             &[name, ".svg or .png"],
         );
     }
-    assert_names(&desk.fail(2, &["plot", "fig5", "-o", "a.svg"]), &["fig5"]);
-    assert_names(&desk.fail(2, &["plot", "fig2"]), &["--output"]);
     assert_names(
-        &desk.fail(2, &["plot", "fig2", "table.h5", "-o", "a.svg"]),
+        &workdir.fail(2, &["plot", "fig5", "-o", "a.svg"]),
+        &["fig5"],
+    );
+    assert_names(&workdir.fail(2, &["plot", "fig2"]), &["--output"]);
+    assert_names(
+        &workdir.fail(2, &["plot", "fig2", "table.h5", "-o", "a.svg"]),
         &["table.h5"],
     );
     assert_names(
-        &desk.fail(1, &["plot", "fig2", "-o", "nowhere/a.svg"]),
+        &workdir.fail(1, &["plot", "fig2", "-o", "nowhere/a.svg"]),
         &["nowhere"],
     );
     assert_names(
-        &desk.fail(1, &["plot", "error-map", "none.h5", "-o", "a.svg"]),
+        &workdir.fail(1, &["plot", "error-map", "none.h5", "-o", "a.svg"]),
         &["none.h5"],
     );
-    desk.write("no.h5", "no table");
+    workdir.write("no.h5", "no table");
     assert_names(
-        &desk.fail(1, &["plot", "error-map", "no.h5", "-o", "a.svg"]),
+        &workdir.fail(1, &["plot", "error-map", "no.h5", "-o", "a.svg"]),
         &["no.h5"],
     );
-    assert_eq!(desk.files(), ["no.h5"]);
+    assert_eq!(workdir.files(), ["no.h5"]);
 }
 
 #[test]

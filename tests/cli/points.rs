@@ -1,11 +1,11 @@
 //! `tabulate solve` and `tabulate query`: one point, and points from CSV.
 
-use acceptance::{Contacts, Data, material, table};
+use acceptance::{Contacts, Data, material, table, workdir};
 use interp::Parameter;
 use interp::Table;
 use serde_json::Value;
 
-use crate::{TWO_QUANTITIES, desk, solved};
+use crate::{TWO_QUANTITIES, solved};
 
 /// The columns of every CSV output of `solve` and `query`.
 const COLUMNS: [&str; 10] = [
@@ -25,7 +25,7 @@ const DEFAULT_TOLERANCE: f64 = 1e-10;
 
 #[test]
 fn solve_prints_one_point_to_the_last_bit() {
-    let desk = desk();
+    let workdir = workdir!();
     let mut contacts = Contacts::new(70);
     for round in 0..12 {
         let given = if round == 0 {
@@ -77,7 +77,7 @@ fn solve_prints_one_point_to_the_last_bit() {
             ("delta0", delta0),
             ("error", expected.error),
         ];
-        let plain = desk.succeed(&arguments);
+        let plain = workdir.succeed(&arguments);
         let lines: Vec<(&str, &str)> = plain
             .lines()
             .map(|line| line.split_once(" = ").expect("name = value"))
@@ -90,7 +90,7 @@ fn solve_prints_one_point_to_the_last_bit() {
         assert_eq!(lines[5..], [("normalised_by", symbol)]);
 
         arguments.push("--json");
-        let text = desk.succeed(&arguments);
+        let text = workdir.succeed(&arguments);
         let object: Value = serde_json::from_str(&text).expect("JSON");
         assert_eq!(object["normalised_by"], symbol);
         assert_eq!(object["modes"], expected.modes);
@@ -121,19 +121,19 @@ fn solve_prints_one_point_to_the_last_bit() {
 
 #[test]
 fn solve_takes_columns_in_any_order_and_gives_numbers_that_read_back() {
-    let desk = desk();
-    desk.write(
+    let workdir = workdir!();
+    workdir.write(
         "ordered.csv",
         "a_over_t,e1_over_e2,nu1,e0_over_e2,nu0\n1,1.75,0.5,1e5,0.25\n0.1,0,0.3,inf,0.1\n",
     );
-    desk.write("mixed.csv", "# a comment\nnu0, e0_over_e2 ,nu1,a_over_t,e1_over_e2\n0.25,1e5,0.5,1,1.75\n0.1, inf,0.3,0.1,0\n");
-    let answer = desk.succeed(&["solve", "--points", "ordered.csv"]);
-    assert_eq!(answer, desk.succeed(&["solve", "--points", "mixed.csv"]));
+    workdir.write("mixed.csv", "# a comment\nnu0, e0_over_e2 ,nu1,a_over_t,e1_over_e2\n0.25,1e5,0.5,1,1.75\n0.1, inf,0.3,0.1,0\n");
+    let answer = workdir.succeed(&["solve", "--points", "ordered.csv"]);
+    assert_eq!(answer, workdir.succeed(&["solve", "--points", "mixed.csv"]));
     assert_eq!(
-        desk.succeed(&["solve", "--points", "mixed.csv", "-o", "out.csv"]),
+        workdir.succeed(&["solve", "--points", "mixed.csv", "-o", "out.csv"]),
         ""
     );
-    assert_eq!(answer.as_bytes(), desk.read("out.csv"));
+    assert_eq!(answer.as_bytes(), workdir.read("out.csv"));
 
     // Awkward numbers, without a column nu0: all come back as they were given.
     let mut contacts = Contacts::new(71);
@@ -152,7 +152,7 @@ fn solve_takes_columns_in_any_order_and_gives_numbers_that_read_back() {
         .iter()
         .map(|[x, e1, nu1, e0]| format!("{x},{e1},{nu1},{e0}\n"))
         .collect();
-    desk.write(
+    workdir.write(
         "points.csv",
         format!("a_over_t,e1_over_e2,nu1,e0_over_e2\n{rows}"),
     );
@@ -162,7 +162,7 @@ fn solve_takes_columns_in_any_order_and_gives_numbers_that_read_back() {
     ] {
         let data = Data::parse(
             "output",
-            &desk.succeed(&[&["solve", "--points", "points.csv"], arguments].concat()),
+            &workdir.succeed(&[&["solve", "--points", "points.csv"], arguments].concat()),
         );
         assert_eq!(data.columns(), COLUMNS);
         assert_eq!(data.cases().count(), points.len());
@@ -183,14 +183,14 @@ fn solve_takes_columns_in_any_order_and_gives_numbers_that_read_back() {
 
 #[test]
 fn query_prints_what_the_library_looks_up_and_the_certificate() {
-    let desk = desk();
+    let workdir = workdir!();
     let table = table(TWO_QUANTITIES);
-    desk.write("table.bin", table.to_packed().expect("a small table"));
-    desk.write(
+    workdir.write("table.bin", table.to_packed().expect("a small table"));
+    workdir.write(
         "points.csv",
         "e0_over_e2,nu1,a_over_t,e1_over_e2\ninf,0.5,0.1,1\ninf,0.5,3.3,1.9\n",
     );
-    let answer = desk.succeed(&["query", "table.bin", "--points", "points.csv"]);
+    let answer = workdir.succeed(&["query", "table.bin", "--points", "points.csv"]);
     let mut lines = answer.lines();
     assert_eq!(
         lines
@@ -221,7 +221,7 @@ fn query_prints_what_the_library_looks_up_and_the_certificate() {
     }
     assert_eq!(lines.next(), None);
     assert_eq!(
-        desk.succeed(&[
+        workdir.succeed(&[
             "query",
             "table.bin",
             "--points",
@@ -231,20 +231,20 @@ fn query_prints_what_the_library_looks_up_and_the_certificate() {
         ]),
         ""
     );
-    assert_eq!(desk.read("out.csv"), answer.as_bytes());
+    assert_eq!(workdir.read("out.csv"), answer.as_bytes());
 }
 
 #[test]
 fn query_prints_the_derivatives_that_the_table_knows() {
-    let desk = desk();
+    let workdir = workdir!();
     let table =
         table(&TWO_QUANTITIES.replace("['delta0', 'eeq']", "['pi0', 'eeq', 'gamma', 'delta0']"));
-    desk.write("table.bin", table.to_packed().expect("a small table"));
-    desk.write(
+    workdir.write("table.bin", table.to_packed().expect("a small table"));
+    workdir.write(
         "points.csv",
         "a_over_t,e1_over_e2,nu1,e0_over_e2\n3.3,1.9,0.5,inf\n",
     );
-    let answer = desk.succeed(&["query", "table.bin", "--points", "points.csv", "--gradient"]);
+    let answer = workdir.succeed(&["query", "table.bin", "--points", "points.csv", "--gradient"]);
     let data = Data::parse("query", &answer);
     assert_eq!(data.columns()[..10], COLUMNS);
     let curve = table
@@ -267,13 +267,13 @@ fn query_prints_the_derivatives_that_the_table_knows() {
             (0.0, 0.0)
         );
     }
-    desk.write(
+    workdir.write(
         "table.bin",
         acceptance::table(TWO_QUANTITIES)
             .to_packed()
             .expect("a small table"),
     );
-    let message = desk.fail(
+    let message = workdir.fail(
         1,
         &["query", "table.bin", "--points", "points.csv", "--gradient"],
     );
@@ -362,16 +362,16 @@ const BAD_POINTS: [(&str, &str, &[&str]); 13] = [
 
 #[test]
 fn a_bad_file_of_points_is_named_with_the_line() {
-    let desk = desk();
-    desk.write(
+    let workdir = workdir!();
+    workdir.write(
         "table.bin",
         table(TWO_QUANTITIES).to_packed().expect("a small table"),
     );
     let mut wrong = Vec::new();
     for (what, text, words) in BAD_POINTS {
-        desk.write("points.csv", text);
+        workdir.write("points.csv", text);
         for command in [&["solve"][..], &["query", "table.bin"]] {
-            let message = desk.fail(
+            let message = workdir.fail(
                 1,
                 &[command, &["--points", "points.csv", "-o", "out.csv"]].concat(),
             );
@@ -384,6 +384,6 @@ fn a_bad_file_of_points_is_named_with_the_line() {
             }
         }
     }
-    assert_eq!(desk.files(), ["points.csv", "table.bin"]);
+    assert_eq!(workdir.files(), ["points.csv", "table.bin"]);
     assert!(wrong.is_empty(), "{wrong:#?}");
 }

@@ -16,7 +16,10 @@ fn shows_the_examples() {
             "crates/interp/examples/contact.rs",
             "crates/interp/README.md",
         ),
-        ("crates/tabulate/examples/curve.rs", "README.md"),
+        (
+            "crates/tabulate/examples/curve.rs",
+            "crates/tabulate/README.md",
+        ),
     ] {
         let example = read(path);
         let program = example
@@ -28,6 +31,30 @@ fn shows_the_examples() {
             "{readme} shows another program than {path}"
         );
     }
+}
+
+/// The commands of the README that are followed by their output.
+#[test]
+fn shows_what_its_commands_print() {
+    let readme = read("README.md");
+    let mut shown = 0;
+    for block in readme.split("\n    tabulate ").skip(1) {
+        let Some((command, rest)) = block.split_once("\n\n```text\n") else {
+            continue;
+        };
+        if command.contains('\n') {
+            continue;
+        }
+        let (output, _) = rest.split_once("```").expect("the output ends");
+        let arguments: Vec<&str> = command.split_whitespace().collect();
+        assert_eq!(
+            acceptance::workdir!().succeed(&arguments),
+            output,
+            "{command}"
+        );
+        shown += 1;
+    }
+    assert_eq!(shown, 1);
 }
 
 #[test]

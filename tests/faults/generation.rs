@@ -1,16 +1,25 @@
-//! What may happen while a table is made: processes that are killed, disks that are full, folders
-//! that are read-only, two at a time. Real processes.
+//! Interruptions of `generate`: killed processes, full disks, read-only folders, two processes with
+//! one output, spent budgets. Real processes, and generations in this process that a test can stop
+//! after a number of points.
+//!
+//! No test depends on the speed of the machine: an interruption is given by the size of the
+//! journal, by a clock that counts points, or by a call from inside the generation. Where a signal
+//! may come too late, the attempt is repeated.
 
 use std::fs;
-use std::process::Command;
+use std::path::Path;
+use std::process::{Child, Command};
 use std::sync::LazyLock;
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread::sleep;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
-use acceptance::{Contacts, Desk, assert_names, checksum};
+use acceptance::{Contacts, Workdir, assert_names, checksum, workdir};
 use interp::Table;
+use tabulate::Error;
+use tabulate::table::{Budget, Generated, Observer, Options, Scene, generate};
 
-/// Some 40 pieces and 16,000 points: about half a second on one thread.
+/// A scene of some 40 pieces and 16,000 points.
 const SCENE: &str = "\
 title = 'Incompressible films'
 tolerance = 1e-6
@@ -18,6 +27,15 @@ a_over_t = { from = 1e-2, to = 1e2 }
 e1_over_e2 = { from = 1e-2, to = 1e2 }
 nu1 = 0.5
 e0_over_e2 = { from = 1, to = 1e4 }
+";
+/// A scene whose first plan misses the tolerance.
+const COARSE: &str = "\
+title = 'x'
+tolerance = 2e-2
+a_over_t = { from = 0.01, to = 100 }
+e1_over_e2 = { from = 1e-2, to = 1e2 }
+nu1 = { from = 0, to = 0.5 }
+e0_over_e2 = { from = 1e-3, to = 1e3 }
 ";
 const JOURNAL: &str = "table.h5.unfinished";
 const GENERATE: [&str; 6] = [
@@ -38,63 +56,151 @@ const RESUME: [&str; 7] = [
     "--resume",
 ];
 
-fn desk() -> Desk {
-    let desk = Desk::new(env!("CARGO_BIN_EXE_tabulate-under-test"));
-    desk.write("scene.toml", SCENE);
-    desk
+fn workdir() -> Workdir {
+    let workdir = workdir!();
+    workdir.write("scene.toml", SCENE);
+    workdir
 }
 
 /// The file of an uninterrupted run on one thread.
 static WHOLE: LazyLock<Vec<u8>> = LazyLock::new(|| {
-    let desk = desk();
-    desk.succeed(&[&GENERATE[..], &["--jobs", "1"]].concat());
-    assert_eq!(desk.files(), ["scene.toml", "table.h5"]);
-    desk.read("table.h5")
+    let workdir = workdir();
+    workdir.succeed(&[&GENERATE[..], &["--jobs", "1"]].concat());
+    assert_eq!(workdir.files(), ["scene.toml", "table.h5"]);
+    workdir.read("table.h5")
 });
 
-/// Starts a run and kills it when its journal has reached so many bytes. Returns false if it had
-/// finished before.
-fn kill_at(desk: &Desk, args: &[&str], bytes: u64, signal: &str) -> bool {
-    let mut child = desk.start(args);
-    let start = Instant::now();
+/// The table of [`WHOLE`].
+static TABLE: LazyLock<Table> = LazyLock::new(|| {
+    let workdir = workdir();
+    workdir.write("table.h5", &*WHOLE);
+    Table::open(workdir.path("table.h5")).expect("a sound table")
+});
+
+/// The number of pieces of [`SCENE`].
+fn pieces() -> usize {
+    TABLE.shape()[0]
+}
+
+/// The number of points in a piece of [`SCENE`].
+fn piece_points() -> usize {
+    TABLE.shape()[1..].iter().product()
+}
+
+/// The number of bytes that a number of points takes in the journal.
+fn bytes(points: usize) -> usize {
+    8 * 4 * points
+}
+
+/// Counts the points that are finished, and calls a function when the solving begins.
+struct Watch<'a> {
+    points: AtomicUsize,
+    at_solving: &'a (dyn Fn() + Sync),
+}
+
+impl<'a> Watch<'a> {
+    fn new(at_solving: &'a (dyn Fn() + Sync)) -> Self {
+        Self {
+            points: AtomicUsize::new(0),
+            at_solving,
+        }
+    }
+
+    /// Returns a clock on which each finished point takes a second.
+    fn clock(&self) -> impl Fn() -> Duration + Sync {
+        move || Duration::from_secs(self.points.load(Ordering::Relaxed) as u64)
+    }
+}
+
+impl Observer for Watch<'_> {
+    fn begin(&self, what: &'static str, _: usize, _: usize) {
+        if what == "solving" {
+            (self.at_solving)();
+        }
+    }
+
+    fn advance(&self, points: usize) {
+        self.points.fetch_add(points, Ordering::Relaxed);
+    }
+
+    fn note(&self, text: &str) {
+        println!("{text}");
+    }
+}
+
+/// Generates the table of `scene.toml` in this process, within a budget of so many points.
+fn generate_within(
+    workdir: &Workdir,
+    output: &Path,
+    certificate_points: usize,
+    points: Option<usize>,
+) -> Result<Generated, Error> {
+    let scene = Scene::read(&workdir.path("scene.toml"), None).expect("a sound scene");
+    let watch = Watch::new(&|| ());
+    let clock = watch.clock();
+    let options = Options {
+        certificate_points,
+        seed: 1,
+        resume: true,
+        budget: points.map(|points| Budget::on(&clock, Duration::from_secs(points as u64))),
+    };
+    generate(&scene, output, &options, &watch)
+}
+
+/// A run that stopped after a number of pieces, because its budget was spent.
+fn unfinished(pieces: usize) -> Workdir {
+    let workdir = workdir();
+    let budget = pieces * piece_points();
+    match generate_within(&workdir, &workdir.path("table.h5"), 300, Some(budget)) {
+        Err(Error::Budget { spent }) => {
+            assert_names(&spent, &[&format!("with {budget} of "), "--resume"]);
+        }
+        other => panic!("{other:?}"),
+    }
+    assert_eq!(workdir.files(), ["scene.toml", JOURNAL]);
+    workdir
+}
+
+/// Runs the program until the system kills it, because its journal would be longer than `bytes`
+/// rounded to 512. The last record of the journal is torn.
+fn kill_at(workdir: &Workdir, args: &[&str], bytes: usize) {
+    let blocks = bytes / 512;
+    let run = workdir.script(&format!(
+        "ulimit -c 0; ulimit -f {blocks}; \"$0\" {}; echo status $?",
+        args.join(" ")
+    ));
+    assert!(
+        run.stdout.starts_with("status ") && run.stdout != "status 0\n",
+        "{run:?}"
+    );
+    assert_eq!(workdir.read(JOURNAL).len(), 512 * blocks, "{run:?}");
+}
+
+/// Waits until the journal is as long as this. Returns false if the process has ended before.
+fn reaches(workdir: &Workdir, child: &mut Child, bytes: usize) -> bool {
     loop {
         if child.try_wait().expect("its status").is_some() {
             return false;
         }
-        if fs::metadata(desk.path(JOURNAL)).is_ok_and(|data| data.len() >= bytes) {
-            break;
+        if fs::metadata(workdir.path(JOURNAL)).is_ok_and(|data| data.len() >= bytes as u64) {
+            return true;
         }
-        assert!(
-            start.elapsed() < Duration::from_secs(60),
-            "no {bytes} bytes after a minute"
-        );
-        sleep(Duration::from_micros(200));
+        sleep(Duration::from_millis(1));
     }
-    assert!(
-        Command::new("kill")
-            .args([signal, &child.id().to_string()])
-            .status()
-            .expect("kill runs")
-            .success()
-    );
-    child.wait().expect("it ends");
-    true
 }
 
-/// An unfinished run with at least `bytes` in its journal.
-fn unfinished(bytes: u64) -> Desk {
-    let desk = desk();
-    assert!(
-        kill_at(&desk, &GENERATE, bytes, "-KILL"),
-        "it finished before it was killed"
-    );
-    desk
+/// Sends a signal to a process that was not waited for yet.
+fn send(signal: &str, child: &Child) {
+    let status = Command::new("kill")
+        .args([signal, &child.id().to_string()])
+        .status();
+    assert!(status.expect("kill runs").success());
 }
 
-fn assert_finished(desk: &Desk) {
-    assert_eq!(desk.files(), ["scene.toml", "table.h5"]);
+fn assert_finished(workdir: &Workdir) {
+    assert_eq!(workdir.files(), ["scene.toml", "table.h5"]);
     assert!(
-        desk.read("table.h5") == *WHOLE,
+        workdir.read("table.h5") == *WHOLE,
         "the table differs from that of an uninterrupted run"
     );
 }
@@ -102,75 +208,80 @@ fn assert_finished(desk: &Desk) {
 #[test]
 fn killed_at_random_moments_and_resumed_with_any_number_of_jobs_the_file_is_the_same_to_the_byte() {
     let mut random = Contacts::new(71);
-    let mut kills = 0;
     for signal in ["-KILL", "-KILL", "-INT", "-TERM"] {
-        let desk = desk();
-        desk.write("table.h5", "what was there");
-        loop {
-            let jobs = ["1", "2", "5"][random.uniform(0.0, 3.0) as usize];
-            let mut child = desk.start(&[&RESUME[..], &["--jobs", jobs]].concat());
-            // Moments of every stage: planning, solving, checking, writing.
-            sleep(Duration::from_secs_f64(random.uniform(0.0, 0.8)));
-            if let Some(status) = child.try_wait().expect("its status") {
-                assert!(status.success());
-                break;
+        let mut kills = 0;
+        // On a busy machine a signal may find the process finished.
+        while kills == 0 {
+            let workdir = workdir();
+            workdir.write("table.h5", "what was there");
+            while kill_or_finish(&workdir, signal, &mut random) {
+                kills += 1;
+                let table = workdir.read("table.h5");
+                assert!(
+                    table == *WHOLE || table == b"what was there",
+                    "half a table"
+                );
             }
-            assert!(
-                Command::new("kill")
-                    .args([signal, &child.id().to_string()])
-                    .status()
-                    .expect("kill runs")
-                    .success()
-            );
-            if child.wait().expect("it ends").success() {
-                break;
-            }
-            kills += 1;
-            let table = desk.read("table.h5");
-            assert!(
-                table == *WHOLE || table == b"what was there",
-                "half a table"
-            );
-            if kills > 100 {
-                desk.succeed(&RESUME);
-                break;
-            }
+            assert_finished(&workdir);
         }
-        assert_finished(&desk);
+        println!("{signal}: killed {kills} times");
     }
-    println!("killed {kills} times");
-    assert!(kills >= 4);
 }
 
+/// Goes on with a run, and kills it at a random size of its journal, or some time after the last
+/// piece, when it checks or writes the table. Returns false if it has finished before.
+fn kill_or_finish(workdir: &Workdir, signal: &str, random: &mut Contacts) -> bool {
+    let jobs = ["1", "2", "5"][random.uniform(0.0, 3.0) as usize];
+    let mut child = workdir.start(&[&RESUME[..], &["--jobs", jobs]].concat());
+    let solved = bytes(pieces() * piece_points());
+    // The journal is empty while the nodes are chosen.
+    let size = random.uniform(-0.5, 1.3).max(0.0) * solved as f64;
+    if reaches(workdir, &mut child, solved.min(size as usize)) {
+        // Any moment will do: a table that is finished in the meantime is as good.
+        sleep(Duration::from_secs_f64(random.uniform(0.0, 0.03)));
+    }
+    // A process that has ended and was not waited for takes a signal, too.
+    if child.try_wait().expect("its status").is_none() {
+        send(signal, &child);
+    }
+    let status = child.wait().expect("it ends");
+    assert!(status.success() || status.code().is_none(), "{status}");
+    !status.success()
+}
+
+/// The system kills the process in the middle of a record.
 #[test]
 fn what_is_finished_is_not_solved_again() {
-    let length = WHOLE.len() as u64;
-    let desk = unfinished(length / 2);
-    let text = desk.succeed(&RESUME);
+    let workdir = workdir();
+    kill_at(&workdir, &GENERATE, bytes(pieces() * piece_points() / 2));
+    let text = workdir.succeed(&RESUME);
     let line = text
         .lines()
         .find(|line| line.starts_with("solved"))
-        .expect("a line on what was solved");
+        .expect("a line on the points solved");
     let numbers: Vec<usize> = line
         .split(|c: char| !c.is_ascii_digit())
         .filter_map(|word| word.parse().ok())
         .collect();
     println!("{line}");
+    assert!(line.contains("before"), "{line}");
+    // The header takes the room of a part of a piece.
+    let kept = [pieces() / 2 - 1, pieces() / 2].map(|pieces| pieces * piece_points());
     assert!(
-        line.contains("before") && numbers[1] > 0 && numbers[1] < numbers[0],
+        numbers[0] == pieces() * piece_points() && (kept[0]..=kept[1]).contains(&numbers[1]),
         "{line}"
     );
-    assert_finished(&desk);
+    assert_finished(&workdir);
     // There is nothing to go on from, so this begins at the beginning.
-    let again = desk.succeed(&RESUME);
+    let again = workdir.succeed(&RESUME);
     assert!(!again.contains("before"), "{again}");
-    assert_finished(&desk);
+    assert_finished(&workdir);
 }
 
 #[test]
 fn a_torn_or_damaged_end_of_the_journal_is_solved_again() {
-    let desk = unfinished(100_000);
-    let journal = desk.read(JOURNAL);
+    let workdir = unfinished(8);
+    let journal = workdir.read(JOURNAL);
     let mut random = Contacts::new(72);
     for i in 0..16 {
         let mut torn = journal.clone();
@@ -183,9 +294,9 @@ fn a_torn_or_damaged_end_of_the_journal_is_solved_again() {
             // Damage to the header, in the first bytes, is an error; see below.
             _ => torn[at.max(1500)] ^= 0x10,
         }
-        desk.write(JOURNAL, &torn);
-        desk.succeed(&RESUME);
-        assert_finished(&desk);
+        workdir.write(JOURNAL, &torn);
+        workdir.succeed(&RESUME);
+        assert_finished(&workdir);
     }
 }
 
@@ -202,24 +313,24 @@ fn record(number: u64, bytes: &[u8]) -> Vec<u8> {
 
 #[test]
 fn a_sound_record_that_is_no_piece_is_dropped() {
-    let desk = unfinished(100_000);
-    let journal = desk.read(JOURNAL);
+    let workdir = unfinished(8);
+    let journal = workdir.read(JOURNAL);
     for forged in [
         record(0, b"short"),
         record(1, &[0; 8]),
         record(1_000_000, &[1; 16]),
         record(u64::MAX, b"a second header"),
     ] {
-        desk.write(JOURNAL, [&journal[..], &forged].concat());
-        desk.succeed(&RESUME);
-        assert_finished(&desk);
+        workdir.write(JOURNAL, [&journal[..], &forged].concat());
+        workdir.succeed(&RESUME);
+        assert_finished(&workdir);
     }
 }
 
 #[test]
 fn a_header_that_is_damaged_or_of_other_nodes_is_an_error_and_nothing_is_lost() {
-    let desk = unfinished(100_000);
-    let journal = desk.read(JOURNAL);
+    let workdir = unfinished(8);
+    let journal = workdir.read(JOURNAL);
     let length = u64::from_le_bytes(journal[16..24].try_into().expect("eight bytes")) as usize;
     let (header, pieces) = journal[28..].split_at(length);
     let header = String::from_utf8(header.to_vec()).expect("UTF-8");
@@ -247,230 +358,260 @@ fn a_header_that_is_damaged_or_of_other_nodes_is_an_error_and_nothing_is_lost() 
         "not the scene's",
     ));
     for (forged, words) in cases {
-        desk.write(JOURNAL, &forged);
+        workdir.write(JOURNAL, &forged);
         assert_names(
-            &desk.fail(1, &RESUME),
+            &workdir.fail(1, &RESUME),
             &["cannot resume", JOURNAL, words, "without --resume"],
         );
-        assert!(desk.read(JOURNAL) == forged, "the journal has changed");
+        assert!(workdir.read(JOURNAL) == forged, "the journal has changed");
     }
-    assert_eq!(desk.run(&GENERATE).status, 0);
-    assert_finished(&desk);
+    assert_eq!(workdir.run(&GENERATE).status, 0);
+    assert_finished(&workdir);
 }
 
 /// A refined plan depends on the certificate: the file must not depend on who refined it.
 #[test]
 fn a_refined_run_is_resumed_with_its_own_certificate_only() {
-    let desk = desk();
-    // The first plan misses the tolerance.
-    desk.write(
-        "scene.toml",
-        "title = 'x'\ntolerance = 2e-2\na_over_t = { from = 0.01, to = 100 }\ne1_over_e2 = { from = 1e-2, to = 1e2 }\n\
-         nu1 = { from = 0, to = 0.5 }\ne0_over_e2 = { from = 1e-3, to = 1e3 }\n",
-    );
+    let workdir = workdir();
+    workdir.write("scene.toml", COARSE);
     let generate = ["generate", "scene.toml", "-o", "table.h5", "--resume"];
-    assert_names(&desk.succeed(&generate), &["refined"]);
-    let whole = desk.read("table.h5");
-    let mut child = desk.start(&generate);
+    let [first, second] = refined_once(&workdir);
+    let whole = workdir.read("table.h5");
+    kill_at(&workdir, &generate, bytes(first) + bytes(second) / 2);
     let refined = || {
-        fs::read(desk.path(JOURNAL))
-            .is_ok_and(|bytes| bytes.windows(9).any(|word| word == b"round = 1"))
+        workdir
+            .read(JOURNAL)
+            .windows(9)
+            .any(|word| word == b"round = 1")
     };
-    while !refined() {
-        assert!(
-            child.try_wait().expect("its status").is_none(),
-            "it finished before it was killed"
-        );
-        sleep(Duration::from_millis(1));
-    }
-    child.kill().expect("it runs");
-    child.wait().expect("it ends");
+    assert!(refined());
     for other in [["--seed", "2"], ["--certificate-points", "300"]] {
-        let message = desk.fail(1, &[&generate[..], &other].concat());
+        let message = workdir.fail(1, &[&generate[..], &other].concat());
         assert_names(
             &message,
             &["cannot resume", "--certificate-points 10000 --seed 1"],
         );
     }
     assert!(refined());
-    desk.succeed(&[&generate[..], &["--jobs", "1"]].concat());
+    workdir.succeed(&[&generate[..], &["--jobs", "1"]].concat());
     assert!(
-        desk.read("table.h5") == whole,
+        workdir.read("table.h5") == whole,
         "the table differs from that of an uninterrupted run"
     );
+}
+
+/// Generates the table of [`COARSE`] without a budget. Returns the points of both rounds.
+fn refined_once(workdir: &Workdir) -> [usize; 2] {
+    let made =
+        generate_within(workdir, &workdir.path("table.h5"), 10_000, None).expect("within reach");
+    assert_eq!(made.refined.len(), 1, "{:?}", made.refined);
+    let first = made.refined[0].0.iter().product();
+    [first, made.points - first]
 }
 
 #[test]
 fn a_file_in_the_place_of_the_journal_is_not_touched() {
-    let desk = desk();
-    desk.write(JOURNAL, "notes of mine");
+    let workdir = workdir();
+    workdir.write(JOURNAL, "notes of mine");
     for args in [&GENERATE[..], &RESUME] {
-        assert_names(&desk.fail(1, args), &[JOURNAL, "is not the journal"]);
+        assert_names(&workdir.fail(1, args), &[JOURNAL, "is not the journal"]);
     }
-    assert_eq!(desk.read(JOURNAL), b"notes of mine");
+    assert_eq!(workdir.read(JOURNAL), b"notes of mine");
 }
 
 #[test]
 fn without_resume_a_run_begins_anew_and_says_so() {
-    let desk = unfinished(100_000);
-    let run = desk.run(&GENERATE);
+    let workdir = unfinished(8);
+    let run = workdir.run(&GENERATE);
     assert_eq!(run.status, 0);
     assert_names(&run.stderr, &["dropped", "--resume"]);
     assert!(!run.stdout.contains("before"), "{}", run.stdout);
-    assert_finished(&desk);
+    assert_finished(&workdir);
 }
 
 #[test]
 fn a_scene_that_has_changed_is_not_resumed_and_nothing_is_lost() {
-    let desk = unfinished(100_000);
-    let journal = desk.read(JOURNAL);
-    desk.write("scene.toml", SCENE.replace("to = 1e4 ", "to = 2e4 "));
+    let workdir = unfinished(8);
+    let journal = workdir.read(JOURNAL);
+    workdir.write("scene.toml", SCENE.replace("to = 1e4 ", "to = 2e4 "));
     assert_names(
-        &desk.fail(1, &RESUME),
+        &workdir.fail(1, &RESUME),
         &["cannot resume", JOURNAL, "another text of the scene"],
     );
-    desk.write("scene.toml", SCENE);
+    workdir.write("scene.toml", SCENE);
     let other = [&RESUME[..], &["--tolerance", "1e-4"]].concat();
     assert_names(
-        &desk.fail(1, &other),
+        &workdir.fail(1, &other),
         &["cannot resume", "tolerance = 1e-6", "0.0001"],
     );
-    assert!(desk.read(JOURNAL) == journal, "the journal has changed");
-    desk.succeed(&RESUME);
-    assert_finished(&desk);
+    assert!(workdir.read(JOURNAL) == journal, "the journal has changed");
+    workdir.succeed(&RESUME);
+    assert_finished(&workdir);
+}
+
+/// Generates `table.h5` in this process, and calls `meanwhile` before the first piece is solved.
+fn generate_and(workdir: &Workdir, meanwhile: &(dyn Fn() + Sync)) {
+    let scene = Scene::read(&workdir.path("scene.toml"), None).expect("a sound scene");
+    let options = Options {
+        certificate_points: 300,
+        seed: 1,
+        resume: false,
+        budget: None,
+    };
+    let watch = Watch::new(meanwhile);
+    generate(&scene, &workdir.path("table.h5"), &options, &watch).expect("within reach");
 }
 
 #[test]
 fn of_two_generators_on_one_output_the_second_says_so() {
-    let desk = desk();
-    let first = desk.start(&GENERATE);
-    while !desk.path(JOURNAL).exists() {
-        sleep(Duration::from_millis(1));
-    }
-    for second in [&GENERATE[..], &RESUME] {
-        assert_names(
-            &desk.fail(1, second),
-            &["table.h5", "being made by another process"],
-        );
-    }
-    assert_eq!(desk.end(&GENERATE, first).status, 0);
-    assert_finished(&desk);
+    let workdir = workdir();
+    generate_and(&workdir, &|| {
+        for second in [&GENERATE[..], &RESUME] {
+            assert_names(
+                &workdir.fail(1, second),
+                &["table.h5", "being made by another process"],
+            );
+        }
+    });
+    assert_finished(&workdir);
 }
 
 #[test]
 fn links_to_one_output_are_one_output_on_its_own_disk() {
-    let desk = desk();
-    fs::create_dir(desk.path("folder")).expect("a new folder");
-    desk.write("folder/real.h5", "what was there");
-    std::os::unix::fs::symlink("folder/real.h5", desk.path("table.h5")).expect("a link");
-    let first = desk.start(&GENERATE);
-    while !desk.path("folder/real.h5.unfinished").exists() {
-        sleep(Duration::from_millis(1));
-    }
-    let second = ["generate", "scene.toml", "-o", "folder/real.h5"];
-    assert_names(
-        &desk.fail(1, &second),
-        &["real.h5", "being made by another process"],
-    );
-    assert_eq!(desk.files(), ["folder", "scene.toml", "table.h5"]);
-    assert_eq!(desk.end(&GENERATE, first).status, 0);
+    let workdir = workdir();
+    fs::create_dir(workdir.path("folder")).expect("a new folder");
+    workdir.write("folder/real.h5", "what was there");
+    std::os::unix::fs::symlink("folder/real.h5", workdir.path("table.h5")).expect("a link");
+    generate_and(&workdir, &|| {
+        assert!(workdir.path("folder/real.h5.unfinished").exists());
+        let second = ["generate", "scene.toml", "-o", "folder/real.h5"];
+        assert_names(
+            &workdir.fail(1, &second),
+            &["real.h5", "being made by another process"],
+        );
+        assert_eq!(workdir.files(), ["folder", "scene.toml", "table.h5"]);
+    });
     assert!(
-        desk.read("folder/real.h5") == *WHOLE,
+        workdir.read("folder/real.h5") == *WHOLE,
         "the table differs from that of an uninterrupted run"
     );
     assert_eq!(
-        fs::read_dir(desk.path("folder")).expect("a folder").count(),
+        fs::read_dir(workdir.path("folder"))
+            .expect("a folder")
+            .count(),
         1
     );
 }
 
+/// A nanosecond is over before anything is done, on any machine.
 #[test]
 fn when_the_budget_is_spent_the_finished_pieces_are_kept() {
-    let desk = desk();
-    desk.write("table.h5", "what was there");
-    let budget =
-        |seconds: &str| desk.run(&[&RESUME[..], &["--jobs", "1", "--budget", seconds]].concat());
-    let run = budget("1e-3");
+    const LEAST: [&str; 4] = ["--jobs", "1", "--budget", "1e-9"];
+    let workdir = workdir();
+    workdir.write("table.h5", "what was there");
+    let budget = |workdir: &Workdir| workdir.run(&[&RESUME[..], &LEAST].concat());
+    let run = budget(&workdir);
     assert_eq!((run.status, run.stdout.as_str()), (1, ""));
     assert_names(
         &run.stderr,
         &["budget is spent before the nodes are chosen"],
     );
-    assert_eq!(desk.read("table.h5"), b"what was there");
+    assert_eq!(workdir.read("table.h5"), b"what was there");
     for wrong in ["0", "-1", "nan", "inf"] {
-        let message = desk.fail(1, &[&GENERATE[..], &["--budget", wrong]].concat());
+        let message = workdir.fail(1, &[&GENERATE[..], &["--budget", wrong]].concat());
         assert_names(&message, &["--budget", "seconds"]);
     }
-    // Once the nodes are chosen, the smallest budget gets a piece further.
-    let mut seconds = 0.1;
-    while !desk.path(JOURNAL).exists() {
-        seconds *= 1.5;
-        let run = budget(&seconds.to_string());
-        assert!(seconds < 60.0 && run.status == 1, "{run:?}");
-    }
-    let mut rounds = 0;
-    loop {
-        let run = budget("1e-3");
-        if run.status == 0 {
-            break;
-        }
+    // Once the nodes are chosen, the smallest budget finishes one more piece.
+    let begun = pieces() - 5;
+    let workdir = unfinished(begun);
+    for finished in begun + 1..pieces() {
+        let run = budget(&workdir);
+        assert_eq!(run.status, 1, "{run:?}");
+        let points = [finished, pieces()].map(|pieces| pieces * piece_points());
         assert_names(
             &run.stderr,
             &[
                 "budget is spent",
-                "points solved; they are kept",
+                &format!(
+                    "with {} of {} points solved; they are kept",
+                    points[0], points[1]
+                ),
                 "--resume",
             ],
         );
-        rounds += 1;
-        assert!(rounds < 60, "{run:?}");
     }
-    println!("{rounds} budgets were spent");
-    assert!(rounds > 1);
-    assert_finished(&desk);
+    assert_eq!(budget(&workdir).status, 0);
+    assert_finished(&workdir);
+}
+
+#[test]
+fn a_budget_that_does_not_allow_another_round_leaves_the_table_of_this_one() {
+    let workdir = workdir();
+    workdir.write("scene.toml", COARSE);
+    let [first, second] = refined_once(&workdir);
+    let within =
+        |points| generate_within(&workdir, &workdir.path("other.h5"), 10_000, Some(points));
+    // A point takes a second on this clock, in the certificate too.
+    let round = first + 10_000;
+    let twice = within(2 * round).expect("enough for a round");
+    assert!(twice.refined.is_empty() && twice.points == first);
+    let certificate = twice.table.description().certificate;
+    assert!(certificate.max_error > twice.table.description().tolerance);
+    let other = Table::open(workdir.path("other.h5")).expect("a sound table");
+    assert_eq!(other.description().certificate, certificate);
+    // The second round is expected to take longer in proportion to its points.
+    let expected = round + (round as f64 * second as f64 / first as f64).ceil() as usize;
+    let enough = within(expected + 1).expect("enough for two rounds");
+    assert!(enough.refined.len() == 1 && enough.points == first + second);
+    assert!(workdir.read("other.h5") == workdir.read("table.h5"));
 }
 
 #[test]
 fn stated_nodes_are_obeyed_and_a_table_that_misses_its_tolerance_is_kept() {
-    let desk = desk();
-    desk.write(
+    let workdir = workdir();
+    workdir.write(
         "scene.toml",
         SCENE.replace("to = 1e2 ", "to = 1e2, nodes = 4 "),
     );
-    let run = desk.run(&GENERATE);
+    let run = workdir.run(&GENERATE);
     assert_eq!(run.status, 1);
     assert_names(&run.stderr, &["is written", "exceeds the tolerance"]);
-    let table = Table::open(desk.path("table.h5")).expect("a sound table");
+    let table = Table::open(workdir.path("table.h5")).expect("a sound table");
     assert!(table.description().certificate.max_error > 1e-6);
-    assert_eq!(desk.files(), ["scene.toml", "table.h5"]);
+    assert_eq!(workdir.files(), ["scene.toml", "table.h5"]);
 }
 
 /// A limit on the size of files stands for a full disk where nothing may be mounted.
 #[test]
 fn a_full_disk_is_an_error_and_what_is_finished_is_safe() {
-    let desk = desk();
-    desk.write("table.h5", "what was there");
+    let workdir = workdir();
+    workdir.write("table.h5", "what was there");
     // In units of 512 bytes: first the journal does not fit, then, as it is longer than the table,
     // neither does.
     for limit in [1, 40, 300] {
-        let run = desk.script(&format!(
+        let run = workdir.script(&format!(
             "trap '' XFSZ; ulimit -f {limit}; exec $0 generate scene.toml -o table.h5 --certificate-points 300 --resume"
         ));
         assert_eq!(run.status, 1, "{run:?}");
         assert_names(&run.stderr, &["cannot write", "too large"]);
-        assert_eq!(desk.read("table.h5"), b"what was there");
+        assert_eq!(workdir.read("table.h5"), b"what was there");
     }
-    assert!(fs::metadata(desk.path(JOURNAL)).expect("it is kept").len() > 40 * 512);
-    desk.succeed(&RESUME);
-    assert_finished(&desk);
+    assert!(
+        fs::metadata(workdir.path(JOURNAL))
+            .expect("it is kept")
+            .len()
+            > 40 * 512
+    );
+    workdir.succeed(&RESUME);
+    assert_finished(&workdir);
 }
 
 /// A disk of a few hundred kilobytes, where this process may mount one.
 #[test]
 fn a_small_disk_that_fills_up_in_any_stage_is_an_error() {
     let mounted = "mkdir disk && mount -t tmpfs -o size=64k none disk";
-    let desk = desk();
-    if desk
+    let workdir = workdir();
+    if workdir
         .script(&format!("unshare -m sh -c '{mounted}'; rmdir disk"))
         .stderr
         .is_empty()
@@ -481,7 +622,7 @@ fn a_small_disk_that_fills_up_in_any_stage_is_an_error() {
                  mount -o remount,size=$size none . && $0 generate scene.toml --certificate-points 300 --resume; echo status $?
              done; ls -a; cp scene.h5 ../table.h5"
         );
-        let run = desk.script(&format!("unshare -m sh -c '{script}' $0"));
+        let run = workdir.script(&format!("unshare -m sh -c '{script}' $0"));
         let statuses: Vec<&str> = run
             .stdout
             .lines()
@@ -496,7 +637,7 @@ fn a_small_disk_that_fills_up_in_any_stage_is_an_error() {
             assert_names(message, &["cannot write", "No space left"]);
         }
         assert!(
-            desk.read("table.h5") == *WHOLE,
+            workdir.read("table.h5") == *WHOLE,
             "the table differs from that of an uninterrupted run"
         );
     } else {
@@ -506,13 +647,13 @@ fn a_small_disk_that_fills_up_in_any_stage_is_an_error() {
 
 #[test]
 fn a_name_that_the_library_does_not_take_is_an_error_before_any_solving() {
-    let desk = desk();
-    let run = desk.script("exec $0 generate scene.toml -o \"$(printf 'n\\377.h5')\"");
+    let workdir = workdir();
+    let run = workdir.script("exec $0 generate scene.toml -o \"$(printf 'n\\377.h5')\"");
     assert_eq!(run.status, 1, "{run:?}");
     assert_names(&run.stderr, &["cannot write", "UTF-8"]);
     // The journal's name is as long as names may be.
     let name = format!("{}.h5", "x".repeat(241));
-    desk.succeed(&[
+    workdir.succeed(&[
         "generate",
         "scene.toml",
         "-o",
@@ -520,16 +661,16 @@ fn a_name_that_the_library_does_not_take_is_an_error_before_any_solving() {
         "--certificate-points",
         "20",
     ]);
-    desk.fail(1, &["generate", "scene.toml", "-o", &format!("x{name}")]);
-    assert_eq!(desk.files(), ["scene.toml", name.as_str()]);
+    workdir.fail(1, &["generate", "scene.toml", "-o", &format!("x{name}")]);
+    assert_eq!(workdir.files(), ["scene.toml", name.as_str()]);
 }
 
 #[test]
 fn a_read_only_folder_is_an_error_before_any_solving() {
-    let desk = desk();
-    fs::create_dir(desk.path("folder")).expect("a new folder");
+    let workdir = workdir();
+    fs::create_dir(workdir.path("folder")).expect("a new folder");
     // Permissions do not bind the superuser, a read-only file system does.
-    let run = desk.script(
+    let run = workdir.script(
         "if [ $(id -u) = 0 ]; then
              exec unshare -m sh -c 'mount -t tmpfs -o ro none folder && exec $0 generate scene.toml -o folder/table.h5' $0
          else
@@ -543,7 +684,9 @@ fn a_read_only_folder_is_an_error_before_any_solving() {
         "{run:?}"
     );
     assert_eq!(
-        fs::read_dir(desk.path("folder")).expect("a folder").count(),
+        fs::read_dir(workdir.path("folder"))
+            .expect("a folder")
+            .count(),
         0
     );
 }

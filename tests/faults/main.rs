@@ -1,4 +1,4 @@
-//! Generations that are killed, interrupted or starved of space and time.
+//! Generations that are killed, interrupted, or short of space or time.
 
 #![forbid(unsafe_code)]
 #![cfg(unix)]

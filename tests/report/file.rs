@@ -1,12 +1,12 @@
 //! The file of a report: its words, its figures, and the table in it.
 
-use acceptance::{Contacts, assert_names, larger, shipped, table};
+use acceptance::{Contacts, assert_names, larger, shipped, table, workdir};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use interp::{Quantity, Table};
 use tabulate::report::report;
 
-use crate::{DIFFERENCE, FOUR_AXES, RIGID_SPHERE, desk, embedded_default};
+use crate::{DIFFERENCE, FOUR_AXES, RIGID_SPHERE, embedded_default};
 
 /// Reads the table in a page.
 fn packed(page: &str) -> Table {
@@ -19,15 +19,15 @@ fn packed(page: &str) -> Table {
 
 #[test]
 fn the_file_is_whole_and_the_same_twice() {
-    let desk = desk();
+    let workdir = workdir!();
     let source = shipped("paper.bin");
     let source = source.to_str().expect("a path in UTF-8");
     for name in ["one.html", "two.html"] {
-        assert_eq!(desk.succeed(&["report", source, "-o", name]), "");
+        assert_eq!(workdir.succeed(&["report", source, "-o", name]), "");
     }
-    let page = String::from_utf8(desk.read("one.html")).expect("UTF-8");
-    assert_eq!(page.as_bytes(), desk.read("two.html"));
-    assert_eq!(desk.files(), ["one.html", "two.html"]);
+    let page = String::from_utf8(workdir.read("one.html")).expect("UTF-8");
+    assert_eq!(page.as_bytes(), workdir.read("two.html"));
+    assert_eq!(workdir.files(), ["one.html", "two.html"]);
     let table = Table::read(shipped("paper.bin")).expect("the shipped table");
     let description = table.description();
     let certificate = &description.certificate;
@@ -113,16 +113,16 @@ fn the_table_in_the_page_is_the_table() {
 
 #[test]
 fn nothing_is_written_on_top_of_the_table() {
-    let desk = desk();
-    desk.write(
+    let workdir = workdir!();
+    workdir.write(
         "table.bin",
         std::fs::read(shipped("paper.bin")).expect("the shipped table"),
     );
-    let message = desk.fail(1, &["report", "table.bin", "-o", "table.bin"]);
+    let message = workdir.fail(1, &["report", "table.bin", "-o", "table.bin"]);
     assert_names(&message, &["table.bin", "it is the input"]);
-    desk.fail(2, &["report", "table.bin"]);
+    workdir.fail(2, &["report", "table.bin"]);
     assert_names(
-        &desk.succeed(&["report", "--help"]),
+        &workdir.succeed(&["report", "--help"]),
         &["TABLE", "-o", "--output", "REPORT.html"],
     );
 }

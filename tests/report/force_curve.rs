@@ -2,13 +2,13 @@
 
 use std::collections::HashMap;
 
-use acceptance::{Data, Desk, assert_names, ends, shipped, table};
+use acceptance::{Data, Workdir, assert_names, ends, shipped, table, workdir};
 use interp::{Contact, Control, Elastic, Error, Parameter, Quantity, System, Table};
 use serde_json::Value;
 use tabulate::report::report;
 
 use crate::browser::browse;
-use crate::{DIFFERENCE, RIGID_SPHERE, desk, embedded_default};
+use crate::{DIFFERENCE, RIGID_SPHERE, embedded_default};
 
 /// A rigid sphere with adhesion, without `delta0`: enough for load against contact radius.
 const NO_PENETRATION: &str = "
@@ -110,7 +110,12 @@ fn assert_load(contact: &Contact, adhesion: f64, a: f64, load: f64, what: &str) 
 
 /// Asserts that the page of a table agrees with `tabulate curve` and with `interp` at each of the
 /// settings. Returns the content of the page; none without Chromium.
-fn assert_shows(desk: &Desk, name: &str, table: &Table, settings: &[Setting]) -> Option<Value> {
+fn assert_shows(
+    workdir: &Workdir,
+    name: &str,
+    table: &Table,
+    settings: &[Setting],
+) -> Option<Value> {
     let page = report(table, &[]).expect("a report");
     let addresses: Vec<String> = settings
         .iter()
@@ -145,7 +150,7 @@ fn assert_shows(desk: &Desk, name: &str, table: &Table, settings: &[Setting]) ->
         );
         assert_eq!(csv.cases().count(), 150);
         if penetrates {
-            let printed = Data::parse("the program's", &desk.succeed(&arguments));
+            let printed = Data::parse("the program's", &workdir.succeed(&arguments));
             for (ours, theirs) in csv.cases().zip(printed.cases()) {
                 let a = theirs.get("contact_radius");
                 assert!((ours.get("contact_radius") / a - 1.0).abs() < 1e-14);
@@ -267,11 +272,11 @@ fn sliders(seen: &Value) -> Vec<&str> {
 
 #[test]
 fn a_page_with_all_axes_shows_what_the_program_prints() {
-    let (desk, table) = (
-        desk(),
+    let (workdir, table) = (
+        workdir!(),
         Table::read(embedded_default()).expect("the embedded table"),
     );
-    desk.write(
+    workdir.write(
         "default.bin",
         std::fs::read(embedded_default()).expect("the embedded table"),
     );
@@ -315,7 +320,7 @@ fn a_page_with_all_axes_shows_what_the_program_prints() {
             adhesion: 5.0,
         },
     ];
-    let Some(seen) = assert_shows(&desk, "default.bin", &table, &settings) else {
+    let Some(seen) = assert_shows(&workdir, "default.bin", &table, &settings) else {
         return;
     };
     let all = [
@@ -337,7 +342,7 @@ fn a_page_with_all_axes_shows_what_the_program_prints() {
 
 #[test]
 fn a_page_of_the_papers_table_shows_what_the_program_prints() {
-    let (desk, path) = (desk(), shipped("paper.h5"));
+    let (workdir, path) = (workdir!(), shipped("paper.h5"));
     let settings = [
         PAPER,
         Setting {
@@ -353,7 +358,7 @@ fn a_page_of_the_papers_table_shows_what_the_program_prints() {
     ];
     let table = Table::open(&path).expect("the shipped table");
     let Some(seen) = assert_shows(
-        &desk,
+        &workdir,
         path.to_str().expect("a path in UTF-8"),
         &table,
         &settings,
@@ -374,8 +379,8 @@ fn a_page_of_the_papers_table_shows_what_the_program_prints() {
 
 #[test]
 fn a_rigid_sphere_without_adhesion_has_no_sliders_for_either() {
-    let (desk, table) = (desk(), table(RIGID_SPHERE));
-    desk.write("rigid.bin", table.to_packed().expect("packed"));
+    let (workdir, table) = (workdir!(), table(RIGID_SPHERE));
+    workdir.write("rigid.bin", table.to_packed().expect("packed"));
     let rigid = Setting {
         sphere: f64::INFINITY,
         adhesion: 0.0,
@@ -394,7 +399,7 @@ fn a_rigid_sphere_without_adhesion_has_no_sliders_for_either() {
             ..rigid
         },
     ];
-    let Some(seen) = assert_shows(&desk, "rigid.bin", &table, &settings) else {
+    let Some(seen) = assert_shows(&workdir, "rigid.bin", &table, &settings) else {
         return;
     };
     let expected = [
@@ -409,8 +414,8 @@ fn a_rigid_sphere_without_adhesion_has_no_sliders_for_either() {
 
 #[test]
 fn without_penetration_there_is_load_against_contact_radius() {
-    let (desk, table) = (desk(), table(NO_PENETRATION));
-    desk.write("rigid.bin", table.to_packed().expect("packed"));
+    let (workdir, table) = (workdir!(), table(NO_PENETRATION));
+    workdir.write("rigid.bin", table.to_packed().expect("packed"));
     let setting = Setting {
         sphere: f64::INFINITY,
         film: [1e6, 0.4],
@@ -418,7 +423,7 @@ fn without_penetration_there_is_load_against_contact_radius() {
         thickness: 1e-5,
         ..PAPER
     };
-    let Some(seen) = assert_shows(&desk, "rigid.bin", &table, &[setting]) else {
+    let Some(seen) = assert_shows(&workdir, "rigid.bin", &table, &[setting]) else {
         return;
     };
     let states = &seen["looks"][0]["states"];

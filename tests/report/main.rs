@@ -14,8 +14,6 @@ mod layout;
 
 use std::path::{Path, PathBuf};
 
-use acceptance::Desk;
-
 /// The largest relative difference between the quantities in a page and those of its table, as the
 /// documentation of `tabulate::report` states it.
 const DIFFERENCE: f64 = 1e-6;
@@ -40,10 +38,6 @@ const RIGID_SPHERE: &str = "
     e0_over_e2 = { from = 1, to = 1e4 }
     nu0        = 0.25
 ";
-
-fn desk() -> Desk {
-    Desk::new(env!("CARGO_BIN_EXE_tabulate-under-test"))
-}
 
 fn embedded_default() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../crates/interp/embedded/default.bin")

@@ -18,5 +18,3 @@ pub use forgery::{PREFIX, checksum, with_payload};
 pub use material::{material, paper_system};
 pub use tables::{BOX, RIGID_SPHERE, axes, ends, low_rank, shipped, table};
 pub use workdir::{Run, Workdir, assert_names};
-/// Another name of [`Workdir`].
-pub type Desk = Workdir;

@@ -71,7 +71,7 @@ pub fn ends(table: &Table, parameter: Parameter) -> (f64, f64) {
 /// # Panics
 /// If `error` is below rounding.
 pub fn low_rank(table: &Table, error: f64) -> Table {
-    let form = tabulate::table::compress(table, error, None).expect("above rounding");
+    let form = tabulate::table::compress(table, error).expect("above rounding");
     Table::from_low_rank(table.description().clone(), axes(table), form)
         .expect("a form of this table")
 }

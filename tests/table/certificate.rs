@@ -1,8 +1,7 @@
-//! The certificate: where its points are, and what it makes of them.
+//! The certificate of a table, the largest error at sampled points: its points and its numbers.
 
 use acceptance::{larger, table};
-use interp::Parameter;
-use interp::{Description, Quantity, Table};
+use interp::{Description, Parameter, Quantity, Table};
 use tabulate::table::{Sample, certificate, measure, sample};
 
 /// Two axes, `a/t` among them, and all quantities.
@@ -14,7 +13,7 @@ const TWO_AXES: &str = "
     nu1        = 0.5
     e0_over_e2 = 1e4
 ";
-/// Four axes, which the nodes do not follow well.
+/// Four axes with few nodes, so that the error is large.
 const FOUR_AXES: &str = "
     title      = 'Four axes'
     tolerance  = 1e-1
@@ -30,7 +29,7 @@ fn measured(table: &Table, points: usize, seed: u64) -> Vec<Sample> {
 
 #[test]
 fn of_known_samples_the_worst_the_median_and_what_999_of_1000_keep_are_right() {
-    // In an order that is not theirs.
+    // In another order than that of their errors.
     let samples: Vec<Sample> = (0..2000)
         .map(|i| (i * 1237) % 2000)
         .map(|i| Sample {
@@ -54,7 +53,7 @@ fn of_known_samples_the_worst_the_median_and_what_999_of_1000_keep_are_right() {
         ),
         (1e-9 * 1999.0, 1e-9 * 1000.0, 2000, 5)
     );
-    // Two of two thousand are larger.
+    // Two of the two thousand errors are larger.
     assert_eq!(found.p999_error, 1e-9 * 1997.0);
     assert_eq!(
         (found.worst_quantity, found.worst_point),
@@ -62,7 +61,7 @@ fn of_known_samples_the_worst_the_median_and_what_999_of_1000_keep_are_right() {
     );
     assert_eq!(found.identity_errors, [Some(1499.0), None]);
 
-    // Of a few, all keep the largest; and NaN is the worst of all.
+    // Among a few samples, the 99.9 % error is the largest. NaN is larger than all others.
     let mut few = samples[..10].to_vec();
     let largest = few.iter().map(|sample| sample.error).fold(0.0, larger);
     assert_eq!(certificate(&few, 5).p999_error, largest);
@@ -81,7 +80,7 @@ fn the_points_are_in_the_box_on_its_edges_and_corners_and_few_are_nodes() {
             .iter()
             .zip(measured(&table, 1000, 3))
             .all(|(a, b)| a.point == b.point),
-        "another seed, not chance"
+        "a seed gives other points the second time"
     );
     let ends = Parameter::ALL.map(|parameter| acceptance::ends(&table, parameter));
     let at_ends = |sample: &Sample| {
@@ -101,10 +100,10 @@ fn the_points_are_in_the_box_on_its_edges_and_corners_and_few_are_nodes() {
             .count()
     };
     let counts = [0, 1, 2, 3, 4].map(count);
-    println!("on so many faces at once: {counts:?}");
+    println!("points on 0, 1, 2, 3, 4 faces at once: {counts:?}");
     assert_eq!(counts.iter().sum::<usize>(), 1000);
-    // Every corner, once; a tenth of the others on edges; a fifth of the random ones on the
-    // surface.
+    // Every corner is there once. A tenth of the other points is on edges, and a fifth of the
+    // random ones on the surface.
     assert_eq!(counts[4], 16);
     assert!(counts[3] >= 95 && counts[1] + counts[2] >= 100 && counts[0] >= 600);
     let nodes = Parameter::ALL.map(|parameter| table.axis(parameter));
@@ -125,8 +124,8 @@ fn the_points_are_in_the_box_on_its_edges_and_corners_and_few_are_nodes() {
     );
 }
 
-/// A table whose values of one quantity are off by one percent breaks the identities by what that
-/// makes of them.
+/// The values of one quantity are off by one percent. The errors of the identities are those that
+/// follow.
 #[test]
 fn the_identities_are_broken_by_as_much_as_the_values_are() {
     let sound = table(TWO_AXES);

@@ -1,6 +1,6 @@
-//! `tabulate generate`: scenes, the file it writes and when it does, and its certificate.
+//! `tabulate generate`: scenes, the file that it writes, and its certificate.
 
-use acceptance::{Desk, all_bits, assert_names, table};
+use acceptance::{Workdir, all_bits, assert_names, table, workdir};
 use interp::Table;
 
 const SCENE: &str = "\
@@ -11,8 +11,8 @@ e1_over_e2 = { from = 0.3, to = 3, nodes = 4 }
 nu1 = 0.5
 e0_over_e2 = inf
 ";
-/// An incompressible film between rigid bodies: the method loses too much to rounding for such a
-/// tolerance.
+/// An incompressible film between rigid bodies. The method loses too many digits to rounding for
+/// this tolerance.
 const OUT_OF_REACH: &str = "\
 title = 'Out of reach'
 tolerance = 1e-10
@@ -22,17 +22,17 @@ nu1 = 0.5
 e0_over_e2 = inf
 ";
 
-fn desk() -> Desk {
-    let desk = Desk::new(env!("CARGO_BIN_EXE_tabulate-under-test"));
-    desk.write("scene.toml", SCENE);
-    desk.write("out_of_reach.toml", OUT_OF_REACH);
-    desk
+fn workdir() -> Workdir {
+    let workdir = workdir!();
+    workdir.write("scene.toml", SCENE);
+    workdir.write("out_of_reach.toml", OUT_OF_REACH);
+    workdir
 }
 
 #[test]
 fn a_table_is_written_beside_its_scene_or_where_it_is_asked_for() {
-    let desk = desk();
-    let summary = desk.succeed(&[
+    let workdir = workdir();
+    let summary = workdir.succeed(&[
         "generate",
         "scene.toml",
         "--certificate-points",
@@ -40,7 +40,7 @@ fn a_table_is_written_beside_its_scene_or_where_it_is_asked_for() {
         "--seed",
         "7",
     ]);
-    let found = Table::open(desk.path("scene.h5")).expect("a sound table");
+    let found = Table::open(workdir.path("scene.h5")).expect("a sound table");
     assert_eq!(all_bits(&found), all_bits(&table(SCENE)));
     let description = found.description();
     assert_eq!(
@@ -81,31 +81,31 @@ fn a_table_is_written_beside_its_scene_or_where_it_is_asked_for() {
         "--tolerance",
         "5e-2",
     ];
-    desk.succeed(&other);
+    workdir.succeed(&other);
     assert_eq!(
-        Table::open(desk.path("other.h5"))
+        Table::open(workdir.path("other.h5"))
             .expect("a sound table")
             .description()
             .tolerance,
         5e-2
     );
     assert_eq!(
-        desk.files(),
+        workdir.files(),
         ["other.h5", "out_of_reach.toml", "scene.h5", "scene.toml"]
     );
 }
 
 #[test]
 fn an_output_that_cannot_be_written_fails_before_any_solving() {
-    let desk = desk();
-    std::fs::create_dir(desk.path("folder")).expect("a new folder");
-    let before = desk.files();
-    // This scene fails when it is solved; here it must not come to that.
+    let workdir = workdir();
+    std::fs::create_dir(workdir.path("folder")).expect("a new folder");
+    let before = workdir.files();
+    // This scene fails when it is solved. The output is refused before.
     for output in ["missing/table.h5", "folder", "scene.toml/table.h5"] {
-        let message = desk.fail(1, &["generate", "out_of_reach.toml", "-o", output]);
+        let message = workdir.fail(1, &["generate", "out_of_reach.toml", "-o", output]);
         assert_names(&message, &["cannot write", output]);
         assert!(!message.contains("tolerance"), "{message}");
-        let message = desk.fail(
+        let message = workdir.fail(
             1,
             &[
                 "solve",
@@ -120,13 +120,25 @@ fn an_output_that_cannot_be_written_fails_before_any_solving() {
         assert_names(&message, &["cannot write", output]);
         assert!(!message.contains("tolerance"), "{message}");
     }
-    assert_eq!(desk.files(), before);
+    assert_eq!(workdir.files(), before);
+}
+
+/// The ending `.bin` is that of packed tables, which are no HDF5.
+#[test]
+fn an_output_that_is_named_like_a_packed_table_is_refused() {
+    let workdir = workdir();
+    for output in ["table.bin", "table.BIN"] {
+        let run = workdir.run(&["generate", "out_of_reach.toml", "-o", output]);
+        assert!(run.status != 0 && run.stdout.is_empty(), "{run:?}");
+        assert_names(&run.stderr, &[output, ".h5", "tabulate pack"]);
+    }
+    assert_eq!(workdir.files(), ["out_of_reach.toml", "scene.toml"]);
 }
 
 #[test]
 fn a_failing_generate_leaves_the_table_that_was_there_and_nothing_else() {
-    let desk = desk();
-    desk.succeed(&[
+    let workdir = workdir();
+    workdir.succeed(&[
         "generate",
         "scene.toml",
         "-o",
@@ -134,24 +146,24 @@ fn a_failing_generate_leaves_the_table_that_was_there_and_nothing_else() {
         "--certificate-points",
         "50",
     ]);
-    let (bytes, files) = (desk.read("table.h5"), desk.files());
-    let message = desk.fail(1, &["generate", "out_of_reach.toml", "-o", "table.h5"]);
+    let (bytes, files) = (workdir.read("table.h5"), workdir.files());
+    let message = workdir.fail(1, &["generate", "out_of_reach.toml", "-o", "table.h5"]);
     assert_names(
         &message,
         &["tolerance", "is not reached", "estimated error"],
     );
-    desk.write("wrong.toml", "title = 1\n");
-    desk.fail(1, &["generate", "wrong.toml", "-o", "table.h5"]);
-    std::fs::remove_file(desk.path("wrong.toml")).expect("it is there");
-    assert_eq!(desk.files(), files);
-    assert!(desk.read("table.h5") == bytes, "the table has changed");
+    workdir.write("wrong.toml", "title = 1\n");
+    workdir.fail(1, &["generate", "wrong.toml", "-o", "table.h5"]);
+    std::fs::remove_file(workdir.path("wrong.toml")).expect("it is there");
+    assert_eq!(workdir.files(), files);
+    assert!(workdir.read("table.h5") == bytes, "the table has changed");
 }
 
 #[test]
 fn a_table_that_misses_its_tolerance_is_written_and_the_status_is_1() {
-    let desk = desk();
-    desk.write("coarse.toml", SCENE.replace("nodes = 8", "nodes = 4"));
-    let run = desk.run(&[
+    let workdir = workdir();
+    workdir.write("coarse.toml", SCENE.replace("nodes = 8", "nodes = 4"));
+    let run = workdir.run(&[
         "generate",
         "coarse.toml",
         "--tolerance",
@@ -160,7 +172,7 @@ fn a_table_that_misses_its_tolerance_is_written_and_the_status_is_1() {
         "100",
     ]);
     assert_eq!(run.status, 1, "{run:?}");
-    let table = Table::open(desk.path("coarse.h5")).expect("a sound table");
+    let table = Table::open(workdir.path("coarse.h5")).expect("a sound table");
     let (error, tolerance) = (
         table.description().certificate.max_error,
         table.description().tolerance,
@@ -177,20 +189,21 @@ fn a_table_that_misses_its_tolerance_is_written_and_the_status_is_1() {
     assert_names(&run.stdout, &["certified error", &format!("{error:.1e}")]);
 }
 
-/// The corners of the box are nodes, and say nothing.
+/// The corners of the box are nodes, at which a table has no error.
 #[test]
 fn a_few_points_are_off_the_nodes() {
-    let desk = desk();
+    let workdir = workdir();
     let scene = "title = 'x'\na_over_t = { from = 1e-2, to = 1e2, nodes = 3 }\ne1_over_e2 = 1\nnu1 = 0.5\ne0_over_e2 = 1e4\n";
-    desk.write("scene.toml", scene);
+    workdir.write("scene.toml", scene);
     for points in ["1", "2", "10"] {
         assert_eq!(
-            desk.run(&["generate", "scene.toml", "--certificate-points", points])
+            workdir
+                .run(&["generate", "scene.toml", "--certificate-points", points])
                 .status,
             1,
             "{points} points"
         );
-        let error = Table::open(desk.path("scene.h5"))
+        let error = Table::open(workdir.path("scene.h5"))
             .expect("a sound table")
             .description()
             .certificate
@@ -199,37 +212,42 @@ fn a_few_points_are_off_the_nodes() {
     }
 }
 
-/// Near a Poisson ratio of -1 the film's moduli span fifteen decades within a part of the range
-/// that no node but the first would be in.
+/// Near a Poisson ratio of -1 the film's moduli span fifteen decades, in a part of the range that
+/// holds no node but the first.
 #[test]
 fn a_range_that_no_number_of_nodes_resolves_is_an_error_that_names_it() {
-    let desk = desk();
-    desk.write("steep.toml", "title = 'x'\ntolerance = 1e-6\na_over_t = 1\ne1_over_e2 = 1\nnu1 = { from = -0.999999999999999, to = 0.5 }\ne0_over_e2 = 10\n");
+    let workdir = workdir();
+    workdir.write("steep.toml", "title = 'x'\ntolerance = 1e-6\na_over_t = 1\ne1_over_e2 = 1\nnu1 = { from = -0.999999999999999, to = 0.5 }\ne0_over_e2 = 10\n");
     for more in [&[][..], &["--plan"]] {
-        let message = desk.fail(1, &[&["generate", "steep.toml"][..], more].concat());
+        let message = workdir.fail(1, &[&["generate", "steep.toml"][..], more].concat());
         assert_names(
             &message,
             &["nu1 would take", "nodes or more", "1e-6", "smaller range"],
         );
     }
-    assert!(!desk.files().iter().any(|file| file.starts_with("steep.h5")));
+    assert!(
+        !workdir
+            .files()
+            .iter()
+            .any(|file| file.starts_with("steep.h5"))
+    );
 }
 
 #[test]
 fn a_plan_says_what_is_made_and_makes_nothing() {
-    let desk = desk();
-    desk.write(
+    let workdir = workdir();
+    workdir.write(
         "box.toml",
         SCENE
             .replace(", nodes = 8", "")
             .replace(", nodes = 4", "")
             .replace("1e-1", "1e-4"),
     );
-    let before = desk.files();
-    let plan = desk.succeed(&["generate", "box.toml", "--plan"]);
-    assert_eq!(desk.files(), before);
-    desk.succeed(&["generate", "box.toml", "--certificate-points", "50"]);
-    let [n_a, n_e1, ..] = Table::open(desk.path("box.h5"))
+    let before = workdir.files();
+    let plan = workdir.succeed(&["generate", "box.toml", "--plan"]);
+    assert_eq!(workdir.files(), before);
+    workdir.succeed(&["generate", "box.toml", "--certificate-points", "50"]);
+    let [n_a, n_e1, ..] = Table::open(workdir.path("box.h5"))
         .expect("a sound table")
         .shape();
     let nodes = [
@@ -243,9 +261,14 @@ fn a_plan_says_what_is_made_and_makes_nothing() {
 
 #[test]
 fn a_wrong_scene_is_named_with_key_value_and_range() {
-    /// The line that is changed, what to, and words of the error.
-    const CHANGES: [(&str, &str, &[&str]); 25] = [
-        ("nu1 = 0.5", "nu1 = 0.5\nnu2 = 0.3", &["nu2"]),
+    /// The line that is changed, its new text, and words of the error.
+    const CHANGES: [(&str, &str, &[&str]); 26] = [
+        ("nu1 = 0.5", "nu1 = 0.5\nnu2 = 0.3", &["nu2", "nu1"]),
+        (
+            "e0_over_e2 = inf",
+            "e0_over_e2 = inf\n[[layers]]\nthickness = 1",
+            &["layers", "not modelled", "one film on a half-space", "nu0"],
+        ),
         ("title = 'A small box'", "", &["title"]),
         ("nu1 = 0.5", "", &["nu1"]),
         ("title = 'A small box'", "title = 3", &["title", "string"]),
@@ -335,7 +358,7 @@ fn a_wrong_scene_is_named_with_key_value_and_range() {
             &["quantities", "each once"],
         ),
     ];
-    let desk = desk();
+    let workdir = workdir();
     let mut wrong = Vec::new();
     let unknown = (
         "tolerance = 1e-1",
@@ -344,8 +367,8 @@ fn a_wrong_scene_is_named_with_key_value_and_range() {
     );
     for (line, change, words) in CHANGES.into_iter().chain([unknown]) {
         assert!(SCENE.contains(line));
-        desk.write("changed.toml", SCENE.replacen(line, change, 1));
-        let message = desk.fail(1, &["generate", "changed.toml", "-o", "table.h5"]);
+        workdir.write("changed.toml", SCENE.replacen(line, change, 1));
+        let message = workdir.fail(1, &["generate", "changed.toml", "-o", "table.h5"]);
         let missing: Vec<&&str> = words
             .iter()
             .chain(&["changed.toml"])
@@ -355,9 +378,9 @@ fn a_wrong_scene_is_named_with_key_value_and_range() {
             wrong.push(format!("{change}: {missing:?} not in {message}"));
         }
     }
-    assert!(!desk.files().contains(&"table.h5".to_owned()));
+    assert!(!workdir.files().contains(&"table.h5".to_owned()));
     assert_names(
-        &desk.fail(1, &["generate", "missing.toml"]),
+        &workdir.fail(1, &["generate", "missing.toml"]),
         &["missing.toml", "No such file"],
     );
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
@@ -365,7 +388,7 @@ fn a_wrong_scene_is_named_with_key_value_and_range() {
 
 #[test]
 fn wrong_arguments_are_named() {
-    let desk = desk();
+    let workdir = workdir();
     for (status, arguments, words) in [
         (2, ["--jobs", "0"], ["--jobs", "0"]),
         (
@@ -378,20 +401,20 @@ fn wrong_arguments_are_named() {
         (1, ["-o", "scene.toml"], ["scene.toml", "it is the input"]),
     ] {
         assert_names(
-            &desk.fail(
+            &workdir.fail(
                 status,
                 &[&["generate", "scene.toml"][..], &arguments].concat(),
             ),
             &words,
         );
     }
-    assert_eq!(desk.files(), ["out_of_reach.toml", "scene.toml"]);
+    assert_eq!(workdir.files(), ["out_of_reach.toml", "scene.toml"]);
 }
 
 #[cfg(unix)]
 #[test]
 fn only_files_are_replaced_and_links_stay_links() {
-    let desk = desk();
+    let workdir = workdir();
     let generate = |output| {
         [
             "generate",
@@ -402,14 +425,14 @@ fn only_files_are_replaced_and_links_stay_links() {
             "50",
         ]
     };
-    desk.write("real.h5", "something else");
-    std::os::unix::fs::symlink("real.h5", desk.path("link.h5")).expect("a link");
-    desk.succeed(&generate("link.h5"));
-    assert!(desk.path("link.h5").is_symlink());
-    Table::open(desk.path("real.h5")).expect("the table is behind the link");
-    let _socket = std::os::unix::net::UnixListener::bind(desk.path("socket")).expect("a socket");
+    workdir.write("real.h5", "something else");
+    std::os::unix::fs::symlink("real.h5", workdir.path("link.h5")).expect("a link");
+    workdir.succeed(&generate("link.h5"));
+    assert!(workdir.path("link.h5").is_symlink());
+    Table::open(workdir.path("real.h5")).expect("the table is behind the link");
+    let _socket = std::os::unix::net::UnixListener::bind(workdir.path("socket")).expect("a socket");
     assert_names(
-        &desk.fail(1, &generate("socket")),
+        &workdir.fail(1, &generate("socket")),
         &["socket", "not a file"],
     );
 }

@@ -1,15 +1,12 @@
-//! Scenes that ask for less: their values are those of the full table, and only what they ask for
-//! is computed and kept.
+//! Scenes with fewer axes or quantities: their values are those of the full table, and nothing else
+//! is computed or kept.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use acceptance::{assert_names, larger, material, shipped};
-use interp::Parameter;
-use interp::Quantity;
+use interp::{Parameter, Quantity};
 use tabulate::solve;
-use tabulate::table::Plan;
-use tabulate::table::{Extent, Scene};
-use tabulate::table::{Values, sweep};
+use tabulate::table::{Extent, Plan, Scene, Values, sweep};
 
 const FULL: &str = "\
 title = 'Everything'
@@ -33,7 +30,7 @@ const E0: (&str, &str) = (
     "e0_over_e2 = 1e4",
 );
 
-/// A scene's axes and values, and how many contacts were solved for them.
+/// Solves a scene. Returns its axes and values, and the number of contacts solved.
 fn solved(text: &str) -> (Scene, [Vec<f64>; 4], Values, usize) {
     let scene = Scene::parse(text, None).expect("a sound scene");
     let axes = Plan::new(&scene).expect("its nodes are stated").axes();
@@ -45,7 +42,7 @@ fn solved(text: &str) -> (Scene, [Vec<f64>; 4], Values, usize) {
     (scene, axes, values, count.into_inner())
 }
 
-/// The value at a node of the axes.
+/// Returns the value at a node of the axes.
 fn at(axes: &[Vec<f64>; 4], values: &[f64], point: [f64; 4]) -> f64 {
     let index = axes.iter().zip(point).fold(0, |index, (nodes, value)| {
         let near = |&node: &f64| (node - value).abs() <= 1e-12 * value.abs();
@@ -128,8 +125,8 @@ fn quantities_that_are_not_asked_for_are_not_kept_and_the_others_are_the_same() 
     }
 }
 
-/// A rigid sphere and a rigid substrate are limits, which no range holds: their values are the
-/// solve's.
+/// A rigid sphere and a rigid substrate are limits, which no range holds. Their values are those of
+/// the solve.
 #[test]
 fn rigid_bodies_are_solved_as_such() {
     let mut worst = 0.0;
@@ -173,7 +170,7 @@ fn rigid_bodies_are_solved_as_such() {
     assert!(worst <= 5e-9);
 }
 
-/// Like [`at`], where infinity is near itself.
+/// Returns the value at a node as [`at`] does, with infinity taken for the largest finite number.
 fn at_or_rigid(axes: &[Vec<f64>; 4], values: &[f64], point: [f64; 4]) -> f64 {
     let finite = axes
         .each_ref()
@@ -224,7 +221,7 @@ fn a_plan_obeys_stated_nodes_and_asks_for_more_where_the_tolerance_is_smaller() 
     println!("{shapes:?}");
     assert!(shapes.iter().all(|shape| shape[1..] == [9, 6, 1]));
     assert!(shapes.is_sorted_by(|a, b| a[0] < b[0]));
-    // The same on any number of threads.
+    // The plan does not depend on the number of threads.
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(1)
         .build()

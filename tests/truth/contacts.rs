@@ -109,7 +109,7 @@ fn stated_errors_bound_the_true_ones() {
     println!(
         "{bounded} of {random} random answers are as accurate as they say; of all, the worst error is {worst:.2} of the stated one"
     );
-    assert!(bounded as f64 >= HONEST * random as f64);
+    assert!(bounded as f64 >= HONEST * f64::from(random));
     assert!(worst <= FAR_ABOVE);
 }
 
@@ -125,7 +125,7 @@ fn stated_errors_are_mostly_within_three_decades_of_the_true_ones() {
         println!(
             "tolerance 1e-{decade}: {near} of {count} stated errors are at most {CAUTIOUS:e} times the true one"
         );
-        assert!(near as f64 >= MOSTLY * count as f64);
+        assert!(near as f64 >= MOSTLY * f64::from(count));
     }
 }
 

@@ -10,7 +10,7 @@ const AT_1E_10: f64 = 2e-11;
 const THINNEST: f64 = 1e-13;
 
 /// The true and the stated error of one case.
-fn errors(case: &Case, tolerance: f64) -> [f64; 2] {
+fn errors(case: &Case<'_>, tolerance: f64) -> [f64; 2] {
     let solution = solve(case.get("a_over_t"), &case.material(), tolerance)
         .expect("the references are within reach");
     let error = relative_error(&solution.quantities, &case.quantities());
@@ -33,7 +33,7 @@ fn errors(case: &Case, tolerance: f64) -> [f64; 2] {
 
 /// The largest true error over the chosen cases. The stated error bounds each of them (measured:
 /// from 1e-4 to 1e-10 the true error is at most 0.17 of it).
-fn largest_error(tolerance: f64, choose: impl Fn(&Case) -> bool) -> f64 {
+fn largest_error(tolerance: f64, choose: impl Fn(&Case<'_>) -> bool) -> f64 {
     let data = Data::read("barthel_reference");
     let (mut largest, mut share, mut count) = (0.0, 0.0, 0);
     for case in data.cases().filter(choose) {

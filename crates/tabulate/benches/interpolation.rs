@@ -1,15 +1,14 @@
-//! What a table takes with the interpolation chosen for it, and what with others. Prints the table
-//! that the README quotes.
+//! The number of nodes that a table needs with its own interpolation, and with others. Prints the
+//! table that the documentation quotes.
 //!
-//! Everything is measured along single axes of the default box, on the lines that the planner looks
-//! at. Each line is solved once, at so many places that a spline of the highest degree through them
-//! is as good as the solve. Trial splines are made from that and compared with it.
+//! Everything is measured along single axes of the default box, on the lines of the planner. Each
+//! line is solved once, at enough places for a spline of the highest degree to be as accurate as
+//! the solve. Trial splines through values of that spline are compared with it.
 
 use interp::Parameter;
 use interp::bspline::{Basis, LARGEST_DEGREE, TABLE_DEGREE};
 use rayon::prelude::*;
-use tabulate::table::Scene;
-use tabulate::table::plan::{EVENNESS, lines, logarithms, places};
+use tabulate::table::{EVENNESS, Scene, lines, logarithms, places};
 
 const DEFAULT_SCENE: &str = include_str!("../../../tables/default.toml");
 
@@ -19,7 +18,7 @@ const TOLERANCES: [f64; 3] = [1e-4, 1e-6, 1e-8];
 /// Places at which a line is solved.
 const DENSE: usize = 257;
 
-/// More nodes on an axis are not looked for.
+/// The largest number of nodes on an axis that is tried.
 const MOST: usize = 300;
 
 const CHOSEN: Choice = Choice {
@@ -61,7 +60,7 @@ fn main() {
     }
     let error = largest(axes.iter().map(Axis::error_of_truth));
     println!(
-        "\n{} lines along each axis; what splines are compared with is within {error:.0e} of the solve.",
+        "\n{} lines along each axis; the splines are compared with one that is within {error:.0e} of the solve.",
         axes[0].lines.lines.len()
     );
 }
@@ -70,15 +69,15 @@ fn main() {
 #[derive(Clone, Copy)]
 struct Choice {
     degree: usize,
-    /// See [`tabulate::table::plan::Placement::Nodes`]; each axis has the one that wants the fewest
-    /// nodes.
+    /// The values of [`tabulate::table::Placement::Nodes`] that are tried. Each axis has the one
+    /// with the fewest nodes.
     evenness: &'static [f64],
     nu1: Coordinate,
     splined: Splined,
 }
 
-/// What is tried: the choice, every degree on every placement, and the choice with something else
-/// changed.
+/// Returns the names and the ways that are tried: the table's own, every degree on every placement,
+/// and the table's own with one change.
 fn choices() -> Vec<(String, Choice)> {
     const PLACEMENTS: [(&[f64], &str); 3] = [
         (&[0.95], "evenness 0.95"),
@@ -133,11 +132,12 @@ fn choices() -> Vec<(String, Choice)> {
 }
 
 impl Choice {
-    /// The fewest nodes on each axis that keep the tolerance, [`MOST`] where these do not.
+    /// Returns the smallest number of nodes on each axis that keeps the tolerance, [`MOST`] where
+    /// this does not.
     fn nodes(&self, axes: &[Axis<'_>; 4], tolerance: f64) -> [usize; 4] {
         let counts: Vec<usize> = (2..MOST).collect();
         axes.each_ref().map(|axis| {
-            // The error falls with the nodes, but for some up and down.
+            // The error falls with the number of nodes, apart from small variations.
             let fewest = |&evenness: &f64| {
                 counts[0]
                     + counts.partition_point(|&count| axis.error(self, evenness, count) > tolerance)
@@ -177,7 +177,7 @@ impl Coordinate {
     }
 }
 
-/// What is splined of a quantity `Q`, which has the scale `s` of [`interp::Quantity::scale`].
+/// The function of a quantity `Q` that is splined. `s` is [`interp::Quantity::scale`].
 #[derive(Clone, Copy)]
 enum Splined {
     /// `ln(Q/s)`, as in the table.
@@ -197,7 +197,7 @@ impl Splined {
         }
     }
 
-    /// The relative error of the quantity.
+    /// Returns the relative error of the quantity.
     fn error(self, spline: f64, truth: f64) -> f64 {
         match self {
             Self::LogarithmOfRatio | Self::Logarithm => (spline - truth).abs(),
@@ -206,7 +206,7 @@ impl Splined {
     }
 }
 
-/// Splines on the same nodes, side by side.
+/// Several splines on one set of nodes.
 struct Splines {
     basis: Basis,
     coefficients: Vec<f64>,
@@ -214,7 +214,7 @@ struct Splines {
 }
 
 impl Splines {
-    /// Through one row of values at each node.
+    /// Makes the splines through one row of values at each node.
     fn through(nodes: &[f64], rows: Vec<Vec<f64>>, degree: usize) -> Self {
         let (basis, width) = (Basis::new(nodes, degree), rows[0].len());
         let mut coefficients = rows.concat();
@@ -247,7 +247,7 @@ struct Lines<'a> {
 }
 
 impl Lines<'_> {
-    /// A row of numbers, some for each line, at one value of the parameter.
+    /// Returns the `numbers` of each line at one value of the parameter, in one row.
     fn row(&self, value: f64, numbers: impl Fn([f64; 4]) -> Vec<f64>) -> Vec<f64> {
         let point = |line: &[f64; 4]| {
             let mut point = *line;
@@ -257,14 +257,14 @@ impl Lines<'_> {
         self.lines.iter().flat_map(point).collect()
     }
 
-    /// `ln(Q/s)` by solves.
+    /// Returns `ln(Q/s)` of direct solves.
     fn solved(&self, value: f64) -> Vec<f64> {
         self.row(value, |point| {
             logarithms(self.scene, point).expect("within reach")
         })
     }
 
-    /// `s`, for each of [`Lines::solved`].
+    /// Returns `s` for each number of [`Lines::solved`].
     fn scales(&self, value: f64) -> Vec<f64> {
         self.row(value, |[_, e1, nu1, e0]| {
             let es = self
@@ -288,7 +288,7 @@ impl Lines<'_> {
         }
     }
 
-    /// The value at a place from 0 to 1 along the lines.
+    /// Returns the value at a place from 0 to 1 along the lines.
     fn value(&self, nu1: Coordinate, place: f64) -> f64 {
         let ends = self.scene.extents[self.along as usize].ends();
         let [first, last] = ends.map(|end| self.coordinate(nu1, end));
@@ -327,7 +327,7 @@ impl<'a> Axis<'a> {
         }
     }
 
-    /// How far the truth is from solves between its nodes.
+    /// Returns the largest difference of the truth from solves between its nodes.
     fn error_of_truth(&self) -> f64 {
         let error = |place: &f64| {
             let solved = self
@@ -349,7 +349,7 @@ impl<'a> Axis<'a> {
         )
     }
 
-    /// The largest relative error of the splines through so many nodes.
+    /// Returns the largest relative error of the splines through `count` nodes.
     fn error(&self, choice: &Choice, evenness: f64, count: usize) -> f64 {
         let nodes = places(count, evenness);
         let row = |place: &f64| self.splined(choice, *place);
@@ -367,7 +367,7 @@ impl<'a> Axis<'a> {
             .reduce(|| 0.0, f64::max)
     }
 
-    /// What is splined, at a place in the coordinate that is chosen.
+    /// Returns the function that is splined, at a place in the coordinate of the choice.
     fn splined(&self, choice: &Choice, place: f64) -> Vec<f64> {
         let value = self.lines.value(choice.nu1, place);
         let [first, here, last] = [
@@ -388,7 +388,7 @@ impl<'a> Axis<'a> {
     }
 }
 
-/// Three places in each cell between the nodes.
+/// Returns three places in each cell between the nodes.
 fn between(nodes: &[f64]) -> Vec<f64> {
     let cell = |pair: &[f64]| [0.25, 0.5, 0.75].map(|share| pair[0] + (pair[1] - pair[0]) * share);
     nodes.windows(2).flat_map(cell).collect()

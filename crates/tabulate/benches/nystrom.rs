@@ -121,7 +121,7 @@ fn smallest(ample: usize, mut enough: impl FnMut(usize) -> bool) -> usize {
 
 /// The output of `nystrom.py` for one contact.
 #[derive(Deserialize)]
-struct Answer {
+struct Reply {
     quantities: Quantities,
     /// The times of the repetitions.
     seconds: Vec<f64>,
@@ -134,7 +134,7 @@ fn ask(
     material: &Material,
     sizes: Sizes,
     repetitions: usize,
-) -> Answer {
+) -> Reply {
     python.ask(&json!({
         "a_over_t": x,
         "e1_over_e2": material.e1_over_e2(),

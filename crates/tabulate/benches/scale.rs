@@ -1,6 +1,7 @@
-//! Time and memory of `tabulate generate` against the size of the table and the number of threads:
-//! the program itself, on the default scene. Prints the table that the README quotes, and draws
-//! `tables/scale.svg`. Linux only: elsewhere the program does not know its memory.
+//! Time and memory of `tabulate generate` against the size of the table and the number of threads.
+//! Runs the program itself on the default scene, prints the table that the documentation quotes,
+//! and draws `tables/scale.svg`. Linux only: on other systems the program cannot measure its
+//! memory.
 
 use std::error::Error;
 use std::fs;
@@ -17,7 +18,7 @@ use tabulate::plot::picture::Format;
 const TOLERANCES: [f64; 6] = [1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7];
 /// Numbers of threads.
 const JOBS: [usize; 2] = [1, 2];
-/// Of the runs that begin within this time the fastest counts.
+/// The time within which runs are begun. The fastest of them counts.
 const PATIENCE: Duration = Duration::from_secs(4);
 const PICTURE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tables/scale.svg");
 
@@ -41,12 +42,12 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// What one table takes.
+/// The measurements of one table.
 struct Size {
     tolerance: f64,
     nodes: String,
     points: f64,
-    /// Of each of [`JOBS`].
+    /// A run for each of [`JOBS`].
     runs: [Run; 2],
     /// The table's values in memory, in MB.
     values: f64,
@@ -59,7 +60,7 @@ struct Size {
 #[derive(Clone, Copy)]
 struct Run {
     points: f64,
-    /// Certificate included.
+    /// The time, certificate included.
     seconds: f64,
     megabytes: f64,
 }
@@ -145,7 +146,7 @@ impl Run {
     }
 }
 
-/// Of the numbers of threads.
+/// The colours of the numbers of threads.
 const COLOURS: [Colour; 2] = [BLUE, VERMILION];
 const NAMES: [&str; 2] = ["1 thread", "2 threads"];
 

@@ -1,4 +1,4 @@
-//! What can go wrong in making a table, with the numbers that say why.
+//! The errors of solving, of scenes and of files. Each holds the numbers that explain it.
 
 use std::io;
 use std::path::PathBuf;
@@ -9,7 +9,7 @@ use interp::Material;
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
-    /// A parameter that the solve is not made for.
+    /// A parameter outside the domain of the solve.
     #[error("{name} = {value:?} is outside the domain of the solve, {from:?} to {to:?}")]
     Domain {
         /// The parameter's name.
@@ -21,7 +21,7 @@ pub enum Error {
         /// The largest value allowed.
         to: f64,
     },
-    /// A tolerance that was not reached.
+    /// A tolerance that the solve has not reached.
     #[error(
         "tolerance {tolerance:.1e} is not reached at a_over_t = {a_over_t:?}, e1_over_e2 = {:?}, nu1 = {:?}, e0_over_e2 = {:?}, nu0 = {:?}: \
          the estimated error is {reached:.1e}; ask for a larger tolerance",
@@ -32,112 +32,80 @@ pub enum Error {
         a_over_t: f64,
         /// The material.
         material: Material,
-        /// What was asked for.
+        /// The tolerance.
         tolerance: f64,
-        /// The estimated relative error that was reached; infinite where there is no answer at all.
+        /// The estimated relative error that was reached; infinite where every method failed.
         reached: f64,
     },
-    /// A measurement that is not what it was.
+    /// A measurement that differs from a recorded one.
     #[error("row {row}: {column} was {before} and is {now}")]
     Changed {
         /// The number of the row, from 1.
         row: usize,
         /// The column.
         column: String,
-        /// What it was.
+        /// The recorded value.
         before: String,
-        /// What it is.
+        /// The new value.
         now: String,
     },
-    /// A low-rank form that rounding keeps from its error.
+    /// A low-rank form whose error is larger than allowed, because of rounding.
     #[error(
-        "a low-rank form with an error of {error:.1e} is not within rounding: it has {reached:.1e}; ask for a larger tolerance"
+        "rounding keeps the low-rank form from an error of {error:.1e}: it has {reached:.1e}; ask for a larger tolerance"
     )]
     Truncation {
-        /// The relative error at the nodes that was asked for.
+        /// The largest relative error allowed at the nodes.
         error: f64,
-        /// The smallest that was reached.
+        /// The smallest error that was reached.
         reached: f64,
     },
-    /// A low-rank form that rounding keeps from the derivatives that were asked for.
-    #[error(
-        "a low-rank form whose derivatives with respect to nu1 at 0.5 are off by {allowed:.1e} is not within rounding: they are by \
-         {reached:.1e}; ask for a larger derivative tolerance, or for a smaller tolerance"
-    )]
-    DerivativeTruncation {
-        /// The error of the derivatives that was asked for.
-        allowed: f64,
-        /// The smallest that was reached.
-        reached: f64,
-    },
-    /// A tolerance that no packed table is asked for.
+    /// A tolerance of a packed table outside the allowed range.
     #[error("tolerance = {tolerance:?} is outside {least:e} to {most:e}")]
     PackedTolerance {
-        /// What was asked for.
+        /// The tolerance.
         tolerance: f64,
         /// The smallest allowed.
         least: f64,
         /// The largest allowed.
         most: f64,
-    },
-    /// An error of derivatives that no packed table is asked for.
-    #[error("derivative tolerance = {tolerance:?} is outside {least:e} to {most:e}")]
-    DerivativeTolerance {
-        /// What was asked for.
-        tolerance: f64,
-        /// The smallest allowed.
-        least: f64,
-        /// The largest allowed.
-        most: f64,
-    },
-    /// Derivatives of incompressible films, from a table that does not hold them.
-    #[error(
-        "a derivative tolerance is of films with nu1 = 0.5, at the end of an axis of {least} nodes or more; this table has {nodes} to {last:?}"
-    )]
-    NoIncompressibleEnd {
-        /// The fewest that it takes.
-        least: usize,
-        /// How many there are.
-        nodes: usize,
-        /// The last `nu1`.
-        last: f64,
     },
     /// A table that is not accurate enough to be packed to the tolerance.
     #[error(
-        "its certified error {own:.1e} leaves no room below the tolerance {tolerance:e}: make it with a smaller tolerance"
+        "its certified error {own:.1e} leaves no room below the tolerance {tolerance:e}; generate the table with a smaller \
+         tolerance, or ask for a larger one"
     )]
     NoRoom {
         /// The table's own certified error.
         own: f64,
-        /// What was asked for.
+        /// The tolerance.
         tolerance: f64,
     },
-    /// A low-rank form that misses its tolerance between the nodes.
+    /// A low-rank form whose error between the nodes is larger than the tolerance.
     #[error(
         "its low-rank form has a measured error of {measured:.1e}, more than the tolerance {tolerance:e}, though truncation adds no more than \
-         {truncation:.1e} at its nodes; its own certified error is {own:.1e}: make it with a smaller tolerance"
+         {truncation:.1e} at its nodes; its own certified error is {own:.1e}; generate the table with a smaller tolerance"
     )]
     Packed {
-        /// The error measured.
+        /// The measured error.
         measured: f64,
-        /// What was asked for.
+        /// The tolerance.
         tolerance: f64,
         /// The largest error of truncation at the nodes.
         truncation: f64,
         /// The table's own certified error.
         own: f64,
     },
-    /// A scene that says something impossible.
+    /// A scene with a wrong key or value.
     #[error("{}: {what}", path.display())]
     Scene {
         /// The scene file.
         path: PathBuf,
-        /// What is wrong: key, value and range.
+        /// A sentence with key, value and range.
         what: String,
     },
-    /// A table that would need more nodes than any is made with.
+    /// A table that would need too many nodes.
     #[error(
-        "the tolerance takes a table of {} nodes, {values} values, where at most {} nodes on an axis and {most} values are made; ask for a larger \
+        "the table would have {} nodes and {values} values, where at most {} nodes on an axis and {most} values are allowed; ask for a larger \
          tolerance, a smaller box or fewer nodes",
         shape.map(|nodes| nodes.to_string()).join(" x "), crate::table::scene::MOST_NODES
     )]
@@ -150,35 +118,35 @@ pub enum Error {
         most: usize,
     },
     /// A table that another process is making.
-    #[error("{} is being made by another process", path.display())]
+    #[error("{} is being made by another process; wait for it, or choose another output", path.display())]
     Busy {
         /// The table.
         path: PathBuf,
     },
-    /// Finished pieces that belong to something else than is to be resumed.
+    /// Finished pieces that belong to another generation than the one to be resumed.
     #[error("cannot resume: {} was begun {what}; without --resume everything begins anew", journal.display())]
     OtherRun {
         /// The journal of the pieces.
         journal: PathBuf,
-        /// What differs.
+        /// The difference, as the end of a sentence.
         what: String,
     },
-    /// A range along which the quantities are too steep.
+    /// A range along which the quantities are too steep to be tabulated.
     #[error(
-        "{axis} would take {nodes} nodes or more for the tolerance {tolerance:e}; ask for a larger one, or for a smaller range"
+        "{axis} would take {nodes} nodes or more for the tolerance {tolerance:e}; ask for a larger tolerance, or for a smaller range"
     )]
     Unresolved {
         /// The parameter.
         axis: &'static str,
-        /// A number of nodes that is too large to be told apart, or too small.
+        /// A number of nodes that f64 cannot tell apart, or that is too small for the tolerance.
         nodes: usize,
         /// The table's tolerance.
         tolerance: f64,
     },
-    /// Not enough time.
+    /// A budget that is spent before the work is done.
     #[error("the budget is spent {spent}")]
     Budget {
-        /// On what.
+        /// The state of the work, as the end of a sentence.
         spent: String,
     },
     /// A file that cannot be read.
@@ -200,13 +168,13 @@ pub enum Error {
     /// A picture that cannot be drawn.
     #[error("cannot draw: {0}")]
     Picture(String),
-    /// A failure of the table or of its parameters.
+    /// An error of a table or of its parameters.
     #[error(transparent)]
     Table(#[from] interp::Error),
 }
 
 impl Error {
-    /// Accepts a value of `[from, to]`.
+    /// Accepts a value in `[from, to]`.
     pub(crate) fn check(name: &'static str, value: f64, [from, to]: [f64; 2]) -> Result<(), Self> {
         if value >= from && value <= to {
             Ok(())

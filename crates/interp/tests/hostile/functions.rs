@@ -394,7 +394,7 @@ pub const FUNCTIONS: &[Function] = &[
         let nodes = AXES.map(|nodes| vec![1; nodes.len()]);
         let cores = [&nodes[3][..], &nodes[1], &nodes[2], &nodes[0]];
         let weights = from_fn(|bond| vec![x[bond]]);
-        let mut functions = tables::functions(AXES.map(|nodes| nodes.len()));
+        let mut functions = tables::functions(AXES.map(<[f64]>::len));
         functions[1][0] = x[5];
         let form = LowRank::new(
             vec![Quantity::Pi0],

@@ -79,7 +79,7 @@ pub fn low_rank() -> Table {
         core(2 * a * 4),
     ];
     let weights = std::array::from_fn(|_| vec![1.0, 0.5]);
-    let functions = functions(AXES.map(|nodes| nodes.len()));
+    let functions = functions(AXES.map(<[f64]>::len));
     let cores = cores.each_ref().map(Vec::as_slice);
     let form =
         LowRank::new(Quantity::ALL.to_vec(), weights, functions, [0.01; 4], cores).expect("valid");

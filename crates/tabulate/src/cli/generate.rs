@@ -14,7 +14,7 @@ use super::{info, plan, write_text};
 use crate::output;
 use crate::table::Scene;
 use crate::table::default_points;
-use crate::table::{Generated, Options, generate};
+use crate::table::{Budget, Generated, Options, generate};
 
 /// The four-parameter scene that is made when no other is named.
 const DEFAULT_SCENE: &str = include_str!("../../../../tables/default.toml");
@@ -120,7 +120,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         certificate_points: points,
         seed: arguments.seed,
         resume: arguments.resume,
-        budget,
+        budget: budget.map(Budget::of),
     };
 
     let start = Instant::now();

@@ -96,7 +96,7 @@ fn embedded(table: &Table) -> Result<Table, Error> {
     if table.low_rank().is_some() {
         return Ok(table.clone());
     }
-    let form = compress(table, TRUNCATION, None)?;
+    let form = compress(table, TRUNCATION)?;
     let axes = Parameter::ALL.map(|parameter| table.axis(parameter).to_vec());
     Ok(Table::from_low_rank(
         table.description().clone(),

@@ -13,7 +13,7 @@ use crate::Error;
 use crate::parallel::try_map;
 use crate::solve::domain::A_OVER_T;
 use crate::solve::estimate::difference;
-use crate::solve::solve::solve;
+use crate::solve::solution::solve;
 
 /// The relative tolerances that [`curve`] accepts.
 pub const CURVE_TOLERANCE: [f64; 2] = [1e-12, 1e-2];

@@ -240,19 +240,11 @@ impl Operator {
             } = block.borrow();
             let samples = &samples[*first..first + rows];
             let weights = &abscissae.weights[*first..first + rows];
-            let factors = |part: fn(&Sample) -> f64| {
-                samples
-                    .iter()
-                    .zip(weights)
-                    .map(|(sample, w)| w * part(sample))
-                    .collect()
-            };
-            add_products(
-                &mut operator.kernel,
-                values,
-                factors(|sample| sample.excess),
-            );
-            add_products(&mut operator.slope, values, factors(|sample| sample.slope));
+            let terms = || samples.iter().zip(weights);
+            let excess: Vec<f64> = terms().map(|(sample, w)| w * sample.excess).collect();
+            let slope: Vec<f64> = terms().map(|(sample, w)| w * sample.slope).collect();
+            add_products(&mut operator.kernel, values, &excess);
+            add_products(&mut operator.slope, values, &slope);
         }
         operator
     }
@@ -320,14 +312,14 @@ impl Operator {
 ///
 /// A matrix library is no faster on matrices of this size: all of `J` is read for few products
 /// each.
-fn add_products(target: &mut Mat<f64>, bessel: &[f64], factors: Vec<f64>) {
+fn add_products(target: &mut Mat<f64>, bessel: &[f64], factors: &[f64]) {
     let rows = factors.len();
     let mut scaled = vec![0.0; rows];
     for (j, column) in bessel.chunks_exact(rows).enumerate() {
         scaled
             .iter_mut()
             .zip(column)
-            .zip(&factors)
+            .zip(factors)
             .for_each(|((scaled, value), factor)| *scaled = value * factor);
         for (i, column) in bessel.chunks_exact(rows).enumerate().skip(j) {
             target[(i, j)] += product(column, &scaled);

@@ -78,7 +78,7 @@ impl Method {
     }
 }
 
-/// Whether the Wiener-Hopf method along the imaginary axis is the fastest.
+/// Returns whether the Wiener-Hopf method along the imaginary axis is the fastest.
 pub(crate) fn prefers_axis(x: f64, symbol: &Symbol, tolerance: f64) -> bool {
     /// The share of the tolerance that the zeros left out may use up.
     const SHARE: f64 = 0.05;

@@ -1,10 +1,10 @@
 //! The solver: from a material and `a/t` to the four quantities, with an estimate of their error.
 //!
-//! `compliance` is the film on its substrate, `symbol` adds the sphere. `solve` accepts a contact
-//! within the `domain` and lets `method` choose: `galerkin` (with `bessel` and `quadrature`) for
-//! thick films, `wiener_hopf` (with `contour` and `krylov`) for thin ones. Both return an
-//! `estimate`. `batch` solves many materials at one `a/t`, `adaptive_curve` one material along
-//! `a/t`.
+//! `compliance` is the film on its substrate, `symbol` adds the sphere. `solution` accepts a
+//! contact within the `domain` and lets `method` choose: `galerkin` (with `bessel` and
+//! `quadrature`) for thick films, `wiener_hopf` (with `contour` and `krylov`) for thin ones. Both
+//! return an `estimate`. `batch` solves many materials at one `a/t`, `adaptive_curve` one material
+//! along `a/t`.
 //!
 //! # The face of the film
 //!
@@ -33,7 +33,7 @@ mod galerkin;
 mod krylov;
 mod method;
 mod quadrature;
-mod solve;
+mod solution;
 mod symbol;
 mod wiener_hopf;
 
@@ -43,4 +43,4 @@ pub use domain::{A_OVER_T, E0_OVER_E2, E1_OVER_E2, TOLERANCE};
 pub(crate) use estimate::larger;
 pub use method::Method;
 pub(crate) use quadrature::{GaussLegendre, Panels};
-pub use solve::{Solution, solve};
+pub use solution::{Solution, solve};

@@ -127,7 +127,7 @@ impl Panels {
             _ => 2,
         }];
         let n = rule.abscissae.len() as f64;
-        // `e^{-2q}` asks for as much as an oscillation at `x = 1`.
+        // `e^{-2q}` needs panels as narrow as an oscillation at `x = 1` does.
         let width = 4.0 * n / E * (SHARE * tolerance).powf(0.5 / n) / (1.0 + x * x).sqrt();
         // The Bessel product is at most 1 where it has not begun to decay, and `1/z^2` beyond.
         let end = Compliance::cut_off(SHARE * tolerance, |q| x / (1.0 + x * x * q * q));

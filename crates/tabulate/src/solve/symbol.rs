@@ -28,8 +28,8 @@ impl Symbol {
         }
     }
 
-    /// Whether film and substrate are one and the same material, in the sense of Dundurs: then the
-    /// symbol is 1 everywhere.
+    /// Returns whether film and substrate are one material in the sense of Dundurs: then the symbol
+    /// is 1 everywhere.
     pub fn is_constant(&self) -> bool {
         self.compliance.is_constant()
     }

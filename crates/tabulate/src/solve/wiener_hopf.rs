@@ -93,8 +93,8 @@ pub fn left_out(x: f64, symbol: &Symbol) -> f64 {
     10.0 * (-2.0 * SINE_OF_FREE_ANGLE * symbol.zero_free_radius() * x).exp()
 }
 
-/// Estimates the time that the ray takes roughly, in microseconds, to choose between methods: a fit
-/// to the bench `accuracy`.
+/// Estimates the time of the ray for one contact roughly, in microseconds, to choose between
+/// methods: a fit to the bench `accuracy`.
 pub fn ray_cost(x: f64, symbol: &Symbol, tolerance: f64) -> f64 {
     let scales = 11.0 - 0.7 * (x * symbol.smallest_scale()).min(1.0).ln();
     let unknowns = scales * (8.0 - tolerance.ln());

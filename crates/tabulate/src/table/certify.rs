@@ -1,7 +1,7 @@
-//! The measured accuracy of a table: direct solves off the nodes, and the two exact identities.
+//! The certificate of a table: the largest error at sampled points off the nodes, measured against
+//! direct solves, and the largest error of two exact identities.
 
-use interp::Parameter;
-use interp::{Certificate, Curve, Material, Quantity, Table};
+use interp::{Certificate, Curve, Material, Parameter, Quantity, Table};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
@@ -9,7 +9,7 @@ use crate::Error;
 use crate::parallel::try_map;
 use crate::table::sweep::solve_for_table;
 
-/// How far a table is from a direct solve at one point.
+/// The error of a table at one point, measured against a direct solve.
 #[derive(Clone, Copy, Debug)]
 pub struct Sample {
     /// `a_over_t`, `e1_over_e2`, `nu1`, `e0_over_e2`.
@@ -18,22 +18,23 @@ pub struct Sample {
     pub error: f64,
     /// The quantity that has it.
     pub quantity: Quantity,
-    /// By how much the interpolant breaks the two exact identities, relative; none where a quantity
-    /// is missing or `a/t` is fixed.
+    /// The relative errors of the interpolant in the two exact identities; none where a quantity is
+    /// missing or `a/t` is fixed.
     pub identity_errors: [Option<f64>; 2],
 }
 
-/// How many points certify a table with so many axes, if nothing else is asked for.
+/// Returns the default number of points of the certificate of a table with this number of axes.
 pub const fn default_points(axes: usize) -> usize {
     2500 * if axes == 0 { 1 } else { axes }
 }
 
-/// How many points certify this table, if nothing else is asked for.
+/// Returns the default number of points of the certificate of `table`.
 pub fn points_for(table: &Table) -> usize {
     default_points(table.shape().iter().filter(|&&nodes| nodes > 1).count())
 }
 
-/// Compares the table with direct solves at `points` points, see [`measure`], and sums up.
+/// Compares the table with direct solves at `points` points, see [`measure`], and returns the
+/// certificate.
 ///
 /// # Errors
 /// Those of the solve.
@@ -49,10 +50,10 @@ pub fn certify(
     Ok(certificate(&measure(table, points, seed, progress)?, seed))
 }
 
-/// What the samples of one seed say of a table.
+/// Returns the certificate that the samples of one seed make.
 ///
 /// # Panics
-/// If there is none.
+/// If `samples` is empty.
 pub fn certificate(samples: &[Sample], seed: u64) -> Certificate {
     let mut errors: Vec<f64> = samples.iter().map(|sample| sample.error).collect();
     errors.sort_by(f64::total_cmp);
@@ -70,7 +71,7 @@ pub fn certificate(samples: &[Sample], seed: u64) -> Certificate {
     let count = errors.len();
     Certificate {
         max_error: worst.error,
-        // The point that leaves a thousandth above it.
+        // A thousandth of the errors is larger.
         p999_error: errors[count - 1 - count / 1000],
         median_error: errors[count / 2],
         points: count as u64,
@@ -81,13 +82,16 @@ pub fn certificate(samples: &[Sample], seed: u64) -> Certificate {
     }
 }
 
-/// Compares the table with direct solves at `points` points: the corners of the box, a tenth of all
-/// at most, for they are nodes; a tenth on its edges; a tenth in the middles of the widest cells;
-/// the others random, evenly distributed in the axes' coordinates but for those that lie on faces,
-/// edges or corners, one in five where there are four axes.
+/// Compares the table with direct solves at `points` points.
+///
+/// - The corners of the box come first, a tenth of the points at most, because they are nodes.
+/// - A tenth lies on edges of the box.
+/// - A tenth lies in the middles of the widest cells.
+/// - The others are random and evenly distributed in the axes' coordinates. With four axes, one in
+///   five of them lies on a face, an edge or a corner.
 ///
 /// # Errors
-/// Those of the solve.
+/// Those of the solve: of several, the error of the first point.
 pub fn measure(
     table: &Table,
     points: usize,
@@ -101,7 +105,7 @@ pub fn measure(
     })
 }
 
-/// The points that a table is compared at.
+/// Returns the points of [`measure`].
 fn places(table: &Table, count: usize, seed: u64) -> Vec<[f64; 4]> {
     let mut random = Pcg64Mcg::seed_from_u64(seed);
     let axes = Parameter::ALL.map(|parameter| Axis::new(parameter, table.axis(parameter)));
@@ -134,6 +138,7 @@ fn places(table: &Table, count: usize, seed: u64) -> Vec<[f64; 4]> {
     places
 }
 
+/// The part of an axis by which random places overshoot each end before they are moved to the end.
 /// With four axes, a fifth of the random points is on the surface of the box:
 /// `1 - (1 + 2 * 0.03)^-4 = 0.2`.
 const OVERSHOOT: f64 = 0.03;
@@ -163,12 +168,12 @@ impl<'a> Axis<'a> {
         self.nodes.len() - 1
     }
 
-    /// The first or the last node.
+    /// Returns the first node for `which = 0`, the last node for `which = 1`.
     fn end(&self, which: usize) -> f64 {
         self.nodes[which * self.cells()]
     }
 
-    /// The value at this share of the way along the axis, in its coordinate.
+    /// Returns the value at the part `share` of the axis, in its coordinate.
     pub(crate) fn at(&self, share: f64) -> f64 {
         if self.cells() == 0 {
             self.nodes[0]
@@ -177,9 +182,8 @@ impl<'a> Axis<'a> {
         }
     }
 
-    /// A random value; the ends, which are nodes, are more likely than others.
+    /// Returns a random value. The ends, which are nodes, are more likely than other values.
     pub(crate) fn anywhere(&self, random: &mut Pcg64Mcg) -> f64 {
-        // A little beyond both ends, and back onto them.
         self.at(random
             .random_range(-OVERSHOOT..1.0 + OVERSHOOT)
             .clamp(0.0, 1.0))
@@ -195,7 +199,7 @@ impl<'a> Axis<'a> {
             .clamp(low, high)
     }
 
-    /// The middle of one of the widest cells, of which there are an eighth of all.
+    /// Returns the middle of a random one of the widest cells, an eighth of all.
     fn middle_of_a_wide_cell(&self, random: &mut Pcg64Mcg) -> f64 {
         if self.cells() == 0 {
             return self.nodes[0];
@@ -205,7 +209,7 @@ impl<'a> Axis<'a> {
     }
 }
 
-/// Compares the table with the solve at one point.
+/// Compares the table with the direct solve at one point.
 ///
 /// # Errors
 /// Those of the solve; [`Error::Table`] for a point outside the table.
@@ -219,7 +223,7 @@ pub fn sample(table: &Table, point: [f64; 4]) -> Result<Sample, Error> {
     let (mut error, mut quantity) = (-1.0, Quantity::Pi0);
     for candidate in held {
         let found = (curve.quantity(candidate, a_over_t)? / solved.get(candidate) - 1.0).abs();
-        // NaN counts as the worst of all.
+        // NaN counts as the largest error.
         if found > error || found.is_nan() {
             (error, quantity) = (found, candidate);
         }
@@ -232,9 +236,9 @@ pub fn sample(table: &Table, point: [f64; 4]) -> Result<Sample, Error> {
     })
 }
 
-/// By how much `Gamma^2 = es (Eeq + x Eeq')` and `3 Pi0 + x Pi0' = 4 Eeq (2 Delta0 + x Delta0')`
-/// are broken on a curve, relative to their left sides; none where that takes a quantity or a slope
-/// that the table does not hold.
+/// Returns the errors of the identities `Gamma^2 = es (Eeq + x Eeq')` and
+/// `3 Pi0 + x Pi0' = 4 Eeq (2 Delta0 + x Delta0')` on a curve, relative to their left sides; none
+/// where the table does not hold a quantity or slope of the identity.
 fn identity_errors(curve: &Curve, a_over_t: f64) -> [Option<f64>; 2] {
     if curve.range()[0] == curve.range()[1] {
         // A single a/t has no slope.

@@ -1,4 +1,4 @@
-//! From a scene to the file of its certified table, whatever happens on the way.
+//! From a scene to the file of its certified table, also through interruptions.
 //!
 //! ```text
 //! plan -> sweep, a piece at a time into the journal -> certify -> refine the plan and sweep again, or write the file
@@ -7,11 +7,12 @@
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-use interp::Parameter;
-use interp::{Certificate, Description, Table};
+use interp::{Certificate, Description, Parameter, Table};
 
 use crate::parallel::try_map;
+use crate::solve::larger;
 use crate::table::archive;
+use crate::table::budget::Budget;
 use crate::table::certify::{Sample, certificate, measure, sample};
 use crate::table::journal::{Header, Journal, beside};
 use crate::table::plan::Plan;
@@ -19,101 +20,97 @@ use crate::table::scene::Scene;
 use crate::table::sweep::Sweep;
 use crate::{Error, output};
 
-/// How a table is generated.
-#[derive(Clone, Copy, Debug)]
-pub struct Options {
-    /// How many points the certificate rests on, one or more.
+/// The settings of a generation.
+#[derive(Clone, Copy)]
+pub struct Options<'a> {
+    /// The number of points of the certificate, one or more.
     pub certificate_points: usize,
-    /// The seed of its random points.
+    /// The seed of the random points of the certificate.
     pub seed: u64,
-    /// Go on from the finished pieces of a generation that was interrupted.
+    /// Whether to go on from the finished pieces of an interrupted generation.
     pub resume: bool,
-    /// Stop when this time is over, with what is finished.
-    pub budget: Option<Duration>,
+    /// When to stop, with the pieces that are finished.
+    pub budget: Option<Budget<'a>>,
 }
 
-/// Told what a generation does.
+/// Follows the progress of a generation.
 pub trait Observer: Sync {
-    /// Something with so many points begins, of which so many are finished already.
+    /// Tells that the stage `what` begins, with `points` points, of which `finished` are finished
+    /// already.
     fn begin(&self, what: &'static str, points: usize, finished: usize);
-    /// So many points more are finished; called from any thread.
+    /// Tells that `points` more points are finished. Called from any thread.
     fn advance(&self, points: usize);
-    /// Something that the user should know.
+    /// Tells the user something in words.
     fn note(&self, text: &str);
 }
 
-/// A table, and how it came about.
+/// A finished table and the numbers of its generation.
 #[derive(Debug)]
 pub struct Generated {
-    /// The table with its certificate, as it is written in the file.
+    /// The table with its certificate, as in the file.
     pub table: Table,
-    /// The certificates of the tables before, which exceeded the tolerance, and the nodes they had.
+    /// The numbers of nodes and the certificate of each earlier round, whose error exceeded the
+    /// tolerance.
     pub refined: Vec<([usize; 4], Certificate)>,
-    /// Points solved for the nodes, refined away ones included.
+    /// The number of points solved for the nodes, in all rounds.
     pub points: usize,
-    /// How many of them an interrupted generation had solved.
+    /// The number of them that an interrupted generation had solved.
     pub resumed: usize,
-    /// Time until the table was solved, without the certificate, since the start of this process's
-    /// share.
+    /// The time until the table was solved, without the last certificate, in this process.
     pub solved: Duration,
 }
 
-/// The ending of the table until it is complete. It is shorter than the journal's, so that a name
-/// too long for the one is too long for the other.
+/// The ending of the table until it is complete. It is shorter than that of the journal, so that a
+/// name is refused as too long when the journal is opened, before any solving.
 const UNFINISHED: &str = "partial";
 
-/// More rounds than this mean that refining does not help.
+/// The largest number of refinements. More of them would not help.
 const MOST_ROUNDS: usize = 5;
 
-/// The part of the tolerance that a refined axis is to leave of its error; and the part of the
-/// largest share from which on an axis is refined.
+/// The error that a refined axis is to leave, in parts of the tolerance; and the error from which
+/// on an axis is refined, in parts of the largest error of an axis.
 const AIM: f64 = 0.5;
 
-/// The errors of splines of degree 9 fall like `n^-10` with the nodes; nodes for a little less are
-/// enough more.
+/// The order at which the error is taken to fall with the number `n` of nodes. Errors of splines of
+/// degree 9 fall like `n^-10`; a smaller order adds a few nodes more than needed.
 const ORDER: f64 = 8.0;
 
-/// How many of the worst points say which axes hold the error.
+/// The number of the worst points at which the error of each axis is measured.
 const SUSPECTS: usize = 24;
 
 /// Solves every node of a scene, measures the accuracy, refines the axes that hold the error until
 /// it is within the tolerance, and writes the file.
 ///
-/// The file is a function of the scene, the certificate's points and seed, and this program alone:
-/// not of the number of threads, nor of how often the generation was killed and resumed. Until it
-/// is complete, `path` is not touched.
+/// The file depends on the scene, the certificate's points and seed, and this program alone. It
+/// does not depend on the number of threads, or on interruptions. Until the new file is complete,
+/// an existing one at `path` is not touched.
 ///
-/// A table whose error exceeds the tolerance, because its nodes are stated or the budget does not
-/// allow another round, is written too: compare its certificate with the tolerance.
+/// A table whose error exceeds the tolerance, because the scene states its nodes or the budget does
+/// not allow another round, is written too: compare its certificate with the tolerance.
 ///
 /// # Errors
 /// [`Error::Busy`] if another process generates the same file; [`Error::OtherRun`] if the finished
 /// pieces belong to another scene, or a refined plan to another certificate; [`Error::Budget`] if
-/// the budget ends before all is solved; [`Error::Write`] for a file that cannot be written; those
-/// of the solve and of [`Plan::new`]. Finished pieces are kept.
+/// the budget is spent before all is solved; [`Error::Write`] for a file that cannot be written, a
+/// name that ends in `.bin`, or a program that was built without the feature `hdf5`; those of the
+/// solve and of [`Plan::new`]. Finished pieces are kept.
 ///
 /// # Panics
-/// If the certificate is to rest on no point.
+/// If `certificate_points` is 0.
 pub fn generate(
     scene: &Scene,
     path: &Path,
-    options: &Options,
+    options: &Options<'_>,
     observer: &dyn Observer,
 ) -> Result<Generated, Error> {
     assert!(options.certificate_points > 0, "a certificate needs points");
-    // Two links to one file are one output, and a file is not renamed from one disk to another.
+    // Two links to one file are one output. A file cannot be renamed from one disk to another.
     let path = &output::behind_links(path)?;
-    if std::path::absolute(path).is_ok_and(|path| path.to_str().is_none()) {
-        let source = std::io::Error::other("its name or folder is no UTF-8, which HDF5 needs");
-        return Err(Error::Write {
-            path: path.clone(),
-            source,
-        });
-    }
+    archive::check(path)?;
     let mut journal = Journal::open(path)?;
     let outcome = run(scene, path, options, observer, &mut journal);
     match &outcome {
-        // It is another run's, or what is finished is of use to `--resume`.
+        // The journal belongs to another run, or its pieces are of use to `--resume`.
         Err(Error::OtherRun { .. }) => {}
         Err(_) if journal.finished() > 0 => {}
         _ => journal.remove()?,
@@ -124,50 +121,30 @@ pub fn generate(
 fn run(
     scene: &Scene,
     path: &Path,
-    options: &Options,
+    options: &Options<'_>,
     observer: &dyn Observer,
     journal: &mut Journal,
 ) -> Result<Generated, Error> {
     let start = Instant::now();
-    let deadline = options.budget.map(|budget| start + budget);
-    let mut resumed = 0;
-    if options.resume && journal.is_unreadable() {
-        return Err(Error::OtherRun {
-            journal: Journal::path(path),
-            what: "with a header that cannot be read".into(),
-        });
-    }
-    let (mut round, mut plan) = match journal.header().filter(|_| options.resume).cloned() {
-        Some(header) => {
-            same_run(&header, scene, path, options)?;
-            let pieces = header.plan.shape()[0];
-            let points = header.plan.points() / pieces;
-            journal.keep(pieces, points * scene.quantities.len());
-            resumed = journal.finished() * points;
-            (header.round, header.plan)
-        }
+    let budget = options.budget;
+    let (mut round, mut plan) = match resumed_plan(scene, path, options, journal)? {
+        Some(resumed) => resumed,
         None => {
             if journal.finished() > 0 {
-                observer.note("the finished pieces of an interrupted run are dropped: it would have gone on with --resume");
+                observer.note("the finished pieces of an interrupted run are dropped; use --resume to go on from them");
             }
-            let plan = Plan::until(scene, deadline)?;
+            let plan = Plan::within(scene, budget)?;
             journal.begin(header(scene, 0, &plan, options))?;
             (0, plan)
         }
     };
+    let resumed = journal.finished() * (plan.points() / plan.shape()[0]);
     let (mut refined, mut points) = (Vec::new(), 0);
     loop {
-        let began = Instant::now();
-        let axes = plan.axes();
-        let sweep = Sweep::new(scene, &axes)?;
-        solve(&sweep, journal, observer, deadline)?;
+        let began = budget.map(|budget| budget.now());
+        let mut table = table(scene, &plan, journal, observer, budget)?;
         points += plan.points();
         let solved = start.elapsed();
-        let mut values = sweep.blank();
-        for piece in 0..sweep.pieces() {
-            sweep.place(&mut values, piece, &journal.values(piece, sweep.values())?);
-        }
-        let mut table = Table::new(description(scene, &axes)?, axes.clone(), values)?;
         observer.begin("checking", options.certificate_points, 0);
         let samples = measure(&table, options.certificate_points, options.seed, &|count| {
             observer.advance(count)
@@ -177,7 +154,7 @@ fn run(
             None
         } else {
             match plan.refined(factors(&table, samples)?, scene) {
-                // The table that there is, is better than none.
+                // This table is better than none.
                 Err(error @ (Error::TooLarge { .. } | Error::Unresolved { .. })) => {
                     observer.note(&error.to_string());
                     None
@@ -185,15 +162,14 @@ fn run(
                 refined => refined?,
             }
         };
-        // The next round takes longer than this one by its points.
-        let longer = |next: &Plan| {
-            began
-                .elapsed()
-                .mul_f64(next.points() as f64 / plan.points() as f64)
+        // The next round takes longer than this one in proportion to its points.
+        let is_affordable = |next: &Plan| {
+            budget.zip(began).is_none_or(|(budget, began)| {
+                let longer = next.points() as f64 / plan.points() as f64;
+                budget.now().saturating_sub(began).mul_f64(longer) <= budget.left()
+            })
         };
-        match next.filter(|next| {
-            deadline.is_none_or(|deadline| Instant::now() + longer(next) <= deadline)
-        }) {
+        match next.filter(is_affordable) {
             Some(next) => {
                 refined.push((plan.shape(), certificate));
                 round += 1;
@@ -215,12 +191,61 @@ fn run(
     }
 }
 
-/// Solves the pieces that the journal does not hold.
-fn solve(
-    sweep: &Sweep,
+/// Returns the round and the plan of the interrupted generation to go on from, and drops records of
+/// the journal that are no pieces of it; none if the generation begins anew.
+fn resumed_plan(
+    scene: &Scene,
+    path: &Path,
+    options: &Options<'_>,
+    journal: &mut Journal,
+) -> Result<Option<(usize, Plan)>, Error> {
+    if !options.resume {
+        return Ok(None);
+    }
+    if journal.is_unreadable() {
+        return Err(Error::OtherRun {
+            journal: Journal::path(path),
+            what: "with a header that cannot be read".into(),
+        });
+    }
+    let Some(header) = journal.header().cloned() else {
+        return Ok(None);
+    };
+    same_run(&header, scene, path, options)?;
+    let pieces = header.plan.shape()[0];
+    let values = header.plan.points() / pieces * scene.quantities.len();
+    journal.keep(pieces, values);
+    Ok(Some((header.round, header.plan)))
+}
+
+/// Solves the nodes of a plan and returns their table, without a certificate.
+fn table(
+    scene: &Scene,
+    plan: &Plan,
     journal: &mut Journal,
     observer: &dyn Observer,
-    deadline: Option<Instant>,
+    budget: Option<Budget<'_>>,
+) -> Result<Table, Error> {
+    let axes = plan.axes();
+    let sweep = Sweep::new(scene, &axes)?;
+    solve(&sweep, journal, observer, budget)?;
+    let mut values = sweep.blank();
+    for piece in 0..sweep.pieces() {
+        sweep.place(&mut values, piece, &journal.values(piece, sweep.values())?);
+    }
+    Ok(Table::new(
+        description(scene, &axes)?,
+        axes.clone(),
+        values,
+    )?)
+}
+
+/// Solves the pieces that the journal does not hold yet.
+fn solve(
+    sweep: &Sweep<'_>,
+    journal: &mut Journal,
+    observer: &dyn Observer,
+    budget: Option<Budget<'_>>,
 ) -> Result<(), Error> {
     let total = sweep.pieces() * sweep.points();
     observer.begin("solving", total, journal.finished() * sweep.points());
@@ -230,13 +255,12 @@ fn solve(
         }
         let solved = sweep.solve(piece, &|count| observer.advance(count))?;
         journal.add(piece, &solved)?;
-        // After a piece, so that the smallest budget gets further.
+        // After a piece, so that the smallest budget finishes one.
         let finished = journal.finished();
-        if finished < sweep.pieces() && deadline.is_some_and(|deadline| Instant::now() >= deadline)
-        {
+        if finished < sweep.pieces() && budget.is_some_and(|budget| budget.is_spent()) {
             let finished = finished * sweep.points();
             let spent = format!(
-                "with {finished} of {total} points solved; they are kept, and --resume goes on from there"
+                "with {finished} of {total} points solved; they are kept, and --resume goes on from them"
             );
             return Err(Error::Budget { spent });
         }
@@ -244,10 +268,10 @@ fn solve(
     Ok(())
 }
 
-/// How many times as many nodes each axis wants, to judge by the worst points.
+/// Returns the factors by which each axis needs more nodes, judged by the worst points.
 ///
-/// At each of them the table is compared with the solve once more where all parameters but one
-/// stand on a node: what error is left is that axis's.
+/// At each of these points the table is compared with the solve once more where all parameters but
+/// one stand on a node. The error that is left there belongs to the axis of that one.
 fn factors(table: &Table, mut samples: Vec<Sample>) -> Result<[f64; 4], Error> {
     samples.sort_by(|a, b| b.error.total_cmp(&a.error));
     samples.truncate(SUSPECTS);
@@ -262,24 +286,24 @@ fn factors(table: &Table, mut samples: Vec<Sample>) -> Result<[f64; 4], Error> {
             .unwrap_or(value)
     };
     let tolerance = table.description().tolerance;
-    let mut shares = [0.0_f64; 4];
+    let mut shares = [0.0; 4];
     for parameter in Parameter::ALL
         .into_iter()
         .filter(|&parameter| table.axis(parameter).len() > 1)
     {
-        let error = |suspect: &Sample| -> Result<f64, Error> {
+        let errors = try_map(&samples, |suspect| {
             let mut point = Parameter::ALL.map(|other| snap(other, suspect.point[other as usize]));
             point[parameter as usize] = suspect.point[parameter as usize];
-            Ok(sample(table, point)?.error)
-        };
-        shares[parameter as usize] = try_map(&samples, error)?.into_iter().fold(0.0, f64::max);
+            Ok::<f64, Error>(sample(table, point)?.error)
+        })?;
+        shares[parameter as usize] = errors.into_iter().fold(0.0, larger);
     }
-    let largest = shares.into_iter().fold(0.0, f64::max);
+    let largest = shares.into_iter().fold(0.0, larger);
     let factor = (samples[0].error / (AIM * tolerance)).powf(1.0 / ORDER);
     Ok(shares.map(|share| if share >= AIM * largest { factor } else { 1.0 }))
 }
 
-fn header(scene: &Scene, round: usize, plan: &Plan, options: &Options) -> Header {
+fn header(scene: &Scene, round: usize, plan: &Plan, options: &Options<'_>) -> Header {
     Header {
         created_by: created_by(),
         scene: scene.text.clone(),
@@ -291,9 +315,14 @@ fn header(scene: &Scene, round: usize, plan: &Plan, options: &Options) -> Header
     }
 }
 
-/// Accepts the header of an unfinished generation if it is of this scene by this program and, once
-/// refined, for the same certificate.
-fn same_run(header: &Header, scene: &Scene, path: &Path, options: &Options) -> Result<(), Error> {
+/// Accepts the header of an unfinished generation if it is of this scene and program and, when the
+/// plan is refined, of a certificate with this number of points and seed.
+fn same_run(
+    header: &Header,
+    scene: &Scene,
+    path: &Path,
+    options: &Options<'_>,
+) -> Result<(), Error> {
     let what = if header.created_by != created_by() {
         format!("by {}, and this is {}", header.created_by, created_by())
     } else if header.tolerance != scene.tolerance {
@@ -327,7 +356,7 @@ fn created_by() -> String {
     format!("tabulate {}", env!("CARGO_PKG_VERSION"))
 }
 
-/// The description of a table before its certificate is measured.
+/// Returns the description of a table before its certificate is measured.
 fn description(scene: &Scene, axes: &[Vec<f64>; 4]) -> Result<Description, Error> {
     Ok(Description {
         title: scene.title.clone(),

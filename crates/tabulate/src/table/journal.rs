@@ -1,5 +1,5 @@
-//! What a generation has finished so far, in a file beside its output, so that a killed one can go
-//! on.
+//! The finished pieces of a generation, in a file beside its output, so that an interrupted one can
+//! go on.
 //!
 //! ```text
 //! magic, "COATJRN\n"
@@ -7,10 +7,10 @@
 //! ```
 //!
 //! All integers are little-endian. A [`Header`], as TOML, is followed by the pieces of its sweep,
-//! by their number, as f64; a refined plan has a header of its own, after which the pieces before
-//! it count no more. Each record is flushed to the disk before the next is begun, and a torn one at
-//! the end, of a process that was killed, is dropped. The file is locked as long as the generation
-//! runs, and removed when the table is complete.
+//! with their numbers, as f64. A refined plan has a header of its own, and the pieces before that
+//! header are void. Each record is flushed to the disk before the next is begun. A torn record at
+//! the end, of a process that was killed, is dropped. The file is locked while the generation runs,
+//! and removed when the table is complete.
 
 use std::collections::HashMap;
 use std::fs::{self, File, OpenOptions, TryLockError};
@@ -23,12 +23,12 @@ use crate::table::plan::Plan;
 use crate::{Error, output};
 
 const MAGIC: [u8; 8] = *b"COATJRN\n";
-/// Number, length and checksum.
+/// The bytes of number, length and checksum.
 const PREFIX: usize = 20;
 /// The number of the header's record, which no piece has.
 const HEADER: u64 = u64::MAX;
 
-/// What the finished pieces belong to.
+/// The generation that the finished pieces belong to.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Header {
@@ -36,33 +36,34 @@ pub struct Header {
     pub created_by: String,
     /// The scene's text.
     pub scene: String,
-    /// The tolerance that is asked for.
+    /// The tolerance of the table.
     pub tolerance: f64,
-    /// How many points the certificate rests on: a refined plan depends on them.
+    /// The number of points of the certificate. A refined plan depends on them.
     pub certificate_points: usize,
-    /// The bits of their seed: TOML has no larger integers.
+    /// The bits of the seed of these points. TOML has no unsigned integers.
     pub seed: i64,
-    /// How often the plan was refined.
+    /// The number of times the plan was refined.
     pub round: usize,
     /// The nodes.
     pub plan: Plan,
 }
 
-/// The finished pieces of a generation. Dropping it leaves them for another to go on.
+/// The finished pieces of a generation. Dropping the journal leaves the file for another
+/// generation.
 pub struct Journal {
     path: PathBuf,
     file: File,
     header: Option<Header>,
-    /// Whether there is a header, and it is damaged or another version's.
+    /// Whether there is a header that is damaged or of another version.
     unreadable: bool,
-    /// Where the bytes of each finished piece begin, and how many there are.
+    /// The offset and the number of the bytes of each finished piece.
     pieces: HashMap<usize, (u64, u64)>,
     /// The end of the last whole record.
     end: u64,
 }
 
 impl Journal {
-    /// Where the journal of a table is.
+    /// Returns the path of the journal of a table.
     pub fn path(table: &Path) -> PathBuf {
         beside(table, "unfinished")
     }
@@ -70,8 +71,8 @@ impl Journal {
     /// Opens the journal of a table and locks it.
     ///
     /// # Errors
-    /// [`Error::Busy`] if another process holds it; [`Error::Write`] naming it if it cannot be
-    /// made, or is no journal.
+    /// [`Error::Busy`] if another process has locked it; [`Error::Write`] with its path if it
+    /// cannot be made, or is no journal.
     pub fn open(table: &Path) -> Result<Self, Error> {
         let path = Self::path(table);
         let write = |source| Error::Write {
@@ -95,7 +96,7 @@ impl Journal {
                 }
                 Err(TryLockError::Error(source)) => return Err(write(source)),
             }
-            // Its owner may have finished, and removed it, between the two steps.
+            // Its owner may have removed the file between the two steps.
             if is_same(&file, &path) {
                 let mut journal = Self {
                     path: path.clone(),
@@ -122,13 +123,13 @@ impl Journal {
             .read_to_end(&mut magic)?;
         if !MAGIC.starts_with(&magic) {
             return Err(io::Error::other(
-                "it exists and is not the journal of an unfinished table",
+                "it exists and is not the journal of an unfinished table; move it, or write the table elsewhere",
             ));
         }
         let mut end = magic.len() as u64;
         while let Some((number, bytes)) = record(&mut reader, length - end)? {
-            // A damaged first header is all there is to know; of a later one, as of a piece, those
-            // before it are left.
+            // Behind a damaged first header nothing can be used. A damaged later header, or a
+            // damaged piece, leaves the records before it.
             self.unreadable = number == HEADER && self.header.is_none();
             let Some(bytes) = bytes else { break };
             let start = end + PREFIX as u64;
@@ -150,36 +151,36 @@ impl Journal {
         Ok(())
     }
 
-    /// What the finished pieces belong to, if anything was begun.
+    /// Returns the generation that the finished pieces belong to, if one was begun.
     pub fn header(&self) -> Option<&Header> {
         self.header.as_ref()
     }
 
-    /// Whether there is a header that says nothing: it is damaged, or another version's.
+    /// Returns true if there is a header that is damaged or of another version.
     pub fn is_unreadable(&self) -> bool {
         self.unreadable
     }
 
-    /// Drops what is no piece of a sweep with so many pieces of so many values.
+    /// Drops records that are no pieces of a sweep with `pieces` pieces of `values` values each.
     pub fn keep(&mut self, pieces: usize, values: usize) {
         self.pieces
             .retain(|&piece, &mut (_, length)| piece < pieces && length == 8 * values as u64);
     }
 
-    /// How many pieces are finished.
+    /// Returns the number of finished pieces.
     pub fn finished(&self) -> usize {
         self.pieces.len()
     }
 
-    /// Drops what there is and begins anew.
+    /// Drops all records and begins anew.
     ///
     /// # Errors
-    /// [`Error::Write`] naming the journal.
+    /// [`Error::Write`] with the path of the journal.
     pub fn begin(&mut self, header: Header) -> Result<(), Error> {
         let emptied = self.file.set_len(0).and_then(|()| {
             self.file.seek(SeekFrom::Start(0))?;
             self.file.write_all(&MAGIC)?;
-            // Without this a loss of power may take the file's name.
+            // Without this, the file's name may not survive a loss of power.
             output::sync_folder(&self.path)
         });
         self.named(emptied)?;
@@ -187,11 +188,11 @@ impl Journal {
         self.go_on(header)
     }
 
-    /// Goes on with another header, to which no piece belongs yet. Until it is written, those
-    /// before it stay.
+    /// Goes on with another header, to which no piece belongs yet. Until it is written, the pieces
+    /// of the last header stay.
     ///
     /// # Errors
-    /// [`Error::Write`] naming the journal.
+    /// [`Error::Write`] with the path of the journal.
     pub fn go_on(&mut self, header: Header) -> Result<(), Error> {
         let appended = toml::to_string(&header)
             .map_err(io::Error::other)
@@ -202,11 +203,11 @@ impl Journal {
         Ok(())
     }
 
-    /// Adds a finished piece. If that fails, for want of room on the disk for instance, those
+    /// Adds a finished piece. If that fails, because the disk is full for instance, the pieces
     /// before it are safe.
     ///
     /// # Errors
-    /// [`Error::Write`] naming the journal.
+    /// [`Error::Write`] with the path of the journal.
     pub fn add(&mut self, piece: usize, values: &[f64]) -> Result<(), Error> {
         let bytes: Vec<u8> = values
             .iter()
@@ -219,15 +220,15 @@ impl Journal {
         Ok(())
     }
 
-    /// Whether a piece is finished.
+    /// Returns true if a piece is finished.
     pub fn holds(&self, piece: usize) -> bool {
         self.pieces.contains_key(&piece)
     }
 
-    /// The `count` values of a finished piece.
+    /// Reads the `count` values of a finished piece.
     ///
     /// # Errors
-    /// [`Error::Write`] naming the journal if it does not hold them.
+    /// [`Error::Write`] with the path of the journal if it does not hold them.
     pub fn values(&mut self, piece: usize, count: usize) -> Result<Vec<f64>, Error> {
         let mut bytes = vec![0; 8 * count];
         let read = match self.pieces.get(&piece) {
@@ -248,10 +249,10 @@ impl Journal {
             .collect())
     }
 
-    /// Removes the journal: the table is complete, or never will be.
+    /// Removes the journal, when the table is complete or nothing is finished.
     ///
     /// # Errors
-    /// [`Error::Write`] naming the journal.
+    /// [`Error::Write`] with the path of the journal.
     pub fn remove(self) -> Result<(), Error> {
         self.named(fs::remove_file(&self.path))
     }
@@ -277,8 +278,8 @@ impl Journal {
     }
 }
 
-/// The number of the next whole record of at most `room` bytes, if there is one, and its bytes if
-/// they are undamaged.
+/// Reads the next record of at most `room` bytes. Returns its number, and its bytes if they are
+/// undamaged; none if there is no whole record.
 fn record(reader: &mut impl Read, room: u64) -> io::Result<Option<(u64, Option<Vec<u8>>)>> {
     let mut prefix = [0; PREFIX];
     if room < PREFIX as u64 {
@@ -288,7 +289,7 @@ fn record(reader: &mut impl Read, room: u64) -> io::Result<Option<(u64, Option<V
     let word = |at: usize| u64::from_le_bytes(std::array::from_fn(|i| prefix[at + i]));
     let (number, length) = (word(0), word(8));
     let stored = u32::from_le_bytes(std::array::from_fn(|i| prefix[16 + i]));
-    // A loss of power may leave zeros at the end of a file: they are no empty records.
+    // A loss of power may leave zeros at the end of a file. They are no empty records.
     if length == 0 || length > room - PREFIX as u64 {
         return Ok(None);
     }
@@ -298,7 +299,7 @@ fn record(reader: &mut impl Read, room: u64) -> io::Result<Option<(u64, Option<V
     Ok(Some((number, undamaged.then_some(bytes))))
 }
 
-/// A file name with one more ending.
+/// Returns a file name with one more ending.
 pub(crate) fn beside(path: &Path, ending: &str) -> PathBuf {
     let mut name = path.as_os_str().to_owned();
     name.push(".");
@@ -306,7 +307,7 @@ pub(crate) fn beside(path: &Path, ending: &str) -> PathBuf {
     name.into()
 }
 
-/// Whether an open file is still the one at the path.
+/// Returns true if an open file is still the one at the path.
 #[cfg(unix)]
 fn is_same(file: &File, path: &Path) -> bool {
     use std::os::unix::fs::MetadataExt;
@@ -314,7 +315,7 @@ fn is_same(file: &File, path: &Path) -> bool {
     identity(file.metadata()).is_some_and(|open| Some(open) == identity(fs::metadata(path)))
 }
 
-/// Elsewhere an open file cannot be removed.
+/// Returns true: on other systems an open file cannot be removed.
 #[cfg(not(unix))]
 fn is_same(_: &File, _: &Path) -> bool {
     true

@@ -1,24 +1,30 @@
 //! From a scene to the file of its certified table.
 //!
-//! A `scene` says what the table covers, `plan` places the nodes, `sweep` solves them (into the
-//! `journal`, from which an interrupted run goes on), `certify` compares the table with direct
-//! solves, and `archive` writes the HDF5 file by the C calls in `bindings`. `generate` runs all of
-//! these; `compress` makes the low-rank form of a finished table.
+//! A `scene` states the box of parameters. `plan` places the nodes of each axis by a rule of
+//! `placement`, with as few nodes as the splines on `lines` through the box need. `sweep` solves
+//! the nodes, into the `journal`, from which an interrupted run goes on. `certify` measures the
+//! certificate: the largest error at sampled points. `archive` writes the HDF5 file. `generate`
+//! runs all of these within a `budget`. `compress` makes the low-rank form of a finished table.
 
 pub mod archive;
-mod bindings;
+mod budget;
 mod certify;
 mod compress;
 mod generate;
 mod journal;
-pub mod plan;
-pub mod scene;
+mod lines;
+mod placement;
+mod plan;
+pub(crate) mod scene;
 mod sweep;
 
+pub use budget::{Budget, Clock};
 pub(crate) use certify::Axis as SampledAxis;
 pub use certify::{Sample, certificate, certify, default_points, measure, points_for, sample};
-pub use compress::{compress, low_rank};
+pub use compress::{compress, compress_with_derivatives, low_rank};
 pub use generate::{Generated, Observer, Options, generate};
+pub use lines::{lines, logarithms};
+pub use placement::{EVENNESS, Placement, places};
 pub use plan::Plan;
 pub(crate) use scene::random_points;
 pub use scene::{Extent, Scene};

@@ -1,13 +1,12 @@
-//! Scenes: what to tabulate, as a TOML file of data.
+//! Scenes: the box of parameters to tabulate, as a TOML file of data.
 //!
-//! Each parameter is a range, which becomes an axis of the table, or a number, which is settled and
-//! costs nothing.
+//! A range of a parameter becomes an axis of the table. A single number is held fixed and adds no
+//! cost.
 
 use std::fmt;
 use std::path::Path;
 
-use interp::Parameter;
-use interp::{Material, Quantity};
+use interp::{Material, Parameter, Quantity};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 use serde::de::{Error as _, MapAccess, Visitor};
@@ -16,7 +15,7 @@ use serde::{Deserialize, Deserializer};
 use crate::Error;
 use crate::solve::{A_OVER_T, E0_OVER_E2, E1_OVER_E2};
 
-/// A scene as it is written.
+/// The keys of a scene, before they are checked.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Text {
@@ -45,14 +44,14 @@ fn default_nu0() -> f64 {
     0.25
 }
 
-/// What a scene says of one parameter.
+/// The value of one parameter's key.
 #[derive(Clone, Debug)]
 enum Values {
     Fixed(f64),
     Range(Range),
 }
 
-/// A range, with the number of its nodes where the scene states it.
+/// A range, with the number of its nodes if the scene states it.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Range {
@@ -86,12 +85,12 @@ impl<'de> Deserialize<'de> for Values {
     }
 }
 
-/// What a checked scene says of one parameter.
+/// The values of one parameter in a checked scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Extent {
-    /// The parameter is settled and costs nothing.
+    /// One number. The parameter is held fixed and adds no cost.
     Fixed(f64),
-    /// A range whose nodes the planner chooses.
+    /// A range. The planner chooses its nodes.
     Range {
         /// The smallest value.
         from: f64,
@@ -110,7 +109,7 @@ pub enum Extent {
 }
 
 impl Extent {
-    /// The smallest and the largest value.
+    /// Returns the smallest and the largest value.
     pub const fn ends(&self) -> [f64; 2] {
         match *self {
             Self::Fixed(value) => [value; 2],
@@ -124,11 +123,11 @@ impl Extent {
 pub struct Scene {
     /// The scene's title.
     pub title: String,
-    /// The relative tolerance that the finished table is to keep between its nodes.
+    /// The largest relative error that is allowed between the nodes of the table.
     pub tolerance: f64,
-    /// What is tabulated, in the order of [`Quantity::ALL`].
+    /// The quantities of the table, in the order of [`Quantity::ALL`].
     pub quantities: Vec<Quantity>,
-    /// What the scene says of the four parameters.
+    /// The values of the four parameters, in the order of [`Parameter::ALL`].
     pub extents: [Extent; 4],
     /// The substrate's Poisson ratio.
     pub nu0: f64,
@@ -136,16 +135,16 @@ pub struct Scene {
     pub text: String,
 }
 
-/// The tolerances that a table can be asked for.
+/// The smallest and the largest tolerance of a table.
 pub(crate) const TOLERANCE: [f64; 2] = [1e-10, 1e-1];
-/// More nodes on an axis are taken for a mistake.
+/// The largest number of nodes on an axis. A larger one is taken for a mistake.
 pub(crate) const MOST_NODES: usize = 10_000;
 
 impl Scene {
     /// Reads a scene file. `tolerance` replaces the scene's own.
     ///
     /// # Errors
-    /// [`Error::Read`] if the file cannot be read; [`Error::Scene`] naming file, key, value and
+    /// [`Error::Read`] if the file cannot be read; [`Error::Scene`] with file, key, value and
     /// range.
     pub fn read(path: &Path, tolerance: Option<f64>) -> Result<Self, Error> {
         let text = std::fs::read_to_string(path).map_err(|source| Error::Read {
@@ -158,12 +157,12 @@ impl Scene {
         })
     }
 
-    /// Parses a scene; the error is in words.
+    /// Parses the text of a scene. `tolerance` replaces the scene's own.
     ///
     /// # Errors
-    /// What is wrong, with key, value and range.
+    /// A sentence with key, value and range.
     pub fn parse(text: &str, tolerance: Option<f64>) -> Result<Self, String> {
-        let scene: Text = toml::from_str(text).map_err(|e| e.to_string().trim_end().to_owned())?;
+        let scene: Text = toml::from_str(text).map_err(|error| explained(text, &error))?;
         let tolerance = tolerance.unwrap_or(scene.tolerance);
         within("tolerance", tolerance, TOLERANCE)?;
         let mut quantities = scene.quantities;
@@ -184,7 +183,7 @@ impl Scene {
         for ((extent, parameter), values) in extents.iter_mut().zip(Parameter::ALL).zip(given) {
             *extent = checked(parameter, &values)?;
         }
-        // The corners of the box stand for all of it: every bound is on one parameter alone.
+        // Every bound is on one parameter alone, so that two corners stand for the whole box.
         for corner in [0, 1] {
             let [_, e1, nu1, e0] = extents.map(|extent| extent.ends()[corner]);
             Material::new(e1, nu1, e0, scene.nu0).map_err(|e| e.to_string())?;
@@ -199,7 +198,7 @@ impl Scene {
         })
     }
 
-    /// The number of parameters that are ranges, and so axes of the table.
+    /// Returns the number of ranges, which is that of the table's axes.
     pub fn axes(&self) -> usize {
         self.extents
             .iter()
@@ -207,21 +206,21 @@ impl Scene {
             .count()
     }
 
-    /// `count` random points of the box, evenly distributed in the axes' coordinates.
+    /// Returns `count` random points of the box, evenly distributed in the axes' coordinates.
     pub fn random_points(&self, count: usize, seed: u64) -> Vec<[f64; 4]> {
         random_points(self.extents.each_ref().map(Extent::ends), count, seed)
     }
 
-    /// A material of the scene.
+    /// Returns a material on the substrate of the scene.
     ///
     /// # Errors
-    /// [`Error::Table`] for parameters that are not physical, and so not the scene's.
+    /// [`Error::Table`] for parameters that are not physical. Those of the scene are.
     pub fn material(&self, [e1_over_e2, nu1, e0_over_e2]: [f64; 3]) -> Result<Material, Error> {
         Ok(Material::new(e1_over_e2, nu1, e0_over_e2, self.nu0)?)
     }
 }
 
-/// `count` random points of a box, evenly distributed in the axes' coordinates.
+/// Returns `count` random points of a box, evenly distributed in the axes' coordinates.
 pub(crate) fn random_points(ends: [[f64; 2]; 4], count: usize, seed: u64) -> Vec<[f64; 4]> {
     let mut random = Pcg64Mcg::seed_from_u64(seed);
     let mut value = |parameter: Parameter| {
@@ -237,7 +236,19 @@ pub(crate) fn random_points(ends: [[f64; 2]; 4], count: usize, seed: u64) -> Vec
     (0..count).map(|_| Parameter::ALL.map(&mut value)).collect()
 }
 
-/// What the scene says of one parameter, if that can be solved.
+/// Returns the message of the TOML reader, or a better one for a stack of layers.
+fn explained(text: &str, error: &toml::de::Error) -> String {
+    let keys = text.parse::<toml::Table>().unwrap_or_default();
+    match keys.keys().find(|key| key.starts_with("layer")) {
+        Some(key) => format!(
+            "{key}: stacks of layers are not modelled. A scene is one film on a half-space, with the keys title, \
+             tolerance, quantities, a_over_t, e1_over_e2, nu1, e0_over_e2 and nu0"
+        ),
+        None => error.to_string().trim_end().to_owned(),
+    }
+}
+
+/// Returns the values of one parameter, if they can be solved.
 fn checked(parameter: Parameter, values: &Values) -> Result<Extent, String> {
     let name = parameter.name();
     let range = match values {
@@ -295,7 +306,7 @@ fn checked(parameter: Parameter, values: &Values) -> Result<Extent, String> {
     })
 }
 
-/// Accepts a value that can be solved.
+/// Accepts the value of a key if it can be solved.
 fn in_domain(parameter: Parameter, key: &str, value: f64) -> Result<(), String> {
     match parameter {
         Parameter::AOverT => within(key, value, A_OVER_T),
@@ -306,6 +317,7 @@ fn in_domain(parameter: Parameter, key: &str, value: f64) -> Result<(), String> 
     }
 }
 
+/// Accepts the value of a key if it is in a range.
 fn within(key: &str, value: f64, [from, to]: [f64; 2]) -> Result<(), String> {
     if value >= from && value <= to {
         Ok(())

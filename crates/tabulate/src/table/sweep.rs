@@ -1,4 +1,4 @@
-//! The solve over all nodes of a scene, on all cores, one `a_over_t` at a time.
+//! The solves of all nodes of a scene, on all cores, one `a_over_t` at a time.
 
 use interp::{Material, Quantities};
 
@@ -7,14 +7,14 @@ use crate::solve::batch::Batch;
 use crate::solve::{TOLERANCE, solve};
 use crate::table::scene::Scene;
 
-/// The relative tolerance of the solves behind a table: a hundredth of the table's, too little to
-/// show in its error.
+/// Returns the relative tolerance of the solves for a table: a hundredth of the table's own, within
+/// the range of the solve and 1e-6 at most.
 pub fn solve_tolerance(table_tolerance: f64) -> f64 {
     (0.01 * table_tolerance).clamp(TOLERANCE[0], 1e-6)
 }
 
-/// Solves one contact as accurately as a table of the given tolerance needs it: to a hundredth of
-/// that, or, in the corners where double precision does not allow this, to a fifth.
+/// Solves one contact to [`solve_tolerance`]; to a fifth of the table's tolerance in the corners
+/// where double precision does not allow more.
 ///
 /// # Errors
 /// Those of [`solve`].
@@ -29,13 +29,14 @@ pub(crate) fn solve_for_table(
         .quantities)
 }
 
-/// The values of each quantity asked for, row-major with `a_over_t` slowest.
+/// The values of each quantity of a scene, row-major, with `a_over_t` the slowest index; none for
+/// the other quantities.
 pub type Values = [Option<Vec<f64>>; 4];
 
 /// Solves every node of the scene on the given axes.
 ///
-/// `progress` is called with the number of points finished since the last call, from any thread.
-/// The result does not depend on the number of threads.
+/// Calls `progress` with the number of points finished since the last call, from any thread. The
+/// result does not depend on the number of threads.
 ///
 /// # Errors
 /// [`Error::NotConverged`] with the point where double precision does not allow the tolerance.
@@ -52,7 +53,7 @@ pub fn sweep(
     Ok(values)
 }
 
-/// The nodes of a scene, to be solved piece by piece. A piece is everything at one `a_over_t`.
+/// The nodes of a scene, to be solved piece by piece. A piece is all nodes at one `a_over_t`.
 pub struct Sweep<'a> {
     scene: &'a Scene,
     a_over_t: &'a [f64],
@@ -63,7 +64,7 @@ impl<'a> Sweep<'a> {
     /// Groups the materials of the scene on the given axes.
     ///
     /// # Errors
-    /// [`Error::Table`] for axes that are not the scene's.
+    /// [`Error::Table`] for axes that are not those of the scene.
     pub fn new(
         scene: &'a Scene,
         [a_over_t, e1, nu1, e0]: &'a [Vec<f64>; 4],
@@ -83,22 +84,22 @@ impl<'a> Sweep<'a> {
         })
     }
 
-    /// The number of pieces.
+    /// Returns the number of pieces.
     pub fn pieces(&self) -> usize {
         self.a_over_t.len()
     }
 
-    /// The number of points in a piece.
+    /// Returns the number of points in a piece.
     pub fn points(&self) -> usize {
         self.batch.materials().len()
     }
 
-    /// The number of values in a piece: one for each point and quantity.
+    /// Returns the number of values in a piece: one for each point and quantity.
     pub fn values(&self) -> usize {
         self.points() * self.scene.quantities.len()
     }
 
-    /// Room for the values of the whole table.
+    /// Returns room for the values of the whole table.
     pub fn blank(&self) -> Values {
         let mut values = [const { None }; 4];
         for &quantity in &self.scene.quantities {
@@ -107,7 +108,7 @@ impl<'a> Sweep<'a> {
         values
     }
 
-    /// Puts the values of a piece in their place.
+    /// Copies the values of a piece to their place in `values`.
     pub fn place(&self, values: &mut Values, piece: usize, solved: &[f64]) {
         let points = self.points();
         for (values, solved) in values.iter_mut().flatten().zip(solved.chunks_exact(points)) {
@@ -115,8 +116,8 @@ impl<'a> Sweep<'a> {
         }
     }
 
-    /// Solves a piece: the values of every material, one quantity that was asked for after the
-    /// other. See [`sweep`].
+    /// Solves a piece and returns its values: those of every material for the first quantity of the
+    /// scene, then for the next. See [`sweep`].
     ///
     /// # Errors
     /// Those of [`sweep`].

@@ -1,10 +1,10 @@
 //! The end of the series of tables: the tightest tolerance, or a budget that does not suffice.
 
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use crate::Error;
 use crate::cost::clock::human;
-use crate::table::{Plan, Scene, default_points};
+use crate::table::{Budget, Plan, Scene, default_points};
 
 /// The tolerances of the rows, from the loosest on.
 pub const TOLERANCES: [f64; 7] = [1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8];
@@ -45,7 +45,7 @@ impl Limits<'_> {
         let Some(left) = self.left() else {
             return Ok(());
         };
-        let plan = Plan::until(scene, Some(Instant::now() + left))?;
+        let plan = Plan::within(scene, Some(Budget::of(left)))?;
         let takes = seconds_per_point * points(scene, plan.points() as u64);
         let left = self.left().unwrap_or_default().as_secs_f64();
         if takes <= left {

@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 use interp::Table;
 
 use crate::Error;
-use crate::table::{Observer, Options, Scene, default_points, generate};
+use crate::table::{Budget, Observer, Options, Scene, default_points, generate};
 
 /// A generated table, and the work of generating it.
 pub struct Made {
@@ -39,7 +39,7 @@ impl Made {
             certificate_points: default_points(scene.axes()),
             seed: 1,
             resume: false,
-            budget,
+            budget: budget.map(Budget::of),
         };
         let began = Instant::now();
         let generated = generate(scene, &path, &options, observer)?;

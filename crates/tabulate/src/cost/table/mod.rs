@@ -197,7 +197,6 @@ fn row(
     let packed = low_rank(
         &table,
         scene.tolerance,
-        None,
         points_for(&table),
         certificate.seed + 1,
         observer,

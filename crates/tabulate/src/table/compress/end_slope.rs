@@ -1,23 +1,22 @@
-//! The derivative with respect to `nu1` of incompressible films, made of the values at a table's
+//! The derivatives of a table with respect to `nu1` at incompressible films, from the values at its
 //! nodes.
 //!
-//! Splines through them are [flat](Parameter::is_flat_at) at `nu1 = 0.5`, and their derivative with
-//! respect to `nu1` is a part of their third derivative with respect to the coordinate: it divides
-//! errors of the values by the cube of the distance between nodes.
+//! The splines through these values are [flat](Parameter::is_flat_at) at `nu1 = 0.5`. Their
+//! derivative with respect to `nu1` there is a part of their third derivative with respect to the
+//! coordinate. It divides errors of the values by the cube of the distance between nodes.
 
-use interp::Parameter;
-use interp::Table;
 use interp::bspline::Basis;
+use interp::{Parameter, Table};
 
-use crate::Error;
+use crate::solve::larger;
 
-/// The fewest nodes that splines take to be flat at their end.
+/// The smallest number of nodes of splines with a flat end.
 const FLAT_FROM: usize = 5;
 
-/// What makes the derivatives at `nu1 = 0.5` of values at the nodes.
+/// The linear map from values at the nodes to derivatives at `nu1 = 0.5`.
 #[derive(Debug)]
 pub struct EndSlope {
-    /// What the value at each node of `nu1` is multiplied with.
+    /// The factor of the value at each node of `nu1`.
     of_nodes: Vec<f64>,
     /// For each `a_over_t` and quantity, the range of `nu1` on which incompressible films change,
     /// `1/(1 + (a/t)^2)`.
@@ -25,17 +24,12 @@ pub struct EndSlope {
 }
 
 impl EndSlope {
-    /// # Errors
-    /// [`Error::NoIncompressibleEnd`] where the splines have no flat end.
-    pub fn of(table: &Table) -> Result<Self, Error> {
+    /// Returns the map of a table; none where its splines have no flat end in `nu1`.
+    pub fn of(table: &Table) -> Option<Self> {
         let nodes = table.axis(Parameter::Nu1);
         let (count, last) = (nodes.len(), nodes[nodes.len() - 1]);
         if count < FLAT_FROM || !Parameter::Nu1.is_flat_at(last) {
-            return Err(Error::NoIncompressibleEnd {
-                least: FLAT_FROM,
-                nodes: count,
-                last,
-            });
+            return None;
         }
         let coordinates: Vec<f64> = nodes
             .iter()
@@ -47,7 +41,7 @@ impl EndSlope {
             .map(|i| f64::from(i / count == i % count))
             .collect();
         basis.interpolate(&mut splines, count);
-        // At the end it is 0 times infinity, and this near it is the same.
+        // At the end the product is 0 times infinity. So near to it, it has the value of the end.
         let near = Parameter::Nu1.coordinate(last) - 1e-6;
         let (weights, speed) = (basis.weights(near), Parameter::Nu1.speed(near));
         let mut of_nodes = vec![0.0; count];
@@ -62,7 +56,7 @@ impl EndSlope {
                 .for_each(|(sum, coefficient)| *sum += speed * slope * coefficient);
         }
         let range = |x: &f64| vec![1.0 / (1.0 + x * x); table.quantities().len()];
-        Ok(Self {
+        Some(Self {
             of_nodes,
             ranges: table
                 .axis(Parameter::AOverT)
@@ -72,9 +66,9 @@ impl EndSlope {
         })
     }
 
-    /// The largest derivative of logarithms, or of differences of them, for one `e1_over_e2`, in
-    /// the order of [`Table::logarithms`]: how much they change over the range of `nu1` on which
-    /// incompressible films change.
+    /// Returns the largest derivative of `logarithms`, or of differences of logarithms, for one
+    /// `e1_over_e2`, in the order of [`Table::logarithms`]: their change over the range of `nu1` on
+    /// which incompressible films change.
     pub fn largest(&self, logarithms: &[f64]) -> f64 {
         let width = logarithms.len() / self.of_nodes.len();
         let mut slopes = vec![0.0; width];
@@ -88,6 +82,6 @@ impl EndSlope {
             .iter()
             .zip(self.ranges.iter().cycle())
             .map(|(slope, range)| (slope * range).abs());
-        changes.fold(0.0, f64::max)
+        changes.fold(0.0, larger)
     }
 }

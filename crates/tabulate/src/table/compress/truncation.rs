@@ -1,106 +1,157 @@
 //! The low-rank form of a table, a tensor train, by successive singular value decompositions of its
 //! logarithms (I. V. Oseledets, SIAM J. Sci. Comput. 33 (2011) 2295).
 //!
-//! Mode after mode, what is left of the tensor is projected on the leading left singular vectors of
-//! its unfolding, which become the mode's core. The four quantities belong to the last mode: they
-//! share all cores but that one. Each core is then projected on the leading functions along its
-//! axis. Of the orders of the material axes, `e0_over_e2`, `e1_over_e2`, `nu1` takes the fewest
+//! For one mode after the other, the rest of the tensor is projected on the leading left singular
+//! vectors of its unfolding, which become the core of the mode. The quantities belong to the last
+//! mode: they share all other cores. Each core is then projected on the leading functions along its
+//! axis. Among the orders of the material axes, `e0_over_e2`, `e1_over_e2`, `nu1` takes the fewest
 //! multiplications at a lookup: in the default box the pairs (`e0`, `e1`), (`e1`, `nu`) and (`e0`,
 //! `nu`) have the ranks 81, 117 to 125 and 86 at 7e-8.
 //!
-//! Everything but the measurement of errors, whose maximum knows no order, happens in one thread:
-//! the result depends on no number of threads.
+//! Everything but the measurement of errors, whose maximum does not depend on an order, happens in
+//! one thread: the result does not depend on the number of threads.
 
 use faer::{Mat, MatRef};
 use interp::{LowRank, Table};
 use rayon::prelude::*;
 
 use crate::Error;
+use crate::solve::larger;
 use crate::table::compress::end_slope::EndSlope;
 
-/// The root mean square of what is left out at each joint, over the largest error allowed anywhere:
+/// The root mean square of what is left out at each bond, over the largest error allowed anywhere:
 /// the bounds of the search. In the default box it ends between a twentieth and a fiftieth.
 const LOOSEST: f64 = 1.0;
 const TIGHTEST: f64 = 1e-3;
-/// The same where derivatives are kept, of which errors of values may be a small part. In the
-/// default box it ends near a hundredth.
+/// The lower bound where derivatives are kept, of which errors of values may be a small part. In
+/// the default box the search ends near a hundredth.
 const TIGHTEST_WITH_DERIVATIVES: f64 = 1e-5;
-/// Each halves the range of its logarithm, to 3 % at last, or 5 %.
+/// The number of bisections. Each halves the range of the logarithm of the root mean square, to 3 %
+/// in the end, or 5 % where derivatives are kept.
 const BISECTIONS: usize = 8;
-/// What is left out at each joint, in parts of it. The first one's few indices cost little and
-/// weigh little from one to the next.
-const JOINTS: [f64; 3] = [0.1, 1.0, 1.0];
-/// The same where derivatives are kept: they see most what is left out at the last joint. The
-/// default box to 1e-7 has the ranks 82 and 93 then, and is within 75 tolerances of the true
-/// derivatives; else 81 and 77, and hundreds of tolerances.
-const JOINTS_WITH_DERIVATIVES: [f64; 3] = [0.1, 3.0, 0.3];
-/// The same of the functions along an axis, which cost nothing at a lookup.
+/// What is left out at each bond, in parts of the root mean square. The few indices of the first
+/// bond cost little.
+const BONDS: [f64; 3] = [0.1, 1.0, 1.0];
+/// What is left out at each bond where derivatives are kept, in two ways, of which the one with
+/// fewer numbers is taken. The last bond has the largest effect on derivatives. The default box to
+/// 1e-6 has the ranks 64 and 68 in the first way and 64 and 77 in the second; to 1e-7, with its
+/// derivatives within 75 tolerances of those of a table to 2e-8, 94 and 93 in the first way and 82
+/// and 93 in the second.
+const BONDS_WITH_DERIVATIVES: [[f64; 3]; 2] = [[0.1, 1.7, 0.6], [0.1, 3.0, 0.3]];
+/// What is left out of the functions along an axis, in parts of the root mean square. They add
+/// nothing to the cost of a lookup.
 const FUNCTIONS: f64 = 0.1;
-/// The step of a core in units of the root mean square that is left out at a joint, spread over its
+/// The step of a core in units of the root mean square that is left out at a bond, spread over its
 /// numbers: the rounding of a core adds `0.2/sqrt(12)` of what each truncation does. Larger steps
 /// save a tenth of the bytes and show in derivatives with respect to `nu1` near 0.5.
 const STEP: f64 = 0.2;
 
-/// A table in low-rank form, with about as few numbers as its largest relative error at the nodes
-/// allows; and, if an error is given for them, the derivatives of the logarithms with respect to
-/// `nu1` at 0.5, times `1/(1 + (a/t)^2)`, at the other axes' nodes.
+/// The errors that are allowed in a low-rank form.
+#[derive(Clone, Copy)]
+struct Allowed {
+    /// The largest relative error of the quantities at the nodes.
+    error: f64,
+    /// The largest error of the derivatives of the logarithms with respect to `nu1` at 0.5, times
+    /// `1/(1 + (a/t)^2)`, at the other axes' nodes.
+    derivative_error: f64,
+}
+
+/// Returns a table in low-rank form, with about as few numbers as `error` allows, the largest
+/// relative error of the quantities at the nodes.
 ///
 /// # Errors
-/// [`Error::Truncation`] or [`Error::DerivativeTruncation`] where a form that leaves out next to
-/// nothing has a larger error; [`Error::NoIncompressibleEnd`] for that of derivatives that the
-/// table does not have.
-pub fn compress(
+/// [`Error::Truncation`] where a form that leaves out next to nothing has a larger error.
+pub fn compress(table: &Table, error: f64) -> Result<LowRank, Error> {
+    let allowed = Allowed {
+        error,
+        derivative_error: f64::INFINITY,
+    };
+    match search(table, None, allowed, TIGHTEST, BONDS)? {
+        Ok(form) => Ok(form),
+        Err(reached) => Err(Error::Truncation { error, reached }),
+    }
+}
+
+/// Compresses like [`compress`], and keeps the derivatives of the logarithms with respect to `nu1`
+/// at 0.5, times `1/(1 + (a/t)^2)`, at the other axes' nodes, to `derivative_error`.
+///
+/// Where the table has no such end, or rounding does not allow this error, it keeps the values
+/// alone.
+///
+/// # Errors
+/// As [`compress`].
+pub fn compress_with_derivatives(
     table: &Table,
     error: f64,
-    derivative_error: Option<f64>,
+    derivative_error: f64,
 ) -> Result<LowRank, Error> {
-    let kept = match derivative_error {
-        Some(allowed) => Some((EndSlope::of(table)?, allowed)),
-        None => None,
+    let Some(slope) = EndSlope::of(table) else {
+        return compress(table, error);
     };
-    let (tightest, joints) = if kept.is_some() {
-        (TIGHTEST_WITH_DERIVATIVES, JOINTS_WITH_DERIVATIVES)
-    } else {
-        (TIGHTEST, JOINTS)
+    let allowed = Allowed {
+        error,
+        derivative_error,
     };
-    // What is left out here shows no more beside what is left out later.
-    let train = Train::of(table, 0.1 * tightest * error);
-    let attempt = |share: f64| -> Result<(LowRank, Result<(), Error>), Error> {
-        let form = train.truncated(
+    let mut forms = Vec::new();
+    for bonds in BONDS_WITH_DERIVATIVES {
+        let found = search(
             table,
-            joints.map(|part| part * share * error),
-            share * error,
+            Some(&slope),
+            allowed,
+            TIGHTEST_WITH_DERIVATIVES,
+            bonds,
         )?;
-        let [reached, derivative] =
-            largest_differences(table, kept.as_ref().map(|(slope, _)| slope), &form);
-        let verdict = match kept {
-            _ if reached > error => Err(Error::Truncation { error, reached }),
-            Some((_, allowed)) if derivative > allowed => Err(Error::DerivativeTruncation {
-                allowed,
-                reached: derivative,
-            }),
-            _ => Ok(()),
-        };
-        Ok((form, verdict))
+        forms.extend(found);
+    }
+    match forms.into_iter().min_by_key(|form| numbers(table, form)) {
+        Some(form) => Ok(form),
+        None => compress(table, error),
+    }
+}
+
+/// Returns the number of entries of the cores of a form, without the functions along the axes.
+fn numbers(table: &Table, form: &LowRank) -> usize {
+    let ([n_a, n_e1, n_nu, n_e0], [a, b, c]) = (table.shape(), form.ranks());
+    n_e0 * a + a * n_e1 * b + b * n_nu * c + c * n_a * table.quantities().len()
+}
+
+/// Returns the form that leaves out the most among those within the allowed errors, or the error of
+/// the values of the one that leaves out the least.
+fn search(
+    table: &Table,
+    slope: Option<&EndSlope>,
+    allowed: Allowed,
+    tightest: f64,
+    bonds: [f64; 3],
+) -> Result<Result<LowRank, f64>, Error> {
+    let error = allowed.error;
+    // What is left out here does not show beside what is left out later.
+    let train = Train::of(table, 0.1 * tightest * error);
+    let attempt = |share: f64| -> Result<Result<LowRank, f64>, Error> {
+        let form = train.truncated(table, bonds.map(|part| part * share * error), share * error)?;
+        let [reached, derivative] = largest_differences(table, slope, &form);
+        let is_allowed = reached <= error && derivative <= allowed.derivative_error;
+        Ok(if is_allowed { Ok(form) } else { Err(reached) })
     };
-    let (mut best, verdict) = attempt(tightest)?;
-    verdict?;
+    let mut best = match attempt(tightest)? {
+        Ok(form) => form,
+        Err(reached) => return Ok(Err(reached)),
+    };
     let (mut tight, mut loose) = (tightest.ln(), LOOSEST.ln());
     for _ in 0..BISECTIONS {
         let middle = 0.5 * (tight + loose);
-        let (form, verdict) = attempt(middle.exp())?;
-        if verdict.is_ok() {
-            (best, tight) = (form, middle);
-        } else {
-            loose = middle;
+        match attempt(middle.exp())? {
+            Ok(form) => (best, tight) = (form, middle),
+            Err(_) => loose = middle,
         }
     }
-    Ok(best)
+    Ok(Ok(best))
 }
 
-/// The largest difference of a table's logarithms at the nodes from those of a low-rank form, which
-/// is the largest relative error of its quantities; and of their derivatives, if these are kept.
-fn largest_differences(table: &Table, kept: Option<&EndSlope>, form: &LowRank) -> [f64; 2] {
+/// Returns the largest difference of a table's logarithms at the nodes from those of a low-rank
+/// form, which is the largest relative error of its quantities, and the largest difference of their
+/// derivatives, 0 without `slope`.
+fn largest_differences(table: &Table, slope: Option<&EndSlope>, form: &LowRank) -> [f64; 2] {
     let [_, n_e1, ..] = table.shape();
     let differences = (0..n_e1).into_par_iter().map(|e1| {
         let mut differences = table.logarithms(e1);
@@ -110,27 +161,29 @@ fn largest_differences(table: &Table, kept: Option<&EndSlope>, form: &LowRank) -
             .for_each(|(exact, truncated)| *exact -= truncated);
         let largest = differences
             .iter()
-            .fold(0.0, |largest, difference| difference.abs().max(largest));
+            .map(|difference| difference.abs())
+            .fold(0.0, larger);
         [
             largest,
-            kept.map_or(0.0, |slope| slope.largest(&differences)),
+            slope.map_or(0.0, |slope| slope.largest(&differences)),
         ]
     });
-    differences.reduce(|| [0.0; 2], |a, b| [a[0].max(b[0]), a[1].max(b[1])])
+    differences.reduce(|| [0.0; 2], |a, b| [larger(a[0], b[0]), larger(a[1], b[1])])
 }
 
-/// The logarithms of a table as a train that leaves next to nothing out.
+/// The logarithms of a table as a tensor train that leaves out next to nothing.
 struct Train {
-    /// For each joint, the root mean square that each of its indices adds to the logarithms,
+    /// For each bond, the root mean square that each of its indices adds to the logarithms,
     /// descending.
     weights: [Vec<f64>; 3],
-    /// Scaled such that the vectors of each index, of whatever joint, have the root mean square 1
-    /// on the nodes before it. The last one's have that of the index.
+    /// The cores, scaled such that the vectors of each index of a bond have the root mean square 1
+    /// on the nodes before the bond. Those of the last core have the root mean square of the index.
     cores: [Vec<f64>; 4],
 }
 
 impl Train {
-    /// Leaves out no more than `tail` (root mean square) at each joint.
+    /// Decomposes the logarithms of a table. Leaves out at most `tail` (root mean square) at each
+    /// bond.
     fn of(table: &Table, tail: f64) -> Self {
         let [n_a, n_e1, n_nu, n_e0] = table.shape();
         let mut rest = tensor(table);
@@ -155,23 +208,23 @@ impl Train {
         Self { weights, cores }
     }
 
-    /// The low-rank form without the last indices of each joint, as many as leave out no more than
-    /// this (root mean square), and with entries rounded to about `tail`.
-    fn truncated(&self, table: &Table, at_joints: [f64; 3], tail: f64) -> Result<LowRank, Error> {
+    /// Returns the low-rank form without the last indices of each bond, which leave out at most
+    /// `at_bonds` (root mean square), and with entries rounded to about `tail`.
+    fn truncated(&self, table: &Table, at_bonds: [f64; 3], tail: f64) -> Result<LowRank, Error> {
         let [n_a, n_e1, n_nu, n_e0] = table.shape();
         let held = table.quantities().len();
         let (mut kept, mut most) = ([0; 3], 1);
-        for (joint, nodes) in [n_e0, n_e1, n_nu].into_iter().enumerate() {
-            let squares: Vec<f64> = self.weights[joint]
+        for (bond, nodes) in [n_e0, n_e1, n_nu].into_iter().enumerate() {
+            let squares: Vec<f64> = self.weights[bond]
                 .iter()
                 .map(|weight| weight * weight)
                 .collect();
-            // An index has no more values than that before it and the nodes between together.
+            // A bond has no more indices than the bond before it and the nodes between together.
             most *= nodes;
-            most = rank(&squares, at_joints[joint]).min(most);
-            kept[joint] = most;
+            most = rank(&squares, at_bonds[bond]).min(most);
+            kept[bond] = most;
         }
-        let weights: [&[f64]; 3] = std::array::from_fn(|joint| &self.weights[joint][..kept[joint]]);
+        let weights: [&[f64]; 3] = std::array::from_fn(|bond| &self.weights[bond][..kept[bond]]);
         let (mut functions, mut steps, mut cores) = (
             [const { Vec::new() }; 4],
             [0.0; 4],
@@ -190,7 +243,7 @@ impl Train {
                 weight * self.cores[i][(index * nodes + node) * of_after + after]
             };
             let core = Mat::from_fn(nodes, before * after, entry);
-            // Each quantity is one of those that the root mean square is taken of.
+            // The root mean square is that over the quantities.
             let of_one = if i == 3 { held as f64 } else { 1.0 };
             let (vectors, values) = singular_vectors(
                 core.as_ref(),
@@ -202,7 +255,7 @@ impl Train {
             functions[i] = row_major(vectors.as_ref())
                 .map(|value| norm * value)
                 .collect();
-            // Finer steps than those of f64 at the largest entry are of no use.
+            // Steps finer than the rounding of f64 at the largest entry are of no use.
             let largest = numbers.norm_max().max(f64::MIN_POSITIVE);
             steps[i] = (STEP * tail / ((before * count * after) as f64 / of_one).sqrt())
                 .max(f64::EPSILON * largest);
@@ -224,8 +277,8 @@ impl Train {
     }
 }
 
-/// The logarithms of a table, row-major over `e0_over_e2`, `e1_over_e2`, `nu1`, `a_over_t` and the
-/// quantities held.
+/// Returns the logarithms of a table, row-major over `e0_over_e2`, `e1_over_e2`, `nu1`, `a_over_t`
+/// and the quantities held.
 fn tensor(table: &Table) -> Vec<f64> {
     let [n_a, n_e1, n_nu, n_e0] = table.shape();
     let width = n_a * table.quantities().len();
@@ -239,11 +292,11 @@ fn tensor(table: &Table) -> Vec<f64> {
     tensor
 }
 
-/// The left singular vectors of a matrix and their singular values, without as many of the last as
-/// leave out no more than `tail` (Frobenius norm).
+/// Returns the left singular vectors of a matrix and their singular values, without the last ones,
+/// which leave out at most `tail` (Frobenius norm).
 ///
-/// They are those of the triangle of a QR decomposition of the transposed matrix, which comes in
-/// blocks of rows; the matrix of scalar products would be quicker and have half the digits.
+/// They are those of the triangle of a QR decomposition of the transposed matrix, which is read in
+/// blocks of rows. The matrix of scalar products would be faster and have half the digits.
 fn singular_vectors(matrix: MatRef<'_, f64>, tail: f64) -> (Mat<f64>, Vec<f64>) {
     const BLOCK: usize = 1024;
     let mut triangle: Mat<f64> = Mat::zeros(0, matrix.nrows());
@@ -272,13 +325,14 @@ fn singular_vectors(matrix: MatRef<'_, f64>, tail: f64) -> (Mat<f64>, Vec<f64>) 
     )
 }
 
+/// Returns the entries of a matrix, row by row.
 fn row_major(matrix: MatRef<'_, f64>) -> impl Iterator<Item = f64> {
     (0..matrix.nrows())
         .flat_map(move |row| (0..matrix.ncols()).map(move |column| matrix[(row, column)]))
 }
 
-/// How many squares are left, one at least, if the last ones whose sum is no more than the square
-/// of `tail` are dropped.
+/// Returns the number of squares, one at least, that are left when the last ones are dropped, whose
+/// sum is at most the square of `tail`.
 fn rank(squares: &[f64], tail: f64) -> usize {
     let mut dropped = 0.0;
     let small = squares.iter().rev().take_while(|&&square| {

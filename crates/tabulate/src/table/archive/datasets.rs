@@ -1,6 +1,5 @@
-//! Writes the HDF5 file of a table. It is read by `interp::Table::open`, which needs no C library.
+//! The attributes, axes and values of a table in its HDF5 file. `interp::schema` has their names.
 
-use std::io;
 use std::path::Path;
 
 use hdf5::types::VarLenUnicode;
@@ -9,35 +8,17 @@ use interp::schema::{AXES, FORMAT, FORMAT_VERSION, VALUES, attribute};
 use interp::{Parameter, Quantity, Table};
 use ndarray::{ArrayView1, ArrayView4};
 
-use crate::table::bindings::{attach_scale, create_group, make_scale};
-use crate::{Error, output};
+use super::bindings::{attach_scale, create_group, make_scale};
 
-/// Values compressed together: a chunk spans all substrates and Poisson ratios of a few films.
+/// The number of values compressed together: those of all substrates and Poisson ratios of a few
+/// films.
 const CHUNK: usize = 1 << 15;
-/// Compression level: more costs time and saves next to nothing on smooth f64 data.
+/// The compression level. A higher one takes more time and saves next to nothing on smooth data.
 const DEFLATE: u8 = 4;
 
-/// Writes the table, a low-rank one with its values at the nodes, under a temporary name and
-/// renames it when it is complete, so that `path` never holds half a table.
-///
-/// # Errors
-/// [`Error::Write`] with the path, and those of [`Table::expand`].
-pub fn write(table: &Table, path: &Path) -> Result<(), Error> {
-    let table = table.expand()?;
-    output::atomically(path, |unfinished| {
-        fill(&table, unfinished).map_err(io::Error::other)
-    })
-}
-
-/// [`write()`] through a temporary path that the caller owns.
-pub(crate) fn write_through(table: &Table, path: &Path, unfinished: &Path) -> Result<(), Error> {
-    output::through(path, unfinished, |unfinished| {
-        fill(table, unfinished).map_err(io::Error::other)
-    })
-}
-
-fn fill(table: &Table, path: &Path) -> hdf5::Result<()> {
-    // Readable by every library since HDF5 1.8, and without time stamps: equal tables are equal
+/// Writes the attributes, axes and values of a dense table to a new file.
+pub(super) fn fill(table: &Table, path: &Path) -> hdf5::Result<()> {
+    // Every library since HDF5 1.8 reads this format. Without time stamps, equal tables are equal
     // files.
     let file = hdf5::File::with_options()
         .with_fapl(|access| access.libver_v18())
@@ -142,7 +123,7 @@ fn fill(table: &Table, path: &Path) -> hdf5::Result<()> {
     file.flush()
 }
 
-/// Whole trailing dimensions as long as they fit.
+/// Returns the shape of a chunk: the last dimensions whole as long as they fit into [`CHUNK`].
 fn chunk(shape: [usize; 4]) -> [usize; 4] {
     let mut room = CHUNK;
     let mut chunk = [1; 4];

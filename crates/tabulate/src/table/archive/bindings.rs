@@ -1,8 +1,7 @@
-//! What the Rust bindings of HDF5 do not cover, by the C library's own functions: the one place
-//! with `unsafe`.
+//! Calls of the C library that the Rust bindings of HDF5 do not cover: groups without time stamps,
+//! and dimension scales. The only `unsafe` code of the project.
 //!
-//! The high-level library with the `H5DS` functions is linked through `hdf5-sys` with its feature
-//! `hl`.
+//! The feature `hl` of `hdf5-sys` links the high-level library, which has the `H5DS` functions.
 
 #![allow(unsafe_code)]
 
@@ -44,7 +43,7 @@ pub fn create_group(file: &File, name: &str) -> hdf5::Result<Group> {
     file.group(name)
 }
 
-/// Makes a one-dimensional dataset a dimension scale of the given name.
+/// Makes the one-dimensional dataset `axis` a dimension scale called `name`.
 pub fn make_scale(axis: &Dataset, name: &str) -> hdf5::Result<()> {
     let name = terminated(name)?;
     // SAFETY: the dataset outlives the call and so keeps its identifier valid; `name` is
@@ -55,7 +54,7 @@ pub fn make_scale(axis: &Dataset, name: &str) -> hdf5::Result<()> {
     )
 }
 
-/// Attaches a scale to one dimension of a dataset.
+/// Attaches the scale `axis` to one dimension of the dataset `values`.
 pub fn attach_scale(values: &Dataset, axis: &Dataset, dimension: u8) -> hdf5::Result<()> {
     // SAFETY: both datasets outlive the call and so keep their identifiers valid; `sync` holds the
     // library's lock.

@@ -1,0 +1,76 @@
+//! Writes the HDF5 file of a table. `interp::Table::open` reads it without a C library.
+//!
+//! `datasets` lays the table out in the file, with the C calls that `bindings` adds to the Rust
+//! bindings. Both need the feature `hdf5`. Without it every function here returns an error.
+
+use std::io;
+use std::path::Path;
+
+use interp::Table;
+
+use crate::{Error, output};
+
+#[cfg(feature = "hdf5")]
+mod bindings;
+#[cfg(feature = "hdf5")]
+mod datasets;
+
+/// Accepts a path that an HDF5 file can be written to, before any work is done for it.
+///
+/// # Errors
+/// [`Error::Write`] naming `path`: if it ends in `.bin`, as packed tables do; if it is no UTF-8; if
+/// this program was built without the feature `hdf5`.
+pub(crate) fn check(path: &Path) -> Result<(), Error> {
+    let refused = |why: &str| {
+        Err(Error::Write {
+            path: path.to_owned(),
+            source: io::Error::other(why),
+        })
+    };
+    if cfg!(not(feature = "hdf5")) {
+        return refused(
+            "this program was built without HDF5; build it with the feature `hdf5`, which is on by default",
+        );
+    }
+    let ending = path.extension();
+    if ending.is_some_and(|ending| ending.eq_ignore_ascii_case("bin")) {
+        return refused(
+            "this file would be HDF5, and .bin is the ending of packed tables; write it to a name with the ending \
+             .h5, and pack that with `tabulate pack TABLE.h5 -o TABLE.bin`",
+        );
+    }
+    if std::path::absolute(path).is_ok_and(|path| path.to_str().is_none()) {
+        return refused("its name or folder is no UTF-8, which HDF5 needs; choose another");
+    }
+    Ok(())
+}
+
+/// Writes the table; of a low-rank table, the values at its nodes.
+///
+/// The file is written under a temporary name and renamed when it is complete, so that `path` never
+/// holds half a table.
+///
+/// # Errors
+/// [`Error::Write`] with the path: if the file cannot be written, if `path` ends in `.bin` or is no
+/// UTF-8, or if this program was built without the feature `hdf5`; those of [`Table::expand`].
+pub fn write(table: &Table, path: &Path) -> Result<(), Error> {
+    check(path)?;
+    let table = table.expand()?;
+    output::atomically(path, |unfinished| fill(&table, unfinished))
+}
+
+/// Does the work of [`write()`] through a temporary path that the caller owns.
+pub(crate) fn write_through(table: &Table, path: &Path, unfinished: &Path) -> Result<(), Error> {
+    check(path)?;
+    output::through(path, unfinished, |unfinished| fill(table, unfinished))
+}
+
+#[cfg(feature = "hdf5")]
+fn fill(table: &Table, path: &Path) -> io::Result<()> {
+    datasets::fill(table, path).map_err(io::Error::other)
+}
+
+#[cfg(not(feature = "hdf5"))]
+fn fill(_: &Table, _: &Path) -> io::Result<()> {
+    Err(io::ErrorKind::Unsupported.into())
+}

@@ -1,0 +1,262 @@
+//! Lines through the box of a scene, on which an axis of its table is planned.
+//!
+//! The quantities are solved on every line until a Chebyshev interpolant has converged. Then the
+//! smallest number of nodes is sought with which the splines of the table follow those interpolants
+//! everywhere.
+
+use interp::Parameter;
+use interp::bspline::Basis;
+use rand::{RngExt, SeedableRng};
+use rand_pcg::Pcg64Mcg;
+use rayon::prelude::*;
+
+use crate::Error;
+use crate::parallel::try_map;
+use crate::solve::larger;
+use crate::table::budget::Budget;
+use crate::table::placement::{EVENNESS, places, places_to};
+use crate::table::scene::{Extent, Scene};
+use crate::table::sweep::solve_for_table;
+
+/// The logarithms that a table splines, solved on lines along one of its axes.
+pub(super) struct Lines {
+    /// The number of Chebyshev points on each line, two or more.
+    points: usize,
+    /// A row for each point, with the logarithms of the quantities on every line.
+    rows: Vec<f64>,
+    /// The length of a row.
+    width: usize,
+    /// Whether the lines end where splines have a [flat end](Parameter::is_flat_at).
+    flat: bool,
+}
+
+impl Lines {
+    /// The number of intervals between the first Chebyshev points. It is doubled until the
+    /// interpolant has converged.
+    const FIRST: usize = 32;
+    /// The largest number of intervals: twelve decades of `a/t` need 512 to 1e-9.
+    const MOST: usize = 2048;
+    /// The largest error of a converged interpolant, in parts of the tolerance.
+    const CONVERGED: f64 = 0.02;
+    /// The largest error that is taken for the solve's own, in parts of the tolerance, where more
+    /// points do not halve it: some corners are not resolved better in double precision.
+    const NOISE: f64 = 0.25;
+
+    /// Solves the lines of a scene along one parameter, until the Chebyshev interpolants have
+    /// converged.
+    ///
+    /// # Errors
+    /// [`Error::Budget`] when the budget is spent before; those of the solve.
+    pub(super) fn solve(
+        scene: &Scene,
+        along: Parameter,
+        [from, to]: [f64; 2],
+        budget: Option<Budget<'_>>,
+    ) -> Result<Self, Error> {
+        let (first, last) = (along.coordinate(from), along.coordinate(to));
+        let value = |place: f64| along.value(first + (last - first) * place).clamp(from, to);
+        let lines = lines(scene, along);
+        let width = lines.len() * scene.quantities.len();
+        let solve = |places: &[f64]| -> Result<Vec<f64>, Error> {
+            let points: Vec<[f64; 4]> = places
+                .iter()
+                .flat_map(|&place| lines.iter().map(move |line| (place, line)))
+                .map(|(place, line)| {
+                    let mut point = *line;
+                    point[along as usize] = value(place);
+                    point
+                })
+                .collect();
+            Ok(try_map(points, |point| logarithms(scene, point))?.concat())
+        };
+        let mut intervals = Self::FIRST;
+        let mut lines = Self {
+            points: intervals + 1,
+            rows: solve(&places(intervals + 1, 0.0))?,
+            width,
+            flat: along.is_flat_at(to),
+        };
+        let mut former_error = f64::INFINITY;
+        loop {
+            if budget.is_some_and(|budget| budget.is_spent()) {
+                return Err(Error::Budget {
+                    spent: "before the nodes are chosen; allow more time".into(),
+                });
+            }
+            let finer = places(2 * intervals + 1, 0.0);
+            let between: Vec<f64> = finer.iter().copied().skip(1).step_by(2).collect();
+            let solved = solve(&between)?;
+            let error = largest_difference(&lines.interpolated(&between), &solved);
+            // The points between the former ones complete the doubled number.
+            let (former, fresh) = (lines.rows.chunks_exact(width), solved.chunks_exact(width));
+            let mut rows = Vec::with_capacity(lines.rows.len() + solved.len());
+            for (former, fresh) in former.zip(fresh.map(Some).chain([None])) {
+                rows.extend(former);
+                rows.extend(fresh.into_iter().flatten());
+            }
+            intervals *= 2;
+            lines = Self {
+                points: intervals + 1,
+                rows,
+                ..lines
+            };
+            let noise = error <= Self::NOISE * scene.tolerance && error >= 0.5 * former_error;
+            if error <= Self::CONVERGED * scene.tolerance || noise || intervals >= Self::MOST {
+                return Ok(lines);
+            }
+            former_error = error;
+        }
+    }
+
+    /// Returns the rows at other places, by the barycentric formula.
+    fn interpolated(&self, at: &[f64]) -> Vec<f64> {
+        let nodes = places(self.points, 0.0);
+        let mut rows = vec![0.0; at.len() * self.width];
+        rows.par_chunks_exact_mut(self.width)
+            .zip(at)
+            .for_each(|(row, &place)| {
+                let last = self.points - 1;
+                let weight = |i: usize| {
+                    let size = if i == 0 || i == last { 0.5 } else { 1.0 };
+                    let signed = if i.is_multiple_of(2) { size } else { -size };
+                    signed / (place - nodes[i])
+                };
+                let mut weights: Vec<f64> = (0..=last).map(weight).collect();
+                if let Some(node) = weights.iter().position(|weight| weight.is_infinite()) {
+                    weights.fill(0.0);
+                    weights[node] = 1.0;
+                }
+                let sum: f64 = weights.iter().sum();
+                for (weight, values) in weights.iter().zip(self.rows.chunks_exact(self.width)) {
+                    let weight = weight / sum;
+                    row.iter_mut()
+                        .zip(values)
+                        .for_each(|(row, value)| *row += weight * value);
+                }
+            });
+        rows
+    }
+
+    /// Returns the largest number of nodes that is tried. Splines through so many nodes that do not
+    /// follow the interpolants would not with more.
+    pub(super) fn most(&self) -> usize {
+        2 * self.points
+    }
+
+    /// Returns the smallest number of nodes, with their evenness, from which splines follow every
+    /// line to `tolerance`; none if it is above [`Lines::most`].
+    pub(super) fn fewest(&self, tolerance: f64) -> Option<(usize, f64)> {
+        let mut best = (self.most() + 1, EVENNESS[0]);
+        for evenness in EVENNESS {
+            let keeps = |nodes: usize| self.error(nodes, evenness) <= tolerance;
+            // The error falls with the number of nodes, apart from small variations.
+            let (mut too_few, mut enough) = (1, 16);
+            while enough < best.0 && !keeps(enough) {
+                (too_few, enough) = (enough, 2 * enough);
+            }
+            enough = enough.min(best.0);
+            while enough - too_few > 1 {
+                let middle = too_few.midpoint(enough);
+                *if keeps(middle) {
+                    &mut enough
+                } else {
+                    &mut too_few
+                } = middle;
+            }
+            if enough < best.0 {
+                best = (enough, evenness);
+            }
+        }
+        (best.0 <= self.most()).then_some(best)
+    }
+
+    /// Returns the largest error of the splines through `count` nodes in the middles of their
+    /// cells, where it is largest.
+    fn error(&self, count: usize, evenness: f64) -> f64 {
+        let nodes = places_to(self.flat, count, evenness);
+        let middles: Vec<f64> = nodes
+            .windows(2)
+            .map(|pair| pair[0].midpoint(pair[1]))
+            .collect();
+        let basis = Basis::of_table(&nodes, self.flat);
+        let mut coefficients = self.interpolated(&nodes);
+        basis.interpolate(&mut coefficients, self.width);
+        let truth = self.interpolated(&middles);
+        let errors = middles
+            .par_iter()
+            .zip(truth.par_chunks_exact(self.width))
+            .map(|(&middle, truth)| {
+                let weights = basis.weights(middle);
+                let mut splines = vec![0.0; self.width];
+                let rows = coefficients[weights.first * self.width..].chunks_exact(self.width);
+                for (weight, row) in weights.values[..weights.count].iter().zip(rows) {
+                    splines
+                        .iter_mut()
+                        .zip(row)
+                        .for_each(|(spline, coefficient)| *spline += weight * coefficient);
+                }
+                largest_difference(&splines, truth)
+            });
+        errors.reduce(|| 0.0, larger)
+    }
+}
+
+/// Returns the largest difference of two lists; NaN if one is NaN.
+fn largest_difference(a: &[f64], b: &[f64]) -> f64 {
+    a.iter()
+        .zip(b)
+        .map(|(a, b)| (a - b).abs())
+        .fold(0.0, larger)
+}
+
+/// Returns a point of each line along an axis on which the axis is planned.
+///
+/// The lines are all edges of the box, and 40 random ones for each of the other axes. A random line
+/// has each of the other parameters at an end of its range with a probability of one half. The
+/// points have the first value of the range of `along`.
+pub fn lines(scene: &Scene, along: Parameter) -> Vec<[f64; 4]> {
+    const RANDOM: usize = 40;
+    const OVERSHOOT: f64 = 0.5;
+    const SEED: u64 = 4;
+    let across: Vec<Parameter> = Parameter::ALL
+        .into_iter()
+        .filter(|&parameter| {
+            parameter != along && !matches!(scene.extents[parameter as usize], Extent::Fixed(_))
+        })
+        .collect();
+    let mut random = Pcg64Mcg::seed_from_u64(SEED);
+    let edges = 1_usize << across.len();
+    let line = |i: usize| {
+        let mut line = scene.extents.map(|extent| extent.ends()[0]);
+        for (bit, &parameter) in across.iter().enumerate() {
+            let [from, to] = scene.extents[parameter as usize].ends();
+            let share: f64 = if i < edges {
+                (i >> bit & 1) as f64
+            } else {
+                random.random_range(-OVERSHOOT..1.0 + OVERSHOOT)
+            };
+            let (first, last) = (parameter.coordinate(from), parameter.coordinate(to));
+            line[parameter as usize] = parameter
+                .value(first + (last - first) * share.clamp(0.0, 1.0))
+                .clamp(from, to);
+        }
+        line
+    };
+    (0..edges + RANDOM * across.len()).map(line).collect()
+}
+
+/// Solves one point, `a_over_t`, `e1_over_e2`, `nu1`, `e0_over_e2`, and returns the logarithms that
+/// the table splines, of the quantities of the scene.
+///
+/// # Errors
+/// Those of the solve.
+pub fn logarithms(scene: &Scene, [a_over_t, e1, nu1, e0]: [f64; 4]) -> Result<Vec<f64>, Error> {
+    let material = scene.material([e1, nu1, e0])?;
+    let solved = solve_for_table(a_over_t, &material, scene.tolerance)?;
+    let es = material.sphere_film_modulus();
+    Ok(scene
+        .quantities
+        .iter()
+        .map(|&quantity| quantity.logarithm(solved.get(quantity), es))
+        .collect())
+}
