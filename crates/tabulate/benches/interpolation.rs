@@ -69,8 +69,8 @@ fn main() {
 #[derive(Clone, Copy)]
 struct Choice {
     degree: usize,
-    /// The values of [`tabulate::table::Placement::Nodes`] that are tried. Each axis has the one with
-    /// the fewest nodes.
+    /// The values of [`tabulate::table::Placement::Nodes`] that are tried. Each axis has the one
+    /// with the fewest nodes.
     evenness: &'static [f64],
     nu1: Coordinate,
     splined: Splined,

@@ -1,6 +1,7 @@
 //! Time and memory of `tabulate generate` against the size of the table and the number of threads.
-//! Runs the program itself on the default scene, prints the table that the documentation quotes, and
-//! draws `tables/scale.svg`. Linux only: on other systems the program cannot measure its memory.
+//! Runs the program itself on the default scene, prints the table that the documentation quotes,
+//! and draws `tables/scale.svg`. Linux only: on other systems the program cannot measure its
+//! memory.
 
 use std::error::Error;
 use std::fs;
