@@ -67,7 +67,7 @@ fn the_pieces_of_a_curve_add_about_a_tenth_of_the_tolerance_at_most_to_any_mater
         &low_rank(&table(BOX), 1e-7),
         &low_rank(&table(RIGID_SPHERE), 1e-6),
     ] {
-        // Of the same splines, as pieces that are as short as there are.
+        // The splines of this table, with the shortest pieces.
         let finest = Description {
             tolerance: 1e-10,
             ..table.description().clone()

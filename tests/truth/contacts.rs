@@ -107,7 +107,7 @@ fn stated_errors_bound_the_true_ones() {
         worst = larger(worst, share);
     }
     println!(
-        "{bounded} of {random} random answers are as accurate as they say; of all, the worst error is {worst:.2} of the stated one"
+        "{bounded} of {random} random contacts have a true error up to the stated one; the largest true error of all contacts is {worst:.2} of the stated one"
     );
     assert!(bounded as f64 >= HONEST * f64::from(random));
     assert!(worst <= FAR_ABOVE);

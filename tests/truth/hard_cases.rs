@@ -89,13 +89,13 @@ const CASES: [Row; 46] = [
         1e-12,
     ),
     (
-        "the same, as good as incompressible",
+        "soft film, as good as incompressible, rigid base",
         [1e-8, NEARLY, INF, 0.0],
         100.0,
         1e-10,
     ),
     (
-        "the same on a base as hard as the sphere",
+        "soft film on a base as hard as the sphere",
         [1e-8, 0.5, 1.0, 0.5],
         40.0,
         1e-10,

@@ -280,7 +280,7 @@ fn nothing_jumps_or_bends_where_the_method_changes() {
         second_difference,
     } = worst;
     println!(
-        "{} switches: jump {jump:.2}, bend {bend:.2}, second difference {second_difference:.2} of what the answers say",
+        "{} switches: jump {jump:.2}, bend {bend:.2}, second difference {second_difference:.2} of the stated errors",
         pairs.len()
     );
     for pair in [
