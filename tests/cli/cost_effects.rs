@@ -352,7 +352,7 @@ fn a_time_that_is_not_above_the_noise_is_not_a_cost() {
     assert_eq!(printed, markdown(&rows));
     let cells = [
         "| adhesion | w = 0 | 0 | 0 | 1.5 s |",
-        "| penetration | no delta0 | 0 | 0 | not measurable (1.1 s is noise) |",
+        "| penetration | no delta0 | 0 | 0 | not measurable (1.1 s is within the noise) |",
         "| sphere compliance | e1_over_e2 = 0 | 0 | 0 | no time (1.1 s more without it) |",
     ];
     assert_names(&printed, &cells);

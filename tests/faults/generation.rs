@@ -14,7 +14,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread::sleep;
 use std::time::Duration;
 
-use acceptance::{Contacts, Workdir, assert_names, checksum, workdir};
+use acceptance::{Contacts, Workdir, assert_names, checksum};
 use interp::Table;
 use tabulate::Error;
 use tabulate::table::{Budget, Generated, Observer, Options, Scene, generate};
@@ -57,7 +57,7 @@ const RESUME: [&str; 7] = [
 ];
 
 fn workdir() -> Workdir {
-    let workdir = workdir!();
+    let workdir = acceptance::workdir!();
     workdir.write("scene.toml", SCENE);
     workdir
 }
@@ -228,21 +228,29 @@ fn killed_at_random_moments_and_resumed_with_any_number_of_jobs_the_file_is_the_
     }
 }
 
-/// Goes on with a run, and kills it at a random size of its journal, or some time after the last
-/// piece, when it checks or writes the table. Returns false if it has finished before.
+/// Goes on with a run. Kills it when its journal has grown to a random size, or some time after the
+/// last piece, when it checks or writes the table. Returns false if it has finished before.
 fn kill_or_finish(workdir: &Workdir, signal: &str, random: &mut Contacts) -> bool {
     let jobs = ["1", "2", "5"][random.uniform(0.0, 3.0) as usize];
-    let mut child = workdir.start(&[&RESUME[..], &["--jobs", jobs]].concat());
+    let pause = random.uniform(0.0, 0.03);
     let solved = bytes(pieces() * piece_points());
-    // The journal is empty while the nodes are chosen.
-    let size = random.uniform(-0.5, 1.3).max(0.0) * solved as f64;
-    if reaches(workdir, &mut child, solved.min(size as usize)) {
-        // Any moment will do: a table that is finished in the meantime is as good.
-        sleep(Duration::from_secs_f64(random.uniform(0.0, 0.03)));
-    }
-    // A process that has ended and was not waited for takes a signal, too.
-    if child.try_wait().expect("its status").is_none() {
-        send(signal, &child);
+    let mut part = |from, to| (random.uniform(from, to).max(0.0) * solved as f64) as usize;
+    let size = match fs::metadata(workdir.path(JOURNAL)) {
+        // The journal is empty while the nodes are chosen.
+        Err(_) => Some(part(-0.5, 1.0)),
+        Ok(journal) if journal.len() < solved as u64 => {
+            Some(solved.min(journal.len() as usize + 1 + part(0.0, 0.4)))
+        }
+        Ok(_) => None,
+    };
+    let mut child = workdir.start(&[&RESUME[..], &["--jobs", jobs]].concat());
+    if size.is_some_and(|size| reaches(workdir, &mut child, size)) {
+        // Any moment is good, one after the end too.
+        sleep(Duration::from_secs_f64(pause));
+        // A process that has ended takes a signal until it is waited for.
+        if child.try_wait().expect("its status").is_none() {
+            send(signal, &child);
+        }
     }
     let status = child.wait().expect("it ends");
     assert!(status.success() || status.code().is_none(), "{status}");

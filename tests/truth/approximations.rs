@@ -1,5 +1,5 @@
-//! The closed forms in use against direct solves: their limits, exact first-order terms, and
-//! published numbers.
+//! The closed forms in use, against direct solves: limits, exact first-order terms, and published
+//! numbers.
 
 use std::f64::consts::PI;
 
@@ -50,8 +50,8 @@ fn jkr_of_sphere_and_film_is_the_limit_of_thick_films_and_bulk_jkr_that_of_thin_
         };
         thick = larger(thick, off(1e-6, film_jkr(&material)));
         thin = larger(thin, off(1e6, bulk_jkr(&material)));
-        // Gao's and its successor's weights keep both limits, the first where the substrate is not
-        // so stiff that a ten-thousandth of it counts.
+        // The weights of Gao and of Hay and Crawford have both limits, that of thick films only if
+        // the substrate is not so stiff that a ten-thousandth of its modulus matters.
         for form in [gao, hay_crawford]
             .into_iter()
             .filter(|_| material.film_over_substrate() > 1e-2)
@@ -66,7 +66,7 @@ fn jkr_of_sphere_and_film_is_the_limit_of_thick_films_and_bulk_jkr_that_of_thin_
     assert!(thick <= 5e-6 && thin <= 2e-4);
 }
 
-/// How fast a function of one parameter grows at 0, to sixth order.
+/// Returns the derivative of `f` at 0, to sixth order.
 fn derivative(f: impl Fn(f64) -> f64) -> f64 {
     const STEP: f64 = 0.01;
     let difference = |n: f64| (f(n * STEP) - f(-n * STEP)) / (2.0 * STEP);
@@ -78,8 +78,8 @@ fn gaos_weights_are_exact_to_first_order_in_either_difference_under_any_sphere()
     let mut worst = 0.0;
     for (e, nu) in [(0.0, 0.3), (0.0, 0.45), (0.0, 0.0), (0.7, 0.3), (20.0, 0.1)] {
         for x in [0.01, 0.3, 1.0, 3.0, 100.0] {
-            // Of the substrate, in units of the film's: another shear modulus, or another Poisson
-            // ratio with the same shear modulus.
+            // The substrate has another shear modulus than the film, or another Poisson ratio and
+            // the shear modulus of the film.
             let stiffer =
                 |s: f64| material([e, nu, (1.0 + s) * if e == 0.0 { 1.0 } else { e }, nu]);
             let other = |s: f64| {
@@ -132,7 +132,7 @@ fn a_film_of_the_substrates_material_leaves_gao_exact_and_hay_and_crawford_nearl
     assert!((0.0150..0.0157).contains(&fitted));
 }
 
-/// The coefficients of `chi` to `chi^4` of a polynomial of degree 4 that is 1 at 0.
+/// Returns the coefficients of `chi` to `chi^4` of a polynomial of degree 4 that is 1 at 0.
 fn coefficients(polynomial: impl Fn(f64) -> f64) -> [f64; 4] {
     let [a, b, c, d] = [1.0, 2.0, 3.0, 4.0].map(|chi| (polynomial(chi) - 1.0) / chi);
     let (first, second, third) = (b - a, c - 2.0 * b + a, d - 3.0 * c + 3.0 * b - a);
@@ -145,7 +145,7 @@ fn coefficients(polynomial: impl Fn(f64) -> f64) -> [f64; 4] {
     ]
 }
 
-/// `int_0^inf (X(q) - 1) q^power dq` of a layer bonded to a rigid base, by Simpson's rule.
+/// Returns `int_0^inf (X(q) - 1) q^power dq` of a layer bonded to a rigid base, by Simpson's rule.
 fn moment(nu: f64, power: i32) -> f64 {
     const STEPS: u32 = 8000;
     let compliance = Compliance::new(&material([0.0, nu, f64::INFINITY, 0.25]));
@@ -158,8 +158,8 @@ fn moment(nu: f64, power: i32) -> f64 {
     (at(0) + inner + at(STEPS)) * step / 3.0
 }
 
-/// The exact series to the fourth power. The kernel is `k0 + k2 y^2` to that order, and the
-/// penetration is solved for `a`.
+/// Returns the coefficients of the exact series to the fourth power. The kernel is `k0 + k2 y^2` to
+/// that order. The penetration is solved for `a`.
 fn exact_series(nu: f64) -> [f64; 4] {
     let (k0, k2) = (moment(nu, 0) / PI, -0.5 * moment(nu, 2) / PI);
     let cube = k0 * k0 * k0;
@@ -171,8 +171,8 @@ fn exact_series(nu: f64) -> [f64; 4] {
     ]
 }
 
-/// `sqrt(R delta)/t` and the load over Hertz's at that penetration, of a layer on a rigid base at
-/// `a/t = x`.
+/// Returns `sqrt(R delta)/t`, and the load over Hertz's at that penetration, of a layer on a rigid
+/// base at `a/t = x`.
 fn solved_layer(x: f64, nu: f64) -> [f64; 2] {
     let q = quantities(x, &material([0.0, nu, f64::INFINITY, 0.25]), 1e-13);
     [x * q.delta0.sqrt(), 0.375 * q.pi0 / q.delta0.powf(1.5)]
@@ -191,8 +191,8 @@ fn the_exact_series_is_that_of_direct_solves() {
         }
     }
     println!("missing: {worst:.2} x^5");
-    // Measured 0.44. What is left is of the fifth power: an error of 0.01 in the fourth coefficient
-    // would show at 0.01.
+    // Measured 0.44. The rest is of the fifth power: at `x = 0.01`, an error of 0.01 in the fourth
+    // coefficient would be visible.
     assert!(worst <= 1.0);
 }
 
@@ -210,8 +210,8 @@ fn the_series_for_layers_have_the_published_numbers() {
             assert!((found - published).abs() <= 1e-12);
         }
     }
-    // The general formula gives the numbers printed for an incompressible layer, but for the sign
-    // of the last.
+    // The general formula has the numbers printed for an incompressible layer, except the sign of
+    // the last.
     let general = coefficients(|chi| dimitriadis(chi, 0.5).expect("in the domain"));
     for (found, printed) in general.into_iter().zip([1.133, 1.283, 0.769, -0.0975]) {
         assert!((found - printed).abs() <= 6e-4, "{general:?}");
@@ -222,7 +222,7 @@ fn the_series_for_layers_have_the_published_numbers() {
 fn hertz_is_exact_at_first_and_the_next_term_as_far_as_it_was_fitted() {
     for nu in [0.0, 0.1, 0.2, 0.25, 0.3, 0.4, 0.45, 0.5] {
         assert_eq!(dimitriadis(0.0, nu).expect("in the domain"), 1.0);
-        // The first-order term of direct solves, with errors of the second order taken out.
+        // The first-order term of direct solves, extrapolated to chi = 0.
         let slope = |x: f64| {
             let [chi, load] = solved_layer(x, nu);
             [chi, (load - 1.0) / chi]
@@ -257,8 +257,8 @@ fn hertz_is_exact_at_first_and_the_next_term_as_far_as_it_was_fitted() {
                 .all(|(off, allowed)| off.abs() <= allowed)
         );
     }
-    // Garcia's second term is the exact function of the first, which Dimitriadis' is for a flat
-    // punch.
+    // Garcia's second coefficient is the exact function of the first, 7/6 of its square. In the
+    // series of Dimitriadis the factor is 1, as for a flat punch.
     let second = |form: fn(f64) -> Result<f64, tabulate::Error>| {
         let [c1, c2, ..] = coefficients(|chi| form(chi).expect("in the domain"));
         c2 / (c1 * c1)
@@ -270,7 +270,7 @@ fn hertz_is_exact_at_first_and_the_next_term_as_far_as_it_was_fitted() {
 }
 
 #[test]
-fn what_is_outside_their_domains_is_an_error_that_says_so() {
+fn values_outside_the_domains_are_errors_that_name_them() {
     let material = material(MATERIALS[0]);
     for x in [0.0, -1.0, f64::NAN, f64::INFINITY] {
         for form in [gao, hay_crawford] {

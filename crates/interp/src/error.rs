@@ -49,8 +49,8 @@ pub enum Error {
     /// enough.
     #[error(
         "a_over_t = {value:?} is beyond the table, which ends at {edge:?}: the expansion about the \
-         limit has an estimated error of {estimate:.1e} there, more than the table's tolerance \
-         {tolerance:.1e}; make a table whose scene extends a_over_t to this value"
+         limit is accurate to {estimate:.1e} there, and the table to {tolerance:.1e}; make a table \
+         whose scene extends a_over_t to this value"
     )]
     Extrapolation {
         /// The `a/t` asked for.

@@ -3,10 +3,10 @@
     g(rho)/es + (x/e1) int_0^1 [k(x(rho-s)) + k(x(rho+s))] g(s) ds = f(rho)
     k(y) = (1/pi) int_0^inf (X(q)-1) cos(qy) dq
 
-on Gauss-Legendre nodes in s, with k summed on panels of Gauss-Legendre nodes in q.
+on Gauss-Legendre abscissae in s. k is a sum over panels of Gauss-Legendre abscissae in q.
 
-Prints a line with the versions that it runs with. Then every line read is a case in JSON (the arguments of `solve`, and how often
-to repeat it), and is answered by a line with the four quantities and the seconds of every repetition.
+Prints a line with the versions of numpy and scipy. Then each line of the input is a case in JSON: the arguments of `solve` and the
+number of repetitions. Its answer is a line of JSON with the four quantities and the seconds of each repetition.
 """
 
 import json
@@ -22,7 +22,7 @@ NODES_PER_PANEL = 16
 SINH_SERIES = [1 / math.factorial(k) for k in range(19, 1, -2)]  # (sinh q - q)/q^3 as a polynomial in q^2, for q <= 1
 
 
-@lru_cache(maxsize=None)  # a rule serves every contact, so it is not timed
+@lru_cache(maxsize=None)  # a rule serves every contact, so its making is not timed
 def gauss(n):
     """Nodes and weights on [0, 1]."""
     nodes, weights = scipy.special.roots_legendre(n)

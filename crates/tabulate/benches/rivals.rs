@@ -1,11 +1,11 @@
-//! The lookup against interpolation in all four parameters at once, on the same nodes, and against
-//! the direct solve, in one run and on one thread.
+//! The lookup beside interpolation in all four parameters at once on the same nodes, and beside the
+//! direct solve, in one run on one thread.
 //!
-//! Prints a table of times, for contacts of a new material each time, and of errors at random
-//! points off the nodes. An error is the largest of the four relative deviations from the solve at
-//! the tightest tolerance that converges. All interpolate what `interp` splines, the logarithms, in
-//! the coordinates in which it does. scipy takes part in `cargo xtask compare`, where 10 GB of
-//! memory are free.
+//! Prints a table of times and errors. Times are of contacts of a new material each time. Errors
+//! are those at random points off the nodes: the largest of the four relative deviations from the
+//! solve at the tightest tolerance that converges. All methods interpolate the logarithms that
+//! `interp` splines, in the coordinates of `interp`. scipy takes part in `cargo xtask compare` if
+//! 10 GB of memory are free.
 
 mod python;
 
@@ -29,20 +29,20 @@ use tabulate::solve;
 const POINTS: usize = 1000;
 /// Random materials, for the times of curves.
 const CURVES: usize = 100;
-/// All take turns, so that a machine that slows down does so for all.
+/// The number of rounds. The methods take turns, so that a machine that slows down affects all.
 const ROUNDS: usize = 9;
-/// The direct solve is timed for fewer, as each is repeated.
+/// The number of points at which the direct solve is timed. Each solve is repeated.
 const SOLVED: usize = 20;
-/// Seconds for the time of a solve.
+/// The seconds spent on timing a solve.
 const BUDGET: f64 = 0.01;
 
 fn main() {
-    // `Table::embedded`, from its file.
+    // The file of `Table::embedded`.
     let table = &Table::read(concat!(
         env!("CARGO_MANIFEST_DIR"),
         "/../interp/embedded/default.bin"
     ))
-    .expect("it comes with interp");
+    .expect("the table comes with interp");
     let grid = Grid::new(table);
     let mut points = random_points(table, POINTS + CURVES, 1);
     let curves: Vec<[Point; 60]> = points
@@ -52,7 +52,11 @@ fn main() {
         .collect();
     let truth: Vec<Quantities> = points
         .iter()
-        .map(|(x, material)| tightest(*x, material).expect("it converges").quantities)
+        .map(|(x, material)| {
+            tightest(*x, material)
+                .expect("every point of the box converges")
+                .quantities
+        })
         .collect();
 
     let axes = grid.axes.each_ref().map(Vec::as_slice);
@@ -144,7 +148,7 @@ fn main() {
     );
 }
 
-/// 60 points from a/t = 1e-3 to 1e3.
+/// Returns 60 points of a material from a/t = 1e-3 to 1e3.
 fn curve_of(material: Material) -> [Point; 60] {
     std::array::from_fn(|i| {
         (
@@ -154,8 +158,8 @@ fn curve_of(material: Material) -> [Point; 60] {
     })
 }
 
-/// The order of the rivals' dimensions: along `a/t`, neighbours are neighbours in memory, which
-/// suits curves.
+/// The order of the dimensions of the other libraries. `a/t` is the last, so that neighbours along
+/// it are neighbours in memory, which is fast for curves.
 const ORDER: [Parameter; 4] = [
     Parameter::E1OverE2,
     Parameter::Nu1,
@@ -163,10 +167,10 @@ const ORDER: [Parameter; 4] = [
     Parameter::AOverT,
 ];
 
-/// The nodes in the coordinates in which splines are smooth, and what is splined there.
+/// The nodes in the coordinates in which splines are smooth, and the logarithms at the nodes.
 struct Grid {
     axes: [Vec<f64>; 4],
-    /// Of each quantity, row-major.
+    /// The logarithms of each quantity, row-major.
     logarithms: [Vec<f64>; 4],
 }
 
@@ -191,19 +195,20 @@ impl Grid {
     }
 }
 
-/// A way to look quantities up.
+/// A method to look quantities up.
 trait Method {
-    /// `Gamma` at one point.
+    /// Returns `Gamma` at one point.
     fn one(&self, point: &Point) -> f64;
 
-    /// All four at one point.
+    /// Returns all four quantities at one point.
     fn four(&self, point: &Point) -> Quantities;
 
-    /// All four at points of one material; returns a sum, so that nothing is left out.
+    /// Returns the sum of all four quantities at points of one material. The sum depends on all of
+    /// them, so the compiler cannot leave one out.
     fn curve(&self, points: &[Point; 60]) -> f64;
 }
 
-/// The table's own curve.
+/// Lookup on the table's own curve.
 struct Own<'a>(&'a Table);
 
 impl Method for Own<'_> {
@@ -230,7 +235,7 @@ impl Method for Own<'_> {
     }
 }
 
-/// What interpolates one of the logarithms in four dimensions.
+/// Another library's interpolation of one of the logarithms in four dimensions.
 struct Rival<F: Fn(usize, [f64; 4]) -> f64>(F);
 
 impl<F: Fn(usize, [f64; 4]) -> f64> Rival<F> {
@@ -239,7 +244,7 @@ impl<F: Fn(usize, [f64; 4]) -> f64> Rival<F> {
         quantity.scale(es) * (self.0)(quantity as usize, [e1, nu1, e0, x.ln()]).exp()
     }
 
-    /// The coordinates of a material, and its `es`.
+    /// Returns the coordinates of a material, and its `es`.
     fn place(material: &Material) -> [f64; 4] {
         [
             Parameter::E1OverE2.coordinate(material.e1_over_e2()),
@@ -276,7 +281,7 @@ fn sum(quantities: &Quantities) -> f64 {
     quantities.to_array().iter().sum()
 }
 
-/// The mean time that the work on one of these takes.
+/// Returns the mean time of `work` on one of `cases`.
 fn mean_seconds<T, R>(cases: &[T], work: impl Fn(&T) -> R) -> f64 {
     let start = Instant::now();
     for case in cases {
@@ -288,7 +293,7 @@ fn mean_seconds<T, R>(cases: &[T], work: impl Fn(&T) -> R) -> f64 {
 /// A row of the table that is printed.
 struct Row {
     name: String,
-    /// One quantity, all four, all four at 60 points.
+    /// The times of one quantity, of all four, and of all four at 60 points.
     seconds: [Option<f64>; 3],
     largest: f64,
     median: f64,
@@ -329,14 +334,14 @@ impl Row {
     }
 }
 
-/// What `rivals.py` says of a batch of points.
+/// The answer of `rivals.py` to a batch of points.
 #[derive(Deserialize)]
 struct Batch {
     quantities: Vec<[f64; 4]>,
     seconds: f64,
 }
 
-/// scipy's row, where its memory suffices.
+/// Returns the row of scipy; none if there is not enough memory.
 fn scipy(
     mut python: Python,
     grid: &Grid,
@@ -361,7 +366,7 @@ fn scipy(
     .expect("room for the values");
     let built: Option<f64> = python.ask(&json!({ "axes": grid.axes, "file": file }));
     let Some(took) = built else {
-        println!("scipy: skipped, as it wants more memory than there is\n");
+        println!("scipy: skipped, as there is not enough memory\n");
         return None;
     };
     println!(

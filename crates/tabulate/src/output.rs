@@ -22,7 +22,8 @@ pub fn check(output: Option<&Path>, input: Option<&Path>) -> Result<(), Error> {
     };
     let attempt = || match input {
         Some(input) if same(input) => Err(io::Error::other("it is the input")),
-        _ => temporary(path).map(drop),
+        // Without a name, so that nothing is left behind if the process is killed here.
+        _ => tempfile::tempfile_in(existing_folder(&target(path)?)?).map(drop),
     };
     attempt().map_err(|source| Error::Write {
         path: path.to_owned(),
@@ -79,13 +80,7 @@ fn complete(
 /// when it is dropped, and the target.
 fn temporary(path: &Path) -> io::Result<(TempPath, PathBuf)> {
     let target = target(path)?;
-    let folder = folder(&target);
-    if !folder.is_dir() {
-        return Err(io::Error::new(
-            io::ErrorKind::NotFound,
-            format!("there is no folder {}", folder.display()),
-        ));
-    }
+    let folder = existing_folder(&target)?;
     let mut builder = tempfile::Builder::new();
     // Temporary files are private; this one becomes what any program would have created.
     #[cfg(unix)]
@@ -121,6 +116,17 @@ fn folder(path: &Path) -> &Path {
     path.parent()
         .filter(|folder| !folder.as_os_str().is_empty())
         .unwrap_or(Path::new("."))
+}
+
+/// Returns the folder of a file, if it exists.
+fn existing_folder(path: &Path) -> io::Result<&Path> {
+    let folder = folder(path);
+    if folder.is_dir() {
+        Ok(folder)
+    } else {
+        let why = format!("there is no folder {}", folder.display());
+        Err(io::Error::new(io::ErrorKind::NotFound, why))
+    }
 }
 
 /// Flushes the folder of `path`, so that a new or renamed file survives a loss of power.

@@ -1,5 +1,5 @@
-//! A Python script of this folder as a running process, which answers one line of JSON with
-//! another.
+//! A Python script of this folder as a running process. It answers each line of JSON with a line of
+//! JSON.
 
 use std::io::{BufRead, BufReader, Lines, Write};
 use std::path::Path;
@@ -13,17 +13,17 @@ pub struct Python {
     process: Child,
     questions: ChildStdin,
     answers: Lines<BufReader<ChildStdout>>,
-    /// Its first line: the versions that it runs with.
+    /// The first line of the script: the versions of Python's packages.
     pub versions: String,
 }
 
 impl Python {
-    /// `None` where there is no python3, or one without the packages.
+    /// Starts a script of this folder; `None` if python3 or one of its packages is missing.
     pub fn start(script: &str) -> Option<Self> {
         let script = Path::new(env!("CARGO_MANIFEST_DIR"))
             .join("benches")
             .join(script);
-        // One thread, whichever BLAS there is.
+        // One thread, for each kind of BLAS.
         let threads = [
             "OPENBLAS_NUM_THREADS",
             "OMP_NUM_THREADS",
@@ -49,18 +49,18 @@ impl Python {
         })
     }
 
-    /// Asks a question and waits for the answer.
+    /// Sends a question and waits for the answer.
     pub fn ask<A: DeserializeOwned>(&mut self, question: &Value) -> A {
         writeln!(self.questions, "{question}").expect("the script reads");
         let answer = self
             .answers
             .next()
             .expect("the script answers")
-            .expect("text");
-        serde_json::from_str(&answer).expect("an answer")
+            .expect("the answer is text");
+        serde_json::from_str(&answer).expect("the answer is JSON of its kind")
     }
 
-    /// It ends with its input.
+    /// Stops the script, which ends with its input.
     pub fn stop(mut self) {
         drop(self.questions);
         self.process.wait().expect("the script ends");

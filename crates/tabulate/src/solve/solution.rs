@@ -34,7 +34,7 @@ pub struct Solution {
 ///
 /// The accepted parameters are [`A_OVER_T`](crate::solve::A_OVER_T),
 /// [`E1_OVER_E2`](crate::solve::E1_OVER_E2), [`E0_OVER_E2`](crate::solve::E0_OVER_E2) and
-/// [`TOLERANCE`](crate::solve::TOLERANCE).
+/// [`TOLERANCE`].
 ///
 /// # Errors
 /// [`Error::Domain`] for a parameter outside the domain; [`Error::NotConverged`] where double

@@ -103,6 +103,7 @@ pub fn measure(
         saved_solves: whole.solves.cast_signed() - cost.solves.cast_signed(),
         saved_seconds: match without {
             None => Some(0.0),
+            Some(_) if cost.bytes == 0 => Some(whole.times.fastest()),
             Some(_) => whole.times.longer_than(&cost.times),
         },
         saved_bytes: whole.bytes.cast_signed() - cost.bytes.cast_signed(),

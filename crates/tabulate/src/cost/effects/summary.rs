@@ -33,7 +33,7 @@ impl Row {
         let [_, saved, _] = self.saved();
         let difference = whole - self.seconds;
         match self.saved_seconds {
-            None => format!("{saved} ({} is noise)", human(difference.abs())),
+            None => format!("{saved} ({} is within the noise)", human(difference.abs())),
             Some(seconds) if seconds < 0.0 => {
                 format!("{saved} ({} more without it)", human(-seconds))
             }
