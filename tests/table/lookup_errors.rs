@@ -102,7 +102,9 @@ fn a_point_outside_the_box_is_an_error_with_axis_value_and_range() {
                                 "a_over_t",
                                 &format!("{value:?}"),
                                 &format!("{end:?}"),
-                                "accurate to",
+                                "estimated error",
+                                &format!("tolerance {tolerance:.1e}"),
+                                "make a table",
                             ],
                         );
                     }
