@@ -1,5 +1,5 @@
-//! What a contact says besides its equilibria: energy release rates from measurements, apparent JKR
-//! parameters, validity; and of any f64.
+//! A contact besides its equilibria: energy release rates from measurements, apparent JKR
+//! parameters, validity, and hostile arguments.
 
 use std::f64::consts::PI;
 
@@ -278,8 +278,8 @@ fn numbers_of_points_are_bounded() {
     }
 }
 
-/// A very thin film between rigid bodies is the foundation that the compressibility is derived
-/// from.
+/// A very thin film between rigid bodies is the elastic foundation from which the compressibility
+/// is derived.
 #[test]
 fn the_compressibility_is_the_ratio_of_a_thin_films_two_stiffnesses() {
     for nu1 in [0.5, 0.3, 0.0] {

@@ -14,7 +14,7 @@ const CONTROLS: [Control; 3] = [
     Control::Spring { stiffness: 3.0 },
 ];
 
-/// What a control imposes in a state.
+/// Returns the imposed value of a control in a state: load, penetration, or position of the spring.
 fn imposed(control: Control, state: &State) -> f64 {
     match control {
         Control::Load => state.load,
@@ -23,8 +23,8 @@ fn imposed(control: Control, state: &State) -> f64 {
     }
 }
 
-/// Random coated contacts of the embedded table, pulled off well inside of it, with a work of
-/// adhesion.
+/// Draws `count` random coated contacts of the embedded table, each with a work of adhesion whose
+/// pull-off is well inside the table.
 fn coated(seed: u64, count: usize) -> impl Iterator<Item = (Contact, f64)> {
     let mut contacts = Contacts::new(seed);
     let contact = move || {
@@ -49,8 +49,8 @@ fn coated(seed: u64, count: usize) -> impl Iterator<Item = (Contact, f64)> {
     std::iter::repeat_with(contact).take(count)
 }
 
-/// Random stiff films on soft substrates under a rigid sphere, which may come off the film or the
-/// substrate.
+/// Draws `count` random stiff films on soft substrates under a rigid sphere. Film or substrate may
+/// govern the pull-off.
 fn stiff_films(seed: u64, count: usize) -> impl Iterator<Item = (Contact, f64)> {
     let mut contacts = Contacts::new(seed);
     let contact = move || {
@@ -75,16 +75,16 @@ fn stiff_films(seed: u64, count: usize) -> impl Iterator<Item = (Contact, f64)> 
     std::iter::repeat_with(contact).take(count)
 }
 
-/// The work of adhesion with which a half-space of the film would be pulled off at a radius, under
-/// load control.
+/// Returns the work of adhesion at which a half-space of film would be pulled off at `radius`,
+/// under load control.
 fn with_pull_off_near(contact: &Contact, radius: f64) -> f64 {
     let mechanics = contact.mechanics();
     8.0 * mechanics.sphere_film_modulus() * radius.powi(3)
         / (9.0 * PI * mechanics.sphere_radius().powi(2))
 }
 
-/// The pull-off force of a rigid sphere on a film on a rigid base; two scripts apart from this
-/// workspace agree on the digits.
+/// The pull-off force of a rigid sphere from a film on a rigid base. Two independent scripts agree
+/// on the digits.
 #[test]
 fn pull_off_of_a_rigid_sphere_from_a_film_on_a_rigid_base() {
     /// Half of the last digit. Measured: 4.5e-5.
@@ -119,7 +119,7 @@ fn pull_off_of_a_rigid_sphere_from_a_film_on_a_rigid_base() {
     }
 }
 
-/// Film = substrate through the table.
+/// Compares a film of the substrate's material, looked up in the table, with the half-space.
 #[test]
 fn a_film_of_the_substrates_material_is_jkr_within_the_tables_error() {
     let table = Table::embedded();
@@ -180,7 +180,7 @@ fn a_film_of_the_substrates_material_is_jkr_within_the_tables_error() {
     assert!(radii <= 30.0 * certified);
 }
 
-/// Counted by brute force on a grid seven times as fine.
+/// Counts the equilibria by brute force on a grid that is seven times as fine.
 #[test]
 fn no_equilibrium_is_missed() {
     let mut contacts = Contacts::new(92);
@@ -259,8 +259,8 @@ fn no_equilibrium_is_missed() {
     assert!(most >= 4);
 }
 
-/// Follows the curve step by step: what is imposed grows, and then falls; it is the same before and
-/// after a jump; no state is unstable or no equilibrium.
+/// Follows the curve step by step: the imposed value grows, then falls; it is equal before and
+/// after a jump; every state is a stable equilibrium.
 #[test]
 fn force_displacement_curves_hold_together() {
     let mut jumps = [0; 2];
@@ -336,7 +336,7 @@ fn force_displacement_curves_hold_together() {
     assert!(jumps[1] > 0);
 }
 
-/// Quantities of no film, `F0 ~ x^3 (1/(1 + x^6) + c)`, which rises to a maximum, falls to a
+/// Invented quantities with `F0 ~ x^3 (1/(1 + x^6) + c)`, which rises to a maximum, falls to a
 /// minimum and rises again.
 #[test]
 fn a_load_that_falls_between_two_rises_is_jumped_over_both_ways() {
@@ -413,7 +413,7 @@ fn a_load_that_falls_between_two_rises_is_jumped_over_both_ways() {
     );
 }
 
-/// Below the nodes of the table, against direct solves.
+/// Compares contacts below the nodes of the table with direct solves.
 #[test]
 fn on_thick_films_states_are_those_of_direct_solves() {
     let (w, mut worst, mut worst_radius) = (0.04, 0.0, 0.0);

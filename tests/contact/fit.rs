@@ -1,5 +1,4 @@
-//! The example `fit_jkr`: data that direct solves made, with noise, give back what they were made
-//! from.
+//! The example `fit_jkr` finds the parameters from which direct solves made noisy data.
 
 use std::f64::consts::PI;
 use std::fs;
@@ -17,7 +16,7 @@ mod fit;
 /// Work of adhesion of the paper's Table 1, J/m^2.
 const W: f64 = 0.04;
 
-/// What is always fitted.
+/// The parameters that are always fitted.
 const ALWAYS: [Parameter; 2] = [Parameter::SphereModulus, Parameter::WorkOfAdhesion];
 
 /// An imagined experiment.
@@ -33,7 +32,7 @@ struct Experiment {
 }
 
 impl Experiment {
-    /// The paper's system, from pull-off to twice the radius at zero load.
+    /// Measures the paper's system from pull-off to twice the radius at zero load.
     fn paper(film_thickness: f64, against: Against, noise: f64) -> Self {
         let truth = State {
             system: paper_system(film_thickness),
@@ -49,7 +48,7 @@ impl Experiment {
         }
     }
 
-    /// Radius or penetration, and load, without noise: by direct solves.
+    /// Returns pairs of radius or penetration, and load, without noise, by direct solves.
     fn exact(&self) -> Vec<(f64, f64)> {
         let State {
             system,
@@ -98,8 +97,8 @@ impl Experiment {
         self.with_noise(&self.exact(), seed)
     }
 
-    /// The fit of the two parameters that are always fitted and of others, which start from the
-    /// truth times `start`.
+    /// Fits the two parameters that are always fitted, and `others`, which start from the truth
+    /// times `start`.
     fn fit(&self, data: &Data, others: &[Parameter], start: f64, noise: Option<f64>) -> Fit {
         let free = [&ALWAYS, others].concat();
         let film = self.truth.system.film;
@@ -122,7 +121,7 @@ impl Experiment {
         fit(Table::embedded(), data, &system, &free, noise).expect("a sound experiment")
     }
 
-    /// How many standard errors an estimate is from the truth.
+    /// Returns the distance of an estimate from the truth in standard errors.
     fn deviation(&self, estimate: &Estimate) -> f64 {
         let truth = self.truth.get(estimate.parameter);
         match estimate.parameter {
@@ -132,11 +131,10 @@ impl Experiment {
         }
     }
 
-    /// Fits 200 data sets, of seeds from `200 seed` on, and asserts that the intervals of 68 % and
-    /// 95 % hold as many of the truths as they should.
+    /// Fits 200 data sets with the seeds from `200 seed` on. Asserts that the intervals of 68 % and
+    /// 95 % contain the truth in 68 % and 95 % of them.
     fn assert_coverage(&self, name: &str, others: &[Parameter], noise: Option<f64>, seed: u64) {
-        /// Of 200, what a binomial distribution with 0.6827 and 0.95 stays between in 99.7 % of
-        /// cases.
+        /// The ranges that contain 99.7 % of binomial distributions of 200 with 0.6827 and 0.95.
         const BETWEEN: [[usize; 2]; 2] = [[117, 156], [181, 198]];
         let exact = self.exact();
         let fits: Vec<Fit> = (200 * seed..200 * (seed + 1))
@@ -298,8 +296,8 @@ fn a_fit_that_would_leave_the_table_is_warned_of() {
     assert_names(&found.warnings.join("; "), &["the table ends"]);
 }
 
-/// Tardivat's and Leger's lens on films of 1 to 30 um, with the moduli, the radius and the adhesion
-/// of the paper's tables: its figure 4.
+/// Figure 4 of the paper: the lens of Tardivat and Leger on films of 1 to 30 um, with the moduli,
+/// the radius and the adhesion of the paper's tables.
 #[test]
 fn films_below_10_um_change_what_jkr_finds_by_less_than_3_percent() {
     for thickness in [1e-6, 3e-6, 10e-6, 30e-6] {
@@ -339,7 +337,7 @@ fn films_below_10_um_change_what_jkr_finds_by_less_than_3_percent() {
     }
 }
 
-/// The data that come with the example, and the experiment that they imitate.
+/// Returns the path of the example's data, and the experiment that they imitate.
 fn example() -> (PathBuf, Experiment) {
     let path = PathBuf::from(env!("CARGO_MANIFEST_DIR"))
         .join("../crates/interp/examples/fit_jkr/synthetic-10um.csv");

@@ -1,5 +1,5 @@
-//! Derivatives of the quantities, of load and penetration: against differences of direct solves,
-//! and of the interpolant itself.
+//! Derivatives of the quantities, of load and penetration, against differences of direct solves and
+//! of the interpolant.
 
 use acceptance::{Contacts, larger, material, paper_system, shipped};
 use interp::Parameter;
@@ -8,11 +8,11 @@ use interp::{
 };
 use tabulate::solve;
 
-/// What a derivative may be off, in parts of the table's tolerance: of the logarithm of a quantity,
-/// with respect to the logarithm of `a/t` or of a modulus, and with respect to a Poisson ratio,
-/// that of the film in units of the range that it changes on, `(1 - 2 nu1) + 1/(1 + (a/t)^2)`, and
-/// that of the substrate in units of the range on which it has an equivalent, `1/(1 + E1/E0)`; in
-/// the order `a/t`, `E1`, `nu1`, `E0`, `nu0`.
+/// The largest error of a derivative of the logarithm of a quantity, in tolerances of the table, in
+/// the order `a/t`, `E1`, `nu1`, `E0`, `nu0`. The derivatives are with respect to the logarithm of
+/// `a/t` or of a modulus, or to a Poisson ratio. The unit of `nu1` is the range on which the
+/// quantities change, `(1 - 2 nu1) + 1/(1 + (a/t)^2)`; that of `nu0` is the range on which it has
+/// an equivalent, `1/(1 + E1/E0)`.
 const SHARES: [f64; 5] = [20.0, 20.0, 100.0, 20.0, 100.0];
 
 /// Returns the derivatives of `N` functions at 0, from four values or, on one side only, seven.
@@ -42,8 +42,8 @@ fn direct(x: f64, parameters: [f64; 4]) -> Quantities {
         .quantities
 }
 
-/// Points of the box, with ordinary, nearly incompressible and incompressible films, away from the
-/// ends of the moduli's axes; and some of thicker films.
+/// Draws points of the box, with ordinary, nearly incompressible and incompressible films, away
+/// from the ends of the axes of the moduli, and some points of thicker films.
 fn points() -> Vec<(f64, [f64; 4])> {
     let mut contacts = Contacts::new(301);
     let mut points = Vec::new();
@@ -79,9 +79,9 @@ fn points() -> Vec<(f64, [f64; 4])> {
     points
 }
 
-/// Incompressible films, or nearly, at the soft end of the table and next to it: its errors are
-/// largest there, and derivatives with respect to `nu1` divide them by the cube of the distance
-/// between nodes.
+/// Draws points with incompressible or nearly incompressible films at the soft end of the table and
+/// next to it. The errors of the table are largest there, and derivatives with respect to `nu1`
+/// divide them by the cube of the distance between nodes.
 fn softest() -> Vec<(f64, [f64; 4])> {
     let mut contacts = Contacts::new(302);
     let point = |i: u32| {
@@ -103,7 +103,7 @@ fn softest() -> Vec<(f64, [f64; 4])> {
     (0..200).map(point).collect()
 }
 
-/// Faces of the box, where a modulus is at its end, or two are.
+/// Draws points on the faces of the box, where one or two moduli are at the ends of their axes.
 fn faces() -> Vec<(f64, [f64; 4])> {
     let mut contacts = Contacts::new(303);
     let point = |i: usize| {
@@ -163,7 +163,7 @@ fn derivatives_of_the_quantities_are_those_of_direct_solves() {
     );
 }
 
-/// In tolerances, in the order of [`SHARES`].
+/// Returns the largest errors at `points`, in tolerances, in the order of [`SHARES`].
 fn worst_misses(points: &[(f64, [f64; 4])]) -> [f64; 5] {
     let table = Table::embedded();
     let tolerance = table.description().tolerance;
@@ -173,7 +173,7 @@ fn worst_misses(points: &[(f64, [f64; 4])]) -> [f64; 5] {
         let curve = table.curve_with_gradient(&own).expect("inside");
         let gradient = curve.gradient(x).expect("inside");
         let [e1, nu1, e0, nu0] = parameters;
-        // The Poisson ratio of a film changes the contact by as little as this.
+        // The quantities change on this range of the film's Poisson ratio.
         let scale = (1.0 - 2.0 * nu1) + 1.0 / (1.0 + x * x);
         let log = |x: f64, parameters: [f64; 4]| direct(x, parameters).to_array().map(f64::ln);
         let step = 0.005 * scale.min(0.5);
@@ -207,8 +207,8 @@ fn worst_misses(points: &[(f64, [f64; 4])]) -> [f64; 5] {
     worst
 }
 
-/// The derivatives are those of what is looked up: of splines in the logarithms of moduli and
-/// `c(nu1)`.
+/// Compares the derivatives with differences of lookups, which are splines in the logarithms of the
+/// moduli and in `c(nu1)`.
 #[test]
 fn derivatives_of_the_quantities_are_those_of_the_interpolant() {
     let table = Table::embedded();
@@ -268,7 +268,7 @@ fn derivatives_of_the_quantities_are_those_of_the_interpolant() {
     assert!(worst <= 1e-7);
 }
 
-/// A system with one of its inputs, in SI units, replaced.
+/// Returns a system with one of its inputs replaced by `value` (SI units).
 fn with(system: System, input: Input, value: f64) -> System {
     let System {
         film, substrate, ..
@@ -307,7 +307,7 @@ fn with(system: System, input: Input, value: f64) -> System {
     }
 }
 
-/// Load and penetration by a direct solve.
+/// Returns load and penetration by a direct solve.
 fn solved(system: System, a: f64, w: f64) -> [f64; 2] {
     let quantities = solve(
         a / system.film_thickness,
@@ -322,8 +322,8 @@ fn solved(system: System, a: f64, w: f64) -> [f64; 2] {
     [load, penetration]
 }
 
-/// The derivatives with respect to all inputs, each from a table that has its axes, and a rigid
-/// sphere's.
+/// Compares the derivatives with respect to all inputs, for two systems in the embedded table and
+/// one under a rigid sphere.
 #[test]
 fn derivatives_of_load_and_penetration_are_those_of_direct_solves() {
     let elastic = |young, poisson| Elastic::new(young, poisson).expect("physical");
@@ -504,7 +504,7 @@ fn what_is_not_known_is_an_error_that_names_it() {
     ));
 }
 
-/// JKR's load and penetration in closed form.
+/// Returns load and penetration of JKR in closed form.
 #[test]
 fn derivatives_on_a_half_space_are_those_of_jkr() {
     let jkr = |[a, w, r, sphere, young, nu]: [f64; 6]| {

@@ -1,11 +1,11 @@
-//! A half-space without a film is JKR, in closed form.
+//! The half-space without a film against JKR in closed form.
 
 use std::f64::consts::PI;
 
 use acceptance::{Contacts, larger};
 use interp::{Contact, Control, Elastic, HalfSpace, State};
 
-/// Relative, everywhere.
+/// Largest relative error of everything.
 const EXACT: f64 = 1e-12;
 
 /// JKR with radius `R`, compound modulus `E*` and work of adhesion `w`.
@@ -17,7 +17,7 @@ struct Jkr {
 }
 
 impl Jkr {
-    /// Load and penetration, each as its adhesionless and its flat-punch term.
+    /// Returns load and penetration, each as its adhesionless and its flat-punch term.
     fn terms(&self, a: f64) -> [[f64; 2]; 2] {
         let Self { r, e, w } = *self;
         [
@@ -29,8 +29,8 @@ impl Jkr {
         ]
     }
 
-    /// Radii of the stable and the unstable contact at a load, from `F = A y^2 - B y` with
-    /// `y = a^{3/2}`.
+    /// Returns the radii of the stable and the unstable contact at `load`, from `F = A y^2 - B y`
+    /// with `y = a^{3/2}`.
     fn radii(&self, load: f64) -> [f64; 2] {
         let Self { r, e, w } = *self;
         let (a, b) = (4.0 * e / (3.0 * r), (8.0 * PI * w * e).sqrt());
@@ -38,13 +38,13 @@ impl Jkr {
         [sum / (2.0 * a), -2.0 * load / sum].map(|y| y.powf(2.0 / 3.0))
     }
 
-    /// The radius of least penetration.
+    /// Returns the radius of least penetration.
     fn least_penetration(&self) -> f64 {
         (PI * self.w * self.r * self.r / (8.0 * self.e)).cbrt()
     }
 }
 
-/// Random half-spaces under random spheres, some of them or their solids rigid.
+/// Draws 300 random spheres on random half-spaces. Some spheres or half-spaces are rigid.
 fn systems(seed: u64) -> impl Iterator<Item = (Contact, Jkr)> {
     let mut contacts = Contacts::new(seed);
     (0..300).map(move |i| {
@@ -119,7 +119,7 @@ fn load_penetration_stiffness_and_stress_intensity_are_those_of_jkr() {
     assert!(worst <= EXACT);
 }
 
-/// The traction of JKR just inside the edge,
+/// The traction of JKR just inside the edge is
 /// `2 E* a/(pi R) (1 - r^2/a^2)^{1/2} - (2 w E*/(pi a))^{1/2} (1 - r^2/a^2)^{-1/2}` (Johnson,
 /// Kendall and Roberts 1971).
 #[test]
@@ -132,7 +132,7 @@ fn the_stress_intensity_is_that_of_the_traction_at_the_edge() {
         let traction =
             (2.0 * jkr.w * jkr.e / (PI * a)).sqrt() / root - 2.0 * jkr.e * a / (PI * jkr.r) * root;
         let k = contact.stress_intensity(a, jkr.w).expect("any radius");
-        // What is left out is of the order of the distance over a.
+        // The neglected terms are of the order of the distance over a.
         assert!(relative(traction * (2.0 * PI * distance).sqrt(), k) <= 1e-5);
     }
 }

@@ -1,11 +1,11 @@
-//! Beyond a table's nodes in a/t: the expansions about the limits are as accurate as they say, or
-//! refused.
+//! Beyond the nodes of a table in `a/t`: the expansions about the limits are as accurate as they
+//! state, or are refused.
 
 use acceptance::{Contacts, larger, material, relative_error, table};
 use interp::{Error, Quantity, Table};
 use tabulate::solve;
 
-/// From the ends of the table to the ends of the domain.
+/// Draws points from the ends of the table to the ends of the domain.
 #[test]
 fn an_expansion_is_as_accurate_as_its_estimate_and_within_the_tolerance_or_refused() {
     let embedded = Table::embedded();
@@ -51,7 +51,7 @@ fn an_expansion_is_as_accurate_as_its_estimate_and_within_the_tolerance_or_refus
     }
 }
 
-/// The slopes are the derivatives, and the values meet those at the edge.
+/// The slopes are the derivatives of the values, and the values are continuous at the edge.
 #[test]
 fn an_expansion_continues_the_curve() {
     let curve = Table::embedded()

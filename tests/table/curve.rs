@@ -9,7 +9,7 @@ use tabulate::solve::{CURVE_TOLERANCE as TOLERANCE, curve};
 const RANGE: [f64; 2] = [1e-3, 1e3];
 const PAPER: [f64; 4] = [1.75, 0.5, 1e5, 0.25];
 
-/// Ordinary coatings, stiff films, soft incompressible films on rigid and all but rigid substrates,
+/// Ordinary coatings, stiff films, soft incompressible films on rigid and nearly rigid substrates,
 /// rigid spheres.
 const MATERIALS: [[f64; 4]; 12] = [
     PAPER,
@@ -75,7 +75,7 @@ fn a_curve_keeps_its_tolerance_between_its_ends() {
     assert!(refused <= 2);
 }
 
-/// Also over a range too short for more than the least number of keys, and over the whole domain.
+/// Also on ranges so short that a curve has the least number of keys, and on the whole domain.
 #[test]
 fn the_ends_and_other_ranges_are_met() {
     let (mut contacts, mut at_ends, mut between) = (Contacts::new(83), 0.0, 0.0);
@@ -99,7 +99,7 @@ fn the_ends_and_other_ranges_are_met() {
                     .quantities;
                 relative_error(&curve.quantities(x).expect("in range"), &solved)
             };
-            // There, the curve is the solve that it was made from.
+            // At the ends, the curve interpolates the solve that it was made from.
             at_ends = range
                 .map(|x| error(x, 0.2 * tolerance))
                 .into_iter()
@@ -224,7 +224,7 @@ fn the_curve_of_a_table_is_the_same_within_the_tables_error() {
     assert!(worst <= table.description().tolerance);
 }
 
-/// Each of the two terms of eq. 9 has the relative error of the curve.
+/// The two terms of eq. 9 each have the relative error of the curve.
 #[test]
 fn force_curves_need_no_table() {
     let rigid_sphere = System {

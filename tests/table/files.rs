@@ -1,5 +1,5 @@
-//! The two files of a table: nothing is lost between them, and nothing that is no table is taken
-//! for one.
+//! The HDF5 file and the packed file of a table: each keeps every number, and a damaged or foreign
+//! file is an error.
 
 use std::fs::{self, OpenOptions};
 use std::io::{Seek, SeekFrom, Write};
@@ -46,7 +46,7 @@ fn assert_same(found: &Table, expected: &Table) {
     assert_eq!(all_bits(found), all_bits(expected));
 }
 
-/// The bits of axes and values as the C library reads them.
+/// Returns the bits of axes and values, as the C library reads them.
 fn bits_by_c_library(path: &Path) -> Vec<Option<Vec<u64>>> {
     let file = hdf5::File::open(path).expect("a sound file");
     let names = Parameter::ALL
@@ -63,7 +63,7 @@ fn bits_by_c_library(path: &Path) -> Vec<Option<Vec<u64>>> {
         .collect()
 }
 
-/// A copy of the table's file after some change.
+/// Copies the table's file to the file `name`, changes it by `alter` and returns its path.
 fn altered(
     workdir: &Workdir,
     name: &str,

@@ -1,4 +1,4 @@
-//! A table's HDF5 file as a collaborator reads it: with h5py, by `read_table.py`.
+//! The HDF5 file of a table, as h5py reads it by `read_table.py`.
 
 use std::env;
 use std::path::Path;
@@ -10,7 +10,7 @@ use interp::Table;
 use serde_json::{Value, json};
 use tabulate::table::archive;
 
-/// Four axes; more values than a chunk holds.
+/// A scene of four axes, with more values than a chunk holds.
 const BOX: &str = "
     title      = 'Four axes: µm'
     tolerance  = 1e-1
@@ -20,7 +20,7 @@ const BOX: &str = "
     e0_over_e2 = { from = 10, to = 100, nodes = 40 }
     nu0        = 0.2
 ";
-/// A rigid sphere on a film on a rigid substrate, and two quantities.
+/// A scene of one axis and two quantities: a rigid sphere, a film, a rigid substrate.
 const RIGID: &str = "
     title      = 'Rigid sphere and substrate'
     tolerance  = 1e-3
@@ -31,7 +31,7 @@ const RIGID: &str = "
     e0_over_e2 = inf
 ";
 
-/// What h5py reads in a file.
+/// Returns the contents of a file as h5py reads them.
 fn read(path: &Path) -> Value {
     let packages = env::var_os("H5PY_PATH")
         .expect("H5PY_PATH is not set: run the tests with `cargo xtask test`, which fetches h5py");
@@ -63,7 +63,7 @@ fn double(value: f64) -> Value {
     json!(["float64", format!("{:016x}", value.to_bits())])
 }
 
-/// Asserts that h5py reads all of the table in the file, and nothing else.
+/// Asserts that h5py reads from the file the whole table and nothing else.
 fn assert_reads(table: &Table, normalised_by: &str) {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let path = folder.path().join("table.h5");

@@ -1,12 +1,12 @@
-//! What a lookup adds to the error of a low-rank table: what it leaves out, and the pieces of its
-//! curves.
+//! The errors that a lookup adds to those of a low-rank table: dropped terms, and the polynomial
+//! pieces of its curves.
 
 use acceptance::{BOX, Contacts, RIGID_SPHERE, axes, ends, larger, low_rank, material, table};
 use interp::Parameter;
 use interp::{Description, Quantity, Table};
 
-/// What a lookup leaves out of the low-rank form adds up most at the soft end of the embedded
-/// table, and derivatives with respect to `nu1` see it most near 0.5.
+/// The dropped terms of the low-rank form are largest at the soft end of the embedded table.
+/// Derivatives with respect to `nu1` magnify them most near 0.5.
 #[test]
 fn what_a_lookup_leaves_out_hardly_shows_at_the_ends_of_the_table_either() {
     let embedded = Table::embedded();
@@ -59,8 +59,7 @@ fn what_a_lookup_leaves_out_hardly_shows_at_the_ends_of_the_table_either() {
     );
 }
 
-/// The pieces of a curve are as many as curves of some materials need, and have to follow those of
-/// all others, too.
+/// The number of pieces of a curve is chosen from some materials, and must suffice for all others.
 #[test]
 fn the_pieces_of_a_curve_add_about_a_tenth_of_the_tolerance_at_most_to_any_material() {
     for table in [
@@ -68,7 +67,7 @@ fn the_pieces_of_a_curve_add_about_a_tenth_of_the_tolerance_at_most_to_any_mater
         &low_rank(&table(BOX), 1e-7),
         &low_rank(&table(RIGID_SPHERE), 1e-6),
     ] {
-        // Of the same splines, as pieces that are as short as there are.
+        // The splines of this table, with the shortest pieces.
         let finest = Description {
             tolerance: 1e-10,
             ..table.description().clone()

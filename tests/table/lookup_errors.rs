@@ -1,4 +1,4 @@
-//! Whatever cannot be answered is an error that says what was asked and what is allowed.
+//! Errors of lookups: each names the value and the allowed range.
 
 use std::sync::LazyLock;
 
@@ -6,7 +6,7 @@ use acceptance::{assert_names, ends, material, paper_system, table, workdir};
 use interp::Parameter;
 use interp::{Elastic, Error, Material, Mechanics, Quantities, System, Table};
 
-/// A box whose ends are no limits of physics.
+/// A scene whose ranges end inside those of physics.
 const BOX: &str = "
     title      = 'Four axes'
     tolerance  = 1e-2
@@ -33,14 +33,15 @@ fn look_up(table: &Table, [x, e1, nu1, e0]: [f64; 4]) -> Result<Quantities, Erro
         .quantities(x)
 }
 
-/// A point that is inside but for one parameter.
+/// Returns a point inside the box with one parameter replaced.
 fn with(parameter: Parameter, value: f64) -> [f64; 4] {
     let mut point = INSIDE;
     point[parameter as usize] = value;
     point
 }
 
-/// Asserts that an error is `Unphysical`, of the given parameter, and that its message says so.
+/// Asserts that an error is `Unphysical` and names the parameter `expected`, the value `given` and
+/// the allowed range.
 fn assert_unphysical<T: std::fmt::Debug>(result: Result<T, Error>, expected: &str, given: f64) {
     match result {
         Err(
@@ -101,7 +102,9 @@ fn a_point_outside_the_box_is_an_error_with_axis_value_and_range() {
                                 "a_over_t",
                                 &format!("{value:?}"),
                                 &format!("{end:?}"),
-                                "accurate to",
+                                "estimated error",
+                                &format!("tolerance {tolerance:.1e}"),
+                                "make a table",
                             ],
                         );
                     }

@@ -1,4 +1,4 @@
-//! Low-rank tables: what is left of a table, in how few bytes, and whether it keeps what it says.
+//! Low-rank tables: their size, their errors and their files.
 
 use std::sync::LazyLock;
 
@@ -28,7 +28,7 @@ const ONE_AXIS: &str = "
     nu1        = 0.5
     e0_over_e2 = 1e5
 ";
-/// Without `a/t`.
+/// A scene with a single `a/t`.
 const ONE_RADIUS: &str = "
     title      = 'One contact radius'
     tolerance  = 1e-4
@@ -51,7 +51,7 @@ static PACKED: LazyLock<Vec<u8>> = LazyLock::new(|| {
         .expect("a small table")
 });
 
-/// The largest relative difference of the values of two tables at their nodes.
+/// Returns the largest relative difference between the values of two tables at their nodes.
 fn apart(found: &Table, expected: &Table) -> f64 {
     assert_eq!(
         (found.quantities(), axes(found)),
@@ -120,11 +120,11 @@ fn derivatives_are_those_of_the_dense_table_with_axes_of_one_node_too() {
 #[test]
 fn at_the_nodes_a_low_rank_table_has_the_error_it_was_given_and_between_them_the_splines_through_its_values()
  {
-    /// How much of its error a form uses at least, if its ranks are not all 1: one index less may
-    /// be too few. Measured: 0.18.
+    /// The least ratio of the error of a form to the allowed one, if its ranks are not all 1: with
+    /// a rank less it may be too large. Measured: 0.18.
     const USED: f64 = 0.15;
-    /// The largest difference of the curves of both forms, in parts of the tolerance: what a lookup
-    /// leaves out and rounds. Measured: 0.0010.
+    /// The largest difference between the curves of both forms, in tolerances: a lookup drops and
+    /// rounds small terms. Measured: 0.0010.
     const SAME_SPLINE: f64 = 0.005;
     for scene in [BOX, RIGID_SPHERE, TWO_AXES, ONE_AXIS, ONE_RADIUS] {
         let dense = table(scene);
@@ -178,8 +178,8 @@ fn at_the_nodes_a_low_rank_table_has_the_error_it_was_given_and_between_them_the
     }
 }
 
-/// Unless they are kept, derivatives with respect to `nu1` at 0.5 have errors of values over the
-/// cube of a distance.
+/// Unless they are kept on purpose, derivatives with respect to `nu1` at 0.5 have the errors of the
+/// values over the cube of a distance.
 #[test]
 fn derivatives_of_incompressible_films_are_kept_where_that_is_asked_for() {
     let farthest = |allowed: Option<f64>| {
@@ -359,7 +359,7 @@ fn packing_keeps_the_tolerance_at_fresh_points_and_says_so() {
     assert_names(&workdir.succeed(&["check", "table.bin"]), &["10000 points"]);
 }
 
-/// The axes that a table does not have cost nothing and are in no one's way.
+/// An axis of one node has small ranks, and its table is packed and checked like any other.
 #[test]
 fn tables_of_fewer_axes_are_packed_to_a_tolerance_and_checked_too() {
     let workdir = workdir!();
@@ -514,7 +514,7 @@ fn a_forged_form_is_an_error_or_a_table_that_can_be_looked_up() {
     );
 }
 
-/// Each list of the content, said to be longer than any file, in a process that may not have the
+/// Forges the length of each list, beyond any file, and reads the file in a process with little
 /// memory.
 #[cfg(unix)]
 #[test]

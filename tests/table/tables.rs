@@ -1,4 +1,4 @@
-//! Tables: what a scene becomes, and what is looked up in it.
+//! Tables of scenes: their nodes, stored values, certificates and lookups.
 
 use std::sync::LazyLock;
 use std::thread;
@@ -11,19 +11,18 @@ use tabulate::solve;
 use tabulate::table::certify;
 use tabulate::table::solve_tolerance;
 
-/// Largest relative difference of a curve at a node from the value stored there, in parts of the
-/// table's tolerance: what the pieces of a curve may add.
+/// Largest relative difference between a curve at a node and the value stored there, in tolerances
+/// of the table: the pieces of a curve may add it.
 const AT_NODES: f64 = 0.1;
 /// Largest relative error of stored values where solves to 1e-6 were asked for. Measured: 2.0e-8.
 const STORED: f64 = 5e-7;
-/// By how much the largest error of some hundred fresh points may exceed that of a certificate's
-/// points. Measured: 1.5.
+/// Largest ratio of the error at some hundred fresh points to that of the certificate. Measured:
+/// 1.5.
 const BEYOND_CERTIFICATE: f64 = 3.0;
-/// The median errors of two independent samples of the same table agree within this factor.
-/// Measured: 1.2.
+/// Largest ratio of the median errors of two independent samples of a table. Measured: 1.2.
 const MEDIANS: f64 = 2.0;
 
-/// Four axes.
+/// A scene of four axes.
 const BOX: &str = "
     title      = 'Four axes'
     tolerance  = 1e-4
@@ -32,7 +31,7 @@ const BOX: &str = "
     nu1        = { from = 0.3, to = 0.5 }
     e0_over_e2 = { from = 10, to = 100 }
 ";
-/// The effect of the substrate's modulus is settled.
+/// A scene of two axes: the substrate is rigid and the film incompressible.
 const RIGID_SUBSTRATE: &str = "
     title      = 'Rigid substrate'
     tolerance  = 1e-5
@@ -41,8 +40,8 @@ const RIGID_SUBSTRATE: &str = "
     nu1        = 0.5
     e0_over_e2 = inf
 ";
-/// The sphere's modulus is settled, and normalises no more. The box ends where the quantities grow
-/// steeply with `a/t`, whose nodes are stated.
+/// A scene under a rigid sphere, normalised by `E1*`. The quantities grow steeply with `a/t` at the
+/// end of the box, and its nodes are stated.
 const RIGID_SPHERE: &str = "
     title      = 'Rigid sphere'
     tolerance  = 1e-5
@@ -51,7 +50,7 @@ const RIGID_SPHERE: &str = "
     nu1        = { from = 0.3, to = 0.5 }
     e0_over_e2 = { from = 1, to = 100 }
 ";
-/// Everything is settled but `a/t`, and only two quantities are wanted.
+/// A scene of one axis, `a/t`, and two quantities.
 const TWO_QUANTITIES: &str = "
     title      = 'Two quantities'
     tolerance  = 1e-6
@@ -61,7 +60,7 @@ const TWO_QUANTITIES: &str = "
     nu1        = 0.5
     e0_over_e2 = 1e5
 ";
-/// Homogeneous systems are inside: film and substrate can be equal.
+/// A scene that contains homogeneous systems: film and substrate can be equal.
 const AROUND_EQUALITY: &str = "
     title      = 'Film like substrate'
     tolerance  = 1e-5
@@ -80,7 +79,8 @@ const TIGHT: &str = "
     nu1        = 0.5
     e0_over_e2 = 1e5
 ";
-/// Films that are thick for most of the range: the median error is a thousandth of the largest.
+/// A scene whose films are thick on most of the range: the median error is a thousandth of the
+/// largest.
 const COARSE_AT_ONE_END: &str = "
     title      = 'Coarse at one end'
     tolerance  = 1e-1
@@ -91,8 +91,8 @@ const COARSE_AT_ONE_END: &str = "
 ";
 static FOUR_AXES: LazyLock<Table> = LazyLock::new(|| table(BOX));
 
-/// Compares a table with direct solves at fresh random points: within its tolerance, and like its
-/// certificate.
+/// Compares a table with direct solves at fresh random points. Its errors must be within the
+/// tolerance and agree with the certificate.
 fn assert_certified(table: &Table, seed: u64, points: usize) {
     let mut contacts = Contacts::new(seed);
     let mut errors: Vec<f64> = (0..points)
@@ -175,8 +175,8 @@ fn stored_values_are_solves_to_a_hundredth_of_the_tolerance() {
     assert!(worst <= STORED);
 }
 
-/// At the tightest tolerance the values are the solves' to rounding, though they were solved with
-/// panels shared by all materials.
+/// At the tightest tolerance the stored values are the solves to rounding, although all materials
+/// share the panels of the quadrature.
 #[test]
 fn values_at_the_nodes_are_the_solves_to_rounding() {
     let table = table(TIGHT);
@@ -330,7 +330,7 @@ fn neither_the_table_nor_its_file_depends_on_the_number_of_threads_or_the_time()
     }
 }
 
-/// Values that are off by less than the tolerance are not what was certified.
+/// Also errors below the tolerance are found if they contradict the certificate.
 #[test]
 fn check_notices_a_table_that_is_not_as_accurate_as_it_says() {
     let mut sound = table(COARSE_AT_ONE_END);

@@ -1,5 +1,5 @@
-//! The stated error of every answer against quadruple-precision values of 656 contacts all over the
-//! domain, at every decade of tolerance. `data/contacts.csv` states where they come from.
+//! The stated errors of the solve against quadruple-precision values of 656 contacts from the whole
+//! domain, at every decade of tolerance. `data/contacts.csv` states their origin.
 
 use std::sync::LazyLock;
 
@@ -9,38 +9,38 @@ use tabulate::solve::{Method, solve};
 
 /// The decades of tolerance: `10^-3` to `10^-12`.
 const DECADES: std::ops::RangeInclusive<i32> = 3..=12;
-/// The smallest difference from the reference that means anything: both are rounded, and the inputs
-/// were rounded on the way.
+/// The smallest significant difference from a reference: both are rounded, and so are the inputs.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
-/// The least share of random answers whose stated error is no smaller than the true one. Measured:
-/// 4965 of 4966.
+/// The least share of random contacts whose true error is at most the stated one. Measured: 4965 of
+/// 4966.
 const HONEST: f64 = 0.999;
-/// The most that any true error may be above the stated one. Measured: 1.19.
+/// The largest ratio of a true error to the stated one. Measured: 1.19.
 const FAR_ABOVE: f64 = 10.0;
-/// How far a stated error may be above the true one, for [`MOSTLY`] of the answers.
+/// The largest ratio of a stated error to the true one, for a share [`MOSTLY`] of the answers.
 const CAUTIOUS: f64 = 1e3;
-/// Measured: 0.936 at 1e-3, 0.95 to 1 at all others.
+/// The least share of answers within [`CAUTIOUS`]. Measured: 0.936 at 1e-3, 0.95 to 1 at all other
+/// tolerances.
 const MOSTLY: f64 = 0.9;
 
-/// What the solve said of one contact of the file at one tolerance.
+/// The outcome of the solve of one contact at one tolerance.
 struct Outcome {
     decade: i32,
     random: bool,
     contact: String,
-    /// The answer, or the error that was reached.
+    /// The answer, or the smallest error that was reached.
     answer: Result<Answer, f64>,
 }
 
-/// An answer, judged.
+/// The method of an answer, its stated error and its true error.
 struct Answer {
     method: Method,
     stated: f64,
-    /// Not below [`ROUNDING`].
+    /// The true error, raised to [`ROUNDING`].
     error: f64,
 }
 
-/// Every contact of the file at every decade. Panics on an answer that misses the tolerance, and on
-/// any error but the one allowed.
+/// The outcomes of all contacts at all decades. Panics if a stated error exceeds the tolerance, and
+/// on any error but `NotConverged`.
 static OUTCOMES: LazyLock<Vec<Outcome>> = LazyLock::new(|| {
     let data = Data::read("contacts");
     let mut outcomes = Vec::new();
@@ -107,7 +107,7 @@ fn stated_errors_bound_the_true_ones() {
         worst = larger(worst, share);
     }
     println!(
-        "{bounded} of {random} random answers are as accurate as they say; of all, the worst error is {worst:.2} of the stated one"
+        "{bounded} of {random} random contacts have a true error up to the stated one; the largest true error of all contacts is {worst:.2} of the stated one"
     );
     assert!(bounded as f64 >= HONEST * f64::from(random));
     assert!(worst <= FAR_ABOVE);
@@ -129,15 +129,14 @@ fn stated_errors_are_mostly_within_three_decades_of_the_true_ones() {
     }
 }
 
-/// None is refused down to 1e-9. Those that are refused are films so soft or so tightly held that
-/// the compliance left at long waves is next to nothing.
+/// Below 1e-9, soft or confined films are refused, whose compliance at long waves is close to 0.
 #[test]
 fn no_tolerance_down_to_1e_9_is_refused() {
-    /// The most refusals of random and of corner contacts, from 1e-10 on. Measured: 0 and 3, 4 and
-    /// 28, 30 and 49.
+    /// The largest numbers of refused random and corner contacts, at 1e-10, 1e-11 and 1e-12.
+    /// Measured: 0 and 3, 4 and 28, 30 and 49.
     const MOST: [[usize; 2]; 3] = [[0, 4], [6, 32], [36, 55]];
-    /// What is reached where 1e-12 is refused. Measured: 3.9e-10, an incompressible film between
-    /// rigid bodies.
+    /// The largest error that is reached where 1e-12 is refused. Measured: 3.9e-10, for an
+    /// incompressible film between rigid bodies.
     const REACHED: f64 = 1e-9;
     for decade in DECADES {
         let refused = OUTCOMES
@@ -162,11 +161,11 @@ fn no_tolerance_down_to_1e_9_is_refused() {
     }
 }
 
-/// Measured: 50, 4134, 2098 and 164 answers, of which all but one are as accurate as they say; that
-/// one is 1.0e-12 instead of 8.6e-13.
+/// Measured: 50, 4134, 2098 and 164 answers. The stated error bounds the true one in all but one,
+/// where they are 8.6e-13 and 1.0e-12.
 #[test]
 fn every_method_states_honest_errors() {
-    /// Of one method's answers, which may be few.
+    /// The least share of bounded errors among the answers of one method, which may be few.
     const HONEST: f64 = 0.99;
     println!("| method            | answers | worst true/stated | median stated/true |");
     println!("|-------------------|---------|-------------------|--------------------|");

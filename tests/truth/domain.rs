@@ -1,4 +1,5 @@
-//! Refusals that carry the numbers, and the hard corners of the domain.
+//! The domain of the solve: errors that name value and range, and the corners where double
+//! precision is strained.
 
 use acceptance::{larger, material, relative_error};
 use interp::Material;
@@ -8,7 +9,7 @@ use tabulate::solve::{A_OVER_T, E0_OVER_E2, E1_OVER_E2, Solution, TOLERANCE, sol
 /// The smallest positive double.
 const DENORMAL: f64 = 5e-324;
 
-/// A material's four parameters with one of them replaced.
+/// Returns the four parameters of a material, with the one called `name` replaced.
 fn parameters(name: &str, value: f64) -> [f64; 4] {
     let mut parameters = [1.75, 0.4, 1e5, 0.25];
     parameters[["e1_over_e2", "nu1", "e0_over_e2", "nu0"]
@@ -82,7 +83,7 @@ fn the_ends_of_the_physical_ranges_are_accepted() {
     }
 }
 
-/// The solve's answer with one of its parameters replaced.
+/// Solves a contact with the parameter called `name` replaced.
 fn solve_with(name: &str, value: f64) -> Result<Solution, Error> {
     let (a_over_t, tolerance) = (0.5, 1e-6);
     match name {

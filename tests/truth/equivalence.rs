@@ -9,14 +9,15 @@ use tabulate::solve;
 /// Largest relative difference of equivalent materials' quantities. Measured: 6.2e-15; 2.0e-15
 /// under a rigid sphere.
 const EQUAL: f64 = 5e-14;
-/// The solves' tolerance: equivalent materials share the errors of truncation and quadrature.
+/// The tolerance of the solves. Equivalent materials share the errors of truncation and quadrature.
 const TOLERANCE: f64 = 1e-10;
-/// Largest change of `nu1`, and relative change of the moduli, by a round trip. Measured: 6.7e-16.
+/// Largest change of `nu1`, and largest relative change of a modulus, by a round trip. Measured:
+/// 6.7e-16.
 const ROUND_TRIP: f64 = 1e-14;
 /// Largest error of the derivative that Gao gives. Measured: 1.3e-12.
 const GAO: f64 = 2e-11;
 
-/// Random materials with another Poisson ratio for the substrate, as many as have an equivalent.
+/// Draws `count` random materials and their equivalents on a substrate of another Poisson ratio.
 fn equivalents(seed: u64, count: usize) -> impl Iterator<Item = (Contacts, Material, Material)> {
     let mut contacts = Contacts::new(seed);
     std::iter::repeat_with(move || {
@@ -166,9 +167,9 @@ fn an_unreachable_equivalent_is_an_error_that_names_nu1() {
     }
 }
 
-/// `phi` of Gao, Chiu and Lee (1992) at `y = t/a`: a rigid punch on a coating that differs little
-/// from its substrate has `S/(2 a E1*) = 1 + (1 - phi(t/a)) (E0/E1 - 1)` to first order, at equal
-/// Poisson ratios.
+/// Returns `phi(y)` of Gao, Chiu and Lee (1992) at `y = t/a`. To first order in the mismatch and at
+/// equal Poisson ratios, a rigid punch on a coated substrate has
+/// `S/(2 a E1*) = 1 + (1 - phi(t/a)) (E0/E1 - 1)`.
 fn gao(y: f64, nu: f64) -> f64 {
     let logarithm = (1.0 - 2.0 * nu) * y * (1.0 / (y * y)).ln_1p();
     2.0 / PI * y.atan() + (logarithm - y / (1.0 + y * y)) / (2.0 * PI * (1.0 - nu))

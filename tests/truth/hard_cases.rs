@@ -1,6 +1,6 @@
-//! The catalogue of hard contacts: what makes them hard, what is asked and what is reached. And no
-//! contact at all of the domain, however far in its corners, that brings the solve to a panic, a
-//! NaN or an answer that it did not vouch for.
+//! A catalogue of hard contacts, each with the tolerance that is reached; and random contacts from
+//! the corners of the domain, at which the solve neither panics nor returns NaN nor understates an
+//! error.
 
 use acceptance::{Contacts, Data, larger, material, relative_error};
 use interp::{Material, Quantities};
@@ -9,15 +9,15 @@ use tabulate::solve::Compliance;
 use tabulate::solve::{A_OVER_T, E0_OVER_E2, E1_OVER_E2, Solution, solve};
 
 const INF: f64 = f64::INFINITY;
-/// As close to incompressible as the case asks.
+/// A Poisson ratio just below 0.5.
 const NEARLY: f64 = 0.499_999_999_999;
-/// As close to `nu = -1` as a double is.
+/// The Poisson ratio next to -1.
 const AUXETIC: f64 = (-1.0_f64).next_up();
-/// Two moduli this far apart are as good as equal.
+/// The ratio of two moduli that are equal but for rounding.
 const APART: f64 = 1.0 + 1e-15;
 
-/// Name, `[e1_over_e2, nu1, e0_over_e2, nu0]`, `a/t` and the tolerance asked: 1e-12, or the
-/// tightest decade that is answered.
+/// Name, `[e1_over_e2, nu1, e0_over_e2, nu0]`, `a/t` and tolerance: 1e-12, or the tightest decade
+/// that is reached.
 type Row = (&'static str, [f64; 4], f64, f64);
 
 const CASES: [Row; 46] = [
@@ -89,13 +89,13 @@ const CASES: [Row; 46] = [
         1e-12,
     ),
     (
-        "the same, as good as incompressible",
+        "soft film, as good as incompressible, rigid base",
         [1e-8, NEARLY, INF, 0.0],
         100.0,
         1e-10,
     ),
     (
-        "the same on a base as hard as the sphere",
+        "soft film on a base as hard as the sphere",
         [1e-8, 0.5, 1.0, 0.5],
         40.0,
         1e-10,
@@ -289,11 +289,11 @@ const CASES: [Row; 46] = [
     ),
 ];
 
-/// The condition of the contact's operator: `max S/min S` of the symbol `S(q) = 1/E2* + X(q)/E1*`,
-/// `X/E1*` under a rigid sphere, over the wave numbers that a contact of radius `a` tells apart,
-/// from `q = k t = 0.1 t/a` on.
+/// Returns the condition number of the contact's operator: `max S/min S` of the symbol
+/// `S(q) = 1/E2* + X(q)/E1*` (`X/E1*` under a rigid sphere), over the wave numbers that a contact
+/// of radius `a` resolves, from `q = k t = 0.1 t/a` on.
 fn condition(x: f64, material: &Material) -> f64 {
-    /// Here `X` is 1.
+    /// The wave number beyond which `X` is 1.
     const FLAT: f64 = 40.0;
     const STEPS: u32 = 4000;
     let compliance = Compliance::new(material);
@@ -310,10 +310,10 @@ fn condition(x: f64, material: &Material) -> f64 {
     largest / smallest
 }
 
-/// The quantities as `data/contacts.csv` or `data/hard_cases.csv` has them.
+/// Returns the quantities of a contact from `data/contacts.csv` or `data/hard_cases.csv`.
 ///
 /// # Panics
-/// If neither has.
+/// If neither file holds the contact.
 fn truth(x: f64, material: &Material, files: &[Data]) -> Quantities {
     let mut cases = files.iter().flat_map(Data::cases);
     let case = cases.find(|case| case.get("a_over_t") == x && case.material() == *material);
@@ -322,7 +322,7 @@ fn truth(x: f64, material: &Material, files: &[Data]) -> Quantities {
     case.quantities()
 }
 
-/// A number in at most seven characters, as a person would write it.
+/// Formats a number in at most seven characters.
 fn short(number: f64) -> String {
     match number {
         AUXETIC => "-1+ulp".into(),
@@ -388,8 +388,8 @@ fn the_catalogue_is_answered_within_the_tolerances_asked() {
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
-/// A contact of anywhere and a tolerance: half of the numbers are the ends of their ranges or
-/// values with a meaning of their own.
+/// Draws a contact and a tolerance from the whole domain. Half of the numbers are ends of their
+/// ranges or special values.
 fn anywhere(contacts: &mut Contacts) -> (f64, Material, f64) {
     fn one_of(
         contacts: &mut Contacts,
@@ -442,11 +442,11 @@ fn anywhere(contacts: &mut Contacts) -> (f64, Material, f64) {
 #[test]
 fn no_contact_of_the_domain_is_answered_wrongly_or_not_at_all() {
     const COUNT: usize = 3000;
-    /// Tolerances that are refused nowhere but for [`CONTRAST`]. Measured: 3.7e-10 is reached where
-    /// 1e-10 is refused.
+    /// Tolerances from this on are refused only beyond [`CONTRAST`]. Measured: 3.7e-10 is reached
+    /// where 1e-10 is refused.
     const ANSWERED: f64 = 1e-9;
-    /// The contrast `E1*/E0*` beyond which there may be few digits left. The ranges of the moduli
-    /// come to 1e14; a film one ulp from `nu1 = -1` adds sixteen decades. Measured there: 8.5e-3 is
+    /// The contrast `E1*/E0*` beyond which few digits may be left. The ranges of the moduli allow
+    /// 1e14; a film one ulp from `nu1 = -1` adds sixteen decades. Measured beyond it: 8.5e-3 is
     /// reached, under a rigid sphere at `a/t = 1`.
     const CONTRAST: f64 = 1e15;
     let mut contacts = Contacts::new(40);
@@ -497,8 +497,8 @@ fn no_contact_of_the_domain_is_answered_wrongly_or_not_at_all() {
     assert!(worst <= 1.0);
 }
 
-/// What [`Material`] allows goes further than the solve, down to denormals: those are named, and
-/// the largest contrasts are answered.
+/// [`Material`] accepts moduli, down to denormals, that the solve refuses by name. The largest
+/// contrasts of the domain are solved.
 #[test]
 fn denormals_are_refused_by_name_and_the_largest_contrasts_answered() {
     const TOO_SMALL: [f64; 3] = [5e-324, 1e-300, 1e-9];

@@ -7,7 +7,7 @@ use tabulate::solve;
 /// Measured: 8.8e-3 at `a/t = 2`.
 const PRINTED: f64 = 1e-2;
 
-/// `S/(2 a E1*)` of a rigid sphere on a layer on a rigid base.
+/// Returns `S/(2 a E1*)` of a rigid sphere on a layer on a rigid base.
 fn kappa(a_over_t: f64, nu1: f64) -> f64 {
     let layer = material([0.0, nu1, f64::INFINITY, 0.25]);
     solve(a_over_t, &layer, 1e-10)
@@ -23,8 +23,8 @@ fn the_stiffness_agrees_with_the_printed_table() {
         let (x, nu1, printed) = (case.get("a_over_t"), case.get("nu1"), case.get("kappa"));
         let kappa = kappa(x, nu1);
         worst = larger(worst, (printed / kappa - 1.0).abs());
-        // To the last of three printed decimals: rounded at 0.2, within one unit of it (it looks
-        // cut off) at 0.4.
+        // To the last of three printed decimals: rounded at 0.2, within one unit (apparently
+        // truncated) at 0.4.
         let unit = if x <= 0.2 { 0.5e-3 } else { 1e-3 };
         assert!(
             x > 0.4 || (printed - kappa).abs() <= unit,
@@ -47,7 +47,7 @@ fn the_incompressible_layer_agrees_with_an_independent_solve() {
     }
 }
 
-/// The same layer, between bodies that are a million times stiffer, in the reference file.
+/// The reference file holds the layer between bodies that are at least a million times stiffer.
 /// Measured: 3.9e-13.
 #[test]
 fn the_nearly_rigid_sphere_agrees_with_the_reference_file() {

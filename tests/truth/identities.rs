@@ -6,9 +6,9 @@
 //! 3 Pi0 + x Pi0' = 4 Eeq (2 Delta0 + x Delta0')    dF0/da = S d(delta0)/da
 //! ```
 //!
-//! The derivatives are those of the Chebyshev interpolant in `ln x`, spectrally exact: the
-//! quantities are analytic functions of it in a strip whose half-width, about 0.9, is set by the
-//! poles of `X`.
+//! The derivatives are those of the Chebyshev interpolant in `ln x`. It converges spectrally: the
+//! quantities are analytic functions of `ln x` in a strip of half-width about 0.9, which the poles
+//! of `X` set.
 
 use std::f64::consts::PI;
 
@@ -16,20 +16,20 @@ use acceptance::{Contacts, larger};
 use interp::Material;
 use tabulate::solve;
 
-/// The solves' tolerance.
+/// Tolerance of the solves.
 const TOLERANCE: f64 = 1e-12;
-/// The interpolant's nodes.
+/// Nodes of the interpolant.
 const NODES: usize = 24;
-/// The interval of `ln x` on either side of the contact that they cover.
+/// Half of the interval of `ln x` that the nodes cover.
 const HALF_WIDTH: f64 = 0.5;
-/// Random contacts.
+/// Number of random contacts.
 const CONTACTS: usize = 150;
 /// Largest relative residual of the first identity. Measured: 1.2e-13.
 const ENERGY: f64 = 2e-12;
 /// Largest relative residual of the second identity. Measured: 9.8e-14.
 const LOAD: f64 = 1e-12;
 
-/// The quantities at `x` and their derivatives in `ln x`.
+/// Returns the quantities at `x` and their derivatives with respect to `ln x`.
 fn with_derivatives(x: f64, material: &Material) -> ([f64; 4], [f64; 4]) {
     let values = |x: f64| {
         solve(x, material, TOLERANCE)

@@ -1,6 +1,6 @@
 //! The limits of the quantities: thick and thin films, film = substrate, rigid bodies,
-//! incompressible films. Wherever the approach to a limit is known, the test is on the approach: a
-//! wrong constant or a wrong power fails.
+//! incompressible films. Where the approach to a limit is known, it is tested too, so that a wrong
+//! constant or power fails.
 
 use std::f64::consts::PI;
 
@@ -28,7 +28,7 @@ fn quantities(x: f64, material: &Material, tolerance: f64) -> Quantities {
         .quantities
 }
 
-/// Simpson's rule with `2 n` intervals.
+/// Integrates `f` by Simpson's rule with `2 n` intervals.
 fn simpson(f: impl Fn(f64) -> f64, from: f64, to: f64, n: u32) -> f64 {
     let step = (to - from) / f64::from(2 * n);
     let at = |i: u32| f(from + f64::from(i) * step);
@@ -38,9 +38,9 @@ fn simpson(f: impl Fn(f64) -> f64, from: f64, to: f64, n: u32) -> f64 {
     (at(0) + inner + at(2 * n)) * step / 3.0
 }
 
-/// The quantities of a thick film with errors of order `x^3`: the kernel is then the constant
-/// `k(0)`, for which eq. 3 is solved by `Eeq = Gamma = es/(1 + beta)`, `Delta0 = 1 + 2 beta/3`,
-/// `Pi0 = 8 es/3` with `beta = 2 k(0) x es/e1`.
+/// Returns the quantities of a thick film with errors of order `x^3`. The kernel is then the
+/// constant `k(0)`, for which eq. 3 has the solution `Eeq = Gamma = es/(1 + beta)`,
+/// `Delta0 = 1 + 2 beta/3`, `Pi0 = 8 es/3` with `beta = 2 k(0) x es/e1`.
 fn thick_film(x: f64, material: &Material) -> Quantities {
     let compliance = Compliance::new(material);
     let kernel_at_zero = simpson(|q| compliance.sample(q).excess, 0.0, 20.0, 4000) / PI;
@@ -81,8 +81,8 @@ fn thick_films_approach_the_half_space_of_film_like_the_constant_kernel() {
     assert!(power <= 0.03);
 }
 
-/// The quantities of a thin film to first order in `1/x`, with errors of order `(ln x / x)^2`, and
-/// `A` and `C`.
+/// Returns the quantities of a thin film to first order in `1/x`, with errors of order
+/// `(ln x / x)^2`, and the constants `A` and `C`.
 ///
 /// With `S(q) = 1 + X(q)/e1` (`X` alone under a rigid sphere) and `A = einf X'(0)/(pi e1)`,
 /// `C = 1/pi int_0^inf [ln(einf S) - pi A q 1_{q<1}]/q^2 dq`, `c0 = ln 2 + 0.5772`.
@@ -148,8 +148,8 @@ fn thin_films_approach_the_bare_substrate_like_the_first_order_expansion() {
     assert!(second_order <= 0.06);
 }
 
-/// Up to the end of the domain, what the first-order expansion misses is of second order:
-/// `(ln x/x)^2` times a number that settles.
+/// Up to the end of the domain, the error of the first-order expansion is of second order:
+/// `(ln x/x)^2` times a number that converges.
 #[test]
 fn thin_films_approach_the_bare_substrate_to_second_order_up_to_the_end_of_the_domain() {
     let (_, a, c) = thin_film(1e6, &material(PAPER));
@@ -220,19 +220,19 @@ fn nearly_equal_film_and_substrate_differ_by_their_difference() {
     assert!(nonlinearity <= 1e-3);
 }
 
-/// How an approach to a limit was found to go.
+/// The measured approach to a limit.
 #[derive(Default)]
 struct Approach {
     /// The largest distance from the limit at the last point.
     end: f64,
     /// The largest distance from the limit a chosen step before it.
     start: f64,
-    /// By how much the distance a tenth of that step before the limit is not a tenth.
+    /// The largest relative deviation from a distance that is proportional to the step.
     nonlinearity: f64,
 }
 
 impl Approach {
-    /// Adds the approach of `quantities(s)` to `quantities(0)` from `s = start` to `s = end`.
+    /// Measures the approach of `quantities(s)` to `limit` from `s = start` to `s = end`.
     fn add(
         &mut self,
         start: f64,

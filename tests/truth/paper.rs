@@ -1,4 +1,4 @@
-//! The paper's claims, JKR as its homogeneous case, and units.
+//! The results printed in the paper, JKR as its homogeneous case, and changes of units.
 
 use std::f64::consts::PI;
 use std::sync::LazyLock;
@@ -19,7 +19,7 @@ fn contact(film_thickness: f64) -> Contact {
         .expect("the table is the paper's")
 }
 
-/// The root of an increasing function, to rounding.
+/// Returns the root of an increasing function, to rounding.
 fn root(mut low: f64, mut high: f64, f: impl Fn(f64) -> f64) -> f64 {
     assert!(
         f(low) < 0.0 && f(high) > 0.0,
@@ -38,7 +38,7 @@ fn root(mut low: f64, mut high: f64, f: impl Fn(f64) -> f64) -> f64 {
     0.5 * (low + high)
 }
 
-/// Where a function with one minimum between `low` and `high` has it, by golden section.
+/// Returns the place of the only minimum of `f` between `low` and `high`, by golden section.
 fn minimum(mut low: f64, mut high: f64, f: impl Fn(f64) -> f64) -> f64 {
     let golden = (5.0_f64.sqrt() - 1.0) / 2.0;
     for _ in 0..80 {
@@ -52,8 +52,8 @@ fn minimum(mut low: f64, mut high: f64, f: impl Fn(f64) -> f64) -> f64 {
     0.5 * (low + high)
 }
 
-/// The loads at pull-off under load and under displacement control: where the load, and where the
-/// penetration, is least.
+/// Returns the loads at pull-off under load control, where the load is least, and under
+/// displacement control, where the penetration is.
 fn pull_off(unit: f64, load_and_penetration: impl Fn(f64) -> (f64, f64)) -> [f64; 2] {
     let (from, to) = (0.02 * unit, 2.0 * unit);
     // On a coarse grid first: the golden section needs a single minimum.
@@ -72,7 +72,7 @@ fn pull_off(unit: f64, load_and_penetration: impl Fn(f64) -> (f64, f64)) -> [f64
     .map(|a| load_and_penetration(a).0)
 }
 
-/// A value as the paper's digits give it.
+/// Asserts that `value`, rounded to `digits` decimals, is the printed one.
 fn assert_rounds_to(value: f64, printed: f64, digits: i32) {
     let unit = 10.0_f64.powi(-digits);
     assert!(
@@ -144,13 +144,13 @@ fn a_line_through_the_jkr_plot_gives_the_papers_modulus_and_work_of_adhesion() {
 
 #[test]
 fn the_pull_off_loads_of_the_papers_system() {
-    /// From two scripts apart from this workspace: half of the last digit, and 3e-7, because
+    /// Two independent scripts printed the values. Half of the last digit, and 3e-7 more, because
     /// -1.50374973 is printed as -1.5038.
     const PRINTED: f64 = 0.5e-4 + 3e-7;
-    /// Under displacement control they took the radius of least penetration from a grid, and the
-    /// load is not stationary there. Measured: 8.1e-5.
+    /// Under displacement control the scripts took the radius of least penetration from a grid, and
+    /// the load is not stationary there. Measured: 8.1e-5.
     const GRID: f64 = 1e-4;
-    /// Difference of the table from direct solves, whose least penetration is found by golden
+    /// Difference between the table and direct solves, whose least penetration is found by golden
     /// section. Measured: 1.9e-8.
     const DIRECT: f64 = 2e-7;
     let expected = [
@@ -194,7 +194,7 @@ fn the_pull_off_loads_of_the_papers_system() {
     }
 }
 
-/// Load and penetration of a system whose film is its substrate.
+/// Returns load and penetration of a system whose film and substrate are one material.
 fn homogeneous(system: &System, a: f64, w: f64) -> (f64, f64) {
     let mechanics = Mechanics::new(system).expect("physical");
     let edge = mechanics.edge_singularity(a, w).expect("physical");
@@ -202,7 +202,8 @@ fn homogeneous(system: &System, a: f64, w: f64) -> (f64, f64) {
     mechanics.load_and_penetration(a, edge, &Quantities::homogeneous(es))
 }
 
-/// Random homogeneous systems with their compound modulus (Pa) and a work of adhesion (J/m^2).
+/// Draws 200 random homogeneous systems, each with its compound modulus (Pa) and a work of adhesion
+/// (J/m^2).
 fn homogeneous_systems(seed: u64) -> impl Iterator<Item = (System, f64, f64)> {
     let mut contacts = Contacts::new(seed);
     std::iter::repeat_with(move || {
@@ -227,8 +228,8 @@ fn a_homogeneous_system_is_jkr() {
     const EXACT: f64 = 2e-14;
     /// Radii and loads found by bisection and golden section. Measured: 8.9e-16.
     const FOUND: f64 = 2e-14;
-    /// The least penetration is known to the root of rounding only, and the load is not stationary
-    /// there. Measured: 4.1e-8.
+    /// The radius of least penetration is known to the square root of rounding only, and the load
+    /// is not stationary there. Measured: 4.1e-8.
     const FOUND_ROUGHLY: f64 = 1e-6;
     let (mut exact, mut found, mut roughly) = (0.0, 0.0, 0.0);
     for (system, e, w) in homogeneous_systems(60) {
@@ -311,8 +312,8 @@ fn the_load_is_eq_9_in_its_reduced_form() {
     assert!(worst <= EXACT);
 }
 
-/// A system, a contact radius and a work of adhesion in units of `length` metres and `force`
-/// newtons.
+/// Converts a system, a contact radius and a work of adhesion to units of `length` metres and
+/// `force` newtons.
 fn in_units(system: &System, a: f64, w: f64, [length, force]: [f64; 2]) -> (System, f64, f64) {
     let (pressure, tension) = (force / (length * length), force / length);
     let solid =
@@ -327,7 +328,8 @@ fn in_units(system: &System, a: f64, w: f64, [length, force]: [f64; 2]) -> (Syst
     (system, a / length, w / tension)
 }
 
-/// Load, penetration, stiffness, and abscissa and ordinate of the JKR plot, back in SI units.
+/// Returns load, penetration, stiffness, and abscissa and ordinate of the JKR plot, converted back
+/// to SI units.
 fn answers(
     table: &Table,
     (system, a, w): (System, f64, f64),
@@ -348,7 +350,7 @@ fn answers(
 
 #[test]
 fn a_change_of_units_changes_nothing() {
-    /// Relative, of answers that are differences of larger terms. Measured: 5.7e-14.
+    /// Relative, of differences of larger terms. Measured: 5.7e-14.
     const ROUNDING: f64 = 1e-12;
     let mut contacts = Contacts::new(62);
     let mut worst = 0.0;

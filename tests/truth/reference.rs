@@ -1,4 +1,4 @@
-//! The solve against double-double values, whose origin `data/barthel_reference.csv` states.
+//! The solve against double-double values. `data/barthel_reference.csv` states their origin.
 
 use acceptance::{Case, Contacts, Data, larger, relative_error};
 use tabulate::solve;
@@ -6,10 +6,10 @@ use tabulate::solve;
 /// Largest relative error at tolerance 1e-10. Measured: 1.5e-12 where `e1_over_e2 >= 1e-2`, 2.6e-12
 /// for softer films.
 const AT_1E_10: f64 = 2e-11;
-/// The same at `a/t = 1e4`. Measured: 2.6e-15.
+/// Largest relative error at `a/t = 1e4`. Measured: 2.6e-15.
 const THINNEST: f64 = 1e-13;
 
-/// The true and the stated error of one case.
+/// Returns the true and the stated error of one case.
 fn errors(case: &Case<'_>, tolerance: f64) -> [f64; 2] {
     let solution = solve(case.get("a_over_t"), &case.material(), tolerance)
         .expect("the references are within reach");
@@ -31,8 +31,8 @@ fn errors(case: &Case<'_>, tolerance: f64) -> [f64; 2] {
     [error, solution.error]
 }
 
-/// The largest true error over the chosen cases. The stated error bounds each of them (measured:
-/// from 1e-4 to 1e-10 the true error is at most 0.17 of it).
+/// Returns the largest true error of the chosen cases, after asserting that the stated error bounds
+/// each of them. Measured: the true error is at most 0.17 of the stated one, from 1e-4 to 1e-10.
 fn largest_error(tolerance: f64, choose: impl Fn(&Case<'_>) -> bool) -> f64 {
     let data = Data::read("barthel_reference");
     let (mut largest, mut share, mut count) = (0.0, 0.0, 0);
@@ -78,8 +78,8 @@ fn quantities_agree_at_the_largest_a_over_t() {
     assert!(largest_error(1e-10, |case| case.get("a_over_t") > 1000.0) <= THINNEST);
 }
 
-/// Two answers to different tolerances differ by no more than both say. Measured: 0.15 of it at
-/// most.
+/// Two solves to different tolerances differ by at most the sum of their stated errors. Measured:
+/// 0.15 of it at most.
 #[test]
 fn answers_at_random_points_are_as_close_to_the_tightest_as_they_say() {
     let (mut contacts, mut share, mut count) = (Contacts::new(7), 0.0, 0);

@@ -1,5 +1,5 @@
-//! Every regime of the solve on both sides of its switch: the values do not jump where the method
-//! changes, and do not bend there.
+//! The solve on both sides of each change of its method: the quantities neither jump nor bend
+//! there.
 
 use std::sync::LazyLock;
 
@@ -7,8 +7,8 @@ use acceptance::{larger, material, relative_error};
 use interp::Material;
 use tabulate::solve::{Method, Solution, solve};
 
-/// Material and tolerances. Between them, their switches are between all methods and for all
-/// reasons: cost, reach and rounding.
+/// Materials, each with two tolerances. They switch between all methods and for all reasons: cost,
+/// reach and rounding.
 const MATERIALS: [(&str, [f64; 4], [f64; 2]); 13] = [
     ("the paper's", [1.75, 0.5, 1e5, 0.25], [1e-6, 1e-10]),
     (
@@ -128,7 +128,7 @@ struct Trend {
     value: f64,
     /// The slope there, per unit of `ln(a/t)`.
     slope: f64,
-    /// How uncertain the slope is, by what the values scatter.
+    /// The uncertainty of the slope, from the scatter of the values.
     scatter: f64,
 }
 
@@ -183,8 +183,7 @@ impl Trend {
     }
 }
 
-/// What a scan across a switch found, each relative to what the answers at the switch say of their
-/// errors.
+/// The results of a scan across a switch, each relative to the stated errors at the switch.
 #[derive(Clone, Copy, Default)]
 struct Found {
     jump: f64,
@@ -238,8 +237,8 @@ fn scan([left, right]: [f64; 2], material: &Material, tolerance: f64, groups: us
     found
 }
 
-/// Jumps and bends at the switches, and second differences of all neighbours beside them, against
-/// what the answers say of their errors.
+/// Compares jumps and bends at the switches, and second differences of neighbours beside them, with
+/// the stated errors.
 #[test]
 fn nothing_jumps_or_bends_where_the_method_changes() {
     println!("| material | tolerance | a/t | switch | points | jump | bend | second differences |");
@@ -281,7 +280,7 @@ fn nothing_jumps_or_bends_where_the_method_changes() {
         second_difference,
     } = worst;
     println!(
-        "{} switches: jump {jump:.2}, bend {bend:.2}, second difference {second_difference:.2} of what the answers say",
+        "{} switches: jump {jump:.2}, bend {bend:.2}, second difference {second_difference:.2} of the stated errors",
         pairs.len()
     );
     for pair in [
@@ -299,9 +298,9 @@ fn nothing_jumps_or_bends_where_the_method_changes() {
     assert!(bend <= 2.0);
 }
 
-/// Either side of a switch against the tightest answer there is, often that of the method on the
-/// other side. Measured: 68 answers, 35 against another method, at most 0.15 of the stated errors
-/// apart.
+/// Compares either side of a switch with the solve to the tightest tolerance that is reached, often
+/// by the method of the other side. Measured: 68 comparisons, 35 of them with another method, at
+/// most 0.15 of the stated errors apart.
 #[test]
 fn both_sides_of_a_switch_keep_the_tolerance() {
     let (mut worst, mut count, mut others) = (0.0, 0, 0);
@@ -329,7 +328,7 @@ fn both_sides_of_a_switch_keep_the_tolerance() {
     assert!(others >= 5);
 }
 
-/// The closed form on one side, whichever method it is on the other. Measured: 1.7e-14.
+/// Compares the closed form with the methods that solve nearly equal materials. Measured: 1.7e-14.
 #[test]
 fn nearly_equal_materials_agree_with_the_closed_form_at_every_a_over_t() {
     const AGREE: f64 = 1e-13;

@@ -1,4 +1,4 @@
-//! A line that moves at a finite speed.
+//! Contact lines that move at a finite speed.
 
 use std::f64::consts::PI;
 
@@ -8,7 +8,8 @@ use interp::{Contact, Control, CrackTip, Error, Hysteresis, RateDependent, State
 use crate::crack_tip::jkr::{Jkr, R, W, half_space};
 use crate::crack_tip::{film, impose, integral, rate_dependent, steps};
 
-/// The moments of a ramp, and then of one back, until the contact parts or the ramp ends.
+/// Returns the timed states of a ramp, and of a second one back, until the contact parts or the
+/// ramp ends.
 fn loop_of<L: CrackTip>(
     contact: &Contact,
     law: L,
@@ -54,8 +55,8 @@ fn speed_and_energy_are_each_others_inverse() {
     }
 }
 
-/// At speeds far below `v0` the line is JKR's but for `(v/v0)^n`, and the contact parts where JKR's
-/// does.
+/// At speeds far below `v0` the line is that of JKR but for `(v/v0)^n`, and the contact parts where
+/// JKR's contact does.
 #[test]
 fn a_line_much_faster_than_its_ramp_is_jkr() {
     let contact = half_space();
@@ -79,7 +80,7 @@ fn a_line_much_faster_than_its_ramp_is_jkr() {
             .filter(|moment| moment.time > 0.0 && moment.state.penetration > 0.9 * apart)
         {
             let a = moment.state.contact_radius;
-            // Of the closed form at the energy release rate that the line's own speed takes.
+            // The excess energy release rate in closed form, at the speed of the line.
             let rate = 1e-5 - 2.0 * apart;
             let slope = 2.0 * a / R - (0.5 * PI * W / (a * jkr.e)).sqrt();
             let excess = (rate / slope / v0).powf(n);
@@ -99,10 +100,10 @@ fn a_line_much_faster_than_its_ramp_is_jkr() {
     }
 }
 
-/// `dU = F d(delta) + G dA`, with the elastic energy of the closed form.
+/// Checks `dU = F d(delta) + G dA`, with the elastic energy in closed form.
 #[test]
 fn a_ramp_keeps_the_energy() {
-    /// Of trapezia between moments that are 1 % apart. Measured: 1.8e-4.
+    /// The error of the trapezium rule with states that are 1 % apart. Measured: 1.8e-4.
     const CLOSE: f64 = 4e-4;
     let contact = half_space();
     let jkr = Jkr::of(&contact);
@@ -145,8 +146,8 @@ fn a_ramp_keeps_the_energy() {
     assert!(worst <= CLOSE, "{worst:e}");
 }
 
-/// The contact radius at the end of a ramp of the penetration, by the classical Runge-Kutta method
-/// with fixed steps and JKR in closed form.
+/// Returns the contact radius at the end of a ramp of the penetration, by the classical Runge-Kutta
+/// method with fixed steps and JKR in closed form.
 fn fixed_steps(jkr: &Jkr, law: &RateDependent, a: f64, penetrations: [f64; 2], time: f64) -> f64 {
     const COUNT: usize = 100_000;
     let [from, to] = penetrations;
@@ -162,8 +163,8 @@ fn fixed_steps(jkr: &Jkr, law: &RateDependent, a: f64, penetrations: [f64; 2], t
     })
 }
 
-/// Against fixed steps, whole and in parts. Where nothing jumps, the shortest steps that are taken
-/// anyhow are more accurate than any tolerance. Measured: 1.3e-10 at most.
+/// Compares a ramp, whole and in parts, with fixed steps. Where nothing jumps, the largest allowed
+/// step is already more accurate than any tolerance. Measured: 1.3e-10 at most.
 #[test]
 fn a_ramp_is_as_accurate_as_its_tolerance() {
     let contact = half_space();
@@ -200,8 +201,8 @@ fn a_ramp_is_as_accurate_as_its_tolerance() {
     }
 }
 
-/// Where a ramp to 2e-5 m above the surface pulls the sphere off: the tolerance is kept through the
-/// jump. Measured: 2.1e-8 at 1e-3, less below.
+/// A ramp to 2e-5 m above the surface pulls the sphere off, and the tolerance is kept through the
+/// jump. Measured: 2.1e-8 at 1e-3, less at tighter tolerances.
 #[test]
 fn the_time_of_parting_is_as_accurate_as_the_tolerance() {
     let contact = half_space();
@@ -228,15 +229,15 @@ fn the_time_of_parting_is_as_accurate_as_the_tolerance() {
     }
 }
 
-/// Pulled so fast that the sphere's Hertzian load and the energy at rest are small beside the
-/// others, `da/dt = -v0 (F^2/(8 pi E w a^3))^{1/n}`. Both sides can be integrated, from `a0` to 0
-/// and from the load at the beginning to that at pull-off, which grows with the power `n/(n+2)` of
-/// the rate in the end.
+/// At a fast pull the Hertzian load and the energy at rest are small beside the other terms, and
+/// `da/dt = -v0 (F^2/(8 pi E w a^3))^{1/n}`. Both sides are integrated in closed form, from `a0` to
+/// 0 and from the first load to that at pull-off. The load at pull-off then grows with the power
+/// `n/(n+2)` of the rate.
 #[test]
 fn the_pull_off_load_grows_with_a_power_of_the_rate() {
     const A0: f64 = 1e-8;
     const V0: f64 = 1e-9;
-    /// At the fastest: the energy at rest is not quite nothing. Measured: 3.3e-4.
+    /// At the fastest rate, where the energy at rest is small but not 0. Measured: 3.3e-4.
     const CLOSE: f64 = 1e-3;
     let contact = half_space();
     let jkr = Jkr::of(&contact);
@@ -279,8 +280,8 @@ fn the_pull_off_load_grows_with_a_power_of_the_rate() {
     }
 }
 
-/// However fast the sphere comes, the line is ahead of the contact without adhesion, and never
-/// pressed.
+/// At any speed of the sphere, the contact radius is at least that without adhesion, and the energy
+/// release rate is positive.
 #[test]
 fn an_advancing_line_stays_outside_hertz() {
     let contact = half_space();
@@ -323,8 +324,8 @@ fn a_pinned_line_does_not_move_in_time() {
     );
 }
 
-/// Films by the table: loading and unloading so slow that it is the slow motion, and a pull-off
-/// that the rate increases.
+/// Films from the table: slow loading and unloading is the slow motion, and the pull-off load grows
+/// with the rate.
 #[test]
 fn films_are_like_half_spaces() {
     for t in [1e-6, 10e-6, 100e-6] {

@@ -36,19 +36,19 @@ impl Jkr {
         a * a / R - (2.0 * PI * a * w / self.e).sqrt()
     }
 
-    /// The stable contact radius at a load.
+    /// Returns the stable contact radius at `load`.
     pub fn radius(&self, load: f64, w: f64) -> f64 {
         let unit = 3.0 * PI * w * R;
         (3.0 * R / (4.0 * self.e) * (load + unit + (2.0 * unit * load + unit * unit).sqrt())).cbrt()
     }
 
-    /// The energy release rate at a penetration.
+    /// Returns the energy release rate at `penetration`.
     pub fn rate(&self, a: f64, penetration: f64) -> f64 {
         let punch = a * a / R - penetration;
         self.e * punch * punch.abs() / (2.0 * PI * a)
     }
 
-    /// The elastic energy.
+    /// Returns the elastic energy.
     pub fn energy(&self, state: &State) -> f64 {
         let State {
             contact_radius: a,
@@ -59,7 +59,7 @@ impl Jkr {
             * (delta * delta * a - 2.0 * delta * a.powi(3) / (3.0 * R) + a.powi(5) / (5.0 * R * R))
     }
 
-    /// The radius and the penetration where a rigid machine pulls the sphere off.
+    /// Returns radius and penetration at pull-off under displacement control.
     pub fn pull_off(&self, w: f64) -> (f64, f64) {
         let a = (PI * w * R * R / (8.0 * self.e)).cbrt();
         (a, self.penetration(a, w))

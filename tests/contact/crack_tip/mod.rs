@@ -1,5 +1,5 @@
-//! Contact lines under crack-tip laws, slow and in time, against JKR in closed form, energy
-//! balances and an integration with fixed steps.
+//! Contact lines under crack-tip laws, slow or at a finite speed, against JKR in closed form,
+//! energy balances and an integration with fixed steps.
 
 mod in_time;
 mod jkr;
@@ -30,12 +30,12 @@ fn impose<L: CrackTip>(
         .expect("in contact")
 }
 
-/// `from` to `to` in equal steps, without `from`.
+/// Returns `count` equally spaced values from `from` to `to`, without `from`.
 fn steps(from: f64, to: f64, count: usize) -> impl Iterator<Item = f64> {
     (1..=count).map(move |i| from + (to - from) * i as f64 / count as f64)
 }
 
-/// The integral of `y dx` along a chain of points, by trapezia.
+/// Integrates `y dx` along a chain of points by the trapezium rule.
 fn integral(points: impl IntoIterator<Item = (f64, f64)>) -> f64 {
     let points: Vec<_> = points.into_iter().collect();
     points
@@ -66,7 +66,7 @@ fn a_line_that_leaves_the_table_is_an_error_and_stays() {
     assert_eq!(line.state(), before);
 }
 
-/// Whatever the numbers, there is an answer or an error, and nothing of an answer is NaN.
+/// Every argument gives an error or a finite result.
 #[test]
 fn hostile_numbers_are_errors() {
     const HOSTILE: [f64; 12] = [

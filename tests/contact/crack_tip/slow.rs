@@ -1,4 +1,4 @@
-//! A line that is at rest all the time.
+//! Contact lines in slow motion, at rest in every state.
 
 use std::f64::consts::PI;
 
@@ -115,11 +115,11 @@ fn a_pinned_line_is_a_flat_punch_until_an_energy_is_reached() {
     );
 }
 
-/// On a closed cycle without jumps the machine's work is `w_rec` times the area left less `w_adv`
-/// times the area covered.
+/// On a closed cycle without jumps the work of the machine is `w_rec` times the uncovered area less
+/// `w_adv` times the covered area.
 #[test]
 fn the_work_of_a_cycle_is_the_energy_left_at_the_line() {
-    /// Of trapezia. Measured: 1.9e-7 at most.
+    /// The error of the trapezium rule. Measured: 1.9e-7 at most.
     const CLOSE: f64 = 1e-6;
     let (advancing, receding) = (0.03, 0.05);
     for contact in [half_space(), film(1e-6), film(100e-6)] {
@@ -188,8 +188,7 @@ fn slow_motion_does_not_depend_on_its_steps() {
     }
 }
 
-/// The pull-off loads of the paper's system in units of `pi w R`, by two scripts independent of
-/// this project.
+/// The pull-off loads of the paper's system in units of `pi w R`, by two independent scripts.
 #[test]
 fn films_are_pulled_off_where_they_should() {
     const UNIT: f64 = PI * W * R;
