@@ -128,7 +128,7 @@ impl Observer for Watch<'_> {
     }
 }
 
-/// Generates the table of `scene.toml` in this process, within a budget of so many points.
+/// Generates the table of `scene.toml` in this process, within a budget of a number of points.
 fn generate_within(
     workdir: &Workdir,
     output: &Path,
@@ -297,7 +297,7 @@ fn a_torn_or_damaged_end_of_the_journal_is_solved_again() {
         match i % 4 {
             0 => torn.truncate(at),
             1 => torn.extend(vec![0xff; at % 100 + 1]),
-            // What a loss of power may leave.
+            // A loss of power may leave zeros.
             2 => torn.extend(vec![0; at % 5000 + 1]),
             // Damage to the header, in the first bytes, is an error; see below.
             _ => torn[at.max(1500)] ^= 0x10,
@@ -377,7 +377,8 @@ fn a_header_that_is_damaged_or_of_other_nodes_is_an_error_and_nothing_is_lost() 
     assert_finished(&workdir);
 }
 
-/// A refined plan depends on the certificate: the file must not depend on who refined it.
+/// A refined plan depends on the certificate, and the file must not depend on the process that
+/// refined it.
 #[test]
 fn a_refined_run_is_resumed_with_its_own_certificate_only() {
     let workdir = workdir();

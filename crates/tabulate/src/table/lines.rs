@@ -137,8 +137,8 @@ impl Lines {
         rows
     }
 
-    /// Returns the largest number of nodes that is tried. Splines through so many nodes that do not
-    /// follow the interpolants would not with more.
+    /// Returns the largest number of nodes that is tried, twice the number of points. Splines that
+    /// do not follow the interpolants with these would not with more.
     pub(super) fn most(&self) -> usize {
         2 * self.points
     }

@@ -19,7 +19,7 @@ use crate::Error;
 use crate::solve::larger;
 use crate::table::compress::end_slope::EndSlope;
 
-/// The root mean square of what is left out at each bond, over the largest error allowed anywhere:
+/// The root mean square of the part left out at each bond, over the largest error allowed anywhere:
 /// the bounds of the search. In the default box it ends between a twentieth and a fiftieth.
 const LOOSEST: f64 = 1.0;
 const TIGHTEST: f64 = 1e-3;
@@ -29,16 +29,16 @@ const TIGHTEST_WITH_DERIVATIVES: f64 = 1e-5;
 /// The number of bisections. Each halves the range of the logarithm of the root mean square, to 3 %
 /// in the end, or 5 % where derivatives are kept.
 const BISECTIONS: usize = 8;
-/// What is left out at each bond, in parts of the root mean square. The few indices of the first
+/// The part left out at each bond, in units of the root mean square. The few indices of the first
 /// bond cost little.
 const BONDS: [f64; 3] = [0.1, 1.0, 1.0];
-/// What is left out at each bond where derivatives are kept, in two ways, of which the one with
+/// The part left out at each bond where derivatives are kept, in two ways, of which the one with
 /// fewer numbers is taken. The last bond has the largest effect on derivatives. The default box to
 /// 1e-6 has the ranks 64 and 68 in the first way and 64 and 77 in the second; to 1e-7, with its
 /// derivatives within 75 tolerances of those of a table to 2e-8, 94 and 93 in the first way and 82
 /// and 93 in the second.
 const BONDS_WITH_DERIVATIVES: [[f64; 3]; 2] = [[0.1, 1.7, 0.6], [0.1, 3.0, 0.3]];
-/// What is left out of the functions along an axis, in parts of the root mean square. They add
+/// The part left out of the functions along an axis, in units of the root mean square. They add
 /// nothing to the cost of a lookup.
 const FUNCTIONS: f64 = 0.1;
 /// The step of a core in units of the root mean square that is left out at a bond, spread over its
@@ -125,7 +125,7 @@ fn search(
     bonds: [f64; 3],
 ) -> Result<Result<LowRank, f64>, Error> {
     let error = allowed.error;
-    // What is left out here does not show beside what is left out later.
+    // The part left out here does not show beside the part left out later.
     let train = Train::of(table, 0.1 * tightest * error);
     let attempt = |share: f64| -> Result<Result<LowRank, f64>, Error> {
         let form = train.truncated(table, bonds.map(|part| part * share * error), share * error)?;
