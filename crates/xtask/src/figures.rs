@@ -14,8 +14,8 @@ use crate::workspace;
 /// The measurements of `tabulate cost`.
 const COSTS: [&str; 4] = ["solve", "table", "lookup", "effects"];
 
-/// The seconds that `tabulate cost table` may take: to be quoted, or only to be compared.
-const BUDGETS: [&str; 2] = ["400", "20"];
+/// The tightest tolerances of `tabulate cost table`: to be quoted, or only to be compared.
+const TIGHTEST: [&str; 2] = ["1e-8", "1e-4"];
 
 /// The figures of `tabulate plot`, and the measurement that each is drawn from.
 const FIGURES: [(&str, Option<&str>); 9] = [
@@ -43,7 +43,7 @@ pub fn figures() -> Result<(), String> {
     let folder = folder();
     fs::create_dir_all(&folder).map_err(|e| format!("cannot make {}: {e}", folder.display()))?;
     for cost in COSTS {
-        measure(cost, &["-o", &name(&folder, cost, "csv")], BUDGETS[0])?;
+        measure(cost, &["-o", &name(&folder, cost, "csv")], TIGHTEST[0])?;
     }
     for (figure, cost) in FIGURES {
         draw(figure, cost, &name(&folder, figure, "svg"))?;
@@ -74,7 +74,7 @@ pub fn check() -> Result<(), String> {
         measure(
             cost,
             &["--compare", &name(&folder, cost, "csv")],
-            BUDGETS[1],
+            TIGHTEST[1],
         )?;
     }
     let drawn = workspace::target()?.join("figures");
@@ -106,13 +106,13 @@ fn read(path: &Path) -> Result<String, String> {
     fs::read_to_string(path).map_err(|e| format!("cannot read {}: {e}", path.display()))
 }
 
-fn measure(cost: &str, arguments: &[&str], budget: &str) -> Result<String, String> {
-    let budget: &[&str] = if cost == "table" {
-        &["--budget", budget]
+fn measure(cost: &str, arguments: &[&str], tightest: &str) -> Result<String, String> {
+    let to: &[&str] = if cost == "table" {
+        &["--to", tightest]
     } else {
         &[]
     };
-    tabulate::text(&[&["cost", cost], arguments, budget].concat())
+    tabulate::text(&[&["cost", cost], arguments, to].concat())
 }
 
 /// Draws a figure, from the rows of its measurement if it has one.
