@@ -102,8 +102,8 @@ fn a_point_outside_the_box_is_an_error_with_axis_value_and_range() {
                                 "a_over_t",
                                 &format!("{value:?}"),
                                 &format!("{end:?}"),
-                                "estimated error",
-                                &format!("tolerance {tolerance:.1e}"),
+                                "accurate to",
+                                &format!("the table to {tolerance:.1e}"),
                                 "make a table",
                             ],
                         );
