@@ -91,7 +91,7 @@ fn seconds_per_point(scene: &Scene, axes: &[Vec<f64>; 4]) -> anyhow::Result<f64>
             .collect::<Vec<f64>>()
     });
     let points: usize = axes.iter().map(Vec::len).product();
-    // The first sweep also pays for the constants that are computed at their first use.
+    // The first sweep also computes the constants of the solver, once. It is not timed.
     sweep(scene, &axes, &|_| ())?;
     let start = Instant::now();
     sweep(scene, &axes, &|_| ())?;
