@@ -7,7 +7,7 @@ use tabulate::cost::solve::{NYSTROM, REFUSED, Row, TOLERANCES, contacts, markdow
 use tabulate::cost::{read_csv, to_csv};
 use tabulate::solve;
 
-/// The solve refuses no tolerance from here on (`truth/hard_cases.rs`).
+/// The solve refuses no tolerance from here on (`tests/truth/hard_cases.rs`).
 const ANSWERED: f64 = 1e-9;
 
 /// Compares the contacts that other references have, too. The Poisson ratio of a rigid base has no

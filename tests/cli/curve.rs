@@ -59,7 +59,7 @@ fn curve_is_the_papers_by_default_and_the_same_from_the_table() {
                 (jkr.abscissa, jkr.ordinate)
             );
         }
-        // What adhesion adds has the table's error, and so has what is there without.
+        // The adhesive and the adhesionless term each have the error of the table.
         let bare = mechanics.load_and_penetration(a, 0.0, &quantities);
         for (found, expected, bare) in [
             (from_table.0, expected.0, bare.0),

@@ -237,7 +237,7 @@ fn a_modulus_that_the_data_do_not_tell_is_warned_of() {
             &found.warnings.join("; "),
             &["film-modulus is not identifiable"],
         );
-        // With the film's modulus known, nothing else is in doubt.
+        // If the film's modulus is known, no other parameter is warned of.
         let known = experiment.fit(&experiment.data(1), &[], 1.0, Some(experiment.noise));
         assert!(known.warnings.is_empty(), "{:?}", known.warnings);
     }
@@ -276,8 +276,8 @@ fn points_beyond_pull_off_are_warned_of() {
 
 #[test]
 fn a_fit_that_would_leave_the_table_is_warned_of() {
-    // The fit believes in a film so soft that the sphere is 500 times as stiff; the data say 3000,
-    // the table ends at 1000.
+    // The fit starts from a film so soft that the sphere is 500 times as stiff. The data are those
+    // of 3000 times, and the table ends at 1000.
     let mut experiment = Experiment {
         radii: [90e-6, 200e-6],
         ..Experiment::paper(3e-6, Against::ContactRadius, 5e-6)

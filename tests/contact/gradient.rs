@@ -421,7 +421,7 @@ fn what_is_not_known_is_an_error_that_names_it() {
         .contact_with_gradient(&paper_system(1e-6))
         .expect("inside");
     let gradient = contact.gradient(65e-6, 0.04).expect("inside");
-    // The table fixes nu1 and E0/E2*, and so does not know what a change of E2* does.
+    // The table fixes nu1 and E0/E2*. Therefore it has no derivative with respect to E2* either.
     for input in [
         Input::FilmPoisson,
         Input::SubstrateModulus,

@@ -35,7 +35,7 @@ macro_rules! workdir {
 }
 
 impl Workdir {
-    /// Makes an empty folder for `program`, a path. [`workdir!`](crate::workdir) knows the path.
+    /// Makes an empty folder for `program`, a path. [`workdir!`](crate::workdir) gives the path.
     ///
     /// # Panics
     /// If no folder can be made.

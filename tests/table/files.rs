@@ -474,7 +474,7 @@ fn a_truncated_hdf5_file_is_an_error_and_one_with_trailing_bytes_is_not_changed_
         fs::remove_file(path).expect("it is there");
     }
     println!("{complete} truncated files are complete");
-    // HDF5 has a place for an end of file in its superblock, and what follows belongs to nobody.
+    // The superblock of HDF5 states the end of the file. Readers ignore the bytes after it.
     let path = workdir.write("longer.h5", [bytes.as_slice(), &[0; 100]].concat());
     assert_same(&Table::open(&path).expect("HDF5 allows it"), &TABLE);
 }

@@ -111,8 +111,8 @@ fn derivatives_are_those_of_the_dense_table_with_axes_of_one_node_too() {
             "{}: {known} derivatives, at most {worst:.1e} apart",
             dense.description().title
         );
-        // What is left out of a form is a small part of the tolerance, its derivatives a larger
-        // one. Measured: 1.2e-7, 2.8e-6, 1.7e-7.
+        // The truncation of a form changes the values by a small part of the tolerance, and the
+        // derivatives by a larger one. Measured: 1.2e-7, 2.8e-6, 1.7e-7.
         assert!(known >= 100 && worst <= 1e-5);
     }
 }
@@ -448,7 +448,7 @@ fn what_cannot_be_packed_to_a_tolerance_is_said_and_nothing_is_written() {
     ] {
         assert_names(&workdir.fail(1, &pack(tolerance)), &words);
     }
-    // A certificate that says too little is found out.
+    // A certificate that states too small an error is detected.
     let mut wrong = FOUR_AXES.clone();
     wrong.set_certificate(interp::Certificate {
         max_error: 1e-12,

@@ -203,7 +203,7 @@ fn values_at_the_nodes_are_the_solves_to_rounding() {
         }
     }
     println!("nodes of a tight table: largest difference from solves {worst:.1e}");
-    // Measured: 4.2e-12, which is what the pieces of the curve may add.
+    // Measured: 4.2e-12; the pieces of the curve may add this much.
     assert!(worst <= 1e-11);
 }
 
@@ -337,7 +337,7 @@ fn check_notices_a_table_that_is_not_as_accurate_as_it_says() {
     sound.set_certificate(certify(&sound, 1000, 1, &|_| {}).expect("within reach"));
     let workdir = workdir!();
     let tolerance = sound.description().tolerance;
-    // Of the tolerance: the median gives away the first, the largest error the second.
+    // Errors in parts of the tolerance: the median reveals the first, the largest error the second.
     for (off, word) in [
         (0.0, None),
         (0.03, Some("its median error is")),

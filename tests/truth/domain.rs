@@ -221,7 +221,7 @@ fn hard_corners_are_answered_honestly_or_refused_with_what_was_reached() {
 
 #[test]
 fn an_impossible_tolerance_is_refused_with_the_numbers() {
-    // An incompressible film between rigid bodies: S falls like 2/3 (t/a)^3, to 7e-10 of what it is
+    // An incompressible film between rigid bodies: S falls like 2/3 (t/a)^3, to 7e-10 of its value
     // at the edge.
     let squeezed = material([0.0, 0.5, f64::INFINITY, 0.25]);
     let error =

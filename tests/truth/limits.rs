@@ -141,7 +141,7 @@ fn thin_films_approach_the_bare_substrate_like_the_first_order_expansion() {
         "                        from the expansion {worst:.1e}, {second_order:.3} of that at 100"
     );
     // Measured 5.9e-3 and 0.155, 1.3e-5 and 0.044: ln x / x falls to 0.15 and its square to 0.0225
-    // of what they were.
+    // of their former values.
     assert!(distance <= 1e-2);
     assert!(first_order <= 0.2);
     assert!(worst <= 5e-5);

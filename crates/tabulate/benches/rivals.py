@@ -1,7 +1,7 @@
 """A table of the four quantities by scipy's RegularGridInterpolator, method "cubic".
 
 Prints a line with the versions that it runs with. The first line read names in JSON the nodes (in the coordinates in which
-splines are smooth) and a file with what is splined there, and is answered by the seconds that this took, or by null where it wants
+splines are smooth) and a file with what is splined there, and is answered by the seconds that this took, or by null where it needs
 more memory than there is. Every further line is a list of batches of points, and is answered by the quantities of each batch and
 the seconds that it took.
 """
@@ -36,7 +36,7 @@ def interpolator(axes, file):
 
 
 def quantities(spline, points):
-    """Columns of a point: a/t, E1/E2, nu1, E0/E2."""
+    """Columns of a point: a/t, E1/E2*, nu1, E0/E2*."""
     x, e1, nu1, e0 = points.T
     e1_star = e1 / (1 - nu1**2)
     es = 1 / (1 + 1 / e1_star)

@@ -11,9 +11,9 @@
 //!                                 of solves  at sampled points
 //! ```
 //!
-//! Data flows from left to right, and never back. The rooms of the crate:
+//! Data flows from left to right, and never back. The modules of the crate:
 //!
-//! | room | holds |
+//! | module | holds |
 //! |---|---|
 //! | [`solve`](mod@solve) | the solver: the film's compliance, the methods of solution, many contacts at once |
 //! | [`table`] | from a scene to a certified table, and its files |

@@ -8,7 +8,7 @@ use crate::Error;
 ///
 /// Barthel's eq. 8, `G = w`, is "not an intrinsic part" of his model. It is the law of a plain
 /// number: `0.04` is a constant work of adhesion of 0.04 J/m^2, as in
-/// [`Contact::load_and_penetration`](crate::Contact::load_and_penetration). With another law, give
+/// [`Contact::load_and_penetration`](crate::Contact::load_and_penetration). Under another law, give
 /// such functions the `G` at which the line moves in place of the work of adhesion.
 ///
 /// A law states the two values of `G` between which the line rests; [slow

@@ -27,7 +27,7 @@ pub struct Basis {
     degree: usize,
     /// Ascending; the first and the last are repeated `degree + 1` times.
     knots: Vec<f64>,
-    /// The number of nodes, and of coefficients. With a flat end, the last function is the sum of
+    /// The number of nodes, and of coefficients. Next to a flat end the last function is the sum of
     /// the three B-splines whose value, first or second derivative is not 0 there.
     count: usize,
     /// The `LU` factors of the collocation matrix: row `i` holds the entries

@@ -31,8 +31,9 @@ const NEGLIGIBLE: f64 = 1e-5;
 /// The largest norm of a block that is dropped next to a flat end, where the derivative with
 /// respect to `nu1` divides the error by the cube of the interval.
 const NEGLIGIBLE_AT_FLAT_END: f64 = 3e-6;
-/// The largest rounding to single precision, and the largest jump at a knot. It is smaller, because
-/// it is a noise: a difference quotient of two lookups divides it by its step.
+/// The largest rounding to single precision, and the largest jump at a knot. Smaller than
+/// [`NEGLIGIBLE`], because it acts as noise: a difference quotient of two lookups divides it by its
+/// step.
 const ROUNDING: f64 = 3e-7;
 
 /// The largest number of functions on an interval.

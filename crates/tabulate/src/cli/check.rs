@@ -12,11 +12,12 @@ use crate::table::{certify, points_for};
 
 /// Compare a table with direct solves at new points
 ///
-/// The exit status is 1 if the table is worse than its certificate, the largest error at the points
-/// that it was measured at before. The largest error must not exceed the tolerance, or the
-/// certified error where that is larger. Nor may the largest or the median error exceed three times
-/// the certified one and a fiftieth of the tolerance: by chance, other points do not differ more.
-/// This second condition needs 1000 points or more, here and in the certificate.
+/// The certificate of a table is the largest error at the points at which it was measured before.
+/// The exit status is 1 if the table is worse than its certificate. The largest error must not
+/// exceed the tolerance, or the certified error where that is larger. The largest and the median
+/// error must not exceed three times the certified one, or a fiftieth of the tolerance where that
+/// is larger: by chance, other points do not differ more. This second condition needs 1000 points
+/// or more, here and in the certificate.
 #[derive(clap::Args)]
 #[command(after_help = super::examples!(
     "tabulate check tables/paper.h5",

@@ -13,7 +13,8 @@ use super::write_text;
 /// Print the range, the certificate and the size of a table
 ///
 /// The certificate is the largest error at sampled points between the nodes, relative to direct
-/// solves, with the error that 99.9 % of the points keep, the median, and the place of the largest.
+/// solves. The error that 99.9 % of the points do not exceed, the median error, and the place of
+/// the largest error are part of it.
 #[derive(clap::Args)]
 #[command(after_help = super::examples!(
     "tabulate info embedded",

@@ -75,7 +75,7 @@ pub fn axes<'a>(nodes: impl Fn(Parameter) -> &'a [f64]) -> OfParameters<Axis> {
         .into()
 }
 
-/// The certificate of a table, or what a check has measured.
+/// The certificate of a table, or the errors that a check has measured.
 #[derive(Serialize)]
 pub struct Errors {
     max_error: f64,

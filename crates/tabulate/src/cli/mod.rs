@@ -131,7 +131,7 @@ fn write_text(path: Option<&Path>, text: &[u8]) -> anyhow::Result<()> {
     })?)
 }
 
-/// Writes a line to standard error, if somebody reads it: `eprintln` panics where nobody does.
+/// Writes a line to standard error if that is open: `eprintln` panics where it is closed.
 fn note(text: &str) {
     let _ = writeln!(io::stderr(), "{NAME}: {text}");
 }

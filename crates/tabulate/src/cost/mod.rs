@@ -30,7 +30,7 @@ pub use rows::{read_csv, to_csv};
 pub struct Measured<R> {
     /// The rows, in a fixed order.
     pub rows: Vec<R>,
-    /// Sentences that name what has no row, and why.
+    /// Sentences that name each missing row, with the reason.
     pub left_out: Vec<String>,
 }
 

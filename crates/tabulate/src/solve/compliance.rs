@@ -377,7 +377,7 @@ mod tests {
         }
     }
 
-    /// The imaginary axis relies on this: where no zero is promised, there is none.
+    /// The method of the imaginary axis relies on this: the stated disc holds no zero.
     #[test]
     fn a_zero_free_disc_has_no_zeros() {
         let mut random = Pcg64Mcg::seed_from_u64(2);

@@ -369,8 +369,8 @@ fn missing_modes(y: &[f64]) -> f64 {
     last * ratio / (1.0 - ratio)
 }
 
-/// The factor that brings the extrapolation above the true truncation error. The acceptance tests
-/// `truth/reference.rs` and `truth/domain.rs` measure how far above.
+/// The factor that brings the extrapolation above the true truncation error.
+/// `tests/truth/reference.rs` and `tests/truth/domain.rs` measure how far above.
 const TRUNCATION_SAFETY: f64 = 20.0;
 
 /// The rounding error of the assembled matrices, for a film that is not stiffer than its substrate.

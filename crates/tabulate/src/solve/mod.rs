@@ -8,7 +8,7 @@
 //!
 //! # The face of the film
 //!
-//! The formulas of one film on one half-space are private to `compliance`. The rest of the room
+//! The formulas of one film on one half-space are private to `compliance`. The rest of the folder
 //! uses only this, and a stack of layers would have to offer it too:
 //!
 //! | [`Compliance`] | |

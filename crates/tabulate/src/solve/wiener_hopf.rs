@@ -71,10 +71,9 @@
 //! # Accuracy
 //!
 //! Contours of neighbouring [`LEVELS`] differ by a factor of about 150 in their error. Two of them,
-//! and the rounding of the sums that are read out, give the stated error; the acceptance test
-//! `truth/contacts.rs` measures it. The rounding of `Pi0` sets the limit: some 1e-13, and up to
-//! 1e-10 for a soft incompressible film between rigid bodies, where `S(t/a)` and with it `V` are
-//! small.
+//! and the rounding of the sums that are read out, give the stated error; `tests/truth/contacts.rs`
+//! measures it. The rounding of `Pi0` sets the limit: some 1e-13, and up to 1e-10 for a soft
+//! incompressible film between rigid bodies, where `S(t/a)` and with it `V` are small.
 
 use interp::Quantities;
 use num_complex::Complex64;

@@ -87,7 +87,7 @@ pub fn certificate(samples: &[Sample], seed: u64) -> Certificate {
 /// - The corners of the box come first, a tenth of the points at most, because they are nodes.
 /// - A tenth lies on edges of the box.
 /// - A tenth lies in the middles of the widest cells.
-/// - The others are random and evenly distributed in the axes' coordinates. With four axes, one in
+/// - The others are random and evenly distributed in the axes' coordinates. In four axes, one in
 ///   five of them lies on a face, an edge or a corner.
 ///
 /// # Errors
@@ -139,7 +139,7 @@ fn places(table: &Table, count: usize, seed: u64) -> Vec<[f64; 4]> {
 }
 
 /// The part of an axis by which random places overshoot each end before they are moved to the end.
-/// With four axes, a fifth of the random points is on the surface of the box:
+/// In four axes, a fifth of the random points is on the surface of the box:
 /// `1 - (1 + 2 * 0.03)^-4 = 0.2`.
 const OVERSHOOT: f64 = 0.03;
 

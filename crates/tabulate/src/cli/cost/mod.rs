@@ -23,7 +23,7 @@ use crate::output;
 
 /// Measure the cost of accuracy in time and memory
 ///
-/// Prints a summary as Markdown. With -o, writes all rows as CSV, from which `tabulate plot` draws.
+/// Prints a summary as Markdown. Writes all rows as CSV if -o is given: `tabulate plot` draws them.
 /// Errors and sizes do not change from run to run; times do.
 #[derive(clap::Args)]
 #[command(after_help = super::examples!(
@@ -124,12 +124,12 @@ impl Rows {
     }
 }
 
-/// Says on standard error what has no row.
+/// Prints the sentences about missing rows to standard error.
 fn report_left_out(left_out: &[String]) {
     left_out.iter().for_each(|sentence| note(sentence));
 }
 
-/// Returns the rows of a measurement for a figure, and says what is left out.
+/// Returns the rows of a measurement for a figure, and reports the missing ones.
 fn complete<R>(measured: Measured<R>) -> Vec<R> {
     report_left_out(&measured.left_out);
     measured.rows

@@ -19,8 +19,8 @@ const BUDGET: f64 = 60.0;
 /// Measure tables: nodes, solves, time, bytes and certified error for each tolerance
 ///
 /// Makes the tables of a scene with the tolerances 1e-2, 1e-3, ..., 1e-8, and packs each with its
-/// own tolerance. Stops before the first table that would not be ready within the budget, and says
-/// so. The summary also states the break-even: the number of evaluations after which a table has
+/// own tolerance. Stops before the first table that would not be ready within the budget, and names
+/// it. The summary also states the break-even: the number of evaluations after which a table has
 /// cost as much processor time as direct solves. A certified error is the largest at sampled
 /// points.
 #[derive(clap::Args)]
