@@ -22,14 +22,9 @@
 
 use std::iter;
 
-use plotters::drawing::IntoDrawingArea;
-use plotters::prelude::SVGBackend;
-use plotters::style::{RGBColor, WHITE};
+use plotters::style::RGBColor;
 
 use super::axis::Axis;
-use super::draw::{FINE, above_and_below, draw};
-use super::picture::Picture;
-use crate::Error;
 
 pub use super::labels::Side;
 pub use plotters::style::RGBColor as Colour;
@@ -56,8 +51,8 @@ pub const WIDTH: u32 = 840;
 /// Panels side by side, in one row or more.
 #[derive(Clone, Debug)]
 pub struct Figure {
-    height: u32,
-    rows: Vec<Vec<Panel>>,
+    pub(super) height: u32,
+    pub(super) rows: Vec<Vec<Panel>>,
 }
 
 /// Two axes, and the marks and labels between them.
@@ -130,47 +125,6 @@ impl Figure {
             height,
             rows: rows.into(),
         }
-    }
-
-    /// Draws the figure.
-    ///
-    /// # Errors
-    /// [`Error::Picture`] if a text holds a character that the font lacks.
-    pub fn picture(&self) -> Result<Picture, Error> {
-        let fine = FINE as u32;
-        let mut svg = String::new();
-        let root = SVGBackend::with_string(&mut svg, (fine * WIDTH, fine * self.height))
-            .into_drawing_area();
-        root.fill(&WHITE)?;
-        // All axes have the height of those of the panel with most above and below them.
-        let panels = self.rows.iter().flatten();
-        let around = panels
-            .map(above_and_below)
-            .fold([0.0_f64; 2], |a, b| [a[0].max(b[0]), a[1].max(b[1])]);
-        for (row, area) in self
-            .rows
-            .iter()
-            .zip(root.split_evenly((self.rows.len(), 1)))
-        {
-            let whole = row.iter().map(|panel| panel.share).sum::<f64>();
-            let (mut so_far, mut rest) = (0.0, area);
-            for panel in row {
-                so_far += panel.share;
-                let end = (f64::from(fine * WIDTH) * so_far / whole).round() as i32;
-                let (area, right) = rest.split_horizontally(end - rest.get_base_pixel().0);
-                draw(panel, &area, around)?;
-                rest = right;
-            }
-        }
-        root.present()?;
-        drop(root);
-        // The size in pixels, and round corners of lines.
-        let [width, height] = [WIDTH, self.height];
-        let (old, new) = (
-            format!("width=\"{}\" height=\"{}\"", fine * width, fine * height),
-            format!("width=\"{width}\" height=\"{height}\" stroke-linejoin=\"round\""),
-        );
-        Picture::from_svg(&svg.replacen(&old, &new, 1))
     }
 }
 

@@ -1,4 +1,4 @@
-//! Draws the panels that [`super::chart`] describes, with the crate `plotters`.
+//! Draws the figures that [`super::chart`] describes, with the crate `plotters`.
 //!
 //! First the axes with their numbers, then the marks, which become obstacles, and then the labels,
 //! for which [`super::labels`] finds places between the obstacles.
@@ -6,24 +6,67 @@
 use plotters::chart::{ChartBuilder, ChartContext};
 use plotters::coord::Shift;
 use plotters::coord::cartesian::Cartesian2d;
-use plotters::drawing::DrawingArea;
+use plotters::drawing::{DrawingArea, IntoDrawingArea};
 use plotters::element::{Circle, DashedPathElement, PathElement, Polygon, Rectangle, Text};
 use plotters::prelude::SVGBackend;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{Color, IntoFont, RGBColor, ShapeStyle, TextStyle, WHITE};
 
 use super::axis::Axis;
-use super::chart::{BLACK, Colour, GREY, Mark, Marker, Name, Panel, Point};
+use super::chart::{BLACK, Colour, Figure, GREY, Mark, Marker, Name, Panel, Point, WIDTH};
 use super::clip::inside;
 use super::labels::{self, Label, Obstacles, Room};
-use super::picture::text_width;
+use super::picture::{Picture, text_width};
 use crate::Error;
 
 const GRID: Colour = RGBColor(225, 225, 225);
 const FINE_GRID: Colour = RGBColor(242, 242, 242);
 
 /// The coordinates of `plotters` are whole numbers: this many to a pixel.
-pub const FINE: i32 = 10;
+const FINE: i32 = 10;
+
+impl Figure {
+    /// Draws the figure.
+    ///
+    /// # Errors
+    /// [`Error::Picture`] if a text holds a character that the font lacks.
+    pub fn picture(&self) -> Result<Picture, Error> {
+        let fine = FINE as u32;
+        let mut svg = String::new();
+        let root = SVGBackend::with_string(&mut svg, (fine * WIDTH, fine * self.height))
+            .into_drawing_area();
+        root.fill(&WHITE)?;
+        // All axes have the height of those of the panel with most above and below them.
+        let panels = self.rows.iter().flatten();
+        let around = panels
+            .map(above_and_below)
+            .fold([0.0_f64; 2], |a, b| [a[0].max(b[0]), a[1].max(b[1])]);
+        for (row, area) in self
+            .rows
+            .iter()
+            .zip(root.split_evenly((self.rows.len(), 1)))
+        {
+            let whole = row.iter().map(|panel| panel.share).sum::<f64>();
+            let (mut so_far, mut rest) = (0.0, area);
+            for panel in row {
+                so_far += panel.share;
+                let end = (f64::from(fine * WIDTH) * so_far / whole).round() as i32;
+                let (area, right) = rest.split_horizontally(end - rest.get_base_pixel().0);
+                draw(panel, &area, around)?;
+                rest = right;
+            }
+        }
+        root.present()?;
+        drop(root);
+        // The size in pixels, and round corners of lines.
+        let [width, height] = [WIDTH, self.height];
+        let (old, new) = (
+            format!("width=\"{}\" height=\"{}\"", fine * width, fine * height),
+            format!("width=\"{width}\" height=\"{height}\" stroke-linejoin=\"round\""),
+        );
+        Picture::from_svg(&svg.replacen(&old, &new, 1))
+    }
+}
 
 /// The size of titles in pixels.
 const TITLE: f64 = 16.0;
@@ -35,7 +78,7 @@ type Chart<'a> = ChartContext<'a, SVGBackend<'a>, Cartesian2d<Axis, Axis>>;
 
 /// Returns the space above the axes of a panel, for its title, and below them, for the numbers and
 /// the label of the horizontal axis, in pixels.
-pub fn above_and_below(panel: &Panel) -> [f64; 2] {
+fn above_and_below(panel: &Panel) -> [f64; 2] {
     let [x, _] = &panel.axes;
     let numbers = if x.ticks().is_empty() { 4.0 } else { 26.0 };
     [
@@ -48,7 +91,7 @@ pub fn above_and_below(panel: &Panel) -> [f64; 2] {
 ///
 /// # Errors
 /// [`Error::Picture`] if a text holds a character that the font lacks.
-pub fn draw(panel: &Panel, area: &Area<'_>, [above, below]: [f64; 2]) -> Result<(), Error> {
+fn draw(panel: &Panel, area: &Area<'_>, [above, below]: [f64; 2]) -> Result<(), Error> {
     let [x, y] = &panel.axes;
     let widest = y
         .ticks()
