@@ -313,7 +313,7 @@ fn a_very_soft_film_makes_the_sphere_rigid() {
     }
     // Measured 4.0e-6, 4.0e-3 and 3.6e-3, all for the incompressible film on a rigid substrate at x
     // = 10, where Eeq = 300 E1*.
-    approach.assert("rigid sphere, E1/E2 = 1e-5 to 1e-8", 1e-5, 1e-2, 1e-2);
+    approach.assert("rigid sphere, E1/E2* = 1e-5 to 1e-8", 1e-5, 1e-2, 1e-2);
 }
 
 #[test]

@@ -34,7 +34,7 @@ fn main() {
     let chosen = TOLERANCES.map(|tolerance| CHOSEN.nodes(&axes, tolerance));
 
     println!(
-        "Nodes on a/t × E1/E2 × nu1 × E0/E2, and how many times as many points as in the first row:\n"
+        "Nodes on a/t × E1/E2* × nu1 × E0/E2*, and how many times as many points as in the first row:\n"
     );
     println!(
         "| |{}\n|---|---|---|---|",
