@@ -4,6 +4,8 @@ use std::borrow::Cow;
 use std::io;
 use std::path::PathBuf;
 
+use crate::SubstratePoissonRatio;
+
 /// Any failure of this crate.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
@@ -91,7 +93,7 @@ pub enum Error {
     /// A material on a substrate with another Poisson ratio than the table's, whose equivalent does
     /// not exist or is outside the table.
     #[error(
-        "nu1 = {nu1:?} with nu0 = {nu0:?} has no equivalent in a table made for nu0 = {table_nu0:?} \
+        "nu1 = {nu1:?} with nu0 = {nu0:?} has no equivalent in a table made for nu0 = {table_nu0} \
          ({cause}); a table made for nu0 = {nu0:?} needs no equivalent"
     )]
     Equivalent {
@@ -99,17 +101,19 @@ pub enum Error {
         nu1: f64,
         /// The Poisson ratio of the substrate.
         nu0: f64,
-        /// The Poisson ratio of the table's substrate.
-        table_nu0: f64,
+        /// The Poisson ratio of the table's substrates.
+        table_nu0: SubstratePoissonRatio,
         /// The error of the equivalent material. The message includes it; therefore it is not the
         /// [source](std::error::Error::source), which many programs print after the message.
         cause: Box<Error>,
     },
     /// A rigid sphere in a table for compliant spheres, or the other way round.
     #[error(
-        "the table is normalised by {table}, the query needs one normalised by {query}: use a table \
-         with {} in its scene",
-        sphere_of(query)
+        "the sphere is {}, and the table is made for {} spheres, in units of {table}: use `Table::embedded`, \
+         which holds both, or a table with {} in its scene",
+        sphere(query),
+        sphere(table),
+        scene_of(query)
     )]
     Normalisation {
         /// The modulus that normalises the table.
@@ -126,8 +130,7 @@ pub enum Error {
     OtherMaterial {
         /// The material of the curve: `e1_over_e2`, `nu1`, `e0_over_e2`, `nu0`.
         curve: [f64; 4],
-        /// The material of the system, on a substrate with the Poisson ratio of the curve's:
-        /// `e1_over_e2`, `nu1`, `e0_over_e2`, `nu0`.
+        /// The material of the system: `e1_over_e2`, `nu1`, `e0_over_e2`, `nu0`.
         system: [f64; 4],
     },
     /// A quantity that the table does not hold, because its scene did not ask for it.
@@ -219,12 +222,21 @@ fn extent(from: f64, to: f64) -> String {
     }
 }
 
-/// Returns the `e1_over_e2` of a scene whose table is normalised by this modulus.
-fn sphere_of(normalisation: &str) -> &'static str {
+/// Returns the kind of a sphere whose contact is normalised by this modulus.
+fn sphere(normalisation: &str) -> &'static str {
     if normalisation == "E1*" {
-        "e1_over_e2 = 0 (rigid sphere)"
+        "rigid"
     } else {
-        "e1_over_e2 > 0 (compliant sphere)"
+        "compliant"
+    }
+}
+
+/// Returns the `e1_over_e2` of a scene whose table is normalised by this modulus.
+fn scene_of(normalisation: &str) -> &'static str {
+    if normalisation == "E1*" {
+        "e1_over_e2 = 0"
+    } else {
+        "e1_over_e2 > 0"
     }
 }
 

@@ -111,6 +111,7 @@ pub use contact::{FilmBias, JkrFit, JkrPoint, Mechanics};
 pub use curve::{Curve, QuantityGradient, bspline};
 pub use error::Error;
 pub use material::{
-    Elastic, HalfSpace, Material, Normalisation, Parameter, Quantities, Quantity, System,
+    Elastic, HalfSpace, Material, Normalisation, Parameter, Quantities, Quantity,
+    SubstratePoissonRatio, System,
 };
 pub use table::{Certificate, Description, LowRank, Table, is_packed, schema};

@@ -68,19 +68,17 @@ impl Table {
 impl Contact {
     /// Joins a system with a curve made for its material.
     ///
-    /// The curve may also be that of the
-    /// [equivalent](crate::Material::with_substrate_poisson_ratio) material on a substrate with
-    /// another Poisson ratio.
+    /// The curve may also be that of an equivalent material, which makes the same contact on a
+    /// substrate with another Poisson ratio
+    /// ([`Material::with_substrate_poisson_ratio`](crate::Material::with_substrate_poisson_ratio)).
     ///
     /// # Errors
     /// As [`System::material`]; [`Error::OtherMaterial`] if the material of the curve differs by
     /// more than rounding (`1e-12`).
     pub fn new(system: &System, curve: Curve) -> Result<Self, Error> {
         let (mechanics, made_for) = (Mechanics::new(system)?, curve.material());
-        let material = system
-            .material()?
-            .with_substrate_poisson_ratio(made_for.nu0())?;
-        if !material.is_close_to(made_for) {
+        let material = system.material()?;
+        if !material.is_equivalent_to(made_for) {
             return Err(Error::OtherMaterial {
                 curve: made_for.to_array(),
                 system: material.to_array(),

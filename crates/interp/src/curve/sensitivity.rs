@@ -161,12 +161,15 @@ impl QuantityGradient {
     /// `a_over_t` are the [slopes](QuantityGradient::slopes) divided by `a_over_t`.
     ///
     /// # Errors
-    /// [`Error::FixedParameter`] if the scene of the table fixes a parameter that they need; for
-    /// `a_over_t`; and for an `e1_over_e2` of 0, where the normalisation changes.
+    /// [`Error::FixedParameter`] if the scene of the table fixes a parameter that they need; for a
+    /// parameter that is none of these three; and for an `e1_over_e2` of 0, where the normalisation
+    /// changes.
     pub fn by(&self, parameter: Parameter) -> Result<Quantities, Error> {
         let unknown = Error::FixedParameter(parameter.name());
         let (index, modulus) = match parameter {
-            Parameter::AOverT => return Err(unknown),
+            Parameter::AOverT | Parameter::E1sOverE2s | Parameter::E0sOverE1s => {
+                return Err(unknown);
+            }
             Parameter::E1OverE2 if self.material.e1_over_e2() == 0.0 => return Err(unknown),
             Parameter::E1OverE2 => (0, self.material.e1_over_e2()),
             Parameter::Nu1 => (1, 1.0),

@@ -1,8 +1,22 @@
 //! Dundurs' equivalence: replaces a material by one on a substrate with another Poisson ratio that
 //! makes an identical contact.
+//!
+//! The surface compliance of film and substrate depends on `E1*`, `E0*` and one number more. With
+//! `k = (1 - 2 nu)/(1 - nu)` and `p = E0*/(E0* + E1*)`, that number is `k1 - k0 E1*/E0*`, or
+//!
+//! ```text
+//! b = p (1 - k1) + (1 - p) k0 = p nu1/(1 - nu1) + (1 - p) (1 - 2 nu0)/(1 - nu0)
+//! ```
+//!
+//! which is between 0 and 1 for all Poisson ratios from 0 to 1/2. Any two materials with equal
+//! `E1*/E2*`, `E0*/E1*` and `b` make the same contact.
 
-use crate::Error;
-use crate::material::{Material, Normalisation, one_minus_square, poisson_ratio};
+use std::{array, fmt};
+
+use serde::{Deserialize, Serialize};
+
+use crate::material::{Material, Normalisation, ROUNDING, one_minus_square, poisson_ratio};
+use crate::{Error, Parameter};
 
 impl Material {
     /// Returns the material with substrate Poisson ratio `nu0` whose `Pi0`, `Eeq`, `Gamma` and
@@ -49,57 +63,246 @@ impl Material {
             ),
         }
     }
+
+    /// Returns the material with the paired Poisson ratios `nu1 = b/(1 + b)` and
+    /// `nu0 = (1 - b)/(2 - b)` whose `Pi0`, `Eeq`, `Gamma` and `Delta0` equal those of `self` at
+    /// every `a/t`.
+    ///
+    /// `E1*` and `E0*` are kept, and so is the third number on which a contact depends,
+    ///
+    /// ```text
+    /// b = p nu1/(1 - nu1) + (1 - p) (1 - 2 nu0)/(1 - nu0),   p = E0*/(E0* + E1*)
+    /// ```
+    ///
+    /// Every pair of Poisson ratios from 0 to 1/2 has its point in this family of one parameter:
+    /// `b = 1` is an incompressible film on a substrate with `nu0 = 0`, `b = 0` a film with
+    /// `nu1 = 0` on an incompressible substrate.
+    ///
+    /// # Errors
+    /// [`Error::Unphysical`] for a `b` outside 0 to 1, which only a negative Poisson ratio gives.
+    pub fn with_paired_poisson_ratios(&self) -> Result<Self, Error> {
+        let Invariants {
+            e1s_over_e2s,
+            e0s_over_e1s,
+            b,
+            one_minus_b,
+        } = Invariants::of(self);
+        let allowed = "in 0 to 1, as it is for Poisson ratios from 0 to 0.5: a negative Poisson ratio \
+                       needs a direct solve, or a table made for the nu0 of this substrate";
+        Error::unless(b >= 0.0 && one_minus_b >= 0.0, "b", b, allowed)?;
+        let (nu1, nu0) = (b / (1.0 + b), one_minus_b / (1.0 + one_minus_b));
+        // The unit is `E2*`, or `E1` under a rigid sphere.
+        let (e1_over_e2, unit) = match self.normalisation() {
+            Normalisation::Sphere => (e1s_over_e2s * one_minus_square(nu1), e1s_over_e2s),
+            Normalisation::Film => (0.0, 1.0 / one_minus_square(nu1)),
+        };
+        let e0_over_e2 = e0s_over_e1s * unit * one_minus_square(nu0);
+        Self::new(e1_over_e2, nu1, e0_over_e2, nu0)
+    }
+
+    /// Returns the material with these ratios of reduced moduli, `E1*/E2*` and `E0*/E1*`.
+    ///
+    /// A rigid film, `e1s_over_e2s = inf`, is represented by 1e100, from which no contact of f64
+    /// differs.
+    ///
+    /// # Errors
+    /// [`Error::Unphysical`] unless `e1s_over_e2s >= 0` and `e0s_over_e1s > 0`; as
+    /// [`Material::new`].
+    pub fn of_reduced_moduli(
+        e1s_over_e2s: f64,
+        nu1: f64,
+        e0s_over_e1s: f64,
+        nu0: f64,
+    ) -> Result<Self, Error> {
+        const RIGID: f64 = 1e100;
+        poisson_ratio("nu1", nu1)?;
+        poisson_ratio("nu0", nu0)?;
+        let allowed = ">= 0 (0 is a rigid sphere, inf a rigid film)";
+        Error::unless(e1s_over_e2s >= 0.0, "e1s_over_e2s", e1s_over_e2s, allowed)?;
+        let allowed = "> 0 (inf is a rigid substrate)";
+        Error::unless(e0s_over_e1s > 0.0, "e0s_over_e1s", e0s_over_e1s, allowed)?;
+        let young = e0s_over_e1s * one_minus_square(nu0);
+        if e1s_over_e2s == 0.0 {
+            return Self::new(0.0, nu1, young / one_minus_square(nu1), nu0);
+        }
+        let film = e1s_over_e2s.min(RIGID);
+        Self::new(film * one_minus_square(nu1), nu1, film * young, nu0)
+    }
 }
 
-/// The equivalent of a material on a substrate with another Poisson ratio, with its derivatives
-/// with respect to the material.
+/// The Poisson ratio of the substrates of a table.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub enum SubstratePoissonRatio {
+    /// One number. Some films on substrates with another Poisson ratio have no equivalent on these
+    /// substrates.
+    Fixed(f64),
+    /// The pair of the film's: `nu0 = (1 - b)/(2 - b)` under a film with `nu1 = b/(1 + b)`, see
+    /// [`Material::with_paired_poisson_ratios`]. Every film and substrate with Poisson ratios from
+    /// 0 to 1/2 has an equivalent.
+    Paired,
+}
+
+impl SubstratePoissonRatio {
+    /// The word for [`SubstratePoissonRatio::Paired`] in scenes and files.
+    pub const PAIRED: &'static str = "paired";
+
+    /// Returns the Poisson ratio of the substrate under a film with Poisson ratio `nu1`.
+    ///
+    /// The pair of `nu1 = b/(1 + b)` is `(1 - b)/(2 - b) = (1 - 2 nu1)/(2 - 3 nu1)`.
+    pub fn under(self, nu1: f64) -> f64 {
+        match self {
+            Self::Fixed(nu0) => nu0,
+            Self::Paired => (1.0 - 2.0 * nu1) / (2.0 - 3.0 * nu1),
+        }
+    }
+
+    /// Returns the equivalent of a material on such a substrate.
+    ///
+    /// # Errors
+    /// [`Error::Unphysical`] if there is none.
+    pub(crate) fn equivalent(self, material: &Material) -> Result<Material, Error> {
+        match self {
+            Self::Fixed(nu0) => material.with_substrate_poisson_ratio(nu0),
+            Self::Paired => material.with_paired_poisson_ratios(),
+        }
+    }
+}
+
+impl fmt::Display for SubstratePoissonRatio {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Fixed(nu0) => nu0.fmt(f),
+            Self::Paired => f.write_str(Self::PAIRED),
+        }
+    }
+}
+
+/// The three numbers of film, substrate and sphere on which a contact depends.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Invariants {
+    /// `E1*/E2*`, 0 under a rigid sphere.
+    pub(crate) e1s_over_e2s: f64,
+    /// `E0*/E1*`, infinite on a rigid substrate.
+    pub(crate) e0s_over_e1s: f64,
+    /// `b`, see [`Material::with_paired_poisson_ratios`].
+    b: f64,
+    /// `1 - b`, without the cancellation near `b = 1`.
+    one_minus_b: f64,
+}
+
+impl Invariants {
+    /// Returns those of a material.
+    pub(crate) fn of(material: &Material) -> Self {
+        let (film, substrate) = (material.film_modulus(), material.substrate_modulus());
+        let (p, rest) = shares(film, substrate);
+        let (nu1, nu0) = (material.nu1(), material.nu0());
+        Self {
+            e1s_over_e2s: match material.normalisation() {
+                Normalisation::Sphere => film,
+                Normalisation::Film => 0.0,
+            },
+            e0s_over_e1s: substrate / film,
+            b: p * nu1 / (1.0 - nu1) + rest * dundurs_k(nu0),
+            one_minus_b: p * dundurs_k(nu1) + rest * nu0 / (1.0 - nu0),
+        }
+    }
+
+    /// Returns whether two materials make the same contact, except for the rounding of ratios of SI
+    /// values.
+    pub(crate) fn are_close(&self, other: &Self) -> bool {
+        let close = |a: f64, b: f64, size: f64| a == b || (a - b).abs() <= ROUNDING * size;
+        close(self.e1s_over_e2s, other.e1s_over_e2s, other.e1s_over_e2s)
+            && close(self.e0s_over_e1s, other.e0s_over_e1s, other.e0s_over_e1s)
+            && close(self.b, other.b, 1.0)
+    }
+}
+
+/// Returns `E0*/(E0* + E1*)` and `E1*/(E0* + E1*)`.
+fn shares(film: f64, substrate: f64) -> (f64, f64) {
+    (
+        1.0 / (1.0 + film / substrate),
+        1.0 / (1.0 + substrate / film),
+    )
+}
+
+/// The equivalent of a material in a table, with its derivatives with respect to the material.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Equivalence {
     /// The equivalent material.
     pub(crate) equivalent: Material,
-    /// The derivatives of `ln e1_over_e2`, `nu1` and `ln e0_over_e2` of the equivalent (a row each)
-    /// with respect to `ln e1_over_e2`, `nu1`, `ln e0_over_e2` and `nu0` of the material.
-    pub(crate) jacobian: Jacobian,
+    /// The derivatives of `ln E1/E2*`, `nu1`, `ln E0/E2*`, and of `ln E1*/E2*` and `ln E0*/E1*` of
+    /// the equivalent (a row each), with respect to `ln e1_over_e2`, `nu1`, `ln e0_over_e2` and
+    /// `nu0` of the material.
+    rows: [[f64; 4]; 5],
 }
 
 /// The derivatives of three parameters (a row each) with respect to four.
 pub(crate) type Jacobian = [[f64; 4]; 3];
 
 impl Equivalence {
-    /// Finds the equivalent of `material` on a substrate with Poisson ratio `nu0`.
+    /// Finds the equivalent of `material` on substrates with Poisson ratio `nu0`.
     ///
     /// # Errors
-    /// Those of [`Material::with_substrate_poisson_ratio`].
-    pub(crate) fn new(material: &Material, nu0: f64) -> Result<Self, Error> {
-        let equivalent = material.with_substrate_poisson_ratio(nu0)?;
-        let r = material.film_modulus() / material.substrate_modulus();
-        let shift = r * (dundurs_k(nu0) - dundurs_k(material.nu0()));
-        // The derivatives of `ln(1 - nu^2)` and of `k`.
-        let slope = |nu: f64| -2.0 * nu / one_minus_square(nu);
-        let k_slope = |nu: f64| -1.0 / ((1.0 - nu) * (1.0 - nu));
-        // `r = (e1/e0) (1 - nu0^2)/(1 - nu1^2)`; under a rigid sphere `e1 = 1` is fixed.
+    /// Those of [`SubstratePoissonRatio::equivalent`].
+    pub(crate) fn new(material: &Material, nu0: SubstratePoissonRatio) -> Result<Self, Error> {
+        let equivalent = nu0.equivalent(material)?;
+        let (own, its) = (
+            [material.nu1(), material.nu0()],
+            [equivalent.nu1(), equivalent.nu0()],
+        );
+        let times = |factor: f64, row: [f64; 4]| row.map(|derivative| factor * derivative);
+        let plus = |a: [f64; 4], b: [f64; 4]| array::from_fn(|i| a[i] + b[i]);
+        // The derivatives of `-ln(1 - nu^2)` and of `nu/(1 - nu)`.
+        let reduced = |nu: f64| 2.0 * nu / one_minus_square(nu);
+        let slope = |nu: f64| 1.0 / ((1.0 - nu) * (1.0 - nu));
+        // Under a rigid sphere `E1*` is the unit, and the material's `e0_over_e2` is `E0/E1`.
         let sphere = material.sphere_compliance();
-        let r_row = [sphere, -slope(material.nu1()), -1.0, slope(material.nu0())];
-        let mut k_row = r_row.map(|derivative| shift * derivative);
-        k_row[1] += k_slope(material.nu1());
-        k_row[3] -= r * k_slope(material.nu0());
-        // The slope of the inverse function of `k` is one over that of `k`.
-        let nu_row = k_row.map(|derivative| derivative / k_slope(equivalent.nu1()));
-        // `E1 = E1* (1 - nu1^2)` and `E0 = E0* (1 - nu0^2)`. Under a rigid sphere the unit of `E0`
-        // is `E1`.
-        let mut film_row = nu_row.map(|derivative| slope(equivalent.nu1()) * derivative);
-        film_row[1] -= slope(material.nu1());
-        let mut substrate_row = film_row.map(|derivative| (sphere - 1.0) * derivative);
-        film_row[0] += 1.0;
-        substrate_row[2] += 1.0;
-        substrate_row[3] -= slope(material.nu0());
+        let film = [sphere, sphere * reduced(own[0]), 0.0, 0.0];
+        let substrate = [-sphere, -reduced(own[0]), 1.0, reduced(own[1])];
+
+        let (p, rest) = shares(material.film_modulus(), material.substrate_modulus());
+        let beta = |nu: f64| nu / (1.0 - nu);
+        let [nu1, nu0] = match nu0 {
+            // `nu1/(1 - nu1)` grows by the change of `(1 - 2 nu0)/(1 - nu0)` times `E1*/E0*`.
+            SubstratePoissonRatio::Fixed(_) => {
+                let r = material.film_modulus() / material.substrate_modulus();
+                let mut row = times(r * (beta(own[1]) - beta(its[1])), substrate);
+                row[1] += slope(own[0]);
+                row[3] -= r * slope(own[1]);
+                [times(1.0 / slope(its[0]), row), [0.0; 4]]
+            }
+            SubstratePoissonRatio::Paired => {
+                let mut row = times(p * rest * (beta(own[0]) - dundurs_k(own[1])), substrate);
+                row[1] += p * slope(own[0]);
+                row[3] -= rest * slope(own[1]);
+                // `nu1 = b/(1 + b)` and `nu0 = (1 - b)/(2 - b)`.
+                let (nu1, nu0) = (1.0 - its[0], 1.0 - its[1]);
+                [times(nu1 * nu1, row), times(-nu0 * nu0, row)]
+            }
+        };
+        // `E1 = E1* (1 - nu1^2)` and `E0 = E0* (1 - nu0^2)`, in units of `E2*` or of `E1`.
+        let film_young = plus(film, times(-sphere * reduced(its[0]), nu1));
+        let unit = plus(
+            times(sphere, film),
+            times((1.0 - sphere) * reduced(its[0]), nu1),
+        );
+        let substrate_young = plus(plus(substrate, unit), times(-reduced(its[1]), nu0));
         Ok(Self {
             equivalent,
-            jacobian: [
-                film_row.map(|derivative| sphere * derivative),
-                nu_row,
-                substrate_row,
-            ],
+            rows: [film_young, nu1, substrate_young, film, substrate],
+        })
+    }
+
+    /// Returns the derivatives of three parameters of the equivalent: `nu1`, and the logarithms of
+    /// ratios of moduli.
+    pub(crate) fn jacobian(&self, parameters: [Parameter; 3]) -> Jacobian {
+        parameters.map(|parameter| match parameter {
+            Parameter::AOverT => [0.0; 4],
+            Parameter::E1OverE2 => self.rows[0],
+            Parameter::Nu1 => self.rows[1],
+            Parameter::E0OverE2 => self.rows[2],
+            Parameter::E1sOverE2s => self.rows[3],
+            Parameter::E0sOverE1s => self.rows[4],
         })
     }
 }

@@ -1,6 +1,7 @@
 //! The dimensionless material of sphere (2), film (1) and substrate (0): ratios, reduced moduli and
 //! exact limits.
 
+use crate::material::equivalence::Invariants;
 use crate::{Error, Quantities};
 use serde::{Deserialize, Serialize};
 
@@ -89,6 +90,12 @@ impl Material {
             && close(self.nu1, other.nu1, 1.0)
             && close(self.e0_over_e2, other.e0_over_e2, other.e0_over_e2)
             && close(self.nu0, other.nu0, 1.0)
+    }
+
+    /// Returns whether two materials make the same contact, except for the rounding of ratios of SI
+    /// values.
+    pub(crate) fn is_equivalent_to(&self, other: &Self) -> bool {
+        Invariants::of(self).are_close(&Invariants::of(other))
     }
 
     /// Returns `E1/E2*`, or 0 for a rigid sphere.

@@ -13,6 +13,7 @@ pub(crate) mod system;
 
 pub(crate) use material::{ROUNDING, one_minus_square, poisson_ratio};
 
+pub use equivalence::SubstratePoissonRatio;
 pub use material::{Material, Normalisation};
 pub use parameter::Parameter;
 pub use quantity::{Quantities, Quantity};

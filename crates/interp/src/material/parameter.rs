@@ -1,10 +1,14 @@
-//! The four parameters of the quantities, and the coordinates in which the quantities are smooth.
+//! The parameters of the quantities, and the coordinates in which the quantities are smooth.
 
-/// One of the four parameters of a table.
+/// A parameter of the quantities, and an axis of a table.
 ///
-/// The order of the variants is that of the dimensions of a table (row-major, the first varies
-/// slowest).
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+/// A [`Material`](crate::Material) has the parameters [`E1OverE2`](Self::E1OverE2),
+/// [`Nu1`](Self::Nu1) and [`E0OverE2`](Self::E0OverE2). The axes of a table are
+/// [`Parameter::ALL`], or [`Parameter::REDUCED`] with the ratios of reduced moduli in which limits
+/// are ordinary points.
+#[derive(
+    Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, serde::Serialize, serde::Deserialize,
+)]
 pub enum Parameter {
     /// Contact radius over film thickness.
     AOverT,
@@ -14,11 +18,42 @@ pub enum Parameter {
     Nu1,
     /// `E0/E2*`: Young's modulus of the substrate over the sphere's reduced modulus.
     E0OverE2,
+    /// `E1*/E2*`: reduced modulus of the film over that of the sphere; 0 is a rigid sphere,
+    /// infinity a rigid film.
+    E1sOverE2s,
+    /// `E0*/E1*`: reduced modulus of the substrate over that of the film; infinity is a rigid
+    /// substrate.
+    E0sOverE1s,
 }
 
 impl Parameter {
-    /// All four parameters, in the order of the dimensions of a table.
+    /// `a/t` and the three parameters of a [`Material`](crate::Material), in the order of the
+    /// dimensions of a table (row-major, the first varies slowest).
     pub const ALL: [Self; 4] = [Self::AOverT, Self::E1OverE2, Self::Nu1, Self::E0OverE2];
+
+    /// `a/t` and the three parameters of a material by reduced moduli, in the order of the
+    /// dimensions of a table.
+    pub const REDUCED: [Self; 4] = [Self::AOverT, Self::E1sOverE2s, Self::Nu1, Self::E0sOverE1s];
+
+    /// Where the coordinate of `E1*/E2*` ends to be logarithmic. Below the first, a sphere is
+    /// nearly rigid at any `a/t` up to 1e3: an incompressible film between rigid bodies feels the
+    /// sphere's compliance where `E1*/E2* (a/t)^3` is of order one. Beyond the second, the film is
+    /// nearly rigid on any substrate that is not softer than it by that factor.
+    const E1S_ENDS: [f64; 2] = [1e-10, 1e14];
+
+    /// Where the coordinate of `E0*/E1*` ends to be logarithmic: beyond, the substrate is nearly
+    /// rigid at any `a/t` up to 1e3.
+    const E0S_END: f64 = 1e10;
+
+    /// Returns the dimension of a table that this parameter may be the axis of.
+    pub const fn dimension(self) -> usize {
+        match self {
+            Self::AOverT => 0,
+            Self::E1OverE2 | Self::E1sOverE2s => 1,
+            Self::Nu1 => 2,
+            Self::E0OverE2 | Self::E0sOverE1s => 3,
+        }
+    }
 
     /// Returns the name used in the API, on the command line, in CSV, TOML and HDF5.
     pub const fn name(self) -> &'static str {
@@ -27,6 +62,8 @@ impl Parameter {
             Self::E1OverE2 => "e1_over_e2",
             Self::Nu1 => "nu1",
             Self::E0OverE2 => "e0_over_e2",
+            Self::E1sOverE2s => "e1s_over_e2s",
+            Self::E0sOverE1s => "e0s_over_e1s",
         }
     }
 
@@ -42,6 +79,14 @@ impl Parameter {
                 "Young's modulus of the substrate over the sphere's reduced modulus E2* \
                  (over the film's Young's modulus if the sphere is rigid)"
             }
+            Self::E1sOverE2s => {
+                "reduced modulus E1* of the film over that of the sphere, E2* \
+                 (0: rigid sphere, inf: rigid film)"
+            }
+            Self::E0sOverE1s => {
+                "reduced modulus E0* of the substrate over that of the film, E1* \
+                 (inf: rigid substrate)"
+            }
         }
     }
 
@@ -51,6 +96,8 @@ impl Parameter {
         match self {
             Self::AOverT | Self::E1OverE2 | Self::E0OverE2 => "logarithmic",
             Self::Nu1 => "c, with 1 - 2 nu1 = (1 - 2 c)^3",
+            Self::E1sOverE2s => "ln((e1s_over_e2s + 1e-10)/(1 + e1s_over_e2s/1e14))",
+            Self::E0sOverE1s => "-ln(1/e0s_over_e1s + 1e-10)",
         }
     }
 
@@ -58,10 +105,23 @@ impl Parameter {
     ///
     /// It is the logarithm of `value`; for `nu1` it is the `c` with `1 - 2 nu1 = (1 - 2c)^3`,
     /// because a nearly incompressible film changes its behaviour where `(1 - 2 nu1) (a/t)^2 ~ 1`.
+    /// The ratios of reduced moduli have coordinates, [`Parameter::scale`], that are logarithms
+    /// except near 0 and infinity. There they end at finite values, because the quantities are
+    /// smooth functions of `E1*/E2*` at 0, of `E2*/E1*` at 0 and of `E1*/E0*` at 0.
     pub fn coordinate(self, value: f64) -> f64 {
         match self {
             Self::AOverT | Self::E1OverE2 | Self::E0OverE2 => value.ln(),
             Self::Nu1 => 0.5 * (1.0 - (1.0 - 2.0 * value).cbrt()),
+            Self::E1sOverE2s => {
+                let [low, high] = Self::E1S_ENDS;
+                // Both forms are exact at their end.
+                if value < 1.0 {
+                    ((value + low) / (1.0 + value / high)).ln()
+                } else {
+                    ((1.0 + low / value) / (1.0 / value + 1.0 / high)).ln()
+                }
+            }
+            Self::E0sOverE1s => -(1.0 / value + 1.0 / Self::E0S_END).ln(),
         }
     }
 
@@ -81,6 +141,27 @@ impl Parameter {
         match self {
             Self::AOverT | Self::E1OverE2 | Self::E0OverE2 => (-coordinate).exp(),
             Self::Nu1 => 1.0 / (3.0 * (1.0 - 2.0 * coordinate).powi(2)),
+            Self::E1sOverE2s => {
+                let ([low, high], value) = (Self::E1S_ENDS, self.value(coordinate));
+                1.0 / (value + low) - 1.0 / (value + high)
+            }
+            Self::E0sOverE1s => {
+                let value = self.value(coordinate);
+                1.0 / (value * (1.0 + value / Self::E0S_END))
+            }
+        }
+    }
+
+    /// Returns `value` times the derivative of the coordinate of a modulus ratio with respect to
+    /// it: 1 where the coordinate is the logarithm.
+    pub(crate) fn logarithmic_speed(self, value: f64) -> f64 {
+        match self {
+            Self::E1sOverE2s => {
+                let [low, high] = Self::E1S_ENDS;
+                1.0 / (1.0 + low / value) - 1.0 / (1.0 + high / value)
+            }
+            Self::E0sOverE1s => 1.0 / (1.0 + value / Self::E0S_END),
+            _ => 1.0,
         }
     }
 
@@ -89,6 +170,11 @@ impl Parameter {
         match self {
             Self::AOverT | Self::E1OverE2 | Self::E0OverE2 => coordinate.exp(),
             Self::Nu1 => 0.5 * (1.0 - (1.0 - 2.0 * coordinate).powi(3)),
+            Self::E1sOverE2s => {
+                let ([low, high], value) = (Self::E1S_ENDS, coordinate.exp());
+                (value - low).max(0.0) / (1.0 - value / high).max(0.0)
+            }
+            Self::E0sOverE1s => 1.0 / ((-coordinate).exp() - 1.0 / Self::E0S_END).max(0.0),
         }
     }
 }

@@ -5,51 +5,91 @@ use std::cmp::Ordering;
 
 use crate::curve::bspline::Basis;
 use crate::curve::nodes::{REASONABLE, too_close};
+use crate::material::equivalence::Invariants;
 use crate::material::{ROUNDING, poisson_ratio};
-use crate::{Error, Material, Parameter};
+use crate::{Error, Material, Normalisation, Parameter};
 
-/// The parameters of a material in a table, in the order of [`Parameter::ALL`].
-pub(crate) const MATERIAL: [Parameter; 3] =
-    [Parameter::E1OverE2, Parameter::Nu1, Parameter::E0OverE2];
-
-/// The nodes of each parameter, ascending, in the order of [`Parameter::ALL`].
+/// The parameters of a table and the nodes of each, ascending.
 ///
 /// A fixed parameter has one node.
 #[derive(Clone, Debug)]
-pub(crate) struct Axes([Vec<f64>; 4]);
+pub(crate) struct Axes {
+    parameters: [Parameter; 4],
+    nodes: [Vec<f64>; 4],
+}
 
 impl Axes {
     /// Accepts nodes that splines can interpolate.
     ///
     /// # Errors
-    /// [`Error::Malformed`] for an axis that is empty, does not ascend, holds a value outside
+    /// [`Error::Malformed`] for parameters that are neither [`Parameter::ALL`] nor
+    /// [`Parameter::REDUCED`], or an axis that is empty, does not ascend, holds a value outside
     /// physics, or has two nodes too close for a spline.
-    pub(crate) fn new(nodes: [Vec<f64>; 4]) -> Result<Self, Error> {
-        for (parameter, nodes) in Parameter::ALL.into_iter().zip(&nodes) {
-            check(parameter, nodes)?;
+    pub(crate) fn new(axes: [(Parameter, Vec<f64>); 4]) -> Result<Self, Error> {
+        let parameters = axes.each_ref().map(|(parameter, _)| *parameter);
+        if ![Parameter::ALL, Parameter::REDUCED].contains(&parameters) {
+            let names = |parameters: [Parameter; 4]| parameters.map(Parameter::name).join(", ");
+            return Err(Error::Malformed(format!(
+                "its axes are {}; they must be {} or {}",
+                names(parameters),
+                names(Parameter::ALL),
+                names(Parameter::REDUCED)
+            )));
         }
-        Ok(Self(nodes))
+        for (parameter, nodes) in &axes {
+            check(*parameter, nodes)?;
+        }
+        Ok(Self {
+            parameters,
+            nodes: axes.map(|(_, nodes)| nodes),
+        })
     }
 
-    /// Returns the nodes of a parameter.
+    /// Returns the parameters, one for each dimension.
+    pub(crate) fn parameters(&self) -> [Parameter; 4] {
+        self.parameters
+    }
+
+    /// Returns the parameters of a material.
+    pub(crate) fn of_material(&self) -> [Parameter; 3] {
+        let [_, film, nu1, substrate] = self.parameters;
+        [film, nu1, substrate]
+    }
+
+    /// Returns the nodes of a parameter; none for a parameter that is no axis.
     pub(crate) fn nodes(&self, parameter: Parameter) -> &[f64] {
-        &self.0[parameter as usize]
+        let dimension = parameter.dimension();
+        if self.parameters[dimension] == parameter {
+            &self.nodes[dimension]
+        } else {
+            &[]
+        }
     }
 
-    /// Returns the nodes of all parameters.
-    pub(crate) fn all(&self) -> &[Vec<f64>; 4] {
-        &self.0
+    /// Returns the parameters with their nodes.
+    pub(crate) fn all(&self) -> [(Parameter, Vec<f64>); 4] {
+        self.parameters
+            .map(|parameter| (parameter, self.nodes(parameter).to_vec()))
     }
 
     /// Returns the number of nodes on each axis.
     pub(crate) fn shape(&self) -> [usize; 4] {
-        self.0.each_ref().map(Vec::len)
+        self.nodes.each_ref().map(Vec::len)
     }
 
-    /// Returns the first and the last node of a parameter.
+    /// Returns the first and the last node of a parameter of these axes.
     pub(crate) fn ends(&self, parameter: Parameter) -> [f64; 2] {
         let nodes = self.nodes(parameter);
         [nodes[0], nodes[nodes.len() - 1]]
+    }
+
+    /// Returns whether a single number is the only node of a parameter, such that the table does
+    /// not know the derivative with respect to it. At a limit, a rigid sphere or substrate, the
+    /// derivative is 0.
+    pub(crate) fn fixes(&self, parameter: Parameter) -> bool {
+        let [from, to] = self.ends(parameter);
+        let is_limit = from == f64::INFINITY || from == 0.0 && parameter != Parameter::Nu1;
+        from == to && !is_limit
     }
 
     /// Makes the B-splines of a parameter, over its [coordinate](Parameter::coordinate).
@@ -62,15 +102,39 @@ impl Axes {
         Basis::of_table(&coordinates, parameter.is_flat_at(self.ends(parameter)[1]))
     }
 
-    /// Returns the coordinates of a material, in the order of [`MATERIAL`].
+    /// Returns the symbol of the modulus in whose units the quantities at the nodes are.
+    pub(crate) fn unit(&self) -> &'static str {
+        let [film, ..] = self.of_material();
+        match film {
+            Parameter::E1OverE2 if self.ends(film)[0] == 0.0 => Normalisation::Film.symbol(),
+            Parameter::E1OverE2 => Normalisation::Sphere.symbol(),
+            _ => "Es*",
+        }
+    }
+
+    /// Returns the coordinates of a material, on a substrate with the table's Poisson ratio, along
+    /// the axes of [`Self::of_material`].
     ///
     /// # Errors
-    /// [`Error::OutsideTable`] if it is outside the box.
+    /// [`Error::Normalisation`] for a rigid sphere in a table of `e1_over_e2` for compliant spheres,
+    /// or the reverse; [`Error::OutsideTable`] if it is outside the box.
     pub(crate) fn locate(&self, material: &Material) -> Result<[f64; 3], Error> {
-        let e1 = self.coordinate(Parameter::E1OverE2, material.e1_over_e2())?;
-        let nu1 = self.coordinate(Parameter::Nu1, material.nu1())?;
-        let e0 = self.coordinate(Parameter::E0OverE2, material.e0_over_e2())?;
-        Ok([e1, nu1, e0])
+        let [film, nu1, substrate] = self.of_material();
+        let [film_value, substrate_value] = if film == Parameter::E1OverE2 {
+            let (table, query) = (self.unit(), material.normalisation().symbol());
+            if table != query {
+                return Err(Error::Normalisation { table, query });
+            }
+            [material.e1_over_e2(), material.e0_over_e2()]
+        } else {
+            let invariants = Invariants::of(material);
+            [invariants.e1s_over_e2s, invariants.e0s_over_e1s]
+        };
+        Ok([
+            self.coordinate(film, film_value)?,
+            self.coordinate(nu1, material.nu1())?,
+            self.coordinate(substrate, substrate_value)?,
+        ])
     }
 
     /// Returns the coordinate of a value, which may be beyond an end by rounding.
@@ -100,12 +164,14 @@ impl Axes {
         }
     }
 
-    /// Returns the sphere-film modulus `es` at node `e1` of `e1_over_e2` and node `nu` of `nu1`.
+    /// Returns the sphere-film modulus `es` in the unit of the table, at node `e1` of the film's
+    /// modulus and node `nu` of `nu1`.
     pub(crate) fn sphere_film_modulus(&self, e1: usize, nu: usize) -> f64 {
-        let (e1, nu1) = (
-            self.nodes(Parameter::E1OverE2)[e1],
-            self.nodes(Parameter::Nu1)[nu],
-        );
+        if self.parameters == Parameter::REDUCED {
+            return 1.0;
+        }
+        let [_, e1_nodes, nu1_nodes, _] = &self.nodes;
+        let (e1, nu1) = (e1_nodes[e1], nu1_nodes[nu]);
         // `es` does not depend on the substrate.
         let material = Material::new(e1, nu1, f64::INFINITY, 0.0).expect("the nodes were checked");
         material.sphere_film_modulus()
@@ -138,6 +204,8 @@ fn check(parameter: Parameter, nodes: &[f64]) -> Result<(), Error> {
         Parameter::E0OverE2 => {
             REASONABLE.contains(&node) || (node == f64::INFINITY && nodes.len() == 1)
         }
+        Parameter::E1sOverE2s => REASONABLE.contains(&node) || node == 0.0 || node == f64::INFINITY,
+        Parameter::E0sOverE1s => REASONABLE.contains(&node) || node == f64::INFINITY,
     };
     if let Some(node) = nodes.iter().find(|node| !physical(node)) {
         let allowed = match parameter {
@@ -145,6 +213,8 @@ fn check(parameter: Parameter, nodes: &[f64]) -> Result<(), Error> {
             Parameter::E1OverE2 => "in [1e-30, 1e30], or 0 as the only node",
             Parameter::Nu1 => "in (-1, 0.5]",
             Parameter::E0OverE2 => "in [1e-30, 1e30], or inf as the only node",
+            Parameter::E1sOverE2s => "in [1e-30, 1e30], 0 or inf",
+            Parameter::E0sOverE1s => "in [1e-30, 1e30], or inf",
         };
         return malformed(format!(
             "axis {name} holds {node:?}, its nodes must be {allowed}"

@@ -8,7 +8,7 @@ use hdf5_pure::{AttrValue, DType, File};
 
 use crate::table::packed::is_packed;
 use crate::table::schema::{AXES, FORMAT, FORMAT_VERSION, VALUES, attribute};
-use crate::{Certificate, Description, Error, Normalisation, Parameter, Quantity, Table};
+use crate::{Certificate, Description, Error, Parameter, Quantity, SubstratePoissonRatio, Table};
 
 impl Table {
     /// Reads an HDF5 table (feature `hdf5`). A packed table is read by [`Table::read`].
@@ -58,29 +58,34 @@ impl Table {
                 supported: FORMAT_VERSION,
             });
         }
-        let normalised_by = attributes.text(attribute::NORMALISED_BY)?;
-        let normalisation = [Normalisation::Sphere, Normalisation::Film]
-            .into_iter()
-            .find(|normalisation| normalisation.symbol() == normalised_by)
-            .ok_or_else(|| {
-                Error::Malformed(format!(
-                    "it is normalised by {normalised_by:?}, it must be by \"E2*\" or \"E1*\""
-                ))
-            })?;
         let description = Description {
             title: attributes.text(attribute::TITLE)?.to_owned(),
             scene: attributes.text(attribute::SCENE)?.to_owned(),
-            nu0: attributes.number(attribute::NU0)?,
-            normalisation,
+            nu0: match attributes.text(attribute::NU0) {
+                Ok(SubstratePoissonRatio::PAIRED) => SubstratePoissonRatio::Paired,
+                _ => SubstratePoissonRatio::Fixed(attributes.number(attribute::NU0)?),
+            },
             tolerance: attributes.number(attribute::TOLERANCE)?,
             created_by: attributes.text(attribute::CREATED_BY)?.to_owned(),
             certificate: certificate(&attributes)?,
         };
-        let mut axes = [const { Vec::new() }; 4];
-        for (axis, parameter) in axes.iter_mut().zip(Parameter::ALL) {
-            *axis = dataset(&file, bytes, &format!("{AXES}/{}", parameter.name()), None)?;
+        let names = file
+            .group(AXES)
+            .and_then(|group| group.datasets())
+            .map_err(malformed)?;
+        let is_reduced = names
+            .iter()
+            .any(|name| name == Parameter::E1sOverE2s.name());
+        let mut axes = if is_reduced {
+            Parameter::REDUCED
+        } else {
+            Parameter::ALL
         }
-        let shape: Vec<u64> = axes.iter().map(|nodes| nodes.len() as u64).collect();
+        .map(|parameter| (parameter, Vec::new()));
+        for (parameter, nodes) in &mut axes {
+            *nodes = dataset(&file, bytes, &format!("{AXES}/{}", parameter.name()), None)?;
+        }
+        let shape: Vec<u64> = axes.iter().map(|(_, nodes)| nodes.len() as u64).collect();
         let held = file
             .group(VALUES)
             .and_then(|group| group.datasets())
@@ -96,7 +101,14 @@ impl Table {
                 )?);
             }
         }
-        Self::new(description, axes, values)
+        let table = Self::new(description, axes, values)?;
+        let (unit, stated) = (table.unit(), attributes.text(attribute::NORMALISED_BY)?);
+        if stated != unit {
+            return Err(Error::Malformed(format!(
+                "it is normalised by {stated:?}, its axes belong to values in units of {unit:?}"
+            )));
+        }
+        Ok(table)
     }
 }
 

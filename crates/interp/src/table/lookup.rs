@@ -1,12 +1,14 @@
 //! The lookup of the curve of one material: the preparation, once for a table, and the sums for
 //! each material.
 
+use std::array;
+
 use crate::curve::resampler::Resampler;
 use crate::curve::sensitivity::Sensitivities;
-use crate::material::equivalence::Equivalence;
-use crate::table::axes::{Axes, MATERIAL};
+use crate::material::equivalence::{Equivalence, Invariants};
+use crate::table::axes::Axes;
 use crate::table::tensor_spline::TensorSpline;
-use crate::{Curve, Description, Error, Material, Parameter, Quantity};
+use crate::{Curve, Description, Error, Material, Parameter, Quantity, SubstratePoissonRatio};
 
 /// A table prepared for lookup.
 #[derive(Clone, Debug)]
@@ -36,7 +38,7 @@ impl Lookup {
         spline: TensorSpline,
     ) -> Self {
         let range = axes.ends(Parameter::AOverT);
-        let [e1, nu1, e0] = MATERIAL.map(|parameter| {
+        let [e1, nu1, e0] = axes.of_material().map(|parameter| {
             let [from, to] = axes
                 .ends(parameter)
                 .map(|value| parameter.coordinate(value));
@@ -78,8 +80,8 @@ impl Lookup {
         description: &Description,
         material: &Material,
     ) -> Result<Curve, Error> {
-        let (equivalent, coordinates) = find_equivalent(description, material, || {
-            let equivalent = material.with_substrate_poisson_ratio(description.nu0)?;
+        let (equivalent, coordinates) = find_equivalent(description, material, |nu0| {
+            let equivalent = nu0.equivalent(material)?;
             Ok((equivalent, axes.locate(&equivalent)?))
         })?;
         let coefficients = self.spline.coefficients(coordinates);
@@ -93,29 +95,39 @@ impl Lookup {
         description: &Description,
         material: &Material,
     ) -> Result<Curve, Error> {
-        let (equivalence, coordinates) = find_equivalent(description, material, || {
-            let equivalence = Equivalence::new(material, description.nu0)?;
-            Ok((equivalence, axes.locate(&equivalence.equivalent)?))
+        let (equivalence, coordinates) = find_equivalent(description, material, |nu0| {
+            let equivalence = Equivalence::new(material, nu0)?;
+            let coordinates = axes.locate(&equivalence.equivalent)?;
+            Ok((equivalence, coordinates))
         })?;
+        let equivalent = equivalence.equivalent;
         // Towards `s = 1 - 2c` of 0 the derivative with respect to `c` falls like `s^2`, and that
         // of `c` with respect to `nu1` grows like `1/s^2`. Their product is evaluated at a small
         // `s`, where it equals that at 0 except for rounding.
         let [e1, nu1, e0] = coordinates;
         let before_the_end = nu1.min(Parameter::Nu1.coordinate(0.5) - 5e-7);
-        let [values, by_e1, mut by_nu1, by_e0] = self
+        let [values, slopes @ ..] = self
             .spline
             .coefficients_and_slopes(coordinates, [e1, before_the_end, e0]);
-        let speed = Parameter::Nu1.speed(before_the_end);
-        by_nu1.iter_mut().for_each(|slope| *slope *= speed);
-        let known = MATERIAL.map(|parameter| {
-            let [from, to] = axes.ends(parameter);
-            from < to || from == 0.0 && parameter == Parameter::E1OverE2 || from == f64::INFINITY
+        let parameters = axes.of_material();
+        let invariants = Invariants::of(&equivalent);
+        // From the derivatives with respect to the coordinates to those with respect to `nu1` and
+        // to the logarithms of the moduli.
+        let speeds = parameters.map(|parameter| match parameter {
+            Parameter::Nu1 => parameter.speed(before_the_end),
+            Parameter::E0sOverE1s => parameter.logarithmic_speed(invariants.e0s_over_e1s),
+            _ => parameter.logarithmic_speed(invariants.e1s_over_e2s),
         });
-        let pieces = [by_e1, by_nu1, by_e0]
-            .map(|slopes| self.resampler.derivatives(&slopes, &self.quantities));
-        let sensitivities = Sensitivities::new(pieces, known, *material, equivalence.jacobian);
+        let mut pieces = slopes.into_iter().zip(speeds).map(|(mut slopes, speed)| {
+            slopes.iter_mut().for_each(|slope| *slope *= speed);
+            self.resampler.derivatives(&slopes, &self.quantities)
+        });
+        let pieces = array::from_fn(|_| pieces.next().expect("three parameters"));
+        let known = parameters.map(|parameter| !axes.fixes(parameter));
+        let jacobian = equivalence.jacobian(parameters);
+        let sensitivities = Sensitivities::new(pieces, known, *material, jacobian);
         Ok(self
-            .of_splines(description, &values, equivalence.equivalent)?
+            .of_splines(description, &values, equivalent)?
             .with_sensitivities(sensitivities))
     }
 
@@ -146,23 +158,18 @@ impl Lookup {
 /// Returns the result of `find`, which looks for the equivalent of `material` in the table.
 ///
 /// # Errors
-/// [`Error::Normalisation`]; the error of `find`, in [`Error::Equivalent`] if the table is made for
-/// another Poisson ratio of the substrate than the material's.
+/// [`Error::Normalisation`]; the error of `find`, in [`Error::Equivalent`] if the substrates of the
+/// table have another Poisson ratio than the material's: then a value in its message may not be
+/// one that the user has given.
 fn find_equivalent<T>(
     description: &Description,
     material: &Material,
-    find: impl Fn() -> Result<T, Error>,
+    find: impl FnOnce(SubstratePoissonRatio) -> Result<T, Error>,
 ) -> Result<T, Error> {
-    let (table_unit, unit) = (description.normalisation, material.normalisation());
-    if table_unit != unit {
-        return Err(Error::Normalisation {
-            table: table_unit.symbol(),
-            query: unit.symbol(),
-        });
-    }
     let (nu1, nu0, table_nu0) = (material.nu1(), material.nu0(), description.nu0);
-    find().map_err(|error| match error {
-        error if nu0 == table_nu0 => error,
+    find(table_nu0).map_err(|error| match error {
+        error @ Error::Normalisation { .. } => error,
+        error if table_nu0 == SubstratePoissonRatio::Fixed(nu0) => error,
         error => Error::Equivalent {
             nu1,
             nu0,

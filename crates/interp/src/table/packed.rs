@@ -31,7 +31,7 @@ const MAGIC: [u8; 8] = *b"COATTBL\n";
 /// The first bytes of an HDF5 file.
 const HDF5_SIGNATURE: [u8; 8] = *b"\x89HDF\r\n\x1a\n";
 /// The only version of the packed form that is written and read.
-const VERSION: u32 = 1;
+const VERSION: u32 = 2;
 /// The number of bytes before the payload.
 const PREFIX: usize = 24;
 /// The largest header, many times that of any real table.
@@ -41,7 +41,7 @@ const HEADER_LIMIT: usize = 1 << 20;
 #[derive(Serialize, Deserialize)]
 struct Header {
     description: Description,
-    axes: [Vec<f64>; 4],
+    axes: [(Parameter, Vec<f64>); 4],
     quantities: Vec<Quantity>,
     form: Form,
 }
@@ -98,7 +98,9 @@ impl Table {
     /// # Errors
     /// [`Error::Malformed`] if title, scene and axes exceed a megabyte; those of [`Table::expand`].
     pub fn to_packed(&self) -> Result<Vec<u8>, Error> {
-        let axes = Parameter::ALL.map(|parameter| self.axis(parameter).to_vec());
+        let axes = self
+            .parameters()
+            .map(|parameter| (parameter, self.axis(parameter).to_vec()));
         let form = if self.low_rank().is_some() {
             Form::LowRank
         } else {
@@ -213,7 +215,7 @@ fn dense(header: Header, content: &[u8]) -> Result<Table, Error> {
     let count = header
         .axes
         .iter()
-        .try_fold(8_usize, |bytes, nodes| bytes.checked_mul(nodes.len()));
+        .try_fold(8_usize, |bytes, (_, nodes)| bytes.checked_mul(nodes.len()));
     let expected = count.and_then(|count| count.checked_mul(header.quantities.len()));
     if expected != Some(content.len()) || !header.quantities.is_sorted_by(|a, b| a < b) {
         return Err(Error::Malformed(format!(

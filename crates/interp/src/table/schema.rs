@@ -17,9 +17,11 @@ pub mod attribute {
     /// Root: the scene as it was given, TOML. Its tolerance may differ from [`TOLERANCE`], which
     /// was used.
     pub const SCENE: &str = "scene";
-    /// Root: the substrate's Poisson ratio.
+    /// Root: the substrate's Poisson ratio, a number or the text `paired`
+    /// ([`SubstratePoissonRatio`](crate::SubstratePoissonRatio)).
     pub const NU0: &str = "nu0";
-    /// Root: the symbol of the modulus that normalises, `E2*` or `E1*`.
+    /// Root: the symbol of the modulus that normalises, `E2*`, `E1*` or `Es*`
+    /// ([`Table::unit`](crate::Table::unit)).
     pub const NORMALISED_BY: &str = "normalised_by";
     /// Root: the relative tolerance of the table.
     pub const TOLERANCE: &str = "tolerance";

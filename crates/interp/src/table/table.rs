@@ -30,7 +30,7 @@ enum Content {
 impl Table {
     /// Makes a table from its parts.
     ///
-    /// `axes` holds the nodes of each parameter in the order of [`Parameter::ALL`].
+    /// `axes` holds the nodes of each of [`Parameter::ALL`] or [`Parameter::REDUCED`], in their order.
     /// `values[quantity]` is row-major over the four axes, `a_over_t` slowest, or `None` if the
     /// scene does not ask for the quantity.
     ///
@@ -38,19 +38,20 @@ impl Table {
     /// [`Error::Malformed`]
     ///
     /// * if an axis is empty or not strictly ascending, or has two nodes too close for a spline;
-    /// * if a modulus, an `a_over_t` or a quantity is not in `[1e-30, 1e30]` (a rigid sphere, 0, or
-    ///   a rigid substrate, infinity, must be the only node of its axis), or `nu1` or `nu0` not in
-    ///   `(-1, 0.5]`;
+    /// * if a modulus, an `a_over_t` or a quantity is not in `[1e-30, 1e30]`, or `nu1` or `nu0` not
+    ///   in `(-1, 0.5]`. A rigid sphere, `e1_over_e2 = 0`, or a rigid substrate,
+    ///   `e0_over_e2 = inf`, must be the only node of its axis; the ratios of reduced moduli may
+    ///   end at 0 and infinity;
     /// * if the number of values is not the product of the numbers of nodes, or all quantities are
     ///   `None`;
-    /// * if the normalisation contradicts the axes, or the tolerance is not in `(0, 1]`.
+    /// * if the tolerance is not in `(0, 1]`.
     pub fn new(
         description: Description,
-        axes: [Vec<f64>; 4],
+        axes: [(Parameter, Vec<f64>); 4],
         values: [Option<Vec<f64>>; 4],
     ) -> Result<Self, Error> {
         let axes = Axes::new(axes)?;
-        description.check(&axes)?;
+        description.check()?;
         let malformed = |what: String| Err(Error::Malformed(what));
         let count = axes
             .shape()
@@ -91,11 +92,11 @@ impl Table {
     /// core differ in the number of nodes.
     pub fn from_low_rank(
         description: Description,
-        axes: [Vec<f64>; 4],
+        axes: [(Parameter, Vec<f64>); 4],
         form: LowRank,
     ) -> Result<Self, Error> {
         let axes = Axes::new(axes)?;
-        description.check(&axes)?;
+        description.check()?;
         let shape = axes.shape();
         if form.shape() != shape {
             return Err(Error::Malformed(format!(
@@ -121,12 +122,24 @@ impl Table {
         self.description.certificate = certificate;
     }
 
-    /// Returns the nodes of `parameter`, ascending; a single node if the scene fixes it.
+    /// Returns the parameters of the axes: [`Parameter::ALL`] or [`Parameter::REDUCED`].
+    pub fn parameters(&self) -> [Parameter; 4] {
+        self.axes.parameters()
+    }
+
+    /// Returns the symbol of the modulus in whose units the quantities at the nodes are: `E2*`;
+    /// `E1*` with `e1_over_e2 = 0`, a rigid sphere; `Es*` on axes of reduced moduli.
+    pub fn unit(&self) -> &'static str {
+        self.axes.unit()
+    }
+
+    /// Returns the nodes of `parameter`, ascending; a single node if the scene fixes it, and none
+    /// if it is not one of [`Table::parameters`].
     pub fn axis(&self, parameter: Parameter) -> &[f64] {
         self.axes.nodes(parameter)
     }
 
-    /// Returns the number of nodes on each axis, in the order of [`Parameter::ALL`].
+    /// Returns the number of nodes on each axis, in the order of [`Table::parameters`].
     pub fn shape(&self) -> [usize; 4] {
         self.axes.shape()
     }
@@ -167,12 +180,12 @@ impl Table {
     }
 
     /// Returns the logarithms that the splines interpolate, `ln(Q/es)` (`ln Delta0`), at all nodes
-    /// with node `e1` of `e1_over_e2`.
+    /// with node `e1` of the film's modulus.
     ///
     /// They are row-major over `nu1`, `e0_over_e2`, `a_over_t` and the quantities held.
     ///
     /// # Panics
-    /// If `e1` is not below the number of nodes of `e1_over_e2`.
+    /// If `e1` is not below the number of nodes of the film's modulus.
     pub fn logarithms(&self, e1: usize) -> Vec<f64> {
         let values = match &self.content {
             Content::LowRank(form) => return form.logarithms(e1),
@@ -232,14 +245,15 @@ impl Table {
                 }
             }
         }
-        Self::new(self.description.clone(), self.axes.all().clone(), values).map(Cow::Owned)
+        Self::new(self.description.clone(), self.axes.all(), values).map(Cow::Owned)
     }
 
     /// Makes the curve of `material`, the quantities as functions of `a/t`, by tensor splines of
     /// degree 9 along the material axes.
     ///
     /// A material on a substrate with another Poisson ratio than the table's `nu0` is replaced by
-    /// its exact [equivalent](Material::with_substrate_poisson_ratio) if one exists: an
+    /// its exact equivalent. Among [paired](SubstratePoissonRatio::Paired) Poisson ratios it always
+    /// exists; with one `nu0` for the table, an
     /// incompressible film has none for a `nu0` below the table's. A parameter may miss the box, or
     /// a fixed value, by `1e-12` relative, which allows for rounding.
     ///

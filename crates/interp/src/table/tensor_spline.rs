@@ -5,7 +5,7 @@ use std::array;
 
 use crate::Parameter;
 use crate::curve::bspline::{Basis, LARGEST_DEGREE, Weights};
-use crate::table::axes::{Axes, MATERIAL};
+use crate::table::axes::Axes;
 use crate::table::low_rank::LowRank;
 use crate::table::tensor_train::TensorTrain;
 use crate::table::weighted_sum::add_rows;
@@ -151,7 +151,7 @@ impl TensorSpline {
 /// Makes the B-splines of the material axes, and those of `a_over_t`.
 fn bases(axes: &Axes) -> ([Basis; 3], Basis) {
     (
-        MATERIAL.map(|parameter| axes.basis(parameter)),
+        axes.of_material().map(|parameter| axes.basis(parameter)),
         axes.basis(Parameter::AOverT),
     )
 }

@@ -87,8 +87,8 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let holds = |error: f64, allowed: f64| error <= allowed;
     if arguments.json {
         json::print(&CheckObject {
-            measured: (&measured).into(),
-            certified: certified.into(),
+            measured: Errors::new(&measured, table.parameters()),
+            certified: Errors::new(certified, table.parameters()),
             tolerance: description.tolerance,
             holds: errors
                 .iter()

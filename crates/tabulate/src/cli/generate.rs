@@ -154,7 +154,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
 
 fn print_json(generated: &Generated, path: &Path, bytes: u64, all: Duration) -> anyhow::Result<()> {
     let rounds = generated.refined.iter().map(|(nodes, certificate)| Round {
-        nodes: (*nodes).into(),
+        nodes: OfParameters::new(generated.table.parameters(), *nodes),
         max_error: certificate.max_error,
     });
     json::print(&GeneratedObject {

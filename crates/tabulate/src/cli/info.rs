@@ -50,7 +50,7 @@ pub fn describe(table: &Table) -> Result<String, std::fmt::Error> {
     let mut text = String::new();
     let description = table.description();
     writeln!(text, "{:15} {}", "title", description.title)?;
-    for parameter in Parameter::ALL {
+    for parameter in table.parameters() {
         text += &describe_axis(parameter, table.axis(parameter));
     }
     if let Some([a, b, c]) = table.low_rank().map(LowRank::ranks) {
@@ -63,16 +63,19 @@ pub fn describe(table: &Table) -> Result<String, std::fmt::Error> {
         "{:15} {} (normalised by {})",
         "quantities",
         held.join(", "),
-        description.normalisation.symbol()
+        table.unit()
     )?;
     writeln!(text, "{:15} {:e}", "tolerance", description.tolerance)?;
-    text += &describe_certificate(&description.certificate)?;
+    text += &describe_certificate(&description.certificate, table.parameters())?;
     writeln!(text, "{:15} {}", "created by", description.created_by)?;
     Ok(text)
 }
 
 /// Describes a certificate: its errors, the worst point, and the identities where they are known.
-fn describe_certificate(certificate: &Certificate) -> Result<String, std::fmt::Error> {
+fn describe_certificate(
+    certificate: &Certificate,
+    parameters: [Parameter; 4],
+) -> Result<String, std::fmt::Error> {
     let mut text = String::new();
     writeln!(
         text,
@@ -84,7 +87,7 @@ fn describe_certificate(certificate: &Certificate) -> Result<String, std::fmt::E
         certificate.points,
         certificate.seed
     )?;
-    let place = Parameter::ALL
+    let place = parameters
         .iter()
         .zip(certificate.worst_point)
         .map(|(p, value)| format!("{} = {value}", p.name()));

@@ -1,7 +1,7 @@
 //! The JSON objects that `--json` prints. The names of their fields are fixed; the help of each
 //! command lists them.
 
-use interp::{Certificate, LowRank, Parameter, Quantity, Table};
+use interp::{Certificate, LowRank, Parameter, Quantity, SubstratePoissonRatio, Table};
 use serde::{Serialize, Serializer};
 
 use super::write_text;
@@ -25,24 +25,26 @@ impl Serialize for Number {
     }
 }
 
-/// One value for each of the four parameters.
-#[derive(Serialize)]
-pub struct OfParameters<T> {
-    a_over_t: T,
-    e1_over_e2: T,
-    nu1: T,
-    e0_over_e2: T,
+/// One value for each of the four parameters of a table: an object with their names.
+pub struct OfParameters<T>([(Parameter, T); 4]);
+
+impl<T> OfParameters<T> {
+    /// Joins the parameters of a table with their values.
+    pub fn new(parameters: [Parameter; 4], values: [T; 4]) -> Self {
+        let mut values = values.into_iter();
+        Self(parameters.map(|parameter| {
+            (
+                parameter,
+                values.next().expect("as many values as parameters"),
+            )
+        }))
+    }
 }
 
-impl<T> From<[T; 4]> for OfParameters<T> {
-    /// In the order of [`Parameter::ALL`].
-    fn from([a_over_t, e1_over_e2, nu1, e0_over_e2]: [T; 4]) -> Self {
-        Self {
-            a_over_t,
-            e1_over_e2,
-            nu1,
-            e0_over_e2,
-        }
+impl<T: Serialize> Serialize for OfParameters<T> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let fields = self.0.iter();
+        serializer.collect_map(fields.map(|(parameter, value)| (parameter.name(), value)))
     }
 }
 
@@ -58,21 +60,37 @@ pub struct Axis {
 }
 
 /// Returns the range of each parameter; `nodes` gives its nodes.
-pub fn axes<'a>(nodes: impl Fn(Parameter) -> &'a [f64]) -> OfParameters<Axis> {
-    Parameter::ALL
-        .map(|parameter| {
-            let nodes = nodes(parameter);
-            Axis {
-                from: Number(nodes[0]),
-                to: Number(nodes[nodes.len() - 1]),
-                nodes: nodes.len(),
-                scale: match nodes.len() {
-                    1 => "fixed",
-                    _ => parameter.scale(),
-                },
+pub fn axes<'a>(
+    parameters: [Parameter; 4],
+    nodes: impl Fn(Parameter) -> &'a [f64],
+) -> OfParameters<Axis> {
+    OfParameters(parameters.map(|parameter| {
+        let nodes = nodes(parameter);
+        let axis = Axis {
+            from: Number(nodes[0]),
+            to: Number(nodes[nodes.len() - 1]),
+            nodes: nodes.len(),
+            scale: match nodes.len() {
+                1 => "fixed",
+                _ => parameter.scale(),
+            },
+        };
+        (parameter, axis)
+    }))
+}
+
+/// The Poisson ratio of a table's substrates: a number, or the text `paired`.
+struct Nu0(SubstratePoissonRatio);
+
+impl Serialize for Nu0 {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self.0 {
+            SubstratePoissonRatio::Fixed(nu0) => serializer.serialize_f64(nu0),
+            SubstratePoissonRatio::Paired => {
+                serializer.serialize_str(SubstratePoissonRatio::PAIRED)
             }
-        })
-        .into()
+        }
+    }
 }
 
 /// The certificate of a table, or the errors that a check has measured.
@@ -97,8 +115,9 @@ struct IdentityErrors {
     stiffness: Option<f64>,
 }
 
-impl From<&Certificate> for Errors {
-    fn from(certificate: &Certificate) -> Self {
+impl Errors {
+    /// Returns the object of the certificate of a table with these parameters.
+    pub fn new(certificate: &Certificate, parameters: [Parameter; 4]) -> Self {
         let [energy_release_rate, stiffness] = certificate.identity_errors;
         Self {
             max_error: certificate.max_error,
@@ -107,7 +126,7 @@ impl From<&Certificate> for Errors {
             points: certificate.points,
             seed: certificate.seed,
             worst_quantity: certificate.worst_quantity.name(),
-            worst_point: certificate.worst_point.map(Number).into(),
+            worst_point: OfParameters::new(parameters, certificate.worst_point.map(Number)),
             identity_errors: IdentityErrors {
                 energy_release_rate,
                 stiffness,
@@ -123,7 +142,7 @@ pub struct TableObject<'a> {
     scene: &'a str,
     created_by: &'a str,
     axes: OfParameters<Axis>,
-    nu0: f64,
+    nu0: Nu0,
     quantities: Vec<&'static str>,
     normalised_by: &'static str,
     tolerance: f64,
@@ -142,13 +161,13 @@ impl<'a> TableObject<'a> {
             title: &description.title,
             scene: &description.scene,
             created_by: &description.created_by,
-            axes: axes(|parameter| table.axis(parameter)),
-            nu0: description.nu0,
+            axes: axes(table.parameters(), |parameter| table.axis(parameter)),
+            nu0: Nu0(description.nu0),
             quantities: table.quantities().into_iter().map(Quantity::name).collect(),
-            normalised_by: description.normalisation.symbol(),
+            normalised_by: table.unit(),
             tolerance: description.tolerance,
             ranks: table.low_rank().map(LowRank::ranks),
-            certificate: (&description.certificate).into(),
+            certificate: Errors::new(&description.certificate, table.parameters()),
             bytes,
         }
     }

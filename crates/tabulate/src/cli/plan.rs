@@ -36,7 +36,7 @@ pub fn print(scene: &Scene, certificate_points: usize, json: bool) -> anyhow::Re
         COMPRESSED * values + FILE_OVERHEAD + DATASET_OVERHEAD * scene.quantities.len() as f64;
     if json {
         return json::print(&PlanObject {
-            axes: json::axes(|parameter| &axes[parameter as usize]),
+            axes: json::axes(scene.parameters, |parameter| &axes[parameter.dimension()].1),
             points,
             certificate_points,
             seconds,
@@ -44,9 +44,8 @@ pub fn print(scene: &Scene, certificate_points: usize, json: bool) -> anyhow::Re
             bytes: size as u64,
         });
     }
-    let mut text: String = Parameter::ALL
+    let mut text: String = axes
         .iter()
-        .zip(&axes)
         .map(|(parameter, nodes)| info::describe_axis(*parameter, nodes))
         .collect();
     let size = if size < 1e6 {
@@ -81,16 +80,13 @@ const PROGRAM: f64 = 20e6;
 const SECONDS_PER_CURVE: f64 = 3e-4;
 
 /// Returns the time for a point of the sweep on all threads, measured on a few nodes of each axis.
-fn seconds_per_point(scene: &Scene, axes: &[Vec<f64>; 4]) -> anyhow::Result<f64> {
+fn seconds_per_point(scene: &Scene, axes: &[(Parameter, Vec<f64>); 4]) -> anyhow::Result<f64> {
     const FEW: usize = 8;
-    let axes = axes.each_ref().map(|nodes| {
-        nodes
-            .iter()
-            .copied()
-            .step_by(nodes.len().div_ceil(FEW))
-            .collect::<Vec<f64>>()
+    let axes = axes.each_ref().map(|(parameter, nodes)| {
+        let few = nodes.iter().copied().step_by(nodes.len().div_ceil(FEW));
+        (*parameter, few.collect::<Vec<f64>>())
     });
-    let points: usize = axes.iter().map(Vec::len).product();
+    let points: usize = axes.iter().map(|(_, nodes)| nodes.len()).product();
     // The first sweep also computes the constants of the solver, once. It is not timed.
     sweep(scene, &axes, &|_| ())?;
     let start = Instant::now();

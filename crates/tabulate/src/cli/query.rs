@@ -4,13 +4,13 @@ use std::path::PathBuf;
 
 use anyhow::Context;
 use clap::ValueHint;
-use interp::Parameter;
-use interp::{Quantity, Table};
+use interp::{Parameter, Quantity, SubstratePoissonRatio, Table};
 
 use super::points::{self, Answer, Point};
 use super::table_name::{self, TableName};
 use super::write_text;
 use crate::output;
+use crate::table::DEFAULT_NU0;
 
 /// Look up every point of a CSV file in a table
 ///
@@ -29,7 +29,7 @@ pub struct Arguments {
     #[arg(help = table_name::HELP, value_hint = ValueHint::FilePath)]
     table: TableName,
     /// CSV with the columns a_over_t, e1_over_e2, nu1, e0_over_e2 and perhaps nu0 (default: the
-    /// table's), in any order
+    /// table's, or 0.25 if the table is made for every nu0), in any order
     #[arg(long, value_name = "IN.csv")]
     points: PathBuf,
     /// Write the CSV here instead of to standard output
@@ -48,7 +48,11 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     output::check(output, Some(&arguments.points))?;
     output::check(output, arguments.table.path())?;
     let table = arguments.table.read()?;
-    let points = points::read(&arguments.points, table.description().nu0)?;
+    let nu0 = match table.description().nu0 {
+        SubstratePoissonRatio::Fixed(nu0) => nu0,
+        SubstratePoissonRatio::Paired => DEFAULT_NU0,
+    };
+    let points = points::read(&arguments.points, nu0)?;
     let look_up = |point: &Point| {
         look_up(&table, point, arguments.gradient)
             .with_context(|| points::place(&arguments.points, point.line))

@@ -12,6 +12,7 @@ use super::write_text;
 use crate::output;
 use crate::parallel::try_map;
 use crate::solve::solve;
+use crate::table::DEFAULT_NU0;
 
 /// Solve the contact directly, at one point or at every point of a CSV file
 ///
@@ -54,7 +55,7 @@ pub struct Arguments {
     )]
     e0_over_e2: Option<f64>,
     /// Poisson ratio of the substrate; with --points, where the CSV has no column nu0
-    #[arg(long, default_value_t = 0.25, allow_negative_numbers = true)]
+    #[arg(long, default_value_t = DEFAULT_NU0, allow_negative_numbers = true)]
     nu0: f64,
     /// CSV with the columns a_over_t, e1_over_e2, nu1, e0_over_e2 and perhaps nu0, in any order
     #[arg(long, value_name = "IN.csv", conflicts_with_all = ["a_over_t", "e1_over_e2", "nu1", "e0_over_e2", "json"])]

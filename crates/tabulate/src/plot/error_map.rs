@@ -1,7 +1,7 @@
 //! The error map of a table: its largest difference from direct solves over `a/t` and `E1/E2*`, at
 //! the worst of many `nu1` and `E0/E2*`.
 
-use interp::{Parameter, Table};
+use interp::Table;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
@@ -38,7 +38,8 @@ pub struct Data {
 /// Returns the name and the value of the parameter of the map that the table fixes: none if the
 /// table has a map.
 pub fn fixed(table: &Table) -> Option<(&'static str, f64)> {
-    [Parameter::AOverT, Parameter::E1OverE2]
+    let [a_over_t, film, ..] = table.parameters();
+    [a_over_t, film]
         .into_iter()
         .find_map(|parameter| match table.axis(parameter) {
             [only] => Some((parameter.name(), *only)),
@@ -55,11 +56,14 @@ pub fn fixed(table: &Table) -> Option<(&'static str, f64)> {
 /// [`Error::Picture`] for a table that fixes `a/t` or `E1/E2*`; those of the solve.
 pub fn data(table: &Table, progress: &(dyn Fn(usize) + Sync)) -> Result<Data, Error> {
     if let Some((name, only)) = fixed(table) {
-        let what =
-            format!("the map is over a_over_t and e1_over_e2, but the table fixes {name} = {only}");
+        let what = format!(
+            "the map is over a/t and the film's modulus, but the table fixes {name} = {only}"
+        );
         return Err(Error::Picture(what));
     }
-    let axes = Parameter::ALL.map(|parameter| SampledAxis::new(parameter, table.axis(parameter)));
+    let axes = table
+        .parameters()
+        .map(|parameter| SampledAxis::new(parameter, table.axis(parameter)));
     let share = |k: usize, i: usize| i as f64 / CELLS[k] as f64;
     let largest = |[column, row]: [usize; 2]| {
         let mut random = Pcg64Mcg::seed_from_u64((row * CELLS[0] + column) as u64);

@@ -11,7 +11,7 @@ use std::fmt::Write;
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
-use interp::{Description, Normalisation, Parameter, Table};
+use interp::{Description, Parameter, Table};
 
 pub use figures::{Illustration, figures, steps};
 
@@ -42,11 +42,10 @@ pub fn report(table: &Table, illustrations: &[Illustration]) -> Result<String, E
     let embedded = embedded(table)?;
     let packed = embedded.to_packed()?;
     let description = table.description();
-    let normalisation = match description.normalisation {
-        Normalisation::Sphere => "E₂*, the sphere’s reduced modulus E₂/(1 − ν₂²)",
-        Normalisation::Film => {
-            "E₁*, the film’s reduced modulus E₁/(1 − ν₁²), because the sphere is rigid"
-        }
+    let normalisation = match table.unit() {
+        "E2*" => "E₂*, the sphere’s reduced modulus E₂/(1 − ν₂²)",
+        "E1*" => "E₁*, the film’s reduced modulus E₁/(1 − ν₁²), because the sphere is rigid",
+        _ => "Es*, the compound modulus of sphere and film, 1/Es* = 1/E₁* + 1/E₂*",
     };
     let script = [
         include_str!("table.js"),
@@ -97,7 +96,9 @@ fn embedded(table: &Table) -> Result<Table, Error> {
         return Ok(table.clone());
     }
     let form = compress(table, TRUNCATION)?;
-    let axes = Parameter::ALL.map(|parameter| table.axis(parameter).to_vec());
+    let axes = table
+        .parameters()
+        .map(|parameter| (parameter, table.axis(parameter).to_vec()));
     Ok(Table::from_low_rank(
         table.description().clone(),
         axes,
@@ -171,21 +172,29 @@ fn escape(text: &str) -> String {
 }
 
 /// Returns the symbol of a parameter and its meaning.
-fn symbol(parameter: Parameter, normalisation: Normalisation) -> (&'static str, &'static str) {
-    match (parameter, normalisation) {
-        (Parameter::AOverT, _) => ("a/t", "contact radius over film thickness"),
-        (Parameter::E1OverE2, _) => (
+fn symbol(parameter: Parameter, table: &Table) -> (&'static str, &'static str) {
+    match parameter {
+        Parameter::AOverT => ("a/t", "contact radius over film thickness"),
+        Parameter::E1OverE2 => (
             "E₁/E₂*",
             "film’s Young’s modulus over the sphere’s reduced modulus",
         ),
-        (Parameter::Nu1, _) => ("ν₁", "film’s Poisson ratio"),
-        (Parameter::E0OverE2, Normalisation::Sphere) => (
+        Parameter::Nu1 => ("ν₁", "film’s Poisson ratio"),
+        Parameter::E0OverE2 if table.unit() == "E1*" => (
+            "E₀/E₁",
+            "substrate’s Young’s modulus over the film’s Young’s modulus",
+        ),
+        Parameter::E0OverE2 => (
             "E₀/E₂*",
             "substrate’s Young’s modulus over the sphere’s reduced modulus",
         ),
-        (Parameter::E0OverE2, Normalisation::Film) => (
-            "E₀/E₁",
-            "substrate’s Young’s modulus over the film’s Young’s modulus",
+        Parameter::E1sOverE2s => (
+            "E₁*/E₂*",
+            "film’s reduced modulus over the sphere’s reduced modulus",
+        ),
+        Parameter::E0sOverE1s => (
+            "E₀*/E₁*",
+            "substrate’s reduced modulus over the film’s reduced modulus",
         ),
     }
 }
@@ -193,8 +202,13 @@ fn symbol(parameter: Parameter, normalisation: Normalisation) -> (&'static str, 
 /// Returns the text of a fixed value of a parameter.
 fn value(parameter: Parameter, value: f64) -> String {
     match parameter {
-        Parameter::E1OverE2 if value == 0.0 => "0 (rigid sphere)".to_owned(),
-        Parameter::E0OverE2 if value == f64::INFINITY => "∞ (rigid substrate)".to_owned(),
+        Parameter::E1OverE2 | Parameter::E1sOverE2s if value == 0.0 => {
+            "0 (rigid sphere)".to_owned()
+        }
+        Parameter::E1sOverE2s if value == f64::INFINITY => "∞ (rigid film)".to_owned(),
+        Parameter::E0OverE2 | Parameter::E0sOverE1s if value == f64::INFINITY => {
+            "∞ (rigid substrate)".to_owned()
+        }
         _ => number(value),
     }
 }
@@ -224,7 +238,7 @@ fn axes(table: &Table) -> String {
             "<tr><th scope=\"row\">{name} <small>{meaning}</small></th>{cells}</tr>"
         );
     };
-    for parameter in Parameter::ALL {
+    for parameter in table.parameters() {
         let nodes = table.axis(parameter);
         let cells = match nodes {
             [only] => format!(
@@ -233,13 +247,13 @@ fn axes(table: &Table) -> String {
             ),
             [first, .., last] => format!(
                 "<td>{}</td><td>{}</td><td>{}</td>",
-                number(*first),
-                number(*last),
+                value(parameter, *first),
+                value(parameter, *last),
                 nodes.len()
             ),
             [] => String::new(),
         };
-        let (name, meaning) = symbol(parameter, description.normalisation);
+        let (name, meaning) = symbol(parameter, table);
         row(name, meaning, &cells);
     }
     let cells = format!("<td colspan=\"2\">{}</td><td>fixed</td>", description.nu0);
@@ -251,15 +265,14 @@ fn axes(table: &Table) -> String {
 fn certificate(table: &Table) -> String {
     let Description {
         tolerance,
-        normalisation,
         certificate,
         ..
     } = table.description();
-    let place = Parameter::ALL.into_iter().zip(certificate.worst_point);
+    let place = table.parameters().into_iter().zip(certificate.worst_point);
     let place = place.map(|(parameter, place)| {
         format!(
             "{} = {}",
-            symbol(parameter, *normalisation).0,
+            symbol(parameter, table).0,
             value(parameter, short(place))
         )
     });

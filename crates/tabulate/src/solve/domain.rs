@@ -7,9 +7,9 @@ use crate::Error;
 /// The values of `a/t` that [`solve`](crate::solve()) accepts.
 pub const A_OVER_T: [f64; 2] = [1e-6, 1e6];
 /// The values of `E1/E2*` that [`solve`](crate::solve()) accepts, besides 0.
-pub const E1_OVER_E2: [f64; 2] = [1e-8, 1e8];
+pub const E1_OVER_E2: [f64; 2] = [1e-300, 1e300];
 /// The values of `E0/E2*` that [`solve`](crate::solve()) accepts, besides infinity.
-pub const E0_OVER_E2: [f64; 2] = [1e-6, 1e12];
+pub const E0_OVER_E2: [f64; 2] = [1e-300, 1e300];
 /// The relative tolerances that [`solve`](crate::solve()) accepts.
 pub const TOLERANCE: [f64; 2] = [1e-13, 1e-2];
 

@@ -1,18 +1,19 @@
 //! The certificate of a table: the largest error at sampled points off the nodes, measured against
 //! direct solves, and the largest error of two exact identities.
 
-use interp::{Certificate, Curve, Material, Parameter, Quantity, Table};
+use interp::{Certificate, Curve, Parameter, Quantity, Table};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
 use crate::Error;
 use crate::parallel::try_map;
+use crate::table::scene::material;
 use crate::table::sweep::solve_for_table;
 
 /// The error of a table at one point, measured against a direct solve.
 #[derive(Clone, Copy, Debug)]
 pub struct Sample {
-    /// `a_over_t`, `e1_over_e2`, `nu1`, `e0_over_e2`.
+    /// The values of the table's parameters.
     pub point: [f64; 4],
     /// The largest relative error of the quantities that the table holds.
     pub error: f64,
@@ -108,7 +109,9 @@ pub fn measure(
 /// Returns the points of [`measure`].
 fn places(table: &Table, count: usize, seed: u64) -> Vec<[f64; 4]> {
     let mut random = Pcg64Mcg::seed_from_u64(seed);
-    let axes = Parameter::ALL.map(|parameter| Axis::new(parameter, table.axis(parameter)));
+    let axes = table
+        .parameters()
+        .map(|parameter| Axis::new(parameter, table.axis(parameter)));
     let free: Vec<usize> = (0..4).filter(|&k| axes[k].cells() > 0).collect();
     let corners = 1_usize << free.len();
     let corner = |index: usize| {
@@ -214,9 +217,9 @@ impl<'a> Axis<'a> {
 /// # Errors
 /// Those of the solve; [`Error::Table`] for a point outside the table.
 pub fn sample(table: &Table, point: [f64; 4]) -> Result<Sample, Error> {
-    let [a_over_t, e1, nu1, e0] = point;
+    let [a_over_t, values @ ..] = point;
     let description = table.description();
-    let material = Material::new(e1, nu1, e0, description.nu0)?;
+    let material = material(table.parameters(), description.nu0, values)?;
     let held = table.quantities();
     let solved = solve_for_table(a_over_t, &material, description.tolerance)?;
     let curve = table.curve(&material)?;

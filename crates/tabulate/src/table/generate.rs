@@ -233,11 +233,7 @@ fn table(
     for piece in 0..sweep.pieces() {
         sweep.place(&mut values, piece, &journal.values(piece, sweep.values())?);
     }
-    Ok(Table::new(
-        description(scene, &axes)?,
-        axes.clone(),
-        values,
-    )?)
+    Ok(Table::new(description(scene), axes.clone(), values)?)
 }
 
 /// Solves the pieces that the journal does not hold yet.
@@ -287,16 +283,19 @@ fn factors(table: &Table, mut samples: Vec<Sample>) -> Result<[f64; 4], Error> {
     };
     let tolerance = table.description().tolerance;
     let mut shares = [0.0; 4];
-    for parameter in Parameter::ALL
+    for parameter in table
+        .parameters()
         .into_iter()
         .filter(|&parameter| table.axis(parameter).len() > 1)
     {
         let errors = try_map(&samples, |suspect| {
-            let mut point = Parameter::ALL.map(|other| snap(other, suspect.point[other as usize]));
-            point[parameter as usize] = suspect.point[parameter as usize];
+            let mut point = table
+                .parameters()
+                .map(|other| snap(other, suspect.point[other.dimension()]));
+            point[parameter.dimension()] = suspect.point[parameter.dimension()];
             Ok::<f64, Error>(sample(table, point)?.error)
         })?;
-        shares[parameter as usize] = errors.into_iter().fold(0.0, larger);
+        shares[parameter.dimension()] = errors.into_iter().fold(0.0, larger);
     }
     let largest = shares.into_iter().fold(0.0, larger);
     let factor = (samples[0].error / (AIM * tolerance)).powf(1.0 / ORDER);
@@ -357,16 +356,13 @@ fn created_by() -> String {
 }
 
 /// Returns the description of a table before its certificate is measured.
-fn description(scene: &Scene, axes: &[Vec<f64>; 4]) -> Result<Description, Error> {
-    Ok(Description {
+fn description(scene: &Scene) -> Description {
+    Description {
         title: scene.title.clone(),
         scene: scene.text.clone(),
         nu0: scene.nu0,
-        normalisation: scene
-            .material([axes[1][0], axes[2][0], axes[3][0]])?
-            .normalisation(),
         tolerance: scene.tolerance,
         created_by: created_by(),
         certificate: Certificate::UNMEASURED,
-    })
+    }
 }

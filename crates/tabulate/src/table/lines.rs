@@ -63,7 +63,7 @@ impl Lines {
                 .flat_map(|&place| lines.iter().map(move |line| (place, line)))
                 .map(|(place, line)| {
                     let mut point = *line;
-                    point[along as usize] = value(place);
+                    point[along.dimension()] = value(place);
                     point
                 })
                 .collect();
@@ -218,10 +218,11 @@ pub fn lines(scene: &Scene, along: Parameter) -> Vec<[f64; 4]> {
     const RANDOM: usize = 40;
     const OVERSHOOT: f64 = 0.5;
     const SEED: u64 = 4;
-    let across: Vec<Parameter> = Parameter::ALL
+    let across: Vec<Parameter> = scene
+        .parameters
         .into_iter()
         .filter(|&parameter| {
-            parameter != along && !matches!(scene.extents[parameter as usize], Extent::Fixed(_))
+            parameter != along && !matches!(scene.extents[parameter.dimension()], Extent::Fixed(_))
         })
         .collect();
     let mut random = Pcg64Mcg::seed_from_u64(SEED);
@@ -229,14 +230,14 @@ pub fn lines(scene: &Scene, along: Parameter) -> Vec<[f64; 4]> {
     let line = |i: usize| {
         let mut line = scene.extents.map(|extent| extent.ends()[0]);
         for (bit, &parameter) in across.iter().enumerate() {
-            let [from, to] = scene.extents[parameter as usize].ends();
+            let [from, to] = scene.extents[parameter.dimension()].ends();
             let share: f64 = if i < edges {
                 (i >> bit & 1) as f64
             } else {
                 random.random_range(-OVERSHOOT..1.0 + OVERSHOOT)
             };
             let (first, last) = (parameter.coordinate(from), parameter.coordinate(to));
-            line[parameter as usize] = parameter
+            line[parameter.dimension()] = parameter
                 .value(first + (last - first) * share.clamp(0.0, 1.0))
                 .clamp(from, to);
         }
@@ -245,13 +246,13 @@ pub fn lines(scene: &Scene, along: Parameter) -> Vec<[f64; 4]> {
     (0..edges + RANDOM * across.len()).map(line).collect()
 }
 
-/// Solves one point, `a_over_t`, `e1_over_e2`, `nu1`, `e0_over_e2`, and returns the logarithms that
-/// the table splines, of the quantities of the scene.
+/// Solves one point, the values of the scene's parameters, and returns the logarithms that the
+/// table splines, of the quantities of the scene.
 ///
 /// # Errors
 /// Those of the solve.
-pub fn logarithms(scene: &Scene, [a_over_t, e1, nu1, e0]: [f64; 4]) -> Result<Vec<f64>, Error> {
-    let material = scene.material([e1, nu1, e0])?;
+pub fn logarithms(scene: &Scene, [a_over_t, values @ ..]: [f64; 4]) -> Result<Vec<f64>, Error> {
+    let material = scene.material(values)?;
     let solved = solve_for_table(a_over_t, &material, scene.tolerance)?;
     let es = material.sphere_film_modulus();
     Ok(scene

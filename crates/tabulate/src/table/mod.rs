@@ -26,6 +26,6 @@ pub use generate::{Generated, Observer, Options, generate};
 pub use lines::{lines, logarithms};
 pub use placement::{EVENNESS, Placement, places};
 pub use plan::Plan;
-pub(crate) use scene::random_points;
-pub use scene::{Extent, Scene};
+pub use scene::{DEFAULT_NU0, Extent, Scene};
+pub(crate) use scene::{material, random_points};
 pub use sweep::{Sweep, Values, solve_tolerance, sweep};

@@ -17,7 +17,9 @@ use crate::table::scene::{Extent, MOST_NODES, Scene};
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Plan {
-    /// The rule of each parameter, in the order of [`Parameter::ALL`].
+    /// The parameters of the table: [`Parameter::ALL`] or [`Parameter::REDUCED`].
+    pub parameters: [Parameter; 4],
+    /// The rule of each parameter.
     pub placements: [Placement; 4],
 }
 
@@ -47,8 +49,13 @@ impl Plan {
         let mut placements = scene
             .extents
             .map(|extent| Placement::Fixed(extent.ends()[0]));
-        for (parameter, placement) in Parameter::ALL.into_iter().zip(&mut placements) {
-            match scene.extents[parameter as usize] {
+        for ((parameter, extent), placement) in scene
+            .parameters
+            .into_iter()
+            .zip(scene.extents)
+            .zip(&mut placements)
+        {
+            match extent {
                 Extent::Fixed(_) => {}
                 Extent::Even { from, to, nodes } => {
                     *placement = Placement::Nodes {
@@ -79,17 +86,23 @@ impl Plan {
                 }
             }
         }
-        let plan = Self { placements };
+        let plan = Self {
+            parameters: scene.parameters,
+            placements,
+        };
         plan.check(scene)?;
         Ok(plan)
     }
 
-    /// Returns the nodes of the four parameters.
+    /// Returns the four parameters with their nodes.
     ///
     /// # Panics
     /// For a plan that [`Plan::new`] has not made, as [`places`](super::places).
-    pub fn axes(&self) -> [Vec<f64>; 4] {
-        Parameter::ALL.map(|parameter| self.placements[parameter as usize].nodes(parameter))
+    pub fn axes(&self) -> [(Parameter, Vec<f64>); 4] {
+        self.parameters.map(|parameter| {
+            let placement = &self.placements[parameter.dimension()];
+            (parameter, placement.nodes(parameter))
+        })
     }
 
     /// Returns the number of nodes on each axis.
@@ -156,7 +169,9 @@ impl Plan {
             ) => [from, to] == extent.ends() && nodes == stated && evenness == 1.0,
             _ => false,
         };
-        self.placements.iter().zip(&scene.extents).all(fits) && self.check(scene).is_ok()
+        self.parameters == scene.parameters
+            && self.placements.iter().zip(&scene.extents).all(fits)
+            && self.check(scene).is_ok()
     }
 
     /// Accepts a plan whose nodes are not too many and can be told apart.
@@ -174,7 +189,7 @@ impl Plan {
                 most: MOST_VALUES,
             });
         }
-        for (parameter, nodes) in Parameter::ALL.into_iter().zip(self.axes()) {
+        for (parameter, nodes) in self.axes() {
             // Near incompressibility, f64 cannot tell more than some hundred nodes apart.
             if !nodes.is_sorted_by(|a, b| a < b) {
                 return Err(Error::Unresolved {

@@ -6,7 +6,7 @@
 use std::fmt;
 use std::path::Path;
 
-use interp::{Material, Parameter, Quantity};
+use interp::{Material, Parameter, Quantity, SubstratePoissonRatio};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 use serde::de::{Error as _, MapAccess, Visitor};
@@ -25,11 +25,13 @@ struct Text {
     #[serde(default = "all_quantities")]
     quantities: Vec<Quantity>,
     a_over_t: Values,
-    e1_over_e2: Values,
+    e1_over_e2: Option<Values>,
+    e1s_over_e2s: Option<Values>,
     nu1: Values,
-    e0_over_e2: Values,
-    #[serde(default = "default_nu0")]
-    nu0: f64,
+    e0_over_e2: Option<Values>,
+    e0s_over_e1s: Option<Values>,
+    #[serde(default)]
+    nu0: Nu0,
 }
 
 fn default_tolerance() -> f64 {
@@ -40,8 +42,34 @@ fn all_quantities() -> Vec<Quantity> {
     Quantity::ALL.to_vec()
 }
 
-fn default_nu0() -> f64 {
-    0.25
+/// The value of the key `nu0`.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(untagged, expecting = "nu0 must be a number or \"paired\"")]
+enum Nu0 {
+    Number(f64),
+    Word(Word),
+}
+
+/// The only word that `nu0` may be.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(rename_all = "lowercase")]
+enum Word {
+    Paired,
+}
+
+impl Default for Nu0 {
+    fn default() -> Self {
+        Self::Number(DEFAULT_NU0)
+    }
+}
+
+impl From<Nu0> for SubstratePoissonRatio {
+    fn from(nu0: Nu0) -> Self {
+        match nu0 {
+            Nu0::Number(nu0) => Self::Fixed(nu0),
+            Nu0::Word(Word::Paired) => Self::Paired,
+        }
+    }
 }
 
 /// The value of one parameter's key.
@@ -127,16 +155,22 @@ pub struct Scene {
     pub tolerance: f64,
     /// The quantities of the table, in the order of [`Quantity::ALL`].
     pub quantities: Vec<Quantity>,
-    /// The values of the four parameters, in the order of [`Parameter::ALL`].
+    /// The parameters of the table: [`Parameter::ALL`] or [`Parameter::REDUCED`].
+    pub parameters: [Parameter; 4],
+    /// The values of the parameters, in their order.
     pub extents: [Extent; 4],
     /// The substrate's Poisson ratio.
-    pub nu0: f64,
+    pub nu0: SubstratePoissonRatio,
     /// The TOML text.
     pub text: String,
 }
 
+/// The Poisson ratio of the substrate where none is stated.
+pub const DEFAULT_NU0: f64 = 0.25;
 /// The smallest and the largest tolerance of a table.
 pub(crate) const TOLERANCE: [f64; 2] = [1e-10, 1e-1];
+/// The ratios of reduced moduli of a table, besides 0 and infinity.
+const REDUCED_MODULI: [f64; 2] = [1e-30, 1e30];
 /// The largest number of nodes on an axis. A larger one is taken for a mistake.
 pub(crate) const MOST_NODES: usize = 10_000;
 
@@ -173,29 +207,50 @@ impl Scene {
                 Quantity::ALL.map(Quantity::name).join(", ")
             ));
         }
+        let (parameters, [film, substrate]) = match (
+            [scene.e1_over_e2, scene.e0_over_e2],
+            [scene.e1s_over_e2s, scene.e0s_over_e1s],
+        ) {
+            ([Some(film), Some(substrate)], [None, None]) => (Parameter::ALL, [film, substrate]),
+            ([None, None], [Some(film), Some(substrate)]) => {
+                (Parameter::REDUCED, [film, substrate])
+            }
+            _ => {
+                return Err(
+                    "the moduli must be given by e1_over_e2 and e0_over_e2 (Young's moduli over \
+                     E2*), or by e1s_over_e2s and e0s_over_e1s (ratios of reduced moduli)"
+                        .into(),
+                );
+            }
+        };
         let mut extents = [Extent::Fixed(0.0); 4];
-        let given = [
-            scene.a_over_t,
-            scene.e1_over_e2,
-            scene.nu1,
-            scene.e0_over_e2,
-        ];
-        for ((extent, parameter), values) in extents.iter_mut().zip(Parameter::ALL).zip(given) {
+        let given = [scene.a_over_t, film, scene.nu1, substrate];
+        for ((extent, parameter), values) in extents.iter_mut().zip(parameters).zip(given) {
             *extent = checked(parameter, &values)?;
         }
-        // Every bound is on one parameter alone, so that two corners stand for the whole box.
-        for corner in [0, 1] {
-            let [_, e1, nu1, e0] = extents.map(|extent| extent.ends()[corner]);
-            Material::new(e1, nu1, e0, scene.nu0).map_err(|e| e.to_string())?;
+        let nu0 = scene.nu0.into();
+        // The pairs of Poisson ratios are those of film and substrate with 0 to 0.5.
+        if nu0 == SubstratePoissonRatio::Paired && extents[2].ends()[0] < 0.0 {
+            return Err(format!(
+                "nu1 = {:?} has no pair: with nu0 = \"paired\", nu1 must be in 0 to 0.5",
+                extents[2].ends()[0]
+            ));
         }
-        Ok(Self {
+        let scene = Self {
             title: scene.title,
             tolerance,
             quantities,
+            parameters,
             extents,
-            nu0: scene.nu0,
+            nu0,
             text: text.to_owned(),
-        })
+        };
+        // Every bound is on one parameter alone, so that two corners stand for the whole box.
+        for corner in [0, 1] {
+            let [_, values @ ..] = extents.map(|extent| extent.ends()[corner]);
+            scene.material(values).map_err(|e| e.to_string())?;
+        }
+        Ok(scene)
     }
 
     /// Returns the number of ranges, which is that of the table's axes.
@@ -208,23 +263,46 @@ impl Scene {
 
     /// Returns `count` random points of the box, evenly distributed in the axes' coordinates.
     pub fn random_points(&self, count: usize, seed: u64) -> Vec<[f64; 4]> {
-        random_points(self.extents.each_ref().map(Extent::ends), count, seed)
+        let ends = self.extents.each_ref().map(Extent::ends);
+        random_points(self.parameters, ends, count, seed)
     }
 
-    /// Returns a material on the substrate of the scene.
+    /// Returns the material with these values of the scene's second to fourth parameter.
     ///
     /// # Errors
     /// [`Error::Table`] for parameters that are not physical. Those of the scene are.
-    pub fn material(&self, [e1_over_e2, nu1, e0_over_e2]: [f64; 3]) -> Result<Material, Error> {
-        Ok(Material::new(e1_over_e2, nu1, e0_over_e2, self.nu0)?)
+    pub fn material(&self, values: [f64; 3]) -> Result<Material, Error> {
+        material(self.parameters, self.nu0, values)
     }
 }
 
+/// Returns the material with these values of the second to fourth parameter of a scene or table.
+///
+/// # Errors
+/// [`Error::Table`] for parameters that are not physical.
+pub(crate) fn material(
+    parameters: [Parameter; 4],
+    nu0: SubstratePoissonRatio,
+    [film, nu1, substrate]: [f64; 3],
+) -> Result<Material, Error> {
+    let nu0 = nu0.under(nu1);
+    Ok(if parameters == Parameter::REDUCED {
+        Material::of_reduced_moduli(film, nu1, substrate, nu0)?
+    } else {
+        Material::new(film, nu1, substrate, nu0)?
+    })
+}
+
 /// Returns `count` random points of a box, evenly distributed in the axes' coordinates.
-pub(crate) fn random_points(ends: [[f64; 2]; 4], count: usize, seed: u64) -> Vec<[f64; 4]> {
+pub(crate) fn random_points(
+    parameters: [Parameter; 4],
+    ends: [[f64; 2]; 4],
+    count: usize,
+    seed: u64,
+) -> Vec<[f64; 4]> {
     let mut random = Pcg64Mcg::seed_from_u64(seed);
     let mut value = |parameter: Parameter| {
-        let [from, to] = ends[parameter as usize];
+        let [from, to] = ends[parameter.dimension()];
         if from == to {
             return from;
         }
@@ -233,7 +311,7 @@ pub(crate) fn random_points(ends: [[f64; 2]; 4], count: usize, seed: u64) -> Vec
             .value(random.random_range(first..last))
             .clamp(from, to)
     };
-    (0..count).map(|_| Parameter::ALL.map(&mut value)).collect()
+    (0..count).map(|_| parameters.map(&mut value)).collect()
 }
 
 /// Returns the message of the TOML reader, or a better one for a stack of layers.
@@ -242,7 +320,8 @@ fn explained(text: &str, error: &toml::de::Error) -> String {
     match keys.keys().find(|key| key.starts_with("layer")) {
         Some(key) => format!(
             "{key}: stacks of layers are not modelled. A scene is one film on a half-space, with the keys title, \
-             tolerance, quantities, a_over_t, e1_over_e2, nu1, e0_over_e2 and nu0"
+             tolerance, quantities, a_over_t, e1_over_e2 (or e1s_over_e2s), nu1, e0_over_e2 (or \
+             e0s_over_e1s) and nu0"
         ),
         None => error.to_string().trim_end().to_owned(),
     }
@@ -253,12 +332,12 @@ fn checked(parameter: Parameter, values: &Values) -> Result<Extent, String> {
     let name = parameter.name();
     let range = match values {
         Values::Fixed(value) => {
-            let rigid = match parameter {
+            let is_limit = match parameter {
                 Parameter::E1OverE2 => *value == 0.0,
                 Parameter::E0OverE2 => *value == f64::INFINITY,
-                Parameter::AOverT | Parameter::Nu1 => false,
+                _ => false,
             };
-            if !rigid {
+            if !is_limit {
                 in_domain(parameter, name, *value)?;
             }
             return Ok(Extent::Fixed(*value));
@@ -277,7 +356,7 @@ fn checked(parameter: Parameter, values: &Values) -> Result<Extent, String> {
     let intervals = match (range.nodes, range.nodes_per_decade) {
         (Some(_), Some(_)) => return Err(format!("{name} has both nodes and nodes_per_decade")),
         (Some(nodes), None) => nodes as f64 - 1.0,
-        (None, Some(_)) if parameter == Parameter::Nu1 => {
+        (None, Some(_)) if parameter.scale() != "logarithmic" => {
             return Err(format!(
                 "{name} is not logarithmic: give nodes, not nodes_per_decade"
             ));
@@ -314,6 +393,9 @@ fn in_domain(parameter: Parameter, key: &str, value: f64) -> Result<(), String> 
         Parameter::Nu1 if value > -1.0 && value <= 0.5 => Ok(()),
         Parameter::Nu1 => Err(format!("{key} = {value:?} is outside (-1, 0.5]")),
         Parameter::E0OverE2 => within(key, value, E0_OVER_E2),
+        Parameter::E1sOverE2s if value == 0.0 || value == f64::INFINITY => Ok(()),
+        Parameter::E0sOverE1s if value == f64::INFINITY => Ok(()),
+        Parameter::E1sOverE2s | Parameter::E0sOverE1s => within(key, value, REDUCED_MODULI),
     }
 }
 

@@ -1,6 +1,6 @@
 //! The solves of all nodes of a scene, on all cores, one `a_over_t` at a time.
 
-use interp::{Material, Quantities};
+use interp::{Material, Parameter, Quantities, Quantity};
 
 use crate::Error;
 use crate::solve::batch::Batch;
@@ -42,7 +42,7 @@ pub type Values = [Option<Vec<f64>>; 4];
 /// [`Error::NotConverged`] with the point where double precision does not allow the tolerance.
 pub fn sweep(
     scene: &Scene,
-    axes: &[Vec<f64>; 4],
+    axes: &[(Parameter, Vec<f64>); 4],
     progress: &(dyn Fn(usize) + Sync),
 ) -> Result<Values, Error> {
     let sweep = Sweep::new(scene, axes)?;
@@ -57,6 +57,8 @@ pub fn sweep(
 pub struct Sweep<'a> {
     scene: &'a Scene,
     a_over_t: &'a [f64],
+    /// Whether the values of the table are in units of `Es*`.
+    reduced: bool,
     batch: Batch,
 }
 
@@ -65,21 +67,21 @@ impl<'a> Sweep<'a> {
     ///
     /// # Errors
     /// [`Error::Table`] for axes that are not those of the scene.
-    pub fn new(
-        scene: &'a Scene,
-        [a_over_t, e1, nu1, e0]: &'a [Vec<f64>; 4],
-    ) -> Result<Self, Error> {
-        let mut materials = Vec::with_capacity(e1.len() * nu1.len() * e0.len());
-        for &e1 in e1 {
+    pub fn new(scene: &'a Scene, axes: &'a [(Parameter, Vec<f64>); 4]) -> Result<Self, Error> {
+        let [a_over_t, film, nu1, substrate] = axes.each_ref().map(|(_, nodes)| nodes);
+        let mut materials = Vec::with_capacity(film.len() * nu1.len() * substrate.len());
+        for &film in film {
             for &nu1 in nu1 {
-                for &e0 in e0 {
-                    materials.push(scene.material([e1, nu1, e0])?);
+                for &substrate in substrate {
+                    materials.push(scene.material([film, nu1, substrate])?);
                 }
             }
         }
+        let reduced = scene.parameters == Parameter::REDUCED;
         Ok(Self {
             scene,
             a_over_t,
+            reduced,
             batch: Batch::new(materials),
         })
     }
@@ -131,10 +133,19 @@ impl<'a> Sweep<'a> {
         let solved = self
             .batch
             .solve(a_over_t, solve_tolerance(tolerance), &alone, progress)?;
-        let of = |quantity| {
+        let materials = self.batch.materials();
+        let of = |quantity: Quantity| {
             solved
                 .iter()
-                .map(move |quantities| quantities.get(quantity))
+                .zip(materials)
+                .map(move |(quantities, material)| {
+                    let value = quantities.get(quantity);
+                    if self.reduced {
+                        value / quantity.scale(material.sphere_film_modulus())
+                    } else {
+                        value
+                    }
+                })
         };
         Ok(self
             .scene

@@ -117,18 +117,14 @@ pub const fn solves(points: usize) -> usize {
 /// Returns `count` random points of a table's box, evenly distributed in the coordinates of the
 /// axes.
 pub fn random_points(table: &Table, count: usize, seed: u64) -> Vec<Point> {
-    let nu0 = table.description().nu0;
-    let material =
-        |e1, nu1, e0| Material::new(e1, nu1, e0, nu0).expect("the table's box is physical");
-    let points = table::random_points(
-        Parameter::ALL.map(|parameter| ends(table, parameter)),
-        count,
-        seed,
-    );
-    points
-        .into_iter()
-        .map(|[x, e1, nu1, e0]| (x, material(e1, nu1, e0)))
-        .collect()
+    let (parameters, nu0) = (table.parameters(), table.description().nu0);
+    let ends = parameters.map(|parameter| ends(table, parameter));
+    let point = |[x, values @ ..]: [f64; 4]| {
+        let material = table::material(parameters, nu0, values);
+        (x, material.expect("the table's box is physical"))
+    };
+    let points = table::random_points(parameters, ends, count, seed);
+    points.into_iter().map(point).collect()
 }
 
 /// The first and the last node of an axis.

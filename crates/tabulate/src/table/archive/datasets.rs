@@ -5,7 +5,7 @@ use std::path::Path;
 use hdf5::types::VarLenUnicode;
 use hdf5::{H5Type, Location};
 use interp::schema::{AXES, FORMAT, FORMAT_VERSION, VALUES, attribute};
-use interp::{Parameter, Quantity, Table};
+use interp::{Quantity, SubstratePoissonRatio, Table};
 use ndarray::{ArrayView1, ArrayView4};
 
 use super::bindings::{attach_scale, create_group, make_scale};
@@ -29,12 +29,13 @@ pub(super) fn fill(table: &Table, path: &Path) -> hdf5::Result<()> {
     number(&file, attribute::FORMAT_VERSION, FORMAT_VERSION)?;
     text(&file, attribute::TITLE, &description.title)?;
     text(&file, attribute::SCENE, &description.scene)?;
-    number(&file, attribute::NU0, description.nu0)?;
-    text(
-        &file,
-        attribute::NORMALISED_BY,
-        description.normalisation.symbol(),
-    )?;
+    match description.nu0 {
+        SubstratePoissonRatio::Fixed(nu0) => number(&file, attribute::NU0, nu0)?,
+        SubstratePoissonRatio::Paired => {
+            text(&file, attribute::NU0, SubstratePoissonRatio::PAIRED)?;
+        }
+    }
+    text(&file, attribute::NORMALISED_BY, table.unit())?;
     number(&file, attribute::TOLERANCE, description.tolerance)?;
     text(&file, attribute::CREATED_BY, &description.created_by)?;
     let certificate = &description.certificate;
@@ -71,7 +72,7 @@ pub(super) fn fill(table: &Table, path: &Path) -> hdf5::Result<()> {
 
     let axes = create_group(&file, AXES)?;
     let mut scales = Vec::new();
-    for parameter in Parameter::ALL {
+    for parameter in table.parameters() {
         let nodes = table.axis(parameter);
         // One chunk, because only chunks can have a checksum.
         let builder = axes

@@ -1,6 +1,6 @@
 //! The low-rank form of a table that keeps a tolerance, with its certificate.
 
-use interp::{Description, Parameter, Table};
+use interp::{Description, Table};
 
 use crate::Error;
 use crate::table::certify::certify;
@@ -67,7 +67,9 @@ pub fn low_rank(
     let derivative_error = (DERIVATIVES[0] * tolerance).max(DERIVATIVES[1] * own);
     let (mut truncation, mut measured) = (SHARE * (tolerance - own), f64::NAN);
     for _ in 0..=HALVINGS {
-        let axes = Parameter::ALL.map(|parameter| table.axis(parameter).to_vec());
+        let axes = table
+            .parameters()
+            .map(|parameter| (parameter, table.axis(parameter).to_vec()));
         let mut packed = Table::from_low_rank(
             description.clone(),
             axes,
