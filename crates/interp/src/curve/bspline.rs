@@ -3,11 +3,6 @@
 //! A spline of degree `p` through `n` nodes has the knots of the "not-a-knot" choice: the nodes
 //! without the `(p+1)/2 - 1` next to each end. It has exactly `n` coefficients and reproduces
 //! polynomials of degree `p`. Its error falls like `h^{p+1}` with the distance `h` of the nodes.
-//!
-//! A spline with a flat end has two more knots next to the last node, and its first and second
-//! derivatives vanish there. So do those of functions of `1 - 2 nu1 = s^3` with respect to `s`, for
-//! an incompressible film. This makes their derivative with respect to `nu1`, `2/(3 s^2)` times
-//! that with respect to `s`, finite.
 
 /// The degree of the splines through the nodes of a table; on fewer than ten nodes it is lower.
 ///
@@ -27,8 +22,7 @@ pub struct Basis {
     degree: usize,
     /// Ascending; the first and the last are repeated `degree + 1` times.
     knots: Vec<f64>,
-    /// The number of nodes, and of coefficients. Next to a flat end the last function is the sum of
-    /// the three B-splines whose value, first or second derivative is not 0 there.
+    /// The number of nodes, and of coefficients.
     count: usize,
     /// The `LU` factors of the collocation matrix: row `i` holds the entries
     /// `i - degree ..= i + degree` of `L` (below the diagonal, which is 1) and of `U`.
@@ -44,53 +38,26 @@ pub struct Weights {
     pub values: [f64; LARGEST_DEGREE + 1],
     /// The first derivatives, in the order of the values.
     pub slopes: [f64; LARGEST_DEGREE + 1],
-    /// The number of B-splines that do not vanish: the degree plus one, or fewer next to a flat
-    /// end.
+    /// The number of B-splines that do not vanish: the degree plus one.
     pub count: usize,
 }
 
 impl Basis {
+    /// Makes the basis of a table along an axis; `nodes` are the coordinates of the axis' nodes. Its
+    /// degree is [`TABLE_DEGREE`].
+    ///
+    /// # Panics
+    /// If `nodes` is empty.
+    pub fn of_table(nodes: &[f64]) -> Self {
+        Self::new(nodes, TABLE_DEGREE)
+    }
+
     /// Makes the basis of `degree`, or of one less than the number of nodes if that is lower.
     ///
     /// # Panics
     /// If `nodes` is empty or `degree` is above [`LARGEST_DEGREE`]. Nodes that do not ascend
     /// strictly give a useless basis, not a panic.
     pub fn new(nodes: &[f64], degree: usize) -> Self {
-        Self::with_end_conditions(nodes, degree, 0)
-    }
-
-    /// Makes the basis of splines whose first and second derivatives vanish at the last node.
-    ///
-    /// It needs five nodes and degree 4 or more; otherwise the basis is that of [`Basis::new`].
-    ///
-    /// # Panics
-    /// As [`Basis::new`].
-    pub fn flat_at_the_end(nodes: &[f64], degree: usize) -> Self {
-        let conditions = if degree.min(nodes.len().saturating_sub(1)) < 4 {
-            0
-        } else {
-            2
-        };
-        Self::with_end_conditions(nodes, degree, conditions)
-    }
-
-    /// Makes the basis of a table along an axis; `nodes` are the coordinates of the axis' nodes.
-    ///
-    /// Its degree is [`TABLE_DEGREE`]. The last end is flat if `flat`, which is
-    /// [`Parameter::is_flat_at`](crate::Parameter::is_flat_at) of the last node.
-    ///
-    /// # Panics
-    /// If `nodes` is empty.
-    pub fn of_table(nodes: &[f64], flat: bool) -> Self {
-        if flat {
-            Self::flat_at_the_end(nodes, TABLE_DEGREE)
-        } else {
-            Self::new(nodes, TABLE_DEGREE)
-        }
-    }
-
-    /// Makes the basis whose first `conditions` derivatives vanish at the last node.
-    fn with_end_conditions(nodes: &[f64], degree: usize, conditions: usize) -> Self {
         assert!(
             !nodes.is_empty() && degree <= LARGEST_DEGREE,
             "{} nodes, degree {degree}",
@@ -100,7 +67,7 @@ impl Basis {
         let degree = degree.min(count - 1);
         let dropped = degree.div_ceil(2);
         let mut knots = vec![nodes[0]; degree + 1];
-        let inner = count + conditions - degree - 1;
+        let inner = count - degree - 1;
         if inner > 0 {
             knots.extend(&nodes[dropped..dropped + inner]);
         }
@@ -123,11 +90,6 @@ impl Basis {
     /// Returns the degree of the polynomials.
     pub(crate) fn degree(&self) -> usize {
         self.degree
-    }
-
-    /// Returns whether `end` is the last node and the first and second derivatives vanish there.
-    pub(crate) fn is_flat_at(&self, end: f64) -> bool {
-        self.knots.len() - self.degree - 1 > self.count && self.knots.last() == Some(&end)
     }
 
     /// Returns the intervals between the knots, on each of which a spline is one polynomial.
@@ -163,14 +125,8 @@ impl Basis {
             values[degree] = carried;
         }
         let first = span - p;
-        let count = (p + 1).min(self.count - first);
-        // The B-splines that are summed into one at a flat end. Those parts of their slopes that
-        // cancel are never added, and so leave no rounding.
-        for i in count..=p {
-            values[count - 1] += std::mem::take(&mut values[i]);
-        }
         let mut slopes = [0.0; LARGEST_DEGREE + 1];
-        for (i, &value) in lower[..count - 1].iter().enumerate() {
+        for (i, &value) in lower[..p].iter().enumerate() {
             let share =
                 p as f64 * value / (self.knots[span + 1 + i] - self.knots[span + 1 + i - p]);
             slopes[i] -= share;
@@ -180,7 +136,7 @@ impl Basis {
             first,
             values,
             slopes,
-            count,
+            count: p + 1,
         }
     }
 
@@ -316,69 +272,6 @@ mod tests {
                     );
                 }
             }
-        }
-    }
-
-    #[test]
-    fn a_flat_end_has_no_first_two_derivatives_and_keeps_the_order() {
-        let function = |u: f64| (5.0 * (1.0 - u).powi(3)).sin();
-        let error = |n: usize| {
-            let nodes: Vec<f64> = (0..n).map(|i| i as f64 / (n - 1) as f64).collect();
-            let basis = Basis::flat_at_the_end(&nodes, 9);
-            let mut coefficients: Vec<f64> = nodes.iter().map(|&u| function(u)).collect();
-            basis.interpolate(&mut coefficients, 1);
-            let at = |u: f64, slope: bool| {
-                let weights = basis.weights(u);
-                evaluate(
-                    &weights,
-                    if slope {
-                        &weights.slopes
-                    } else {
-                        &weights.values
-                    },
-                    &coefficients,
-                )
-            };
-            assert!(
-                nodes
-                    .iter()
-                    .all(|&u| (at(u, false) - function(u)).abs() < 1e-14)
-            );
-            // The slope of a function of `s^3` is `3 s^2` times a smooth one, to the last digit.
-            for s in [1e-3, 1e-5, 1e-7] {
-                let ratio = at(1.0 - s, true) / (-15.0 * s * s);
-                assert!(
-                    (ratio - 1.0).abs() < 3e3 * (1.0 / n as f64).powi(7) + 1e-16 / s,
-                    "{n} nodes, s = {s}: {ratio}"
-                );
-            }
-            assert_eq!(at(1.0, true), 0.0);
-            (0..=997)
-                .map(|i| f64::from(i) / 997.0)
-                .map(|u| (at(u, false) - function(u)).abs())
-                .fold(0.0, f64::max)
-        };
-        let measured = (error(30) / error(59)).log2();
-        assert!(measured > 9.5, "order {measured}");
-        for few in 1..5 {
-            let nodes = nodes(few);
-            assert_eq!(
-                Basis::flat_at_the_end(&nodes, 9).weights(0.1).values,
-                Basis::new(&nodes, 9).weights(0.1).values
-            );
-        }
-        for n in 5..20 {
-            // The constant 1 satisfies the end conditions.
-            let nodes = nodes(n);
-            let basis = Basis::flat_at_the_end(&nodes, 9);
-            let mut coefficients = vec![1.0; n];
-            basis.interpolate(&mut coefficients, 1);
-            assert!(
-                coefficients
-                    .iter()
-                    .all(|coefficient| (coefficient - 1.0).abs() < 1e-13),
-                "{n} nodes: {coefficients:?}"
-            );
         }
     }
 

@@ -45,6 +45,10 @@ impl Parameter {
     /// rigid at any `a/t` up to 1e3.
     const E0S_END: f64 = 1e10;
 
+    /// The `1 - 2 nu1` at which the coordinate of `nu1` ends to be a power: below, a film is nearly
+    /// incompressible at any `a/t` up to 1e3.
+    const NU1_END: f64 = 1e-6;
+
     /// Returns the dimension of a table that this parameter may be the axis of.
     pub const fn dimension(self) -> usize {
         match self {
@@ -95,7 +99,7 @@ impl Parameter {
     pub const fn scale(self) -> &'static str {
         match self {
             Self::AOverT | Self::E1OverE2 | Self::E0OverE2 => "logarithmic",
-            Self::Nu1 => "c, with 1 - 2 nu1 = (1 - 2 c)^3",
+            Self::Nu1 => "-(1 - 2 nu1 + 1e-6)^(1/8)",
             Self::E1sOverE2s => "ln((e1s_over_e2s + 1e-10)/(1 + e1s_over_e2s/1e14))",
             Self::E0sOverE1s => "-ln(1/e0s_over_e1s + 1e-10)",
         }
@@ -103,15 +107,15 @@ impl Parameter {
 
     /// Returns the coordinate in which nodes are placed and splines are smooth.
     ///
-    /// It is the logarithm of `value`; for `nu1` it is the `c` with `1 - 2 nu1 = (1 - 2c)^3`,
-    /// because a nearly incompressible film changes its behaviour where `(1 - 2 nu1) (a/t)^2 ~ 1`.
+    /// It is the logarithm of `value`; for `nu1` it is an eighth root, because a nearly
+    /// incompressible film changes its behaviour where `(1 - 2 nu1) (a/t)^2 ~ 1`.
     /// The ratios of reduced moduli have coordinates, [`Parameter::scale`], that are logarithms
     /// except near 0 and infinity. There they end at finite values, because the quantities are
     /// smooth functions of `E1*/E2*` at 0, of `E2*/E1*` at 0 and of `E1*/E0*` at 0.
     pub fn coordinate(self, value: f64) -> f64 {
         match self {
             Self::AOverT | Self::E1OverE2 | Self::E0OverE2 => value.ln(),
-            Self::Nu1 => 0.5 * (1.0 - (1.0 - 2.0 * value).cbrt()),
+            Self::Nu1 => -(1.0 - 2.0 * value + Self::NU1_END).powf(0.125),
             Self::E1sOverE2s => {
                 let [low, high] = Self::E1S_ENDS;
                 // Both forms are exact at their end.
@@ -125,22 +129,12 @@ impl Parameter {
         }
     }
 
-    /// Returns whether the first and second derivatives of the quantities with respect to the
-    /// coordinate vanish at `value`.
-    ///
-    /// They do for an incompressible film, `nu1 = 0.5`, because the quantities are smooth functions
-    /// of `1 - 2 nu1`, which is the cube of `1 - 2c`. The derivatives of splines that end there are
-    /// made to vanish, too.
-    pub fn is_flat_at(self, value: f64) -> bool {
-        self == Self::Nu1 && value == 0.5
-    }
-
     /// Returns the derivative of the coordinate with respect to the value, at the value with this
-    /// `coordinate`. It is infinite at `nu1 = 0.5`.
+    /// `coordinate`.
     pub fn speed(self, coordinate: f64) -> f64 {
         match self {
             Self::AOverT | Self::E1OverE2 | Self::E0OverE2 => (-coordinate).exp(),
-            Self::Nu1 => 1.0 / (3.0 * (1.0 - 2.0 * coordinate).powi(2)),
+            Self::Nu1 => -0.25 / coordinate.powi(7),
             Self::E1sOverE2s => {
                 let ([low, high], value) = (Self::E1S_ENDS, self.value(coordinate));
                 1.0 / (value + low) - 1.0 / (value + high)
@@ -169,7 +163,7 @@ impl Parameter {
     pub fn value(self, coordinate: f64) -> f64 {
         match self {
             Self::AOverT | Self::E1OverE2 | Self::E0OverE2 => coordinate.exp(),
-            Self::Nu1 => 0.5 * (1.0 - (1.0 - 2.0 * coordinate).powi(3)),
+            Self::Nu1 => 0.5 * (1.0 + Self::NU1_END - coordinate.powi(8)),
             Self::E1sOverE2s => {
                 let ([low, high], value) = (Self::E1S_ENDS, coordinate.exp());
                 (value - low).max(0.0) / (1.0 - value / high).max(0.0)

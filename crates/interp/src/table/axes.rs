@@ -99,7 +99,7 @@ impl Axes {
             .iter()
             .map(|&value| parameter.coordinate(value))
             .collect();
-        Basis::of_table(&coordinates, parameter.is_flat_at(self.ends(parameter)[1]))
+        Basis::of_table(&coordinates)
     }
 
     /// Returns the symbol of the modulus in whose units the quantities at the nodes are.

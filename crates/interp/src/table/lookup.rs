@@ -101,20 +101,13 @@ impl Lookup {
             Ok((equivalence, coordinates))
         })?;
         let equivalent = equivalence.equivalent;
-        // Towards `s = 1 - 2c` of 0 the derivative with respect to `c` falls like `s^2`, and that
-        // of `c` with respect to `nu1` grows like `1/s^2`. Their product is evaluated at a small
-        // `s`, where it equals that at 0 except for rounding.
-        let [e1, nu1, e0] = coordinates;
-        let before_the_end = nu1.min(Parameter::Nu1.coordinate(0.5) - 5e-7);
-        let [values, slopes @ ..] = self
-            .spline
-            .coefficients_and_slopes(coordinates, [e1, before_the_end, e0]);
+        let [values, slopes @ ..] = self.spline.coefficients_and_slopes(coordinates);
         let parameters = axes.of_material();
         let invariants = Invariants::of(&equivalent);
         // From the derivatives with respect to the coordinates to those with respect to `nu1` and
         // to the logarithms of the moduli.
         let speeds = parameters.map(|parameter| match parameter {
-            Parameter::Nu1 => parameter.speed(before_the_end),
+            Parameter::Nu1 => parameter.speed(coordinates[1]),
             Parameter::E0sOverE1s => parameter.logarithmic_speed(invariants.e0s_over_e1s),
             _ => parameter.logarithmic_speed(invariants.e1s_over_e2s),
         });

@@ -87,28 +87,11 @@ impl TensorSpline {
 
     /// Returns these coefficients, followed by their derivatives with respect to the three
     /// coordinates.
-    ///
-    /// The derivative with respect to coordinate `i` is evaluated where that coordinate is
-    /// `slopes_at[i]`. This must be `coordinates[i]`, or so near that the values do not differ.
-    pub(crate) fn coefficients_and_slopes(
-        &self,
-        coordinates: [f64; 3],
-        slopes_at: [f64; 3],
-    ) -> [Vec<f64>; 4] {
+    pub(crate) fn coefficients_and_slopes(&self, coordinates: [f64; 3]) -> [Vec<f64>; 4] {
         match &self.form {
-            Form::Train(train) => train.coefficients_and_slopes(coordinates, slopes_at),
+            Form::Train(train) => train.coefficients_and_slopes(coordinates),
             Form::Dense(rows) => {
-                let mut weights = self.weights(coordinates);
-                for (weights, near) in weights.iter_mut().zip(self.weights(slopes_at)) {
-                    *weights = if near.first == weights.first {
-                        Weights {
-                            slopes: near.slopes,
-                            ..*weights
-                        }
-                    } else {
-                        near
-                    };
-                }
+                let weights = self.weights(coordinates);
                 let by = |axis: usize| array::from_fn(|i| i == axis);
                 self.sums(rows, &weights, [[false; 3], by(0), by(1), by(2)])
             }

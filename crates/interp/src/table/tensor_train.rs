@@ -7,8 +7,8 @@
 //! oscillate more and more. The contribution of a bond index and a function to a block of indices
 //! of the next bond is dropped where it is far below the table's tolerance, and stored in single
 //! precision where that is accurate enough. This leaves fewer multiplications, and more of them are
-//! done at a time. All but the first two functions, or three next to a flat end, vanish at the
-//! knots: dropping them makes no jump there.
+//! done at a time. All but the first two functions vanish at the knots: dropping them makes no jump
+//! there.
 //!
 //! A function with an argument `simd` is compiled for several instruction sets, and that of the
 //! processor is chosen at run time. It must be inlined, with its closures: only then is it compiled
@@ -28,9 +28,6 @@ use crate::table::weighted_sum::add_rows;
 ///
 /// Norms are root mean squares of contributions to the logarithms.
 const NEGLIGIBLE: f64 = 1e-5;
-/// The largest norm of a block that is dropped next to a flat end, where the derivative with
-/// respect to `nu1` divides the error by the cube of the interval.
-const NEGLIGIBLE_AT_FLAT_END: f64 = 3e-6;
 /// The largest rounding to single precision, and the largest jump at a knot. Smaller than
 /// [`NEGLIGIBLE`], because it acts as noise: a difference quotient of two lookups divides it by its
 /// step.
@@ -70,16 +67,13 @@ struct Interval {
 
 /// The functions whose sum is a spline between two knots.
 ///
-/// They are the Chebyshev polynomials `T0`, `T1`, `T2 - T0`, `T3 - T1`, `T4 - T0` and so on; next
-/// to a flat end, 1 and `s^3` times each of these, where `s` is the distance from the end.
+/// They are the Chebyshev polynomials `T0`, `T1`, `T2 - T0`, `T3 - T1`, `T4 - T0` and so on.
 #[derive(Clone, Copy, Debug)]
 struct Functions {
     /// The two knots.
     ends: [f64; 2],
     /// The number of functions.
     count: usize,
-    /// Whether the second knot is a flat end.
-    flat: bool,
 }
 
 impl TensorTrain {
@@ -144,14 +138,9 @@ impl TensorTrain {
     }
 
     /// Returns these coefficients, followed by their derivatives with respect to the three
-    /// coordinates. The derivative with respect to coordinate `i` is evaluated where that
-    /// coordinate is `slopes_at[i]`.
-    pub(crate) fn coefficients_and_slopes(
-        &self,
-        coordinates: [f64; 3],
-        slopes_at: [f64; 3],
-    ) -> [Vec<f64>; 4] {
-        dispatch!(Level::new(), simd => self.value_and_slopes(simd, coordinates, slopes_at))
+    /// coordinates.
+    pub(crate) fn coefficients_and_slopes(&self, coordinates: [f64; 3]) -> [Vec<f64>; 4] {
+        dispatch!(Level::new(), simd => self.value_and_slopes(simd, coordinates))
     }
 
     #[inline(always)]
@@ -165,24 +154,13 @@ impl TensorTrain {
     }
 
     #[inline(always)]
-    fn value_and_slopes<S: Simd>(
-        &self,
-        simd: S,
-        coordinates: [f64; 3],
-        slopes_at: [f64; 3],
-    ) -> [Vec<f64>; 4] {
+    fn value_and_slopes<S: Simd>(&self, simd: S, coordinates: [f64; 3]) -> [Vec<f64>; 4] {
         // The product of the cores so far, and its derivatives with respect to their coordinates.
         let mut vectors = vec![vec![1.0]];
         for (core, axis) in self.cores.iter().zip([2, 0, 1]) {
-            let interval = core.interval(slopes_at[axis]);
-            let slope = core.multiply(
-                simd,
-                interval,
-                &vectors[0],
-                &interval.functions.evaluate(slopes_at[axis]).1,
-            );
             let interval = core.interval(coordinates[axis]);
-            let (values, _) = interval.functions.evaluate(coordinates[axis]);
+            let (values, slopes) = interval.functions.evaluate(coordinates[axis]);
+            let slope = core.multiply(simd, interval, &vectors[0], &slopes);
             for vector in &mut vectors {
                 *vector = core.multiply(simd, interval, vector, &values);
             }
@@ -253,13 +231,8 @@ impl Interval {
                 }
             }
         }
-        let jumps = functions.count_at_knots() * before;
-        let inside = if functions.flat {
-            NEGLIGIBLE_AT_FLAT_END
-        } else {
-            NEGLIGIBLE
-        };
-        let negligible = |row| tolerance * if row < jumps { ROUNDING } else { inside };
+        let jumps = Functions::AT_KNOTS * before;
+        let negligible = |row| tolerance * if row < jumps { ROUNDING } else { NEGLIGIBLE };
         Self {
             functions,
             rows: MixedPrecision::new(&rows, length, negligible, ROUNDING * tolerance),
@@ -268,23 +241,15 @@ impl Interval {
 }
 
 impl Functions {
+    /// The number of functions that do not vanish at both ends; they are the first.
+    const AT_KNOTS: usize = 2;
+
     /// Chooses the functions between two neighbouring knots.
     fn new(basis: &Basis, ends: [f64; 2]) -> Self {
-        let flat = basis.is_flat_at(ends[1]);
         Self {
             ends,
-            count: if flat {
-                basis.degree() - 1
-            } else {
-                basis.degree() + 1
-            },
-            flat,
+            count: basis.degree() + 1,
         }
-    }
-
-    /// Returns the number of functions that do not vanish at both ends; they are the first.
-    fn count_at_knots(&self) -> usize {
-        if self.flat { 3 } else { 2 }
     }
 
     /// Evaluates the functions and their slopes at `u`.
@@ -297,63 +262,31 @@ impl Functions {
         }
         let [from, to] = self.ends;
         let length = to - from;
-        if !self.flat {
-            let (values, slopes) = chebyshev((u - from - (to - u)) / length);
-            return (values, slopes.map(|slope| 2.0 / length * slope));
-        }
-        let s = (to - u) / length;
-        let (polynomials, derivatives) = chebyshev(1.0 - 2.0 * s);
-        let (mut values, mut slopes) = ([0.0; MOST_FUNCTIONS], [0.0; MOST_FUNCTIONS]);
-        values[0] = 1.0;
-        for (i, (polynomial, derivative)) in polynomials
-            .iter()
-            .zip(derivatives)
-            .take(MOST_FUNCTIONS - 1)
-            .enumerate()
-        {
-            values[i + 1] = s * s * s * polynomial;
-            slopes[i + 1] = (2.0 * s * derivative - 3.0 * polynomial) * s * s / length;
-        }
-        (values, slopes)
+        let (values, slopes) = chebyshev((u - from - (to - u)) / length);
+        (values, slopes.map(|slope| 2.0 / length * slope))
     }
 
     /// Returns the matrix from the coefficients of the B-splines that do not vanish on the interval
     /// to those of the functions: a row for each function.
     fn transform(&self, basis: &Basis) -> Vec<Vec<f64>> {
         let [from, to] = self.ends;
-        // The number of polynomials, and of Chebyshev points.
-        let skipped = usize::from(self.flat);
-        let count = self.count - skipped;
+        let count = self.count;
         let angle = |point: usize| PI * (point as f64 + 0.5) / count as f64;
-        let splines = basis.weights(from.midpoint(to)).count;
-        let mut transform = vec![vec![0.0; splines]; self.count];
+        let mut transform = vec![vec![0.0; count]; count];
         for point in 0..count {
             let s = 0.5 - 0.5 * angle(point).cos();
             let splines = basis.weights(to - (to - from) * s);
-            // Towards a flat end the last B-spline tends to 1 and the others fall like `s^3`.
-            // Because they add up to one, 1 minus the last is the sum of the others, without
-            // cancellation.
-            let last = splines.count - 1;
-            let value = |spline: usize| match self.flat {
-                false => splines.values[spline],
-                true if spline < last => splines.values[spline] / s.powi(3),
-                true => -splines.values[..last].iter().sum::<f64>() / s.powi(3),
-            };
-            for (function, row) in transform[skipped..][..count].iter_mut().enumerate() {
+            for (function, row) in transform.iter_mut().enumerate() {
                 let share = if function == 0 { 1.0 } else { 2.0 } / count as f64
                     * (function as f64 * angle(point)).cos();
                 row.iter_mut()
-                    .enumerate()
-                    .for_each(|(spline, entry)| *entry += share * value(spline));
-            }
-            if self.flat {
-                transform[0][last] = 1.0;
+                    .zip(splines.values)
+                    .for_each(|(entry, value)| *entry += share * value);
             }
         }
         // From the Chebyshev polynomials to their differences from the first two.
-        let polynomials = &mut transform[skipped..];
         for function in 2..count {
-            let (firsts, row) = polynomials.split_at_mut(function);
+            let (firsts, row) = transform.split_at_mut(function);
             firsts[function % 2]
                 .iter_mut()
                 .zip(&row[0])

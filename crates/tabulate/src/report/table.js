@@ -61,15 +61,14 @@ class Reader {
     }
 }
 
-/** The B-splines on the nodes of an axis, with "not-a-knot" ends. If `flat`, both derivatives vanish at the last node. */
+/** The B-splines on the nodes of an axis, with "not-a-knot" ends. */
 class Basis {
-    constructor(nodes, flat) {
+    constructor(nodes) {
         this.count = nodes.length;
         this.degree = Math.min(DEGREE, this.count - 1);
         const p = this.degree;
-        const conditions = flat && p >= 4 ? 2 : 0;
         const dropped = Math.ceil(p / 2);
-        const inner = this.count + conditions - p - 1;
+        const inner = this.count - p - 1;
         const last = nodes[this.count - 1];
         this.knots = [...Array(p + 1).fill(nodes[0]), ...nodes.slice(dropped, dropped + inner), ...Array(p + 1).fill(last)];
         this.matrix = nodes.map((node) => {
@@ -98,13 +97,9 @@ class Basis {
             });
             values.push(carried);
         }
-        const first = span - p, count = Math.min(p + 1, this.count - first);
-        // Next to a flat end the last function is the sum of those after it.
-        const beyond = values.slice(count).reduce((sum, value) => sum + value, 0);
-        values.length = count;
-        values[count - 1] += beyond;
-        const slopes = Array(count).fill(0);
-        for (let i = 0; p > 0 && i < count - 1; i += 1) {
+        const first = span - p;
+        const slopes = Array(p + 1).fill(0);
+        for (let i = 0; i < p; i += 1) {
             const share = (p * lower[i]) / (knots[span + 1 + i] - knots[span + 1 + i - p]);
             slopes[i] -= share;
             slopes[i + 1] += share;
@@ -136,7 +131,7 @@ class Basis {
 
 /** The coordinate of a parameter in which the splines are polynomials. */
 function coordinate(parameter, value) {
-    return parameter === "nu1" ? 0.5 * (1 - Math.cbrt(1 - 2 * value)) : Math.log(value);
+    return parameter === "nu1" ? -((1 - 2 * value + 1e-6) ** 0.125) : Math.log(value);
 }
 
 /** A low-rank table. */
@@ -168,8 +163,7 @@ class Table {
         const cores = reader.array(4, () => numbers(() => reader.signed()));
         this.cores = CORES.map((parameter, i) => {
             const nodes = this.axes[parameter];
-            const flat = parameter === "nu1" && nodes[nodes.length - 1] === 0.5;
-            const basis = new Basis(nodes.map((node) => coordinate(parameter, node)), flat);
+            const basis = new Basis(nodes.map((node) => coordinate(parameter, node)));
             const count = functions[i].length / nodes.length;
             // The splines of a core are those of the functions that it combines.
             basis.interpolate(functions[i], count);

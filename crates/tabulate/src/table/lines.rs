@@ -14,7 +14,7 @@ use crate::Error;
 use crate::parallel::try_map;
 use crate::solve::larger;
 use crate::table::budget::Budget;
-use crate::table::placement::{EVENNESS, places, places_to};
+use crate::table::placement::{EVENNESS, places};
 use crate::table::scene::{Extent, Scene};
 use crate::table::sweep::solve_for_table;
 
@@ -26,8 +26,6 @@ pub(super) struct Lines {
     rows: Vec<f64>,
     /// The length of a row.
     width: usize,
-    /// Whether the lines end where splines have a [flat end](Parameter::is_flat_at).
-    flat: bool,
 }
 
 impl Lines {
@@ -74,7 +72,6 @@ impl Lines {
             points: intervals + 1,
             rows: solve(&places(intervals + 1, 0.0))?,
             width,
-            flat: along.is_flat_at(to),
         };
         let mut former_error = f64::INFINITY;
         loop {
@@ -173,12 +170,12 @@ impl Lines {
     /// Returns the largest error of the splines through `count` nodes in the middles of their
     /// cells, where it is largest.
     fn error(&self, count: usize, evenness: f64) -> f64 {
-        let nodes = places_to(self.flat, count, evenness);
+        let nodes = places(count, evenness);
         let middles: Vec<f64> = nodes
             .windows(2)
             .map(|pair| pair[0].midpoint(pair[1]))
             .collect();
-        let basis = Basis::of_table(&nodes, self.flat);
+        let basis = Basis::of_table(&nodes);
         let mut coefficients = self.interpolated(&nodes);
         basis.interpolate(&mut coefficients, self.width);
         let truth = self.interpolated(&middles);

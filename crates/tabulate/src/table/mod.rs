@@ -21,7 +21,7 @@ mod sweep;
 pub use budget::{Budget, Clock};
 pub(crate) use certify::Axis as SampledAxis;
 pub use certify::{Sample, certificate, certify, default_points, measure, points_for, sample};
-pub use compress::{compress, compress_with_derivatives, low_rank};
+pub use compress::{compress, low_rank};
 pub use generate::{Generated, Observer, Options, generate};
 pub use lines::{lines, logarithms};
 pub use placement::{EVENNESS, Placement, places};

@@ -12,8 +12,7 @@ pub enum Placement {
     /// A fixed parameter.
     Fixed(f64),
     /// `nodes` nodes at `asin(evenness z)/asin(evenness)`, with the Chebyshev points `z` of the
-    /// second kind, in the parameter's coordinate. At an end where the quantities are
-    /// [flat](Parameter::is_flat_at), the two points next to it are left out.
+    /// second kind, in the parameter's coordinate.
     Nodes {
         /// The first node.
         from: f64,
@@ -51,10 +50,7 @@ impl Placement {
             } => {
                 let (first, last) = (parameter.coordinate(from), parameter.coordinate(to));
                 let node = |place: f64| parameter.value(first + (last - first) * place);
-                let mut values: Vec<f64> = places_to(parameter.is_flat_at(to), nodes, evenness)
-                    .into_iter()
-                    .map(node)
-                    .collect();
+                let mut values: Vec<f64> = places(nodes, evenness).into_iter().map(node).collect();
                 values[0] = from;
                 values[nodes - 1] = to;
                 values
@@ -63,7 +59,7 @@ impl Placement {
     }
 }
 
-/// Returns `count` places from 0 to 1, ascending: those of [`Placement::Nodes`] without a flat end.
+/// Returns `count` places from 0 to 1, ascending: those of [`Placement::Nodes`].
 ///
 /// # Panics
 /// If `count` is below 2 or `evenness` is not in `[0, 1]`.
@@ -84,19 +80,4 @@ pub fn places(count: usize, evenness: f64) -> Vec<f64> {
         }
     };
     (0..count).map(place).collect()
-}
-
-/// Returns `count` places from 0 to 1. At a flat end they are those of `count + 2` without the two
-/// next to the end.
-///
-/// Two derivatives of the spline are given there instead. Nodes so close to the end would also
-/// spoil the derivative with respect to `nu1`, which divides the error of the solves by the cube of
-/// the distance.
-pub(super) fn places_to(flat_end: bool, count: usize, evenness: f64) -> Vec<f64> {
-    if !flat_end || evenness == 1.0 {
-        return places(count, evenness);
-    }
-    let mut places = places(count + 2, evenness);
-    places.drain(count - 1..=count);
-    places
 }

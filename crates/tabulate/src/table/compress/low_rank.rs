@@ -4,7 +4,7 @@ use interp::{Description, Table};
 
 use crate::Error;
 use crate::table::certify::certify;
-use crate::table::compress::truncation::compress_with_derivatives;
+use crate::table::compress::truncation::compress;
 use crate::table::generate::Observer;
 use crate::table::scene::TOLERANCE;
 
@@ -14,23 +14,10 @@ const SHARE: f64 = 0.6;
 /// The number of times that the error of truncation is halved before packing is given up.
 const HALVINGS: u32 = 3;
 
-/// The error that truncation may add to derivatives with respect to `nu1` at 0.5, see
-/// [`compress_with_derivatives`]: in tolerances, or in certified errors of the table itself where
-/// that is more.
-///
-/// The derivatives of a table are farther from the true ones than its values: 860 certified errors
-/// in the default box to 1e-6, 300 on a rigid substrate. So packing about doubles their error at
-/// most. The embedded table, packed from one to a fifth of its tolerance, has derivatives within 75
-/// tolerances of the true ones (`tests/contact/gradient.rs`).
-const DERIVATIVES: [f64; 2] = [75.0, 500.0];
-
 /// Returns the low-rank form of a table that keeps the tolerance, with the certificate from
 /// `points` direct solves.
 ///
-/// Derivatives with respect to `nu1` at 0.5, in units of the range `1/(1 + (a/t)^2)` on which
-/// incompressible films change, are those of the table to 75 tolerances, or to 500 times its
-/// certified error where that is more. Where rounding does not allow this, they are not kept. The
-/// certificate does not cover derivatives.
+/// The certificate does not cover derivatives.
 ///
 /// # Errors
 /// [`Error::PackedTolerance`] for a tolerance outside 1e-10 to 1e-1; [`Error::NoRoom`] if the
@@ -64,17 +51,13 @@ pub fn low_rank(
     if !has_room {
         return Err(Error::NoRoom { own, tolerance });
     }
-    let derivative_error = (DERIVATIVES[0] * tolerance).max(DERIVATIVES[1] * own);
     let (mut truncation, mut measured) = (SHARE * (tolerance - own), f64::NAN);
     for _ in 0..=HALVINGS {
         let axes = table
             .parameters()
             .map(|parameter| (parameter, table.axis(parameter).to_vec()));
-        let mut packed = Table::from_low_rank(
-            description.clone(),
-            axes,
-            compress_with_derivatives(table, truncation, derivative_error)?,
-        )?;
+        let mut packed =
+            Table::from_low_rank(description.clone(), axes, compress(table, truncation)?)?;
         observer.begin("checking", points, 0);
         packed.set_certificate(certify(&packed, points, seed, &|count| {
             observer.advance(count)

@@ -17,27 +17,17 @@ use rayon::prelude::*;
 
 use crate::Error;
 use crate::solve::larger;
-use crate::table::compress::end_slope::EndSlope;
 
 /// The root mean square of the part left out at each bond, over the largest error allowed anywhere:
 /// the bounds of the search. In the default box it ends between a twentieth and a fiftieth.
 const LOOSEST: f64 = 1.0;
 const TIGHTEST: f64 = 1e-3;
-/// The lower bound where derivatives are kept, of which errors of values may be a small part. In
-/// the default box the search ends near a hundredth.
-const TIGHTEST_WITH_DERIVATIVES: f64 = 1e-5;
 /// The number of bisections. Each halves the range of the logarithm of the root mean square, to 3 %
-/// in the end, or 5 % where derivatives are kept.
+/// in the end.
 const BISECTIONS: usize = 8;
 /// The part left out at each bond, in units of the root mean square. The few indices of the first
 /// bond cost little.
 const BONDS: [f64; 3] = [0.1, 1.0, 1.0];
-/// The part left out at each bond where derivatives are kept, in two ways, of which the one with
-/// fewer numbers is taken. The last bond has the largest effect on derivatives. The default box to
-/// 1e-6 has the ranks 64 and 68 in the first way and 64 and 77 in the second; to 1e-7, with its
-/// derivatives within 75 tolerances of those of a table to 2e-8, 94 and 93 in the first way and 82
-/// and 93 in the second.
-const BONDS_WITH_DERIVATIVES: [[f64; 3]; 2] = [[0.1, 1.7, 0.6], [0.1, 3.0, 0.3]];
 /// The part left out of the functions along an axis, in units of the root mean square. They add
 /// nothing to the cost of a lookup.
 const FUNCTIONS: f64 = 0.1;
@@ -46,98 +36,28 @@ const FUNCTIONS: f64 = 0.1;
 /// save a tenth of the bytes and show in derivatives with respect to `nu1` near 0.5.
 const STEP: f64 = 0.2;
 
-/// The errors that are allowed in a low-rank form.
-#[derive(Clone, Copy)]
-struct Allowed {
-    /// The largest relative error of the quantities at the nodes.
-    error: f64,
-    /// The largest error of the derivatives of the logarithms with respect to `nu1` at 0.5, times
-    /// `1/(1 + (a/t)^2)`, at the other axes' nodes.
-    derivative_error: f64,
-}
-
 /// Returns a table in low-rank form, with about as few numbers as `error` allows, the largest
 /// relative error of the quantities at the nodes.
 ///
 /// # Errors
 /// [`Error::Truncation`] where a form that leaves out next to nothing has a larger error.
 pub fn compress(table: &Table, error: f64) -> Result<LowRank, Error> {
-    let allowed = Allowed {
-        error,
-        derivative_error: f64::INFINITY,
-    };
-    match search(table, None, allowed, TIGHTEST, BONDS)? {
-        Ok(form) => Ok(form),
-        Err(reached) => Err(Error::Truncation { error, reached }),
-    }
-}
-
-/// Compresses like [`compress`], and keeps the derivatives of the logarithms with respect to `nu1`
-/// at 0.5, times `1/(1 + (a/t)^2)`, at the other axes' nodes, to `derivative_error`.
-///
-/// Where the table has no such end, or rounding does not allow this error, it keeps the values
-/// alone.
-///
-/// # Errors
-/// As [`compress`].
-pub fn compress_with_derivatives(
-    table: &Table,
-    error: f64,
-    derivative_error: f64,
-) -> Result<LowRank, Error> {
-    let Some(slope) = EndSlope::of(table) else {
-        return compress(table, error);
-    };
-    let allowed = Allowed {
-        error,
-        derivative_error,
-    };
-    let mut forms = Vec::new();
-    for bonds in BONDS_WITH_DERIVATIVES {
-        let found = search(
-            table,
-            Some(&slope),
-            allowed,
-            TIGHTEST_WITH_DERIVATIVES,
-            bonds,
-        )?;
-        forms.extend(found);
-    }
-    match forms.into_iter().min_by_key(|form| numbers(table, form)) {
-        Some(form) => Ok(form),
-        None => compress(table, error),
-    }
-}
-
-/// Returns the number of entries of the cores of a form, without the functions along the axes.
-fn numbers(table: &Table, form: &LowRank) -> usize {
-    let ([n_a, n_e1, n_nu, n_e0], [a, b, c]) = (table.shape(), form.ranks());
-    n_e0 * a + a * n_e1 * b + b * n_nu * c + c * n_a * table.quantities().len()
-}
-
-/// Returns the form that leaves out the most among those within the allowed errors, or the error of
-/// the values of the one that leaves out the least.
-fn search(
-    table: &Table,
-    slope: Option<&EndSlope>,
-    allowed: Allowed,
-    tightest: f64,
-    bonds: [f64; 3],
-) -> Result<Result<LowRank, f64>, Error> {
-    let error = allowed.error;
     // The part left out here does not show beside the part left out later.
-    let train = Train::of(table, 0.1 * tightest * error);
+    let train = Train::of(table, 0.1 * TIGHTEST * error);
     let attempt = |share: f64| -> Result<Result<LowRank, f64>, Error> {
-        let form = train.truncated(table, bonds.map(|part| part * share * error), share * error)?;
-        let [reached, derivative] = largest_differences(table, slope, &form);
-        let is_allowed = reached <= error && derivative <= allowed.derivative_error;
-        Ok(if is_allowed { Ok(form) } else { Err(reached) })
+        let form = train.truncated(table, BONDS.map(|part| part * share * error), share * error)?;
+        let reached = largest_difference(table, &form);
+        Ok(if reached <= error {
+            Ok(form)
+        } else {
+            Err(reached)
+        })
     };
-    let mut best = match attempt(tightest)? {
+    let mut best = match attempt(TIGHTEST)? {
         Ok(form) => form,
-        Err(reached) => return Ok(Err(reached)),
+        Err(reached) => return Err(Error::Truncation { error, reached }),
     };
-    let (mut tight, mut loose) = (tightest.ln(), LOOSEST.ln());
+    let (mut tight, mut loose) = (TIGHTEST.ln(), LOOSEST.ln());
     for _ in 0..BISECTIONS {
         let middle = 0.5 * (tight + loose);
         match attempt(middle.exp())? {
@@ -145,30 +65,22 @@ fn search(
             Err(_) => loose = middle,
         }
     }
-    Ok(Ok(best))
+    Ok(best)
 }
 
 /// Returns the largest difference of a table's logarithms at the nodes from those of a low-rank
-/// form, which is the largest relative error of its quantities, and the largest difference of their
-/// derivatives, 0 without `slope`.
-fn largest_differences(table: &Table, slope: Option<&EndSlope>, form: &LowRank) -> [f64; 2] {
+/// form, which is the largest relative error of its quantities.
+fn largest_difference(table: &Table, form: &LowRank) -> f64 {
     let [_, n_e1, ..] = table.shape();
     let differences = (0..n_e1).into_par_iter().map(|e1| {
-        let mut differences = table.logarithms(e1);
-        differences
-            .iter_mut()
-            .zip(form.logarithms(e1))
-            .for_each(|(exact, truncated)| *exact -= truncated);
-        let largest = differences
+        let (exact, truncated) = (table.logarithms(e1), form.logarithms(e1));
+        exact
             .iter()
-            .map(|difference| difference.abs())
-            .fold(0.0, larger);
-        [
-            largest,
-            slope.map_or(0.0, |slope| slope.largest(&differences)),
-        ]
+            .zip(truncated)
+            .map(|(exact, truncated)| (exact - truncated).abs())
+            .fold(0.0, larger)
     });
-    differences.reduce(|| [0.0; 2], |a, b| [larger(a[0], b[0]), larger(a[1], b[1])])
+    differences.reduce(|| 0.0, larger)
 }
 
 /// The logarithms of a table as a tensor train that leaves out next to nothing.
