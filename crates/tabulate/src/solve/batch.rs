@@ -11,7 +11,7 @@ use crate::Error;
 use crate::parallel::try_map;
 use crate::solve::compliance::Compliance;
 use crate::solve::galerkin::{self, Abscissae, Block, Operator};
-use crate::solve::method::prefers_axis;
+use crate::solve::method::has_closed_form;
 use crate::solve::quadrature::Panels;
 use crate::solve::symbol::Symbol;
 
@@ -31,12 +31,19 @@ impl Batch {
     /// Groups `materials` by `nu1` and `E1/E0`. Ratios that differ by rounding count as equal.
     pub(crate) fn new(materials: Vec<Material>) -> Self {
         const ROUNDING: f64 = 1e-14;
-        let key = |&i: &usize| (materials[i].nu1(), materials[i].film_over_substrate());
+        let key = |&i: &usize| {
+            let material: &Material = &materials[i];
+            (
+                material.nu1(),
+                material.nu0(),
+                material.film_over_substrate(),
+            )
+        };
         let mut order: Vec<usize> = (0..materials.len()).collect();
         order.sort_by(|a, b| key(a).partial_cmp(&key(b)).expect("materials hold no NaN"));
         let belong_together = |a: &usize, b: &usize| {
-            let ((nu_a, ratio_a), (nu_b, ratio_b)) = (key(a), key(b));
-            nu_a == nu_b && (ratio_a - ratio_b).abs() <= ROUNDING * ratio_a
+            let ((nu1_a, nu0_a, ratio_a), (nu1_b, nu0_b, ratio_b)) = (key(a), key(b));
+            (nu1_a, nu0_a) == (nu1_b, nu0_b) && (ratio_a - ratio_b).abs() <= ROUNDING * ratio_a
         };
         let group = |members: &[usize]| Group {
             compliance: Compliance::new(&materials[members[0]]),
@@ -123,15 +130,15 @@ impl Shared {
         let members = group.members.iter().map(|&member| &materials[member]);
         let mut operator = None;
         let solve_member = |material: &Material| {
+            let symbol = Symbol::with_compliance(group.compliance, material);
             if let Some((abscissae, blocks)) = &self.galerkin
-                && !group.compliance.is_constant()
-                && !prefers_axis(self.x, &Symbol::new(material), self.tolerance)
+                && !has_closed_form(&symbol, self.tolerance)
             {
                 let operator = operator.get_or_insert_with(|| {
                     Operator::assemble(&group.compliance, abscissae, blocks)
                 });
                 if let Some(solved) = operator
-                    .solve(material)
+                    .solve(&symbol)
                     .filter(|solved| solved.error() <= self.tolerance)
                 {
                     return Ok(solved.quantities);

@@ -40,7 +40,7 @@ pub struct Solution {
 /// [`Error::Domain`] for a parameter outside the domain; [`Error::NotConverged`] where double
 /// precision does not allow the tolerance.
 pub fn solve(a_over_t: f64, material: &Material, tolerance: f64) -> Result<Solution, Error> {
-    domain::check(a_over_t, material)?;
+    domain::check(a_over_t)?;
     Error::check("tolerance", tolerance, TOLERANCE)?;
     let symbol = Symbol::new(material);
     let mut reached = f64::INFINITY;
@@ -49,7 +49,7 @@ pub fn solve(a_over_t: f64, material: &Material, tolerance: f64) -> Result<Solut
             quantities,
             error,
             modes,
-        } = method.solve(a_over_t, material, &symbol, tolerance);
+        } = method.solve(a_over_t, &symbol, tolerance);
         if error <= tolerance {
             return Ok(Solution {
                 quantities,
