@@ -34,10 +34,11 @@ use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::llt::factor::{
     LltRegularization, cholesky_in_place, cholesky_in_place_scratch,
 };
+use faer::linalg::matmul::triangular::{BlockStructure, matmul};
 use faer::linalg::triangular_solve::{
     solve_lower_triangular_in_place, solve_upper_triangular_in_place,
 };
-use faer::{Mat, Par, Spec};
+use faer::{Accum, Mat, MatRef, Par, Spec};
 use interp::Quantities;
 
 use crate::solve::bessel::{EvenBessel, LANES};
@@ -314,9 +315,16 @@ impl Operator {
     /// positive, by too few modes.
     pub fn solve(&self, symbol: &Symbol) -> Option<Solved> {
         let (n, film) = (self.kernel.nrows() - 1, symbol.film());
-        let mut factor = Mat::from_fn(n, n, |i, j| {
-            film * self.kernel[(i + 1, j + 1)] + if i == j { 1.0 } else { 0.0 }
-        });
+        let mut factor = Mat::zeros(n, n);
+        for j in 0..n {
+            let column = &self.kernel.col_as_slice(j + 1)[j + 1..];
+            let target = &mut factor.col_as_slice_mut(j)[j..];
+            target
+                .iter_mut()
+                .zip(column)
+                .for_each(|(target, kernel)| *target = film * kernel);
+            target[0] += 1.0;
+        }
         let mut memory = MemBuffer::new(cholesky_in_place_scratch::<f64>(
             n,
             Par::Seq,
@@ -346,7 +354,7 @@ impl Operator {
         let tilt = product_of_any_length(halves[0], halves[1]);
         solve_upper_triangular_in_place(factor.transpose(), solutions.as_mut(), Par::Seq);
         let (h, w) = (solutions.col_as_slice(0), solutions.col_as_slice(1));
-        let [hh, hw, ww] = [(h, h), (h, w), (w, w)].map(|(u, v)| product_of_any_length(u, v));
+        let [hh, ww] = [h, w].map(|v| product_of_any_length(v, v));
         let [chh, chw] = [(h, h), (h, w)].map(|(u, v)| film * form(&self.slope, u, v));
         let edge = &self.slope.col_as_slice(0)[1..];
         let [ch, cw] = [h, w].map(|v| film * product_of_any_length(edge, v));
@@ -372,7 +380,6 @@ impl Operator {
             missing[0] / edge_form,
             (missing[0] * missing[1]).sqrt() / load_form,
         ];
-        let _ = hw;
         Some(Solved {
             quantities: Quantities {
                 pi0: es * load,
@@ -392,23 +399,40 @@ impl Operator {
 
 /// Adds the lower triangle of `J^T F J` to `target`. `bessel` holds `J` by columns, `factors` the
 /// diagonal of `F`.
-///
-/// A matrix library is no faster on matrices of this size: all of `J` is read for few products
-/// each.
 fn add_products(target: &mut Mat<f64>, bessel: &[f64], factors: &[f64]) {
-    let rows = factors.len();
-    let mut scaled = vec![0.0; rows];
-    for (j, column) in bessel.chunks_exact(rows).enumerate() {
-        scaled
-            .iter_mut()
-            .zip(column)
-            .zip(factors)
-            .for_each(|((scaled, value), factor)| *scaled = value * factor);
-        for (i, column) in bessel.chunks_exact(rows).enumerate().skip(j) {
-            target[(i, j)] += product(column, &scaled);
-        }
+    let (rows, modes) = (factors.len(), target.nrows());
+    let mut scaled = Vec::with_capacity(bessel.len());
+    for column in bessel.chunks_exact(rows) {
+        scaled.extend(
+            column
+                .iter()
+                .zip(factors)
+                .map(|(value, factor)| value * factor),
+        );
     }
+    if modes < LIBRARY {
+        for (j, scaled) in scaled.chunks_exact(rows).enumerate() {
+            for (i, column) in bessel.chunks_exact(rows).enumerate().skip(j) {
+                target[(i, j)] += product(column, scaled);
+            }
+        }
+        return;
+    }
+    matmul(
+        target.as_mut(),
+        BlockStructure::TriangularLower,
+        Accum::Add,
+        MatRef::from_column_major_slice(bessel, rows, modes).transpose(),
+        BlockStructure::Rectangular,
+        MatRef::from_column_major_slice(&scaled, rows, modes),
+        BlockStructure::Rectangular,
+        1.0,
+        Par::Seq,
+    );
 }
+
+/// The number of modes from which on the products of a matrix library are faster.
+const LIBRARY: usize = 16;
 
 /// Returns `a.b`.
 fn product_of_any_length(a: &[f64], b: &[f64]) -> f64 {

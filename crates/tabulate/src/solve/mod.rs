@@ -34,7 +34,7 @@ mod krylov;
 mod method;
 mod quadrature;
 mod solution;
-pub(crate) mod symbol;
+mod symbol;
 mod wiener_hopf;
 
 pub use adaptive_curve::{CURVE_TOLERANCE, curve};

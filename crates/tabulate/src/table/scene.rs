@@ -13,7 +13,7 @@ use serde::de::{Error as _, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer};
 
 use crate::Error;
-use crate::solve::{A_OVER_T, E0_OVER_E2, E1_OVER_E2};
+use crate::solve::A_OVER_T;
 
 /// The keys of a scene, before they are checked.
 #[derive(Clone, Debug, Deserialize)]
@@ -310,10 +310,12 @@ fn checked(parameter: Parameter, values: &Values) -> Result<Extent, String> {
 fn in_domain(parameter: Parameter, key: &str, value: f64) -> Result<(), String> {
     match parameter {
         Parameter::AOverT => within(key, value, A_OVER_T),
-        Parameter::E1OverE2 => within(key, value, E1_OVER_E2),
         Parameter::Nu1 if value > -1.0 && value <= 0.5 => Ok(()),
         Parameter::Nu1 => Err(format!("{key} = {value:?} is outside (-1, 0.5]")),
-        Parameter::E0OverE2 => within(key, value, E0_OVER_E2),
+        Parameter::E1OverE2 | Parameter::E0OverE2 if value > 0.0 && value < f64::INFINITY => Ok(()),
+        Parameter::E1OverE2 | Parameter::E0OverE2 => {
+            Err(format!("{key} = {value:?} is not positive and finite"))
+        }
     }
 }
 
