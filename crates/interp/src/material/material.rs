@@ -166,13 +166,13 @@ impl Material {
     ///
     /// It is the modulus at the crack tip, and that of the whole contact as `a/t -> 0`.
     pub const fn sphere_film_modulus(&self) -> f64 {
-        1.0 / (self.sphere_compliance() + 1.0 / self.film_modulus())
+        compound(self.sphere_compliance(), self.film_modulus())
     }
 
     /// Returns the compound sphere-substrate modulus `einf = 1/(1 + 1/e0)`, that of the contact as
     /// `a/t -> inf`. It is infinite between rigid bodies.
     pub const fn sphere_substrate_modulus(&self) -> f64 {
-        1.0 / (self.sphere_compliance() + 1.0 / self.substrate_modulus())
+        compound(self.sphere_compliance(), self.substrate_modulus())
     }
 
     /// Returns `(1/e1) X'(0)`: the slope, at wave number `q = kt` of 0, of the compliance of film
@@ -205,6 +205,16 @@ impl Material {
             gamma,
             ..Quantities::homogeneous(einf)
         }
+    }
+}
+
+/// Returns `1/(compliance + 1/modulus)`, without overflow for a modulus from the smallest positive
+/// number to infinity.
+const fn compound(compliance: f64, modulus: f64) -> f64 {
+    if modulus < 1.0 {
+        modulus / (1.0 + compliance * modulus)
+    } else {
+        1.0 / (compliance + 1.0 / modulus)
     }
 }
 

@@ -1,6 +1,6 @@
 //! Many materials at one `a/t`, with the values and matrices that they share.
 //!
-//! The Bessel values of one `a/t` serve every material, and the matrices of one (`a/t`, `nu1`,
+//! The Bessel values of one `a/t` serve every material, and the matrices of one (`a/t`, `nu1`, `nu0`,
 //! `E0/E1`) serve every sphere. Where `E1/E2*` and `E0/E2*` are even grids with a common spacing,
 //! the ratios `E0/E1` repeat along diagonals, and a grid of `n x n` materials has only `2n - 1`
 //! pairs of matrices.
@@ -11,7 +11,7 @@ use crate::Error;
 use crate::parallel::try_map;
 use crate::solve::compliance::Compliance;
 use crate::solve::galerkin::{self, Abscissae, Block, Operator};
-use crate::solve::method::prefers_axis;
+use crate::solve::method::has_closed_form;
 use crate::solve::quadrature::Panels;
 use crate::solve::symbol::Symbol;
 
@@ -27,16 +27,32 @@ struct Group {
     members: Vec<usize>,
 }
 
+impl Group {
+    /// Returns whether shared matrices cost less than the Wiener-Hopf method for each member.
+    fn shares_matrices(&self, x: f64, tolerance: f64) -> bool {
+        /// The time of the Wiener-Hopf method, in the microseconds of [`galerkin::cost`].
+        const WIENER_HOPF: f64 = 100.0;
+        galerkin::cost(x, tolerance) <= WIENER_HOPF * self.members.len() as f64
+    }
+}
+
 impl Batch {
-    /// Groups `materials` by `nu1` and `E1/E0`. Ratios that differ by rounding count as equal.
+    /// Groups `materials` by `nu1`, `nu0` and `E1/E0`. Ratios that differ by rounding count as equal.
     pub(crate) fn new(materials: Vec<Material>) -> Self {
         const ROUNDING: f64 = 1e-14;
-        let key = |&i: &usize| (materials[i].nu1(), materials[i].film_over_substrate());
+        let key = |&i: &usize| {
+            let material: &Material = &materials[i];
+            (
+                material.nu1(),
+                material.nu0(),
+                material.film_over_substrate(),
+            )
+        };
         let mut order: Vec<usize> = (0..materials.len()).collect();
         order.sort_by(|a, b| key(a).partial_cmp(&key(b)).expect("materials hold no NaN"));
         let belong_together = |a: &usize, b: &usize| {
-            let ((nu_a, ratio_a), (nu_b, ratio_b)) = (key(a), key(b));
-            nu_a == nu_b && (ratio_a - ratio_b).abs() <= ROUNDING * ratio_a
+            let ((nu1_a, nu0_a, ratio_a), (nu1_b, nu0_b, ratio_b)) = (key(a), key(b));
+            (nu1_a, nu0_a) == (nu1_b, nu0_b) && (ratio_a - ratio_b).abs() <= ROUNDING * ratio_a
         };
         let group = |members: &[usize]| Group {
             compliance: Compliance::new(&materials[members[0]]),
@@ -88,21 +104,23 @@ impl Batch {
 struct Shared {
     x: f64,
     tolerance: f64,
-    /// The abscissae and Bessel values of Galerkin's method; none where `a/t` is beyond its reach.
+    /// The abscissae and Bessel values of Galerkin's method; none where no group shares matrices.
     galerkin: Option<(Abscissae, Vec<Block>)>,
 }
 
 impl Shared {
-    /// The `a/t` up to which shared matrices cost less than the Wiener-Hopf method for each
-    /// material.
-    const REACH: f64 = 60.0;
-
     /// Evaluates the Bessel functions at `x = a/t`, on panels that serve every group.
     fn new(x: f64, groups: &[Group], tolerance: f64) -> Self {
-        let galerkin = (x <= Self::REACH).then(|| {
-            let compliances = groups.iter().map(|group| &group.compliance);
-            let panels = Panels::new(x, compliances, tolerance);
-            let abscissae = Abscissae::new(x, galerkin::modes(x, tolerance), panels);
+        let mut sharing = groups
+            .iter()
+            .filter(|group| group.shares_matrices(x, tolerance))
+            .map(|group| &group.compliance)
+            .peekable();
+        let galerkin = sharing.peek().is_some().then(|| {
+            let panels = Panels::new(x, sharing, tolerance);
+            // A few modes more than most members need cost less than one member solved alone.
+            let modes = galerkin::modes(x, 0.1 * tolerance);
+            let abscissae = Abscissae::new(x, modes, panels);
             let blocks = abscissae.blocks().collect();
             (abscissae, blocks)
         });
@@ -121,17 +139,19 @@ impl Shared {
         solve_one: &(dyn Fn(&Material) -> Result<Quantities, Error> + Sync),
     ) -> Result<Vec<Quantities>, Error> {
         let members = group.members.iter().map(|&member| &materials[member]);
+        let shares_matrices = group.shares_matrices(self.x, self.tolerance);
         let mut operator = None;
         let solve_member = |material: &Material| {
+            let symbol = Symbol::with_compliance(group.compliance, material);
             if let Some((abscissae, blocks)) = &self.galerkin
-                && !group.compliance.is_constant()
-                && !prefers_axis(self.x, &Symbol::new(material), self.tolerance)
+                && shares_matrices
+                && !has_closed_form(&symbol, self.tolerance)
             {
                 let operator = operator.get_or_insert_with(|| {
                     Operator::assemble(&group.compliance, abscissae, blocks)
                 });
                 if let Some(solved) = operator
-                    .solve(material)
+                    .solve(&symbol)
                     .filter(|solved| solved.error() <= self.tolerance)
                 {
                     return Ok(solved.quantities);

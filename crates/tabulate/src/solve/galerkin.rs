@@ -34,28 +34,30 @@ use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::llt::factor::{
     LltRegularization, cholesky_in_place, cholesky_in_place_scratch,
 };
+use faer::linalg::matmul::triangular::{BlockStructure, matmul};
 use faer::linalg::triangular_solve::{
     solve_lower_triangular_in_place, solve_upper_triangular_in_place,
 };
-use faer::{Mat, Par, Spec};
-use interp::{Material, Quantities};
+use faer::{Accum, Mat, MatRef, Par, Spec};
+use interp::Quantities;
 
 use crate::solve::bessel::{EvenBessel, LANES};
 use crate::solve::compliance::{Compliance, Sample};
-use crate::solve::estimate::Estimate;
+use crate::solve::estimate::{Estimate, larger};
 use crate::solve::quadrature::Panels;
+use crate::solve::symbol::Symbol;
 
 /// Solves one contact at `x = a/t`. Adds modes and panels until the estimated error is at most
 /// `tolerance`, or until only rounding is left of it.
-pub fn solve(x: f64, material: &Material, tolerance: f64) -> Estimate {
-    let compliance = Compliance::new(material);
+pub fn solve(x: f64, symbol: &Symbol, tolerance: f64) -> Estimate {
+    let compliance = symbol.compliance();
     let (mut modes, ample) = (modes(x, tolerance), modes(x, FINEST));
-    let mut panels = Panels::new(x, [&compliance], tolerance);
+    let mut panels = Panels::new(x, [compliance], tolerance);
     let mut quadrature_tolerance = tolerance;
     loop {
         let abscissae = Abscissae::new(x, modes, panels.clone());
-        let operator = Operator::assemble(&compliance, &abscissae, abscissae.blocks());
-        let Some(solved) = operator.solve(material) else {
+        let operator = Operator::assemble(compliance, &abscissae, abscissae.blocks());
+        let Some(solved) = operator.solve(symbol) else {
             // Too few modes, or too much rounding.
             if modes >= ample {
                 return Estimate::FAILED;
@@ -76,7 +78,7 @@ pub fn solve(x: f64, material: &Material, tolerance: f64) -> Estimate {
             modes += 2 + modes / 4;
         } else if solved.quadrature >= 0.5 * error && quadrature_tolerance > FINEST {
             quadrature_tolerance *= 0.01;
-            panels = Panels::new(x, [&compliance], quadrature_tolerance);
+            panels = Panels::new(x, [compliance], quadrature_tolerance);
         } else {
             return Estimate {
                 quantities: solved.quantities,
@@ -129,6 +131,36 @@ pub struct Abscissae {
     weights: Vec<f64>,
 }
 
+/// The waves that are longer than the contact: the panels below `z = 1`.
+///
+/// `M_00 + C_00 = (2/pi) int (q )' J_0^2 dz`. Long waves of a stiff film on a soft base make
+/// `X` huge and move the contact as a whole: they cancel in this sum, which is therefore integrated
+/// by parts there, with `z (J_0^2)' = -2/3 z^2 J_0 (J_0 - J_1/sqrt5)`.
+struct LongWaves {
+    /// The upper end in `q`.
+    end: f64,
+    /// The number of abscissae.
+    count: usize,
+}
+
+impl LongWaves {
+    /// Returns the boundary term `(2/pi) z J_0^2` at the upper end.
+    fn boundary(&self, x: f64, compliance: &Compliance) -> f64 {
+        let z = x * self.end;
+        // `z J_0^2 = sin^2 z/z`, and 0 at 0.
+        if z == 0.0 {
+            return 0.0;
+        }
+        FRAC_2_PI * compliance.sample(self.end).excess * z.sin().powi(2) / z
+    }
+}
+
+/// The factor of the integrand after integration by parts.
+const LOWERED: f64 = 2.0 / 3.0;
+const FIVE: f64 = 5.0;
+/// The second entry of `rho^2` in the basis, `2/(3 sqrt5)`.
+const PARABOLA: f64 = 0.298_142_396_999_972;
+
 /// The Bessel values at up to [`BLOCK`] consecutive abscissae.
 pub struct Block {
     /// Index of the first abscissa.
@@ -159,6 +191,16 @@ impl Abscissae {
         }
     }
 
+    /// Returns the panels below `z = 1`.
+    fn long_waves(&self) -> LongWaves {
+        let edges = &self.panels.edges;
+        let panels = edges.partition_point(|edge| edge * self.x <= 1.0) - 1;
+        LongWaves {
+            end: edges[panels],
+            count: panels * self.panels.rule.abscissae.len(),
+        }
+    }
+
     /// Evaluates the Bessel functions, a block at a time.
     pub fn blocks(&self) -> impl Iterator<Item = Block> {
         let bessel = EvenBessel::new(self.modes);
@@ -186,8 +228,12 @@ pub struct Operator {
     kernel: Mat<f64>,
     /// `C`.
     slope: Mat<f64>,
-    /// The error of `g.M.g / (int g)^2` where the panels do not resolve `X` and `q X'`.
+    /// `M_00 + C_00`, in which the compliance of long waves cancels.
+    translation: f64,
+    /// The error of `v.M.v` where the panels do not resolve `X` and `q X'`.
     resolution_error: f64,
+    /// The same for `v.(M + C).v`, to which long waves hardly add.
+    shape_error: f64,
     /// The error of `g.C.g / g(1)^2` where they do not resolve the Bessel products.
     design_error: f64,
     /// Rounding error of the sums, relative to the sum of absolute values. It grows with the number
@@ -225,10 +271,14 @@ impl Operator {
     ) -> Self {
         let n = abscissae.modes;
         let samples: Vec<Sample> = abscissae.q.iter().map(|&q| compliance.sample(q)).collect();
+        let long = abscissae.long_waves();
+        let [resolution_error, shape_error] = resolution_errors(abscissae, &samples);
         let mut operator = Self {
             kernel: Mat::zeros(n, n),
             slope: Mat::zeros(n, n),
-            resolution_error: resolution_error(abscissae, &samples),
+            translation: long.boundary(abscissae.x, compliance),
+            resolution_error,
+            shape_error,
             design_error: abscissae.panels.design_error,
             rounding: ROUNDING * (1.0 - 0.05 * compliance.smallest_scale().ln()),
         };
@@ -245,21 +295,36 @@ impl Operator {
             let slope: Vec<f64> = terms().map(|(sample, w)| w * sample.slope).collect();
             add_products(&mut operator.kernel, values, &excess);
             add_products(&mut operator.slope, values, &slope);
+            for i in 0..*rows {
+                let [j0, j1] = [values[i], values[rows + i]];
+                operator.translation += if first + i < long.count {
+                    let z = abscissae.q[first + i] * abscissae.x;
+                    LOWERED * excess[i] * z * z * j0 * (j0 - j1 / FIVE.sqrt())
+                } else {
+                    (excess[i] + slope[i]) * j0 * j0
+                };
+            }
         }
         operator
     }
 
-    /// Solves the contact of one sphere with the film and substrate of this operator. `material`
-    /// holds all three bodies.
+    /// Solves the contact of one sphere with the film and substrate of this operator. `symbol` holds
+    /// all three bodies.
     ///
     /// Returns `None` where the matrix is not positive definite, by rounding, or `Gamma^2` is not
     /// positive, by too few modes.
-    pub fn solve(&self, material: &Material) -> Option<Solved> {
-        let n = self.kernel.nrows();
-        let (film, es) = (material.film_modulus(), material.sphere_film_modulus());
-        let mut factor = Mat::from_fn(n, n, |i, j| {
-            self.kernel[(i, j)] / film + if i == j { 1.0 / es } else { 0.0 }
-        });
+    pub fn solve(&self, symbol: &Symbol) -> Option<Solved> {
+        let (n, film) = (self.kernel.nrows() - 1, symbol.film());
+        let mut factor = Mat::zeros(n, n);
+        for j in 0..n {
+            let column = &self.kernel.col_as_slice(j + 1)[j + 1..];
+            let target = &mut factor.col_as_slice_mut(j)[j..];
+            target
+                .iter_mut()
+                .zip(column)
+                .for_each(|(target, kernel)| *target = film * kernel);
+            target[0] += 1.0;
+        }
         let mut memory = MemBuffer::new(cholesky_in_place_scratch::<f64>(
             n,
             Par::Seq,
@@ -275,56 +340,103 @@ impl Operator {
         )
         .ok()?;
 
-        // f = 1 and f = rho^2 in the basis.
-        let mut g = Mat::zeros(n, 2);
-        g[(0, 0)] = 1.0;
-        g[(0, 1)] = 1.0 / 3.0;
-        g[(1, 1)] = 2.0 / (3.0 * 5.0_f64.sqrt());
-        solve_lower_triangular_in_place(factor.as_ref(), g.as_mut(), Par::Seq);
+        let mut solutions = Mat::from_fn(n, 2, |i, column| match (column, i) {
+            (0, _) => film * self.kernel[(i + 1, 0)],
+            (_, 0) => PARABOLA,
+            _ => 0.0,
+        });
+        solve_lower_triangular_in_place(factor.as_ref(), solutions.as_mut(), Par::Seq);
         // Forward substitution does not depend on the modes that follow: the forms of any smaller
         // number of modes are partial sums over these.
-        let missing = [0, 1].map(|column| missing_modes(g.col_as_slice(column)));
-        solve_upper_triangular_in_place(factor.transpose(), g.as_mut(), Par::Seq);
+        let halves = [0, 1].map(|column| solutions.col_as_slice(column));
+        let missing = halves.map(missing_modes);
+        let yielding = product_of_any_length(halves[0], halves[0]);
+        let tilt = product_of_any_length(halves[0], halves[1]);
+        solve_upper_triangular_in_place(factor.transpose(), solutions.as_mut(), Par::Seq);
+        let (h, w) = (solutions.col_as_slice(0), solutions.col_as_slice(1));
+        let [hh, ww] = [h, w].map(|v| product_of_any_length(v, v));
+        let [chh, chw] = [(h, h), (h, w)].map(|(u, v)| film * form(&self.slope, u, v));
+        let edge = &self.slope.col_as_slice(0)[1..];
+        let [ch, cw] = [h, w].map(|v| film * product_of_any_length(edge, v));
 
-        let (g1, g2) = (g.col_as_slice(0), g.col_as_slice(1));
-        let eeq = g1[0];
-        let gamma_squared =
-            Some(es * (eeq + form(&self.slope, g1, g1) / film)).filter(|&square| square > 0.0)?;
-        let delta0 = es * (3.0 * g2[0] + form(&self.slope, g1, g2) / film) / gamma_squared;
-        let edge = (es * eeq / gamma_squared).max(1.0);
-        let diagonal = g1.iter().map(|g| g * g).sum::<f64>() / es;
+        let softness = 1.0 + film * self.kernel[(0, 0)] - yielding;
+        let edge_form = 1.0 + film * self.translation - yielding - 2.0 * ch + chh;
+        let bend = 1.0 / 3.0 - tilt;
+        let load_form = 2.0 * bend + cw - chw;
+        if !(softness > 0.0 && edge_form > 0.0 && load_form > 0.0) {
+            return None;
+        }
+        let es = symbol.modulus();
+        let load = 4.0 * load_form / edge_form;
+        let squares = 1.0 + hh;
+        let sizes = [
+            (squares + (softness - squares).abs()) / softness,
+            (squares + film * self.translation.abs() + yielding + 2.0 * ch.abs() + chh.abs())
+                / edge_form,
+            ((squares * ww).sqrt() + 1.0 + 2.0 * tilt.abs() + cw.abs() + chw.abs()) / load_form,
+        ];
+        let truncations = [
+            missing[0] / softness,
+            missing[0] / edge_form,
+            (missing[0] * missing[1]).sqrt() / load_form,
+        ];
         Some(Solved {
             quantities: Quantities {
-                pi0: 4.0 * (delta0 * eeq - g2[0]),
-                eeq,
-                gamma: gamma_squared.sqrt(),
-                delta0,
+                pi0: es * load,
+                eeq: es / softness,
+                gamma: es * edge_form.sqrt() / softness,
+                delta0: bend + 0.25 * load * softness,
             },
-            truncation: TRUNCATION_SAFETY * missing[0].max(missing[1]) / eeq * edge,
-            quadrature: (self.resolution_error * eeq * edge + self.design_error * es) / film,
-            rounding: self.rounding * (diagonal + (eeq - diagonal).abs()) / eeq * edge,
+            truncation: TRUNCATION_SAFETY * truncations.into_iter().fold(0.0, larger),
+            quadrature: film
+                * (self.resolution_error / softness
+                    + self.shape_error / edge_form
+                    + self.design_error),
+            rounding: self.rounding * sizes.into_iter().fold(0.0, larger),
         })
     }
 }
 
 /// Adds the lower triangle of `J^T F J` to `target`. `bessel` holds `J` by columns, `factors` the
 /// diagonal of `F`.
-///
-/// A matrix library is no faster on matrices of this size: all of `J` is read for few products
-/// each.
 fn add_products(target: &mut Mat<f64>, bessel: &[f64], factors: &[f64]) {
-    let rows = factors.len();
-    let mut scaled = vec![0.0; rows];
-    for (j, column) in bessel.chunks_exact(rows).enumerate() {
-        scaled
-            .iter_mut()
-            .zip(column)
-            .zip(factors)
-            .for_each(|((scaled, value), factor)| *scaled = value * factor);
-        for (i, column) in bessel.chunks_exact(rows).enumerate().skip(j) {
-            target[(i, j)] += product(column, &scaled);
-        }
+    let (rows, modes) = (factors.len(), target.nrows());
+    let mut scaled = Vec::with_capacity(bessel.len());
+    for column in bessel.chunks_exact(rows) {
+        scaled.extend(
+            column
+                .iter()
+                .zip(factors)
+                .map(|(value, factor)| value * factor),
+        );
     }
+    if modes < LIBRARY {
+        for (j, scaled) in scaled.chunks_exact(rows).enumerate() {
+            for (i, column) in bessel.chunks_exact(rows).enumerate().skip(j) {
+                target[(i, j)] += product(column, scaled);
+            }
+        }
+        return;
+    }
+    matmul(
+        target.as_mut(),
+        BlockStructure::TriangularLower,
+        Accum::Add,
+        MatRef::from_column_major_slice(bessel, rows, modes).transpose(),
+        BlockStructure::Rectangular,
+        MatRef::from_column_major_slice(&scaled, rows, modes),
+        BlockStructure::Rectangular,
+        1.0,
+        Par::Seq,
+    );
+}
+
+/// The number of modes from which on the products of a matrix library are faster.
+const LIBRARY: usize = 16;
+
+/// Returns `a.b`.
+fn product_of_any_length(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
 /// Returns `a.b` for a number of elements that is a multiple of [`LANES`].
@@ -338,11 +450,11 @@ fn product(a: &[f64], b: &[f64]) -> f64 {
     sums.iter().sum()
 }
 
-/// Returns `u.C.v`, where `matrix` holds the lower triangle of `C`.
+/// Returns `u.C.v` without the first row and column of `C`, whose lower triangle `matrix` holds.
 fn form(matrix: &Mat<f64>, u: &[f64], v: &[f64]) -> f64 {
     let mut form = 0.0;
     for j in 0..u.len() {
-        let column = &matrix.col_as_slice(j)[j..];
+        let column = &matrix.col_as_slice(j + 1)[j + 1..];
         let (u_j, v_j) = (u[j], v[j]);
         form += column[0] * u_j * v_j;
         for ((c, u), v) in column.iter().zip(&u[j..]).zip(&v[j..]).skip(1) {
@@ -376,7 +488,7 @@ const TRUNCATION_SAFETY: f64 = 20.0;
 /// The rounding error of the assembled matrices, for a film that is not stiffer than its substrate.
 const ROUNDING: f64 = 12.0 * f64::EPSILON;
 
-/// Estimates the error of the quadrature in `q` from how fast the Legendre coefficients of `q X'`
+/// Estimates the errors of the quadrature in `q`, for `M` and for `M + C`, from how fast the Legendre coefficients of `q X'`
 /// fall on each panel. Those of `X - 1` are smaller, as differentiation multiplies them with their
 /// degree.
 ///
@@ -385,13 +497,16 @@ const ROUNDING: f64 = 12.0 * f64::EPSILON;
 /// The rate is the mean rate since degree 0, which poles prescribe, or the rate over the last eight
 /// degrees if that is faster, as for exponentials. The panel's width keeps the error of the Bessel
 /// product small.
-fn resolution_error(abscissae: &Abscissae, samples: &[Sample]) -> f64 {
+fn resolution_errors(abscissae: &Abscissae, samples: &[Sample]) -> [f64; 2] {
     let rule = abscissae.panels.rule;
     let n = rule.abscissae.len();
-    let panels = samples
+    let mut errors = [0.0; 2];
+    let ends = abscissae.panels.edges.windows(2);
+    for ((samples, weights), ends) in samples
         .chunks_exact(n)
-        .zip(abscissae.weights.chunks_exact(n));
-    let error = |(samples, weights): (&[Sample], &[f64])| {
+        .zip(abscissae.weights.chunks_exact(n))
+        .zip(ends)
+    {
         let length: f64 = weights.iter().sum();
         let largest = samples
             .iter()
@@ -411,7 +526,9 @@ fn resolution_error(abscissae: &Abscissae, samples: &[Sample]) -> f64 {
         });
         let mean_rate = (last / largest).powf(n as f64 / (n as f64 - 2.5));
         let present_rate = (last / before).powf(0.25 * n as f64);
-        length * last * mean_rate.min(present_rate).min(1.0)
-    };
-    panels.map(error).sum()
+        let error = length * last * mean_rate.min(present_rate).min(1.0);
+        errors[0] += error;
+        errors[1] += error * (abscissae.x * ends[1]).powi(2).min(1.0);
+    }
+    errors
 }

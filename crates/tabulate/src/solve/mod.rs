@@ -39,7 +39,7 @@ mod wiener_hopf;
 
 pub use adaptive_curve::{CURVE_TOLERANCE, curve};
 pub use compliance::{Compliance, Sample};
-pub use domain::{A_OVER_T, E0_OVER_E2, E1_OVER_E2, TOLERANCE};
+pub use domain::{A_OVER_T, TOLERANCE};
 pub(crate) use estimate::larger;
 pub use method::Method;
 pub(crate) use quadrature::{GaussLegendre, Panels};

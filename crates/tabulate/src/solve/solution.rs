@@ -3,7 +3,7 @@
 use interp::{Material, Quantities};
 
 use crate::Error;
-use crate::solve::domain::{self, TOLERANCE};
+use crate::solve::domain;
 use crate::solve::estimate::Estimate;
 use crate::solve::method::Method;
 use crate::solve::symbol::Symbol;
@@ -32,16 +32,14 @@ pub struct Solution {
 /// # Ok(()) }
 /// ```
 ///
-/// The accepted parameters are [`A_OVER_T`](crate::solve::A_OVER_T),
-/// [`E1_OVER_E2`](crate::solve::E1_OVER_E2), [`E0_OVER_E2`](crate::solve::E0_OVER_E2) and
-/// [`TOLERANCE`].
+/// Every material is accepted, with `a_over_t` in [`A_OVER_T`](crate::solve::A_OVER_T) and `tolerance`
+/// in [`TOLERANCE`](crate::solve::TOLERANCE).
 ///
 /// # Errors
-/// [`Error::Domain`] for a parameter outside the domain; [`Error::NotConverged`] where double
-/// precision does not allow the tolerance.
+/// [`Error::Domain`] for an `a_over_t` or a `tolerance` outside the domain; [`Error::NotConverged`]
+/// where double precision does not allow the tolerance.
 pub fn solve(a_over_t: f64, material: &Material, tolerance: f64) -> Result<Solution, Error> {
-    domain::check(a_over_t, material)?;
-    Error::check("tolerance", tolerance, TOLERANCE)?;
+    domain::check(a_over_t, tolerance)?;
     let symbol = Symbol::new(material);
     let mut reached = f64::INFINITY;
     for method in Method::candidates(a_over_t, &symbol, tolerance) {
@@ -49,7 +47,7 @@ pub fn solve(a_over_t: f64, material: &Material, tolerance: f64) -> Result<Solut
             quantities,
             error,
             modes,
-        } = method.solve(a_over_t, material, &symbol, tolerance);
+        } = method.solve(a_over_t, &symbol, tolerance);
         if error <= tolerance {
             return Ok(Solution {
                 quantities,

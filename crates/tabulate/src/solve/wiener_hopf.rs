@@ -75,6 +75,8 @@
 //! measures it. The rounding of `Pi0` sets the limit: some 1e-13, and up to 1e-10 for a soft
 //! incompressible film between rigid bodies, where `S(t/a)` and with it `V` are small.
 
+use faer::linalg::matmul::matmul;
+use faer::{Accum, ColMut, ColRef, MatRef, Par};
 use interp::Quantities;
 use num_complex::Complex64;
 
@@ -206,19 +208,14 @@ fn on_contour(x: f64, symbol: &Symbol, path: Path, level: usize) -> Estimate {
 /// Returns `ln S_+` at the nodes and its phase at the readouts, by (1), without the contribution of
 /// `ln S` at the same point ([`Contour::own`]).
 fn log_factors(x: f64, symbol: &Symbol, contour: &Contour) -> Vec<f64> {
-    let mut sums = vec![0.0; contour.rows()];
-    let columns = contour.factor.chunks_exact(sums.len());
-    for (t, column) in contour
+    let logs: Vec<f64> = contour
         .abscissae
         .iter()
-        .zip(columns)
-        .take_while(|(t, _)| **t <= FLAT * x)
-    {
-        let log = symbol.at(t / x).ln();
-        sums.iter_mut()
-            .zip(column)
-            .for_each(|(sum, share)| *sum += share * log);
-    }
+        .take_while(|t| **t <= FLAT * x)
+        .map(|t| symbol.at(t / x).ln())
+        .collect();
+    let mut sums = vec![0.0; contour.rows()];
+    add_product(&contour.factor, &logs, &mut sums);
     sums
 }
 
@@ -280,17 +277,27 @@ fn solve_coupling(contour: &Contour, couplings: &[Complex64], accuracy: f64) -> 
     let solutions = krylov::solve(&one, (SHARE * accuracy).max(f64::EPSILON), |v, out| {
         strengths(contour.path, couplings, v, &mut work);
         out.fill(0.0);
-        for (strength, column) in work.iter().zip(contour.kernel.chunks_exact(unknowns)) {
-            out.iter_mut()
-                .zip(column)
-                .for_each(|(out, influence)| *out += influence * strength);
-        }
+        add_product(&contour.kernel, &work, out);
     });
     solutions.map(|v| {
         let mut result = Vec::with_capacity(unknowns);
         strengths(contour.path, couplings, &v, &mut result);
         result
     })
+}
+
+/// Adds the product of a matrix, given by columns, and a vector to `out`. The matrix may have more
+/// columns than the vector has elements.
+fn add_product(matrix: &[f64], vector: &[f64], out: &mut [f64]) {
+    let rows = out.len();
+    matmul(
+        ColMut::from_slice_mut(out),
+        Accum::Add,
+        MatRef::from_column_major_slice(&matrix[..rows * vector.len()], rows, vector.len()),
+        ColRef::from_slice(vector),
+        1.0,
+        Par::Seq,
+    );
 }
 
 /// A sum and the size of its terms. The rounding error is proportional to the size.

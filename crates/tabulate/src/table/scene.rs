@@ -13,7 +13,7 @@ use serde::de::{Error as _, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer};
 
 use crate::Error;
-use crate::solve::{A_OVER_T, E0_OVER_E2, E1_OVER_E2};
+use crate::solve::A_OVER_T;
 
 /// The keys of a scene, before they are checked.
 #[derive(Clone, Debug, Deserialize)]
@@ -169,8 +169,8 @@ pub struct Scene {
 pub const DEFAULT_NU0: f64 = 0.25;
 /// The smallest and the largest tolerance of a table.
 pub(crate) const TOLERANCE: [f64; 2] = [1e-10, 1e-1];
-/// The ratios of reduced moduli of a table, besides 0 and infinity.
-const REDUCED_MODULI: [f64; 2] = [1e-30, 1e30];
+/// The ratios of moduli of a table, besides 0 and infinity.
+const MODULI: [f64; 2] = [1e-30, 1e30];
 /// The largest number of nodes on an axis. A larger one is taken for a mistake.
 pub(crate) const MOST_NODES: usize = 10_000;
 
@@ -389,13 +389,11 @@ fn checked(parameter: Parameter, values: &Values) -> Result<Extent, String> {
 fn in_domain(parameter: Parameter, key: &str, value: f64) -> Result<(), String> {
     match parameter {
         Parameter::AOverT => within(key, value, A_OVER_T),
-        Parameter::E1OverE2 => within(key, value, E1_OVER_E2),
         Parameter::Nu1 if value > -1.0 && value <= 0.5 => Ok(()),
         Parameter::Nu1 => Err(format!("{key} = {value:?} is outside (-1, 0.5]")),
-        Parameter::E0OverE2 => within(key, value, E0_OVER_E2),
         Parameter::E1sOverE2s if value == 0.0 || value == f64::INFINITY => Ok(()),
         Parameter::E0sOverE1s if value == f64::INFINITY => Ok(()),
-        Parameter::E1sOverE2s | Parameter::E0sOverE1s => within(key, value, REDUCED_MODULI),
+        _ => within(key, value, MODULI),
     }
 }
 
