@@ -1,7 +1,7 @@
 //! `tabulate info`, and the JSON objects of all commands.
 
 use acceptance::{assert_names, table, workdir};
-use interp::{Parameter, Quantity, Table};
+use interp::{Parameter, Quantity, SubstratePoissonRatio, Table};
 use serde_json::Value;
 
 use crate::{TWO_QUANTITIES, paper_table};
@@ -99,17 +99,19 @@ fn assert_describes(object: &Value, table: &Table, bytes: u64) {
     assert_eq!(object["title"], description.title);
     assert_eq!(object["scene"], description.scene);
     assert_eq!(object["created_by"], description.created_by);
-    for parameter in Parameter::ALL {
-        let nodes = table.axis(parameter);
+    for (parameter, nodes) in table.axes() {
         let axis = format!("/axes/{}", parameter.name());
         close(&format!("{axis}/from"), nodes[0]);
         close(&format!("{axis}/to"), nodes[nodes.len() - 1]);
         close(&format!("{axis}/nodes"), nodes.len() as f64);
     }
-    close("/nu0", description.nu0);
+    match description.nu0 {
+        SubstratePoissonRatio::Fixed(nu0) => close("/nu0", nu0),
+        SubstratePoissonRatio::Paired => assert_eq!(object["nu0"], "paired"),
+    }
     let names: Vec<&str> = table.quantities().into_iter().map(Quantity::name).collect();
     assert_eq!(object["quantities"], serde_json::json!(names));
-    assert_eq!(object["normalised_by"], description.normalisation.symbol());
+    assert_eq!(object["normalised_by"], table.unit());
     close("/tolerance", description.tolerance);
     let ranks = table.low_rank().map(interp::LowRank::ranks);
     assert_eq!(object["ranks"], serde_json::json!(ranks));

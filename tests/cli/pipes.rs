@@ -67,12 +67,12 @@ fn a_closed_reader_is_no_failure_of_any_command() {
 fn work_that_fails_ends_with_1_whoever_reads() {
     let workdir = workdir!();
     let sound = Table::read(shipped("paper.bin")).expect("a sound table");
-    let axes = acceptance::axes(&sound);
     let values = Quantity::ALL.map(|quantity| {
         let values = sound.values(quantity)?;
         Some(values.iter().map(|value| 1.001 * value).collect())
     });
-    let wrong = Table::new(sound.description().clone(), axes, values).expect("sound values");
+    let wrong =
+        Table::new(sound.description().clone(), sound.axes(), values).expect("sound values");
     workdir.write("wrong.bin", wrong.to_packed().expect("small"));
     for (args, status) in [
         (&["check", "wrong.bin", "--points", "20"][..], 1),

@@ -43,7 +43,7 @@ impl Contacts {
     /// Draws a point of a table's box, `a/t` and a material, uniform in the coordinates of the
     /// axes.
     pub fn point_of(&mut self, table: &Table) -> (f64, Material) {
-        let [x, e1, nu1, e0] = Parameter::ALL.map(|parameter| {
+        let [x, film, nu1, substrate] = table.parameters().map(|parameter| {
             let (first, last) = ends(table, parameter);
             if first == last {
                 return first;
@@ -51,7 +51,13 @@ impl Contacts {
             let coordinate = self.uniform(parameter.coordinate(first), parameter.coordinate(last));
             parameter.value(coordinate).clamp(first, last)
         });
-        (x, material([e1, nu1, e0, table.description().nu0]))
+        let nu0 = table.description().nu0.under(nu1);
+        let material = if table.parameters() == Parameter::REDUCED {
+            Material::of_reduced_moduli(film, nu1, substrate, nu0)
+        } else {
+            Material::new(film, nu1, substrate, nu0)
+        };
+        (x, material.expect("the box of a table is physical"))
     }
 
     /// Draws a material with moduli between the given bounds, logarithmically uniform. Its

@@ -1,6 +1,6 @@
 //! Measures of error, and comparison bit by bit.
 
-use interp::{Material, Parameter, Quantities, Quantity, Table};
+use interp::{Material, Quantities, Quantity, Table};
 use tabulate::solve;
 
 /// The tolerance of the direct solves that tables are compared with.
@@ -58,7 +58,7 @@ pub fn bits(values: &[f64]) -> Vec<u64> {
 /// Returns the bits of all numbers of a table: those of its axes, then those of each quantity,
 /// `None` where the table does not hold it.
 pub fn all_bits(table: &Table) -> Vec<Option<Vec<u64>>> {
-    let axes = Parameter::ALL.map(|parameter| Some(bits(table.axis(parameter))));
+    let axes = table.axes().map(|(_, nodes)| Some(bits(&nodes)));
     axes.into_iter()
         .chain(Quantity::ALL.map(|quantity| table.values(quantity).map(bits)))
         .collect()

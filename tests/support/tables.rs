@@ -35,15 +35,10 @@ pub fn table(scene: &str) -> Table {
         .expect("the tests' scenes are within reach")
         .axes();
     let values = sweep(&scene, &axes, &|_| {}).expect("the tests' scenes are within reach");
-    let normalisation = scene
-        .material([axes[1][0], axes[2][0], axes[3][0]])
-        .expect("physical")
-        .normalisation();
     let description = Description {
         title: scene.title,
         scene: scene.text,
         nu0: scene.nu0,
-        normalisation,
         tolerance: scene.tolerance,
         created_by: "acceptance tests".into(),
         certificate: Certificate::UNMEASURED,
@@ -53,11 +48,6 @@ pub fn table(scene: &str) -> Table {
         certify(&table, 400, 1, &|_| {}).expect("the tests' scenes are within reach"),
     );
     table
-}
-
-/// Returns the nodes of each axis of a table.
-pub fn axes(table: &Table) -> [Vec<f64>; 4] {
-    Parameter::ALL.map(|parameter| table.axis(parameter).to_vec())
 }
 
 /// Returns the first and the last node of an axis.
@@ -72,7 +62,7 @@ pub fn ends(table: &Table, parameter: Parameter) -> (f64, f64) {
 /// If `error` is below rounding.
 pub fn low_rank(table: &Table, error: f64) -> Table {
     let form = tabulate::table::compress(table, error).expect("above rounding");
-    Table::from_low_rank(table.description().clone(), axes(table), form)
+    Table::from_low_rank(table.description().clone(), table.axes(), form)
         .expect("a form of this table")
 }
 

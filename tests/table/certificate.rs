@@ -130,7 +130,6 @@ fn the_points_are_in_the_box_on_its_edges_and_corners_and_few_are_nodes() {
 fn the_identities_are_broken_by_as_much_as_the_values_are() {
     let sound = table(TWO_AXES);
     let scaled = |scaled: Quantity| {
-        let axes = Parameter::ALL.map(|parameter| sound.axis(parameter).to_vec());
         let factor = |quantity| if quantity == scaled { 1.01 } else { 1.0 };
         let values = Quantity::ALL.map(|q| {
             Some(
@@ -145,7 +144,7 @@ fn the_identities_are_broken_by_as_much_as_the_values_are() {
             Description {
                 ..sound.description().clone()
             },
-            axes,
+            sound.axes(),
             values,
         )
         .expect("sound values")

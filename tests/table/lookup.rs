@@ -1,7 +1,7 @@
 //! The errors that a lookup adds to those of a low-rank table: dropped terms, and the polynomial
 //! pieces of its curves.
 
-use acceptance::{BOX, Contacts, RIGID_SPHERE, axes, ends, larger, low_rank, material, table};
+use acceptance::{BOX, Contacts, RIGID_SPHERE, ends, larger, low_rank, material, table};
 use interp::Parameter;
 use interp::{Description, Quantity, Table};
 
@@ -74,7 +74,7 @@ fn the_pieces_of_a_curve_add_about_a_tenth_of_the_tolerance_at_most_to_any_mater
         };
         let form = table.low_rank().expect("low-rank").clone();
         let finest =
-            Table::from_low_rank(finest, axes(table), form).expect("the form of this table");
+            Table::from_low_rank(finest, table.axes(), form).expect("the form of this table");
         let (from, to) = ends(table, Parameter::AOverT);
         let mut contacts = Contacts::new(66);
         let mut worst = 0.0;

@@ -3,8 +3,10 @@
 use std::sync::LazyLock;
 
 use acceptance::{assert_names, ends, material, paper_system, table, workdir};
-use interp::Parameter;
-use interp::{Elastic, Error, Material, Mechanics, Quantities, System, Table};
+use interp::{
+    Elastic, Error, Material, Mechanics, Parameter, Quantities, SubstratePoissonRatio, System,
+    Table,
+};
 
 /// A scene whose ranges end inside those of physics.
 const BOX: &str = "
@@ -264,7 +266,7 @@ fn a_material_without_an_equivalent_on_the_tables_substrate_is_an_error() {
             error @ Error::Equivalent {
                 nu1: -0.9,
                 nu0: 0.5,
-                table_nu0: 0.25,
+                table_nu0: SubstratePoissonRatio::Fixed(0.25),
                 ..
             },
         ) => {

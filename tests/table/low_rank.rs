@@ -3,12 +3,12 @@
 use std::sync::LazyLock;
 
 use acceptance::{
-    BOX, Contacts, PREFIX, RIGID_SPHERE, all_bits, assert_names, axes, error_at, larger, low_rank,
+    BOX, Contacts, PREFIX, RIGID_SPHERE, all_bits, assert_names, error_at, larger, low_rank,
     material, shipped, table, with_payload, workdir,
 };
 use interp::Parameter;
 use interp::{Description, Error, LowRank, Quantity, Table};
-use tabulate::table::{archive, compress, compress_with_derivatives};
+use tabulate::table::{archive, compress};
 
 const TWO_AXES: &str = "
     title      = 'Rigid substrate'
@@ -54,8 +54,8 @@ static PACKED: LazyLock<Vec<u8>> = LazyLock::new(|| {
 /// Returns the largest relative difference between the values of two tables at their nodes.
 fn apart(found: &Table, expected: &Table) -> f64 {
     assert_eq!(
-        (found.quantities(), axes(found)),
-        (expected.quantities(), axes(expected))
+        (found.quantities(), found.axes()),
+        (expected.quantities(), expected.axes())
     );
     let of = |quantity| {
         let [found, expected] = [found, expected]
@@ -175,71 +175,6 @@ fn at_the_nodes_a_low_rank_table_has_the_error_it_was_given_and_between_them_the
                 all_bits(&expanded)
             );
         }
-    }
-}
-
-/// Unless they are kept on purpose, derivatives with respect to `nu1` at 0.5 have the errors of the
-/// values over the cube of a distance.
-#[test]
-fn derivatives_of_incompressible_films_are_kept_where_that_is_asked_for() {
-    let farthest = |allowed: Option<f64>| {
-        let form = match allowed {
-            Some(allowed) => compress_with_derivatives(&FOUR_AXES, 1e-6, allowed),
-            None => compress(&FOUR_AXES, 1e-6),
-        }
-        .expect("above rounding");
-        let low_rank =
-            Table::from_low_rank(FOUR_AXES.description().clone(), axes(&FOUR_AXES), form)
-                .expect("a form of this table");
-        assert!(apart(&low_rank.expand().expect("positive values"), &FOUR_AXES) <= 1.01e-6);
-        let (mut contacts, mut worst) = (Contacts::new(65), 0.0);
-        for _ in 0..500 {
-            let (x, anything) = contacts.point_of(&FOUR_AXES);
-            let film = material([
-                anything.e1_over_e2(),
-                0.5,
-                anything.e0_over_e2(),
-                anything.nu0(),
-            ]);
-            let [ours, theirs] = [&low_rank, &*FOUR_AXES].map(|table| {
-                table
-                    .curve_with_gradient(&film)
-                    .and_then(|curve| curve.gradient(x))
-                    .expect("inside")
-            });
-            for quantity in Quantity::ALL {
-                let [ours, theirs] = [&ours, &theirs].map(|gradient| {
-                    gradient.by(Parameter::Nu1).expect("an axis").get(quantity)
-                        / gradient.values().get(quantity)
-                });
-                worst = larger(worst, (ours - theirs).abs() / (1.0 + x * x));
-            }
-        }
-        worst
-    };
-    let free = farthest(None);
-    for allowed in [5e-6, 1e-6] {
-        let kept = farthest(Some(allowed));
-        println!("allowed {allowed:e}: {kept:.1e}; else {free:.1e}");
-        // Measured: 3.3e-6, 6.3e-7, and 1.1e-5 without.
-        assert!(kept <= allowed && kept < 0.5 * free);
-    }
-}
-
-/// The values alone are kept where the table ends below 0.5, where it has one `nu1`, and where
-/// rounding does not allow the error.
-#[test]
-fn derivatives_that_cannot_be_kept_leave_the_form_as_it_is_without_them() {
-    let packed = |table: &Table, form: LowRank| {
-        Table::from_low_rank(table.description().clone(), axes(table), form)
-            .and_then(|table| table.to_packed())
-            .expect("a small table")
-    };
-    for (scene, allowed) in [(RIGID_SPHERE, 1e-3), (TWO_AXES, 1e-3), (BOX, 1e-15)] {
-        let table = table(scene);
-        let kept = compress_with_derivatives(&table, 1e-4, allowed).expect("above rounding");
-        let values = compress(&table, 1e-4).expect("above rounding");
-        assert!(packed(&table, kept) == packed(&table, values));
     }
 }
 
@@ -681,7 +616,7 @@ fn a_form_whose_parts_contradict_each_other_is_malformed() {
         assert!(matches!(wrong, Err(Error::Malformed(_))), "{i}: {wrong:?}");
     }
     let table = &*FOUR_AXES;
-    let misfit = Table::from_low_rank(table.description().clone(), axes(table), sound);
+    let misfit = Table::from_low_rank(table.description().clone(), table.axes(), sound);
     assert!(matches!(misfit, Err(Error::Malformed(_))), "{misfit:?}");
 }
 

@@ -5,8 +5,7 @@ use std::thread;
 use std::time::{Duration, SystemTime};
 
 use acceptance::{Contacts, TRUTH, all_bits, error_at, larger, material, shipped, table, workdir};
-use interp::Parameter;
-use interp::{Error, Normalisation, Quantities, Quantity, Table};
+use interp::{Error, Parameter, Quantities, Quantity, Table};
 use tabulate::solve;
 use tabulate::table::certify;
 use tabulate::table::solve_tolerance;
@@ -213,32 +212,16 @@ fn between_the_nodes_a_table_keeps_tolerance_and_certificate() {
 }
 
 #[test]
-fn a_fixed_parameter_has_one_node_and_settles_the_normalisation() {
+fn a_fixed_parameter_has_one_node_and_settles_the_unit() {
     let cases = [
-        (
-            RIGID_SUBSTRATE,
-            Normalisation::Sphere,
-            "E2*",
-            [false, false, true, true],
-        ),
-        (
-            RIGID_SPHERE,
-            Normalisation::Film,
-            "E1*",
-            [false, true, false, false],
-        ),
-        (
-            TWO_QUANTITIES,
-            Normalisation::Sphere,
-            "E2*",
-            [false, true, true, true],
-        ),
+        (RIGID_SUBSTRATE, "E2*", [false, false, true, true]),
+        (RIGID_SPHERE, "E1*", [false, true, false, false]),
+        (TWO_QUANTITIES, "E2*", [false, true, true, true]),
     ];
-    for (scene, normalisation, symbol, fixed) in cases {
+    for (scene, unit, fixed) in cases {
         let table = table(scene);
         assert_eq!(table.shape().map(|n| n == 1), fixed, "{:?}", table.shape());
-        assert_eq!(table.description().normalisation, normalisation);
-        assert_eq!(normalisation.symbol(), symbol);
+        assert_eq!(table.unit(), unit);
         assert_certified(&table, 53, 500);
     }
 }
@@ -343,13 +326,13 @@ fn check_notices_a_table_that_is_not_as_accurate_as_it_says() {
         (0.03, Some("its median error is")),
         (2.0, Some("its error is")),
     ] {
-        let axes = Parameter::ALL.map(|parameter| sound.axis(parameter).to_vec());
         let values = Quantity::ALL.map(|q| {
             sound
                 .values(q)
                 .map(|values| values.iter().map(|v| v * (1.0 + off * tolerance)).collect())
         });
-        let table = Table::new(sound.description().clone(), axes, values).expect("sound values");
+        let table =
+            Table::new(sound.description().clone(), sound.axes(), values).expect("sound values");
         tabulate::table::archive::write(&table, &workdir.path("table.h5")).expect("written");
         std::fs::write(workdir.path("table.bin"), table.to_packed().expect("small"))
             .expect("written");
@@ -369,13 +352,12 @@ fn check_notices_a_table_that_is_not_as_accurate_as_it_says() {
 fn a_table_without_a_sensible_tolerance_is_malformed() {
     let sound = &*FOUR_AXES;
     for tolerance in [0.0, -1e-6, 1.5, f64::NAN, f64::INFINITY] {
-        let axes = Parameter::ALL.map(|parameter| sound.axis(parameter).to_vec());
         let values = Quantity::ALL.map(|quantity| sound.values(quantity).map(<[f64]>::to_vec));
         let description = interp::Description {
             tolerance,
             ..sound.description().clone()
         };
-        match Table::new(description, axes, values) {
+        match Table::new(description, sound.axes(), values) {
             Err(Error::Malformed(what)) => assert!(
                 what.contains(&format!("tolerance is {tolerance:?}")),
                 "{what}"

@@ -98,9 +98,6 @@ impl Table {
     /// # Errors
     /// [`Error::Malformed`] if title, scene and axes exceed a megabyte; those of [`Table::expand`].
     pub fn to_packed(&self) -> Result<Vec<u8>, Error> {
-        let axes = self
-            .parameters()
-            .map(|parameter| (parameter, self.axis(parameter).to_vec()));
         let form = if self.low_rank().is_some() {
             Form::LowRank
         } else {
@@ -108,7 +105,7 @@ impl Table {
         };
         let header = Header {
             description: self.description().clone(),
-            axes,
+            axes: self.axes(),
             quantities: self.quantities(),
             form,
         };

@@ -127,6 +127,11 @@ impl Table {
         self.axes.parameters()
     }
 
+    /// Returns the parameters with their nodes, as [`Table::new`] takes them.
+    pub fn axes(&self) -> [(Parameter, Vec<f64>); 4] {
+        self.axes.all()
+    }
+
     /// Returns the symbol of the modulus in whose units the quantities at the nodes are: `E2*`;
     /// `E1*` with `e1_over_e2 = 0`, a rigid sphere; `Es*` on axes of reduced moduli.
     pub fn unit(&self) -> &'static str {

@@ -1,9 +1,8 @@
 //! Small tables with meaningless numbers, for tests of their bytes and of their look-up.
 
-use interp::Parameter;
 use interp::{
-    Certificate, Contact, Description, Elastic, Error, LowRank, Material, Normalisation, Quantity,
-    System, Table,
+    Certificate, Contact, Description, Elastic, Error, LowRank, Material, Parameter, Quantity,
+    SubstratePoissonRatio, System, Table,
 };
 
 /// The nodes of the four axes.
@@ -15,8 +14,8 @@ pub const AXES: [&[f64]; 4] = [
 ];
 
 /// Returns the nodes of the axes.
-pub fn axes() -> [Vec<f64>; 4] {
-    AXES.map(<[f64]>::to_vec)
+pub fn axes() -> [(Parameter, Vec<f64>); 4] {
+    Parameter::ALL.map(|parameter| (parameter, AXES[parameter.dimension()].to_vec()))
 }
 
 /// Returns the description of all tables.
@@ -24,8 +23,7 @@ pub fn description() -> Description {
     Description {
         title: "Small".into(),
         scene: "title = 'Small'".into(),
-        nu0: 0.25,
-        normalisation: Normalisation::Sphere,
+        nu0: SubstratePoissonRatio::Fixed(0.25),
         tolerance: 1e-3,
         created_by: "a test".into(),
         certificate: Certificate {
@@ -96,10 +94,10 @@ pub fn material() -> Material {
 pub fn of_nodes(count: usize, [from, to]: [f64; 2]) -> Table {
     let node = |i: usize| from * (to / from).powf(i as f64 / (count - 1) as f64);
     let axes = [
-        (0..count).map(node).collect(),
-        vec![1.75],
-        vec![0.3],
-        vec![300.0],
+        (Parameter::AOverT, (0..count).map(node).collect()),
+        (Parameter::E1OverE2, vec![1.75]),
+        (Parameter::Nu1, vec![0.3]),
+        (Parameter::E0OverE2, vec![300.0]),
     ];
     let one = vec![1.0];
     let functions = [
@@ -132,18 +130,20 @@ pub fn of_nodes(count: usize, [from, to]: [f64; 2]) -> Table {
 /// splines amplify the noise.
 pub fn of_shape(shape: [usize; 4], a_over_t: [f64; 2]) -> [Table; 2] {
     let middle = [1.0, 1.75, 0.3, 300.0];
-    let axes: [Vec<f64>; 4] = std::array::from_fn(|axis| {
+    let axes = Parameter::ALL.map(|parameter| {
+        let axis = parameter.dimension();
         let place = |i: usize| i as f64 / (shape[axis] - 1) as f64;
         let node = |i: usize| match axis {
             0 => a_over_t[0] * (a_over_t[1] / a_over_t[0]).powf(place(i)),
             2 => 0.5 * place(i),
             _ => 1e5_f64.powf(place(i)),
         };
-        if shape[axis] == 1 {
+        let nodes = if shape[axis] == 1 {
             vec![middle[axis]]
         } else {
             (0..shape[axis]).map(node).collect()
-        }
+        };
+        (parameter, nodes)
     });
     let description = Description {
         tolerance: 1e-12,
@@ -179,7 +179,7 @@ pub const PREFIX: usize = 24;
 pub fn with_prefix(payload: &[u8]) -> Vec<u8> {
     let (length, checksum) = (payload.len() as u64, crc32fast::hash(payload));
     [
-        &b"COATTBL\n\x01\0\0\0"[..],
+        &b"COATTBL\n\x02\0\0\0"[..],
         &length.to_le_bytes(),
         &checksum.to_le_bytes(),
         payload,
@@ -201,7 +201,8 @@ pub fn look_up(table: &Table) -> Result<(), Error> {
         .clamp(from, to)
     };
     let [e1, nu1, e0] = [Parameter::E1OverE2, Parameter::Nu1, Parameter::E0OverE2].map(middle);
-    let curve = table.curve_with_gradient(&Material::new(e1, nu1, e0, table.description().nu0)?)?;
+    let nu0 = table.description().nu0.under(nu1);
+    let curve = table.curve_with_gradient(&Material::new(e1, nu1, e0, nu0)?)?;
     let [from, to] = curve.range();
     for x in [
         from,

@@ -96,12 +96,9 @@ fn embedded(table: &Table) -> Result<Table, Error> {
         return Ok(table.clone());
     }
     let form = compress(table, TRUNCATION)?;
-    let axes = table
-        .parameters()
-        .map(|parameter| (parameter, table.axis(parameter).to_vec()));
     Ok(Table::from_low_rank(
         table.description().clone(),
-        axes,
+        table.axes(),
         form,
     )?)
 }

@@ -53,11 +53,11 @@ pub fn low_rank(
     }
     let (mut truncation, mut measured) = (SHARE * (tolerance - own), f64::NAN);
     for _ in 0..=HALVINGS {
-        let axes = table
-            .parameters()
-            .map(|parameter| (parameter, table.axis(parameter).to_vec()));
-        let mut packed =
-            Table::from_low_rank(description.clone(), axes, compress(table, truncation)?)?;
+        let mut packed = Table::from_low_rank(
+            description.clone(),
+            table.axes(),
+            compress(table, truncation)?,
+        )?;
         observer.begin("checking", points, 0);
         packed.set_certificate(certify(&packed, points, seed, &|count| {
             observer.advance(count)
