@@ -10,7 +10,7 @@ use crate::curve::nodes::REASONABLE;
 use crate::curve::piecewise::{
     Values, evaluate, evaluate_all, evaluate_derivatives, evaluate_fused, first_piece_outside,
 };
-use crate::curve::resampler::Resampler;
+use crate::curve::resampler::{Pieces, Resampler};
 use crate::curve::sensitivity::{QuantityGradient, Sensitivities};
 use crate::material::ROUNDING;
 use crate::{Error, Material, Parameter, Quantities, Quantity};
@@ -33,8 +33,9 @@ pub struct Curve {
     /// The first and the last node in `a/t`.
     range: [f64; 2],
     material: Material,
-    /// Whether each quantity is held, in the order of [`Quantity::ALL`].
+    /// Whether each quantity is known, in the order of [`Quantity::ALL`].
     held: [bool; 4],
+    start_error: Option<f64>,
     sensitivities: Option<Arc<Sensitivities>>,
     accuracy: Option<Accuracy>,
 }
@@ -55,17 +56,20 @@ impl Curve {
         resampler: &Resampler,
         range: [f64; 2],
         coefficients: &[f64],
-        quantities: &[Quantity],
         material: Material,
     ) -> Self {
-        let pieces = resampler.values(coefficients, quantities, material.sphere_film_modulus());
-        let held = Quantity::ALL.map(|quantity| quantities.contains(&quantity));
+        let Pieces {
+            values,
+            start_error,
+        } = resampler.values(coefficients, material.sphere_film_modulus());
+        let held = Quantity::ALL.map(|quantity| resampler.held.contains(&quantity));
         Self {
             grid: resampler.grid.clone(),
-            pieces,
+            pieces: values,
             range,
             material,
             held,
+            start_error,
             sensitivities: None,
             accuracy: None,
         }
@@ -89,7 +93,9 @@ impl Curve {
     /// Adds the expansions beyond the nodes. `error` is the largest error of the table's
     /// certificate, `tolerance` the tolerance of the table.
     pub(crate) fn with_expansions(self, error: f64, tolerance: f64) -> Self {
+        let derived = self.start_error.is_some_and(|error| error <= tolerance);
         Self {
+            held: if derived { [true; 4] } else { self.held },
             accuracy: Some(Accuracy { error, tolerance }),
             ..self
         }

@@ -14,7 +14,6 @@ pub(crate) struct Lookup {
     spline: TensorSpline,
     resampler: Resampler,
     range: [f64; 2],
-    quantities: Vec<Quantity>,
 }
 
 impl Lookup {
@@ -67,7 +66,6 @@ impl Lookup {
             spline,
             resampler,
             range,
-            quantities,
         }
     }
 
@@ -112,7 +110,7 @@ impl Lookup {
             from < to || from == 0.0 && parameter == Parameter::E1OverE2 || from == f64::INFINITY
         });
         let pieces = [by_e1, by_nu1, by_e0]
-            .map(|slopes| self.resampler.derivatives(&slopes, &self.quantities));
+            .map(|slopes| self.resampler.derivatives(&slopes));
         let sensitivities = Sensitivities::new(pieces, known, *material, equivalence.jacobian);
         Ok(self
             .of_splines(description, &values, equivalence.equivalent)?
@@ -130,16 +128,16 @@ impl Lookup {
             &self.resampler,
             self.range,
             coefficients,
-            &self.quantities,
             equivalent,
         );
+        let curve = curve.with_expansions(description.certificate.max_error, description.tolerance);
         if let Some((quantity, value)) = curve.unreasonable() {
             return Err(Error::Malformed(format!(
                 "{} reaches {value:?} between the nodes, outside [1e-30, 1e30]",
                 quantity.name()
             )));
         }
-        Ok(curve.with_expansions(description.certificate.max_error, description.tolerance))
+        Ok(curve)
     }
 }
 
