@@ -5,14 +5,17 @@ use fearless_simd::f64x4;
 use fearless_simd::prelude::*;
 
 use crate::curve::grid::{Grid, Position};
-use crate::curve::piecewise::{LOGARITHM, VALUE, Values};
+use crate::curve::piecewise::{LOGARITHM, Logarithms, Values};
 use crate::curve::series::{
-    self, Series, economised, ends, exponential, integral, product, quotient, transposed,
+    Series, difference, economised, ends, exponential, first_terms, integral, product, quotient,
+    sum, transposed,
 };
-use crate::curve::thick_film::{MULTIPLES, ThickFilm};
+use crate::curve::thick_film::MULTIPLES;
 
 /// The number of coefficients of the integrals on a piece.
 const TERMS: usize = 12;
+/// The number of coefficients of the derivatives of the integrals on a piece.
+const RELATIVE_TERMS: usize = 10;
 
 /// What the integrals need to know about the pieces of a grid, made once for a table.
 #[derive(Clone, Debug)]
@@ -41,7 +44,7 @@ pub(crate) struct Integrals<S: Simd> {
     /// `Gamma^2` and its inverse.
     square: Series<S, TERMS>,
     inverse: Series<S, TERMS>,
-    /// `2 x Eeq/Gamma^2`.
+    /// `x es Eeq/Gamma^2`.
     rate: Series<S, TERMS>,
     /// `x Eeq/es`, `x^2 Delta0` and `x^3 Pi0/es`.
     integrals: [Series<S, TERMS>; 3],
@@ -80,11 +83,11 @@ impl Derivation {
 
     /// Adds the constants of integration to the integrals of order `order` on a group.
     #[inline(always)]
-    fn add_constants<S: Simd>(
+    fn add_constants<S: Simd, const N: usize>(
         &self,
         simd: S,
         group: usize,
-        integral: &mut Series<S, TERMS>,
+        integral: &mut Series<S, N>,
         mut constants: impl FnMut(usize, [f64; 2]) -> f64,
     ) {
         let [from, to] = ends(integral);
@@ -117,23 +120,19 @@ impl Derivation {
         let square = middle * middle;
         let gamma = exponential(simd, middle, 1.0, logarithms);
         let squares = exponential(simd, square, 2.0, logarithms);
-        let inverse = exponential(
-            simd,
-            f64x4::splat(simd, 1.0) / square,
-            -2.0,
-            logarithms,
-        );
+        let inverse = exponential(simd, f64x4::splat(simd, 1.0) / square, -2.0, logarithms);
         let mut stiffness = integral(simd, &squares, half_lengths);
         self.add_constants(simd, group, &mut stiffness, |piece, ends| {
             constants(0, piece, ends)
         });
-        let rate = product(&stiffness, &inverse).map(|term| term + term);
-        let mut penetration = integral(simd, &rate, half_lengths);
+        // Half of the rate of `x^2 Delta0`, and a quarter of that of `x^3 Pi0`.
+        let rate = product(&stiffness, &inverse);
+        let mut penetration = integral(simd, &rate, half_lengths * 2.0);
         self.add_constants(simd, group, &mut penetration, |piece, ends| {
             constants(1, piece, ends)
         });
         let load = product(&stiffness, &rate);
-        let mut load = integral(simd, &load, half_lengths * 4.0);
+        let mut load = integral(simd, &load, half_lengths * 8.0);
         self.add_constants(simd, group, &mut load, |piece, ends| {
             constants(2, piece, ends)
         });
@@ -161,26 +160,69 @@ impl Derivation {
         } = self.groups[group];
         let inverse = f64x4::simd_from(simd, inverse_middles);
         let ratio = f64x4::simd_from(simd, half_lengths) * inverse;
-        let over_x = |series: Series<S, TERMS>| {
-            let mut quotient = series.map(|term| term * inverse);
-            for k in 1..TERMS {
-                quotient[k] -= ratio * quotient[k - 1];
-            }
-            quotient
-        };
-        let [stiffness, penetration, load] = integrals.integrals;
-        let eeq: Series<S, VALUE> = economised(simd, over_x(stiffness));
-        let delta0: Series<S, VALUE> = economised(simd, over_x(over_x(penetration)));
-        let pi0: Series<S, VALUE> = economised(simd, over_x(over_x(over_x(load))));
-        let gamma: Series<S, VALUE> = economised(simd, integrals.gamma);
-        let mut values = [[[0.0; 4]; VALUE]; 4];
-        for k in 0..VALUE {
-            let rows = transposed([pi0[k] * es, eeq[k] * es, gamma[k] * es, delta0[k]]);
-            for (piece, row) in values.iter_mut().zip(rows) {
-                row.store_slice(&mut piece[k]);
-            }
+        let [mut eeq, mut delta0, mut pi0] = integrals.integrals;
+        divide_by_linear(&mut eeq, inverse, ratio);
+        for _ in 0..2 {
+            divide_by_linear(&mut delta0, inverse, ratio);
         }
-        values
+        for _ in 0..3 {
+            divide_by_linear(&mut pi0, inverse, ratio);
+        }
+        let pi0 = economised(simd, &pi0);
+        let eeq = economised(simd, &eeq);
+        let gamma = economised(simd, &integrals.gamma);
+        let delta0 = economised(simd, &delta0);
+        by_piece(&pi0, &eeq, &gamma, &delta0, [es, es, es, 1.0])
+    }
+
+    /// Returns the polynomials of the derivatives of the logarithms of the four quantities on the
+    /// pieces of a group, with respect to a parameter of the material. `gamma` is that of
+    /// `ln(Gamma/es)`; the `constants` are those of the derivatives of the integrals.
+    #[inline(always)]
+    pub(crate) fn sensitivities<S: Simd>(
+        &self,
+        simd: S,
+        group: usize,
+        integrals: &Integrals<S>,
+        gamma: &Series<S, LOGARITHM>,
+        mut constants: impl FnMut(usize, usize, [f64; 2]) -> f64,
+    ) -> [Logarithms; 4] {
+        let half_lengths = f64x4::simd_from(simd, self.groups[group].half_lengths);
+        let square = first_terms(&integrals.square);
+        let inverse = first_terms(&integrals.inverse);
+        let rate = first_terms(&integrals.rate);
+        let stiffness = first_terms(&integrals.integrals[0]);
+        let penetration = first_terms(&integrals.integrals[1]);
+        let load = first_terms(&integrals.integrals[2]);
+
+        let mut by_stiffness = integral(simd, &product(gamma, &square), half_lengths * 2.0);
+        self.add_constants(simd, group, &mut by_stiffness, |piece, ends| {
+            constants(0, piece, ends)
+        });
+        let twice_gamma = sum(gamma, gamma);
+        let by_rate = difference(
+            &product(&by_stiffness, &inverse),
+            &product(&twice_gamma, &rate),
+        );
+        let mut by_penetration = integral(simd, &by_rate, half_lengths * 2.0);
+        self.add_constants(simd, group, &mut by_penetration, |piece, ends| {
+            constants(1, piece, ends)
+        });
+        let by_load = sum(
+            &product(&by_stiffness, &rate),
+            &product(&stiffness, &by_rate),
+        );
+        let mut by_load = integral(simd, &by_load, half_lengths * 8.0);
+        self.add_constants(simd, group, &mut by_load, |piece, ends| {
+            constants(2, piece, ends)
+        });
+        by_piece(
+            &relative(simd, &by_load, &load),
+            &relative(simd, &by_stiffness, &stiffness),
+            gamma,
+            &relative(simd, &by_penetration, &penetration),
+            [1.0; 4],
+        )
     }
 }
 
@@ -191,4 +233,47 @@ pub(crate) fn running(mut at: [f64; 3]) -> impl FnMut(usize, usize, [f64; 2]) ->
         at[order] = constant + to;
         constant
     }
+}
+
+/// Divides a series by the linear function of `t` that is the inverse of `inverse (1 - ratio t)`...
+#[inline(always)]
+fn divide_by_linear<S: Simd>(series: &mut Series<S, TERMS>, inverse: f64x4<S>, ratio: f64x4<S>) {
+    series[0] *= inverse;
+    for k in 1..TERMS {
+        series[k] = (-ratio).mul_add(series[k - 1], series[k] * inverse);
+    }
+}
+
+/// Returns the series of a derivative over its value.
+#[inline(always)]
+fn relative<S: Simd>(
+    simd: S,
+    derivative: &Series<S, RELATIVE_TERMS>,
+    value: &Series<S, RELATIVE_TERMS>,
+) -> Series<S, LOGARITHM> {
+    economised(simd, &quotient(simd, derivative, value))
+}
+
+/// Sorts the coefficients of the quantities, each of them on four pieces, by piece, and scales them.
+#[inline(always)]
+fn by_piece<S: Simd, const N: usize>(
+    pi0: &Series<S, N>,
+    eeq: &Series<S, N>,
+    gamma: &Series<S, N>,
+    delta0: &Series<S, N>,
+    scales: [f64; 4],
+) -> [[[f64; 4]; N]; 4] {
+    let mut pieces = [[[0.0; 4]; N]; 4];
+    for k in 0..N {
+        let rows = transposed([
+            pi0[k] * scales[0],
+            eeq[k] * scales[1],
+            gamma[k] * scales[2],
+            delta0[k] * scales[3],
+        ]);
+        for (piece, row) in pieces.iter_mut().zip(rows) {
+            row.store_slice(&mut piece[k]);
+        }
+    }
+    pieces
 }

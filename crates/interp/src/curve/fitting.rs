@@ -96,7 +96,10 @@ impl<'a> Target<'a> {
     ) -> Self {
         let derived = || {
             fine.derivation.as_ref()?;
-            let Pieces { values, start_error } = fine.values(coefficients, 1.0);
+            let Pieces {
+                values,
+                start_error,
+            } = fine.values(coefficients, 1.0);
             // An error of the size of the quantities, or NaN, belongs to no thick film. Then
             // nothing is derived, and integrals that begin there need not be accurate.
             (start_error? < 1.0).then_some((&*fine.grid, values))

@@ -55,12 +55,7 @@ struct Span {
 impl Resampler {
     /// Samples the B-splines of `basis` for the quantities `held` on `2^bits[i]` pieces in octave
     /// `i` of `range`.
-    pub(super) fn new(
-        basis: &Basis,
-        range: [f64; 2],
-        held: &[Quantity],
-        bits: &[u32],
-    ) -> Self {
+    pub(super) fn new(basis: &Basis, range: [f64; 2], held: &[Quantity], bits: &[u32]) -> Self {
         let grid = Grid::over(range, bits);
         let (mut spans, mut all_weights) = (Vec::new(), Vec::new());
         for (_, ends) in grid.pieces(range[1]) {
@@ -145,10 +140,13 @@ impl Resampler {
         coefficients: &[f64],
     ) -> [f64x4<S>; LOGARITHM] {
         let last = self.spans.len() - 1;
-        let rows: [[f64x4<S>; LOGARITHM / 4]; 4] =
-            std::array::from_fn(|lane| self.logarithm(simd, last.min(4 * group + lane), coefficients));
-        let [low, high] = [0, 1].map(|half| transposed(rows.map(|row| row[half])));
-        std::array::from_fn(|k| if k < 4 { low[k] } else { high[k - 4] })
+        let [mut low, mut high] = [[f64x4::splat(simd, 0.0); 4]; 2];
+        for lane in 0..4 {
+            let piece = last.min(4 * group + lane);
+            [low[lane], high[lane]] = self.logarithm(simd, piece, coefficients);
+        }
+        let ([a, b, c, d], [e, f, g, h]) = (transposed(low), transposed(high));
+        [a, b, c, d, e, f, g, h]
     }
 
     /// Returns the polynomial of the logarithm of a single quantity on a piece.
@@ -192,18 +190,30 @@ impl Resampler {
         })
     }
 
-    /// Returns the polynomials of the derivatives of the logarithms, from the derivatives of the
-    /// coefficients.
-    pub(crate) fn derivatives(&self, coefficients: &[f64]) -> Arc<[Logarithms]> {
-        let rows = rows_of_four(coefficients, &self.held);
-        let mut pieces = zeros(self.spans.len());
-        dispatch!(Level::new(), simd => {
-            for (i, piece) in Arc::make_mut(&mut pieces).iter_mut().enumerate() {
-                for (row, logarithms) in piece.iter_mut().zip(self.logarithms(simd, i, &rows)) {
-                    logarithms.store_slice(row);
+    /// Returns the polynomials of the derivatives of the logarithms with respect to three
+    /// parameters, from the coefficients and their derivatives.
+    pub(crate) fn derivatives(
+        &self,
+        coefficients: &[f64],
+        derivatives: [&[f64]; 3],
+    ) -> [Arc<[Logarithms]>; 3] {
+        let mut pieces = [(); 3].map(|()| zeros(self.spans.len()));
+        if let Some(derivation) = &self.derivation {
+            dispatch!(Level::new(), simd => {
+                self.derived_derivatives(simd, derivation, coefficients, derivatives, &mut pieces);
+            });
+            return pieces;
+        }
+        for (coefficients, pieces) in derivatives.into_iter().zip(&mut pieces) {
+            let rows = rows_of_four(coefficients, &self.held);
+            dispatch!(Level::new(), simd => {
+                for (i, piece) in Arc::make_mut(pieces).iter_mut().enumerate() {
+                    for (row, logarithms) in piece.iter_mut().zip(self.logarithms(simd, i, &rows)) {
+                        logarithms.store_slice(row);
+                    }
                 }
-            }
-        });
+            });
+        }
         pieces
     }
 
@@ -212,7 +222,7 @@ impl Resampler {
     pub(crate) fn values(&self, coefficients: &[f64], es: f64) -> Pieces {
         if let Some(derivation) = &self.derivation {
             return dispatch!(Level::new(), simd => {
-                let start = ThickFilm::new(self.at_starts(simd, derivation, coefficients).map(f64::exp));
+                let start = self.thick_film(simd, derivation, coefficients);
                 let constants = running(derivation.at_start(start.values()));
                 Pieces {
                     values: self.derived(simd, derivation, coefficients, es, constants),
@@ -228,7 +238,11 @@ impl Resampler {
                 exponentials(simd, self.logarithms(simd, i, &rows), scales, piece);
             }
         });
-        Pieces { values: pieces, start_error: None }
+        let begins_nowhere = self.held == [Quantity::Gamma];
+        Pieces {
+            values: pieces,
+            start_error: begins_nowhere.then_some(f64::INFINITY),
+        }
     }
 
     /// Returns the polynomials of the quantities that follow from the spline of `Gamma`, see
@@ -250,6 +264,50 @@ impl Resampler {
             pieces.copy_from_slice(&values[..pieces.len()]);
         }
         pieces
+    }
+
+    /// Writes the polynomials of the derivatives of the logarithms of the quantities that follow
+    /// from the spline of `Gamma`, see [`Derivation::sensitivities`].
+    #[inline(always)]
+    fn derived_derivatives<S: Simd>(
+        &self,
+        simd: S,
+        derivation: &Derivation,
+        coefficients: &[f64],
+        derivatives: [&[f64]; 3],
+        pieces: &mut [Arc<[Logarithms]>; 3],
+    ) {
+        let start = self.thick_film(simd, derivation, coefficients);
+        let mut constants = running(derivation.at_start(start.values()));
+        let mut derivatives = derivatives.map(|coefficients| {
+            let [first, second, _] = self.at_starts(simd, derivation, coefficients);
+            let start = derivation.at_start(start.derivatives([first, second]));
+            (coefficients, running(start))
+        });
+        for group in 0..derivation.groups() {
+            let logarithms = self.logarithms_on_four(simd, group, coefficients);
+            let integrals = derivation.integrals(simd, group, &logarithms, &mut constants);
+            for ((coefficients, constants), pieces) in derivatives.iter_mut().zip(&mut *pieces) {
+                let gamma = self.logarithms_on_four(simd, group, coefficients);
+                let relative = derivation.sensitivities(simd, group, &integrals, &gamma, constants);
+                let pieces = &mut Arc::make_mut(pieces)[4 * group..];
+                pieces
+                    .iter_mut()
+                    .zip(relative)
+                    .for_each(|(piece, relative)| *piece = relative);
+            }
+        }
+    }
+
+    /// Returns the quantities where the integrals begin.
+    #[inline(always)]
+    fn thick_film<S: Simd>(
+        &self,
+        simd: S,
+        derivation: &Derivation,
+        coefficients: &[f64],
+    ) -> ThickFilm {
+        ThickFilm::new(self.at_starts(simd, derivation, coefficients).map(f64::exp))
     }
 
     /// Returns the polynomials of the derived quantities over their scales. The integrals have the

@@ -2,12 +2,31 @@
 //!
 //! The four are the quantities on one piece, or one quantity on four pieces. Products, exponentials
 //! and integrals of truncated series need the terms before a term only.
+//!
+//! Loops, not closures: a closure is compiled without the vector instructions of its function.
 
 use fearless_simd::f64x4;
 use fearless_simd::prelude::*;
 
 /// The first `N` coefficients of four series, of `1, t, t^2, ...`
 pub(crate) type Series<S, const N: usize> = [f64x4<S>; N];
+
+/// The largest number of terms of a series.
+const MOST_TERMS: usize = 12;
+
+/// Repeats a block for each term number below a number of terms. It is not a loop: all terms stay
+/// in registers as far as there are enough.
+macro_rules! for_each_term {
+    ($k:ident below $terms:ident $block:block) => {
+        for_each_term!($k below $terms $block 0 1 2 3 4 5 6 7 8 9 10 11)
+    };
+    ($k:ident below $terms:ident $block:block $($number:literal)*) => {
+        $(if $number < $terms {
+            let $k: usize = $number;
+            $block
+        })*
+    };
+}
 
 /// Returns `constant` times the exponential of `factor` times a series. The constant term of the
 /// series is not used: `constant` includes its exponential.
@@ -25,15 +44,17 @@ pub(crate) fn exponential<S: Simd, const M: usize, const N: usize>(
     }
     let mut terms = [f64x4::splat(simd, 0.0); N];
     terms[0] = constant;
-    for k in 1..N {
+    for_each_term!(k below N {
         // The term just before this one is used last, because it is ready last.
-        let first = if k < M { k } else { M - 1 };
-        let mut sum = slopes[first] * terms[k - first];
-        for j in (1..first).rev() {
-            sum = slopes[j].mul_add(terms[k - j], sum);
+        if k > 0 {
+            let first = if k < M { k } else { M - 1 };
+            let mut sum = slopes[first] * terms[k - first];
+            for j in (1..first).rev() {
+                sum = slopes[j].mul_add(terms[k - j], sum);
+            }
+            terms[k] = sum * (1.0 / k as f64);
         }
-        terms[k] = sum * (1.0 / k as f64);
-    }
+    });
     terms
 }
 
@@ -43,15 +64,53 @@ pub(crate) fn product<S: Simd, const M: usize, const N: usize>(
     left: &Series<S, M>,
     right: &Series<S, N>,
 ) -> Series<S, N> {
-    std::array::from_fn(|k| {
+    let mut terms = *right;
+    for_each_term!(k below N {
         let mut sum = left[0] * right[k];
-        for i in 1..N {
-            if i <= k && i < M {
-                sum = left[i].mul_add(right[k - i], sum);
-            }
+        for i in 1..if k < M { k + 1 } else { M } {
+            sum = left[i].mul_add(right[k - i], sum);
         }
-        sum
-    })
+        terms[k] = sum;
+    });
+    terms
+}
+
+/// Returns the sum of two series.
+#[inline(always)]
+pub(crate) fn sum<S: Simd, const N: usize>(
+    left: &Series<S, N>,
+    right: &Series<S, N>,
+) -> Series<S, N> {
+    let mut terms = *left;
+    for k in 0..N {
+        terms[k] += right[k];
+    }
+    terms
+}
+
+/// Returns the difference of two series.
+#[inline(always)]
+pub(crate) fn difference<S: Simd, const N: usize>(
+    left: &Series<S, N>,
+    right: &Series<S, N>,
+) -> Series<S, N> {
+    let mut terms = *left;
+    for k in 0..N {
+        terms[k] -= right[k];
+    }
+    terms
+}
+
+/// Returns the first terms of a series.
+#[inline(always)]
+pub(crate) fn first_terms<S: Simd, const M: usize, const N: usize>(
+    series: &Series<S, M>,
+) -> Series<S, N> {
+    let mut terms = [series[0]; N];
+    for k in 1..N {
+        terms[k] = series[k];
+    }
+    terms
 }
 
 /// Returns the quotient of two series.
@@ -62,16 +121,15 @@ pub(crate) fn quotient<S: Simd, const N: usize>(
     denominator: &Series<S, N>,
 ) -> Series<S, N> {
     let inverse = f64x4::splat(simd, 1.0) / denominator[0];
-    let mut terms = [f64x4::splat(simd, 0.0); N];
-    for k in 0..N {
+    let mut terms = *numerator;
+    for_each_term!(k below N {
         let mut sum = numerator[k];
-        for i in 1..N {
-            if i <= k {
-                sum -= denominator[i] * terms[k - i];
-            }
+        // The term just before this one is used last, because it is ready last.
+        for i in (1..k + 1).rev() {
+            sum = (-denominator[i]).mul_add(terms[k - i], sum);
         }
         terms[k] = sum * inverse;
-    }
+    });
     terms
 }
 
@@ -82,10 +140,11 @@ pub(crate) fn integral<S: Simd, const N: usize>(
     series: &Series<S, N>,
     factor: f64x4<S>,
 ) -> Series<S, N> {
-    std::array::from_fn(|k| match k {
-        0 => f64x4::splat(simd, 0.0),
-        _ => series[k - 1] * factor * (1.0 / k as f64),
-    })
+    let mut terms = [f64x4::splat(simd, 0.0); N];
+    for k in 1..N {
+        terms[k] = series[k - 1] * factor * (1.0 / k as f64);
+    }
+    terms
 }
 
 /// Returns the values of a series at -1 and at 1.
@@ -106,19 +165,19 @@ pub(crate) fn ends<S: Simd, const N: usize>(series: &Series<S, N>) -> [f64x4<S>;
 #[inline(always)]
 pub(crate) fn economised<S: Simd, const M: usize, const N: usize>(
     simd: S,
-    mut series: Series<S, M>,
+    series: &Series<S, M>,
 ) -> Series<S, N> {
-    for n in (N..M).rev() {
+    let mut series = *series;
+    let left = M - N;
+    for_each_term!(i below left {
+        let n = M - 1 - i;
         for j in 1..=n / 2 {
             let share = f64x4::splat(simd, ECONOMY[n][j]);
             series[n - 2 * j] = series[n].mul_add(share, series[n - 2 * j]);
         }
-    }
-    std::array::from_fn(|k| series[k])
+    });
+    first_terms(&series)
 }
-
-/// The largest number of terms of a series that is economised.
-const MOST_TERMS: usize = 12;
 
 /// The coefficients of `t^(n - 2j)` in `t^n - T_n(t)/2^(n-1)`, for `j` above 0:
 /// `-(-1/4)^j n/(n - j) (n - j)!/(j! (n - 2j)!)`.

@@ -109,8 +109,9 @@ impl Lookup {
             let [from, to] = axes.ends(parameter);
             from < to || from == 0.0 && parameter == Parameter::E1OverE2 || from == f64::INFINITY
         });
-        let pieces = [by_e1, by_nu1, by_e0]
-            .map(|slopes| self.resampler.derivatives(&slopes));
+        let pieces = self
+            .resampler
+            .derivatives(&values, [&by_e1, &by_nu1, &by_e0]);
         let sensitivities = Sensitivities::new(pieces, known, *material, equivalence.jacobian);
         Ok(self
             .of_splines(description, &values, equivalence.equivalent)?
@@ -124,12 +125,7 @@ impl Lookup {
         coefficients: &[f64],
         equivalent: Material,
     ) -> Result<Curve, Error> {
-        let curve = Curve::of_splines(
-            &self.resampler,
-            self.range,
-            coefficients,
-            equivalent,
-        );
+        let curve = Curve::of_splines(&self.resampler, self.range, coefficients, equivalent);
         let curve = curve.with_expansions(description.certificate.max_error, description.tolerance);
         if let Some((quantity, value)) = curve.unreasonable() {
             return Err(Error::Malformed(format!(
