@@ -6,6 +6,7 @@
 mod approximations;
 mod compliance;
 mod contacts;
+mod derived;
 mod domain;
 mod equivalence;
 mod hard_cases;

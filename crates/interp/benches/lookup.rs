@@ -4,7 +4,7 @@
 use std::hint::black_box;
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use interp::{Elastic, Material, Quantity, System, Table};
+use interp::{Curve, Elastic, Material, Parameter, Quantity, System, Table};
 use splines::{Interpolation, Key, Spline};
 
 fn lookup(criterion: &mut Criterion) {
@@ -34,6 +34,22 @@ fn lookup(criterion: &mut Criterion) {
         b.iter(|| table.curve(black_box(&material)))
     });
     let low_rank = Table::embedded();
+    let embedded_curve = low_rank.curve(&material).expect("in the table");
+    for (what, held) in [
+        ("all four", [true; 4]),
+        ("gamma", [false, false, true, false]),
+    ] {
+        let table = of_one_material(low_rank, &embedded_curve, held);
+        table.curve(&material).expect("in the table");
+        criterion.bench_function(
+            &format!("curve of the table of one material, {what}"),
+            |b| b.iter(|| table.curve(black_box(&material))),
+        );
+        criterion.bench_function(
+            &format!("curve with derivatives of the table of one material, {what}"),
+            |b| b.iter(|| table.curve_with_gradient(black_box(&material))),
+        );
+    }
     let dense = low_rank.expand().expect("the nodes fit in memory");
     for (form, table) in [("low-rank", low_rank), ("dense", &dense)] {
         table.curve(&material).expect("in the table");
@@ -86,6 +102,29 @@ fn lookup(criterion: &mut Criterion) {
     criterion.bench_function("load and penetration with nine derivatives each", |b| {
         b.iter(|| contact.gradient(black_box(1e-7 * point() + 1e-6), black_box(0.04)))
     });
+}
+
+/// Returns the table of one material that holds some quantities of `curve` at the nodes of `table`.
+/// Its curve is made from the coefficients over `ln(a/t)` alone.
+fn of_one_material(table: &Table, curve: &Curve, held: [bool; 4]) -> Table {
+    let nodes = table.axis(Parameter::AOverT);
+    let material = curve.material();
+    let axes = [
+        nodes.to_vec(),
+        vec![material.e1_over_e2()],
+        vec![material.nu1()],
+        vec![material.e0_over_e2()],
+    ];
+    let at_nodes = |quantity: Quantity| {
+        let values = nodes.iter().map(|&x| curve.quantity(quantity, x));
+        held[quantity as usize].then(|| values.map(|value| value.expect("a node")).collect())
+    };
+    Table::new(
+        table.description().clone(),
+        axes,
+        Quantity::ALL.map(at_nodes),
+    )
+    .expect("sound")
 }
 
 /// Returns the `i`-th point of an additive recurrence over the axes of the embedded table.

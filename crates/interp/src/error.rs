@@ -138,6 +138,25 @@ pub enum Error {
         "the table does not hold {0}: add it to `quantities` in the scene and make the table again"
     )]
     MissingQuantity(&'static str),
+    /// A quantity that a table of `gamma` alone does not answer, because it begins at too large an
+    /// `a/t`: the other quantities are integrals over `a/t` that begin there.
+    #[error(
+        "{quantity} does not follow from gamma alone in a table that begins at a_over_t = {from:?}: \
+         the estimated error is {estimate:.1e} there, and the tolerance of the table {tolerance:.1e}; \
+         make a table whose scene begins at a smaller a_over_t and extends to four times that, or \
+         add {quantity} to `quantities` in the scene"
+    )]
+    BeginsTooLate {
+        /// The name of the quantity.
+        quantity: &'static str,
+        /// The first node in `a/t`.
+        from: f64,
+        /// The estimated relative error; infinite if the table ends before four times its first
+        /// `a/t`, which an estimate needs.
+        estimate: f64,
+        /// The relative tolerance of the table.
+        tolerance: f64,
+    },
     /// A motion of the contact line that cannot be integrated to the tolerance.
     #[cfg(feature = "dynamics")]
     #[error(

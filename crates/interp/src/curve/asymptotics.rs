@@ -13,10 +13,10 @@ const C0: f64 = LN_2 + 0.577_215_664_901_532_9;
 pub(crate) struct Edge {
     /// The first or the last `a/t` of the nodes.
     pub(crate) a_over_t: f64,
-    /// The quantities at this `a/t`. A quantity that is not held has no meaningful value.
+    /// The quantities at this `a/t`. A quantity that is not known has no meaningful value.
     pub(crate) quantities: Quantities,
-    /// Which quantities the curve holds, in the order of [`Quantity::ALL`].
-    pub(crate) held: [bool; 4],
+    /// Which quantities the curve knows, in the order of [`Quantity::ALL`].
+    pub(crate) known: [bool; 4],
     /// The relative error of the quantities.
     pub(crate) error: f64,
 }
@@ -24,7 +24,7 @@ pub(crate) struct Edge {
 /// The result of an expansion at one `a/t`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Expansion {
-    /// The quantities. A quantity that the curve does not hold has no meaningful value.
+    /// The quantities. A quantity that the curve does not know has no meaningful value.
     pub(crate) values: Quantities,
     /// The logarithmic slopes of the quantities, `x dQ/dx`.
     pub(crate) slopes: Quantities,
@@ -34,7 +34,7 @@ pub(crate) struct Expansion {
 
 impl Edge {
     /// Continues the quantities to thicker films, `x < self.a_over_t`. Returns `None` if no two
-    /// held quantities allow an estimate of the error.
+    /// known quantities allow an estimate of the error.
     ///
     /// The kernel is even and smooth. Therefore it only adds a constant to first and second order
     /// in `x`. With one coefficient `k` of the material, and errors of the third order,
@@ -86,7 +86,7 @@ impl Edge {
                 2.0 / 3.0 * gamma - delta0,
             ),
         ];
-        let third_order = self.largest_of_held(differences)?;
+        let third_order = self.largest_of_known(differences)?;
         let error = ratio * (self.error + 2.0 * third_order);
         Some(Expansion {
             values: Quantities::from_array(values),
@@ -96,7 +96,7 @@ impl Edge {
     }
 
     /// Continues the quantities to thinner films, `x > self.a_over_t`. Returns `None` between rigid
-    /// bodies, or if no two held quantities allow an estimate of the error.
+    /// bodies, or if no two known quantities allow an estimate of the error.
     ///
     /// With `A = einf X'(0)/(pi e1)`, `c0 = ln 2 + 0.5772`, one coefficient `C` of the material and
     /// errors of order `(ln x / x)^2`,
@@ -146,7 +146,7 @@ impl Edge {
             (Quantity::Pi0, Quantity::Delta0, pi0.0 - delta0.0),
             (Quantity::Eeq, Quantity::Delta0, eeq.0 - delta0.0),
         ];
-        let constant = self.largest_of_held(differences)?;
+        let constant = self.largest_of_known(differences)?;
         let error = self.error * (edge / x) + 6.0 * constant * (1.0 - edge / x) / x;
         Some(Expansion {
             values: Quantities::from_array(values),
@@ -155,16 +155,16 @@ impl Edge {
         })
     }
 
-    /// Returns the largest absolute value of the numbers whose two quantities are both held, or
+    /// Returns the largest absolute value of the numbers whose two quantities are both known, or
     /// `None` if there is no such number.
-    fn largest_of_held<const N: usize>(
+    fn largest_of_known<const N: usize>(
         &self,
         numbers: [(Quantity, Quantity, f64); N],
     ) -> Option<f64> {
-        let holds = |quantity: Quantity| self.held[quantity as usize];
-        let of_held = numbers
+        let is_known = |quantity: Quantity| self.known[quantity as usize];
+        let of_known = numbers
             .into_iter()
-            .filter(|&(first, second, _)| holds(first) && holds(second));
-        of_held.map(|(_, _, number)| number.abs()).reduce(f64::max)
+            .filter(|&(first, second, _)| is_known(first) && is_known(second));
+        of_known.map(|(_, _, number)| number.abs()).reduce(f64::max)
     }
 }

@@ -10,7 +10,7 @@ use crate::curve::nodes::REASONABLE;
 use crate::curve::piecewise::{
     Values, evaluate, evaluate_all, evaluate_derivatives, evaluate_fused, first_piece_outside,
 };
-use crate::curve::resampler::Resampler;
+use crate::curve::resampler::{Pieces, Resampler};
 use crate::curve::sensitivity::{QuantityGradient, Sensitivities};
 use crate::material::ROUNDING;
 use crate::{Error, Material, Parameter, Quantities, Quantity};
@@ -23,6 +23,11 @@ use crate::{Error, Material, Parameter, Quantities, Quantity};
 /// nodes; they add to the error less than a tenth of the table's tolerance, or 1e-11 if that is
 /// more. An evaluation allocates nothing. A clone shares the pieces.
 ///
+/// A table of `gamma` alone makes a curve of all four quantities: the others are integrals of
+/// `Gamma` over `a/t`, exactly (see the page `curve/derived.rs` of the source). A relative error
+/// `e` of `Gamma` becomes less than `2e` of the others. The table must begin at a small `a/t`, 0.01
+/// for most materials; otherwise the others are an [`Error::BeginsTooLate`].
+///
 /// A curve of a table continues beyond the `a/t` of its nodes by the first terms of the expansions
 /// about the exact limits, as far as their estimated error ([`Curve::error`]) is within the table's
 /// tolerance. Farther out, and beyond the nodes of any other curve, an evaluation is an error.
@@ -33,8 +38,10 @@ pub struct Curve {
     /// The first and the last node in `a/t`.
     range: [f64; 2],
     material: Material,
-    /// Whether each quantity is held, in the order of [`Quantity::ALL`].
-    held: [bool; 4],
+    /// Whether each quantity is held or derived, in the order of [`Quantity::ALL`].
+    known: [bool; 4],
+    /// The estimated error with which the quantities derived from `Gamma` begin, if any are.
+    start_error: Option<f64>,
     sensitivities: Option<Arc<Sensitivities>>,
     accuracy: Option<Accuracy>,
 }
@@ -55,26 +62,29 @@ impl Curve {
         resampler: &Resampler,
         range: [f64; 2],
         coefficients: &[f64],
-        quantities: &[Quantity],
         material: Material,
     ) -> Self {
-        let pieces = resampler.values(coefficients, quantities, material.sphere_film_modulus());
-        let held = Quantity::ALL.map(|quantity| quantities.contains(&quantity));
+        let Pieces {
+            values,
+            start_error,
+        } = resampler.values(coefficients, material.sphere_film_modulus());
+        let known = Quantity::ALL.map(|quantity| resampler.held.contains(&quantity));
         Self {
             grid: resampler.grid.clone(),
-            pieces,
+            pieces: values,
             range,
             material,
-            held,
+            known,
+            start_error,
             sensitivities: None,
             accuracy: None,
         }
     }
 
-    /// Returns a quantity held that may leave `[1e-30, 1e30]` on a piece, with its value in the
+    /// Returns a known quantity that may leave `[1e-30, 1e30]` on a piece, with its value in the
     /// middle of that piece.
     pub(crate) fn unreasonable(&self) -> Option<(Quantity, f64)> {
-        let outside = first_piece_outside(&REASONABLE, &self.pieces, self.held);
+        let outside = first_piece_outside(&REASONABLE, &self.pieces, self.known);
         outside.map(|(piece, quantity)| (quantity, piece[0][quantity as usize]))
     }
 
@@ -87,9 +97,12 @@ impl Curve {
     }
 
     /// Adds the expansions beyond the nodes. `error` is the largest error of the table's
-    /// certificate, `tolerance` the tolerance of the table.
+    /// certificate, `tolerance` the tolerance of the table, with which the quantities derived from
+    /// `Gamma` must begin.
     pub(crate) fn with_expansions(self, error: f64, tolerance: f64) -> Self {
+        let derived = self.start_error.is_some_and(|error| error <= tolerance);
         Self {
+            known: if derived { [true; 4] } else { self.known },
             accuracy: Some(Accuracy { error, tolerance }),
             ..self
         }
@@ -111,7 +124,8 @@ impl Curve {
     /// # Errors
     /// [`Error::OutsideTable`] for an `a_over_t` outside the curve, NaN included;
     /// [`Error::Extrapolation`] where the expansion about the limit is not accurate enough;
-    /// [`Error::MissingQuantity`] if the table does not hold `quantity`.
+    /// [`Error::MissingQuantity`] if the table does not hold `quantity`, [`Error::BeginsTooLate`] if
+    /// it holds `gamma` alone and begins at too large an `a/t`.
     #[inline]
     pub fn quantity(&self, quantity: Quantity, a_over_t: f64) -> Result<f64, Error> {
         self.require(quantity)?;
@@ -274,17 +288,31 @@ impl Curve {
         Ok((pi0, eeq / gamma))
     }
 
-    /// Accepts a quantity that the curve holds.
+    /// Accepts a quantity that the curve knows.
     #[inline]
     fn require(&self, quantity: Quantity) -> Result<(), Error> {
-        if self.held[quantity as usize] {
+        if self.known[quantity as usize] {
             Ok(())
         } else {
-            Err(Error::MissingQuantity(quantity.name()))
+            Err(self.unknown(quantity))
         }
     }
 
-    /// Accepts a curve that holds all quantities.
+    /// The error of a quantity that is neither held nor derived.
+    #[cold]
+    fn unknown(&self, quantity: Quantity) -> Error {
+        match (self.start_error, &self.accuracy) {
+            (Some(estimate), Some(Accuracy { tolerance, .. })) => Error::BeginsTooLate {
+                quantity: quantity.name(),
+                from: self.range[0],
+                estimate,
+                tolerance: *tolerance,
+            },
+            _ => Error::MissingQuantity(quantity.name()),
+        }
+    }
+
+    /// Accepts a curve that knows all quantities.
     #[inline]
     fn require_all(&self) -> Result<(), Error> {
         Quantity::ALL
@@ -310,7 +338,7 @@ impl Curve {
         }
     }
 
-    /// Evaluates all quantities and their slopes, whether they are held or not.
+    /// Evaluates all quantities and their slopes, whether they are known or not.
     fn values_and_slopes(&self, a_over_t: f64) -> Result<(Quantities, Quantities), Error> {
         let Some(x) = self.inside(a_over_t) else {
             let Expansion { values, slopes, .. } = self.expanded(a_over_t)?;
@@ -346,7 +374,7 @@ impl Curve {
             Ok(Edge {
                 a_over_t,
                 quantities: self.values_and_slopes(a_over_t)?.0,
-                held: self.held,
+                known: self.known,
                 error,
             })
         };

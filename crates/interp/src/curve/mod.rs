@@ -10,14 +10,18 @@
 mod asymptotics;
 pub mod bspline;
 mod curve;
+mod derived;
 mod exchange;
+mod fitting;
 mod grid;
 pub(crate) mod nodes;
 mod piecewise;
 pub(crate) mod resampler;
 pub(crate) mod sensitivity;
+mod series;
 #[cfg(test)]
 mod test_curve;
+mod thick_film;
 mod through;
 
 pub use curve::Curve;

@@ -76,18 +76,18 @@ pub(crate) fn evaluate_derivatives<const N: usize>(
     })
 }
 
-/// Returns the first piece on which one of the quantities held may leave `range`, and that
+/// Returns the first piece on which one of the known quantities may leave `range`, and that
 /// quantity.
 pub(crate) fn first_piece_outside<'a>(
     range: &RangeInclusive<f64>,
     pieces: &'a [Values],
-    held: [bool; 4],
+    known: [bool; 4],
 ) -> Option<(&'a Values, Quantity)> {
     dispatch!(Level::new(), simd => {
         for piece in pieces {
             if !are_surely_within(simd, range, piece) {
                 let leaving = |&quantity: &Quantity| {
-                    held[quantity as usize] && !is_within(range, piece, quantity as usize)
+                    known[quantity as usize] && !is_within(range, piece, quantity as usize)
                 };
                 if let Some(quantity) = Quantity::ALL.into_iter().find(leaving) {
                     return Some((piece, quantity));

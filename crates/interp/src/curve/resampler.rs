@@ -10,8 +10,11 @@ use fearless_simd::prelude::*;
 use fearless_simd::{Level, dispatch, f64x4};
 
 use crate::curve::bspline::Basis;
-use crate::curve::grid::Grid;
-use crate::curve::piecewise::{LOGARITHM, Logarithms, VALUE, Values, evaluate};
+use crate::curve::derived::{Derivation, running};
+use crate::curve::grid::{Grid, Position};
+use crate::curve::piecewise::{LOGARITHM, Logarithms, VALUE, Values};
+use crate::curve::series::{exponential, transposed};
+use crate::curve::thick_film::ThickFilm;
 use crate::{Parameter, Quantity};
 
 /// The linear map from the coefficients of a spline over `ln x` to the polynomials on the pieces of
@@ -24,6 +27,19 @@ pub(crate) struct Resampler {
     spans: Vec<Span>,
     /// The polynomial of each B-spline on each piece where it does not vanish.
     weights: Vec<[f64; LOGARITHM]>,
+    /// The quantities whose splines are given.
+    pub(crate) held: Vec<Quantity>,
+    /// What follows from `Gamma`, if it is the only quantity held.
+    pub(super) derivation: Option<Derivation>,
+}
+
+/// The polynomials of the quantities on all pieces of a curve.
+#[derive(Clone, Debug)]
+pub(crate) struct Pieces {
+    pub(crate) values: Arc<[Values]>,
+    /// The estimated relative error that the quantities derived from `Gamma` have where their
+    /// integrals begin; none if no quantity is derived.
+    pub(crate) start_error: Option<f64>,
 }
 
 /// The B-splines that do not vanish on one piece.
@@ -37,66 +53,9 @@ struct Span {
 }
 
 impl Resampler {
-    /// The binary logarithm of the largest number of pieces in an octave that is tried. Pieces as
-    /// short as these follow everything but noise.
-    const FINEST: u32 = 6;
-
-    /// Finds the longest pieces on which `count` curves follow their splines to a relative `error`.
-    ///
-    /// `curve(i)` returns the coefficients of curve `i`: a group of the quantities `held` for each
-    /// B-spline.
-    pub(crate) fn fitting<Coefficients: AsRef<[f64]>>(
-        basis: &Basis,
-        range: [f64; 2],
-        held: &[Quantity],
-        count: usize,
-        curve: impl Fn(usize) -> Coefficients,
-        error: f64,
-    ) -> Self {
-        // A piece is shorter than the whole range. Otherwise the samples of a piece that extends
-        // out of the range would lie closer to each other.
-        let length = (range[1] - range[0]) / range[0];
-        let coarsest = if length > 0.0 {
-            (-length.log2()).ceil().clamp(0.0, 40.0) as u32
-        } else {
-            0
-        };
-        let finest = coarsest.max(Self::FINEST);
-        let mut bits = vec![coarsest; Grid::most_octaves(range)];
-        let mut resampler = Self::new(basis, range, &bits);
-        // New lengths move the ends of all pieces. Therefore the search ends only after all curves,
-        // one after another, were followed by the present pieces.
-        let mut followed = 0;
-        for i in (0..count).cycle() {
-            let curve = curve(i);
-            let coefficients = rows_of_four(curve.as_ref(), held);
-            loop {
-                let mut too_long = vec![false; bits.len()];
-                for (piece, (octave, ends)) in resampler.grid.pieces(range[1]).enumerate() {
-                    if bits[octave] < finest && !too_long[octave] {
-                        too_long[octave] =
-                            resampler.error(piece, ends, basis, range, &coefficients) > error;
-                    }
-                }
-                if !too_long.contains(&true) {
-                    break;
-                }
-                bits.iter_mut()
-                    .zip(too_long)
-                    .for_each(|(bits, too_long)| *bits += u32::from(too_long));
-                resampler = Self::new(basis, range, &bits);
-                followed = 0;
-            }
-            followed += 1;
-            if followed == count {
-                break;
-            }
-        }
-        resampler
-    }
-
-    /// Samples the B-splines of `basis` on `2^bits[i]` pieces in octave `i` of `range`.
-    fn new(basis: &Basis, range: [f64; 2], bits: &[u32]) -> Self {
+    /// Samples the B-splines of `basis` for the quantities `held` on `2^bits[i]` pieces in octave
+    /// `i` of `range`.
+    pub(super) fn new(basis: &Basis, range: [f64; 2], held: &[Quantity], bits: &[u32]) -> Self {
         let grid = Grid::over(range, bits);
         let (mut spans, mut all_weights) = (Vec::new(), Vec::new());
         for (_, ends) in grid.pieces(range[1]) {
@@ -135,10 +94,13 @@ impl Resampler {
                 }
             }
         }
+        let derivation = (held == [Quantity::Gamma]).then(|| Derivation::new(&grid, range));
         Self {
             grid: Arc::new(grid),
             spans,
             weights: all_weights,
+            held: held.to_vec(),
+            derivation: derivation.flatten(),
         }
     }
 
@@ -168,85 +130,205 @@ impl Resampler {
         logarithms
     }
 
-    /// Returns the polynomials of the derivatives of the logarithms, from the derivatives of the
-    /// coefficients.
-    pub(crate) fn derivatives(&self, coefficients: &[f64], held: &[Quantity]) -> Arc<[Logarithms]> {
-        let rows = rows_of_four(coefficients, held);
-        let mut pieces = zeros(self.spans.len());
-        dispatch!(Level::new(), simd => {
-            for (i, piece) in Arc::make_mut(&mut pieces).iter_mut().enumerate() {
-                for (row, logarithms) in piece.iter_mut().zip(self.logarithms(simd, i, &rows)) {
-                    logarithms.store_slice(row);
-                }
+    /// Returns the polynomials of the logarithm of a single quantity on four pieces side by side,
+    /// from the coefficients of its spline.
+    #[inline(always)]
+    fn logarithms_on_four<S: Simd>(
+        &self,
+        simd: S,
+        group: usize,
+        coefficients: &[f64],
+    ) -> [f64x4<S>; LOGARITHM] {
+        let last = self.spans.len() - 1;
+        let [mut low, mut high] = [[f64x4::splat(simd, 0.0); 4]; 2];
+        for lane in 0..4 {
+            let piece = last.min(4 * group + lane);
+            [low[lane], high[lane]] = self.logarithm(simd, piece, coefficients);
+        }
+        let ([a, b, c, d], [e, f, g, h]) = (transposed(low), transposed(high));
+        [a, b, c, d, e, f, g, h]
+    }
+
+    /// Returns the polynomial of the logarithm of a single quantity on a piece.
+    #[inline(always)]
+    fn logarithm<S: Simd>(
+        &self,
+        simd: S,
+        piece: usize,
+        coefficients: &[f64],
+    ) -> [f64x4<S>; LOGARITHM / 4] {
+        let span = self.spans[piece];
+        let coefficients = &coefficients[span.first..span.first + span.count];
+        let weights = &self.weights[span.start..span.start + span.count];
+        // As in `logarithms`.
+        let common = coefficients[span.count / 2];
+        let mut logarithm = [f64x4::splat(simd, 0.0); LOGARITHM / 4];
+        for (weights, coefficient) in weights.iter().zip(coefficients) {
+            let coefficient = f64x4::splat(simd, coefficient - common);
+            for (sum, weights) in logarithm.iter_mut().zip(weights.as_chunks::<4>().0) {
+                *sum = coefficient.mul_add(f64x4::from_slice(simd, weights), *sum);
             }
-        });
+        }
+        logarithm[0] += f64x4::simd_from(simd, [common, 0.0, 0.0, 0.0]);
+        logarithm
+    }
+
+    /// Returns the values of the spline of a single quantity where the integrals of the derived
+    /// quantities begin.
+    #[inline(always)]
+    fn at_starts<S: Simd>(
+        &self,
+        simd: S,
+        derivation: &Derivation,
+        coefficients: &[f64],
+    ) -> [f64; 3] {
+        derivation.starts.map(|Position { piece, t }| {
+            let halves = self.logarithm(simd, piece, coefficients);
+            let [low, high] = halves.each_ref().map(|half| half.as_array());
+            let sum = |half: &[f64; 4]| half.iter().rev().fold(0.0, |sum, term| sum * t + term);
+            sum(low) + t.powi(4) * sum(high)
+        })
+    }
+
+    /// Returns the polynomials of the derivatives of the logarithms with respect to three
+    /// parameters, from the coefficients and their derivatives.
+    pub(crate) fn derivatives(
+        &self,
+        coefficients: &[f64],
+        derivatives: [&[f64]; 3],
+    ) -> [Arc<[Logarithms]>; 3] {
+        let mut pieces = [(); 3].map(|()| zeros(self.spans.len()));
+        if let Some(derivation) = &self.derivation {
+            dispatch!(Level::new(), simd => {
+                self.derived_derivatives(simd, derivation, coefficients, derivatives, &mut pieces);
+            });
+            return pieces;
+        }
+        for (coefficients, pieces) in derivatives.into_iter().zip(&mut pieces) {
+            let rows = rows_of_four(coefficients, &self.held);
+            dispatch!(Level::new(), simd => {
+                for (i, piece) in Arc::make_mut(pieces).iter_mut().enumerate() {
+                    for (row, logarithms) in piece.iter_mut().zip(self.logarithms(simd, i, &rows)) {
+                        logarithms.store_slice(row);
+                    }
+                }
+            });
+        }
         pieces
     }
 
     /// Returns the polynomials of the quantities themselves; `es` is the sphere-film modulus of
     /// their [scales](Quantity::scale).
-    pub(crate) fn values(&self, coefficients: &[f64], held: &[Quantity], es: f64) -> Arc<[Values]> {
+    pub(crate) fn values(&self, coefficients: &[f64], es: f64) -> Pieces {
+        if let Some(derivation) = &self.derivation {
+            return dispatch!(Level::new(), simd => {
+                let start = self.thick_film(simd, derivation, coefficients);
+                let constants = running(derivation.at_start(start.values()));
+                Pieces {
+                    values: self.derived(simd, derivation, coefficients, es, constants),
+                    start_error: Some(start.error),
+                }
+            });
+        }
         let scales = Quantity::ALL.map(|quantity| quantity.scale(es));
-        let rows = rows_of_four(coefficients, held);
+        let rows = rows_of_four(coefficients, &self.held);
         let mut pieces = zeros(self.spans.len());
         dispatch!(Level::new(), simd => {
             for (i, piece) in Arc::make_mut(&mut pieces).iter_mut().enumerate() {
-                exponential(simd, self.logarithms(simd, i, &rows), scales, piece);
+                exponentials(simd, self.logarithms(simd, i, &rows), scales, piece);
             }
         });
+        let begins_nowhere = self.held == [Quantity::Gamma];
+        Pieces {
+            values: pieces,
+            start_error: begins_nowhere.then_some(f64::INFINITY),
+        }
+    }
+
+    /// Returns the polynomials of the quantities that follow from the spline of `Gamma`, see
+    /// [`Derivation::integrals`].
+    #[inline(always)]
+    fn derived<S: Simd>(
+        &self,
+        simd: S,
+        derivation: &Derivation,
+        coefficients: &[f64],
+        es: f64,
+        mut constants: impl FnMut(usize, usize, [f64; 2]) -> f64,
+    ) -> Arc<[Values]> {
+        let mut pieces = zeros(self.spans.len());
+        for (group, pieces) in Arc::make_mut(&mut pieces).chunks_mut(4).enumerate() {
+            let logarithms = self.logarithms_on_four(simd, group, coefficients);
+            let integrals = derivation.integrals(simd, group, &logarithms, &mut constants);
+            let values = derivation.values(simd, group, integrals, es);
+            pieces.copy_from_slice(&values[..pieces.len()]);
+        }
         pieces
     }
 
-    /// Returns the largest relative difference between the quantities on a piece of a curve and
-    /// their splines, midway between the samples; infinity if a difference is NaN.
-    fn error(
+    /// Writes the polynomials of the derivatives of the logarithms of the quantities that follow
+    /// from the spline of `Gamma`, see [`Derivation::sensitivities`].
+    #[inline(always)]
+    fn derived_derivatives<S: Simd>(
         &self,
-        piece: usize,
-        ends: [f64; 2],
-        basis: &Basis,
-        range: [f64; 2],
-        coefficients: &[[f64; 4]],
-    ) -> f64 {
-        let mut values = [[0.0; 4]; VALUE];
-        dispatch!(Level::new(), simd => {
-            let logarithms = self.logarithms(simd, piece, coefficients);
-            exponential(simd, logarithms, [1.0; 4], &mut values);
+        simd: S,
+        derivation: &Derivation,
+        coefficients: &[f64],
+        derivatives: [&[f64]; 3],
+        pieces: &mut [Arc<[Logarithms]>; 3],
+    ) {
+        let start = self.thick_film(simd, derivation, coefficients);
+        let mut constants = running(derivation.at_start(start.values()));
+        let mut derivatives = derivatives.map(|coefficients| {
+            let [first, second, _] = self.at_starts(simd, derivation, coefficients);
+            let start = derivation.at_start(start.derivatives([first, second]));
+            (coefficients, running(start))
         });
-        let samples = chebyshev_points(ends, range.map(|x| x * self.grid.factor));
-        let middles = samples
-            .windows(2)
-            .map(|pair| (pair[0].midpoint(pair[1]) / self.grid.factor).clamp(range[0], range[1]));
-        // The samples of a piece that extends out of the range are shifted, some to the piece
-        // before.
-        let points = middles
-            .map(|x| (x, self.grid.locate(x)))
-            .filter(|(_, position)| position.piece == piece);
-        let errors = points.flat_map(|(x, position)| {
-            let splines = basis.weights(Parameter::AOverT.coordinate(x));
-            let sum = move |quantity: usize| {
-                let values = splines.values[..splines.count]
-                    .iter()
-                    .zip(&coefficients[splines.first..]);
-                values
-                    .map(|(value, row)| value * row[quantity])
-                    .sum::<f64>()
-            };
-            (0..4).map(move |quantity| {
-                (evaluate(&values, position, quantity) / sum(quantity).exp() - 1.0).abs()
-            })
-        });
-        errors.fold(0.0, |largest, error| {
-            if error.is_nan() {
-                f64::INFINITY
-            } else {
-                largest.max(error)
+        for group in 0..derivation.groups() {
+            let logarithms = self.logarithms_on_four(simd, group, coefficients);
+            let integrals = derivation.integrals(simd, group, &logarithms, &mut constants);
+            for ((coefficients, constants), pieces) in derivatives.iter_mut().zip(&mut *pieces) {
+                let gamma = self.logarithms_on_four(simd, group, coefficients);
+                let relative = derivation.sensitivities(simd, group, &integrals, &gamma, constants);
+                let pieces = &mut Arc::make_mut(pieces)[4 * group..];
+                pieces
+                    .iter_mut()
+                    .zip(relative)
+                    .for_each(|(piece, relative)| *piece = relative);
             }
+        }
+    }
+
+    /// Returns the quantities where the integrals begin.
+    #[inline(always)]
+    fn thick_film<S: Simd>(
+        &self,
+        simd: S,
+        derivation: &Derivation,
+        coefficients: &[f64],
+    ) -> ThickFilm {
+        ThickFilm::new(self.at_starts(simd, derivation, coefficients).map(f64::exp))
+    }
+
+    /// Returns the polynomials of the derived quantities over their scales. The integrals have the
+    /// given values at the beginning of each piece.
+    pub(super) fn derived_from(
+        &self,
+        derivation: &Derivation,
+        coefficients: &[f64],
+        beginnings: &[[f64; 3]],
+    ) -> Arc<[Values]> {
+        dispatch!(Level::new(), simd => {
+            let constants = |order: usize, piece: usize, [from, _]: [f64; 2]| {
+                beginnings[piece.min(beginnings.len() - 1)][order] - from
+            };
+            self.derived(simd, derivation, coefficients, 1.0, constants)
         })
     }
 }
 
 /// Returns a row of all four quantities for each B-spline, with 0 for a quantity that is not held.
-fn rows_of_four<'a>(coefficients: &'a [f64], held: &[Quantity]) -> Cow<'a, [[f64; 4]]> {
+pub(super) fn rows_of_four<'a>(coefficients: &'a [f64], held: &[Quantity]) -> Cow<'a, [[f64; 4]]> {
     if held == Quantity::ALL {
         return Cow::Borrowed(coefficients.as_chunks().0);
     }
@@ -263,7 +345,7 @@ fn rows_of_four<'a>(coefficients: &'a [f64], held: &[Quantity]) -> Cow<'a, [[f64
 /// Returns the Chebyshev points of the second kind on a piece. The points of a piece that extends
 /// out of the range are shifted into it together, because the splines are not sampled beyond the
 /// range.
-fn chebyshev_points([from, to]: [f64; 2], range: [f64; 2]) -> [f64; LOGARITHM] {
+pub(super) fn chebyshev_points([from, to]: [f64; 2], range: [f64; 2]) -> [f64; LOGARITHM] {
     let length = to - from;
     let from = from.min(range[1] - length).max(range[0]);
     let to = (from + length).min(range[1]);
@@ -302,50 +384,22 @@ fn lagrange(points: [f64; LOGARITHM]) -> [[f64; LOGARITHM]; LOGARITHM] {
     })
 }
 
-/// Computes the first terms of the exponential of a polynomial, times a scale.
+/// Computes the first terms of the exponentials of the polynomials of four quantities, times their
+/// scales.
 #[inline(always)]
-fn exponential<S: Simd>(
+fn exponentials<S: Simd>(
     simd: S,
     logarithms: [f64x4<S>; LOGARITHM],
     scales: [f64; 4],
     values: &mut Values,
 ) {
-    let mut slopes = logarithms;
-    for (j, slope) in slopes.iter_mut().enumerate() {
-        *slope *= j as f64;
-    }
     let constant = logarithms[0].as_array();
-    let mut terms = [f64x4::splat(simd, 0.0); VALUE];
-    terms[0] = f64x4::simd_from(simd, std::array::from_fn(|q| scales[q] * constant[q].exp()));
-    // Not a loop: this way everything stays in registers.
-    terms[1] = term::<S, 1>(&slopes, &terms);
-    terms[2] = term::<S, 2>(&slopes, &terms);
-    terms[3] = term::<S, 3>(&slopes, &terms);
-    terms[4] = term::<S, 4>(&slopes, &terms);
-    terms[5] = term::<S, 5>(&slopes, &terms);
-    terms[6] = term::<S, 6>(&slopes, &terms);
-    terms[7] = term::<S, 7>(&slopes, &terms);
-    terms[8] = term::<S, 8>(&slopes, &terms);
-    terms[9] = term::<S, 9>(&slopes, &terms);
+    let constant = std::array::from_fn(|q| scales[q] * constant[q].exp());
+    let terms: [f64x4<S>; VALUE] =
+        exponential(simd, f64x4::simd_from(simd, constant), 1.0, &logarithms);
     for (value, term) in values.iter_mut().zip(terms) {
         term.store_slice(value);
     }
-}
-
-/// Returns term `K` of `v = e^p` from those before it, by `v' = p' v`. `slopes[j]` is `j` times
-/// term `j` of `p`.
-#[inline(always)]
-fn term<S: Simd, const K: usize>(
-    slopes: &[f64x4<S>; LOGARITHM],
-    terms: &[f64x4<S>; VALUE],
-) -> f64x4<S> {
-    // The term just before this one is used last, because it is ready last.
-    let first = if K < LOGARITHM { K } else { LOGARITHM - 1 };
-    let mut sum = slopes[first] * terms[K - first];
-    for j in (1..first).rev() {
-        sum = slopes[j].mul_add(terms[K - j], sum);
-    }
-    sum * (1.0 / K as f64)
 }
 
 /// Returns polynomials of zero on `pieces` pieces.
@@ -356,7 +410,7 @@ fn zeros<const N: usize>(pieces: usize) -> Arc<[[[f64; 4]; N]]> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::curve::grid::Position;
+    use crate::curve::piecewise::evaluate;
 
     #[test]
     fn the_exponential_is_that_of_the_polynomial() {
@@ -367,7 +421,7 @@ mod tests {
         let mut values = [[0.0; 4]; VALUE];
         dispatch!(Level::new(), simd => {
             let logarithms = logarithms.map(|row| f64x4::simd_from(simd, row));
-            exponential(simd, logarithms, [2.0, 1.0, 1.0, 3.0], &mut values)
+            exponentials(simd, logarithms, [2.0, 1.0, 1.0, 3.0], &mut values)
         });
         for t in [-1.0, -0.3, 0.0, 0.5, 1.0] {
             let position = Position { piece: 0, t };

@@ -66,7 +66,7 @@ impl Curve {
         let range = [a_over_t[0], a_over_t[a_over_t.len() - 1]];
         let resampler =
             Resampler::fitting(&basis, range, &Quantity::ALL, 1, |_| &coefficients, ERROR);
-        let curve = Self::of_splines(&resampler, range, &coefficients, &Quantity::ALL, material);
+        let curve = Self::of_splines(&resampler, range, &coefficients, material);
         match curve.unreasonable() {
             None => Ok(curve),
             Some((quantity, value)) => Err(Error::InvalidArgument {

@@ -1,8 +1,6 @@
 //! The lookup of the curve of one material: the preparation, once for a table, and the sums for
 //! each material.
 
-use std::array;
-
 use crate::curve::resampler::Resampler;
 use crate::curve::sensitivity::Sensitivities;
 use crate::material::equivalence::{Equivalence, Invariants};
@@ -16,7 +14,6 @@ pub(crate) struct Lookup {
     spline: TensorSpline,
     resampler: Resampler,
     range: [f64; 2],
-    quantities: Vec<Quantity>,
 }
 
 impl Lookup {
@@ -69,7 +66,6 @@ impl Lookup {
             spline,
             resampler,
             range,
-            quantities,
         }
     }
 
@@ -101,7 +97,7 @@ impl Lookup {
             Ok((equivalence, coordinates))
         })?;
         let equivalent = equivalence.equivalent;
-        let [values, slopes @ ..] = self.spline.coefficients_and_slopes(coordinates);
+        let [values, mut slopes @ ..] = self.spline.coefficients_and_slopes(coordinates);
         let parameters = axes.of_material();
         let invariants = Invariants::of(&equivalent);
         // From the derivatives with respect to the coordinates to those with respect to `nu1` and
@@ -111,11 +107,12 @@ impl Lookup {
             Parameter::E0sOverE1s => parameter.logarithmic_speed(invariants.e0s_over_e1s),
             _ => parameter.logarithmic_speed(invariants.e1s_over_e2s),
         });
-        let mut pieces = slopes.into_iter().zip(speeds).map(|(mut slopes, speed)| {
+        for (slopes, speed) in slopes.iter_mut().zip(speeds) {
             slopes.iter_mut().for_each(|slope| *slope *= speed);
-            self.resampler.derivatives(&slopes, &self.quantities)
-        });
-        let pieces = array::from_fn(|_| pieces.next().expect("three parameters"));
+        }
+        let pieces = self
+            .resampler
+            .derivatives(&values, slopes.each_ref().map(Vec::as_slice));
         let known = parameters.map(|parameter| !axes.fixes(parameter));
         let jacobian = equivalence.jacobian(parameters);
         let sensitivities = Sensitivities::new(pieces, known, *material, jacobian);
@@ -131,20 +128,15 @@ impl Lookup {
         coefficients: &[f64],
         equivalent: Material,
     ) -> Result<Curve, Error> {
-        let curve = Curve::of_splines(
-            &self.resampler,
-            self.range,
-            coefficients,
-            &self.quantities,
-            equivalent,
-        );
+        let curve = Curve::of_splines(&self.resampler, self.range, coefficients, equivalent);
+        let curve = curve.with_expansions(description.certificate.max_error, description.tolerance);
         if let Some((quantity, value)) = curve.unreasonable() {
             return Err(Error::Malformed(format!(
                 "{} reaches {value:?} between the nodes, outside [1e-30, 1e30]",
                 quantity.name()
             )));
         }
-        Ok(curve.with_expansions(description.certificate.max_error, description.tolerance))
+        Ok(curve)
     }
 }
 
