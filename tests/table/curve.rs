@@ -170,12 +170,12 @@ fn ranges_and_tolerances_out_of_reach_are_refused_by_name_value_and_range() {
         );
         assert!((lowest / from - 1.0).abs() < 2e-6, "{error}");
     }
-    let error = curve(&material([1e9, 0.3, 1.0, 0.3]), RANGE, 1e-6)
+    let error = curve(&material([1.0, 0.3, 0.5_f64.powi(1000), 0.3]), RANGE, 1e-6)
         .expect_err("too stiff")
         .to_string();
     assert_eq!(
         error,
-        "e1_over_e2 = 1000000000.0 is outside the domain of the solve, 1e-8 to 100000000.0"
+        "E1/E0 = 1.0715086071862673e301 is outside the domain of the solve, 0.0 to 1e200"
     );
 }
 

@@ -6,7 +6,7 @@ use acceptance::{Contacts, Data, larger, material, relative_error};
 use interp::{Material, Quantities};
 use tabulate::Error;
 use tabulate::solve::Compliance;
-use tabulate::solve::{A_OVER_T, E0_OVER_E2, E1_OVER_E2, Solution, solve};
+use tabulate::solve::{A_OVER_T, Solution, solve};
 
 const INF: f64 = f64::INFINITY;
 /// A Poisson ratio just below 0.5.
@@ -388,6 +388,9 @@ fn the_catalogue_is_answered_within_the_tolerances_asked() {
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
+/// The moduli of random contacts, over that of the sphere.
+const MODULI: [f64; 2] = [1e-14, 1e14];
+
 /// Draws a contact and a tolerance from the whole domain. Half of the numbers are ends of their
 /// ranges or special values.
 fn anywhere(contacts: &mut Contacts) -> (f64, Material, f64) {
@@ -412,15 +415,14 @@ fn anywhere(contacts: &mut Contacts) -> (f64, Material, f64) {
     );
     let e1 = one_of(
         contacts,
-        &[0.0, E1_OVER_E2[0], E1_OVER_E2[1], 1.0],
-        within(E1_OVER_E2),
+        &[0.0, MODULI[0], MODULI[1], 1.0, 1e100],
+        within(MODULI),
     );
-    let [equal, nearly, next] =
-        [e1, e1 * APART, e1.next_down()].map(|e| e.clamp(E0_OVER_E2[0], E0_OVER_E2[1]));
+    let [equal, nearly, next] = [e1, e1 * APART, e1.next_down()].map(|e| e.max(MODULI[0]));
     let e0 = one_of(
         contacts,
-        &[INF, E0_OVER_E2[0], E0_OVER_E2[1], equal, nearly, next],
-        within(E0_OVER_E2),
+        &[INF, MODULI[0], MODULI[1], equal, nearly, next],
+        within(MODULI),
     );
     let poisson_ratio = |contacts: &mut Contacts| {
         one_of(
@@ -445,10 +447,10 @@ fn no_contact_of_the_domain_is_answered_wrongly_or_not_at_all() {
     /// Tolerances from this on are refused only beyond [`CONTRAST`]. Measured: 3.7e-10 is reached
     /// where 1e-10 is refused.
     const ANSWERED: f64 = 1e-9;
-    /// The contrast `E1*/E0*` beyond which few digits may be left. The ranges of the moduli allow
-    /// 1e14; a film one ulp from `nu1 = -1` adds sixteen decades. Measured beyond it: 8.5e-3 is
-    /// reached, under a rigid sphere at `a/t = 1`.
+    /// The contrast `E1*/E0*` and the `a/t` beyond which few digits may be left. Measured beyond
+    /// both: 4.9e-2 is reached, with `E1/E0 = 1e28` at `a/t = 7e4`.
     const CONTRAST: f64 = 1e15;
+    const THIN: f64 = 1e3;
     let mut contacts = Contacts::new(40);
     let (mut refused, mut contrasts, mut reached_most, mut worst) = (0, 0, 0.0, 0.0);
     let mut methods = std::collections::BTreeMap::new();
@@ -475,7 +477,7 @@ fn no_contact_of_the_domain_is_answered_wrongly_or_not_at_all() {
                     reached > tolerance && reached.is_finite(),
                     "{what}: {reached:e}"
                 );
-                if material.film_modulus() > CONTRAST * material.substrate_modulus() {
+                if x > THIN && material.film_modulus() > CONTRAST * material.substrate_modulus() {
                     contrasts += 1;
                     println!("refused: {what}, {reached:.1e} is reached");
                 } else {
@@ -491,50 +493,77 @@ fn no_contact_of_the_domain_is_answered_wrongly_or_not_at_all() {
         "{COUNT} contacts: {methods:?}, {refused} refused, where {reached_most:.1e} is reached, and {contrasts} for their contrast"
     );
     println!("against tighter answers: at most {worst:.2} of the stated errors");
-    // Measured: 3.7e-10, 38 and 9.
+    // Measured: 3.9e-10, 38 and 29.
     assert!(reached_most <= 2e-9);
-    assert!(refused <= 60 && contrasts <= 20);
+    assert!(refused <= 60 && contrasts <= 45);
     assert!(worst <= 1.0);
 }
 
-/// [`Material`] accepts moduli, down to denormals, that the solve refuses by name. The largest
-/// contrasts of the domain are solved.
+/// Moduli at the ends of double precision: an answer of finite positive numbers within the
+/// tolerance, or an error; and answers wherever neither a ratio nor a value leaves the normal numbers.
 #[test]
-fn denormals_are_refused_by_name_and_the_largest_contrasts_answered() {
-    const TOO_SMALL: [f64; 3] = [5e-324, 1e-300, 1e-9];
-    const TOO_LARGE: [f64; 3] = [2e12, 1e300, f64::MAX];
-    for x in [A_OVER_T[0], 1.0, A_OVER_T[1]] {
-        for e in TOO_SMALL.into_iter().chain(TOO_LARGE) {
-            for (material, name) in [
-                (material([e, 0.5, e, 0.5]), "e1_over_e2"),
-                (
-                    material([e, 0.3, 1.0 / e.clamp(1e-300, 1e300), 0.3]),
-                    "e1_over_e2",
-                ),
-                (material([1.0, 0.5, e, AUXETIC]), "e0_over_e2"),
-                (material([0.0, AUXETIC, e, 0.5]), "e0_over_e2"),
-            ] {
-                match solve(x, &material, 1e-9) {
-                    Err(Error::Domain { name: named, .. }) => {
-                        assert_eq!(named, name, "{material:?}")
+fn hostile_moduli_are_answered_with_finite_numbers_or_an_error() {
+    const TINY: [f64; 6] = [5e-324, 1e-310, f64::MIN_POSITIVE, 1e-300, 1e-154, 1e-30];
+    const HUGE: [f64; 6] = [1e30, 1e154, 1e200, 1e300, 1e308, f64::MAX];
+    let moduli: Vec<f64> = TINY.into_iter().chain([1.0]).chain(HUGE).collect();
+    let (mut answered, mut refused) = (0, 0);
+    for x in [A_OVER_T[0], 1.0, 30.0, A_OVER_T[1]] {
+        for &e1 in [0.0].iter().chain(&moduli) {
+            for &e0 in moduli.iter().chain(&[INF]) {
+                for [nu1, nu0] in [[0.5, 0.25], [0.3, AUXETIC], [AUXETIC, 0.5]] {
+                    let material = material([e1, nu1, e0, nu0]);
+                    match solve(x, &material, 1e-8) {
+                        Ok(solution) => {
+                            answered += 1;
+                            assert!(
+                                finite_and_positive(&solution) && solution.error <= 1e-8,
+                                "{material:?} at {x}: {solution:?}"
+                            );
+                        }
+                        Err(Error::Domain { .. } | Error::NotConverged { .. }) => {
+                            refused += 1;
+                            let contrast = material.film_over_substrate();
+                            let ordinary = x <= 30.0
+                                && contrast < 1e80
+                                && (e1 == 0.0
+                                    || (1e-200..1e290).contains(&material.film_modulus()));
+                            assert!(!ordinary, "{material:?} at {x}");
+                        }
+                        Err(other) => panic!("{material:?} at {x}: {other:?}"),
                     }
-                    other => panic!("{material:?} at {x}: {other:?}"),
                 }
             }
         }
+    }
+    println!("hostile moduli: {answered} answers, {refused} refusals");
+    assert!(answered > refused && refused > 0);
+}
+
+/// The largest contrasts of a table of all systems, at the tolerance of its solves.
+#[test]
+fn the_largest_contrasts_are_answered() {
+    for x in [
+        A_OVER_T[0],
+        1e-3,
+        0.1,
+        1.0,
+        30.0,
+        300.0,
+        1000.0,
+        A_OVER_T[1],
+    ] {
         for nu1 in [-0.99, 0.0, 0.5] {
-            for [e1, e0] in [
-                [E1_OVER_E2[1], E0_OVER_E2[0]],
-                [E1_OVER_E2[0], E0_OVER_E2[1]],
-                [0.0, E0_OVER_E2[0]],
-                [0.0, E0_OVER_E2[1]],
-            ] {
-                let material = material([e1, nu1, e0, 0.25]);
-                let solution = solve(x, &material, 1e-9).unwrap_or_else(|error| panic!("{error}"));
-                assert!(
-                    finite_and_positive(&solution) && solution.error <= 1e-9,
-                    "{material:?} at {x}: {solution:?}"
-                );
+            for e1 in [0.0, 1e-14, 1.0, 1e14, 1e100] {
+                for contrast in [1e-14, 1e-100, 1e14] {
+                    let e0 = if e1 == 0.0 { 1.0 } else { e1 } / contrast;
+                    let material = material([e1, nu1, e0, 0.25]);
+                    let solution =
+                        solve(x, &material, 1e-9).unwrap_or_else(|error| panic!("{error}"));
+                    assert!(
+                        finite_and_positive(&solution) && solution.error <= 1e-9,
+                        "{material:?} at {x}: {solution:?}"
+                    );
+                }
             }
         }
     }

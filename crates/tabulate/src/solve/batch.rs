@@ -9,9 +9,11 @@ use interp::{Material, Quantities};
 
 use crate::Error;
 use crate::parallel::try_map;
+use crate::solve::abscissae::{Abscissae, Block};
 use crate::solve::compliance::Compliance;
-use crate::solve::galerkin::{self, Abscissae, Block, Operator};
+use crate::solve::galerkin;
 use crate::solve::method::has_closed_form;
+use crate::solve::operator::Operator;
 use crate::solve::quadrature::Panels;
 use crate::solve::symbol::Symbol;
 

@@ -20,6 +20,9 @@ pub const LANES: usize = 8;
 
 type Group = [f64; LANES];
 
+/// The largest `z` whose first power in `j_2n` is exact to rounding.
+const SMALL: f64 = 1e-8;
+
 /// Evaluates `J_0 .. J_{modes-1}`.
 #[derive(Clone, Debug)]
 pub struct EvenBessel {
@@ -48,6 +51,18 @@ impl EvenBessel {
     /// hardly do. The absolute error is a few rounding units of `max_n |J_n(z)|`.
     pub fn fill(&self, z: &Group, values: &mut [f64], stride: usize, at: usize) {
         debug_assert!(z[0] > 0.0 && z[LANES - 1] <= z[0] + 64.0, "{z:?}");
+        if z[LANES - 1] <= SMALL {
+            // J_n = (-1)^n sqrt(4n+1) z^2n/(4n+1)!!, where 1/z^2 might overflow.
+            let mut power: Group = [1.0; LANES];
+            for (n, scale) in self.scale.iter().enumerate() {
+                let column = &mut values[n * stride + at..][..LANES];
+                for l in 0..LANES {
+                    column[l] = scale * power[l];
+                    power[l] *= z[l] * z[l] / ((4 * n + 3) * (4 * n + 5)) as f64;
+                }
+            }
+            return;
+        }
         let steps = steps();
         let inverse_square: Group = z.map(|z| 1.0 / (z * z));
         let mut store = |n: usize, group: &Group, factor: &Group| {

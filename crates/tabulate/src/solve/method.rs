@@ -25,9 +25,17 @@ pub enum Method {
 /// The `a/t` from which on the Wiener-Hopf method is as fast as Galerkin's.
 const THIN: f64 = 10.0;
 
-/// The `a/t` beyond which Galerkin's method is too slow. It is the only one for the stiffest films
-/// on the softest bases, and takes 50 ms there.
-const GALERKIN_REACH: f64 = 1000.0;
+/// The `a/t` beyond which Galerkin's method is neither faster nor more accurate than the ray for
+/// any material but the stiffest films.
+const GALERKIN_REACH: f64 = 300.0;
+
+/// The `a/t` up to which Galerkin's method solves the stiffest films on the softest bases. It takes
+/// some 50 ms there.
+const GALERKIN_REACH_OF_PLATES: f64 = 1000.0;
+
+/// The compliance `S(0)` of long waves, over `S(t/a)`, of a film so stiff that the Wiener-Hopf method
+/// loses digits to the motion of the contact as a whole.
+const PLATE: f64 = 1e5;
 
 impl Method {
     /// Returns the name, as `tabulate solve --json` prints it.
@@ -48,12 +56,14 @@ impl Method {
     ) -> impl Iterator<Item = Self> {
         let galerkin_first =
             galerkin::cost(x, tolerance) < wiener_hopf::ray_cost(x, symbol, tolerance);
+        let galerkin_applies = x <= GALERKIN_REACH
+            || x <= GALERKIN_REACH_OF_PLATES && symbol.at(0.0) > PLATE * symbol.at(1.0 / x);
         let candidates = [
             (Self::ClosedForm, has_closed_form(symbol, tolerance)),
             (Self::Axis, prefers_axis(x, symbol, tolerance)),
-            (Self::Galerkin, x <= GALERKIN_REACH && galerkin_first),
+            (Self::Galerkin, galerkin_applies && galerkin_first),
             (Self::Ray, x >= THIN),
-            (Self::Galerkin, x <= GALERKIN_REACH && !galerkin_first),
+            (Self::Galerkin, galerkin_applies && !galerkin_first),
         ];
         candidates
             .into_iter()

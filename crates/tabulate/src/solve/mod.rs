@@ -1,9 +1,9 @@
 //! The solver: from a material and `a/t` to the four quantities, with an estimate of their error.
 //!
 //! `compliance` is the film on its substrate, `symbol` adds the sphere. `solution` accepts a
-//! contact within the `domain` and lets `method` choose: `galerkin` (with `bessel` and
-//! `quadrature`) for thick films, `wiener_hopf` (with `contour` and `krylov`) for thin ones. Both
-//! return an `estimate`. `batch` solves many materials at one `a/t`, `adaptive_curve` one material
+//! contact within the `domain` and lets `method` choose: `galerkin` (with `quadrature`, `bessel`,
+//! `abscissae` and `operator`) for thick films, `wiener_hopf` (with `contour` and `krylov`) for thin
+//! ones. Both return an `estimate`. `batch` solves many materials at one `a/t`, `adaptive_curve` one material
 //! along `a/t`.
 //!
 //! # The face of the film
@@ -22,6 +22,7 @@
 //! | `zero_free_radius(sphere, film)` | the disc in which `S` has no zero, for the imaginary axis |
 //! | `SINE_OF_FREE_ANGLE` | the sector in which `S` has neither zeros nor poles, for the ray and the panels |
 
+mod abscissae;
 mod adaptive_curve;
 pub(crate) mod batch;
 mod bessel;
@@ -32,6 +33,7 @@ pub(crate) mod estimate;
 mod galerkin;
 mod krylov;
 mod method;
+mod operator;
 mod quadrature;
 mod solution;
 mod symbol;

@@ -4,7 +4,7 @@ use interp::{Material, Quantities};
 
 use crate::Error;
 use crate::solve::domain;
-use crate::solve::estimate::Estimate;
+use crate::solve::estimate::{Estimate, larger};
 use crate::solve::method::Method;
 use crate::solve::symbol::Symbol;
 
@@ -32,14 +32,14 @@ pub struct Solution {
 /// # Ok(()) }
 /// ```
 ///
-/// Every material is accepted, with `a_over_t` in [`A_OVER_T`](crate::solve::A_OVER_T) and `tolerance`
+/// Every material is accepted whose ratios of moduli are numbers, with `a_over_t` in [`A_OVER_T`](crate::solve::A_OVER_T) and `tolerance`
 /// in [`TOLERANCE`](crate::solve::TOLERANCE).
 ///
 /// # Errors
-/// [`Error::Domain`] for an `a_over_t` or a `tolerance` outside the domain; [`Error::NotConverged`]
+/// [`Error::Domain`] for an `a_over_t`, a `tolerance` or a ratio of moduli outside the domain; [`Error::NotConverged`]
 /// where double precision does not allow the tolerance.
 pub fn solve(a_over_t: f64, material: &Material, tolerance: f64) -> Result<Solution, Error> {
-    domain::check(a_over_t, tolerance)?;
+    domain::check(a_over_t, material, tolerance)?;
     let symbol = Symbol::new(material);
     let mut reached = f64::INFINITY;
     for method in Method::candidates(a_over_t, &symbol, tolerance) {
@@ -48,6 +48,9 @@ pub fn solve(a_over_t: f64, material: &Material, tolerance: f64) -> Result<Solut
             error,
             modes,
         } = method.solve(a_over_t, &symbol, tolerance);
+        // A value that underflows has lost its digits.
+        let normal = quantities.to_array().into_iter().all(f64::is_normal);
+        let error = if normal { error } else { larger(error, 1.0) };
         if error <= tolerance {
             return Ok(Solution {
                 quantities,

@@ -408,4 +408,4 @@ fn read_out(
 }
 
 /// The rounding error of the sums at the readouts, relative to the size of their terms.
-const ROUNDING: f64 = 3.0 * f64::EPSILON;
+const ROUNDING: f64 = 4.0 * f64::EPSILON;

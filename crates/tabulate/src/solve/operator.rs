@@ -1,0 +1,354 @@
+//! The matrices of Galerkin's method for one film on one substrate, and the contact of a sphere with
+//! them.
+//!
+//! # The motion of the contact as a whole
+//!
+//! A stiff film on a soft base yields to long waves without bending within the contact: `M_00` is
+//! larger than all other elements by up to `(E1/E0)^{2/3}`, and the two terms of `Gamma^2` cancel to
+//! as many digits. The first mode is therefore eliminated by hand. In units of `es`, with
+//! `f = es/e1`, the first column `m` of `M` and `c` of `C` and the remaining blocks `M'` and `C'`,
+//!
+//! ```text
+//! B = I + f M',      h = B^-1 f m,      w = B^-1 (2/(3 sqrt5), 0, ...),      k = 1/3 - h.(2/(3 sqrt5), 0, ...)
+//! softness = 1 + f M_00 - f m.h                               edge = 1 + f (M_00 + C_00) - f m.h - 2 f c.h + f h.C'.h
+//! load = 2 k + f c.w - f h.C'.w
+//!
+//! Eeq = 1/softness      Gamma = sqrt(edge)/softness      Pi0 = 4 load/edge      Delta0 = k + Pi0 softness/4
+//! ```
+//!
+//! Long waves enter the softness only: in `M_00 + C_00 = (2/pi) int (q (X-1))' J_0^2 dz` they are
+//! integrated by parts ([`LongWaves`](crate::solve::abscissae::LongWaves)). Each term is then accurate for every contrast of the moduli.
+
+use std::borrow::Borrow;
+
+use faer::dyn_stack::{MemBuffer, MemStack};
+use faer::linalg::cholesky::llt::factor::{
+    LltRegularization, cholesky_in_place, cholesky_in_place_scratch,
+};
+use faer::linalg::matmul::triangular::{BlockStructure, matmul};
+use faer::linalg::triangular_solve::{
+    solve_lower_triangular_in_place, solve_upper_triangular_in_place,
+};
+use faer::{Accum, Mat, MatRef, Par, Spec};
+use interp::Quantities;
+
+use crate::solve::abscissae::{Abscissae, Block};
+use crate::solve::bessel::LANES;
+use crate::solve::compliance::{Compliance, Sample};
+use crate::solve::estimate::larger;
+use crate::solve::symbol::Symbol;
+
+const SQRT_5: f64 = 2.236_067_977_499_79;
+/// The second entry of `rho^2` in the basis.
+const PARABOLA: f64 = 2.0 / (3.0 * SQRT_5);
+
+/// The matrices `M` and `C` of one film on one substrate at one `a/t`. Only their lower triangles
+/// are stored.
+#[derive(Clone, Debug)]
+pub struct Operator {
+    /// `M`.
+    kernel: Mat<f64>,
+    /// `C`.
+    slope: Mat<f64>,
+    /// `M_00 + C_00`, in which the compliance of long waves cancels.
+    translation: f64,
+    /// The error of `v.M.v` where the panels do not resolve `X` and `q X'`.
+    resolution_error: f64,
+    /// The same for `v.(M + C).v`, to which long waves hardly add.
+    shape_error: f64,
+    /// The error of `g.C.g / g(1)^2` where they do not resolve the Bessel products.
+    design_error: f64,
+    /// Rounding error of the sums, relative to the sum of absolute values. It grows with the number
+    /// of panels that a small scale needs.
+    rounding: f64,
+}
+
+/// The quantities of one contact, with the sources of their error.
+#[derive(Clone, Copy, Debug)]
+pub struct Solved {
+    /// The four quantities.
+    pub quantities: Quantities,
+    /// Estimated relative error from the finite number of modes.
+    pub truncation: f64,
+    /// Estimated relative error from the quadrature.
+    pub quadrature: f64,
+    /// Estimated relative error from rounding.
+    pub rounding: f64,
+}
+
+impl Solved {
+    /// Returns the estimated relative error from all sources.
+    pub fn error(&self) -> f64 {
+        self.truncation + self.quadrature + self.rounding
+    }
+}
+
+impl Operator {
+    /// Sums `M` and `C` over the abscissae. `blocks` are those of `abscissae`, evaluated one by one
+    /// or kept for many materials.
+    pub fn assemble<B: Borrow<Block>>(
+        compliance: &Compliance,
+        abscissae: &Abscissae,
+        blocks: impl IntoIterator<Item = B>,
+    ) -> Self {
+        let n = abscissae.modes;
+        let samples: Vec<Sample> = abscissae.q.iter().map(|&q| compliance.sample(q)).collect();
+        let long = abscissae.long_waves();
+        let [resolution_error, shape_error] = resolution_errors(abscissae, &samples);
+        let mut operator = Self {
+            kernel: Mat::zeros(n, n),
+            slope: Mat::zeros(n, n),
+            translation: long.boundary(abscissae.x, compliance),
+            resolution_error,
+            shape_error,
+            design_error: abscissae.panels.design_error,
+            rounding: ROUNDING * (1.0 - 0.05 * compliance.smallest_scale().ln()),
+        };
+        for block in blocks {
+            let Block {
+                first,
+                rows,
+                values,
+            } = block.borrow();
+            let samples = &samples[*first..first + rows];
+            let weights = &abscissae.weights[*first..first + rows];
+            let terms = || samples.iter().zip(weights);
+            let excess: Vec<f64> = terms().map(|(sample, w)| w * sample.excess).collect();
+            let slope: Vec<f64> = terms().map(|(sample, w)| w * sample.slope).collect();
+            add_products(&mut operator.kernel, values, &excess);
+            add_products(&mut operator.slope, values, &slope);
+            for i in 0..*rows {
+                let [j0, j1] = [values[i], values[rows + i]];
+                operator.translation += if first + i < long.count {
+                    let z = abscissae.q[first + i] * abscissae.x;
+                    2.0 / 3.0 * excess[i] * z * z * j0 * (j0 - j1 / SQRT_5)
+                } else {
+                    (excess[i] + slope[i]) * j0 * j0
+                };
+            }
+        }
+        operator
+    }
+
+    /// Solves the contact of one sphere with the film and substrate of this operator. `symbol` holds
+    /// all three bodies.
+    ///
+    /// Returns `None` where the matrix is not positive definite, by rounding, or `Gamma^2` is not
+    /// positive, by too few modes.
+    pub fn solve(&self, symbol: &Symbol) -> Option<Solved> {
+        let (n, film) = (self.kernel.nrows() - 1, symbol.film());
+        let mut factor = Mat::zeros(n, n);
+        for j in 0..n {
+            let column = &self.kernel.col_as_slice(j + 1)[j + 1..];
+            let target = &mut factor.col_as_slice_mut(j)[j..];
+            target
+                .iter_mut()
+                .zip(column)
+                .for_each(|(target, kernel)| *target = film * kernel);
+            target[0] += 1.0;
+        }
+        let mut memory = MemBuffer::new(cholesky_in_place_scratch::<f64>(
+            n,
+            Par::Seq,
+            Spec::default(),
+        ));
+        let stack = MemStack::new(&mut memory);
+        cholesky_in_place(
+            factor.as_mut(),
+            LltRegularization::default(),
+            Par::Seq,
+            stack,
+            Spec::default(),
+        )
+        .ok()?;
+
+        let mut solutions = Mat::from_fn(n, 2, |i, column| match (column, i) {
+            (0, _) => film * self.kernel[(i + 1, 0)],
+            (_, 0) => PARABOLA,
+            _ => 0.0,
+        });
+        solve_lower_triangular_in_place(factor.as_ref(), solutions.as_mut(), Par::Seq);
+        // Forward substitution does not depend on the modes that follow: the forms of any smaller
+        // number of modes are partial sums over these.
+        let halves = [0, 1].map(|column| solutions.col_as_slice(column));
+        let missing = halves.map(missing_modes);
+        let yielding = dot(halves[0], halves[0]);
+        let tilt = dot(halves[0], halves[1]);
+        solve_upper_triangular_in_place(factor.transpose(), solutions.as_mut(), Par::Seq);
+        let (h, w) = (solutions.col_as_slice(0), solutions.col_as_slice(1));
+        let [hh, ww] = [h, w].map(|v| dot(v, v));
+        let [chh, chw] = [(h, h), (h, w)].map(|(u, v)| film * form(&self.slope, u, v));
+        let c = &self.slope.col_as_slice(0)[1..];
+        let [ch, cw] = [h, w].map(|v| film * dot(c, v));
+
+        let softness = 1.0 + film * self.kernel[(0, 0)] - yielding;
+        let edge = 1.0 + film * self.translation - yielding - 2.0 * ch + chh;
+        let share = 1.0 / 3.0 - tilt;
+        let load_sum = 2.0 * share + cw - chw;
+        if !(softness > 0.0 && edge > 0.0 && load_sum > 0.0) {
+            return None;
+        }
+        let es = symbol.modulus();
+        let load = 4.0 * load_sum / edge;
+        let squares = 1.0 + hh;
+        let sizes = [
+            (squares + (softness - squares).abs()) / softness,
+            (squares + film * self.translation.abs() + yielding + 2.0 * ch.abs() + chh.abs())
+                / edge,
+            ((squares * ww).sqrt() + 1.0 + 2.0 * tilt.abs() + cw.abs() + chw.abs()) / load_sum,
+        ];
+        let truncations = [
+            missing[0] / softness,
+            missing[0] / edge,
+            (missing[0] * missing[1]).sqrt() / load_sum,
+        ];
+        Some(Solved {
+            quantities: Quantities {
+                pi0: es * load,
+                eeq: es / softness,
+                gamma: es * edge.sqrt() / softness,
+                delta0: share + 0.25 * load * softness,
+            },
+            truncation: TRUNCATION_SAFETY * truncations.into_iter().fold(0.0, larger),
+            quadrature: film
+                * (self.resolution_error / softness + self.shape_error / edge + self.design_error),
+            rounding: self.rounding * sizes.into_iter().fold(0.0, larger),
+        })
+    }
+}
+
+/// Adds the lower triangle of `J^T F J` to `target`. `bessel` holds `J` by columns, `factors` the
+/// diagonal of `F`.
+fn add_products(target: &mut Mat<f64>, bessel: &[f64], factors: &[f64]) {
+    let (rows, modes) = (factors.len(), target.nrows());
+    let mut scaled = Vec::with_capacity(bessel.len());
+    for column in bessel.chunks_exact(rows) {
+        scaled.extend(
+            column
+                .iter()
+                .zip(factors)
+                .map(|(value, factor)| value * factor),
+        );
+    }
+    if modes < LIBRARY {
+        for (j, scaled) in scaled.chunks_exact(rows).enumerate() {
+            for (i, column) in bessel.chunks_exact(rows).enumerate().skip(j) {
+                target[(i, j)] += product(column, scaled);
+            }
+        }
+        return;
+    }
+    matmul(
+        target.as_mut(),
+        BlockStructure::TriangularLower,
+        Accum::Add,
+        MatRef::from_column_major_slice(bessel, rows, modes).transpose(),
+        BlockStructure::Rectangular,
+        MatRef::from_column_major_slice(&scaled, rows, modes),
+        BlockStructure::Rectangular,
+        1.0,
+        Par::Seq,
+    );
+}
+
+/// The number of modes from which on the products of a matrix library are faster.
+const LIBRARY: usize = 16;
+
+/// Returns `a.b`.
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+/// Returns `a.b` for a number of elements that is a multiple of [`LANES`].
+fn product(a: &[f64], b: &[f64]) -> f64 {
+    let mut sums = [0.0; LANES];
+    for (a, b) in a.chunks_exact(LANES).zip(b.chunks_exact(LANES)) {
+        for l in 0..LANES {
+            sums[l] += a[l] * b[l];
+        }
+    }
+    sums.iter().sum()
+}
+
+/// Returns `u.C.v` without the first row and column of `C`, whose lower triangle `matrix` holds.
+fn form(matrix: &Mat<f64>, u: &[f64], v: &[f64]) -> f64 {
+    let mut form = 0.0;
+    for j in 0..u.len() {
+        let column = &matrix.col_as_slice(j + 1)[j + 1..];
+        let (u_j, v_j) = (u[j], v[j]);
+        form += column[0] * u_j * v_j;
+        for ((c, u), v) in column.iter().zip(&u[j..]).zip(&v[j..]).skip(1) {
+            form += c * (u * v_j + u_j * v);
+        }
+    }
+    form
+}
+
+/// Extrapolates `sum_{i >= n} y_i^2`, the contribution of the modes left out to a form, from the
+/// sums over the last two stretches of the `n` modes in `y`.
+///
+/// A stretch spans the beats that the `y_i` show at large `a/t`, so that a node of a beat is not
+/// mistaken for convergence.
+fn missing_modes(y: &[f64]) -> f64 {
+    let n = y.len();
+    let stretch = (2 + n / 8).min(n / 2);
+    let sum = |y: &[f64]| y.iter().map(|y| y * y).sum::<f64>();
+    let (before, last) = (
+        sum(&y[n - 2 * stretch..n - stretch]),
+        sum(&y[n - stretch..]),
+    );
+    let ratio = (last / before.max(f64::MIN_POSITIVE)).clamp(0.1, 0.9);
+    last * ratio / (1.0 - ratio)
+}
+
+/// The factor that brings the extrapolation above the true truncation error.
+/// `tests/truth/reference.rs` and `tests/truth/domain.rs` measure how far above.
+const TRUNCATION_SAFETY: f64 = 20.0;
+
+/// The rounding error of the assembled matrices, for a film that is not stiffer than its substrate.
+const ROUNDING: f64 = 12.0 * f64::EPSILON;
+
+/// Estimates the errors of the quadrature in `q`, for `M` and for `M + C`, from how fast the Legendre coefficients of `q X'`
+/// fall on each panel. Those of `X - 1` are smaller, as differentiation multiplies them with their
+/// degree.
+///
+/// An `n`-point rule misses an integrand's coefficients from degree `2n` on. They are extrapolated
+/// geometrically from the largest of the last four coefficients, which the panel's own values give.
+/// The rate is the mean rate since degree 0, which poles prescribe, or the rate over the last eight
+/// degrees if that is faster, as for exponentials. The panel's width keeps the error of the Bessel
+/// product small.
+fn resolution_errors(abscissae: &Abscissae, samples: &[Sample]) -> [f64; 2] {
+    let rule = abscissae.panels.rule;
+    let n = rule.abscissae.len();
+    let mut errors = [0.0; 2];
+    let ends = abscissae.panels.edges.windows(2);
+    for ((samples, weights), ends) in samples
+        .chunks_exact(n)
+        .zip(abscissae.weights.chunks_exact(n))
+        .zip(ends)
+    {
+        let length: f64 = weights.iter().sum();
+        let largest = samples
+            .iter()
+            .map(|s| s.slope.abs())
+            .fold(f64::MIN_POSITIVE, f64::max);
+        let coefficients = rule.coefficients.each_ref().map(|row| {
+            row.iter()
+                .zip(samples)
+                .map(|(c, s)| c * s.slope)
+                .sum::<f64>()
+                .abs()
+        });
+        let [before, last] = [0, 4].map(|from| {
+            coefficients[from..from + 4]
+                .iter()
+                .fold(f64::MIN_POSITIVE, |a, &b| a.max(b))
+        });
+        let mean_rate = (last / largest).powf(n as f64 / (n as f64 - 2.5));
+        let present_rate = (last / before).powf(0.25 * n as f64);
+        let error = length * last * mean_rate.min(present_rate).min(1.0);
+        errors[0] += error;
+        errors[1] += error * (abscissae.x * ends[1]).powi(2).min(1.0);
+    }
+    errors
+}
