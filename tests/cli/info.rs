@@ -13,7 +13,7 @@ fn info_prints_axes_quantities_and_certificate() {
     let table = Table::read(&table_path).expect("a sound table");
     let description = table.description();
     let certificate = &description.certificate;
-    let [energy, load] = certificate
+    let identities = certificate
         .identity_errors
         .map(|error| error.expect("all quantities are held"));
     let [n_a, n_e1, _, _] = table.shape();
@@ -45,10 +45,14 @@ fn info_prints_axes_quantities_and_certificate() {
                 certificate.worst_point[0]
             ),
         ),
-        (
-            "identities",
-            format!("Gamma^2 = es (x Eeq)' {energy:.1e}, F0' = S delta0' {load:.1e}"),
-        ),
+        ("identities", {
+            let [energy, stiffness, penetration, load] =
+                identities.map(|error| format!("{error:.1e}"));
+            format!(
+                "Gamma^2 = es (x Eeq)' {energy}, F0' = S delta0' {stiffness}, \
+                     delta0' = (2/R) S/S' {penetration}, F0' = (2/R) S^2/S' {load}"
+            )
+        }),
         ("created by", description.created_by.clone()),
         (
             "size",
@@ -129,7 +133,7 @@ fn assert_describes(object: &Value, table: &Table, bytes: u64) {
             value,
         );
     }
-    let identities = ["energy_release_rate", "stiffness"];
+    let identities = ["energy_release_rate", "stiffness", "penetration", "load"];
     for (name, error) in identities.into_iter().zip(certificate.identity_errors) {
         match error {
             Some(error) => close(&format!("/certificate/identity_errors/{name}"), error),

@@ -40,7 +40,7 @@ fn of_known_samples_the_worst_the_median_and_what_999_of_1000_keep_are_right() {
             } else {
                 Quantity::Pi0
             },
-            identity_errors: [(i < 1500).then_some(f64::from(i)), None],
+            identity_errors: [(i < 1500).then_some(f64::from(i)), None, None, Some(1.0)],
         })
         .collect();
     let found = certificate(&samples, 5);
@@ -59,7 +59,7 @@ fn of_known_samples_the_worst_the_median_and_what_999_of_1000_keep_are_right() {
         (found.worst_quantity, found.worst_point),
         (Quantity::Gamma, [1999.0, 1.0, 2.0, 3.0])
     );
-    assert_eq!(found.identity_errors, [Some(1499.0), None]);
+    assert_eq!(found.identity_errors, [Some(1499.0), None, None, Some(1.0)]);
 
     // Among a few samples, the 99.9 % error is the largest. NaN is larger than all others.
     let mut few = samples[..10].to_vec();
@@ -158,13 +158,15 @@ fn the_identities_are_broken_by_as_much_as_the_values_are() {
     println!("kept to {kept:?}");
     // Measured: 1.7e-5 and 9.1e-6, where the quantities are within 1e-5.
     assert!(kept.iter().all(|error| (1e-12..1e-4).contains(error)));
-    // Gamma^2 = es (Eeq + x Eeq'), and 3 Pi0 + x Pi0' = 4 Eeq (2 Delta0 + x Delta0'), relative to
-    // the left sides.
+    // Relative to the left sides of Gamma^2 = es (Eeq + x Eeq'),
+    // 3 Pi0 + x Pi0' = 4 Eeq (2 Delta0 + x Delta0'), 2 Delta0 + x Delta0' = 2 es Eeq/Gamma^2 and
+    // 3 Pi0 + x Pi0' = 8 es Eeq^2/Gamma^2.
+    let (once, twice) = (1.0 - 1.0 / 1.01, 1.0 - 1.0 / (1.01 * 1.01));
     for (quantity, expected) in [
-        (Quantity::Gamma, [1.0 - 1.0 / (1.01 * 1.01), 0.0]),
-        (Quantity::Eeq, [0.01, 0.01]),
-        (Quantity::Pi0, [0.0, 1.0 - 1.0 / 1.01]),
-        (Quantity::Delta0, [0.0, 0.01]),
+        (Quantity::Gamma, [twice, 0.0, twice, twice]),
+        (Quantity::Eeq, [0.01, 0.01, 0.01, 1.01 * 1.01 - 1.0]),
+        (Quantity::Pi0, [0.0, once, 0.0, once]),
+        (Quantity::Delta0, [0.0, 0.01, once, 0.0]),
     ] {
         let found = broken(&scaled(quantity));
         for (found, (expected, kept)) in found.iter().zip(expected.iter().zip(kept)) {
@@ -181,19 +183,23 @@ fn an_identity_that_takes_more_than_is_held_is_not_measured() {
     for (changes, expected) in [
         (
             ("title ", "quantities = ['eeq', 'gamma']\n title "),
-            [true, false],
+            [true, false, false, false],
+        ),
+        (
+            ("title ", "quantities = ['eeq', 'gamma', 'delta0']\n title "),
+            [true, false, true, false],
         ),
         (
             ("title ", "quantities = ['pi0', 'eeq', 'delta0']\n title "),
-            [false, true],
+            [false, true, false, false],
         ),
         (
             ("title ", "quantities = ['pi0', 'gamma', 'delta0']\n title "),
-            [false, false],
+            [false; 4],
         ),
         (
             ("a_over_t   = { from = 0.1, to = 10 }", "a_over_t = 1"),
-            [false, false],
+            [false; 4],
         ),
     ] {
         let found = table(&TWO_AXES.replace(changes.0, changes.1))

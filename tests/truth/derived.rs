@@ -1,60 +1,323 @@
-//! prototype
-use acceptance::table;
-use interp::{Material, Quantity};
+//! Curves from `Gamma` alone: the other three quantities are integrals of it over `a/t`.
+
+use acceptance::{Data, larger, material, paper_system, relative_error, table};
+use interp::{Curve, Elastic, Error, Parameter, Quantity, System, Table};
 use tabulate::solve;
 
+/// The tolerance of the tables of one material.
+const TOLERANCE: f64 = 1e-8;
+/// The materials: `e1_over_e2`, `nu1`, `e0_over_e2`, `nu0`.
+const MATERIALS: [[&str; 4]; 6] = [
+    ["1.75", "0.5", "1e5", "0.25"],
+    // An incompressible film and a compressible one on a rigid substrate under a rigid sphere.
+    ["0", "0.5", "inf", "0.25"],
+    ["0", "0.3", "inf", "0.25"],
+    // Films a million and a million million times as stiff as the substrate.
+    ["1e3", "0.3", "1e-3", "0.25"],
+    ["1e6", "0.3", "1e-6", "0.25"],
+    // Film and substrate are equal.
+    ["1", "0.3", "1", "0.3"],
+];
+/// A small table of four axes that holds `Gamma` alone.
+const FOUR_AXES: &str = "
+    title      = 'Gamma alone'
+    tolerance  = 1e-6
+    quantities = ['gamma']
+    a_over_t   = { from = 1e-3, to = 100 }
+    e1_over_e2 = { from = 0.5, to = 2, nodes = 14 }
+    nu1        = { from = 0.4, to = 0.5, nodes = 12 }
+    e0_over_e2 = { from = 20, to = 60, nodes = 10 }
+";
+
+/// Makes the table of `Gamma` of one material.
+fn table_of([e1, nu1, e0, nu0]: [&str; 4], tolerance: f64, [from, to]: [f64; 2]) -> Table {
+    table(&format!(
+        "title = 'One material'
+         tolerance = {tolerance:e}
+         quantities = ['gamma']
+         nu0 = {nu0}
+         a_over_t = {{ from = {from:e}, to = {to:e} }}
+         e1_over_e2 = {e1}
+         nu1 = {nu1}
+         e0_over_e2 = {e0}"
+    ))
+}
+
+/// Returns the curve of a table of one material.
+fn curve_of(table: &Table) -> Curve {
+    let only = |parameter| table.axis(parameter)[0];
+    let [e1, nu1, e0] = [Parameter::E1OverE2, Parameter::Nu1, Parameter::E0OverE2].map(only);
+    let material = material([e1, nu1, e0, table.description().nu0.under(nu1)]);
+    table.curve(&material).expect("its only material")
+}
+
+/// Returns `n + 1` points from `from` to `to`, evenly spaced in the logarithm.
+fn points([from, to]: [f64; 2], n: i32) -> impl Iterator<Item = f64> {
+    (0..=n).map(move |i| (from * (to / from).powf(f64::from(i) / f64::from(n))).clamp(from, to))
+}
+
 #[test]
-fn prototype() {
-    for tol in [1e-6, 1e-7, 1e-8] {
-        for (e1, nu1, e0, nu0) in [
-            ("1.75", "0.5", "1e5", 0.25),
-            ("0", "0.5", "inf", 0.25),
-            ("0", "0.3", "inf", 0.25),
-            ("1e3", "0.3", "1e-3", 0.25),
-            ("1e-3", "0.5", "1e5", 0.25),
-            ("1e3", "0.2", "1e9", 0.25),
-            ("1e6", "0.3", "1e-6", 0.25),
-            ("1", "0.3", "1", 0.3),
-        ] {
-            let scene = format!(
-                "title='x'\ntolerance={tol:e}\nquantities=['gamma']\nnu0={nu0}\na_over_t={{from=1e-3,to=1e3}}\ne1_over_e2={e1}\nnu1={nu1}\ne0_over_e2={e0}\n"
-            );
-            let table = table(&scene);
-            let material = Material::new(
-                e1.parse().unwrap(),
-                nu1.parse().unwrap(),
-                e0.parse().unwrap(),
-                nu0,
-            )
-            .unwrap();
-            let curve = table.curve(&material).unwrap();
-            let mut worst = [(0.0_f64, 0.0); 4];
-            for i in 0..=1000 {
-                let x = 10_f64
-                    .powf(-3.0 + 6.0 * f64::from(i) / 1000.0)
-                    .clamp(1e-3, 1e3);
-                let Ok(s) = solve(x, &material, 1e-11) else {
-                    continue;
-                };
-                for q in Quantity::ALL {
-                    let e = match curve.quantity(q, x) {
-                        Ok(v) => (v / s.quantities.get(q) - 1.0).abs(),
-                        Err(e) => {
-                            println!("{e}");
-                            9.0
-                        }
-                    };
-                    if e > worst[q as usize].0 {
-                        worst[q as usize] = (e, x);
-                    }
-                }
+fn they_are_those_of_direct_solves() {
+    for name in MATERIALS {
+        let curve = curve_of(&table_of(name, TOLERANCE, [1e-3, 1e3]));
+        let mut errors = [0.0; 4];
+        for x in points(curve.range(), 150) {
+            let solved = solve(x, curve.material(), 2e-10).expect("it converges");
+            for quantity in Quantity::ALL {
+                let found = curve.quantity(quantity, x).expect("in range");
+                let error = (found / solved.quantities.get(quantity) - 1.0).abs();
+                errors[quantity as usize] = larger(errors[quantity as usize], error);
             }
-            println!(
-                "{tol:.0e} {e1} {nu1} {e0}: nodes {} cert {:.1e}: {}",
-                table.shape()[0],
-                table.description().certificate.max_error,
-                worst.map(|(e, x)| format!("{e:.1e} at {x:.2e}")).join(", ")
+        }
+        println!("{name:?}: {errors:.1?}");
+        let gamma = errors[Quantity::Gamma as usize];
+        assert!(gamma <= TOLERANCE, "{name:?}: {errors:?}");
+        for error in errors {
+            assert!(
+                error <= 2.0 * gamma + 0.1 * TOLERANCE,
+                "{name:?}: {errors:?}"
             );
         }
+    }
+}
+
+#[test]
+fn they_are_those_of_the_reference() {
+    let table = table_of(MATERIALS[0], TOLERANCE, [1e-3, 1e3]);
+    let curve = curve_of(&table);
+    let data = Data::read("barthel_reference");
+    let mut count = 0;
+    for case in data
+        .cases()
+        .filter(|case| case.material() == *curve.material())
+    {
+        let x = case.get("a_over_t");
+        if x > 1e3 {
+            continue;
+        }
+        let error = relative_error(&curve.quantities(x).expect("in range"), &case.quantities());
+        assert!(error <= TOLERANCE, "{x}: {error:.1e}");
+        count += 1;
+    }
+    assert_eq!(count, 6);
+}
+
+#[test]
+fn an_error_of_gamma_is_at_most_doubled() {
+    const ERROR: f64 = 1e-6;
+    for name in MATERIALS {
+        let table = table_of(name, TOLERANCE, [1e-3, 1e3]);
+        let curve = curve_of(&table);
+        let es = curve.material().sphere_film_modulus();
+        let wave = |x: f64| (1.0 + ERROR * (2.0 * x.ln()).sin(), ERROR);
+        let square = |gamma: f64| {
+            let relative = ERROR * es * es / (gamma * gamma);
+            ((1.0 + relative).sqrt(), 0.5 * relative)
+        };
+        for kind in ["wave", "square"] {
+            // The error at each node, and the largest of all.
+            let nodes = table.axis(Parameter::AOverT);
+            let gamma = table.values(Quantity::Gamma).expect("held");
+            let factors = nodes.iter().zip(gamma).map(|(&x, &gamma)| match kind {
+                "wave" => wave(x),
+                _ => square(gamma),
+            });
+            let (factors, errors): (Vec<f64>, Vec<f64>) = factors.unzip();
+            let error = errors.into_iter().fold(0.0, larger);
+            let gamma = gamma
+                .iter()
+                .zip(&factors)
+                .map(|(gamma, factor)| gamma * factor);
+            let values = [None, None, Some(gamma.collect()), None];
+            let other = Table::new(table.description().clone(), table.axes(), values);
+            let other = curve_of(&other.expect("sound"));
+            let mut largest = 0.0;
+            for x in points(curve.range(), 1000) {
+                let [exact, found] = [&curve, &other].map(|c| c.quantities(x).expect("in range"));
+                largest = larger(largest, relative_error(&found, &exact));
+            }
+            println!("{name:?}, {kind}: {largest:.1e} from {error:.1e}");
+            assert!(
+                largest < 2.0 * error,
+                "{name:?}, {kind}: {largest:e} from {error:e}"
+            );
+            assert!(largest > 0.5 * error, "{name:?}, {kind}: the error is lost");
+        }
+    }
+}
+
+/// A table that begins at any `a/t` answers within its tolerance, or says that it begins too late.
+#[test]
+fn a_table_that_begins_too_late_says_so() {
+    const TOLERANCE: f64 = 1e-6;
+    let (mut answered, mut refused) = (0, 0);
+    for name in MATERIALS {
+        for from in [3e-3, 0.01, 0.03, 0.1, 0.3, 1.0, 3.0] {
+            let table = table_of(name, TOLERANCE, [from, 100.0]);
+            let curve = curve_of(&table);
+            curve.quantity(Quantity::Gamma, from).expect("held");
+            match curve.quantities(from) {
+                Ok(found) => {
+                    let solved = solve(from, curve.material(), 1e-11).expect("it converges");
+                    let error = relative_error(&found, &solved.quantities);
+                    println!("{name:?} from {from}: {error:.1e}");
+                    assert!(error <= TOLERANCE, "{name:?} from {from}: {error:e}");
+                    answered += 1;
+                }
+                Err(error @ Error::BeginsTooLate { .. }) => {
+                    println!("{name:?} from {from}: {error}");
+                    let text = format!("begins at a_over_t = {from:?}: the estimated error is");
+                    assert!(error.to_string().contains(&text), "{error}");
+                    let next = "begins at a smaller a_over_t";
+                    assert!(error.to_string().contains(next), "{error}");
+                    assert!(from >= 0.03, "{name:?} from {from}: {error}");
+                    refused += 1;
+                }
+                Err(error) => panic!("{name:?} from {from}: {error}"),
+            }
+        }
+    }
+    assert!(answered >= 18 && refused >= 12, "{answered}, {refused}");
+    // Without room for the estimate nothing is derived either.
+    let curve = curve_of(&table_of(MATERIALS[0], TOLERANCE, [1e-3, 3e-3]));
+    assert!(matches!(
+        curve.quantity(Quantity::Eeq, 2e-3),
+        Err(Error::BeginsTooLate { .. })
+    ));
+}
+
+#[test]
+fn they_go_on_beyond_the_nodes() {
+    for name in MATERIALS {
+        let curve = curve_of(&table_of(name, 1e-6, [1e-3, 1e3]));
+        let mut count = 0;
+        for x in points([1e-6, 0.99e-3], 20).chain(points([1.01e3, 1e5], 20)) {
+            let Ok(found) = curve.quantities(x) else {
+                continue;
+            };
+            let solved = solve(x, curve.material(), 1e-10).expect("it converges");
+            let error = relative_error(&found, &solved.quantities);
+            let estimate = curve.error(x).expect("it has an estimate");
+            assert!(
+                error <= estimate.max(1e-9),
+                "{name:?} at {x}: {error:e}, {estimate:e}"
+            );
+            count += i32::from(x < 1.0);
+        }
+        println!("{name:?}: {count} of 21 thicker films");
+        assert_eq!(count, 21, "{name:?}");
+    }
+}
+
+#[test]
+fn contacts_and_gradients_are_those_of_direct_solves() {
+    let table = table(FOUR_AXES);
+    assert_eq!(table.quantities(), [Quantity::Gamma]);
+    let tolerance = table.description().tolerance;
+    // The certificate is about all that the table answers.
+    assert!(
+        table
+            .description()
+            .certificate
+            .identity_errors
+            .iter()
+            .all(Option::is_some)
+    );
+
+    let direct = |x: f64, parameters: [f64; 4]| {
+        let solution = solve(x, &material(parameters), 1e-13);
+        let solution = solution.or_else(|_| solve(x, &material(parameters), 1e-11));
+        solution.expect("moderate contrasts converge").quantities
+    };
+    let mut errors = [0.0; 4];
+    for parameters in [
+        [1.1, 0.45, 35.0, 0.25],
+        [0.7, 0.5, 50.0, 0.25],
+        [1.6, 0.41, 25.0, 0.25],
+    ] {
+        let curve = table
+            .curve_with_gradient(&material(parameters))
+            .expect("inside");
+        for x in [5e-4, 1e-3, 0.02, 0.3, 2.0, 15.0, 100.0] {
+            let gradient = curve.gradient(x).expect("inside");
+            let exact = direct(x, parameters);
+            let error = relative_error(&gradient.values(), &exact);
+            errors[0] = larger(errors[0], error);
+            let along = [Parameter::E1OverE2, Parameter::Nu1, Parameter::E0OverE2];
+            for (i, parameter) in along.into_iter().enumerate() {
+                // The unit of `nu1` is the range on which the quantities change.
+                let unit = match parameter {
+                    Parameter::Nu1 => 1.0 - 2.0 * parameters[1] + 1.0 / (1.0 + x * x),
+                    _ => parameters[i],
+                };
+                let step = if parameter == Parameter::Nu1 {
+                    1e-4
+                } else {
+                    1e-3 * unit
+                };
+                // At 0.5 from one side.
+                let weights: &[(f64, f64)] = if parameters[i] == 0.5 {
+                    &[
+                        (0.0, 11.0 / 6.0),
+                        (-1.0, -3.0),
+                        (-2.0, 1.5),
+                        (-3.0, -1.0 / 3.0),
+                    ]
+                } else {
+                    &[
+                        (-2.0, 1.0 / 12.0),
+                        (-1.0, -2.0 / 3.0),
+                        (1.0, 2.0 / 3.0),
+                        (2.0, -1.0 / 12.0),
+                    ]
+                };
+                let mut difference = [0.0; 4];
+                for &(steps, weight) in weights {
+                    let mut near = parameters;
+                    near[i] += steps * step;
+                    for (sum, value) in difference.iter_mut().zip(direct(x, near).to_array()) {
+                        *sum += weight / step * value;
+                    }
+                }
+                let found = gradient.by(parameter).expect("known").to_array();
+                for ((found, expected), value) in
+                    found.into_iter().zip(difference).zip(exact.to_array())
+                {
+                    let error = unit * (found - expected).abs() / value;
+                    errors[i + 1] = larger(errors[i + 1], error);
+                }
+            }
+        }
+    }
+    println!(
+        "values {:.1e}, by E1, nu1, E0 {:?}",
+        errors[0],
+        &errors[1..]
+    );
+    assert!(errors[0] <= tolerance, "{errors:?}");
+    for (error, share) in errors[1..].iter().zip([20.0, 100.0, 20.0]) {
+        assert!(*error <= share * tolerance, "{errors:?}");
+    }
+
+    let system = paper_system(1e-5);
+    let system = System {
+        substrate: Elastic::new(40.0 * 2e6, 0.25).expect("physical"),
+        ..system
+    };
+    let contact = table.contact_with_gradient(&system).expect("inside");
+    for a in [1e-6, 2e-5, 9e-5] {
+        let solved = direct(a / 1e-5, [1.75, 0.5, 40.0, 0.25]);
+        let load = a.powi(3) * 2e6 * solved.pi0 / 2e-3;
+        let penetration = a * a * solved.delta0 / 1e-3;
+        let (found, depth) = contact.load_and_penetration(a, 0.0).expect("inside");
+        assert!(
+            (found / load - 1.0).abs() <= tolerance,
+            "{a}: {found}, not {load}"
+        );
+        assert!(
+            (depth / penetration - 1.0).abs() <= tolerance,
+            "{a}: {depth}, not {penetration}"
+        );
+        contact.gradient(a, 0.04).expect("it has derivatives");
     }
 }

@@ -1,9 +1,11 @@
-//! The two exact identities between the quantities and their derivatives in `x = a/t`, at random
+//! The four exact identities between the quantities and their derivatives in `x = a/t`, at random
 //! contacts:
 //!
 //! ```text
 //! Gamma^2 = es d(x Eeq)/dx                         energy release rate from the compliance, and from the singularity
 //! 3 Pi0 + x Pi0' = 4 Eeq (2 Delta0 + x Delta0')    dF0/da = S d(delta0)/da
+//! 2 Delta0 + x Delta0' = 2 es Eeq/Gamma^2          d(delta0)/da = (2/R) S/S'
+//! 3 Pi0 + x Pi0' = 8 es Eeq^2/Gamma^2              dF0/da = (2/R) S^2/S'
 //! ```
 //!
 //! The derivatives are those of the Chebyshev interpolant in `ln x`. It converges spectrally: the
@@ -54,10 +56,13 @@ fn with_derivatives(x: f64, material: &Material) -> ([f64; 4], [f64; 4]) {
     (values(x), derivatives)
 }
 
+/// Largest relative residuals of the third and the fourth identity.
+const PENETRATION: f64 = 2e-12;
+
 #[test]
-fn energy_release_rate_and_load_identities_hold() {
+fn the_identities_hold() {
     let mut contacts = Contacts::new(20);
-    let (mut energy, mut load) = (0.0, 0.0);
+    let (mut energy, mut load, mut penetration) = (0.0, 0.0, 0.0);
     for _ in 0..CONTACTS {
         let material = contacts.material([1e-2, 1e4], [1e-2, 1e6]);
         let x = contacts.log_uniform(1e-3, 100.0);
@@ -71,6 +76,10 @@ fn energy_release_rate_and_load_identities_hold() {
                 material.sphere_film_modulus() * (eeq + eeq_rate),
             ),
         );
+        let es = material.sphere_film_modulus();
+        let third = residual(2.0 * delta0 + delta0_rate, 2.0 * es * eeq / (gamma * gamma));
+        let fourth = residual(3.0 * pi0 + pi0_rate, 8.0 * es * (eeq / gamma).powi(2));
+        penetration = larger(penetration, larger(third, fourth));
         load = larger(
             load,
             residual(
@@ -79,7 +88,11 @@ fn energy_release_rate_and_load_identities_hold() {
             ),
         );
     }
-    println!("largest residuals of {CONTACTS}: energy {energy:.1e}, load {load:.1e}");
+    println!(
+        "largest residuals of {CONTACTS}: energy {energy:.1e}, load {load:.1e}, \
+         penetration {penetration:.1e}"
+    );
     assert!(energy <= ENERGY);
     assert!(load <= LOAD);
+    assert!(penetration <= PENETRATION);
 }

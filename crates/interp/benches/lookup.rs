@@ -110,10 +110,10 @@ fn of_one_material(table: &Table, curve: &Curve, held: [bool; 4]) -> Table {
     let nodes = table.axis(Parameter::AOverT);
     let material = curve.material();
     let axes = [
-        nodes.to_vec(),
-        vec![material.e1_over_e2()],
-        vec![material.nu1()],
-        vec![material.e0_over_e2()],
+        (Parameter::AOverT, nodes.to_vec()),
+        (Parameter::E1OverE2, vec![material.e1_over_e2()]),
+        (Parameter::Nu1, vec![material.nu1()]),
+        (Parameter::E0OverE2, vec![material.e0_over_e2()]),
     ];
     let at_nodes = |quantity: Quantity| {
         let values = nodes.iter().map(|&x| curve.quantity(quantity, x));

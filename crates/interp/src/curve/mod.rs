@@ -2,8 +2,10 @@
 //!
 //! A table, or a solve, gives values at `nodes`. `bspline` interpolates them by splines.
 //! `resampler` turns the splines into polynomials on the pieces of a `grid`, which finds a piece
-//! without a search; `piecewise` evaluates the polynomials. [`Curve`] holds the pieces; `through`
-//! makes one from values at nodes, and `exchange` converts one for the crate `splines`.
+//! without a search; `fitting` chooses the pieces, `piecewise` evaluates the polynomials. From
+//! `Gamma` alone, `derived` integrates the other quantities as `series` on the pieces, beginning
+//! with those of a `thick_film`. [`Curve`] holds the pieces; `through` makes one from values at
+//! nodes, and `exchange` converts one for the crate `splines`.
 //! `asymptotics` continues a curve beyond its nodes; `sensitivity` holds its derivatives with
 //! respect to the material.
 

@@ -204,3 +204,87 @@ pub(crate) fn transposed<S: Simd>([a, b, c, d]: [f64x4<S>; 4]) -> [f64x4<S>; 4] 
     let ((first, second), (third, fourth)) = (ac.interleave(bd), ac_high.interleave(bd_high));
     [first, second, third, fourth]
 }
+
+#[cfg(test)]
+mod tests {
+    use fearless_simd::{Level, dispatch};
+
+    use super::*;
+
+    const N: usize = 12;
+
+    /// Four polynomials whose coefficients fall by three.
+    fn coefficients(shift: f64) -> [[f64; 4]; N] {
+        std::array::from_fn(|k| {
+            std::array::from_fn(|lane| {
+                (1.0 + (k + lane) as f64 + shift).sin() / 3_f64.powi(k as i32)
+            })
+        })
+    }
+
+    /// Returns the largest difference of the value of a series at `t` from a function of the lane.
+    fn miss<const M: usize>(series: [[f64; 4]; M], t: f64, exact: impl Fn(usize) -> f64) -> f64 {
+        let value = |lane| (0..M).rev().fold(0.0, |sum, k| sum * t + series[k][lane]);
+        (0..4)
+            .map(|lane| (value(lane) - exact(lane)).abs())
+            .fold(0.0, f64::max)
+    }
+
+    #[test]
+    fn operations_are_those_of_the_functions() {
+        let (left, mut right) = (coefficients(0.0), coefficients(0.3));
+        right[0] = [2.0, -3.0, 2.5, 4.0];
+        let value = |terms: &[[f64; 4]; N], lane: usize, t: f64| {
+            terms
+                .iter()
+                .rev()
+                .fold(0.0, |sum, term| sum * t + term[lane])
+        };
+        dispatch!(Level::new(), simd => {
+            let [a, b] = [left, right].map(|terms| terms.map(|term| f64x4::simd_from(simd, term)));
+            let out = |series: Series<_, N>| series.map(|term| *term.as_array());
+            // What is left out is of order `t^12`.
+            for t in [-0.02, 0.03] {
+                let (of_a, of_b) = (|lane| value(&left, lane, t), |lane| value(&right, lane, t));
+                assert!(miss(out(product(&a, &b)), t, |lane| of_a(lane) * of_b(lane)) < 1e-15);
+                assert!(miss(out(quotient(simd, &a, &b)), t, |lane| of_a(lane) / of_b(lane)) < 1e-15);
+                let constant = f64x4::simd_from(simd, left[0].map(|term| (-2.0 * term).exp()));
+                let exponential: Series<_, N> = exponential(simd, constant, -2.0, &a);
+                assert!(miss(out(exponential), t, |lane| (-2.0 * of_a(lane)).exp()) < 1e-14);
+            }
+            let integral = out(integral(simd, &a, f64x4::splat(simd, 2.0)));
+            let expected = |lane| {
+                let terms = (0..N - 1).map(|k| 2.0 * left[k][lane] * 0.5_f64.powi(k as i32 + 1) / (k + 1) as f64);
+                terms.sum()
+            };
+            assert!(miss(integral, 0.5, expected) < 1e-15);
+            let [low, high] = ends(&a).map(|end| *end.as_array());
+            assert!(miss([low], 0.0, |lane| value(&left, lane, -1.0)) < 1e-15);
+            assert!(miss([high], 0.0, |lane| value(&left, lane, 1.0)) < 1e-15);
+            let rows = transposed([a[0], a[1], a[2], a[3]]).map(|row| *row.as_array());
+            assert_eq!(rows, std::array::from_fn(|i| std::array::from_fn(|k| left[k][i])));
+        });
+    }
+
+    /// The highest terms, `t^11` and `t^10`, change by `T_n/2^(n-1)`.
+    #[test]
+    fn economising_changes_little() {
+        let terms = coefficients(0.0);
+        let economised: [[f64; 4]; 10] = dispatch!(Level::new(), simd => {
+            let series = terms.map(|term| f64x4::simd_from(simd, term));
+            economised::<_, N, 10>(simd, &series).map(|term| *term.as_array())
+        });
+        for i in 0..=100 {
+            let t = f64::from(i) / 50.0 - 1.0;
+            let exact = |lane: usize| {
+                terms
+                    .iter()
+                    .rev()
+                    .fold(0.0, |sum, term| sum * t + term[lane])
+            };
+            let bound = 3_f64.powi(-11) / 1024.0 + (3_f64.powi(-10) + 3_f64.powi(-11)) / 512.0;
+            let miss = miss(economised, t, exact);
+            assert!(miss <= bound, "{t}: {miss:e}, {bound:e}");
+        }
+    }
+}

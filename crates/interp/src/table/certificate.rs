@@ -24,10 +24,16 @@ pub struct Certificate {
     pub worst_quantity: Quantity,
     /// The point with the largest error: `a_over_t`, `e1_over_e2`, `nu1`, `e0_over_e2`.
     pub worst_point: [f64; 4],
-    /// The largest errors of the two identities `Gamma^2 = es (Eeq + x Eeq')` and
-    /// `3 Pi0 + x Pi0' = 4 Eeq (2 Delta0 + x Delta0')` on the interpolant, each relative to its
-    /// left side; `None` where a quantity is missing or `a/t` is fixed.
-    pub identity_errors: [Option<f64>; 2],
+    /// The largest errors of four identities on the interpolant, each relative to its left side;
+    /// `None` where it was not measured, a quantity is missing or `a/t` is fixed:
+    ///
+    /// ```text
+    /// Gamma^2 = es (Eeq + x Eeq')
+    /// 3 Pi0 + x Pi0' = 4 Eeq (2 Delta0 + x Delta0')
+    /// 2 Delta0 + x Delta0' = 2 es Eeq/Gamma^2
+    /// 3 Pi0 + x Pi0' = 8 es Eeq^2/Gamma^2
+    /// ```
+    pub identity_errors: [Option<f64>; 4],
 }
 
 impl Certificate {
@@ -40,6 +46,6 @@ impl Certificate {
         seed: 0,
         worst_quantity: Quantity::Pi0,
         worst_point: [f64::NAN; 4],
-        identity_errors: [None; 2],
+        identity_errors: [None; 4],
     };
 }

@@ -130,10 +130,18 @@ fn certificate(attributes: &Attributes) -> Result<Certificate, Error> {
             ))
         })?,
         worst_point: attributes.numbers(attribute::CERTIFIED_WORST_POINT)?,
-        identity_errors: attributes
-            .numbers(attribute::CERTIFIED_IDENTITY_ERRORS)?
-            .map(|error: f64| (!error.is_nan()).then_some(error)),
+        identity_errors: identity_errors(attributes)?
+            .map(|error| (!error.is_nan()).then_some(error)),
     })
+}
+
+/// Reads the errors of the identities. Older files hold those of the first two only.
+fn identity_errors(attributes: &Attributes) -> Result<[f64; 4], Error> {
+    let name = attribute::CERTIFIED_IDENTITY_ERRORS;
+    let two = |[first, second]: [f64; 2]| [first, second, f64::NAN, f64::NAN];
+    attributes
+        .numbers(name)
+        .or_else(|error| attributes.numbers(name).map(two).map_err(|_| error))
 }
 
 /// The largest factor by which deflate shrinks data. A dataset that is larger than the file times

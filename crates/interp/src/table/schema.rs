@@ -41,8 +41,8 @@ pub mod attribute {
     pub const CERTIFIED_WORST_QUANTITY: &str = "certified_worst_quantity";
     /// Root: the four parameters of the point with the largest error.
     pub const CERTIFIED_WORST_POINT: &str = "certified_worst_point";
-    /// Root: the largest relative errors of the two exact identities on the interpolant; NaN where
-    /// not measured.
+    /// Root: the largest relative errors of the four exact identities on the interpolant; NaN where
+    /// not measured. Files of earlier versions hold the first two.
     pub const CERTIFIED_IDENTITY_ERRORS: &str = "certified_identity_errors";
     /// Dataset: the unit.
     pub const UNITS: &str = "units";

@@ -99,7 +99,12 @@ fn describe_certificate(
         certificate.worst_quantity.name(),
         place.join(", ")
     )?;
-    let names = ["Gamma^2 = es (x Eeq)'", "F0' = S delta0'"];
+    let names = [
+        "Gamma^2 = es (x Eeq)'",
+        "F0' = S delta0'",
+        "delta0' = (2/R) S/S'",
+        "F0' = (2/R) S^2/S'",
+    ];
     let known = names
         .iter()
         .zip(certificate.identity_errors)

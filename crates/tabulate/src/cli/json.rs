@@ -106,19 +106,23 @@ pub struct Errors {
     identity_errors: IdentityErrors,
 }
 
-/// The largest relative errors of the two identities, null where a quantity is missing.
+/// The largest relative errors of the four identities, null where a quantity is missing.
 #[derive(Serialize)]
 struct IdentityErrors {
     /// `Gamma^2 = es (x Eeq)'`
     energy_release_rate: Option<f64>,
     /// `F0' = S delta0'`
     stiffness: Option<f64>,
+    /// `delta0' = (2/R) S/S'`
+    penetration: Option<f64>,
+    /// `F0' = (2/R) S^2/S'`
+    load: Option<f64>,
 }
 
 impl Errors {
     /// Returns the object of the certificate of a table with these parameters.
     pub fn new(certificate: &Certificate, parameters: [Parameter; 4]) -> Self {
-        let [energy_release_rate, stiffness] = certificate.identity_errors;
+        let [energy_release_rate, stiffness, penetration, load] = certificate.identity_errors;
         Self {
             max_error: certificate.max_error,
             p999_error: certificate.p999_error,
@@ -130,6 +134,8 @@ impl Errors {
             identity_errors: IdentityErrors {
                 energy_release_rate,
                 stiffness,
+                penetration,
+                load,
             },
         }
     }

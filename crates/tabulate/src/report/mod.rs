@@ -295,7 +295,12 @@ fn certificate(table: &Table) -> String {
             ),
         ),
     ];
-    let names = ["Γ² = es (x Eeq)′", "F₀′ = S δ₀′"];
+    let names = [
+        "Γ² = es (x Eeq)′",
+        "F₀′ = S δ₀′",
+        "δ₀′ = (2/R) S/S′",
+        "F₀′ = (2/R) S²/S′",
+    ];
     let broken = names
         .iter()
         .zip(certificate.identity_errors)

@@ -1,5 +1,5 @@
 //! The certificate of a table: the largest error at sampled points off the nodes, measured against
-//! direct solves, and the largest error of two exact identities.
+//! direct solves, and the largest errors of four exact identities.
 
 use interp::{Certificate, Curve, Parameter, Quantity, Table};
 use rand::{RngExt, SeedableRng};
@@ -15,13 +15,14 @@ use crate::table::sweep::solve_for_table;
 pub struct Sample {
     /// The values of the table's parameters.
     pub point: [f64; 4],
-    /// The largest relative error of the quantities that the table holds.
+    /// The largest relative error of the quantities that the table answers: those that it holds, or
+    /// all four if it holds `Gamma` alone and begins at a small `a/t`.
     pub error: f64,
     /// The quantity that has it.
     pub quantity: Quantity,
-    /// The relative errors of the interpolant in the two exact identities; none where a quantity is
-    /// missing or `a/t` is fixed.
-    pub identity_errors: [Option<f64>; 2],
+    /// The relative errors of the interpolant in the four exact identities, see
+    /// [`Certificate::identity_errors`]; none where a quantity is missing or `a/t` is fixed.
+    pub identity_errors: [Option<f64>; 4],
 }
 
 /// Returns the default number of points of the certificate of a table with this number of axes.
@@ -79,7 +80,7 @@ pub fn certificate(samples: &[Sample], seed: u64) -> Certificate {
         seed,
         worst_quantity: worst.quantity,
         worst_point: worst.point,
-        identity_errors: [identity(0), identity(1)],
+        identity_errors: [0, 1, 2, 3].map(identity),
     }
 }
 
@@ -220,12 +221,17 @@ pub fn sample(table: &Table, point: [f64; 4]) -> Result<Sample, Error> {
     let [a_over_t, values @ ..] = point;
     let description = table.description();
     let material = material(table.parameters(), description.nu0, values)?;
-    let held = table.quantities();
     let solved = solve_for_table(a_over_t, &material, description.tolerance)?;
     let curve = table.curve(&material)?;
     let (mut error, mut quantity) = (-1.0, Quantity::Pi0);
-    for candidate in held {
-        let found = (curve.quantity(candidate, a_over_t)? / solved.get(candidate) - 1.0).abs();
+    for candidate in Quantity::ALL {
+        let value = match curve.quantity(candidate, a_over_t) {
+            Err(interp::Error::MissingQuantity(_) | interp::Error::BeginsTooLate { .. }) => {
+                continue;
+            }
+            value => value?,
+        };
+        let found = (value / solved.get(candidate) - 1.0).abs();
         // NaN counts as the largest error.
         if found > error || found.is_nan() {
             (error, quantity) = (found, candidate);
@@ -239,35 +245,34 @@ pub fn sample(table: &Table, point: [f64; 4]) -> Result<Sample, Error> {
     })
 }
 
-/// Returns the errors of the identities `Gamma^2 = es (Eeq + x Eeq')` and
-/// `3 Pi0 + x Pi0' = 4 Eeq (2 Delta0 + x Delta0')` on a curve, relative to their left sides; none
-/// where the table does not hold a quantity or slope of the identity.
-fn identity_errors(curve: &Curve, a_over_t: f64) -> [Option<f64>; 2] {
+/// Returns the errors of the four [identities](Certificate::identity_errors) on a curve, relative to
+/// their left sides; none where the curve does not answer a quantity of the identity.
+fn identity_errors(curve: &Curve, a_over_t: f64) -> [Option<f64>; 4] {
     if curve.range()[0] == curve.range()[1] {
         // A single a/t has no slope.
-        return [None; 2];
+        return [None; 4];
     }
-    let both = |quantity| {
+    let value = |quantity| curve.quantity(quantity, a_over_t).ok();
+    let (eeq, gamma) = (value(Quantity::Eeq), value(Quantity::Gamma));
+    // `n Q + x Q'`, the derivative of `x^n Q` over `x^(n-1)`.
+    let rate =
+        |n: f64, quantity| Some(n * value(quantity)? + curve.slope(quantity, a_over_t).ok()?);
+    let es = curve.material().sphere_film_modulus();
+    let energy = || Some((gamma?.powi(2), es * rate(1.0, Quantity::Eeq)?));
+    let stiffness = || {
         Some((
-            curve.quantity(quantity, a_over_t).ok()?,
-            curve.slope(quantity, a_over_t).ok()?,
+            rate(3.0, Quantity::Pi0)?,
+            4.0 * eeq? * rate(2.0, Quantity::Delta0)?,
         ))
     };
-    let (pi0, eeq, delta0) = (
-        both(Quantity::Pi0),
-        both(Quantity::Eeq),
-        both(Quantity::Delta0),
-    );
-    let gamma = curve.quantity(Quantity::Gamma, a_over_t).ok();
-    let es = curve.material().sphere_film_modulus();
-    let energy = gamma
-        .zip(eeq)
-        .map(|(gamma, (eeq, slope))| 1.0 - es * (eeq + slope) / (gamma * gamma));
-    let load =
-        pi0.zip(eeq)
-            .zip(delta0)
-            .map(|(((pi0, pi0_slope), (eeq, _)), (delta0, delta0_slope))| {
-                1.0 - 4.0 * eeq * (2.0 * delta0 + delta0_slope) / (3.0 * pi0 + pi0_slope)
-            });
-    [energy, load].map(|error| error.map(f64::abs))
+    let penetration = || {
+        let right = 2.0 * es * eeq? / gamma?.powi(2);
+        Some((rate(2.0, Quantity::Delta0)?, right))
+    };
+    let load = || {
+        let right = 8.0 * es * (eeq? / gamma?).powi(2);
+        Some((rate(3.0, Quantity::Pi0)?, right))
+    };
+    [energy(), stiffness(), penetration(), load()]
+        .map(|sides| sides.map(|(left, right)| (1.0 - right / left).abs()))
 }
