@@ -4,6 +4,7 @@
 #![forbid(unsafe_code)]
 
 mod approximations;
+mod catalogue;
 mod compliance;
 mod contacts;
 mod derived;

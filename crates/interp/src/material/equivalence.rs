@@ -90,7 +90,11 @@ impl Material {
         let allowed = "in 0 to 1, as it is for Poisson ratios from 0 to 0.5: a negative Poisson ratio \
                        needs a direct solve, or a table made for the nu0 of this substrate";
         Error::unless(b >= 0.0 && one_minus_b >= 0.0, "b", b, allowed)?;
-        let (nu1, nu0) = (b / (1.0 + b), one_minus_b / (1.0 + one_minus_b));
+        // `b/(1 + b)` and `(1 - b)/(2 - b)`, at most 1/2 whatever the rounding.
+        let (nu1, nu0) = (
+            b / (b + b + one_minus_b),
+            one_minus_b / (one_minus_b + one_minus_b + b),
+        );
         // The unit is `E2*`, or `E1` under a rigid sphere.
         let (e1_over_e2, unit) = match self.normalisation() {
             Normalisation::Sphere => (e1s_over_e2s * one_minus_square(nu1), e1s_over_e2s),
