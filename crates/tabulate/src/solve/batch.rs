@@ -32,9 +32,8 @@ struct Group {
 impl Group {
     /// Returns whether shared matrices cost less than the Wiener-Hopf method for each member.
     fn shares_matrices(&self, x: f64, tolerance: f64) -> bool {
-        /// The time of the Wiener-Hopf method, some 100 µs, in the units of [`galerkin::cost`]: a
-        /// contact alone. Shared matrices take less than half of its time.
-        const WIENER_HOPF: f64 = 240.0;
+        /// The time of the Wiener-Hopf method, in the microseconds of [`galerkin::cost`].
+        const WIENER_HOPF: f64 = 100.0;
         galerkin::cost(x, tolerance) <= WIENER_HOPF * self.members.len() as f64
     }
 }
