@@ -325,17 +325,17 @@ fn a_wrong_scene_is_named_with_key_value_and_range() {
         (
             "from = 0.3, to = 3",
             "from = 0.3, to = inf",
-            &["e1_over_e2.to", "inf", "1e-8 to 1e8"],
+            &["e1_over_e2.to", "inf", "is not positive and finite"],
         ),
         (
             "e0_over_e2 = inf",
             "e0_over_e2 = 0",
-            &["e0_over_e2", "0", "1e-6 to 1e12"],
+            &["e0_over_e2", "0", "is not positive and finite"],
         ),
         (
             "e0_over_e2 = inf",
             "e0_over_e2 = -3.0",
-            &["e0_over_e2", "-3", "1e-6 to 1e12"],
+            &["e0_over_e2", "-3", "is not positive and finite"],
         ),
         (
             "e0_over_e2 = inf",

@@ -165,3 +165,42 @@ impl Shared {
         members.map(solve_member).collect()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::solve::estimate::{difference, larger};
+    use crate::solve::solve;
+
+    /// Every sphere on films and substrates of which some differ by `nu0` alone.
+    #[test]
+    fn shared_matrices_give_the_quantities_of_single_solves() {
+        const TOLERANCE: f64 = 1e-9;
+        let mut materials = Vec::new();
+        for e1 in [0.0, 1e-9, 1e-3, 1.0, 1e4, 1e100] {
+            for ratio in [1e-14, 1e-3, 1.0, 1e12] {
+                for (nu1, nu0) in [(0.5, 0.0), (0.5, 0.4), (0.25, 0.4), (0.0, 0.5)] {
+                    let e0 = ratio * if e1 == 0.0 { 1.0 } else { e1 };
+                    materials.push(Material::new(e1, nu1, e0, nu0).expect("physical"));
+                }
+            }
+        }
+        let alone = |x| {
+            move |material: &Material| solve(x, material, TOLERANCE).map(|solved| solved.quantities)
+        };
+        let batch = Batch::new(materials);
+        assert_eq!(batch.groups.len(), 4 * 4);
+        let mut worst = 0.0;
+        for x in [1e-3, 1.0, 30.0] {
+            let solved = batch
+                .solve(x, TOLERANCE, &alone(x), &|_| ())
+                .expect("within reach");
+            for (material, solved) in batch.materials().iter().zip(&solved) {
+                let single = alone(x)(material).expect("within reach");
+                worst = larger(worst, difference(solved, &single));
+            }
+        }
+        println!("shared matrices: {worst:.1e}");
+        assert!(worst <= 2.0 * TOLERANCE);
+    }
+}

@@ -110,3 +110,50 @@ fn closed_form(symbol: &Symbol) -> Estimate {
         modes: 0,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use interp::Material;
+    use rand::{RngExt, SeedableRng};
+    use rand_pcg::Pcg64Mcg;
+
+    use super::*;
+    use crate::solve::estimate::{difference, larger};
+
+    /// Both methods between `a/t = 10` and 300, over `E1*/E2*` from 1e-12 to 1e14, and 0, and
+    /// `E0*/E1*` from 1e-14 to 1e14, and infinity. They share the compliance only.
+    #[test]
+    fn two_methods_agree_within_their_stated_errors_over_all_contrasts() {
+        const COUNT: usize = 300;
+        const TOLERANCE: f64 = 1e-9;
+        let mut random = Pcg64Mcg::seed_from_u64(4);
+        let (mut compared, mut worst): (usize, f64) = (0, 0.0);
+        for _ in 0..COUNT {
+            let mut log_uniform =
+                |from: f64, to: f64| random.random_range(from.ln()..to.ln()).exp();
+            let x = log_uniform(10.0, 300.0);
+            let (mut e1, r) = (log_uniform(1e-12, 1e14), log_uniform(1e-14, 1e14));
+            let mut e0 = e1 * r;
+            match random.random_range(0..6) {
+                0 => (e1, e0) = (0.0, r),
+                1 => e0 = f64::INFINITY,
+                _ => {}
+            }
+            let mut nu = || [0.5, random.random_range(0.0..0.5)][random.random_range(0..2)];
+            let material = Material::new(e1, nu(), e0, nu()).expect("physical");
+            let symbol = Symbol::new(&material);
+            let [galerkin, ray] =
+                [Method::Galerkin, Method::Ray].map(|method| method.solve(x, &symbol, TOLERANCE));
+            if galerkin.error + ray.error < 1e-6 {
+                compared += 1;
+                let difference = difference(&galerkin.quantities, &ray.quantities);
+                worst = larger(worst, difference / (galerkin.error + ray.error));
+            }
+        }
+        println!("{compared} of {COUNT} contacts: at most {worst:.2} of the stated errors");
+        assert!(
+            compared >= COUNT * 9 / 10 && worst <= 1.0,
+            "{compared}, {worst}"
+        );
+    }
+}
