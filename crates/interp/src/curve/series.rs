@@ -107,9 +107,7 @@ pub(crate) fn first_terms<S: Simd, const M: usize, const N: usize>(
     series: &Series<S, M>,
 ) -> Series<S, N> {
     let mut terms = [series[0]; N];
-    for k in 1..N {
-        terms[k] = series[k];
-    }
+    terms.copy_from_slice(&series[..N]);
     terms
 }
 
