@@ -1,7 +1,7 @@
 //! Curves from `Gamma` alone: the other three quantities are integrals of it over `a/t`.
 
 use acceptance::{Data, larger, material, paper_system, relative_error, table};
-use interp::{Curve, Elastic, Error, Parameter, Quantity, System, Table};
+use interp::{Curve, Description, Elastic, Error, Parameter, Quantity, System, Table};
 use tabulate::solve;
 
 /// The tolerance of the tables of one material.
@@ -62,7 +62,7 @@ fn they_are_those_of_direct_solves() {
         let curve = curve_of(&table_of(name, TOLERANCE, [1e-3, 1e3]));
         let mut errors = [0.0; 4];
         for x in points(curve.range(), 150) {
-            let solved = solve(x, curve.material(), 2e-10).expect("it converges");
+            let solved = solve(x, curve.material(), 1e-9).expect("it converges");
             for quantity in Quantity::ALL {
                 let found = curve.quantity(quantity, x).expect("in range");
                 let error = (found / solved.quantities.get(quantity) - 1.0).abs();
@@ -102,88 +102,112 @@ fn they_are_those_of_the_reference() {
     assert_eq!(count, 6);
 }
 
+/// Measured: 3.3, 2.3, 1.7 and 1.7 for waves, 2.0 for a sum. The strict bounds of the errors are `2e` for `Eeq`, `4e` for `Delta0` and `6e` for `Pi0`. To
+/// reach the last two an error of `Gamma` would have to change its sign suddenly.
 #[test]
-fn an_error_of_gamma_is_at_most_doubled() {
+fn an_error_of_gamma_grows_little() {
     const ERROR: f64 = 1e-6;
+    type Error = dyn Fn(f64, f64) -> f64;
+    let waves = [1.0, 2.0, 5.0, 20.0].map(|frequency| -> Box<Error> {
+        Box::new(move |x: f64, _| ERROR * (frequency * x.ln()).sin())
+    });
+    // Over `Gamma/es`: `1e-6` added to its square.
+    let square: Box<Error> = Box::new(|_, gamma| (1.0 + ERROR / (gamma * gamma)).sqrt() - 1.0);
+    let kinds: Vec<Box<Error>> = waves.into_iter().chain([square]).collect();
+    let mut worst: Vec<f64> = vec![0.0; kinds.len()];
     for name in MATERIALS {
         let table = table_of(name, TOLERANCE, [1e-3, 1e3]);
         let curve = curve_of(&table);
         let es = curve.material().sphere_film_modulus();
-        let wave = |x: f64| (1.0 + ERROR * (2.0 * x.ln()).sin(), ERROR);
-        let square = |gamma: f64| {
-            let relative = ERROR * es * es / (gamma * gamma);
-            ((1.0 + relative).sqrt(), 0.5 * relative)
-        };
-        for kind in ["wave", "square"] {
-            // The error at each node, and the largest of all.
+        for (kind, worst) in kinds.iter().zip(&mut worst) {
             let nodes = table.axis(Parameter::AOverT);
             let gamma = table.values(Quantity::Gamma).expect("held");
-            let factors = nodes.iter().zip(gamma).map(|(&x, &gamma)| match kind {
-                "wave" => wave(x),
-                _ => square(gamma),
-            });
-            let (factors, errors): (Vec<f64>, Vec<f64>) = factors.unzip();
-            let error = errors.into_iter().fold(0.0, larger);
-            let gamma = gamma
+            let errors = nodes
                 .iter()
-                .zip(&factors)
-                .map(|(gamma, factor)| gamma * factor);
-            let values = [None, None, Some(gamma.collect()), None];
-            let other = Table::new(table.description().clone(), table.axes(), values);
-            let other = curve_of(&other.expect("sound"));
-            let mut largest = 0.0;
+                .zip(gamma)
+                .map(|(&x, &gamma)| kind(x, gamma / es).abs());
+            let error = errors.fold(0.0, larger);
+            // The beginning is not accurate to the tolerance any more.
+            let other = changed(&table, ERROR, |x, gamma| 1.0 + kind(x, gamma / es));
+            let other = curve_of(&other);
             for x in points(curve.range(), 1000) {
                 let [exact, found] = [&curve, &other].map(|c| c.quantities(x).expect("in range"));
-                largest = larger(largest, relative_error(&found, &exact));
+                *worst = larger(*worst, relative_error(&found, &exact) / error);
             }
-            println!("{name:?}, {kind}: {largest:.1e} from {error:.1e}");
-            assert!(
-                largest < 2.0 * error,
-                "{name:?}, {kind}: {largest:e} from {error:e}"
-            );
-            assert!(largest > 0.5 * error, "{name:?}, {kind}: the error is lost");
         }
+    }
+    println!("largest factors: {worst:?}");
+    for (i, factor) in worst.into_iter().enumerate() {
+        let most = [3.5, 2.5, 1.8, 1.8, 2.1][i];
+        assert!(factor > 0.5 && factor < most, "{i}: {factor}");
     }
 }
 
-/// A table that begins at any `a/t` answers within its tolerance, or says that it begins too late.
+/// Returns the table with another tolerance and the values of `Gamma` times `factors`.
+fn changed(table: &Table, tolerance: f64, factor: impl Fn(f64, f64) -> f64) -> Table {
+    let gamma = table.values(Quantity::Gamma).expect("held");
+    let nodes = table.axis(Parameter::AOverT).iter().zip(gamma);
+    let gamma = nodes.map(|(&x, &gamma)| gamma * factor(x, gamma)).collect();
+    let description = Description {
+        tolerance,
+        ..table.description().clone()
+    };
+    Table::new(description, axes(table), [None, None, Some(gamma), None]).expect("sound")
+}
+
 #[test]
-fn a_table_that_begins_too_late_says_so() {
-    const TOLERANCE: f64 = 1e-6;
-    let (mut answered, mut refused) = (0, 0);
-    for name in MATERIALS {
-        for from in [3e-3, 0.01, 0.03, 0.1, 0.3, 1.0, 3.0] {
-            let table = table_of(name, TOLERANCE, [from, 100.0]);
-            let curve = curve_of(&table);
-            curve.quantity(Quantity::Gamma, from).expect("held");
-            match curve.quantities(from) {
-                Ok(found) => {
-                    let solved = solve(from, curve.material(), 1e-11).expect("it converges");
-                    let error = relative_error(&found, &solved.quantities);
-                    println!("{name:?} from {from}: {error:.1e}");
-                    assert!(error <= TOLERANCE, "{name:?} from {from}: {error:e}");
-                    answered += 1;
-                }
-                Err(error @ Error::BeginsTooLate { .. }) => {
-                    println!("{name:?} from {from}: {error}");
-                    let text = format!("begins at a_over_t = {from:?}: the estimated error is");
-                    assert!(error.to_string().contains(&text), "{error}");
-                    let next = "begins at a smaller a_over_t";
-                    assert!(error.to_string().contains(next), "{error}");
-                    assert!(from >= 0.03, "{name:?} from {from}: {error}");
-                    refused += 1;
-                }
-                Err(error) => panic!("{name:?} from {from}: {error}"),
+fn a_table_that_begins_too_late_says_so_with_an_estimate_that_holds() {
+    let mut largest = 0.0;
+    // Where film and substrate are equal there is no error.
+    for name in &MATERIALS[..5] {
+        for from in [3e-3, 0.01, 0.03, 0.1, 0.2, 0.4] {
+            let table = table_of(*name, TOLERANCE, [from, 30.0]);
+            // Asked for more than is possible, it states its error.
+            let strict = curve_of(&changed(&table, 1e-15, |_, _| 1.0));
+            strict.quantity(Quantity::Gamma, from).expect("held");
+            let refusal = strict.quantities(from).expect_err("it begins too late");
+            let Error::BeginsTooLate { estimate, .. } = refusal else {
+                panic!("{name:?} from {from}: {refusal}");
+            };
+            let text = refusal.to_string();
+            assert!(
+                text.contains(&format!("begins at a_over_t = {from:?}: ")),
+                "{text}"
+            );
+            assert!(
+                text.contains("make a table whose scene begins at a smaller"),
+                "{text}"
+            );
+            assert!(text.contains("or add pi0 to `quantities`"), "{text}");
+            // Asked for a little more than that, it answers.
+            let curve = curve_of(&changed(&table, 1.01 * estimate, |_, _| 1.0));
+            let found = curve.quantities(from).expect("it begins early enough");
+            let solved = solve(from, curve.material(), 1e-11).expect("it converges");
+            let error = relative_error(&found, &solved.quantities);
+            println!("{name:?} from {from}: {error:.1e}, estimated {estimate:.1e}");
+            assert!(
+                error <= estimate + TOLERANCE,
+                "{name:?} from {from}: {error:e}, {estimate:e}"
+            );
+            if estimate > 10.0 * TOLERANCE {
+                largest = larger(largest, error / estimate);
             }
         }
     }
-    assert!(answered >= 18 && refused >= 12, "{answered}, {refused}");
-    // Without room for the estimate nothing is derived either.
-    let curve = curve_of(&table_of(MATERIALS[0], TOLERANCE, [1e-3, 3e-3]));
-    assert!(matches!(
-        curve.quantity(Quantity::Eeq, 2e-3),
-        Err(Error::BeginsTooLate { .. })
-    ));
+    println!("at most {largest:.2} of the estimate");
+    assert!(largest > 0.1, "the estimate is too large");
+    // Without an estimate nothing is derived.
+    for range in [[1e-3, 3e-3], [1.0, 100.0]] {
+        let curve = curve_of(&table_of(MATERIALS[0], 1e-2, range));
+        curve.quantity(Quantity::Gamma, range[0]).expect("held");
+        assert!(matches!(
+            curve.quantity(Quantity::Eeq, range[0]),
+            Err(Error::BeginsTooLate {
+                estimate: f64::INFINITY,
+                ..
+            })
+        ));
+    }
 }
 
 #[test]

@@ -151,8 +151,8 @@ pub enum Error {
         quantity: &'static str,
         /// The first node in `a/t`.
         from: f64,
-        /// The estimated relative error; infinite if the table ends before four times its first
-        /// `a/t`, which an estimate needs.
+        /// The estimated relative error; infinite if there is no estimate, because the table begins
+        /// beyond 0.4 or ends before four times its first `a/t`.
         estimate: f64,
         /// The relative tolerance of the table.
         tolerance: f64,

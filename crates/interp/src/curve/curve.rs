@@ -24,9 +24,10 @@ use crate::{Error, Material, Parameter, Quantities, Quantity};
 /// more. An evaluation allocates nothing. A clone shares the pieces.
 ///
 /// A table of `gamma` alone makes a curve of all four quantities: the others are integrals of
-/// `Gamma` over `a/t`, exactly (see the page `curve/derived.rs` of the source). A relative error
-/// `e` of `Gamma` becomes less than `2e` of the others. The table must begin at a small `a/t`, 0.01
-/// for most materials; otherwise the others are an [`Error::BeginsTooLate`].
+/// `Gamma` over `a/t`, exactly (see the page `curve/derived.rs` of the source). The
+/// relative error of each is about that of `Gamma`, in theory up to 2, 4 and 6 times as large for
+/// `Eeq`, `Delta0` and `Pi0`. The table must begin at a small `a/t` (0.01 for a tolerance of 1e-8,
+/// 0.03 for 1e-6); otherwise the others are an [`Error::BeginsTooLate`].
 ///
 /// A curve of a table continues beyond the `a/t` of its nodes by the first terms of the expansions
 /// about the exact limits, as far as their estimated error ([`Curve::error`]) is within the table's

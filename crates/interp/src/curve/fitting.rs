@@ -15,7 +15,7 @@ impl Resampler {
 
     /// The binary logarithm of the number of pieces in an octave with which derived quantities are
     /// compared.
-    const REFERENCE: u32 = 5;
+    const REFERENCE: u32 = 4;
 
     /// Finds the longest pieces on which `count` curves follow their splines, and the quantities
     /// derived from them, to a relative `error`.
@@ -41,13 +41,16 @@ impl Resampler {
         let finest = coarsest.max(Self::FINEST);
         let mut bits = vec![coarsest; Grid::most_octaves(range)];
         let mut resampler = Self::new(basis, range, held, &bits);
-        let fine = Self::new(basis, range, held, &vec![Self::REFERENCE; bits.len()]);
+        let fine = resampler
+            .derivation
+            .is_some()
+            .then(|| Self::new(basis, range, held, &vec![Self::REFERENCE; bits.len()]));
         // New lengths move the ends of all pieces. Therefore the search ends only after all curves,
         // one after another, were followed by the present pieces.
         let mut followed = 0;
         for i in (0..count).cycle() {
             let coefficients = curve(i);
-            let target = Target::new(basis, range, coefficients.as_ref(), &fine);
+            let target = Target::new(basis, range, held, coefficients.as_ref(), fine.as_ref());
             loop {
                 let pieces = target.followed_by(&resampler);
                 let mut too_long = vec![false; bits.len()];
@@ -57,6 +60,7 @@ impl Resampler {
                             target.error(&resampler.grid, piece, ends, &pieces[piece]) > error;
                     }
                 }
+                drop(pieces);
                 if !too_long.contains(&true) {
                     break;
                 }
@@ -87,15 +91,16 @@ struct Target<'a> {
 }
 
 impl<'a> Target<'a> {
-    /// Makes the target of splines, with the quantities derived from them on the pieces of `fine`.
+    /// Makes the target of splines, with the quantities derived from them on the pieces of `fine`,
+    /// if there are any.
     fn new(
         basis: &'a Basis,
         range: [f64; 2],
+        held: &'a [Quantity],
         coefficients: &'a [f64],
-        fine: &'a Resampler,
+        fine: Option<&'a Resampler>,
     ) -> Self {
-        let derived = || {
-            fine.derivation.as_ref()?;
+        let derived = |fine: &'a Resampler| {
             let Pieces {
                 values,
                 start_error,
@@ -107,9 +112,9 @@ impl<'a> Target<'a> {
         Self {
             basis,
             range,
-            held: &fine.held,
+            held,
             coefficients,
-            derived: derived(),
+            derived: fine.and_then(derived),
         }
     }
 
@@ -133,8 +138,8 @@ impl<'a> Target<'a> {
     }
 
     /// Returns the largest relative difference between the polynomials on a piece and the target,
-    /// midway between the samples and
-    /// at the ends; infinity if a difference is NaN.
+    /// midway between the samples and,
+    /// if quantities are derived, at the ends; infinity if a difference is NaN.
     fn error(&self, grid: &Grid, piece: usize, ends: [f64; 2], values: &Values) -> f64 {
         let [from, to] = self.range;
         let samples = chebyshev_points(ends, [from, to].map(|x| x * grid.factor));
@@ -146,11 +151,11 @@ impl<'a> Target<'a> {
         let middles = middles
             .map(|x| (x, grid.locate(x)))
             .filter(|(_, position)| position.piece == piece);
-        // What is left out of a series is largest at the ends.
+        // What is left out of the series of the derived quantities is largest at the ends.
         let ends = [(ends[0], -1.0), (ends[1], 1.0)]
             .map(|(y, t)| (y / grid.factor, Position { piece, t }))
             .into_iter()
-            .filter(|(x, _)| (from..=to).contains(x));
+            .filter(|(x, _)| self.derived.is_some() && (from..=to).contains(x));
         let points = middles.chain(ends);
         let errors = points.flat_map(|(x, position)| {
             let difference = move |(quantity, expected): (Quantity, f64)| {

@@ -184,7 +184,7 @@ impl Resampler {
     ) -> [f64; 3] {
         derivation.starts.map(|Position { piece, t }| {
             let halves = self.logarithm(simd, piece, coefficients);
-            let [low, high] = halves.each_ref().map(|half| half.as_array());
+            let [low, high] = halves.each_ref().map(SimdBase::as_array);
             let sum = |half: &[f64; 4]| half.iter().rev().fold(0.0, |sum, term| sum * t + term);
             sum(low) + t.powi(4) * sum(high)
         })

@@ -150,6 +150,9 @@ impl Table {
     }
 
     /// Returns whether the table holds `quantity`, which depends on its scene.
+    ///
+    /// A table that holds [`Quantity::Gamma`] alone answers all four quantities, because the others
+    /// are integrals of it, see [`Curve`].
     pub fn holds(&self, quantity: Quantity) -> bool {
         match &self.content {
             Content::Dense(values) => values[quantity as usize].is_some(),
