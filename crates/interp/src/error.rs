@@ -29,6 +29,17 @@ pub enum Error {
         /// The values allowed, in words.
         allowed: Cow<'static, str>,
     },
+    /// A contact radius that is not below the radius of the sphere.
+    #[error(
+        "contact radius = {contact_radius:?} m cannot be used: it must be below the sphere's radius \
+         R = {sphere_radius:?} m; check its unit, and whether the arguments are in the right order"
+    )]
+    BeyondSphere {
+        /// The contact radius given, m.
+        contact_radius: f64,
+        /// The radius of the sphere, m.
+        sphere_radius: f64,
+    },
     /// A query outside the box of the table or outside the `a/t` of the curve.
     #[error(
         "{axis} = {value:?} is outside the table or curve, which {}; ask for a value inside, or make \
@@ -62,11 +73,13 @@ pub enum Error {
         /// The relative tolerance of the table.
         tolerance: f64,
     },
-    /// A state whose contact radius is outside the range of the table or curve.
+    /// A state whose contact radius is outside the range of a search:
+    /// [`Contact::contact_radius_range`](crate::Contact::contact_radius_range).
     #[error(
-        "{name} = {value:?} leads to a contact radius outside the table or curve, which covers \
-         {from:?} m to {to:?} m; give a value that keeps the radius inside, or make a table with a \
-         larger range of a_over_t"
+        "{name} = {value:?} leads to a contact radius outside {from:?} m to {to:?} m, {}; give a \
+         value that keeps the radius inside{}",
+        if *at_sphere { "which ends at the sphere's radius" } else { "the range of the table or curve" },
+        if *at_sphere { "" } else { ", or make a table with a larger range of a_over_t" }
     )]
     OutsideRadii {
         /// The name of the quantity imposed or measured.
@@ -77,6 +90,8 @@ pub enum Error {
         from: f64,
         /// The largest contact radius, m.
         to: f64,
+        /// Whether the range ends at the radius of the sphere, beyond which no table helps.
+        at_sphere: bool,
     },
     /// A load, penetration or position of the spring at which there is no contact.
     #[error("there is no contact at {name} = {value:?}: give {least:?} or more")]
