@@ -111,6 +111,24 @@ fn assert_reads(table: &Table, normalised_by: &str) {
             .collect::<Vec<_>>(),
         ["axes", "values"]
     );
+    let links: Vec<String> = Parameter::ALL
+        .map(|parameter| format!("/axes/{}", parameter.name()))
+        .into_iter()
+        .chain(
+            table
+                .quantities()
+                .iter()
+                .map(|quantity| format!("/values/{}", quantity.name())),
+        )
+        .collect();
+    let sorted = |mut names: Vec<String>| {
+        names.sort();
+        json!(names)
+    };
+    assert_eq!(
+        (&file["links"], &file["extra"]),
+        (&sorted(links), &json!([]))
+    );
     assert_eq!(
         names("axes"),
         ["a_over_t", "e0_over_e2", "e1_over_e2", "nu1"]
