@@ -43,7 +43,8 @@ pub enum Error {
     /// A query outside the box of the table or outside the `a/t` of the curve.
     #[error(
         "{axis} = {value:?} is outside the table or curve, which {}; ask for a value inside, or make \
-         a table that covers it: change {axis} in the scene and run `tabulate generate`",
+         a table that covers it: change {axis} in the scene and run `tabulate generate`; \
+         `tabulate solve` answers for a single contact without a table",
         extent(*from, *to)
     )]
     OutsideTable {
@@ -61,7 +62,8 @@ pub enum Error {
     #[error(
         "a_over_t = {value:?} is beyond the table, which ends at {edge:?}: the expansion about the \
          limit is accurate to {estimate:.1e} there, and the table to {tolerance:.1e}; make a table \
-         whose scene extends a_over_t to this value"
+         whose scene extends a_over_t to this value with `tabulate generate`, or solve this contact \
+         with `tabulate solve`"
     )]
     Extrapolation {
         /// The `a/t` asked for.
@@ -106,8 +108,9 @@ pub enum Error {
     /// A material on a substrate with another Poisson ratio than the table's, whose equivalent does
     /// not exist or is outside the table.
     #[error(
-        "nu1 = {nu1:?} with nu0 = {nu0:?} has no equivalent in a table made for nu0 = {table_nu0:?} \
-         ({cause}); a table made for nu0 = {nu0:?} needs no equivalent"
+        "nu1 = {nu1:?} with nu0 = {nu0:?} has no equivalent in a table made for nu0 = {table_nu0:?}; \
+         make a table with nu0 = {nu0:?} in its scene with `tabulate generate`, which needs no \
+         equivalent, or solve this contact with `tabulate solve`; the cause: {cause}"
     )]
     Equivalent {
         /// The Poisson ratio of the film.
@@ -215,6 +218,25 @@ pub enum Error {
     /// A table whose parts contradict each other or the schema.
     #[error("the table is malformed: {0}; make the table again, or copy the file again")]
     Malformed(String),
+    /// A low-rank form whose first lookup would need too much memory or time.
+    #[error(
+        "a low-rank form with the ranks {ranks:?} and {nodes:?} nodes is too large: its first lookup \
+         would need {needed} {what}, and at most {most} are allowed; pack the table with a larger \
+         tolerance (`tabulate pack --tolerance`), make it for a smaller box or with fewer nodes, or \
+         use it as HDF5 or packed without a tolerance"
+    )]
+    LowRankTooLarge {
+        /// The ranks of the form.
+        ranks: [usize; 3],
+        /// The numbers of nodes of `e0_over_e2`, `e1_over_e2`, `nu1` and `a_over_t`.
+        nodes: [usize; 4],
+        /// What it needs too many of, numbers in memory or products.
+        what: &'static str,
+        /// The number that it needs.
+        needed: u64,
+        /// The largest number allowed for a form of its size.
+        most: u64,
+    },
     /// A file that cannot be read.
     #[error("cannot read {}", path.display())]
     Io {
