@@ -52,7 +52,7 @@ fn errors_are_those_of_loads_in_newtons() {
     let table = paper();
     let (mut bulk, mut looked_up_errors) = ([const { Vec::new() }; 2], [const { Vec::new() }; 2]);
     for (x, material) in random_points(&table, COUNT, 1) {
-        let (t, r, unit) = (2e-6, 3e-4, 5e6);
+        let (t, r, unit) = (2e-6, 3e-3, 5e6);
         let solid = |ratio: f64, nu: f64| Elastic::new(ratio * unit, nu).expect("physical");
         let system = System {
             sphere_radius: r,

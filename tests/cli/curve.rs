@@ -1,7 +1,8 @@
 //! `tabulate curve`
 
-use acceptance::{Data, larger, paper_system, workdir};
-use interp::{Mechanics, Table};
+use acceptance::{Data, assert_names, larger, paper_system, workdir};
+use interp::{Mechanics, Table, Validity};
+use tabulate::report::LARGE_CONTACT;
 
 use crate::{paper_table, solved};
 
@@ -134,5 +135,33 @@ fn curve_takes_every_part_of_the_system() {
             (case.get("load"), case.get("penetration")),
             mechanics.load_and_penetration(a, edge, &quantities)
         );
+    }
+}
+
+#[test]
+fn a_radius_that_is_not_below_the_spheres_is_an_error_before_any_work() {
+    let workdir = workdir!();
+    for to in ["1", "1e-3", "1e308"] {
+        for table in [&[][..], &["embedded"]] {
+            let message = workdir.fail(1, &[&["curve", "--to", to], table].concat());
+            let value = format!("{:?} m", to.parse::<f64>().expect("a number"));
+            assert_names(&message, &[&value, "below", "R = 0.001 m", "unit"]);
+            assert_eq!(message.lines().count(), 1, "{message}");
+        }
+    }
+}
+
+#[test]
+fn a_radius_that_is_not_small_beside_the_spheres_is_warned_of_once() {
+    let workdir = workdir!();
+    let limit = Validity::WARNING_A_OVER_R * 1e-3;
+    for (to, warning) in [
+        (limit, String::new()),
+        (limit.next_up(), format!("tabulate: {LARGE_CONTACT}\n")),
+        (0.999e-3, format!("tabulate: {LARGE_CONTACT}\n")),
+    ] {
+        let run = workdir.run(&["curve", "embedded", "--to", &to.to_string()]);
+        assert_eq!((run.status, run.stderr), (0, warning));
+        assert_eq!(Data::parse("curve", &run.stdout).cases().count(), 150);
     }
 }

@@ -478,9 +478,13 @@ fn a_state_out_of_range_is_an_error_with_the_radii() {
         e0_over_e2 = 1e5
     ",
     );
+    let wide = System {
+        sphere_radius: 1.0,
+        ..paper_system(1e-2)
+    };
     for contact in [
         contact_on(1e-9),
-        thick.contact(&paper_system(1e-2)).expect("in the table"),
+        thick.contact(&wide).expect("in the table"),
     ] {
         let [from, to] = contact.contact_radius_range();
         let smallest = if from == 0.0 { 1e-60 } else { from };

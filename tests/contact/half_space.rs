@@ -44,7 +44,8 @@ impl Jkr {
     }
 }
 
-/// Draws 300 random spheres on random half-spaces. Some spheres or half-spaces are rigid.
+/// Draws 300 random spheres on random half-spaces. Some spheres or half-spaces are rigid. A contact
+/// a thousand times wider than that of least penetration is smaller than the sphere.
 fn systems(seed: u64) -> impl Iterator<Item = (Contact, Jkr)> {
     let mut contacts = Contacts::new(seed);
     (0..300).map(move |i| {
@@ -65,11 +66,10 @@ fn systems(seed: u64) -> impl Iterator<Item = (Contact, Jkr)> {
             solid,
         };
         let e = 1.0 / (1.0 / sphere + (1.0 - solid.poisson().powi(2)) / solid.young());
-        let jkr = Jkr {
-            r: system.sphere_radius,
-            e,
-            w: contacts.log_uniform(1e-4, 10.0),
-        };
+        let r = system.sphere_radius;
+        let least_penetration = contacts.log_uniform(1e-7, 9e-4) * r;
+        let w = 8.0 * e * least_penetration.powi(3) / (PI * r * r);
+        let jkr = Jkr { r, e, w };
         (Contact::half_space(&system).expect("physical"), jkr)
     })
 }

@@ -8,3 +8,4 @@ mod equilibria;
 mod fit;
 mod gradient;
 mod half_space;
+mod sphere_radius;

@@ -2,7 +2,7 @@
 
 use interp::Table;
 use serde_json::{Value, json};
-use tabulate::report::report;
+use tabulate::report::{LARGE_CONTACT, report};
 
 use crate::browser::{browse, fill};
 use crate::embedded_default;
@@ -38,6 +38,11 @@ fn outside_the_box_there_is_a_message_and_no_curve() {
             "The work of adhesion must be a number that is 0 or larger.",
         ),
         (
+            "film_thickness=1e-3&sphere_radius=1e-7",
+            "A contact of 1.00000 µm, where the table’s a/t begins, is not smaller than the sphere. \
+             Change the sphere radius or the film thickness.",
+        ),
+        (
             "film_colour=3",
             "The address sets “film_colour”, which is not a setting of this table.",
         ),
@@ -58,6 +63,30 @@ fn outside_the_box_there_is_a_message_and_no_curve() {
         );
     }
     assert_eq!(looks[cases.len()]["hidden"], false, "it comes back");
+}
+
+#[test]
+fn a_contact_radius_that_is_not_small_compared_with_the_spheres_is_noted() {
+    let notes = |messages: &str| -> Vec<bool> {
+        let texts = [LARGE_CONTACT, "The curve ends at the sphere’s radius R."];
+        texts.map(|text| messages.contains(text)).to_vec()
+    };
+    // The contact radius at zero load over that of the sphere, (9 pi w/(2 E* R))^{1/3}, is 0.07,
+    // 0.3 and 2.
+    let cases = [
+        ("sphere_radius=1e-3", [false, false]),
+        ("sphere_radius=1e-5", [true, false]),
+        ("sphere_radius=1e-8", [true, true]),
+    ];
+    let addresses = cases.map(|(address, _)| address.to_owned());
+    let Some(seen) = browse(&page(), &addresses) else {
+        return;
+    };
+    let looks = seen["looks"].as_array().expect("looks");
+    for ((address, expected), look) in cases.iter().zip(looks) {
+        let messages = look["messages"].as_str().expect("text");
+        assert_eq!(notes(messages), expected, "{address}: {messages}");
+    }
 }
 
 #[test]

@@ -231,7 +231,11 @@ fn force_curves_need_no_table() {
         sphere_modulus: f64::INFINITY,
         ..paper_system(1e-6)
     };
-    for system in [paper_system(1e-6), paper_system(30e-6), rigid_sphere] {
+    let thick_film = System {
+        sphere_radius: 1e-2,
+        ..paper_system(30e-6)
+    };
+    for system in [paper_system(1e-6), thick_film, rigid_sphere] {
         let tolerance = 1e-8;
         let material = system.material().expect("physical");
         let curve = curve(&material, [0.1, 200.0], tolerance).expect("moderate contrasts converge");

@@ -113,6 +113,25 @@ fn assert_reads(table: &Table, normalised_by: &str) {
             .collect::<Vec<_>>(),
         ["axes", "values"]
     );
+    let links: Vec<String> = table
+        .parameters()
+        .map(|parameter| format!("/axes/{}", parameter.name()))
+        .into_iter()
+        .chain(
+            table
+                .quantities()
+                .iter()
+                .map(|quantity| format!("/values/{}", quantity.name())),
+        )
+        .collect();
+    let in_order = |mut names: Vec<String>| {
+        names.sort();
+        json!(names)
+    };
+    assert_eq!(
+        (&file["links"], &file["extra"]),
+        (&in_order(links), &json!([]))
+    );
     let mut sorted = table.parameters().map(Parameter::name);
     sorted.sort_unstable();
     assert_eq!(names("axes"), sorted);

@@ -13,3 +13,4 @@ mod lookup_errors;
 mod low_rank;
 mod scenes;
 mod tables;
+mod xarray;

@@ -26,6 +26,11 @@ def attributes(thing):
     return {name: attribute(value) for name, value in thing.attrs.items() if name not in hidden}
 
 
+def path(axis):
+    """The path of an axis in its group: `axis.name` may be its link in the root."""
+    return next(data.name for data in axis.file["axes"].values() if data == axis)
+
+
 def dataset(data):
     return {
         "dtype": str(data.dtype),
@@ -35,7 +40,7 @@ def dataset(data):
         "compression": data.compression,
         "fletcher32": data.fletcher32,
         "is_scale": data.is_scale,
-        "scales": [[scale.name for scale in dimension.values()] for dimension in data.dims],
+        "scales": [[path(scale) for scale in dimension.values()] for dimension in data.dims],
         "labels": [list(dimension.keys()) for dimension in data.dims],
         "attributes": attributes(data),
         "bits": bits(data[...]),
@@ -43,5 +48,9 @@ def dataset(data):
 
 
 with h5py.File(sys.argv[1], "r") as file:
-    groups = {name: {key: dataset(data) for key, data in group.items()} for name, group in file.items()}
-    json.dump({"attributes": attributes(file), "groups": groups}, sys.stdout)
+    groups = {name: group for name, group in file.items() if isinstance(group, h5py.Group)}
+    contents = {name: {key: dataset(data) for key, data in group.items()} for name, group in groups.items()}
+    # The datasets of the groups that the root has too, under the same names.
+    links = [data.name for group in groups.values() for key, data in group.items() if file.get(key) == data]
+    extra = [name for name in file if name not in groups and not any(name in group for group in groups.values())]
+    json.dump({"attributes": attributes(file), "groups": contents, "links": links, "extra": extra}, sys.stdout)

@@ -39,5 +39,5 @@ fn every_system_of_the_catalogue_is_answered() {
         );
         worst = [worst[0].max(errors[0]), worst[1].max(errors[1])];
     }
-    println!("largest errors of load and penetration: {worst:.1e?}");
+    println!("largest errors of load and penetration: {worst:?}");
 }

@@ -152,7 +152,7 @@ fn changed(table: &Table, tolerance: f64, factor: impl Fn(f64, f64) -> f64) -> T
         tolerance,
         ..table.description().clone()
     };
-    Table::new(description, axes(table), [None, None, Some(gamma), None]).expect("sound")
+    Table::new(description, table.axes(), [None, None, Some(gamma), None]).expect("sound")
 }
 
 #[test]

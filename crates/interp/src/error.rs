@@ -31,10 +31,22 @@ pub enum Error {
         /// The values allowed, in words.
         allowed: Cow<'static, str>,
     },
+    /// A contact radius that is not below the radius of the sphere.
+    #[error(
+        "contact radius = {contact_radius:?} m cannot be used: it must be below the sphere's radius \
+         R = {sphere_radius:?} m; check its unit, and whether the arguments are in the right order"
+    )]
+    BeyondSphere {
+        /// The contact radius given, m.
+        contact_radius: f64,
+        /// The radius of the sphere, m.
+        sphere_radius: f64,
+    },
     /// A query outside the box of the table or outside the `a/t` of the curve.
     #[error(
         "{axis} = {value:?} is outside the table or curve, which {}; ask for a value inside, or make \
-         a table that covers it: change {axis} in the scene and run `tabulate generate`",
+         a table that covers it: change {axis} in the scene and run `tabulate generate`; \
+         `tabulate solve` answers for a single contact without a table",
         extent(*from, *to)
     )]
     OutsideTable {
@@ -52,7 +64,8 @@ pub enum Error {
     #[error(
         "a_over_t = {value:?} is beyond the table, which ends at {edge:?}: the expansion about the \
          limit is accurate to {estimate:.1e} there, and the table to {tolerance:.1e}; make a table \
-         whose scene extends a_over_t to this value"
+         whose scene extends a_over_t to this value with `tabulate generate`, or solve this contact \
+         with `tabulate solve`"
     )]
     Extrapolation {
         /// The `a/t` asked for.
@@ -64,11 +77,13 @@ pub enum Error {
         /// The relative tolerance of the table.
         tolerance: f64,
     },
-    /// A state whose contact radius is outside the range of the table or curve.
+    /// A state whose contact radius is outside the range of a search:
+    /// [`Contact::contact_radius_range`](crate::Contact::contact_radius_range).
     #[error(
-        "{name} = {value:?} leads to a contact radius outside the table or curve, which covers \
-         {from:?} m to {to:?} m; give a value that keeps the radius inside, or make a table with a \
-         larger range of a_over_t"
+        "{name} = {value:?} leads to a contact radius outside {from:?} m to {to:?} m, {}; give a \
+         value that keeps the radius inside{}",
+        if *at_sphere { "which ends at the sphere's radius" } else { "the range of the table or curve" },
+        if *at_sphere { "" } else { ", or make a table with a larger range of a_over_t" }
     )]
     OutsideRadii {
         /// The name of the quantity imposed or measured.
@@ -79,6 +94,8 @@ pub enum Error {
         from: f64,
         /// The largest contact radius, m.
         to: f64,
+        /// Whether the range ends at the radius of the sphere, beyond which no table helps.
+        at_sphere: bool,
     },
     /// A load, penetration or position of the spring at which there is no contact.
     #[error("there is no contact at {name} = {value:?}: give {least:?} or more")]
@@ -93,8 +110,9 @@ pub enum Error {
     /// A material on a substrate with another Poisson ratio than the table's, whose equivalent does
     /// not exist or is outside the table.
     #[error(
-        "nu1 = {nu1:?} with nu0 = {nu0:?} has no equivalent in a table made for nu0 = {table_nu0} \
-         ({cause}); a table made for nu0 = {nu0:?} needs no equivalent"
+        "nu1 = {nu1:?} with nu0 = {nu0:?} has no equivalent in a table made for nu0 = {table_nu0}; \
+         make a table with nu0 = {nu0:?} in its scene with `tabulate generate`, which needs no \
+         equivalent, or solve this contact with `tabulate solve`; the cause: {cause}"
     )]
     Equivalent {
         /// The Poisson ratio of the film.
@@ -222,6 +240,25 @@ pub enum Error {
     /// A table whose parts contradict each other or the schema.
     #[error("the table is malformed: {0}; make the table again, or copy the file again")]
     Malformed(String),
+    /// A low-rank form whose first lookup would need too much memory or time.
+    #[error(
+        "a low-rank form with the ranks {ranks:?} and {nodes:?} nodes is too large: its first lookup \
+         would need {needed} {what}, and at most {most} are allowed; pack the table with a larger \
+         tolerance (`tabulate pack --tolerance`), make it for a smaller box or with fewer nodes, or \
+         use it as HDF5 or packed without a tolerance"
+    )]
+    LowRankTooLarge {
+        /// The ranks of the form.
+        ranks: [usize; 3],
+        /// The numbers of nodes of `e0_over_e2`, `e1_over_e2`, `nu1` and `a_over_t`.
+        nodes: [usize; 4],
+        /// What it needs too many of, numbers in memory or products.
+        what: &'static str,
+        /// The number that it needs.
+        needed: u64,
+        /// The largest number allowed for a form of its size.
+        most: u64,
+    },
     /// A file that cannot be read.
     #[error("cannot read {}", path.display())]
     Io {

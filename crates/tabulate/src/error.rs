@@ -60,7 +60,9 @@ pub enum Error {
         reached: f64,
     },
     /// A tolerance of a packed table outside the allowed range.
-    #[error("tolerance = {tolerance:?} is outside {least:e} to {most:e}")]
+    #[error(
+        "tolerance = {tolerance:?} of a packed table is outside {least:e} to {most:e}: give one inside, or pack without a tolerance"
+    )]
     PackedTolerance {
         /// The tolerance.
         tolerance: f64,

@@ -1,8 +1,8 @@
 //! The project's own commands, run as `cargo xtask COMMAND`.
 //!
 //! They need Rust, a C compiler and python3 with pip. All else is fetched from PyPI into the target
-//! directory: cmake to build libhdf5 where no library is installed, h5py for one test, scipy for
-//! two benches. Nothing is installed on the system. The tests of the report's page run in Chromium,
+//! directory: cmake to build libhdf5 where no library is installed, h5py and
+//! xarray for tests (xarray needs Python 3.11), scipy for two benches. Nothing is installed on the system. The tests of the report's page run in Chromium,
 //! and are skipped, with a message, where there is none.
 
 #![forbid(unsafe_code)]
@@ -96,12 +96,21 @@ fn test(args: &[String]) -> Result<(), String> {
     let mut cargo = hdf5::cargo(&command)?;
     cargo
         .env("H5PY_PATH", python::package("h5py", H5PY)?)
+        .env("XARRAY_PATH", python::packages(&XARRAY)?)
         .envs(browser::chromium().map(|path| ("CHROMIUM", path)));
     succeed(&mut cargo)
 }
 
 /// The versions of h5py with which the test of the HDF5 file passes.
 const H5PY: &str = ">=3.8,<4";
+/// The packages with which the tests of the HDF5 file as netCDF pass.
+const XARRAY: [&str; 5] = [
+    "xarray==2026.9.0",
+    "h5netcdf==1.8.2",
+    "h5py==3.16.0",
+    "netCDF4==1.7.5.1.post1",
+    "scipy==1.17.1",
+];
 
 /// Runs the benches that need scipy; pip fetches numpy with it.
 fn compare() -> Result<(), String> {

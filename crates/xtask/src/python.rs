@@ -10,17 +10,21 @@ use crate::workspace;
 /// Returns the folder (for `PYTHONPATH`) of the package `name` at a version in `range`. The first
 /// call fetches it with pip.
 pub fn package(name: &str, range: &str) -> Result<PathBuf, String> {
-    // Each range has a folder of its own.
+    packages(&[&format!("{name}{range}")])
+}
+
+/// Returns the folder (for `PYTHONPATH`) of packages, each with its versions as pip takes them. The
+/// first call fetches them with pip.
+pub fn packages(requirements: &[&str]) -> Result<PathBuf, String> {
+    let all = requirements.join(" ");
+    // Each set of packages and versions has a folder of its own.
     let folder = workspace::target()?
         .join("tools")
-        .join(format!("{name}{range}").replace(|c: char| !c.is_ascii_alphanumeric(), "-"));
+        .join(all.replace(|c: char| !c.is_ascii_alphanumeric(), "-"));
     if folder.exists() {
         return Ok(folder);
     }
-    eprintln!(
-        "xtask: fetching {name} {range} from PyPI into {}",
-        folder.display()
-    );
+    eprintln!("xtask: fetching {all} from PyPI into {}", folder.display());
     // The folder is renamed when it is complete: an interrupted download is not used later.
     let unfinished = folder.with_extension(format!("partial-{}", std::process::id()));
     let status = Command::new("python3")
@@ -34,7 +38,7 @@ pub fn package(name: &str, range: &str) -> Result<PathBuf, String> {
         ])
         .arg(&unfinished)
         .env("PIP_ROOT_USER_ACTION", "ignore")
-        .arg(format!("{name}{range}"))
+        .args(requirements)
         .status()
         .map_err(|e| format!("cannot run python3: {e}; install python3 with pip"))?;
     if !status.success() {
@@ -42,7 +46,7 @@ pub fn package(name: &str, range: &str) -> Result<PathBuf, String> {
         // how to proceed.
         let _ = fs::remove_dir_all(&unfinished);
         return Err(format!(
-            "`python3 -m pip install {name}{range}` failed; it needs python3 with pip (Debian: python3-pip), and PyPI within reach"
+            "`python3 -m pip install {all}` failed; it needs python3 with pip (Debian: python3-pip), new enough for these versions, and PyPI within reach"
         ));
     }
     fs::rename(&unfinished, &folder)

@@ -2,7 +2,6 @@
 //! contact radius.
 
 use super::checks::finite_result;
-use crate::material::system::positive;
 use crate::{Curve, Error, HalfSpace, Mechanics, Quantities, Quantity, System, Table};
 
 /// A contact of a sphere with a coated substrate, or with a half-space.
@@ -93,7 +92,7 @@ impl Contact {
         })
     }
 
-    /// Makes the contact of a sphere on a half-space: JKR, to rounding, at any contact radius.
+    /// Makes the contact of a sphere on a half-space: JKR, to rounding.
     ///
     /// ```
     /// # fn main() -> Result<(), interp::Error> {
@@ -142,9 +141,10 @@ impl Contact {
     ///
     /// # Errors
     /// [`Error::OutsideTable`] or [`Error::Extrapolation`] where the curve does not cover `a/t`, as
-    /// [`Curve::quantity`]; [`Error::Unphysical`] for `a <= 0`, `w < 0`, infinity, NaN, or a load
-    /// that overflows an f64; [`Error::MissingQuantity`] without `pi0` and, if `w > 0`, without
-    /// `eeq` and `gamma`.
+    /// [`Curve::quantity`]; [`Error::BeyondSphere`] for an `a` that is not below the radius of the
+    /// sphere, as with `a` and `w` in the wrong order; [`Error::Unphysical`] for `a <= 0`, `w < 0`,
+    /// infinity, NaN, or a load that overflows an f64; [`Error::MissingQuantity`] without `pi0`
+    /// and, if `w > 0`, without `eeq` and `gamma`.
     pub fn load(&self, a: f64, w: f64) -> Result<f64, Error> {
         let edge = self.mechanics.edge_singularity(a, w)?;
         let (pi0, eeq_over_gamma) = if w == 0.0 {
@@ -197,9 +197,11 @@ impl Contact {
     ///
     /// # Errors
     /// [`Error::OutsideTable`] or [`Error::Extrapolation`] where the curve does not cover `a/t`;
-    /// [`Error::MissingQuantity`] without `eeq`; [`Error::Unphysical`] for a stiffness that
-    /// overflows an f64 and, on a half-space, unless `a` is positive and finite.
+    /// [`Error::MissingQuantity`] without `eeq`; [`Error::BeyondSphere`] for an `a` that is not
+    /// below the radius of the sphere; [`Error::Unphysical`] for a stiffness that overflows an f64,
+    /// and unless `a` is positive and finite.
     pub fn stiffness(&self, a: f64) -> Result<f64, Error> {
+        self.mechanics.check_radius(a)?;
         finite_result(
             a,
             self.mechanics
@@ -215,6 +217,7 @@ impl Contact {
     /// `g(a)`.
     ///
     /// # Errors
+    /// [`Error::BeyondSphere`] for an `a` that is not below the radius of the sphere;
     /// [`Error::Unphysical`] for `a <= 0`, `w < 0`, infinity, NaN, or a stress intensity that
     /// overflows an f64.
     pub fn stress_intensity(&self, a: f64, w: f64) -> Result<f64, Error> {
@@ -231,6 +234,7 @@ impl Contact {
     /// # Errors
     /// As [`Contact::stiffness`], and [`Error::MissingQuantity`] unless the curve holds all four.
     pub fn quantities(&self, a: f64) -> Result<Quantities, Error> {
+        self.mechanics.check_radius(a)?;
         self.evaluate(a, Curve::quantities, Quantities::homogeneous(1.0))
     }
 
@@ -303,7 +307,7 @@ impl Contact {
     }
 
     /// Evaluates `curve` at the `a/t` of contact radius `a` (m), or returns the constant
-    /// `half_space`.
+    /// `half_space`. The radius must have been checked.
     fn evaluate<T>(
         &self,
         a: f64,
@@ -312,7 +316,7 @@ impl Contact {
     ) -> Result<T, Error> {
         match &self.bodies {
             Bodies::Coated { system, curve: own } => curve(own, a / system.film_thickness),
-            Bodies::HalfSpace(_) => positive("contact radius", a).map(|()| half_space),
+            Bodies::HalfSpace(_) => Ok(half_space),
         }
     }
 }

@@ -3,7 +3,6 @@
 
 use super::checks::{finite_input, finite_result};
 use super::root::root;
-use crate::material::system::positive;
 use crate::{Contact, Error, Quantity};
 
 impl Contact {
@@ -15,10 +14,11 @@ impl Contact {
     ///
     /// # Errors
     /// [`Error::OutsideTable`] or [`Error::Extrapolation`] where the curve does not cover `a/t`;
+    /// [`Error::BeyondSphere`] for an `a` that is not below the radius of the sphere;
     /// [`Error::Unphysical`] for `a <= 0`, or numbers that are not finite;
     /// [`Error::MissingQuantity`] without `pi0`, `eeq` and `gamma`.
     pub fn energy_release_rate_at_load(&self, a: f64, load: f64) -> Result<f64, Error> {
-        positive("contact radius", a)?;
+        self.mechanics().check_radius(a)?;
         finite_input("load", load)?;
         let (pi0, eeq_over_gamma) = self.load_factors(a)?;
         let edge = (self.mechanics().adhesionless_load(a, pi0) - load) / (4.0 * a * eeq_over_gamma);
@@ -40,7 +40,7 @@ impl Contact {
         a: f64,
         penetration: f64,
     ) -> Result<f64, Error> {
-        positive("contact radius", a)?;
+        self.mechanics().check_radius(a)?;
         finite_input("penetration", penetration)?;
         let (gamma, delta0) = (
             self.quantity(Quantity::Gamma, a)?,
@@ -78,7 +78,7 @@ impl Contact {
     ) -> Result<(f64, f64), Error> {
         finite_input("load", load)?;
         finite_input("penetration", penetration)?;
-        let [u_least, u_most] = self.search_range().map(f64::ln);
+        let [u_least, u_most] = self.search_range()?.map(f64::ln);
         let outside = |name, value| Err(self.outside(name, value));
         let flat_punch = |u: f64| {
             let a = u.exp();

@@ -143,7 +143,7 @@ impl Contact {
             self.slopes(u.exp(), w)
                 .map(|(load, penetration)| control.imposed(load, penetration))
         };
-        let grid = self.search_grid();
+        let grid = self.search_grid()?;
         let (first, last) = (grid[0], grid[grid.len() - 1]);
         let rises_at = |u: f64| slope(u).map(|slope| slope >= 0.0);
 
@@ -196,21 +196,21 @@ impl Contact {
 
     /// Returns the logarithms of contact radii between which the signs of the slopes are compared:
     /// on a film a grid, on a half-space, which has one turning point, the ends of the range.
-    fn search_grid(&self) -> Vec<f64> {
+    fn search_grid(&self) -> Result<Vec<f64>, Error> {
         const STEP: f64 = 0.05;
-        let [smallest, largest] = self.search_range();
-        let (Some(curve), Some([from, _])) = (self.curve(), self.node_radii()) else {
-            return vec![smallest.ln(), largest.ln()];
-        };
-        let length = (curve.range()[1] / curve.range()[0]).ln();
+        let [smallest, largest] = self.search_range()?;
+        let first_node = self
+            .node_radii()
+            .map_or(largest, |[from, _]| from.min(largest));
+        let length = (largest / first_node).ln();
         let intervals = (length / STEP).ceil().max(1.0);
         let nodes =
             (0..=intervals as usize).map(|i| largest.ln() - length * (1.0 - i as f64 / intervals));
-        (smallest < from)
+        let grid = (smallest < first_node)
             .then(|| smallest.ln())
             .into_iter()
-            .chain(nodes)
-            .collect()
+            .chain(nodes);
+        Ok(grid.collect())
     }
 }
 

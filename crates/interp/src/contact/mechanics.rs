@@ -96,16 +96,39 @@ impl Mechanics {
         self.sphere_substrate_modulus
     }
 
+    /// Accepts a contact radius `a` (m) that is positive and below the radius of the sphere.
+    #[inline]
+    pub(super) fn check_radius(&self, a: f64) -> Result<(), Error> {
+        if a > 0.0 && a < self.sphere_radius {
+            Ok(())
+        } else {
+            Err(self.wrong_radius(a))
+        }
+    }
+
+    /// Makes the error of a contact radius that is not positive and below the radius of the sphere.
+    #[cold]
+    fn wrong_radius(&self, a: f64) -> Error {
+        match positive("contact radius", a) {
+            Err(error) => error,
+            Ok(()) => Error::BeyondSphere {
+                contact_radius: a,
+                sphere_radius: self.sphere_radius,
+            },
+        }
+    }
+
     /// Returns the amplitude `g(a)` (N/m) of the edge singularity at contact radius `a` (m) and
     /// work of adhesion `w` (J/m^2), from `2 g^2 / (pi a Es*) = w` (eq. 8).
     ///
     /// Another crack-tip law would replace this equation alone.
     ///
     /// # Errors
+    /// [`Error::BeyondSphere`] for an `a` that is not below the radius of the sphere;
     /// [`Error::Unphysical`] for an `a` that is not positive, a negative `w`, infinity, NaN, or an
     /// amplitude that overflows an f64.
     pub fn edge_singularity(&self, a: f64, w: f64) -> Result<f64, Error> {
-        positive("contact radius", a)?;
+        self.check_radius(a)?;
         work_of_adhesion(w)?;
         finite_result(a, (0.5 * PI * a * w * self.sphere_film_modulus).sqrt())
     }

@@ -6,21 +6,24 @@ use crate::{Curve, Error};
 
 /// The radius (m) from which a search starts where the range begins at 0.
 const SMALLEST: f64 = 1e-60;
-/// The radius (m) at which a search ends where the range is not bounded.
-const LARGEST: f64 = 1e60;
+/// The largest radius of a search over the radius of the sphere, which a contact must stay below. A
+/// radius keeps this distance through its logarithm and back.
+const BELOW_SPHERE: f64 = 1.0 - 1e-12;
 
 impl Contact {
     /// Returns the smallest and the largest contact radius (m) among which states are sought.
     ///
-    /// They are those of the curve's nodes. The range begins at 0 if the expansion for thick films
-    /// is accurate enough at all radii below the nodes, as it is on the embedded table. On a
-    /// half-space the range is 0 to infinity. Searches replace 0 by 1e-60 m (or by the radius of
-    /// the smallest node, if that is smaller) and infinity by 1e60 m.
+    /// They are those of the curve's nodes, but the range ends below the sphere's radius `R`, at `R
+    /// (1 - 1e-12)`. It begins at 0 on a half-space, and on a film if the expansion for thick films
+    /// is accurate enough at all radii below the nodes, as it is on the embedded table. Searches
+    /// replace 0 by 1e-60 m (or by the radius of the smallest node, if that is smaller).
+    ///
+    /// The range is empty, its beginning above its end, if the curve has no radius below `R`.
     pub fn contact_radius_range(&self) -> [f64; 2] {
-        match self.node_radii() {
-            Some([from, to]) => [if self.extends_to_zero() { 0.0 } else { from }, to],
-            None => [0.0, f64::INFINITY],
-        }
+        let below_sphere = BELOW_SPHERE * self.mechanics().sphere_radius();
+        let [from, to] = self.node_radii().unwrap_or([0.0, below_sphere]);
+        let from = if self.extends_to_zero() { 0.0 } else { from };
+        [from, to.min(below_sphere)]
     }
 
     /// Returns the smallest and the largest contact radius (m) of the curve's nodes; `None` on a
@@ -35,25 +38,31 @@ impl Contact {
         }
     }
 
-    /// Returns the range of a search: [`Contact::contact_radius_range`] with positive finite ends.
-    pub(super) fn search_range(&self) -> [f64; 2] {
-        let [from, to] = self.node_radii().unwrap_or([SMALLEST, LARGEST]);
-        let from = if self.extends_to_zero() {
-            SMALLEST.min(from)
-        } else {
-            from
-        };
-        [from, to]
+    /// Returns the range of a search: [`Contact::contact_radius_range`] with a positive beginning.
+    ///
+    /// # Errors
+    /// [`Error::BeyondSphere`] if it is empty.
+    pub(super) fn search_range(&self) -> Result<[f64; 2], Error> {
+        let [from, to] = self.search_ends();
+        self.mechanics().check_radius(from).map(|()| [from, to])
+    }
+
+    /// Returns the ends of [`Contact::search_range`], whether it is empty or not.
+    fn search_ends(&self) -> [f64; 2] {
+        let [from, to] = self.contact_radius_range();
+        let node = self.node_radii().map_or(SMALLEST, |[node, _]| node);
+        [from.max(SMALLEST.min(node)), to]
     }
 
     /// Makes the error of a state whose contact radius is outside the range of a search.
     pub(super) fn outside(&self, name: &'static str, value: f64) -> Error {
-        let [from, to] = self.search_range();
+        let [from, to] = self.search_ends();
         Error::OutsideRadii {
             name,
             value,
             from,
             to,
+            at_sphere: to == BELOW_SPHERE * self.mechanics().sphere_radius(),
         }
     }
 

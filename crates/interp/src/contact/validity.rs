@@ -41,6 +41,10 @@ impl Validity {
     /// The `a/R` at which the paraboloid begins to matter, by 0.3 % of the penetration.
     pub const LARGE_A_OVER_R: f64 = 0.1;
 
+    /// The `a/R` above which the command line and the page of a table warn: the paraboloid changes
+    /// the penetration by 3 % there.
+    pub const WARNING_A_OVER_R: f64 = 0.3;
+
     /// Tells whether `a/R` is above [`Validity::LARGE_A_OVER_R`].
     pub fn is_large_contact(&self) -> bool {
         self.a_over_r > Self::LARGE_A_OVER_R
@@ -99,10 +103,11 @@ impl Contact {
     /// Compares a contact of radius `a` (m) with the assumptions of the model.
     ///
     /// # Errors
-    /// [`Error::Unphysical`] for an `a` that is not positive and finite, or so large beside `R` or
-    /// `t` that a result overflows an f64.
+    /// [`Error::BeyondSphere`] for an `a` that is not below the radius of the sphere;
+    /// [`Error::Unphysical`] for an `a` that is not positive and finite, or so large beside `t`
+    /// that a result overflows an f64.
     pub fn validity(&self, a: f64) -> Result<Validity, Error> {
-        positive("contact radius", a)?;
+        self.mechanics().check_radius(a)?;
         let film = match self.system().zip(self.curve()) {
             Some((system, curve)) => {
                 let (a_over_t, nu1) = (a / system.film_thickness, system.film.poisson());
@@ -121,7 +126,7 @@ impl Contact {
             None => None,
         };
         Ok(Validity {
-            a_over_r: finite_result(a, a / self.mechanics().sphere_radius())?,
+            a_over_r: a / self.mechanics().sphere_radius(),
             film,
         })
     }

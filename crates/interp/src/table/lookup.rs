@@ -8,6 +8,10 @@ use crate::table::axes::Axes;
 use crate::table::tensor_spline::TensorSpline;
 use crate::{Curve, Description, Error, Material, Parameter, Quantity, SubstratePoissonRatio};
 
+/// The number of parts into which the materials with which the pieces are tested divide each axis.
+/// Two parts gave an error of 0.28 tolerances for other materials of the embedded table.
+pub(crate) const PARTS: usize = 4;
+
 /// A table prepared for lookup.
 #[derive(Clone, Debug)]
 pub(crate) struct Lookup {
@@ -23,10 +27,6 @@ impl Lookup {
     const SHARE: f64 = 0.1;
     /// The smallest error of the pieces that is asked for, whatever the table's tolerance.
     const LEAST_ERROR: f64 = 1e-11;
-    /// The number of parts into which these materials divide each axis. Two parts gave an error of
-    /// 0.28 tolerances for other materials of the embedded table.
-    const PARTS: usize = 4;
-
     /// Prepares the lookup in `spline`, which holds `quantities` to a relative `tolerance`.
     pub(crate) fn new(
         axes: &Axes,
@@ -39,11 +39,11 @@ impl Lookup {
             let [from, to] = axes
                 .ends(parameter)
                 .map(|value| parameter.coordinate(value));
-            let node = |i: usize| from + (to - from) * i as f64 / Self::PARTS as f64;
+            let node = |i: usize| from + (to - from) * i as f64 / PARTS as f64;
             if from == to {
                 vec![from]
             } else {
-                (0..=Self::PARTS).map(node).collect()
+                (0..=PARTS).map(node).collect()
             }
         });
         let materials = e1

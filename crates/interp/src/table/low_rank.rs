@@ -1,8 +1,7 @@
 //! The low-rank form of a table: a tensor train, one core for each axis.
 
-use crate::curve::bspline::TABLE_DEGREE;
 use crate::curve::nodes::REASONABLE;
-use crate::table::mixed_precision::BLOCK;
+use crate::table::demand::Demand;
 use crate::table::weighted_sum::add_rows;
 use crate::{Error, Quantity};
 
@@ -12,10 +11,6 @@ const LARGEST_ENTRY: i64 = 1 << 53;
 /// The largest number of values at the nodes. More are taken for a mistake or a forgery: they would
 /// not fit in memory when written out.
 const MOST_VALUES: usize = 200_000_000;
-
-/// The largest number of numbers prepared for lookup. More are taken for a mistake or a forgery:
-/// the default box at a tolerance of 1e-8 has 5 million.
-const MOST_PREPARED: usize = 20_000_000;
 
 /// The logarithms of a table's quantities at its nodes, as a tensor train (I. V. Oseledets, SIAM J.
 /// Sci. Comput. 33 (2011) 2295).
@@ -71,8 +66,12 @@ impl LowRank {
     ///   before and the nodes between;
     /// * if a weight or a step is not in `[1e-30, 1e30]`, a function's value, or an entry of a core
     ///   times its step, not in `[-1e30, 1e30]`, or an entry of a core not in `[-2^53, 2^53]`;
-    /// * if there are more than 2e8 values at the nodes, or more than 2e7 numbers to prepare for
-    ///   lookup.
+    /// * if there are more than 2e8 values at the nodes.
+    ///
+    /// [`Error::LowRankTooLarge`] if the first lookup would need more than 1e8 numbers, or more
+    /// numbers or products than 100 and 2500 for each byte that the parts take in a file. These
+    /// limits do not hold below 1e6 numbers and 1e8 products. The parts of an honest table need 15
+    /// and 265 for each byte (the embedded table).
     pub fn new(
         quantities: Vec<Quantity>,
         weights: [Vec<f64>; 3],
@@ -152,22 +151,8 @@ impl LowRank {
                 "a low-rank form has {nodes:?} nodes, more than {MOST_VALUES} values"
             ));
         }
-        // A lookup has a row, padded to whole blocks, for each function of each interval between
-        // nodes.
-        let prepared = [[1, a], [a, b], [b, c]].iter().zip(nodes).try_fold(
-            0_usize,
-            |sum, ([before, after], nodes)| {
-                let rows = before.checked_mul(nodes)?.checked_mul(TABLE_DEGREE + 1)?;
-                sum.checked_add(rows.checked_mul(after.checked_next_multiple_of(BLOCK)?)?)
-            },
-        );
-        if prepared.is_none_or(|numbers| numbers > MOST_PREPARED) {
-            return malformed(format!(
-                "a low-rank form has the ranks {:?} with {nodes:?} nodes: a lookup needs more than \
-                 {MOST_PREPARED} numbers",
-                [a, b, c]
-            ));
-        }
+        Demand::new([a, b, c], nodes, &functions, cores, quantities.len())
+            .check([a, b, c], nodes)?;
         let cores = cores.map(|core| core.iter().map(|&entry| entry as f64).collect());
         Ok(Self {
             quantities,

@@ -2,13 +2,15 @@
 //! material.
 //!
 //! A [`Table`] holds `axes`, a `description` with its `certificate`, and values or a `low_rank`
-//! form. `packed` and `hdf5` read it from files ([`schema`] has the names of the parts), `embedded`
-//! from the program. For the first lookup it becomes a `tensor_spline`, either dense or a
-//! `tensor_train`; their sums are those of `weighted_sum` and `mixed_precision`. `lookup` makes the
-//! [`Curve`](crate::Curve) of a material from it.
+//! form, whose first lookup may need as much as `demand` allows. `packed` and `hdf5` read it from
+//! files ([`schema`] has the names of the parts), `embedded` from the program. For the first lookup
+//! it becomes a `tensor_spline`, either dense or a `tensor_train`; their sums are those of
+//! `weighted_sum` and `mixed_precision`. `lookup` makes the [`Curve`](crate::Curve) of a material
+//! from it.
 
 mod axes;
 mod certificate;
+mod demand;
 mod description;
 #[cfg(feature = "embedded")]
 mod embedded;

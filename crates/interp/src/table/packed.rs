@@ -16,7 +16,7 @@
 //! A forged length cannot allocate much memory. The length of the header is limited. The number of
 //! values must match the number of bytes. An integer of a core has 8 bytes in memory and at least
 //! one in the file. serde reads a list, and reserves at most a megabyte before it has read the
-//! numbers.
+//! numbers. What the first lookup may need follows from the size of the form (`demand`).
 
 use std::fmt::Display;
 use std::fs;
@@ -151,7 +151,8 @@ impl Table {
     /// # Errors
     /// [`Error::Foreign`] for bytes of an HDF5 table or of anything else; [`Error::Version`] for
     /// another version; [`Error::Length`] for missing or trailing bytes; [`Error::Checksum`] for
-    /// changed bytes; [`Error::Malformed`] for a forged content.
+    /// changed bytes; [`Error::Malformed`] for a forged content; [`Error::LowRankTooLarge`] for a
+    /// form whose first lookup would need too much.
     pub fn from_packed(bytes: &[u8]) -> Result<Self, Error> {
         if !is_packed(bytes) {
             let what = if bytes.starts_with(&HDF5_SIGNATURE) {

@@ -2,7 +2,7 @@
 //! of at most a small multiple of their length.
 
 use allocation_counter::measure;
-use interp::{Elastic, Error, Quantity, System, Table};
+use interp::{Elastic, Error, LowRank, Quantity, System, Table};
 
 use crate::tables::{self, PREFIX, look_up, with_prefix};
 
@@ -17,6 +17,11 @@ const READING: (usize, usize) = (25, 1_060_000);
 /// many nodes, of which the header's limit allows 130,000, and 1.2e7 for noise on 60 decades of
 /// `a/t`, which needs the finest pieces.
 const LOOKING_UP: (usize, usize) = (50, 13_000_000);
+
+/// The same for forms that need as much as is accepted: 100 numbers of 8 bytes for each byte of the
+/// form, or 8 MB, and a list of numbers takes up to three times its size while it grows. Measured:
+/// 548 for each byte of the table, half of which are the form's.
+const DEMANDING: (usize, usize) = (600, 37_000_000);
 
 /// Reads packed bytes, and asserts that this takes little memory.
 fn read(bytes: &[u8]) -> Result<Table, Error> {
@@ -217,6 +222,87 @@ fn looking_up_takes_little_memory() {
     }
     for a_over_t in [[1e-3, 1e3], [1e-30, 1e30]] {
         assert_modest(&tables::of_nodes(120_000, a_over_t));
+    }
+}
+
+/// A form may need a multiple of its size, whichever core makes it large.
+#[test]
+fn the_first_lookup_of_the_most_demanding_forms_takes_memory_in_proportion() {
+    // Of each family the largest last rank that is accepted.
+    type Family = (&'static str, fn(usize) -> Result<Table, Error>);
+    let families: [Family; 4] = [
+        ("radii", |c| {
+            tables::demanding([1, 1, 400, 12_000], [1, 1, c])
+        }),
+        ("film moduli", |b| {
+            tables::demanding([4, 10_000, 1, 1], [4, b, 1])
+        }),
+        ("Poisson ratios", |c| {
+            tables::demanding([1, 4, 10_000, 1], [1, 4, c])
+        }),
+        ("few nodes", |c| {
+            tables::demanding([1, 20, 20, 20], [1, 20, c])
+        }),
+    ];
+    let material = tables::material();
+    for (family, make) in families {
+        let (mut accepted, mut refused) = (1_usize, 400);
+        while refused - accepted > 1 {
+            let middle = accepted.midpoint(refused);
+            match make(middle) {
+                Ok(_) => accepted = middle,
+                Err(Error::LowRankTooLarge { needed, most, .. }) => {
+                    assert!(needed > most);
+                    refused = middle;
+                }
+                Err(other) => panic!("{family}: {other}"),
+            }
+        }
+        let table = make(accepted).expect("accepted");
+        let bytes = table.to_packed().expect("not too large").len();
+        let most = measure(|| drop(table.curve(&material))).bytes_max as usize;
+        let multiple = most.saturating_sub(DEMANDING.1) as f64 / bytes as f64;
+        println!(
+            "{family}: rank {accepted}, {bytes} bytes, {most} bytes of memory, {multiple:.0} for each byte"
+        );
+        assert_little(most, DEMANDING, bytes);
+    }
+}
+
+/// The ranks of a table made to a small tolerance, with nodes and functions in proportion to those
+/// of the embedded table.
+#[test]
+fn a_form_of_large_ranks_is_accepted() {
+    let (ranks, nodes, functions) = ([25, 215, 137], [40, 50, 48, 130], [24, 46, 24, 56]);
+    let [a, b, c] = ranks;
+    let [f_e0, f_e1, f_nu, f_a] = functions;
+    let cores = [f_e0 * a, a * f_e1 * b, b * f_nu * c, c * f_a * 4].map(|count| vec![1; count]);
+    let form = LowRank::new(
+        Quantity::ALL.to_vec(),
+        ranks.map(|rank| vec![1.0; rank]),
+        std::array::from_fn(|i| vec![1.0; nodes[i] * functions[i]]),
+        [1.0; 4],
+        cores.each_ref().map(Vec::as_slice),
+    );
+    assert_eq!(form.expect("not too large").ranks(), ranks);
+}
+
+/// Sound forms of 616 and of 18 kilobytes, whose first lookup would take 3.8 GB and seconds.
+#[test]
+fn a_small_form_that_needs_gigabytes_is_refused_with_what_to_do() {
+    for [n_a, c] in [[36_000, 1380], [1000, 600]] {
+        let error = tables::demanding([1, 1, c, n_a], [1, 1, c]).expect_err("too large");
+        assert!(matches!(error, Error::LowRankTooLarge { .. }), "{error}");
+        let message = error.to_string();
+        for word in [
+            &format!("[1, 1, {c}]"),
+            "at most",
+            "tolerance",
+            "smaller box",
+            "HDF5",
+        ] {
+            assert!(message.contains(word), "{message}");
+        }
     }
 }
 

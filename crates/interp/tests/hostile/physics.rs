@@ -23,29 +23,27 @@ fn material() -> impl Strategy<Value = Material> {
         .prop_map(|(e1, nu1, e0)| Material::new(e1, nu1, e0, 0.25).expect("physical"))
 }
 
-/// Generates any system with such a material, with lengths and modulus within nine decades.
+/// Generates any system with such a material, with thickness and modulus within nine decades. The
+/// sphere is wider than any contact in the table.
 fn system() -> impl Strategy<Value = System> {
     let lengths = (
-        magnitude(-6.0..=0.0),
+        magnitude(3.0..=9.0),
         magnitude(-9.0..=0.0),
         magnitude(0.0..=9.0),
     );
-    (material(), lengths).prop_map(
-        |(material, (sphere_radius, film_thickness, sphere_modulus))| {
-            let solid = |ratio: f64, poisson| {
-                Elastic::new(ratio * sphere_modulus, poisson).expect("physical")
-            };
-            let film = solid(material.e1_over_e2(), material.nu1());
-            let substrate = solid(material.e0_over_e2(), material.nu0());
-            System {
-                sphere_radius,
-                sphere_modulus,
-                film,
-                film_thickness,
-                substrate,
-            }
-        },
-    )
+    (material(), lengths).prop_map(|(material, (spheres, film_thickness, sphere_modulus))| {
+        let solid =
+            |ratio: f64, poisson| Elastic::new(ratio * sphere_modulus, poisson).expect("physical");
+        let film = solid(material.e1_over_e2(), material.nu1());
+        let substrate = solid(material.e0_over_e2(), material.nu0());
+        System {
+            sphere_radius: spheres * film_thickness,
+            sphere_modulus,
+            film,
+            film_thickness,
+            substrate,
+        }
+    })
 }
 
 /// Returns the curve of a material in the box.

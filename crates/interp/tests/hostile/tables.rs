@@ -126,6 +126,44 @@ pub fn of_nodes(count: usize, [from, to]: [f64; 2]) -> Table {
     .expect("valid")
 }
 
+/// Makes a low-rank table of one function along each axis, with these numbers of nodes of
+/// `e0_over_e2`, `e1_over_e2`, `nu1` and `a_over_t`, and these ranks.
+pub fn demanding(nodes: [usize; 4], ranks: [usize; 3]) -> Result<Table, Error> {
+    let [a, b, c] = ranks;
+    let spread = |count: usize, from: f64, to: f64| -> Vec<f64> {
+        let part = |i: usize| i as f64 / (count - 1).max(1) as f64;
+        (0..count)
+            .map(|i| from * (to / from).powf(part(i)))
+            .collect()
+    };
+    let [n_e0, n_e1, n_nu, n_a] = nodes;
+    let axes = [
+        (Parameter::AOverT, spread(n_a, 1e-3, 1e3)),
+        (Parameter::E1OverE2, spread(n_e1, 1.75, 100.0)),
+        (Parameter::Nu1, spread(n_nu, 0.3, 0.49)),
+        (Parameter::E0OverE2, spread(n_e0, 300.0, 1e5)),
+    ];
+    let entries = |count: usize| -> Vec<i64> { (0..count as i64).map(|i| i % 7 - 3).collect() };
+    let cores = [a, a * b, b * c, 4 * c].map(entries);
+    let form = LowRank::new(
+        Quantity::ALL.to_vec(),
+        ranks.map(|rank| vec![1.0; rank]),
+        // So rough and so accurate that no part of a core is negligible.
+        nodes.map(|count| (0..count).map(|i| 2.0 + (7.0 * i as f64).sin()).collect()),
+        [1.0, 1.0, 1.0, 1e-3 / c as f64],
+        cores.each_ref().map(Vec::as_slice),
+    )?;
+    let tolerance = 1e-12;
+    Table::from_low_rank(
+        Description {
+            tolerance,
+            ..description()
+        },
+        axes,
+        form,
+    )
+}
+
 /// Makes a dense table of noise with `shape` nodes on the axes, and a low-rank one of rank 1. The
 /// splines amplify the noise.
 pub fn of_shape(shape: [usize; 4], a_over_t: [f64; 2]) -> [Table; 2] {

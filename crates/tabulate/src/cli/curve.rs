@@ -4,14 +4,15 @@ use std::path::PathBuf;
 
 use anyhow::{Context, ensure};
 use clap::{ValueHint, value_parser};
-use interp::{Elastic, Mechanics, System};
+use interp::{Elastic, Mechanics, System, Validity};
 
 use super::points::number;
 use super::progress::progress_bar;
 use super::table_name::{self, TableName};
-use super::write_text;
+use super::{note, write_text};
 use crate::output;
 use crate::parallel::try_map;
+use crate::report::LARGE_CONTACT;
 use crate::solve::solve;
 
 /// Print the force curve of one system as CSV, in SI units
@@ -63,7 +64,8 @@ pub struct Arguments {
     /// Smallest contact radius, m
     #[arg(long, default_value = "1e-6", allow_negative_numbers = true)]
     from: f64,
-    /// Largest contact radius, m
+    /// Largest contact radius, m. It must be below the sphere's radius R. The model takes it to be
+    /// small beside R: above 0.3 R there is a warning
     #[arg(long, default_value = "1.5e-4", allow_negative_numbers = true)]
     to: f64,
     /// Number of contact radii, equally spaced
@@ -126,6 +128,8 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         .context("substrate")?,
     };
     let mechanics = Mechanics::new(&system)?;
+    // Refuses too large a radius before any work.
+    mechanics.edge_singularity(to, work_of_adhesion)?;
     let material = system.material()?;
     let contact = arguments
         .table
@@ -150,6 +154,9 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     };
     let rows = try_map(0..points, row)?;
     bar.finish_and_clear();
+    if to > Validity::WARNING_A_OVER_R * system.sphere_radius {
+        note(LARGE_CONTACT);
+    }
     let mut writer = csv::Writer::from_writer(Vec::new());
     writer.write_record([
         "contact_radius",

@@ -1,5 +1,7 @@
 // The contact in SI units: eqs. 2 to 9 (mechanics.rs), and its separation (equilibria.rs).
 
+/** The largest contact radius over the radius of the sphere. */
+const BELOW_SPHERE = 1 - 1e-12;
 /** The step in ln a of the grid on which turning points are searched. */
 const SEARCH_STEP = 0.05;
 
@@ -21,8 +23,8 @@ class Contact {
         Object.assign(this, system);
         this.curve = table.curve(material);
         this.sphereFilmModulus = this.modulus * this.curve.es;
-        /** The contact radii that the table covers. */
-        this.range = table.range("a_over_t").map((x) => x * this.thickness);
+        /** The contact radii that the table covers, below the radius of the sphere. */
+        this.range = table.range("a_over_t").map((x) => Math.min(x * this.thickness, BELOW_SPHERE * this.radius));
         this.sections = { load: this.sectionsOf("load"), penetration: this.sectionsOf("penetration") };
     }
 

@@ -11,7 +11,7 @@ use std::fmt::Write;
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
-use interp::{Description, Parameter, Table};
+use interp::{Description, Parameter, Table, Validity};
 
 pub use figures::{Illustration, figures, steps};
 
@@ -20,6 +20,10 @@ use crate::cost::random_points;
 use crate::plot::picture::Format;
 use crate::table::compress;
 
+/// What the page and the command line say of a contact radius above
+/// [`Validity::WARNING_A_OVER_R`] times that of the sphere.
+pub const LARGE_CONTACT: &str =
+    "The contact radius is not small compared with R, as the model assumes.";
 /// The largest relative difference, at the nodes, between the quantities of the form in a page and
 /// those of its table. Between the nodes the difference is larger: 1.4 times in the default table,
 /// 2.4 times in a table of few nodes. It stays below 1e-6.
@@ -47,7 +51,12 @@ pub fn report(table: &Table, illustrations: &[Illustration]) -> Result<String, E
         "E1*" => "E₁*, the film’s reduced modulus E₁/(1 − ν₁²), because the sphere is rigid",
         _ => "Es*, the compound modulus of sphere and film, 1/Es* = 1/E₁* + 1/E₂*",
     };
+    let constants = format!(
+        "const WARNING_A_OVER_R = {:?}, LARGE_CONTACT = {LARGE_CONTACT:?};\n",
+        Validity::WARNING_A_OVER_R
+    );
     let script = [
+        &constants,
         include_str!("table.js"),
         include_str!("contact.js"),
         include_str!("chart.js"),

@@ -225,6 +225,12 @@ class Page {
             }
         }
         if (wrong.length) return wrong;
+        const { film_thickness: t, sphere_radius: R } = this.values, least = this.table.range("a_over_t")[0] * t;
+        if (least >= BELOW_SPHERE * R) {
+            const radius = `${shown(least, "m").textContent}, where the table’s a/t begins`;
+            const text = `A contact of ${radius}, is not smaller than the sphere. Change the sphere radius or the film thickness.`;
+            wrong.push({ text, keys: ["sphere_radius", "film_thickness"] });
+        }
         const unit = this.table.rigidSphere ? "E₁" : "E₂*";
         const ratios = {
             e1_over_e2: { symbol: `E₁/${unit}`, keys: ["film_modulus", this.unit] },
@@ -288,8 +294,9 @@ class Page {
             notes.push(`The curve ${verb} at a = ${shown(a, "m").textContent}, where the table’s a/t ${verb}: ${x}.`);
         };
         if (least > 0.1 * to) limit("begins", least, x0);
-        if (to === most) limit("ends", most, x1);
-        if (to > 0.3 * contact.radius) notes.push("The contact radius is not small compared with R, as the model assumes.");
+        if (to === most && most < x1 * contact.thickness) notes.push("The curve ends at the sphere’s radius R.");
+        else if (to === most) limit("ends", most, x1);
+        if (to > WARNING_A_OVER_R * contact.radius) notes.push(LARGE_CONTACT);
         byId("command").textContent = this.command();
         return notes;
     }

@@ -307,13 +307,13 @@ fn spline(curve: &Curve, quantity: Quantity) -> Result<impl Fn(f64) -> f64, Erro
     })
 }
 
-/// Returns the contact of a curve, with a film of 1 m.
+/// Returns the contact of a curve, with a film of 1 m under a sphere wider than any contact.
 fn contact(curve: Curve) -> Result<Contact, Error> {
     let material = *curve.material();
     let rigid = material.normalisation() == Normalisation::Film;
     let film = if rigid { 1.0 } else { material.e1_over_e2() };
     let system = System {
-        sphere_radius: 1.0,
+        sphere_radius: 1e9,
         sphere_modulus: if rigid { f64::INFINITY } else { 1.0 },
         film: Elastic::new(film, material.nu1())?,
         film_thickness: 1.0,
@@ -325,5 +325,6 @@ fn contact(curve: Curve) -> Result<Contact, Error> {
 /// Returns a work of adhesion that makes the adhesive part of the load small at the contact radius
 /// `a`.
 fn work_of_adhesion(contact: &Contact, a: f64) -> Result<f64, Error> {
-    Ok(contact.load(a, 0.0)? * 0.01 / a)
+    let edge = 0.01 * contact.load(a, 0.0)? / a;
+    Ok(contact.mechanics().energy_release_rate(a, edge))
 }

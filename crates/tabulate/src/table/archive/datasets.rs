@@ -95,6 +95,7 @@ pub(super) fn fill(table: &Table, path: &Path) -> hdf5::Result<()> {
             },
         )?;
         make_scale(&axis, parameter.name())?;
+        link_in_root(&file, AXES, parameter.name())?;
         scales.push(axis);
     }
 
@@ -120,8 +121,16 @@ pub(super) fn fill(table: &Table, path: &Path) -> hdf5::Result<()> {
         for (dimension, scale) in (0..).zip(&scales) {
             attach_scale(&dataset, scale, dimension)?;
         }
+        link_in_root(&file, VALUES, quantity.name())?;
     }
     file.flush()
+}
+
+/// Links the dataset `name` of a group in the root group too, under the same name.
+///
+/// Programs that read netCDF, xarray among them, look for dimensions and variables in one group.
+fn link_in_root(file: &hdf5::File, group: &str, name: &str) -> hdf5::Result<()> {
+    file.link_hard(&format!("{group}/{name}"), name)
 }
 
 /// Returns the shape of a chunk: the last dimensions whole as long as they fit into [`CHUNK`].

@@ -1,0 +1,234 @@
+//! The HDF5 file of a table as netCDF: as xarray, netCDF4 and h5netcdf read it, and as the example
+//! of `tables/README.md` interpolates it, by `read_xarray.py`.
+
+use std::env;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use acceptance::{BOX, Contacts, TRUTH, bits, larger, shipped, table};
+use interp::{Material, Parameter, Quantity, Table};
+use serde_json::{Value, json};
+use tabulate::solve;
+use tabulate::table::archive;
+
+/// A scene of one axis and two quantities.
+const RIGID: &str = "
+    title      = 'Rigid sphere and substrate'
+    tolerance  = 1e-6
+    quantities = ['gamma', 'pi0']
+    a_over_t   = { from = 0.1, to = 10 }
+    e1_over_e2 = 0
+    nu1        = 0.3
+    e0_over_e2 = inf
+";
+
+/// Returns a command that runs python3 with xarray.
+fn python() -> Command {
+    let packages = env::var_os("XARRAY_PATH").expect(
+        "XARRAY_PATH is not set: run the tests with `cargo xtask test`, which fetches xarray",
+    );
+    let mut python = Command::new("python3");
+    python.arg("-B").env("PYTHONPATH", packages);
+    python
+}
+
+/// Returns the standard output of a command that succeeds.
+fn output(command: &mut Command) -> Vec<u8> {
+    let output = command.output().expect("python3 runs");
+    assert!(
+        output.status.success(),
+        "{}",
+        String::from_utf8_lossy(&output.stderr)
+    );
+    output.stdout
+}
+
+fn readme() -> PathBuf {
+    shipped("README.md")
+}
+
+/// Returns what Python finds in a file, and with the example at `points`.
+fn read(path: &Path, points: &[(f64, Material)]) -> Value {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let places = folder.path().join("points.json");
+    let points: Vec<Value> = points
+        .iter()
+        .map(|(x, material)| {
+            json!({
+                "a_over_t": x,
+                "e1_over_e2": material.e1_over_e2(),
+                "nu1": material.nu1(),
+                // JSON has no infinity; the example does not need the axes of one node.
+                "e0_over_e2": Some(material.e0_over_e2()).filter(|value| value.is_finite()),
+            })
+        })
+        .collect();
+    std::fs::write(&places, Value::from(points).to_string()).expect("written");
+    let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("table/read_xarray.py");
+    let found = output(python().arg(script).arg(path).arg(readme()).arg(&places));
+    serde_json::from_slice(&found).expect("JSON")
+}
+
+fn hexadecimal(values: &[f64]) -> Value {
+    bits(values)
+        .iter()
+        .map(|word| format!("{word:016x}"))
+        .collect()
+}
+
+/// Asserts that every reader finds the axes as coordinates and the quantities over them.
+fn assert_reads(table: &Table, found: &Value) {
+    let all = Parameter::ALL.map(Parameter::name);
+    for engine in ["h5netcdf", "netcdf4"] {
+        let found = &found[engine];
+        assert_eq!(found["title"], table.description().title.as_str());
+        let coordinates = Parameter::ALL.map(|parameter| {
+            let contents = json!({
+                "dimensions": [parameter.name()],
+                "bits": hexadecimal(table.axis(parameter)),
+                "long_name": parameter.long_name(),
+            });
+            (parameter.name().to_owned(), contents)
+        });
+        assert_eq!(
+            found["coordinates"],
+            Value::Object(coordinates.into_iter().collect()),
+            "{engine}"
+        );
+        let quantities = table.quantities().into_iter().map(|quantity| {
+            let contents = json!({
+                "dimensions": all,
+                "bits": hexadecimal(table.values(quantity).expect("held")),
+                "long_name": quantity.long_name(),
+            });
+            (quantity.name().to_owned(), contents)
+        });
+        assert_eq!(
+            found["quantities"],
+            Value::Object(quantities.collect()),
+            "{engine}"
+        );
+    }
+    for library in ["netCDF4 alone", "h5netcdf alone"] {
+        let axes = Parameter::ALL.map(|parameter| {
+            let contents = json!({ "dimensions": [parameter.name()], "bits": hexadecimal(table.axis(parameter)) });
+            (parameter.name().to_owned(), contents)
+        });
+        let quantities = table.quantities().into_iter().map(|quantity| {
+            let values = hexadecimal(table.values(quantity).expect("held"));
+            (
+                quantity.name().to_owned(),
+                json!({ "dimensions": all, "bits": values }),
+            )
+        });
+        let variables = axes.into_iter().chain(quantities).collect();
+        assert_eq!(found[library], Value::Object(variables), "{library}");
+    }
+}
+
+/// Returns `count` random points of the box of a table.
+fn points(table: &Table, seed: u64, count: usize) -> Vec<(f64, Material)> {
+    let mut contacts = Contacts::new(seed);
+    (0..count).map(|_| contacts.point_of(table)).collect()
+}
+
+/// Returns the largest relative error of what one method found, against the quantities `truth`.
+fn worst(found: &Value, truth: &[(Quantity, Vec<f64>)]) -> f64 {
+    assert_eq!(found.as_object().expect("quantities").len(), truth.len());
+    let mut worst = 0.0;
+    for (quantity, truth) in truth {
+        let values = found[quantity.name()].as_array().expect("a list");
+        assert_eq!(values.len(), truth.len());
+        for (value, truth) in values.iter().zip(truth) {
+            let value = value.as_f64().expect("a number");
+            worst = larger(worst, (value / truth - 1.0).abs());
+        }
+    }
+    worst
+}
+
+/// The errors that `tables/README.md` states are those against direct solves.
+#[test]
+fn xarray_opens_the_papers_table_and_the_example_interpolates_it_to_its_tolerance() {
+    let path = shipped("paper.h5");
+    let table = Table::open(&path).expect("a sound table");
+    let points = points(&table, 101, 300);
+    let found = read(&path, &points);
+    assert_reads(&table, &found);
+
+    let solved: Vec<_> = points
+        .iter()
+        .map(|(x, material)| solve(*x, material, TRUTH).expect("converges").quantities)
+        .collect();
+    let truth: Vec<_> = Quantity::ALL
+        .map(|quantity| {
+            (
+                quantity,
+                solved.iter().map(|four| four.get(quantity)).collect(),
+            )
+        })
+        .into();
+    let [nine, three, linear] =
+        ["degree 9", "degree 3", "linear"].map(|method| worst(&found[method], &truth));
+    println!("degree 9: {nine:.1e}, degree 3: {three:.1e}, linear: {linear:.1e}");
+    assert!(nine <= table.description().tolerance);
+    let text = std::fs::read_to_string(readme()).expect("text");
+    let stated = format!(
+        "is {nine:.0e}. With `k=3` it is {three:.0e}, and with\n`table.interp`, which is linear in the parameters and values, {linear:.0e}."
+    );
+    assert!(
+        text.contains(&stated),
+        "the README does not state: {stated}"
+    );
+}
+
+/// The example as a user runs it, at the root of the repository.
+#[test]
+fn the_example_prints_the_solved_value() {
+    let text = std::fs::read_to_string(readme()).expect("text");
+    let block = text
+        .split("```python\n")
+        .find(|block| block.contains("make_interp_spline"));
+    let (example, _) = block
+        .and_then(|block| block.split_once("```"))
+        .expect("the README has the example");
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let printed = output(python().arg("-c").arg(example).current_dir(root));
+    let printed = String::from_utf8(printed).expect("text");
+    let found: f64 = printed.trim().parse().expect("one number");
+    let material = acceptance::material([1.75, 0.5, 1e5, 0.25]);
+    let truth = solve(65.0, &material, TRUTH)
+        .expect("converges")
+        .quantities
+        .eeq;
+    let error = (found / truth - 1.0).abs();
+    println!("eeq = {found}, with an error of {error:.1e}");
+    assert!(error <= 1e-9, "{found}, not {truth}");
+}
+
+#[test]
+fn the_example_interpolates_other_tables_as_the_lookup_does() {
+    /// Largest difference, in tolerances of the table. The splines of the lookup are flat at an
+    /// incompressible film, and a curve has a tenth of the tolerance of its own.
+    const OF_TOLERANCE: f64 = 1.0;
+    for scene in [BOX, RIGID] {
+        let table = table(scene);
+        let folder = tempfile::tempdir().expect("a temporary folder");
+        let path = folder.path().join("table.h5");
+        archive::write(&table, &path).expect("written");
+        let points = points(&table, 102, 20);
+        let found = read(&path, &points);
+        assert_reads(&table, &found);
+
+        let looked_up = |quantity| {
+            let value =
+                |(x, material): &(f64, Material)| table.curve(material)?.quantity(quantity, *x);
+            let values: Result<_, _> = points.iter().map(value).collect();
+            (quantity, values.expect("in the table"))
+        };
+        let expected: Vec<_> = table.quantities().into_iter().map(looked_up).collect();
+        let difference = worst(&found["degree 9"], &expected) / table.description().tolerance;
+        println!("difference: {difference:.1e} tolerances");
+        assert!(difference <= OF_TOLERANCE);
+    }
+}
