@@ -144,8 +144,8 @@ fn assert_reads(table: &Table, normalised_by: &str) {
         let scale = match (nodes.len(), parameter) {
             (1, _) => "fixed",
             (_, Parameter::Nu1) => "-(1 - 2 nu1 + 1e-6)^(1/8)",
-            (_, Parameter::E1sOverE2s) => "ln((e1s_over_e2s + 1e-10)/(1 + e1s_over_e2s/1e14))",
-            (_, Parameter::E0sOverE1s) => "-ln(1/e0s_over_e1s + 1e-10)",
+            (_, Parameter::E1sOverEinfs) => "ln(e1s_over_einfs + 1e-10)",
+            (_, Parameter::E0sOverE2s) => "ln((e0s_over_e2s + 1e-11)/(1 + 1e-11 e0s_over_e2s))",
             _ => "logarithmic",
         };
         assert_eq!(

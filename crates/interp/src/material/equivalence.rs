@@ -104,33 +104,38 @@ impl Material {
         Self::new(e1_over_e2, nu1, e0_over_e2, nu0)
     }
 
-    /// Returns the material with these ratios of reduced moduli, `E1*/E2*` and `E0*/E1*`.
-    ///
-    /// A rigid film, `e1s_over_e2s = inf`, is represented by 1e100, from which no contact of f64
-    /// differs.
+    /// Returns the material with these ratios of reduced moduli, `E1*/Einf*` with
+    /// `1/Einf* = 1/E2* + 1/E0*`, and `E0*/E2*`.
     ///
     /// # Errors
-    /// [`Error::Unphysical`] unless `e1s_over_e2s >= 0` and `e0s_over_e1s > 0`; as
+    /// [`Error::Unphysical`] unless `0 <= e1s_over_einfs < inf` and `e0s_over_e2s >= 0`; as
     /// [`Material::new`].
     pub fn of_reduced_moduli(
-        e1s_over_e2s: f64,
+        e1s_over_einfs: f64,
         nu1: f64,
-        e0s_over_e1s: f64,
+        e0s_over_e2s: f64,
         nu0: f64,
     ) -> Result<Self, Error> {
-        const RIGID: f64 = 1e100;
         poisson_ratio("nu1", nu1)?;
         poisson_ratio("nu0", nu0)?;
-        let allowed = ">= 0 (0 is a rigid sphere, inf a rigid film)";
-        Error::unless(e1s_over_e2s >= 0.0, "e1s_over_e2s", e1s_over_e2s, allowed)?;
-        let allowed = "> 0 (inf is a rigid substrate)";
-        Error::unless(e0s_over_e1s > 0.0, "e0s_over_e1s", e0s_over_e1s, allowed)?;
-        let young = e0s_over_e1s * one_minus_square(nu0);
-        if e1s_over_e2s == 0.0 {
-            return Self::new(0.0, nu1, young / one_minus_square(nu1), nu0);
+        let finite = (0.0..f64::INFINITY).contains(&e1s_over_einfs);
+        let allowed = "finite and >= 0 (0 is a rigid sphere on a rigid substrate)";
+        Error::unless(finite, "e1s_over_einfs", e1s_over_einfs, allowed)?;
+        let allowed = ">= 0 (0 is a rigid sphere, inf a rigid substrate)";
+        Error::unless(e0s_over_e2s >= 0.0, "e0s_over_e2s", e0s_over_e2s, allowed)?;
+        // `E1*/E2*`, and under a rigid sphere `E0*/E1*`.
+        let film = e1s_over_einfs / (1.0 + 1.0 / e0s_over_e2s);
+        if film == 0.0 {
+            let substrate = (1.0 + e0s_over_e2s) / e1s_over_einfs;
+            let young = substrate * one_minus_square(nu0) / one_minus_square(nu1);
+            return Self::new(0.0, nu1, young, nu0);
         }
-        let film = e1s_over_e2s.min(RIGID);
-        Self::new(film * one_minus_square(nu1), nu1, film * young, nu0)
+        Self::new(
+            film * one_minus_square(nu1),
+            nu1,
+            e0s_over_e2s * one_minus_square(nu0),
+            nu0,
+        )
     }
 }
 
@@ -211,6 +216,26 @@ impl Invariants {
         }
     }
 
+    /// Returns `E1*/Einf* = E1*/E2* + E1*/E0*`.
+    pub(crate) fn e1s_over_einfs(&self) -> f64 {
+        self.e1s_over_e2s + 1.0 / self.e0s_over_e1s
+    }
+
+    /// Returns `E0*/E2*`: 0 under a rigid sphere, infinity on a rigid substrate. Between both it
+    /// does not matter, and is 1.
+    pub(crate) fn e0s_over_e2s(&self) -> f64 {
+        if self.e1s_over_einfs() == 0.0 {
+            1.0
+        } else {
+            self.e1s_over_e2s * self.e0s_over_e1s
+        }
+    }
+
+    /// Returns the substrate's share of the compliance of sphere and substrate, `Einf*/E0*`.
+    fn substrate_share(&self) -> f64 {
+        1.0 / (1.0 + self.e0s_over_e2s())
+    }
+
     /// Returns whether two materials make the same contact, except for the rounding of ratios of SI
     /// values.
     pub(crate) fn are_close(&self, other: &Self) -> bool {
@@ -234,7 +259,7 @@ fn shares(film: f64, substrate: f64) -> (f64, f64) {
 pub(crate) struct Equivalence {
     /// The equivalent material.
     pub(crate) equivalent: Material,
-    /// The derivatives of `ln E1/E2*`, `nu1`, `ln E0/E2*`, and of `ln E1*/E2*` and `ln E0*/E1*` of
+    /// The derivatives of `ln E1/E2*`, `nu1`, `ln E0/E2*`, and of `ln E1*/Einf*` and `ln E0*/E2*` of
     /// the equivalent (a row each), with respect to `ln e1_over_e2`, `nu1`, `ln e0_over_e2` and
     /// `nu0` of the material.
     rows: [[f64; 4]; 5],
@@ -291,9 +316,19 @@ impl Equivalence {
             times((1.0 - sphere) * reduced(its[0]), nu1),
         );
         let substrate_young = plus(plus(substrate, unit), times(-reduced(its[1]), nu0));
+        // `E1*/Einf* = E1*/E2* + E1*/E0*`, and `E0*/E2*` is the product of `film` and `substrate`.
+        let share = Invariants::of(material).substrate_share();
+        let film_infinite = plus(times(1.0 - share, film), times(-share, substrate));
+        let substrate_sphere = plus(film, substrate);
         Ok(Self {
             equivalent,
-            rows: [film_young, nu1, substrate_young, film, substrate],
+            rows: [
+                film_young,
+                nu1,
+                substrate_young,
+                film_infinite,
+                substrate_sphere,
+            ],
         })
     }
 
@@ -305,8 +340,8 @@ impl Equivalence {
             Parameter::E1OverE2 => self.rows[0],
             Parameter::Nu1 => self.rows[1],
             Parameter::E0OverE2 => self.rows[2],
-            Parameter::E1sOverE2s => self.rows[3],
-            Parameter::E0sOverE1s => self.rows[4],
+            Parameter::E1sOverEinfs => self.rows[3],
+            Parameter::E0sOverE2s => self.rows[4],
         })
     }
 }

@@ -18,12 +18,12 @@ pub enum Parameter {
     Nu1,
     /// `E0/E2*`: Young's modulus of the substrate over the sphere's reduced modulus.
     E0OverE2,
-    /// `E1*/E2*`: reduced modulus of the film over that of the sphere; 0 is a rigid sphere,
-    /// infinity a rigid film.
-    E1sOverE2s,
-    /// `E0*/E1*`: reduced modulus of the substrate over that of the film; infinity is a rigid
-    /// substrate.
-    E0sOverE1s,
+    /// `E1*/Einf*`: reduced modulus of the film over that of sphere and substrate in contact,
+    /// `1/Einf* = 1/E2* + 1/E0*`; 0 between a rigid sphere and a rigid substrate.
+    E1sOverEinfs,
+    /// `E0*/E2*`: reduced modulus of the substrate over that of the sphere; 0 is a rigid sphere,
+    /// infinity a rigid substrate.
+    E0sOverE2s,
 }
 
 impl Parameter {
@@ -33,17 +33,22 @@ impl Parameter {
 
     /// `a/t` and the three parameters of a material by reduced moduli, in the order of the
     /// dimensions of a table.
-    pub const REDUCED: [Self; 4] = [Self::AOverT, Self::E1sOverE2s, Self::Nu1, Self::E0sOverE1s];
+    pub const REDUCED: [Self; 4] = [
+        Self::AOverT,
+        Self::E1sOverEinfs,
+        Self::Nu1,
+        Self::E0sOverE2s,
+    ];
 
-    /// Where the coordinate of `E1*/E2*` ends to be logarithmic. Below the first, a sphere is
-    /// nearly rigid at any `a/t` up to 1e3: an incompressible film between rigid bodies feels the
-    /// sphere's compliance where `E1*/E2* (a/t)^3` is of order one. Beyond the second, the film is
-    /// nearly rigid on any substrate that is not softer than it by that factor.
-    const E1S_ENDS: [f64; 2] = [1e-10, 1e14];
+    /// Where the coordinate of `E1*/Einf*` ends to be logarithmic. Below, sphere and substrate are
+    /// nearly rigid at any `a/t` up to 1e3: an incompressible film feels their compliance where
+    /// `E1*/Einf* (a/t)^3` is of order one.
+    const E1S_END: f64 = 1e-10;
 
-    /// Where the coordinate of `E0*/E1*` ends to be logarithmic: beyond, the substrate is nearly
-    /// rigid at any `a/t` up to 1e3.
-    const E0S_END: f64 = 1e10;
+    /// Where the coordinate of `E0*/E2*` ends to be logarithmic, and begins, at its inverse. Beyond,
+    /// the softer of substrate and sphere is nearly all of their compliance, also compared with
+    /// that of a film with `E1*/Einf*` up to 1e10.
+    const E0S_END: f64 = 1e-11;
 
     /// The `1 - 2 nu1` at which the coordinate of `nu1` ends to be a power: below, a film is nearly
     /// incompressible at any `a/t` up to 1e3.
@@ -53,9 +58,9 @@ impl Parameter {
     pub const fn dimension(self) -> usize {
         match self {
             Self::AOverT => 0,
-            Self::E1OverE2 | Self::E1sOverE2s => 1,
+            Self::E1OverE2 | Self::E1sOverEinfs => 1,
             Self::Nu1 => 2,
-            Self::E0OverE2 | Self::E0sOverE1s => 3,
+            Self::E0OverE2 | Self::E0sOverE2s => 3,
         }
     }
 
@@ -66,8 +71,8 @@ impl Parameter {
             Self::E1OverE2 => "e1_over_e2",
             Self::Nu1 => "nu1",
             Self::E0OverE2 => "e0_over_e2",
-            Self::E1sOverE2s => "e1s_over_e2s",
-            Self::E0sOverE1s => "e0s_over_e1s",
+            Self::E1sOverEinfs => "e1s_over_einfs",
+            Self::E0sOverE2s => "e0s_over_e2s",
         }
     }
 
@@ -83,13 +88,13 @@ impl Parameter {
                 "Young's modulus of the substrate over the sphere's reduced modulus E2* \
                  (over the film's Young's modulus if the sphere is rigid)"
             }
-            Self::E1sOverE2s => {
-                "reduced modulus E1* of the film over that of the sphere, E2* \
-                 (0: rigid sphere, inf: rigid film)"
+            Self::E1sOverEinfs => {
+                "reduced modulus E1* of the film over Einf* of sphere and substrate, \
+                 1/Einf* = 1/E2* + 1/E0* (0: both rigid)"
             }
-            Self::E0sOverE1s => {
-                "reduced modulus E0* of the substrate over that of the film, E1* \
-                 (inf: rigid substrate)"
+            Self::E0sOverE2s => {
+                "reduced modulus E0* of the substrate over that of the sphere, E2* \
+                 (0: rigid sphere, inf: rigid substrate)"
             }
         }
     }
@@ -100,8 +105,8 @@ impl Parameter {
         match self {
             Self::AOverT | Self::E1OverE2 | Self::E0OverE2 => "logarithmic",
             Self::Nu1 => "-(1 - 2 nu1 + 1e-6)^(1/8)",
-            Self::E1sOverE2s => "ln((e1s_over_e2s + 1e-10)/(1 + e1s_over_e2s/1e14))",
-            Self::E0sOverE1s => "-ln(1/e0s_over_e1s + 1e-10)",
+            Self::E1sOverEinfs => "ln(e1s_over_einfs + 1e-10)",
+            Self::E0sOverE2s => "ln((e0s_over_e2s + 1e-11)/(1 + 1e-11 e0s_over_e2s))",
         }
     }
 
@@ -111,21 +116,19 @@ impl Parameter {
     /// incompressible film changes its behaviour where `(1 - 2 nu1) (a/t)^2 ~ 1`.
     /// The ratios of reduced moduli have coordinates, [`Parameter::scale`], that are logarithms
     /// except near 0 and infinity. There they end at finite values, because the quantities are
-    /// smooth functions of `E1*/E2*` at 0, of `E2*/E1*` at 0 and of `E1*/E0*` at 0.
+    /// smooth functions of `E1*/Einf*` at 0, and of `E0*/E2*` and its inverse at 0.
     pub fn coordinate(self, value: f64) -> f64 {
         match self {
             Self::AOverT | Self::E1OverE2 | Self::E0OverE2 => value.ln(),
             Self::Nu1 => -(1.0 - 2.0 * value + Self::NU1_END).powf(0.125),
-            Self::E1sOverE2s => {
-                let [low, high] = Self::E1S_ENDS;
-                // Both forms are exact at their end.
-                if value < 1.0 {
-                    ((value + low) / (1.0 + value / high)).ln()
-                } else {
-                    ((1.0 + low / value) / (1.0 / value + 1.0 / high)).ln()
-                }
+            Self::E1sOverEinfs => (value + Self::E1S_END).ln(),
+            // Both forms are exact at their end.
+            Self::E0sOverE2s if value < 1.0 => {
+                ((value + Self::E0S_END) / (1.0 + value * Self::E0S_END)).ln()
             }
-            Self::E0sOverE1s => -(1.0 / value + 1.0 / Self::E0S_END).ln(),
+            Self::E0sOverE2s => {
+                -((1.0 / value + Self::E0S_END) / (1.0 + Self::E0S_END / value)).ln()
+            }
         }
     }
 
@@ -135,13 +138,10 @@ impl Parameter {
         match self {
             Self::AOverT | Self::E1OverE2 | Self::E0OverE2 => (-coordinate).exp(),
             Self::Nu1 => -0.25 / coordinate.powi(7),
-            Self::E1sOverE2s => {
-                let ([low, high], value) = (Self::E1S_ENDS, self.value(coordinate));
-                1.0 / (value + low) - 1.0 / (value + high)
-            }
-            Self::E0sOverE1s => {
+            Self::E1sOverEinfs => (-coordinate).exp(),
+            Self::E0sOverE2s => {
                 let value = self.value(coordinate);
-                1.0 / (value * (1.0 + value / Self::E0S_END))
+                1.0 / (value + Self::E0S_END) - 1.0 / (value + 1.0 / Self::E0S_END)
             }
         }
     }
@@ -150,11 +150,10 @@ impl Parameter {
     /// it: 1 where the coordinate is the logarithm.
     pub(crate) fn logarithmic_speed(self, value: f64) -> f64 {
         match self {
-            Self::E1sOverE2s => {
-                let [low, high] = Self::E1S_ENDS;
-                1.0 / (1.0 + low / value) - 1.0 / (1.0 + high / value)
+            Self::E1sOverEinfs => value / (value + Self::E1S_END),
+            Self::E0sOverE2s => {
+                1.0 / (1.0 + Self::E0S_END / value) - 1.0 / (1.0 + 1.0 / (Self::E0S_END * value))
             }
-            Self::E0sOverE1s => 1.0 / (1.0 + value / Self::E0S_END),
             _ => 1.0,
         }
     }
@@ -164,11 +163,19 @@ impl Parameter {
         match self {
             Self::AOverT | Self::E1OverE2 | Self::E0OverE2 => coordinate.exp(),
             Self::Nu1 => 0.5 * (1.0 + Self::NU1_END - coordinate.powi(8)),
-            Self::E1sOverE2s => {
-                let ([low, high], value) = (Self::E1S_ENDS, coordinate.exp());
-                (value - low).max(0.0) / (1.0 - value / high).max(0.0)
+            Self::E1sOverEinfs => (coordinate.exp() - Self::E1S_END).max(0.0),
+            // From the end that is nearer, so that the difference is exact there.
+            Self::E0sOverE2s => {
+                let inverse = |coordinate: f64| {
+                    let value = coordinate.exp();
+                    (value - Self::E0S_END).max(0.0) / (1.0 - value * Self::E0S_END)
+                };
+                if coordinate < 0.0 {
+                    inverse(coordinate)
+                } else {
+                    1.0 / inverse(-coordinate)
+                }
             }
-            Self::E0sOverE1s => 1.0 / ((-coordinate).exp() - 1.0 / Self::E0S_END).max(0.0),
         }
     }
 }

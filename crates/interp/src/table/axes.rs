@@ -128,7 +128,7 @@ impl Axes {
             [material.e1_over_e2(), material.e0_over_e2()]
         } else {
             let invariants = Invariants::of(material);
-            [invariants.e1s_over_e2s, invariants.e0s_over_e1s]
+            [invariants.e1s_over_einfs(), invariants.e0s_over_e2s()]
         };
         Ok([
             self.coordinate(film, film_value)?,
@@ -204,8 +204,10 @@ fn check(parameter: Parameter, nodes: &[f64]) -> Result<(), Error> {
         Parameter::E0OverE2 => {
             REASONABLE.contains(&node) || (node == f64::INFINITY && nodes.len() == 1)
         }
-        Parameter::E1sOverE2s => REASONABLE.contains(&node) || node == 0.0 || node == f64::INFINITY,
-        Parameter::E0sOverE1s => REASONABLE.contains(&node) || node == f64::INFINITY,
+        Parameter::E1sOverEinfs => REASONABLE.contains(&node) || node == 0.0,
+        Parameter::E0sOverE2s => {
+            REASONABLE.contains(&node) || node == 0.0 || node == f64::INFINITY
+        }
     };
     if let Some(node) = nodes.iter().find(|node| !physical(node)) {
         let allowed = match parameter {
@@ -213,8 +215,8 @@ fn check(parameter: Parameter, nodes: &[f64]) -> Result<(), Error> {
             Parameter::E1OverE2 => "in [1e-30, 1e30], or 0 as the only node",
             Parameter::Nu1 => "in (-1, 0.5]",
             Parameter::E0OverE2 => "in [1e-30, 1e30], or inf as the only node",
-            Parameter::E1sOverE2s => "in [1e-30, 1e30], 0 or inf",
-            Parameter::E0sOverE1s => "in [1e-30, 1e30], or inf",
+            Parameter::E1sOverEinfs => "in [1e-30, 1e30], or 0",
+            Parameter::E0sOverE2s => "in [1e-30, 1e30], 0 or inf",
         };
         return malformed(format!(
             "axis {name} holds {node:?}, its nodes must be {allowed}"

@@ -75,7 +75,7 @@ impl Table {
             .map_err(malformed)?;
         let is_reduced = names
             .iter()
-            .any(|name| name == Parameter::E1sOverE2s.name());
+            .any(|name| name == Parameter::E1sOverEinfs.name());
         let mut axes = if is_reduced {
             Parameter::REDUCED
         } else {

@@ -104,8 +104,8 @@ impl Lookup {
         // to the logarithms of the moduli.
         let speeds = parameters.map(|parameter| match parameter {
             Parameter::Nu1 => parameter.speed(coordinates[1]),
-            Parameter::E0sOverE1s => parameter.logarithmic_speed(invariants.e0s_over_e1s),
-            _ => parameter.logarithmic_speed(invariants.e1s_over_e2s),
+            Parameter::E0sOverE2s => parameter.logarithmic_speed(invariants.e0s_over_e2s()),
+            _ => parameter.logarithmic_speed(invariants.e1s_over_einfs()),
         });
         for (slopes, speed) in slopes.iter_mut().zip(speeds) {
             slopes.iter_mut().for_each(|slope| *slope *= speed);

@@ -194,13 +194,13 @@ fn symbol(parameter: Parameter, table: &Table) -> (&'static str, &'static str) {
             "E₀/E₂*",
             "substrate’s Young’s modulus over the sphere’s reduced modulus",
         ),
-        Parameter::E1sOverE2s => (
-            "E₁*/E₂*",
-            "film’s reduced modulus over the sphere’s reduced modulus",
+        Parameter::E1sOverEinfs => (
+            "E₁*/E∞*",
+            "film’s reduced modulus over that of sphere and substrate, 1/E∞* = 1/E₂* + 1/E₀*",
         ),
-        Parameter::E0sOverE1s => (
-            "E₀*/E₁*",
-            "substrate’s reduced modulus over the film’s reduced modulus",
+        Parameter::E0sOverE2s => (
+            "E₀*/E₂*",
+            "substrate’s reduced modulus over the sphere’s reduced modulus",
         ),
     }
 }
@@ -208,11 +208,11 @@ fn symbol(parameter: Parameter, table: &Table) -> (&'static str, &'static str) {
 /// Returns the text of a fixed value of a parameter.
 fn value(parameter: Parameter, value: f64) -> String {
     match parameter {
-        Parameter::E1OverE2 | Parameter::E1sOverE2s if value == 0.0 => {
+        Parameter::E1OverE2 | Parameter::E0sOverE2s if value == 0.0 => {
             "0 (rigid sphere)".to_owned()
         }
-        Parameter::E1sOverE2s if value == f64::INFINITY => "∞ (rigid film)".to_owned(),
-        Parameter::E0OverE2 | Parameter::E0sOverE1s if value == f64::INFINITY => {
+        Parameter::E1sOverEinfs if value == 0.0 => "0 (rigid sphere and substrate)".to_owned(),
+        Parameter::E0OverE2 | Parameter::E0sOverE2s if value == f64::INFINITY => {
             "∞ (rigid substrate)".to_owned()
         }
         _ => number(value),

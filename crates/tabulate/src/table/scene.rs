@@ -26,10 +26,10 @@ struct Text {
     quantities: Vec<Quantity>,
     a_over_t: Values,
     e1_over_e2: Option<Values>,
-    e1s_over_e2s: Option<Values>,
+    e1s_over_einfs: Option<Values>,
     nu1: Values,
     e0_over_e2: Option<Values>,
-    e0s_over_e1s: Option<Values>,
+    e0s_over_e2s: Option<Values>,
     #[serde(default)]
     nu0: Nu0,
 }
@@ -209,7 +209,7 @@ impl Scene {
         }
         let (parameters, [film, substrate]) = match (
             [scene.e1_over_e2, scene.e0_over_e2],
-            [scene.e1s_over_e2s, scene.e0s_over_e1s],
+            [scene.e1s_over_einfs, scene.e0s_over_e2s],
         ) {
             ([Some(film), Some(substrate)], [None, None]) => (Parameter::ALL, [film, substrate]),
             ([None, None], [Some(film), Some(substrate)]) => {
@@ -218,7 +218,7 @@ impl Scene {
             _ => {
                 return Err(
                     "the moduli must be given by e1_over_e2 and e0_over_e2 (Young's moduli over \
-                     E2*), or by e1s_over_e2s and e0s_over_e1s (ratios of reduced moduli)"
+                     E2*), or by e1s_over_einfs and e0s_over_e2s (ratios of reduced moduli)"
                         .into(),
                 );
             }
@@ -320,8 +320,8 @@ fn explained(text: &str, error: &toml::de::Error) -> String {
     match keys.keys().find(|key| key.starts_with("layer")) {
         Some(key) => format!(
             "{key}: stacks of layers are not modelled. A scene is one film on a half-space, with the keys title, \
-             tolerance, quantities, a_over_t, e1_over_e2 (or e1s_over_e2s), nu1, e0_over_e2 (or \
-             e0s_over_e1s) and nu0"
+             tolerance, quantities, a_over_t, e1_over_e2 (or e1s_over_einfs), nu1, e0_over_e2 (or \
+             e0s_over_e2s) and nu0"
         ),
         None => error.to_string().trim_end().to_owned(),
     }
@@ -391,8 +391,8 @@ fn in_domain(parameter: Parameter, key: &str, value: f64) -> Result<(), String> 
         Parameter::AOverT => within(key, value, A_OVER_T),
         Parameter::Nu1 if value > -1.0 && value <= 0.5 => Ok(()),
         Parameter::Nu1 => Err(format!("{key} = {value:?} is outside (-1, 0.5]")),
-        Parameter::E1sOverE2s if value == 0.0 || value == f64::INFINITY => Ok(()),
-        Parameter::E0sOverE1s if value == f64::INFINITY => Ok(()),
+        Parameter::E1sOverEinfs if value == 0.0 => Ok(()),
+        Parameter::E0sOverE2s if value == 0.0 || value == f64::INFINITY => Ok(()),
         _ => within(key, value, MODULI),
     }
 }

@@ -53,19 +53,21 @@ pub fn compress(table: &Table, error: f64) -> Result<LowRank, Error> {
             Err(reached)
         })
     };
-    let mut best = match attempt(TIGHTEST)? {
-        Ok(form) => form,
-        Err(reached) => return Err(Error::Truncation { error, reached }),
-    };
-    let (mut tight, mut loose) = (TIGHTEST.ln(), LOOSEST.ln());
+    let (mut best, mut tight, mut loose) = (None, TIGHTEST.ln(), LOOSEST.ln());
     for _ in 0..BISECTIONS {
         let middle = 0.5 * (tight + loose);
-        match attempt(middle.exp())? {
-            Ok(form) => (best, tight) = (form, middle),
-            Err(_) => loose = middle,
+        match attempt(middle.exp()) {
+            Ok(Ok(form)) => (best, tight) = (Some(form), middle),
+            Ok(Err(_)) => loose = middle,
+            // A form with as many numbers as this is of no use, whatever its error.
+            Err(Error::Table(interp::Error::LowRankTooLarge { .. })) => tight = middle,
+            Err(error) => return Err(error),
         }
     }
-    Ok(best)
+    match best {
+        Some(form) => Ok(form),
+        None => attempt(TIGHTEST)?.map_err(|reached| Error::Truncation { error, reached }),
+    }
 }
 
 /// Returns the largest difference of a table's logarithms at the nodes from those of a low-rank
