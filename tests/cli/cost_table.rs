@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Duration;
 
 use acceptance::{Workdir, assert_names, workdir};
-use interp::{LowRank, Table};
+use interp::Table;
 use tabulate::Error;
 use tabulate::cost::clock::Timing;
 use tabulate::cost::table::{Limits, Row, TOLERANCES, break_even, markdown, measure};
@@ -97,7 +97,7 @@ fn rows_say_what_generate_and_pack_say() {
         assert_eq!(row.packed_bytes, workdir.read("table.bin").len() as u64);
         let ranks = packed
             .low_rank()
-            .map(LowRank::ranks)
+            .map(|tiles| tiles.ranks()[0])
             .expect("low rank")
             .map(|rank| rank as u64);
         assert_eq!([row.rank_1, row.rank_2, row.rank_3], ranks);

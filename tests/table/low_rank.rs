@@ -163,7 +163,7 @@ fn at_the_nodes_a_low_rank_table_has_the_error_it_was_given_and_between_them_the
             // Rounding of logarithm and exponential.
             assert!(reached <= error * (1.0 + error) + 1e-14, "{reached:.1e}");
             assert!(
-                reached >= USED * error || form.ranks() == [1; 3],
+                reached >= USED * error || form.ranks() == [[1; 3]],
                 "{reached:.1e}"
             );
             assert!(different <= SAME_SPLINE * dense.description().tolerance);
@@ -208,7 +208,7 @@ fn packing_keeps_the_tolerance_at_fresh_points_and_says_so() {
         let packed = Table::read(workdir.path("table.bin")).expect("a sound table");
         let (value, ranks) = (
             tolerance.parse::<f64>().expect("a number"),
-            packed.low_rank().expect("low-rank").ranks(),
+            packed.low_rank().expect("low-rank").ranks()[0],
         );
         let description = packed.description();
         let certificate = &description.certificate;
@@ -325,7 +325,7 @@ fn tables_of_fewer_axes_are_packed_to_a_tolerance_and_checked_too() {
         let packed = Table::read(workdir.path("table.bin")).expect("a sound table");
         let form = packed.low_rank().expect("low-rank");
         assert!(packed.description().certificate.max_error <= tolerance);
-        let ([n_a, n_e1, n_nu, n_e0], [a, b, c]) = (dense.shape(), form.ranks());
+        let ([n_a, n_e1, n_nu, n_e0], [a, b, c]) = (dense.shape(), form.ranks()[0]);
         assert!(
             a <= n_e0 && b <= a * n_e1 && c <= (b * n_nu).min(n_a * dense.quantities().len()),
             "{:?}",
@@ -456,7 +456,7 @@ fn a_forged_form_is_an_error_or_a_table_that_can_be_looked_up() {
 fn nothing_is_allocated_on_the_word_of_a_file() {
     let workdir = workdir!();
     let table = Table::from_packed(&PACKED).expect("as it was");
-    let ranks = table.low_rank().expect("low-rank").ranks();
+    let ranks = table.low_rank().expect("low-rank").ranks()[0];
     let payload = &PACKED[PREFIX..];
     // A whole number takes a byte, or as many after a mark.
     let whole = |at: usize| match payload[at] {

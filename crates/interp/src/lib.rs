@@ -114,4 +114,4 @@ pub use material::{
     Elastic, HalfSpace, Material, Normalisation, Parameter, Quantities, Quantity,
     SubstratePoissonRatio, System,
 };
-pub use table::{Certificate, Description, LowRank, Table, is_packed, schema};
+pub use table::{Certificate, Description, LowRank, Table, Tiles, is_packed, schema};

@@ -205,9 +205,7 @@ fn check(parameter: Parameter, nodes: &[f64]) -> Result<(), Error> {
             REASONABLE.contains(&node) || (node == f64::INFINITY && nodes.len() == 1)
         }
         Parameter::E1sOverEinfs => REASONABLE.contains(&node) || node == 0.0,
-        Parameter::E0sOverE2s => {
-            REASONABLE.contains(&node) || node == 0.0 || node == f64::INFINITY
-        }
+        Parameter::E0sOverE2s => REASONABLE.contains(&node) || node == 0.0 || node == f64::INFINITY,
     };
     if let Some(node) = nodes.iter().find(|node| !physical(node)) {
         let allowed = match parameter {

@@ -24,7 +24,8 @@ pub struct Certificate {
     pub worst_quantity: Quantity,
     /// The point with the largest error: `a_over_t`, `e1_over_e2`, `nu1`, `e0_over_e2`.
     pub worst_point: [f64; 4],
-    /// The largest errors of four identities on the interpolant, each relative to its left side;
+    /// The largest errors of four identities on the interpolant, each relative to the
+    /// sizes of its terms;
     /// `None` where it was not measured, a quantity is missing or `a/t` is fixed:
     ///
     /// ```text

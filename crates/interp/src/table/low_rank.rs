@@ -340,13 +340,13 @@ fn sum_of_squares<'a>(numbers: impl Iterator<Item = &'a f64>) -> f64 {
 
 #[cfg(all(test, feature = "embedded"))]
 mod tests {
-    use crate::{Material, Table};
+    use crate::{Material, Table, Tiles};
 
     /// Factors that cancel, between two neighbouring cores or between a core and its weights.
     #[test]
     fn what_a_lookup_leaves_out_depends_on_the_product_only() {
         let embedded = Table::embedded();
-        let form = embedded.low_rank().expect("it is low-rank");
+        let tiles = embedded.low_rank().expect("it is low-rank");
         let material = Material::new(1e-3, 0.4999, 2e5, 0.25).expect("physical");
         let look_up = |table: &Table| {
             table
@@ -359,14 +359,16 @@ mod tests {
         for bond in 0..3 {
             for factor in [1e-9, 1e9] {
                 for scaled in [bond, bond + 1] {
-                    let mut other = form.clone();
+                    let mut forms = tiles.forms().to_vec();
+                    let other = &mut forms[0];
                     other.weights[bond]
                         .iter_mut()
                         .for_each(|weight| *weight *= factor);
                     other.steps[scaled] *= factor;
                     let (description, axes) = (embedded.description().clone(), embedded.axes());
-                    let table =
-                        Table::from_low_rank(description, axes, other).expect("a sound form");
+                    let table = Tiles::new(tiles.cuts().to_vec(), forms)
+                        .and_then(|tiles| Table::from_low_rank(description, axes, tiles))
+                        .expect("sound forms");
                     for (found, expected) in look_up(&table).into_iter().zip(expected) {
                         assert!(
                             (found / expected - 1.0).abs() < 1e-12,

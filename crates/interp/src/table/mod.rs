@@ -24,6 +24,7 @@ pub mod schema;
 mod table;
 mod tensor_spline;
 mod tensor_train;
+mod tiles;
 mod weighted_sum;
 
 pub use certificate::Certificate;
@@ -31,3 +32,4 @@ pub use description::Description;
 pub use low_rank::LowRank;
 pub use packed::is_packed;
 pub use table::Table;
+pub use tiles::Tiles;

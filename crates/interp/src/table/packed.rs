@@ -10,8 +10,9 @@
 //! ```
 //!
 //! The content of a dense table is its values as f64, quantity by quantity. The content of a
-//! low-rank table is the weights, the functions, and the steps and integers of its cores (bincode,
-//! integers of variable width: one byte for most).
+//! low-rank table is the nodes where its tiles meet and, for each tile, the weights, the functions,
+//! and the steps and integers of its cores (bincode, integers of variable width: one byte for
+//! most).
 //!
 //! A forged length cannot allocate much memory. The length of the header is limited. The number of
 //! values must match the number of bytes. An integer of a core has 8 bytes in memory and at least
@@ -24,7 +25,7 @@ use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 
-use crate::{Description, Error, LowRank, Parameter, Quantity, Table};
+use crate::{Description, Error, LowRank, Parameter, Quantity, Table, Tiles};
 
 /// The first bytes of a packed table.
 const MAGIC: [u8; 8] = *b"COATTBL\n";
@@ -56,6 +57,14 @@ enum Form {
 /// The content of a low-rank table.
 #[derive(Serialize, Deserialize)]
 struct Content {
+    /// The nodes of the film's modulus where tiles meet.
+    cuts: Vec<usize>,
+    tiles: Vec<Tile>,
+}
+
+/// The low-rank form of a tile.
+#[derive(Serialize, Deserialize)]
+struct Tile {
     weights: [Vec<f64>; 3],
     functions: [Vec<f64>; 4],
     steps: [f64; 4],
@@ -124,13 +133,19 @@ impl Table {
                 payload.extend(values.flat_map(|value| value.to_le_bytes()));
             }
         }
-        if let Some(form) = self.low_rank() {
-            let (steps, cores) = form.rounded();
+        if let Some(tiles) = self.low_rank() {
+            let tile = |form: &LowRank| {
+                let (steps, cores) = form.rounded();
+                Tile {
+                    weights: form.weights().clone(),
+                    functions: form.functions().clone(),
+                    steps,
+                    cores,
+                }
+            };
             let content = Content {
-                weights: form.weights().clone(),
-                functions: form.functions().clone(),
-                steps,
-                cores,
+                cuts: tiles.cuts().to_vec(),
+                tiles: tiles.forms().iter().map(tile).collect(),
             };
             payload.extend(
                 bincode::serde::encode_to_vec(&content, content_configuration())
@@ -242,27 +257,23 @@ fn dense(header: Header, content: &[u8]) -> Result<Table, Error> {
 
 /// Reads the content of a low-rank table.
 fn low_rank(header: Header, content: &[u8]) -> Result<Table, Error> {
-    let (
-        Content {
-            weights,
-            functions,
-            steps,
-            cores,
-        },
-        used,
-    ) = bincode::serde::decode_from_slice(content, content_configuration()).map_err(malformed)?;
+    let (Content { cuts, tiles }, used) =
+        bincode::serde::decode_from_slice(content, content_configuration()).map_err(malformed)?;
     if used != content.len() {
         return Err(Error::Malformed(format!(
             "its low-rank form has {used} bytes, but its content has {}",
             content.len()
         )));
     }
-    let form = LowRank::new(
-        header.quantities,
-        weights,
-        functions,
-        steps,
-        cores.each_ref().map(Vec::as_slice),
-    )?;
-    Table::from_low_rank(header.description, header.axes, form)
+    let form = |tile: Tile| {
+        LowRank::new(
+            header.quantities.clone(),
+            tile.weights,
+            tile.functions,
+            tile.steps,
+            tile.cores.each_ref().map(Vec::as_slice),
+        )
+    };
+    let forms = tiles.into_iter().map(form).collect::<Result<_, _>>()?;
+    Table::from_low_rank(header.description, header.axes, Tiles::new(cuts, forms)?)
 }

@@ -6,8 +6,9 @@ use std::sync::OnceLock;
 use crate::curve::nodes::REASONABLE;
 use crate::table::axes::Axes;
 use crate::table::lookup::Lookup;
+use crate::table::low_rank::LowRank;
 use crate::table::tensor_spline::TensorSpline;
-use crate::{Certificate, Curve, Description, Error, LowRank, Material, Parameter, Quantity};
+use crate::{Certificate, Curve, Description, Error, Material, Parameter, Quantity, Tiles};
 
 /// Values of the quantities on a grid of (`a_over_t`, `e1_over_e2`, `nu1`, `e0_over_e2`).
 #[derive(Clone, Debug)]
@@ -24,7 +25,7 @@ pub struct Table {
 enum Content {
     /// Row-major over the four axes, `a_over_t` slowest.
     Dense([Option<Vec<f64>>; 4]),
-    LowRank(Box<LowRank>),
+    LowRank(Tiles),
 }
 
 impl Table {
@@ -93,21 +94,23 @@ impl Table {
     pub fn from_low_rank(
         description: Description,
         axes: [(Parameter, Vec<f64>); 4],
-        form: LowRank,
+        tiles: impl Into<Tiles>,
     ) -> Result<Self, Error> {
-        let axes = Axes::new(axes)?;
+        let (axes, tiles) = (Axes::new(axes)?, tiles.into());
         description.check()?;
         let shape = axes.shape();
-        if form.shape() != shape {
+        if !tiles.fit(shape) {
             return Err(Error::Malformed(format!(
-                "its cores are made for {:?} nodes, its axes have {shape:?}",
-                form.shape()
+                "its cores are made for {:?} nodes in tiles that meet at the nodes {:?}, its axes have \
+                 {shape:?}",
+                tiles.forms().iter().map(LowRank::shape).collect::<Vec<_>>(),
+                tiles.cuts()
             )));
         }
         Ok(Self {
             description,
             axes,
-            content: Content::LowRank(Box::new(form)),
+            content: Content::LowRank(tiles),
             lookup: OnceLock::new(),
         })
     }
@@ -156,7 +159,7 @@ impl Table {
     pub fn holds(&self, quantity: Quantity) -> bool {
         match &self.content {
             Content::Dense(values) => values[quantity as usize].is_some(),
-            Content::LowRank(form) => form.quantities().contains(&quantity),
+            Content::LowRank(tiles) => tiles.quantities().contains(&quantity),
         }
     }
 
@@ -180,9 +183,9 @@ impl Table {
     }
 
     /// Returns the low-rank form, or `None` if the table is dense.
-    pub fn low_rank(&self) -> Option<&LowRank> {
+    pub fn low_rank(&self) -> Option<&Tiles> {
         match &self.content {
-            Content::LowRank(form) => Some(form),
+            Content::LowRank(tiles) => Some(tiles),
             Content::Dense(_) => None,
         }
     }
@@ -196,7 +199,7 @@ impl Table {
     /// If `e1` is not below the number of nodes of the film's modulus.
     pub fn logarithms(&self, e1: usize) -> Vec<f64> {
         let values = match &self.content {
-            Content::LowRank(form) => return form.logarithms(e1),
+            Content::LowRank(tiles) => return tiles.logarithms(e1, self.shape()[1]),
             Content::Dense(values) => values,
         };
         let [n_a, n_e1, n_nu, n_e0] = self.shape();
@@ -300,7 +303,7 @@ impl Table {
                     (0..n_e1).for_each(|e1| logarithms.extend(self.logarithms(e1)));
                     TensorSpline::through(&self.axes, logarithms)
                 }
-                Content::LowRank(form) => TensorSpline::of_low_rank(&self.axes, form, tolerance),
+                Content::LowRank(tiles) => TensorSpline::of_low_rank(&self.axes, tiles, tolerance),
             };
             Lookup::new(&self.axes, quantities, tolerance, spline)
         })

@@ -2,12 +2,14 @@
 //! `ln(a/t)`.
 
 use std::array;
+use std::ops::Range;
 
 use crate::Parameter;
 use crate::curve::bspline::{Basis, LARGEST_DEGREE, Weights};
 use crate::table::axes::Axes;
 use crate::table::low_rank::LowRank;
 use crate::table::tensor_train::TensorTrain;
+use crate::table::tiles::Tiles;
 use crate::table::weighted_sum::add_rows;
 
 /// The tensor B-spline of a table.
@@ -29,18 +31,38 @@ enum Form {
     /// A row for each combination of the B-splines of the material axes, `e1_over_e2` slowest: a
     /// group of the quantities held for each B-spline of `a_over_t`.
     Dense(Vec<f64>),
-    Train(Box<TensorTrain>),
+    /// A train for each tile of the film's modulus.
+    Tiles {
+        trains: Vec<TensorTrain>,
+        /// The coordinates where tiles meet.
+        breaks: Vec<f64>,
+    },
 }
 
 impl TensorSpline {
     /// Makes the spline of a low-rank form, accurate enough for `tolerance`.
-    pub(crate) fn of_low_rank(axes: &Axes, form: &LowRank, tolerance: f64) -> Self {
+    pub(crate) fn of_low_rank(axes: &Axes, tiles: &Tiles, tolerance: f64) -> Self {
         let (bases, a_over_t_basis) = bases(axes);
-        let train = TensorTrain::new(form, bases.each_ref(), &a_over_t_basis, tolerance);
+        let [film, ..] = axes.of_material();
+        let coordinates: Vec<f64> = axes
+            .nodes(film)
+            .iter()
+            .map(|&value| film.coordinate(value))
+            .collect();
+        let train = |(form, nodes): (&LowRank, Range<usize>)| {
+            let film = Basis::of_table(&coordinates[nodes]);
+            let [_, nu, substrate] = &bases;
+            TensorTrain::new(form, [&film, nu, substrate], &a_over_t_basis, tolerance)
+        };
+        let nodes = Tiles::nodes(tiles.cuts(), coordinates.len());
+        let form = Form::Tiles {
+            trains: tiles.forms().iter().zip(nodes).map(train).collect(),
+            breaks: tiles.cuts().iter().map(|&cut| coordinates[cut]).collect(),
+        };
         Self {
             bases,
             a_over_t_basis,
-            form: Form::Train(Box::new(train)),
+            form,
         }
     }
 
@@ -77,7 +99,9 @@ impl TensorSpline {
     /// quantities held for each B-spline.
     pub(crate) fn coefficients(&self, coordinates: [f64; 3]) -> Vec<f64> {
         match &self.form {
-            Form::Train(train) => train.coefficients(coordinates),
+            Form::Tiles { trains, breaks } => {
+                tile(trains, breaks, coordinates).coefficients(coordinates)
+            }
             Form::Dense(rows) => {
                 let [sum] = self.sums(rows, &self.weights(coordinates), [[false; 3]]);
                 sum
@@ -89,7 +113,9 @@ impl TensorSpline {
     /// coordinates.
     pub(crate) fn coefficients_and_slopes(&self, coordinates: [f64; 3]) -> [Vec<f64>; 4] {
         match &self.form {
-            Form::Train(train) => train.coefficients_and_slopes(coordinates),
+            Form::Tiles { trains, breaks } => {
+                tile(trains, breaks, coordinates).coefficients_and_slopes(coordinates)
+            }
             Form::Dense(rows) => {
                 let weights = self.weights(coordinates);
                 let by = |axis: usize| array::from_fn(|i| i == axis);
@@ -129,6 +155,11 @@ impl TensorSpline {
         }
         sums
     }
+}
+
+/// Returns the train of the tile that contains the material.
+fn tile<'a>(trains: &'a [TensorTrain], breaks: &[f64], coordinates: [f64; 3]) -> &'a TensorTrain {
+    &trains[breaks.partition_point(|&end| end <= coordinates[0])]
 }
 
 /// Makes the B-splines of the material axes, and those of `a_over_t`.

@@ -1,7 +1,7 @@
 //! The JSON objects that `--json` prints. The names of their fields are fixed; the help of each
 //! command lists them.
 
-use interp::{Certificate, LowRank, Parameter, Quantity, SubstratePoissonRatio, Table};
+use interp::{Certificate, Parameter, Quantity, SubstratePoissonRatio, Table, Tiles};
 use serde::{Serialize, Serializer};
 
 use super::write_text;
@@ -152,8 +152,8 @@ pub struct TableObject<'a> {
     quantities: Vec<&'static str>,
     normalised_by: &'static str,
     tolerance: f64,
-    /// The ranks of the low-rank form, if the table has it.
-    ranks: Option<[usize; 3]>,
+    /// The ranks of each tile of the low-rank form, if the table has it.
+    ranks: Option<Vec<[usize; 3]>>,
     certificate: Errors,
     /// The size of the file.
     bytes: u64,
@@ -172,7 +172,7 @@ impl<'a> TableObject<'a> {
             quantities: table.quantities().into_iter().map(Quantity::name).collect(),
             normalised_by: table.unit(),
             tolerance: description.tolerance,
-            ranks: table.low_rank().map(LowRank::ranks),
+            ranks: table.low_rank().map(Tiles::ranks),
             certificate: Errors::new(&description.certificate, table.parameters()),
             bytes,
         }

@@ -246,7 +246,7 @@ pub fn sample(table: &Table, point: [f64; 4]) -> Result<Sample, Error> {
 }
 
 /// Returns the errors of the four [identities](Certificate::identity_errors) on a curve, relative to
-/// their left sides; none where the curve does not answer a quantity of the identity.
+/// the sizes of their terms; none where the curve does not answer a quantity of the identity.
 fn identity_errors(curve: &Curve, a_over_t: f64) -> [Option<f64>; 4] {
     if curve.range()[0] == curve.range()[1] {
         // A single a/t has no slope.
@@ -254,25 +254,27 @@ fn identity_errors(curve: &Curve, a_over_t: f64) -> [Option<f64>; 4] {
     }
     let value = |quantity| curve.quantity(quantity, a_over_t).ok();
     let (eeq, gamma) = (value(Quantity::Eeq), value(Quantity::Gamma));
-    // `n Q + x Q'`, the derivative of `x^n Q` over `x^(n-1)`.
-    let rate =
-        |n: f64, quantity| Some(n * value(quantity)? + curve.slope(quantity, a_over_t).ok()?);
+    // `n Q + x Q'`, the derivative of `x^n Q` over `x^(n-1)`, and the sum of the sizes of its terms.
+    // Where a film much stiffer than its substrate moves as a whole, `x Eeq` hardly changes and the
+    // sum is far smaller than its terms.
+    let rate = |n: f64, quantity| {
+        let (value, slope) = (n * value(quantity)?, curve.slope(quantity, a_over_t).ok()?);
+        Some([value + slope, value.abs() + slope.abs()])
+    };
     let es = curve.material().sphere_film_modulus();
-    let energy = || Some((gamma?.powi(2), es * rate(1.0, Quantity::Eeq)?));
+    let error = |[left, size]: [f64; 2], right: f64| (left - right).abs() / size;
+    let energy = || Some(error(rate(1.0, Quantity::Eeq)?, gamma?.powi(2) / es));
     let stiffness = || {
-        Some((
-            rate(3.0, Quantity::Pi0)?,
-            4.0 * eeq? * rate(2.0, Quantity::Delta0)?,
-        ))
+        let [right, _] = rate(2.0, Quantity::Delta0)?;
+        Some(error(rate(3.0, Quantity::Pi0)?, 4.0 * eeq? * right))
     };
     let penetration = || {
         let right = 2.0 * es * eeq? / gamma?.powi(2);
-        Some((rate(2.0, Quantity::Delta0)?, right))
+        Some(error(rate(2.0, Quantity::Delta0)?, right))
     };
     let load = || {
         let right = 8.0 * es * (eeq? / gamma?).powi(2);
-        Some((rate(3.0, Quantity::Pi0)?, right))
+        Some(error(rate(3.0, Quantity::Pi0)?, right))
     };
     [energy(), stiffness(), penetration(), load()]
-        .map(|sides| sides.map(|(left, right)| (1.0 - right / left).abs()))
 }

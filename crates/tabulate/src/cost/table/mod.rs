@@ -12,7 +12,7 @@ mod summary;
 
 use std::time::Instant;
 
-use interp::LowRank;
+use interp::Tiles;
 use serde::{Deserialize, Serialize};
 
 use self::evaluation::Evaluation;
@@ -210,10 +210,15 @@ fn row(
         nu1_nodes,
         e0_over_e2_nodes,
     ] = table.shape().map(|nodes| nodes as u64);
-    let [rank_1, rank_2, rank_3] = packed
-        .low_rank()
-        .map_or([0; 3], LowRank::ranks)
-        .map(|rank| rank as u64);
+    let ranks = packed.low_rank().map(Tiles::ranks).unwrap_or_default();
+    // The largest of all tiles.
+    let [rank_1, rank_2, rank_3] = [0, 1, 2].map(|bond| {
+        ranks
+            .iter()
+            .map(|ranks| ranks[bond] as u64)
+            .max()
+            .unwrap_or(0)
+    });
     let mut row = Row {
         tolerance: scene.tolerance,
         a_over_t_nodes,

@@ -4,7 +4,7 @@ use interp::{Description, Table};
 
 use crate::Error;
 use crate::table::certify::certify;
-use crate::table::compress::truncation::compress;
+use crate::table::compress::tiles::compress;
 use crate::table::generate::Observer;
 use crate::table::scene::TOLERANCE;
 

@@ -36,12 +36,12 @@ const FUNCTIONS: f64 = 0.1;
 /// save a tenth of the bytes and show in derivatives with respect to `nu1` near 0.5.
 const STEP: f64 = 0.2;
 
-/// Returns a table in low-rank form, with about as few numbers as `error` allows, the largest
+/// Returns a table as one tensor train, with about as few numbers as `error` allows, the largest
 /// relative error of the quantities at the nodes.
 ///
 /// # Errors
 /// [`Error::Truncation`] where a form that leaves out next to nothing has a larger error.
-pub fn compress(table: &Table, error: f64) -> Result<LowRank, Error> {
+pub(super) fn truncate(table: &Table, error: f64) -> Result<LowRank, Error> {
     // The part left out here does not show beside the part left out later.
     let train = Train::of(table, 0.1 * TIGHTEST * error);
     let attempt = |share: f64| -> Result<Result<LowRank, f64>, Error> {
