@@ -10,7 +10,8 @@ use crate::TWO_QUANTITIES;
 #[test]
 fn embedded_is_the_table_that_is_compiled_in() {
     let workdir = workdir!();
-    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../crates/interp/embedded/default.bin");
+    let file =
+        Path::new(env!("CARGO_MANIFEST_DIR")).join("../crates/interp/embedded/universal.bin");
     let (path, points) = (file.to_str().expect("UTF-8"), shipped("points.csv"));
     let points = points.to_str().expect("UTF-8");
     let commands: [&[&str]; 6] = [

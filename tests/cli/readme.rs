@@ -78,7 +78,10 @@ fn shows_what_its_commands_print() {
 fn quotes_the_certificates_of_the_shipped_tables() {
     for (table, files) in [
         ("tables/paper.bin", &["README.md", "tables/README.md"][..]),
-        ("crates/interp/embedded/default.bin", &["tables/README.md"]),
+        (
+            "crates/interp/embedded/universal.bin",
+            &["tables/README.md"],
+        ),
     ] {
         let path = format!("{}/../{table}", env!("CARGO_MANIFEST_DIR"));
         let certificate = Table::read(path)

@@ -6,7 +6,7 @@ use base64::engine::general_purpose::STANDARD;
 use interp::{Quantity, Table};
 use tabulate::report::report;
 
-use crate::{DIFFERENCE, FOUR_AXES, RIGID_SPHERE, embedded_default};
+use crate::{DIFFERENCE, FOUR_AXES, RIGID_SPHERE, embedded_universal};
 
 /// Reads the table in a page.
 fn packed(page: &str) -> Table {
@@ -103,7 +103,7 @@ fn the_table_in_the_page_is_the_table() {
         );
     }
     // A table in low-rank form is in the page unchanged.
-    let table = Table::read(embedded_default()).expect("the embedded table");
+    let table = Table::read(embedded_universal()).expect("the embedded table");
     let embedded = packed(&report(&table, &[]).expect("a report"));
     assert_eq!(
         embedded.to_packed().expect("packed"),

@@ -8,7 +8,7 @@ use serde_json::Value;
 use tabulate::report::report;
 
 use crate::browser::browse;
-use crate::{DIFFERENCE, RIGID_SPHERE, embedded_default};
+use crate::{DIFFERENCE, RIGID_SPHERE, embedded_universal};
 
 /// A rigid sphere with adhesion, without `delta0`: enough for load against contact radius.
 const NO_PENETRATION: &str = "
@@ -274,11 +274,11 @@ fn sliders(seen: &Value) -> Vec<&str> {
 fn a_page_with_all_axes_shows_what_the_program_prints() {
     let (workdir, table) = (
         workdir!(),
-        Table::read(embedded_default()).expect("the embedded table"),
+        Table::read(embedded_universal()).expect("the embedded table"),
     );
     workdir.write(
         "default.bin",
-        std::fs::read(embedded_default()).expect("the embedded table"),
+        std::fs::read(embedded_universal()).expect("the embedded table"),
     );
     let settings = [
         PAPER,

@@ -5,10 +5,10 @@ use serde_json::{Value, json};
 use tabulate::report::{LARGE_CONTACT, report};
 
 use crate::browser::{browse, fill};
-use crate::embedded_default;
+use crate::embedded_universal;
 
 fn page() -> String {
-    let table = Table::read(embedded_default()).expect("the embedded table");
+    let table = Table::read(embedded_universal()).expect("the embedded table");
     report(&table, &[]).expect("a report")
 }
 

@@ -39,6 +39,6 @@ const RIGID_SPHERE: &str = "
     nu0        = 0.25
 ";
 
-fn embedded_default() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../crates/interp/embedded/default.bin")
+fn embedded_universal() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../crates/interp/embedded/universal.bin")
 }

@@ -3,12 +3,14 @@
 use std::f64::consts::PI;
 
 use acceptance::{Contacts, larger, material, relative_error};
-use interp::{Error, Material};
+use interp::{Error, Material, SubstratePoissonRatio};
 use tabulate::solve;
 
 /// Largest relative difference of equivalent materials' quantities. Measured: 6.2e-15; 2.0e-15
 /// under a rigid sphere.
 const EQUAL: f64 = 5e-14;
+/// Largest relative difference of the quantities of paired equivalents.
+const PAIRED: f64 = 2e-12;
 /// The tolerance of the solves. Equivalent materials share the errors of truncation and quadrature.
 const TOLERANCE: f64 = 1e-10;
 /// Largest change of `nu1`, and largest relative change of a modulus, by a round trip. Measured:
@@ -55,6 +57,93 @@ fn equivalent_materials_have_equal_quantities() {
         furthest > 0.2,
         "the films must differ for the comparison to mean anything"
     );
+}
+
+/// Any film on any substrate with Poisson ratios from 0 to 1/2 has an equivalent among the paired
+/// ones, whose ratio of the substrate follows from that of the film.
+#[test]
+fn every_material_has_an_equivalent_with_paired_poisson_ratios() {
+    let mut contacts = Contacts::new(33);
+    let (mut worst, mut furthest) = (0.0, 0.0_f64);
+    for i in 0..200 {
+        let [nu1, nu0] = [(); 2].map(|()| match contacts.uniform(0.0, 1.0) {
+            share if share < 0.2 => 0.5,
+            share if share < 0.4 => 0.0,
+            _ => contacts.uniform(0.0, 0.5),
+        });
+        let given = contacts.material([1e-4, 1e4], [1e-4, 1e4]);
+        let e1 = if i % 7 == 0 { 0.0 } else { given.e1_over_e2() };
+        let given = material([e1, nu1, given.e0_over_e2(), nu0]);
+        let equivalent = given
+            .with_paired_poisson_ratios()
+            .expect("ratios from 0 to 1/2");
+        let paired = SubstratePoissonRatio::Paired.under(equivalent.nu1());
+        assert!((equivalent.nu0() - paired).abs() < 1e-15, "{equivalent:?}");
+        let x = contacts.log_uniform(1e-3, 100.0);
+        let solved = |material| {
+            solve(x, material, TOLERANCE)
+                .expect("moderate contrasts converge")
+                .quantities
+        };
+        worst = larger(worst, relative_error(&solved(&equivalent), &solved(&given)));
+        furthest = furthest.max((equivalent.nu1() - given.nu1()).abs());
+    }
+    println!("paired equivalents: largest difference {worst:.1e}, change of nu1 {furthest:.2}");
+    assert!(worst <= PAIRED && furthest > 0.2);
+}
+
+/// A negative Poisson ratio may leave the family.
+#[test]
+fn an_auxetic_film_may_have_no_pair() {
+    let error = material([1.0, -0.5, 10.0, 0.25])
+        .with_paired_poisson_ratios()
+        .expect_err("b is negative");
+    let message = error.to_string();
+    assert!(
+        message.contains("b = -0.") && message.contains("negative Poisson ratio"),
+        "{message}"
+    );
+}
+
+#[test]
+fn reduced_moduli_make_the_material_that_they_describe() {
+    let mut contacts = Contacts::new(34);
+    for _ in 0..1000 {
+        let given = contacts.material([1e-8, 1e8], [1e-8, 1e8]);
+        let (film, substrate) = (given.film_modulus(), given.substrate_modulus());
+        let found = Material::of_reduced_moduli(
+            film * (1.0 + 1.0 / substrate),
+            given.nu1(),
+            substrate,
+            given.nu0(),
+        )
+        .expect("physical");
+        let close = |found: f64, given: f64| found == given || (found / given - 1.0).abs() < 1e-14;
+        assert!(
+            close(found.e1_over_e2(), given.e1_over_e2())
+                && close(found.e0_over_e2(), given.e0_over_e2()),
+            "{found:?}, not {given:?}"
+        );
+    }
+    // The limits: a rigid sphere, a rigid substrate, and both.
+    let limit = |film, substrate| {
+        let material = Material::of_reduced_moduli(film, 0.5, substrate, 0.25).expect("a limit");
+        [material.e1_over_e2(), material.e0_over_e2()]
+    };
+    assert_eq!(limit(0.5, 0.0), [0.0, 2.0 * (15.0 / 16.0) / 0.75]);
+    assert_eq!(limit(0.5, f64::INFINITY), [0.375, f64::INFINITY]);
+    assert_eq!(limit(0.0, 1.0), [0.0, f64::INFINITY]);
+    for (film, substrate) in [
+        (-1.0, 1.0),
+        (f64::INFINITY, 1.0),
+        (1.0, -1.0),
+        (f64::NAN, 1.0),
+    ] {
+        assert!(matches!(
+            Material::of_reduced_moduli(film, 0.3, substrate, 0.3),
+            Err(Error::Unphysical { .. })
+        ));
+    }
 }
 
 #[test]

@@ -40,7 +40,7 @@ fn main() {
     // The file of `Table::embedded`.
     let table = &Table::read(concat!(
         env!("CARGO_MANIFEST_DIR"),
-        "/../interp/embedded/default.bin"
+        "/../interp/embedded/universal.bin"
     ))
     .expect("the table comes with interp");
     let grid = Grid::new(table);

@@ -9,7 +9,22 @@ use serde_json::Value;
 use crate::tabulate;
 use crate::workspace;
 
-const PARAMETERS: [&str; 4] = ["a_over_t", "e1_over_e2", "nu1", "e0_over_e2"];
+/// The names of the axes of a table, and those of a table over ratios of reduced moduli with the
+/// symbols that their ranges need.
+const PARAMETERS: [[(&str, &str); 4]; 2] = [
+    [
+        ("a_over_t", ""),
+        ("e1_over_e2", ""),
+        ("nu1", ""),
+        ("e0_over_e2", ""),
+    ],
+    [
+        ("a_over_t", ""),
+        ("e1s_over_einfs", "E1\\*/E∞\\*: "),
+        ("nu1", ""),
+        ("e0s_over_e2s", "E0\\*/E2\\*: "),
+    ],
+];
 
 const HEADER: &str = "\
 | scene | a/t | E1/E2\\* | nu1 | E0/E2\\* | nu0 | tolerance | nodes | solves | seconds | peak memory | .h5 \
@@ -56,16 +71,17 @@ fn row(name: &str, scenes: &Path, made: &Path) -> Result<String, String> {
     let pack = ["pack", &file, "-o", &packed, "--tolerance", &tolerance];
     let packed = Object(tabulate::json(&pack)?);
 
-    let ranges = PARAMETERS.map(|parameter| {
+    let parameters = PARAMETERS[usize::from(table.0.pointer("/axes/e1_over_e2").is_none())];
+    let ranges = parameters.map(|(parameter, symbol)| {
         let [from, to] = ["from", "to"].map(|end| table.text(&format!("/axes/{parameter}/{end}")));
         let (from, to) = (from?, to?);
         Ok(if from == to {
             from
         } else {
-            format!("{from} … {to}")
+            format!("{symbol}{from} … {to}")
         })
     });
-    let nodes = PARAMETERS.map(|parameter| table.number(&format!("/axes/{parameter}/nodes")));
+    let nodes = parameters.map(|(parameter, _)| table.number(&format!("/axes/{parameter}/nodes")));
     let nodes = nodes.into_iter().collect::<Result<Vec<_>, String>>()?;
     let axes: Vec<String> = nodes
         .iter()

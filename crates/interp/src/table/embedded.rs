@@ -4,20 +4,22 @@ use std::sync::LazyLock;
 
 use crate::Table;
 
-/// The table of the scene `tables/default.toml`, packed by `tabulate pack --tolerance`.
-static DEFAULT: LazyLock<Table> = LazyLock::new(|| {
-    let bytes = include_bytes!("../../embedded/default.bin");
+/// The table of the scene `tables/universal.toml`, packed by `tabulate pack --tolerance`.
+static UNIVERSAL: LazyLock<Table> = LazyLock::new(|| {
+    let bytes = include_bytes!("../../embedded/universal.bin");
     Table::from_packed(bytes).expect("the bytes are compiled in, and tested")
 });
 
 impl Table {
     /// Returns the table that is compiled into the crate (feature `embedded`, on by default).
     ///
-    /// It holds all four quantities for compliant spheres on films on a substrate at least as stiff
-    /// as the sphere: `a/t` and `E1/E2*` from 1e-3 to 1e3, `nu1` from 0 to 0.5, `E0/E2*` from 1 to
-    /// 1e6, `nu0 = 0.25` ([`Table::curve`] explains other `nu0`). It is in low-rank form to a
-    /// tolerance of 1e-7. Its [`certificate`](crate::Description::certificate) states the largest
-    /// error at sampled points.
+    /// It answers every sphere, film and substrate with Poisson ratios from 0 to 1/2: a compliant
+    /// or rigid sphere, a compliant or rigid substrate, and a film softer than both or stiffer, up
+    /// to `E1*/E2* + E1*/E0* = 1e10`. `a/t` is from 1e-3 to 1e3, and beyond where the expansions
+    /// about the limits are accurate. It holds `Gamma` alone, from which the other quantities
+    /// follow along `a/t`, in low-rank form to a tolerance of 1e-6. Its
+    /// [`certificate`](crate::Description::certificate) states the largest error of all four at
+    /// sampled points.
     ///
     /// The first call decodes the table in some 20 to 40 milliseconds.
     ///
@@ -30,6 +32,6 @@ impl Table {
     /// # Ok(()) }
     /// ```
     pub fn embedded() -> &'static Self {
-        &DEFAULT
+        &UNIVERSAL
     }
 }
