@@ -238,8 +238,8 @@ fn a_homogeneous_system_is_jkr() {
             Mechanics::new(&system).expect("physical"),
         );
         let zero_load = (9.0 * PI * w * r * r / (2.0 * e)).cbrt();
-        for ratio in [0.1, 0.5, 1.0, 1.5, 10.0] {
-            let a = ratio * zero_load;
+        let radii = [0.1, 0.5, 1.0, 1.5, 10.0].map(|ratio| ratio * zero_load);
+        for a in radii.into_iter().filter(|&a| a < r) {
             let (load, penetration) = homogeneous(&system, a, w);
             let (hertz, punch) = (
                 4.0 * e * a.powi(3) / (3.0 * r),
