@@ -127,7 +127,7 @@ fn assert_describes(object: &Value, table: &Table, bytes: u64) {
     close("/certificate/seed", certificate.seed as f64);
     let worst = certificate.worst_quantity.name();
     assert_eq!(object["certificate"]["worst_quantity"], worst);
-    for (parameter, value) in Parameter::ALL.into_iter().zip(certificate.worst_point) {
+    for (parameter, value) in table.parameters().into_iter().zip(certificate.worst_point) {
         close(
             &format!("/certificate/worst_point/{}", parameter.name()),
             value,

@@ -11,7 +11,7 @@ pub const BOX: &str = "
     tolerance  = 1e-6
     a_over_t   = { from = 0.1, to = 10, nodes = 30 }
     e1_over_e2 = { from = 0.3, to = 3, nodes = 14 }
-    nu1        = { from = 0.3, to = 0.5, nodes = 13 }
+    nu1        = { from = 0.3, to = 0.5 }
     e0_over_e2 = { from = 10, to = 100, nodes = 10 }
 ";
 /// A scene of three axes and two quantities, normalised by `E1*` because the sphere is rigid.

@@ -87,7 +87,11 @@ impl Edge {
             ),
         ];
         let third_order = self.largest_of_known(differences)?;
-        let error = ratio * (self.error + 2.0 * third_order);
+        // On a film much stiffer than its substrate the departure is far above 1 at the edge, and
+        // the relative error of `1 + k x` falls only where `k x` falls below 1.
+        let departure = eeq.max(gamma).max(0.0);
+        let share = ratio / (1.0 + ratio * departure);
+        let error = share * ((1.0 + departure) * self.error + 2.0 * third_order);
         Some(Expansion {
             values: Quantities::from_array(values),
             slopes: Quantities::from_array(slopes),
