@@ -9,8 +9,9 @@ use std::ops::Range;
 use crate::{Error, LowRank, Quantity};
 
 /// The number of nodes by which a tile reaches beyond the nodes where it meets its neighbours. The
-/// error of splines is larger next to their ends.
-const OVERLAP: usize = 6;
+/// error of splines is larger next to their ends, and falls by 0.6 from node to node: with 6 nodes
+/// the packed table of `tables/universal.toml` had an error of 4e-7 beside the cut.
+const OVERLAP: usize = 16;
 /// The largest number of tiles, which limits what the first lookup of a forged table needs.
 const MOST_TILES: usize = 8;
 
@@ -67,7 +68,7 @@ impl Tiles {
     }
 
     /// Returns the nodes of each tile of an axis of `count` nodes, which is cut at the nodes `cuts`:
-    /// those between the cuts, and six more beyond each cut.
+    /// those between the cuts, and sixteen more beyond each cut.
     pub fn nodes(cuts: &[usize], count: usize) -> Vec<Range<usize>> {
         let first = |cut: &usize| cut.saturating_sub(OVERLAP);
         let end = |cut: &usize| cut.saturating_add(OVERLAP + 1).min(count);
