@@ -2,8 +2,10 @@
 //!
 //! [`report`] fills the template `page.html` with the range of the table, its certificate (the
 //! largest error at sampled points), the figures of [`figures()`], and the packed low-rank form of
-//! the table. In the browser `table.js` reads this form and evaluates its splines, `contact.js`
-//! computes eqs. 2 to 9, `chart.js` draws, and `page.js` connects the sliders and fields with them.
+//! the table. In the browser `table.js` reads this form and evaluates its splines, `derived.js`
+//! integrates the other quantities from `Gamma` alone, `material.js` finds the place of a material
+//! in the table, `contact.js` computes eqs. 2 to 9, `chart.js` draws, and `page.js` connects the
+//! sliders and fields with them.
 
 mod figures;
 
@@ -11,7 +13,7 @@ use std::fmt::Write;
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
-use interp::{Description, Parameter, Table, Validity};
+use interp::{Description, Parameter, Quantity, SubstratePoissonRatio, Table, Validity};
 
 pub use figures::{Illustration, figures, steps};
 
@@ -58,6 +60,8 @@ pub fn report(table: &Table, illustrations: &[Illustration]) -> Result<String, E
     let script = [
         &constants,
         include_str!("table.js"),
+        include_str!("derived.js"),
+        include_str!("material.js"),
         include_str!("contact.js"),
         include_str!("chart.js"),
         include_str!("page.js"),
@@ -112,18 +116,18 @@ fn embedded(table: &Table) -> Result<Table, Error> {
     )?)
 }
 
-/// Returns the largest relative difference of the quantities of two tables at random points of
-/// their box.
+/// Returns the largest relative difference of the quantities of two tables, held or derived, at
+/// random points of their box.
 fn largest_difference(table: &Table, other: &Table) -> Result<f64, Error> {
     let mut largest = 0.0_f64;
     for (x, material) in random_points(table, COMPARED, SEED) {
         let curves = [table.curve(&material)?, other.curve(&material)?];
-        for quantity in table.quantities() {
-            let [value, other] = [
-                curves[0].quantity(quantity, x)?,
-                curves[1].quantity(quantity, x)?,
-            ];
-            largest = largest.max((other / value - 1.0).abs());
+        for quantity in Quantity::ALL {
+            if let [Ok(value), Ok(other)] =
+                curves.each_ref().map(|curve| curve.quantity(quantity, x))
+            {
+                largest = largest.max((other / value - 1.0).abs());
+            }
         }
     }
     Ok(largest)
@@ -262,7 +266,16 @@ fn axes(table: &Table) -> String {
         let (name, meaning) = symbol(parameter, table);
         row(name, meaning, &cells);
     }
-    let cells = format!("<td colspan=\"2\">{}</td><td>fixed</td>", description.nu0);
+    let cells = match description.nu0 {
+        SubstratePoissonRatio::Fixed(nu0) => {
+            format!("<td colspan=\"2\">{nu0}</td><td>fixed</td>")
+        }
+        SubstratePoissonRatio::Paired => {
+            "<td colspan=\"3\">the pair of ν₁; a film and substrate with any ν₁ and ν₀ \
+             from 0 to 0.5 have an equivalent with such a pair</td>"
+                .to_owned()
+        }
+    };
     row("ν₀", "substrate’s Poisson ratio", &cells);
     rows
 }
