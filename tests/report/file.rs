@@ -6,7 +6,7 @@ use base64::engine::general_purpose::STANDARD;
 use interp::{Quantity, Table};
 use tabulate::report::report;
 
-use crate::{DIFFERENCE, FOUR_AXES, RIGID_SPHERE, embedded_default};
+use crate::{DIFFERENCE, FOUR_AXES, GAMMA_ALONE, RIGID_SPHERE, embedded_default};
 
 /// Reads the table in a page.
 fn packed(page: &str) -> Table {
@@ -75,6 +75,7 @@ fn the_table_in_the_page_is_the_table() {
         Table::read(shipped("paper.bin")).expect("the shipped table"),
         table(FOUR_AXES),
         table(RIGID_SPHERE),
+        table(GAMMA_ALONE),
     ];
     for table in tables {
         let embedded = packed(&report(&table, &[]).expect("a report"));

@@ -3,7 +3,7 @@
 /** The largest first a/t at which a film is thick. */
 const LARGEST_FIRST = 0.4;
 /** The largest step in ln(a/t) of the integrals. Half of it changes no quantity by more than 1e-9, relative. */
-const DERIVED_STEP = 0.02;
+const DERIVED_STEP = 0.05;
 
 /** The points, the integrals up to the points and the integral to the end, of Gauss' rule with three points on a step of length 1. */
 const ROOT = Math.sqrt(15);
