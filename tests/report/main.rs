@@ -34,7 +34,7 @@ const GAMMA_ALONE: &str = "
     tolerance      = 1e-6
     quantities     = ['gamma']
     a_over_t       = { from = 1e-3, to = 1e2, nodes = 48 }
-    e1s_over_einfs = { from = 0, to = 1e2, nodes = 28 }
+    e1s_over_einfs = { from = 0, to = 1e6, nodes = 46 }
     nu1            = { from = 0.3, to = 0.5, nodes = 11 }
     e0s_over_e2s   = { from = 0, to = inf, nodes = 18 }
     nu0            = 'paired'

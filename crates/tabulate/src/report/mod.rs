@@ -39,8 +39,9 @@ const SEED: u64 = 1;
 /// computes, and the `illustrations`, which are those of [`figures()`].
 ///
 /// A dense table is embedded in low-rank form. Its quantities differ from those of the table by at
-/// most 1e-6, relative (`tests/report` measures it). A table in low-rank form is embedded
-/// unchanged. Equal tables give equal pages, byte for byte.
+/// most 1e-6, relative (`tests/report` measures it). Where this form has tiles, the error of the
+/// splines on fewer nodes adds to this. The page states the largest difference at random points. A
+/// table in low-rank form is embedded unchanged. Equal tables give equal pages, byte for byte.
 ///
 /// # Errors
 /// Those of [`compress`], of [`Table::to_packed`], of the lookup and of the drawing.
@@ -266,17 +267,18 @@ fn axes(table: &Table) -> String {
         let (name, meaning) = symbol(parameter, table);
         row(name, meaning, &cells);
     }
-    let cells = match description.nu0 {
-        SubstratePoissonRatio::Fixed(nu0) => {
-            format!("<td colspan=\"2\">{nu0}</td><td>fixed</td>")
-        }
-        SubstratePoissonRatio::Paired => {
-            "<td colspan=\"3\">the pair of ν₁; a film and substrate with any ν₁ and ν₀ \
-             from 0 to 0.5 have an equivalent with such a pair</td>"
-                .to_owned()
-        }
+    let (meaning, cells) = match description.nu0 {
+        SubstratePoissonRatio::Fixed(nu0) => (
+            "substrate’s Poisson ratio",
+            format!("<td colspan=\"2\">{nu0}</td><td>fixed</td>"),
+        ),
+        SubstratePoissonRatio::Paired => (
+            "substrate’s Poisson ratio; film and substrate are replaced by an equivalent whose ν₀ \
+             follows from its ν₁",
+            "<td>0</td><td>0.5</td><td>paired</td>".to_owned(),
+        ),
     };
-    row("ν₀", "substrate’s Poisson ratio", &cells);
+    row("ν₀", meaning, &cells);
     rows
 }
 
