@@ -423,7 +423,7 @@ fn a_page_of_gamma_alone_shows_every_kind_of_contact() {
         },
         Setting {
             sphere: f64::INFINITY,
-            film: [1e8, 0.4],
+            film: [1e10, 0.4],
             substrate: [1e7, 0.3],
             ..soft
         },
