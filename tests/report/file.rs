@@ -6,7 +6,7 @@ use base64::engine::general_purpose::STANDARD;
 use interp::{Quantity, Table};
 use tabulate::report::report;
 
-use crate::{DIFFERENCE, FOUR_AXES, RIGID_SPHERE, embedded_universal};
+use crate::{DIFFERENCE, FOUR_AXES, GAMMA_ALONE, RIGID_SPHERE, embedded_universal};
 
 /// Reads the table in a page.
 fn packed(page: &str) -> Table {
@@ -75,6 +75,8 @@ fn the_table_in_the_page_is_the_table() {
         Table::read(shipped("paper.bin")).expect("the shipped table"),
         table(FOUR_AXES),
         table(RIGID_SPHERE),
+        // Without tiles, whose splines differ from those of the whole table by the error of so few nodes.
+        table(&GAMMA_ALONE.replace("to = 1e6, nodes = 46", "to = 1e2, nodes = 28")),
     ];
     for table in tables {
         let embedded = packed(&report(&table, &[]).expect("a report"));

@@ -1,33 +1,32 @@
 //! Wrong inputs of a page: in its address, and typed into its fields.
 
-use interp::Table;
+use acceptance::table;
 use serde_json::{Value, json};
 use tabulate::report::{LARGE_CONTACT, report};
 
 use crate::browser::{browse, fill};
-use crate::embedded_universal;
+use crate::{FOUR_AXES, GAMMA_ALONE};
 
-fn page() -> String {
-    let table = Table::read(embedded_universal()).expect("the embedded table");
-    report(&table, &[]).expect("a report")
+fn page(scene: &str) -> String {
+    report(&table(scene), &[]).expect("a report")
 }
 
 #[test]
 fn outside_the_box_there_is_a_message_and_no_curve() {
     let cases = [
         (
-            "sphere_modulus=2e4",
-            "E₀/E₂* is 10000000; the table holds 1 to 1000000. \
+            "substrate_modulus=2e11",
+            "E₀/E₂* is 100000; the table holds 10 to 1000. \
              Change the substrate modulus or the sphere reduced modulus.",
         ),
         (
             "film_modulus=1e3",
-            "E₁/E₂* is 0.0005; the table holds 0.001 to 1000. \
+            "E₁/E₂* is 0.0005; the table holds 0.3 to 3. \
              Change the film modulus or the sphere reduced modulus.",
         ),
         (
             "film_poisson_ratio=0.51",
-            "ν₁ is 0.51; the table holds 0 to 0.5. Change the film Poisson ratio.",
+            "ν₁ is 0.51; the table holds 0.3 to 0.5. Change the film Poisson ratio.",
         ),
         (
             "film_thickness=-1",
@@ -39,7 +38,7 @@ fn outside_the_box_there_is_a_message_and_no_curve() {
         ),
         (
             "film_thickness=1e-3&sphere_radius=1e-7",
-            "A contact of 1.00000 µm, where the table’s a/t begins, is not smaller than the sphere. \
+            "A contact of 10.0000 µm, where the table’s a/t begins, is not smaller than the sphere. \
              Change the sphere radius or the film thickness.",
         ),
         (
@@ -49,7 +48,7 @@ fn outside_the_box_there_is_a_message_and_no_curve() {
     ];
     let addresses = cases.map(|(address, _)| address.to_owned());
     let Some(seen) = browse(
-        &page(),
+        &page(FOUR_AXES),
         &[&addresses[..], &["sphere_radius=1e-3".to_owned()]].concat(),
     ) else {
         return;
@@ -71,15 +70,15 @@ fn a_contact_radius_that_is_not_small_compared_with_the_spheres_is_noted() {
         let texts = [LARGE_CONTACT, "The curve ends at the sphere’s radius R."];
         texts.map(|text| messages.contains(text)).to_vec()
     };
-    // The contact radius at zero load over that of the sphere, (9 pi w/(2 E* R))^{1/3}, is 0.07,
-    // 0.3 and 2.
+    // The contact radius at zero load over that of the sphere is near (9 pi w/(2 E* R))^{1/3}: 0.07,
+    // 0.3 and 3, with the modulus of sphere and film.
     let cases = [
         ("sphere_radius=1e-3", [false, false]),
         ("sphere_radius=1e-5", [true, false]),
-        ("sphere_radius=1e-8", [true, true]),
+        ("sphere_radius=1e-8&film_thickness=1e-7", [true, true]),
     ];
     let addresses = cases.map(|(address, _)| address.to_owned());
-    let Some(seen) = browse(&page(), &addresses) else {
+    let Some(seen) = browse(&page(FOUR_AXES), &addresses) else {
         return;
     };
     let looks = seen["looks"].as_array().expect("looks");
@@ -95,7 +94,7 @@ fn a_wrong_field_is_marked_as_invalid_with_its_message_until_it_is_mended() {
     // stands for the first message, `false` for the second.
     let first = &[("film_thickness", true)][..];
     let both = &[("film_thickness", true), ("sphere_radius", false)][..];
-    let softened = &[("substrate_modulus", true), ("sphere_modulus", true)][..];
+    let stiffened = &[("substrate_modulus", true), ("sphere_modulus", true)][..];
     let entries = [
         (("film_thickness", "thin"), first),
         (("film_thickness", ""), first),
@@ -103,8 +102,8 @@ fn a_wrong_field_is_marked_as_invalid_with_its_message_until_it_is_mended() {
         (("sphere_radius", "1000"), first),
         (("film_thickness", "1"), &[]),
         // The two moduli whose ratio is outside the table.
-        (("sphere_modulus", "0.02"), softened),
-        (("sphere_modulus", "2"), &[]),
+        (("substrate_modulus", "200000"), stiffened),
+        (("substrate_modulus", "2000"), &[]),
         (
             ("film_poisson_ratio", "0.6"),
             &[("film_poisson_ratio", true)],
@@ -112,7 +111,7 @@ fn a_wrong_field_is_marked_as_invalid_with_its_message_until_it_is_mended() {
         (("film_poisson_ratio", "0,5"), &[]),
     ];
     let typed = entries.map(|(entry, _)| entry);
-    let Some(seen) = fill(&page(), &typed) else {
+    let Some(seen) = fill(&page(FOUR_AXES), &typed) else {
         return;
     };
     for ((entry, wrong), look) in entries.iter().zip(seen.as_array().expect("looks")) {
@@ -132,6 +131,48 @@ fn a_wrong_field_is_marked_as_invalid_with_its_message_until_it_is_mended() {
                 None => json!({ "invalid": Value::Null, "text": "" }),
             };
             assert_eq!(*state, expected, "{field} after {entry:?}");
+        }
+    }
+}
+
+#[test]
+fn rigid_bodies_and_free_poisson_ratios_have_messages_of_their_own() {
+    let stiff =
+        "film_modulus=1e8&substrate_modulus=1e7&sphere_modulus=inf&substrate_poisson_ratio=";
+    let equivalent = "ν₁ of the equivalent film is 0.0833333; the table holds 0.3 to 0.5. \
+                      Change the film Poisson ratio or the substrate Poisson ratio.";
+    let cases = [
+        ("film_modulus=1e6&sphere_modulus=rigid".to_owned(), ""),
+        ("film_modulus=1e6&substrate_modulus=∞".to_owned(), ""),
+        (
+            "sphere_modulus=-inf".to_owned(),
+            "The sphere reduced modulus must be a number above 0, or “rigid”.",
+        ),
+        (
+            "film_modulus=rigid".to_owned(),
+            "The film modulus must be a number above 0.",
+        ),
+        (
+            "film_poisson_ratio=0.6".to_owned(),
+            "The film Poisson ratio must be a number from 0 to 0.5.",
+        ),
+        (
+            "film_modulus=4e12&film_poisson_ratio=0.45".to_owned(),
+            "E₁*/E∞* is 2507860; the table holds 0 to 1000000. \
+             Change the film modulus or the substrate modulus or the sphere reduced modulus.",
+        ),
+        (format!("{stiff}0.5"), equivalent),
+        (format!("{stiff}0.3"), ""),
+    ];
+    let addresses = cases.each_ref().map(|(address, _)| address.clone());
+    let Some(seen) = browse(&page(GAMMA_ALONE), &addresses) else {
+        return;
+    };
+    for ((address, message), look) in cases.iter().zip(seen["looks"].as_array().expect("looks")) {
+        let messages = look["messages"].as_str().expect("text");
+        assert_eq!(look["hidden"], !message.is_empty(), "{address}: {messages}");
+        if !message.is_empty() {
+            assert_eq!(messages, *message, "{address}");
         }
     }
 }

@@ -27,6 +27,18 @@ const FOUR_AXES: &str = "
     e0_over_e2 = { from = 10, to = 1000 }
     nu0        = 0.2
 ";
+/// `Gamma` alone, for any sphere and substrate. The nodes are few: the page must agree with the table,
+/// and not with the solver.
+const GAMMA_ALONE: &str = "
+    title          = 'Gamma alone'
+    tolerance      = 1e-6
+    quantities     = ['gamma']
+    a_over_t       = { from = 1e-3, to = 1e2, nodes = 48 }
+    e1s_over_einfs = { from = 0, to = 1e6, nodes = 46 }
+    nu1            = { from = 0.3, to = 0.5, nodes = 11 }
+    e0s_over_e2s   = { from = 0, to = inf, nodes = 18 }
+    nu0            = 'paired'
+";
 /// A rigid sphere without adhesion.
 const RIGID_SPHERE: &str = "
     title      = 'Rigid sphere, no adhesion'

@@ -18,11 +18,9 @@ function root(f, low, high) {
 
 /** The contact of a sphere with a film on a substrate, with a work of adhesion. */
 class Contact {
-    /** `system` holds radius, thickness, workOfAdhesion, and modulus: the one by which the table normalises. */
-    constructor(table, material, system) {
-        Object.assign(this, system);
-        this.curve = table.curve(material);
-        this.sphereFilmModulus = this.modulus * this.curve.es;
+    /** `curve` holds the quantities; `system` radius, thickness, workOfAdhesion, and modulus: Es*, the unit of the quantities. */
+    constructor(table, curve, system) {
+        Object.assign(this, system, { curve });
         /** The contact radii that the table covers, below the radius of the sphere. */
         this.range = table.range("a_over_t").map((x) => Math.min(x * this.thickness, BELOW_SPHERE * this.radius));
         this.sections = { load: this.sectionsOf("load"), penetration: this.sectionsOf("penetration") };
@@ -31,7 +29,7 @@ class Contact {
     /** Returns load, penetration and their slopes d/d ln a at contact radius `a`. */
     state(a) {
         const { pi0, eeq, gamma, delta0 } = this.curve.at(a / this.thickness);
-        const edge = Math.sqrt(0.5 * Math.PI * a * this.workOfAdhesion * this.sphereFilmModulus);
+        const edge = Math.sqrt(0.5 * Math.PI * a * this.workOfAdhesion * this.modulus);
         // The parts without adhesion, and the parts that adhesion subtracts.
         const pressed = {
             load: (a ** 3 * this.modulus * pi0.value) / (2 * this.radius),

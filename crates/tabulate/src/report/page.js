@@ -5,13 +5,16 @@ const SETTINGS = {
     film_thickness: { name: "film thickness", symbol: "t", unit: "µm", scale: 1e-6, usual: 1e-6, sensible: [1e-9, 1e-3] },
     film_modulus: { name: "film modulus", symbol: "E₁", unit: "MPa", scale: 1e6, usual: 3.5e6, sensible: [1e3, 1e12] },
     film_poisson_ratio: { name: "film Poisson ratio", symbol: "ν₁", unit: "", scale: 1, usual: 0.5 },
-    substrate_modulus: { name: "substrate modulus", symbol: "E₀", unit: "MPa", scale: 1e6, usual: 2e11 },
+    substrate_modulus: { name: "substrate modulus", symbol: "E₀", unit: "MPa", scale: 1e6, usual: 2e11, sensible: [1e3, 1e12] },
+    substrate_poisson_ratio: { name: "substrate Poisson ratio", symbol: "ν₀", unit: "", scale: 1, usual: 0.25 },
     sphere_modulus: { name: "sphere reduced modulus", symbol: "E₂*", unit: "MPa", scale: 1e6, usual: 2e6, sensible: [1e3, 1e12] },
     sphere_radius: { name: "sphere radius", symbol: "R", unit: "µm", scale: 1e-6, usual: 1e-3, sensible: [1e-8, 0.1] },
     work_of_adhesion: { name: "work of adhesion", symbol: "w", unit: "mJ/m²", scale: 1e-3, usual: 0.04, sensible: [1e-4, 10] },
 };
 /** The number of steps of a slider. */
 const STEPS = 1000;
+/** The Poisson ratios of the materials of a table with paired Poisson ratios. */
+const POISSON_RATIOS = [0, 0.5];
 const COLUMNS = ["contact_radius", "load", "penetration", "jkr_abscissa", "jkr_ordinate"];
 
 const byId = (id) => document.getElementById(id);
@@ -23,21 +26,30 @@ function shown(value, unit) {
     return element("data", { value }, `${text} ${sign}${unit}`.trim());
 }
 
+/** The number that a text stands for: NaN if none. A rigid body has an infinite modulus. */
+function parsed(text) {
+    const plain = text.trim().toLowerCase().replace("−", "-").replace(",", ".");
+    if (["rigid", "inf", "infinity", "∞"].includes(plain)) return Infinity;
+    return plain === "" ? NaN : Number(plain);
+}
+
 /** The state of the page: the settings in SI units by name, and the contact that they describe. */
 class Page {
     constructor(table) {
         this.table = table;
-        this.adhesive = ["eeq", "gamma"].every((quantity) => table.held.includes(quantity));
-        this.penetrates = table.held.includes("delta0");
+        this.adhesive = ["eeq", "gamma"].every((quantity) => table.answers(quantity));
+        this.penetrates = table.answers("delta0");
+        /** A film and a substrate are replaced by their equivalent with paired Poisson ratios. */
+        this.paired = table.nu0 === null && !table.fixes("nu1");
         this.unit = table.rigidSphere ? "film_modulus" : "sphere_modulus";
         this.values = Object.fromEntries(Object.entries(SETTINGS).map(([key, setting]) => [key, setting.usual]));
         this.rows = new Map();
         this.settle();
         // The paper's system, or the nearest one in the box.
-        for (const [key, parameter] of [["film_modulus", "e1_over_e2"], ["substrate_modulus", "e0_over_e2"]]) {
-            if (this.sliding(key) && key !== this.unit) this.values[key] = this.within(this.values[key], this.box(parameter));
+        this.values.film_poisson_ratio = this.within(this.values.film_poisson_ratio, this.poissonRatios());
+        for (const key of ["substrate_modulus", "film_modulus"]) {
+            if (this.sliding(key) && key !== this.unit) this.values[key] = this.within(this.values[key], this.box(key));
         }
-        this.values.film_poisson_ratio = this.within(this.values.film_poisson_ratio, table.range("nu1"));
         this.usual = { ...this.values };
         this.makeControls();
         this.readAddress();
@@ -50,18 +62,22 @@ class Page {
         return Math.min(Math.max(value, from), to);
     }
 
-    /** The range of a modulus, from the range of its ratio and the present value of the modulus that is the unit. */
-    box(parameter) {
-        return this.table.range(parameter).map((ratio) => rounded(ratio * this.values[this.unit]));
+    /** The range of a modulus of film or substrate, at the present values of the others. */
+    box(key) {
+        return modulusRange(this.table, key, this.values);
+    }
+
+    /** The range of the film's Poisson ratio. */
+    poissonRatios() {
+        return this.paired ? POISSON_RATIOS : this.table.range("nu1");
     }
 
     /** True if the user can change a setting. */
     sliding(key) {
         switch (key) {
-            case "film_modulus": return this.table.rigidSphere || !this.table.fixes("e1_over_e2");
+            case "film_modulus": case "substrate_modulus": case "sphere_modulus": return isFree(this.table, key);
             case "film_poisson_ratio": return !this.table.fixes("nu1");
-            case "substrate_modulus": return !this.table.fixes("e0_over_e2");
-            case "sphere_modulus": return !this.table.rigidSphere;
+            case "substrate_poisson_ratio": return this.paired;
             case "work_of_adhesion": return this.adhesive;
             default: return true;
         }
@@ -70,10 +86,13 @@ class Page {
     /** Sets the values that the table fixes. */
     settle() {
         const { table, values } = this;
-        if (table.rigidSphere) values.sphere_modulus = Infinity;
-        else if (table.fixes("e1_over_e2")) [values.film_modulus] = this.box("e1_over_e2");
-        if (table.fixes("e0_over_e2")) [values.substrate_modulus] = this.box("e0_over_e2");
         if (table.fixes("nu1")) [values.film_poisson_ratio] = table.range("nu1");
+        if (!this.paired) values.substrate_poisson_ratio = table.nu0 ?? pairOf(values.film_poisson_ratio);
+        // The film's modulus may follow from the other two, that of the substrate from the sphere's.
+        for (const key of ["sphere_modulus", "substrate_modulus", "film_modulus"]) {
+            if (alwaysRigid(table, key)) values[key] = Infinity;
+            else if (!isFree(table, key)) [values[key]] = this.box(key);
+        }
         if (!this.adhesive) values.work_of_adhesion = 0;
     }
 
@@ -81,11 +100,12 @@ class Page {
     fixed(key) {
         const { table, values } = this, value = values[key], { unit, scale } = SETTINGS[key];
         const amount = `${rounded(value / scale)} ${unit}`.trim();
+        const [film, , substrate] = table.parameters, rigid = value === Infinity;
         const ratio = (parameter, of) => `${table.range(parameter)[0]} ${of}, fixed by the table: ${amount}`;
         switch (key) {
-            case "film_modulus": return ratio("e1_over_e2", "E₂*");
-            case "substrate_modulus": return value === Infinity ? "rigid" : ratio("e0_over_e2", table.rigidSphere ? "E₁" : "E₂*");
-            case "sphere_modulus": return "rigid: the unit is E₁*";
+            case "film_modulus": return ratio(film, table.reduced ? "E∞*" : "E₂*");
+            case "substrate_modulus": return rigid ? "rigid" : ratio(substrate, table.rigidSphere ? "E₁" : "E₂*");
+            case "sphere_modulus": return table.rigidSphere ? "rigid: the unit is E₁*" : "rigid";
             case "work_of_adhesion": return "0: the table lacks eeq or gamma";
             default: return `${amount}, fixed by the table`;
         }
@@ -94,10 +114,13 @@ class Page {
     /** The ends of a slider, and whether its scale is logarithmic. */
     range(key) {
         switch (key) {
-            case "film_poisson_ratio": return { ends: this.table.range("nu1"), logarithmic: false };
-            case "substrate_modulus": return { ends: this.box("e0_over_e2"), logarithmic: true };
-            case "film_modulus":
-                return { ends: this.table.rigidSphere ? SETTINGS[key].sensible : this.box("e1_over_e2"), logarithmic: true };
+            case "film_poisson_ratio": return { ends: this.poissonRatios(), logarithmic: false };
+            case "substrate_poisson_ratio": return { ends: POISSON_RATIOS, logarithmic: false };
+            case "film_modulus": case "substrate_modulus": {
+                const { sensible } = SETTINGS[key], box = key === this.unit ? sensible : this.box(key);
+                // Ratios of reduced moduli may reach from 0 to infinity.
+                return { ends: this.table.reduced ? box.map((end) => this.within(end, sensible)) : box, logarithmic: true };
+            }
             default: return { ends: SETTINGS[key].sensible, logarithmic: true };
         }
     }
@@ -116,21 +139,20 @@ class Page {
             slider.addEventListener("input", () => {
                 const { ends: [from, to], logarithmic } = this.range(key), part = slider.value / STEPS;
                 const inside = logarithmic ? from * (to / from) ** part : from + (to - from) * part;
-                this.change(key, part === 0 ? from : part === 1 ? to : rounded(inside, 4));
+                const last = mayBeRigid(this.table, key) ? Infinity : to;
+                this.change(key, part === 0 ? from : part === 1 ? last : rounded(inside, 4));
             });
             number.addEventListener("input", () => {
-                const text = number.value.trim().replace("−", "-").replace(",", ".");
-                this.change(key, text === "" ? NaN : rounded(Number(text) * scale), number);
+                this.change(key, rounded(parsed(number.value) * scale), number);
             });
             // Written when a slider is let go: browsers limit how often the address may change.
             [slider, number].forEach((input) => input.addEventListener("change", () => this.writeAddress()));
             const label = element("label", { for: key }, `${name} `, element("i", {}, symbol));
+            if (mayBeRigid(this.table, key)) label.append(", or rigid");
             const field = element("span", { class: "field" }, number, element("span", {}, unit));
             byId("controls").append(element("div", { class: "control" }, label, slider, field));
             this.rows.set(key, { slider, number });
         }
-        const nu0 = element("output", {}, `${this.table.nu0}, fixed by the table`);
-        byId("controls").append(element("div", { class: "control" }, element("span", {}, "substrate Poisson ratio ν₀"), nu0));
         byId("controls").addEventListener("submit", (event) => event.preventDefault());
     }
 
@@ -144,7 +166,7 @@ class Page {
         this.unknown = [];
         Object.assign(this.values, this.usual);
         for (const [key, text] of new URLSearchParams(location.hash.slice(1))) {
-            if (key in SETTINGS && this.sliding(key)) this.values[key] = text.trim() === "" ? NaN : Number(text);
+            if (key in SETTINGS && this.sliding(key)) this.values[key] = parsed(text);
             else this.unknown.push(key);
         }
         this.show();
@@ -165,12 +187,12 @@ class Page {
                 text.textContent = this.fixed(key);
                 continue;
             }
-            const amount = Number.isNaN(value) ? "" : String(rounded(value / scale));
+            const rigid = value === Infinity, amount = Number.isNaN(value) ? "" : rigid ? "rigid" : String(rounded(value / scale));
             if (number !== typing) number.value = amount;
             const { ends: [from, to], logarithmic } = this.range(key);
             const part = logarithmic ? Math.log(value / from) / Math.log(to / from) : (value - from) / (to - from);
             slider.value = Number.isNaN(part) ? 0 : Math.round(STEPS * this.within(part, [0, 1]));
-            slider.setAttribute("aria-valuetext", `${amount} ${unit}`.trim());
+            slider.setAttribute("aria-valuetext", rigid ? amount : `${amount} ${unit}`.trim());
         }
         const wrong = this.wrong();
         byId("message").replaceChildren(...wrong.map(({ text }, i) => element("p", { id: `wrong-${i}` }, text)));
@@ -201,26 +223,18 @@ class Page {
         }
     }
 
-    /** The material's ratios. */
-    material() {
-        const { values, table } = this, ratio = (key, parameter) =>
-            table.fixes(parameter) ? table.range(parameter)[0] : values[key] / values[this.unit];
-        return {
-            e1_over_e2: ratio("film_modulus", "e1_over_e2"),
-            nu1: values.film_poisson_ratio,
-            e0_over_e2: ratio("substrate_modulus", "e0_over_e2"),
-        };
-    }
-
     /** The reasons why there is no curve: for each its text, and the keys of the fields that it is about. */
     wrong() {
         const unknown = (key) => ({ text: `The address sets “${key}”, which is not a setting of this table.`, keys: [] });
         const wrong = this.unknown.map(unknown);
         for (const [key, { name }] of Object.entries(SETTINGS)) {
-            if (!this.sliding(key) || key === "film_poisson_ratio") continue;
-            const value = this.values[key], zero = key === "work_of_adhesion";
-            if (!(value > 0 || (zero && value === 0)) || value === Infinity) {
-                const text = `The ${name} must be a number ${zero ? "that is 0 or larger" : "above 0"}.`;
+            if (!this.sliding(key)) continue;
+            const value = this.values[key], zero = key === "work_of_adhesion", rigid = mayBeRigid(this.table, key);
+            if (key.endsWith("poisson_ratio")) {
+                const [from, to] = POISSON_RATIOS, text = `The ${name} must be a number from ${from} to ${to}.`;
+                if (this.paired && !(value >= from && value <= to)) wrong.push({ text, keys: [key] });
+            } else if (!(value > 0 || (zero && value === 0)) || (value === Infinity && !rigid)) {
+                const text = `The ${name} must be a number ${zero ? "that is 0 or larger" : "above 0"}${rigid ? ", or “rigid”" : ""}.`;
                 wrong.push({ text, keys: [key] });
             }
         }
@@ -231,29 +245,40 @@ class Page {
             const text = `A contact of ${radius}, is not smaller than the sphere. Change the sphere radius or the film thickness.`;
             wrong.push({ text, keys: ["sphere_radius", "film_thickness"] });
         }
-        const unit = this.table.rigidSphere ? "E₁" : "E₂*";
+        const unit = this.table.rigidSphere ? "E₁" : "E₂*", moduli = ["film_modulus", "substrate_modulus", "sphere_modulus"];
         const ratios = {
             e1_over_e2: { symbol: `E₁/${unit}`, keys: ["film_modulus", this.unit] },
             nu1: { symbol: "ν₁", keys: ["film_poisson_ratio"] },
             e0_over_e2: { symbol: `E₀/${unit}`, keys: ["substrate_modulus", this.unit] },
+            e1s_over_einfs: { symbol: "E₁*/E∞*", keys: moduli },
+            e0s_over_e2s: { symbol: "E₀*/E₂*", keys: moduli.slice(1) },
         };
-        for (const [parameter, value] of Object.entries(this.material())) {
+        if (this.paired) ratios.nu1 = { symbol: "ν₁ of the equivalent film", keys: ["film_poisson_ratio", "substrate_poisson_ratio"] };
+        const plain = (value) => (value === Infinity ? "∞" : String(rounded(value, 6)));
+        const material = materialOf(this.table, this.values);
+        for (const [parameter, value] of Object.entries(material)) {
             if (this.table.covers(parameter, value)) continue;
             const [from, to] = this.table.range(parameter), { symbol, keys } = ratios[parameter];
-            const amount = Number.isNaN(value) ? "not a number" : String(rounded(value, 6));
+            const amount = Number.isNaN(value) ? "not a number" : plain(value);
             const names = keys.map((key) => `the ${SETTINGS[key].name}`).join(" or ");
-            wrong.push({ text: `${symbol} is ${amount}; the table holds ${from} to ${to}. Change ${names}.`, keys });
+            wrong.push({ text: `${symbol} is ${amount}; the table holds ${plain(from)} to ${plain(to)}. Change ${names}.`, keys });
+        }
+        if (wrong.length) return wrong;
+        this.curve = this.table.curve(material);
+        if (this.curve.error > this.table.tolerance) {
+            const text = `At a/t = ${this.table.range("a_over_t")[0]}, where the table begins, this film is not thick enough for the start of the integrals that give load and penetration. Change the film modulus.`;
+            wrong.push({ text, keys: ["film_modulus"] });
         }
         return wrong;
     }
 
     makeContact() {
-        const { values } = this, nu1 = values.film_poisson_ratio;
-        return new Contact(this.table, this.material(), {
+        const { values } = this;
+        return new Contact(this.table, this.curve, {
             radius: values.sphere_radius,
             thickness: values.film_thickness,
             workOfAdhesion: values.work_of_adhesion,
-            modulus: this.table.rigidSphere ? values.film_modulus / ((1 - nu1) * (1 + nu1)) : values.sphere_modulus,
+            modulus: sphereFilmModulus(values),
         });
     }
 
@@ -314,7 +339,7 @@ class Page {
 
     command() {
         const [from, to] = this.ends();
-        const settings = { ...this.values, substrate_poisson_ratio: this.table.nu0, from, to, points: 150 };
+        const settings = { ...this.values, from, to, points: 150 };
         const number = (value) => (value === Infinity ? "inf" : value);
         const options = Object.entries(settings).map(([key, value]) => `--${key.replaceAll("_", "-")} ${number(value)}`);
         return ["tabulate curve TABLE", ...options].join(" ");
@@ -357,7 +382,7 @@ class Page {
 
 const bytes = Uint8Array.from(atob(byId("packed").textContent.trim()), (character) => character.charCodeAt(0));
 const table = new Table(bytes);
-const missing = table.held.includes("pi0") ? "" : "The table does not hold pi0, from which the load is computed.";
+const missing = table.answers("pi0") ? "" : "The table does not hold pi0, from which the load is computed.";
 const single = table.fixes("a_over_t") ? "The table holds a single a/t: there is no curve." : "";
 if (missing || single) byId("message").append(element("p", {}, missing || single));
 else new Page(table);

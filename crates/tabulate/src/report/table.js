@@ -1,7 +1,7 @@
-// Reads a table that the crate `interp` packed (packed.rs), and evaluates its splines (bspline.rs, low_rank.rs).
+// Reads a table that the crate `interp` packed (packed.rs), and evaluates its splines (bspline.rs, low_rank.rs, tiles.rs).
 
 /** The version of the packed form that this page reads. */
-const PACKED_VERSION = 1;
+const PACKED_VERSION = 2;
 const PREFIX = 24;
 /** The degree of the splines through a table's nodes, where there are enough of them. */
 const DEGREE = 9;
@@ -9,9 +9,12 @@ const DEGREE = 9;
 const ROUNDING = 1e-12;
 
 const QUANTITIES = ["pi0", "eeq", "gamma", "delta0"];
-const PARAMETERS = ["a_over_t", "e1_over_e2", "nu1", "e0_over_e2"];
-/** The parameters in the order of the train's cores. */
-const CORES = ["e0_over_e2", "e1_over_e2", "nu1", "a_over_t"];
+/** All parameters of axes: in files, an axis has the number of its parameter here. */
+const PARAMETERS = ["a_over_t", "e1_over_e2", "nu1", "e0_over_e2", "e1s_over_einfs", "e0s_over_e2s"];
+/** The dimensions of a table (a/t, film's modulus, film's Poisson ratio, substrate's modulus) in the order of a train's cores. */
+const CORES = [3, 1, 2, 0];
+/** The number of nodes by which a tile reaches beyond the nodes where it meets its neighbours (tiles.rs). */
+const OVERLAP = 6;
 
 /** Reads numbers, texts and lists in bincode's two encodings: integers of fixed and of variable width. */
 class Reader {
@@ -129,12 +132,21 @@ class Basis {
     }
 }
 
-/** The coordinate of a parameter in which the splines are polynomials. */
+/** The coordinate of a parameter in which the splines are polynomials (parameter.rs). */
 function coordinate(parameter, value) {
-    return parameter === "nu1" ? -((1 - 2 * value + 1e-6) ** 0.125) : Math.log(value);
+    switch (parameter) {
+        case "nu1": return -((1 - 2 * value + 1e-6) ** 0.125);
+        case "e1s_over_einfs": return Math.log(value + 1e-10);
+        case "e0s_over_e2s": {
+            // Both forms are exact at their end.
+            const end = (ratio) => Math.log((ratio + 1e-11) / (1 + 1e-11 * ratio));
+            return value < 1 ? end(value) : -end(1 / value);
+        }
+        default: return Math.log(value);
+    }
 }
 
-/** A low-rank table. */
+/** A low-rank table. Quantities are in units of Es*, the modulus of sphere and film: 1/Es* = 1/E1* + 1/E2*. */
 class Table {
     constructor(bytes) {
         const reader = new Reader(bytes, 8), { f64, u32, u64 } = Reader.prototype;
@@ -142,33 +154,67 @@ class Table {
         if (version !== PACKED_VERSION) throw new Error(`the data has version ${version}, this page reads ${PACKED_VERSION}`);
         reader.at = PREFIX;
         const list = (item) => reader.array(reader.u64(), () => item.call(reader));
-        // The description: title, scene, nu0, normalisation, tolerance, program, certificate.
+        // The description: title, scene, nu0, tolerance, program, certificate.
         reader.text();
         reader.text();
-        this.nu0 = reader.f64();
-        /** A rigid sphere: all is in units of E1*, and e0_over_e2 is E0/E1. */
-        this.rigidSphere = reader.u32() === 1;
-        reader.f64();
+        /** The Poisson ratio of the substrate; null if it is the pair of the film's. */
+        this.nu0 = reader.u32() === 0 ? reader.f64() : null;
+        this.tolerance = reader.f64();
         reader.text();
         [f64, f64, f64, u64, u64, u32, f64, f64, f64, f64].forEach((item) => item.call(reader));
-        reader.array(2, () => reader.option(() => reader.f64()));
-        this.axes = Object.fromEntries(PARAMETERS.map((parameter) => [parameter, list(f64)]));
+        reader.array(4, () => reader.option(() => reader.f64()));
+        this.axes = Object.fromEntries(reader.array(4, () => [PARAMETERS[reader.u32()], list(f64)]));
         this.held = list(u32).map((variant) => QUANTITIES[variant]);
         if (reader.u32() !== 1) throw new Error("the data is not in low-rank form");
         const numbers = (item) => Float64Array.from(reader.array(reader.variable(), () => item()));
         const double = () => reader.f64();
-        const weights = reader.array(3, () => numbers(double));
-        const functions = reader.array(4, () => numbers(double));
-        const steps = reader.array(4, double);
-        const cores = reader.array(4, () => numbers(() => reader.signed()));
-        this.cores = CORES.map((parameter, i) => {
-            const nodes = this.axes[parameter];
+        const cuts = numbers(() => reader.variable());
+        const [, film] = Object.keys(this.axes), nodes = this.axes[film];
+        /** The coordinates of the film's modulus where tiles meet. */
+        this.breaks = Array.from(cuts, (cut) => coordinate(film, nodes[cut]));
+        this.tiles = reader.array(reader.variable(), (_, i) => {
+            const start = i === 0 ? 0 : Math.max(cuts[i - 1] - OVERLAP, 0);
+            const end = i === cuts.length ? nodes.length : cuts[i] + OVERLAP + 1;
+            const weights = reader.array(3, () => numbers(double));
+            const functions = reader.array(4, () => numbers(double));
+            const steps = reader.array(4, double);
+            const cores = reader.array(4, () => numbers(() => reader.signed()));
+            return this.train({ ...this.axes, [film]: nodes.slice(start, end) }, { weights, functions, steps, cores });
+        });
+        /** True if all quantities follow from gamma, the only one held. */
+        this.derives = this.held.join() === "gamma" && derivable(this.range("a_over_t"));
+    }
+
+    /** The parameters of a material, in the order of the dimensions: modulus and Poisson ratio of the film, modulus of the substrate. */
+    get parameters() {
+        return Object.keys(this.axes).slice(1);
+    }
+
+    /** True if the axes are those of reduced moduli, E1* over E∞* and E0* over E2*. */
+    get reduced() {
+        return "e1s_over_einfs" in this.axes;
+    }
+
+    /** True if the sphere is rigid and the axes are those of Young's moduli: e0_over_e2 is E0/E1. */
+    get rigidSphere() {
+        return !this.reduced && this.range("e1_over_e2")[0] === 0;
+    }
+
+    /** The cores of a tensor train on the nodes of `axes`. */
+    train(axes, { weights, functions, steps, cores }) {
+        return CORES.map((dimension, i) => {
+            const [parameter, nodes] = Object.entries(axes)[dimension];
             const basis = new Basis(nodes.map((node) => coordinate(parameter, node)));
             const count = functions[i].length / nodes.length;
             // The splines of a core are those of the functions that it combines.
             basis.interpolate(functions[i], count);
-            return { basis, count, functions: functions[i], numbers: cores[i].map((n) => n * steps[i]), weights: weights[i] };
+            return { parameter, basis, count, functions: functions[i], numbers: cores[i].map((n) => n * steps[i]), weights: weights[i] };
         });
+    }
+
+    /** True if the table holds a quantity, or derives it. */
+    answers(quantity) {
+        return this.derives || this.held.includes(quantity);
     }
 
     /** The first and the last node of a parameter. */
@@ -185,16 +231,18 @@ class Table {
     /** True if a value is in the table's range, to rounding. */
     covers(parameter, value) {
         const [from, to] = this.range(parameter);
-        const near = (end) => Math.abs(value - end) <= ROUNDING * (parameter === "nu1" ? 1 : Math.abs(end));
+        const size = (end) => (parameter === "nu1" ? 1 : Math.abs(end));
+        const near = (end) => end !== Infinity && Math.abs(value - end) <= ROUNDING * size(end);
         return (value >= from && value <= to) || near(from) || near(to);
     }
 
-    /** Returns the quantities of a material `{ e1_over_e2, nu1, e0_over_e2 }` in the box, as splines over ln(a/t). */
+    /** Returns the quantities of a material in the box, as functions of a/t. `material` has a value for each of the parameters. */
     curve(material) {
+        const at = this.place(this.parameters[0], material[this.parameters[0]]);
+        const cores = this.tiles[this.breaks.filter((end) => end <= at).length];
         let vector = [1];
-        for (const [i, parameter] of CORES.slice(0, 3).entries()) {
-            const { basis, count, functions, numbers, weights } = this.cores[i], after = weights.length;
-            const splines = basis.weights(this.place(parameter, material[parameter]));
+        for (const { parameter, basis, count, functions, numbers, weights } of cores.slice(0, 3)) {
+            const after = weights.length, splines = basis.weights(this.place(parameter, material[parameter]));
             const next = new Float64Array(after);
             for (let f = 0; f < count; f += 1) {
                 let value = 0;
@@ -206,7 +254,7 @@ class Table {
             }
             vector = next.map((entry, a) => entry / weights[a]);
         }
-        const { basis, count, functions, numbers } = this.cores[3], held = this.held.length;
+        const { basis, count, functions, numbers } = cores[3], held = this.held.length;
         const sums = new Float64Array(count * held);
         vector.forEach((entry, c) => {
             for (let k = 0; k < sums.length; k += 1) sums[k] += entry * numbers[c * sums.length + k];
@@ -216,7 +264,8 @@ class Table {
             for (let f = 0; f < count; f += 1) sum += functions[node * count + f] * sums[f * held + q];
             return sum;
         }));
-        return new Curve(this, basis, coefficients, sphereFilmModulus(this, material));
+        const curve = new Curve(this, basis, coefficients);
+        return this.derives ? new DerivedCurve(curve, this.range("a_over_t")) : curve;
     }
 
     /** Returns the coordinate of a value, clamped to the table's range. */
@@ -226,15 +275,10 @@ class Table {
     }
 }
 
-/** es = 1/(1 + 1/e1) (eq. 7) in units of E2*; 1 in units of E1* for a rigid sphere. */
-function sphereFilmModulus(table, { e1_over_e2, nu1 }) {
-    return table.rigidSphere ? 1 : 1 / (1 + ((1 - nu1) * (1 + nu1)) / e1_over_e2);
-}
-
 /** The quantities of one material as functions of a/t. The splines are of ln(Pi0/es), ln(Eeq/es), ln(Gamma/es), ln Delta0. */
 class Curve {
-    constructor(table, basis, coefficients, es) {
-        Object.assign(this, { table, basis, coefficients, es });
+    constructor(table, basis, coefficients) {
+        Object.assign(this, { table, basis, coefficients });
     }
 
     /** Returns the value of each quantity and its logarithmic slope d ln Q / d ln(a/t). A quantity not in the table is 1. */
@@ -247,7 +291,7 @@ class Curve {
                 logarithm += value * this.coefficients[q][first + k];
                 slope += slopes[k] * this.coefficients[q][first + k];
             });
-            result[quantity] = { value: Math.exp(logarithm) * (quantity === "delta0" ? 1 : this.es), slope };
+            result[quantity] = { value: Math.exp(logarithm), slope };
         });
         return result;
     }
