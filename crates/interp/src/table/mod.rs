@@ -16,6 +16,7 @@ mod description;
 mod embedded;
 #[cfg(feature = "hdf5")]
 mod hdf5;
+mod incompressible;
 mod lookup;
 mod low_rank;
 mod mixed_precision;
