@@ -262,10 +262,11 @@ fn derivatives_of_the_quantities_are_those_of_the_interpolant() {
             );
         }
     }
-    println!("largest difference {worst:.1e}");
-    // Measured: 2.5e-8, most of it the rounding of the differences: a lookup holds some of its
-    // numbers in single precision.
-    assert!(worst <= 1e-7);
+    let worst = worst / table.description().tolerance;
+    println!("largest difference {worst:.2} tolerances");
+    // Measured: 0.19, most of it the rounding of the differences: a lookup holds those of its
+    // numbers in single precision whose rounding is small compared with the tolerance.
+    assert!(worst <= 1.0);
 }
 
 /// Returns a system with one of its inputs replaced by `value` (SI units).
