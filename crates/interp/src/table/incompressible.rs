@@ -8,7 +8,8 @@
 //!
 //! There the derivative is a difference of values over distances in `w` of about `w + u` instead.
 //! Per unit of `w + u`, the largest error of the embedded table is 467 of its tolerances with slopes
-//! alone, and 8 with differences.
+//! alone, and 8 with differences. They make a curve with derivatives of an incompressible film 2.5
+//! times as expensive.
 
 use std::array;
 
