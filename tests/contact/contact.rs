@@ -26,7 +26,8 @@ fn coated(film_thickness: f64) -> Contact {
 
 #[test]
 fn load_and_penetration_of_direct_solves_give_radius_and_energy_release_rate_back() {
-    let (mut contacts, mut errors) = (Contacts::new(95), [0.0; 2]);
+    let (mut contacts, mut errors) = (Contacts::new(95), [0.0; 3]);
+    let tolerance = Table::embedded().description().tolerance;
     for _ in 0..300 {
         let t = contacts.log_uniform(3e-7, 3e-4);
         let (system, w, a) = (
@@ -54,24 +55,23 @@ fn load_and_penetration_of_direct_solves_give_radius_and_energy_release_rate_bac
             .iter_mut()
             .zip([(radius / a - 1.0).abs(), (g / w - 1.0).abs()])
         {
-            *error = larger(*error, found * part.min(1.0));
+            *error = larger(*error, found * part.min(1.0) / tolerance);
         }
         for found in [
             coated(t).energy_release_rate_at_load(a, load),
             coated(t).energy_release_rate_at_penetration(a, penetration),
         ] {
             let found = found.expect("in range");
-            assert!(
-                (found / w - 1.0).abs() * part.min(1.0) <= 1e-6,
-                "{found}, not {w}"
-            );
+            let error = (found / w - 1.0).abs() * part.min(1.0) / tolerance;
+            errors[2] = larger(errors[2], error);
+            assert!(error <= 10.0, "{found}, not {w}");
         }
     }
     println!(
-        "from F and delta: radius {:.1e}, energy release rate {:.1e}, times the flat punch's part",
-        errors[0], errors[1]
+        "radius and energy release rate from F and delta, energy release rate from one of them: \
+         {errors:.1?} tolerances over the flat punch's part"
     );
-    assert!(errors[0] <= 1e-6 && errors[1] <= 1e-6);
+    assert!(errors[0] <= 10.0 && errors[1] <= 10.0);
 }
 
 #[test]

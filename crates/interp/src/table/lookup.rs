@@ -5,6 +5,7 @@ use crate::curve::resampler::Resampler;
 use crate::curve::sensitivity::Sensitivities;
 use crate::material::equivalence::{Equivalence, Invariants};
 use crate::table::axes::Axes;
+use crate::table::incompressible::improve_slopes;
 use crate::table::tensor_spline::TensorSpline;
 use crate::{Curve, Description, Error, Material, Parameter, Quantity, SubstratePoissonRatio};
 
@@ -110,6 +111,14 @@ impl Lookup {
         for (slopes, speed) in slopes.iter_mut().zip(speeds) {
             slopes.iter_mut().for_each(|slope| *slope *= speed);
         }
+        improve_slopes(
+            &self.spline,
+            coordinates,
+            axes.nodes(Parameter::AOverT),
+            axes.ends(Parameter::Nu1)[0],
+            &values,
+            &mut slopes[1],
+        );
         let pieces = self
             .resampler
             .derivatives(&values, slopes.each_ref().map(Vec::as_slice));

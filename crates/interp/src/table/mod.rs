@@ -6,7 +6,7 @@
 //! files ([`schema`] has the names of the parts), `embedded` from the program. For the first lookup
 //! it becomes a `tensor_spline`, either dense or a `tensor_train`; their sums are those of
 //! `weighted_sum` and `mixed_precision`. `lookup` makes the [`Curve`](crate::Curve) of a material
-//! from it.
+//! from it, with the help of `incompressible` for its derivatives.
 
 mod axes;
 mod certificate;
@@ -16,6 +16,7 @@ mod description;
 mod embedded;
 #[cfg(feature = "hdf5")]
 mod hdf5;
+mod incompressible;
 mod lookup;
 mod low_rank;
 mod mixed_precision;
