@@ -14,7 +14,7 @@ const PARAMETERS = ["a_over_t", "e1_over_e2", "nu1", "e0_over_e2", "e1s_over_ein
 /** The dimensions of a table (a/t, film's modulus, film's Poisson ratio, substrate's modulus) in the order of a train's cores. */
 const CORES = [3, 1, 2, 0];
 /** The number of nodes by which a tile reaches beyond the nodes where it meets its neighbours (tiles.rs). */
-const OVERLAP = 6;
+const OVERLAP = 16;
 
 /** Reads numbers, texts and lists in bincode's two encodings: integers of fixed and of variable width. */
 class Reader {
