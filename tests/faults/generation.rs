@@ -31,7 +31,7 @@ e0_over_e2 = { from = 1, to = 1e4 }
 /// A scene whose first plan misses the tolerance.
 const COARSE: &str = "\
 title = 'x'
-tolerance = 2e-2
+tolerance = 1e-1
 a_over_t = { from = 0.01, to = 100 }
 e1_over_e2 = { from = 1e-2, to = 1e2 }
 nu1 = { from = 0, to = 0.5 }

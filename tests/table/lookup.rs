@@ -63,7 +63,7 @@ fn what_a_lookup_leaves_out_hardly_shows_at_the_ends_of_the_table_either() {
 /// pieces.
 fn finest(table: &Table) -> Table {
     let description = Description {
-        tolerance: 1e-10,
+        tolerance: 1e-9,
         ..table.description().clone()
     };
     let tiles = table.low_rank().expect("low-rank").clone();
@@ -84,10 +84,9 @@ fn the_pieces_of_a_curve_add_about_a_tenth_of_the_tolerance_at_most_to_any_mater
         let mut worst = 0.0;
         for i in 0..2000 {
             let (_, inside) = contacts.point_of(table);
-            // Every second one on the softest substrate, or between rigid bodies.
+            // Every second one on the softest substrate.
             let e0 = match (i % 2, table.axis(Parameter::E0OverE2)) {
                 (0, [softest, ..]) => *softest,
-                (0, []) => f64::INFINITY,
                 _ => inside.e0_over_e2(),
             };
             let nu1 = if i % 3 == 0 {
@@ -95,7 +94,11 @@ fn the_pieces_of_a_curve_add_about_a_tenth_of_the_tolerance_at_most_to_any_mater
             } else {
                 inside.nu1()
             };
-            let material = material([inside.e1_over_e2(), nu1, e0, inside.nu0()]);
+            let material = if table.parameters() == Parameter::ALL {
+                material([inside.e1_over_e2(), nu1, e0, inside.nu0()])
+            } else {
+                inside
+            };
             let [curve, exact] =
                 [table, &finest].map(|table| table.curve(&material).expect("inside"));
             for k in 0..=300 {

@@ -14,9 +14,9 @@ const READING: (usize, usize) = (25, 1_060_000);
 
 /// The largest memory that the first look-up of a curve with gradients may take: bytes for each
 /// byte of the packed table, and a constant number of bytes. Measured: 48.4 for a low-rank table of
-/// many nodes, of which the header's limit allows 130,000, and 1.2e7 for noise on 60 decades of
+/// many nodes, of which the header's limit allows 130,000, and 2.5e7 for noise on 60 decades of
 /// `a/t`, which needs the finest pieces.
-const LOOKING_UP: (usize, usize) = (50, 13_000_000);
+const LOOKING_UP: (usize, usize) = (50, 27_000_000);
 
 /// The same for forms that need as much as is accepted: 100 numbers of 8 bytes for each byte of the
 /// form, or 8 MB, and a list of numbers takes up to three times its size while it grows. Measured:
