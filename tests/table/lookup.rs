@@ -53,7 +53,7 @@ fn what_a_lookup_leaves_out_hardly_shows_at_the_ends_of_the_table_either() {
         }
     }
     println!("in tolerances: values {values:.1e}, derivatives {derivatives:.2?}");
-    // Measured: 1.0e-3, 0.07, 3.7, 0.01.
+    // Measured: 2.0e-3, 0.05, 6.1, 0.02.
     assert!(
         values <= 5e-3 && derivatives[0] <= 0.5 && derivatives[1] <= 20.0 && derivatives[2] <= 0.1
     );
@@ -63,7 +63,7 @@ fn what_a_lookup_leaves_out_hardly_shows_at_the_ends_of_the_table_either() {
 /// pieces.
 fn finest(table: &Table) -> Table {
     let description = Description {
-        tolerance: 1e-9,
+        tolerance: 1e-8,
         ..table.description().clone()
     };
     let tiles = table.low_rank().expect("low-rank").clone();
