@@ -1,7 +1,7 @@
 //! `tabulate info`, and the JSON objects of all commands.
 
 use acceptance::{assert_names, table, workdir};
-use interp::{Parameter, Quantity, SubstratePoissonRatio, Table};
+use interp::{Quantity, SubstratePoissonRatio, Table};
 use serde_json::Value;
 
 use crate::{TWO_QUANTITIES, paper_table};

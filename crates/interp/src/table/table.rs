@@ -263,7 +263,7 @@ impl Table {
     /// degree 9 along the material axes.
     ///
     /// A material on a substrate with another Poisson ratio than the table's `nu0` is replaced by
-    /// its exact equivalent. Among [paired](SubstratePoissonRatio::Paired) Poisson ratios it always
+    /// its exact equivalent. Among [paired](crate::SubstratePoissonRatio::Paired) Poisson ratios it always
     /// exists; with one `nu0` for the table, an
     /// incompressible film has none for a `nu0` below the table's. A parameter may miss the box, or
     /// a fixed value, by `1e-12` relative, which allows for rounding.

@@ -49,7 +49,7 @@ enum Figure {
     /// E0/E2*
     #[command(after_help = super::examples!(
         "tabulate plot error-map tables/paper.h5 -o errors.svg",
-        "tabulate plot error-map embedded -o embedded.svg",
+        "tabulate plot error-map default.h5 -o errors.svg",
     ))]
     ErrorMap {
         #[arg(default_value = "embedded", help = table_name::HELP, value_hint = ValueHint::FilePath)]

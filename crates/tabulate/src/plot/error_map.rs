@@ -1,7 +1,7 @@
 //! The error map of a table: its largest difference from direct solves over `a/t` and `E1/E2*`, at
 //! the worst of many `nu1` and `E0/E2*`.
 
-use interp::Table;
+use interp::{Parameter, Table};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
@@ -55,6 +55,13 @@ pub fn fixed(table: &Table) -> Option<(&'static str, f64)> {
 /// # Errors
 /// [`Error::Picture`] for a table that fixes `a/t` or `E1/E2*`; those of the solve.
 pub fn data(table: &Table, progress: &(dyn Fn(usize) + Sync)) -> Result<Data, Error> {
+    if table.parameters() != Parameter::ALL {
+        return Err(Error::Picture(
+            "the map is over a/t and E1/E2*, and the table has other axes; give a table with \
+             e1_over_e2, for instance that of `tabulate generate tables/default.toml`"
+                .into(),
+        ));
+    }
     if let Some((name, only)) = fixed(table) {
         let what = format!(
             "the map is over a/t and the film's modulus, but the table fixes {name} = {only}"

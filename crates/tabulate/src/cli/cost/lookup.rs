@@ -1,7 +1,8 @@
 //! `tabulate cost lookup`
 
-use anyhow::Context;
+use anyhow::{Context, ensure};
 use clap::ValueHint;
+use interp::Parameter;
 
 use super::{Rows, complete};
 use crate::cli::progress::progress_bar;
@@ -47,6 +48,12 @@ pub fn of_table(name: &TableName) -> anyhow::Result<Vec<Row>> {
 /// Measures all rows of a table, with a bar.
 fn measured(name: &TableName, timing: Timing) -> anyhow::Result<Measured<Row>> {
     let table = name.read()?;
+    ensure!(
+        table.parameters() == Parameter::ALL,
+        "{name}: the other forms interpolate on the nodes of the table in a/t, E1/E2*, nu1 and E0/E2*, and \
+         this table has other axes; give one with these, for instance that of \
+         `tabulate generate tables/default.toml -o default.h5`"
+    );
     let bar = progress_bar(solves(POINTS), "measuring");
     let measured = measure(&table, POINTS, timing, &|count| bar.inc(count as u64));
     bar.finish_and_clear();
