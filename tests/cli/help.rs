@@ -190,7 +190,6 @@ const LONG: [&str; 10] = [
     "tabulate report embedded -o report.html",
     "tabulate unpack embedded -o default.h5",
     "tabulate plot error-map tables/paper.h5 -o errors.svg",
-    "tabulate plot error-map embedded -o embedded.svg",
     "tabulate cost solve -o solve.csv",
     "tabulate cost table --budget 20 -o table.csv",
     "tabulate cost lookup tables/paper.h5 -o lookup.csv",

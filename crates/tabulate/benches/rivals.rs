@@ -11,10 +11,10 @@ mod python;
 
 use std::fs;
 use std::hint::black_box;
+use std::path::Path;
 use std::time::Instant;
 
-use interp::Parameter;
-use interp::{Material, Quantities, Quantity, Table};
+use interp::{Certificate, Description, Material, Parameter, Quantities, Quantity, Table};
 use interpn::multibspline::rectilinear as b_spline;
 use interpn::{MultiBsplineRectilinear, MulticubicRectilinear};
 use python::Python;
@@ -24,6 +24,7 @@ use tabulate::cost::clock::{self, human, median};
 use tabulate::cost::deviation::{deviation, tightest};
 use tabulate::cost::lookup::{Point, random_points};
 use tabulate::solve;
+use tabulate::table::{Plan, Scene, compress, sweep};
 
 /// Random points off the nodes, for errors and for the times of single points.
 const POINTS: usize = 1000;
@@ -37,12 +38,7 @@ const SOLVED: usize = 20;
 const BUDGET: f64 = 0.01;
 
 fn main() {
-    // The file of `Table::embedded`.
-    let table = &Table::read(concat!(
-        env!("CARGO_MANIFEST_DIR"),
-        "/../interp/embedded/universal.bin"
-    ))
-    .expect("the table comes with interp");
+    let table = &default_box();
     let grid = Grid::new(table);
     let mut points = random_points(table, POINTS + CURVES, 1);
     let curves: Vec<[Point; 60]> = points
@@ -166,6 +162,25 @@ const ORDER: [Parameter; 4] = [
     Parameter::E0OverE2,
     Parameter::AOverT,
 ];
+
+/// Makes the low-rank table of the default box, to 1e-6.
+fn default_box() -> Table {
+    let scene = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tables/default.toml");
+    let scene = Scene::read(Path::new(scene), Some(2e-7)).expect("a sound scene");
+    let axes = Plan::new(&scene).expect("within reach").axes();
+    let values = sweep(&scene, &axes, &|_| {}).expect("within reach");
+    let description = Description {
+        title: scene.title,
+        scene: scene.text,
+        nu0: scene.nu0,
+        tolerance: 1e-6,
+        created_by: "benches/rivals.rs".into(),
+        certificate: Certificate::UNMEASURED,
+    };
+    let dense = Table::new(description.clone(), axes, values).expect("a whole table");
+    let tiles = compress(&dense, 5e-7).expect("above rounding");
+    Table::from_low_rank(description, dense.axes(), tiles).expect("the form of this table")
+}
 
 /// The nodes in the coordinates in which splines are smooth, and the logarithms at the nodes.
 struct Grid {

@@ -47,10 +47,7 @@ enum Figure {
     ForceDisplacement(Output),
     /// Largest difference of a table from direct solves, over a/t and E1/E2*, at the worst nu1 and
     /// E0/E2*
-    #[command(after_help = super::examples!(
-        "tabulate plot error-map tables/paper.h5 -o errors.svg",
-        "tabulate plot error-map default.h5 -o errors.svg",
-    ))]
+    #[command(after_help = super::examples!("tabulate plot error-map tables/paper.h5 -o errors.svg"))]
     ErrorMap {
         #[arg(default_value = "embedded", help = table_name::HELP, value_hint = ValueHint::FilePath)]
         table: TableName,
