@@ -188,7 +188,7 @@ const LONG: [&str; 9] = [
     "tabulate generate                                  # the default scene: a million contacts",
     "tabulate report tables/paper.h5 -o paper.html",
     "tabulate report embedded -o report.html",
-    "tabulate unpack embedded -o default.h5",
+    "tabulate unpack embedded -o universal.h5",
     "tabulate plot error-map tables/paper.h5 -o errors.svg",
     "tabulate cost solve -o solve.csv",
     "tabulate cost table --budget 20 -o table.csv",

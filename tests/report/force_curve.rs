@@ -291,7 +291,7 @@ fn a_page_of_the_embedded_table_shows_what_the_program_prints() {
         Table::read(embedded_universal()).expect("the embedded table"),
     );
     workdir.write(
-        "default.bin",
+        "universal.bin",
         std::fs::read(embedded_universal()).expect("the embedded table"),
     );
     let settings = [
@@ -334,7 +334,7 @@ fn a_page_of_the_embedded_table_shows_what_the_program_prints() {
             adhesion: 5.0,
         },
     ];
-    assert_shows(&workdir, "default.bin", &table, &settings);
+    assert_shows(&workdir, "universal.bin", &table, &settings);
 }
 
 #[test]

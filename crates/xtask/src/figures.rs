@@ -107,43 +107,19 @@ fn read(path: &Path) -> Result<String, String> {
 }
 
 fn measure(cost: &str, arguments: &[&str], tightest: &str) -> Result<String, String> {
-    let table = default_table()?;
-    let more: &[&str] = match cost {
-        "table" => &["--to", tightest],
-        "lookup" => &[&table],
-        _ => &[],
+    let to: &[&str] = if cost == "table" {
+        &["--to", tightest]
+    } else {
+        &[]
     };
-    tabulate::text(&[&["cost", cost], arguments, more].concat())
+    tabulate::text(&[&["cost", cost], arguments, to].concat())
 }
 
 /// Draws a figure, from the rows of its measurement if it has one.
 fn draw(figure: &str, cost: Option<&str>, picture: &str) -> Result<String, String> {
     let data = cost.map(|cost| name(&folder(), cost, "csv"));
-    let mut arguments = vec!["plot", figure, "-o", picture];
-    let table = default_table()?;
-    match &data {
-        Some(data) => arguments.extend(["--data", data]),
-        None if figure == "error-map" => arguments.push(&table),
-        None => {}
-    }
-    tabulate::text(&arguments)
-}
-
-/// Makes the packed table of the default box, unless it is there, and returns its path.
-fn default_table() -> Result<String, String> {
-    let folder = workspace::target()?.join("figures");
-    fs::create_dir_all(&folder).map_err(|e| format!("cannot make {}: {e}", folder.display()))?;
-    let (file, packed) = (
-        name(&folder, "default", "h5"),
-        name(&folder, "default", "bin"),
-    );
-    if !Path::new(&packed).exists() {
-        let scene = workspace::root().join("tables/default.toml");
-        let scene = scene.display().to_string();
-        tabulate::text(&["generate", &scene, "--tolerance", "2e-7", "-o", &file])?;
-        tabulate::text(&["pack", &file, "--tolerance", "1e-6", "-o", &packed])?;
-    }
-    Ok(packed)
+    let data = data.as_ref().map_or(vec![], |data| vec!["--data", data]);
+    tabulate::text(&[&["plot", figure, "-o", picture], &data[..]].concat())
 }
 
 /// Returns the text of a document with the present summary in each quotation.

@@ -136,9 +136,10 @@ impl Parameter {
     /// `coordinate`.
     pub fn speed(self, coordinate: f64) -> f64 {
         match self {
-            Self::AOverT | Self::E1OverE2 | Self::E0OverE2 => (-coordinate).exp(),
+            Self::AOverT | Self::E1OverE2 | Self::E0OverE2 | Self::E1sOverEinfs => {
+                (-coordinate).exp()
+            }
             Self::Nu1 => -0.25 / coordinate.powi(7),
-            Self::E1sOverEinfs => (-coordinate).exp(),
             Self::E0sOverE2s => {
                 let value = self.value(coordinate);
                 1.0 / (value + Self::E0S_END) - 1.0 / (value + 1.0 / Self::E0S_END)

@@ -28,6 +28,7 @@ impl Lookup {
     const SHARE: f64 = 0.1;
     /// The smallest error of the pieces that is asked for, whatever the table's tolerance.
     const LEAST_ERROR: f64 = 1e-11;
+
     /// Prepares the lookup in `spline`, which holds `quantities` to a relative `tolerance`.
     pub(crate) fn new(
         axes: &Axes,
@@ -149,12 +150,15 @@ impl Lookup {
     }
 }
 
+/// The axes of reduced moduli.
+const REDUCED_MODULI: [&str; 2] = [Parameter::E1sOverEinfs.name(), Parameter::E0sOverE2s.name()];
+
 /// Returns the result of `find`, which looks for the equivalent of `material` in the table.
 ///
 /// # Errors
 /// [`Error::Normalisation`]; the error of `find`, in [`Error::Equivalent`] if the substrates of the
-/// table have another Poisson ratio than the material's: then a value in its message may not be
-/// one that the user has given.
+/// table have another Poisson ratio than the material's, and the error is about the equivalent's
+/// own values.
 fn find_equivalent<T>(
     description: &Description,
     material: &Material,
@@ -164,6 +168,8 @@ fn find_equivalent<T>(
     find(table_nu0).map_err(|error| match error {
         error @ Error::Normalisation { .. } => error,
         error if table_nu0 == SubstratePoissonRatio::Fixed(nu0) => error,
+        // An equivalent has the reduced moduli of the material.
+        Error::OutsideTable { axis, .. } if REDUCED_MODULI.contains(&axis) => error,
         error => Error::Equivalent {
             nu1,
             nu0,

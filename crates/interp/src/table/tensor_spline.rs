@@ -14,11 +14,11 @@ use crate::table::weighted_sum::add_rows;
 
 /// The tensor B-spline of a table.
 ///
-/// It interpolates `ln(Pi0/es)`, `ln(Eeq/es)`, `ln(Gamma/es)` and `ln Delta0` over `ln(a/t)`,
-/// `ln(E1/E2*)`, `c(nu1)` and `ln(E0/E2*)`.
+/// It interpolates `ln(Pi0/es)`, `ln(Eeq/es)`, `ln(Gamma/es)` and `ln Delta0` over the
+/// [coordinates](Parameter::coordinate) of the axes.
 #[derive(Clone, Debug)]
 pub(crate) struct TensorSpline {
-    /// The B-splines of `e1_over_e2`, `nu1` and `e0_over_e2`.
+    /// The B-splines of the three material axes, in their order.
     bases: [Basis; 3],
     /// The B-splines of `a_over_t`.
     pub(crate) a_over_t_basis: Basis,

@@ -1,13 +1,15 @@
 //! The command line: one module for each subcommand.
 //!
 //! Each has `Arguments`, which clap fills and whose comments are the help, and `run`. A table is
-//! named by a `table_name`, points come from CSV (`points`), results go through `write_text` to a
-//! file or to standard output, as text or as one object of `json`, and notes to standard error.
+//! named by a `table_name`, or is the `default_table`; points come from CSV (`points`); results go
+//! through `write_text` to a file or to standard output, as text or as one object of `json`; notes
+//! go to standard error.
 
 mod check;
 mod completions;
 mod cost;
 mod curve;
+mod default_table;
 mod generate;
 mod info;
 mod json;

@@ -33,9 +33,8 @@ pub struct Arguments {
     output: PathBuf,
     /// Use the low-rank form, with this relative tolerance between the nodes and at them
     ///
-    /// Derivatives with respect to nu1 of incompressible films are about as accurate as the
-    /// table's: within 75 tolerances of them, if the table was generated to a fifth of this
-    /// tolerance.
+    /// Generate the table to a third of this tolerance or less, which leaves room for the
+    /// truncation. The certificate does not cover derivatives.
     #[arg(long, allow_negative_numbers = true)]
     tolerance: Option<f64>,
     /// Number of points of the certificate [default: 2500 for each axis]

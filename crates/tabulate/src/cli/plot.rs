@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::{Args, Subcommand, ValueHint};
 use serde::de::DeserializeOwned;
 
+use super::default_table;
 use super::progress::progress_bar;
 use super::table_name::{self, TableName};
 use super::{cost, write_text};
@@ -49,8 +50,16 @@ enum Figure {
     /// E0/E2*
     #[command(after_help = super::examples!("tabulate plot error-map tables/paper.h5 -o errors.svg"))]
     ErrorMap {
-        #[arg(default_value = "embedded", help = table_name::HELP, value_hint = ValueHint::FilePath)]
-        table: TableName,
+        #[arg(
+            help = format!(
+                "{}. Its axes must be those of a scene with e1_over_e2, which those of the embedded \
+                 table are not {}",
+                table_name::HELP,
+                default_table::HELP
+            ),
+            value_hint = ValueHint::FilePath
+        )]
+        table: Option<TableName>,
         #[command(flatten)]
         output: Output,
     },
@@ -143,7 +152,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
             output.write(|| Ok(force_displacement::figure(&force_displacement::data()?)))
         }
         Figure::ErrorMap { table, output } => output.write(|| {
-            let table = table.read()?;
+            let table = default_table::read_or_make(table.as_ref())?;
             let bar = progress_bar(error_map::CELLS[0] * error_map::CELLS[1], "comparing");
             let data = error_map::data(&table, &|count| bar.inc(count as u64))?;
             bar.finish_and_clear();
@@ -160,11 +169,9 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
                 &rows.get(|| Ok(cost::measure_solve()))?,
             )?)
         }),
-        Figure::LookupCost { rows, output } => output.write(|| {
-            Ok(lookup_cost::figure(
-                &rows.get(|| cost::measure_lookup(&TableName::Embedded))?,
-            )?)
-        }),
+        Figure::LookupCost { rows, output } => {
+            output.write(|| Ok(lookup_cost::figure(&rows.get(cost::measure_lookup)?)?))
+        }
     }
 }
 

@@ -14,7 +14,7 @@ use crate::table::archive;
 #[derive(clap::Args)]
 #[command(after_help = super::examples!(
     "tabulate unpack tables/paper.bin -o paper.h5",
-    "tabulate unpack embedded -o default.h5",
+    "tabulate unpack embedded -o universal.h5",
 ))]
 pub struct Arguments {
     #[arg(value_name = "TABLE.bin", help = table_name::HELP, value_hint = ValueHint::FilePath)]

@@ -58,7 +58,7 @@ pub fn data(table: &Table, progress: &(dyn Fn(usize) + Sync)) -> Result<Data, Er
     if table.parameters() != Parameter::ALL {
         return Err(Error::Picture(
             "the map is over a/t and E1/E2*, and the table has other axes; give a table with \
-             e1_over_e2, for instance that of `tabulate generate tables/default.toml`"
+             e1_over_e2, or none for that of the default scene"
                 .into(),
         ));
     }

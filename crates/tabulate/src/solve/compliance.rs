@@ -331,7 +331,7 @@ mod tests {
             / (2.0 * PI)
     }
 
-    /// The moduli of the tests. Beyond them no contrast can be told from a limit.
+    /// The moduli of the tests.
     const MODULI: [f64; 2] = [1e-16, 1e16];
 
     /// `S = sphere + film X`.

@@ -5,6 +5,7 @@ use clap::ValueHint;
 use interp::Parameter;
 
 use super::{Rows, complete};
+use crate::cli::default_table;
 use crate::cli::progress::progress_bar;
 use crate::cli::table_name::{self, TableName};
 use crate::cost::Measured;
@@ -23,39 +24,44 @@ use crate::cost::lookup::{POINTS, Row, markdown, measure, solves};
 ))]
 pub struct Arguments {
     #[arg(
-        default_value = "embedded",
         conflicts_with = "data",
-        help = format!("{}. It must hold all four quantities", table_name::HELP),
+        help = format!(
+            "{}. It must hold all four quantities over e1_over_e2 and e0_over_e2, which the embedded \
+             table does not {}",
+            table_name::HELP,
+            default_table::HELP
+        ),
         value_hint = ValueHint::FilePath
     )]
-    table: TableName,
+    table: Option<TableName>,
     #[command(flatten)]
     rows: Rows,
 }
 
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
-    let table = &arguments.table;
+    let table = arguments.table.as_ref();
+    let path = table.and_then(TableName::path);
     arguments
         .rows
-        .report(table.path(), |timing| measured(table, timing), markdown)
+        .report(path, |timing| measured(table, timing), markdown)
 }
 
-/// Measures all rows of a table for a figure.
-pub fn of_table(name: &TableName) -> anyhow::Result<Vec<Row>> {
-    Ok(complete(measured(name, Timing::Thorough)?))
+/// Measures all rows of the default scene's table for a figure.
+pub fn of_default() -> anyhow::Result<Vec<Row>> {
+    Ok(complete(measured(None, Timing::Thorough)?))
 }
 
 /// Measures all rows of a table, with a bar.
-fn measured(name: &TableName, timing: Timing) -> anyhow::Result<Measured<Row>> {
-    let table = name.read()?;
+fn measured(name: Option<&TableName>, timing: Timing) -> anyhow::Result<Measured<Row>> {
+    let table = default_table::read_or_make(name)?;
+    let name = name.map_or("the default scene".to_owned(), TableName::to_string);
     ensure!(
         table.parameters() == Parameter::ALL,
         "{name}: the other forms interpolate on the nodes of the table in a/t, E1/E2*, nu1 and E0/E2*, and \
-         this table has other axes; give one with these, for instance that of \
-         `tabulate generate tables/default.toml -o default.h5`"
+         this table has other axes; give one with these, or none for that of the default scene"
     );
     let bar = progress_bar(solves(POINTS), "measuring");
     let measured = measure(&table, POINTS, timing, &|count| bar.inc(count as u64));
     bar.finish_and_clear();
-    measured.with_context(|| name.to_string())
+    measured.context(name)
 }

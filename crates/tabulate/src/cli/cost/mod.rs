@@ -13,7 +13,7 @@ use serde::Serialize;
 use serde::de::DeserializeOwned;
 
 pub use self::effects::of_default as measure_effects;
-pub use self::lookup::of_table as measure_lookup;
+pub use self::lookup::of_default as measure_lookup;
 pub use self::solve::of_default as measure_solve;
 pub use self::table::of_default as measure_table;
 use super::{note, write_text};

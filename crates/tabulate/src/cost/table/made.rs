@@ -5,7 +5,9 @@ use std::time::{Duration, Instant};
 use interp::Table;
 
 use crate::Error;
-use crate::table::{Budget, Observer, Options, Scene, default_points, generate};
+use crate::table::{
+    Budget, Observer, Options, Scene, default_points, generate, low_rank, points_for,
+};
 
 /// A generated table, and the work of generating it.
 pub struct Made {
@@ -51,5 +53,20 @@ impl Made {
             seconds,
             bytes,
         })
+    }
+
+    /// Packs the table to a tolerance, certified at points of another seed than its own.
+    ///
+    /// # Errors
+    /// Those of [`low_rank`].
+    pub fn packed(&self, tolerance: f64, observer: &dyn Observer) -> Result<Table, Error> {
+        let seed = self.table.description().certificate.seed + 1;
+        low_rank(
+            &self.table,
+            tolerance,
+            points_for(&self.table),
+            seed,
+            observer,
+        )
     }
 }

@@ -18,12 +18,12 @@ use serde::{Deserialize, Serialize};
 use self::evaluation::Evaluation;
 pub use self::limits::{Limits, TOLERANCES};
 use self::limits::{is_limit, points};
-pub(super) use self::made::Made;
+pub(crate) use self::made::Made;
 pub use self::summary::markdown;
 use super::Measured;
 use super::clock::Timing;
 use crate::Error;
-use crate::table::{Observer, Scene, low_rank, points_for};
+use crate::table::{Observer, Scene};
 
 /// One table of a scene, and direct solves beside it. Times of single evaluations are means over
 /// random points of the scene, on one thread.
@@ -181,26 +181,14 @@ fn row(
     timing: Timing,
     observer: &dyn Observer,
 ) -> Result<Row, Error> {
-    let Made {
-        table,
-        solves,
-        seconds,
-        bytes,
-    } = Made::new(scene, limits.left(), observer).map_err(|error| match error {
+    let made = Made::new(scene, limits.left(), observer).map_err(|error| match error {
         Error::Budget { .. } => Error::Budget {
             spent: format!("before the table to {:e} is finished", scene.tolerance),
         },
         error => error,
     })?;
-    let certificate = table.description().certificate;
     let began = Instant::now();
-    let packed = low_rank(
-        &table,
-        scene.tolerance,
-        points_for(&table),
-        certificate.seed + 1,
-        observer,
-    )?;
+    let packed = made.packed(scene.tolerance, observer)?;
     let packed_bytes = packed.to_packed()?.len() as u64;
     let pack_seconds = began.elapsed().as_secs_f64();
     let evaluation = Evaluation::measure(scene, &packed, timing)?;
@@ -209,7 +197,7 @@ fn row(
         e1_over_e2_nodes,
         nu1_nodes,
         e0_over_e2_nodes,
-    ] = table.shape().map(|nodes| nodes as u64);
+    ] = made.table.shape().map(|nodes| nodes as u64);
     let ranks = packed.low_rank().map(Tiles::ranks).unwrap_or_default();
     // The largest of all tiles.
     let [rank_1, rank_2, rank_3] = [0, 1, 2].map(|bond| {
@@ -225,11 +213,11 @@ fn row(
         e1_over_e2_nodes,
         nu1_nodes,
         e0_over_e2_nodes,
-        solves,
+        solves: made.solves,
         threads: rayon::current_num_threads() as u64,
-        seconds,
-        dense_bytes: bytes,
-        dense_error: certificate.max_error,
+        seconds: made.seconds,
+        dense_bytes: made.bytes,
+        dense_error: made.table.description().certificate.max_error,
         pack_seconds,
         packed_bytes,
         packed_error: packed.description().certificate.max_error,

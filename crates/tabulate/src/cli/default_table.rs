@@ -1,0 +1,31 @@
+//! The table that a command takes where none is named: that of the default scene.
+
+use std::borrow::Cow;
+
+use interp::Table;
+
+use super::generate::read_scene;
+use super::progress::Bars;
+use super::table_name::TableName;
+use crate::cost::table::Made;
+
+/// The tolerance of the packed table of the default scene.
+const TOLERANCE: f64 = 1e-6;
+/// The tolerance of the table that is packed, which leaves room for the truncation.
+const OWN_TOLERANCE: f64 = 2e-7;
+
+/// The help of an argument that names such a table.
+pub const HELP: &str =
+    "[default: the packed table of the default scene, made first in half a minute]";
+
+/// Reads the table, or makes the packed table of the default scene.
+pub fn read_or_make(name: Option<&TableName>) -> anyhow::Result<Cow<'static, Table>> {
+    if let Some(name) = name {
+        return name.read();
+    }
+    let scene = read_scene(None, Some(OWN_TOLERANCE))?;
+    let bars = Bars::new();
+    let packed = Made::new(&scene, None, &bars).and_then(|made| made.packed(TOLERANCE, &bars));
+    bars.clear();
+    Ok(Cow::Owned(packed?))
+}
