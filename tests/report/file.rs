@@ -75,7 +75,8 @@ fn the_table_in_the_page_is_the_table() {
         Table::read(shipped("paper.bin")).expect("the shipped table"),
         table(FOUR_AXES),
         table(RIGID_SPHERE),
-        // Without tiles, whose splines differ from those of the whole table by the error of so few nodes.
+        // Without tiles, whose splines differ from those of the whole table by the error of so few
+        // nodes.
         table(&GAMMA_ALONE.replace("to = 1e6, nodes = 46", "to = 1e2, nodes = 28")),
     ];
     for table in tables {

@@ -70,8 +70,8 @@ fn a_contact_radius_that_is_not_small_compared_with_the_spheres_is_noted() {
         let texts = [LARGE_CONTACT, "The curve ends at the sphere’s radius R."];
         texts.map(|text| messages.contains(text)).to_vec()
     };
-    // The contact radius at zero load over that of the sphere is near (9 pi w/(2 E* R))^{1/3}: 0.07,
-    // 0.3 and 3, with the modulus of sphere and film.
+    // The contact radius at zero load over that of the sphere is near (9 pi w/(2 E* R))^{1/3}:
+    // 0.07, 0.3 and 3, with the modulus of sphere and film.
     let cases = [
         ("sphere_radius=1e-3", [false, false]),
         ("sphere_radius=1e-5", [true, false]),

@@ -27,8 +27,8 @@ const FOUR_AXES: &str = "
     e0_over_e2 = { from = 10, to = 1000 }
     nu0        = 0.2
 ";
-/// `Gamma` alone, for any sphere and substrate. The nodes are few: the page must agree with the table,
-/// and not with the solver.
+/// `Gamma` alone, for any sphere and substrate. The nodes are few: the page must agree with the
+/// table, and not with the solver.
 const GAMMA_ALONE: &str = "
     title          = 'Gamma alone'
     tolerance      = 1e-6

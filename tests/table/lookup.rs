@@ -59,8 +59,8 @@ fn what_a_lookup_leaves_out_hardly_shows_at_the_ends_of_the_table_either() {
     );
 }
 
-/// Returns the splines of a low-rank table of which a lookup drops hardly anything, with the shortest
-/// pieces.
+/// Returns the splines of a low-rank table of which a lookup drops hardly anything, with the
+/// shortest pieces.
 fn finest(table: &Table) -> Table {
     let description = Description {
         tolerance: 1e-8,

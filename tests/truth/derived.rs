@@ -102,8 +102,9 @@ fn they_are_those_of_the_reference() {
     assert_eq!(count, 6);
 }
 
-/// Measured: 3.3, 2.3, 1.7 and 1.7 for waves, 2.0 for a sum. The strict bounds of the errors are `2e` for `Eeq`, `4e` for `Delta0` and `6e` for `Pi0`. To
-/// reach the last two an error of `Gamma` would have to change its sign suddenly.
+/// Measured: 3.3, 2.3, 1.7 and 1.7 for waves, 2.0 for a sum. The strict bounds of the errors are
+/// `2e` for `Eeq`, `4e` for `Delta0` and `6e` for `Pi0`. To reach the last two an error of `Gamma`
+/// would have to change its sign suddenly.
 #[test]
 fn an_error_of_gamma_grows_little() {
     const ERROR: f64 = 1e-6;

@@ -188,8 +188,8 @@ fn in_units_of_the_film(quantities: &Quantities, material: &Material) -> Quantit
     }
 }
 
-/// The limits `E1*/E2* -> 0` and `-> inf` and `E0 -> inf` are approached to first order in the small
-/// ratio, over sixteen decades, and reached to rounding.
+/// The limits `E1*/E2* -> 0` and `-> inf` and `E0 -> inf` are approached to first order in the
+/// small ratio, over sixteen decades, and reached to rounding.
 #[test]
 fn the_limits_of_the_moduli_are_approached_to_first_order() {
     const TOLERANCE: f64 = 1e-12;
@@ -243,10 +243,9 @@ fn the_limits_of_the_moduli_are_approached_to_first_order() {
     }
 }
 
-/// A plate on a soft base, small contacts: the compliance of the plate as a whole adds to that of the
-/// contact. Its integral is known from the theory of plates: with
-/// `X = 1/(q^3/6 + 1/Xb)`, `Xb = 4 m g0/((1+g1)(1+g0))` the compliance of the base under an
-/// inextensible film,
+/// A plate on a soft base, small contacts: the compliance of the plate as a whole adds to that of
+/// the contact. Its integral is known from the theory of plates: with `X = 1/(q^3/6 + 1/Xb)`, `Xb =
+/// 4 m g0/((1+g1)(1+g0))` the compliance of the base under an inextensible film,
 ///
 /// ```text
 /// 2 k(0) = 2/pi int (X - 1) dq -> 2/pi (6 Xb^2)^{1/3} 2 pi/(3 sqrt3)          as m = G1/G0 -> inf

@@ -500,7 +500,8 @@ fn no_contact_of_the_domain_is_answered_wrongly_or_not_at_all() {
 }
 
 /// Moduli at the ends of double precision: an answer of finite positive numbers within the
-/// tolerance, or an error; and answers wherever neither a ratio nor a value leaves the normal numbers.
+/// tolerance, or an error; and answers wherever neither a ratio nor a value leaves the normal
+/// numbers.
 #[test]
 fn hostile_moduli_are_answered_with_finite_numbers_or_an_error() {
     const TINY: [f64; 6] = [5e-324, 1e-310, f64::MIN_POSITIVE, 1e-300, 1e-154, 1e-30];

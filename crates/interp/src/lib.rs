@@ -47,8 +47,8 @@
 //! * `Table::embedded` (feature `embedded`) is the table that comes with the crate. [`Table::read`]
 //!   (packed) and `Table::open` (HDF5, feature `hdf5`) load another one.
 //! * [`Table::curve`] makes the [`Curve`] of one [`Material`]: the quantities as functions of
-//!   `a/t`. [`Table::contact`] makes the [`Contact`] of one [`System`]. The Poisson ratios may differ
-//!   from the table's: Dundurs' equivalence is exact.
+//!   `a/t`. [`Table::contact`] makes the [`Contact`] of one [`System`]. The Poisson ratios may
+//!   differ from the table's: Dundurs' equivalence is exact.
 //! * [`Table::curve_with_gradient`] and [`Table::contact_with_gradient`] add the derivatives with
 //!   respect to every parameter: [`Curve::gradient`], [`Contact::gradient`].
 //! * [`Curve::through`] and [`Contact::new`] use quantities solved elsewhere in place of a table.

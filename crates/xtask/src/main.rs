@@ -1,9 +1,9 @@
 //! The project's own commands, run as `cargo xtask COMMAND`.
 //!
 //! They need Rust, a C compiler and python3 with pip. All else is fetched from PyPI into the target
-//! directory: cmake to build libhdf5 where no library is installed, h5py and
-//! xarray for tests (xarray needs Python 3.11), scipy for two benches. Nothing is installed on the system. The tests of the report's page run in Chromium,
-//! and are skipped, with a message, where there is none.
+//! directory: cmake to build libhdf5 where no library is installed, h5py and xarray for tests
+//! (xarray needs Python 3.11), scipy for two benches. Nothing is installed on the system. The tests
+//! of the report's page run in Chromium, and are skipped, with a message, where there is none.
 
 #![forbid(unsafe_code)]
 

@@ -43,8 +43,8 @@ pub struct Weights {
 }
 
 impl Basis {
-    /// Makes the basis of a table along an axis; `nodes` are the coordinates of the axis' nodes. Its
-    /// degree is [`TABLE_DEGREE`].
+    /// Makes the basis of a table along an axis; `nodes` are the coordinates of the axis' nodes.
+    /// Its degree is [`TABLE_DEGREE`].
     ///
     /// # Panics
     /// If `nodes` is empty.

@@ -125,8 +125,8 @@ impl Curve {
     /// # Errors
     /// [`Error::OutsideTable`] for an `a_over_t` outside the curve, NaN included;
     /// [`Error::Extrapolation`] where the expansion about the limit is not accurate enough;
-    /// [`Error::MissingQuantity`] if the table does not hold `quantity`, [`Error::BeginsTooLate`] if
-    /// it holds `gamma` alone and begins at too large an `a/t`.
+    /// [`Error::MissingQuantity`] if the table does not hold `quantity`, [`Error::BeginsTooLate`]
+    /// if it holds `gamma` alone and begins at too large an `a/t`.
     #[inline]
     pub fn quantity(&self, quantity: Quantity, a_over_t: f64) -> Result<f64, Error> {
         self.require(quantity)?;
@@ -226,8 +226,8 @@ impl Curve {
     /// relative to the quantity and per unit of `ln(a/t)`, `ln e1_over_e2` and `ln e0_over_e2`. The
     /// unit of the film's Poisson ratio is `(1 - 2 nu1) + 1/(1 + (a/t)^2)`, that of the substrate's
     /// `1/(1 + E1/E0)`: the sizes of a change that alters the contact. Measured by
-    /// `tests/contact/gradient.rs` for `e1_over_e2` from 1e-3 to 1e3 and `e0_over_e2` from 1 to 1e6:
-    /// 2.0, 1.3 and 0.4 tolerances, and 8.0 and 0.6 for the Poisson ratios.
+    /// `tests/contact/gradient.rs` for `e1_over_e2` from 1e-3 to 1e3 and `e0_over_e2` from 1 to
+    /// 1e6: 2.0, 1.3 and 0.4 tolerances, and 8.0 and 0.6 for the Poisson ratios.
     ///
     /// # Errors
     /// As [`Curve::quantity`], but [`Error::OutsideTable`] everywhere above the nodes;

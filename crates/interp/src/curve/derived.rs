@@ -49,7 +49,8 @@
 //!
 //! # Derivatives with respect to the material
 //!
-//! With `D` the derivative of `ln Gamma`, the derivatives of the three integrands, in their order, are
+//! With `D` the derivative of `ln Gamma`, the derivatives of the three integrands, in their order,
+//! are
 //!
 //! ```text
 //! 2 D (Gamma/es)^2
@@ -314,7 +315,8 @@ fn relative<S: Simd>(
     economised(simd, &quotient(simd, derivative, value))
 }
 
-/// Sorts the coefficients of the quantities, each of them on four pieces, by piece, and scales them.
+/// Sorts the coefficients of the quantities, each of them on four pieces, by piece, and scales
+/// them.
 #[inline(always)]
 fn by_piece<S: Simd, const N: usize>(
     pi0: &Series<S, N>,

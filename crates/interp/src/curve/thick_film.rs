@@ -46,8 +46,8 @@ impl ThickFilm {
     ///
     /// The error is estimated from the last one. A term `c x^5` that is left out of `es/Gamma`
     /// makes a difference of `720 c` there (`743 c` if `alpha` is large), and at the first `a/t`
-    /// errors up to `4 c`. The estimate is a fiftieth of the difference, to allow for the terms after
-    /// that one: errors are 0.17 of it at small `a/t` and 0.7 at the [`LARGEST`] (measured by
+    /// errors up to `4 c`. The estimate is a fiftieth of the difference, to allow for the terms
+    /// after that one: errors are 0.17 of it at small `a/t` and 0.7 at the [`LARGEST`] (measured by
     /// `tests/truth/derived.rs`).
     pub(crate) fn new(gamma: [f64; 3]) -> Self {
         let [first, second, third] = gamma.map(|gamma| 1.0 / gamma);

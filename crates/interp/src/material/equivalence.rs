@@ -259,8 +259,8 @@ fn shares(film: f64, substrate: f64) -> (f64, f64) {
 pub(crate) struct Equivalence {
     /// The equivalent material.
     pub(crate) equivalent: Material,
-    /// The derivatives of `ln E1/E2*`, `nu1`, `ln E0/E2*`, and of `ln E1*/Einf*` and `ln E0*/E2*` of
-    /// the equivalent (a row each), with respect to `ln e1_over_e2`, `nu1`, `ln e0_over_e2` and
+    /// The derivatives of `ln E1/E2*`, `nu1`, `ln E0/E2*`, and of `ln E1*/Einf*` and `ln E0*/E2*`
+    /// of the equivalent (a row each), with respect to `ln e1_over_e2`, `nu1`, `ln e0_over_e2` and
     /// `nu0` of the material.
     rows: [[f64; 4]; 5],
 }

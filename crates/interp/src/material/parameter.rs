@@ -45,9 +45,9 @@ impl Parameter {
     /// `E1*/Einf* (a/t)^3` is of order one.
     const E1S_END: f64 = 1e-10;
 
-    /// Where the coordinate of `E0*/E2*` ends to be logarithmic, and begins, at its inverse. Beyond,
-    /// the softer of substrate and sphere is nearly all of their compliance, also compared with
-    /// that of a film with `E1*/Einf*` up to 1e10.
+    /// Where the coordinate of `E0*/E2*` ends to be logarithmic, and begins, at its inverse.
+    /// Beyond, the softer of substrate and sphere is nearly all of their compliance, also compared
+    /// with that of a film with `E1*/Einf*` up to 1e10.
     const E0S_END: f64 = 1e-11;
 
     /// The `1 - 2 nu1` at which the coordinate of `nu1` ends to be a power: below, a film is nearly

@@ -116,8 +116,8 @@ impl Axes {
     /// the axes of [`Self::of_material`].
     ///
     /// # Errors
-    /// [`Error::Normalisation`] for a rigid sphere in a table of `e1_over_e2` for compliant spheres,
-    /// or the reverse; [`Error::OutsideTable`] if it is outside the box.
+    /// [`Error::Normalisation`] for a rigid sphere in a table of `e1_over_e2` for compliant
+    /// spheres, or the reverse; [`Error::OutsideTable`] if it is outside the box.
     pub(crate) fn locate(&self, material: &Material) -> Result<[f64; 3], Error> {
         let [film, nu1, substrate] = self.of_material();
         let [film_value, substrate_value] = if film == Parameter::E1OverE2 {

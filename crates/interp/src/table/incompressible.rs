@@ -1,15 +1,16 @@
 //! Derivatives with respect to the Poisson ratio of nearly incompressible films.
 //!
-//! With `w = 1 - 2 nu1` and `x = a/t`, the quantities change where `w` changes by about `w + u`,
-//! `u = 1/(1 + x^2)`. The coordinate `v` of `nu1`, see [`Parameter::coordinate`], must resolve the
-//! smallest `w + u` of all `x`. Where `u` is much larger, a small step of `v` changes the quantities
-//! by less than the error of the table, and the slope of the spline is that of the error. The
-//! derivative multiplies it by `(w + u) |dv/dw|`, which is 2e4 for thick incompressible films.
+//! With `w = 1 - 2 nu1` and `x = a/t`, the quantities change where `w` changes by about `w + u`, `u
+//! = 1/(1 + x^2)`. The coordinate `v` of `nu1`, see [`Parameter::coordinate`], must resolve the
+//! smallest `w + u` of all `x`. Where `u` is much larger, a small step of `v` changes the
+//! quantities by less than the error of the table, and the slope of the spline is that of the
+//! error. The derivative multiplies it by `(w + u) |dv/dw|`, which is 2e4 for thick incompressible
+//! films.
 //!
 //! There the derivative is a difference of values over distances in `w` of about `w + u` instead.
-//! Per unit of `w + u`, the largest error of the embedded table is 467 of its tolerances with slopes
-//! alone, and 8 with differences. They make a curve with derivatives of an incompressible film 2.5
-//! times as expensive.
+//! Per unit of `w + u`, the largest error of the embedded table is 467 of its tolerances with
+//! slopes alone, and 8 with differences. They make a curve with derivatives of an incompressible
+//! film 2.5 times as expensive.
 
 use std::array;
 

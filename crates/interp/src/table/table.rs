@@ -31,9 +31,9 @@ enum Content {
 impl Table {
     /// Makes a table from its parts.
     ///
-    /// `axes` holds the nodes of each of [`Parameter::ALL`] or [`Parameter::REDUCED`], in their order.
-    /// `values[quantity]` is row-major over the four axes, `a_over_t` slowest, or `None` if the
-    /// scene does not ask for the quantity.
+    /// `axes` holds the nodes of each of [`Parameter::ALL`] or [`Parameter::REDUCED`], in their
+    /// order. `values[quantity]` is row-major over the four axes, `a_over_t` slowest, or `None` if
+    /// the scene does not ask for the quantity.
     ///
     /// # Errors
     /// [`Error::Malformed`]
@@ -263,10 +263,10 @@ impl Table {
     /// degree 9 along the material axes.
     ///
     /// A material on a substrate with another Poisson ratio than the table's `nu0` is replaced by
-    /// its exact equivalent. Among [paired](crate::SubstratePoissonRatio::Paired) Poisson ratios it always
-    /// exists; with one `nu0` for the table, an
-    /// incompressible film has none for a `nu0` below the table's. A parameter may miss the box, or
-    /// a fixed value, by `1e-12` relative, which allows for rounding.
+    /// its exact equivalent. Among [paired](crate::SubstratePoissonRatio::Paired) Poisson ratios it
+    /// always exists; with one `nu0` for the table, an incompressible film has none for a `nu0`
+    /// below the table's. A parameter may miss the box, or a fixed value, by `1e-12` relative,
+    /// which allows for rounding.
     ///
     /// # Errors
     /// [`Error::Normalisation`] for a rigid sphere in a table for compliant spheres, or the

@@ -67,8 +67,8 @@ impl Tiles {
         Ok(Self { cuts, forms })
     }
 
-    /// Returns the nodes of each tile of an axis of `count` nodes, which is cut at the nodes `cuts`:
-    /// those between the cuts, and sixteen more beyond each cut.
+    /// Returns the nodes of each tile of an axis of `count` nodes, which is cut at the nodes
+    /// `cuts`: those between the cuts, and sixteen more beyond each cut.
     pub fn nodes(cuts: &[usize], count: usize) -> Vec<Range<usize>> {
         let first = |cut: &usize| cut.saturating_sub(OVERLAP);
         let end = |cut: &usize| cut.saturating_add(OVERLAP + 1).min(count);
@@ -109,8 +109,8 @@ impl Tiles {
         self.cuts.last().is_none_or(|&last| last < film) && self.forms.iter().zip(&nodes).all(fits)
     }
 
-    /// Returns the logarithms at all nodes with node `e1` of `count` nodes of the film's modulus, as
-    /// [`Table::logarithms`](crate::Table::logarithms).
+    /// Returns the logarithms at all nodes with node `e1` of `count` nodes of the film's modulus,
+    /// as [`Table::logarithms`](crate::Table::logarithms).
     pub(crate) fn logarithms(&self, e1: usize, count: usize) -> Vec<f64> {
         let tile = self.cuts.partition_point(|&cut| cut <= e1);
         let first = Self::nodes(&self.cuts, count)[tile].start;

@@ -32,8 +32,8 @@ pub struct Arguments {
         allow_negative_numbers = true
     )]
     a_over_t: Option<f64>,
-    /// Young's modulus of the film over the sphere's reduced modulus E2*, any positive number; 0: rigid
-    /// sphere
+    /// Young's modulus of the film over the sphere's reduced modulus E2*, any positive number; 0:
+    /// rigid sphere
     #[arg(
         long,
         required_unless_present = "points",
@@ -47,8 +47,8 @@ pub struct Arguments {
         allow_negative_numbers = true
     )]
     nu1: Option<f64>,
-    /// Young's modulus of the substrate over the sphere's reduced modulus E2*, any positive number; inf:
-    /// rigid substrate; under a rigid sphere E0/E1
+    /// Young's modulus of the substrate over the sphere's reduced modulus E2*, any positive number;
+    /// inf: rigid substrate; under a rigid sphere E0/E1
     #[arg(
         long,
         required_unless_present = "points",

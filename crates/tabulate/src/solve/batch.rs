@@ -1,9 +1,9 @@
 //! Many materials at one `a/t`, with the values and matrices that they share.
 //!
-//! The Bessel values of one `a/t` serve every material, and the matrices of one (`a/t`, `nu1`, `nu0`,
-//! `E0/E1`) serve every sphere. Where `E1/E2*` and `E0/E2*` are even grids with a common spacing,
-//! the ratios `E0/E1` repeat along diagonals, and a grid of `n x n` materials has only `2n - 1`
-//! pairs of matrices.
+//! The Bessel values of one `a/t` serve every material, and the matrices of one (`a/t`, `nu1`,
+//! `nu0`, `E0/E1`) serve every sphere. Where `E1/E2*` and `E0/E2*` are even grids with a common
+//! spacing, the ratios `E0/E1` repeat along diagonals, and a grid of `n x n` materials has only `2n
+//! - 1` pairs of matrices.
 
 use interp::{Material, Quantities};
 
@@ -39,7 +39,8 @@ impl Group {
 }
 
 impl Batch {
-    /// Groups `materials` by `nu1`, `nu0` and `E1/E0`. Ratios that differ by rounding count as equal.
+    /// Groups `materials` by `nu1`, `nu0` and `E1/E0`. Ratios that differ by rounding count as
+    /// equal.
     pub(crate) fn new(materials: Vec<Material>) -> Self {
         const ROUNDING: f64 = 1e-14;
         let key = |&i: &usize| {

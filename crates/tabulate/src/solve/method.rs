@@ -33,8 +33,8 @@ const GALERKIN_REACH: f64 = 300.0;
 /// some 50 ms there.
 const GALERKIN_REACH_OF_PLATES: f64 = 1000.0;
 
-/// The compliance `S(0)` of long waves, over `S(t/a)`, of a film so stiff that the Wiener-Hopf method
-/// loses digits to the motion of the contact as a whole.
+/// The compliance `S(0)` of long waves, over `S(t/a)`, of a film so stiff that the Wiener-Hopf
+/// method loses digits to the motion of the contact as a whole.
 const PLATE: f64 = 1e5;
 
 impl Method {
@@ -101,8 +101,8 @@ fn closed_form_error(symbol: &Symbol) -> f64 {
     4.0 * f64::EPSILON + 10.0 * symbol.contrast()
 }
 
-/// Returns the quantities of Hertz's contact and the flat punch: for film = substrate, and the limit
-/// under a sphere that is much softer than both.
+/// Returns the quantities of Hertz's contact and the flat punch: for film = substrate, and the
+/// limit under a sphere that is much softer than both.
 fn closed_form(symbol: &Symbol) -> Estimate {
     Estimate {
         quantities: Quantities::homogeneous(symbol.modulus()),

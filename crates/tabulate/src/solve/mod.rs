@@ -2,9 +2,9 @@
 //!
 //! `compliance` is the film on its substrate, `symbol` adds the sphere. `solution` accepts a
 //! contact within the `domain` and lets `method` choose: `galerkin` (with `quadrature`, `bessel`,
-//! `abscissae` and `operator`) for thick films, `wiener_hopf` (with `contour` and `krylov`) for thin
-//! ones. Both return an `estimate`. `batch` solves many materials at one `a/t`, `adaptive_curve` one material
-//! along `a/t`.
+//! `abscissae` and `operator`) for thick films, `wiener_hopf` (with `contour` and `krylov`) for
+//! thin ones. Both return an `estimate`. `batch` solves many materials at one `a/t`,
+//! `adaptive_curve` one material along `a/t`.
 //!
 //! # The face of the film
 //!

@@ -1,12 +1,12 @@
-//! The matrices of Galerkin's method for one film on one substrate, and the contact of a sphere with
-//! them.
+//! The matrices of Galerkin's method for one film on one substrate, and the contact of a sphere
+//! with them.
 //!
 //! # The motion of the contact as a whole
 //!
 //! A stiff film on a soft base yields to long waves without bending within the contact: `M_00` is
-//! larger than all other elements by up to `(E1/E0)^{2/3}`, and the two terms of `Gamma^2` cancel to
-//! as many digits. The first mode is therefore eliminated by hand. In units of `es`, with
-//! `f = es/e1`, the first column `m` of `M` and `c` of `C` and the remaining blocks `M'` and `C'`,
+//! larger than all other elements by up to `(E1/E0)^{2/3}`, and the two terms of `Gamma^2` cancel
+//! to as many digits. The first mode is therefore eliminated by hand. In units of `es`, with `f =
+//! es/e1`, the first column `m` of `M` and `c` of `C` and the remaining blocks `M'` and `C'`,
 //!
 //! ```text
 //! B = I + f M',      h = B^-1 f m,      w = B^-1 (2/(3 sqrt5), 0, ...),      k = 1/3 - h.(2/(3 sqrt5), 0, ...)
@@ -17,7 +17,8 @@
 //! ```
 //!
 //! Long waves enter the softness only: in `M_00 + C_00 = (2/pi) int (q (X-1))' J_0^2 dz` they are
-//! integrated by parts ([`LongWaves`](crate::solve::abscissae::LongWaves)). Each term is then accurate for every contrast of the moduli.
+//! integrated by parts ([`LongWaves`](crate::solve::abscissae::LongWaves)). Each term is then
+//! accurate for every contrast of the moduli.
 
 use std::borrow::Borrow;
 
@@ -130,8 +131,8 @@ impl Operator {
         operator
     }
 
-    /// Solves the contact of one sphere with the film and substrate of this operator. `symbol` holds
-    /// all three bodies.
+    /// Solves the contact of one sphere with the film and substrate of this operator. `symbol`
+    /// holds all three bodies.
     ///
     /// Returns `None` where the matrix is not positive definite, by rounding, or `Gamma^2` is not
     /// positive, by too few modes.
@@ -308,9 +309,9 @@ const TRUNCATION_SAFETY: f64 = 20.0;
 /// The rounding error of the assembled matrices, for a film that is not stiffer than its substrate.
 const ROUNDING: f64 = 12.0 * f64::EPSILON;
 
-/// Estimates the errors of the quadrature in `q`, for `M` and for `M + C`, from how fast the Legendre coefficients of `q X'`
-/// fall on each panel. Those of `X - 1` are smaller, as differentiation multiplies them with their
-/// degree.
+/// Estimates the errors of the quadrature in `q`, for `M` and for `M + C`, from how fast the
+/// Legendre coefficients of `q X'` fall on each panel. Those of `X - 1` are smaller, as
+/// differentiation multiplies them with their degree.
 ///
 /// An `n`-point rule misses an integrand's coefficients from degree `2n` on. They are extrapolated
 /// geometrically from the largest of the last four coefficients, which the panel's own values give.

@@ -32,12 +32,12 @@ pub struct Solution {
 /// # Ok(()) }
 /// ```
 ///
-/// Every material is accepted whose ratios of moduli are numbers, with `a_over_t` in [`A_OVER_T`](crate::solve::A_OVER_T) and `tolerance`
-/// in [`TOLERANCE`](crate::solve::TOLERANCE).
+/// Every material is accepted whose ratios of moduli are numbers, with `a_over_t` in
+/// [`A_OVER_T`](crate::solve::A_OVER_T) and `tolerance` in [`TOLERANCE`](crate::solve::TOLERANCE).
 ///
 /// # Errors
-/// [`Error::Domain`] for an `a_over_t`, a `tolerance` or a ratio of moduli outside the domain; [`Error::NotConverged`]
-/// where double precision does not allow the tolerance.
+/// [`Error::Domain`] for an `a_over_t`, a `tolerance` or a ratio of moduli outside the domain;
+/// [`Error::NotConverged`] where double precision does not allow the tolerance.
 pub fn solve(a_over_t: f64, material: &Material, tolerance: f64) -> Result<Solution, Error> {
     domain::check(a_over_t, material, tolerance)?;
     let symbol = Symbol::new(material);

@@ -7,8 +7,8 @@
 //!
 //! `S(inf) = 1` and `S(0) = es/einf`. The shares of sphere and film depend on `A` alone and neither
 //! overflow nor cancel for any `A` from 0 (a rigid sphere) to infinity. All quantities but `Delta0`
-//! are proportional to `es`, which multiplies them last. Like `X`, `S` is a function of `|q|` on the
-//! real line and is continued from the right into `Re q >= 0`.
+//! are proportional to `es`, which multiplies them last. Like `X`, `S` is a function of `|q|` on
+//! the real line and is continued from the right into `Re q >= 0`.
 
 use interp::Material;
 

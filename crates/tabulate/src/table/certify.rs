@@ -245,8 +245,8 @@ pub fn sample(table: &Table, point: [f64; 4]) -> Result<Sample, Error> {
     })
 }
 
-/// Returns the errors of the four [identities](Certificate::identity_errors) on a curve, relative to
-/// the sizes of their terms; none where the curve does not answer a quantity of the identity.
+/// Returns the errors of the four [identities](Certificate::identity_errors) on a curve, relative
+/// to the sizes of their terms; none where the curve does not answer a quantity of the identity.
 fn identity_errors(curve: &Curve, a_over_t: f64) -> [Option<f64>; 4] {
     if curve.range()[0] == curve.range()[1] {
         // A single a/t has no slope.
@@ -254,9 +254,9 @@ fn identity_errors(curve: &Curve, a_over_t: f64) -> [Option<f64>; 4] {
     }
     let value = |quantity| curve.quantity(quantity, a_over_t).ok();
     let (eeq, gamma) = (value(Quantity::Eeq), value(Quantity::Gamma));
-    // `n Q + x Q'`, the derivative of `x^n Q` over `x^(n-1)`, and the sum of the sizes of its terms.
-    // Where a film much stiffer than its substrate moves as a whole, `x Eeq` hardly changes and the
-    // sum is far smaller than its terms.
+    // `n Q + x Q'`, the derivative of `x^n Q` over `x^(n-1)`, and the sum of the sizes of its
+    // terms. Where a film much stiffer than its substrate moves as a whole, `x Eeq` hardly changes
+    // and the sum is far smaller than its terms.
     let rate = |n: f64, quantity| {
         let (value, slope) = (n * value(quantity)?, curve.slope(quantity, a_over_t).ok()?);
         Some([value + slope, value.abs() + slope.abs()])
