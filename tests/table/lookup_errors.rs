@@ -443,3 +443,23 @@ fn the_program_names_the_point_the_axis_and_the_range() {
     assert_eq!(message.matches("the cause: nu1 = ").count(), 1, "{message}");
     assert_eq!(message.matches("is not physical").count(), 1, "{message}");
 }
+
+/// The only systems that the embedded table refuses. The value is that of the user's own moduli,
+/// though the table's substrates have other Poisson ratios.
+#[test]
+fn a_film_too_stiff_for_the_embedded_table_is_refused_by_its_modulus() {
+    let (e1, nu1, e0, nu0) = (1e12, 0.3, 1.0, 0.2);
+    let own = material([e1, nu1, e0, nu0]);
+    let film = e1 / (1.0 - nu1 * nu1);
+    let ratio = film + film * (1.0 - nu0 * nu0) / e0;
+    let error = Table::embedded().curve(&own).expect_err("too stiff");
+    let Error::OutsideTable {
+        axis, value, to, ..
+    } = error
+    else {
+        panic!("{error}");
+    };
+    assert_eq!(axis, "e1s_over_einfs");
+    assert!((value / ratio - 1.0).abs() < 1e-14 && to == 1e10, "{error}");
+    assert_names(&error.to_string(), &[axis, "10000000000", "tabulate solve"]);
+}
