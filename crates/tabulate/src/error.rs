@@ -5,6 +5,8 @@ use std::path::PathBuf;
 
 use interp::Material;
 
+use crate::printable;
+
 /// Any failure of the solve, of a scene, or of a file.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
@@ -98,7 +100,7 @@ pub enum Error {
         own: f64,
     },
     /// A scene with a wrong key or value.
-    #[error("{}: {what}", path.display())]
+    #[error("{}: {what}", printable::path(path))]
     Scene {
         /// The scene file.
         path: PathBuf,
@@ -120,13 +122,19 @@ pub enum Error {
         most: usize,
     },
     /// A table that another process is making.
-    #[error("{} is being made by another process; wait for it, or choose another output", path.display())]
+    #[error(
+        "{} is being made by another process; wait for it, or choose another output",
+        printable::path(path)
+    )]
     Busy {
         /// The table.
         path: PathBuf,
     },
     /// Finished pieces that belong to another generation than the one to be resumed.
-    #[error("cannot resume: {} was begun {what}; without --resume everything begins anew", journal.display())]
+    #[error(
+        "cannot resume: {} was begun {what}; without --resume everything begins anew",
+        printable::path(journal)
+    )]
     OtherRun {
         /// The journal of the pieces.
         journal: PathBuf,
@@ -152,7 +160,7 @@ pub enum Error {
         spent: String,
     },
     /// A file that cannot be read.
-    #[error("cannot read {}", path.display())]
+    #[error("cannot read {}", printable::path(path))]
     Read {
         /// The file.
         path: PathBuf,
@@ -160,7 +168,7 @@ pub enum Error {
         source: io::Error,
     },
     /// A file that cannot be written.
-    #[error("cannot write {}", path.display())]
+    #[error("cannot write {}", printable::path(path))]
     Write {
         /// The file.
         path: PathBuf,

@@ -30,9 +30,11 @@
 pub mod cli;
 pub mod cost;
 mod error;
+mod input;
 mod output;
 mod parallel;
 pub mod plot;
+mod printable;
 pub mod report;
 pub mod solve;
 pub mod table;

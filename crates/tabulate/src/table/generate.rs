@@ -14,7 +14,7 @@ use crate::solve::larger;
 use crate::table::archive;
 use crate::table::budget::Budget;
 use crate::table::certify::{Sample, certificate, measure, sample};
-use crate::table::journal::{Header, Journal, beside};
+use crate::table::journal::{Header, Journal};
 use crate::table::plan::Plan;
 use crate::table::scene::Scene;
 use crate::table::sweep::Sweep;
@@ -60,10 +60,6 @@ pub struct Generated {
     pub solved: Duration,
 }
 
-/// The ending of the table until it is complete. It is shorter than that of the journal, so that a
-/// name is refused as too long when the journal is opened, before any solving.
-const UNFINISHED: &str = "partial";
-
 /// The largest number of refinements. More of them would not help.
 const MOST_ROUNDS: usize = 5;
 
@@ -107,6 +103,9 @@ pub fn generate(
     // Two links to one file are one output. A file cannot be renamed from one disk to another.
     let path = &output::behind_links(path)?;
     archive::check(path)?;
+    for removed in output::tidy(path) {
+        observer.note(&output::removed(&removed));
+    }
     let mut journal = Journal::open(path)?;
     let outcome = run(scene, path, options, observer, &mut journal);
     match &outcome {
@@ -178,7 +177,7 @@ fn run(
             }
             None => {
                 table.set_certificate(certificate);
-                archive::write_through(&table, path, &beside(path, UNFINISHED))?;
+                archive::write(&table, path)?;
                 return Ok(Generated {
                     table,
                     refined,

@@ -4,6 +4,7 @@
 //! cost.
 
 use std::fmt;
+use std::io::Read;
 use std::path::Path;
 
 use interp::{Material, Parameter, Quantity, SubstratePoissonRatio};
@@ -12,8 +13,8 @@ use rand_pcg::Pcg64Mcg;
 use serde::de::{Error as _, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer};
 
-use crate::Error;
 use crate::solve::A_OVER_T;
+use crate::{Error, input};
 
 /// The keys of a scene, before they are checked.
 #[derive(Clone, Debug, Deserialize)]
@@ -171,6 +172,8 @@ pub const DEFAULT_NU0: f64 = 0.25;
 pub(crate) const TOLERANCE: [f64; 2] = [1e-10, 1e-1];
 /// The ratios of moduli of a table, besides 0 and infinity.
 const MODULI: [f64; 2] = [1e-30, 1e30];
+/// The largest number of bytes of a scene file. A larger one is taken for a mistake.
+const LONGEST: u64 = 1 << 20;
 /// The largest number of nodes on an axis. A larger one is taken for a mistake.
 pub(crate) const MOST_NODES: usize = 10_000;
 
@@ -181,10 +184,13 @@ impl Scene {
     /// [`Error::Read`] if the file cannot be read; [`Error::Scene`] with file, key, value and
     /// range.
     pub fn read(path: &Path, tolerance: Option<f64>) -> Result<Self, Error> {
-        let text = std::fs::read_to_string(path).map_err(|source| Error::Read {
-            path: path.to_owned(),
-            source,
-        })?;
+        let mut text = String::new();
+        input::open(path, LONGEST)
+            .and_then(|(mut file, _)| file.read_to_string(&mut text))
+            .map_err(|source| Error::Read {
+                path: path.to_owned(),
+                source,
+            })?;
         Self::parse(&text, tolerance).map_err(|what| Error::Scene {
             path: path.to_owned(),
             what,

@@ -16,10 +16,11 @@ pub use self::effects::of_default as measure_effects;
 pub use self::lookup::of_default as measure_lookup;
 pub use self::solve::of_default as measure_solve;
 pub use self::table::of_default as measure_table;
-use super::{note, write_text};
+use super::output::Output;
+use super::{note, print};
 use crate::cost::clock::Timing;
 use crate::cost::{Measured, compare, read_csv, to_csv};
-use crate::output;
+use crate::printable;
 
 /// Measure the cost of accuracy in time and memory
 ///
@@ -80,7 +81,10 @@ impl Rows {
         measure: impl FnOnce(Timing) -> anyhow::Result<Measured<R>>,
         markdown: fn(&[R]) -> String,
     ) -> anyhow::Result<()> {
-        output::check(self.output.as_deref(), input)?;
+        let output = Output::new(
+            self.output.as_deref(),
+            [input, self.data.as_deref(), self.compare.as_deref()],
+        )?;
         let before = self
             .compare
             .as_ref()
@@ -91,23 +95,23 @@ impl Rows {
             None => measure(self.timing())?,
         };
         if self.output.is_some() {
-            write_text(self.output.as_deref(), &to_csv(&rows))?;
+            output.write(&to_csv(&rows))?;
         }
         let mut summary = markdown(&rows);
         for sentence in &left_out {
             summary += &format!("{sentence}\n");
         }
-        write_text(None, summary.as_bytes())?;
+        print(printable::lines(&summary).as_bytes())?;
         report_left_out(&left_out);
         let Some((path, before)) = before else {
             return Ok(());
         };
-        compare(&before, &rows).with_context(|| path.display().to_string())?;
+        compare(&before, &rows).with_context(|| printable::path(path))?;
         let fewer = before.len() - rows.len();
         if fewer > 0 {
             note(&format!(
                 "{}: the last {fewer} of its {} rows are not compared",
-                path.display(),
+                printable::path(path),
                 before.len()
             ));
         }
