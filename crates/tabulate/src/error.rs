@@ -153,6 +153,21 @@ pub enum Error {
         /// The table's tolerance.
         tolerance: f64,
     },
+    /// Nodes that are too close to each other for splines.
+    #[error(
+        "{axis} has {nodes} nodes from {from:?} to {to:?}, which are too close to each other for splines; ask for a \
+         wider range, fewer nodes or one number"
+    )]
+    TooClose {
+        /// The parameter.
+        axis: &'static str,
+        /// The number of its nodes.
+        nodes: usize,
+        /// The first node.
+        from: f64,
+        /// The last node.
+        to: f64,
+    },
     /// A budget that is spent before the work is done.
     #[error("the budget is spent {spent}")]
     Budget {

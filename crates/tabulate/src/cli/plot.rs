@@ -3,7 +3,6 @@
 use std::path::{Path, PathBuf};
 
 use clap::{Args, Subcommand, ValueHint};
-use serde::de::DeserializeOwned;
 
 use super::cost;
 use super::default_table;
@@ -11,7 +10,7 @@ use super::output::Output;
 use super::progress::progress_bar;
 use super::table_name::{self, TableName};
 use crate::Error;
-use crate::cost::read_csv;
+use crate::cost::{Measurement, read_csv};
 use crate::plot::chart;
 use crate::plot::picture::Format;
 use crate::plot::{
@@ -117,7 +116,7 @@ struct Rows {
 
 impl Rows {
     /// Reads the rows, or measures them without a file.
-    fn get<R: DeserializeOwned>(
+    fn get<R: Measurement>(
         &self,
         measure: impl FnOnce() -> anyhow::Result<Vec<R>>,
     ) -> anyhow::Result<Vec<R>> {

@@ -7,16 +7,17 @@
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-use interp::{Certificate, Description, Parameter, Table};
+use interp::{Certificate, Parameter, Table};
 
 use crate::parallel::try_map;
 use crate::solve::larger;
 use crate::table::archive;
 use crate::table::budget::Budget;
+use crate::table::build;
 use crate::table::certify::{Sample, certificate, measure, sample};
 use crate::table::journal::{Header, Journal};
 use crate::table::plan::Plan;
-use crate::table::scene::Scene;
+use crate::table::scene::{Scene, created_by};
 use crate::table::sweep::Sweep;
 use crate::{Error, output};
 
@@ -154,7 +155,11 @@ fn run(
         } else {
             match plan.refined(factors(&table, samples)?, scene) {
                 // This table is better than none.
-                Err(error @ (Error::TooLarge { .. } | Error::Unresolved { .. })) => {
+                Err(
+                    error @ (Error::TooLarge { .. }
+                    | Error::TooClose { .. }
+                    | Error::Unresolved { .. }),
+                ) => {
                     observer.note(&error.to_string());
                     None
                 }
@@ -232,7 +237,7 @@ fn table(
     for piece in 0..sweep.pieces() {
         sweep.place(&mut values, piece, &journal.values(piece, sweep.values())?);
     }
-    Ok(Table::new(description(scene), axes.clone(), values)?)
+    Ok(Table::new(scene.description(), axes.clone(), values)?)
 }
 
 /// Solves the pieces that the journal does not hold yet.
@@ -304,6 +309,7 @@ fn factors(table: &Table, mut samples: Vec<Sample>) -> Result<[f64; 4], Error> {
 fn header(scene: &Scene, round: usize, plan: &Plan, options: &Options<'_>) -> Header {
     Header {
         created_by: created_by(),
+        build: build::name(),
         scene: scene.text.clone(),
         tolerance: scene.tolerance,
         certificate_points: options.certificate_points,
@@ -323,6 +329,12 @@ fn same_run(
 ) -> Result<(), Error> {
     let what = if header.created_by != created_by() {
         format!("by {}, and this is {}", header.created_by, created_by())
+    } else if header.build != build::name() {
+        format!(
+            "by another build or on another processor, {}, and this is {}, whose last digits may differ",
+            header.build,
+            build::name()
+        )
     } else if header.tolerance != scene.tolerance {
         format!(
             "with tolerance = {:?}, and this is {:?}",
@@ -348,20 +360,4 @@ fn same_run(
         journal: Journal::path(path),
         what,
     })
-}
-
-fn created_by() -> String {
-    format!("tabulate {}", env!("CARGO_PKG_VERSION"))
-}
-
-/// Returns the description of a table before its certificate is measured.
-fn description(scene: &Scene) -> Description {
-    Description {
-        title: scene.title.clone(),
-        scene: scene.text.clone(),
-        nu0: scene.nu0,
-        tolerance: scene.tolerance,
-        created_by: created_by(),
-        certificate: Certificate::UNMEASURED,
-    }
 }

@@ -7,7 +7,7 @@ use std::fmt;
 use std::io::Read;
 use std::path::Path;
 
-use interp::{Material, Parameter, Quantity, SubstratePoissonRatio};
+use interp::{Certificate, Description, Material, Parameter, Quantity, SubstratePoissonRatio};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 use serde::de::{Error as _, MapAccess, Visitor};
@@ -203,6 +203,9 @@ impl Scene {
     /// A sentence with key, value and range.
     pub fn parse(text: &str, tolerance: Option<f64>) -> Result<Self, String> {
         let scene: Text = toml::from_str(text).map_err(|error| explained(text, &error))?;
+        if scene.title.contains('\0') {
+            return Err("title holds the character U+0000, which HDF5 cannot store".into());
+        }
         let tolerance = tolerance.unwrap_or(scene.tolerance);
         within("tolerance", tolerance, TOLERANCE)?;
         let mut quantities = scene.quantities;
@@ -267,6 +270,18 @@ impl Scene {
             .count()
     }
 
+    /// Returns the description of the scene's table before its certificate is measured.
+    pub(crate) fn description(&self) -> Description {
+        Description {
+            title: self.title.clone(),
+            scene: self.text.clone(),
+            nu0: self.nu0,
+            tolerance: self.tolerance,
+            created_by: created_by(),
+            certificate: Certificate::UNMEASURED,
+        }
+    }
+
     /// Returns `count` random points of the box, evenly distributed in the axes' coordinates.
     pub fn random_points(&self, count: usize, seed: u64) -> Vec<[f64; 4]> {
         let ends = self.extents.each_ref().map(Extent::ends);
@@ -280,6 +295,11 @@ impl Scene {
     pub fn material(&self, values: [f64; 3]) -> Result<Material, Error> {
         material(self.parameters, self.nu0, values)
     }
+}
+
+/// Returns the name and the version of the program.
+pub(crate) fn created_by() -> String {
+    format!("tabulate {}", env!("CARGO_PKG_VERSION"))
 }
 
 /// Returns the material with these values of the second to fourth parameter of a scene or table.

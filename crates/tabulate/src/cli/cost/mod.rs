@@ -9,8 +9,6 @@ use std::path::{Path, PathBuf};
 
 use anyhow::Context;
 use clap::Subcommand;
-use serde::Serialize;
-use serde::de::DeserializeOwned;
 
 pub use self::effects::of_default as measure_effects;
 pub use self::lookup::of_default as measure_lookup;
@@ -19,7 +17,7 @@ pub use self::table::of_default as measure_table;
 use super::output::Output;
 use super::{note, print};
 use crate::cost::clock::Timing;
-use crate::cost::{Measured, compare, read_csv, to_csv};
+use crate::cost::{Measured, Measurement, compare, read_csv, to_csv};
 use crate::printable;
 
 /// Measure the cost of accuracy in time and memory
@@ -75,7 +73,7 @@ impl Rows {
     /// Gets the rows, writes and compares them if that is asked for, and prints their summary. What
     /// is left out is named in the summary and on standard error. `input` is a file that the output
     /// must not replace.
-    fn report<R: Serialize + DeserializeOwned>(
+    fn report<R: Measurement>(
         &self,
         input: Option<&Path>,
         measure: impl FnOnce(Timing) -> anyhow::Result<Measured<R>>,

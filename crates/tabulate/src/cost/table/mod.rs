@@ -23,6 +23,7 @@ pub use self::summary::markdown;
 use super::Measured;
 use super::clock::Timing;
 use crate::Error;
+use crate::cost::rows::{COUNT, ERROR, Measurement, TIME, TOLERANCE};
 use crate::table::{Observer, Scene};
 
 /// One table of a scene, and direct solves beside it. Times of single evaluations are means over
@@ -72,6 +73,25 @@ pub struct Row {
     /// [`break_even`] if each evaluation is a further point of a material whose curve has been
     /// looked up.
     pub break_even_along: f64,
+}
+
+impl Measurement for Row {
+    const RANGES: &'static [(&'static str, [f64; 2])] = &[
+        ("tolerance", TOLERANCE),
+        ("solves", COUNT),
+        ("threads", [1.0, 1e6]),
+        ("seconds", TIME),
+        ("dense_bytes", COUNT),
+        ("dense_error", ERROR),
+        ("pack_seconds", TIME),
+        ("packed_bytes", COUNT),
+        ("packed_error", ERROR),
+        ("solve_seconds", TIME),
+        ("curve_seconds", TIME),
+        ("point_seconds", TIME),
+        ("break_even_alone", [0.0, f64::INFINITY]),
+        ("break_even_along", [0.0, f64::INFINITY]),
+    ];
 }
 
 impl Row {
