@@ -29,16 +29,31 @@ fn workdir() -> Workdir {
 /// Commands up to their output, and the inputs of each.
 const COMMANDS: [(&[&str], &[&str]); 15] = [
     (&["solve", "--points", "points"], &["points"]),
-    (&["query", "table", "--points", "points"], &["points", "table"]),
+    (
+        &["query", "table", "--points", "points"],
+        &["points", "table"],
+    ),
     (&["curve", "table"], &["table"]),
     (&["generate", "scene"], &["scene"]),
     (&["report", "table"], &["table"]),
     (&["pack", "table"], &["table"]),
     (&["unpack", "table"], &["table"]),
-    (&["plot", "table-cost", "--data", "table.svg"], &["table.svg"]),
-    (&["plot", "effects", "--data", "effects.svg"], &["effects.svg"]),
-    (&["plot", "lookup-cost", "--data", "lookup.svg"], &["lookup.svg"]),
-    (&["plot", "work-precision", "--data", "solve.svg"], &["solve.svg"]),
+    (
+        &["plot", "table-cost", "--data", "table.svg"],
+        &["table.svg"],
+    ),
+    (
+        &["plot", "effects", "--data", "effects.svg"],
+        &["effects.svg"],
+    ),
+    (
+        &["plot", "lookup-cost", "--data", "lookup.svg"],
+        &["lookup.svg"],
+    ),
+    (
+        &["plot", "work-precision", "--data", "solve.svg"],
+        &["solve.svg"],
+    ),
     (&["cost", "table", "scene"], &["scene"]),
     (&["cost", "effects", "scene"], &["scene"]),
     (&["cost", "lookup", "table"], &["table"]),
@@ -126,7 +141,10 @@ fn what_killed_processes_leave_is_named_and_removed_by_the_next_run() {
     let rows = "1,1.5,0.5,inf\n".repeat(300);
     workdir.write("points", format!("{}{rows}", POINTS));
     // Not those of another output, and nothing but files.
-    let foreign = [".other.csv.unfinished-abcdef.lock", ".out.csv.unfinished-folder.lock"];
+    let foreign = [
+        ".other.csv.unfinished-abcdef.lock",
+        ".out.csv.unfinished-folder.lock",
+    ];
     workdir.write(foreign[0], "");
     fs::create_dir(workdir.path(foreign[1])).expect("a new folder");
     for command in ["solve", "query table"] {
@@ -197,7 +215,10 @@ fn a_pipe_is_no_table_and_says_so() {
         &["info", "/dev/null"],
         &["info", "."],
     ] {
-        assert_names(&workdir.fail(1, command), &["is not a file", "to a file first"]);
+        assert_names(
+            &workdir.fail(1, command),
+            &["is not a file", "to a file first"],
+        );
     }
     let run = workdir.script("\"$0\" info /dev/stdin < table; cat table | \"$0\" info /dev/stdin");
     assert_eq!(run.status, 1, "{run:?}");

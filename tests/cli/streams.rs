@@ -87,17 +87,34 @@ fn memory_does_not_grow_with_the_number_of_points() {
     const COUNT: usize = 1_000_000;
     let workdir = workdir!();
     let table = paper_table();
-    workdir.write("points.csv", HEADER.to_owned() + &"1,1,0.5,1\n".repeat(COUNT));
+    workdir.write(
+        "points.csv",
+        HEADER.to_owned() + &"1,1,0.5,1\n".repeat(COUNT),
+    );
     // Film and substrate are equal, and solved in closed form.
     within_memory(&workdir, "solve --points points.csv");
     assert_eq!(
-        workdir.read("out.csv").iter().filter(|b| **b == b'\n').count(),
+        workdir
+            .read("out.csv")
+            .iter()
+            .filter(|b| **b == b'\n')
+            .count(),
         COUNT + 1
     );
-    workdir.write("points.csv", HEADER.to_owned() + &"1,1.75,0.5,1e5\n".repeat(COUNT / 4));
-    within_memory(&workdir, &format!("query {table} --points points.csv --gradient"));
+    workdir.write(
+        "points.csv",
+        HEADER.to_owned() + &"1,1.75,0.5,1e5\n".repeat(COUNT / 4),
+    );
+    within_memory(
+        &workdir,
+        &format!("query {table} --points points.csv --gradient"),
+    );
     assert_eq!(
-        workdir.read("out.csv").iter().filter(|b| **b == b'\n').count(),
+        workdir
+            .read("out.csv")
+            .iter()
+            .filter(|b| **b == b'\n')
+            .count(),
         COUNT / 4 + 1
     );
 }

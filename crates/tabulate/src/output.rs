@@ -22,10 +22,10 @@ use crate::{Error, printable};
 pub fn check(path: &Path, inputs: &[&Path]) -> Result<(), Error> {
     let attempt = || {
         let target = target(path)?;
-        if inputs
-            .iter()
-            .any(|input| is_same_file(input, &target).unwrap_or(false))
-        {
+        // Comparing opens both, and opening a pipe may block.
+        let is_target =
+            |input: &&Path| input.is_file() && is_same_file(input, &target).unwrap_or(false);
+        if inputs.iter().any(is_target) {
             return Err(io::Error::other(
                 "it is the input, which no command overwrites; choose another name",
             ));
