@@ -89,7 +89,7 @@ fn memory_does_not_grow_with_the_number_of_points() {
     let table = paper_table();
     workdir.write(
         "points.csv",
-        HEADER.to_owned() + &"1,1,0.5,1\n".repeat(COUNT),
+        HEADER.to_owned() + &"1,1,0.25,1\n".repeat(COUNT),
     );
     // Film and substrate are equal, and solved in closed form.
     within_memory(&workdir, "solve --points points.csv");

@@ -30,6 +30,8 @@
 pub mod cli;
 pub mod cost;
 mod error;
+#[cfg(test)]
+mod hostile;
 mod input;
 mod output;
 mod parallel;

@@ -339,6 +339,7 @@ fn beside(path: &Path, ending: &str) -> PathBuf {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::hostile::each_damaged;
     use crate::table::scene::Scene;
 
     #[test]
@@ -369,12 +370,75 @@ mod tests {
         }
     }
 
-    fn header() -> Header {
-        let scene = Scene::parse(
-            "title = 'x'\na_over_t = 1\ne1_over_e2 = 1\nnu1 = 0.5\ne0_over_e2 = inf\n",
+    /// Any bytes give an error, or pieces that are there. The records of every second case have
+    /// sound checksums.
+    #[test]
+    fn a_damaged_journal_is_read_or_refused() {
+        const WORDS: [&str; 8] = [
+            "\0\0\0\0\0\0\0\0",
+            "COATJRN\n",
+            "nodes = 1",
+            "nodes = 9223372036854775807",
+            "from = nan",
+            "evenness = -1.0",
+            "round = 7",
+            "\n",
+        ];
+        let folder = tempfile::tempdir().expect("a temporary folder");
+        let table = folder.path().join("table.h5");
+        let mut journal = Journal::open(&table).expect("a new journal");
+        journal.begin(header()).expect("written");
+        for piece in 0..3 {
+            journal.add(piece, &[1.0, 2.0]).expect("written");
+        }
+        let path = Journal::path(&table);
+        let sound = fs::read(&path).expect("there");
+        let text = toml::to_string(&header()).expect("TOML");
+        drop(journal);
+        let scene = scene();
+        let (mut refused, mut fits, mut held) = (0, 0, 0);
+        let mut read = |bytes: &[u8]| {
+            fs::write(&path, bytes).expect("written");
+            let Ok(mut journal) = Journal::open(&table) else {
+                refused += 1;
+                return;
+            };
+            if let Some(header) = journal.header() {
+                fits += usize::from(header.plan.fits(&scene));
+            }
+            assert!(journal.finished() * (PREFIX + 1) < bytes.len());
+            journal.keep(3, 2);
+            for piece in 0..4 {
+                let values = journal.values(piece, 2);
+                assert_eq!(values.is_ok(), journal.holds(piece));
+                held += usize::from(values.is_ok_and(|values| values == [1.0, 2.0]));
+            }
+        };
+        each_damaged(&sound, &WORDS, 1, |_, bytes| read(bytes));
+        let start = MAGIC.len() + PREFIX + text.len();
+        each_damaged(text.as_bytes(), &WORDS, 2, |_, header| {
+            let mut bytes = [&MAGIC[..], &HEADER.to_le_bytes()].concat();
+            bytes.extend((header.len() as u64).to_le_bytes());
+            bytes.extend(crc32fast::hash(header).to_le_bytes());
+            bytes.extend(header);
+            bytes.extend(&sound[start..]);
+            read(&bytes);
+        });
+        println!("{refused} refused, {fits} plans fit, {held} pieces held");
+        assert!(fits > 0 && held > 0);
+    }
+
+    fn scene() -> Scene {
+        Scene::parse(
+            "title = 'x'\na_over_t = { from = 1, to = 2, nodes = 3 }\ne1_over_e2 = 1\nnu1 = 0.5\n\
+             e0_over_e2 = inf\nquantities = ['pi0', 'eeq']\n",
             None,
         )
-        .expect("a sound scene");
+        .expect("a sound scene")
+    }
+
+    fn header() -> Header {
+        let scene = scene();
         Header {
             created_by: String::new(),
             build: String::new(),
@@ -382,7 +446,7 @@ mod tests {
             certificate_points: 1,
             seed: 1,
             round: 0,
-            plan: Plan::new(&scene).expect("one node"),
+            plan: Plan::new(&scene).expect("stated nodes"),
             scene: scene.text,
         }
     }

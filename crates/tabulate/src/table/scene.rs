@@ -431,3 +431,62 @@ fn within(key: &str, value: f64, [from, to]: [f64; 2]) -> Result<(), String> {
         Err(format!("{key} = {value:?} is outside {from:e} to {to:e}"))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::hostile::each_damaged;
+    use crate::table::Plan;
+
+    #[test]
+    fn a_damaged_scene_is_refused_or_sound() {
+        const SOUND: &str = "title = \"x\"\ntolerance = 1e-2\nquantities = [\"pi0\", \"eeq\"]\n\
+             a_over_t = { from = 1e-1, to = 10, nodes = 5 }\ne1_over_e2 = { from = 0.3, to = 3, nodes = 4 }\n\
+             nu1 = 0.5\ne0_over_e2 = { from = 10, to = 100, nodes_per_decade = 3 }\nnu0 = 0.25\n";
+        const WORDS: [&str; 20] = [
+            "nan",
+            "inf",
+            "-inf",
+            "-",
+            "0",
+            "1e-30",
+            "1e308",
+            "9223372036854775807",
+            "\"paired\"",
+            "e1s_over_einfs",
+            "e0s_over_e2s",
+            "[",
+            "]]",
+            "{",
+            "\"",
+            "\\u0000",
+            "\u{1b}",
+            "\n",
+            "nodes = 10000",
+            "1.0000000001",
+        ];
+        let (mut refused, mut accepted, mut planned) = (0, 0, 0);
+        each_damaged(SOUND.as_bytes(), &WORDS, 3, |_, bytes| {
+            let Ok(text) = std::str::from_utf8(bytes) else {
+                return;
+            };
+            let Ok(scene) = Scene::parse(text, None) else {
+                refused += 1;
+                return;
+            };
+            accepted += 1;
+            assert!(TOLERANCE[0] <= scene.tolerance && scene.tolerance <= TOLERANCE[1]);
+            for point in scene.random_points(2, 1) {
+                let [_, values @ ..] = point;
+                assert!(scene.material(values).is_ok(), "{text}");
+            }
+            // Planning a range takes solves; stated nodes need none.
+            let is_stated = |extent: &Extent| !matches!(extent, Extent::Range { .. });
+            if scene.extents.iter().all(is_stated) && scene.title.len() % 8 == 1 {
+                planned += usize::from(Plan::new(&scene).is_ok());
+            }
+        });
+        println!("{refused} refused, {accepted} accepted, {planned} planned");
+        assert!(refused > 0 && planned > 0);
+    }
+}
