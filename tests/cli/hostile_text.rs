@@ -64,6 +64,10 @@ fn titles_are_shown_escaped() {
         let forged = |line: &&str| line.starts_with("certified error");
         assert_eq!(text.lines().filter(forged).count(), 1, "{text}");
     }
+    workdir.succeed(&["report", "x.h5", "-o", "x.html"]);
+    let page = String::from_utf8(workdir.read("x.html")).expect("UTF-8");
+    assert_harmless(&page);
+    assert_names(&page, &[&format!("<title>{SHOWN}</title>")]);
     let json = workdir.succeed(&["info", "x.h5", "--json"]);
     assert_harmless(&json);
     assert_eq!(json.lines().count(), 1);

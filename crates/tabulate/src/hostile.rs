@@ -16,7 +16,7 @@ pub fn each_damaged(sound: &[u8], words: &[&str], seed: u64, mut read: impl FnMu
     let mut random = Pcg64Mcg::seed_from_u64(seed);
     for case in 0..cases {
         let mut bytes = sound.to_vec();
-        for _ in 0..random.random_range(1..5) {
+        for _ in 0..random.random_range(1..4) {
             damage(&mut bytes, words, &mut random);
         }
         read(case, &bytes);

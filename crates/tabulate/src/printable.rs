@@ -18,9 +18,15 @@ pub fn line(text: &str) -> String {
     escaped(text, |c, shown| write!(shown, "{}", c.escape_unicode()))
 }
 
-/// Returns a text with the ends of its lines, and other such characters as [`line`] shows them.
+/// Returns a text of several lines, whose ends and tabs stay, with other such characters as
+/// [`line`] shows them.
 pub fn lines(text: &str) -> String {
-    text.split('\n').map(line).collect::<Vec<_>>().join("\n")
+    text.split_inclusive(['\n', '\t'])
+        .map(|part| match part.char_indices().next_back() {
+            Some((end, last @ ('\n' | '\t'))) => format!("{}{last}", line(&part[..end])),
+            _ => line(part),
+        })
+        .collect()
 }
 
 /// Returns a path as [`line`] shows it.
@@ -57,7 +63,7 @@ mod tests {
     #[test]
     fn what_a_terminal_obeys_is_escaped_and_all_else_is_left() {
         let plain = "Ångström & <Söhne> 'µ' \"\\u{1b}\" e\u{301} 接触 👩";
-        for text in [plain, "a\nb"] {
+        for text in [plain, "a\nb", "\n", "\ta\n\n", ""] {
             assert_eq!(lines(text), text);
         }
         assert_eq!(line(plain), plain);

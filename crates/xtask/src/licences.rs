@@ -20,8 +20,8 @@ const LIKE_MIT: [&str; 9] = [
     "Zlib",
 ];
 
-/// The name of everything that is in no published package: tests, benches, examples.
-const TESTS: &str = "tests and benches";
+/// The name of everything that is in no published package.
+const TESTS: &str = "tests, benches, xtask";
 
 /// Crates under other licences, their licences, and the features that need them.
 const OTHERS: [(&str, &str, &str); 10] = [

@@ -28,9 +28,10 @@ const DEFAULT_SCENE: &str = include_str!("../../../../tables/default.toml");
 /// nodes or the budget is spent: then it is written, and the exit status is 1.
 ///
 /// Finished pieces are kept in TABLE.h5.unfinished until the table is complete: after an
-/// interruption, --resume goes on from them. An existing table is not touched until then. In a
-/// scene, e1_over_e2 and e0_over_e2 are Young's moduli over the sphere's reduced modulus E2*, see
-/// `tabulate --help`.
+/// interruption, --resume goes on from them, with the same build of this program on the same kind
+/// of processor. A loss of power costs a megabyte of pieces at most. An existing table is not
+/// touched until then. In a scene, e1_over_e2 and e0_over_e2 are Young's moduli over the sphere's
+/// reduced modulus E2*, see `tabulate --help`.
 #[derive(clap::Args)]
 #[command(after_help = super::examples!(
     "tabulate generate tables/paper.toml --plan",

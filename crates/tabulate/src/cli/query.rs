@@ -16,7 +16,8 @@ use crate::table::DEFAULT_NU0;
 /// certified relative error of the table: the largest at sampled points. At an a/t outside the
 /// table, the values and the error are those of the expansion about the limit of a thin or a thick
 /// film, where that keeps the tolerance of the table. Any other point outside the table is an
-/// error. The moduli are Young's moduli over the sphere's reduced modulus E2*, see
+/// error. Points are answered in batches: at an error, those before the batch are printed already,
+/// and a file is not written. The moduli are Young's moduli over the sphere's reduced modulus E2*, see
 /// `tabulate --help`.
 #[derive(clap::Args)]
 #[command(after_help = super::examples!(

@@ -14,7 +14,8 @@ use crate::table::DEFAULT_NU0;
 /// Solve the contact directly, at one point or at every point of a CSV file
 ///
 /// Prints pi0, eeq, gamma, delta0 and the estimated relative error. Results with e1_over_e2 = 0 are
-/// normalised by E1*, all others by E2*. `tabulate --help` explains the parameters.
+/// normalised by E1*, all others by E2*. Points of a file are solved in batches: at an error, those
+/// before the batch are printed already, and a file is not written. `tabulate --help` explains the parameters.
 #[derive(clap::Args)]
 #[command(after_help = super::examples!(
     "tabulate solve --a-over-t 65 --e1-over-e2 1.75 --nu1 0.5 --e0-over-e2 1e5",
