@@ -139,7 +139,7 @@ fn hidden(workdir: &Workdir) -> Vec<String> {
 fn what_killed_processes_leave_is_named_and_removed_by_the_next_run() {
     let workdir = workdir();
     let rows = "1,1.5,0.5,inf\n".repeat(300);
-    workdir.write("points", format!("{}{rows}", POINTS));
+    workdir.write("points", format!("{POINTS}{rows}"));
     // Not those of another output, and nothing but files.
     let foreign = [
         ".other.csv.unfinished-abcdef.lock",

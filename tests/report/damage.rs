@@ -29,7 +29,7 @@ fn page() -> (String, String) {
 fn a_page_with_damaged_data_says_so() {
     let (page, data) = page();
     let Some(sound) = told(&page) else { return };
-    assert_eq!(sound, "");
+    assert!(!sound.to_string().contains("damaged"), "{sound}");
     let middle = data.len() / 2;
     let other = if data.as_bytes()[middle] == b'A' {
         "B"

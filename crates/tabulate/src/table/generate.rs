@@ -78,16 +78,16 @@ const SUSPECTS: usize = 24;
 /// Solves every node of a scene, measures the accuracy, refines the axes that hold the error until
 /// it is within the tolerance, and writes the file.
 ///
-/// The file depends on the scene, the certificate's points and seed, and this program alone. It
-/// does not depend on the number of threads, or on interruptions. Until the new file is complete,
-/// an existing one at `path` is not touched.
+/// The file depends on the scene, the certificate's points and seed, and this build of the program
+/// on this kind of processor alone. It does not depend on the number of threads, or on
+/// interruptions. Until the new file is complete, an existing one at `path` is not touched.
 ///
 /// A table whose error exceeds the tolerance, because the scene states its nodes or the budget does
 /// not allow another round, is written too: compare its certificate with the tolerance.
 ///
 /// # Errors
 /// [`Error::Busy`] if another process generates the same file; [`Error::OtherRun`] if the finished
-/// pieces belong to another scene, or a refined plan to another certificate; [`Error::Budget`] if
+/// pieces belong to another scene, build or processor, or a refined plan to another certificate; [`Error::Budget`] if
 /// the budget is spent before all is solved; [`Error::Write`] for a file that cannot be written, a
 /// name that ends in `.bin`, or a program that was built without the feature `hdf5`; those of the
 /// solve and of [`Plan::new`]. Finished pieces are kept.
