@@ -52,7 +52,7 @@ const UNMAINTAINED: [(&str, &str, &str); 2] = [
     (
         "paste",
         "1.0.15",
-        "RUSTSEC-2024-0436; runs in the compiler only, for faer and hdf5-metno",
+        "RUSTSEC-2024-0436; runs in the compiler only, for faer and simba",
     ),
 ];
 
