@@ -10,12 +10,16 @@ mod cost_table;
 mod curve;
 mod embedded;
 mod help;
+mod hostile_text;
 mod info;
+mod limits;
+mod outputs;
 mod pipes;
 mod plan;
 mod plot;
 mod points;
 mod readme;
+mod streams;
 
 use acceptance::shipped;
 use interp::Material;

@@ -4,3 +4,4 @@
 #![cfg(unix)]
 
 mod generation;
+mod journal;

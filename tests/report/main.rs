@@ -1,12 +1,14 @@
 //! The HTML report: the file, and its page in a browser.
 //!
-//! The tests in `file` read the HTML. The tests in `force_curve`, `inputs` and `layout` need
+//! The tests in `file` read the HTML. The tests in `damage`, `force_curve`, `inputs` and
+//! `layout` need
 //! Chromium, which the environment variable `CHROMIUM` names. Without it each of them prints a line
 //! that says that it is skipped. `browser` runs Chromium.
 
 #![forbid(unsafe_code)]
 
 mod browser;
+mod damage;
 mod file;
 mod force_curve;
 mod inputs;

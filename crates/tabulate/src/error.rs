@@ -5,6 +5,8 @@ use std::path::PathBuf;
 
 use interp::Material;
 
+use crate::printable;
+
 /// Any failure of the solve, of a scene, or of a file.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
@@ -98,7 +100,7 @@ pub enum Error {
         own: f64,
     },
     /// A scene with a wrong key or value.
-    #[error("{}: {what}", path.display())]
+    #[error("{}: {what}", printable::path(path))]
     Scene {
         /// The scene file.
         path: PathBuf,
@@ -120,13 +122,19 @@ pub enum Error {
         most: usize,
     },
     /// A table that another process is making.
-    #[error("{} is being made by another process; wait for it, or choose another output", path.display())]
+    #[error(
+        "{} is being made by another process; wait for it, or choose another output",
+        printable::path(path)
+    )]
     Busy {
         /// The table.
         path: PathBuf,
     },
     /// Finished pieces that belong to another generation than the one to be resumed.
-    #[error("cannot resume: {} was begun {what}; without --resume everything begins anew", journal.display())]
+    #[error(
+        "cannot resume: {} was begun {what}; without --resume everything begins anew",
+        printable::path(journal)
+    )]
     OtherRun {
         /// The journal of the pieces.
         journal: PathBuf,
@@ -145,6 +153,21 @@ pub enum Error {
         /// The table's tolerance.
         tolerance: f64,
     },
+    /// Nodes that are too close to each other for splines.
+    #[error(
+        "{axis} has {nodes} nodes from {from:?} to {to:?}, which are too close to each other for splines; ask for a \
+         wider range, fewer nodes or one number"
+    )]
+    TooClose {
+        /// The parameter.
+        axis: &'static str,
+        /// The number of its nodes.
+        nodes: usize,
+        /// The first node.
+        from: f64,
+        /// The last node.
+        to: f64,
+    },
     /// A budget that is spent before the work is done.
     #[error("the budget is spent {spent}")]
     Budget {
@@ -152,7 +175,7 @@ pub enum Error {
         spent: String,
     },
     /// A file that cannot be read.
-    #[error("cannot read {}", path.display())]
+    #[error("cannot read {}", printable::path(path))]
     Read {
         /// The file.
         path: PathBuf,
@@ -160,7 +183,7 @@ pub enum Error {
         source: io::Error,
     },
     /// A file that cannot be written.
-    #[error("cannot write {}", path.display())]
+    #[error("cannot write {}", printable::path(path))]
     Write {
         /// The file.
         path: PathBuf,

@@ -30,9 +30,13 @@
 pub mod cli;
 pub mod cost;
 mod error;
+#[cfg(test)]
+mod hostile;
+mod input;
 mod output;
 mod parallel;
 pub mod plot;
+mod printable;
 pub mod report;
 pub mod solve;
 pub mod table;

@@ -8,14 +8,14 @@ use std::env;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
-use crate::python;
+use crate::{python, workspace};
 
 /// The oldest cmake, major and minor version, that can build libhdf5.
 const OLDEST_CMAKE: (u32, u32) = (3, 26);
 
 /// Returns a cargo command with the feature and the environment that HDF5 needs on this machine.
 pub fn cargo(args: &[&str]) -> Result<Command, String> {
-    let mut command = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
+    let mut command = workspace::cargo();
     let Some((subcommand, rest)) = args.split_first() else {
         return Err("no cargo command given".into());
     };

@@ -10,6 +10,7 @@
 mod browser;
 mod figures;
 mod hdf5;
+mod licences;
 mod python;
 mod tables;
 mod tabulate;
@@ -33,6 +34,7 @@ usage: cargo xtask COMMAND
   test [ARGS]    run the whole test suite, optimised; ARGS go to `cargo test`
   compare        time the solve against numpy and scipy on the same equation, and the lookup against interpn and scipy on
                  the same nodes
+  licences       check the licences of all crates of the lock file, and print those that have more conditions than MIT
   cargo ARGS     run a cargo command that builds tabulate, with HDF5 set up: `cargo xtask cargo bench -p tabulate`
 ";
 
@@ -48,6 +50,7 @@ fn main() -> ExitCode {
         Some("figures") if rest == ["--check"] => figures::check(),
         Some("test") => test(&rest),
         Some("compare") if rest.is_empty() => compare(),
+        Some("licences") if rest.is_empty() => licences::licences(),
         Some("cargo") if !rest.is_empty() => cargo(&rest),
         Some("help" | "--help" | "-h") => {
             let _ = write!(stdout(), "{USAGE}");

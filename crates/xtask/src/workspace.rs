@@ -2,6 +2,7 @@
 
 use std::env;
 use std::path::PathBuf;
+use std::process::Command;
 
 /// Returns the folder of the workspace's `Cargo.toml`.
 pub fn root() -> PathBuf {
@@ -20,4 +21,9 @@ pub fn target() -> Result<PathBuf, String> {
     let current = env::current_dir().map_err(|e| format!("no current folder: {e}"))?;
     Ok(env::var_os("CARGO_TARGET_DIR")
         .map_or_else(|| root().join("target"), |dir| current.join(dir)))
+}
+
+/// Returns the cargo that runs this program.
+pub fn cargo() -> Command {
+    Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()))
 }

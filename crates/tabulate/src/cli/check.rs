@@ -5,9 +5,9 @@ use clap::{ValueHint, value_parser};
 use serde::Serialize;
 
 use super::json::{self, Errors};
+use super::print;
 use super::progress::progress_bar;
 use super::table_name::{self, TableName};
-use super::write_text;
 use crate::table::{certify, points_for};
 
 /// Compare a table with direct solves at new points
@@ -28,7 +28,7 @@ pub struct Arguments {
     #[arg(help = table_name::HELP, value_hint = ValueHint::FilePath)]
     table: TableName,
     /// Number of points [default: 2500 for each axis]
-    #[arg(long, value_parser = value_parser!(u32).range(1..))]
+    #[arg(long, value_parser = value_parser!(u32).range(1..=super::MOST_POINTS))]
     points: Option<u32>,
     /// Seed of the random points [default: another than the certificate's]
     #[arg(long)]
@@ -104,7 +104,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
             certified.median_error,
             description.tolerance
         );
-        write_text(None, text.as_bytes())?;
+        print(text.as_bytes())?;
     }
     for (name, error, allowed) in errors {
         ensure!(

@@ -3,7 +3,7 @@
 use clap::CommandFactory;
 use clap_complete::Shell;
 
-use super::write_text;
+use super::print;
 
 /// Print a script that completes the commands and options of `tabulate` in a shell
 ///
@@ -27,5 +27,5 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         super::NAME,
         &mut script,
     );
-    write_text(None, &script)
+    print(&script)
 }

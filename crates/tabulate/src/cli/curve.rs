@@ -6,11 +6,11 @@ use anyhow::{Context, ensure};
 use clap::{ValueHint, value_parser};
 use interp::{Elastic, Mechanics, System, Validity};
 
+use super::note;
+use super::output::Output;
 use super::points::number;
 use super::progress::progress_bar;
 use super::table_name::{self, TableName};
-use super::{note, write_text};
-use crate::output;
 use crate::parallel::try_map;
 use crate::report::LARGE_CONTACT;
 use crate::solve::solve;
@@ -69,7 +69,7 @@ pub struct Arguments {
     #[arg(long, default_value = "1.5e-4", allow_negative_numbers = true)]
     to: f64,
     /// Number of contact radii, equally spaced
-    #[arg(long, default_value_t = 150, value_parser = value_parser!(u32).range(2..=1_000_000))]
+    #[arg(long, default_value_t = 150, value_parser = value_parser!(u32).range(2..=super::MOST_POINTS))]
     points: u32,
     /// Relative tolerance of direct solves
     #[arg(
@@ -111,7 +111,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         ..
     } = *arguments;
     let input = arguments.table.as_ref().and_then(TableName::path);
-    output::check(arguments.output.as_deref(), input)?;
+    let output = Output::new(arguments.output.as_deref(), [input])?;
     ensure!(
         from > 0.0 && to > from && to < f64::INFINITY,
         "the contact radii must run from > 0 to more than that: from {from} to {to}"
@@ -168,5 +168,5 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     for row in rows {
         writer.write_record(row.map(number))?;
     }
-    write_text(arguments.output.as_deref(), &writer.into_inner()?)
+    output.write(&writer.into_inner()?)
 }

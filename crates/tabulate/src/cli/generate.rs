@@ -10,11 +10,11 @@ use serde::Serialize;
 use super::json::{self, OfParameters, TableObject, Written};
 use super::progress::Bars;
 use super::table_name::hdf5_file;
-use super::{info, plan, write_text};
-use crate::output;
+use super::{info, plan, print};
 use crate::table::Scene;
 use crate::table::default_points;
 use crate::table::{Budget, Generated, Options, generate};
+use crate::{output, printable};
 
 /// The four-parameter scene that is made when no other is named.
 const DEFAULT_SCENE: &str = include_str!("../../../../tables/default.toml");
@@ -28,9 +28,10 @@ const DEFAULT_SCENE: &str = include_str!("../../../../tables/default.toml");
 /// nodes or the budget is spent: then it is written, and the exit status is 1.
 ///
 /// Finished pieces are kept in TABLE.h5.unfinished until the table is complete: after an
-/// interruption, --resume goes on from them. An existing table is not touched until then. In a
-/// scene, e1_over_e2 and e0_over_e2 are Young's moduli over the sphere's reduced modulus E2*, see
-/// `tabulate --help`.
+/// interruption, --resume goes on from them, with the same build of this program on the same kind
+/// of processor. A loss of power costs a megabyte of pieces at most. An existing table is not
+/// touched until then. In a scene, e1_over_e2 and e0_over_e2 are Young's moduli over the sphere's
+/// reduced modulus E2*, see `tabulate --help`.
 #[derive(clap::Args)]
 #[command(after_help = super::examples!(
     "tabulate generate tables/paper.toml --plan",
@@ -61,7 +62,7 @@ pub struct Arguments {
     #[arg(long, value_name = "SECONDS", allow_negative_numbers = true)]
     budget: Option<f64>,
     /// Number of points of the certificate [default: 2500 for each axis]
-    #[arg(long, value_parser = value_parser!(u32).range(1..))]
+    #[arg(long, value_parser = value_parser!(u32).range(1..=super::MOST_POINTS))]
     certificate_points: Option<u32>,
     /// Seed of the random points of the certificate
     #[arg(long, default_value_t = 1)]
@@ -115,7 +116,8 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         (None, None) => PathBuf::from("default.h5"),
     };
     let budget = arguments.budget.map(budget).transpose()?;
-    output::check(Some(&path), arguments.scene.as_deref())?;
+    let inputs: Vec<&Path> = arguments.scene.as_deref().into_iter().collect();
+    output::check(&path, &inputs)?;
     let options = Options {
         certificate_points: points,
         seed: arguments.seed,
@@ -146,7 +148,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         };
         bail!(
             "{} is written, but its measured error {error:.1e} exceeds the tolerance {tolerance:e}: give {remedy}",
-            path.display()
+            printable::path(&path)
         );
     }
     Ok(())
@@ -194,8 +196,12 @@ fn print_text(generated: &Generated, path: &Path, bytes: u64, all: Duration) -> 
     if let Some(bytes) = peak_memory() {
         text += &format!("{:15} {:.0} MB at most\n", "memory", bytes as f64 / 1e6);
     }
-    text += &format!("{:15} {} ({bytes} bytes)\n", "written", path.display());
-    write_text(None, text.as_bytes())
+    text += &format!(
+        "{:15} {} ({bytes} bytes)\n",
+        "written",
+        printable::path(path)
+    );
+    print(text.as_bytes())
 }
 
 /// Reads the scene of a file, or the default one.

@@ -7,8 +7,9 @@ use interp::Parameter;
 use interp::{Certificate, Quantity, Table, Tiles};
 
 use super::json::{self, TableObject};
+use super::print;
 use super::table_name::{self, TableName};
-use super::write_text;
+use crate::printable;
 
 /// Print the range, the certificate and the size of a table
 ///
@@ -42,14 +43,19 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         return json::print(&TableObject::new(&table, bytes));
     }
     let text = format!("{}{:15} {bytes} bytes\n", describe(&table)?, "size");
-    write_text(None, text.as_bytes())
+    print(text.as_bytes())
 }
 
 /// Describes everything but the values, one line each.
 pub fn describe(table: &Table) -> Result<String, std::fmt::Error> {
     let mut text = String::new();
     let description = table.description();
-    writeln!(text, "{:15} {}", "title", description.title)?;
+    writeln!(
+        text,
+        "{:15} {}",
+        "title",
+        printable::line(&description.title)
+    )?;
     for parameter in table.parameters() {
         text += &describe_axis(parameter, table.axis(parameter));
     }
@@ -67,7 +73,12 @@ pub fn describe(table: &Table) -> Result<String, std::fmt::Error> {
     )?;
     writeln!(text, "{:15} {:e}", "tolerance", description.tolerance)?;
     text += &describe_certificate(&description.certificate, table.parameters())?;
-    writeln!(text, "{:15} {}", "created by", description.created_by)?;
+    writeln!(
+        text,
+        "{:15} {}",
+        "created by",
+        printable::line(&description.created_by)
+    )?;
     Ok(text)
 }
 

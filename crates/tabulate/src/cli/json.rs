@@ -4,11 +4,11 @@
 use interp::{Certificate, Parameter, Quantity, SubstratePoissonRatio, Table, Tiles};
 use serde::{Serialize, Serializer};
 
-use super::write_text;
+use crate::printable;
 
 /// Prints one object on one line.
 pub fn print(object: &impl Serialize) -> anyhow::Result<()> {
-    write_text(None, (serde_json::to_string(object)? + "\n").as_bytes())
+    super::print((printable::json(&serde_json::to_string(object)?) + "\n").as_bytes())
 }
 
 /// A number: the text `inf` if it is infinite, null if it is NaN.

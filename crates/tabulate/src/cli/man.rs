@@ -3,7 +3,7 @@
 use anyhow::Context;
 use clap::CommandFactory;
 
-use super::write_text;
+use super::print;
 
 /// Print the man page of the program, or of one of its commands
 #[derive(clap::Args)]
@@ -35,5 +35,5 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         .render(&mut page)?;
     // clap_mangen calls the text after the options EXTRA.
     let page = String::from_utf8(page)?.replace(".SH EXTRA\n", ".SH EXAMPLES\n");
-    write_text(None, page.as_bytes())
+    print(page.as_bytes())
 }

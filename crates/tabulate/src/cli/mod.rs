@@ -2,7 +2,7 @@
 //!
 //! Each has `Arguments`, which clap fills and whose comments are the help, and `run`. A table is
 //! named by a `table_name`, or is the `default_table`; points come from CSV (`points`); results go
-//! through `write_text` to a file or to standard output, as text or as one object of `json`; notes
+//! to an `output`, which knows the inputs, or are printed, as text or as one object of `json`; notes
 //! go to standard error.
 
 mod check;
@@ -14,6 +14,7 @@ mod generate;
 mod info;
 mod json;
 mod man;
+mod output;
 mod pack;
 mod plan;
 mod plot;
@@ -26,13 +27,12 @@ mod table_name;
 mod unpack;
 
 use std::io::{self, Write};
-use std::path::Path;
 use std::process::ExitCode;
 
-use anyhow::Context;
 use clap::{Parser, Subcommand};
 
-use crate::output;
+use self::output::Output;
+use crate::printable;
 
 /// The section of a help text that shows commands, one to a line.
 macro_rules! examples {
@@ -41,6 +41,10 @@ macro_rules! examples {
     };
 }
 use examples;
+
+/// The largest number of points of a certificate or a comparison: they are held in memory, 200 bytes
+/// each.
+const MOST_POINTS: i64 = 1_000_000;
 
 /// The name of the program.
 const NAME: &str = "tabulate";
@@ -116,24 +120,12 @@ pub fn run() -> ExitCode {
     }
 }
 
-/// Writes to a file, complete or not at all, or to standard output.
-///
-/// A reader that has closed standard output has read enough: this is no error, and the exit status
-/// stays that of the work.
-fn write_text(path: Option<&Path>, text: &[u8]) -> anyhow::Result<()> {
-    let Some(path) = path else {
-        let mut out = io::stdout().lock();
-        return match out.write_all(text).and_then(|()| out.flush()) {
-            Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
-            outcome => outcome.context("cannot write to standard output"),
-        };
-    };
-    Ok(output::atomically(path, |unfinished| {
-        std::fs::write(unfinished, text)
-    })?)
+/// Prints a text on standard output.
+fn print(text: &[u8]) -> anyhow::Result<()> {
+    Output::new(None, [])?.write(text)
 }
 
 /// Writes a line to standard error if that is open: `eprintln` panics where it is closed.
 fn note(text: &str) {
-    let _ = writeln!(io::stderr(), "{NAME}: {text}");
+    let _ = writeln!(io::stderr(), "{NAME}: {}", printable::lines(text));
 }

@@ -7,10 +7,11 @@ use anyhow::Context;
 use clap::{ValueHint, value_parser};
 
 use super::json::{self, TableObject, Written};
+use super::output::Output;
 use super::progress::Bars;
 use super::table_name::{self, TableName, packed_file};
-use super::{info, write_text};
-use crate::output;
+use super::{info, print};
+use crate::printable;
 use crate::table::low_rank;
 use crate::table::points_for;
 
@@ -38,7 +39,7 @@ pub struct Arguments {
     #[arg(long, allow_negative_numbers = true)]
     tolerance: Option<f64>,
     /// Number of points of the certificate [default: 2500 for each axis]
-    #[arg(long, requires = "tolerance", value_parser = value_parser!(u32).range(1..))]
+    #[arg(long, requires = "tolerance", value_parser = value_parser!(u32).range(1..=super::MOST_POINTS))]
     points: Option<u32>,
     /// Seed of the random points [default: another than the table's]
     #[arg(long, requires = "tolerance")]
@@ -49,7 +50,7 @@ pub struct Arguments {
 }
 
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
-    output::check(Some(&arguments.output), arguments.table.path())?;
+    let output = Output::new(Some(&arguments.output), [arguments.table.path()])?;
     let mut table = arguments.table.read()?;
     if let Some(tolerance) = arguments.tolerance {
         let points = arguments
@@ -64,9 +65,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         table = Cow::Owned(packed.with_context(|| arguments.table.to_string())?);
     }
     let bytes = table.to_packed()?;
-    output::atomically(&arguments.output, |unfinished| {
-        std::fs::write(unfinished, &bytes)
-    })?;
+    output.write(&bytes)?;
     if arguments.json {
         return json::print(&Written {
             table: TableObject::new(&table, bytes.len() as u64),
@@ -77,10 +76,10 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         let written = format!(
             "{:15} {}, {} bytes\n",
             "written",
-            arguments.output.display(),
+            printable::path(&arguments.output),
             bytes.len()
         );
-        write_text(None, (info::describe(&table)? + &written).as_bytes())?;
+        print((info::describe(&table)? + &written).as_bytes())?;
     }
     Ok(())
 }

@@ -5,8 +5,8 @@ use std::time::Instant;
 use interp::Parameter;
 use serde::Serialize;
 
+use super::info;
 use super::json::{self, Axis, OfParameters};
-use super::{info, write_text};
 use crate::table::Plan;
 use crate::table::Scene;
 use crate::table::sweep;
@@ -61,7 +61,7 @@ pub fn print(scene: &Scene, certificate_points: usize, json: bool) -> anyhow::Re
     text += &format!("{:15} about {seconds:.1} s\n", "time");
     text += &format!("{:15} about {:.0} MB\n", "memory", memory / 1e6);
     text += &format!("{:15} about {size}\n", "size");
-    write_text(None, text.as_bytes())
+    super::print(text.as_bytes())
 }
 
 /// The part of the values' bytes that deflate leaves.

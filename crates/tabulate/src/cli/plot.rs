@@ -1,22 +1,22 @@
 //! `tabulate plot`
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::{Args, Subcommand, ValueHint};
-use serde::de::DeserializeOwned;
 
+use super::cost;
 use super::default_table;
+use super::output::Output;
 use super::progress::progress_bar;
 use super::table_name::{self, TableName};
-use super::{cost, write_text};
-use crate::cost::read_csv;
+use crate::Error;
+use crate::cost::{Measurement, read_csv};
 use crate::plot::chart;
 use crate::plot::picture::Format;
 use crate::plot::{
     effects, error_map, fig2, fig3, fig4, force_displacement, lookup_cost, table_cost,
     work_precision,
 };
-use crate::{Error, output};
 
 /// Draw a figure as SVG or PNG
 #[derive(clap::Args)]
@@ -35,17 +35,17 @@ pub struct Arguments {
 enum Figure {
     /// Fig. 2 of the paper: Pi0 against a/t, with both limits
     #[command(after_help = super::examples!("tabulate plot fig2 -o fig2.svg"))]
-    Fig2(Output),
+    Fig2(Picture),
     /// Fig. 3 of the paper: Eeq and Gamma against a/t, with their limits
     #[command(after_help = super::examples!("tabulate plot fig3 -o fig3.svg"))]
-    Fig3(Output),
+    Fig3(Picture),
     /// Fig. 4 of the paper: JKR plots for films of 1 to 100 um, with the straight lines of JKR for
     /// the substrate alone and for the film alone
     #[command(after_help = super::examples!("tabulate plot fig4 -o fig4.png"))]
-    Fig4(Output),
+    Fig4(Picture),
     /// Load against penetration of the paper's system for several films, with the jumps
     #[command(after_help = super::examples!("tabulate plot force-displacement -o curves.svg"))]
-    ForceDisplacement(Output),
+    ForceDisplacement(Picture),
     /// Largest difference of a table from direct solves, over a/t and E1/E2*, at the worst nu1 and
     /// E0/E2*
     #[command(after_help = super::examples!("tabulate plot error-map tables/paper.h5 -o errors.svg"))]
@@ -61,7 +61,7 @@ enum Figure {
         )]
         table: Option<TableName>,
         #[command(flatten)]
-        output: Output,
+        output: Picture,
     },
     /// Cost of a table, and the number of evaluations from which on it is faster than direct solves
     /// (`tabulate cost table`)
@@ -72,7 +72,7 @@ enum Figure {
         #[command(flatten)]
         rows: Rows,
         #[command(flatten)]
-        output: Output,
+        output: Picture,
     },
     /// Cost of each effect, and error of the load without it (`tabulate cost effects`)
     #[command(after_help = super::examples!(
@@ -82,7 +82,7 @@ enum Figure {
         #[command(flatten)]
         rows: Rows,
         #[command(flatten)]
-        output: Output,
+        output: Picture,
     },
     /// Error against time of one solve (`tabulate cost solve`)
     #[command(after_help = super::examples!(
@@ -92,7 +92,7 @@ enum Figure {
         #[command(flatten)]
         rows: Rows,
         #[command(flatten)]
-        output: Output,
+        output: Picture,
     },
     /// Error against nanoseconds of one lookup (`tabulate cost lookup`)
     #[command(after_help = super::examples!(
@@ -102,7 +102,7 @@ enum Figure {
         #[command(flatten)]
         rows: Rows,
         #[command(flatten)]
-        output: Output,
+        output: Picture,
     },
 }
 
@@ -116,7 +116,7 @@ struct Rows {
 
 impl Rows {
     /// Reads the rows, or measures them without a file.
-    fn get<R: DeserializeOwned>(
+    fn get<R: Measurement>(
         &self,
         measure: impl FnOnce() -> anyhow::Result<Vec<R>>,
     ) -> anyhow::Result<Vec<R>> {
@@ -128,50 +128,56 @@ impl Rows {
 
 /// The file of a picture.
 #[derive(Args)]
-struct Output {
+struct Picture {
     /// The picture: SVG or PNG by the ending of its name
     #[arg(id = "output", short, long, value_name = "FILE.svg|FILE.png", value_parser = picture)]
     path: PathBuf,
 }
 
-impl Output {
-    /// Checks the output, makes the figure and writes it.
-    fn write(&self, figure: impl FnOnce() -> anyhow::Result<chart::Figure>) -> anyhow::Result<()> {
-        output::check(Some(&self.path), None)?;
+impl Picture {
+    /// Checks the output, which is not to replace the `input`, makes the figure and writes it.
+    fn write(
+        &self,
+        input: Option<&Path>,
+        figure: impl FnOnce() -> anyhow::Result<chart::Figure>,
+    ) -> anyhow::Result<()> {
+        let output = Output::new(Some(&self.path), [input])?;
         let picture = figure()?.picture()?.encode(Format::of(&self.path)?)?;
-        write_text(Some(&self.path), &picture)
+        output.write(&picture)
     }
 }
 
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     match &arguments.figure {
-        Figure::Fig2(output) => output.write(|| Ok(fig2::figure(&fig2::data()?))),
-        Figure::Fig3(output) => output.write(|| Ok(fig3::figure(&fig3::data()?))),
-        Figure::Fig4(output) => output.write(|| Ok(fig4::figure(&fig4::data()?))),
-        Figure::ForceDisplacement(output) => {
-            output.write(|| Ok(force_displacement::figure(&force_displacement::data()?)))
-        }
-        Figure::ErrorMap { table, output } => output.write(|| {
-            let table = default_table::read_or_make(table.as_ref())?;
-            let bar = progress_bar(error_map::CELLS[0] * error_map::CELLS[1], "comparing");
-            let data = error_map::data(&table, &|count| bar.inc(count as u64))?;
-            bar.finish_and_clear();
-            Ok(error_map::figure(&data))
+        Figure::Fig2(output) => output.write(None, || Ok(fig2::figure(&fig2::data()?))),
+        Figure::Fig3(output) => output.write(None, || Ok(fig3::figure(&fig3::data()?))),
+        Figure::Fig4(output) => output.write(None, || Ok(fig4::figure(&fig4::data()?))),
+        Figure::ForceDisplacement(output) => output.write(None, || {
+            Ok(force_displacement::figure(&force_displacement::data()?))
         }),
-        Figure::TableCost { rows, output } => {
-            output.write(|| Ok(table_cost::figure(&rows.get(cost::measure_table)?)))
+        Figure::ErrorMap { table, output } => {
+            output.write(table.as_ref().and_then(TableName::path), || {
+                let table = default_table::read_or_make(table.as_ref())?;
+                let bar = progress_bar(error_map::CELLS[0] * error_map::CELLS[1], "comparing");
+                let data = error_map::data(&table, &|count| bar.inc(count as u64))?;
+                bar.finish_and_clear();
+                Ok(error_map::figure(&data))
+            })
         }
-        Figure::Effects { rows, output } => {
-            output.write(|| Ok(effects::figure(&rows.get(cost::measure_effects)?)?))
-        }
-        Figure::WorkPrecision { rows, output } => output.write(|| {
+        Figure::TableCost { rows, output } => output.write(rows.path.as_deref(), || {
+            Ok(table_cost::figure(&rows.get(cost::measure_table)?))
+        }),
+        Figure::Effects { rows, output } => output.write(rows.path.as_deref(), || {
+            Ok(effects::figure(&rows.get(cost::measure_effects)?)?)
+        }),
+        Figure::WorkPrecision { rows, output } => output.write(rows.path.as_deref(), || {
             Ok(work_precision::figure(
                 &rows.get(|| Ok(cost::measure_solve()))?,
             )?)
         }),
-        Figure::LookupCost { rows, output } => {
-            output.write(|| Ok(lookup_cost::figure(&rows.get(cost::measure_lookup)?)?))
-        }
+        Figure::LookupCost { rows, output } => output.write(rows.path.as_deref(), || {
+            Ok(lookup_cost::figure(&rows.get(cost::measure_lookup)?)?)
+        }),
     }
 }
 

@@ -1,9 +1,16 @@
 //! Points as CSV: `a_over_t,e1_over_e2,nu1,e0_over_e2[,nu0]` in any order.
 
+use std::io::Write;
 use std::path::Path;
 
 use anyhow::{Context, bail, ensure};
 use interp::{Material, Quantity};
+
+use super::output::Output;
+use super::progress::progress_bar;
+use crate::input::{self, Limited, Room};
+use crate::parallel::try_map;
+use crate::printable;
 
 /// One point to solve or look up.
 #[derive(Clone, Copy)]
@@ -17,26 +24,119 @@ pub struct Point {
 /// The columns. The last, `nu0`, may be missing.
 const COLUMNS: [&str; 5] = ["a_over_t", "e1_over_e2", "nu1", "e0_over_e2", "nu0"];
 
-/// Reads all points. A file without a column `nu0` gets the argument `nu0`. Errors name the file,
-/// the line and the value.
-pub fn read(path: &Path, nu0: f64) -> anyhow::Result<Vec<Point>> {
-    let file = || path.display().to_string();
-    let mut reader = csv::ReaderBuilder::new()
-        .trim(csv::Trim::All)
-        .comment(Some(b'#'))
-        .from_path(path)
-        .with_context(file)?;
-    let headers = reader.headers().with_context(file)?.clone();
-    let columns = columns(&headers).with_context(file)?;
-    let mut points = Vec::new();
-    for record in reader.records() {
-        let record = record.with_context(file)?;
-        let line = record.position().map_or(0, csv::Position::line);
-        let point = point(&record, columns, line, nu0).with_context(|| place(path, line))?;
-        points.push(point);
+/// The largest number of points in memory.
+const BATCH: usize = 4096;
+/// The largest number of bytes of a row, and of comments before it.
+const LONGEST_ROW: u64 = 1 << 20;
+
+/// The points of a file, which are read in batches. Errors name the file, the line and the value.
+pub struct Points<'a> {
+    path: &'a Path,
+    /// The number of bytes of the file, 0 of a pipe.
+    length: u64,
+    reader: csv::Reader<Limited>,
+    /// The number of bytes that may be read until a row is complete.
+    room: Room,
+    columns: [Option<usize>; 5],
+    nu0: f64,
+}
+
+impl<'a> Points<'a> {
+    /// Opens a file and reads its header. A file without a column `nu0` gets the argument `nu0`.
+    pub fn open(path: &'a Path, nu0: f64) -> anyhow::Result<Self> {
+        let file = || printable::path(path);
+        let (bytes, room) = input::open(path, LONGEST_ROW).with_context(file)?;
+        let length = bytes.length();
+        let mut reader = csv::ReaderBuilder::new()
+            .trim(csv::Trim::All)
+            .comment(Some(b'#'))
+            .from_reader(bytes);
+        let columns = columns(reader.headers().with_context(file)?).with_context(file)?;
+        Ok(Self {
+            path,
+            length,
+            reader,
+            room,
+            columns,
+            nu0,
+        })
     }
-    ensure!(!points.is_empty(), "{} holds no points", path.display());
-    Ok(points)
+
+    /// Prints each point with its answer, in the order of the file. The points of a batch are
+    /// answered in parallel, and printed before the next are read. `what` names the work.
+    pub fn answer(
+        mut self,
+        what: &str,
+        output: &Output<'_>,
+        answer: impl Fn(&Point) -> anyhow::Result<Answer> + Sync,
+    ) -> anyhow::Result<()> {
+        let path = self.path;
+        let bar = progress_bar(self.length as usize, &format!("{what}, bytes"));
+        let answered = |point: anyhow::Result<Point>| {
+            let point = point?;
+            let answer = answer(&point).with_context(|| place(path, point.line))?;
+            anyhow::Ok((point, answer))
+        };
+        let outcome = output.stream(|out| {
+            let mut writer = csv::Writer::from_writer(out);
+            for number in 0.. {
+                let batch = self.batch();
+                ensure!(
+                    number > 0 || !batch.is_empty(),
+                    "{} holds no points",
+                    printable::path(path)
+                );
+                if batch.is_empty() {
+                    break;
+                }
+                // Nothing is written of a batch that fails, and no header where nothing follows.
+                let answers = try_map(batch, answered)?;
+                if number == 0 {
+                    write_header(&mut writer, answers[0].1.gradient.is_some())?;
+                }
+                for (point, answer) in &answers {
+                    write_row(&mut writer, point, answer)?;
+                }
+                writer.flush()?;
+                bar.set_position(self.reader.position().byte());
+            }
+            Ok(())
+        });
+        bar.finish_and_clear();
+        outcome
+    }
+
+    /// Reads the next points, none at the end of the file. The last may be an error.
+    fn batch(&mut self) -> Vec<anyhow::Result<Point>> {
+        let mut batch = Vec::new();
+        while batch.len() < BATCH {
+            let Some(point) = self.next().transpose() else {
+                break;
+            };
+            let is_last = point.is_err();
+            batch.push(point);
+            if is_last {
+                break;
+            }
+        }
+        batch
+    }
+
+    fn next(&mut self) -> anyhow::Result<Option<Point>> {
+        self.room.set(LONGEST_ROW);
+        let mut record = csv::StringRecord::new();
+        if !self
+            .reader
+            .read_record(&mut record)
+            .with_context(|| printable::path(self.path))?
+        {
+            return Ok(None);
+        }
+        let line = record.position().map_or(0, csv::Position::line);
+        point(&record, self.columns, line, self.nu0)
+            .with_context(|| place(self.path, line))
+            .map(Some)
+    }
 }
 
 /// Returns the position in the file of each of [`COLUMNS`].
@@ -92,8 +192,8 @@ fn point(
 }
 
 /// Returns the file and the line of a point, for an error message.
-pub fn place(path: &Path, line: u64) -> String {
-    format!("{}, line {line}", path.display())
+fn place(path: &Path, line: u64) -> String {
+    format!("{}, line {line}", printable::path(path))
 }
 
 /// The numbers that are printed after those of a point.
@@ -107,11 +207,8 @@ pub struct Answer {
     pub gradient: Option<[[Option<f64>; COLUMNS.len()]; 4]>,
 }
 
-/// Formats points and answers as CSV. A missing number is an empty field.
-pub fn format(points: &[Point], answers: &[Answer]) -> anyhow::Result<Vec<u8>> {
-    let mut writer = csv::Writer::from_writer(Vec::new());
+fn write_header(writer: &mut csv::Writer<impl Write>, with_gradient: bool) -> csv::Result<()> {
     let names = Quantity::ALL.map(Quantity::name);
-    let with_gradient = answers.iter().any(|answer| answer.gradient.is_some());
     let derivatives = names
         .iter()
         .flat_map(|name| COLUMNS.map(|column| format!("d_{name}_d_{column}")));
@@ -120,34 +217,84 @@ pub fn format(points: &[Point], answers: &[Answer]) -> anyhow::Result<Vec<u8>> {
         .chain(&names)
         .chain(&["error"])
         .map(ToString::to_string);
-    writer.write_record(header.chain(derivatives.filter(|_| with_gradient)))?;
-    for (
-        Point {
-            a_over_t, material, ..
-        },
-        answer,
-    ) in points.iter().zip(answers)
-    {
-        let parameters = [
-            *a_over_t,
-            material.e1_over_e2(),
-            material.nu1(),
-            material.e0_over_e2(),
-            material.nu0(),
-        ]
-        .map(Some);
-        let gradient = answer.gradient.into_iter().flatten().flatten();
-        let numbers = parameters
-            .into_iter()
-            .chain(answer.values)
-            .chain([Some(answer.error)])
-            .chain(gradient);
-        writer.write_record(numbers.map(|value| value.map(number).unwrap_or_default()))?;
-    }
-    Ok(writer.into_inner()?)
+    writer.write_record(header.chain(derivatives.filter(|_| with_gradient)))
+}
+
+/// Writes a point and its answer. A missing number is an empty field.
+fn write_row(
+    writer: &mut csv::Writer<impl Write>,
+    Point {
+        a_over_t, material, ..
+    }: &Point,
+    answer: &Answer,
+) -> csv::Result<()> {
+    let parameters = [
+        *a_over_t,
+        material.e1_over_e2(),
+        material.nu1(),
+        material.e0_over_e2(),
+        material.nu0(),
+    ]
+    .map(Some);
+    let gradient = answer.gradient.into_iter().flatten().flatten();
+    let numbers = parameters
+        .into_iter()
+        .chain(answer.values)
+        .chain([Some(answer.error)])
+        .chain(gradient);
+    writer.write_record(numbers.map(|value| value.map(number).unwrap_or_default()))
 }
 
 /// Returns the shortest decimal that reads back to the same f64.
 pub fn number(value: f64) -> String {
     format!("{value:?}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::hostile::each_damaged;
+
+    #[test]
+    fn damaged_points_are_refused_or_physical() {
+        const SOUND: &str = "# points\na_over_t,e1_over_e2,nu1,e0_over_e2,nu0\n1,1.75,0.5,1e5,0.25\n\
+             \"2\",0, 0.3 ,inf,0.1\n\n3e-1,1e-30,-0.9,1e30,0.5\n";
+        const WORDS: [&str; 14] = [
+            ",",
+            "\"",
+            "\"\"",
+            "\n",
+            "\r\n",
+            "\r",
+            "#",
+            "nan",
+            "-inf",
+            "1e999",
+            "0.5000001",
+            "\0",
+            " ",
+            "nu0",
+        ];
+        let folder = tempfile::tempdir().expect("a temporary folder");
+        let path = folder.path().join("points.csv");
+        let (mut refused, mut accepted) = (0, 0);
+        each_damaged(SOUND.as_bytes(), &WORDS, 4, |_, bytes| {
+            std::fs::write(&path, bytes).expect("written");
+            let Ok(mut points) = Points::open(&path, 0.25) else {
+                refused += 1;
+                return;
+            };
+            for point in points.batch() {
+                if let Ok(point) = point {
+                    assert!(point.material.nu1() > -1.0 && point.material.nu1() <= 0.5);
+                    assert!(point.line as usize <= bytes.len() + 1);
+                    accepted += 1;
+                } else {
+                    refused += 1;
+                }
+            }
+        });
+        println!("{refused} refused, {accepted} points accepted");
+        assert!(refused > 0 && accepted > 0);
+    }
 }

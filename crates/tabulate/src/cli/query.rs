@@ -2,14 +2,12 @@
 
 use std::path::PathBuf;
 
-use anyhow::Context;
 use clap::ValueHint;
 use interp::{Parameter, Quantity, SubstratePoissonRatio, Table};
 
-use super::points::{self, Answer, Point};
+use super::output::Output;
+use super::points::{Answer, Point, Points};
 use super::table_name::{self, TableName};
-use super::write_text;
-use crate::output;
 use crate::table::DEFAULT_NU0;
 
 /// Look up every point of a CSV file in a table
@@ -18,7 +16,8 @@ use crate::table::DEFAULT_NU0;
 /// certified relative error of the table: the largest at sampled points. At an a/t outside the
 /// table, the values and the error are those of the expansion about the limit of a thin or a thick
 /// film, where that keeps the tolerance of the table. Any other point outside the table is an
-/// error. The moduli are Young's moduli over the sphere's reduced modulus E2*, see
+/// error. Points are answered in batches: at an error, those before the batch are printed already,
+/// and a file is not written. The moduli are Young's moduli over the sphere's reduced modulus E2*, see
 /// `tabulate --help`.
 #[derive(clap::Args)]
 #[command(after_help = super::examples!(
@@ -44,24 +43,19 @@ pub struct Arguments {
 }
 
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
-    let output = arguments.output.as_deref();
-    output::check(output, Some(&arguments.points))?;
-    output::check(output, arguments.table.path())?;
+    let output = Output::new(
+        arguments.output.as_deref(),
+        [Some(&arguments.points), arguments.table.path()],
+    )?;
     let table = arguments.table.read()?;
     let nu0 = match table.description().nu0 {
         SubstratePoissonRatio::Fixed(nu0) => nu0,
         SubstratePoissonRatio::Paired => DEFAULT_NU0,
     };
-    let points = points::read(&arguments.points, nu0)?;
-    let look_up = |point: &Point| {
-        look_up(&table, point, arguments.gradient)
-            .with_context(|| points::place(&arguments.points, point.line))
-    };
-    let answers = points
-        .iter()
-        .map(look_up)
-        .collect::<anyhow::Result<Vec<_>>>()?;
-    write_text(output, &points::format(&points, &answers)?)
+    let points = Points::open(&arguments.points, nu0)?;
+    points.answer("looking up", &output, |point| {
+        Ok(look_up(&table, point, arguments.gradient)?)
+    })
 }
 
 /// Looks up the quantities that `table` holds at one point.

@@ -5,10 +5,9 @@ use std::path::PathBuf;
 use anyhow::Context;
 use clap::ValueHint;
 
+use super::output::Output;
 use super::progress::progress_bar;
 use super::table_name::{self, TableName};
-use super::write_text;
-use crate::output;
 use crate::report::{figures, report, steps};
 
 /// Write an HTML page about a table, with force curves that follow sliders
@@ -30,14 +29,13 @@ pub struct Arguments {
 }
 
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
-    output::check(Some(&arguments.output), arguments.table.path())?;
+    let output = Output::new(Some(&arguments.output), [arguments.table.path()])?;
     let table = arguments.table.read()?;
     let bar = progress_bar(steps(&table), "drawing");
     let page = figures(&table, &|count| bar.inc(count as u64))
         .and_then(|figures| report(&table, &figures));
     bar.finish_and_clear();
-    write_text(
-        Some(&arguments.output),
+    output.write(
         page.with_context(|| arguments.table.to_string())?
             .as_bytes(),
     )

@@ -2,22 +2,20 @@
 
 use std::path::{Path, PathBuf};
 
-use anyhow::Context;
 use interp::Material;
 
 use super::json::Number;
-use super::points::{self, Answer, Point, number};
-use super::progress::progress_bar;
-use super::write_text;
-use crate::output;
-use crate::parallel::try_map;
+use super::output::Output;
+use super::points::{Answer, Points, number};
+use super::print;
 use crate::solve::solve;
 use crate::table::DEFAULT_NU0;
 
 /// Solve the contact directly, at one point or at every point of a CSV file
 ///
 /// Prints pi0, eeq, gamma, delta0 and the estimated relative error. Results with e1_over_e2 = 0 are
-/// normalised by E1*, all others by E2*. `tabulate --help` explains the parameters.
+/// normalised by E1*, all others by E2*. Points of a file are solved in batches: at an error, those
+/// before the batch are printed already, and a file is not written. `tabulate --help` explains the parameters.
 #[derive(clap::Args)]
 #[command(after_help = super::examples!(
     "tabulate solve --a-over-t 65 --e1-over-e2 1.75 --nu1 0.5 --e0-over-e2 1e5",
@@ -111,27 +109,18 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
             .collect();
         format!("{rows}normalised_by = {unit}\n")
     };
-    write_text(None, text.as_bytes())
+    print(text.as_bytes())
 }
 
 fn solve_file(arguments: &Arguments, path: &Path) -> anyhow::Result<()> {
-    output::check(arguments.output.as_deref(), Some(path))?;
-    let points = points::read(path, arguments.nu0)?;
-    let bar = progress_bar(points.len(), "solving");
-    let solve_point = |point: &Point| {
-        let solution = solve(point.a_over_t, &point.material, arguments.tolerance);
-        let solution = solution.with_context(|| points::place(path, point.line))?;
-        bar.inc(1);
-        anyhow::Ok(Answer {
+    let output = Output::new(arguments.output.as_deref(), [Some(path)])?;
+    let points = Points::open(path, arguments.nu0)?;
+    points.answer("solving", &output, |point| {
+        let solution = solve(point.a_over_t, &point.material, arguments.tolerance)?;
+        Ok(Answer {
             values: solution.quantities.to_array().map(Some),
             error: solution.error,
             gradient: None,
         })
-    };
-    let results = try_map(&points, solve_point)?;
-    bar.finish_and_clear();
-    write_text(
-        arguments.output.as_deref(),
-        &points::format(&points, &results)?,
-    )
+    })
 }

@@ -3,13 +3,15 @@
 use std::borrow::Cow;
 use std::ffi::OsString;
 use std::fmt;
-use std::fs::File;
-use std::io::Read;
+use std::fs::{self, File};
+use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
 use anyhow::Context;
 use clap::builder::{PathBufValueParser, TypedValueParser};
 use interp::Table;
+
+use crate::printable;
 
 /// The word for the table that is compiled into the program.
 const EMBEDDED: &str = "embedded";
@@ -41,7 +43,7 @@ impl fmt::Display for TableName {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Embedded => f.write_str(EMBEDDED),
-            Self::File(path) => path.display().fmt(f),
+            Self::File(path) => f.write_str(&printable::path(path)),
         }
     }
 }
@@ -62,7 +64,8 @@ impl TableName {
             Self::File(path) => path,
         };
         let mut start = Vec::new();
-        let table = File::open(path)
+        let table = readable(path)
+            .and_then(|()| File::open(path))
             .and_then(|file| file.take(8).read_to_end(&mut start))
             .map_err(anyhow::Error::from)
             .and_then(|_| {
@@ -72,19 +75,29 @@ impl TableName {
                     Table::open(path)
                 }?)
             });
-        table
-            .map(Cow::Owned)
-            .with_context(|| path.display().to_string())
+        table.map(Cow::Owned).with_context(|| printable::path(path))
     }
 
     /// Returns the size of the file in bytes; of the embedded `table`, the size of its packed form.
     pub fn bytes(&self, table: &Table) -> anyhow::Result<u64> {
         match self {
             Self::Embedded => Ok(table.to_packed()?.len() as u64),
-            Self::File(path) => Ok(std::fs::metadata(path)
-                .with_context(|| path.display().to_string())?
+            Self::File(path) => Ok(fs::metadata(path)
+                .with_context(|| printable::path(path))?
                 .len()),
         }
+    }
+}
+
+/// Accepts a path that can be read more than once.
+fn readable(path: &Path) -> io::Result<()> {
+    // Before it is opened: a pipe would wait for a writer.
+    if fs::metadata(path)?.is_file() {
+        Ok(())
+    } else {
+        Err(io::Error::other(
+            "it is not a file; a table is read more than once: write a pipe's content to a file first",
+        ))
     }
 }
 

@@ -4,8 +4,8 @@ use std::path::PathBuf;
 
 use clap::ValueHint;
 
+use super::output::Output;
 use super::table_name::{self, TableName, hdf5_file};
-use crate::output;
 use crate::table::archive;
 
 /// Convert a packed table to HDF5
@@ -25,7 +25,7 @@ pub struct Arguments {
 }
 
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
-    output::check(Some(&arguments.output), arguments.table.path())?;
+    Output::new(Some(&arguments.output), [arguments.table.path()])?;
     let table = arguments.table.read()?;
     Ok(archive::write(&table, &arguments.output)?)
 }

@@ -177,12 +177,14 @@ impl Axis {
         (-1e-9..=1.0 + 1e-9).contains(&self.position(value))
     }
 
-    /// Returns the exponents of the powers of ten at the ends of the axis or just beyond.
+    /// Returns the exponents of the powers of ten at the ends of the axis or just beyond. They are
+    /// those of an f64 even if the ends are 0 or infinite.
     fn exponents(&self) -> [i32; 2] {
         [
-            (self.range[0].log10() + 1e-9).floor() as i32,
-            (self.range[1].log10() - 1e-9).ceil() as i32,
+            (self.range[0].log10() + 1e-9).floor(),
+            (self.range[1].log10() - 1e-9).ceil(),
         ]
+        .map(|exponent| exponent.clamp(-324.0, 308.0) as i32)
     }
 }
 

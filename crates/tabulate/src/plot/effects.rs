@@ -8,7 +8,8 @@ use crate::cost::effects::{Effect, Row};
 /// Draws the errors on the left and the costs on the right.
 ///
 /// # Errors
-/// [`Error::Picture`] if there is no row of the whole scene.
+/// [`Error::Picture`] if there is no row of the whole scene, or if an effect saves more than the
+/// whole.
 pub fn figure(rows: &[Row]) -> Result<Figure, Error> {
     let mut effects: Vec<(Effect, &Row)> = rows
         .iter()
@@ -18,6 +19,17 @@ pub fn figure(rows: &[Row]) -> Result<Figure, Error> {
     let whole = rows.iter().find(|row| row.without.is_none());
     let whole =
         whole.ok_or_else(|| Error::Picture("there is no row of the whole scene".to_owned()))?;
+    let is_part = |row: &Row| {
+        row.saved_solves as f64 <= whole.solves as f64
+            && row.saved_seconds.unwrap_or(0.0) <= whole.seconds
+    };
+    if whole.solves == 0 || whole.seconds == 0.0 || !rows.iter().all(is_part) {
+        return Err(Error::Picture(
+            "each row must save at most the solves and the seconds of the whole scene, which are \
+             not 0"
+                .to_owned(),
+        ));
+    }
     Ok(Figure::new(
         120 + 50 * effects.len() as u32,
         [errors(&effects), costs(&effects, whole)],

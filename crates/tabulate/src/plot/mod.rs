@@ -31,3 +31,67 @@ impl<E: std::error::Error + Send + Sync> From<DrawingAreaErrorKind<E>> for Error
         Self::Picture(error.to_string())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::fs;
+    use std::path::Path;
+
+    use super::chart::Figure;
+    use super::picture::Format;
+    use super::{effects, lookup_cost, table_cost, work_precision};
+    use crate::Error;
+    use crate::cost::{Measurement, read_csv};
+    use crate::hostile::each_damaged;
+
+    /// Damages shipped measurements, reads them, and draws every 50th of those that are accepted.
+    fn damage<R: Measurement>(name: &str, figure: fn(&[R]) -> Result<Figure, Error>) {
+        const WORDS: [&str; 16] = [
+            ",",
+            "\"",
+            "\n",
+            "0",
+            "-",
+            "inf",
+            "-inf",
+            "nan",
+            "1e300",
+            "1e-300",
+            "e29",
+            "e-11",
+            "18446744073709551615",
+            "999999999999999",
+            "\u{1b}[2J",
+            "é",
+        ];
+        let shipped = Path::new(env!("CARGO_MANIFEST_DIR"))
+            .join("../../tables/figures")
+            .join(name);
+        let sound = fs::read(shipped).expect("shipped");
+        let folder = tempfile::tempdir().expect("a temporary folder");
+        let path = folder.path().join(name);
+        let (mut refused, mut accepted, mut drawn) = (0, 0, 0);
+        each_damaged(&sound, &WORDS, 5, |_, bytes| {
+            fs::write(&path, bytes).expect("written");
+            let Ok(rows) = read_csv::<R>(&path) else {
+                refused += 1;
+                return;
+            };
+            accepted += 1;
+            if accepted % 50 == 0 {
+                let picture = figure(&rows).and_then(|figure| figure.picture());
+                drawn += usize::from(picture.is_ok_and(|p| p.encode(Format::Svg).is_ok()));
+            }
+        });
+        println!("{name}: {refused} refused, {accepted} accepted, {drawn} drawn");
+        assert!(refused > 0 && drawn > 0);
+    }
+
+    #[test]
+    fn damaged_measurements_are_refused_or_drawn() {
+        damage("table.csv", |rows| Ok(table_cost::figure(rows)));
+        damage("effects.csv", effects::figure);
+        damage("lookup.csv", lookup_cost::figure);
+        damage("solve.csv", work_precision::figure);
+    }
+}

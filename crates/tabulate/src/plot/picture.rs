@@ -37,7 +37,7 @@ impl Format {
             Some("png") => Ok(Self::Png),
             _ => Err(Error::Picture(format!(
                 "the name of a picture ends in .svg or .png, but this is {}",
-                path.display()
+                crate::printable::path(path)
             ))),
         }
     }

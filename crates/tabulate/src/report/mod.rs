@@ -20,6 +20,7 @@ pub use figures::{Illustration, figures, steps};
 use crate::Error;
 use crate::cost::random_points;
 use crate::plot::picture::Format;
+use crate::printable;
 use crate::table::compress;
 
 /// What the page and the command line say of a contact radius above
@@ -68,7 +69,7 @@ pub fn report(table: &Table, illustrations: &[Illustration]) -> Result<String, E
         include_str!("page.js"),
     ];
     let parts = [
-        ("title", escape(&description.title)),
+        ("title", escape(&printable::line(&description.title))),
         ("style", include_str!("style.css").to_owned()),
         ("axes", axes(table)),
         (
@@ -81,8 +82,14 @@ pub fn report(table: &Table, illustrations: &[Illustration]) -> Result<String, E
                 .join(", "),
         ),
         ("normalisation", normalisation.to_owned()),
-        ("created_by", escape(&description.created_by)),
-        ("scene", escape(description.scene.trim_end())),
+        (
+            "created_by",
+            escape(&printable::line(&description.created_by)),
+        ),
+        (
+            "scene",
+            escape(&printable::lines(description.scene.trim_end())),
+        ),
         ("certificate", certificate(table)),
         ("bytes", packed.len().div_ceil(1000).to_string()),
         (

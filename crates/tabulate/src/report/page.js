@@ -380,11 +380,24 @@ class Page {
     }
 }
 
-const bytes = Uint8Array.from(atob(byId("packed").textContent.trim()), (character) => character.charCodeAt(0));
-const table = new Table(bytes);
-const missing = table.answers("pi0") ? "" : "The table does not hold pi0, from which the load is computed.";
-const single = table.fixes("a_over_t") ? "The table holds a single a/t: there is no curve." : "";
-if (missing || single) byId("message").append(element("p", {}, missing || single));
+/** The table in a text of base64; null if it is damaged. */
+function read(text) {
+    try {
+        return new Table(Uint8Array.from(atob(text.trim()), (character) => character.charCodeAt(0)));
+    } catch {
+        return null;
+    }
+}
+
+/** The reason why there are no curves of a table; empty if there are. */
+function reason(table) {
+    if (table === null) return "The data of this page is damaged. Copy the page again, or make it again with `tabulate report`.";
+    if (!table.answers("pi0")) return "The table does not hold pi0, from which the load is computed.";
+    return table.fixes("a_over_t") ? "The table holds a single a/t: there is no curve." : "";
+}
+
+const table = read(byId("packed").textContent);
+if (reason(table)) byId("message").append(element("p", {}, reason(table)));
 else new Page(table);
 
 // On a narrow page a figure is as wide as the page; a button shows it at its full size, to be moved sideways.

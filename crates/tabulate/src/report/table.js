@@ -2,6 +2,7 @@
 
 /** The version of the packed form that this page reads. */
 const PACKED_VERSION = 2;
+/** The bytes before the payload: 8 of magic, the version (u32), the length (u64) and the CRC-32 (u32) of the payload. */
 const PREFIX = 24;
 /** The degree of the splines through a table's nodes, where there are enough of them. */
 const DEGREE = 9;
@@ -62,6 +63,18 @@ class Reader {
     array(count, item) {
         return Array.from({ length: count }, item);
     }
+}
+
+/** The CRC-32 of bytes, as in zip and PNG. */
+function checksum(bytes) {
+    const table = Uint32Array.from({ length: 256 }, (_, byte) => {
+        let remainder = byte;
+        for (let bit = 0; bit < 8; bit += 1) remainder = (remainder >>> 1) ^ (remainder & 1 ? 0xedb88320 : 0);
+        return remainder;
+    });
+    let remainder = 0xffffffff;
+    for (const byte of bytes) remainder = (remainder >>> 8) ^ table[(remainder ^ byte) & 255];
+    return ~remainder >>> 0;
 }
 
 /** The B-splines on the nodes of an axis, with "not-a-knot" ends. */
@@ -150,9 +163,10 @@ function coordinate(parameter, value) {
 class Table {
     constructor(bytes) {
         const reader = new Reader(bytes, 8), { f64, u32, u64 } = Reader.prototype;
-        const version = reader.u32();
-        if (version !== PACKED_VERSION) throw new Error(`the data has version ${version}, this page reads ${PACKED_VERSION}`);
-        reader.at = PREFIX;
+        // What is whole was checked when the page was made.
+        const isWhole = bytes.length >= PREFIX && reader.u32() === PACKED_VERSION && reader.u64() === bytes.length - PREFIX
+            && reader.u32() === checksum(bytes.subarray(PREFIX));
+        if (!isWhole) throw new Error("the data is damaged");
         const list = (item) => reader.array(reader.u64(), () => item.call(reader));
         // The description: title, scene, nu0, tolerance, program, certificate.
         reader.text();

@@ -7,16 +7,17 @@
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-use interp::{Certificate, Description, Parameter, Table};
+use interp::{Certificate, Parameter, Table};
 
 use crate::parallel::try_map;
 use crate::solve::larger;
 use crate::table::archive;
 use crate::table::budget::Budget;
+use crate::table::build;
 use crate::table::certify::{Sample, certificate, measure, sample};
-use crate::table::journal::{Header, Journal, beside};
+use crate::table::journal::{Header, Journal};
 use crate::table::plan::Plan;
-use crate::table::scene::Scene;
+use crate::table::scene::{Scene, created_by};
 use crate::table::sweep::Sweep;
 use crate::{Error, output};
 
@@ -60,10 +61,6 @@ pub struct Generated {
     pub solved: Duration,
 }
 
-/// The ending of the table until it is complete. It is shorter than that of the journal, so that a
-/// name is refused as too long when the journal is opened, before any solving.
-const UNFINISHED: &str = "partial";
-
 /// The largest number of refinements. More of them would not help.
 const MOST_ROUNDS: usize = 5;
 
@@ -81,16 +78,16 @@ const SUSPECTS: usize = 24;
 /// Solves every node of a scene, measures the accuracy, refines the axes that hold the error until
 /// it is within the tolerance, and writes the file.
 ///
-/// The file depends on the scene, the certificate's points and seed, and this program alone. It
-/// does not depend on the number of threads, or on interruptions. Until the new file is complete,
-/// an existing one at `path` is not touched.
+/// The file depends on the scene, the certificate's points and seed, and this build of the program
+/// on this kind of processor alone. It does not depend on the number of threads, or on
+/// interruptions. Until the new file is complete, an existing one at `path` is not touched.
 ///
 /// A table whose error exceeds the tolerance, because the scene states its nodes or the budget does
 /// not allow another round, is written too: compare its certificate with the tolerance.
 ///
 /// # Errors
 /// [`Error::Busy`] if another process generates the same file; [`Error::OtherRun`] if the finished
-/// pieces belong to another scene, or a refined plan to another certificate; [`Error::Budget`] if
+/// pieces belong to another scene, build or processor, or a refined plan to another certificate; [`Error::Budget`] if
 /// the budget is spent before all is solved; [`Error::Write`] for a file that cannot be written, a
 /// name that ends in `.bin`, or a program that was built without the feature `hdf5`; those of the
 /// solve and of [`Plan::new`]. Finished pieces are kept.
@@ -107,6 +104,9 @@ pub fn generate(
     // Two links to one file are one output. A file cannot be renamed from one disk to another.
     let path = &output::behind_links(path)?;
     archive::check(path)?;
+    for removed in output::tidy(path) {
+        observer.note(&output::removed(&removed));
+    }
     let mut journal = Journal::open(path)?;
     let outcome = run(scene, path, options, observer, &mut journal);
     match &outcome {
@@ -155,7 +155,11 @@ fn run(
         } else {
             match plan.refined(factors(&table, samples)?, scene) {
                 // This table is better than none.
-                Err(error @ (Error::TooLarge { .. } | Error::Unresolved { .. })) => {
+                Err(
+                    error @ (Error::TooLarge { .. }
+                    | Error::TooClose { .. }
+                    | Error::Unresolved { .. }),
+                ) => {
                     observer.note(&error.to_string());
                     None
                 }
@@ -178,7 +182,7 @@ fn run(
             }
             None => {
                 table.set_certificate(certificate);
-                archive::write_through(&table, path, &beside(path, UNFINISHED))?;
+                archive::write(&table, path)?;
                 return Ok(Generated {
                     table,
                     refined,
@@ -233,7 +237,7 @@ fn table(
     for piece in 0..sweep.pieces() {
         sweep.place(&mut values, piece, &journal.values(piece, sweep.values())?);
     }
-    Ok(Table::new(description(scene), axes.clone(), values)?)
+    Ok(Table::new(scene.description(), axes.clone(), values)?)
 }
 
 /// Solves the pieces that the journal does not hold yet.
@@ -305,6 +309,7 @@ fn factors(table: &Table, mut samples: Vec<Sample>) -> Result<[f64; 4], Error> {
 fn header(scene: &Scene, round: usize, plan: &Plan, options: &Options<'_>) -> Header {
     Header {
         created_by: created_by(),
+        build: build::name(),
         scene: scene.text.clone(),
         tolerance: scene.tolerance,
         certificate_points: options.certificate_points,
@@ -324,6 +329,12 @@ fn same_run(
 ) -> Result<(), Error> {
     let what = if header.created_by != created_by() {
         format!("by {}, and this is {}", header.created_by, created_by())
+    } else if header.build != build::name() {
+        format!(
+            "by another build or on another processor, {}, and this is {}, whose last digits may differ",
+            header.build,
+            build::name()
+        )
     } else if header.tolerance != scene.tolerance {
         format!(
             "with tolerance = {:?}, and this is {:?}",
@@ -349,20 +360,4 @@ fn same_run(
         journal: Journal::path(path),
         what,
     })
-}
-
-fn created_by() -> String {
-    format!("tabulate {}", env!("CARGO_PKG_VERSION"))
-}
-
-/// Returns the description of a table before its certificate is measured.
-fn description(scene: &Scene) -> Description {
-    Description {
-        title: scene.title.clone(),
-        scene: scene.text.clone(),
-        nu0: scene.nu0,
-        tolerance: scene.tolerance,
-        created_by: created_by(),
-        certificate: Certificate::UNMEASURED,
-    }
 }

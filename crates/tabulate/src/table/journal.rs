@@ -8,12 +8,14 @@
 //!
 //! All integers are little-endian. A [`Header`], as TOML, is followed by the pieces of its sweep,
 //! with their numbers, as f64. A refined plan has a header of its own, and the pieces before that
-//! header are void. Each record is flushed to the disk before the next is begun. A torn record at
-//! the end, of a process that was killed, is dropped. The file is locked while the generation runs,
-//! and removed when the table is complete.
+//! header are void. A torn record at the end, of a process that was killed, is dropped. The file is
+//! locked while the generation runs, and removed when the table is complete.
+//!
+//! Whatever kills the process, the pieces that were added stay. A loss of power costs those since
+//! the last flush to the disk, [`LOST`] bytes at most.
 
 use std::collections::HashMap;
-use std::fs::{self, File, OpenOptions, TryLockError};
+use std::fs::{self, File, Metadata, OpenOptions, TryLockError};
 use std::io::{self, BufReader, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
@@ -25,6 +27,11 @@ use crate::{Error, output};
 const MAGIC: [u8; 8] = *b"COATJRN\n";
 /// The bytes of number, length and checksum.
 const PREFIX: usize = 20;
+/// The largest number of bytes of pieces that are not flushed to the disk: those of 32,000 contacts
+/// with four quantities, a second of solves. A flush of every piece takes longer than small pieces.
+const LOST: u64 = 1 << 20;
+/// What to do with something else in the place of a journal.
+const ELSEWHERE: &str = "move it, or write the table elsewhere";
 /// The number of the header's record, which no piece has.
 const HEADER: u64 = u64::MAX;
 
@@ -34,6 +41,8 @@ const HEADER: u64 = u64::MAX;
 pub struct Header {
     /// Program and version.
     pub created_by: String,
+    /// The build of the program and the processor's features, on which the last digits depend.
+    pub build: String,
     /// The scene's text.
     pub scene: String,
     /// The tolerance of the table.
@@ -60,6 +69,8 @@ pub struct Journal {
     pieces: HashMap<usize, (u64, u64)>,
     /// The end of the last whole record.
     end: u64,
+    /// The number of bytes that are flushed to the disk.
+    flushed: u64,
 }
 
 impl Journal {
@@ -79,7 +90,14 @@ impl Journal {
             path: path.clone(),
             source,
         };
+        // Reading a pipe may block, and what a link leads to is not ours.
+        let is_other = |data: Metadata| !data.is_file();
         loop {
+            if fs::symlink_metadata(&path).is_ok_and(is_other) {
+                return Err(write(io::Error::other(format!(
+                    "it is no file; {ELSEWHERE}"
+                ))));
+            }
             let file = OpenOptions::new()
                 .read(true)
                 .write(true)
@@ -97,7 +115,7 @@ impl Journal {
                 Err(TryLockError::Error(source)) => return Err(write(source)),
             }
             // Its owner may have removed the file between the two steps.
-            if is_same(&file, &path) {
+            if output::is_at(&file, &path) {
                 let mut journal = Self {
                     path: path.clone(),
                     file,
@@ -105,6 +123,7 @@ impl Journal {
                     unreadable: false,
                     pieces: HashMap::new(),
                     end: 0,
+                    flushed: 0,
                 };
                 journal.recover().map_err(write)?;
                 return Ok(journal);
@@ -122,9 +141,9 @@ impl Journal {
             .take(MAGIC.len() as u64)
             .read_to_end(&mut magic)?;
         if !MAGIC.starts_with(&magic) {
-            return Err(io::Error::other(
-                "it exists and is not the journal of an unfinished table; move it, or write the table elsewhere",
-            ));
+            return Err(io::Error::other(format!(
+                "it exists and is not the journal of an unfinished table; {ELSEWHERE}"
+            )));
         }
         let mut end = magic.len() as u64;
         while let Some((number, bytes)) = record(&mut reader, length - end)? {
@@ -185,6 +204,7 @@ impl Journal {
         });
         self.named(emptied)?;
         self.end = MAGIC.len() as u64;
+        self.flushed = 0;
         self.go_on(header)
     }
 
@@ -196,7 +216,8 @@ impl Journal {
     pub fn go_on(&mut self, header: Header) -> Result<(), Error> {
         let appended = toml::to_string(&header)
             .map_err(io::Error::other)
-            .and_then(|text| self.append(HEADER, text.as_bytes()));
+            .and_then(|text| self.append(HEADER, text.as_bytes()))
+            .and_then(|()| self.flush());
         self.named(appended)?;
         (self.header, self.unreadable) = (Some(header), false);
         self.pieces.clear();
@@ -214,7 +235,10 @@ impl Journal {
             .flat_map(|value| value.to_le_bytes())
             .collect();
         let start = self.end + PREFIX as u64;
-        let added = self.append(piece as u64, &bytes);
+        let mut added = self.append(piece as u64, &bytes);
+        if added.is_ok() && self.end - self.flushed > LOST {
+            added = self.flush();
+        }
         self.named(added)?;
         self.pieces.insert(piece, (start, bytes.len() as u64));
         Ok(())
@@ -265,8 +289,13 @@ impl Journal {
         record.extend(crc32fast::hash(bytes).to_le_bytes());
         record.extend(bytes);
         self.file.write_all(&record)?;
-        self.file.sync_data()?;
         self.end += record.len() as u64;
+        Ok(())
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.file.sync_data()?;
+        self.flushed = self.end;
         Ok(())
     }
 
@@ -300,23 +329,125 @@ fn record(reader: &mut impl Read, room: u64) -> io::Result<Option<(u64, Option<V
 }
 
 /// Returns a file name with one more ending.
-pub(crate) fn beside(path: &Path, ending: &str) -> PathBuf {
+fn beside(path: &Path, ending: &str) -> PathBuf {
     let mut name = path.as_os_str().to_owned();
     name.push(".");
     name.push(ending);
     name.into()
 }
 
-/// Returns true if an open file is still the one at the path.
-#[cfg(unix)]
-fn is_same(file: &File, path: &Path) -> bool {
-    use std::os::unix::fs::MetadataExt;
-    let identity = |data: io::Result<fs::Metadata>| data.map(|data| (data.dev(), data.ino())).ok();
-    identity(file.metadata()).is_some_and(|open| Some(open) == identity(fs::metadata(path)))
-}
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::hostile::each_damaged;
+    use crate::table::scene::Scene;
 
-/// Returns true: on other systems an open file cannot be removed.
-#[cfg(not(unix))]
-fn is_same(_: &File, _: &Path) -> bool {
-    true
+    #[test]
+    fn pieces_are_flushed_by_their_bytes() {
+        const PIECES: usize = 10_000;
+        let folder = tempfile::tempdir().expect("a temporary folder");
+        let table = folder.path().join("table.h5");
+        for values in [4, 400, 400_000] {
+            let mut journal = Journal::open(&table).expect("a new journal");
+            journal.begin(header()).expect("written");
+            let piece = vec![1.0; values];
+            let count = PIECES.min(40_000_000 / values);
+            let (mut flushes, mut flushed) = (0, journal.flushed);
+            assert_eq!(flushed, journal.end);
+            for number in 0..count {
+                journal.add(number, &piece).expect("written");
+                assert!(journal.end - journal.flushed <= LOST);
+                flushes += usize::from(journal.flushed > flushed);
+                flushed = journal.flushed;
+            }
+            let bytes = (count * (8 * values + PREFIX)) as u64;
+            assert!(
+                flushes as u64 <= bytes / LOST,
+                "{flushes} of {count} pieces"
+            );
+            assert_eq!(journal.finished(), count);
+            journal.remove().expect("removed");
+        }
+    }
+
+    /// Any bytes give an error, or pieces that are there. The records of every second case have
+    /// sound checksums.
+    #[test]
+    fn a_damaged_journal_is_read_or_refused() {
+        const WORDS: [&str; 8] = [
+            "\0\0\0\0\0\0\0\0",
+            "COATJRN\n",
+            "nodes = 1",
+            "nodes = 9223372036854775807",
+            "from = nan",
+            "evenness = -1.0",
+            "round = 7",
+            "\n",
+        ];
+        let folder = tempfile::tempdir().expect("a temporary folder");
+        let table = folder.path().join("table.h5");
+        let mut journal = Journal::open(&table).expect("a new journal");
+        journal.begin(header()).expect("written");
+        for piece in 0..3 {
+            journal.add(piece, &[1.0, 2.0]).expect("written");
+        }
+        let path = Journal::path(&table);
+        let sound = fs::read(&path).expect("there");
+        let text = toml::to_string(&header()).expect("TOML");
+        drop(journal);
+        let scene = scene();
+        let (mut refused, mut fits, mut held) = (0, 0, 0);
+        let mut read = |bytes: &[u8]| {
+            fs::write(&path, bytes).expect("written");
+            let Ok(mut journal) = Journal::open(&table) else {
+                refused += 1;
+                return;
+            };
+            if let Some(header) = journal.header() {
+                fits += usize::from(header.plan.fits(&scene));
+            }
+            assert!(journal.finished() * (PREFIX + 1) <= bytes.len());
+            journal.keep(3, 2);
+            for piece in 0..4 {
+                let values = journal.values(piece, 2);
+                assert_eq!(values.is_ok(), journal.holds(piece));
+                held += usize::from(values.is_ok_and(|values| values == [1.0, 2.0]));
+            }
+        };
+        each_damaged(&sound, &WORDS, 1, |_, bytes| read(bytes));
+        let start = MAGIC.len() + PREFIX + text.len();
+        each_damaged(text.as_bytes(), &WORDS, 2, |_, header| {
+            let mut bytes = [&MAGIC[..], &HEADER.to_le_bytes()].concat();
+            bytes.extend((header.len() as u64).to_le_bytes());
+            bytes.extend(crc32fast::hash(header).to_le_bytes());
+            bytes.extend(header);
+            bytes.extend(&sound[start..]);
+            read(&bytes);
+        });
+        println!("{refused} refused, {fits} plans fit, {held} pieces held");
+        assert!(fits > 0 && held > 0);
+    }
+
+    fn scene() -> Scene {
+        Scene::parse(
+            "title = 'x'\na_over_t = { from = 1, to = 2, nodes = 3 }\ne1_over_e2 = 1\nnu1 = 0.5\n\
+             e0_over_e2 = inf\nquantities = ['pi0', 'eeq']\n",
+            None,
+        )
+        .expect("a sound scene")
+    }
+
+    fn header() -> Header {
+        let scene = scene();
+        Header {
+            created_by: String::new(),
+            build: String::new(),
+            tolerance: scene.tolerance,
+            certificate_points: 1,
+            seed: 1,
+            round: 0,
+            plan: Plan::new(&scene).expect("stated nodes"),
+            scene: scene.text,
+        }
+    }
 }

@@ -4,10 +4,11 @@
 //! `placement`, with as few nodes as the splines on `lines` through the box need. `sweep` solves
 //! the nodes, into the `journal`, from which an interrupted run goes on. `certify` measures the
 //! certificate: the largest error at sampled points. `archive` writes the HDF5 file. `generate`
-//! runs all of these within a `budget`. `compress` makes the low-rank form of a finished table.
+//! runs all of these within a `budget`; `build` names the program whose pieces a journal holds. `compress` makes the low-rank form of a finished table.
 
 pub mod archive;
 mod budget;
+mod build;
 mod certify;
 mod compress;
 mod generate;

@@ -4,7 +4,7 @@
 //! Each axis is planned by itself, on the `lines` that run along it. The error of a tensor spline
 //! is, to first order, the sum of the errors of its axes.
 
-use interp::Parameter;
+use interp::{Parameter, Table};
 use serde::{Deserialize, Serialize};
 
 use crate::Error;
@@ -38,7 +38,8 @@ impl Plan {
     ///
     /// # Errors
     /// Those of the solve; [`Error::Unresolved`] where an axis would need thousands of nodes, or
-    /// nodes closer than f64 can tell apart; [`Error::TooLarge`] where a table of more than 2e8
+    /// nodes closer than f64 can tell apart; [`Error::TooClose`] where they are too close for
+    /// splines; [`Error::TooLarge`] where a table of more than 2e8
     /// values would be needed.
     pub fn new(scene: &Scene) -> Result<Self, Error> {
         Self::within(scene, None)
@@ -46,50 +47,49 @@ impl Plan {
 
     /// Plans like [`Plan::new`], or returns [`Error::Budget`] when the budget is spent before.
     pub(crate) fn within(scene: &Scene, budget: Option<Budget<'_>>) -> Result<Self, Error> {
-        let mut placements = scene
-            .extents
-            .map(|extent| Placement::Fixed(extent.ends()[0]));
-        for ((parameter, extent), placement) in scene
-            .parameters
-            .into_iter()
-            .zip(scene.extents)
-            .zip(&mut placements)
-        {
-            match extent {
-                Extent::Fixed(_) => {}
-                Extent::Even { from, to, nodes } => {
-                    *placement = Placement::Nodes {
-                        from,
-                        to,
-                        nodes,
-                        evenness: 1.0,
-                        free: false,
-                    }
-                }
-                Extent::Range { from, to } => {
-                    let lines = Lines::solve(scene, parameter, [from, to], budget)?;
-                    let unresolved = || Error::Unresolved {
-                        axis: parameter.name(),
-                        nodes: lines.most(),
-                        tolerance: scene.tolerance,
-                    };
-                    let (nodes, evenness) = lines
-                        .fewest(SHARE * scene.tolerance)
-                        .ok_or_else(unresolved)?;
-                    *placement = Placement::Nodes {
-                        from,
-                        to,
-                        nodes,
-                        evenness,
-                        free: true,
-                    };
-                }
-            }
-        }
-        let plan = Self {
+        // At least two nodes on every axis: what cannot be made of these is refused before a solve.
+        let placements = scene.extents.map(|extent| match extent {
+            Extent::Fixed(value) => Placement::Fixed(value),
+            Extent::Even { from, to, nodes } => Placement::Nodes {
+                from,
+                to,
+                nodes,
+                evenness: 1.0,
+                free: false,
+            },
+            Extent::Range { from, to } => Placement::Nodes {
+                from,
+                to,
+                nodes: 2,
+                evenness: EVENNESS[0],
+                free: true,
+            },
+        });
+        let mut plan = Self {
             parameters: scene.parameters,
             placements,
         };
+        plan.check(scene)?;
+        for (parameter, placement) in scene.parameters.into_iter().zip(&mut plan.placements) {
+            if let Placement::Nodes {
+                from,
+                to,
+                nodes,
+                evenness,
+                free: true,
+            } = placement
+            {
+                let lines = Lines::solve(scene, parameter, [*from, *to], budget)?;
+                let unresolved = || Error::Unresolved {
+                    axis: parameter.name(),
+                    nodes: lines.most(),
+                    tolerance: scene.tolerance,
+                };
+                (*nodes, *evenness) = lines
+                    .fewest(SHARE * scene.tolerance)
+                    .ok_or_else(unresolved)?;
+            }
+        }
         plan.check(scene)?;
         Ok(plan)
     }
@@ -198,6 +198,36 @@ impl Plan {
                     tolerance: scene.tolerance,
                 });
             }
+        }
+        self.is_tabulated(scene)
+    }
+
+    /// Accepts a plan whose description and axes a table accepts, which is known before its values
+    /// are: each axis by itself, in a table of ones.
+    fn is_tabulated(&self, scene: &Scene) -> Result<(), Error> {
+        let table = |along: Option<Parameter>| {
+            let axes = self.axes().map(|(parameter, mut nodes)| {
+                if Some(parameter) != along {
+                    nodes.truncate(1);
+                }
+                (parameter, nodes)
+            });
+            let count = axes
+                .each_ref()
+                .map(|(_, nodes)| nodes.len())
+                .iter()
+                .product();
+            let ones = [Some(vec![1.0; count]), None, None, None];
+            Table::new(scene.description(), axes, ones)
+        };
+        table(None)?;
+        for (parameter, nodes) in self.axes() {
+            table(Some(parameter)).map_err(|_| Error::TooClose {
+                axis: parameter.name(),
+                nodes: nodes.len(),
+                from: nodes[0],
+                to: nodes[nodes.len() - 1],
+            })?;
         }
         Ok(())
     }

@@ -4,16 +4,17 @@
 //! cost.
 
 use std::fmt;
+use std::io::Read;
 use std::path::Path;
 
-use interp::{Material, Parameter, Quantity, SubstratePoissonRatio};
+use interp::{Certificate, Description, Material, Parameter, Quantity, SubstratePoissonRatio};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 use serde::de::{Error as _, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer};
 
-use crate::Error;
 use crate::solve::A_OVER_T;
+use crate::{Error, input};
 
 /// The keys of a scene, before they are checked.
 #[derive(Clone, Debug, Deserialize)]
@@ -171,6 +172,8 @@ pub const DEFAULT_NU0: f64 = 0.25;
 pub(crate) const TOLERANCE: [f64; 2] = [1e-10, 1e-1];
 /// The ratios of moduli of a table, besides 0 and infinity.
 const MODULI: [f64; 2] = [1e-30, 1e30];
+/// The largest number of bytes of a scene file. A larger one is taken for a mistake.
+const LONGEST: u64 = 1 << 20;
 /// The largest number of nodes on an axis. A larger one is taken for a mistake.
 pub(crate) const MOST_NODES: usize = 10_000;
 
@@ -181,10 +184,13 @@ impl Scene {
     /// [`Error::Read`] if the file cannot be read; [`Error::Scene`] with file, key, value and
     /// range.
     pub fn read(path: &Path, tolerance: Option<f64>) -> Result<Self, Error> {
-        let text = std::fs::read_to_string(path).map_err(|source| Error::Read {
-            path: path.to_owned(),
-            source,
-        })?;
+        let mut text = String::new();
+        input::open(path, LONGEST)
+            .and_then(|(mut file, _)| file.read_to_string(&mut text))
+            .map_err(|source| Error::Read {
+                path: path.to_owned(),
+                source,
+            })?;
         Self::parse(&text, tolerance).map_err(|what| Error::Scene {
             path: path.to_owned(),
             what,
@@ -197,6 +203,9 @@ impl Scene {
     /// A sentence with key, value and range.
     pub fn parse(text: &str, tolerance: Option<f64>) -> Result<Self, String> {
         let scene: Text = toml::from_str(text).map_err(|error| explained(text, &error))?;
+        if scene.title.contains('\0') {
+            return Err("title holds the character U+0000, which HDF5 cannot store".into());
+        }
         let tolerance = tolerance.unwrap_or(scene.tolerance);
         within("tolerance", tolerance, TOLERANCE)?;
         let mut quantities = scene.quantities;
@@ -261,6 +270,18 @@ impl Scene {
             .count()
     }
 
+    /// Returns the description of the scene's table before its certificate is measured.
+    pub(crate) fn description(&self) -> Description {
+        Description {
+            title: self.title.clone(),
+            scene: self.text.clone(),
+            nu0: self.nu0,
+            tolerance: self.tolerance,
+            created_by: created_by(),
+            certificate: Certificate::UNMEASURED,
+        }
+    }
+
     /// Returns `count` random points of the box, evenly distributed in the axes' coordinates.
     pub fn random_points(&self, count: usize, seed: u64) -> Vec<[f64; 4]> {
         let ends = self.extents.each_ref().map(Extent::ends);
@@ -274,6 +295,11 @@ impl Scene {
     pub fn material(&self, values: [f64; 3]) -> Result<Material, Error> {
         material(self.parameters, self.nu0, values)
     }
+}
+
+/// Returns the name and the version of the program.
+pub(crate) fn created_by() -> String {
+    format!("tabulate {}", env!("CARGO_PKG_VERSION"))
 }
 
 /// Returns the material with these values of the second to fourth parameter of a scene or table.
@@ -403,5 +429,64 @@ fn within(key: &str, value: f64, [from, to]: [f64; 2]) -> Result<(), String> {
         Ok(())
     } else {
         Err(format!("{key} = {value:?} is outside {from:e} to {to:e}"))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::hostile::each_damaged;
+    use crate::table::Plan;
+
+    #[test]
+    fn a_damaged_scene_is_refused_or_sound() {
+        const SOUND: &str = "title = \"x\"\ntolerance = 1e-2\nquantities = [\"pi0\", \"eeq\"]\n\
+             a_over_t = { from = 1e-1, to = 10, nodes = 5 }\ne1_over_e2 = { from = 0.3, to = 3, nodes = 4 }\n\
+             nu1 = 0.5\ne0_over_e2 = { from = 10, to = 100, nodes_per_decade = 3 }\nnu0 = 0.25\n";
+        const WORDS: [&str; 20] = [
+            "nan",
+            "inf",
+            "-inf",
+            "-",
+            "0",
+            "1e-30",
+            "1e308",
+            "9223372036854775807",
+            "\"paired\"",
+            "e1s_over_einfs",
+            "e0s_over_e2s",
+            "[",
+            "]]",
+            "{",
+            "\"",
+            "\\u0000",
+            "\u{1b}",
+            "\n",
+            "nodes = 10000",
+            "1.0000000001",
+        ];
+        let (mut refused, mut accepted, mut planned) = (0, 0, 0);
+        each_damaged(SOUND.as_bytes(), &WORDS, 3, |_, bytes| {
+            let Ok(text) = std::str::from_utf8(bytes) else {
+                return;
+            };
+            let Ok(scene) = Scene::parse(text, None) else {
+                refused += 1;
+                return;
+            };
+            accepted += 1;
+            assert!(TOLERANCE[0] <= scene.tolerance && scene.tolerance <= TOLERANCE[1]);
+            for point in scene.random_points(2, 1) {
+                let [_, values @ ..] = point;
+                assert!(scene.material(values).is_ok(), "{text}");
+            }
+            // Planning a range takes solves; stated nodes need none.
+            let is_stated = |extent: &Extent| !matches!(extent, Extent::Range { .. });
+            if scene.extents.iter().all(is_stated) && scene.title.len() % 8 == 1 {
+                planned += usize::from(Plan::new(&scene).is_ok());
+            }
+        });
+        println!("{refused} refused, {accepted} accepted, {planned} planned");
+        assert!(refused > 0 && planned > 0);
     }
 }

@@ -9,17 +9,16 @@ use std::path::{Path, PathBuf};
 
 use anyhow::Context;
 use clap::Subcommand;
-use serde::Serialize;
-use serde::de::DeserializeOwned;
 
 pub use self::effects::of_default as measure_effects;
 pub use self::lookup::of_default as measure_lookup;
 pub use self::solve::of_default as measure_solve;
 pub use self::table::of_default as measure_table;
-use super::{note, write_text};
+use super::output::Output;
+use super::{note, print};
 use crate::cost::clock::Timing;
-use crate::cost::{Measured, compare, read_csv, to_csv};
-use crate::output;
+use crate::cost::{Measured, Measurement, compare, read_csv, to_csv};
+use crate::printable;
 
 /// Measure the cost of accuracy in time and memory
 ///
@@ -74,13 +73,16 @@ impl Rows {
     /// Gets the rows, writes and compares them if that is asked for, and prints their summary. What
     /// is left out is named in the summary and on standard error. `input` is a file that the output
     /// must not replace.
-    fn report<R: Serialize + DeserializeOwned>(
+    fn report<R: Measurement>(
         &self,
         input: Option<&Path>,
         measure: impl FnOnce(Timing) -> anyhow::Result<Measured<R>>,
         markdown: fn(&[R]) -> String,
     ) -> anyhow::Result<()> {
-        output::check(self.output.as_deref(), input)?;
+        let output = Output::new(
+            self.output.as_deref(),
+            [input, self.data.as_deref(), self.compare.as_deref()],
+        )?;
         let before = self
             .compare
             .as_ref()
@@ -91,23 +93,23 @@ impl Rows {
             None => measure(self.timing())?,
         };
         if self.output.is_some() {
-            write_text(self.output.as_deref(), &to_csv(&rows))?;
+            output.write(&to_csv(&rows))?;
         }
         let mut summary = markdown(&rows);
         for sentence in &left_out {
             summary += &format!("{sentence}\n");
         }
-        write_text(None, summary.as_bytes())?;
+        print(printable::lines(&summary).as_bytes())?;
         report_left_out(&left_out);
         let Some((path, before)) = before else {
             return Ok(());
         };
-        compare(&before, &rows).with_context(|| path.display().to_string())?;
+        compare(&before, &rows).with_context(|| printable::path(path))?;
         let fewer = before.len() - rows.len();
         if fewer > 0 {
             note(&format!(
                 "{}: the last {fewer} of its {} rows are not compared",
-                path.display(),
+                printable::path(path),
                 before.len()
             ));
         }

@@ -19,6 +19,7 @@ use super::clock::{Times, Timing};
 use super::deviation::median_and_largest;
 use super::table::Made;
 use crate::Error;
+use crate::cost::rows::{COUNT, ERROR, Measurement, TOLERANCE};
 use crate::parallel::try_map;
 use crate::table::{Observer, Scene};
 
@@ -51,6 +52,22 @@ pub struct Row {
     pub median_error: f64,
     /// Largest error of the load over the scene.
     pub worst_error: f64,
+}
+
+impl Measurement for Row {
+    const RANGES: &'static [(&'static str, [f64; 2])] = &[
+        ("tolerance", TOLERANCE),
+        ("axes", [0.0, 4.0]),
+        ("solves", COUNT),
+        ("threads", [1.0, 1e6]),
+        ("seconds", [0.0, 1e9]),
+        ("bytes", COUNT),
+        ("saved_solves", [-1e15, 1e15]),
+        ("saved_seconds", [-1e9, 1e9]),
+        ("saved_bytes", [-1e15, 1e15]),
+        ("median_error", ERROR),
+        ("worst_error", ERROR),
+    ];
 }
 
 /// The number of times that each table is made, in turns with the others. The fastest time counts.

@@ -24,6 +24,7 @@ pub use self::summary::markdown;
 use super::Measured;
 use super::clock::Timing;
 use crate::Error;
+use crate::cost::rows::{COUNT, ERROR, Measurement, TIME};
 use crate::table;
 
 /// The basis of a form of lookup.
@@ -67,6 +68,18 @@ pub struct Row {
     pub adhesive_median_error: Option<f64>,
     /// Largest error of the load where adhesion halves it; none for forms without adhesion.
     pub adhesive_max_error: Option<f64>,
+}
+
+impl Measurement for Row {
+    const RANGES: &'static [(&'static str, [f64; 2])] = &[
+        ("seconds", TIME),
+        ("points", COUNT),
+        ("median_error", ERROR),
+        ("max_error", ERROR),
+        ("max_factor", [1.0, 1e30]),
+        ("adhesive_median_error", ERROR),
+        ("adhesive_max_error", ERROR),
+    ];
 }
 
 /// The number of points of the command.

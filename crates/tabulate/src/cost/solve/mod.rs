@@ -18,6 +18,7 @@ use super::clock::Timing;
 use super::deviation::deviation;
 use super::nystrom::Nystrom;
 use crate::Error;
+use crate::cost::rows::{ERROR, Measurement, TIME, TOLERANCE};
 use crate::solve::solve;
 
 /// A contact and its four quantities, computed independently.
@@ -110,6 +111,16 @@ pub struct Row {
     pub error: Option<f64>,
     /// The time on one core: a median.
     pub seconds: f64,
+}
+
+impl Measurement for Row {
+    const RANGES: &'static [(&'static str, [f64; 2])] = &[
+        ("a_over_t", [1e-30, 1e30]),
+        ("tolerance", TOLERANCE),
+        ("error_estimated", ERROR),
+        ("error", ERROR),
+        ("seconds", TIME),
+    ];
 }
 
 /// The name of the contacts of the paper's material.

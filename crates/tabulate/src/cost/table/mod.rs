@@ -23,6 +23,7 @@ pub use self::summary::markdown;
 use super::Measured;
 use super::clock::Timing;
 use crate::Error;
+use crate::cost::rows::{COUNT, ERROR, Measurement, TIME, TOLERANCE};
 use crate::table::{Observer, Scene};
 
 /// One table of a scene, and direct solves beside it. Times of single evaluations are means over
@@ -74,6 +75,25 @@ pub struct Row {
     pub break_even_along: f64,
 }
 
+impl Measurement for Row {
+    const RANGES: &'static [(&'static str, [f64; 2])] = &[
+        ("tolerance", TOLERANCE),
+        ("solves", COUNT),
+        ("threads", [1.0, 1e6]),
+        ("seconds", TIME),
+        ("dense_bytes", COUNT),
+        ("dense_error", ERROR),
+        ("pack_seconds", TIME),
+        ("packed_bytes", COUNT),
+        ("packed_error", ERROR),
+        ("solve_seconds", TIME),
+        ("curve_seconds", TIME),
+        ("point_seconds", TIME),
+        ("break_even_alone", [0.0, f64::INFINITY]),
+        ("break_even_along", [0.0, f64::INFINITY]),
+    ];
+}
+
 impl Row {
     /// Returns the number of nodes on each axis.
     pub const fn nodes(&self) -> [u64; 4] {
@@ -112,8 +132,8 @@ pub fn break_even(making: f64, solve: f64, lookup: f64) -> f64 {
 /// [`Measured::left_out`].
 ///
 /// # Errors
-/// Those of [`generate`](crate::table::generate) and [`low_rank`] if not even the first table can
-/// be made; [`Error::Write`] for temporary files that cannot be written.
+/// Those of [`generate`](crate::table::generate) and [`low_rank`](crate::table::low_rank) if not
+/// even the first table can be made; [`Error::Write`] for temporary files that cannot be written.
 pub fn measure(
     scene: &Scene,
     limits: &Limits<'_>,

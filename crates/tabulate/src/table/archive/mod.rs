@@ -59,12 +59,6 @@ pub fn write(table: &Table, path: &Path) -> Result<(), Error> {
     output::atomically(path, |unfinished| fill(&table, unfinished))
 }
 
-/// Does the work of [`write()`] through a temporary path that the caller owns.
-pub(crate) fn write_through(table: &Table, path: &Path, unfinished: &Path) -> Result<(), Error> {
-    check(path)?;
-    output::through(path, unfinished, |unfinished| fill(table, unfinished))
-}
-
 #[cfg(feature = "hdf5")]
 fn fill(table: &Table, path: &Path) -> io::Result<()> {
     datasets::fill(table, path).map_err(io::Error::other)

@@ -1,0 +1,197 @@
+//! Limits and checks that come before any work, and measurements that no figure can show.
+
+use std::fmt::Write;
+use std::fs;
+
+use acceptance::{Workdir, assert_names, shipped, workdir};
+
+use crate::TWO_QUANTITIES;
+
+#[test]
+fn a_number_of_points_that_memory_does_not_hold_is_refused() {
+    let workdir = workdir!();
+    workdir.write("scene.toml", TWO_QUANTITIES);
+    let most = "4294967295";
+    for command in [
+        &["generate", "scene.toml", "--certificate-points", most][..],
+        &["check", "embedded", "--points", most],
+        &[
+            "pack",
+            "x.h5",
+            "-o",
+            "x.bin",
+            "--tolerance",
+            "1e-2",
+            "--points",
+            most,
+        ],
+        &["cost", "effects", "scene.toml", "--points", most],
+        &["curve", "--points", most],
+    ] {
+        assert_names(&workdir.fail(2, command), &[most, "1000000"]);
+    }
+    assert_eq!(workdir.files(), ["scene.toml"]);
+}
+
+/// A scene whose planning takes long, so that this test would not end if it came first.
+const SLOW: &str = "
+    title      = 'x'
+    tolerance  = 1e-9
+    a_over_t   = { from = 1e-6, to = 1e6 }
+    e1_over_e2 = { from = 1e-6, to = 1e6 }
+    nu1        = { from = 0, to = 0.4999 }
+    e0_over_e2 = { from = 1e-6, to = 1e6 }
+";
+
+#[test]
+fn what_makes_no_table_is_refused_before_a_solve() {
+    let workdir = workdir!();
+    let with = |from: &str, to: &str| {
+        assert!(SLOW.contains(from));
+        SLOW.replace(from, to)
+    };
+    for (scene, words) in [
+        (with("'x'", "\"a\\u0000b\""), &["title", "U+0000"][..]),
+        (
+            with(
+                "e0_over_e2 = { from = 1e-6, to = 1e6 }",
+                "e0_over_e2 = { from = 1, to = 1.0000000001 }",
+            ),
+            &["e0_over_e2", "2 nodes", "1.0000000001", "too close"],
+        ),
+        (
+            with("from = 0, to = 0.4999", "from = 0.3, to = 0.3000000001"),
+            &["nu1", "0.3000000001", "too close"],
+        ),
+        (
+            with(
+                "from = 0, to = 0.4999",
+                "from = 0.3, to = 0.30001, nodes = 9999",
+            ),
+            &["nu1", "9999 nodes", "too close"],
+        ),
+        (
+            with(
+                "e0_over_e2 = { from = 1e-6, to = 1e6 }",
+                "e0_over_e2 = { from = 1, to = 1.0000000000000002, nodes = 5 }",
+            ),
+            &["e0_over_e2", "5 nodes"],
+        ),
+        (
+            with(
+                "1e6 }\n    e1_over_e2 = { from = 1e-6, to = 1e6 }",
+                "1e6, nodes = 9999 }\n    e1_over_e2 = { from = 1e-6, to = 1e6, nodes = 9999 }",
+            ),
+            &["9999 x 9999 x", "at most 10000 nodes"],
+        ),
+    ] {
+        workdir.write("scene.toml", scene);
+        for more in [&[][..], &["--plan"], &["--resume"]] {
+            let message = workdir.fail(1, &[&["generate", "scene.toml"], more].concat());
+            assert_names(&message, words);
+            assert_eq!(workdir.files(), ["scene.toml"]);
+        }
+    }
+}
+
+/// The figures of measurements, with a column of numbers of each.
+const FIGURES: [(&str, &str); 4] = [
+    ("table", "table-cost"),
+    ("effects", "effects"),
+    ("lookup", "lookup-cost"),
+    ("solve", "work-precision"),
+];
+
+/// Writes the shipped measurements with another value in a row and a column. Returns the line.
+fn write_with(workdir: &Workdir, costs: &str, row: usize, column: usize, value: &str) -> usize {
+    let text = fs::read_to_string(shipped(&format!("figures/{costs}.csv"))).expect("shipped");
+    let mut reader = csv::Reader::from_reader(text.as_bytes());
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    writer
+        .write_record(reader.headers().expect("a header"))
+        .expect("in memory");
+    for (i, record) in reader.records().enumerate() {
+        let record = record.expect("a row");
+        let fields = record.iter().enumerate().map(|(k, field)| {
+            if (i, k) == (row, column) {
+                value
+            } else {
+                field
+            }
+        });
+        writer.write_record(fields).expect("in memory");
+    }
+    workdir.write("costs.csv", writer.into_inner().expect("in memory"));
+    row + 2
+}
+
+/// Every number of every file of measurements is replaced by numbers that no measurement gives. The
+/// figure and the summary either show it, or name the line and the column.
+#[test]
+fn a_measurement_that_cannot_be_shown_is_named_with_its_line_and_column() {
+    let workdir = workdir!();
+    let mut report = String::new();
+    for (costs, figure) in FIGURES {
+        let text = fs::read_to_string(shipped(&format!("figures/{costs}.csv"))).expect("shipped");
+        let header: Vec<&str> = text.lines().next().expect("a header").split(',').collect();
+        let (mut refused, mut shown) = (0, 0);
+        for (column, name) in header.iter().enumerate() {
+            for value in ["0", "inf", "-1", "1e300", "NaN"] {
+                let line = write_with(&workdir, costs, 1, column, value);
+                for command in [
+                    &["plot", figure, "--data", "costs.csv", "-o", "x.svg"][..],
+                    &["cost", costs, "--data", "costs.csv"],
+                ] {
+                    let run = workdir.run(command);
+                    if run.status == 0 {
+                        shown += 1;
+                        continue;
+                    }
+                    refused += 1;
+                    assert_eq!(
+                        (run.status, run.stdout.as_str()),
+                        (1, ""),
+                        "{name} = {value}"
+                    );
+                    let place = [format!("line {line}"), format!("line: {line}")];
+                    assert!(
+                        place.iter().any(|place| run.stderr.contains(place))
+                            || run.stderr.contains("there is no row")
+                            || run.stderr.contains("each row must save"),
+                        "{name} = {value}: {run:?}"
+                    );
+                }
+            }
+        }
+        let _ = writeln!(report, "{costs}: {refused} refused, {shown} shown");
+        assert!(refused > 50);
+    }
+    print!("{report}");
+}
+
+#[test]
+fn the_values_of_the_report_are_refused_by_name() {
+    let workdir = workdir!();
+    for (costs, figure, name, value) in [
+        ("lookup", "lookup-cost", "seconds", "0"),
+        ("lookup", "lookup-cost", "seconds", "inf"),
+        ("lookup", "lookup-cost", "max_error", "1e300"),
+        ("table", "table-cost", "solve_seconds", "0"),
+        ("solve", "work-precision", "tolerance", "0"),
+        ("effects", "effects", "worst_error", "inf"),
+    ] {
+        let text = fs::read_to_string(shipped(&format!("figures/{costs}.csv"))).expect("shipped");
+        let header = text.lines().next().expect("a header");
+        let column = header.split(',').position(|column| column == name);
+        let line = write_with(&workdir, costs, 2, column.expect("a column"), value);
+        let message = workdir.fail(1, &["plot", figure, "--data", "costs.csv", "-o", "x.svg"]);
+        assert_names(
+            &message,
+            &[
+                "costs.csv",
+                &format!("line {line}: {name} = {value} is outside"),
+            ],
+        );
+    }
+    assert_eq!(workdir.files(), ["costs.csv"]);
+}

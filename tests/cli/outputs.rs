@@ -1,0 +1,242 @@
+//! The files that commands write: never an input, never through a link to nothing, and nothing is
+//! left beside them for good.
+
+use std::fs::{self, File};
+use std::io::Write;
+use std::os::unix::fs::symlink;
+use std::process::{Command, Stdio};
+use std::thread::yield_now;
+
+use acceptance::{Workdir, assert_names, shipped, table, workdir};
+
+use crate::TWO_QUANTITIES;
+
+const POINTS: &str = "a_over_t,e1_over_e2,nu1,e0_over_e2\n1,1.5,0.5,inf\n2,1.5,0.5,inf\n";
+
+/// A folder with a table, a scene, points and rows of measurements.
+fn workdir() -> Workdir {
+    let workdir = workdir!();
+    workdir.write("table", table(TWO_QUANTITIES).to_packed().expect("small"));
+    workdir.write("scene", TWO_QUANTITIES);
+    workdir.write("points", POINTS);
+    for costs in ["table", "effects", "lookup", "solve"] {
+        let rows = fs::read(shipped(&format!("figures/{costs}.csv"))).expect("shipped");
+        workdir.write(&format!("{costs}.svg"), rows);
+    }
+    workdir
+}
+
+/// Commands up to their output, and the inputs of each.
+const COMMANDS: [(&[&str], &[&str]); 15] = [
+    (&["solve", "--points", "points"], &["points"]),
+    (
+        &["query", "table", "--points", "points"],
+        &["points", "table"],
+    ),
+    (&["curve", "table"], &["table"]),
+    (&["generate", "scene"], &["scene"]),
+    (&["report", "table"], &["table"]),
+    (&["pack", "table"], &["table"]),
+    (&["unpack", "table"], &["table"]),
+    (
+        &["plot", "table-cost", "--data", "table.svg"],
+        &["table.svg"],
+    ),
+    (
+        &["plot", "effects", "--data", "effects.svg"],
+        &["effects.svg"],
+    ),
+    (
+        &["plot", "lookup-cost", "--data", "lookup.svg"],
+        &["lookup.svg"],
+    ),
+    (
+        &["plot", "work-precision", "--data", "solve.svg"],
+        &["solve.svg"],
+    ),
+    (&["cost", "table", "scene"], &["scene"]),
+    (&["cost", "effects", "scene"], &["scene"]),
+    (&["cost", "lookup", "table"], &["table"]),
+    (&["cost", "solve", "--compare", "solve.svg"], &["solve.svg"]),
+];
+
+#[test]
+fn no_command_replaces_its_input_under_any_name() {
+    let workdir = workdir();
+    fs::create_dir(workdir.path("folder")).expect("a new folder");
+    for (command, inputs) in COMMANDS {
+        for input in inputs {
+            let content = workdir.read(input);
+            let ending = if input.ends_with(".svg") { ".svg" } else { "" };
+            let names = ["link", "hard"].map(|name| format!("{name}{ending}"));
+            symlink(input, workdir.path(&names[0])).expect("a link");
+            fs::hard_link(workdir.path(input), workdir.path(&names[1])).expect("a link");
+            let files = workdir.files();
+            let other = format!("folder/../{input}");
+            for output in [*input, &other, &names[0], &names[1]] {
+                let message = workdir.fail(1, &[command, &["-o", output]].concat());
+                assert_names(&message, &["cannot write", output, "it is the input"]);
+                assert!(workdir.read(input) == content, "{command:?} -o {output}");
+                assert_eq!(workdir.files(), files);
+            }
+            for name in names {
+                fs::remove_file(workdir.path(&name)).expect("removed");
+            }
+        }
+    }
+    // The table of a figure has a name without the ending of a picture.
+    symlink("table", workdir.path("map.svg")).expect("a link");
+    let message = workdir.fail(1, &["plot", "error-map", "table", "-o", "map.svg"]);
+    assert_names(&message, &["map.svg", "it is the input"]);
+}
+
+#[test]
+fn what_is_appended_to_the_points_is_refused() {
+    let workdir = workdir();
+    let run = workdir.script("exec \"$0\" query table --points points >> points");
+    assert_eq!(run.status, 1, "{run:?}");
+    assert_names(&run.stderr, &["points", "both input and standard output"]);
+    assert_eq!(workdir.read("points"), POINTS.as_bytes());
+}
+
+#[test]
+fn links_are_followed_to_files_and_refused_where_they_lead_nowhere() {
+    let workdir = workdir();
+    let solve = |output| ["solve", "--points", "points", "-o", output];
+    symlink("nowhere.csv", workdir.path("dangling.csv")).expect("a link");
+    symlink("circle.csv", workdir.path("circle.csv")).expect("a link");
+    for output in ["dangling.csv", "circle.csv"] {
+        assert_names(
+            &workdir.fail(1, &solve(output)),
+            &["cannot write", output, "is a link to", "remove the link"],
+        );
+        assert!(workdir.path(output).is_symlink());
+    }
+    assert!(!workdir.path("nowhere.csv").exists());
+    workdir.write("real.csv", "what was there");
+    symlink("real.csv", workdir.path("link.csv")).expect("a link");
+    workdir.succeed(&solve("link.csv"));
+    assert!(workdir.path("link.csv").is_symlink());
+    assert!(workdir.read("real.csv").starts_with(b"a_over_t,"));
+    for (output, words) in [
+        ("new/", "the name of a folder"),
+        ("/dev/null", "is not a file"),
+        (".", "is not a file"),
+        ("missing/out.csv", "there is no folder missing"),
+    ] {
+        assert_names(&workdir.fail(1, &solve(output)), &["cannot write", words]);
+    }
+}
+
+/// The names of the hidden files in a folder.
+fn hidden(workdir: &Workdir) -> Vec<String> {
+    let mut files = workdir.files();
+    files.retain(|name| name.starts_with('.'));
+    files
+}
+
+#[test]
+fn what_killed_processes_leave_is_named_and_removed_by_the_next_run() {
+    let workdir = workdir();
+    let rows = "1,1.5,0.5,inf\n".repeat(300);
+    workdir.write("points", format!("{POINTS}{rows}"));
+    // Not those of another output, and nothing but files.
+    let foreign = [
+        ".other.csv.unfinished-abcdef.lock",
+        ".out.csv.unfinished-folder.lock",
+    ];
+    workdir.write(foreign[0], "");
+    fs::create_dir(workdir.path(foreign[1])).expect("a new folder");
+    for command in ["solve", "query table"] {
+        for _ in 0..3 {
+            // The system kills the process when its file would be longer than this.
+            let run = workdir.script(&format!(
+                "ulimit -c 0; ulimit -f 8; \"$0\" {command} --points points -o out.csv; echo status $?"
+            ));
+            assert!(
+                run.stdout.starts_with("status ") && run.stdout != "status 0\n",
+                "{run:?}"
+            );
+        }
+        assert_eq!(hidden(&workdir).len(), foreign.len() + 2, "{command}");
+        let mut words: Vec<&str> = command.split(' ').collect();
+        words.extend(["--points", "points", "-o", "out.csv"]);
+        let run = workdir.run(&words);
+        assert_eq!(run.status, 0, "{run:?}");
+        assert_names(&run.stderr, &[".out.csv.unfinished-", "is removed"]);
+        assert_eq!(hidden(&workdir), foreign);
+        assert_eq!(workdir.run(&words).stderr, "");
+    }
+}
+
+#[test]
+fn the_file_of_a_living_process_stays() {
+    let workdir = workdir();
+    let mut slow = Command::new(env!("CARGO_BIN_EXE_tabulate-under-test"))
+        .args(["solve", "--points", "/dev/stdin", "-o", "out.csv"])
+        .current_dir(workdir.path("."))
+        .stdin(Stdio::piped())
+        .spawn()
+        .expect("the program starts");
+    let mut points = slow.stdin.take().expect("a pipe");
+    points.write_all(POINTS.as_bytes()).expect("read");
+    // It has begun, and waits for more points.
+    while hidden(&workdir).len() < 2 {
+        assert!(slow.try_wait().expect("its status").is_none());
+        yield_now();
+    }
+    let living = hidden(&workdir);
+    let quick = ["solve", "--points", "points", "-o", "out.csv"];
+    assert_eq!(workdir.succeed(&quick), "");
+    assert_eq!(hidden(&workdir), living);
+    let first = workdir.read("out.csv");
+    points.write_all(b"3,1.5,0.5,inf\n").expect("read");
+    drop(points);
+    assert!(slow.wait().expect("it ends").success());
+    assert_eq!(hidden(&workdir), [""; 0]);
+    let second = workdir.read("out.csv");
+    assert!(second.len() > first.len() && second.starts_with(&first));
+}
+
+#[test]
+fn a_pipe_is_no_table_and_says_so() {
+    let workdir = workdir();
+    let made = Command::new("mkfifo")
+        .arg(workdir.path("pipe"))
+        .status()
+        .expect("mkfifo runs");
+    assert!(made.success());
+    for command in [
+        &["info", "pipe"][..],
+        &["check", "pipe"],
+        &["query", "pipe", "--points", "points"],
+        &["curve", "pipe"],
+        &["pack", "pipe", "-o", "x.bin"],
+        &["info", "/dev/null"],
+        &["info", "."],
+    ] {
+        assert_names(
+            &workdir.fail(1, command),
+            &["is not a file", "to a file first"],
+        );
+    }
+    let run = workdir.script("\"$0\" info /dev/stdin < table; cat table | \"$0\" info /dev/stdin");
+    assert_eq!(run.status, 1, "{run:?}");
+    assert_names(&run.stderr, &["/dev/stdin", "is not a file"]);
+    assert!(run.stdout.contains("Two quantities"), "{run:?}");
+}
+
+#[test]
+fn a_standard_error_that_fails_does_not_change_the_status() {
+    let workdir = workdir();
+    File::open("/dev/full").expect("a device that is always full");
+    for closed in ["2>/dev/full", "2>&-"] {
+        let run = workdir.script(&format!(
+            "\"$0\" info missing {closed}; echo $?; \"$0\" curve --to 5e-4 --points 2 {closed} >/dev/null; echo $?"
+        ));
+        assert_eq!((run.stdout.as_str(), run.stderr.as_str()), ("1\n0\n", ""));
+    }
+    let run = workdir.script("\"$0\" curve >/dev/full");
+    assert_eq!(run.status, 1, "{run:?}");
+    assert_names(&run.stderr, &["cannot write to standard output"]);
+}
