@@ -263,13 +263,11 @@ impl Curve {
     /// estimated error of the expansion about the limit.
     ///
     /// # Errors
-    /// As [`Curve::quantity`]; [`Error::OutsideTable`] everywhere on a curve that is not from a
-    /// table, because its error is unknown.
+    /// As [`Curve::quantity`]; [`Error::OutsideTable`] everywhere on a curve whose error is unknown:
+    /// one that is not from a table, or from a table without a certificate.
     pub fn error(&self, a_over_t: f64) -> Result<f64, Error> {
-        let accuracy = self
-            .accuracy
-            .as_ref()
-            .ok_or_else(|| self.outside(a_over_t))?;
+        let known = self.accuracy.filter(|accuracy| accuracy.error.is_finite());
+        let accuracy = known.ok_or_else(|| self.outside(a_over_t))?;
         if self.inside(a_over_t).is_some() {
             return Ok(accuracy.error);
         }
@@ -369,8 +367,8 @@ impl Curve {
     #[cold]
     fn expanded(&self, x: f64) -> Result<Expansion, Error> {
         let [from, to] = self.range;
-        let (Some(Accuracy { error, tolerance }), true) =
-            (self.accuracy, x > 0.0 && x < f64::INFINITY)
+        let known = self.accuracy.filter(|accuracy| accuracy.error.is_finite());
+        let (Some(Accuracy { error, tolerance }), true) = (known, x > 0.0 && x < f64::INFINITY)
         else {
             return Err(self.outside(x));
         };
