@@ -14,7 +14,7 @@ mod workdir;
 pub use contacts::Contacts;
 pub use data::{Case, Data};
 pub use error::{TRUTH, all_bits, bits, error_at, larger, relative_error, relative_errors};
-pub use forgery::{PREFIX, checksum, with_payload};
+pub use forgery::{Checked, PREFIX, checksum, with_payload};
 pub use material::{material, paper_system};
 pub use tables::{BOX, RIGID_SPHERE, ends, low_rank, shipped, table};
 pub use workdir::{Run, Workdir, assert_names};

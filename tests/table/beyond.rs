@@ -1,8 +1,8 @@
 //! Beyond the nodes of a table in `a/t`: the expansions about the limits are as accurate as they
 //! state, or are refused.
 
-use acceptance::{Contacts, larger, material, relative_error, table};
-use interp::{Error, Quantity, Table};
+use acceptance::{Contacts, ends, larger, material, relative_error, table};
+use interp::{Error, Parameter, Quantity, Table};
 use tabulate::solve;
 
 /// Draws points from the ends of the table to the ends of the domain.
@@ -45,10 +45,119 @@ fn an_expansion_is_as_accurate_as_its_estimate_and_within_the_tolerance_or_refus
         println!(
             "{name}: largest error {worst:.2} tolerances, {beyond_estimate:.2} estimates, {refused} of 400 refused"
         );
-        // Measured: 0.04 tolerances, 0.13 estimates, none refused below; 0.53, 0.58 and 301 refused
+        // Measured: 0.04 tolerances, 0.13 estimates, none refused below; 0.24, 0.46 and 314 refused
         // above, where films much stiffer than their substrate are far from their limit.
         assert!(worst <= 1.0 && beyond_estimate <= 1.0 && refused <= 330);
     }
+}
+
+/// Draws a scene of one to four axes that end anywhere.
+fn random_scene(contacts: &mut Contacts) -> String {
+    let tolerance = [1e-1, 1e-2, 1e-3, 1e-4][contacts.uniform(0.0, 4.0) as usize];
+    let quantities = [
+        "'pi0', 'eeq', 'gamma', 'delta0'",
+        "'gamma'",
+        "'pi0', 'delta0'",
+        "'eeq', 'gamma'",
+        "'pi0', 'eeq'",
+        "'gamma', 'delta0'",
+    ][contacts.uniform(0.0, 6.0) as usize];
+    let from = contacts.log_uniform(1e-3, 1e2);
+    let to = from * contacts.log_uniform(1.5, 1e3);
+    let mut scene = format!(
+        "title = 'Random'\ntolerance = {tolerance:e}\nquantities = [{quantities}]\n\
+         a_over_t = {{ from = {from:e}, to = {to:e} }}\nnu0 = {}\n",
+        contacts.uniform(0.0, 0.5)
+    );
+    let modulus = |contacts: &mut Contacts, limits: [f64; 2]| {
+        let value = contacts.log_uniform(limits[0], limits[1]);
+        if contacts.uniform(0.0, 1.0) < 0.5 {
+            format!("{value:e}")
+        } else {
+            let to = value * contacts.log_uniform(1.2, 30.0);
+            format!("{{ from = {value:e}, to = {to:e} }}")
+        }
+    };
+    let e1 = modulus(contacts, [1e-3, 1e2]);
+    let e0 = modulus(contacts, [1e-2, 1e4]);
+    let nu1 = match contacts.uniform(0.0, 4.0) as usize {
+        0 => "0.5".to_owned(),
+        1 => format!("{:e}", contacts.uniform(0.0, 0.5)),
+        2 => format!("{{ from = {:e}, to = 0.5 }}", contacts.uniform(0.0, 0.49)),
+        _ => {
+            let from = contacts.uniform(0.0, 0.3);
+            format!(
+                "{{ from = {from:e}, to = {:e} }}",
+                contacts.uniform(from + 0.05, 0.45)
+            )
+        }
+    };
+    scene += &format!("e1_over_e2 = {e1}\nnu1 = {nu1}\ne0_over_e2 = {e0}\n");
+    scene
+}
+
+/// A table may end in `a/t` where its contacts are far from the limits, for some materials by
+/// accident not visibly so. Each answer beyond it is within its stated error and the tolerance.
+#[test]
+fn beyond_a_table_that_ends_anywhere_an_answer_has_its_stated_error() {
+    const TABLES: usize = 40;
+    const POINTS: usize = 150;
+    let mut contacts = Contacts::new(71);
+    let (mut worst, mut answered, mut refused) = (0.0, [0; 2], [0; 2]);
+    // Three boxes in which earlier estimates were up to 22 times too small.
+    let all = "'pi0', 'eeq', 'gamma', 'delta0'";
+    let known = [
+        (1e-3, all, 10.0, 100.0),
+        (1e-2, all, 0.05, 0.3),
+        (1e-3, "'gamma'", 0.1, 1.0),
+    ]
+    .map(|(tolerance, quantities, from, to)| {
+        format!(
+            "title = 'Known'\ntolerance = {tolerance:e}\nquantities = [{quantities}]\n\
+             a_over_t = {{ from = {from:e}, to = {to:e} }}\n\
+             e1_over_e2 = {{ from = 0.03, to = 30 }}\nnu1 = {{ from = 0.2, to = 0.5 }}\n\
+             e0_over_e2 = {{ from = 0.3, to = 1000 }}\n"
+        )
+    });
+    let random: Vec<String> = (0..TABLES).map(|_| random_scene(&mut contacts)).collect();
+    for scene in known.into_iter().chain(random) {
+        let table = table(&scene);
+        let tolerance = table.description().tolerance;
+        let (from, to) = ends(&table, Parameter::AOverT);
+        for _ in 0..POINTS {
+            let (_, own) = contacts.point_of(&table);
+            let curve = table.curve(&own).expect("inside");
+            let above = contacts.uniform(0.0, 1.0) < 0.5;
+            let distance = contacts.log_uniform(1.001, 100.0);
+            let x = if above {
+                (to * distance).min(1e6)
+            } else {
+                from / distance
+            };
+            let Ok(estimate) = curve.error(x) else {
+                refused[usize::from(above)] += 1;
+                continue;
+            };
+            let truth = solve(x, &own, 1e-9).or_else(|_| solve(x, &own, 1e-6));
+            let truth = truth.expect("moderate contrasts converge").quantities;
+            for quantity in Quantity::ALL {
+                if let Ok(value) = curve.quantity(quantity, x) {
+                    let error = (value / truth.get(quantity) - 1.0).abs();
+                    assert!(
+                        error <= estimate && estimate <= tolerance,
+                        "{quantity:?} at {x}, {own:?}: wrong by {error:e}, not {estimate:e}, in\n{scene}"
+                    );
+                    worst = larger(worst, error / estimate);
+                }
+            }
+            answered[usize::from(above)] += 1;
+        }
+    }
+    println!(
+        "largest error {worst:.2} estimates; answered {answered:?}, refused {refused:?} below and above"
+    );
+    // Measured: 0.8 estimates.
+    assert!(answered.iter().all(|&count| count >= 500), "{answered:?}");
 }
 
 /// The slopes are the derivatives of the values, and the values are continuous at the edge.

@@ -75,7 +75,8 @@ fn assert_reads(table: &Table, normalised_by: &str) {
         file["attributes"],
         json!({
             "format": text("coated-contact-table"),
-            "format_version": ["uint32", 1],
+            "format_version": ["uint32", 2],
+            "checksum": ["uint32", file["crc32"]],
             "title": text(&description.title),
             "scene": text(&description.scene),
             "nu0": match description.nu0 {
@@ -140,6 +141,10 @@ fn assert_reads(table: &Table, normalised_by: &str) {
         assert_eq!(axis["dtype"], "float64");
         assert_eq!(axis["shape"], json!([nodes.len()]));
         assert_eq!(axis["is_scale"], true);
+        assert_eq!(
+            (&axis["fletcher32"], &axis["fillvalue"]),
+            (&json!(true), &json!("nan"))
+        );
         assert_eq!(axis["bits"], hexadecimal(nodes), "{parameter:?}");
         let scale = match (nodes.len(), parameter) {
             (1, _) => "fixed",
@@ -170,9 +175,10 @@ fn assert_reads(table: &Table, normalised_by: &str) {
             (
                 &values["shuffle"],
                 &values["compression"],
-                &values["fletcher32"]
+                &values["fletcher32"],
+                &values["fillvalue"],
             ),
-            (&json!(true), &json!("gzip"), &json!(true))
+            (&json!(true), &json!("gzip"), &json!(true), &json!("nan"))
         );
         assert_eq!(values["is_scale"], false);
         let named = |prefix: &str| -> Value {

@@ -387,6 +387,8 @@ fn what_cannot_be_packed_to_a_tolerance_is_said_and_nothing_is_written() {
     let mut wrong = FOUR_AXES.clone();
     wrong.set_certificate(interp::Certificate {
         max_error: 1e-12,
+        p999_error: 1e-12,
+        median_error: 1e-13,
         ..FOUR_AXES.description().certificate
     });
     archive::write(&wrong, &workdir.path("wrong.h5")).expect("written");

@@ -8,6 +8,7 @@ mod curve;
 mod files;
 mod generate;
 mod h5py;
+mod hostile;
 mod lookup;
 mod lookup_errors;
 mod low_rank;

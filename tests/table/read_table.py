@@ -5,6 +5,7 @@ Numbers are printed as the hexadecimal digits of their 64 bits, so that no digit
 
 import json
 import sys
+import zlib
 
 import h5py
 import numpy as np
@@ -39,6 +40,7 @@ def dataset(data):
         "shuffle": data.shuffle,
         "compression": data.compression,
         "fletcher32": data.fletcher32,
+        "fillvalue": str(data.fillvalue),
         "is_scale": data.is_scale,
         "scales": [[path(scale) for scale in dimension.values()] for dimension in data.dims],
         "labels": [list(dimension.keys()) for dimension in data.dims],
@@ -53,4 +55,8 @@ with h5py.File(sys.argv[1], "r") as file:
     # The datasets of the groups that the root has too, under the same names.
     links = [data.name for group in groups.values() for key, data in group.items() if file.get(key) == data]
     extra = [name for name in file if name not in groups and not any(name in group for group in groups.values())]
-    json.dump({"attributes": attributes(file), "groups": contents, "links": links, "extra": extra}, sys.stdout)
+    numbers = [a for name, a in sorted(file.attrs.items()) if name != "checksum" and not isinstance(a, str)]
+    numbers += [data[:] for group in ("axes", "values") for data in file[group].values()]
+    checksum = zlib.crc32(b"".join(np.asarray(n, "<f8").tobytes() for n in numbers))
+    parts = {"groups": contents, "links": links, "extra": extra, "crc32": checksum}
+    json.dump({"attributes": attributes(file), **parts}, sys.stdout)

@@ -3,10 +3,18 @@
 
 use std::f64::consts::{LN_2, PI};
 
+use crate::curve::thick_film::fifth_order;
 use crate::{Material, Quantities, Quantity};
 
 /// The sum of `ln 2` and Euler's constant.
 const C0: f64 = LN_2 + 0.577_215_664_901_532_9;
+
+/// The largest first `a/t` below which the expansion for thick films is used. The series of the
+/// kernel converges below 1.
+const LARGEST_FIRST: f64 = 1.0;
+
+/// The smallest last `a/t` above which the expansion for thin films is used.
+const SMALLEST_LAST: f64 = 2.0;
 
 /// The quantities at the first or the last node of a curve, where an expansion begins.
 #[derive(Clone, Copy, Debug)]
@@ -33,8 +41,8 @@ pub(crate) struct Expansion {
 }
 
 impl Edge {
-    /// Continues the quantities to thicker films, `x < self.a_over_t`. Returns `None` if no two
-    /// known quantities allow an estimate of the error.
+    /// Continues the quantities to thicker films, `x < self.a_over_t`. Returns `None` if the edge
+    /// is not at a small `a/t`, or the known quantities do not allow an estimate of the error.
     ///
     /// The kernel is even and smooth. Therefore it only adds a constant to first and second order
     /// in `x`. With one coefficient `k` of the material, and errors of the third order,
@@ -43,14 +51,18 @@ impl Edge {
     /// es/Eeq = es/Gamma = 1 + k x,   Delta0 = 1 + 2/3 k x,   Pi0 = 8/3 es
     /// ```
     ///
-    /// Each quantity is continued from its own value at the edge. The differences of the `k` of
-    /// these values estimate the third order. (With a quadratic kernel the differences are two
-    /// thirds of the next coefficient. The largest error, that of `Gamma`, is four thirds of it.)
+    /// Each quantity is continued from its own value at the edge. The third order is a second
+    /// number of the material, the `u` of [`thick_film`](crate::curve::thick_film), and two known
+    /// quantities, or `Pi0` alone, give it. The errors are up to twice `u` (that of `Gamma`). As `u`
+    /// may vanish for some material, the [bound on the fifth order](fifth_order) is added.
     pub(crate) fn continue_to_thicker_films(
         &self,
         material: &Material,
         x: f64,
     ) -> Option<Expansion> {
+        if self.a_over_t > LARGEST_FIRST {
+            return None;
+        }
         let (ratio, es) = (x / self.a_over_t, material.sphere_film_modulus());
         let (at, limit) = (self.quantities, material.thick_film_limit());
         let [pi0, delta0] = [at.pi0 / limit.pi0 - 1.0, at.delta0 - 1.0];
@@ -76,22 +88,30 @@ impl Edge {
             ratio * delta0,
         ];
 
-        let differences = [
+        let third_order = self.largest_of_known([
             (Quantity::Pi0, Quantity::Pi0, pi0),
-            (Quantity::Eeq, Quantity::Gamma, eeq - gamma),
-            (Quantity::Eeq, Quantity::Delta0, 2.0 / 3.0 * eeq - delta0),
             (
+                Quantity::Eeq,
                 Quantity::Gamma,
-                Quantity::Delta0,
-                2.0 / 3.0 * gamma - delta0,
+                (1.0 + gamma) / (1.0 + eeq) - 1.0,
             ),
-        ];
-        let third_order = self.largest_of_known(differences)?;
+            (
+                Quantity::Eeq,
+                Quantity::Delta0,
+                (delta0 - 2.0 / 3.0 * eeq) / (8.0 / 15.0 + 2.0 / 3.0 * eeq),
+            ),
+        ])?;
+        let left_out = fifth_order(material, self.a_over_t);
         // On a film much stiffer than its substrate the departure is far above 1 at the edge, and
         // the relative error of `1 + k x` falls only where `k x` falls below 1.
-        let departure = eeq.max(gamma).max(0.0);
-        let share = ratio / (1.0 + ratio * departure);
-        let error = share * ((1.0 + departure) * self.error + 2.0 * third_order);
+        let departures = [
+            (Quantity::Eeq, Quantity::Eeq, eeq.max(0.0)),
+            (Quantity::Gamma, Quantity::Gamma, gamma.max(0.0)),
+            (Quantity::Delta0, Quantity::Delta0, delta0.max(0.0)),
+        ];
+        let departure = self.largest_of_known(departures).unwrap_or(0.0);
+        let share = ratio * (1.0 + departure) / (1.0 + ratio * departure);
+        let error = share * (self.error + 2.0 * third_order + left_out);
         Some(Expansion {
             values: Quantities::from_array(values),
             slopes: Quantities::from_array(slopes),
@@ -99,8 +119,10 @@ impl Edge {
         })
     }
 
-    /// Continues the quantities to thinner films, `x > self.a_over_t`. Returns `None` between rigid
-    /// bodies, or if no two known quantities allow an estimate of the error.
+    /// Continues the quantities to thinner films, `x > self.a_over_t`; `at_half` holds the
+    /// quantities at half the `a/t` of the edge. Returns `None` between rigid bodies, if the edge is
+    /// not at a large `a/t`, or if no two known quantities, nor `Gamma`, allow an estimate of the
+    /// error.
     ///
     /// With `A = einf X'(0)/(pi e1)`, `c0 = ln 2 + 0.5772`, one coefficient `C` of the material and
     /// errors of order `(ln x / x)^2`,
@@ -111,51 +133,90 @@ impl Edge {
     /// ```
     ///
     /// (from the Wiener-Hopf solution for a half-plane). `C` is found for each quantity, and the
-    /// second order for `Gamma`, from its own value at the edge. The differences of these `C`
-    /// estimate the second order there, and with it the error of the most sensitive quantity,
-    /// `Pi0`.
+    /// second order for `Gamma`, from its own value at the edge.
+    ///
+    /// The error is the sum of two parts. One is measured: what the quantities at the edge and at
+    /// half its `a/t` say about the second order, by the differences of their `C` and by the change
+    /// of each between the two. The other follows from the material, and does not vanish by
+    /// accident: `A^2`, and the part of the compliance `ln(1 + X/e1)` beyond its slope, at the wave
+    /// number of the contact.
     pub(crate) fn continue_to_thinner_films(
         &self,
+        at_half: &Quantities,
         material: &Material,
         x: f64,
     ) -> Option<Expansion> {
+        /// The most sensitive quantity, `Pi0`, changes by three times the change of `C`. The other
+        /// factor allows for the logarithm.
+        const MEASURED: f64 = 6.0;
+        /// The factor of the material's part.
+        const OF_MATERIAL: f64 = 10.0;
         let (edge, at, limit) = (self.a_over_t, self.quantities, material.thin_film_limit());
-        if !limit.eeq.is_finite() {
+        if !limit.eeq.is_finite() || edge < SMALLEST_LAST {
             return None;
         }
         let slope = limit.eeq * material.compliance_slope() / PI;
-        // `C`, value and slope of a quantity `limit {1 - factor [A (ln x + c0 - offset) + C]/x}`.
-        let logarithmic = |at: f64, limit: f64, factor: f64, offset: f64| {
-            let bracket = |x: f64| slope * (x.ln() + C0 - offset);
-            let constant = edge * (1.0 - at / limit) / factor - bracket(edge);
-            let departure = factor * (bracket(x) + constant) / x;
+        // A quantity is `limit {1 - factor [A (ln x + c0 - offset) + C]/x}`.
+        let bracket = |x: f64, offset: f64| slope * (x.ln() + C0 - offset);
+        let constant = |x: f64, at: f64, limit: f64, [factor, offset]: [f64; 2]| {
+            x * (1.0 - at / limit) / factor - bracket(x, offset)
+        };
+        const PI0: [f64; 2] = [3.0, 1.0];
+        const EEQ: [f64; 2] = [1.0, 0.0];
+        const DELTA0: [f64; 2] = [2.0, 2.0];
+        // `C` of `Pi0`, `Eeq` and `Delta0`, and the second order of `Gamma` over `x`.
+        let constants = |x: f64, at: &Quantities| {
+            [
+                constant(x, at.pi0, limit.pi0, PI0),
+                constant(x, at.eeq, limit.eeq, EEQ),
+                x * (1.0 - at.gamma / limit.gamma) - 0.5 * slope,
+                constant(x, at.delta0, 1.0, DELTA0),
+            ]
+        };
+        let [of_edge, of_half] =
+            [(edge, &at), (0.5 * edge, at_half)].map(|(x, at)| constants(x, at));
+        let [pi0, eeq, gamma, delta0] = of_edge;
+        let logarithmic = |constant: f64, limit: f64, [factor, offset]: [f64; 2]| {
+            let departure = factor * (bracket(x, offset) + constant) / x;
             (
-                constant,
                 limit * (1.0 - departure),
                 limit * (departure - factor * slope / x),
             )
         };
-        let pi0 = logarithmic(at.pi0, limit.pi0, 3.0, 1.0);
-        let eeq = logarithmic(at.eeq, limit.eeq, 1.0, 0.0);
-        let delta0 = logarithmic(at.delta0, 1.0, 2.0, 2.0);
-        let second_order = edge * (edge * (1.0 - at.gamma / limit.gamma) - 0.5 * slope);
-        let first = 0.5 * slope / x;
-        let second = second_order / (x * x);
-        let values = [pi0.1, eeq.1, limit.gamma * (1.0 - first - second), delta0.1];
-        let slopes = [pi0.2, eeq.2, limit.gamma * (first + 2.0 * second), delta0.2];
+        let pi0 = logarithmic(pi0, limit.pi0, PI0);
+        let eeq = logarithmic(eeq, limit.eeq, EEQ);
+        let delta0 = logarithmic(delta0, 1.0, DELTA0);
+        let (first, second) = (0.5 * slope / x, gamma * edge / (x * x));
+        let gamma = (
+            limit.gamma * (1.0 - first - second),
+            limit.gamma * (first + 2.0 * second),
+        );
 
-        let differences = [
-            (Quantity::Gamma, Quantity::Gamma, second_order / edge),
-            (Quantity::Pi0, Quantity::Eeq, pi0.0 - eeq.0),
-            (Quantity::Pi0, Quantity::Delta0, pi0.0 - delta0.0),
-            (Quantity::Eeq, Quantity::Delta0, eeq.0 - delta0.0),
-        ];
-        let constant = self.largest_of_known(differences)?;
-        let error = self.error * (edge / x) + 6.0 * constant * (1.0 - edge / x) / x;
+        // The second order falls like `1/x`: what is found at half the `a/t` counts half at the
+        // edge, and what changes between the two is what is left.
+        let differences = |[pi0, eeq, gamma, delta0]: [f64; 4], weight: f64| {
+            self.largest_of_known([
+                (Quantity::Gamma, Quantity::Gamma, weight * gamma),
+                (Quantity::Pi0, Quantity::Eeq, weight * (pi0 - eeq)),
+                (Quantity::Pi0, Quantity::Delta0, weight * (pi0 - delta0)),
+                (Quantity::Eeq, Quantity::Delta0, weight * (eeq - delta0)),
+            ])
+        };
+        let changes = self.largest_of_known(
+            [Quantity::Pi0, Quantity::Eeq, Quantity::Delta0]
+                .map(|q| (q, q, of_edge[q as usize] - of_half[q as usize])),
+        );
+        let measured = differences(of_edge, 1.0)?
+            .max(differences(of_half, 0.5)?)
+            .max(changes.unwrap_or(0.0));
+        let first_order = slope * (edge.ln() + 2.0) / edge;
+        let of_material = material.compliance_beyond_slope(2.0 / edge) + first_order * first_order;
+        let share = edge / x;
+        let left_out = MEASURED * measured / edge + OF_MATERIAL * of_material;
         Some(Expansion {
-            values: Quantities::from_array(values),
-            slopes: Quantities::from_array(slopes),
-            error,
+            values: Quantities::from_array([pi0.0, eeq.0, gamma.0, delta0.0]),
+            slopes: Quantities::from_array([pi0.1, eeq.1, gamma.1, delta0.1]),
+            error: share * (self.error + (1.0 - share) * left_out),
         })
     }
 

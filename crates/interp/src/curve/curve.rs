@@ -12,6 +12,7 @@ use crate::curve::piecewise::{
 };
 use crate::curve::resampler::{Pieces, Resampler};
 use crate::curve::sensitivity::{QuantityGradient, Sensitivities};
+use crate::curve::thick_film::fifth_order;
 use crate::material::ROUNDING;
 use crate::{Error, Material, Parameter, Quantities, Quantity};
 
@@ -31,7 +32,10 @@ use crate::{Error, Material, Parameter, Quantities, Quantity};
 ///
 /// A curve of a table continues beyond the `a/t` of its nodes by the first terms of the expansions
 /// about the exact limits, as far as their estimated error ([`Curve::error`]) is within the table's
-/// tolerance. Farther out, and beyond the nodes of any other curve, an evaluation is an error.
+/// tolerance. This needs a table that begins at an `a/t` of 1 at most, or ends at 2 at least and
+/// begins at half of its end or less. Farther out, and beyond the nodes of any other curve, an
+/// evaluation is an error. The errors are at most 0.93 of the estimates: measured by
+/// `tests/table/beyond.rs`, with 300 random boxes that end anywhere and 18,096 contacts.
 #[derive(Clone, Debug)]
 pub struct Curve {
     grid: Arc<Grid>,
@@ -76,7 +80,7 @@ impl Curve {
             range,
             material,
             known,
-            start_error,
+            start_error: start_error.map(|error| error + fifth_order(&material, range[0])),
             sensitivities: None,
             accuracy: None,
         }
@@ -260,13 +264,11 @@ impl Curve {
     /// estimated error of the expansion about the limit.
     ///
     /// # Errors
-    /// As [`Curve::quantity`]; [`Error::OutsideTable`] everywhere on a curve that is not from a
-    /// table, because its error is unknown.
+    /// As [`Curve::quantity`]; [`Error::OutsideTable`] everywhere on a curve whose error is unknown:
+    /// one that is not from a table, or from a table without a certificate.
     pub fn error(&self, a_over_t: f64) -> Result<f64, Error> {
-        let accuracy = self
-            .accuracy
-            .as_ref()
-            .ok_or_else(|| self.outside(a_over_t))?;
+        let known = self.accuracy.filter(|accuracy| accuracy.error.is_finite());
+        let accuracy = known.ok_or_else(|| self.outside(a_over_t))?;
         if self.inside(a_over_t).is_some() {
             return Ok(accuracy.error);
         }
@@ -366,8 +368,8 @@ impl Curve {
     #[cold]
     fn expanded(&self, x: f64) -> Result<Expansion, Error> {
         let [from, to] = self.range;
-        let (Some(Accuracy { error, tolerance }), true) =
-            (self.accuracy, x > 0.0 && x < f64::INFINITY)
+        let known = self.accuracy.filter(|accuracy| accuracy.error.is_finite());
+        let (Some(Accuracy { error, tolerance }), true) = (known, x > 0.0 && x < f64::INFINITY)
         else {
             return Err(self.outside(x));
         };
@@ -381,8 +383,11 @@ impl Curve {
         };
         let expansion = if x < from {
             edge(from)?.continue_to_thicker_films(&self.material, x)
+        } else if 0.5 * to >= from {
+            let (at_half, _) = self.values_and_slopes(0.5 * to)?;
+            edge(to)?.continue_to_thinner_films(&at_half, &self.material, x)
         } else {
-            edge(to)?.continue_to_thinner_films(&self.material, x)
+            None
         };
         let expansion = expansion.ok_or_else(|| self.outside(x))?;
         // Not `>`, which is false for NaN.

@@ -8,7 +8,37 @@ use crate::curve::piecewise::{Values, evaluate, evaluate_all};
 use crate::curve::resampler::{Pieces, Resampler, chebyshev_points};
 use crate::{Parameter, Quantity};
 
+/// What the choice of the pieces may still take. Curves that ask for new pieces one after another,
+/// as those of a forged table may, would make it begin again for each piece of each curve.
+#[derive(Clone, Copy, Debug)]
+struct Allowance {
+    /// The curves to make. They may need much more than their comparison with the pieces.
+    curves: usize,
+    /// The pieces to compare with a curve.
+    pieces: usize,
+}
+
+impl Allowance {
+    /// The number of pieces, about a second: six times what the embedded table needs.
+    const PIECES: usize = 500_000;
+
+    /// Takes a number from one of the two. Returns whether so many were left.
+    fn take(left: &mut usize, number: usize) -> bool {
+        match left.checked_sub(number) {
+            Some(rest) => {
+                *left = rest;
+                true
+            }
+            None => false,
+        }
+    }
+}
+
 impl Resampler {
+    /// The largest mean number of times that a curve is made for the choice of the pieces. The
+    /// embedded table needs 1.8.
+    pub(crate) const ROUNDS: usize = 6;
+
     /// The binary logarithm of the largest number of pieces in an octave that is tried. Pieces as
     /// short as these follow everything but noise.
     const FINEST: u32 = 6;
@@ -21,7 +51,9 @@ impl Resampler {
     /// derived from them, to a relative `error`.
     ///
     /// `curve(i)` returns the coefficients of curve `i`: a group of the quantities `held` for each
-    /// B-spline.
+    /// B-spline. It is called [`Self::ROUNDS`] times `count` at most. If pieces that suffice
+    /// are not found with these calls and 500,000 comparisons of a piece with a curve, all pieces
+    /// are the shortest.
     pub(crate) fn fitting<Coefficients: AsRef<[f64]>>(
         basis: &Basis,
         range: [f64; 2],
@@ -48,10 +80,26 @@ impl Resampler {
         // New lengths move the ends of all pieces. Therefore the search ends only after all curves,
         // one after another, were followed by the present pieces.
         let mut followed = 0;
+        let octaves = bits.len();
+        let shortest = || Self::new(basis, range, held, &vec![finest; octaves]);
+        let mut allowance = Allowance {
+            curves: count * Self::ROUNDS,
+            pieces: Allowance::PIECES,
+        };
         for i in (0..count).cycle() {
+            if !Allowance::take(&mut allowance.curves, 1) {
+                return shortest();
+            }
+            let of_fine = fine.as_ref().map_or(0, Self::pieces);
+            if !Allowance::take(&mut allowance.pieces, of_fine) {
+                return shortest();
+            }
             let coefficients = curve(i);
             let target = Target::new(basis, range, held, coefficients.as_ref(), fine.as_ref());
             loop {
+                if !Allowance::take(&mut allowance.pieces, resampler.pieces()) {
+                    return shortest();
+                }
                 let pieces = target.followed_by(&resampler);
                 let mut too_long = vec![false; bits.len()];
                 for (piece, (octave, ends)) in resampler.grid.pieces(range[1]).enumerate() {
@@ -198,5 +246,63 @@ impl<'a> Target<'a> {
         values
             .into_iter()
             .flat_map(move |values| derived.map(|quantity| (quantity, values[quantity as usize])))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::cell::Cell;
+
+    use super::*;
+
+    /// Curves of noise on sixty decades need the shortest pieces. To compare all of them would take
+    /// seconds.
+    #[test]
+    fn noise_takes_no_more_than_is_allowed() {
+        const COUNT: usize = 125;
+        let range = [1e-30, 1e30];
+        let nodes: Vec<f64> = (0..4000)
+            .map(|i| (range[0] * 10_f64.powf(60.0 * f64::from(i) / 3999.0)).ln())
+            .collect();
+        let basis = Basis::of_table(&nodes);
+        for held in [&Quantity::ALL[..], &[Quantity::Gamma]] {
+            let calls = Cell::new(0);
+            let curve = |i: usize| -> Vec<f64> {
+                calls.set(calls.get() + 1);
+                let noise = |k: usize| 0.1 * (k as f64 * (1.0 + i as f64)).sin();
+                (0..nodes.len() * held.len()).map(noise).collect()
+            };
+            let resampler = Resampler::fitting(&basis, range, held, COUNT, curve, 1e-12);
+            let pieces = resampler.pieces();
+            println!("{} curves, {pieces} pieces", calls.get());
+            assert!(pieces > 12_000);
+            assert!(calls.get() * pieces <= Allowance::PIECES);
+        }
+    }
+
+    /// Each curve needs short pieces in another octave.
+    #[test]
+    fn each_curve_is_made_a_few_times_at_most() {
+        const COUNT: usize = 125;
+        let range = [1e-10, 1e10];
+        let nodes: Vec<f64> = (0..1001)
+            .map(|i| (range[0] * 10_f64.powf(20.0 * f64::from(i) / 1000.0)).ln())
+            .collect();
+        let basis = Basis::of_table(&nodes);
+        let calls = Cell::new(0);
+        let curve = |i: usize| -> Vec<f64> {
+            calls.set(calls.get() + 1);
+            let bump = |k: usize| {
+                if k / 8 == i {
+                    1e-3 * (i + 1) as f64
+                } else {
+                    0.0
+                }
+            };
+            (0..nodes.len()).map(bump).collect()
+        };
+        Resampler::fitting(&basis, range, &[Quantity::Eeq], COUNT, curve, 1e-9);
+        println!("{} curves", calls.get());
+        assert!((COUNT..=Resampler::ROUNDS * COUNT).contains(&calls.get()));
     }
 }

@@ -104,6 +104,11 @@ impl Resampler {
         }
     }
 
+    /// Returns the number of pieces.
+    pub(super) fn pieces(&self) -> usize {
+        self.spans.len()
+    }
+
     /// Returns the polynomials of the logarithms on a piece, from the coefficients of their
     /// splines.
     #[inline(always)]

@@ -182,13 +182,60 @@ impl Material {
     /// X'(0) = 2 (c2 c3 - c0^2)/c3^2,   c0 = m (1+g1)(1+g0),   c2 = 4 m^2 g0 - 8 m nu1 (1-2 nu0) + 4 (1-2 nu1),   c3 = (1+g1)^2
     /// ```
     pub(crate) fn compliance_slope(&self) -> f64 {
+        let Compliance { c0, c2, c3, .. } = self.compliance();
+        2.0 * (c2 - c0 * (c0 / c3)) / c3 / self.film_modulus()
+    }
+
+    /// Returns the numbers of the compliance that its value and slope at 0 need.
+    const fn compliance(&self) -> Compliance {
         let (g1, g0) = (3.0 - 4.0 * self.nu1, 3.0 - 4.0 * self.nu0);
         let m = self.film_over_substrate() * ((1.0 + self.nu0) / (1.0 + self.nu1));
-        let c0 = m * (1.0 + g1) * (1.0 + g0);
-        let c2 = 4.0 * m * m * g0 - 8.0 * m * self.nu1 * (1.0 - 2.0 * self.nu0)
-            + 4.0 * (1.0 - 2.0 * self.nu1);
-        let c3 = (1.0 + g1) * (1.0 + g1);
-        2.0 * (c2 - c0 * (c0 / c3)) / c3 / self.film_modulus()
+        Compliance {
+            m,
+            g1,
+            g0,
+            c0: m * (1.0 + g1) * (1.0 + g0),
+            c2: 4.0 * m * m * g0 - 8.0 * m * self.nu1 * (1.0 - 2.0 * self.nu0)
+                + 4.0 * (1.0 - 2.0 * self.nu1),
+            c3: (1.0 + g1) * (1.0 + g1),
+        }
+    }
+
+    /// Returns how far the logarithm of the compliance at wave number `q = kt`, of 2 at most, is
+    /// from the line through its value and slope at 0: `|ln[einf S(q)] - einf X'(0)/e1 q|`, with
+    /// the compliance `S = 1 + X/e1` (`S = X` under a rigid sphere). With the numbers of
+    /// [`Self::compliance_slope`], `X = N/D`,
+    ///
+    /// ```text
+    /// N = c0/2 cosh 2q + c1/2 (sinh 2q - 2q) + c2 q
+    /// D = c3/2 + c1/2 (cosh 2q - 1 - 2q^2) + c0/2 sinh 2q + c4 q^2
+    /// c1 = 2 m^2 g0 + m (g0-1)(g1-1) + 2 g1,   c4 = (1+g1) (m (g0-1) + 2)
+    /// ```
+    pub(crate) fn compliance_beyond_slope(&self, q: f64) -> f64 {
+        let Compliance {
+            m,
+            g1,
+            g0,
+            c0,
+            c2,
+            c3,
+        } = self.compliance();
+        let c1 = 2.0 * m * m * g0 + m * (g0 - 1.0) * (g1 - 1.0) + 2.0 * g1;
+        let c4 = (1.0 + g1) * (m * (g0 - 1.0) + 2.0);
+        // The series of `sinh t - t` and `cosh t - 1 - t^2/2`, without cancellation.
+        let t = 2.0 * q;
+        let (mut sinh, mut cosh, mut term) = (0.0, 0.0, 0.5 * t * t);
+        for n in (3..30).step_by(2) {
+            term *= t / f64::from(n);
+            sinh += term;
+            term *= t / f64::from(n + 1);
+            cosh += term;
+        }
+        let n = 0.5 * c0 * (1.0 + 0.5 * t * t + cosh) + 0.5 * c1 * sinh + c2 * q;
+        let d = 0.5 * c3 + 0.5 * c1 * cosh + 0.5 * c0 * (t + sinh) + c4 * q * q;
+        let einf = self.sphere_substrate_modulus();
+        let compliance = self.sphere_compliance() + n / d / self.film_modulus();
+        ((einf * compliance).ln() - einf * self.compliance_slope() * q).abs()
     }
 
     /// Returns the quantities in the exact limit `a/t -> 0`: a sphere on a half-space of film.
@@ -206,6 +253,16 @@ impl Material {
             ..Quantities::homogeneous(einf)
         }
     }
+}
+
+/// The numbers in the compliance of film and substrate, see [`Material::compliance_slope`].
+struct Compliance {
+    m: f64,
+    g1: f64,
+    g0: f64,
+    c0: f64,
+    c2: f64,
+    c3: f64,
 }
 
 /// Returns `1/(compliance + 1/modulus)`, without overflow for a modulus from the smallest positive
@@ -226,4 +283,38 @@ pub(crate) const fn one_minus_square(nu: f64) -> f64 {
 /// Accepts a Poisson ratio in `(-1, 0.5]`.
 pub(crate) fn poisson_ratio(name: &'static str, nu: f64) -> Result<(), Error> {
     Error::unless(nu > -1.0 && nu <= 0.5, name, nu, "in (-1, 0.5]")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The textbook form of `X` has differences of exponentials, accurate at `q` near 1.
+    #[test]
+    fn the_compliance_is_that_of_the_textbook() {
+        for [e1, nu1, e0, nu0] in [
+            [1.75, 0.5, 1e5, 0.25],
+            [0.02, 0.3, f64::INFINITY, 0.25],
+            [30.0, 0.1, 0.5, 0.45],
+            [0.0, 0.4, 3.0, 0.2],
+        ] {
+            let material = Material::new(e1, nu1, e0, nu0).expect("physical");
+            let (g1, g0) = (3.0 - 4.0 * nu1, 3.0 - 4.0 * nu0);
+            let m = material.film_over_substrate() * (1.0 + nu0) / (1.0 + nu1);
+            let (a, b) = ((m * g0 - g1) / (1.0 + m * g0), (m - 1.0) / (m + g1));
+            for q in [0.5_f64, 1.0, 2.0] {
+                let e = (-2.0 * q).exp();
+                let x = (1.0 + 4.0 * b * q * e - a * b * e * e)
+                    / (1.0 - (a + b + 4.0 * b * q * q) * e + a * b * e * e);
+                let einf = material.sphere_substrate_modulus();
+                let s = material.sphere_compliance() + x / material.film_modulus();
+                let expected = ((einf * s).ln() - einf * material.compliance_slope() * q).abs();
+                let found = material.compliance_beyond_slope(q);
+                assert!(
+                    (found - expected).abs() <= 1e-13 * (1.0 + expected),
+                    "{material:?} at {q}: {found}, not {expected}"
+                );
+            }
+        }
+    }
 }

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::Quantity;
+use crate::{Error, Quantity};
 
 /// The certificate of a table: the largest error at sampled points, with its statistics.
 ///
@@ -38,7 +38,8 @@ pub struct Certificate {
 }
 
 impl Certificate {
-    /// The certificate of a table that has not yet been compared with solves: its errors are NaN.
+    /// The certificate of a table that has not yet been compared with solves: its errors are NaN,
+    /// and [`Curve::error`](crate::Curve::error) is an error.
     pub const UNMEASURED: Self = Self {
         max_error: f64::NAN,
         p999_error: f64::NAN,
@@ -49,4 +50,38 @@ impl Certificate {
         worst_point: [f64::NAN; 4],
         identity_errors: [None; 4],
     };
+
+    /// Accepts the certificate of a table that is read from a file: one that was measured, or
+    /// [`Self::UNMEASURED`].
+    ///
+    /// # Errors
+    /// [`Error::Malformed`] for errors that are negative, infinite or no numbers, or not in order.
+    pub(crate) fn check(&self) -> Result<(), Error> {
+        let Self {
+            max_error,
+            p999_error,
+            median_error,
+            points,
+            worst_point,
+            ..
+        } = *self;
+        let in_order = 0.0 <= median_error && median_error <= p999_error && p999_error <= max_error;
+        let mut identities = self.identity_errors.iter().flatten();
+        let measured = points > 0
+            && max_error < f64::INFINITY
+            && in_order
+            && !worst_point.iter().any(|value| value.is_nan())
+            && identities.all(|error| (0.0..f64::INFINITY).contains(error));
+        let unmeasured = points == 0
+            && [max_error, p999_error, median_error]
+                .iter()
+                .all(|error| error.is_nan());
+        if measured || unmeasured {
+            return Ok(());
+        }
+        Err(Error::Malformed(format!(
+            "its certificate is {self:?}: 0 <= median_error <= p999_error <= max_error must hold, and all \
+             numbers of one that was measured must be finite"
+        )))
+    }
 }

@@ -2,6 +2,7 @@
 
 use crate::Error;
 use crate::curve::bspline::TABLE_DEGREE;
+use crate::curve::resampler::Resampler;
 use crate::table::lookup::PARTS;
 use crate::table::mixed_precision::BLOCK;
 
@@ -9,9 +10,9 @@ use crate::table::mixed_precision::BLOCK;
 /// program that reads a table of any size.
 const MOST_NUMBERS: u64 = 100_000_000;
 /// The largest number of f64 for each byte of the form in a file. It protects a program that limits
-/// the size of the files that it reads. The embedded table needs 15.
+/// the size of the files that it reads. The embedded table needs 13.
 const NUMBERS_FOR_A_BYTE: u64 = 100;
-/// The largest number of products for each byte. The embedded table needs 265.
+/// The largest number of products for each byte. The embedded table needs 392.
 const PRODUCTS_FOR_A_BYTE: u64 = 2500;
 /// The numbers and products that a form of any size may need: 8 MB, and a tenth of a second.
 const ALWAYS_ALLOWED: [u64; 2] = [1_000_000, 100_000_000];
@@ -24,7 +25,8 @@ const ALWAYS_ALLOWED: [u64; 2] = [1_000_000, 100_000_000];
 /// number. The core of a material parameter then has `10 a` rows of length `b` on each of up to `n`
 /// intervals, by ten products for each number. The curves of 125 materials at most, on which the
 /// pieces of a curve are tested, take a product for each number of one interval of these cores, and
-/// of the whole last core. (The test takes them again after it has changed the pieces.)
+/// of the whole last core, up to [six times](Resampler::ROUNDS). The comparison of these curves with
+/// the pieces does not depend on the size of the form, and has its own limit.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Demand {
     /// The f64 at the nodes and those that are kept.
@@ -79,7 +81,8 @@ impl Demand {
                 at_nodes.saturating_mul(2 * splines as u64),
             );
             add(&mut demand.products, made);
-            add(&mut demand.products, used.saturating_mul(materials as u64));
+            let curves = (materials * Resampler::ROUNDS) as u64;
+            add(&mut demand.products, used.saturating_mul(curves));
             add(&mut demand.bytes, cores[i].len() as u64);
             add(&mut demand.bytes, product(&[8, functions[i].len()]));
             add(
@@ -88,6 +91,15 @@ impl Demand {
             );
         }
         demand
+    }
+
+    /// Returns the needs of two forms together.
+    pub(crate) fn plus(self, other: Self) -> Self {
+        Self {
+            numbers: self.numbers.saturating_add(other.numbers),
+            products: self.products.saturating_add(other.products),
+            bytes: self.bytes.saturating_add(other.bytes),
+        }
     }
 
     /// Accepts a form of these ranks and nodes, unless it needs too much.
@@ -119,5 +131,21 @@ impl Demand {
             }),
             None => Ok(()),
         }
+    }
+}
+
+#[cfg(all(test, feature = "embedded"))]
+mod tests {
+    use super::*;
+    use crate::{LowRank, Table};
+
+    #[test]
+    fn the_embedded_table_needs_a_fraction_of_what_is_allowed() {
+        let tiles = Table::embedded().low_rank().expect("it is low-rank");
+        let all = tiles.forms().iter().map(LowRank::demand);
+        let all = all.fold(Demand::default(), Demand::plus);
+        let [numbers, products] = [all.numbers, all.products].map(|number| number / all.bytes);
+        println!("{numbers} numbers and {products} products for each byte");
+        assert!(numbers <= NUMBERS_FOR_A_BYTE / 5 && products <= PRODUCTS_FOR_A_BYTE / 5);
     }
 }

@@ -27,7 +27,8 @@ impl Description {
     /// Accepts the description of a table.
     ///
     /// # Errors
-    /// [`Error::Malformed`] for a `nu0` outside `(-1, 0.5]` or a tolerance outside `(0, 1]`.
+    /// [`Error::Malformed`] for a `nu0` outside `(-1, 0.5]`, a tolerance outside `(0, 1]`, or a
+    /// certificate with errors that are not finite numbers in order.
     pub(crate) fn check(&self) -> Result<(), Error> {
         let malformed = |what: String| Err(Error::Malformed(what));
         if let SubstratePoissonRatio::Fixed(nu0) = self.nu0
@@ -41,6 +42,6 @@ impl Description {
                 "its tolerance is {tolerance:?}, it must be above 0 and at most 1"
             ));
         }
-        Ok(())
+        self.certificate.check()
     }
 }

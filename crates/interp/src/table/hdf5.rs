@@ -1,13 +1,16 @@
 //! Reads an HDF5 table, without a C library.
 
 use std::collections::HashMap;
+use std::fs;
 use std::io::Read;
 use std::path::Path;
 
-use hdf5_pure::{AttrValue, DType, File};
+use hdf5_pure::{AttrValue, File, ReadSeekSource, Source};
 
+use crate::table::hdf5_chunks;
+use crate::table::hdf5_source::Structure;
 use crate::table::packed::is_packed;
-use crate::table::schema::{AXES, FORMAT, FORMAT_VERSION, VALUES, attribute};
+use crate::table::schema::{AXES, FORMAT, FORMAT_VERSION, VALUES, attribute, checksum};
 use crate::{Certificate, Description, Error, Parameter, Quantity, SubstratePoissonRatio, Table};
 
 impl Table {
@@ -16,30 +19,34 @@ impl Table {
     /// # Errors
     /// [`Error::Io`] if the file cannot be opened; [`Error::Foreign`] if it is not an HDF5 file, or
     /// one without a table; [`Error::Version`] for another version; [`Error::Malformed`] for
-    /// missing, mistyped or contradictory parts.
+    /// missing, mistyped or contradictory parts, for a layout that is never written, and for more
+    /// numbers than are allowed: 64 bytes of them for each byte of the file, or 64 MB if that is
+    /// more; [`Error::Checksum`] if the numbers are not those that were written.
+    ///
+    /// Reading takes the memory of the numbers, one chunk and at most 64 MB more (measured by
+    /// `tests/table/hostile.rs` with forged files).
     pub fn open(path: impl AsRef<Path>) -> Result<Self, Error> {
         let path = path.as_ref();
         let io = |source| Error::Io {
             path: path.to_owned(),
             source,
         };
-        let bytes = std::fs::metadata(path).map_err(io)?.len();
-        // Opened here first: the errors of HDF5 do not tell a missing file from a foreign one.
+        let open = || fs::File::open(path).map_err(io);
         let mut start = Vec::new();
-        std::fs::File::open(path)
-            .and_then(|file| file.take(8).read_to_end(&mut start))
-            .map_err(io)?;
+        open()?.take(8).read_to_end(&mut start).map_err(io)?;
         if is_packed(&start) {
             return Err(Error::Foreign(
                 "it is a packed table, not an HDF5 file; read it with `Table::read`".into(),
             ));
         }
-        let file = File::open(path).map_err(|error| {
+        let foreign = |error: hdf5_pure::Error| {
             Error::Foreign(format!(
                 "it cannot be read as an HDF5 file ({error}); \
                  `tabulate generate SCENE.toml -o TABLE.h5` makes a table"
             ))
-        })?;
+        };
+        let structure = Structure::new(open()?).map_err(|error| foreign(error.into()))?;
+        let file = File::from_source(structure).map_err(foreign)?;
         let attributes = Attributes(file.root().attrs().map_err(malformed)?);
         match attributes.text(attribute::FORMAT) {
             Ok(FORMAT) => {}
@@ -82,23 +89,26 @@ impl Table {
             Parameter::ALL
         }
         .map(|parameter| (parameter, Vec::new()));
+        let bytes = ReadSeekSource::new(open()?).map_err(|error| malformed(error.into()))?;
+        let left = bytes
+            .len()
+            .saturating_mul(VALUES_FOR_A_BYTE)
+            .max(ALWAYS_ALLOWED);
+        let mut tables = Tables { file, bytes, left };
         for (parameter, nodes) in &mut axes {
-            *nodes = dataset(&file, bytes, &format!("{AXES}/{}", parameter.name()), None)?;
+            *nodes = tables.dataset(&format!("{AXES}/{}", parameter.name()), None)?;
         }
         let shape: Vec<u64> = axes.iter().map(|(_, nodes)| nodes.len() as u64).collect();
-        let held = file
+        let held = tables
+            .file
             .group(VALUES)
             .and_then(|group| group.datasets())
             .map_err(malformed)?;
         let mut values = [const { None }; 4];
         for quantity in Quantity::ALL {
             if held.iter().any(|name| name == quantity.name()) {
-                values[quantity as usize] = Some(dataset(
-                    &file,
-                    bytes,
-                    &format!("{VALUES}/{}", quantity.name()),
-                    Some(&shape),
-                )?);
+                let path = format!("{VALUES}/{}", quantity.name());
+                values[quantity as usize] = Some(tables.dataset(&path, Some(&shape))?);
             }
         }
         let table = Self::new(description, axes, values)?;
@@ -107,6 +117,11 @@ impl Table {
             return Err(Error::Malformed(format!(
                 "it is normalised by {stated:?}, its axes belong to values in units of {unit:?}"
             )));
+        }
+        let (stored, found) = (attributes.integer(attribute::CHECKSUM)?, checksum(&table));
+        if stored != u64::from(found) {
+            let stored = u32::try_from(stored).unwrap_or(u32::MAX);
+            return Err(Error::Checksum { stored, found });
         }
         Ok(table)
     }
@@ -130,50 +145,54 @@ fn certificate(attributes: &Attributes) -> Result<Certificate, Error> {
             ))
         })?,
         worst_point: attributes.numbers(attribute::CERTIFIED_WORST_POINT)?,
-        identity_errors: identity_errors(attributes)?
+        identity_errors: attributes
+            .numbers(attribute::CERTIFIED_IDENTITY_ERRORS)?
             .map(|error| (!error.is_nan()).then_some(error)),
     })
 }
 
-/// Reads the errors of the identities. Older files hold those of the first two only.
-fn identity_errors(attributes: &Attributes) -> Result<[f64; 4], Error> {
-    let name = attribute::CERTIFIED_IDENTITY_ERRORS;
-    let two = |[first, second]: [f64; 2]| [first, second, f64::NAN, f64::NAN];
-    attributes
-        .numbers(name)
-        .or_else(|error| attributes.numbers(name).map(two).map_err(|_| error))
+/// The largest number of bytes of values for each byte of a file. Values of a real table have 1.5
+/// to 2; this limit protects a program that limits the size of the files that it reads.
+const VALUES_FOR_A_BYTE: u64 = 64;
+/// The number of bytes that the values of a file of any size may have.
+const ALWAYS_ALLOWED: u64 = 1 << 26;
+
+/// An open file.
+struct Tables {
+    file: File,
+    /// The bytes of the same file, for the numbers.
+    bytes: ReadSeekSource<fs::File>,
+    /// The number of bytes that the numbers may still take.
+    left: u64,
 }
 
-/// The largest factor by which deflate shrinks data. A dataset that is larger than the file times
-/// this factor is forged.
-const COMPRESSION: u64 = 1032;
-
-/// Reads the f64 values of the dataset at `path`, in a file of `bytes` bytes.
-///
-/// The dataset must have `shape`, or one dimension if `shape` is `None`.
-fn dataset(file: &File, bytes: u64, path: &str, shape: Option<&[u64]>) -> Result<Vec<f64>, Error> {
-    let dataset = file.dataset(path).map_err(malformed)?;
-    let kind = dataset.dtype().map_err(malformed)?;
-    if !matches!(kind, DType::F64) {
-        return Err(Error::Malformed(format!("{path} holds {kind}, not f64")));
+impl Tables {
+    /// Reads the f64 of the dataset at `path`, which must have `shape`, or one dimension if `shape`
+    /// is `None`.
+    fn dataset(&mut self, path: &str, shape: Option<&[u64]>) -> Result<Vec<f64>, Error> {
+        let dataset = self.file.dataset(path).map_err(malformed)?;
+        let found = dataset.shape().map_err(malformed)?;
+        if shape.is_some_and(|shape| shape != found) || found.len() != shape.map_or(1, <[u64]>::len)
+        {
+            return Err(Error::Malformed(format!(
+                "{path} has shape {found:?}, its axes have {shape:?}"
+            )));
+        }
+        let size = found
+            .iter()
+            .try_fold(8_u64, |size, &length| size.checked_mul(length));
+        match size.and_then(|size| self.left.checked_sub(size)) {
+            Some(left) => self.left = left,
+            None => {
+                return Err(Error::Malformed(format!(
+                    "{path} has shape {found:?} in a file of {} bytes; at most {VALUES_FOR_A_BYTE} \
+                     bytes of numbers for each byte, or {ALWAYS_ALLOWED}, are allowed",
+                    self.bytes.len()
+                )));
+            }
+        }
+        hdf5_chunks::read(&dataset, &self.bytes, path, &found)
     }
-    let found = dataset.shape().map_err(malformed)?;
-    if shape.is_some_and(|shape| shape != found) {
-        return Err(Error::Malformed(format!(
-            "{path} has shape {found:?}, its axes have {shape:?}"
-        )));
-    }
-    let size = found
-        .iter()
-        .try_fold(8_u64, |size, &length| size.checked_mul(length));
-    if found.len() != shape.map_or(1, <[u64]>::len)
-        || size.is_none_or(|size| size > bytes.saturating_mul(COMPRESSION))
-    {
-        return Err(Error::Malformed(format!(
-            "{path} has shape {found:?} in a file of {bytes} bytes"
-        )));
-    }
-    dataset.read_f64().map_err(malformed)
 }
 
 /// The attributes of the root group.

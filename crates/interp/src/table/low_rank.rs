@@ -45,6 +45,7 @@ pub struct LowRank {
     cores: [Vec<f64>; 4],
     /// The number of nodes of each core's axis.
     nodes: [usize; 4],
+    demand: Demand,
 }
 
 impl LowRank {
@@ -70,8 +71,10 @@ impl LowRank {
     ///
     /// [`Error::LowRankTooLarge`] if the first lookup would need more than 1e8 numbers, or more
     /// numbers or products than 100 and 2500 for each byte that the parts take in a file. These
-    /// limits do not hold below 1e6 numbers and 1e8 products. The parts of an honest table need 15
-    /// and 265 for each byte (the embedded table).
+    /// limits do not hold below 1e6 numbers and 1e8 products. The parts of an honest table need 13
+    /// and 392 for each byte (the embedded table). What does not depend on the size of the form, the
+    /// choice of the pieces of a curve, has a limit of its own: 500,000 comparisons of a piece with a
+    /// curve, about a second.
     pub fn new(
         quantities: Vec<Quantity>,
         weights: [Vec<f64>; 3],
@@ -151,8 +154,8 @@ impl LowRank {
                 "a low-rank form has {nodes:?} nodes, more than {MOST_VALUES} values"
             ));
         }
-        Demand::new([a, b, c], nodes, &functions, cores, quantities.len())
-            .check([a, b, c], nodes)?;
+        let demand = Demand::new([a, b, c], nodes, &functions, cores, quantities.len());
+        demand.check([a, b, c], nodes)?;
         let cores = cores.map(|core| core.iter().map(|&entry| entry as f64).collect());
         Ok(Self {
             quantities,
@@ -161,6 +164,7 @@ impl LowRank {
             steps,
             cores,
             nodes,
+            demand,
         })
     }
 
@@ -180,6 +184,11 @@ impl LowRank {
     pub(crate) fn shape(&self) -> [usize; 4] {
         let [e0, e1, nu, a] = self.nodes;
         [a, e1, nu, e0]
+    }
+
+    /// Returns what the first lookup needs.
+    pub(crate) fn demand(&self) -> Demand {
+        self.demand
     }
 
     /// Returns the functions along the axes, in the order of the cores.

@@ -3,7 +3,8 @@
 //!
 //! A [`Table`] holds `axes`, a `description` with its `certificate`, and values or a `low_rank`
 //! form, whose first lookup may need as much as `demand` allows. `packed` and `hdf5` read it from
-//! files ([`schema`] has the names of the parts), `embedded` from the program. For the first lookup
+//! files ([`schema`] has the names of the parts; `hdf5_source` limits what a forged file can make
+//! `hdf5` do, and `hdf5_chunks` reads the numbers), `embedded` from the program. For the first lookup
 //! it becomes a `tensor_spline`, either dense or a `tensor_train`; their sums are those of
 //! `weighted_sum` and `mixed_precision`. `lookup` makes the [`Curve`](crate::Curve) of a material
 //! from it, with the help of `incompressible` for its derivatives.
@@ -16,6 +17,10 @@ mod description;
 mod embedded;
 #[cfg(feature = "hdf5")]
 mod hdf5;
+#[cfg(feature = "hdf5")]
+mod hdf5_chunks;
+#[cfg(feature = "hdf5")]
+mod hdf5_source;
 mod incompressible;
 mod lookup;
 mod low_rank;

@@ -1,10 +1,12 @@
 //! The names of the parts of an HDF5 table, shared by its writer and its reader.
 
+use crate::{Quantity, SubstratePoissonRatio, Table};
+
 /// The value of the root attribute [`attribute::FORMAT`].
 pub const FORMAT: &str = "coated-contact-table";
 /// The only version of the HDF5 format that is written and read. The packed form has its own
 /// version.
-pub const FORMAT_VERSION: u32 = 1;
+pub const FORMAT_VERSION: u32 = 2;
 
 /// The names of the attributes.
 pub mod attribute {
@@ -42,8 +44,11 @@ pub mod attribute {
     /// Root: the four parameters of the point with the largest error.
     pub const CERTIFIED_WORST_POINT: &str = "certified_worst_point";
     /// Root: the largest relative errors of the four exact identities on the interpolant; NaN where
-    /// not measured. Files of earlier versions hold the first two.
+    /// not measured.
     pub const CERTIFIED_IDENTITY_ERRORS: &str = "certified_identity_errors";
+    /// Root: the [`checksum`](super::checksum) of all numbers. The checksums of HDF5 do not notice a
+    /// chunk or an attribute that is missing, or another one in its place.
+    pub const CHECKSUM: &str = "checksum";
     /// Dataset: the unit.
     pub const UNITS: &str = "units";
     /// Dataset: the meaning in words.
@@ -58,3 +63,48 @@ pub mod attribute {
 pub const AXES: &str = "axes";
 /// The group of the tabulated quantities.
 pub const VALUES: &str = "values";
+
+/// Returns the CRC-32 (that of zip) of the numbers of a dense table, as little-endian f64: those of
+/// the attributes, but not this one, then those of the axes and of the quantities, each of the three
+/// in the order of the alphabet.
+pub fn checksum(table: &Table) -> u32 {
+    let mut hasher = crc32fast::Hasher::new();
+    let mut add = |numbers: &[f64]| {
+        for part in numbers.chunks(512) {
+            let bytes: Vec<u8> = part
+                .iter()
+                .flat_map(|number| number.to_le_bytes())
+                .collect();
+            hasher.update(&bytes);
+        }
+    };
+    let description = table.description();
+    let certificate = &description.certificate;
+    add(&certificate
+        .identity_errors
+        .map(|error| error.unwrap_or(f64::NAN)));
+    add(&[
+        certificate.max_error,
+        certificate.median_error,
+        certificate.p999_error,
+        certificate.points as f64,
+        certificate.seed as f64,
+    ]);
+    add(&certificate.worst_point);
+    add(&[f64::from(FORMAT_VERSION)]);
+    if let SubstratePoissonRatio::Fixed(nu0) = description.nu0 {
+        add(&[nu0]);
+    }
+    add(&[description.tolerance]);
+    let mut parameters = table.parameters();
+    parameters.sort_unstable_by_key(|parameter| parameter.name());
+    for parameter in parameters {
+        add(table.axis(parameter));
+    }
+    let mut quantities = Quantity::ALL;
+    quantities.sort_unstable_by_key(|quantity| quantity.name());
+    for quantity in quantities {
+        add(table.values(quantity).unwrap_or_default());
+    }
+    hasher.finalize()
+}

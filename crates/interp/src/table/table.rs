@@ -45,7 +45,8 @@ impl Table {
     ///   end at 0 and infinity;
     /// * if the number of values is not the product of the numbers of nodes, or all quantities are
     ///   `None`;
-    /// * if the tolerance is not in `(0, 1]`.
+    /// * if the tolerance is not in `(0, 1]`, or the certificate has errors that are negative,
+    ///   infinite, not in order, or NaN in other than [`Certificate::UNMEASURED`].
     pub fn new(
         description: Description,
         axes: [(Parameter, Vec<f64>); 4],
@@ -120,7 +121,8 @@ impl Table {
         &self.description
     }
 
-    /// Replaces the certificate, which can be measured only after the table is made.
+    /// Replaces the certificate, which can be measured only after the table is made. One that
+    /// [`Table::new`] would refuse is refused when the table is read again.
     pub fn set_certificate(&mut self, certificate: Certificate) {
         self.description.certificate = certificate;
     }

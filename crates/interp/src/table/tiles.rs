@@ -6,6 +6,7 @@
 
 use std::ops::Range;
 
+use crate::table::demand::Demand;
 use crate::{Error, LowRank, Quantity};
 
 /// The number of nodes by which a tile reaches beyond the nodes where it meets its neighbours. The
@@ -39,6 +40,8 @@ impl Tiles {
     /// # Errors
     /// [`Error::Malformed`] unless `cuts` ascend and there is one form more than cuts, at most 8;
     /// or if the forms differ in their quantities, or in the number of nodes on another axis.
+    /// [`Error::LowRankTooLarge`] if all forms together need more than one may, see
+    /// [`LowRank::new`].
     pub fn new(cuts: Vec<usize>, forms: Vec<LowRank>) -> Result<Self, Error> {
         let malformed = |what: String| Err(Error::Malformed(what));
         if forms.len() != cuts.len() + 1 || forms.len() > MOST_TILES {
@@ -64,6 +67,12 @@ impl Tiles {
         {
             return malformed("its tiles differ in their quantities or in their nodes".into());
         }
+        let all = forms
+            .iter()
+            .map(LowRank::demand)
+            .fold(Demand::default(), Demand::plus);
+        let [a, film, nu, e0] = forms[0].shape();
+        all.check(forms[0].ranks(), [e0, film, nu, a])?;
         Ok(Self { cuts, forms })
     }
 

@@ -8,9 +8,9 @@ use std::sync::LazyLock;
 
 use interp::bspline::{Basis, LARGEST_DEGREE, TABLE_DEGREE};
 use interp::{
-    Contact, Control, CrackTip, Curve, Elastic, Error, HalfSpace, Hysteresis, Input, JkrFit,
-    JkrPoint, LowRank, Material, Mechanics, Parameter, Quantities, Quantity, RateDependent, State,
-    SubstratePoissonRatio, System, Table,
+    Certificate, Contact, Control, CrackTip, Curve, Elastic, Error, HalfSpace, Hysteresis, Input,
+    JkrFit, JkrPoint, LowRank, Material, Mechanics, Parameter, Quantities, Quantity, RateDependent,
+    State, SubstratePoissonRatio, System, Table,
 };
 
 use crate::tables::{self, AXES, look_up};
@@ -43,6 +43,9 @@ pub const FUNCTIONS: &[Function] = &[
     ),
     ("Material::new", &[1.75, 0.5, 1e5, 0.25], |x| {
         moduli(&material(x)?)
+    }),
+    ("Material::of_reduced_moduli", &[0.7, 0.3, 2.0, 0.25], |x| {
+        moduli(&Material::of_reduced_moduli(x[0], x[1], x[2], x[3])?)
     }),
     (
         "Material::with_substrate_poisson_ratio",
@@ -116,6 +119,21 @@ pub const FUNCTIONS: &[Function] = &[
             loads(&Contact::half_space(&half_space)?, x[4], x[5])
         },
     ),
+    (
+        "HalfSpace::compound_modulus",
+        &[1e-3, 2e6, 2e11, 0.25],
+        |x| {
+            let half_space = HalfSpace {
+                sphere_radius: x[0],
+                sphere_modulus: x[1],
+                solid: Elastic::new(x[2], x[3])?,
+            };
+            Ok(vec![half_space.compound_modulus()?])
+        },
+    ),
+    ("Contact::quantities", &[6e-5], |x| {
+        each(|contact| Ok(contact.quantities(x[0])?.to_array().to_vec()))
+    }),
     ("Contact::load", &[6e-5, 0.04], |x| {
         each(|contact| loads(contact, x[0], x[1]))
     }),
@@ -168,9 +186,9 @@ pub const FUNCTIONS: &[Function] = &[
     }),
     ("Contact::adhesion_range", &[0.04, 1e-9], |x| {
         each(|contact| {
-            contact
-                .adhesion_range(x[0], x[1])
-                .map(|range| vec![range.tabor, range.cohesive_zone])
+            let range = contact.adhesion_range(x[0], x[1])?;
+            let _ = range.is_short_beside(x[1]);
+            Ok(vec![range.tabor, range.cohesive_zone])
         })
     }),
     ("Contact::jkr_fit", &[0.04, 5e-5, 1e-4, 2e6], |x| {
@@ -183,6 +201,7 @@ pub const FUNCTIONS: &[Function] = &[
     ("Contact::film_bias", &[0.04, 5e-5, 1e-4], |x| {
         each(|contact| {
             let bias = contact.film_bias(x[0], [x[1], x[2]], 5)?;
+            let _ = bias.exceeds(x[1]);
             Ok(vec![
                 bias.fit.modulus,
                 bias.fit.intercept,
@@ -341,7 +360,17 @@ pub const FUNCTIONS: &[Function] = &[
         },
     ),
     ("Parameter::coordinate", &[0.3], |x| {
-        let _ = Parameter::ALL.map(|parameter| (parameter.coordinate(x[0]), parameter.value(x[0])));
+        for parameter in Parameter::ALL.into_iter().chain(Parameter::REDUCED) {
+            let _ = (
+                parameter.coordinate(x[0]),
+                parameter.value(x[0]),
+                parameter.speed(x[0]),
+            );
+        }
+        let _ = (
+            SubstratePoissonRatio::Paired.under(x[0]),
+            JkrPoint::new(x[0], x[0], x[0]),
+        );
         Ok(vec![])
     }),
     ("Quantity::logarithm", &[0.7, 0.6], |x| {
@@ -393,6 +422,23 @@ pub const FUNCTIONS: &[Function] = &[
             Ok(vec![])
         },
     ),
+    // The error of a table is a finite number, or the certificate is malformed.
+    ("Certificate", &[1e-3, 5e-4, 1e-4, 1.0, 2e-3, 2.0], |x| {
+        let mut description = tables::description();
+        description.certificate = Certificate {
+            max_error: x[0],
+            p999_error: x[1],
+            median_error: x[2],
+            worst_point: [x[3]; 4],
+            identity_errors: [Some(x[4]), None, None, None],
+            ..description.certificate
+        };
+        let count = AXES.iter().map(|nodes| nodes.len()).product();
+        let values = from_fn(|_| Some(vec![0.7; count]));
+        let table = Table::new(description, tables::axes(), values)?;
+        let curve = table.curve(&tables::material())?;
+        Ok(vec![curve.error(x[5]).unwrap_or(0.0), curve.error(0.7)?])
+    }),
     ("LowRank::new", &[1.0, 1.0, 1.0, 0.1, 0.1, 1.0], |x| {
         let nodes = AXES.map(|nodes| vec![1; nodes.len()]);
         let cores = [&nodes[3][..], &nodes[1], &nodes[2], &nodes[0]];

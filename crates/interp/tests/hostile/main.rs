@@ -1,8 +1,9 @@
 //! Tests of the library with hostile bytes and arbitrary numbers.
 //!
-//! `packed` forges packed tables, `numbers` gives any f64 to the public functions that `functions`
+//! `packed` forges packed tables by hand and `forged` at random, `numbers` gives any f64 to the public functions that `functions`
 //! lists, `physics` tests properties of the results, and `tables` makes the small tables for them.
 
+mod forged;
 mod functions;
 mod numbers;
 mod packed;

@@ -51,10 +51,10 @@ fn arguments(valid: &'static [f64]) -> impl Strategy<Value = Vec<f64>> {
     prop_oneof![prop::collection::vec(any_number(), valid.len()), one]
 }
 
-#[test]
-fn any_numbers_give_finite_results_or_an_error() {
+/// Calls every function with `cases` lists of arguments.
+fn attack(cases: u32) {
     let fails = |(name, valid, function): &Function| {
-        let tested = TestRunner::new(config(1000)).run(&arguments(valid), |numbers| {
+        let tested = TestRunner::new(config(cases)).run(&arguments(valid), |numbers| {
             let results = function(&numbers).unwrap_or_default();
             prop_assert!(
                 results.iter().all(|number| number.is_finite()),
@@ -65,7 +65,22 @@ fn any_numbers_give_finite_results_or_an_error() {
         Some(format!("{name}: {}", tested.err()?))
     };
     let failures: Vec<String> = FUNCTIONS.iter().filter_map(fails).collect();
+    println!(
+        "{} functions, {cases} lists of arguments each",
+        FUNCTIONS.len()
+    );
     assert!(failures.is_empty(), "{}", failures.join("\n"));
+}
+
+#[test]
+fn any_numbers_give_finite_results_or_an_error() {
+    attack(1000);
+}
+
+#[test]
+#[ignore = "a recorded run: a million calls take minutes"]
+fn a_million_lists_of_numbers_give_finite_results_or_an_error() {
+    attack(30_000);
 }
 
 /// Without this the test above might only meet errors.

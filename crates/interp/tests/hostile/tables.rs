@@ -2,7 +2,7 @@
 
 use interp::{
     Certificate, Contact, Description, Elastic, Error, LowRank, Material, Parameter, Quantity,
-    SubstratePoissonRatio, System, Table,
+    SubstratePoissonRatio, System, Table, Tiles,
 };
 
 /// The nodes of the four axes.
@@ -28,8 +28,10 @@ pub fn description() -> Description {
         created_by: "a test".into(),
         certificate: Certificate {
             max_error: 1e-3,
+            p999_error: 1e-3,
             median_error: 1e-4,
             points: 10,
+            worst_point: [1.0, 1.75, 0.3, 300.0],
             ..Certificate::UNMEASURED
         },
     }
@@ -82,6 +84,33 @@ pub fn low_rank() -> Table {
     let form =
         LowRank::new(Quantity::ALL.to_vec(), weights, functions, [0.01; 4], cores).expect("valid");
     Table::from_low_rank(description(), axes(), form).expect("valid")
+}
+
+/// Makes a low-rank table of `Gamma` in two tiles.
+pub fn low_rank_in_tiles() -> Table {
+    let nodes: Vec<f64> = (0..40)
+        .map(|i| 10_f64.powf(0.1 * f64::from(i) - 2.0))
+        .collect();
+    let mut axes = axes();
+    axes[1].1 = nodes;
+    let tile = |nodes: std::ops::Range<usize>| {
+        let shape = [AXES[0].len(), nodes.len(), AXES[2].len(), AXES[3].len()];
+        let [a, e1, nu, e0] = shape.map(|count| count as i64);
+        let cores =
+            [e0, e1, nu, a].map(|count| (0..count).map(|i| 20 + i % 5).collect::<Vec<i64>>());
+        LowRank::new(
+            vec![Quantity::Gamma],
+            std::array::from_fn(|_| vec![1.0]),
+            functions(shape),
+            [0.05; 4],
+            cores.each_ref().map(Vec::as_slice),
+        )
+        .expect("valid")
+    };
+    let cuts = vec![20];
+    let forms = Tiles::nodes(&cuts, 40).into_iter().map(tile).collect();
+    let tiles = Tiles::new(cuts, forms).expect("valid");
+    Table::from_low_rank(description(), axes, tiles).expect("valid")
 }
 
 /// Returns a material in the box of every table of this file.

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use hdf5::types::VarLenUnicode;
 use hdf5::{H5Type, Location};
-use interp::schema::{AXES, FORMAT, FORMAT_VERSION, VALUES, attribute};
+use interp::schema::{AXES, FORMAT, FORMAT_VERSION, VALUES, attribute, checksum};
 use interp::{Quantity, SubstratePoissonRatio, Table};
 use ndarray::{ArrayView1, ArrayView4};
 
@@ -15,6 +15,9 @@ use super::bindings::{attach_scale, create_group, make_scale};
 const CHUNK: usize = 1 << 15;
 /// The compression level. A higher one takes more time and saves next to nothing on smooth data.
 const DEFLATE: u8 = 4;
+
+/// What a library returns where a chunk is missing: no number, because 0 is a valid node.
+const MISSING: f64 = f64::NAN;
 
 /// Writes the attributes, axes and values of a dense table to a new file.
 pub(super) fn fill(table: &Table, path: &Path) -> hdf5::Result<()> {
@@ -70,6 +73,8 @@ pub(super) fn fill(table: &Table, path: &Path) -> hdf5::Result<()> {
             .map(|error| error.unwrap_or(f64::NAN)),
     )?;
 
+    number(&file, attribute::CHECKSUM, checksum(table))?;
+
     let axes = create_group(&file, AXES)?;
     let mut scales = Vec::new();
     for parameter in table.parameters() {
@@ -79,6 +84,7 @@ pub(super) fn fill(table: &Table, path: &Path) -> hdf5::Result<()> {
             .new_dataset_builder()
             .obj_track_times(false)
             .chunk(nodes.len())
+            .fill_value(MISSING)
             .fletcher32();
         let axis = builder
             .with_data(ArrayView1::from(nodes))
@@ -111,6 +117,7 @@ pub(super) fn fill(table: &Table, path: &Path) -> hdf5::Result<()> {
             .new_dataset_builder()
             .obj_track_times(false)
             .chunk(chunk)
+            .fill_value(MISSING)
             .shuffle()
             .deflate(DEFLATE)
             .fletcher32();
