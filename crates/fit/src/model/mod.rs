@@ -1,0 +1,18 @@
+//! What is measured, what is known, and what the contact model predicts for it.
+//!
+//! `measurement` holds the points, `parameter` the numbers that can be fitted, `experiment` the
+//! points with all that is known about them, `free` what is to be found and how.
+
+mod branch;
+mod experiment;
+mod free;
+mod measurement;
+mod parameter;
+mod simulate;
+
+pub use branch::Branch;
+pub use experiment::{Bodies, Experiment};
+pub use free::{Free, Loss, Options, Prior, Scope};
+pub use measurement::{Direction, Kind, Measurement, Point};
+pub use parameter::Parameter;
+pub use simulate::simulate;
