@@ -55,6 +55,7 @@
 
 #![forbid(unsafe_code)]
 
+pub mod data;
 mod error;
 mod estimate;
 mod model;

@@ -14,6 +14,26 @@ pub enum Kind {
     ForceHeight,
 }
 
+impl Kind {
+    /// All kinds.
+    pub const ALL: [Self; 4] = [
+        Self::LoadRadius,
+        Self::PenetrationRadius,
+        Self::LoadPenetration,
+        Self::ForceHeight,
+    ];
+
+    /// Returns the name, as on the command line.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::LoadRadius => "load-radius",
+            Self::PenetrationRadius => "penetration-radius",
+            Self::LoadPenetration => "load-penetration",
+            Self::ForceHeight => "force-height",
+        }
+    }
+}
+
 /// The direction in which a point was measured.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Direction {
