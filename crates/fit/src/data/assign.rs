@@ -168,11 +168,7 @@ impl Columns<'_> {
     }
 
     /// Returns the column that the user names, or the one that is recognised.
-    fn find(
-        &self,
-        role: Role,
-        direction: Option<Direction>,
-    ) -> Result<Option<Source>, Failure> {
+    fn find(&self, role: Role, direction: Option<Direction>) -> Result<Option<Source>, Failure> {
         let named = self
             .format
             .columns
@@ -193,7 +189,9 @@ impl Columns<'_> {
             let matches = |heading: &Heading| {
                 heading.name == *name
                     && heading.direction == direction
-                    && heading.unit.map_or(!self.is_deflection(role, name), |unit| role.accepts(unit))
+                    && heading
+                        .unit
+                        .map_or(!self.is_deflection(role, name), |unit| role.accepts(unit))
             };
             let mut indices = self.positions(matches);
             let Some(first) = indices.next() else {
@@ -206,7 +204,9 @@ impl Columns<'_> {
                 };
                 return Err((None, problem));
             }
-            return self.source(role, first, self.headings[first].unit, false).map(Some);
+            return self
+                .source(role, first, self.headings[first].unit, false)
+                .map(Some);
         }
         Ok(None)
     }
@@ -250,7 +250,9 @@ impl Columns<'_> {
         };
         let number = || {
             let number: usize = wanted.name.parse().ok()?;
-            (1..=self.headings.len()).contains(&number).then(|| number - 1)
+            (1..=self.headings.len())
+                .contains(&number)
+                .then(|| number - 1)
         };
         let Some(index) = by_name.or_else(number) else {
             let problem = Problem::UnknownHeading {
@@ -310,8 +312,8 @@ impl Columns<'_> {
             let missing = |what| at(Problem::NoCantilever(what));
             factor *= stiffness.ok_or_else(|| missing("the stiffness: --stiffness N/m"))?;
             if unit.dimension == Dimension::Voltage {
-                factor *=
-                    sensitivity.ok_or_else(|| missing("the sensitivity, too: --sensitivity m/V"))?;
+                factor *= sensitivity
+                    .ok_or_else(|| missing("the sensitivity, too: --sensitivity m/V"))?;
             }
         }
         Ok(Source {

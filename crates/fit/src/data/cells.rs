@@ -68,7 +68,10 @@ mod tests {
     #[test]
     fn quotes_keep_a_cell_together() {
         let cells = |delimiter: Delimiter, line| delimiter.split(line).collect::<Vec<_>>();
-        assert_eq!(cells(Delimiter::Comma, "1.5, \"2,5\" ,\"\""), ["1.5", "2,5", ""]);
+        assert_eq!(
+            cells(Delimiter::Comma, "1.5, \"2,5\" ,\"\""),
+            ["1.5", "2,5", ""]
+        );
         assert_eq!(cells(Delimiter::Spaces, "  1,5\t 2,5  "), ["1,5", "2,5"]);
         assert_eq!(cells(Delimiter::Semicolon, "1,5;;"), ["1,5", "", ""]);
         assert_eq!(cells(Delimiter::Tab, "a b\tc"), ["a b", "c"]);

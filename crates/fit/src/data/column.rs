@@ -164,7 +164,8 @@ impl FromStr for Column {
         let word = if word == "force" { "load" } else { &word };
         let role = Role::ALL.into_iter().find(|role| role.name() == word);
         let names = Role::ALL.map(Role::name).join(", ");
-        let role = role.ok_or_else(|| format!("{name:?} is not a column; the columns are {names}"))?;
+        let role =
+            role.ok_or_else(|| format!("{name:?} is not a column; the columns are {names}"))?;
         let heading = heading.trim();
         let positive = heading.strip_prefix('-');
         let heading = positive.unwrap_or(heading).trim();
@@ -192,11 +193,24 @@ mod tests {
                 heading: heading.into(),
             })
         };
-        assert_eq!("load=Force [mN]".parse(), column(Role::Load, false, "Force [mN]"));
+        assert_eq!(
+            "load=Force [mN]".parse(),
+            column(Role::Load, false, "Force [mN]")
+        );
         assert_eq!("force = F=m a".parse(), column(Role::Load, false, "F=m a"));
-        assert_eq!("height=-Z (um)".parse(), column(Role::Height, true, "Z (um)"));
-        assert_eq!("contact-radius=3".parse(), column(Role::ContactRadius, false, "3"));
-        for (text, word) in [("load", "has no ="), ("laod=x", "laod"), ("load=-", "no heading")] {
+        assert_eq!(
+            "height=-Z (um)".parse(),
+            column(Role::Height, true, "Z (um)")
+        );
+        assert_eq!(
+            "contact-radius=3".parse(),
+            column(Role::ContactRadius, false, "3")
+        );
+        for (text, word) in [
+            ("load", "has no ="),
+            ("laod=x", "laod"),
+            ("load=-", "no heading"),
+        ] {
             let error = text.parse::<Column>().unwrap_err();
             assert!(error.contains(word), "{error}");
         }

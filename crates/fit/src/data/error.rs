@@ -102,7 +102,10 @@ pub enum Problem {
         headings: Vec<String>,
     },
     /// A heading that the user names does not exist.
-    #[error("no column is {wanted:?}, named as {role}; the headings are {}", list(headings))]
+    #[error(
+        "no column is {wanted:?}, named as {role}; the headings are {}",
+        list(headings)
+    )]
     UnknownHeading {
         /// The column.
         role: &'static str,
@@ -187,7 +190,9 @@ pub enum Problem {
     #[error("contact radius = {0:?} m must not be below 0; a row without contact has 0")]
     Radius(f64),
     /// All values of a column are equal.
-    #[error("all {points} values are {value:?} (SI); choose the column that was measured: --column")]
+    #[error(
+        "all {points} values are {value:?} (SI); choose the column that was measured: --column"
+    )]
     Constant {
         /// The number of points.
         points: usize,

@@ -15,17 +15,28 @@ pub struct Layout {
     pub delimiter: Delimiter,
     /// The number of cells of a row.
     pub cells: usize,
-    /// The first row of numbers, as an index into the lines at the start of the file.
-    pub first_row: usize,
+    /// The number of lines before the first row of numbers, if no line of headings is above it.
+    pub head: usize,
     /// The lines that could be the headings, the nearest to the rows first.
-    pub headings: Vec<Vec<Heading>>,
+    pub titles: Vec<Titles>,
 }
 
-/// Lines with the same number of cells, two of them numbers, for one delimiter.
+/// A line that could be the headings.
+#[derive(Clone, Debug)]
+pub struct Titles {
+    /// The headings.
+    pub headings: Vec<Heading>,
+    /// The number of lines up to them, and to the line of units below them.
+    pub head: usize,
+}
+
+/// Lines with one number of cells for one delimiter.
 #[derive(Clone, Copy, Debug, Default)]
 struct Run {
     cells: usize,
+    /// The index of the first line.
     first: usize,
+    /// The number of lines with two numbers at least.
     rows: usize,
 }
 
@@ -34,6 +45,7 @@ struct Run {
 pub struct Search {
     lines: Vec<String>,
     runs: [Run; Delimiter::ALL.len()],
+    longest: [Run; Delimiter::ALL.len()],
 }
 
 impl Search {
@@ -44,52 +56,62 @@ impl Search {
         if line.trim().is_empty() || comment(line).is_some() {
             return false;
         }
-        for (delimiter, run) in Delimiter::ALL.into_iter().zip(&mut self.runs) {
-            let cells = row(delimiter, line).unwrap_or(0);
-            if cells != run.cells {
+        let runs = self.runs.iter_mut().zip(&mut self.longest);
+        for (delimiter, (run, longest)) in Delimiter::ALL.into_iter().zip(runs) {
+            let cells = delimiter.split(line).count();
+            if cells != run.cells || is_words(delimiter, line) {
                 *run = Run {
                     cells,
                     first: index,
                     rows: 0,
                 };
             }
-            run.rows += usize::from(cells > 0);
+            run.rows += usize::from(is_row(delimiter, line));
+            if run.rows > longest.rows {
+                *longest = *run;
+            }
         }
-        self.found(ROWS).is_some()
+        self.longest.iter().any(|run| run.rows >= ROWS)
     }
 
     /// Returns the layout and the lines; `None` without rows of numbers.
     pub fn finish(self) -> Option<(Layout, Vec<String>)> {
-        let (delimiter, run) = self.found(ROWS).or_else(|| self.found(1))?;
+        let most = self.longest.iter().map(|run| run.rows).max()?;
+        let mut runs = Delimiter::ALL.into_iter().zip(self.longest);
+        let (delimiter, run) = runs.find(|(_, run)| run.rows == most && most > 0)?;
+        // The run may begin with the headings.
+        let head = run.first + usize::from(is_words(delimiter, &self.lines[run.first]));
         let last_is_empty = delimiter
-            .split(&self.lines[run.first])
+            .split(&self.lines[head])
             .last()
             .is_some_and(str::is_empty);
         let layout = Layout {
             delimiter,
             cells: run.cells,
-            first_row: run.first,
-            headings: headings(&self.lines[..run.first], delimiter, |cells| {
+            head,
+            titles: titles(&self.lines[..head], delimiter, |cells| {
                 cells == run.cells || (last_is_empty && cells + 1 == run.cells)
             }),
         };
         Some((layout, self.lines))
     }
-
-    fn found(&self, rows: usize) -> Option<(Delimiter, Run)> {
-        Delimiter::ALL
-            .into_iter()
-            .zip(self.runs)
-            .find(|(_, run)| run.rows >= rows)
-    }
 }
 
-/// Returns the number of cells of a row of numbers; `None` for any other line.
-fn row(delimiter: Delimiter, line: &str) -> Option<usize> {
+/// Tells whether a line holds words and no number.
+fn is_words(delimiter: Delimiter, line: &str) -> bool {
+    let mut cells = delimiter
+        .split(line)
+        .map(|cell| DecimalMark::default().read(cell))
+        .filter(|cell| *cell != Cell::Missing)
+        .peekable();
+    cells.peek().is_some() && cells.all(|cell| cell == Cell::Text)
+}
+
+/// Tells whether a line is a row of numbers.
+fn is_row(delimiter: Delimiter, line: &str) -> bool {
     let mut mark = DecimalMark::default();
-    let (mut cells, mut numbers) = (0, 0);
+    let mut numbers = 0;
     for cell in delimiter.split(line) {
-        cells += 1;
         match mark.read(cell) {
             Cell::Number(_) | Cell::Infinite => numbers += 1,
             // Numbers that another delimiter separates.
@@ -97,56 +119,47 @@ fn row(delimiter: Delimiter, line: &str) -> Option<usize> {
                 if cell.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c))
                     && cell.contains([';', ',', ' ', '\t']) =>
             {
-                return None;
+                return false;
             }
-            _ => {
-                // A missing number counts only in a row that has others.
-                numbers += usize::from(cell.eq_ignore_ascii_case("nan"));
-            }
+            _ => {}
         }
     }
-    (numbers >= 2).then_some(cells)
+    numbers >= 2
 }
 
 /// Returns the lines that could be headings, the last first, a line of units joined to its names.
-fn headings(
-    lines: &[String],
-    delimiter: Delimiter,
-    fits: impl Fn(usize) -> bool,
-) -> Vec<Vec<Heading>> {
-    let texts = lines.iter().rev().filter_map(|line| {
-        let mut text = comment(line).unwrap_or_else(|| line.trim_end_matches(['\r', '\n']));
+fn titles(lines: &[String], delimiter: Delimiter, fits: impl Fn(usize) -> bool) -> Vec<Titles> {
+    let texts = lines.iter().enumerate().rev().filter_map(|(i, line)| {
+        let mut text = comment(line).unwrap_or(line);
         for label in ["columns:", "units:"] {
             text = text.strip_prefix(label).map_or(text, str::trim);
         }
         let cells = delimiter.split_headings(text);
         let words = cells
             .iter()
-            .filter(|cell| cell.starts_with(char::is_alphabetic) || cell.starts_with(['[', '(']))
+            .filter(|cell| cell.starts_with(|c: char| c.is_alphabetic() || "[({".contains(c)))
             .count();
-        (fits(cells.len()) && words >= 2).then_some(cells)
+        (fits(cells.len()) && words >= 2).then_some((i + 1, cells))
     });
-    let mut found: Vec<Vec<Heading>> = Vec::new();
-    let mut units: Option<Vec<String>> = None;
-    for cells in texts {
-        if units.is_none() && are_units(&cells) {
-            units = Some(cells);
+    let mut found = Vec::new();
+    let mut units: Option<(usize, Vec<String>)> = None;
+    for (head, cells) in texts {
+        if units.is_none() && found.is_empty() && are_units(&cells) {
+            units = Some((head, cells));
             continue;
         }
-        let unit = |i: usize| units.as_ref().and_then(|units| unit(units.get(i)?));
-        found.push(
-            cells
-                .iter()
-                .enumerate()
-                .map(|(i, text)| {
-                    let heading = Heading::parse(text);
-                    Heading {
-                        unit: heading.unit.or_else(|| unit(i)),
-                        ..heading
-                    }
-                })
-                .collect(),
-        );
+        let unit = |i: usize| unit(units.as_ref()?.1.get(i)?);
+        let heading = |(i, text): (usize, &String)| {
+            let heading = Heading::parse(text);
+            Heading {
+                unit: heading.unit.or_else(|| unit(i)),
+                ..heading
+            }
+        };
+        found.push(Titles {
+            headings: cells.iter().enumerate().map(heading).collect(),
+            head: units.as_ref().map_or(head, |(head, _)| *head),
+        });
     }
     found
 }

@@ -82,12 +82,18 @@ mod tests {
 
     #[test]
     fn ends_marks_and_encodings_are_left_out() {
-        assert_eq!(lines(b"\xef\xbb\xbfa\r\nb\n\nc").ok(), Some(vec!["a".into(), "b".into(), String::new(), "c".into()]));
+        assert_eq!(
+            lines(b"\xef\xbb\xbfa\r\nb\n\nc").ok(),
+            Some(vec!["a".into(), "b".into(), String::new(), "c".into()])
+        );
         assert_eq!(lines(b"\xb5m\n").ok(), Some(vec!["µm".into()]));
         assert!(matches!(lines(b"\xff\xfea\0"), Err(Problem::Utf16)));
         assert!(matches!(lines(b"\x89HDF\0\n"), Err(Problem::Binary)));
         assert!(matches!(lines(b"1,2\r3,4\r"), Err(Problem::CarriageReturn)));
-        assert!(matches!(lines(&[b'1'; LONGEST + 1]), Err(Problem::LongLine)));
+        assert!(matches!(
+            lines(&[b'1'; LONGEST + 1]),
+            Err(Problem::LongLine)
+        ));
         assert!(lines(&[b'1'; LONGEST]).is_ok());
     }
 }

@@ -84,7 +84,9 @@ mod tests {
         for text in ["inf", "-Infinity", "1e999"] {
             assert_eq!(read(text), Cell::Infinite, "{text:?}");
         }
-        for text in ["1.234,5", "1,234,5", "1 2", "0x1", "retract", "1.2.3", "5 nm"] {
+        for text in [
+            "1.234,5", "1,234,5", "1 2", "0x1", "retract", "1.2.3", "5 nm",
+        ] {
             assert_eq!(read(text), Cell::Text, "{text:?}");
         }
     }

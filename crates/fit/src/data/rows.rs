@@ -4,9 +4,10 @@ use std::io::BufRead;
 
 use super::assign::{Assignment, Pair, Source, assign, roles};
 use super::cells::comment;
+use super::column::Role;
 use super::error::Problem;
 use super::heading::Heading;
-use super::layout::{Layout, Search};
+use super::layout::{Layout, Search, Titles};
 use super::lines::Lines;
 use super::number::{Cell, DecimalMark};
 use super::segment::{Segment, split};
@@ -44,8 +45,8 @@ pub fn read(source: impl BufRead, name: &str, format: &Format) -> Result<Reading
             break;
         }
     }
-    let (layout, head) = search.finish().ok_or(Problem::NoRows)?;
-    let (headings, assignment) = choose(&layout, format)?;
+    let (layout, start) = search.finish().ok_or(Problem::NoRows)?;
+    let (Titles { headings, head }, assignment) = choose(&layout, format)?;
     let mut rows = Rows {
         layout: &layout,
         headings: &headings,
@@ -58,11 +59,10 @@ pub fn read(source: impl BufRead, name: &str, format: &Format) -> Result<Reading
         missing: 0,
         other_segments: 0,
     };
-    for (number, line) in (1..).zip(&head) {
-        let is_row = number > layout.first_row as u64;
-        rows.add(number, line, is_row)?;
+    for (number, line) in (1..).zip(&start) {
+        rows.add(number, line, number > head as u64)?;
     }
-    drop(head);
+    drop(start);
     while let Some(line) = next(&mut lines)? {
         let line = line.into_owned();
         rows.add(lines.number(), &line, true)?;
@@ -79,33 +79,38 @@ fn next<R: BufRead>(lines: &mut Lines<R>) -> Result<Option<std::borrow::Cow<'_, 
     })
 }
 
-/// Chooses the line of headings: the nearest to the rows that names the columns needed.
-fn choose(layout: &Layout, format: &Format) -> Result<(Vec<Heading>, Assignment), Failure> {
+/// Chooses the line of headings: the nearest to the rows that names the columns needed. Without
+/// headings, the user may name columns by their numbers.
+fn choose(layout: &Layout, format: &Format) -> Result<(Titles, Assignment), Failure> {
+    let unnamed = Titles {
+        headings: vec![Heading::parse(""); layout.cells],
+        head: layout.head,
+    };
+    let has_titles = !layout.titles.is_empty();
+    let numbered = !has_titles && !format.columns.is_empty();
+    let candidates = layout.titles.iter().chain(numbered.then_some(&unnamed));
     let mut first = None;
-    let unnamed = vec![Heading::parse(""); layout.cells];
-    let fallback = format.columns.iter().any(|column| column.heading.starts_with(|c: char| c.is_ascii_digit()));
-    let candidates = layout.headings.iter();
-    for headings in candidates.chain((layout.headings.is_empty() && fallback).then_some(&unnamed)) {
-        match assign(headings, format) {
-            Ok(assignment) => return Ok((headings.clone(), assignment)),
+    for titles in candidates {
+        match assign(&titles.headings, format) {
+            Ok(assignment) => return Ok((titles.clone(), assignment)),
             Err((index, problem)) => {
-                let column = index.map(|index| (index + 1, headings[index].text.clone()));
+                let text = |index: usize| titles.headings[index].text.clone();
                 first.get_or_insert(Failure {
                     line: None,
-                    column,
+                    column: index.map(|index| (index + 1, text(index))),
                     problem,
                 });
             }
         }
     }
     Err(first.unwrap_or_else(|| {
-        let [abscissa, ordinate] = roles(format.kind.unwrap_or(Kind::LoadRadius));
+        let kind = format.kind.unwrap_or(Kind::LoadRadius);
         Failure {
-            line: Some(layout.first_row as u64 + 1),
+            line: Some(layout.head as u64 + 1),
             column: None,
             problem: Problem::NoHeadings {
                 columns: layout.cells,
-                roles: [abscissa.name(), ordinate.name()],
+                roles: roles(kind).map(Role::name),
             },
         }
     }))
@@ -177,8 +182,12 @@ impl Rows<'_> {
                     self.missing += 1;
                     continue;
                 }
-                [None, _] => return Err(self.failure(number, pair.abscissa.index, Problem::Missing)),
-                [_, None] => return Err(self.failure(number, pair.ordinate.index, Problem::Missing)),
+                [None, _] => {
+                    return Err(self.failure(number, pair.abscissa.index, Problem::Missing));
+                }
+                [_, None] => {
+                    return Err(self.failure(number, pair.ordinate.index, Problem::Missing));
+                }
             };
             let of_radius = matches!(
                 self.assignment.kind,
@@ -200,7 +209,12 @@ impl Rows<'_> {
     }
 
     /// Returns the value of a column in SI units; none if it is missing.
-    fn value(&mut self, line: u64, cells: &[&str], source: &Source) -> Result<Option<f64>, Failure> {
+    fn value(
+        &mut self,
+        line: u64,
+        cells: &[&str],
+        source: &Source,
+    ) -> Result<Option<f64>, Failure> {
         let text = cells[source.index];
         let problem = match self.mark.read(text) {
             Cell::Number(value) => return Ok(Some(value * source.factor)),
@@ -265,7 +279,10 @@ impl Rows<'_> {
     /// Refuses a column that holds one value only.
     fn check_constant(&self, points: &[Point], pair: &Pair) -> Result<(), Failure> {
         for (source, value) in [
-            (&pair.abscissa, (|point| point.abscissa) as fn(&Point) -> f64),
+            (
+                &pair.abscissa,
+                (|point| point.abscissa) as fn(&Point) -> f64,
+            ),
             (&pair.ordinate, |point| point.ordinate),
         ] {
             let first = value(&points[0]);

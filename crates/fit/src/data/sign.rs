@@ -12,11 +12,10 @@ pub fn doubt(kind: Kind, points: &[Point], pair: &Pair) -> Option<String> {
     // The direction in which the abscissa grows when the bodies are pressed together.
     let inwards = if kind == Kind::ForceHeight { -1.0 } else { 1.0 };
     let depth = |point: &Point| inwards * point.abscissa;
-    let [least, most] = points
-        .iter()
-        .fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], point| {
-            [least.min(depth(point)), most.max(depth(point))]
-        });
+    let [least, most] = points.iter().fold(
+        [f64::INFINITY, f64::NEG_INFINITY],
+        |[least, most], point| [least.min(depth(point)), most.max(depth(point))],
+    );
     let from = most - DEEPEST * (most - least);
     let mean = |points: &mut dyn Iterator<Item = &Point>| {
         let (sum, count) = points.fold((0.0, 0_u32), |(sum, count), point| {

@@ -120,13 +120,11 @@ mod tests {
             ("mV", Dimension::Voltage, 1e-3),
             ("volts", Dimension::Voltage, 1.0),
         ] {
-            assert_eq!(
-                Unit::parse(text),
-                Some(Unit { dimension, size }),
-                "{text}"
-            );
+            assert_eq!(Unit::parse(text), Some(Unit { dimension, size }), "{text}");
         }
-        for text in ["", "x", "NM", "s", "N/m", "1", "measured", "a", "micro", "Pa"] {
+        for text in [
+            "", "x", "NM", "s", "N/m", "1", "measured", "a", "micro", "Pa",
+        ] {
             assert_eq!(Unit::parse(text), None, "{text}");
         }
     }
