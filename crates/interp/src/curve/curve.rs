@@ -214,6 +214,16 @@ impl Curve {
         self.values_and_slopes(a_over_t)
     }
 
+    /// Returns `Pi0` and `Delta0` with their [slopes](Curve::slope). The other two are known or not.
+    pub(crate) fn adhesionless_and_slopes(
+        &self,
+        a_over_t: f64,
+    ) -> Result<(Quantities, Quantities), Error> {
+        self.require(Quantity::Pi0)?;
+        self.require(Quantity::Delta0)?;
+        self.values_and_slopes(a_over_t)
+    }
+
     /// Returns all four quantities at `a_over_t` with their derivatives with respect to `a_over_t`
     /// and to the four parameters of the material.
     ///
