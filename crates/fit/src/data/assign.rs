@@ -82,7 +82,7 @@ pub fn assign(headings: &[Heading], format: &Format) -> Result<Assignment, Failu
     })
 }
 
-/// Returns what the columns of a kind hold: the abscissa and the ordinate.
+/// Returns what the two columns of a kind hold: the abscissa and the ordinate.
 pub const fn roles(kind: Kind) -> [Role; 2] {
     match kind {
         Kind::LoadRadius => [Role::ContactRadius, Role::Load],

@@ -29,10 +29,10 @@ use std::fs::File;
 use std::io::{BufRead, BufReader};
 use std::path::Path;
 
-pub use assign::Source;
+pub use assign::{Source, roles};
 pub use column::{Column, Role};
 pub use error::{DataError, Problem};
-pub use unit::{Dimension, Unit};
+pub use unit::{Dimension, Unit, prefix};
 
 use crate::{Direction, Kind, Measurement};
 
@@ -77,6 +77,13 @@ pub enum Segments {
 pub struct Reading {
     /// The measurement, in SI units.
     pub measurement: Measurement,
+    /// How it was read.
+    pub notes: Notes,
+}
+
+/// How a measurement was read.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Notes {
     /// The columns used.
     pub columns: Vec<Source>,
     /// The number of rows that were left out because their values are missing.

@@ -11,7 +11,7 @@ use super::layout::{Layout, Search, Titles};
 use super::lines::Lines;
 use super::number::{Cell, DecimalMark};
 use super::segment::{Segment, split};
-use super::{Format, Reading, Segments, sign};
+use super::{Format, Notes, Reading, Segments, sign};
 use crate::{Kind, Measurement, Point};
 
 /// The number of lines that may stand before the rows of numbers.
@@ -259,21 +259,22 @@ impl Rows<'_> {
             return Err(Problem::NoPoints(self.count).into());
         }
         self.check_constant(&points, &pairs[0])?;
-        Ok(Reading {
-            doubt: sign::doubt(*kind, &points, &pairs[0]),
-            measurement: Measurement {
-                name: name.to_owned(),
-                kind: *kind,
-                points,
-            },
-            columns: pairs
-                .iter()
-                .flat_map(|pair| [pair.abscissa.clone(), pair.ordinate.clone()])
-                .collect(),
+        let columns = pairs
+            .iter()
+            .flat_map(|pair| [pair.abscissa.clone(), pair.ordinate.clone()]);
+        let notes = Notes {
+            columns: columns.collect(),
             missing: self.missing,
             other_segments: self.other_segments,
             split: split_now,
-        })
+            doubt: sign::doubt(*kind, &points, &pairs[0]),
+        };
+        let measurement = Measurement {
+            name: name.to_owned(),
+            kind: *kind,
+            points,
+        };
+        Ok(Reading { measurement, notes })
     }
 
     /// Refuses a column that holds one value only.

@@ -33,7 +33,7 @@ pub struct Unit {
 }
 
 /// Prefixes: symbol, name, size. The size is a decimal exponent, so that it is rounded once.
-const PREFIXES: [(&str, &str, i32); 12] = [
+const PREFIXES: [(&str, &str, i32); 13] = [
     ("", "", 0),
     ("c", "centi", -2),
     ("m", "milli", -3),
@@ -46,6 +46,7 @@ const PREFIXES: [(&str, &str, i32); 12] = [
     ("a", "atto", -18),
     ("k", "kilo", 3),
     ("M", "mega", 6),
+    ("G", "giga", 9),
 ];
 
 /// Units without a prefix: symbol, names, dimension.
@@ -71,7 +72,7 @@ impl Unit {
         let word = text.to_lowercase();
         let word = word.strip_suffix('s').unwrap_or(&word);
         let of = |dimension, exponent| {
-            let size = format!("1e{exponent}").parse().ok()?;
+            let size = power(exponent);
             Some(Self { dimension, size })
         };
         if matches!(text, "\u{c5}" | "\u{212b}") || word == "angstrom" {
@@ -93,6 +94,19 @@ impl Unit {
         }
         None
     }
+}
+
+/// Returns the size of a prefix of the SI, by its symbol; 1 of none.
+pub fn prefix(symbol: &str) -> Option<f64> {
+    PREFIXES
+        .iter()
+        .find(|(known, ..)| *known == symbol)
+        .map(|(_, _, exponent)| power(*exponent))
+}
+
+/// Returns a power of ten, correctly rounded, which `powi` is not.
+fn power(exponent: i32) -> f64 {
+    format!("1e{exponent}").parse().expect("it is a number")
 }
 
 #[cfg(test)]

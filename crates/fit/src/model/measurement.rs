@@ -43,6 +43,19 @@ pub enum Direction {
     Retract,
 }
 
+impl Direction {
+    /// Both directions.
+    pub const ALL: [Self; 2] = [Self::Approach, Self::Retract];
+
+    /// Returns the name, as on the command line and in columns of segments.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Approach => "approach",
+            Self::Retract => "retract",
+        }
+    }
+}
+
 /// One measured point, in SI units. Loads and forces are positive in compression.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Point {

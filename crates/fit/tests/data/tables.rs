@@ -130,7 +130,11 @@ fn segments_come_from_a_column_from_comments_from_headings_or_from_the_largest_l
         let reading = sound(text, &format);
         let points = reading.measurement.points.iter();
         let directions: Vec<_> = points.map(|point| point.direction).collect();
-        (directions, reading.split, reading.other_segments)
+        (
+            directions,
+            reading.notes.split,
+            reading.notes.other_segments,
+        )
     };
     let [approach, retract] = [Direction::Approach, Direction::Retract].map(Some);
     let by_column = "height,force,segment\n2,0,approach\n1,1,Extend\n1,1,pause\n2,0,RETRACT\n";
@@ -207,12 +211,12 @@ fn rows_without_values_are_left_out_and_counted() {
         &Format::default(),
     );
     assert_values(&values(&reading), &[[1.0, 2.0], [2.0, 3.0]]);
-    assert_eq!(reading.missing, 2);
+    assert_eq!(reading.notes.missing, 2);
 }
 
 #[test]
 fn a_sign_that_counts_in_the_opposite_sense_is_doubted() {
-    let doubt = |text| sound(text, &Format::default()).doubt;
+    let doubt = |text| sound(text, &Format::default()).notes.doubt;
     assert_eq!(doubt("height,force\n3,0\n2,0\n1,1\n"), None);
     assert_eq!(doubt("contact_radius,load\n1,-1\n2,-1.2\n3,1\n"), None);
     for text in [

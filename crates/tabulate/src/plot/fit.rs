@@ -1,0 +1,180 @@
+//! A fit: the data, the fit, the curve without the film, and the residuals.
+
+use fit::{Branch, Experiment, Fit, FittedPoint, Kind};
+
+use super::axis::Axis;
+use super::chart::{
+    BLACK, BLUE, Colour, Figure, GREEN, GREY, Marker, ORANGE, PURPLE, Panel, Point, Side, VERMILION,
+};
+use super::picture::legible;
+
+/// The colours of the experiments.
+const COLOURS: [Colour; 5] = [BLUE, VERMILION, GREEN, PURPLE, ORANGE];
+
+/// The most points that are drawn of an experiment: more cannot be told apart.
+const MOST: usize = 1500;
+
+/// The most experiments that are named in the figure.
+const MOST_NAMES: usize = 5;
+
+/// Describes the figure of a fit.
+pub fn figure(fit: &Fit, experiments: &[Experiment]) -> Figure {
+    let kind = experiments[0].measurement.kind;
+    let points = || fit.experiments.iter().flat_map(|one| &one.points);
+    let x = Scale::new(names(kind)[0], points().map(|point| point.abscissa));
+    let values = |point: &FittedPoint| [Some(point.ordinate), point.fit].into_iter().flatten();
+    let y = Scale::new(names(kind)[1], points().flat_map(values));
+    let mut data = Panel::new("Data and fit", x.axis(), y.axis());
+    let noise = |i: usize| fit.experiments[i].noise;
+    let residual =
+        |i: usize, point: &FittedPoint| point.residual().map(|residual| residual / noise(i));
+    let residuals = fit.experiments.iter().enumerate().flat_map(|(i, one)| {
+        one.points
+            .iter()
+            .filter_map(move |point| residual(i, point))
+    });
+    let largest = residuals.fold(3.0_f64, |most, residual| most.max(residual.abs()));
+    let rest = Axis::linear("residual / noise", [-1.1 * largest, 1.1 * largest]);
+    let mut left = Panel::new("Residuals", x.axis(), rest);
+    let [from, to] = x.axis().range();
+    left.line([[from, 0.0], [to, 0.0]], GREY);
+
+    for (i, one) in fit.experiments.iter().enumerate() {
+        let colour = COLOURS[i % COLOURS.len()];
+        let every = one.points.len().div_ceil(MOST);
+        let drawn = || one.points.iter().step_by(every);
+        for point in drawn() {
+            let used = point.fit.is_some() && !point.outlier;
+            let marker = if used { Marker::Full } else { Marker::Hollow };
+            let shade = if used { colour } else { GREY };
+            data.markers(
+                [[x.at(point.abscissa), y.at(point.ordinate)]],
+                shade,
+                marker,
+            );
+            if let Some(residual) = residual(i, point) {
+                left.markers([[x.at(point.abscissa), residual]], shade, marker);
+            }
+        }
+        let line = |value: fn(&FittedPoint) -> Option<f64>| {
+            let at = |point: &FittedPoint| Some([x.at(point.abscissa), y.at(value(point)?)]);
+            branches(&one.points, every, at)
+        };
+        for branch in line(|point| point.without_film) {
+            data.dashed(branch, GREY);
+        }
+        for branch in line(|point| point.fit) {
+            data.line(branch, BLACK);
+        }
+        if fit.experiments.len() > 1 && i < MOST_NAMES {
+            let place: Vec<Point> = drawn()
+                .map(|point| [x.at(point.abscissa), y.at(point.ordinate)])
+                .collect();
+            let file = one.name.rsplit(['/', '\\']).next().unwrap_or(&one.name);
+            data.label_along(place, legible(file), colour, Side::Right);
+        }
+    }
+    let without = fit.experiments[0]
+        .points
+        .iter()
+        .filter_map(|point| Some([x.at(point.abscissa), y.at(point.without_film?)]));
+    let without: Vec<Point> = without.collect();
+    if !without.is_empty() {
+        data.label_along(without, "without film", GREY, Side::Right);
+    }
+    let fitted = fit.experiments[0]
+        .points
+        .iter()
+        .filter_map(|point| Some([x.at(point.abscissa), y.at(point.fit?)]));
+    data.label_along(fitted.collect::<Vec<_>>(), "fit", BLACK, Side::Left);
+    Figure::new(400, [data.share(1.25), left])
+}
+
+/// Returns the curves through the points of each branch, along the abscissa.
+fn branches(
+    points: &[FittedPoint],
+    every: usize,
+    at: impl Fn(&FittedPoint) -> Option<Point>,
+) -> Vec<Vec<Point>> {
+    let mut curves = Vec::new();
+    let mut current: Option<(Branch, Vec<Point>)> = None;
+    for point in points
+        .iter()
+        .filter(|point| point.branch != Branch::LeftOut)
+    {
+        let Some(place) = at(point) else { continue };
+        match &mut current {
+            Some((branch, curve)) if *branch == point.branch => curve.push(place),
+            _ => curves.extend(
+                current
+                    .replace((point.branch, vec![place]))
+                    .map(|(_, curve)| curve),
+            ),
+        }
+    }
+    curves.extend(current.map(|(_, curve)| curve));
+    for curve in &mut curves {
+        curve.sort_by(|a, b| a[0].total_cmp(&b[0]));
+        // The ends of a branch are drawn in any case.
+        let last = curve.len() - 1;
+        let mut index = 0;
+        curve.retain(|_| {
+            index += 1;
+            (index - 1) % every == 0 || index - 1 == last
+        });
+    }
+    curves
+}
+
+/// Returns the names of the quantities of a kind, and their SI units.
+const fn names(kind: Kind) -> [(&'static str, char); 2] {
+    match kind {
+        Kind::LoadRadius => [("contact radius", 'm'), ("load", 'N')],
+        Kind::PenetrationRadius => [("contact radius", 'm'), ("penetration", 'm')],
+        Kind::LoadPenetration => [("penetration", 'm'), ("load", 'N')],
+        Kind::ForceHeight => [("height", 'm'), ("force", 'N')],
+    }
+}
+
+/// An axis in a unit with a prefix.
+struct Scale {
+    label: String,
+    size: f64,
+    range: [f64; 2],
+}
+
+impl Scale {
+    /// Makes the axis that shows all values, with a margin.
+    fn new((name, unit): (&str, char), values: impl Iterator<Item = f64>) -> Self {
+        let [least, most] = values
+            .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| {
+                [low.min(value), high.max(value)]
+            });
+        let largest = least.abs().max(most.abs());
+        const PREFIXES: [(&str, f64); 7] = [
+            ("k", 1e3),
+            ("", 1.0),
+            ("m", 1e-3),
+            ("μ", 1e-6),
+            ("n", 1e-9),
+            ("p", 1e-12),
+            ("f", 1e-15),
+        ];
+        let found = PREFIXES.iter().find(|(_, size)| largest >= 2.0 * size);
+        let (prefix, size) = *found.unwrap_or(&PREFIXES[PREFIXES.len() - 1]);
+        let margin = 0.04 * (most - least);
+        Self {
+            label: format!("{name} ({prefix}{unit})"),
+            size,
+            range: [(least - margin) / size, (most + margin) / size],
+        }
+    }
+
+    fn axis(&self) -> Axis {
+        Axis::linear(self.label.as_str(), self.range)
+    }
+
+    fn at(&self, value: f64) -> f64 {
+        value / self.size
+    }
+}
