@@ -2,6 +2,7 @@
 
 #![forbid(unsafe_code)]
 
+mod afm_curves;
 mod cost;
 mod cost_effects;
 mod cost_lookup;
@@ -9,6 +10,7 @@ mod cost_solve;
 mod cost_table;
 mod curve;
 mod embedded;
+mod fit;
 mod help;
 mod info;
 mod pipes;
@@ -16,6 +18,7 @@ mod plan;
 mod plot;
 mod points;
 mod readme;
+mod simulate;
 
 use acceptance::shipped;
 use interp::Material;

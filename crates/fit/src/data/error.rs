@@ -18,7 +18,6 @@ pub struct DataError {
     /// The column, if the problem is in one: its number from 1, and its heading.
     pub column: Option<(usize, String)>,
     /// What is wrong, and what to do.
-    #[source]
     pub problem: Problem,
 }
 
@@ -45,7 +44,7 @@ impl fmt::Display for Place<'_> {
 #[non_exhaustive]
 pub enum Problem {
     /// The file cannot be read.
-    #[error("{0}")]
+    #[error(transparent)]
     Read(#[from] io::Error),
     /// The file is not text.
     #[error(

@@ -68,7 +68,8 @@ pub enum Segments {
     Auto,
     /// From the file only.
     File,
-    /// The points up to the largest load are the approach, the rest is the retract.
+    /// The points up to the largest load are the approach, the rest is the retract, whatever the
+    /// file says.
     Split,
 }
 

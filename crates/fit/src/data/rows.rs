@@ -156,7 +156,8 @@ impl Rows<'_> {
                 },
             });
         }
-        let segment = match self.assignment.segment {
+        let column = self.assignment.segment;
+        let segment = match column.filter(|_| self.format.segments != Segments::Split) {
             Some(index) => Some(Segment::parse(cells[index]).ok_or_else(|| {
                 self.failure(number, index, Problem::Segment(cells[index].to_owned()))
             })?),

@@ -155,6 +155,11 @@ fn segments_come_from_a_column_from_comments_from_headings_or_from_the_largest_l
         .0,
         [approach, approach, retract]
     );
+    let unknown = "height,force,phase\n2,0,5\n1,1,6\n2,0,7\n";
+    assert_eq!(
+        directions(unknown, Segments::Split, None).0,
+        [approach, approach, retract]
+    );
     let by_comment = "# segment: extend\n# columns: height force\n# units: m N\n2 0\n1 1\n\n\
                       # segment: retract\n# columns: height force\n# units: m N\n1 0.9\n2 0\n";
     assert_eq!(

@@ -127,8 +127,8 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         };
     }
     ensure!(
-        arguments.free.free.is_empty(),
-        "--free names the parameters whose errors --expect prints; add --expect"
+        arguments.free.is_empty(),
+        "--free, --bounds, --prior, --own and --shared are for --expect; add it"
     );
     let measurement = simulate(&table, &experiments[0], arguments.noise, arguments.seed)?;
     let text = csv(&measurement, &experiments[0])?;

@@ -98,6 +98,15 @@ pub struct FreeArguments {
 }
 
 impl FreeArguments {
+    /// Tells whether no flag is given.
+    pub const fn is_empty(&self) -> bool {
+        self.free.is_empty()
+            && self.bounds.is_empty()
+            && self.prior.is_empty()
+            && self.own.is_empty()
+            && self.shared.is_empty()
+    }
+
     /// Returns the free parameters of experiments.
     pub fn of(&self, experiments: &[Experiment], values: &[Values]) -> anyhow::Result<Vec<Free>> {
         let names = if self.free.is_empty() {

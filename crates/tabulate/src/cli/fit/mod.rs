@@ -105,7 +105,12 @@ pub struct Arguments {
     )]
     table: TableName,
     /// Units of the report: film-modulus=MPa [default: such that numbers are above 1]
-    #[arg(long, value_name = "NAME=UNIT,...", value_delimiter = ',')]
+    #[arg(
+        long,
+        value_name = "NAME=UNIT,...",
+        value_delimiter = ',',
+        conflicts_with = "json"
+    )]
     units: Vec<Asked>,
     /// Print a JSON object in SI units instead of the report
     ///
