@@ -58,6 +58,7 @@
 mod error;
 mod estimate;
 mod model;
+mod statistics;
 
 pub use error::Error;
 pub use estimate::{
