@@ -59,6 +59,7 @@ pub mod data;
 mod error;
 mod estimate;
 mod model;
+mod statistics;
 
 pub use error::Error;
 pub use estimate::{

@@ -24,6 +24,39 @@ impl Bodies {
         }
     }
 
+    /// Returns the film, or the solid of a half-space.
+    pub(crate) const fn film(&self) -> Elastic {
+        match self {
+            Self::Coated(system) => system.film,
+            Self::HalfSpace(half_space) => half_space.solid,
+        }
+    }
+
+    /// Returns these bodies with another value of one of their parameters. Other parameters change
+    /// nothing.
+    pub(crate) fn with(mut self, parameter: Parameter, value: f64) -> Result<Self, interp::Error> {
+        let film = self.film();
+        let film = match parameter {
+            Parameter::FilmModulus => Elastic::new(value, film.poisson())?,
+            Parameter::FilmPoissonRatio => Elastic::new(film.young(), value)?,
+            _ => film,
+        };
+        let (sphere_modulus, own_film) = match &mut self {
+            Self::Coated(system) => {
+                if parameter == Parameter::FilmThickness {
+                    system.film_thickness = value;
+                }
+                (&mut system.sphere_modulus, &mut system.film)
+            }
+            Self::HalfSpace(half_space) => (&mut half_space.sphere_modulus, &mut half_space.solid),
+        };
+        *own_film = film;
+        if parameter == Parameter::SphereModulus {
+            *sphere_modulus = value;
+        }
+        Ok(self)
+    }
+
     /// Makes the contact, with the derivatives of the curve if asked for.
     pub(crate) fn contact(&self, table: &Table, gradient: bool) -> Result<Contact, interp::Error> {
         match self {
@@ -90,8 +123,8 @@ impl Experiment {
                 Bodies::Coated(system) => system.sphere_modulus,
                 Bodies::HalfSpace(half_space) => half_space.sphere_modulus,
             },
-            Parameter::FilmModulus => self.film().young(),
-            Parameter::FilmPoissonRatio => self.film().poisson(),
+            Parameter::FilmModulus => self.bodies.film().young(),
+            Parameter::FilmPoissonRatio => self.bodies.film().poisson(),
             Parameter::FilmThickness => match &self.bodies {
                 Bodies::Coated(system) => system.film_thickness,
                 Bodies::HalfSpace(_) => return None,
@@ -112,24 +145,25 @@ impl Experiment {
     /// [`Error::Contact`] for a film that is not physical; [`Error::NotApplicable`] for the
     /// thickness of a half-space.
     pub fn set(&mut self, parameter: Parameter, value: f64) -> Result<(), Error> {
-        let film = self.film();
+        if parameter == Parameter::FilmThickness
+            && let Some(reason) = self.why_without_effect(parameter)
+        {
+            return Err(Error::NotApplicable {
+                parameter,
+                experiment: self.measurement.name.clone(),
+                reason,
+            });
+        }
+        Ok(self.replace(parameter, value)?)
+    }
+
+    /// Replaces the value of a parameter that the experiment has.
+    pub(crate) fn replace(
+        &mut self,
+        parameter: Parameter,
+        value: f64,
+    ) -> Result<(), interp::Error> {
         match parameter {
-            Parameter::SphereModulus => match &mut self.bodies {
-                Bodies::Coated(system) => system.sphere_modulus = value,
-                Bodies::HalfSpace(half_space) => half_space.sphere_modulus = value,
-            },
-            Parameter::FilmModulus => self.set_film(Elastic::new(value, film.poisson())?),
-            Parameter::FilmPoissonRatio => self.set_film(Elastic::new(film.young(), value)?),
-            Parameter::FilmThickness => match &mut self.bodies {
-                Bodies::Coated(system) => system.film_thickness = value,
-                Bodies::HalfSpace(_) => {
-                    return Err(Error::NotApplicable {
-                        parameter,
-                        experiment: self.measurement.name.clone(),
-                        reason: "a half-space has no thickness",
-                    });
-                }
-            },
             Parameter::WorkOfAdhesion => self.work_of_adhesion = value,
             Parameter::WorkOfAdhesionReceding => self.work_of_adhesion_receding = Some(value),
             Parameter::LoadOffset => self.load_offset = value,
@@ -137,23 +171,9 @@ impl Experiment {
             Parameter::Baseline => self.baseline = value,
             Parameter::BaselineSlope => self.baseline_slope = value,
             Parameter::Stiffness => self.stiffness = Some(value),
+            _ => self.bodies = self.bodies.with(parameter, value)?,
         }
         Ok(())
-    }
-
-    /// Returns the film, or the solid of a half-space.
-    fn film(&self) -> Elastic {
-        match &self.bodies {
-            Bodies::Coated(system) => system.film,
-            Bodies::HalfSpace(half_space) => half_space.solid,
-        }
-    }
-
-    fn set_film(&mut self, film: Elastic) {
-        match &mut self.bodies {
-            Bodies::Coated(system) => system.film = film,
-            Bodies::HalfSpace(half_space) => half_space.solid = film,
-        }
     }
 
     /// Returns why a parameter has no effect on this experiment, if it has none.
@@ -183,5 +203,23 @@ impl Experiment {
             }
             _ => None,
         }
+    }
+
+    /// Accepts the stiffness of the cantilever where one is needed.
+    pub(crate) fn accept_stiffness(&self) -> Result<(), Error> {
+        if self.measurement.kind != Kind::ForceHeight {
+            return Ok(());
+        }
+        let stiffness = self.stiffness.unwrap_or(f64::NAN);
+        if stiffness > 0.0 && stiffness.is_finite() {
+            return Ok(());
+        }
+        Err(Error::Setting {
+            name: format!("stiffness of {}", self.measurement.name),
+            value: stiffness,
+            allowed:
+                "positive and finite: forces against heights need the stiffness of the cantilever"
+                    .into(),
+        })
     }
 }

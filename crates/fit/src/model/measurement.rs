@@ -32,6 +32,16 @@ impl Kind {
             Self::ForceHeight => "force-height",
         }
     }
+
+    /// Returns the names of abscissa and ordinate.
+    pub const fn names(self) -> [&'static str; 2] {
+        match self {
+            Self::LoadRadius => ["contact radius", "load"],
+            Self::PenetrationRadius => ["contact radius", "penetration"],
+            Self::LoadPenetration => ["penetration", "load"],
+            Self::ForceHeight => ["height", "force"],
+        }
+    }
 }
 
 /// The direction in which a point was measured.

@@ -272,8 +272,7 @@ impl<'a> Follower<'a> {
                     penetration: at.penetration + penetration * step,
                 }));
             }
-            // Not `>=`, which is false for NaN.
-            if !(step.abs() < before) {
+            if step.is_nan() || step.abs() >= before {
                 return Ok(None);
             }
             (u, before) = (u + step, step.abs());

@@ -21,9 +21,15 @@ const MOST_NAMES: usize = 5;
 pub fn figure(fit: &Fit, experiments: &[Experiment]) -> Figure {
     let kind = experiments[0].measurement.kind;
     let points = || fit.experiments.iter().flat_map(|one| &one.points);
-    let x = Scale::new(names(kind)[0], points().map(|point| point.abscissa));
+    let [abscissa, ordinate] = kind.names();
+    let unit = if kind == Kind::PenetrationRadius {
+        'm'
+    } else {
+        'N'
+    };
+    let x = Scale::new(abscissa, 'm', points().map(|point| point.abscissa));
     let values = |point: &FittedPoint| [Some(point.ordinate), point.fit].into_iter().flatten();
-    let y = Scale::new(names(kind)[1], points().flat_map(values));
+    let y = Scale::new(ordinate, unit, points().flat_map(values));
     let mut data = Panel::new("Data and fit", x.axis(), y.axis());
     let noise = |i: usize| fit.experiments[i].noise;
     let residual =
@@ -126,16 +132,6 @@ fn branches(
     curves
 }
 
-/// Returns the names of the quantities of a kind, and their SI units.
-const fn names(kind: Kind) -> [(&'static str, char); 2] {
-    match kind {
-        Kind::LoadRadius => [("contact radius", 'm'), ("load", 'N')],
-        Kind::PenetrationRadius => [("contact radius", 'm'), ("penetration", 'm')],
-        Kind::LoadPenetration => [("penetration", 'm'), ("load", 'N')],
-        Kind::ForceHeight => [("height", 'm'), ("force", 'N')],
-    }
-}
-
 /// An axis in a unit with a prefix.
 struct Scale {
     label: String,
@@ -145,7 +141,7 @@ struct Scale {
 
 impl Scale {
     /// Makes the axis that shows all values, with a margin.
-    fn new((name, unit): (&str, char), values: impl Iterator<Item = f64>) -> Self {
+    fn new(name: &str, unit: char, values: impl Iterator<Item = f64>) -> Self {
         let [least, most] = values
             .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| {
                 [low.min(value), high.max(value)]

@@ -1,0 +1,322 @@
+//! The way to the minimum: points near the end of a branch are held back, the noise is estimated,
+//! and other starts are tried where the first one ends badly.
+
+use interp::Table;
+
+use super::problem::{Assigned, Ending, Problem};
+use super::slot::Slot;
+use super::start;
+use super::uncertainty::Uncertainty;
+use crate::model::Assignment;
+use crate::statistics::{excess, median};
+use crate::{Branch, Error, Experiment, Free, Kind, Loss, Parameter};
+
+/// The most evaluations over the number of parameters + 1.
+const PATIENCE: usize = 60;
+/// The part of the imposed values of a branch, counted from its end, that is held back at first.
+const HELD_BACK: f64 = 0.03;
+/// Points count from this number of standard errors of the end of their branch on. Nearer to it a
+/// force is no linear function of the parameters.
+const CLEAR: f64 = 4.0;
+/// The most rounds of noise and branches.
+const ROUNDS: usize = 6;
+/// The change of an estimated noise that needs another round.
+const NOISE_CHANGE: f64 = 0.02;
+/// The smallest noise, relative to the range of the ordinates, that an estimate can give.
+const LEAST_NOISE: f64 = 1e-12;
+/// An excess of the sum of squares, in standard deviations, at which other starts are tried.
+const BAD: f64 = 4.5;
+/// The factors of other starts.
+const OTHER_STARTS: [f64; 2] = [0.05, 20.0];
+/// Minima whose sums of squares differ by less cannot be told apart.
+pub(crate) const SAME: f64 = 4.0;
+
+/// A minimum, and what is known about the way to it.
+pub(crate) struct Minimum<'a> {
+    pub problem: Problem<'a>,
+    pub ending: Ending,
+    /// The uncertainty there; `None` where there are no derivatives.
+    pub uncertainty: Option<Uncertainty>,
+    /// Another minimum that the data cannot tell from this one.
+    pub rival: Option<Vec<f64>>,
+}
+
+/// The data of a fit before any value is found.
+pub(crate) struct Data {
+    pub assigned: Vec<Assigned>,
+    /// The noise that differences of neighbouring ordinates show.
+    pub local_noise: Vec<Option<f64>>,
+}
+
+impl Data {
+    /// Takes experiments with the branches of their points.
+    pub fn new(experiments: &[Experiment], assignments: Vec<Assignment>) -> Self {
+        let local_noise = assignments.iter().map(|one| one.local_noise).collect();
+        let assigned = experiments.iter().zip(assignments);
+        let assigned = assigned.map(|(experiment, assignment)| Assigned {
+            noise: experiment.noise.unwrap_or_else(|| {
+                let least = 1e-6 * range(experiment);
+                assignment.local_noise.unwrap_or(0.0).max(least)
+            }),
+            experiment: experiment.clone(),
+            branches: assignment.branches,
+            order: assignment.order,
+        });
+        Self {
+            assigned: assigned.collect(),
+            local_noise,
+        }
+    }
+}
+
+/// Returns the range of the ordinates.
+fn range(experiment: &Experiment) -> f64 {
+    let readings = experiment.measurement.points.iter().map(|p| p.ordinate);
+    let [least, most] = readings.fold([f64::INFINITY, f64::NEG_INFINITY], |[l, m], y| {
+        [l.min(y), m.max(y)]
+    });
+    most - least
+}
+
+/// Finds the minimum.
+pub(crate) fn minimum<'a>(
+    table: &'a Table,
+    data: &Data,
+    (free, slots): (&[Free], &[Slot]),
+    loss: Loss,
+) -> Result<Minimum<'a>, Error> {
+    let held_back: Vec<Assigned> = data.assigned.iter().map(hold_back).collect();
+    let from = |factor: f64| -> Result<(Problem<'a>, Ending), Error> {
+        let problem = start::problem(table, &held_back, (free, slots), loss, factor)?;
+        Ok(problem.minimise(PATIENCE))
+    };
+    let (mut problem, mut ending) = from(1.0)?;
+    let mut rival = None;
+    if ending != Ending::Converged || is_bad(&problem, data) {
+        for factor in OTHER_STARTS {
+            // A start where the model has no contact is no start.
+            let Ok((mut other, other_ending)) = from(factor) else {
+                continue;
+            };
+            other.evaluations += problem.evaluations;
+            let better = other.misfit() < problem.misfit();
+            let both = ending == Ending::Converged && other_ending == Ending::Converged;
+            if both && is_rival(&problem, &other) {
+                let worse = if better { &problem } else { &other };
+                rival = Some((0..slots.len()).map(|slot| worse.value(slot)).collect());
+            }
+            let preferred = (other_ending == Ending::Converged, better)
+                > (ending == Ending::Converged, !better);
+            if preferred {
+                (problem, ending) = (other, other_ending);
+            } else {
+                problem.evaluations = other.evaluations;
+            }
+        }
+    }
+    let (problem, ending, uncertainty) = settle(problem, ending, data);
+    Ok(Minimum {
+        problem,
+        ending,
+        uncertainty,
+        rival,
+    })
+}
+
+/// Leaves out the points near the end of a branch that ends within the data.
+pub(super) fn hold_back(assigned: &Assigned) -> Assigned {
+    let mut assigned = assigned.clone();
+    let experiment = &assigned.experiment;
+    let at_positions = matches!(
+        experiment.measurement.kind,
+        Kind::LoadPenetration | Kind::ForceHeight
+    );
+    if !at_positions {
+        return assigned;
+    }
+    let points = &experiment.measurement.points;
+    for branch in [Branch::Advancing, Branch::Receding] {
+        let positions = points
+            .iter()
+            .zip(&assigned.branches)
+            .filter(|(_, own)| **own == branch)
+            .map(|(point, _)| experiment.sense() * point.abscissa);
+        let [least, most] = positions.fold([f64::INFINITY, f64::NEG_INFINITY], |[l, m], v| {
+            [l.min(v), m.max(v)]
+        });
+        let adhesive = experiment.work_of(branch) > 0.0;
+        let ends = least + HELD_BACK * (most - least);
+        for (point, own) in points.iter().zip(&mut assigned.branches) {
+            if adhesive && *own == branch && experiment.sense() * point.abscissa < ends {
+                *own = Branch::LeftOut;
+            }
+        }
+    }
+    assigned
+}
+
+/// Tells whether the residuals are larger than the noise, given or seen in neighbouring ordinates.
+fn is_bad(problem: &Problem<'_>, data: &Data) -> bool {
+    let Some(residuals) = problem.plain_residuals() else {
+        return true;
+    };
+    let mut row = 0;
+    problem.assigned.iter().enumerate().any(|(e, assigned)| {
+        let count = assigned.counting();
+        let own = residuals.rows(row, count);
+        row += count;
+        let noise = assigned.experiment.noise.or(data.local_noise[e]);
+        let Some(noise) = noise.filter(|&noise| noise > 0.0) else {
+            return false;
+        };
+        // The median bears outliers.
+        let squares = own.iter().map(|r| (r * assigned.noise / noise).powi(2));
+        let middle = median(squares.collect()) / 0.454_94;
+        excess(middle * count as f64, count as f64) > BAD
+    })
+}
+
+/// Tells whether two minima are different but fit equally well.
+fn is_rival(one: &Problem<'_>, other: &Problem<'_>) -> bool {
+    let Some(uncertainty) = Uncertainty::of(one) else {
+        return false;
+    };
+    let far = (0..one.slots.len()).any(|slot| {
+        let size = uncertainty.sizes[slot] * uncertainty.relative_error(slot);
+        (one.value(slot) - other.value(slot)).abs() > 3.0 * size
+    });
+    far && (one.misfit() - other.misfit()).abs() < SAME
+}
+
+/// Estimates the noise where it is not known, and lets the points count that are clear of the end of
+/// their branch, until neither changes.
+fn settle<'a>(
+    mut problem: Problem<'a>,
+    mut ending: Ending,
+    data: &Data,
+) -> (Problem<'a>, Ending, Option<Uncertainty>) {
+    // A point left out for being near the end stays out, so that the rounds come to an end.
+    let mut excluded: Vec<Vec<bool>> = data
+        .assigned
+        .iter()
+        .map(|assigned| vec![false; assigned.branches.len()])
+        .collect();
+    let mut round = 0;
+    loop {
+        let uncertainty = Uncertainty::of(&problem);
+        let Some(uncertainty) = uncertainty else {
+            return (problem, Ending::Failed, None);
+        };
+        let (uncertainty, noise_changed) = estimate_noise(&mut problem, uncertainty);
+        let mut branches_changed = false;
+        for (e, excluded) in excluded.iter_mut().enumerate() {
+            let near = near_the_end(&problem, e, &uncertainty, &data.assigned[e]);
+            for (out, near) in excluded.iter_mut().zip(near) {
+                *out |= near;
+            }
+            let branches = data.assigned[e].branches.iter().zip(&*excluded);
+            let branches: Vec<Branch> = branches
+                .map(|(branch, out)| if *out { Branch::LeftOut } else { *branch })
+                .collect();
+            if branches != problem.assigned[e].branches {
+                problem.assigned[e].branches = branches;
+                branches_changed = true;
+            }
+        }
+        let noise_matters = problem.assigned.len() > 1
+            || problem.loss != Loss::Squares
+            || problem.slots.iter().any(|slot| slot.prior.is_some());
+        round += 1;
+        let settled = !branches_changed && !(noise_changed && noise_matters);
+        if settled || round == ROUNDS {
+            return (problem, ending, Some(uncertainty));
+        }
+        if problem.update().is_err() {
+            return (problem, Ending::Failed, None);
+        }
+        (problem, ending) = problem.minimise(PATIENCE);
+    }
+}
+
+/// Estimates the noise of the experiments in which it is not known. Returns the uncertainty with the
+/// new noise, and whether the noise changed.
+fn estimate_noise(problem: &mut Problem<'_>, uncertainty: Uncertainty) -> (Uncertainty, bool) {
+    let Some(mut residuals) = problem.plain_residuals() else {
+        return (uncertainty, false);
+    };
+    let (mut row, mut changed) = (0, false);
+    let mut jacobian = uncertainty.jacobian.clone();
+    for assigned in &mut problem.assigned {
+        let rows = row..row + assigned.counting();
+        row = rows.end;
+        if assigned.experiment.noise.is_some() || rows.is_empty() {
+            continue;
+        }
+        let followed: f64 = uncertainty.leverages[rows.clone()].iter().sum();
+        let count = rows.len() as f64;
+        let free = (count - followed).max(0.5);
+        let own = residuals.rows(rows.start, rows.len());
+        let scale = match problem.loss {
+            Loss::Squares => (own.norm_squared() / free).sqrt(),
+            _ => {
+                let sizes = own.iter().map(|residual| residual.abs()).collect();
+                median(sizes) / 0.674_49 * (count / free).sqrt()
+            }
+        };
+        let least = LEAST_NOISE * range(&assigned.experiment);
+        let noise = (scale * assigned.noise).max(least);
+        let ratio = assigned.noise / noise;
+        changed |= ratio.ln().abs() > NOISE_CHANGE;
+        assigned.noise = noise;
+        residuals.rows_mut(rows.start, rows.len()).scale_mut(ratio);
+        jacobian.rows_mut(rows.start, rows.len()).scale_mut(ratio);
+    }
+    let sizes = uncertainty.sizes;
+    (
+        Uncertainty::new(jacobian, &residuals, problem.loss, sizes),
+        changed,
+    )
+}
+
+/// Tells which points in contact are beyond the end of their branch, or too near to it.
+pub(super) fn near_the_end(
+    problem: &Problem<'_>,
+    e: usize,
+    uncertainty: &Uncertainty,
+    data: &Assigned,
+) -> Vec<bool> {
+    let experiment = &problem.assigned[e].experiment;
+    let points = &experiment.measurement.points;
+    let mut near = vec![false; points.len()];
+    let slots = problem.slots_of(e);
+    let parameters: Vec<Parameter> = slots
+        .iter()
+        .map(|&slot| problem.slots[slot].parameter)
+        .collect();
+    for branch in [Branch::Advancing, Branch::Receding] {
+        if !data.branches.contains(&branch) {
+            continue;
+        }
+        let end = problem
+            .contact(&experiment.bodies, true)
+            .and_then(|contact| experiment.branch_end(&contact, branch, &parameters));
+        let Ok(Some(end)) = end else { continue };
+        let mut variance = 0.0;
+        for (i, &one) in slots.iter().enumerate() {
+            for (j, &other) in slots.iter().enumerate() {
+                variance += end.derivatives[i]
+                    * uncertainty.sizes[one]
+                    * uncertainty.covariance[(one, other)]
+                    * uncertainty.sizes[other]
+                    * end.derivatives[j];
+            }
+        }
+        let clear = CLEAR * variance.max(0.0).sqrt();
+        let last = experiment.sense() * end.abscissa + clear;
+        for (i, point) in points.iter().enumerate() {
+            let here = data.branches[i] == branch;
+            near[i] |= here && experiment.sense() * point.abscissa <= last;
+        }
+    }
+    near
+}
