@@ -41,10 +41,10 @@ pub struct Arguments {
     #[arg(long, value_parser = kinds())]
     kind: Kind,
     /// First abscissa, m: of the contact radii, penetrations or heights
-    #[arg(long, allow_negative_numbers = true)]
+    #[arg(long, allow_hyphen_values = true)]
     from: f64,
     /// Last abscissa, m, where an approach ends
-    #[arg(long, allow_negative_numbers = true)]
+    #[arg(long, allow_hyphen_values = true)]
     to: f64,
     /// Number of points, equally spaced; of a cycle, on each way
     #[arg(long, default_value_t = 40, value_parser = value_parser!(u32).range(2..=10_000_000))]

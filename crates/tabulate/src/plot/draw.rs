@@ -244,17 +244,16 @@ impl Mark {
                 ))?;
             }
             Self::Marker { at, colour, marker } => {
-                const RADIUS: f64 = 4.0;
-                let [x, y] = place(chart, *at);
-                obstacles.line(*colour, [x - RADIUS, y], [x + RADIUS, y]);
-                obstacles.line(*colour, [x, y - RADIUS], [x, y + RADIUS]);
-                let inside = if *marker == Marker::Full {
-                    *colour
-                } else {
-                    WHITE
+                let (radius, width, inside) = match marker {
+                    Marker::Full => (4.0, 1.5, *colour),
+                    Marker::Hollow => (4.0, 1.5, WHITE),
+                    Marker::Small => (2.0, 0.5, *colour),
                 };
-                for style in [inside.filled(), stroke(*colour, 1.5)] {
-                    let circle = Circle::new((at[0], at[1]), fine(RADIUS), style);
+                let [x, y] = place(chart, *at);
+                obstacles.line(*colour, [x - radius, y], [x + radius, y]);
+                obstacles.line(*colour, [x, y - radius], [x, y + radius]);
+                for style in [inside.filled(), stroke(*colour, width)] {
+                    let circle = Circle::new((at[0], at[1]), fine(radius), style);
                     chart.plotting_area().draw(&circle)?;
                 }
             }

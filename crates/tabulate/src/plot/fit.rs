@@ -14,6 +14,9 @@ const COLOURS: [Colour; 5] = [BLUE, VERMILION, GREEN, PURPLE, ORANGE];
 /// The most points that are drawn of an experiment: more cannot be told apart.
 const MOST: usize = 1500;
 
+/// The most points that are drawn large.
+const MOST_LARGE: usize = 150;
+
 /// The most experiments that are named in the figure.
 const MOST_NAMES: usize = 5;
 
@@ -51,7 +54,11 @@ pub fn figure(fit: &Fit, experiments: &[Experiment]) -> Figure {
         let drawn = || one.points.iter().step_by(every);
         for point in drawn() {
             let used = point.fit.is_some() && !point.outlier;
-            let marker = if used { Marker::Full } else { Marker::Hollow };
+            let marker = match used {
+                true if one.points.len() > MOST_LARGE => Marker::Small,
+                true => Marker::Full,
+                false => Marker::Hollow,
+            };
             let shade = if used { colour } else { GREY };
             data.markers(
                 [[x.at(point.abscissa), y.at(point.ordinate)]],
@@ -62,15 +69,19 @@ pub fn figure(fit: &Fit, experiments: &[Experiment]) -> Figure {
                 left.markers([[x.at(point.abscissa), residual]], shade, marker);
             }
         }
-        let line = |value: fn(&FittedPoint) -> Option<f64>| {
-            let at = |point: &FittedPoint| Some([x.at(point.abscissa), y.at(value(point)?)]);
-            branches(&one.points, every, at)
+        let curves = |value: &dyn Fn(&FittedPoint) -> Option<f64>| {
+            branches(&one.points, every, |point| {
+                Some([x.at(point.abscissa), value(point)?])
+            })
         };
-        for branch in line(|point| point.without_film) {
-            data.dashed(branch, GREY);
+        for curve in curves(&|point| Some(y.at(point.without_film?))) {
+            data.dashed(curve, GREY);
         }
-        for branch in line(|point| point.fit) {
-            data.line(branch, BLACK);
+        for curve in curves(&|point| Some(y.at(point.fit?))) {
+            data.line(curve, BLACK);
+        }
+        for curve in curves(&|point| Some((point.without_film? - point.fit?) / one.noise)) {
+            left.dashed(curve, GREY);
         }
         if fit.experiments.len() > 1 && i < MOST_NAMES {
             let place: Vec<Point> = drawn()
@@ -80,18 +91,15 @@ pub fn figure(fit: &Fit, experiments: &[Experiment]) -> Figure {
             data.label_along(place, legible(file), colour, Side::Right);
         }
     }
-    let without = fit.experiments[0]
-        .points
-        .iter()
-        .filter_map(|point| Some([x.at(point.abscissa), y.at(point.without_film?)]));
-    let without: Vec<Point> = without.collect();
+    let first = || fit.experiments[0].points.iter();
+    let place = |point: &FittedPoint, value: f64| [x.at(point.abscissa), y.at(value)];
+    let without: Vec<Point> = first()
+        .filter_map(|point| Some(place(point, point.without_film?)))
+        .collect();
     if !without.is_empty() {
         data.label_along(without, "without film", GREY, Side::Right);
     }
-    let fitted = fit.experiments[0]
-        .points
-        .iter()
-        .filter_map(|point| Some([x.at(point.abscissa), y.at(point.fit?)]));
+    let fitted = first().filter_map(|point| Some(place(point, point.fit?)));
     data.label_along(fitted.collect::<Vec<_>>(), "fit", BLACK, Side::Left);
     Figure::new(400, [data.share(1.25), left])
 }

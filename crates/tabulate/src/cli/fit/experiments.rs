@@ -1,7 +1,5 @@
 //! The experiments and the free parameters, from the arguments and the measurements.
 
-use std::slice;
-
 use ::fit::{Bodies, Experiment, Free, Kind, Measurement, Parameter, Scope};
 use anyhow::{Context, bail, ensure};
 use interp::HalfSpace;
@@ -76,9 +74,9 @@ pub struct FreeArguments {
     /// film-thickness, work-of-adhesion, work-of-adhesion-receding, load-offset, contact-point,
     /// baseline, baseline-slope, stiffness
     ///
-    /// Default: the modulus of the sphere (of the film, if the sphere is rigid) and the work of
-    /// adhesion; with penetrations or heights the contact point, too, and with heights the
-    /// baseline.
+    /// Default: the work of adhesion; the modulus of the sphere, or of the film under a rigid
+    /// sphere, if loads are measured; the contact point with penetrations or heights; the baseline
+    /// with heights.
     #[arg(long, value_name = "NAME,...", value_delimiter = ',')]
     pub free: Vec<Parameter>,
     /// Smallest and largest value of a free parameter, in SI units: film-modulus=1e5..1e8
@@ -156,19 +154,23 @@ impl FreeArguments {
 
 /// Returns the parameters that are free unless others are named.
 fn usual(experiments: &[Experiment]) -> Vec<Parameter> {
-    let rigid =
-        |experiment: &Experiment| experiment.get(Parameter::SphereModulus) == Some(f64::INFINITY);
     let any = |kinds: &[Kind]| {
         experiments
             .iter()
             .any(|experiment| kinds.contains(&experiment.measurement.kind))
     };
-    let modulus = if experiments.iter().any(rigid) {
-        Parameter::FilmModulus
-    } else {
-        Parameter::SphereModulus
-    };
-    let mut free = vec![modulus, Parameter::WorkOfAdhesion];
+    let is_rigid =
+        |experiment: &Experiment| experiment.get(Parameter::SphereModulus) == Some(f64::INFINITY);
+    let mut free = Vec::new();
+    // Without a load the data tell the ratio of adhesion and modulus only.
+    if any(&[Kind::LoadRadius, Kind::LoadPenetration, Kind::ForceHeight]) {
+        free.push(if experiments.iter().any(is_rigid) {
+            Parameter::FilmModulus
+        } else {
+            Parameter::SphereModulus
+        });
+    }
+    free.push(Parameter::WorkOfAdhesion);
     if any(&[
         Kind::PenetrationRadius,
         Kind::LoadPenetration,
@@ -176,7 +178,7 @@ fn usual(experiments: &[Experiment]) -> Vec<Parameter> {
     ]) {
         free.push(Parameter::ContactPoint);
     }
-    if any(slice::from_ref(&Kind::ForceHeight)) {
+    if any(&[Kind::ForceHeight]) {
         free.push(Parameter::Baseline);
     }
     free

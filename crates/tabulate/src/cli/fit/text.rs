@@ -93,10 +93,9 @@ fn column(source: &Source) -> String {
 fn fixed(fit: &Fit, experiment: &Experiment) -> Vec<(&'static str, String)> {
     let text = |value: f64, si: &str| {
         let (unit, size) = scaled(si, value);
-        format!(
-            "{} {unit}",
-            crate::cli::points::number((value / size * 1e12).round() / 1e12)
-        )
+        // Without the rounding of the division.
+        let number = (value / size * 1e12).round() / 1e12;
+        format!("{number} {unit}").trim_end().to_owned()
     };
     let mut rows = vec![(
         "sphere-radius",
