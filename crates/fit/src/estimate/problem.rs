@@ -265,8 +265,8 @@ impl<'a> Problem<'a> {
             .map_or(f64::INFINITY, |residuals| residuals.norm_squared())
     }
 
-    /// Minimises from the present values.
-    pub fn minimise(self, patience: usize) -> (Self, Ending) {
+    /// Minimises from the present values, until relative changes are below `tolerance`.
+    pub fn minimise(self, patience: usize, tolerance: f64) -> (Self, Ending) {
         if self.slots.is_empty() {
             return (self, Ending::Converged);
         }
@@ -274,8 +274,9 @@ impl<'a> Problem<'a> {
         let method = LevenbergMarquardt::new()
             .with_scale_diag(false)
             .with_stepbound(1.0)
-            .with_ftol(1e-10)
-            .with_xtol(1e-9)
+            .with_ftol(tolerance)
+            .with_xtol(tolerance)
+            .with_gtol(0.0)
             .with_patience(patience);
         let (problem, report) = method.minimize(self);
         // A fit that rounding has stopped has converged.

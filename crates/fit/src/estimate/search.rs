@@ -13,6 +13,12 @@ use crate::{Branch, Error, Experiment, Free, Kind, Loss, Parameter};
 
 /// The most evaluations over the number of parameters + 1.
 const PATIENCE: usize = 60;
+/// The most points of each branch that count at first.
+const FEW: usize = 40;
+/// The relative changes of the sum of squares and of the values at which the method stops: on few
+/// points, where more points follow, and at last.
+const COARSE: f64 = 1e-4;
+const FINE: f64 = 1e-8;
 /// The part of the imposed values of a branch, counted from its end, that is held back at first.
 const HELD_BACK: f64 = 0.03;
 /// Points count from this number of standard errors of the end of their branch on. Nearer to it a
@@ -85,10 +91,10 @@ pub(crate) fn minimum<'a>(
     (free, slots): (&[Free], &[Slot]),
     loss: Loss,
 ) -> Result<Minimum<'a>, Error> {
-    let held_back: Vec<Assigned> = data.assigned.iter().map(hold_back).collect();
+    let few: Vec<Assigned> = data.assigned.iter().map(hold_back).map(thin).collect();
     let from = |factor: f64| -> Result<(Problem<'a>, Ending), Error> {
-        let problem = start::problem(table, &held_back, (free, slots), loss, factor)?;
-        Ok(problem.minimise(PATIENCE))
+        let problem = start::problem(table, &few, (free, slots), loss, factor)?;
+        Ok(problem.minimise(PATIENCE, COARSE))
     };
     let (mut problem, mut ending) = from(1.0)?;
     let mut rival = None;
@@ -155,6 +161,23 @@ pub(super) fn hold_back(assigned: &Assigned) -> Assigned {
     assigned
 }
 
+/// Leaves out all but [`FEW`] points of each branch.
+fn thin(mut assigned: Assigned) -> Assigned {
+    for branch in [Branch::Advancing, Branch::Receding, Branch::Baseline] {
+        let of_branch = assigned.order.iter().copied();
+        let own: Vec<usize> = of_branch
+            .filter(|&i| assigned.branches[i] == branch)
+            .collect();
+        let stride = own.len().div_ceil(FEW).max(1);
+        for (n, i) in own.into_iter().enumerate() {
+            if n % stride != 0 {
+                assigned.branches[i] = Branch::LeftOut;
+            }
+        }
+    }
+    assigned
+}
+
 /// Tells whether the residuals are larger than the noise, given or seen in neighbouring ordinates.
 fn is_bad(problem: &Problem<'_>, data: &Data) -> bool {
     let Some(residuals) = problem.plain_residuals() else {
@@ -195,7 +218,8 @@ fn settle<'a>(
     mut ending: Ending,
     data: &Data,
 ) -> (Problem<'a>, Ending, Option<Uncertainty>) {
-    // A point left out for being near the end stays out, so that the rounds come to an end.
+    // A point left out for being near the end stays out, so that the rounds come to an end. The
+    // first round, on few points, only proposes.
     let mut excluded: Vec<Vec<bool>> = data
         .assigned
         .iter()
@@ -210,13 +234,15 @@ fn settle<'a>(
         let (uncertainty, noise_changed) = estimate_noise(&mut problem, uncertainty);
         let mut branches_changed = false;
         for (e, excluded) in excluded.iter_mut().enumerate() {
-            let near = near_the_end(&problem, e, &uncertainty, &data.assigned[e]);
-            for (out, near) in excluded.iter_mut().zip(near) {
-                *out |= near;
+            let whole = &data.assigned[e];
+            let mut near = near_the_end(&problem, e, &uncertainty, whole);
+            for (near, out) in near.iter_mut().zip(&mut *excluded) {
+                *near |= *out;
+                *out = *near && round > 0;
             }
-            let branches = data.assigned[e].branches.iter().zip(&*excluded);
+            let branches = whole.branches.iter().zip(near);
             let branches: Vec<Branch> = branches
-                .map(|(branch, out)| if *out { Branch::LeftOut } else { *branch })
+                .map(|(branch, near)| if near { Branch::LeftOut } else { *branch })
                 .collect();
             if branches != problem.assigned[e].branches {
                 problem.assigned[e].branches = branches;
@@ -234,7 +260,7 @@ fn settle<'a>(
         if problem.update().is_err() {
             return (problem, Ending::Failed, None);
         }
-        (problem, ending) = problem.minimise(PATIENCE);
+        (problem, ending) = problem.minimise(PATIENCE, FINE);
     }
 }
 
@@ -311,7 +337,9 @@ pub(super) fn near_the_end(
                     * end.derivatives[j];
             }
         }
-        let clear = CLEAR * variance.max(0.0).sqrt();
+        // With all points that may count, the variance will be smaller.
+        let part = problem.assigned[e].counting() as f64 / data.counting().max(1) as f64;
+        let clear = CLEAR * (part * variance.max(0.0)).sqrt();
         let last = experiment.sense() * end.abscissa + clear;
         for (i, point) in points.iter().enumerate() {
             let here = data.branches[i] == branch;
