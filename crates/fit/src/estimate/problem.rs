@@ -47,6 +47,9 @@ pub(crate) struct Problem<'a> {
     /// The predictions; `None` if there is no contact with these parameters.
     pub predicted: Option<Vec<Predicted>>,
     pub evaluations: usize,
+    /// Whether the last minimisation met parameters without a contact, such as those outside the
+    /// table.
+    pub refused: bool,
     /// The contacts made last, and whether they have derivatives.
     contacts: RefCell<Vec<(Bodies, bool, Contact)>>,
 }
@@ -81,6 +84,7 @@ impl<'a> Problem<'a> {
             x,
             predicted: None,
             evaluations: 0,
+            refused: false,
             contacts: RefCell::new(Vec::new()),
         };
         problem.update()?;
@@ -266,10 +270,11 @@ impl<'a> Problem<'a> {
     }
 
     /// Minimises from the present values, until relative changes are below `tolerance`.
-    pub fn minimise(self, patience: usize, tolerance: f64) -> (Self, Ending) {
+    pub fn minimise(mut self, patience: usize, tolerance: f64) -> (Self, Ending) {
         if self.slots.is_empty() {
             return (self, Ending::Converged);
         }
+        self.refused = false;
         // The coordinates are scaled already, by a factor of e or by the range of the data.
         let method = LevenbergMarquardt::new()
             .with_scale_diag(false)
@@ -299,6 +304,7 @@ impl LeastSquaresProblem<f64, Dyn, Dyn> for Problem<'_> {
         self.x.copy_from(x);
         if self.update().is_err() {
             self.predicted = None;
+            self.refused = true;
         }
     }
 

@@ -26,6 +26,9 @@ const HELD_BACK: f64 = 0.03;
 const CLEAR: f64 = 4.0;
 /// The most rounds of noise and branches.
 const ROUNDS: usize = 6;
+/// The largest distance of the end of a fit from the minimum of its linearisation, in standard
+/// errors. A fit that ends farther away was stopped.
+pub(super) const SHORT: f64 = 0.1;
 /// The change of an estimated noise that needs another round.
 const NOISE_CHANGE: f64 = 0.02;
 /// The smallest noise, relative to the range of the ordinates, that an estimate can give.
@@ -235,7 +238,8 @@ fn settle<'a>(
         let mut branches_changed = false;
         for (e, excluded) in excluded.iter_mut().enumerate() {
             let whole = &data.assigned[e];
-            let mut near = near_the_end(&problem, e, &uncertainty, whole);
+            let ends = ends(&problem, e, &uncertainty, whole);
+            let mut near = near_the_end(whole, &ends);
             for (near, out) in near.iter_mut().zip(&mut *excluded) {
                 *near |= *out;
                 *out = *near && round > 0;
@@ -253,7 +257,10 @@ fn settle<'a>(
             || problem.loss != Loss::Squares
             || problem.slots.iter().any(|slot| slot.prior.is_some());
         round += 1;
-        let settled = !branches_changed && !(noise_changed && noise_matters);
+        // At a point where the contact changes from pinned to receding the derivatives have a step,
+        // at which the method may stop too early.
+        let stalled = uncertainty.short > SHORT && ending == Ending::Converged && round < 3;
+        let settled = !(branches_changed || noise_changed && noise_matters || stalled);
         if settled || round == ROUNDS {
             return (problem, ending, Some(uncertainty));
         }
@@ -304,47 +311,67 @@ fn estimate_noise(problem: &mut Problem<'_>, uncertainty: Uncertainty) -> (Uncer
     )
 }
 
-/// Tells which points in contact are beyond the end of their branch, or too near to it.
-pub(super) fn near_the_end(
+/// The end of a stable branch, as far as the fit knows it, in the sense of the imposed value.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct End {
+    /// The branch.
+    pub branch: Branch,
+    /// The abscissa of the end times the sense.
+    pub position: f64,
+    /// The distance from which on a point is clear of it.
+    pub clear: f64,
+}
+
+/// Returns the ends of the branches that an experiment has points on.
+pub(super) fn ends(
     problem: &Problem<'_>,
     e: usize,
     uncertainty: &Uncertainty,
-    data: &Assigned,
-) -> Vec<bool> {
+    whole: &Assigned,
+) -> Vec<End> {
     let experiment = &problem.assigned[e].experiment;
-    let points = &experiment.measurement.points;
-    let mut near = vec![false; points.len()];
     let slots = problem.slots_of(e);
     let parameters: Vec<Parameter> = slots
         .iter()
         .map(|&slot| problem.slots[slot].parameter)
         .collect();
-    for branch in [Branch::Advancing, Branch::Receding] {
-        if !data.branches.contains(&branch) {
-            continue;
-        }
+    // With all points that may count, the variance will be smaller.
+    let part = problem.assigned[e].counting() as f64 / whole.counting().max(1) as f64;
+    let end = |branch: Branch| {
         let end = problem
             .contact(&experiment.bodies, true)
             .and_then(|contact| experiment.branch_end(&contact, branch, &parameters));
-        let Ok(Some(end)) = end else { continue };
+        let end = end.ok().flatten()?;
         let mut variance = 0.0;
-        for (i, &one) in slots.iter().enumerate() {
-            for (j, &other) in slots.iter().enumerate() {
-                variance += end.derivatives[i]
-                    * uncertainty.sizes[one]
-                    * uncertainty.covariance[(one, other)]
-                    * uncertainty.sizes[other]
-                    * end.derivatives[j];
+        for (&one, by_one) in slots.iter().zip(end.derivatives) {
+            for (&other, by_other) in slots.iter().zip(end.derivatives) {
+                let sizes = uncertainty.sizes[one] * uncertainty.sizes[other];
+                variance += by_one * by_other * sizes * uncertainty.covariance[(one, other)];
             }
         }
-        // With all points that may count, the variance will be smaller.
-        let part = problem.assigned[e].counting() as f64 / data.counting().max(1) as f64;
-        let clear = CLEAR * (part * variance.max(0.0)).sqrt();
-        let last = experiment.sense() * end.abscissa + clear;
-        for (i, point) in points.iter().enumerate() {
-            let here = data.branches[i] == branch;
-            near[i] |= here && experiment.sense() * point.abscissa <= last;
-        }
-    }
-    near
+        Some(End {
+            branch,
+            position: experiment.sense() * end.abscissa,
+            clear: CLEAR * (part * variance.max(0.0)).sqrt(),
+        })
+    };
+    [Branch::Advancing, Branch::Receding]
+        .into_iter()
+        .filter(|branch| whole.branches.contains(branch))
+        .filter_map(end)
+        .collect()
+}
+
+/// Tells which points in contact are beyond the end of their branch, or too near to it.
+pub(super) fn near_the_end(whole: &Assigned, ends: &[End]) -> Vec<bool> {
+    let sense = whole.experiment.sense();
+    let points = whole.experiment.measurement.points.iter();
+    points
+        .zip(&whole.branches)
+        .map(|(point, branch)| {
+            ends.iter().any(|end| {
+                end.branch == *branch && sense * point.abscissa <= end.position + end.clear
+            })
+        })
+        .collect()
 }

@@ -15,7 +15,7 @@ use crate::{
 };
 
 /// The number of standard deviations beyond which a residual is an outlier.
-const OUTLIER: f64 = 4.5;
+const OUTLIER: f64 = 5.0;
 
 /// Finds the free parameters of one or several experiments.
 ///
@@ -40,7 +40,11 @@ pub fn fit(
 ) -> Result<Fit, Error> {
     accept(options)?;
     let (data, slots) = prepare(experiments, free)?;
-    let points: usize = data.assigned.iter().map(super::problem::Assigned::counting).sum();
+    let points: usize = data
+        .assigned
+        .iter()
+        .map(super::problem::Assigned::counting)
+        .sum();
     let priors = slots.iter().filter(|slot| slot.prior.is_some()).count();
     if points + priors <= slots.len() {
         return Err(Error::TooFewPoints {
