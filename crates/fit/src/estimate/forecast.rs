@@ -4,7 +4,7 @@ use interp::Table;
 use nalgebra::DVector;
 
 use super::problem::{Assigned, Problem};
-use super::search::{hold_back, near_the_end};
+use super::search::{ends, hold_back, near_the_end};
 use super::slot::slots;
 use super::solve::{estimates, slot_names};
 use super::uncertainty::Uncertainty;
@@ -84,7 +84,7 @@ pub fn forecast(
     for _ in 0..ROUNDS {
         let uncertainty = uncertainty(&problem)?;
         for (e, whole) in whole.iter().enumerate() {
-            let near = near_the_end(&problem, e, &uncertainty, whole);
+            let near = near_the_end(whole, &ends(&problem, e, &uncertainty, whole));
             let branches = whole.branches.iter().zip(near);
             problem.assigned[e].branches = branches
                 .map(|(branch, near)| if near { Branch::LeftOut } else { *branch })

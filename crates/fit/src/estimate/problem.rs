@@ -47,6 +47,9 @@ pub(crate) struct Problem<'a> {
     /// The predictions; `None` if there is no contact with these parameters.
     pub predicted: Option<Vec<Predicted>>,
     pub evaluations: usize,
+    /// Whether the last minimisation met parameters without a contact, such as those outside the
+    /// table.
+    pub refused: bool,
     /// The contacts made last, and whether they have derivatives.
     contacts: RefCell<Vec<(Bodies, bool, Contact)>>,
 }
@@ -81,6 +84,7 @@ impl<'a> Problem<'a> {
             x,
             predicted: None,
             evaluations: 0,
+            refused: false,
             contacts: RefCell::new(Vec::new()),
         };
         problem.update()?;
@@ -265,17 +269,19 @@ impl<'a> Problem<'a> {
             .map_or(f64::INFINITY, |residuals| residuals.norm_squared())
     }
 
-    /// Minimises from the present values.
-    pub fn minimise(self, patience: usize) -> (Self, Ending) {
+    /// Minimises from the present values, until relative changes are below `tolerance`.
+    pub fn minimise(mut self, patience: usize, tolerance: f64) -> (Self, Ending) {
         if self.slots.is_empty() {
             return (self, Ending::Converged);
         }
+        self.refused = false;
         // The coordinates are scaled already, by a factor of e or by the range of the data.
         let method = LevenbergMarquardt::new()
             .with_scale_diag(false)
             .with_stepbound(1.0)
-            .with_ftol(1e-10)
-            .with_xtol(1e-9)
+            .with_ftol(tolerance)
+            .with_xtol(tolerance)
+            .with_gtol(0.0)
             .with_patience(patience);
         let (problem, report) = method.minimize(self);
         // A fit that rounding has stopped has converged.
@@ -298,6 +304,7 @@ impl LeastSquaresProblem<f64, Dyn, Dyn> for Problem<'_> {
         self.x.copy_from(x);
         if self.update().is_err() {
             self.predicted = None;
+            self.refused = true;
         }
     }
 

@@ -7,6 +7,8 @@ use crate::Estimate;
 
 /// The most evaluations over the number of parameters + 1 of one fit.
 const PATIENCE: usize = 30;
+/// The relative changes at which the method stops.
+const TOLERANCE: f64 = 1e-6;
 /// The most fits for one end of an interval.
 const MOST_FITS: usize = 12;
 /// The accuracy of `sqrt(chi^2 - chi^2_min)` at an end.
@@ -64,7 +66,7 @@ fn end(
     let mut growth = |distance: f64, current: &mut Problem<'_>| -> Option<f64> {
         let fixed = current.with_fixed(slot, value(distance))?;
         let before = fixed.evaluations;
-        let (fitted, ending) = fixed.minimise(PATIENCE);
+        let (fitted, ending) = fixed.minimise(PATIENCE, TOLERANCE);
         *evaluations += fitted.evaluations - before;
         if ending == Ending::Failed {
             return None;

@@ -107,7 +107,7 @@ pub struct FittedPoint {
     pub without_film: Option<f64>,
     /// The branch.
     pub branch: Branch,
-    /// Whether the residual is more than 4 times the noise.
+    /// Whether the residual is more than 5 times the noise.
     pub outlier: bool,
 }
 

@@ -13,6 +13,12 @@ use crate::{Branch, Error, Experiment, Free, Kind, Loss, Parameter};
 
 /// The most evaluations over the number of parameters + 1.
 const PATIENCE: usize = 60;
+/// The most points of each branch that count at first.
+const FEW: usize = 40;
+/// The relative changes of the sum of squares and of the values at which the method stops: on few
+/// points, where more points follow, and at last.
+const COARSE: f64 = 1e-4;
+const FINE: f64 = 1e-8;
 /// The part of the imposed values of a branch, counted from its end, that is held back at first.
 const HELD_BACK: f64 = 0.03;
 /// Points count from this number of standard errors of the end of their branch on. Nearer to it a
@@ -20,6 +26,9 @@ const HELD_BACK: f64 = 0.03;
 const CLEAR: f64 = 4.0;
 /// The most rounds of noise and branches.
 const ROUNDS: usize = 6;
+/// The largest distance of the end of a fit from the minimum of its linearisation, in standard
+/// errors. A fit that ends farther away was stopped.
+pub(super) const SHORT: f64 = 0.1;
 /// The change of an estimated noise that needs another round.
 const NOISE_CHANGE: f64 = 0.02;
 /// The smallest noise, relative to the range of the ordinates, that an estimate can give.
@@ -85,10 +94,10 @@ pub(crate) fn minimum<'a>(
     (free, slots): (&[Free], &[Slot]),
     loss: Loss,
 ) -> Result<Minimum<'a>, Error> {
-    let held_back: Vec<Assigned> = data.assigned.iter().map(hold_back).collect();
+    let few: Vec<Assigned> = data.assigned.iter().map(hold_back).map(thin).collect();
     let from = |factor: f64| -> Result<(Problem<'a>, Ending), Error> {
-        let problem = start::problem(table, &held_back, (free, slots), loss, factor)?;
-        Ok(problem.minimise(PATIENCE))
+        let problem = start::problem(table, &few, (free, slots), loss, factor)?;
+        Ok(problem.minimise(PATIENCE, COARSE))
     };
     let (mut problem, mut ending) = from(1.0)?;
     let mut rival = None;
@@ -155,6 +164,23 @@ pub(super) fn hold_back(assigned: &Assigned) -> Assigned {
     assigned
 }
 
+/// Leaves out all but [`FEW`] points of each branch.
+fn thin(mut assigned: Assigned) -> Assigned {
+    for branch in [Branch::Advancing, Branch::Receding, Branch::Baseline] {
+        let of_branch = assigned.order.iter().copied();
+        let own: Vec<usize> = of_branch
+            .filter(|&i| assigned.branches[i] == branch)
+            .collect();
+        let stride = own.len().div_ceil(FEW).max(1);
+        for (n, i) in own.into_iter().enumerate() {
+            if n % stride != 0 {
+                assigned.branches[i] = Branch::LeftOut;
+            }
+        }
+    }
+    assigned
+}
+
 /// Tells whether the residuals are larger than the noise, given or seen in neighbouring ordinates.
 fn is_bad(problem: &Problem<'_>, data: &Data) -> bool {
     let Some(residuals) = problem.plain_residuals() else {
@@ -195,7 +221,8 @@ fn settle<'a>(
     mut ending: Ending,
     data: &Data,
 ) -> (Problem<'a>, Ending, Option<Uncertainty>) {
-    // A point left out for being near the end stays out, so that the rounds come to an end.
+    // A point left out for being near the end stays out, so that the rounds come to an end. The
+    // first round, on few points, only proposes.
     let mut excluded: Vec<Vec<bool>> = data
         .assigned
         .iter()
@@ -210,13 +237,16 @@ fn settle<'a>(
         let (uncertainty, noise_changed) = estimate_noise(&mut problem, uncertainty);
         let mut branches_changed = false;
         for (e, excluded) in excluded.iter_mut().enumerate() {
-            let near = near_the_end(&problem, e, &uncertainty, &data.assigned[e]);
-            for (out, near) in excluded.iter_mut().zip(near) {
-                *out |= near;
+            let whole = &data.assigned[e];
+            let ends = ends(&problem, e, &uncertainty, whole);
+            let mut near = near_the_end(whole, &ends);
+            for (near, out) in near.iter_mut().zip(&mut *excluded) {
+                *near |= *out;
+                *out = *near && round > 0;
             }
-            let branches = data.assigned[e].branches.iter().zip(&*excluded);
+            let branches = whole.branches.iter().zip(near);
             let branches: Vec<Branch> = branches
-                .map(|(branch, out)| if *out { Branch::LeftOut } else { *branch })
+                .map(|(branch, near)| if near { Branch::LeftOut } else { *branch })
                 .collect();
             if branches != problem.assigned[e].branches {
                 problem.assigned[e].branches = branches;
@@ -227,14 +257,17 @@ fn settle<'a>(
             || problem.loss != Loss::Squares
             || problem.slots.iter().any(|slot| slot.prior.is_some());
         round += 1;
-        let settled = !branches_changed && !(noise_changed && noise_matters);
+        // At a point where the contact changes from pinned to receding the derivatives have a step,
+        // at which the method may stop too early.
+        let stalled = uncertainty.short > SHORT && ending == Ending::Converged && round < 3;
+        let settled = !(branches_changed || noise_changed && noise_matters || stalled);
         if settled || round == ROUNDS {
             return (problem, ending, Some(uncertainty));
         }
         if problem.update().is_err() {
             return (problem, Ending::Failed, None);
         }
-        (problem, ending) = problem.minimise(PATIENCE);
+        (problem, ending) = problem.minimise(PATIENCE, FINE);
     }
 }
 
@@ -278,45 +311,67 @@ fn estimate_noise(problem: &mut Problem<'_>, uncertainty: Uncertainty) -> (Uncer
     )
 }
 
-/// Tells which points in contact are beyond the end of their branch, or too near to it.
-pub(super) fn near_the_end(
+/// The end of a stable branch, as far as the fit knows it, in the sense of the imposed value.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct End {
+    /// The branch.
+    pub branch: Branch,
+    /// The abscissa of the end times the sense.
+    pub position: f64,
+    /// The distance from which on a point is clear of it.
+    pub clear: f64,
+}
+
+/// Returns the ends of the branches that an experiment has points on.
+pub(super) fn ends(
     problem: &Problem<'_>,
     e: usize,
     uncertainty: &Uncertainty,
-    data: &Assigned,
-) -> Vec<bool> {
+    whole: &Assigned,
+) -> Vec<End> {
     let experiment = &problem.assigned[e].experiment;
-    let points = &experiment.measurement.points;
-    let mut near = vec![false; points.len()];
     let slots = problem.slots_of(e);
     let parameters: Vec<Parameter> = slots
         .iter()
         .map(|&slot| problem.slots[slot].parameter)
         .collect();
-    for branch in [Branch::Advancing, Branch::Receding] {
-        if !data.branches.contains(&branch) {
-            continue;
-        }
+    // With all points that may count, the variance will be smaller.
+    let part = problem.assigned[e].counting() as f64 / whole.counting().max(1) as f64;
+    let end = |branch: Branch| {
         let end = problem
             .contact(&experiment.bodies, true)
             .and_then(|contact| experiment.branch_end(&contact, branch, &parameters));
-        let Ok(Some(end)) = end else { continue };
+        let end = end.ok().flatten()?;
         let mut variance = 0.0;
-        for (i, &one) in slots.iter().enumerate() {
-            for (j, &other) in slots.iter().enumerate() {
-                variance += end.derivatives[i]
-                    * uncertainty.sizes[one]
-                    * uncertainty.covariance[(one, other)]
-                    * uncertainty.sizes[other]
-                    * end.derivatives[j];
+        for (&one, by_one) in slots.iter().zip(end.derivatives) {
+            for (&other, by_other) in slots.iter().zip(end.derivatives) {
+                let sizes = uncertainty.sizes[one] * uncertainty.sizes[other];
+                variance += by_one * by_other * sizes * uncertainty.covariance[(one, other)];
             }
         }
-        let clear = CLEAR * variance.max(0.0).sqrt();
-        let last = experiment.sense() * end.abscissa + clear;
-        for (i, point) in points.iter().enumerate() {
-            let here = data.branches[i] == branch;
-            near[i] |= here && experiment.sense() * point.abscissa <= last;
-        }
-    }
-    near
+        Some(End {
+            branch,
+            position: experiment.sense() * end.abscissa,
+            clear: CLEAR * (part * variance.max(0.0)).sqrt(),
+        })
+    };
+    [Branch::Advancing, Branch::Receding]
+        .into_iter()
+        .filter(|branch| whole.branches.contains(branch))
+        .filter_map(end)
+        .collect()
+}
+
+/// Tells which points in contact are beyond the end of their branch, or too near to it.
+pub(super) fn near_the_end(whole: &Assigned, ends: &[End]) -> Vec<bool> {
+    let sense = whole.experiment.sense();
+    let points = whole.experiment.measurement.points.iter();
+    points
+        .zip(&whole.branches)
+        .map(|(point, branch)| {
+            ends.iter().any(|end| {
+                end.branch == *branch && sense * point.abscissa <= end.position + end.clear
+            })
+        })
+        .collect()
 }

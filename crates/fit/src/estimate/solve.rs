@@ -15,7 +15,7 @@ use crate::{
 };
 
 /// The number of standard deviations beyond which a residual is an outlier.
-const OUTLIER: f64 = 4.0;
+const OUTLIER: f64 = 5.0;
 
 /// Finds the free parameters of one or several experiments.
 ///

@@ -4,7 +4,7 @@ use interp::{AdhesionRange, Validity};
 use nalgebra::DVector;
 
 use super::problem::{Assigned, Ending, Problem};
-use super::search::{Data, Minimum, SAME};
+use super::search::{Data, Minimum, SAME, SHORT, ends};
 use super::uncertainty::{UNDETERMINED, Uncertainty};
 use super::wanted;
 use crate::statistics::{excess, missing_runs};
@@ -13,11 +13,8 @@ use crate::{Bodies, Branch, Estimate, Fit, Loss, Options, Parameter, Warning, Wa
 /// The largest excess of a sum of squares, or lack of runs, that chance explains, in standard
 /// deviations: one fit in 300,000 exceeds it.
 pub(super) const BEYOND_CHANCE: f64 = 4.5;
-/// The largest distance of the end of a fit from the minimum of its linearisation, in standard
-/// errors. A fit that ends farther away was stopped.
-const SHORT: f64 = 0.1;
-/// The part of the points in contact that may lie beyond the end of the fitted branch.
-const BEYOND_END: f64 = 0.05;
+/// The number of points in contact that may lie clearly beyond the end of the fitted branch.
+const BEYOND_END: usize = 2;
 /// The largest strain of the film that counts as small.
 const SMALL_STRAIN: f64 = 0.1;
 
@@ -36,7 +33,7 @@ pub(super) fn warnings(
     }
     if let Some(uncertainty) = &found.uncertainty {
         let stopped = at_bounds(&mut warnings, problem);
-        if uncertainty.short > SHORT && !stopped && found.ending == Ending::Converged {
+        if uncertainty.short > SHORT && problem.refused && !stopped {
             warnings.add(
                 WarningKind::EndOfTable,
                 format!(
@@ -47,12 +44,12 @@ pub(super) fn warnings(
             );
         }
         undetermined(&mut warnings, fit, problem, uncertainty);
+        left_out(&mut warnings, problem, uncertainty, data);
         if let Some(residuals) = problem.plain_residuals() {
             residuals_of(&mut warnings, fit, found, &residuals);
             wanted::add(&mut warnings, problem, uncertainty, &residuals);
         }
     }
-    left_out(&mut warnings, problem, data);
     for (e, assigned) in problem.assigned.iter().enumerate() {
         geometry(&mut warnings, problem, e, assigned, options);
     }
@@ -296,36 +293,40 @@ fn in_order(assigned: &Assigned, residuals: &[f64], branch: Branch) -> Vec<f64> 
         .collect()
 }
 
-/// Warns of points that are in contact in the data and not in the fit.
-fn left_out(warnings: &mut Warnings, problem: &Problem<'_>, data: &Data) {
-    for (assigned, before) in problem.assigned.iter().zip(&data.assigned) {
-        let in_contact = |branch: &Branch| matches!(branch, Branch::Advancing | Branch::Receding);
-        let contacts = before.branches.iter().filter(|b| in_contact(b)).count();
-        let lost: Vec<u64> = before
-            .branches
-            .iter()
-            .zip(&assigned.branches)
-            .zip(&assigned.experiment.measurement.points)
-            .filter(|((before, now), _)| in_contact(before) && **now == Branch::LeftOut)
-            .map(|(_, point)| point.line)
-            .collect();
-        if let Some([first, last]) = lost
-            .iter()
-            .min()
-            .zip(lost.iter().max())
-            .map(|(first, last)| [first, last])
-            && lost.len() as f64 > BEYOND_END * contacts as f64
-            && lost.len() > 2
-        {
-            warnings.add(
-                WarningKind::LeftOut,
-                format!(
-                    "{}: {} of {contacts} points in contact, in lines {first} to {last}, lie beyond the \
-                     end of the fitted branch or too near to it, and were left out",
-                    assigned.experiment.measurement.name,
-                    lost.len()
-                ),
-            );
+/// Warns of points that are in contact in the data and clearly not in the fit.
+fn left_out(
+    warnings: &mut Warnings,
+    problem: &Problem<'_>,
+    uncertainty: &Uncertainty,
+    data: &Data,
+) {
+    for (e, whole) in data.assigned.iter().enumerate() {
+        let sense = whole.experiment.sense();
+        let measurement = &whole.experiment.measurement;
+        for end in ends(problem, e, uncertainty, whole) {
+            let lost: Vec<u64> = measurement
+                .points
+                .iter()
+                .zip(&whole.branches)
+                .filter(|(point, branch)| {
+                    **branch == end.branch && sense * point.abscissa < end.position - end.clear
+                })
+                .map(|(point, _)| point.line)
+                .collect();
+            let (Some(first), Some(last)) = (lost.iter().min(), lost.iter().max()) else {
+                continue;
+            };
+            if lost.len() > BEYOND_END {
+                warnings.add(
+                    WarningKind::LeftOut,
+                    format!(
+                        "{}: {} points that are in contact, in lines {first} to {last}, lie beyond the \
+                         end of the fitted branch and were left out",
+                        measurement.name,
+                        lost.len()
+                    ),
+                );
+            }
         }
     }
 }

@@ -11,6 +11,8 @@ use crate::{Bodies, Branch, Free, Loss, ModulusBias, Parameter, WithoutFilm};
 
 /// The most evaluations over the number of parameters + 1.
 const PATIENCE: usize = 40;
+/// The relative changes at which the method stops.
+const TOLERANCE: f64 = 1e-6;
 
 /// The fit without the film.
 pub(crate) struct Found {
@@ -77,7 +79,7 @@ pub(crate) fn without_film(
         return None;
     }
     let started = start::problem(table, &assigned, (&free, &slots), loss, 1.0).ok()?;
-    let (fitted, ending) = started.minimise(PATIENCE);
+    let (fitted, ending) = started.minimise(PATIENCE, TOLERANCE);
     if ending == Ending::Failed {
         return None;
     }
