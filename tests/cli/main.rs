@@ -20,7 +20,10 @@ mod points;
 mod readme;
 mod simulate;
 
-use acceptance::shipped;
+use std::fs;
+use std::path::Path;
+
+use acceptance::{Workdir, shipped};
 use interp::Material;
 use tabulate::solve::{Solution, solve};
 
@@ -46,4 +49,19 @@ fn paper_table() -> String {
         .to_str()
         .expect("a path in UTF-8")
         .to_owned()
+}
+
+/// Copies the files of folders of the repository to the same places in a work folder.
+fn copy_folders(workdir: &Workdir, folders: &[&str]) {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    for folder in folders {
+        fs::create_dir_all(workdir.path(folder)).expect("made");
+        for entry in fs::read_dir(root.join(folder)).expect("it is there") {
+            let path = entry.expect("an entry").path();
+            if path.is_file() {
+                let name = path.file_name().expect("a name");
+                fs::copy(&path, workdir.path(folder).join(name)).expect("copied");
+            }
+        }
+    }
 }

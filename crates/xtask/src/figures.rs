@@ -43,8 +43,8 @@ const FITS: [(&str, &str, &str); 3] = [
     (
         "gel",
         "--kind force-height --sphere-radius 1e-5 --sphere-modulus inf --film-thickness 2e-5 \
-         --film-modulus 5e3 --substrate-modulus 7e10 --work-of-adhesion 1e-4 --stiffness 0.1 \
-         --from 2e-6 --to -2e-7 --points 200 --noise 5e-11 --value contact-point=2e-7 \
+         --film-modulus 5e3 --substrate-modulus 7e10 --work-of-adhesion 5e-5 --stiffness 0.1 \
+         --from 1e-6 --to -2e-7 --points 120 --noise 5e-11 --value contact-point=2e-7 \
          --value baseline=1e-9 --seed 1",
         "--sphere-radius 1e-5 --sphere-modulus inf --film-thickness 2e-5 --substrate-modulus 7e10 \
          --stiffness 0.1",
@@ -54,7 +54,7 @@ const FITS: [(&str, &str, &str); 3] = [
         "--kind load-penetration --sphere-radius 1e-5 --sphere-modulus inf --film-thickness 5e-7 \
          --film-modulus 7e10 --film-poisson-ratio 0.2 --substrate-modulus 2.4e9 \
          --substrate-poisson-ratio 0.38 --work-of-adhesion 0 --segments approach --from -2e-8 \
-         --to 4e-8 --points 100 --noise 2e-7 --value contact-point=3e-9 --seed 1",
+         --to 4e-8 --points 61 --noise 2e-7 --value contact-point=3e-9 --seed 1",
         "--sphere-radius 1e-5 --sphere-modulus inf --film-thickness 5e-7 --film-poisson-ratio 0.2 \
          --substrate-modulus 2.4e9 --substrate-poisson-ratio 0.38 --work-of-adhesion 0 \
          --free film-modulus,contact-point",

@@ -244,15 +244,16 @@ impl Mark {
                 ))?;
             }
             Self::Marker { at, colour, marker } => {
-                let (radius, width, inside) = match marker {
-                    Marker::Full => (4.0, 1.5, *colour),
-                    Marker::Hollow => (4.0, 1.5, WHITE),
-                    Marker::Small => (2.0, 0.5, *colour),
+                let edge = || stroke(*colour, 1.5);
+                let (radius, styles) = match marker {
+                    Marker::Full => (4.0, vec![colour.filled(), edge()]),
+                    Marker::Hollow => (4.0, vec![WHITE.filled(), edge()]),
+                    Marker::Small => (2.0, vec![colour.filled()]),
                 };
                 let [x, y] = place(chart, *at);
                 obstacles.line(*colour, [x - radius, y], [x + radius, y]);
                 obstacles.line(*colour, [x, y - radius], [x, y + radius]);
-                for style in [inside.filled(), stroke(*colour, width)] {
+                for style in styles {
                     let circle = Circle::new((at[0], at[1]), fine(radius), style);
                     chart.plotting_area().draw(&circle)?;
                 }

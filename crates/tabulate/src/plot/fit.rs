@@ -15,7 +15,7 @@ const COLOURS: [Colour; 5] = [BLUE, VERMILION, GREEN, PURPLE, ORANGE];
 const MOST: usize = 1500;
 
 /// The most points that are drawn large.
-const MOST_LARGE: usize = 150;
+const MOST_LARGE: usize = 50;
 
 /// The most experiments that are named in the figure.
 const MOST_NAMES: usize = 5;
