@@ -15,7 +15,7 @@ const COLOURS: [Colour; 5] = [BLUE, VERMILION, GREEN, PURPLE, ORANGE];
 const MOST: usize = 1500;
 
 /// The most points that are drawn large.
-const MOST_LARGE: usize = 50;
+const MOST_LARGE: usize = 100;
 
 /// The most experiments that are named in the figure.
 const MOST_NAMES: usize = 5;
@@ -44,7 +44,13 @@ pub fn figure(fit: &Fit, experiments: &[Experiment]) -> Figure {
     });
     let largest = residuals.fold(3.0_f64, |most, residual| most.max(residual.abs()));
     let rest = Axis::linear("residual / noise", [-1.1 * largest, 1.1 * largest]);
-    let mut left = Panel::new("Residuals", x.axis(), rest);
+    let has_other = points().any(|point| point.without_film.is_some());
+    let title = if has_other {
+        "Residuals (dashed: without film)"
+    } else {
+        "Residuals"
+    };
+    let mut left = Panel::new(title, x.axis(), rest);
     let [from, to] = x.axis().range();
     left.line([[from, 0.0], [to, 0.0]], GREY);
 
