@@ -22,7 +22,7 @@ const LENS: Case = Case {
         "--to",
         "1.3e-4",
         "--noise",
-        "5e-6",
+        "2e-6",
         "--value",
         "load-offset=2e-5",
     ],
@@ -30,7 +30,7 @@ const LENS: Case = Case {
         "--free",
         "sphere-modulus,work-of-adhesion,load-offset",
         "--noise",
-        "5e-6",
+        "2e-6",
     ],
     truth: &[
         ("sphere_modulus", 2e6),
@@ -209,7 +209,7 @@ fn the_object_has_the_keys_of_its_help() {
         ["stderr", "unit", "value"]
     );
     assert_eq!(object["parameters"]["work_of_adhesion"]["unit"], "J/m^2");
-    assert_eq!(object["noise"], 5e-6);
+    assert_eq!(object["noise"], 2e-6);
     let correlation = object["correlation"].as_array().expect("a matrix");
     assert_eq!(correlation.len(), 3);
     assert_eq!(correlation[2][2], 1.0);
@@ -242,7 +242,7 @@ fn the_object_has_the_keys_of_its_help() {
 fn an_offset_that_is_not_fitted_and_a_film_that_matters_are_told() {
     let workdir = workdir!();
     simulate(&workdir, &LENS, "lens.csv", 1);
-    let arguments = [&["fit", "lens.csv", "--noise", "5e-6"], LENS.system].concat();
+    let arguments = [&["fit", "lens.csv", "--noise", "2e-6"], LENS.system].concat();
     let report = workdir.succeed(&arguments);
     assert_names(
         &report,

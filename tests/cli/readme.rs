@@ -22,7 +22,7 @@ fn shows_the_examples() {
             "crates/tabulate/examples/curve.rs",
             "crates/tabulate/README.md",
         ),
-        ("crates/fit/examples/lens.rs", "crates/fit/README.md"),
+        ("crates/fit/examples/file.rs", "crates/fit/EXPERIMENTS.md"),
     ] {
         let example = read(path);
         let program = example
@@ -104,10 +104,10 @@ fn quotes_the_certificates_of_the_shipped_tables() {
     }
 }
 
-/// Every command of the README of the fits, with its output if it is shown.
+/// Every command of the page about fits, with its output if it is shown.
 #[test]
 fn the_commands_of_the_fits_print_what_is_shown() {
-    let readme = read("crates/fit/README.md");
+    let readme = read("crates/fit/EXPERIMENTS.md");
     let workdir = acceptance::workdir!();
     copy_folders(&workdir, &["crates/fit/data"]);
     let mut shown = 0;

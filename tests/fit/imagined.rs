@@ -28,7 +28,8 @@ pub struct Imagined {
     /// The true values, with an empty measurement.
     pub truth: Experiment,
     pub course: Course,
-    /// Contact radii, first and last, m. The first one may be below that of pull-off.
+    /// Contact radii, first and last, m. Above that of pull-off the first one is the last measured
+    /// before the jump.
     pub radii: [f64; 2],
     /// The number of points in contact, and on the baseline, of each direction.
     pub points: [usize; 2],
@@ -149,7 +150,8 @@ impl Imagined {
         };
         let [smallest, largest] = self.radii;
         let ([contacts, apart], steps) = (self.points, 4000);
-        let grid = |i: usize| smallest + (largest - smallest) * i as f64 / steps as f64;
+        let first = 0.35 * smallest;
+        let grid = |i: usize| first + (largest - first) * i as f64 / steps as f64;
         // The radius of the smallest imposed value, and that of a given one, on a fine grid.
         let pull_off = (0..=steps)
             .min_by(|&i, &j| imposed(grid(i), receding).total_cmp(&imposed(grid(j), receding)))
@@ -222,7 +224,11 @@ impl Imagined {
                     add(abscissa, ordinate, Some(Direction::Retract));
                 }
             }
-            let ends = if at_radii { smallest } else { 1.01 * pull_off };
+            let ends = if at_radii {
+                smallest
+            } else {
+                smallest.max(1.01 * pull_off)
+            };
             for a in even(largest, ends, contacts) {
                 let (abscissa, ordinate) = reading(a, receding);
                 add(abscissa, ordinate, Some(Direction::Retract));

@@ -1,33 +1,74 @@
-//! Fits the lens of the README: `cargo run --release -p fit --example lens`, at the root of the
-//! repository.
+//! Fits the modulus of a lens, the work of adhesion and the modulus of a film to loads at contact
+//! radii: `cargo run --release -p fit --example lens`.
 
-use fit::data::{Format, read};
-use fit::{Bodies, Experiment, Free, Options, Parameter, fit};
+use std::error::Error;
+
+use fit::{Bodies, Experiment, Free, Kind, Measurement, Options, Parameter, Point};
 use interp::{Elastic, System, Table};
 
-fn main() -> Result<(), Box<dyn std::error::Error>> {
+/// Contact radii and loads in SI units, below two comments and a header.
+const DATA: &str = include_str!("synthetic-10um.csv");
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let mut points = Vec::new();
+    for (line, text) in (1..).zip(DATA.lines()).skip(3) {
+        let (radius, load) = text.split_once(',').ok_or("two columns")?;
+        points.push(Point {
+            line,
+            abscissa: radius.parse()?,
+            ordinate: load.parse()?,
+            direction: None,
+        });
+    }
+    let measurement = Measurement {
+        name: "synthetic-10um.csv".into(),
+        kind: Kind::LoadRadius,
+        points,
+    };
     let system = System {
-        sphere_radius: 1e-3,             // all in SI units
-        sphere_modulus: 2e6,             // the reduced modulus E2*, which is fitted
-        film: Elastic::new(3.5e6, 0.5)?, // Young's modulus, Poisson ratio
-        film_thickness: 3e-5,
+        sphere_radius: 1e-3,
+        sphere_modulus: 1e6, // fitted; the start follows from the data
+        film: Elastic::new(3.5e6, 0.5)?,
+        film_thickness: 1e-5,
         substrate: Elastic::new(2e11, 0.25)?,
     };
-    let lens = read("crates/fit/data/lens.csv".as_ref(), &Format::default())?;
-    let mut experiment = Experiment::new(lens.measurement, Bodies::Coated(system));
-    experiment.noise = Some(2e-6);
-    let free = [
+    let mut experiment = Experiment::new(measurement, Bodies::Coated(system));
+    experiment.noise = Some(5e-6);
+    let mut free = vec![
         Free::new(Parameter::SphereModulus),
         Free::new(Parameter::WorkOfAdhesion),
-        Free::new(Parameter::LoadOffset),
     ];
-    let found = fit(Table::embedded(), &[experiment], &free, &Options::default())?;
-    for estimate in &found.estimates {
-        let (value, error) = (estimate.value, estimate.standard_error);
-        println!("{}: {value:.3e} +- {error:.1e}", estimate.parameter);
+    let mut report = String::new();
+    for title in ["film of known modulus", "film modulus fitted"] {
+        let options = Options::default();
+        let found = fit::fit(Table::embedded(), &[experiment.clone()], &free, &options)?;
+        report += &format!("{title}\n");
+        for estimate in &found.estimates {
+            let (name, unit) = (estimate.parameter, estimate.parameter.unit());
+            let (value, error) = (estimate.value, estimate.standard_error);
+            report += &format!("  {name:<17} {value:.3e} +- {error:.1e} {unit}\n");
+        }
+        if let Some(reduced) = found.reduced_chi_squared {
+            report += &format!("  reduced chi^2     {reduced:.2}\n");
+        }
+        if let Some(bias) = found.without_film.and_then(|without| without.modulus) {
+            let (percent, errors) = (1e2 * bias.relative, bias.standard_errors.abs());
+            let word = if bias.matters() {
+                "matters"
+            } else {
+                "does not matter"
+            };
+            report += &format!(
+                "  the film {word}: {} is off by {percent:+.1} % ({errors:.0} standard errors) without it\n",
+                bias.parameter
+            );
+        }
+        for warning in &found.warnings {
+            report += &format!("  warning: {}\n", warning.text);
+        }
+        free.push(Free::new(Parameter::FilmModulus));
     }
-    for warning in &found.warnings {
-        println!("warning: {}", warning.text);
-    }
+    // Printed at once, because a reader such as `head` may close the pipe after some lines.
+    print!("{report}");
     Ok(())
 }

@@ -31,7 +31,7 @@ const FIGURES: [(&str, Option<&str>); 9] = [
     ("effects", Some("effects")),
 ];
 
-/// The measurements of `crates/fit/README.md`: the name of data and figure, the arguments of
+/// The measurements of `crates/fit/EXPERIMENTS.md`: the name of data and figure, the arguments of
 /// `tabulate simulate` and those of `tabulate fit`.
 const FITS: [(&str, &str, &str); 3] = [
     (

@@ -105,6 +105,12 @@ fn uncertainty(problem: &Problem<'_>) -> Result<Uncertainty, Error> {
         "derivative at these points: keep them away from the end of a branch and of the table, or \
          point",
     ))?;
+    if jacobian.nrows() < jacobian.ncols() {
+        return Err(Error::TooFewPoints {
+            points: jacobian.nrows(),
+            parameters: jacobian.ncols(),
+        });
+    }
     let residuals = DVector::zeros(jacobian.nrows());
     Ok(Uncertainty::new(jacobian, &residuals, Loss::Squares, sizes))
 }

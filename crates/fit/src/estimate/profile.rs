@@ -10,7 +10,7 @@ const PATIENCE: usize = 30;
 /// The relative changes at which the method stops.
 const TOLERANCE: f64 = 1e-6;
 /// The most fits for one end of an interval.
-const MOST_FITS: usize = 12;
+const MOST_FITS: usize = 24;
 /// The accuracy of `sqrt(chi^2 - chi^2_min)` at an end.
 const ACCURACY: f64 = 0.01;
 /// The farthest end sought, in standard errors times the deviations asked for.
@@ -43,7 +43,8 @@ pub(crate) fn add(
     evaluations
 }
 
-/// Returns one end of an interval: 0 or infinity where the sum of squares does not grow enough.
+/// Returns one end of an interval: 0 or infinity where the sum of squares does not grow enough, NaN
+/// where the other values have no fit.
 fn end(
     problem: &Problem<'_>,
     slot: usize,
@@ -61,23 +62,7 @@ fn end(
             best + side * distance * size
         }
     };
-    // How far the sum of squares has grown, as a number of standard deviations.
     let mut current = problem.clone();
-    let mut growth = |distance: f64, current: &mut Problem<'_>| -> Option<f64> {
-        let fixed = current.with_fixed(slot, value(distance))?;
-        let before = fixed.evaluations;
-        let (fitted, ending) = fixed.minimise(PATIENCE, TOLERANCE);
-        *evaluations += fitted.evaluations - before;
-        if ending == Ending::Failed {
-            return None;
-        }
-        let of_prior = problem.slots[slot].prior.map_or(0.0, |prior| {
-            let residual = (value(distance) - prior.mean) / prior.width;
-            weighted(problem.loss, residual).0.powi(2)
-        });
-        current.take_others(slot, &fitted);
-        Some((fitted.misfit() + of_prior - least).max(0.0).sqrt())
-    };
     let unlimited = match (positive, side < 0.0) {
         (true, true) => 0.0,
         (false, true) => f64::NEG_INFINITY,
@@ -86,10 +71,24 @@ fn end(
     let farthest = FARTHEST * deviations * error.min(5.0);
     let (mut near, mut far) = ([0.0, 0.0], None::<[f64; 2]>);
     let mut distance = deviations * error.min(5.0);
-    for _ in 0..MOST_FITS {
-        let Some(grown) = growth(distance, &mut current) else {
+    for step in 0..MOST_FITS {
+        // Where the table ends, the data have set no limit.
+        let Some(fixed) = current.with_fixed(slot, value(distance)) else {
             return unlimited;
         };
+        let before = fixed.evaluations;
+        let (fitted, ending) = fixed.minimise(PATIENCE, TOLERANCE);
+        *evaluations += fitted.evaluations - before;
+        if ending == Ending::Failed {
+            return f64::NAN;
+        }
+        let of_prior = problem.slots[slot].prior.map_or(0.0, |prior| {
+            let residual = (value(distance) - prior.mean) / prior.width;
+            weighted(problem.loss, residual).0.powi(2)
+        });
+        current.take_others(slot, &fitted);
+        // How far the sum of squares has grown, as a number of standard deviations.
+        let grown = (fitted.misfit() + of_prior - least).max(0.0).sqrt();
         if (grown - deviations).abs() < ACCURACY * deviations {
             return value(distance);
         }
@@ -99,10 +98,15 @@ fn end(
             far = Some([distance, grown]);
         }
         distance = match far {
-            // The root of a parabola is a straight line: the secant converges quickly.
+            // The root of a parabola is a straight line, on which the secant converges quickly.
+            // Where the growth is no parabola, every second step halves.
             Some(far) => {
-                let part = (deviations - near[1]) / (far[1] - near[1]);
-                near[0] + part.clamp(0.02, 0.98) * (far[0] - near[0])
+                let part = if step % 2 == 0 {
+                    (deviations - near[1]) / (far[1] - near[1])
+                } else {
+                    0.5
+                };
+                near[0] + part.clamp(0.05, 0.95) * (far[0] - near[0])
             }
             None => {
                 let ratio = if grown > 0.0 { deviations / grown } else { 4.0 };

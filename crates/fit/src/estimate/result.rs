@@ -59,7 +59,8 @@ pub struct Estimate {
     /// The standard error, in SI units, from the derivatives of the model at the minimum.
     pub standard_error: f64,
     /// The interval at [`Options::profile_level`](crate::Options::profile_level), if asked for. An
-    /// end is infinite, or 0 for a positive parameter, where the data set no limit.
+    /// end is infinite, or 0 for a positive parameter, where the data set no limit within 20 times as
+    /// many standard errors, and NaN where a fit of the other values failed on the way.
     pub profile: Option<[f64; 2]>,
 }
 

@@ -40,6 +40,9 @@ impl Uncertainty {
     pub fn of(problem: &Problem<'_>) -> Option<Self> {
         let residuals = problem.plain_residuals()?;
         let (jacobian, sizes) = problem.jacobian_of_sizes()?;
+        if jacobian.nrows() < jacobian.ncols() {
+            return None;
+        }
         Some(Self::new(jacobian, &residuals, problem.loss, sizes))
     }
 

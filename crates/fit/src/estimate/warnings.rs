@@ -13,6 +13,8 @@ use crate::{Bodies, Branch, Estimate, Fit, Loss, Options, Parameter, Warning, Wa
 /// The largest excess of a sum of squares, or lack of runs, that chance explains, in standard
 /// deviations: one fit in 300,000 exceeds it.
 pub(super) const BEYOND_CHANCE: f64 = 4.5;
+/// A contact radius (m) below which there is no continuum.
+const SMALLEST_RADIUS: f64 = 1e-9;
 /// The number of points in contact that may lie clearly beyond the end of the fitted branch.
 const BEYOND_END: usize = 2;
 /// The largest strain of the film that counts as small.
@@ -163,12 +165,16 @@ fn undetermined(
         } else {
             "the range of the data"
         };
+        let size = if error < 100.0 {
+            format!("{:.0} %", 1e2 * error)
+        } else {
+            "more than 100 times".into()
+        };
         warnings.add(
             WarningKind::Undetermined,
             format!(
-                "{parameter} is not determined by these data: its standard error is {:.3} % of {of}, \
-                 above {} %; fix it or give a prior",
-                1e2 * error,
+                "{parameter} is not determined by these data: its standard error is {size} of {of}, \
+                 above {:.0} %; fix it or give a prior",
                 1e2 * UNDETERMINED
             ),
         );
@@ -179,8 +185,11 @@ fn undetermined(
             film_not_seen(warnings, problem, parameter);
         }
     }
-    for combination in &fit.undetermined {
-        if combination.weights.len() > 1 {
+    for (i, combination) in fit.undetermined.iter().enumerate() {
+        let is_new = fit.undetermined[..i]
+            .iter()
+            .all(|before| before.text != combination.text);
+        if combination.weights.len() > 1 && is_new {
             warnings.add(
                 WarningKind::Undetermined,
                 format!(
@@ -356,6 +365,15 @@ fn geometry(
     let Ok(validity) = contact.validity(a) else {
         return;
     };
+    if a < SMALLEST_RADIUS {
+        warnings.add(
+            WarningKind::Implausible,
+            format!(
+                "{name}: no contact radius is above {a:.1e} m, and those below {SMALLEST_RADIUS:e} m \
+                 are smaller than atoms: check the units of the data"
+            ),
+        );
+    }
     if validity.a_over_r > Validity::WARNING_A_OVER_R {
         warnings.add(
             WarningKind::LargeContact,

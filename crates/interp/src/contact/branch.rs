@@ -92,6 +92,7 @@ impl Equilibria<'_> {
             "that of the imposed values times (1 + that of the inputs)",
         )?;
         self.branch(imposed, branch, states)?;
+        self.contact.same_material()?;
         for (state, derivatives) in states.iter().zip(derivatives.chunks_exact_mut(width)) {
             self.differentiate(state, inputs, derivatives)?;
         }
@@ -113,8 +114,9 @@ impl Equilibria<'_> {
             });
             return Ok(());
         }
-        let gradient = self.contact.gradient(a, self.work_of_adhesion)?;
-        let by_radius = gradient.by(Input::ContactRadius)?;
+        let terms = self.contact.terms(a, self.work_of_adhesion)?;
+        let by = |input: Input| terms.by(input).ok_or(Error::FixedParameter(input.name()));
+        let by_radius = by(Input::ContactRadius)?;
         let imposed_by_radius = self.control.imposed(by_radius.load, by_radius.penetration);
         let (by_imposed, by_inputs) = derivatives
             .split_first_mut()
@@ -129,12 +131,15 @@ impl Equilibria<'_> {
                     load: 0.0,
                     penetration: 0.0,
                 },
-                _ => gradient.by(input)?,
+                _ => by(input)?,
             };
             let change = self.control.imposed(at_radius.load, at_radius.penetration);
             *derivative = Derivatives {
-                load: at_radius.load - by_imposed.load * change,
-                penetration: at_radius.penetration - by_imposed.penetration * change,
+                load: finite_result(a, at_radius.load - by_imposed.load * change)?,
+                penetration: finite_result(
+                    a,
+                    at_radius.penetration - by_imposed.penetration * change,
+                )?,
             };
         }
         Ok(())

@@ -263,6 +263,15 @@ impl Curve {
         }
     }
 
+    /// Returns the material with respect to whose parameters the derivatives are.
+    ///
+    /// # Errors
+    /// [`Error::NoGradient`] on a curve that was made without derivatives.
+    pub(crate) fn differentiated_for(&self) -> Result<&Material, Error> {
+        let sensitivities = self.sensitivities.as_ref().ok_or(Error::NoGradient)?;
+        Ok(sensitivities.material())
+    }
+
     /// Returns an estimate of the largest relative error of the quantities at `a_over_t`.
     ///
     /// Between the nodes it is the largest error of the table's certificate, beyond them the

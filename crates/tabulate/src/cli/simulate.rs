@@ -32,9 +32,9 @@ use crate::output;
 /// measurement: change --points, --from, --to and --noise until they are small enough.
 #[derive(clap::Args)]
 #[command(after_help = super::examples!(
-    "tabulate simulate --kind load-radius --film-thickness 1e-5 --from 4.2e-5 --to 1.3e-4 --noise 5e-6 -o lens.csv",
-    "tabulate simulate --kind load-radius --film-thickness 1e-5 --from 4.2e-5 --to 1.3e-4 --noise 5e-6 --expect --free sphere-modulus,film-modulus",
-    "tabulate simulate --kind force-height --sphere-radius 1e-5 --sphere-modulus inf --stiffness 0.1 --from 2e-6 --to -2e-6 --noise 1e-10",
+    "tabulate simulate --kind load-radius --from 4e-5 --to 1.3e-4 --noise 5e-6 -o lens.csv",
+    "tabulate simulate --kind load-radius --from 4e-5 --to 1.3e-4 --noise 5e-6 --expect",
+    "tabulate simulate --kind load-penetration --from -1e-6 --to 1e-6 --noise 1e-6 --seed 2",
 ))]
 pub struct Arguments {
     /// The two quantities that are measured

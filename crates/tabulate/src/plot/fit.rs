@@ -94,7 +94,7 @@ pub fn figure(fit: &Fit, experiments: &[Experiment]) -> Figure {
                 .map(|point| [x.at(point.abscissa), y.at(point.ordinate)])
                 .collect();
             let file = one.name.rsplit(['/', '\\']).next().unwrap_or(&one.name);
-            data.label_along(place, legible(file), colour, Side::Right);
+            data.label_along(some(place), legible(file), colour, Side::Right);
         }
     }
     let first = || fit.experiments[0].points.iter();
@@ -103,11 +103,17 @@ pub fn figure(fit: &Fit, experiments: &[Experiment]) -> Figure {
         .filter_map(|point| Some(place(point, point.without_film?)))
         .collect();
     if !without.is_empty() {
-        data.label_along(without, "without film", GREY, Side::Right);
+        data.label_along(some(without), "without film", GREY, Side::Right);
     }
     let fitted = first().filter_map(|point| Some(place(point, point.fit?)));
-    data.label_along(fitted.collect::<Vec<_>>(), "fit", BLACK, Side::Left);
+    data.label_along(some(fitted.collect()), "fit", BLACK, Side::Left);
     Figure::new(400, [data.share(1.25), left])
+}
+
+/// Returns some of many points, as places for a label: to try all would take long.
+fn some(points: Vec<Point>) -> Vec<Point> {
+    let every = points.len().div_ceil(20).max(1);
+    points.into_iter().step_by(every).collect()
 }
 
 /// Returns the curves through the points of each branch, along the abscissa.

@@ -48,8 +48,9 @@ use crate::plot::picture::Format as PictureFormat;
 /// The exit status is 0 only if the fit has converged.
 #[derive(clap::Args)]
 #[command(after_help = super::examples!(
-    "tabulate fit crates/fit/data/lens.csv --film-thickness 1e-5 --free sphere-modulus,work-of-adhesion,load-offset",
-    "tabulate fit crates/fit/data/gel.csv --sphere-radius 1e-5 --sphere-modulus inf --stiffness 0.1 --json",
+    "tabulate fit crates/fit/data/lens.csv --film-thickness 3e-5",
+    "tabulate fit crates/fit/data/lens.csv --film-thickness 3e-5 --free sphere-modulus,load-offset",
+    "tabulate fit crates/fit/data/gel.csv --stiffness 0.1 --half-space --sphere-radius 1e-5 --json",
 ))]
 pub struct Arguments {
     /// The measurements: tables of text
