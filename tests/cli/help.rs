@@ -7,7 +7,7 @@ use crate::copy_folders;
 #[test]
 fn the_help_of_every_command_has_its_arguments_and_the_program_says_whose_modulus() {
     let workdir = workdir!();
-    let commands: [(&str, &[&str]); 9] = [
+    let commands: [(&str, &[&str]); 11] = [
         (
             "generate",
             &[
@@ -51,6 +51,27 @@ fn the_help_of_every_command_has_its_arguments_and_the_program_says_whose_modulu
                 "-o",
                 "--output",
             ],
+        ),
+        (
+            "fit",
+            &[
+                "DATA",
+                "--kind",
+                "--free",
+                "--stiffness",
+                "--robust",
+                "--noise",
+                "--json",
+                "--csv",
+                "--plot",
+                "--column",
+                "--sphere-modulus",
+                "--film-thickness",
+            ],
+        ),
+        (
+            "simulate",
+            &["--kind", "--noise", "--seed", "--from", "--to", "--expect"],
         ),
         ("info", &["TABLE"]),
         ("cost", &["solve"]),

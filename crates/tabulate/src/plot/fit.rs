@@ -1,6 +1,6 @@
 //! A fit: the data, the fit, the curve without the film, and the residuals.
 
-use fit::{Branch, Experiment, Fit, FittedPoint, Kind};
+use fit::{Branch, Experiment, Fit, FittedExperiment, FittedPoint, Kind};
 
 use super::axis::Axis;
 use super::chart::{
@@ -20,32 +20,47 @@ const MOST_LARGE: usize = 100;
 /// The most experiments that are named in the figure.
 const MOST_NAMES: usize = 5;
 
-/// Describes the figure of a fit.
+/// Describes the figure of a fit: for each kind of measurement the data and the residuals.
 pub fn figure(fit: &Fit, experiments: &[Experiment]) -> Figure {
-    let kind = experiments[0].measurement.kind;
-    let points = || fit.experiments.iter().flat_map(|one| &one.points);
+    let kind = |i: usize| experiments[i].measurement.kind;
+    let mut rows = Vec::new();
+    for one in Kind::ALL {
+        let members: Vec<(usize, &FittedExperiment)> = fit
+            .experiments
+            .iter()
+            .enumerate()
+            .filter(|(i, _)| kind(*i) == one)
+            .collect();
+        if !members.is_empty() {
+            rows.push(panels(one, &members));
+        }
+    }
+    Figure::grid(400 * rows.len() as u32, rows)
+}
+
+/// Describes the panels of the experiments of one kind, each with its number.
+fn panels(kind: Kind, members: &[(usize, &FittedExperiment)]) -> Vec<Panel> {
     let [abscissa, ordinate] = kind.names();
     let unit = if kind == Kind::PenetrationRadius {
         'm'
     } else {
         'N'
     };
+    let points = || members.iter().flat_map(|(_, one)| &one.points);
     let x = Scale::new(abscissa, 'm', points().map(|point| point.abscissa));
     let values = |point: &FittedPoint| [Some(point.ordinate), point.fit].into_iter().flatten();
     let y = Scale::new(ordinate, unit, points().flat_map(values));
     let mut data = Panel::new("Data and fit", x.axis(), y.axis());
-    let noise = |i: usize| fit.experiments[i].noise;
+
     let residual =
-        |i: usize, point: &FittedPoint| point.residual().map(|residual| residual / noise(i));
-    let residuals = fit.experiments.iter().enumerate().flat_map(|(i, one)| {
-        one.points
-            .iter()
-            .filter_map(move |point| residual(i, point))
-    });
+        |one: &FittedExperiment, point: &FittedPoint| Some(point.residual()? / one.noise);
+    let residuals = members
+        .iter()
+        .flat_map(|(_, one)| one.points.iter().filter_map(|point| residual(one, point)));
     let largest = residuals.fold(3.0_f64, |most, residual| most.max(residual.abs()));
     let rest = Axis::linear("residual / noise", [-1.1 * largest, 1.1 * largest]);
-    let has_other = points().any(|point| point.without_film.is_some());
-    let title = if has_other {
+    let without_film = points().any(|point| point.without_film.is_some());
+    let title = if without_film {
         "Residuals (dashed: without film)"
     } else {
         "Residuals"
@@ -54,24 +69,24 @@ pub fn figure(fit: &Fit, experiments: &[Experiment]) -> Figure {
     let [from, to] = x.axis().range();
     left.line([[from, 0.0], [to, 0.0]], GREY);
 
-    for (i, one) in fit.experiments.iter().enumerate() {
+    for (i, one) in members {
         let colour = COLOURS[i % COLOURS.len()];
         let every = one.points.len().div_ceil(MOST);
         let drawn = || one.points.iter().step_by(every);
         for point in drawn() {
             let used = point.fit.is_some() && !point.outlier;
+            let shade = if used { colour } else { GREY };
             let marker = match used {
                 true if one.points.len() > MOST_LARGE => Marker::Small,
                 true => Marker::Full,
                 false => Marker::Hollow,
             };
-            let shade = if used { colour } else { GREY };
             data.markers(
                 [[x.at(point.abscissa), y.at(point.ordinate)]],
                 shade,
                 marker,
             );
-            if let Some(residual) = residual(i, point) {
+            if let Some(residual) = residual(one, point) {
                 left.markers([[x.at(point.abscissa), residual]], shade, marker);
             }
         }
@@ -89,31 +104,43 @@ pub fn figure(fit: &Fit, experiments: &[Experiment]) -> Figure {
         for curve in curves(&|point| Some((point.without_film? - point.fit?) / one.noise)) {
             left.dashed(curve, GREY);
         }
-        if fit.experiments.len() > 1 && i < MOST_NAMES {
-            let place: Vec<Point> = drawn()
-                .map(|point| [x.at(point.abscissa), y.at(point.ordinate)])
-                .collect();
+        if members.len() > 1 && *i < MOST_NAMES {
+            let place = drawn().map(|point| [x.at(point.abscissa), y.at(point.ordinate)]);
             let file = one.name.rsplit(['/', '\\']).next().unwrap_or(&one.name);
-            data.label_along(some(place), legible(file), colour, Side::Right);
+            label(
+                &mut data,
+                place.collect(),
+                &legible(file),
+                colour,
+                Side::Right,
+            );
         }
     }
-    let first = || fit.experiments[0].points.iter();
+    let first = || members[0].1.points.iter();
     let place = |point: &FittedPoint, value: f64| [x.at(point.abscissa), y.at(value)];
-    let without: Vec<Point> = first()
-        .filter_map(|point| Some(place(point, point.without_film?)))
-        .collect();
-    if !without.is_empty() {
-        data.label_along(some(without), "without film", GREY, Side::Right);
+    if without_film {
+        let without = first().filter_map(|point| Some(place(point, point.without_film?)));
+        label(
+            &mut data,
+            without.collect(),
+            "without film",
+            GREY,
+            Side::Right,
+        );
     }
     let fitted = first().filter_map(|point| Some(place(point, point.fit?)));
-    data.label_along(some(fitted.collect()), "fit", BLACK, Side::Left);
-    Figure::new(400, [data.share(1.25), left])
+    label(&mut data, fitted.collect(), "fit", BLACK, Side::Left);
+    vec![data.share(1.25), left]
 }
 
-/// Returns some of many points, as places for a label: to try all would take long.
-fn some(points: Vec<Point>) -> Vec<Point> {
+/// Writes a text beside one of the points, if there are any. Some of many points will do: to try all
+/// would take long.
+fn label(panel: &mut Panel, points: Vec<Point>, text: &str, colour: Colour, side: Side) {
     let every = points.len().div_ceil(20).max(1);
-    points.into_iter().step_by(every).collect()
+    let places: Vec<Point> = points.into_iter().step_by(every).collect();
+    if !places.is_empty() {
+        panel.label_along(places, text, colour, side);
+    }
 }
 
 /// Returns the curves through the points of each branch, along the abscissa.
