@@ -275,7 +275,8 @@ fn contacts_outside_the_model_are_warned_of() {
 
 #[test]
 fn points_beyond_the_pull_off_of_the_fit_are_warned_of() {
-    // The data separate at a penetration at which a contact of this fixed work of adhesion cannot be.
+    // The data separate at a penetration at which a contact of this fixed work of adhesion cannot
+    // be.
     let free = [Parameter::SphereModulus];
     let mut lens = Imagined::lens(Kind::LoadPenetration, 10e-6, 3e-6, &free);
     lens.radii[0] = 21e-6;

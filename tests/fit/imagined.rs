@@ -1,5 +1,5 @@
-//! Imagined experiments. Their data are made by direct solves, along contact radii: neither the table
-//! nor a search for equilibria takes part.
+//! Imagined experiments. Their data are made by direct solves, along contact radii: neither the
+//! table nor a search for equilibria takes part.
 
 use std::f64::consts::PI;
 

@@ -1,5 +1,5 @@
-//! Fits of measured curves: the truth within the intervals, doubts where there is reason, errors that
-//! name the line.
+//! Fits of measured curves: the truth within the intervals, doubts where there is reason, errors
+//! that name the line.
 
 #![forbid(unsafe_code)]
 

@@ -274,3 +274,46 @@ fn the_data_of_the_example_are_made_as_they_say() {
         );
     }
 }
+
+#[test]
+fn wrong_starts_lead_to_the_truth_or_are_doubted() {
+    use Parameter::{ContactPoint, FilmModulus, SphereModulus, WorkOfAdhesion};
+    let lens = [SphereModulus, WorkOfAdhesion, FilmModulus];
+    let experiments = [
+        Imagined::lens(Kind::LoadRadius, 100e-6, 5e-7, &lens),
+        Imagined::probe(
+            Course::Retract,
+            1e-4,
+            &[FilmModulus, WorkOfAdhesion, ContactPoint],
+        ),
+    ];
+    let mut recovered = 0;
+    for mut imagined in experiments {
+        for factor in [1e-4, 1e-2, 0.1, 10.0, 1e2, 1e4] {
+            let truth = imagined.truth.get(FilmModulus).expect("a film");
+            for free in &mut imagined.free {
+                if free.parameter == FilmModulus {
+                    *free = Free::new(FilmModulus).starting_from(factor * truth);
+                }
+            }
+            let found = imagined.fit(3);
+            let estimate = found.estimate(FilmModulus).expect("free");
+            let off = (estimate.value - truth).abs() / estimate.standard_error;
+            println!(
+                "{factor:e}: {off:.1} standard errors, {} evaluations",
+                found.evaluations
+            );
+            if found.converged && off < 4.5 {
+                recovered += 1;
+            } else {
+                let kinds = [WarningKind::PoorFit, WarningKind::NotConverged];
+                assert!(
+                    kinds.iter().any(|kind| found.warns_of(*kind)),
+                    "{factor:e}: {found:?}"
+                );
+            }
+        }
+    }
+    println!("{recovered} of 12 recovered");
+    assert!(recovered >= 10, "{recovered}");
+}

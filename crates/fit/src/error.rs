@@ -80,8 +80,8 @@ pub enum Error {
     },
     /// Data from which no start can be found.
     #[error(
-        "{experiment}: JKR finds no positive modulus in these data; check units and signs (loads are \
-         positive in compression), or give a start"
+        "{experiment}: JKR finds no positive modulus in these data; check units and signs (loads \
+         are positive in compression), or give a start"
     )]
     NoStart {
         /// The name of the measurement.

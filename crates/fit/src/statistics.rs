@@ -40,8 +40,8 @@ pub(crate) fn excess(chi_squared: f64, degrees_of_freedom: f64) -> f64 {
 }
 
 /// Returns how many standard deviations a normal number stays within with probability `level`, by
-/// the rational approximation of Abramowitz and Stegun (26.2.23, error below 4.5e-4) and one step of
-/// Newton's method on their 7.1.26 (1.5e-7).
+/// the rational approximation of Abramowitz and Stegun (26.2.23, error below 4.5e-4) and one step
+/// of Newton's method on their 7.1.26 (1.5e-7).
 pub(crate) fn deviations(level: f64) -> f64 {
     let tail = 0.5 * (1.0 - level);
     let t = (-2.0 * tail.ln()).sqrt();

@@ -15,8 +15,8 @@ const ROUNDS: usize = 2;
 
 /// Computes the standard errors that a planned experiment would give.
 ///
-/// The values of the experiments are taken for the truth, the abscissae of their points for those to
-/// be measured; ordinates are not used. Each experiment needs its noise. The errors are those of
+/// The values of the experiments are taken for the truth, the abscissae of their points for those
+/// to be measured; ordinates are not used. Each experiment needs its noise. The errors are those of
 /// least squares, from the derivatives of the model at the truth. Bounds and starts of the free
 /// parameters are not used; priors are.
 ///

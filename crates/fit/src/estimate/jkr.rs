@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 
 use nalgebra::{DMatrix, DVector};
 
-use super::problem::Assigned;
+use super::problem::{Assigned, LARGEST};
 use crate::statistics::median;
 use crate::{Branch, Kind};
 
@@ -308,7 +308,7 @@ fn least_squares(rows: Vec<(Vec<f64>, f64)>) -> Option<(Vec<f64>, f64)> {
     let width = rows.first()?.0.len();
     let mut matrix = DMatrix::from_fn(rows.len(), width, |i, j| rows[i].0[j]);
     let right = DVector::from_iterator(rows.len(), rows.iter().map(|row| row.1));
-    let finite = |value: &f64| value.is_finite();
+    let finite = |value: &f64| value.abs() < LARGEST;
     if !(matrix.iter().all(finite) && right.iter().all(finite)) {
         return None;
     }

@@ -3,8 +3,9 @@
 //! `solve` leads from the data to the result. `slot` lists the values to be found and their
 //! coordinates, `jkr` and `start` find where the method starts, `problem` is the least-squares
 //! problem with its `loss`, `search` leads to the minimum. `uncertainty` gives the errors there,
-//! `profile` intervals without linearisation, `without_film` the fit of JKR, `wanted` and `warnings`
-//! the doubts. `forecast` tells the errors of a planned experiment. `result` holds what comes out.
+//! `profile` intervals without linearisation, `without_film` the fit of JKR, `wanted` and
+//! `warnings` the doubts. `forecast` tells the errors of a planned experiment. `result` holds what
+//! comes out.
 
 mod forecast;
 mod jkr;

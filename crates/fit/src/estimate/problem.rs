@@ -12,9 +12,11 @@ use super::slot::Slot;
 use crate::model::Predicted;
 use crate::{Bodies, Branch, Experiment, Loss, Parameter};
 
-/// The residuals at parameters without a contact, such as those outside the table. They are so large
-/// that the method rejects the step.
+/// The residuals at parameters without a contact, such as those outside the table. They are so
+/// large that the method rejects the step.
 const REFUSED: f64 = 1e100;
+/// The numbers from which on sums of squares overflow.
+pub(super) const LARGEST: f64 = 1e150;
 
 /// An experiment with the branches of its points.
 #[derive(Clone, Debug)]
@@ -187,11 +189,12 @@ impl<'a> Problem<'a> {
             let prior = of.prior?;
             Some((self.value(slot) - prior.mean) / prior.width)
         }));
-        let all_finite = residuals.iter().all(|residual| residual.is_finite());
+        let all_finite = residuals.iter().all(|residual| residual.abs() < LARGEST);
         all_finite.then(|| DVector::from_vec(residuals))
     }
 
-    /// Returns the derivatives of [`Self::plain_residuals`] with respect to the values of the slots.
+    /// Returns the derivatives of [`Self::plain_residuals`] with respect to the values of the
+    /// slots.
     pub fn plain_jacobian(&self) -> Option<DMatrix<f64>> {
         let rows = self.rows().count();
         let priors = self
@@ -225,7 +228,7 @@ impl<'a> Problem<'a> {
                 row += 1;
             }
         }
-        let all_finite = jacobian.iter().all(|derivative| derivative.is_finite());
+        let all_finite = jacobian.iter().all(|derivative| derivative.abs() < LARGEST);
         all_finite.then_some(jacobian)
     }
 
@@ -242,7 +245,8 @@ impl<'a> Problem<'a> {
         Some((jacobian, sizes))
     }
 
-    /// Returns the problem without a slot, at a fixed value of it; `None` if it has no contact there.
+    /// Returns the problem without a slot, at a fixed value of it; `None` if it has no contact
+    /// there.
     pub fn with_fixed(&self, slot: usize, value: f64) -> Option<Self> {
         let mut fixed = self.clone();
         let removed = fixed.slots.remove(slot);

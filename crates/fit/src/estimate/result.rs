@@ -59,8 +59,8 @@ pub struct Estimate {
     /// The standard error, in SI units, from the derivatives of the model at the minimum.
     pub standard_error: f64,
     /// The interval at [`Options::profile_level`](crate::Options::profile_level), if asked for. An
-    /// end is infinite, or 0 for a positive parameter, where the data set no limit within 20 times as
-    /// many standard errors, and NaN where a fit of the other values failed on the way.
+    /// end is infinite, or 0 for a positive parameter, where the data set no limit within 20 times
+    /// as many standard errors, and NaN where a fit of the other values failed on the way.
     pub profile: Option<[f64; 2]>,
 }
 
@@ -121,8 +121,8 @@ impl FittedPoint {
 
 /// The same data, fitted without the film by JKR, or by Hertz without adhesion.
 ///
-/// If the modulus of the sphere is free, the sphere is taken to touch the bare substrate. Otherwise,
-/// if the modulus of the film is free, it is taken to touch a half-space of film.
+/// If the modulus of the sphere is free, the sphere is taken to touch the bare substrate.
+/// Otherwise, if the modulus of the film is free, it is taken to touch a half-space of film.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WithoutFilm {
     /// The parameters found.

@@ -214,8 +214,8 @@ fn is_rival(one: &Problem<'_>, other: &Problem<'_>) -> bool {
     far && (one.misfit() - other.misfit()).abs() < SAME
 }
 
-/// Estimates the noise where it is not known, and lets the points count that are clear of the end of
-/// their branch, until neither changes.
+/// Estimates the noise where it is not known, and lets the points count that are clear of the end
+/// of their branch, until neither changes.
 fn settle<'a>(
     mut problem: Problem<'a>,
     mut ending: Ending,
@@ -271,8 +271,8 @@ fn settle<'a>(
     }
 }
 
-/// Estimates the noise of the experiments in which it is not known. Returns the uncertainty with the
-/// new noise, and whether the noise changed.
+/// Estimates the noise of the experiments in which it is not known. Returns the uncertainty with
+/// the new noise, and whether the noise changed.
 fn estimate_noise(problem: &mut Problem<'_>, uncertainty: Uncertainty) -> (Uncertainty, bool) {
     let Some(mut residuals) = problem.plain_residuals() else {
         return (uncertainty, false);

@@ -214,8 +214,8 @@ pub(crate) fn slots(experiments: &[Experiment], free: &[Free]) -> Result<Vec<Slo
                             ),
                             value: other,
                             allowed: format!(
-                                "{start:?}, that of {}, because one value is fitted for all: give one \
-                                 start, or fit a value for each",
+                                "{start:?}, that of {}, because one value is fitted for all: give \
+                                 one start, or fit a value for each",
                                 experiments[first].measurement.name
                             ),
                         });

@@ -23,8 +23,9 @@ const OUTLIER: f64 = 5.0;
 /// adhesion, thickness and stiffness are varied by their logarithms. The start comes from straight
 /// lines through the data without the film; where it ends in a bad minimum, other starts are tried.
 ///
-/// Points whose force lies within 4 standard errors of the end of their branch are left out, because
-/// there it depends on the parameters in no linear way, and standard errors would be too small.
+/// Points whose force lies within 4 standard errors of the end of their branch are left out,
+/// because there it depends on the parameters in no linear way, and standard errors would be too
+/// small.
 ///
 /// The fit is deterministic and uses one thread. The curves of a map can be fitted side by side:
 /// threads may share the `table`.

@@ -24,8 +24,8 @@ pub(crate) struct Uncertainty {
     pub jacobian: DMatrix<f64>,
     /// The share of each residual that the fit follows, `diag J (J^T J)^-1 J^T`.
     pub leverages: Vec<f64>,
-    /// The growth of the loss, as a number of standard deviations, at one standard error: 1 of least
-    /// squares.
+    /// The growth of the loss, as a number of standard deviations, at one standard error: 1 of
+    /// least squares.
     pub growth: f64,
     /// The columns of the Jacobian made orthonormal.
     orthonormal: DMatrix<f64>,

@@ -16,7 +16,8 @@ use crate::{Branch, Direction, Loss, Parameter, WarningKind};
 const LEFT: f64 = 1e-3;
 /// The fewest points of each way for which one work of adhesion is doubted.
 const FEWEST: usize = 5;
-/// The kurtosis less 3 below which the residuals are of two kinds. It is 0 of a normal distribution,
+/// The kurtosis less 3 below which the residuals are of two kinds. It is 0 of a normal
+/// distribution,
 /// -1.2 of a uniform one, and -2 of two values. It is not looked at below [`MANY`] points.
 const TWO_KINDS: f64 = -1.2;
 const MANY: usize = 50;
@@ -38,29 +39,40 @@ pub(super) fn add(
                 .iter()
                 .any(|&slot| problem.slots[slot].parameter == parameter)
         };
-        let zeros = [
+        let is_wanted = |parameter: &Parameter| {
+            !is_fitted(*parameter) && experiment.why_without_effect(*parameter).is_none()
+        };
+        let mut parameters: Vec<Parameter> = [
             Parameter::LoadOffset,
             Parameter::ContactPoint,
             Parameter::Baseline,
             Parameter::BaselineSlope,
-        ];
+        ]
+        .into_iter()
+        .filter(is_wanted)
+        .collect();
+        let has_one_work = !is_fitted(Parameter::WorkOfAdhesionReceding);
+        if has_one_work {
+            parameters.push(Parameter::WorkOfAdhesion);
+        }
+        let Some(columns) = Columns::new(problem, e, parameters) else {
+            continue;
+        };
         let mut level_named = false;
-        for parameter in zeros {
-            let one_level = matches!(parameter, Parameter::LoadOffset | Parameter::Baseline);
-            let has_no_effect = experiment.why_without_effect(parameter).is_some();
-            if is_fitted(parameter) || has_no_effect || (one_level && level_named) {
+        for &parameter in &columns.parameters {
+            let is_level = matches!(parameter, Parameter::LoadOffset | Parameter::Baseline);
+            if parameter == Parameter::WorkOfAdhesion || (is_level && level_named) {
                 continue;
             }
-            let Some(column) = column(problem, e, parameter, |_| true) else {
-                continue;
-            };
-            if let Some(gain) = score.gain(&column).filter(Gain::is_significant) {
-                level_named |= one_level;
+            let gain = columns.of(parameter, |_| true);
+            let gain = gain.and_then(|column| score.gain(&column));
+            if let Some(gain) = gain.filter(Gain::is_significant) {
+                level_named |= is_level;
                 warnings.add(
                     WarningKind::OffsetWanted,
                     format!(
-                        "{name}: {parameter} is not fitted, but the data want it: it would lower chi^2 \
-                         by {:.0}, and be {:+.2e} {}; free it",
+                        "{name}: {parameter} is not fitted, but the data want it: it would lower \
+                         chi^2 by {:.0}, and be {:+.2e} {}; free it",
                         gain.chi_squared,
                         gain.change,
                         parameter.unit()
@@ -68,8 +80,8 @@ pub(super) fn add(
                 );
             }
         }
-        if !is_fitted(Parameter::WorkOfAdhesionReceding) {
-            mixed(warnings, problem, e, &score, residuals);
+        if has_one_work {
+            mixed(warnings, problem, e, (&score, &columns), residuals);
         }
     }
 }
@@ -79,7 +91,7 @@ fn mixed(
     warnings: &mut Warnings,
     problem: &Problem<'_>,
     e: usize,
-    score: &Score<'_>,
+    (score, columns): (&Score<'_>, &Columns<'_>),
     residuals: &DVector<f64>,
 ) {
     let assigned = &problem.assigned[e];
@@ -102,18 +114,18 @@ fn mixed(
             .filter(|&i| unloads(i) == way)
             .count()
     });
-    let advice = "fit each direction with a work of adhesion of its own (work-of-adhesion-receding), \
-                  or one direction alone";
+    let advice = "fit each direction with a work of adhesion of its own \
+                  (work-of-adhesion-receding), or one direction alone";
     if ways.iter().all(|&count| count >= FEWEST)
         && assigned.experiment.work_of_adhesion > 0.0
-        && let Some(column) = column(problem, e, Parameter::WorkOfAdhesion, unloads)
+        && let Some(column) = columns.of(Parameter::WorkOfAdhesion, unloads)
         && let Some(gain) = score.gain(&column).filter(Gain::is_significant)
     {
         warnings.add(
             WarningKind::MixedBranches,
             format!(
-                "{name}: loading and unloading do not have one work of adhesion: two would lower chi^2 \
-                 by {:.0}, and be {:.2e} J/m^2 apart; {advice}",
+                "{name}: loading and unloading do not have one work of adhesion: two would lower \
+                 chi^2 by {:.0}, and be {:.2e} J/m^2 apart; {advice}",
                 gain.chi_squared,
                 gain.change.abs()
             ),
@@ -137,28 +149,44 @@ fn mixed(
     }
 }
 
-/// Returns the derivatives of the residuals with respect to a parameter of one experiment, at the
-/// points chosen.
-fn column(
-    problem: &Problem<'_>,
-    e: usize,
-    parameter: Parameter,
-    chosen: impl Fn(usize) -> bool,
-) -> Option<DVector<f64>> {
-    let predicted = problem.predict(e, Some(&[parameter])).ok()?;
-    let priors = problem.slots.iter().filter(|slot| slot.prior.is_some());
-    let values = problem.rows().map(|(own, i)| {
-        if own == e && chosen(i) {
-            predicted.derivatives[i] / problem.assigned[e].noise
-        } else {
-            0.0
-        }
-    });
-    let values: Vec<f64> = values.chain(priors.map(|_| 0.0)).collect();
-    values
-        .iter()
-        .all(|value| value.is_finite())
-        .then(|| DVector::from_vec(values))
+/// The derivatives of the residuals with respect to parameters of one experiment.
+struct Columns<'a> {
+    problem: &'a Problem<'a>,
+    experiment: usize,
+    parameters: Vec<Parameter>,
+    /// Point after point.
+    derivatives: Vec<f64>,
+}
+
+impl<'a> Columns<'a> {
+    fn new(problem: &'a Problem<'a>, e: usize, parameters: Vec<Parameter>) -> Option<Self> {
+        let predicted = problem.predict(e, Some(&parameters)).ok()?;
+        Some(Self {
+            problem,
+            experiment: e,
+            parameters,
+            derivatives: predicted.derivatives,
+        })
+    }
+
+    /// Returns the derivatives with respect to a parameter at the points chosen, and 0 elsewhere.
+    fn of(&self, parameter: Parameter, chosen: impl Fn(usize) -> bool) -> Option<DVector<f64>> {
+        let width = self.parameters.len();
+        let k = self.parameters.iter().position(|own| *own == parameter)?;
+        let noise = self.problem.assigned[self.experiment].noise;
+        let values = self.problem.rows().map(|(e, i)| {
+            if e == self.experiment && chosen(i) {
+                self.derivatives[i * width + k] / noise
+            } else {
+                0.0
+            }
+        });
+        let slots = self.problem.slots.iter();
+        let priors = slots.filter(|slot| slot.prior.is_some()).map(|_| 0.0);
+        let values: Vec<f64> = values.chain(priors).collect();
+        let all_finite = values.iter().all(|value| value.is_finite());
+        all_finite.then(|| DVector::from_vec(values))
+    }
 }
 
 /// What a further parameter would gain.

@@ -40,7 +40,8 @@ pub(super) fn warnings(
                 WarningKind::EndOfTable,
                 format!(
                     "the fit ended {:.1} standard errors from the least squares: the table ends \
-                     there, or the model has no contact beyond; fix a parameter or use a larger table",
+                     there, or the model has no contact beyond; fix a parameter or use a larger \
+                     table",
                     uncertainty.short
                 ),
             );
@@ -79,8 +80,8 @@ fn method(warnings: &mut Warnings, fit: &Fit, found: &Minimum<'_>) {
         warnings.add(
             WarningKind::NotConverged,
             format!(
-                "the fit did not converge: it {how} after {} evaluations; free fewer parameters, or \
-                 start from other values",
+                "the fit did not converge: it {how} after {} evaluations; free fewer parameters, \
+                 or start from other values",
                 fit.evaluations
             ),
         );
@@ -95,8 +96,8 @@ fn method(warnings: &mut Warnings, fit: &Fit, found: &Minimum<'_>) {
         warnings.add(
             WarningKind::SeveralMinima,
             format!(
-                "other values fit the data as well, with a chi^2 that differs by less than {SAME}: {}; \
-                 give a prior or fix a parameter",
+                "other values fit the data as well, with a chi^2 that differs by less than {SAME}: \
+                 {}; give a prior or fix a parameter",
                 values.join(", ")
             ),
         );
@@ -118,8 +119,8 @@ fn implausible(warnings: &mut Warnings, estimate: &Estimate) {
         warnings.add(
             WarningKind::Implausible,
             format!(
-                "{parameter} = {:.3e} {unit} is outside {least:e} to {most:e} {unit}: check the units \
-                 of the data",
+                "{parameter} = {:.3e} {unit} is outside {least:e} to {most:e} {unit}: check the \
+                 units of the data",
                 estimate.value
             ),
         );
@@ -173,8 +174,8 @@ fn undetermined(
         warnings.add(
             WarningKind::Undetermined,
             format!(
-                "{parameter} is not determined by these data: its standard error is {size} of {of}, \
-                 above {:.0} %; fix it or give a prior",
+                "{parameter} is not determined by these data: its standard error is {size} of \
+                 {of}, above {:.0} %; fix it or give a prior",
                 1e2 * UNDETERMINED
             ),
         );
@@ -193,8 +194,8 @@ fn undetermined(
             warnings.add(
                 WarningKind::Undetermined,
                 format!(
-                    "the data do not determine {} apart from one another: fix one of them or give a \
-                     prior",
+                    "the data do not determine {} apart from one another: fix one of them or give \
+                     a prior",
                     combination.text
                 ),
             );
@@ -223,9 +224,9 @@ fn film_not_seen(warnings: &mut Warnings, problem: &Problem<'_>, parameter: Para
         warnings.add(
             WarningKind::FilmNotSeen,
             format!(
-                "a/t is from {least:.2e} to {most:.2e}, where these data do not tell {parameter}: a \
-                 film is told from its substrate best by contacts from well below to well above its \
-                 thickness"
+                "a/t is from {least:.2e} to {most:.2e}, where these data do not tell {parameter}: \
+                 a film is told from its substrate best by contacts from well below to well above \
+                 its thickness"
             ),
         );
     }
@@ -272,9 +273,10 @@ fn residuals_of(warnings: &mut Warnings, fit: &Fit, found: &Minimum<'_>, residua
                 warnings.add(
                     WarningKind::StructuredResiduals,
                     format!(
-                        "{name}: the residuals of the branch {:?} follow one another; runs of one sign \
-                         are {missing:.1} standard deviations fewer than by chance. The model or its \
-                         fixed values do not describe the data, or the noise is not independent",
+                        "{name}: the residuals of the branch {:?} follow one another; runs of one \
+                         sign are {missing:.1} standard deviations fewer than by chance. The model \
+                         or its fixed values do not describe the data, or the noise is not \
+                         independent",
                         branch.name()
                     ),
                 );
@@ -329,8 +331,8 @@ fn left_out(
                 warnings.add(
                     WarningKind::LeftOut,
                     format!(
-                        "{}: {} points that are in contact, in lines {first} to {last}, lie beyond the \
-                         end of the fitted branch and were left out",
+                        "{}: {} points that are in contact, in lines {first} to {last}, lie beyond \
+                         the end of the fitted branch and were left out",
                         measurement.name,
                         lost.len()
                     ),
@@ -369,8 +371,8 @@ fn geometry(
         warnings.add(
             WarningKind::Implausible,
             format!(
-                "{name}: no contact radius is above {a:.1e} m, and those below {SMALLEST_RADIUS:e} m \
-                 are smaller than atoms: check the units of the data"
+                "{name}: no contact radius is above {a:.1e} m, and those below {SMALLEST_RADIUS:e} \
+                 m are smaller than atoms: check the units of the data"
             ),
         );
     }
@@ -389,8 +391,8 @@ fn geometry(
         warnings.add(
             WarningKind::LargeStrain,
             format!(
-                "{name}: the film is compressed by up to {:.0} % of its thickness; above {:.0} % its \
-                 elasticity is not linear",
+                "{name}: the film is compressed by up to {:.0} % of its thickness; above {:.0} % \
+                 its elasticity is not linear",
                 1e2 * strain,
                 1e2 * SMALL_STRAIN
             ),
@@ -407,9 +409,9 @@ fn geometry(
             warnings.add(
                 WarningKind::LongRange,
                 format!(
-                    "{name}: with {parameter} = {w:.2e} J/m^2 and an attraction over {:.1e} m Tabor's \
-                     parameter is {:.2}, below {}: the attraction acts outside the contact, too, and \
-                     the model does not hold",
+                    "{name}: with {parameter} = {w:.2e} J/m^2 and an attraction over {:.1e} m \
+                     Tabor's parameter is {:.2}, below {}: the attraction acts outside the \
+                     contact, too, and the model does not hold",
                     options.interaction_range,
                     range.tabor,
                     AdhesionRange::JKR

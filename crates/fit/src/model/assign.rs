@@ -13,8 +13,8 @@ const SIGNIFICANT: f64 = 6.0;
 const NEAR: f64 = 5.0;
 /// The part of the last points of a segment from which a baseline without a jump is read.
 const TAIL: f64 = 0.2;
-/// The radii of a retract above this part of the largest radius of the approach may belong to a line
-/// that does not move.
+/// The radii of a retract above this part of the largest radius of the approach may belong to a
+/// line that does not move.
 const PINNED: f64 = 0.98;
 /// The part of the steps of a way that go in its direction, if its points come in order.
 const IN_ORDER: f64 = 0.6;
@@ -47,8 +47,8 @@ impl Experiment {
     /// Accepts the points and reads their branches.
     ///
     /// At contact radii all points are in contact, except those with a radius of 0. Of a retract
-    /// with a work of adhesion of its own, the points within 2 % of the largest radius are left out,
-    /// because their line may not have moved yet.
+    /// with a work of adhesion of its own, the points within 2 % of the largest radius are left
+    /// out, because their line may not have moved yet.
     ///
     /// Against penetrations or heights each segment is read from its largest contact on. If it has
     /// a jump to the baseline, larger than 6 times the noise, the points before the jump are in

@@ -15,9 +15,9 @@ pub struct Free {
     /// others are given. Other parameters have none, but moduli, thickness, works of adhesion and
     /// stiffness stay positive.
     ///
-    /// Within bounds `[l, u]` the fit varies an angle `y` with `x = l + (u - l) (1 + sin y)/2`, where
-    /// `x` is the parameter or, if it is positive, its logarithm. The standard errors are those of
-    /// the parameter itself.
+    /// Within bounds `[l, u]` the fit varies an angle `y` with `x = l + (u - l) (1 + sin y)/2`,
+    /// where `x` is the parameter or, if it is positive, its logarithm. The standard errors are
+    /// those of the parameter itself.
     pub bounds: Option<[f64; 2]>,
     /// What is known of the value from elsewhere.
     pub prior: Option<Prior>,

@@ -2,8 +2,9 @@
 //!
 //! `measurement` holds the points, `parameter` the numbers that can be fitted, `experiment` the
 //! points with all that is known about them, `free` what is to be found and how. `assign` reads the
-//! `branch` of each point from the data. `predict` compares the points with the contact of `interp`,
-//! `simulate` makes synthetic ones.
+//! `branch` of each point from the data. `predict` compares the points with the contact of
+//! `interp`, through `readings` and, under adhesion hysteresis, `turn`; `simulate` makes synthetic
+//! points.
 
 mod assign;
 mod branch;
@@ -12,7 +13,9 @@ mod free;
 mod measurement;
 mod parameter;
 mod predict;
+mod readings;
 mod simulate;
+mod turn;
 
 pub(crate) use assign::{Assignment, Freedom};
 pub use branch::Branch;

@@ -1,4 +1,5 @@
-//! The states of one branch at many imposed values, with their derivatives at a fixed imposed value.
+//! The states of one branch at many imposed values, with their derivatives at a fixed imposed
+//! value.
 
 use super::checks::finite_result;
 use super::equilibria::Section;
@@ -22,10 +23,10 @@ impl Equilibria<'_> {
     /// Writes into `states` the stable state at each `imposed` value, in their order.
     ///
     /// The states are those of [`Equilibria::loading`] or [`Equilibria::unloading`], to rounding:
-    /// contact radii to 1e-12, except at the end of a branch, where the radius has an infinite slope
-    /// and half as many digits. Each search starts from the state before it: on values in ascending
-    /// or descending order it takes one or two evaluations of the curve, on values in no order
-    /// about ten.
+    /// contact radii to 1e-12, except at the end of a branch, where the radius has an infinite
+    /// slope and half as many digits. Each search starts from the state before it: on values in
+    /// ascending or descending order it takes one or two evaluations of the curve, on values in no
+    /// order about ten.
     ///
     /// ```
     /// # fn main() -> Result<(), interp::Error> {
@@ -64,12 +65,12 @@ impl Equilibria<'_> {
     /// `1 + inputs.len()` for each.
     ///
     /// By the theorem on implicit functions the derivative of the load at a fixed imposed value `v`
-    /// is `F_p - F_a v_p/v_a`, with partial derivatives with respect to the input `p` and the contact
-    /// radius `a`. The derivative with respect to the stiffness `k` of a spring is `F/k^2` times
-    /// that with respect to the position.
+    /// is `F_p - F_a v_p/v_a`, with partial derivatives with respect to the input `p` and the
+    /// contact radius `a`. The derivative with respect to the stiffness `k` of a spring is `F/k^2`
+    /// times that with respect to the position.
     ///
-    /// Without adhesion the derivatives at an imposed value of 0 are 0, and so are those with respect
-    /// to the work of adhesion everywhere.
+    /// Without adhesion the derivatives at an imposed value of 0 are 0, and so are those with
+    /// respect to the work of adhesion everywhere.
     ///
     /// # Errors
     /// As [`Equilibria::branch`], [`Contact::gradient`](crate::Contact::gradient) and
@@ -219,8 +220,8 @@ impl<'a> Follower<'a> {
         Ok(found)
     }
 
-    /// Returns the state at an imposed value by Newton's method from the last state; `None` if there
-    /// is no last state on the section, or if the method leaves the section or is slow.
+    /// Returns the state at an imposed value by Newton's method from the last state; `None` if
+    /// there is no last state on the section, or if the method leaves the section or is slow.
     fn near_the_last(&mut self, imposed: f64) -> Result<Option<State>, Error> {
         let Some(last) = self.last else {
             return Ok(None);
@@ -240,8 +241,8 @@ impl<'a> Follower<'a> {
         }
         let change = imposed - last.imposed;
         let mut u = last.u + change * (last.speed + 0.5 * change * last.acceleration);
-        // Newton's error after a step `s` is `s^2 v''/(2 v')`, that is `s^2 u''/(2 u'^2)`; four times
-        // that is safe, and 4 s^2 for powers.
+        // Newton's error after a step `s` is `s^2 v''/(2 v')`, that is `s^2 u''/(2 u'^2)`; four
+        // times that is safe, and 4 s^2 for powers.
         let bend = 4.0 * (1.0 + (0.5 * last.acceleration / (last.speed * last.speed)).abs());
         let mut before = f64::INFINITY;
         for _ in 0..MOST_STEPS {
