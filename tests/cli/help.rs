@@ -1,14 +1,13 @@
 //! Help, examples, usage and exit status; completions and man pages.
 
-use std::fs;
-use std::path::Path;
-
 use acceptance::{Workdir, assert_names, workdir};
+
+use crate::copy_folders;
 
 #[test]
 fn the_help_of_every_command_has_its_arguments_and_the_program_says_whose_modulus() {
     let workdir = workdir!();
-    let commands: [(&str, &[&str]); 9] = [
+    let commands: [(&str, &[&str]); 11] = [
         (
             "generate",
             &[
@@ -52,6 +51,27 @@ fn the_help_of_every_command_has_its_arguments_and_the_program_says_whose_modulu
                 "-o",
                 "--output",
             ],
+        ),
+        (
+            "fit",
+            &[
+                "DATA",
+                "--kind",
+                "--free",
+                "--stiffness",
+                "--robust",
+                "--noise",
+                "--json",
+                "--csv",
+                "--plot",
+                "--column",
+                "--sphere-modulus",
+                "--film-thickness",
+            ],
+        ),
+        (
+            "simulate",
+            &["--kind", "--noise", "--seed", "--from", "--to", "--expect"],
         ),
         ("info", &["TABLE"]),
         ("cost", &["solve"]),
@@ -263,17 +283,7 @@ fn every_help_shows_examples_and_names_moduli_with_the_star() {
 #[test]
 fn the_examples_work_when_pasted_at_the_root_of_the_repository() {
     let workdir = workdir!();
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-    for folder in ["tables", "tables/figures"] {
-        fs::create_dir_all(workdir.path(folder)).expect("made");
-        for entry in fs::read_dir(root.join(folder)).expect("it is there") {
-            let path = entry.expect("an entry").path();
-            if path.is_file() {
-                let name = path.file_name().expect("a name");
-                fs::copy(&path, workdir.path(folder).join(name)).expect("copied");
-            }
-        }
-    }
+    copy_folders(&workdir, &["tables", "tables/figures", "crates/fit/data"]);
     let helps = helps(&workdir);
     let mut left: Vec<&str> = helps.iter().flat_map(|(_, text)| examples(text)).collect();
     left.sort_unstable();

@@ -2,6 +2,7 @@
 
 #![forbid(unsafe_code)]
 
+mod afm_curves;
 mod cost;
 mod cost_effects;
 mod cost_lookup;
@@ -9,6 +10,7 @@ mod cost_solve;
 mod cost_table;
 mod curve;
 mod embedded;
+mod fit;
 mod help;
 mod hostile_text;
 mod info;
@@ -19,9 +21,13 @@ mod plan;
 mod plot;
 mod points;
 mod readme;
+mod simulate;
 mod streams;
 
-use acceptance::shipped;
+use std::fs;
+use std::path::Path;
+
+use acceptance::{Workdir, shipped};
 use interp::Material;
 use tabulate::solve::{Solution, solve};
 
@@ -47,4 +53,19 @@ fn paper_table() -> String {
         .to_str()
         .expect("a path in UTF-8")
         .to_owned()
+}
+
+/// Copies the files of folders of the repository to the same places in a work folder.
+fn copy_folders(workdir: &Workdir, folders: &[&str]) {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    for folder in folders {
+        fs::create_dir_all(workdir.path(folder)).expect("made");
+        for entry in fs::read_dir(root.join(folder)).expect("it is there") {
+            let path = entry.expect("an entry").path();
+            if path.is_file() {
+                let name = path.file_name().expect("a name");
+                fs::copy(&path, workdir.path(folder).join(name)).expect("copied");
+            }
+        }
+    }
 }

@@ -3,6 +3,8 @@
 
 use interp::Table;
 
+use crate::copy_folders;
+
 fn read(path: &str) -> String {
     let path = format!("{}/../{path}", env!("CARGO_MANIFEST_DIR"));
     std::fs::read_to_string(&path).unwrap_or_else(|e| panic!("{path}: {e}"))
@@ -20,6 +22,7 @@ fn shows_the_examples() {
             "crates/tabulate/examples/curve.rs",
             "crates/tabulate/README.md",
         ),
+        ("crates/fit/examples/file.rs", "crates/fit/EXPERIMENTS.md"),
     ] {
         let example = read(path);
         let program = example
@@ -99,4 +102,29 @@ fn quotes_the_certificates_of_the_shipped_tables() {
             );
         }
     }
+}
+
+/// Every command of the page about fits, with its output if it is shown.
+#[test]
+fn the_commands_of_the_fits_print_what_is_shown() {
+    let readme = read("crates/fit/EXPERIMENTS.md");
+    let workdir = acceptance::workdir!();
+    copy_folders(&workdir, &["crates/fit/data"]);
+    let mut shown = 0;
+    for block in readme.split("\n\n    tabulate ").skip(1) {
+        let (command, rest) = block.split_once("\n\n").expect("the block ends");
+        let words = command.split_whitespace().filter(|word| *word != "\\");
+        let arguments: Vec<&str> = words.collect();
+        let run = workdir.run(&arguments);
+        assert!(
+            run.status == 0 && run.stderr.is_empty(),
+            "{command}: {run:?}"
+        );
+        if let Some(rest) = rest.strip_prefix("```text\n") {
+            let (output, _) = rest.split_once("```").expect("the output ends");
+            assert_eq!(output, run.stdout, "{command}");
+            shown += 1;
+        }
+    }
+    assert_eq!(shown, 5);
 }

@@ -1,11 +1,11 @@
-//! Contacts in SI units: loads, equilibria, derivatives, moving contact lines, and fits.
+//! Contacts in SI units: loads, equilibria, derivatives, and moving contact lines.
 
 #![forbid(unsafe_code)]
 
+mod branch;
 mod contact;
 mod crack_tip;
 mod equilibria;
-mod fit;
 mod gradient;
 mod half_space;
 mod sphere_radius;

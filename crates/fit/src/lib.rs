@@ -1,7 +1,72 @@
 //! Moduli and work of adhesion from measured contacts of a sphere on a coated substrate.
+//!
+//! An [`Experiment`] is a [`Measurement`] with what is known about it: the bodies, the work of
+//! adhesion, the zeros of the instrument. [`fit`] finds the parameters that are [`Free`], by
+//! Levenberg and Marquardt's method with the exact derivatives of the crate `interp`, and returns a
+//! [`Fit`]: estimates with standard errors, what the data do not determine, the same data without
+//! the film, and warnings. All units are SI. Loads are positive in compression.
+//!
+//! ```
+//! use fit::{Bodies, Experiment, Free, Kind, Measurement, Options, Parameter, Point};
+//! use interp::{Elastic, System, Table};
+//!
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! let system = System {
+//!     sphere_radius: 1e-3,
+//!     sphere_modulus: 2e6,
+//!     film: Elastic::new(3.5e6, 0.5)?,
+//!     film_thickness: 1e-5,
+//!     substrate: Elastic::new(2e11, 0.25)?,
+//! };
+//! // Contact radii (m) and loads (N). A real program reads them from a file.
+//! let loads = [-1.909e-4, -1.016e-4, 3.12e-4, 1.179e-3];
+//! let point = |i: usize| Point {
+//!     line: i as u64 + 1,
+//!     abscissa: [40e-6, 60e-6, 80e-6, 100e-6][i],
+//!     ordinate: loads[i],
+//!     direction: None,
+//! };
+//! let measurement = Measurement {
+//!     name: "lens.csv".into(),
+//!     kind: Kind::LoadRadius,
+//!     points: (0..4).map(point).collect(),
+//! };
+//! let experiment = Experiment::new(measurement, Bodies::Coated(system));
+//! let free = [Free::new(Parameter::SphereModulus), Free::new(Parameter::WorkOfAdhesion)];
+//! let found = fit::fit(Table::embedded(), &[experiment], &free, &Options::default())?;
+//! let modulus = found.estimate(Parameter::SphereModulus).expect("it is free");
+//! assert!((modulus.value / 2e6 - 1.0).abs() < 0.02);
+//! # Ok(()) }
+//! ```
+//!
+//! # What is measured and what is fitted
+//!
+//! The ordinates have the noise; the abscissae are taken as exact.
+//!
+//! | [`Kind`] | ordinate |
+//! |---|---|
+//! | `LoadRadius` | `F(a) + load offset` |
+//! | `PenetrationRadius` | `delta(a) + contact point` |
+//! | `LoadPenetration` | `F + load offset + baseline + slope (x - contact point)` at the penetration `x - contact point` |
+//! | `ForceHeight` | `F + load offset + baseline + slope (x - contact point)` at `contact point - x = delta + F/k` |
+//!
+//! `F` is 0 where the data show no contact. Which points are in contact is read from the data, not
+//! from the model: see [`Branch`].
 
 #![forbid(unsafe_code)]
 
-mod measurement;
+pub mod data;
+mod error;
+mod estimate;
+mod model;
+mod statistics;
 
-pub use measurement::{Direction, Kind, Measurement, Point};
+pub use error::Error;
+pub use estimate::{
+    Combination, Estimate, Fit, FittedExperiment, FittedPoint, Forecast, ModulusBias, Warning,
+    WarningKind, WithoutFilm, fit, forecast,
+};
+pub use model::{
+    Bodies, Branch, Direction, Experiment, Free, Kind, Loss, Measurement, Options, Parameter,
+    Point, Prior, Scope, simulate,
+};

@@ -4,7 +4,10 @@
 use std::hint::black_box;
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use interp::{Curve, Elastic, Material, Parameter, Quantity, System, Table};
+use interp::{
+    Branch, Control, Curve, Derivatives, Elastic, Input, Material, Parameter, Quantity, State,
+    System, Table,
+};
 use splines::{Interpolation, Key, Spline};
 
 fn lookup(criterion: &mut Criterion) {
@@ -101,6 +104,35 @@ fn lookup(criterion: &mut Criterion) {
         .expect("in the table");
     criterion.bench_function("load and penetration with nine derivatives each", |b| {
         b.iter(|| contact.gradient(black_box(1e-7 * point() + 1e-6), black_box(0.04)))
+    });
+    let equilibria = contact
+        .equilibria(0.04, Control::Displacement)
+        .expect("the table goes on to 0");
+    let penetrations: Vec<f64> = (0..300).map(|i| 1e-8 * f64::from(i)).collect();
+    let mut states = [State::ORIGIN; 300];
+    criterion.bench_function("300 states on a branch", |b| {
+        b.iter(|| equilibria.branch(black_box(&penetrations), Branch::Unloading, &mut states))
+    });
+    let inputs = [
+        Input::SphereModulus,
+        Input::FilmModulus,
+        Input::WorkOfAdhesion,
+    ];
+    let none = Derivatives {
+        load: 0.0,
+        penetration: 0.0,
+    };
+    let mut derivatives = [none; 1200];
+    criterion.bench_function("300 states on a branch with four derivatives each", |b| {
+        b.iter(|| {
+            equilibria.branch_with_gradient(
+                black_box(&penetrations),
+                Branch::Unloading,
+                &inputs,
+                &mut states,
+                &mut derivatives,
+            )
+        })
     });
 }
 

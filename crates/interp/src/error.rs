@@ -340,7 +340,7 @@ impl Error {
     }
 
     /// Returns [`Error::InvalidArgument`] unless there are as many values to write as points.
-    pub(crate) fn same_length(points: &[f64], values: &[f64]) -> Result<(), Self> {
+    pub(crate) fn same_length<P, V>(points: &[P], values: &[V]) -> Result<(), Self> {
         if points.len() == values.len() {
             return Ok(());
         }

@@ -62,6 +62,8 @@
 //! * At a load, a penetration or a position of a spring ([`Control`]): [`Contact::equilibria`]
 //!   finds the contacts and their stability, whole force-displacement curves with their jumps
 //!   ([`Equilibria::force_displacement`]), [`Contact::pull_off`] and [`Contact::zero_load`].
+//!   [`Equilibria::branch`] finds the states at many values, [`Equilibria::branch_with_gradient`] with
+//!   derivatives at fixed imposed values.
 //! * From any two measured values, without a work of adhesion:
 //!   [`Contact::energy_release_rate_at_load`], [`Contact::energy_release_rate_at_penetration`] and
 //!   [`Contact::radius_and_energy_release_rate`].
@@ -104,9 +106,9 @@ mod table;
 #[cfg(feature = "dynamics")]
 pub use contact::TimedState;
 pub use contact::{AdhesionRange, FilmValidity, Validity};
+pub use contact::{Branch, Control, Equilibria, Equilibrium, ForceDisplacement, Jump};
 pub use contact::{Contact, ContactGradient, Derivatives, Input, State};
 pub use contact::{ContactLine, CrackTip, Hysteresis, RateDependent};
-pub use contact::{Control, Equilibria, Equilibrium, ForceDisplacement, Jump};
 pub use contact::{FilmBias, JkrFit, JkrPoint, Mechanics};
 pub use curve::{Curve, QuantityGradient, bspline};
 pub use error::Error;

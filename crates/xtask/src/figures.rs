@@ -3,7 +3,8 @@
 //!
 //! `tables/figures/` holds all figures, and the rows of each `tabulate cost` as CSV. The Markdown
 //! files quote the summaries of these rows between `<!-- tabulate cost NAME -->` and
-//! `<!-- end -->`.
+//! `<!-- end -->`. `crates/fit/data` and `crates/fit/figures` hold synthetic measurements and the
+//! figures of their fits.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -30,6 +31,36 @@ const FIGURES: [(&str, Option<&str>); 9] = [
     ("effects", Some("effects")),
 ];
 
+/// The measurements of `crates/fit/EXPERIMENTS.md`: the name of data and figure, the arguments of
+/// `tabulate simulate` and those of `tabulate fit`.
+const FITS: [(&str, &str, &str); 3] = [
+    (
+        "lens",
+        "--kind load-radius --film-thickness 3e-5 --from 4.2e-5 --to 1.3e-4 --noise 2e-6 \
+         --value load-offset=3e-5 --seed 1",
+        "--film-thickness 3e-5 --noise 2e-6 --free sphere-modulus,work-of-adhesion,load-offset",
+    ),
+    (
+        "gel",
+        "--kind force-height --sphere-radius 1e-5 --sphere-modulus inf --film-thickness 2e-5 \
+         --film-modulus 5e3 --substrate-modulus 7e10 --work-of-adhesion 5e-5 --stiffness 0.1 \
+         --from 1e-6 --to -2e-7 --points 120 --noise 5e-11 --value contact-point=2e-7 \
+         --value baseline=1e-9 --seed 1",
+        "--sphere-radius 1e-5 --sphere-modulus inf --film-thickness 2e-5 --substrate-modulus 7e10 \
+         --stiffness 0.1",
+    ),
+    (
+        "coating",
+        "--kind load-penetration --sphere-radius 1e-5 --sphere-modulus inf --film-thickness 5e-7 \
+         --film-modulus 7e10 --film-poisson-ratio 0.2 --substrate-modulus 2.4e9 \
+         --substrate-poisson-ratio 0.38 --work-of-adhesion 0 --segments approach --from -2e-8 \
+         --to 4e-8 --points 61 --noise 2e-7 --value contact-point=3e-9 --seed 1",
+        "--sphere-radius 1e-5 --sphere-modulus inf --film-thickness 5e-7 --film-poisson-ratio 0.2 \
+         --substrate-modulus 2.4e9 --substrate-poisson-ratio 0.38 --work-of-adhesion 0 \
+         --free film-modulus,contact-point",
+    ),
+];
+
 /// The files that quote measurements. A file without a quotation stays as it is.
 const DOCUMENTS: [&str; 2] = ["crates/tabulate/COST.md", "tables/README.md"];
 const END: &str = "<!-- end -->\n";
@@ -37,6 +68,9 @@ const END: &str = "<!-- end -->\n";
 /// The largest difference of a coordinate between two drawings of one figure, in tenths of a pixel:
 /// processors round differently.
 const ROUNDING: f64 = 1.5;
+
+/// The largest difference of a number between two simulations of one measurement, in SI units.
+const LAST_DIGITS: f64 = 1e-15;
 
 /// Measures, draws and quotes everything anew.
 pub fn figures() -> Result<(), String> {
@@ -48,11 +82,15 @@ pub fn figures() -> Result<(), String> {
     for (figure, cost) in FIGURES {
         draw(figure, cost, &name(&folder, figure, "svg"))?;
     }
+    for (stem, simulate, fit) in FITS {
+        let [data, figure] = fit_files(stem);
+        write(&data, &simulated(simulate)?)?;
+        draw_fit(fit, &data, &figure)?;
+    }
     for document in DOCUMENTS {
         let path = workspace::root().join(document);
         let text = read(&path)?;
-        fs::write(&path, quoted(&text)?)
-            .map_err(|e| format!("cannot write {}: {e}", path.display()))?;
+        write(&path, &quoted(&text)?)?;
     }
     Ok(())
 }
@@ -82,13 +120,55 @@ pub fn check() -> Result<(), String> {
     for (figure, cost) in FIGURES {
         let (before, now) = (name(&folder, figure, "svg"), name(&drawn, figure, "svg"));
         draw(figure, cost, &now)?;
-        if !alike(&read(Path::new(&before))?, &read(Path::new(&now))?) {
-            return Err(format!(
-                "{before} differs from {now}, which is drawn now; `cargo xtask figures` draws it anew"
-            ));
-        }
+        compare(Path::new(&before), Path::new(&now), ROUNDING)?;
+    }
+    for (stem, simulate, fit) in FITS {
+        let [data, figure] = fit_files(stem);
+        let [new_data, new_figure] =
+            ["csv", "svg"].map(|ending| drawn.join(stem).with_extension(ending));
+        write(&new_data, &simulated(simulate)?)?;
+        compare(&data, &new_data, LAST_DIGITS)?;
+        draw_fit(fit, &data, &new_figure)?;
+        compare(&figure, &new_figure, ROUNDING)?;
     }
     Ok(())
+}
+
+/// Fails where a file of the repository differs from one that is made now.
+fn compare(before: &Path, now: &Path, difference: f64) -> Result<(), String> {
+    if alike(&read(before)?, &read(now)?, difference) {
+        return Ok(());
+    }
+    let (before, now) = (before.display(), now.display());
+    Err(format!(
+        "{before} differs from {now}, which is made now; `cargo xtask figures` makes it anew"
+    ))
+}
+
+/// Returns the data and the figure of a fit.
+fn fit_files(stem: &str) -> [PathBuf; 2] {
+    let folder = workspace::root().join("crates/fit");
+    [
+        folder.join(format!("data/{stem}.csv")),
+        folder.join(format!("figures/{stem}.svg")),
+    ]
+}
+
+/// Returns synthetic data.
+fn simulated(arguments: &str) -> Result<String, String> {
+    let arguments: Vec<&str> = arguments.split_whitespace().collect();
+    tabulate::text(&[&["simulate"], &arguments[..]].concat())
+}
+
+/// Fits data and draws the figure.
+fn draw_fit(arguments: &str, data: &Path, figure: &Path) -> Result<String, String> {
+    let [data, figure] = [data, figure].map(|path| path.display().to_string());
+    let arguments: Vec<&str> = arguments.split_whitespace().collect();
+    tabulate::text(&[&["fit", &data, "--plot", &figure], &arguments[..]].concat())
+}
+
+fn write(path: &Path, text: &str) -> Result<(), String> {
+    fs::write(path, text).map_err(|e| format!("cannot write {}: {e}", path.display()))
 }
 
 fn folder() -> PathBuf {
@@ -140,10 +220,10 @@ fn quoted(text: &str) -> Result<String, String> {
     Ok(quoted + rest)
 }
 
-/// Returns true if two pictures differ by no more than rounding.
-fn alike(a: &str, b: &str) -> bool {
+/// Returns true if two texts differ by no more than their numbers may.
+fn alike(a: &str, b: &str, difference: f64) -> bool {
     let tokens = |text: &str| {
-        text.split([' ', ',', '"', '<', '>'])
+        text.split([' ', ',', '"', '<', '>', '\n'])
             .map(str::to_owned)
             .collect::<Vec<_>>()
     };
@@ -154,6 +234,6 @@ fn alike(a: &str, b: &str) -> bool {
             a == b
                 || number(a)
                     .zip(number(b))
-                    .is_some_and(|(a, b)| (a - b).abs() <= ROUNDING)
+                    .is_some_and(|(a, b)| (a - b).abs() <= difference)
         })
 }

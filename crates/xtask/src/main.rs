@@ -18,6 +18,7 @@ mod workspace;
 
 use std::env;
 use std::io::{Write, stderr, stdout};
+use std::path::PathBuf;
 use std::process::{Command, ExitCode};
 
 const USAGE: &str = "\
@@ -101,8 +102,34 @@ fn test(args: &[String]) -> Result<(), String> {
         .env("H5PY_PATH", python::package("h5py", H5PY)?)
         .env("XARRAY_PATH", python::packages(&XARRAY)?)
         .envs(browser::chromium().map(|path| ("CHROMIUM", path)));
+    match afm_curves() {
+        Ok(paths) => {
+            cargo.envs(paths);
+        }
+        Err(message) => {
+            eprintln!("xtask: {message}\nxtask: the test with measured AFM curves is skipped")
+        }
+    }
     succeed(&mut cargo)
 }
+
+/// Returns the environment of the test that reads measured AFM curves: the package afmformats, which
+/// exports them as columns, and its source, which holds them.
+fn afm_curves() -> Result<[(&'static str, PathBuf); 2], String> {
+    Ok([
+        (
+            "AFMFORMATS_PATH",
+            python::package("afmformats", &format!("=={AFMFORMATS}"))?,
+        ),
+        (
+            "AFMFORMATS_SOURCE",
+            python::source("afmformats", AFMFORMATS)?,
+        ),
+    ])
+}
+
+/// The version of afmformats whose curves are fitted.
+const AFMFORMATS: &str = "0.18.7";
 
 /// The versions of h5py with which the test of the HDF5 file passes.
 const H5PY: &str = ">=3.8,<4";

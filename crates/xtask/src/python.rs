@@ -2,7 +2,7 @@
 //! environment is not changed.
 
 use std::fs;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use crate::workspace;
@@ -16,40 +16,81 @@ pub fn package(name: &str, range: &str) -> Result<PathBuf, String> {
 /// Returns the folder (for `PYTHONPATH`) of packages, each with its versions as pip takes them. The
 /// first call fetches them with pip.
 pub fn packages(requirements: &[&str]) -> Result<PathBuf, String> {
-    let all = requirements.join(" ");
+    fetched(&requirements.join(" "), |folder| {
+        pip("install", "--target", folder, requirements)
+    })
+}
+
+/// Returns the folder of the source distribution of the package `name` at a `version`, unpacked.
+/// The first call fetches it with pip.
+pub fn source(name: &str, version: &str) -> Result<PathBuf, String> {
+    let release = format!("{name}-{version}");
+    let folder = fetched(&format!("source of {release}"), |folder| {
+        let requirement = format!("{name}=={version}");
+        let only = ["--no-deps", "--no-binary", name, &requirement];
+        pip("download", "--dest", folder, &only)?;
+        let archive = folder.join(format!("{release}.tar.gz"));
+        let mut unpack = Command::new("python3");
+        unpack
+            .args(["-m", "tarfile", "-e"])
+            .arg(archive)
+            .arg(folder);
+        run(&mut unpack)
+    })?;
+    Ok(folder.join(release))
+}
+
+/// Returns the folder of `what`, in the tools of the target directory. The first call lets `fill`
+/// fill it.
+fn fetched(what: &str, fill: impl FnOnce(&Path) -> Result<(), String>) -> Result<PathBuf, String> {
     // Each set of packages and versions has a folder of its own.
     let folder = workspace::target()?
         .join("tools")
-        .join(all.replace(|c: char| !c.is_ascii_alphanumeric(), "-"));
+        .join(what.replace(|c: char| !c.is_ascii_alphanumeric(), "-"));
     if folder.exists() {
         return Ok(folder);
     }
-    eprintln!("xtask: fetching {all} from PyPI into {}", folder.display());
+    eprintln!("xtask: fetching {what} from PyPI into {}", folder.display());
     // The folder is renamed when it is complete: an interrupted download is not used later.
     let unfinished = folder.with_extension(format!("partial-{}", std::process::id()));
-    let status = Command::new("python3")
-        .args([
-            "-m",
-            "pip",
-            "install",
-            "--quiet",
-            "--disable-pip-version-check",
-            "--target",
-        ])
-        .arg(&unfinished)
-        .env("PIP_ROOT_USER_ACTION", "ignore")
-        .args(requirements)
-        .status()
-        .map_err(|e| format!("cannot run python3: {e}; install python3 with pip"))?;
-    if !status.success() {
+    if let Err(message) = fill(&unfinished) {
         // Half a package is useless. If it cannot be removed, the error below still tells the user
         // how to proceed.
         let _ = fs::remove_dir_all(&unfinished);
-        return Err(format!(
-            "`python3 -m pip install {all}` failed; it needs python3 with pip (Debian: python3-pip), new enough for these versions, and PyPI within reach"
-        ));
+        return Err(message);
     }
     fs::rename(&unfinished, &folder)
         .map_err(|e| format!("cannot rename {}: {e}", unfinished.display()))?;
     Ok(folder)
+}
+
+/// Lets pip fetch requirements into a folder.
+fn pip(command: &str, into: &str, folder: &Path, arguments: &[&str]) -> Result<(), String> {
+    let mut pip = Command::new("python3");
+    pip.args([
+        "-m",
+        "pip",
+        command,
+        "--quiet",
+        "--disable-pip-version-check",
+    ])
+    .arg(into)
+    .arg(folder)
+    .args(arguments)
+    .env("PIP_ROOT_USER_ACTION", "ignore");
+    run(&mut pip)
+}
+
+/// Runs a command of Python. An error says what it needs.
+fn run(python: &mut Command) -> Result<(), String> {
+    let status = python
+        .status()
+        .map_err(|e| format!("cannot run python3: {e}; install python3 with pip"))?;
+    if status.success() {
+        Ok(())
+    } else {
+        Err(format!(
+            "{python:?} failed; it needs python3 with pip (Debian: python3-pip), new enough for these versions, and PyPI within reach"
+        ))
+    }
 }

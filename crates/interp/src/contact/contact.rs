@@ -262,35 +262,28 @@ impl Contact {
         })
     }
 
-    /// Returns the slopes `dF/d ln a` (N) and `d delta/d ln a` (m) at contact radius `a` (m) and
-    /// constant work of adhesion `w` (J/m^2).
+    /// Returns the state at contact radius `a` (m) and work of adhesion `w` (J/m^2), and the slopes
+    /// `dF/d ln a` (N) and `d delta/d ln a` (m) at constant work of adhesion.
     ///
     /// They are the derivatives of `F = F0 - 4 a g Eeq/Gamma` and
     /// `delta = delta0 - 2 g/(E* Gamma)`, where `g` grows like `a^{1/2}`.
-    pub(super) fn slopes(&self, a: f64, w: f64) -> Result<(f64, f64), Error> {
+    pub(super) fn state_and_slopes(&self, a: f64, w: f64) -> Result<(State, [f64; 2]), Error> {
         let edge = self.mechanics.edge_singularity(a, w)?;
         let (one, zero) = (
             Quantities::homogeneous(1.0),
             Quantities::from_array([0.0; 4]),
         );
         let (values, slopes) = if w == 0.0 {
-            let both = |quantity| {
-                self.evaluate(
-                    a,
-                    |curve, x| Ok((curve.quantity(quantity, x)?, curve.slope(quantity, x)?)),
-                    (one.get(quantity), 0.0),
-                )
+            let of_two = |curve: &Curve, x: f64| {
+                let (values, slopes) = curve.adhesionless_and_slopes(x)?;
+                let two = |of: Quantities, others: Quantities| Quantities {
+                    pi0: of.pi0,
+                    delta0: of.delta0,
+                    ..others
+                };
+                Ok((two(values, one), two(slopes, zero)))
             };
-            let [(pi0, pi0_slope), (delta0, delta0_slope)] =
-                [both(Quantity::Pi0)?, both(Quantity::Delta0)?];
-            (
-                Quantities { pi0, delta0, ..one },
-                Quantities {
-                    pi0: pi0_slope,
-                    delta0: delta0_slope,
-                    ..zero
-                },
-            )
+            self.evaluate(a, of_two, (one, zero))?
         } else {
             self.evaluate(a, Curve::quantities_and_slopes, (one, zero))?
         };
@@ -299,11 +292,17 @@ impl Contact {
         let f0 = self.mechanics.adhesionless_load(a, values.pi0);
         let delta0 = self.mechanics.adhesionless_penetration(a, values.delta0);
         let gamma = relative(Quantity::Gamma);
-        Ok((
+        let state = State {
+            contact_radius: a,
+            load: finite_result(a, load)?,
+            penetration: finite_result(a, penetration)?,
+        };
+        let slopes = [
             f0 * (3.0 + relative(Quantity::Pi0))
                 - (f0 - load) * (1.5 + relative(Quantity::Eeq) - gamma),
             delta0 * (2.0 + relative(Quantity::Delta0)) - (delta0 - penetration) * (0.5 - gamma),
-        ))
+        ];
+        Ok((state, slopes))
     }
 
     /// Evaluates `curve` at the `a/t` of contact radius `a` (m), or returns the constant

@@ -98,7 +98,7 @@ pub(super) struct Section {
 
 impl Section {
     /// Tells whether an imposed value occurs in the section.
-    fn holds(&self, imposed: f64) -> bool {
+    pub(super) fn holds(&self, imposed: f64) -> bool {
         let [first, last] = self.imposed;
         (first.min(last)..=first.max(last)).contains(&imposed)
     }
@@ -140,8 +140,8 @@ impl Contact {
                 .map(|(load, penetration)| control.imposed(load, penetration))
         };
         let slope = |u: f64| {
-            self.slopes(u.exp(), w)
-                .map(|(load, penetration)| control.imposed(load, penetration))
+            self.state_and_slopes(u.exp(), w)
+                .map(|(_, [load, penetration])| control.imposed(load, penetration))
         };
         let grid = self.search_grid()?;
         let (first, last) = (grid[0], grid[grid.len() - 1]);
@@ -354,7 +354,7 @@ impl Equilibria<'_> {
     }
 
     /// Accepts an imposed value unless a stable equilibrium may have a contact radius out of range.
-    fn check(&self, imposed: f64) -> Result<(), Error> {
+    pub(super) fn check(&self, imposed: f64) -> Result<(), Error> {
         finite_input(self.control.name(), imposed)?;
         let [first, last] = self.ends();
         let below =

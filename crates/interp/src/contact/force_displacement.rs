@@ -85,7 +85,7 @@ impl Equilibria<'_> {
                 } else {
                     self.log_radius(section, extreme)?
                 };
-                let branch = self.branch(start, section.u[1].min(u_turn), points)?;
+                let branch = self.states_between(start, section.u[1].min(u_turn), points)?;
                 if !touches_at_once {
                     jumps.push(Jump {
                         from,
@@ -105,7 +105,7 @@ impl Equilibria<'_> {
                 } else {
                     self.log_radius(section, extreme)?
                 };
-                let branch = self.branch(start, section.u[0], points)?;
+                let branch = self.states_between(start, section.u[0], points)?;
                 jumps.extend(last.map(|from| Jump {
                     from,
                     to: Some(branch[0]),
@@ -128,7 +128,7 @@ impl Equilibria<'_> {
     }
 
     /// Returns `points` states between the contact radii with logarithms `start` and `end`.
-    fn branch(&self, start: f64, end: f64, points: usize) -> Result<Vec<State>, Error> {
+    fn states_between(&self, start: f64, end: f64, points: usize) -> Result<Vec<State>, Error> {
         let [start, end] = [start.exp(), end.exp()];
         let part = |i: usize| i as f64 / (points - 1) as f64;
         let radius = |i: usize| (1.0 - part(i)) * start + part(i) * end;

@@ -146,124 +146,182 @@ impl Contact {
     /// a derivative that overflows an f64; [`Error::OtherMaterial`] on a curve whose derivatives
     /// are those of an equivalent material on another substrate.
     pub fn gradient(&self, a: f64, w: f64) -> Result<ContactGradient, Error> {
-        let edge = self.mechanics.edge_singularity(a, w)?;
-        let (values, by_bodies) = match &self.bodies {
-            Bodies::HalfSpace(system) => (
-                Quantities::homogeneous(1.0),
-                half_space_derivatives(system)?,
-            ),
-            Bodies::Coated { system, curve } => {
-                let gradient = curve.gradient(a / system.film_thickness)?;
-                let material = system.material()?;
-                if !material.is_close_to(gradient.material()) {
-                    return Err(Error::OtherMaterial {
-                        curve: gradient.material().to_array(),
-                        system: material.to_array(),
-                    });
-                }
-                (gradient.values(), coated_derivatives(system, &gradient, a))
-            }
-        };
-        let (load, penetration) = self.mechanics.load_and_penetration(a, edge, &values);
-        let f0 = self.mechanics.adhesionless_load(a, values.pi0);
-        let delta0 = self.mechanics.adhesionless_penetration(a, values.delta0);
-        let derivatives = |logarithms: LogDerivatives| {
-            let LogDerivatives {
-                contact_radius,
-                work_of_adhesion,
-                sphere_radius,
-                modulus,
-                es,
-                quantities: [pi0, eeq, gamma, delta],
-            } = logarithms;
-            // That of `g = sqrt(pi a w Es* / 2)`.
-            let edge = 0.5 * (contact_radius + work_of_adhesion + modulus + es);
-            Derivatives {
-                load: f0 * (3.0 * contact_radius + modulus + pi0 - sphere_radius)
-                    - (f0 - load) * (contact_radius + edge + eeq - gamma),
-                penetration: delta0 * (2.0 * contact_radius + delta - sphere_radius)
-                    - (delta0 - penetration) * (edge - modulus - gamma),
-            }
-        };
-        let mut by_inputs = by_bodies;
-        if let Some(logarithms) = &mut by_inputs[Input::ContactRadius as usize] {
-            logarithms.contact_radius = 1.0 / a;
-        }
-        by_inputs[Input::SphereRadius as usize] = Some(LogDerivatives {
-            sphere_radius: 1.0 / self.mechanics.sphere_radius(),
-            ..LogDerivatives::default()
-        });
-        // Below the normal numbers `1 / w` may overflow.
-        by_inputs[Input::WorkOfAdhesion as usize] = w.is_normal().then(|| LogDerivatives {
-            work_of_adhesion: 1.0 / w,
-            ..LogDerivatives::default()
-        });
-        let derivatives = by_inputs.map(|logarithms| logarithms.map(derivatives));
+        self.same_material()?;
+        let terms = self.terms(a, w)?;
+        let derivatives = Input::ALL.map(|input| terms.by(input));
         let numbers = derivatives
             .iter()
             .flatten()
             .flat_map(|by| [by.load, by.penetration]);
         numbers
-            .chain([load, penetration])
+            .chain([terms.load, terms.penetration])
             .try_for_each(|number| finite_result(a, number).map(drop))?;
         Ok(ContactGradient {
+            load: terms.load,
+            penetration: terms.penetration,
+            derivatives,
+        })
+    }
+
+    /// Accepts a curve whose derivatives are those of the material of the system itself.
+    pub(super) fn same_material(&self) -> Result<(), Error> {
+        let Bodies::Coated { system, curve } = &self.bodies else {
+            return Ok(());
+        };
+        let (made_for, material) = (curve.differentiated_for()?, system.material()?);
+        if material.is_close_to(made_for) {
+            Ok(())
+        } else {
+            Err(Error::OtherMaterial {
+                curve: made_for.to_array(),
+                system: material.to_array(),
+            })
+        }
+    }
+
+    /// Returns the terms of load and penetration at contact radius `a` and work of adhesion `w`, from
+    /// which any derivative follows. [`Self::same_material`] must have accepted the curve.
+    pub(super) fn terms(&self, a: f64, w: f64) -> Result<Terms<'_>, Error> {
+        let edge = self.mechanics.edge_singularity(a, w)?;
+        let (values, gradient) = match &self.bodies {
+            Bodies::HalfSpace(_) => (Quantities::homogeneous(1.0), None),
+            Bodies::Coated { system, curve } => {
+                let gradient = curve.gradient(a / system.film_thickness)?;
+                (gradient.values(), Some(gradient))
+            }
+        };
+        let (load, penetration) = self.mechanics.load_and_penetration(a, edge, &values);
+        Ok(Terms {
+            contact: self,
+            a,
+            w,
+            gradient,
             load,
             penetration,
-            derivatives,
+            f0: self.mechanics.adhesionless_load(a, values.pi0),
+            delta0: self.mechanics.adhesionless_penetration(a, values.delta0),
         })
     }
 }
 
+/// The terms of load and penetration at one contact radius and work of adhesion.
+pub(super) struct Terms<'a> {
+    contact: &'a Contact,
+    a: f64,
+    w: f64,
+    /// `None` on a half-space.
+    gradient: Option<QuantityGradient>,
+    load: f64,
+    penetration: f64,
+    f0: f64,
+    delta0: f64,
+}
+
+impl Terms<'_> {
+    /// Returns the derivatives with respect to one input; `None` if they are not known.
+    pub(super) fn by(&self, input: Input) -> Option<Derivatives> {
+        let LogDerivatives {
+            contact_radius,
+            work_of_adhesion,
+            sphere_radius,
+            modulus,
+            es,
+            quantities: [pi0, eeq, gamma, delta],
+        } = self.logarithms(input)?;
+        // That of `g = sqrt(pi a w Es* / 2)`.
+        let edge = 0.5 * (contact_radius + work_of_adhesion + modulus + es);
+        let (f0, delta0) = (self.f0, self.delta0);
+        Some(Derivatives {
+            load: f0 * (3.0 * contact_radius + modulus + pi0 - sphere_radius)
+                - (f0 - self.load) * (contact_radius + edge + eeq - gamma),
+            penetration: delta0 * (2.0 * contact_radius + delta - sphere_radius)
+                - (delta0 - self.penetration) * (edge - modulus - gamma),
+        })
+    }
+
+    /// Returns the derivatives of the logarithms of the factors with respect to one input.
+    fn logarithms(&self, input: Input) -> Option<LogDerivatives> {
+        match input {
+            Input::SphereRadius => Some(LogDerivatives {
+                sphere_radius: 1.0 / self.contact.mechanics.sphere_radius(),
+                ..LogDerivatives::default()
+            }),
+            // Below the normal numbers `1 / w` may overflow.
+            Input::WorkOfAdhesion => self.w.is_normal().then(|| LogDerivatives {
+                work_of_adhesion: 1.0 / self.w,
+                ..LogDerivatives::default()
+            }),
+            _ => {
+                let mut logarithms = match (&self.contact.bodies, &self.gradient) {
+                    (Bodies::Coated { system, .. }, Some(gradient)) => {
+                        coated_derivatives(system, gradient, input, self.a)?
+                    }
+                    (Bodies::HalfSpace(system), _) => half_space_derivatives(
+                        system,
+                        self.contact.mechanics.sphere_film_modulus(),
+                        input,
+                    )?,
+                    (Bodies::Coated { .. }, None) => return None,
+                };
+                if input == Input::ContactRadius {
+                    logarithms.contact_radius = 1.0 / self.a;
+                }
+                Some(logarithms)
+            }
+        }
+    }
+}
+
 /// Returns the derivatives with respect to the contact radius (but for its own logarithm), the
-/// thickness and the elastic constants of a coated contact, in the order of [`Input::ALL`].
+/// thickness or an elastic constant of a coated contact.
 fn coated_derivatives(
     system: &System,
     gradient: &QuantityGradient,
+    input: Input,
     a: f64,
-) -> [Option<LogDerivatives>; 9] {
-    let (values, slopes) = (gradient.values().to_array(), gradient.slopes().to_array());
-    let moduli = [
-        system.sphere_modulus,
-        system.film.young(),
-        system.substrate.young(),
-    ];
-    Input::ALL.map(|input| {
-        let with_a_over_t = |factor: f64| {
-            let quantities =
-                std::array::from_fn(|quantity| factor * slopes[quantity] / values[quantity]);
-            Some(LogDerivatives {
-                quantities,
-                ..LogDerivatives::default()
-            })
-        };
-        match input {
-            Input::ContactRadius => with_a_over_t(1.0 / a),
-            Input::FilmThickness => with_a_over_t(-1.0 / system.film_thickness),
-            Input::SphereRadius | Input::WorkOfAdhesion => None,
-            _ => elastic_derivatives(gradient, input, moduli),
-        }
-    })
-}
-
-/// Returns the derivatives of a contact with a half-space, in the order of [`Input::ALL`]. The
-/// quantities are constant, and the compound modulus `E*` is their unit.
-fn half_space_derivatives(system: &HalfSpace) -> Result<[Option<LogDerivatives>; 9], Error> {
-    let compound = system.compound_modulus()?;
-    let (young, nu0) = (system.solid.young(), system.solid.poisson());
-    let share = compound / system.solid.reduced();
-    let modulus = |modulus: f64| {
+) -> Option<LogDerivatives> {
+    let with_a_over_t = |factor: f64| {
+        let (values, slopes) = (gradient.values().to_array(), gradient.slopes().to_array());
         Some(LogDerivatives {
-            modulus,
+            quantities: std::array::from_fn(|i| factor * slopes[i] / values[i]),
             ..LogDerivatives::default()
         })
     };
-    Ok(Input::ALL.map(|input| match input {
-        Input::ContactRadius => modulus(0.0),
-        Input::SphereModulus => modulus(compound / system.sphere_modulus / system.sphere_modulus),
-        Input::SubstrateModulus => modulus(share / young),
-        Input::SubstratePoisson => modulus(share * 2.0 * nu0 / one_minus_square(nu0)),
-        _ => None,
-    }))
+    match input {
+        Input::ContactRadius => with_a_over_t(1.0 / a),
+        Input::FilmThickness => with_a_over_t(-1.0 / system.film_thickness),
+        _ => elastic_derivatives(
+            gradient,
+            input,
+            [
+                system.sphere_modulus,
+                system.film.young(),
+                system.substrate.young(),
+            ],
+        ),
+    }
+}
+
+/// Returns the derivatives of a contact with a half-space. The quantities are constant, and the
+/// `compound` modulus `E*` is their unit.
+fn half_space_derivatives(
+    system: &HalfSpace,
+    compound: f64,
+    input: Input,
+) -> Option<LogDerivatives> {
+    let (young, nu0) = (system.solid.young(), system.solid.poisson());
+    let share = compound / system.solid.reduced();
+    let modulus = match input {
+        Input::ContactRadius => 0.0,
+        Input::SphereModulus => compound / system.sphere_modulus / system.sphere_modulus,
+        Input::SubstrateModulus => share / young,
+        Input::SubstratePoisson => share * 2.0 * nu0 / one_minus_square(nu0),
+        _ => return None,
+    };
+    Some(LogDerivatives {
+        modulus,
+        ..LogDerivatives::default()
+    })
 }
 
 /// Returns the derivatives with respect to one elastic constant; `None` if they are not known.

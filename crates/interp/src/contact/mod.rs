@@ -2,12 +2,13 @@
 //!
 //! [`Contact`] joins a system with the curve of its material, and [`Mechanics`] is the arithmetic
 //! of eqs. 2 to 9. `equilibria` and `force_displacement` find the states under a load, a
-//! penetration or a spring, `radii` the contact radii among which they search. `energy_release`
-//! starts from measured values, `gradient` differentiates, `jkr_fit` fits a straight line,
-//! `validity` compares a contact with the limits of the model. `crack_tip`, `contact_line` and
-//! `dynamics` move the contact line by other laws than eq. 8. `checks` accepts numbers, `root`
-//! finds zeros for all of them.
+//! penetration or a spring, `branch` those at many values, `radii` the contact radii among which
+//! they search. `energy_release` starts from measured values, `gradient` differentiates, `jkr_fit`
+//! fits a straight line, `validity` compares a contact with the limits of the model. `crack_tip`,
+//! `contact_line` and `dynamics` move the contact line by other laws than eq. 8. `checks` accepts
+//! numbers, `root` finds zeros for all of them.
 
+mod branch;
 mod checks;
 mod contact;
 mod contact_line;
@@ -24,6 +25,7 @@ mod radii;
 mod root;
 mod validity;
 
+pub use branch::Branch;
 pub use contact::{Contact, State};
 pub use contact_line::ContactLine;
 pub use crack_tip::{CrackTip, Hysteresis, RateDependent};

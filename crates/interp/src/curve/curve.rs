@@ -218,6 +218,16 @@ impl Curve {
         self.values_and_slopes(a_over_t)
     }
 
+    /// Returns `Pi0` and `Delta0` with their [slopes](Curve::slope). The other two are known or not.
+    pub(crate) fn adhesionless_and_slopes(
+        &self,
+        a_over_t: f64,
+    ) -> Result<(Quantities, Quantities), Error> {
+        self.require(Quantity::Pi0)?;
+        self.require(Quantity::Delta0)?;
+        self.values_and_slopes(a_over_t)
+    }
+
     /// Returns all four quantities at `a_over_t` with their derivatives with respect to `a_over_t`
     /// and to the four parameters of the material.
     ///
@@ -256,6 +266,15 @@ impl Curve {
             }
             None => Err(self.outside(a_over_t)),
         }
+    }
+
+    /// Returns the material with respect to whose parameters the derivatives are.
+    ///
+    /// # Errors
+    /// [`Error::NoGradient`] on a curve that was made without derivatives.
+    pub(crate) fn differentiated_for(&self) -> Result<&Material, Error> {
+        let sensitivities = self.sensitivities.as_ref().ok_or(Error::NoGradient)?;
+        Ok(sensitivities.material())
     }
 
     /// Returns an estimate of the largest relative error of the quantities at `a_over_t`.

@@ -55,6 +55,11 @@ impl Sensitivities {
         }
     }
 
+    /// Returns the material asked for.
+    pub(crate) const fn material(&self) -> &Material {
+        &self.material
+    }
+
     /// Returns the gradient at a position, whose quantities and slopes are given.
     pub(crate) fn gradient(
         &self,

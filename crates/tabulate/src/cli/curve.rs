@@ -2,14 +2,15 @@
 
 use std::path::PathBuf;
 
-use anyhow::{Context, ensure};
+use anyhow::ensure;
 use clap::{ValueHint, value_parser};
-use interp::{Elastic, Mechanics, System, Validity};
+use interp::{Mechanics, Validity};
 
 use super::note;
 use super::output::Output;
-use super::points::number;
+use super::points::{evenly, number};
 use super::progress::progress_bar;
+use super::system::SystemArguments;
 use super::table_name::{self, TableName};
 use crate::parallel::try_map;
 use crate::report::LARGE_CONTACT;
@@ -37,30 +38,8 @@ pub struct Arguments {
         value_hint = ValueHint::FilePath
     )]
     table: Option<TableName>,
-    /// Thickness of the film, m
-    #[arg(long, default_value = "1e-6", allow_negative_numbers = true)]
-    film_thickness: f64,
-    /// Young's modulus of the film, Pa
-    #[arg(long, default_value = "3.5e6", allow_negative_numbers = true)]
-    film_modulus: f64,
-    /// Poisson ratio of the film
-    #[arg(long, default_value_t = 0.5, allow_negative_numbers = true)]
-    film_poisson_ratio: f64,
-    /// Young's modulus of the substrate, Pa; inf: rigid
-    #[arg(long, default_value = "2e11", allow_negative_numbers = true)]
-    substrate_modulus: f64,
-    /// Poisson ratio of the substrate
-    #[arg(long, default_value_t = 0.25, allow_negative_numbers = true)]
-    substrate_poisson_ratio: f64,
-    /// Radius of the sphere, m
-    #[arg(long, default_value = "1e-3", allow_negative_numbers = true)]
-    sphere_radius: f64,
-    /// Reduced modulus E2* = E2/(1 - nu2^2) of the sphere, Pa; inf: rigid
-    #[arg(long, default_value = "2e6", allow_negative_numbers = true)]
-    sphere_modulus: f64,
-    /// Work of adhesion, J/m^2
-    #[arg(long, default_value_t = 0.04, allow_negative_numbers = true)]
-    work_of_adhesion: f64,
+    #[command(flatten)]
+    system: SystemArguments,
     /// Smallest contact radius, m
     #[arg(long, default_value = "1e-6", allow_negative_numbers = true)]
     from: f64,
@@ -84,30 +63,14 @@ pub struct Arguments {
     output: Option<PathBuf>,
 }
 
-/// Returns the contact radius of row `i`. Between the ends it is rounded to 15 digits, so that
-/// steps of 1 um print as such.
-fn radius(
-    &Arguments {
-        from, to, points, ..
-    }: &Arguments,
-    i: u32,
-) -> f64 {
-    match i {
-        0 => from,
-        _ if i == points - 1 => to,
-        _ => {
-            let a = from + (to - from) * (f64::from(i) / f64::from(points - 1));
-            format!("{a:.14e}").parse().unwrap_or(a)
-        }
-    }
-}
-
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let Arguments {
         from,
         to,
         points,
-        work_of_adhesion,
+        system: SystemArguments {
+            work_of_adhesion, ..
+        },
         ..
     } = *arguments;
     let input = arguments.table.as_ref().and_then(TableName::path);
@@ -116,17 +79,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         from > 0.0 && to > from && to < f64::INFINITY,
         "the contact radii must run from > 0 to more than that: from {from} to {to}"
     );
-    let system = System {
-        sphere_radius: arguments.sphere_radius,
-        sphere_modulus: arguments.sphere_modulus,
-        film: Elastic::new(arguments.film_modulus, arguments.film_poisson_ratio).context("film")?,
-        film_thickness: arguments.film_thickness,
-        substrate: Elastic::new(
-            arguments.substrate_modulus,
-            arguments.substrate_poisson_ratio,
-        )
-        .context("substrate")?,
-    };
+    let system = arguments.system.system()?;
     let mechanics = Mechanics::new(&system)?;
     // Refuses too large a radius before any work.
     mechanics.edge_singularity(to, work_of_adhesion)?;
@@ -139,7 +92,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
 
     let bar = progress_bar(points as usize, "solving");
     let row = |i: u32| {
-        let a = radius(arguments, i);
+        let a = evenly([from, to], i, points);
         let (load, penetration) = match &contact {
             Some(contact) => contact.load_and_penetration(a, work_of_adhesion)?,
             None => {

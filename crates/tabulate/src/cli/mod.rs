@@ -10,6 +10,7 @@ mod completions;
 mod cost;
 mod curve;
 mod default_table;
+mod fit;
 mod generate;
 mod info;
 mod json;
@@ -22,7 +23,9 @@ mod points;
 mod progress;
 mod query;
 mod report;
+mod simulate;
 mod solve;
+mod system;
 mod table_name;
 mod unpack;
 
@@ -80,6 +83,8 @@ struct Arguments {
 #[derive(Subcommand)]
 enum Command {
     Curve(curve::Arguments),
+    Fit(Box<fit::Arguments>),
+    Simulate(Box<simulate::Arguments>),
     Solve(solve::Arguments),
     Query(query::Arguments),
     Generate(generate::Arguments),
@@ -98,6 +103,8 @@ enum Command {
 pub fn run() -> ExitCode {
     let outcome = match Arguments::parse().command {
         Command::Curve(arguments) => curve::run(&arguments),
+        Command::Fit(arguments) => fit::run(&arguments),
+        Command::Simulate(arguments) => simulate::run(&arguments),
         Command::Solve(arguments) => solve::run(&arguments),
         Command::Query(arguments) => query::run(&arguments),
         Command::Generate(arguments) => generate::run(&arguments),

@@ -23,8 +23,13 @@ impl<'a> Output<'a> {
         inputs: [Option<&Path>; N],
     ) -> anyhow::Result<Self> {
         let inputs: Vec<&Path> = inputs.into_iter().flatten().collect();
+        Self::beside(path, &inputs)
+    }
+
+    /// As [`Output::new`], for any number of inputs.
+    pub fn beside(path: Option<&'a Path>, inputs: &[&Path]) -> anyhow::Result<Self> {
         if let Some(path) = path {
-            output::check(path, &inputs)?;
+            output::check(path, inputs)?;
             for removed in output::tidy(path) {
                 note(&output::removed(&removed));
             }

@@ -182,7 +182,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
 }
 
 /// Parses the name of a picture: its ending is that of a format that can be written.
-fn picture(name: &str) -> Result<PathBuf, Error> {
+pub fn picture(name: &str) -> Result<PathBuf, Error> {
     let path = PathBuf::from(name);
     Format::of(&path).map(|_| path)
 }

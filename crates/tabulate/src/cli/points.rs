@@ -250,6 +250,19 @@ pub fn number(value: f64) -> String {
     format!("{value:?}")
 }
 
+/// Returns value `i` of `count` evenly spaced ones. Between the ends it is rounded to 15 digits, so
+/// that steps of 1 um print as such.
+pub fn evenly([from, to]: [f64; 2], i: u32, count: u32) -> f64 {
+    match i {
+        0 => from,
+        _ if i == count - 1 => to,
+        _ => {
+            let value = from + (to - from) * (f64::from(i) / f64::from(count - 1));
+            format!("{value:.14e}").parse().unwrap_or(value)
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

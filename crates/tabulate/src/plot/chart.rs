@@ -76,6 +76,8 @@ pub enum Marker {
     Full,
     /// A circle.
     Hollow,
+    /// A disc of half the size, for points that lie close together.
+    Small,
 }
 
 /// A text, and the points that it may be next to, the preferred one first.

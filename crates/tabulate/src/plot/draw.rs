@@ -244,17 +244,17 @@ impl Mark {
                 ))?;
             }
             Self::Marker { at, colour, marker } => {
-                const RADIUS: f64 = 4.0;
-                let [x, y] = place(chart, *at);
-                obstacles.line(*colour, [x - RADIUS, y], [x + RADIUS, y]);
-                obstacles.line(*colour, [x, y - RADIUS], [x, y + RADIUS]);
-                let inside = if *marker == Marker::Full {
-                    *colour
-                } else {
-                    WHITE
+                let edge = || stroke(*colour, 1.5);
+                let (radius, styles) = match marker {
+                    Marker::Full => (4.0, vec![colour.filled(), edge()]),
+                    Marker::Hollow => (4.0, vec![WHITE.filled(), edge()]),
+                    Marker::Small => (2.0, vec![colour.filled()]),
                 };
-                for style in [inside.filled(), stroke(*colour, 1.5)] {
-                    let circle = Circle::new((at[0], at[1]), fine(RADIUS), style);
+                let [x, y] = place(chart, *at);
+                obstacles.line(*colour, [x - radius, y], [x + radius, y]);
+                obstacles.line(*colour, [x, y - radius], [x, y + radius]);
+                for style in styles {
+                    let circle = Circle::new((at[0], at[1]), fine(radius), style);
                     chart.plotting_area().draw(&circle)?;
                 }
             }

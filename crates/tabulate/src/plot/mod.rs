@@ -14,6 +14,7 @@ pub mod error_map;
 pub mod fig2;
 pub mod fig3;
 pub mod fig4;
+pub mod fit;
 pub mod force_displacement;
 mod labels;
 pub mod lookup_cost;

@@ -1,0 +1,134 @@
+//! Measures the time of fits: `cargo bench -p fit`. Only ratios within one run are meaningful.
+
+use std::hint::black_box;
+use std::thread;
+use std::time::{Duration, Instant};
+
+use criterion::{Criterion, criterion_group, criterion_main};
+use fit::{
+    Bodies, Direction, Experiment, Free, Kind, Measurement, Options, Parameter, Point, fit,
+    simulate,
+};
+use interp::{Elastic, System, Table};
+
+/// The number of points of a curve.
+const POINTS: usize = 300;
+/// The number of curves of a map.
+const CURVES: u64 = 10_000;
+
+/// Makes data of `POINTS` points between two abscissae.
+fn measured(experiment: Experiment, kind: Kind, [from, to]: [f64; 2], noise: f64) -> Experiment {
+    let point = |i: usize| Point {
+        line: i as u64 + 1,
+        abscissa: from + (to - from) * i as f64 / (POINTS - 1) as f64,
+        ordinate: 0.0,
+        direction: Some(Direction::Retract),
+    };
+    let planned = Experiment {
+        measurement: Measurement {
+            name: "curve".into(),
+            kind,
+            points: (0..POINTS).map(point).collect(),
+        },
+        noise: Some(noise),
+        ..experiment
+    };
+    let measurement = simulate(Table::embedded(), &planned, noise, 1).expect("in the table");
+    Experiment {
+        measurement,
+        ..planned
+    }
+}
+
+fn nothing() -> Measurement {
+    Measurement {
+        name: String::new(),
+        kind: Kind::LoadRadius,
+        points: Vec::new(),
+    }
+}
+
+/// The paper's lens on a film of 10 um: loads at contact radii.
+fn lens() -> (Experiment, Vec<Free>) {
+    let solid = |young, poisson| Elastic::new(young, poisson).expect("physical");
+    let system = System {
+        sphere_radius: 1e-3,
+        sphere_modulus: 2e6,
+        film: solid(3.5e6, 0.5),
+        film_thickness: 1e-5,
+        substrate: solid(2e11, 0.25),
+    };
+    let mut experiment = Experiment::new(nothing(), Bodies::Coated(system));
+    experiment.work_of_adhesion = 0.04;
+    let free = [
+        Parameter::SphereModulus,
+        Parameter::WorkOfAdhesion,
+        Parameter::LoadOffset,
+    ];
+    let experiment = measured(experiment, Kind::LoadRadius, [131e-6, 42e-6], 5e-6);
+    (experiment, free.map(Free::new).to_vec())
+}
+
+/// A rigid probe on a gel: force against height, with the jump off and a baseline.
+fn probe() -> (Experiment, Vec<Free>) {
+    let solid = |young, poisson| Elastic::new(young, poisson).expect("physical");
+    let system = System {
+        sphere_radius: 20e-6,
+        sphere_modulus: f64::INFINITY,
+        film: solid(2e4, 0.45),
+        film_thickness: 1e-5,
+        substrate: solid(7e10, 0.2),
+    };
+    let mut experiment = Experiment::new(nothing(), Bodies::Coated(system));
+    experiment.work_of_adhesion = 1e-4;
+    experiment.stiffness = Some(0.2);
+    let free = [
+        Parameter::FilmModulus,
+        Parameter::WorkOfAdhesion,
+        Parameter::ContactPoint,
+    ];
+    let experiment = measured(experiment, Kind::ForceHeight, [-1e-6, 1e-6], 1.5e-10);
+    (experiment, free.map(Free::new).to_vec())
+}
+
+/// Fits a map of curves on all cores, and returns the time.
+fn map((experiment, free): &(Experiment, Vec<Free>)) -> Duration {
+    let threads = thread::available_parallelism().map_or(1, usize::from) as u64;
+    let start = Instant::now();
+    thread::scope(|scope| {
+        for _ in 0..threads {
+            scope.spawn(|| {
+                for _ in 0..CURVES / threads {
+                    one(experiment, free);
+                }
+            });
+        }
+    });
+    start.elapsed()
+}
+
+fn one(experiment: &Experiment, free: &[Free]) {
+    let found = fit(
+        Table::embedded(),
+        std::slice::from_ref(black_box(experiment)),
+        free,
+        &Options::default(),
+    );
+    assert!(found.expect("sound data").converged);
+}
+
+fn fits(criterion: &mut Criterion) {
+    let cases = [("loads at radii", lens()), ("forces at heights", probe())];
+    for (name, case) in &cases {
+        criterion.bench_function(&format!("{POINTS} points, 3 parameters, {name}"), |b| {
+            b.iter(|| one(&case.0, &case.1));
+        });
+    }
+    for (name, case) in &cases {
+        let time = map(case).as_secs_f64();
+        println!("{CURVES} curves on all cores, {name}: {time:.1} s");
+    }
+}
+
+criterion_group!(benches, fits);
+criterion_main!(benches);

@@ -1,0 +1,218 @@
+//! A column, as the user names it.
+
+use std::str::FromStr;
+
+use super::unit::{Dimension, Unit};
+
+/// What a column holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Role {
+    /// The contact radius.
+    ContactRadius,
+    /// The load or force, positive in compression.
+    Load,
+    /// The penetration.
+    Penetration,
+    /// The height of the cantilever's base, smaller when it is closer to the sample.
+    Height,
+    /// The deflection of the cantilever, positive in compression.
+    Deflection,
+    /// The segment: approach, retract or pause.
+    Segment,
+}
+
+impl Role {
+    /// All roles.
+    pub const ALL: [Self; 6] = [
+        Self::ContactRadius,
+        Self::Load,
+        Self::Penetration,
+        Self::Height,
+        Self::Deflection,
+        Self::Segment,
+    ];
+
+    /// Returns the name on the command line and in messages.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::ContactRadius => "contact_radius",
+            Self::Load => "load",
+            Self::Penetration => "penetration",
+            Self::Height => "height",
+            Self::Deflection => "deflection",
+            Self::Segment => "segment",
+        }
+    }
+
+    /// Returns the dimension of the numbers, first the usual one.
+    pub const fn dimension(self) -> Dimension {
+        match self {
+            Self::Load => Dimension::Force,
+            _ => Dimension::Length,
+        }
+    }
+
+    /// Tells whether the numbers can be in a unit.
+    pub fn accepts(self, unit: Unit) -> bool {
+        unit.dimension == self.dimension()
+            || (self == Self::Deflection && unit.dimension == Dimension::Voltage)
+    }
+
+    /// Returns a unit that is usual.
+    pub const fn example(self) -> &'static str {
+        match self {
+            Self::Load => "mN",
+            Self::ContactRadius => "um",
+            _ => "nm",
+        }
+    }
+
+    /// Returns the headings that are recognised, in lower case without unit and direction, the
+    /// preferred one first.
+    pub(super) const fn headings(self) -> &'static [&'static str] {
+        match self {
+            Self::ContactRadius => &["contact radius", "radius of contact", "radius", "a"],
+            Self::Load => &[
+                "load",
+                "force",
+                "normal load",
+                "normal force",
+                "applied load",
+                "applied force",
+                "f",
+                "fn",
+                // A deflection in newtons is a force.
+                "vertical deflection",
+                "vdeflection",
+                "deflection",
+            ],
+            Self::Penetration => &[
+                "penetration",
+                "penetration depth",
+                "indentation",
+                "indentation depth",
+                "displacement",
+                "depth",
+                "delta",
+                "\u{3b4}",
+            ],
+            Self::Height => &[
+                "height measured",
+                "measured height",
+                "height sensor",
+                "capacitive sensor height",
+                "capacitivesensorheight",
+                "z sensor",
+                "z sense",
+                "zsnsr",
+                "height",
+                "z height",
+                "height piezo",
+                "piezo height",
+                "piezo position",
+                "piezo",
+                "z piezo",
+                "z",
+            ],
+            Self::Deflection => &[
+                "deflection",
+                "defl",
+                "calc defl",
+                "cantilever deflection",
+                "vertical deflection",
+                "vdeflection",
+                "cantilever",
+            ],
+            Self::Segment => &["segment", "phase", "direction"],
+        }
+    }
+
+    /// Tells whether a heading without a unit is in SI units: the names that this program and the
+    /// Python package afmformats write.
+    pub(super) fn is_si(self, heading: &str) -> bool {
+        let names: &[&str] = match self {
+            Self::ContactRadius => &["contact_radius"],
+            Self::Load => &["load", "force"],
+            Self::Penetration => &["penetration"],
+            Self::Height => &["height", "height (measured)", "height (piezo)"],
+            Self::Deflection | Self::Segment => &[],
+        };
+        names.contains(&heading)
+    }
+}
+
+/// A column that the user names: `load=Force [mN]`, `height=-Z (um)`, `contact_radius=3 [um]`.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Column {
+    /// What it holds.
+    pub role: Role,
+    /// Whether its numbers count in the opposite sense.
+    pub negative: bool,
+    /// Its heading, with a unit if the file has none, or its number, from 1.
+    pub heading: String,
+}
+
+impl FromStr for Column {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let example = "write NAME=HEADING, such as \"load=Force [mN]\"";
+        let (name, heading) = text
+            .split_once('=')
+            .ok_or_else(|| format!("{text:?} has no =: {example}"))?;
+        let word = name.trim().to_lowercase().replace(['-', ' '], "_");
+        let word = if word == "force" { "load" } else { &word };
+        let role = Role::ALL.into_iter().find(|role| role.name() == word);
+        let names = Role::ALL.map(Role::name).join(", ");
+        let role =
+            role.ok_or_else(|| format!("{name:?} is not a column; the columns are {names}"))?;
+        let heading = heading.trim();
+        let positive = heading.strip_prefix('-');
+        let heading = positive.unwrap_or(heading).trim();
+        if heading.is_empty() {
+            return Err(format!("{text:?} has no heading: {example}"));
+        }
+        Ok(Self {
+            role,
+            negative: positive.is_some(),
+            heading: heading.to_owned(),
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_column_is_named_by_its_heading_or_number() {
+        let column = |role, negative, heading: &str| {
+            Ok(Column {
+                role,
+                negative,
+                heading: heading.into(),
+            })
+        };
+        assert_eq!(
+            "load=Force [mN]".parse(),
+            column(Role::Load, false, "Force [mN]")
+        );
+        assert_eq!("force = F=m a".parse(), column(Role::Load, false, "F=m a"));
+        assert_eq!(
+            "height=-Z (um)".parse(),
+            column(Role::Height, true, "Z (um)")
+        );
+        assert_eq!(
+            "contact-radius=3".parse(),
+            column(Role::ContactRadius, false, "3")
+        );
+        for (text, word) in [
+            ("load", "has no ="),
+            ("laod=x", "laod"),
+            ("load=-", "no heading"),
+        ] {
+            let error = text.parse::<Column>().unwrap_err();
+            assert!(error.contains(word), "{error}");
+        }
+    }
+}

@@ -1,0 +1,132 @@
+//! Reading measurements from columns of text.
+//!
+//! [`read`] takes any usual table of numbers: cells between tabs, semicolons, commas or spaces, a
+//! decimal point or comma, quotes, comment lines that begin with `#`, `%` or `//`, lines of any
+//! text before the headings, and a line of units below them. Columns are recognised by their
+//! headings and units, `Force [mN]`, `Radius (um)`, `height_nm`, `Piezo/nm`, or named by the user
+//! as a [`Column`]. A heading without a unit is an error, except for the names in SI units that
+//! `tabulate` and the Python package afmformats write. Two columns of one quantity, as in
+//! `Extend Force(nN)` and `Retract Force(nN)`, are the two directions.
+//!
+//! `lines` reads the lines, `layout` finds the rows and their headings, `cells` and `number` read a
+//! row, `heading` and `unit` read a heading, and `assign` decides which column holds what.
+//! `segment` finds the directions.
+
+mod assign;
+mod cells;
+mod column;
+mod error;
+mod heading;
+mod layout;
+mod lines;
+mod number;
+mod rows;
+mod segment;
+mod sign;
+mod unit;
+
+use std::fs::File;
+use std::io::{BufRead, BufReader};
+use std::path::Path;
+
+pub use assign::{Source, roles};
+pub use column::{Column, Role};
+pub use error::{DataError, Problem};
+pub use unit::{Dimension, Unit, prefix};
+
+use crate::{Direction, Kind, Measurement};
+
+/// What is known about a file before it is read.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Format {
+    /// The kind of the measurement; `None`: the only one that the columns fit.
+    pub kind: Option<Kind>,
+    /// Columns that the user names. Others are recognised.
+    pub columns: Vec<Column>,
+    /// The cantilever, which turns a deflection into a force.
+    pub cantilever: Cantilever,
+    /// Where the directions come from.
+    pub segments: Segments,
+    /// The only direction to be kept.
+    pub only: Option<Direction>,
+}
+
+/// A cantilever.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Cantilever {
+    /// The stiffness, N/m.
+    pub stiffness: Option<f64>,
+    /// The sensitivity, metres of deflection for each volt.
+    pub sensitivity: Option<f64>,
+}
+
+/// Where the directions of points come from.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Segments {
+    /// From the file. Heights without a direction are split at the largest force.
+    #[default]
+    Auto,
+    /// From the file only.
+    File,
+    /// The points up to the largest load are the approach, the rest is the retract, whatever the
+    /// file says.
+    Split,
+}
+
+/// A measurement, and how it was read.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Reading {
+    /// The measurement, in SI units.
+    pub measurement: Measurement,
+    /// How it was read.
+    pub notes: Notes,
+}
+
+/// How a measurement was read.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Notes {
+    /// The columns used.
+    pub columns: Vec<Source>,
+    /// The number of rows that were left out because their values are missing.
+    pub missing: u64,
+    /// The number of rows that were left out because they belong to a pause or to the direction
+    /// that was not asked for.
+    pub other_segments: u64,
+    /// Whether the points were split at the largest load.
+    pub split: bool,
+    /// A doubt about a sign.
+    pub doubt: Option<String>,
+}
+
+/// Reads a file.
+///
+/// A point takes 32 bytes; while the list grows it takes up to three times as much. The text is not
+/// kept.
+///
+/// # Errors
+/// [`DataError`] naming the line and the column.
+pub fn read(path: &Path, format: &Format) -> Result<Reading, DataError> {
+    let name = path.display().to_string();
+    match File::open(path) {
+        Ok(file) => read_from(BufReader::with_capacity(1 << 16, file), &name, format),
+        Err(source) => Err(DataError {
+            name,
+            line: None,
+            column: None,
+            problem: Problem::Read(source),
+        }),
+    }
+}
+
+/// Reads text from any source. The `name` is that of the measurement.
+///
+/// # Errors
+/// As [`read`].
+pub fn read_from(source: impl BufRead, name: &str, format: &Format) -> Result<Reading, DataError> {
+    rows::read(source, name, format).map_err(|failure| DataError {
+        name: name.to_owned(),
+        line: failure.line,
+        column: failure.column,
+        problem: failure.problem,
+    })
+}

@@ -1,0 +1,98 @@
+//! The errors of fits. Each names the measurement, the line or parameter, and the next step.
+
+use crate::Parameter;
+
+/// A fit that cannot be made.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum Error {
+    /// There is no experiment, or no parameter to be found.
+    #[error("there is no {0}: give at least one")]
+    Nothing(&'static str),
+    /// A measured point that cannot be.
+    #[error("{measurement}, line {line}: {name} = {value:?} must be {allowed}")]
+    Point {
+        /// The name of the measurement.
+        measurement: String,
+        /// The line of the point.
+        line: u64,
+        /// The name of the quantity.
+        name: &'static str,
+        /// The measured value.
+        value: f64,
+        /// The values allowed, in words, with the next step.
+        allowed: &'static str,
+    },
+    /// Fewer points than free parameters, or as many.
+    #[error(
+        "{points} usable points do not determine {parameters} parameters and their errors: measure \
+         more points or free fewer parameters"
+    )]
+    TooFewPoints {
+        /// The number of points that count.
+        points: usize,
+        /// The number of values to be found.
+        parameters: usize,
+    },
+    /// Points that are all at one place, or that all read one value.
+    #[error("{measurement}: {name} is {value:?} at every point, which determines nothing")]
+    Constant {
+        /// The name of the measurement.
+        measurement: String,
+        /// The name of the quantity.
+        name: &'static str,
+        /// Its only value.
+        value: f64,
+    },
+    /// A parameter that has no effect on a measurement.
+    #[error("{parameter} cannot be found from {experiment}: {reason}")]
+    NotApplicable {
+        /// The parameter.
+        parameter: Parameter,
+        /// The name of the measurement.
+        experiment: String,
+        /// The reason.
+        reason: &'static str,
+    },
+    /// A parameter that is free twice, or two free parameters that are one and the same number.
+    #[error("{0} and {1} are one number: free one of them")]
+    Redundant(Parameter, Parameter),
+    /// A start, a bound, a prior, a noise or an option that is not allowed.
+    #[error("{name} = {value:?} cannot be used: it must be {allowed}")]
+    Setting {
+        /// The name of the parameter or option.
+        name: String,
+        /// Its value.
+        value: f64,
+        /// The values allowed, in words.
+        allowed: String,
+    },
+    /// A name that is not one of a parameter.
+    #[error("{0:?} is not a parameter; the parameters are {all}", all = names())]
+    UnknownParameter(String),
+    /// A model that cannot be evaluated where the fit starts.
+    #[error("{experiment}, where the fit starts: {cause}; give another start")]
+    Start {
+        /// The name of the measurement.
+        experiment: String,
+        /// The error of the contact.
+        cause: interp::Error,
+    },
+    /// Data from which no start can be found.
+    #[error(
+        "{experiment}: JKR finds no positive modulus in these data; check units and signs (loads \
+         are positive in compression), or give a start"
+    )]
+    NoStart {
+        /// The name of the measurement.
+        experiment: String,
+    },
+    /// A contact that cannot be computed.
+    #[error(transparent)]
+    Contact(#[from] interp::Error),
+}
+
+/// Lists the names of all parameters.
+fn names() -> String {
+    Parameter::ALL.map(Parameter::name).join(", ")
+}

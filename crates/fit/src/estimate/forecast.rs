@@ -1,0 +1,116 @@
+//! What an experiment would tell, before it is made.
+
+use interp::Table;
+use nalgebra::DVector;
+
+use super::problem::{Assigned, Problem};
+use super::search::{ends, hold_back, near_the_end};
+use super::slot::slots;
+use super::solve::{estimates, slot_names};
+use super::uncertainty::Uncertainty;
+use crate::{Branch, Error, Experiment, Forecast, Free, Loss, Parameter};
+
+/// The rounds in which points near the end of a branch are left out.
+const ROUNDS: usize = 2;
+
+/// Computes the standard errors that a planned experiment would give.
+///
+/// The values of the experiments are taken for the truth, the abscissae of their points for those
+/// to be measured; ordinates are not used. Each experiment needs its noise. The errors are those of
+/// least squares, from the derivatives of the model at the truth. Bounds and starts of the free
+/// parameters are not used; priors are.
+///
+/// # Errors
+/// As [`fit`](crate::fit); [`Error::Setting`] without a noise.
+pub fn forecast(
+    table: &Table,
+    experiments: &[Experiment],
+    free: &[Free],
+) -> Result<Forecast, Error> {
+    if experiments.is_empty() {
+        return Err(Error::Nothing("experiment"));
+    }
+    if free.is_empty() {
+        return Err(Error::Nothing("free parameter"));
+    }
+    let free: Vec<Free> = free
+        .iter()
+        .map(|one| Free {
+            start: None,
+            bounds: None,
+            ..*one
+        })
+        .collect();
+    let is_free = |parameter| free.iter().any(|one| one.parameter == parameter);
+    let mut assigned = Vec::new();
+    for experiment in experiments {
+        experiment.accept_stiffness()?;
+        let noise = experiment.noise.unwrap_or(f64::NAN);
+        if !(noise > 0.0 && noise.is_finite()) {
+            return Err(Error::Setting {
+                name: format!("the noise of {}", experiment.measurement.name),
+                value: noise,
+                allowed: "given, positive and finite".into(),
+            });
+        }
+        let mut experiment = experiment.clone();
+        if is_free(Parameter::WorkOfAdhesionReceding) {
+            let receding = experiment.work_of_adhesion_receding;
+            let receding = receding.unwrap_or(experiment.work_of_adhesion);
+            experiment.work_of_adhesion_receding = Some(receding);
+        }
+        let contact = experiment.bodies.contact(table, true)?;
+        let (branches, order) = experiment.branches_of_model(&contact)?;
+        assigned.push(Assigned {
+            experiment,
+            branches,
+            order,
+            noise,
+        });
+    }
+    let mut slots = slots(experiments, &free)?;
+    for slot in &mut slots {
+        let e = slot.experiment.unwrap_or(0);
+        let unit = super::start::unit(&assigned[e], slot.parameter);
+        slot.coordinate = slot.coordinate.without_bounds().with_unit(unit);
+    }
+    let whole = assigned.clone();
+    let mut problem = Problem::new(table, assigned, slots, Loss::Squares)?;
+    // As in a fit, points near the end of a branch are left out. The first round leaves out those
+    // at the end itself, where there are no derivatives.
+    for (assigned, whole) in problem.assigned.iter_mut().zip(&whole) {
+        *assigned = hold_back(whole);
+    }
+    for _ in 0..ROUNDS {
+        let uncertainty = uncertainty(&problem)?;
+        for (e, whole) in whole.iter().enumerate() {
+            let near = near_the_end(whole, &ends(&problem, e, &uncertainty, whole));
+            let branches = whole.branches.iter().zip(near);
+            problem.assigned[e].branches = branches
+                .map(|(branch, near)| if near { Branch::LeftOut } else { *branch })
+                .collect();
+        }
+    }
+    let uncertainty = uncertainty(&problem)?;
+    Ok(Forecast {
+        estimates: estimates(&problem, Some(&uncertainty)),
+        correlation: uncertainty.correlation(),
+        undetermined: uncertainty.undetermined(&slot_names(&problem)),
+    })
+}
+
+/// Computes the uncertainty without residuals.
+fn uncertainty(problem: &Problem<'_>) -> Result<Uncertainty, Error> {
+    let (jacobian, sizes) = problem.jacobian_of_sizes().ok_or(Error::Nothing(
+        "derivative at these points: keep them away from the end of a branch and of the table, or \
+         point",
+    ))?;
+    if jacobian.nrows() < jacobian.ncols() {
+        return Err(Error::TooFewPoints {
+            points: jacobian.nrows(),
+            parameters: jacobian.ncols(),
+        });
+    }
+    let residuals = DVector::zeros(jacobian.nrows());
+    Ok(Uncertainty::new(jacobian, &residuals, Loss::Squares, sizes))
+}

@@ -1,0 +1,30 @@
+//! Finding the parameters, their uncertainty, and what the data do not tell.
+//!
+//! `solve` leads from the data to the result. `slot` lists the values to be found and their
+//! coordinates, `jkr` and `start` find where the method starts, `problem` is the least-squares
+//! problem with its `loss`, `search` leads to the minimum. `uncertainty` gives the errors there,
+//! `profile` intervals without linearisation, `without_film` the fit of JKR, `wanted` and
+//! `warnings` the doubts. `forecast` tells the errors of a planned experiment. `result` holds what
+//! comes out.
+
+mod forecast;
+mod jkr;
+mod loss;
+mod problem;
+mod profile;
+mod result;
+mod search;
+mod slot;
+mod solve;
+mod start;
+mod uncertainty;
+mod wanted;
+mod warnings;
+mod without_film;
+
+pub use forecast::forecast;
+pub use result::{
+    Combination, Estimate, Fit, FittedExperiment, FittedPoint, Forecast, ModulusBias, Warning,
+    WarningKind, WithoutFilm,
+};
+pub use solve::fit;

@@ -1,0 +1,344 @@
+//! The least-squares problem, for the crate `levenberg-marquardt`.
+
+use std::cell::RefCell;
+
+use interp::{Contact, Table};
+use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt, TerminationReason};
+use nalgebra::storage::Owned;
+use nalgebra::{DMatrix, DVector, Dyn};
+
+use super::loss::weighted;
+use super::slot::Slot;
+use crate::model::Predicted;
+use crate::{Bodies, Branch, Experiment, Loss, Parameter};
+
+/// The residuals at parameters without a contact, such as those outside the table. They are so
+/// large that the method rejects the step.
+const REFUSED: f64 = 1e100;
+/// The numbers from which on sums of squares overflow.
+pub(super) const LARGEST: f64 = 1e150;
+
+/// An experiment with the branches of its points.
+#[derive(Clone, Debug)]
+pub(crate) struct Assigned {
+    /// The experiment with the present values of the parameters.
+    pub experiment: Experiment,
+    pub branches: Vec<Branch>,
+    pub order: Vec<usize>,
+    /// The standard deviation of an ordinate, known or estimated so far.
+    pub noise: f64,
+}
+
+impl Assigned {
+    /// Returns the number of points that count.
+    pub fn counting(&self) -> usize {
+        let counts = |branch: &&Branch| **branch != Branch::LeftOut;
+        self.branches.iter().filter(counts).count()
+    }
+}
+
+/// The parameters to be found, at their present values, with the data.
+#[derive(Clone)]
+pub(crate) struct Problem<'a> {
+    pub table: &'a Table,
+    pub assigned: Vec<Assigned>,
+    pub slots: Vec<Slot>,
+    pub loss: Loss,
+    /// The coordinates of the slots.
+    pub x: DVector<f64>,
+    /// The predictions; `None` if there is no contact with these parameters.
+    pub predicted: Option<Vec<Predicted>>,
+    pub evaluations: usize,
+    /// Whether the last minimisation met parameters without a contact, such as those outside the
+    /// table.
+    pub refused: bool,
+    /// The contacts made last, and whether they have derivatives.
+    contacts: RefCell<Vec<(Bodies, bool, Contact)>>,
+}
+
+/// How a fit ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Ending {
+    Converged,
+    /// The most evaluations allowed were made.
+    OutOfPatience,
+    /// The method stopped for another reason.
+    Failed,
+}
+
+impl<'a> Problem<'a> {
+    /// Starts from the coordinates' own starts.
+    pub fn new(
+        table: &'a Table,
+        assigned: Vec<Assigned>,
+        slots: Vec<Slot>,
+        loss: Loss,
+    ) -> Result<Self, interp::Error> {
+        let x = DVector::from_iterator(
+            slots.len(),
+            slots.iter().map(|slot| slot.coordinate.first()),
+        );
+        let mut problem = Self {
+            table,
+            assigned,
+            slots,
+            loss,
+            x,
+            predicted: None,
+            evaluations: 0,
+            refused: false,
+            contacts: RefCell::new(Vec::new()),
+        };
+        problem.update()?;
+        Ok(problem)
+    }
+
+    /// Returns the present value of a slot.
+    pub fn value(&self, slot: usize) -> f64 {
+        self.slots[slot].coordinate.value(self.x[slot])
+    }
+
+    /// Returns the numbers of the slots that are of an experiment.
+    pub fn slots_of(&self, experiment: usize) -> Vec<usize> {
+        let of_it = |slot: &Slot| {
+            slot.experiment.is_none_or(|own| own == experiment)
+                && self.assigned[experiment]
+                    .experiment
+                    .why_without_effect(slot.parameter)
+                    .is_none()
+        };
+        (0..self.slots.len())
+            .filter(|&slot| of_it(&self.slots[slot]))
+            .collect()
+    }
+
+    /// Gives the experiments the present values, and predicts their points.
+    pub fn update(&mut self) -> Result<(), interp::Error> {
+        self.predicted = None;
+        self.evaluations += 1;
+        for e in 0..self.assigned.len() {
+            for slot in self.slots_of(e) {
+                let (parameter, value) = (self.slots[slot].parameter, self.value(slot));
+                self.assigned[e].experiment.replace(parameter, value)?;
+            }
+        }
+        let predicted: Result<Vec<_>, _> = (0..self.assigned.len())
+            .map(|e| self.predict(e, None))
+            .collect();
+        self.predicted = Some(predicted?);
+        Ok(())
+    }
+
+    /// Predicts the points of an experiment, with derivatives if asked for.
+    pub fn predict(
+        &self,
+        experiment: usize,
+        parameters: Option<&[Parameter]>,
+    ) -> Result<Predicted, interp::Error> {
+        let Assigned {
+            experiment,
+            branches,
+            order,
+            ..
+        } = &self.assigned[experiment];
+        let contact = self.contact(&experiment.bodies, parameters.is_some())?;
+        experiment.predict(&contact, branches, order, parameters)
+    }
+
+    /// Returns the contact of bodies, a new one only if they are new.
+    pub fn contact(&self, bodies: &Bodies, gradient: bool) -> Result<Contact, interp::Error> {
+        let mut contacts = self.contacts.borrow_mut();
+        let known = contacts
+            .iter()
+            .find(|(known, has_gradient, _)| known == bodies && *has_gradient >= gradient);
+        if let Some((_, _, contact)) = known {
+            return Ok(contact.clone());
+        }
+        let contact = bodies.contact(self.table, gradient)?;
+        if contacts.len() >= 2 * self.assigned.len() {
+            contacts.remove(0);
+        }
+        contacts.push((*bodies, gradient, contact.clone()));
+        Ok(contact)
+    }
+
+    /// Lists the points that count: experiment and number.
+    pub fn rows(&self) -> impl Iterator<Item = (usize, usize)> {
+        self.assigned.iter().enumerate().flat_map(|(e, assigned)| {
+            let counts = |&i: &usize| assigned.branches[i] != Branch::LeftOut;
+            (0..assigned.branches.len())
+                .filter(counts)
+                .map(move |i| (e, i))
+        })
+    }
+
+    /// Returns the residuals of the points that count, model less data, in units of the noise, and
+    /// those of the priors.
+    pub fn plain_residuals(&self) -> Option<DVector<f64>> {
+        let predicted = self.predicted.as_ref()?;
+        let mut residuals: Vec<f64> = self
+            .rows()
+            .map(|(e, i)| {
+                let Assigned {
+                    experiment, noise, ..
+                } = &self.assigned[e];
+                (predicted[e].values[i] - experiment.measurement.points[i].ordinate) / noise
+            })
+            .collect();
+        residuals.extend(self.slots.iter().enumerate().filter_map(|(slot, of)| {
+            let prior = of.prior?;
+            Some((self.value(slot) - prior.mean) / prior.width)
+        }));
+        let all_finite = residuals.iter().all(|residual| residual.abs() < LARGEST);
+        all_finite.then(|| DVector::from_vec(residuals))
+    }
+
+    /// Returns the derivatives of [`Self::plain_residuals`] with respect to the values of the
+    /// slots.
+    pub fn plain_jacobian(&self) -> Option<DMatrix<f64>> {
+        let rows = self.rows().count();
+        let priors = self
+            .slots
+            .iter()
+            .filter(|slot| slot.prior.is_some())
+            .count();
+        let mut jacobian = DMatrix::zeros(rows + priors, self.slots.len());
+        let mut row = 0;
+        for (e, assigned) in self.assigned.iter().enumerate() {
+            let slots = self.slots_of(e);
+            let parameters: Vec<Parameter> = slots
+                .iter()
+                .map(|&slot| self.slots[slot].parameter)
+                .collect();
+            let predicted = self.predict(e, Some(&parameters)).ok()?;
+            for (i, branch) in assigned.branches.iter().enumerate() {
+                if *branch == Branch::LeftOut {
+                    continue;
+                }
+                let derivatives = &predicted.derivatives[i * slots.len()..][..slots.len()];
+                for (&slot, derivative) in slots.iter().zip(derivatives) {
+                    jacobian[(row, slot)] = derivative / assigned.noise;
+                }
+                row += 1;
+            }
+        }
+        for (slot, of) in self.slots.iter().enumerate() {
+            if let Some(prior) = of.prior {
+                jacobian[(row, slot)] = 1.0 / prior.width;
+                row += 1;
+            }
+        }
+        let all_finite = jacobian.iter().all(|derivative| derivative.abs() < LARGEST);
+        all_finite.then_some(jacobian)
+    }
+
+    /// Returns the derivatives of [`Self::plain_residuals`] with respect to the values in units of
+    /// their sizes, and these sizes.
+    pub fn jacobian_of_sizes(&self) -> Option<(DMatrix<f64>, Vec<f64>)> {
+        let mut jacobian = self.plain_jacobian()?;
+        let sizes: Vec<f64> = (0..self.slots.len())
+            .map(|slot| self.slots[slot].coordinate.size(self.value(slot)))
+            .collect();
+        for (mut column, size) in jacobian.column_iter_mut().zip(&sizes) {
+            column *= *size;
+        }
+        Some((jacobian, sizes))
+    }
+
+    /// Returns the problem without a slot, at a fixed value of it; `None` if it has no contact
+    /// there.
+    pub fn with_fixed(&self, slot: usize, value: f64) -> Option<Self> {
+        let mut fixed = self.clone();
+        let removed = fixed.slots.remove(slot);
+        fixed.x = self.x.clone().remove_row(slot);
+        for (e, assigned) in fixed.assigned.iter_mut().enumerate() {
+            if removed.experiment.is_none_or(|own| own == e) {
+                assigned.experiment.replace(removed.parameter, value).ok()?;
+            }
+        }
+        fixed.update().ok()?;
+        Some(fixed)
+    }
+
+    /// Takes over all coordinates but one from a problem that does not have this slot.
+    pub fn take_others(&mut self, slot: usize, other: &Self) {
+        for i in (0..self.x.len()).filter(|&i| i != slot) {
+            self.x[i] = other.x[i - usize::from(i > slot)];
+        }
+    }
+
+    /// Returns twice the loss of the present residuals; infinity without a contact.
+    pub fn misfit(&self) -> f64 {
+        self.residuals()
+            .map_or(f64::INFINITY, |residuals| residuals.norm_squared())
+    }
+
+    /// Minimises from the present values, until relative changes are below `tolerance`.
+    pub fn minimise(mut self, patience: usize, tolerance: f64) -> (Self, Ending) {
+        if self.slots.is_empty() {
+            return (self, Ending::Converged);
+        }
+        self.refused = false;
+        // The coordinates are scaled already, by a factor of e or by the range of the data.
+        let method = LevenbergMarquardt::new()
+            .with_scale_diag(false)
+            .with_stepbound(1.0)
+            .with_ftol(tolerance)
+            .with_xtol(tolerance)
+            .with_gtol(0.0)
+            .with_patience(patience);
+        let (problem, report) = method.minimize(self);
+        // A fit that rounding has stopped has converged.
+        let ending = match report.termination {
+            TerminationReason::NoImprovementPossible(_) => Ending::Converged,
+            TerminationReason::LostPatience => Ending::OutOfPatience,
+            ref reason if reason.was_successful() => Ending::Converged,
+            _ => Ending::Failed,
+        };
+        (problem, ending)
+    }
+}
+
+impl LeastSquaresProblem<f64, Dyn, Dyn> for Problem<'_> {
+    type ResidualStorage = Owned<f64, Dyn>;
+    type JacobianStorage = Owned<f64, Dyn, Dyn>;
+    type ParameterStorage = Owned<f64, Dyn>;
+
+    fn set_params(&mut self, x: &DVector<f64>) {
+        self.x.copy_from(x);
+        if self.update().is_err() {
+            self.predicted = None;
+            self.refused = true;
+        }
+    }
+
+    fn params(&self) -> DVector<f64> {
+        self.x.clone()
+    }
+
+    fn residuals(&self) -> Option<DVector<f64>> {
+        Some(match self.plain_residuals() {
+            Some(residuals) => residuals.map(|residual| weighted(self.loss, residual).0),
+            None => {
+                let priors = self
+                    .slots
+                    .iter()
+                    .filter(|slot| slot.prior.is_some())
+                    .count();
+                DVector::from_element(self.rows().count() + priors, REFUSED)
+            }
+        })
+    }
+
+    fn jacobian(&self) -> Option<DMatrix<f64>> {
+        let residuals = self.plain_residuals()?;
+        let mut jacobian = self.plain_jacobian()?;
+        for (mut row, residual) in jacobian.row_iter_mut().zip(residuals.iter()) {
+            row *= weighted(self.loss, *residual).1;
+        }
+        for (slot, mut column) in jacobian.column_iter_mut().enumerate() {
+            column *= self.slots[slot].coordinate.slope(self.x[slot]);
+        }
+        Some(jacobian)
+    }
+}

@@ -1,0 +1,250 @@
+//! The result of a fit.
+
+use crate::{Branch, Parameter};
+
+/// The result of a fit.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Fit {
+    /// Whether the method found a minimum. If not, the numbers are those of its last step.
+    pub converged: bool,
+    /// The number of times that the model was evaluated at all points.
+    pub evaluations: usize,
+    /// The parameters found: in the order of the [`Free`](crate::Free), one for each experiment
+    /// where it has its own.
+    pub estimates: Vec<Estimate>,
+    /// The correlation matrix of the estimates, in their order.
+    pub correlation: Vec<Vec<f64>>,
+    /// The sum of the squared residuals of the points that count, and of the priors, in units of
+    /// the noise.
+    pub chi_squared: f64,
+    /// The number of points that count, and of priors, less that of the parameters.
+    pub degrees_of_freedom: usize,
+    /// `chi_squared` over the degrees of freedom; `None` if the noise of an experiment was
+    /// estimated from the residuals, because then it tells nothing.
+    pub reduced_chi_squared: Option<f64>,
+    /// The experiments, in the order given.
+    pub experiments: Vec<FittedExperiment>,
+    /// The same data without the film; `None` on a half-space, or where the data have no fit
+    /// without it.
+    pub without_film: Option<WithoutFilm>,
+    /// The combinations of parameters that the data do not determine.
+    pub undetermined: Vec<Combination>,
+    /// The doubts about the result.
+    pub warnings: Vec<Warning>,
+}
+
+impl Fit {
+    /// Returns the estimate of a parameter, of the first experiment if each has its own.
+    pub fn estimate(&self, parameter: Parameter) -> Option<&Estimate> {
+        self.estimates
+            .iter()
+            .find(|estimate| estimate.parameter == parameter)
+    }
+
+    /// Tells whether there is a warning of a kind.
+    pub fn warns_of(&self, kind: WarningKind) -> bool {
+        self.warnings.iter().any(|warning| warning.kind == kind)
+    }
+}
+
+/// A parameter found.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Estimate {
+    /// The parameter.
+    pub parameter: Parameter,
+    /// The number of the experiment to which the value belongs; `None` if it is shared.
+    pub experiment: Option<usize>,
+    /// The value, in SI units.
+    pub value: f64,
+    /// The standard error, in SI units, from the derivatives of the model at the minimum.
+    pub standard_error: f64,
+    /// The interval at [`Options::profile_level`](crate::Options::profile_level), if asked for. An
+    /// end is infinite, or 0 for a positive parameter, where the data set no limit within 20 times
+    /// as many standard errors, and NaN where a fit of the other values failed on the way.
+    pub profile: Option<[f64; 2]>,
+}
+
+impl Estimate {
+    /// Returns the interval of `deviations` standard errors on both sides: `value +- z error`, or
+    /// for a positive parameter the same on its logarithm, `value exp(+- z error/value)`.
+    pub fn interval(&self, deviations: f64) -> [f64; 2] {
+        [-deviations, deviations].map(|z| {
+            if self.parameter.is_positive() {
+                self.value * (z * self.standard_error / self.value).exp()
+            } else {
+                self.value + z * self.standard_error
+            }
+        })
+    }
+}
+
+/// An experiment, as fitted.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FittedExperiment {
+    /// The name of the measurement.
+    pub name: String,
+    /// The standard deviation of an ordinate, in N or m.
+    pub noise: f64,
+    /// Whether the noise was estimated from the residuals.
+    pub noise_is_estimated: bool,
+    /// The points, in the order measured.
+    pub points: Vec<FittedPoint>,
+}
+
+/// A measured point, as fitted.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FittedPoint {
+    /// The line of the file that the point comes from.
+    pub line: u64,
+    /// The measured abscissa.
+    pub abscissa: f64,
+    /// The measured ordinate.
+    pub ordinate: f64,
+    /// The ordinate of the fit; `None` for a point that was left out.
+    pub fit: Option<f64>,
+    /// The contact radius of the fit (m); `None` without a contact.
+    pub contact_radius: Option<f64>,
+    /// The ordinate of the fit without the film; `None` where there is none.
+    pub without_film: Option<f64>,
+    /// The branch.
+    pub branch: Branch,
+    /// Whether the residual is more than 5 times the noise.
+    pub outlier: bool,
+}
+
+impl FittedPoint {
+    /// Returns the ordinate measured less that of the fit.
+    pub fn residual(&self) -> Option<f64> {
+        self.fit.map(|fit| self.ordinate - fit)
+    }
+}
+
+/// The same data, fitted without the film by JKR, or by Hertz without adhesion.
+///
+/// If the modulus of the sphere is free, the sphere is taken to touch the bare substrate.
+/// Otherwise, if the modulus of the film is free, it is taken to touch a half-space of film.
+#[derive(Clone, Debug, PartialEq)]
+pub struct WithoutFilm {
+    /// The parameters found.
+    pub estimates: Vec<Estimate>,
+    /// The sum of the squared residuals, in units of the noise of the fit with the film.
+    pub chi_squared: f64,
+    /// The modulus without the film beside that with it; `None` if no modulus is free.
+    pub modulus: Option<ModulusBias>,
+}
+
+/// The error of a modulus that is fitted without the film.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ModulusBias {
+    /// The modulus compared.
+    pub parameter: Parameter,
+    /// The error relative to the modulus with the film: 0.041 is +4.1 %.
+    pub relative: f64,
+    /// The error in standard errors of the modulus with the film.
+    pub standard_errors: f64,
+}
+
+impl ModulusBias {
+    /// The number of standard errors from which the film matters.
+    pub const SIGNIFICANT: f64 = 3.0;
+
+    /// Tells whether the film matters: whether the modulus without it is off by more than
+    /// [`ModulusBias::SIGNIFICANT`] standard errors.
+    pub fn matters(&self) -> bool {
+        self.standard_errors.abs() > Self::SIGNIFICANT
+    }
+}
+
+/// A combination of parameters that the data do not determine: all may change together in these
+/// proportions while no ordinate changes by more than its noise.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Combination {
+    /// The estimates by number, and the weight of each: a change of its logarithm if the parameter
+    /// is positive, else of its value in units of the data. The squares of the weights sum to 1.
+    pub weights: Vec<(usize, f64)>,
+    /// The combination in words, such as `sphere-modulus and work-of-adhesion`.
+    pub text: String,
+}
+
+/// What a warning is about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum WarningKind {
+    /// The method did not find a minimum.
+    NotConverged,
+    /// A parameter whose standard error is above half its value (of the range of the data for an
+    /// offset).
+    Undetermined,
+    /// A parameter that ended at one of its bounds.
+    AtBound,
+    /// A modulus, a work of adhesion or a length that no experiment has: a wrong unit.
+    Implausible,
+    /// Residuals larger than the given noise explains.
+    PoorFit,
+    /// A zero of the instrument that is not fitted but wanted by the data.
+    OffsetWanted,
+    /// Approach and retract do not have one work of adhesion.
+    MixedBranches,
+    /// Residuals whose signs follow one another by more than chance.
+    StructuredResiduals,
+    /// Points far from the fit.
+    Outliers,
+    /// Points that the fit leaves out.
+    LeftOut,
+    /// A contact that is large beside the sphere.
+    LargeContact,
+    /// An attraction whose range is not small: Tabor's parameter is below 5.
+    LongRange,
+    /// A penetration that is large beside the thickness of the film.
+    LargeStrain,
+    /// Contacts so small or so large beside the film that they hardly tell it.
+    FilmNotSeen,
+    /// The fit was stopped by the end of the table.
+    EndOfTable,
+    /// Other parameters explain the data as well.
+    SeveralMinima,
+}
+
+impl WarningKind {
+    /// Returns the name, as in JSON.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::NotConverged => "not-converged",
+            Self::Undetermined => "undetermined",
+            Self::AtBound => "at-bound",
+            Self::Implausible => "implausible",
+            Self::PoorFit => "poor-fit",
+            Self::OffsetWanted => "offset-wanted",
+            Self::MixedBranches => "mixed-branches",
+            Self::StructuredResiduals => "structured-residuals",
+            Self::Outliers => "outliers",
+            Self::LeftOut => "left-out",
+            Self::LargeContact => "large-contact",
+            Self::LongRange => "long-range",
+            Self::LargeStrain => "large-strain",
+            Self::FilmNotSeen => "film-not-seen",
+            Self::EndOfTable => "end-of-table",
+            Self::SeveralMinima => "several-minima",
+        }
+    }
+}
+
+/// A doubt about the result.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Warning {
+    /// What it is about.
+    pub kind: WarningKind,
+    /// The doubt in one sentence, with the numbers and the next step.
+    pub text: String,
+}
+
+/// What an experiment would tell, before it is made.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Forecast {
+    /// The parameters at their true values, with the standard errors expected.
+    pub estimates: Vec<Estimate>,
+    /// Their expected correlation matrix.
+    pub correlation: Vec<Vec<f64>>,
+    /// The combinations that the experiment would not determine.
+    pub undetermined: Vec<Combination>,
+}

@@ -1,0 +1,377 @@
+//! The way to the minimum: points near the end of a branch are held back, the noise is estimated,
+//! and other starts are tried where the first one ends badly.
+
+use interp::Table;
+
+use super::problem::{Assigned, Ending, Problem};
+use super::slot::Slot;
+use super::start;
+use super::uncertainty::Uncertainty;
+use crate::model::Assignment;
+use crate::statistics::{excess, median};
+use crate::{Branch, Error, Experiment, Free, Kind, Loss, Parameter};
+
+/// The most evaluations over the number of parameters + 1.
+const PATIENCE: usize = 60;
+/// The most points of each branch that count at first.
+const FEW: usize = 40;
+/// The relative changes of the sum of squares and of the values at which the method stops: on few
+/// points, where more points follow, and at last.
+const COARSE: f64 = 1e-4;
+const FINE: f64 = 1e-8;
+/// The part of the imposed values of a branch, counted from its end, that is held back at first.
+const HELD_BACK: f64 = 0.03;
+/// Points count from this number of standard errors of the end of their branch on. Nearer to it a
+/// force is no linear function of the parameters.
+const CLEAR: f64 = 4.0;
+/// The most rounds of noise and branches.
+const ROUNDS: usize = 6;
+/// The largest distance of the end of a fit from the minimum of its linearisation, in standard
+/// errors. A fit that ends farther away was stopped.
+pub(super) const SHORT: f64 = 0.1;
+/// The change of an estimated noise that needs another round.
+const NOISE_CHANGE: f64 = 0.02;
+/// The smallest noise, relative to the range of the ordinates, that an estimate can give.
+const LEAST_NOISE: f64 = 1e-12;
+/// An excess of the sum of squares, in standard deviations, at which other starts are tried.
+const BAD: f64 = 4.5;
+/// The factors of other starts.
+const OTHER_STARTS: [f64; 2] = [0.05, 20.0];
+/// Minima whose sums of squares differ by less cannot be told apart.
+pub(crate) const SAME: f64 = 4.0;
+
+/// A minimum, and what is known about the way to it.
+pub(crate) struct Minimum<'a> {
+    pub problem: Problem<'a>,
+    pub ending: Ending,
+    /// The uncertainty there; `None` where there are no derivatives.
+    pub uncertainty: Option<Uncertainty>,
+    /// Another minimum that the data cannot tell from this one.
+    pub rival: Option<Vec<f64>>,
+}
+
+/// The data of a fit before any value is found.
+pub(crate) struct Data {
+    pub assigned: Vec<Assigned>,
+    /// The noise that differences of neighbouring ordinates show.
+    pub local_noise: Vec<Option<f64>>,
+}
+
+impl Data {
+    /// Takes experiments with the branches of their points.
+    pub fn new(experiments: &[Experiment], assignments: Vec<Assignment>) -> Self {
+        let local_noise = assignments.iter().map(|one| one.local_noise).collect();
+        let assigned = experiments.iter().zip(assignments);
+        let assigned = assigned.map(|(experiment, assignment)| Assigned {
+            noise: experiment.noise.unwrap_or_else(|| {
+                let least = 1e-6 * range(experiment);
+                assignment.local_noise.unwrap_or(0.0).max(least)
+            }),
+            experiment: experiment.clone(),
+            branches: assignment.branches,
+            order: assignment.order,
+        });
+        Self {
+            assigned: assigned.collect(),
+            local_noise,
+        }
+    }
+}
+
+/// Returns the range of the ordinates.
+fn range(experiment: &Experiment) -> f64 {
+    let readings = experiment.measurement.points.iter().map(|p| p.ordinate);
+    let [least, most] = readings.fold([f64::INFINITY, f64::NEG_INFINITY], |[l, m], y| {
+        [l.min(y), m.max(y)]
+    });
+    most - least
+}
+
+/// Finds the minimum.
+pub(crate) fn minimum<'a>(
+    table: &'a Table,
+    data: &Data,
+    (free, slots): (&[Free], &[Slot]),
+    loss: Loss,
+) -> Result<Minimum<'a>, Error> {
+    let few: Vec<Assigned> = data.assigned.iter().map(hold_back).map(thin).collect();
+    let from = |factor: f64| -> Result<(Problem<'a>, Ending), Error> {
+        let problem = start::problem(table, &few, (free, slots), loss, factor)?;
+        Ok(problem.minimise(PATIENCE, COARSE))
+    };
+    let (mut problem, mut ending) = from(1.0)?;
+    let mut rival = None;
+    if ending != Ending::Converged || is_bad(&problem, data) {
+        for factor in OTHER_STARTS {
+            // A start where the model has no contact is no start.
+            let Ok((mut other, other_ending)) = from(factor) else {
+                continue;
+            };
+            other.evaluations += problem.evaluations;
+            let better = other.misfit() < problem.misfit();
+            let both = ending == Ending::Converged && other_ending == Ending::Converged;
+            if both && is_rival(&problem, &other) {
+                let worse = if better { &problem } else { &other };
+                rival = Some((0..slots.len()).map(|slot| worse.value(slot)).collect());
+            }
+            let preferred = (other_ending == Ending::Converged, better)
+                > (ending == Ending::Converged, !better);
+            if preferred {
+                (problem, ending) = (other, other_ending);
+            } else {
+                problem.evaluations = other.evaluations;
+            }
+        }
+    }
+    let (problem, ending, uncertainty) = settle(problem, ending, data);
+    Ok(Minimum {
+        problem,
+        ending,
+        uncertainty,
+        rival,
+    })
+}
+
+/// Leaves out the points near the end of a branch that ends within the data.
+pub(super) fn hold_back(assigned: &Assigned) -> Assigned {
+    let mut assigned = assigned.clone();
+    let experiment = &assigned.experiment;
+    let at_positions = matches!(
+        experiment.measurement.kind,
+        Kind::LoadPenetration | Kind::ForceHeight
+    );
+    if !at_positions {
+        return assigned;
+    }
+    let points = &experiment.measurement.points;
+    for branch in [Branch::Advancing, Branch::Receding] {
+        let positions = points
+            .iter()
+            .zip(&assigned.branches)
+            .filter(|(_, own)| **own == branch)
+            .map(|(point, _)| experiment.sense() * point.abscissa);
+        let [least, most] = positions.fold([f64::INFINITY, f64::NEG_INFINITY], |[l, m], v| {
+            [l.min(v), m.max(v)]
+        });
+        let adhesive = experiment.work_of(branch) > 0.0;
+        let ends = least + HELD_BACK * (most - least);
+        for (point, own) in points.iter().zip(&mut assigned.branches) {
+            if adhesive && *own == branch && experiment.sense() * point.abscissa < ends {
+                *own = Branch::LeftOut;
+            }
+        }
+    }
+    assigned
+}
+
+/// Leaves out all but [`FEW`] points of each branch.
+fn thin(mut assigned: Assigned) -> Assigned {
+    for branch in [Branch::Advancing, Branch::Receding, Branch::Baseline] {
+        let of_branch = assigned.order.iter().copied();
+        let own: Vec<usize> = of_branch
+            .filter(|&i| assigned.branches[i] == branch)
+            .collect();
+        let stride = own.len().div_ceil(FEW).max(1);
+        for (n, i) in own.into_iter().enumerate() {
+            if n % stride != 0 {
+                assigned.branches[i] = Branch::LeftOut;
+            }
+        }
+    }
+    assigned
+}
+
+/// Tells whether the residuals are larger than the noise, given or seen in neighbouring ordinates.
+fn is_bad(problem: &Problem<'_>, data: &Data) -> bool {
+    let Some(residuals) = problem.plain_residuals() else {
+        return true;
+    };
+    let mut row = 0;
+    problem.assigned.iter().enumerate().any(|(e, assigned)| {
+        let count = assigned.counting();
+        let own = residuals.rows(row, count);
+        row += count;
+        let noise = assigned.experiment.noise.or(data.local_noise[e]);
+        let Some(noise) = noise.filter(|&noise| noise > 0.0) else {
+            return false;
+        };
+        // The median bears outliers.
+        let squares = own.iter().map(|r| (r * assigned.noise / noise).powi(2));
+        let middle = median(squares.collect()) / 0.454_94;
+        excess(middle * count as f64, count as f64) > BAD
+    })
+}
+
+/// Tells whether two minima are different but fit equally well.
+fn is_rival(one: &Problem<'_>, other: &Problem<'_>) -> bool {
+    let Some(uncertainty) = Uncertainty::of(one) else {
+        return false;
+    };
+    let far = (0..one.slots.len()).any(|slot| {
+        let size = uncertainty.sizes[slot] * uncertainty.relative_error(slot);
+        (one.value(slot) - other.value(slot)).abs() > 3.0 * size
+    });
+    far && (one.misfit() - other.misfit()).abs() < SAME
+}
+
+/// Estimates the noise where it is not known, and lets the points count that are clear of the end
+/// of their branch, until neither changes.
+fn settle<'a>(
+    mut problem: Problem<'a>,
+    mut ending: Ending,
+    data: &Data,
+) -> (Problem<'a>, Ending, Option<Uncertainty>) {
+    // A point left out for being near the end stays out, so that the rounds come to an end. The
+    // first round, on few points, only proposes.
+    let mut excluded: Vec<Vec<bool>> = data
+        .assigned
+        .iter()
+        .map(|assigned| vec![false; assigned.branches.len()])
+        .collect();
+    let mut round = 0;
+    loop {
+        let uncertainty = Uncertainty::of(&problem);
+        let Some(uncertainty) = uncertainty else {
+            return (problem, Ending::Failed, None);
+        };
+        let (uncertainty, noise_changed) = estimate_noise(&mut problem, uncertainty);
+        let mut branches_changed = false;
+        for (e, excluded) in excluded.iter_mut().enumerate() {
+            let whole = &data.assigned[e];
+            let ends = ends(&problem, e, &uncertainty, whole);
+            let mut near = near_the_end(whole, &ends);
+            for (near, out) in near.iter_mut().zip(&mut *excluded) {
+                *near |= *out;
+                *out = *near && round > 0;
+            }
+            let branches = whole.branches.iter().zip(near);
+            let branches: Vec<Branch> = branches
+                .map(|(branch, near)| if near { Branch::LeftOut } else { *branch })
+                .collect();
+            if branches != problem.assigned[e].branches {
+                problem.assigned[e].branches = branches;
+                branches_changed = true;
+            }
+        }
+        let noise_matters = problem.assigned.len() > 1
+            || problem.loss != Loss::Squares
+            || problem.slots.iter().any(|slot| slot.prior.is_some());
+        round += 1;
+        // At a point where the contact changes from pinned to receding the derivatives have a step,
+        // at which the method may stop too early.
+        let stalled = uncertainty.short > SHORT && ending == Ending::Converged && round < 3;
+        let settled = !(branches_changed || noise_changed && noise_matters || stalled);
+        if settled || round == ROUNDS {
+            return (problem, ending, Some(uncertainty));
+        }
+        if problem.update().is_err() {
+            return (problem, Ending::Failed, None);
+        }
+        (problem, ending) = problem.minimise(PATIENCE, FINE);
+    }
+}
+
+/// Estimates the noise of the experiments in which it is not known. Returns the uncertainty with
+/// the new noise, and whether the noise changed.
+fn estimate_noise(problem: &mut Problem<'_>, uncertainty: Uncertainty) -> (Uncertainty, bool) {
+    let Some(mut residuals) = problem.plain_residuals() else {
+        return (uncertainty, false);
+    };
+    let (mut row, mut changed) = (0, false);
+    let mut jacobian = uncertainty.jacobian.clone();
+    for assigned in &mut problem.assigned {
+        let rows = row..row + assigned.counting();
+        row = rows.end;
+        if assigned.experiment.noise.is_some() || rows.is_empty() {
+            continue;
+        }
+        let followed: f64 = uncertainty.leverages[rows.clone()].iter().sum();
+        let count = rows.len() as f64;
+        let free = (count - followed).max(0.5);
+        let own = residuals.rows(rows.start, rows.len());
+        let scale = match problem.loss {
+            Loss::Squares => (own.norm_squared() / free).sqrt(),
+            _ => {
+                let sizes = own.iter().map(|residual| residual.abs()).collect();
+                median(sizes) / 0.674_49 * (count / free).sqrt()
+            }
+        };
+        let least = LEAST_NOISE * range(&assigned.experiment);
+        let noise = (scale * assigned.noise).max(least);
+        let ratio = assigned.noise / noise;
+        changed |= ratio.ln().abs() > NOISE_CHANGE;
+        assigned.noise = noise;
+        residuals.rows_mut(rows.start, rows.len()).scale_mut(ratio);
+        jacobian.rows_mut(rows.start, rows.len()).scale_mut(ratio);
+    }
+    let sizes = uncertainty.sizes;
+    (
+        Uncertainty::new(jacobian, &residuals, problem.loss, sizes),
+        changed,
+    )
+}
+
+/// The end of a stable branch, as far as the fit knows it, in the sense of the imposed value.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct End {
+    /// The branch.
+    pub branch: Branch,
+    /// The abscissa of the end times the sense.
+    pub position: f64,
+    /// The distance from which on a point is clear of it.
+    pub clear: f64,
+}
+
+/// Returns the ends of the branches that an experiment has points on.
+pub(super) fn ends(
+    problem: &Problem<'_>,
+    e: usize,
+    uncertainty: &Uncertainty,
+    whole: &Assigned,
+) -> Vec<End> {
+    let experiment = &problem.assigned[e].experiment;
+    let slots = problem.slots_of(e);
+    let parameters: Vec<Parameter> = slots
+        .iter()
+        .map(|&slot| problem.slots[slot].parameter)
+        .collect();
+    // With all points that may count, the variance will be smaller.
+    let part = problem.assigned[e].counting() as f64 / whole.counting().max(1) as f64;
+    let end = |branch: Branch| {
+        let end = problem
+            .contact(&experiment.bodies, true)
+            .and_then(|contact| experiment.branch_end(&contact, branch, &parameters));
+        let end = end.ok().flatten()?;
+        let mut variance = 0.0;
+        for (&one, by_one) in slots.iter().zip(end.derivatives) {
+            for (&other, by_other) in slots.iter().zip(end.derivatives) {
+                let sizes = uncertainty.sizes[one] * uncertainty.sizes[other];
+                variance += by_one * by_other * sizes * uncertainty.covariance[(one, other)];
+            }
+        }
+        Some(End {
+            branch,
+            position: experiment.sense() * end.abscissa,
+            clear: CLEAR * (part * variance.max(0.0)).sqrt(),
+        })
+    };
+    [Branch::Advancing, Branch::Receding]
+        .into_iter()
+        .filter(|branch| whole.branches.contains(branch))
+        .filter_map(end)
+        .collect()
+}
+
+/// Tells which points in contact are beyond the end of their branch, or too near to it.
+pub(super) fn near_the_end(whole: &Assigned, ends: &[End]) -> Vec<bool> {
+    let sense = whole.experiment.sense();
+    let points = whole.experiment.measurement.points.iter();
+    points
+        .zip(&whole.branches)
+        .map(|(point, branch)| {
+            ends.iter().any(|end| {
+                end.branch == *branch && sense * point.abscissa <= end.position + end.clear
+            })
+        })
+        .collect()
+}

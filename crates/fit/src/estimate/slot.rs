@@ -1,0 +1,286 @@
+//! The values to be found, and the coordinates in which the method moves them.
+
+use crate::{Error, Experiment, Free, Parameter, Prior, Scope};
+
+/// The part of the distance between two bounds by which a start keeps away from them.
+const INSIDE: f64 = 0.02;
+/// The part of the distance between two bounds within which a value is at a bound.
+const AT_BOUND: f64 = 1e-3;
+
+/// One value to be found.
+#[derive(Clone, Debug)]
+pub(crate) struct Slot {
+    pub parameter: Parameter,
+    /// The experiment to which it belongs; `None` if all share it.
+    pub experiment: Option<usize>,
+    pub prior: Option<Prior>,
+    pub coordinate: Coordinate,
+}
+
+/// The coordinate of a value. It is 0 at the start, or an angle between bounds.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Coordinate {
+    /// Whether the logarithm of the value is fitted.
+    positive: bool,
+    /// The value at 0, and the change of the value (of its logarithm, 1) by a coordinate of 1.
+    start: f64,
+    unit: f64,
+    /// The bounds of the value or of its logarithm.
+    bounds: Option<[f64; 2]>,
+}
+
+impl Slot {
+    /// Returns the slot without bounds and prior, starting from a value.
+    pub fn without_limits(&self, start: f64) -> Self {
+        Self {
+            prior: None,
+            coordinate: self.coordinate.without_bounds().starting_from(start),
+            ..self.clone()
+        }
+    }
+}
+
+impl Coordinate {
+    /// Takes the start, the unit of a value that may be negative, and the bounds.
+    pub fn new(positive: bool, start: f64, unit: f64, bounds: Option<[f64; 2]>) -> Self {
+        let scale = |value: f64| if positive { value.ln() } else { value };
+        Self {
+            positive,
+            start,
+            unit: if positive { 1.0 } else { unit },
+            bounds: bounds.map(|bounds| bounds.map(scale)),
+        }
+    }
+
+    /// Returns the same coordinate with another start.
+    pub fn starting_from(self, start: f64) -> Self {
+        Self { start, ..self }
+    }
+
+    /// Returns the same coordinate without bounds.
+    pub fn without_bounds(self) -> Self {
+        Self {
+            bounds: None,
+            ..self
+        }
+    }
+
+    /// Returns the same coordinate with another unit, if its value may be negative.
+    pub fn with_unit(self, unit: f64) -> Self {
+        let unit = if self.positive { 1.0 } else { unit };
+        Self { unit, ..self }
+    }
+
+    /// Returns the coordinate of the start.
+    pub fn first(&self) -> f64 {
+        let Some([least, most]) = self.bounds else {
+            return 0.0;
+        };
+        let scaled = if self.positive {
+            self.start.ln()
+        } else {
+            self.start
+        };
+        let part = ((scaled - least) / (most - least)).clamp(INSIDE, 1.0 - INSIDE);
+        (2.0 * part - 1.0).asin()
+    }
+
+    /// Returns the value at a coordinate.
+    pub fn value(&self, x: f64) -> f64 {
+        match (self.bounds, self.positive) {
+            (Some([least, most]), positive) => {
+                let scaled = least + (most - least) * 0.5 * (1.0 + x.sin());
+                if positive { scaled.exp() } else { scaled }
+            }
+            (None, true) => self.start * x.exp(),
+            (None, false) => self.start + x * self.unit,
+        }
+    }
+
+    /// Returns the derivative of the value at a coordinate.
+    pub fn slope(&self, x: f64) -> f64 {
+        match (self.bounds, self.positive) {
+            (Some([least, most]), positive) => {
+                let slope = (most - least) * 0.5 * x.cos();
+                if positive {
+                    self.value(x) * slope
+                } else {
+                    slope
+                }
+            }
+            (None, true) => self.value(x),
+            (None, false) => self.unit,
+        }
+    }
+
+    /// Returns the size in which a change of a value is measured: the value itself if it is
+    /// positive, else the unit.
+    pub fn size(&self, value: f64) -> f64 {
+        if self.positive { value } else { self.unit }
+    }
+
+    /// Tells whether a value is at one of its bounds.
+    pub fn is_at_bound(&self, value: f64) -> bool {
+        let scaled = if self.positive { value.ln() } else { value };
+        self.bounds.is_some_and(|[least, most]| {
+            let part = (scaled - least) / (most - least);
+            !(AT_BOUND..=1.0 - AT_BOUND).contains(&part)
+        })
+    }
+}
+
+/// Accepts what is free, and lists the values to be found. The coordinates start from the values of
+/// the experiments.
+pub(crate) fn slots(experiments: &[Experiment], free: &[Free]) -> Result<Vec<Slot>, Error> {
+    for (i, one) in free.iter().enumerate() {
+        accept(one)?;
+        for other in &free[..i] {
+            let both = [one.parameter, other.parameter];
+            let one_level = both.contains(&Parameter::LoadOffset)
+                && both.contains(&Parameter::Baseline)
+                && experiments
+                    .iter()
+                    .all(|experiment| experiment.why_without_effect(Parameter::Baseline).is_none());
+            if both[0] == both[1] || one_level {
+                return Err(Error::Redundant(both[0], both[1]));
+            }
+        }
+    }
+    let mut slots = Vec::new();
+    for one in free {
+        let applies = |experiment: &Experiment| experiment.why_without_effect(one.parameter);
+        if let Some((first, reason)) = experiments.first().and_then(|first| {
+            let none = experiments
+                .iter()
+                .all(|experiment| applies(experiment).is_some());
+            applies(first)
+                .filter(|_| none)
+                .map(|reason| (first, reason))
+        }) {
+            return Err(Error::NotApplicable {
+                parameter: one.parameter,
+                experiment: first.measurement.name.clone(),
+                reason,
+            });
+        }
+        let members: Vec<usize> = (0..experiments.len())
+            .filter(|&e| applies(&experiments[e]).is_none())
+            .collect();
+        let start_of = |e: usize| {
+            let own = experiments[e].get(one.parameter);
+            one.start.or(own).or(match one.parameter {
+                Parameter::WorkOfAdhesionReceding => Some(experiments[e].work_of_adhesion),
+                _ => None,
+            })
+        };
+        let slot = |experiment: Option<usize>, start: f64| Slot {
+            parameter: one.parameter,
+            experiment,
+            prior: one.prior,
+            coordinate: Coordinate::new(
+                one.parameter.is_positive(),
+                start,
+                1.0,
+                one.bounds
+                    .or(if one.parameter == Parameter::FilmPoissonRatio {
+                        Some([0.0, 0.5])
+                    } else {
+                        None
+                    }),
+            ),
+        };
+        let missing = |e: usize| Error::NotApplicable {
+            parameter: one.parameter,
+            experiment: experiments[e].measurement.name.clone(),
+            reason: "it has no value to start from; give one",
+        };
+        match one.scope {
+            Scope::Own if experiments.len() > 1 => {
+                for e in members {
+                    let start = start_of(e).ok_or_else(|| missing(e))?;
+                    slots.push(slot(Some(e), start));
+                }
+            }
+            _ => {
+                let first = members[0];
+                let start = start_of(first).ok_or_else(|| missing(first))?;
+                for &e in &members[1..] {
+                    let other = start_of(e).ok_or_else(|| missing(e))?;
+                    if other != start {
+                        return Err(Error::Setting {
+                            name: format!(
+                                "{} of {}",
+                                one.parameter, experiments[e].measurement.name
+                            ),
+                            value: other,
+                            allowed: format!(
+                                "{start:?}, that of {}, because one value is fitted for all: give \
+                                 one start, or fit a value for each",
+                                experiments[first].measurement.name
+                            ),
+                        });
+                    }
+                }
+                slots.push(slot(None, start));
+            }
+        }
+    }
+    Ok(slots)
+}
+
+/// Accepts the start, bounds and prior of a free parameter.
+fn accept(free: &Free) -> Result<(), Error> {
+    let parameter = free.parameter;
+    let setting = |what: &str, value: f64, allowed: String| Error::Setting {
+        name: format!("{what} of {parameter}"),
+        value,
+        allowed,
+    };
+    let is_possible = |value: f64| value.is_finite() && (!parameter.is_positive() || value > 0.0);
+    let possible = if parameter.is_positive() {
+        "positive and finite"
+    } else {
+        "finite"
+    };
+    if let Some(start) = free.start.filter(|&start| !is_possible(start)) {
+        return Err(setting("the start", start, possible.into()));
+    }
+    if let Some([least, most]) = free.bounds {
+        for bound in [least, most] {
+            if !is_possible(bound) {
+                return Err(setting("a bound", bound, possible.into()));
+            }
+        }
+        if least >= most {
+            return Err(setting(
+                "the upper bound",
+                most,
+                format!("above the lower one, {least:?}"),
+            ));
+        }
+        if parameter == Parameter::FilmPoissonRatio && (least <= -1.0 || most > 0.5) {
+            let wrong = if most > 0.5 { most } else { least };
+            return Err(setting("a bound", wrong, "in (-1, 0.5]".into()));
+        }
+        if let Some(start) = free.start.filter(|start| !(least..=most).contains(start)) {
+            return Err(setting(
+                "the start",
+                start,
+                format!("between the bounds, {least:?} and {most:?}"),
+            ));
+        }
+    }
+    if let Some(Prior { mean, width }) = free.prior {
+        if !mean.is_finite() {
+            return Err(setting("the prior mean", mean, "finite".into()));
+        }
+        if !(width > 0.0 && width.is_finite()) {
+            return Err(setting(
+                "the prior width",
+                width,
+                "positive and finite".into(),
+            ));
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,272 @@
+//! The fit, from the data to the result.
+
+use interp::Table;
+
+use super::problem::{Ending, Problem};
+use super::search::{Data, Minimum, minimum};
+use super::slot::{Slot, slots};
+use super::uncertainty::Uncertainty;
+use super::{loss, profile, warnings, without_film};
+use crate::model::Freedom;
+use crate::statistics::deviations;
+use crate::{
+    Branch, Error, Estimate, Experiment, Fit, FittedExperiment, FittedPoint, Free, Options,
+    Parameter,
+};
+
+/// The number of standard deviations beyond which a residual is an outlier.
+const OUTLIER: f64 = 5.0;
+
+/// Finds the free parameters of one or several experiments.
+///
+/// Levenberg and Marquardt's method with the analytic Jacobian minimises the loss. Moduli, works of
+/// adhesion, thickness and stiffness are varied by their logarithms. The start comes from straight
+/// lines through the data without the film; where it ends in a bad minimum, other starts are tried.
+///
+/// Points whose force lies within 4 standard errors of the end of their branch are left out,
+/// because there it depends on the parameters in no linear way, and standard errors would be too
+/// small.
+///
+/// The fit is deterministic and uses one thread. The curves of a map can be fitted side by side:
+/// threads may share the `table`.
+///
+/// # Errors
+/// [`Error`] for points, parameters or options that cannot be used. A fit that does not converge is
+/// no error: see [`Fit::converged`].
+pub fn fit(
+    table: &Table,
+    experiments: &[Experiment],
+    free: &[Free],
+    options: &Options,
+) -> Result<Fit, Error> {
+    accept(options)?;
+    let (data, slots) = prepare(experiments, free)?;
+    let points: usize = data
+        .assigned
+        .iter()
+        .map(super::problem::Assigned::counting)
+        .sum();
+    let priors = slots.iter().filter(|slot| slot.prior.is_some()).count();
+    if points + priors <= slots.len() {
+        return Err(Error::TooFewPoints {
+            points,
+            parameters: slots.len(),
+        });
+    }
+    let found = minimum(table, &data, (free, &slots), options.loss)?;
+    let without_film = without_film::without_film(table, &found, free, options.loss);
+    Ok(result(&found, &data, options, without_film))
+}
+
+/// Accepts the experiments, reads the branches of their points, and lists the values to be found.
+pub(crate) fn prepare(
+    experiments: &[Experiment],
+    free: &[Free],
+) -> Result<(Data, Vec<Slot>), Error> {
+    if experiments.is_empty() {
+        return Err(Error::Nothing("experiment"));
+    }
+    if free.is_empty() {
+        return Err(Error::Nothing("free parameter"));
+    }
+    let slots = slots(experiments, free)?;
+    let is_free = |parameter| free.iter().any(|one| one.parameter == parameter);
+    let mut experiments = experiments.to_vec();
+    let mut assignments = Vec::new();
+    for experiment in &mut experiments {
+        experiment.accept_stiffness()?;
+        accept_numbers(experiment)?;
+        if is_free(Parameter::WorkOfAdhesionReceding) {
+            let receding = experiment.work_of_adhesion_receding;
+            let receding = receding.unwrap_or(experiment.work_of_adhesion);
+            experiment.work_of_adhesion_receding = Some(receding);
+        }
+        let adhesive = is_free(Parameter::WorkOfAdhesion)
+            || is_free(Parameter::WorkOfAdhesionReceding)
+            || experiment.work_of_adhesion > 0.0
+            || experiment
+                .work_of_adhesion_receding
+                .is_some_and(|w| w > 0.0);
+        assignments.push(experiment.assign(Freedom {
+            adhesive,
+            hysteretic: experiment.work_of_adhesion_receding.is_some(),
+            level: is_free(Parameter::LoadOffset) || is_free(Parameter::Baseline),
+        })?);
+    }
+    Ok((Data::new(&experiments, assignments), slots))
+}
+
+/// Accepts noise, works of adhesion and the zeros of the instrument.
+fn accept_numbers(experiment: &Experiment) -> Result<(), Error> {
+    let name = &experiment.measurement.name;
+    if experiment.measurement.points.is_empty() {
+        return Err(Error::TooFewPoints {
+            points: 0,
+            parameters: 1,
+        });
+    }
+    let setting = |what: &str, value: f64, allowed: &str| Error::Setting {
+        name: format!("{what} of {name}"),
+        value,
+        allowed: allowed.into(),
+    };
+    if let Some(noise) = experiment.noise.filter(|n| !(*n > 0.0 && n.is_finite())) {
+        return Err(setting("the noise", noise, "positive and finite"));
+    }
+    for parameter in [Parameter::WorkOfAdhesion, Parameter::WorkOfAdhesionReceding] {
+        let value = experiment.get(parameter);
+        if let Some(value) = value.filter(|value| !(0.0..f64::INFINITY).contains(value)) {
+            return Err(setting(parameter.name(), value, ">= 0 and finite"));
+        }
+    }
+    for parameter in [
+        Parameter::LoadOffset,
+        Parameter::ContactPoint,
+        Parameter::Baseline,
+        Parameter::BaselineSlope,
+    ] {
+        let value = experiment.get(parameter);
+        if let Some(value) = value.filter(|value| !value.is_finite()) {
+            return Err(setting(parameter.name(), value, "finite"));
+        }
+    }
+    Ok(())
+}
+
+/// Accepts the options.
+fn accept(options: &Options) -> Result<(), Error> {
+    loss::accept(options.loss)?;
+    let range = options.interaction_range;
+    if !(range > 0.0 && range.is_finite()) {
+        return Err(Error::Setting {
+            name: "the interaction range".into(),
+            value: range,
+            allowed: "positive and finite".into(),
+        });
+    }
+    if let Some(level) = options
+        .profile_level
+        .filter(|level| !(*level > 0.0 && *level < 1.0))
+    {
+        return Err(Error::Setting {
+            name: "the level of profile-likelihood intervals".into(),
+            value: level,
+            allowed: "between 0 and 1".into(),
+        });
+    }
+    Ok(())
+}
+
+/// Returns the values found, with their standard errors.
+pub(crate) fn estimates(problem: &Problem<'_>, uncertainty: Option<&Uncertainty>) -> Vec<Estimate> {
+    let estimate = |(i, slot): (usize, &Slot)| Estimate {
+        parameter: slot.parameter,
+        experiment: slot.experiment,
+        value: problem.value(i),
+        standard_error: uncertainty.map_or(f64::NAN, |uncertainty| {
+            uncertainty.relative_error(i) * uncertainty.sizes[i]
+        }),
+        profile: None,
+    };
+    problem.slots.iter().enumerate().map(estimate).collect()
+}
+
+/// Returns the names of the values to be found.
+pub(crate) fn slot_names(problem: &Problem<'_>) -> Vec<String> {
+    let name = |slot: &Slot| match slot.experiment {
+        Some(e) => format!(
+            "{} of {}",
+            slot.parameter, problem.assigned[e].experiment.measurement.name
+        ),
+        None => slot.parameter.to_string(),
+    };
+    problem.slots.iter().map(name).collect()
+}
+
+/// Puts the result together.
+fn result(
+    found: &Minimum<'_>,
+    data: &Data,
+    options: &Options,
+    without: Option<without_film::Found>,
+) -> Fit {
+    let problem = &found.problem;
+    let uncertainty = found.uncertainty.as_ref();
+    let mut estimates = estimates(problem, uncertainty);
+    let mut evaluations = problem.evaluations;
+    if let Some(level) = options.profile_level
+        && found.ending == Ending::Converged
+        && let Some(uncertainty) = uncertainty
+    {
+        evaluations += profile::add(&mut estimates, problem, uncertainty, deviations(level));
+    }
+    let residuals = problem.plain_residuals();
+    let count = residuals.as_ref().map_or(0, nalgebra::Matrix::len);
+    let chi_squared = residuals.map_or(f64::NAN, |residuals| residuals.norm_squared());
+    let degrees_of_freedom = count.saturating_sub(problem.slots.len());
+    let all_given = problem
+        .assigned
+        .iter()
+        .all(|assigned| assigned.experiment.noise.is_some());
+    let (without_film, predictions) = without.map_or((None, None), |found| {
+        (Some(found.result), Some(found.predictions))
+    });
+    let mut fit = Fit {
+        converged: found.ending == Ending::Converged,
+        evaluations,
+        estimates,
+        correlation: uncertainty.map_or_else(Vec::new, Uncertainty::correlation),
+        chi_squared,
+        degrees_of_freedom,
+        reduced_chi_squared: all_given.then(|| chi_squared / degrees_of_freedom as f64),
+        experiments: (0..problem.assigned.len())
+            .map(|e| experiment(problem, e, predictions.as_ref().map(|all| &all[e])))
+            .collect(),
+        without_film,
+        undetermined: uncertainty.map_or_else(Vec::new, |uncertainty| {
+            uncertainty.undetermined(&slot_names(problem))
+        }),
+        warnings: Vec::new(),
+    };
+    fit.warnings = warnings::warnings(&fit, found, data, options);
+    fit
+}
+
+/// Returns an experiment as fitted.
+fn experiment(
+    problem: &Problem<'_>,
+    e: usize,
+    without_film: Option<&Vec<Option<f64>>>,
+) -> FittedExperiment {
+    let assigned = &problem.assigned[e];
+    let predicted = problem.predicted.as_ref().map(|all| &all[e]);
+    let measurement = &assigned.experiment.measurement;
+    let point = |(i, point): (usize, &crate::Point)| {
+        let counts = assigned.branches[i] != Branch::LeftOut;
+        let predicted = predicted.filter(|_| counts);
+        let fit = predicted.map(|predicted| predicted.values[i]);
+        let is_pinned = predicted.is_some_and(|predicted| predicted.pinned[i]);
+        FittedPoint {
+            line: point.line,
+            abscissa: point.abscissa,
+            ordinate: point.ordinate,
+            fit,
+            contact_radius: predicted
+                .map(|predicted| predicted.radii[i])
+                .filter(|&radius| radius > 0.0),
+            without_film: without_film.and_then(|all| all[i]),
+            branch: if is_pinned {
+                Branch::Pinned
+            } else {
+                assigned.branches[i]
+            },
+            outlier: fit.is_some_and(|fit| (point.ordinate - fit).abs() > OUTLIER * assigned.noise),
+        }
+    };
+    FittedExperiment {
+        name: measurement.name.clone(),
+        noise: assigned.noise,
+        noise_is_estimated: assigned.experiment.noise.is_none(),
+        points: measurement.points.iter().enumerate().map(point).collect(),
+    }
+}

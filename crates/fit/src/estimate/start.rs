@@ -1,0 +1,288 @@
+//! Where the method starts.
+
+use interp::{Control, Table};
+
+use super::jkr::{Homogeneous, Unknown, homogeneous};
+use super::problem::{Assigned, Problem};
+use super::slot::Slot;
+use crate::{Bodies, Branch, Error, Experiment, Free, Kind, Loss, Parameter, Point};
+
+/// The most steps of the search for a modulus.
+const MOST_STEPS: usize = 12;
+/// The accuracy of the logarithm of a modulus to start from.
+const ACCURACY: f64 = 0.02;
+/// The smallest work of adhesion to start from, relative to that of which the largest load would be
+/// the pull-off load.
+const SMALLEST_WORK: f64 = 1e-6;
+
+/// Gives the slots the starts that the data show, and returns the problem there.
+///
+/// `factor` multiplies the start of the film's modulus, of its thickness or of the sphere's
+/// modulus, whichever is the first to be free.
+pub(crate) fn problem<'a>(
+    table: &'a Table,
+    assigned: &[Assigned],
+    (free, slots): (&[Free], &[Slot]),
+    loss: Loss,
+    factor: f64,
+) -> Result<Problem<'a>, Error> {
+    let mut slots = slots.to_vec();
+    let given: Vec<Parameter> = free
+        .iter()
+        .filter(|one| one.start.is_some())
+        .map(|one| one.parameter)
+        .collect();
+    let mut started = vec![false; slots.len()];
+    for (e, one) in assigned.iter().enumerate() {
+        let has_effect = |slot: &Slot| {
+            slot.experiment.is_none_or(|own| own == e)
+                && one.experiment.why_without_effect(slot.parameter).is_none()
+        };
+        let own: Vec<(Parameter, usize)> = (0..slots.len())
+            .filter(|&slot| has_effect(&slots[slot]))
+            .map(|slot| (slots[slot].parameter, slot))
+            .collect();
+        let mut at = one.clone();
+        for &(parameter, slot) in &own {
+            let coordinate = slots[slot].coordinate;
+            at.experiment
+                .replace(parameter, coordinate.value(coordinate.first()))?;
+        }
+        let is_unknown = |parameter: Parameter| {
+            own.iter().any(|one| one.0 == parameter) && !given.contains(&parameter)
+        };
+        let unknown = Unknown {
+            work_of_adhesion: is_unknown(Parameter::WorkOfAdhesion),
+            level: is_unknown(Parameter::LoadOffset) || is_unknown(Parameter::Baseline),
+            slope: is_unknown(Parameter::BaselineSlope),
+            contact_point: is_unknown(Parameter::ContactPoint),
+        };
+        let found = homogeneous(&at, unknown).ok_or_else(|| Error::NoStart {
+            experiment: one.experiment.measurement.name.clone(),
+        })?;
+        let mut starts = starts(table, &mut at, found, is_unknown)?;
+        let multiplied = [
+            Parameter::FilmModulus,
+            Parameter::FilmThickness,
+            Parameter::SphereModulus,
+        ]
+        .into_iter()
+        .find(|parameter| own.iter().any(|one| one.0 == *parameter));
+        if let Some(parameter) = multiplied.filter(|_| factor != 1.0)
+            && let Some(value) = at.experiment.get(parameter)
+        {
+            starts.push((parameter, factor * value));
+        }
+        for &(parameter, slot) in &own {
+            let coordinate = slots[slot].coordinate.with_unit(unit(one, parameter));
+            // The last start of a parameter counts.
+            let start = starts.iter().rev().find(|start| start.0 == parameter);
+            slots[slot].coordinate = match start.filter(|_| !started[slot]) {
+                Some(&(_, value)) => {
+                    started[slot] = true;
+                    coordinate.starting_from(value)
+                }
+                None => coordinate,
+            };
+        }
+    }
+    Problem::new(table, assigned.to_vec(), slots, loss).map_err(|cause| Error::Start {
+        experiment: names(assigned),
+        cause,
+    })
+}
+
+/// Returns the names of the measurements.
+fn names(assigned: &[Assigned]) -> String {
+    let names: Vec<&str> = assigned
+        .iter()
+        .map(|one| one.experiment.measurement.name.as_str())
+        .collect();
+    names.join(", ")
+}
+
+/// Returns the size of a change that matters, for a parameter that may be negative.
+pub(super) fn unit(assigned: &Assigned, parameter: Parameter) -> f64 {
+    let measurement = &assigned.experiment.measurement;
+    let range = |value: fn(&Point) -> f64, contact: bool| {
+        let values = measurement
+            .points
+            .iter()
+            .zip(&assigned.branches)
+            .filter(|(_, branch)| !contact || **branch != Branch::Baseline)
+            .map(|(point, _)| value(point));
+        let [least, most] = values.fold([f64::INFINITY, f64::NEG_INFINITY], |[l, m], v| {
+            [l.min(v), m.max(v)]
+        });
+        if most > least { most - least } else { 1.0 }
+    };
+    let loads = range(|point| point.ordinate, false);
+    match parameter {
+        Parameter::LoadOffset | Parameter::Baseline => loads,
+        Parameter::BaselineSlope => loads / range(|point| point.abscissa, false),
+        Parameter::ContactPoint if measurement.kind == Kind::PenetrationRadius => loads,
+        Parameter::ContactPoint => range(|point| point.abscissa, true),
+        _ => 1.0,
+    }
+}
+
+/// Lists the starts that the data show, and gives them to the experiment.
+fn starts(
+    table: &Table,
+    at: &mut Assigned,
+    found: Homogeneous,
+    is_unknown: impl Fn(Parameter) -> bool,
+) -> Result<Vec<(Parameter, f64)>, Error> {
+    let experiment = &mut at.experiment;
+    let [radius, load, _] = found.largest;
+    let sphere_radius = experiment.bodies.sphere_radius();
+    // Penetrations against radii tell the work of adhesion over the modulus only.
+    let (scale, least) = match found.modulus {
+        Some(_) => (1.0, load.abs() / sphere_radius),
+        None => (
+            compound(experiment, table)?,
+            radius * radius / sphere_radius,
+        ),
+    };
+    let work = |work: f64| scale * work.max(SMALLEST_WORK * least);
+    let mut starts = Vec::new();
+    let mut give = |experiment: &mut Experiment, parameter: Parameter, value: f64| {
+        if is_unknown(parameter) {
+            starts.push((parameter, value));
+            experiment.replace(parameter, value)?;
+        }
+        Ok::<_, Error>(())
+    };
+    give(
+        experiment,
+        Parameter::LoadOffset,
+        found.level - experiment.baseline,
+    )?;
+    give(
+        experiment,
+        Parameter::Baseline,
+        found.level - experiment.load_offset,
+    )?;
+    give(experiment, Parameter::BaselineSlope, found.slope)?;
+    give(experiment, Parameter::ContactPoint, found.contact_point)?;
+    give(
+        experiment,
+        Parameter::WorkOfAdhesion,
+        work(found.work_of_adhesion),
+    )?;
+    let receding = found.receding.unwrap_or(found.work_of_adhesion);
+    give(
+        experiment,
+        Parameter::WorkOfAdhesionReceding,
+        work(receding),
+    )?;
+    let modulus = [Parameter::SphereModulus, Parameter::FilmModulus]
+        .into_iter()
+        .find(|&parameter| is_unknown(parameter));
+    if let Some((parameter, compound)) = modulus.zip(found.modulus) {
+        let value = matching_modulus(table, experiment, parameter, compound, found.largest);
+        give(experiment, parameter, value)?;
+    }
+    Ok(starts)
+}
+
+/// Returns the compound modulus of sphere and film, or of sphere and half-space.
+fn compound(experiment: &Experiment, table: &Table) -> Result<f64, Error> {
+    let contact = experiment
+        .bodies
+        .contact(table, false)
+        .map_err(|cause| Error::Start {
+            experiment: experiment.measurement.name.clone(),
+            cause,
+        })?;
+    Ok(contact.mechanics().sphere_film_modulus())
+}
+
+/// Returns the modulus with which the contact has the load of a homogeneous contact at its largest
+/// radius or penetration.
+fn matching_modulus(
+    table: &Table,
+    experiment: &Experiment,
+    parameter: Parameter,
+    compound: f64,
+    [radius, load, penetration]: [f64; 3],
+) -> f64 {
+    // Without the compliance of the other body, if the compound is softer than that body.
+    let other = match (&experiment.bodies, parameter) {
+        (Bodies::HalfSpace(half_space), Parameter::SphereModulus) => half_space.solid.reduced(),
+        (Bodies::Coated(system), Parameter::SphereModulus) => {
+            if system.film_thickness > radius {
+                system.film.reduced()
+            } else {
+                system.substrate.reduced()
+            }
+        }
+        _ => experiment
+            .get(Parameter::SphereModulus)
+            .unwrap_or(f64::INFINITY),
+    };
+    let poisson = experiment.get(Parameter::FilmPoissonRatio).unwrap_or(0.5);
+    let young = if parameter == Parameter::FilmModulus {
+        (1.0 - poisson) * (1.0 + poisson)
+    } else {
+        1.0
+    };
+    let compliance = 1.0 / compound - 1.0 / other;
+    let first = if compliance > 0.0 {
+        young / compliance
+    } else {
+        young * compound
+    };
+    if matches!(experiment.bodies, Bodies::HalfSpace(_)) {
+        return first;
+    }
+    let excess = |logarithm: f64| -> Option<f64> {
+        let bodies = experiment.bodies.with(parameter, logarithm.exp()).ok()?;
+        let contact = bodies.contact(table, false).ok()?;
+        let w = experiment.work_of_adhesion;
+        let predicted = if experiment.measurement.kind == Kind::LoadRadius {
+            contact.load(radius, w).ok()?
+        } else {
+            let equilibria = contact.equilibria(w, Control::Displacement).ok()?;
+            equilibria.unloading(penetration).ok()?.load
+        };
+        Some(predicted - load)
+    };
+    let mut u = first.ln();
+    let Some(mut value) = excess(u) else {
+        return first;
+    };
+    // The load grows with each modulus.
+    let up = value < 0.0;
+    let mut step = if up { 1.0 } else { -1.0 };
+    let mut bracket = None;
+    for _ in 0..MOST_STEPS {
+        let Some(next) = excess(u + step) else { break };
+        if (next < 0.0) != up {
+            bracket = Some(([u, value], [u + step, next]));
+            break;
+        }
+        if next.abs() >= value.abs() {
+            break;
+        }
+        (u, value) = (u + step, next);
+        step *= 1.5;
+    }
+    let Some((mut one, mut other)) = bracket else {
+        return u.exp();
+    };
+    for _ in 0..MOST_STEPS {
+        if (one[0] - other[0]).abs() < ACCURACY {
+            break;
+        }
+        let part = (one[1] / (one[1] - other[1])).clamp(0.2, 0.8);
+        let u = one[0] + part * (other[0] - one[0]);
+        let Some(value) = excess(u) else { break };
+        if (value < 0.0) == (one[1] < 0.0) {
+            one = [u, value];
+        } else {
+            other = [u, value];
+        }
+    }
+    (one[0] + one[1] / (one[1] - other[1]) * (other[0] - one[0])).exp()
+}

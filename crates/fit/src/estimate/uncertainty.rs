@@ -1,0 +1,154 @@
+//! The uncertainty of the values found, from the derivatives of the model at the minimum.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::loss::influence;
+use super::problem::Problem;
+use crate::{Combination, Loss};
+
+/// The standard error, relative to the value (for offsets, to the range of the data), above which a
+/// parameter or a combination of parameters counts as not determined.
+pub(crate) const UNDETERMINED: f64 = 0.5;
+/// The ratio of two singular values, with columns of length 1, at which rounding hides the smaller.
+const SINGULAR: f64 = 1e-9;
+/// The weight below which a parameter is no part of a combination.
+const LIGHT: f64 = 0.1;
+
+/// The uncertainty of the values found. Each value is measured by its size, itself or the unit of
+/// its coordinate.
+#[derive(Clone, Debug)]
+pub(crate) struct Uncertainty {
+    /// `(J^T J)^-1`, times the square of the scatter.
+    pub covariance: DMatrix<f64>,
+    /// The derivatives of the residuals with respect to the values in units of their sizes.
+    pub jacobian: DMatrix<f64>,
+    /// The share of each residual that the fit follows, `diag J (J^T J)^-1 J^T`.
+    pub leverages: Vec<f64>,
+    /// The growth of the loss, as a number of standard deviations, at one standard error: 1 of
+    /// least squares.
+    pub growth: f64,
+    /// The columns of the Jacobian made orthonormal.
+    orthonormal: DMatrix<f64>,
+    /// The distance to the minimum of the linearised problem, in standard errors.
+    pub short: f64,
+    /// The size of each value.
+    pub sizes: Vec<f64>,
+}
+
+impl Uncertainty {
+    /// Computes the uncertainty at the present values; `None` where there are no derivatives.
+    pub fn of(problem: &Problem<'_>) -> Option<Self> {
+        let residuals = problem.plain_residuals()?;
+        let (jacobian, sizes) = problem.jacobian_of_sizes()?;
+        if jacobian.nrows() < jacobian.ncols() {
+            return None;
+        }
+        Some(Self::new(jacobian, &residuals, problem.loss, sizes))
+    }
+
+    /// Computes the uncertainty from derivatives and residuals.
+    pub fn new(
+        jacobian: DMatrix<f64>,
+        residuals: &DVector<f64>,
+        loss: Loss,
+        sizes: Vec<f64>,
+    ) -> Self {
+        let count = jacobian.ncols();
+        let lengths: Vec<f64> = jacobian
+            .column_iter()
+            .map(|column| column.norm().max(f64::MIN_POSITIVE.sqrt()))
+            .collect();
+        let scaled = DMatrix::from_fn(jacobian.nrows(), count, |i, j| {
+            jacobian[(i, j)] / lengths[j]
+        });
+        let svd = scaled.svd(true, true);
+        let (left, right) = svd.u.zip(svd.v_t).expect("both were asked for");
+        let least = SINGULAR * svd.singular_values.max();
+        let values = svd.singular_values.map(|value| value.max(least));
+        let factor = DMatrix::from_fn(right.nrows(), count, |i, j| {
+            right[(i, j)] / values[i] / lengths[j]
+        });
+        let leverages = left.row_iter().map(|row| row.norm_squared()).collect();
+        let psi = residuals.map(|residual| influence(loss, residual).0);
+        let (scatter, slope) = scatter(loss, residuals, count);
+        let short = left.tr_mul(&psi).norm() / scatter;
+        Self {
+            covariance: factor.tr_mul(&factor) * (scatter * scatter),
+            jacobian,
+            leverages,
+            growth: scatter * slope.sqrt(),
+            orthonormal: left,
+            short,
+            sizes,
+        }
+    }
+
+    /// Returns what of a column is no combination of the derivatives.
+    pub fn without_fitted(&self, column: &DVector<f64>) -> DVector<f64> {
+        column - &self.orthonormal * self.orthonormal.tr_mul(column)
+    }
+
+    /// Returns the standard error of a value over its size.
+    pub fn relative_error(&self, slot: usize) -> f64 {
+        self.covariance[(slot, slot)].sqrt()
+    }
+
+    /// Returns the correlation matrix.
+    pub fn correlation(&self) -> Vec<Vec<f64>> {
+        let count = self.sizes.len();
+        let entry = |i: usize, j: usize| {
+            self.covariance[(i, j)] / (self.relative_error(i) * self.relative_error(j))
+        };
+        (0..count)
+            .map(|i| (0..count).map(|j| entry(i, j)).collect())
+            .collect()
+    }
+
+    /// Lists the combinations whose standard error is above [`UNDETERMINED`].
+    pub fn undetermined(&self, names: &[String]) -> Vec<Combination> {
+        let eigen = self.covariance.clone().symmetric_eigen();
+        let combination = |k: usize| {
+            let weights: Vec<(usize, f64)> = eigen
+                .eigenvectors
+                .column(k)
+                .iter()
+                .copied()
+                .enumerate()
+                .filter(|(_, weight)| weight.abs() > LIGHT)
+                .collect();
+            let parts: Vec<&str> = weights
+                .iter()
+                .map(|&(slot, _)| names[slot].as_str())
+                .collect();
+            Combination {
+                text: parts.join(" and "),
+                weights,
+            }
+        };
+        (0..self.sizes.len())
+            .filter(|&k| eigen.eigenvalues[k].sqrt() > UNDETERMINED)
+            .map(combination)
+            .collect()
+    }
+}
+
+/// Returns the factor by which a robust loss widens the errors of least squares: the standard
+/// deviation of `psi` over the mean of `psi'`, with Huber's correction for the number of parameters
+/// (Huber, *Robust Statistics*, 1981, 7.6). Returns that mean, too.
+fn scatter(loss: Loss, residuals: &DVector<f64>, parameters: usize) -> (f64, f64) {
+    if loss == Loss::Squares {
+        return (1.0, 1.0);
+    }
+    let (n, p) = (residuals.len() as f64, parameters as f64);
+    let (mut squares, mut slopes, mut slopes_squared) = (0.0, 0.0, 0.0);
+    for residual in residuals.iter() {
+        let (psi, slope) = influence(loss, *residual);
+        squares += psi * psi;
+        slopes += slope;
+        slopes_squared += slope * slope;
+    }
+    let mean = slopes / n;
+    let variance = slopes_squared / n - mean * mean;
+    let correction = 1.0 + p / n * variance / (mean * mean);
+    (correction * (squares / (n - p)).sqrt() / mean, mean)
+}

@@ -1,0 +1,257 @@
+//! Parameters that are not fitted but wanted by the data.
+//!
+//! The gain of a further parameter is the decrease of the sum of squares that the linearised model
+//! predicts for it (Rao's score test). No further fit is made.
+
+use nalgebra::DVector;
+
+use super::loss::influence;
+use super::problem::Problem;
+use super::uncertainty::Uncertainty;
+use super::warnings::{BEYOND_CHANCE, Warnings};
+use crate::{Branch, Direction, Loss, Parameter, WarningKind};
+
+/// A column counts as a combination of those that are fitted if less than this part of it is left
+/// without them.
+const LEFT: f64 = 1e-3;
+/// The fewest points of each way for which one work of adhesion is doubted.
+const FEWEST: usize = 5;
+/// The kurtosis less 3 below which the residuals are of two kinds. It is 0 of a normal
+/// distribution,
+/// -1.2 of a uniform one, and -2 of two values. It is not looked at below [`MANY`] points.
+const TWO_KINDS: f64 = -1.2;
+const MANY: usize = 50;
+
+/// Adds the warnings.
+pub(super) fn add(
+    warnings: &mut Warnings,
+    problem: &Problem<'_>,
+    uncertainty: &Uncertainty,
+    residuals: &DVector<f64>,
+) {
+    let score = Score::new(problem, uncertainty, residuals);
+    for (e, assigned) in problem.assigned.iter().enumerate() {
+        let experiment = &assigned.experiment;
+        let name = &experiment.measurement.name;
+        let is_fitted = |parameter: Parameter| {
+            problem
+                .slots_of(e)
+                .iter()
+                .any(|&slot| problem.slots[slot].parameter == parameter)
+        };
+        let is_wanted = |parameter: &Parameter| {
+            !is_fitted(*parameter) && experiment.why_without_effect(*parameter).is_none()
+        };
+        let mut parameters: Vec<Parameter> = [
+            Parameter::LoadOffset,
+            Parameter::ContactPoint,
+            Parameter::Baseline,
+            Parameter::BaselineSlope,
+        ]
+        .into_iter()
+        .filter(is_wanted)
+        .collect();
+        let has_one_work = !is_fitted(Parameter::WorkOfAdhesionReceding);
+        if has_one_work {
+            parameters.push(Parameter::WorkOfAdhesion);
+        }
+        let Some(columns) = Columns::new(problem, e, parameters) else {
+            continue;
+        };
+        let mut level_named = false;
+        for &parameter in &columns.parameters {
+            let is_level = matches!(parameter, Parameter::LoadOffset | Parameter::Baseline);
+            if parameter == Parameter::WorkOfAdhesion || (is_level && level_named) {
+                continue;
+            }
+            let gain = columns.of(parameter, |_| true);
+            let gain = gain.and_then(|column| score.gain(&column));
+            if let Some(gain) = gain.filter(Gain::is_significant) {
+                level_named |= is_level;
+                warnings.add(
+                    WarningKind::OffsetWanted,
+                    format!(
+                        "{name}: {parameter} is not fitted, but the data want it: it would lower \
+                         chi^2 by {:.0}, and be {:+.2e} {}; free it",
+                        gain.chi_squared,
+                        gain.change,
+                        parameter.unit()
+                    ),
+                );
+            }
+        }
+        if has_one_work {
+            mixed(warnings, problem, e, (&score, &columns), residuals);
+        }
+    }
+}
+
+/// Warns if approach and retract, or loading and unloading in time, differ.
+fn mixed(
+    warnings: &mut Warnings,
+    problem: &Problem<'_>,
+    e: usize,
+    (score, columns): (&Score<'_>, &Columns<'_>),
+    residuals: &DVector<f64>,
+) {
+    let assigned = &problem.assigned[e];
+    let points = &assigned.experiment.measurement.points;
+    let name = &assigned.experiment.measurement.name;
+    let turn = assigned.order.first().copied().unwrap_or(0);
+    let has_directions = points.iter().all(|point| point.direction.is_some());
+    let unloads = |i: usize| {
+        if has_directions {
+            points[i].direction == Some(Direction::Retract)
+        } else {
+            i > turn
+        }
+    };
+    let in_contact =
+        |i: &usize| matches!(assigned.branches[*i], Branch::Advancing | Branch::Receding);
+    let ways = [false, true].map(|way| {
+        (0..points.len())
+            .filter(in_contact)
+            .filter(|&i| unloads(i) == way)
+            .count()
+    });
+    let advice = "fit each direction with a work of adhesion of its own \
+                  (work-of-adhesion-receding), or one direction alone";
+    if ways.iter().all(|&count| count >= FEWEST)
+        && assigned.experiment.work_of_adhesion > 0.0
+        && let Some(column) = columns.of(Parameter::WorkOfAdhesion, unloads)
+        && let Some(gain) = score.gain(&column).filter(Gain::is_significant)
+    {
+        warnings.add(
+            WarningKind::MixedBranches,
+            format!(
+                "{name}: loading and unloading do not have one work of adhesion: two would lower \
+                 chi^2 by {:.0}, and be {:.2e} J/m^2 apart; {advice}",
+                gain.chi_squared,
+                gain.change.abs()
+            ),
+        );
+        return;
+    }
+    let first: usize = problem.assigned[..e]
+        .iter()
+        .map(super::problem::Assigned::counting)
+        .sum();
+    let own = residuals.rows(first, assigned.counting());
+    let moment = |power: i32| own.iter().map(|r| r.powi(power)).sum::<f64>() / own.len() as f64;
+    if own.len() >= MANY && moment(4) / moment(2).powi(2) - 3.0 < TWO_KINDS {
+        warnings.add(
+            WarningKind::MixedBranches,
+            format!(
+                "{name}: the residuals are of two kinds, as those of loading and unloading under \
+                 adhesion hysteresis; {advice}"
+            ),
+        );
+    }
+}
+
+/// The derivatives of the residuals with respect to parameters of one experiment.
+struct Columns<'a> {
+    problem: &'a Problem<'a>,
+    experiment: usize,
+    parameters: Vec<Parameter>,
+    /// Point after point.
+    derivatives: Vec<f64>,
+}
+
+impl<'a> Columns<'a> {
+    fn new(problem: &'a Problem<'a>, e: usize, parameters: Vec<Parameter>) -> Option<Self> {
+        let predicted = problem.predict(e, Some(&parameters)).ok()?;
+        Some(Self {
+            problem,
+            experiment: e,
+            parameters,
+            derivatives: predicted.derivatives,
+        })
+    }
+
+    /// Returns the derivatives with respect to a parameter at the points chosen, and 0 elsewhere.
+    fn of(&self, parameter: Parameter, chosen: impl Fn(usize) -> bool) -> Option<DVector<f64>> {
+        let width = self.parameters.len();
+        let k = self.parameters.iter().position(|own| *own == parameter)?;
+        let noise = self.problem.assigned[self.experiment].noise;
+        let values = self.problem.rows().map(|(e, i)| {
+            if e == self.experiment && chosen(i) {
+                self.derivatives[i * width + k] / noise
+            } else {
+                0.0
+            }
+        });
+        let slots = self.problem.slots.iter();
+        let priors = slots.filter(|slot| slot.prior.is_some()).map(|_| 0.0);
+        let values: Vec<f64> = values.chain(priors).collect();
+        let all_finite = values.iter().all(|value| value.is_finite());
+        all_finite.then(|| DVector::from_vec(values))
+    }
+}
+
+/// What a further parameter would gain.
+struct Gain {
+    /// The decrease of the sum of squares.
+    chi_squared: f64,
+    /// The same in units of the variance of the residuals.
+    significance: f64,
+    /// The change of the parameter.
+    change: f64,
+}
+
+impl Gain {
+    fn is_significant(&self) -> bool {
+        self.significance > BEYOND_CHANCE * BEYOND_CHANCE
+    }
+}
+
+/// The residuals, and what of a column is no combination of the fitted ones.
+struct Score<'a> {
+    uncertainty: &'a Uncertainty,
+    residuals: DVector<f64>,
+    /// The variance of a residual per unit of the noise.
+    variance: f64,
+    /// Whether it follows from the residuals.
+    variance_is_estimated: bool,
+}
+
+impl<'a> Score<'a> {
+    fn new(problem: &Problem<'_>, uncertainty: &'a Uncertainty, residuals: &DVector<f64>) -> Self {
+        let robust = problem.loss != Loss::Squares;
+        let residuals = residuals.map(|residual| influence(problem.loss, residual).0);
+        let freedom = (residuals.len() as f64 - problem.slots.len() as f64 - 1.0).max(1.0);
+        Self {
+            uncertainty,
+            variance: residuals.norm_squared() / freedom,
+            variance_is_estimated: robust
+                || problem
+                    .assigned
+                    .iter()
+                    .any(|assigned| assigned.experiment.noise.is_none()),
+            residuals,
+        }
+    }
+
+    /// Returns the gain of a column; `None` if it is a combination of the fitted ones.
+    fn gain(&self, column: &DVector<f64>) -> Option<Gain> {
+        let rest = self.uncertainty.without_fitted(column);
+        let length = rest.norm_squared();
+        if length.is_nan() || length <= LEFT * LEFT * column.norm_squared() {
+            return None;
+        }
+        let product = self.residuals.dot(&rest);
+        let chi_squared = product * product / length;
+        let freedom = self.residuals.len() as f64;
+        let remaining = (self.variance - chi_squared / freedom).max(1e-9 * self.variance);
+        let variance = if self.variance_is_estimated {
+            remaining
+        } else {
+            remaining.max(1.0)
+        };
+        Some(Gain {
+            chi_squared,
+            significance: chi_squared / variance,
+            change: -product / length,
+        })
+    }
+}

@@ -1,0 +1,434 @@
+//! The doubts about a result.
+
+use interp::{AdhesionRange, Validity};
+use nalgebra::DVector;
+
+use super::problem::{Assigned, Ending, Problem};
+use super::search::{Data, Minimum, SAME, SHORT, ends};
+use super::uncertainty::{UNDETERMINED, Uncertainty};
+use super::wanted;
+use crate::statistics::{excess, missing_runs};
+use crate::{Bodies, Branch, Estimate, Fit, Loss, Options, Parameter, Warning, WarningKind};
+
+/// The largest excess of a sum of squares, or lack of runs, that chance explains, in standard
+/// deviations: one fit in 300,000 exceeds it.
+pub(super) const BEYOND_CHANCE: f64 = 4.5;
+/// A contact radius (m) below which there is no continuum.
+const SMALLEST_RADIUS: f64 = 1e-9;
+/// The number of points in contact that may lie clearly beyond the end of the fitted branch.
+const BEYOND_END: usize = 2;
+/// The largest strain of the film that counts as small.
+const SMALL_STRAIN: f64 = 0.1;
+
+/// Lists the doubts about a fit.
+pub(super) fn warnings(
+    fit: &Fit,
+    found: &Minimum<'_>,
+    data: &Data,
+    options: &Options,
+) -> Vec<Warning> {
+    let mut warnings = Warnings::default();
+    let problem = &found.problem;
+    method(&mut warnings, fit, found);
+    for estimate in &fit.estimates {
+        implausible(&mut warnings, estimate);
+    }
+    if let Some(uncertainty) = &found.uncertainty {
+        let stopped = at_bounds(&mut warnings, problem);
+        if uncertainty.short > SHORT && problem.refused && !stopped {
+            warnings.add(
+                WarningKind::EndOfTable,
+                format!(
+                    "the fit ended {:.1} standard errors from the least squares: the table ends \
+                     there, or the model has no contact beyond; fix a parameter or use a larger \
+                     table",
+                    uncertainty.short
+                ),
+            );
+        }
+        undetermined(&mut warnings, fit, problem, uncertainty);
+        left_out(&mut warnings, problem, uncertainty, data);
+        if let Some(residuals) = problem.plain_residuals() {
+            residuals_of(&mut warnings, fit, found, &residuals);
+            wanted::add(&mut warnings, problem, uncertainty, &residuals);
+        }
+    }
+    for (e, assigned) in problem.assigned.iter().enumerate() {
+        geometry(&mut warnings, problem, e, assigned, options);
+    }
+    warnings.0
+}
+
+/// The doubts so far.
+#[derive(Default)]
+pub(super) struct Warnings(Vec<Warning>);
+
+impl Warnings {
+    /// Adds a doubt.
+    pub fn add(&mut self, kind: WarningKind, text: String) {
+        self.0.push(Warning { kind, text });
+    }
+}
+
+/// Doubts about the way to the minimum.
+fn method(warnings: &mut Warnings, fit: &Fit, found: &Minimum<'_>) {
+    if found.ending != Ending::Converged {
+        let how = match found.ending {
+            Ending::OutOfPatience => "was still moving",
+            _ => "stopped where the model has no contact or no derivatives",
+        };
+        warnings.add(
+            WarningKind::NotConverged,
+            format!(
+                "the fit did not converge: it {how} after {} evaluations; free fewer parameters, \
+                 or start from other values",
+                fit.evaluations
+            ),
+        );
+    }
+    if let Some(rival) = &found.rival {
+        let values: Vec<String> = fit
+            .estimates
+            .iter()
+            .zip(rival)
+            .map(|(estimate, value)| format!("{} = {value:.3e}", estimate.parameter))
+            .collect();
+        warnings.add(
+            WarningKind::SeveralMinima,
+            format!(
+                "other values fit the data as well, with a chi^2 that differs by less than {SAME}: \
+                 {}; give a prior or fix a parameter",
+                values.join(", ")
+            ),
+        );
+    }
+}
+
+/// Warns of values that no experiment has.
+fn implausible(warnings: &mut Warnings, estimate: &Estimate) {
+    let [least, most] = match estimate.parameter {
+        Parameter::SphereModulus | Parameter::FilmModulus => [1.0, 1e13],
+        Parameter::WorkOfAdhesion | Parameter::WorkOfAdhesionReceding => [1e-6, 1e2],
+        Parameter::FilmThickness => [1e-10, 1.0],
+        Parameter::Stiffness => [1e-6, 1e9],
+        _ => return,
+    };
+    let determined = estimate.standard_error < UNDETERMINED * estimate.value;
+    if determined && !(least..=most).contains(&estimate.value) {
+        let (parameter, unit) = (estimate.parameter, estimate.parameter.unit());
+        warnings.add(
+            WarningKind::Implausible,
+            format!(
+                "{parameter} = {:.3e} {unit} is outside {least:e} to {most:e} {unit}: check the \
+                 units of the data",
+                estimate.value
+            ),
+        );
+    }
+}
+
+/// Warns of values at their bounds. Tells whether there are any.
+fn at_bounds(warnings: &mut Warnings, problem: &Problem<'_>) -> bool {
+    let mut any = false;
+    for (i, slot) in problem.slots.iter().enumerate() {
+        let value = problem.value(i);
+        if slot.coordinate.is_at_bound(value) {
+            any = true;
+            warnings.add(
+                WarningKind::AtBound,
+                format!(
+                    "{} = {value:.4e} {} is at its bound: the data want a value beyond it",
+                    slot.parameter,
+                    slot.parameter.unit()
+                ),
+            );
+        }
+    }
+    any
+}
+
+/// Warns of parameters and combinations that the data do not determine.
+fn undetermined(
+    warnings: &mut Warnings,
+    fit: &Fit,
+    problem: &Problem<'_>,
+    uncertainty: &Uncertainty,
+) {
+    for (i, estimate) in fit.estimates.iter().enumerate() {
+        let error = uncertainty.relative_error(i);
+        // Not `>`, which is false for NaN.
+        if error <= UNDETERMINED {
+            continue;
+        }
+        let parameter = estimate.parameter;
+        let of = if parameter.is_positive() {
+            "its value"
+        } else {
+            "the range of the data"
+        };
+        let size = if error < 100.0 {
+            format!("{:.0} %", 1e2 * error)
+        } else {
+            "more than 100 times".into()
+        };
+        warnings.add(
+            WarningKind::Undetermined,
+            format!(
+                "{parameter} is not determined by these data: its standard error is {size} of \
+                 {of}, above {:.0} %; fix it or give a prior",
+                1e2 * UNDETERMINED
+            ),
+        );
+        if matches!(
+            parameter,
+            Parameter::FilmModulus | Parameter::FilmThickness | Parameter::FilmPoissonRatio
+        ) {
+            film_not_seen(warnings, problem, parameter);
+        }
+    }
+    for (i, combination) in fit.undetermined.iter().enumerate() {
+        let is_new = fit.undetermined[..i]
+            .iter()
+            .all(|before| before.text != combination.text);
+        if combination.weights.len() > 1 && is_new {
+            warnings.add(
+                WarningKind::Undetermined,
+                format!(
+                    "the data do not determine {} apart from one another: fix one of them or give \
+                     a prior",
+                    combination.text
+                ),
+            );
+        }
+    }
+}
+
+/// Says how large the contacts are beside a film that the data do not tell.
+fn film_not_seen(warnings: &mut Warnings, problem: &Problem<'_>, parameter: Parameter) {
+    let predicted = problem.predicted.iter().flatten();
+    let ratios = problem
+        .assigned
+        .iter()
+        .zip(predicted)
+        .flat_map(|(assigned, predicted)| {
+            let thickness = assigned.experiment.get(Parameter::FilmThickness);
+            let radii = predicted.radii.iter().filter(|&&radius| radius > 0.0);
+            thickness
+                .into_iter()
+                .flat_map(move |thickness| radii.clone().map(move |radius| radius / thickness))
+        });
+    let [least, most] = ratios.fold([f64::INFINITY, 0.0], |[l, m]: [f64; 2], x| {
+        [l.min(x), m.max(x)]
+    });
+    if most > 0.0 {
+        warnings.add(
+            WarningKind::FilmNotSeen,
+            format!(
+                "a/t is from {least:.2e} to {most:.2e}, where these data do not tell {parameter}: \
+                 a film is told from its substrate best by contacts from well below to well above \
+                 its thickness"
+            ),
+        );
+    }
+}
+
+/// Doubts from the residuals.
+fn residuals_of(warnings: &mut Warnings, fit: &Fit, found: &Minimum<'_>, residuals: &DVector<f64>) {
+    let problem = &found.problem;
+    let freedom = fit.degrees_of_freedom as f64;
+    if let Some(reduced) = fit.reduced_chi_squared
+        && problem.loss == Loss::Squares
+        && excess(fit.chi_squared, freedom) > BEYOND_CHANCE
+    {
+        warnings.add(
+            WarningKind::PoorFit,
+            format!(
+                "the model does not describe the data to their noise: reduced chi^2 is {reduced:.3}"
+            ),
+        );
+    }
+    let mut row = 0;
+    for (e, assigned) in problem.assigned.iter().enumerate() {
+        let count = assigned.counting();
+        let own = residuals.rows(row, count);
+        row += count;
+        let name = &assigned.experiment.measurement.name;
+        let outliers = fit.experiments[e].points.iter().filter(|p| p.outlier);
+        let lines: Vec<String> = outliers.map(|point| point.line.to_string()).collect();
+        if !lines.is_empty() {
+            let (many, shown) = (lines.len(), lines.len().min(10));
+            let more = if many > shown { ", ..." } else { "" };
+            warnings.add(
+                WarningKind::Outliers,
+                format!(
+                    "{name}: {many} of {count} points are far from the fit, in lines {}{more}; a \
+                     robust loss gives them less weight",
+                    lines[..shown].join(", ")
+                ),
+            );
+        }
+        for branch in [Branch::Advancing, Branch::Receding, Branch::Baseline] {
+            let ordered = in_order(assigned, own.as_slice(), branch);
+            if let Some(missing) = missing_runs(&ordered).filter(|&runs| runs > BEYOND_CHANCE) {
+                warnings.add(
+                    WarningKind::StructuredResiduals,
+                    format!(
+                        "{name}: the residuals of the branch {:?} follow one another; runs of one \
+                         sign are {missing:.1} standard deviations fewer than by chance. The model \
+                         or its fixed values do not describe the data, or the noise is not \
+                         independent",
+                        branch.name()
+                    ),
+                );
+            }
+        }
+    }
+}
+
+/// Returns the residuals of a branch by descending imposed value.
+fn in_order(assigned: &Assigned, residuals: &[f64], branch: Branch) -> Vec<f64> {
+    let mut rows = vec![None; assigned.branches.len()];
+    let counts = assigned
+        .branches
+        .iter()
+        .enumerate()
+        .filter(|(_, branch)| **branch != Branch::LeftOut);
+    for ((i, _), residual) in counts.zip(residuals) {
+        rows[i] = Some(*residual);
+    }
+    assigned
+        .order
+        .iter()
+        .filter(|&&i| assigned.branches[i] == branch)
+        .filter_map(|&i| rows[i])
+        .collect()
+}
+
+/// Warns of points that are in contact in the data and clearly not in the fit.
+fn left_out(
+    warnings: &mut Warnings,
+    problem: &Problem<'_>,
+    uncertainty: &Uncertainty,
+    data: &Data,
+) {
+    for (e, whole) in data.assigned.iter().enumerate() {
+        let sense = whole.experiment.sense();
+        let measurement = &whole.experiment.measurement;
+        for end in ends(problem, e, uncertainty, whole) {
+            let lost: Vec<u64> = measurement
+                .points
+                .iter()
+                .zip(&whole.branches)
+                .filter(|(point, branch)| {
+                    **branch == end.branch && sense * point.abscissa < end.position - end.clear
+                })
+                .map(|(point, _)| point.line)
+                .collect();
+            let (Some(first), Some(last)) = (lost.iter().min(), lost.iter().max()) else {
+                continue;
+            };
+            if lost.len() > BEYOND_END {
+                warnings.add(
+                    WarningKind::LeftOut,
+                    format!(
+                        "{}: {} points that are in contact, in lines {first} to {last}, lie beyond \
+                         the end of the fitted branch and were left out",
+                        measurement.name,
+                        lost.len()
+                    ),
+                );
+            }
+        }
+    }
+}
+
+/// Warns of contacts outside the assumptions of the model.
+fn geometry(
+    warnings: &mut Warnings,
+    problem: &Problem<'_>,
+    e: usize,
+    assigned: &Assigned,
+    options: &Options,
+) {
+    let experiment = &assigned.experiment;
+    let name = &experiment.measurement.name;
+    let Some(predicted) = problem.predicted.as_ref().map(|all| &all[e]) else {
+        return;
+    };
+    let counting = predicted
+        .radii
+        .iter()
+        .zip(&assigned.branches)
+        .filter(|(_, branch)| **branch != Branch::LeftOut);
+    let a = counting.map(|(radius, _)| *radius).fold(0.0, f64::max);
+    let Ok(contact) = problem.contact(&experiment.bodies, false) else {
+        return;
+    };
+    let Ok(validity) = contact.validity(a) else {
+        return;
+    };
+    if a < SMALLEST_RADIUS {
+        warnings.add(
+            WarningKind::Implausible,
+            format!(
+                "{name}: no contact radius is above {a:.1e} m, and those below {SMALLEST_RADIUS:e} \
+                 m are smaller than atoms: check the units of the data"
+            ),
+        );
+    }
+    if validity.a_over_r > Validity::WARNING_A_OVER_R {
+        warnings.add(
+            WarningKind::LargeContact,
+            format!(
+                "{name}: a/R reaches {:.2}, above {}: the model takes the sphere for a paraboloid, \
+                 which changes the penetration by 3 % and more",
+                validity.a_over_r,
+                Validity::WARNING_A_OVER_R
+            ),
+        );
+    }
+    if let Some(strain) = strain(&contact, &experiment.bodies, a).filter(|s| *s > SMALL_STRAIN) {
+        warnings.add(
+            WarningKind::LargeStrain,
+            format!(
+                "{name}: the film is compressed by up to {:.0} % of its thickness; above {:.0} % \
+                 its elasticity is not linear",
+                1e2 * strain,
+                1e2 * SMALL_STRAIN
+            ),
+        );
+    }
+    for parameter in [Parameter::WorkOfAdhesion, Parameter::WorkOfAdhesionReceding] {
+        let Some(w) = experiment.get(parameter).filter(|&w| w > 0.0) else {
+            continue;
+        };
+        let Ok(range) = contact.adhesion_range(w, options.interaction_range) else {
+            continue;
+        };
+        if !range.is_jkr() {
+            warnings.add(
+                WarningKind::LongRange,
+                format!(
+                    "{name}: with {parameter} = {w:.2e} J/m^2 and an attraction over {:.1e} m \
+                     Tabor's parameter is {:.2}, below {}: the attraction acts outside the \
+                     contact, too, and the model does not hold",
+                    options.interaction_range,
+                    range.tabor,
+                    AdhesionRange::JKR
+                ),
+            );
+        }
+    }
+}
+
+/// Estimates the compression of the film over its thickness at contact radius `a`: the part of the
+/// adhesionless penetration that the bare substrate would not have at the same load.
+fn strain(contact: &interp::Contact, bodies: &Bodies, a: f64) -> Option<f64> {
+    let Bodies::Coated(system) = bodies else {
+        return None;
+    };
+    let (_, penetration) = contact.load_and_penetration(a, 0.0).ok()?;
+    let bare = 2.0 * a * contact.mechanics().sphere_substrate_modulus();
+    let share = 1.0 - contact.stiffness(a).ok()? / bare;
+    Some(penetration * share / system.film_thickness)
+}

@@ -1,0 +1,312 @@
+//! The branches of measured points, read from the data.
+//!
+//! A model that jumps off within the residual has wrong optima, because the sum of squares then
+//! jumps where a point changes its branch. So each point has its branch before the fit.
+
+use super::{Branch, Direction, Experiment, Kind, Point};
+use crate::Error;
+use crate::statistics::median;
+
+/// Steps and levels count if they exceed the noise by this factor.
+const SIGNIFICANT: f64 = 6.0;
+/// Points nearer to the baseline than this factor of the noise may lie on it.
+const NEAR: f64 = 5.0;
+/// The part of the last points of a segment from which a baseline without a jump is read.
+const TAIL: f64 = 0.2;
+/// The radii of a retract above this part of the largest radius of the approach may belong to a
+/// line that does not move.
+const PINNED: f64 = 0.98;
+/// The part of the steps of a way that go in its direction, if its points come in order.
+const IN_ORDER: f64 = 0.6;
+/// Segments with fewer points are all in contact.
+const FEWEST: usize = 5;
+
+/// The branches of the points of an experiment.
+#[derive(Clone, Debug)]
+pub(crate) struct Assignment {
+    /// The branch of each point.
+    pub branches: Vec<Branch>,
+    /// The points by descending imposed value: from the largest contact to none.
+    pub order: Vec<usize>,
+    /// The noise that differences of neighbouring ordinates show; `None` for too few points.
+    pub local_noise: Option<f64>,
+}
+
+/// What the fit is free to change, as far as it matters to the branches.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Freedom {
+    /// Whether there is adhesion, fixed or free.
+    pub adhesive: bool,
+    /// Whether approach and retract may have works of adhesion of their own.
+    pub hysteretic: bool,
+    /// Whether the level of the baseline is free.
+    pub level: bool,
+}
+
+impl Experiment {
+    /// Accepts the points and reads their branches.
+    ///
+    /// At contact radii all points are in contact, except those with a radius of 0. Of a retract
+    /// with a work of adhesion of its own, the points within 2 % of the largest radius are left
+    /// out, because their line may not have moved yet.
+    ///
+    /// Against penetrations or heights each segment is read from its largest contact on. If it has
+    /// a jump to the baseline, larger than 6 times the noise, the points before the jump are in
+    /// contact and those after it are on the baseline. The baseline is flat to 5 times the noise,
+    /// and at the level that is known unless this level is free. Without such a jump a flat end of
+    /// the segment is the baseline. Points between contact and baseline are left out.
+    pub(crate) fn assign(&self, freedom: Freedom) -> Result<Assignment, Error> {
+        let points = &self.measurement.points;
+        self.accept_points()?;
+        let sense = self.sense();
+        let key = |i: &usize| sense * points[*i].abscissa;
+        let mut order: Vec<usize> = (0..points.len()).collect();
+        order.sort_by(|i, j| key(j).total_cmp(&key(i)));
+        let own_branch = |i: usize| match points[i].direction {
+            Some(Direction::Retract) => Branch::Receding,
+            _ => Branch::Advancing,
+        };
+        let mut branches: Vec<Branch> = (0..points.len()).map(own_branch).collect();
+        let mut local_noise = None;
+        match self.measurement.kind {
+            Kind::LoadRadius | Kind::PenetrationRadius => {
+                self.assign_radii(freedom, &mut branches);
+                local_noise = noise_of(
+                    &order
+                        .iter()
+                        .map(|&i| points[i].ordinate)
+                        .collect::<Vec<_>>(),
+                );
+            }
+            Kind::LoadPenetration | Kind::ForceHeight => {
+                let segments = self.segments();
+                let noises: Vec<f64> = segments
+                    .iter()
+                    .filter_map(|segment| {
+                        noise_of(
+                            &segment
+                                .iter()
+                                .map(|&i| points[i].ordinate)
+                                .collect::<Vec<_>>(),
+                        )
+                    })
+                    .collect();
+                if !noises.is_empty() {
+                    local_noise = Some(noises.iter().sum::<f64>() / noises.len() as f64);
+                }
+                let noise = self.noise.or(local_noise).unwrap_or(0.0);
+                for segment in segments {
+                    let [contact_ends, baseline_begins] = self.split(&segment, noise, freedom);
+                    for &i in &segment[contact_ends..baseline_begins] {
+                        branches[i] = Branch::LeftOut;
+                    }
+                    for &i in &segment[baseline_begins..] {
+                        branches[i] = Branch::Baseline;
+                    }
+                }
+            }
+        }
+        Ok(Assignment {
+            branches,
+            order,
+            local_noise,
+        })
+    }
+
+    /// Accepts the points.
+    fn accept_points(&self) -> Result<(), Error> {
+        let measurement = &self.measurement;
+        let points = &measurement.points;
+        let at_radii = matches!(measurement.kind, Kind::LoadRadius | Kind::PenetrationRadius);
+        let [abscissa, ordinate] = measurement.kind.names();
+        let refuse = |line: u64, name, value, allowed| Error::Point {
+            measurement: measurement.name.clone(),
+            line,
+            name,
+            value,
+            allowed,
+        };
+        for point in points {
+            for (name, value) in [(abscissa, point.abscissa), (ordinate, point.ordinate)] {
+                if !value.is_finite() {
+                    return Err(refuse(point.line, name, value, "finite"));
+                }
+                if value.abs() > 1e100 {
+                    return Err(refuse(
+                        point.line,
+                        name,
+                        value,
+                        "below 1e100: check the unit",
+                    ));
+                }
+            }
+            if at_radii && point.abscissa < 0.0 {
+                let allowed = "0 (no contact) or positive";
+                return Err(refuse(point.line, abscissa, point.abscissa, allowed));
+            }
+            if at_radii && point.abscissa >= self.bodies.sphere_radius() {
+                let allowed = "below the radius of the sphere: check the units of both";
+                return Err(refuse(point.line, abscissa, point.abscissa, allowed));
+            }
+        }
+        let constant = |value: fn(&Point) -> f64| {
+            let first = points.first().map(value)?;
+            points
+                .iter()
+                .all(|point| value(point) == first)
+                .then_some(first)
+        };
+        for (name, value) in [
+            (abscissa, constant(|point| point.abscissa)),
+            (ordinate, constant(|point| point.ordinate)),
+        ] {
+            if let Some(value) = value {
+                return Err(Error::Constant {
+                    measurement: measurement.name.clone(),
+                    name,
+                    value,
+                });
+            }
+        }
+        Ok(())
+    }
+
+    /// Assigns points at measured contact radii.
+    fn assign_radii(&self, freedom: Freedom, branches: &mut [Branch]) {
+        let points = &self.measurement.points;
+        let without_contact = if self.measurement.kind == Kind::LoadRadius {
+            Branch::Baseline
+        } else {
+            Branch::LeftOut
+        };
+        let largest = points
+            .iter()
+            .zip(&*branches)
+            .filter(|(_, branch)| **branch == Branch::Advancing)
+            .map(|(point, _)| point.abscissa)
+            .fold(0.0, f64::max);
+        for (point, branch) in points.iter().zip(branches) {
+            let may_be_pinned = freedom.hysteretic
+                && *branch == Branch::Receding
+                && largest > 0.0
+                && point.abscissa > PINNED * largest;
+            if point.abscissa == 0.0 {
+                *branch = without_contact;
+            } else if may_be_pinned {
+                *branch = Branch::LeftOut;
+            }
+        }
+    }
+
+    /// Returns the segments of a measurement, each by descending imposed value.
+    ///
+    /// Points without a direction are two segments if they come in the order of a loading and an
+    /// unloading.
+    fn segments(&self) -> Vec<Vec<usize>> {
+        let points = &self.measurement.points;
+        let sense = self.sense();
+        let key = |i: usize| sense * points[i].abscissa;
+        let mut segments = Vec::new();
+        for direction in [Some(Direction::Approach), Some(Direction::Retract), None] {
+            let all: Vec<usize> = (0..points.len())
+                .filter(|&i| points[i].direction == direction)
+                .collect();
+            let turn = (0..all.len()).max_by(|&i, &j| key(all[i]).total_cmp(&key(all[j])));
+            let ways = match turn {
+                Some(turn) if direction.is_none() => {
+                    let (loading, unloading) = all.split_at(turn + 1);
+                    let goes = |way: &[usize], up: bool| {
+                        let right = way
+                            .windows(2)
+                            .filter(|pair| (key(pair[1]) > key(pair[0])) == up)
+                            .count();
+                        way.len() >= FEWEST && right as f64 >= IN_ORDER * (way.len() - 1) as f64
+                    };
+                    if goes(loading, true) && goes(unloading, false) {
+                        vec![loading.to_vec(), unloading.to_vec()]
+                    } else {
+                        vec![all]
+                    }
+                }
+                _ => vec![all],
+            };
+            for mut way in ways {
+                way.sort_by(|&i, &j| key(j).total_cmp(&key(i)));
+                if !way.is_empty() {
+                    segments.push(way);
+                }
+            }
+        }
+        segments
+    }
+
+    /// Returns how many points of a segment are in contact, and the number of the first one on the
+    /// baseline.
+    fn split(&self, segment: &[usize], noise: f64, freedom: Freedom) -> [usize; 2] {
+        let all_in_contact = [segment.len(); 2];
+        if segment.len() < FEWEST || !freedom.adhesive {
+            return all_in_contact;
+        }
+        let points = &self.measurement.points;
+        let readings: Vec<f64> = segment
+            .iter()
+            .map(|&i| {
+                points[i].ordinate - self.baseline_slope * (points[i].abscissa - self.contact_point)
+            })
+            .collect();
+        let is_level = |free: &[f64]| {
+            let level = median(free.to_vec());
+            let scatter = median(free.iter().map(|y| (y - level).abs()).collect());
+            let is_flat = free.len() < 3 || scatter <= SIGNIFICANT * noise;
+            let known = self.load_offset + self.baseline;
+            let is_known = (level - known).abs() <= SIGNIFICANT * noise;
+            (is_flat && (is_known || (freedom.level && free.len() >= 3))).then_some(level)
+        };
+        let step = |i: usize| readings[i + 1] - readings[i];
+        let largest = (0..segment.len() - 1).max_by(|&i, &j| step(i).total_cmp(&step(j)));
+        if let Some(jump) = largest.filter(|&i| step(i) > SIGNIFICANT * noise)
+            && let Some(level) = is_level(&readings[jump + 1..])
+        {
+            let mut ends = jump;
+            while ends > 0 && step(ends - 1) > 0.5 * step(jump) {
+                ends -= 1;
+            }
+            let lands = readings[jump + 1..]
+                .iter()
+                .position(|y| (y - level).abs() <= NEAR * noise)
+                .unwrap_or(0);
+            return [ends + 1, jump + 1 + lands];
+        }
+        let tail = ((TAIL * segment.len() as f64) as usize).max(FEWEST);
+        let Some(level) = segment
+            .len()
+            .checked_sub(tail)
+            .and_then(|from| is_level(&readings[from..]))
+        else {
+            return all_in_contact;
+        };
+        // The first contact is where two neighbours leave the baseline. Between it and the contact
+        // point a force rises from the noise: it takes as far again until it is 3 times as large.
+        let off = |i: usize, by: f64| (readings[i] - level).abs() > by * noise;
+        let leaves = |by: f64| {
+            (1..segment.len())
+                .rev()
+                .find(|&i| off(i, by) && off(i - 1, by))
+                .map_or(0, |i| i + 1)
+        };
+        let (contact_ends, clear) = (leaves(NEAR), leaves(3.0 * NEAR));
+        let margin = 2 * contact_ends.saturating_sub(clear) + 1;
+        [contact_ends, (contact_ends + margin).min(segment.len())]
+    }
+}
+
+/// Estimates the standard deviation of independent noise from the second differences of readings in
+/// order.
+fn noise_of(readings: &[f64]) -> Option<f64> {
+    let bends: Vec<f64> = readings
+        .windows(3)
+        .map(|three| (three[0] - 2.0 * three[1] + three[2]).abs())
+        .collect();
+    // The median of |x| is 0.6745 standard deviations; a second difference has the variance 6.
+    (bends.len() >= FEWEST).then(|| median(bends) / 0.674_49 / 6_f64.sqrt())
+}

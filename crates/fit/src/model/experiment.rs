@@ -1,0 +1,225 @@
+//! A measurement with all that is known about it.
+
+use interp::{Contact, Elastic, HalfSpace, System, Table};
+
+use super::{Kind, Measurement, Parameter};
+use crate::Error;
+
+/// The bodies in contact.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Bodies {
+    /// A sphere on a film on a substrate.
+    Coated(System),
+    /// A sphere on a half-space: JKR, or Hertz without adhesion. The parameters of the film are
+    /// those of the half-space.
+    HalfSpace(HalfSpace),
+}
+
+impl Bodies {
+    /// Returns the radius of the sphere, m.
+    pub const fn sphere_radius(&self) -> f64 {
+        match self {
+            Self::Coated(system) => system.sphere_radius,
+            Self::HalfSpace(half_space) => half_space.sphere_radius,
+        }
+    }
+
+    /// Returns the film, or the solid of a half-space.
+    pub(crate) const fn film(&self) -> Elastic {
+        match self {
+            Self::Coated(system) => system.film,
+            Self::HalfSpace(half_space) => half_space.solid,
+        }
+    }
+
+    /// Returns these bodies with another value of one of their parameters. Other parameters change
+    /// nothing.
+    pub(crate) fn with(mut self, parameter: Parameter, value: f64) -> Result<Self, interp::Error> {
+        let film = self.film();
+        let film = match parameter {
+            Parameter::FilmModulus => Elastic::new(value, film.poisson())?,
+            Parameter::FilmPoissonRatio => Elastic::new(film.young(), value)?,
+            _ => film,
+        };
+        let (sphere_modulus, own_film) = match &mut self {
+            Self::Coated(system) => {
+                if parameter == Parameter::FilmThickness {
+                    system.film_thickness = value;
+                }
+                (&mut system.sphere_modulus, &mut system.film)
+            }
+            Self::HalfSpace(half_space) => (&mut half_space.sphere_modulus, &mut half_space.solid),
+        };
+        *own_film = film;
+        if parameter == Parameter::SphereModulus {
+            *sphere_modulus = value;
+        }
+        Ok(self)
+    }
+
+    /// Makes the contact, with the derivatives of the curve if asked for.
+    pub(crate) fn contact(&self, table: &Table, gradient: bool) -> Result<Contact, interp::Error> {
+        match self {
+            Self::Coated(system) if gradient => table.contact_with_gradient(system),
+            Self::Coated(system) => table.contact(system),
+            Self::HalfSpace(half_space) => Contact::half_space(half_space),
+        }
+    }
+}
+
+/// A measurement with all that is known about it.
+///
+/// Each value is a parameter's fixed value, or the start of the fit where the parameter is
+/// [`Free`](crate::Free) and says so. All units are SI.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Experiment {
+    /// The measured points.
+    pub measurement: Measurement,
+    /// Sphere, film and substrate.
+    pub bodies: Bodies,
+    /// The work of adhesion, J/m^2; 0 is a contact without adhesion.
+    pub work_of_adhesion: f64,
+    /// The work of adhesion on retract, J/m^2; `None` is that of approach. Points without a
+    /// direction have that of approach.
+    pub work_of_adhesion_receding: Option<f64>,
+    /// What a load reads without a force, N.
+    pub load_offset: f64,
+    /// The reading of a penetration or height at which the sphere would just touch, m.
+    pub contact_point: f64,
+    /// The force that is read at the contact point without a contact, N.
+    pub baseline: f64,
+    /// The slope of the force that is read without a contact, N/m.
+    pub baseline_slope: f64,
+    /// The stiffness of the cantilever, N/m, which [`Kind::ForceHeight`] needs.
+    pub stiffness: Option<f64>,
+    /// The standard deviation of an ordinate, in N or m; `None` if it is to be estimated from the
+    /// residuals.
+    pub noise: Option<f64>,
+}
+
+impl Experiment {
+    /// Takes a measurement on known bodies, without adhesion, with an instrument whose zeros are
+    /// right, and with unknown noise.
+    pub const fn new(measurement: Measurement, bodies: Bodies) -> Self {
+        Self {
+            measurement,
+            bodies,
+            work_of_adhesion: 0.0,
+            work_of_adhesion_receding: None,
+            load_offset: 0.0,
+            contact_point: 0.0,
+            baseline: 0.0,
+            baseline_slope: 0.0,
+            stiffness: None,
+            noise: None,
+        }
+    }
+
+    /// Returns the value of a parameter; `None` where the experiment has none: a thickness without
+    /// a film, a stiffness that is not given, a receding work of adhesion that is not its own.
+    pub fn get(&self, parameter: Parameter) -> Option<f64> {
+        Some(match parameter {
+            Parameter::SphereModulus => match &self.bodies {
+                Bodies::Coated(system) => system.sphere_modulus,
+                Bodies::HalfSpace(half_space) => half_space.sphere_modulus,
+            },
+            Parameter::FilmModulus => self.bodies.film().young(),
+            Parameter::FilmPoissonRatio => self.bodies.film().poisson(),
+            Parameter::FilmThickness => match &self.bodies {
+                Bodies::Coated(system) => system.film_thickness,
+                Bodies::HalfSpace(_) => return None,
+            },
+            Parameter::WorkOfAdhesion => self.work_of_adhesion,
+            Parameter::WorkOfAdhesionReceding => return self.work_of_adhesion_receding,
+            Parameter::LoadOffset => self.load_offset,
+            Parameter::ContactPoint => self.contact_point,
+            Parameter::Baseline => self.baseline,
+            Parameter::BaselineSlope => self.baseline_slope,
+            Parameter::Stiffness => return self.stiffness,
+        })
+    }
+
+    /// Replaces the value of a parameter.
+    ///
+    /// # Errors
+    /// [`Error::Contact`] for a film that is not physical; [`Error::NotApplicable`] for the
+    /// thickness of a half-space.
+    pub fn set(&mut self, parameter: Parameter, value: f64) -> Result<(), Error> {
+        if parameter == Parameter::FilmThickness
+            && let Some(reason) = self.why_without_effect(parameter)
+        {
+            return Err(Error::NotApplicable {
+                parameter,
+                experiment: self.measurement.name.clone(),
+                reason,
+            });
+        }
+        Ok(self.replace(parameter, value)?)
+    }
+
+    /// Replaces the value of a parameter that the experiment has.
+    pub(crate) fn replace(
+        &mut self,
+        parameter: Parameter,
+        value: f64,
+    ) -> Result<(), interp::Error> {
+        match parameter {
+            Parameter::WorkOfAdhesion => self.work_of_adhesion = value,
+            Parameter::WorkOfAdhesionReceding => self.work_of_adhesion_receding = Some(value),
+            Parameter::LoadOffset => self.load_offset = value,
+            Parameter::ContactPoint => self.contact_point = value,
+            Parameter::Baseline => self.baseline = value,
+            Parameter::BaselineSlope => self.baseline_slope = value,
+            Parameter::Stiffness => self.stiffness = Some(value),
+            _ => self.bodies = self.bodies.with(parameter, value)?,
+        }
+        Ok(())
+    }
+
+    /// Returns why a parameter has no effect on this experiment, if it has none.
+    pub(crate) fn why_without_effect(&self, parameter: Parameter) -> Option<&'static str> {
+        let kind = self.measurement.kind;
+        let has_load = kind != Kind::PenetrationRadius;
+        let has_position = matches!(kind, Kind::LoadPenetration | Kind::ForceHeight);
+        match parameter {
+            Parameter::SphereModulus if self.get(parameter) == Some(f64::INFINITY) => {
+                Some("the sphere is rigid; give it a modulus to fit one")
+            }
+            Parameter::FilmModulus if self.get(parameter) == Some(f64::INFINITY) => {
+                Some("the half-space is rigid; give it a modulus to fit one")
+            }
+            Parameter::FilmThickness if matches!(self.bodies, Bodies::HalfSpace(_)) => {
+                Some("a half-space has no thickness")
+            }
+            Parameter::LoadOffset if !has_load => Some("no load is measured"),
+            Parameter::ContactPoint if kind == Kind::LoadRadius => {
+                Some("neither penetration nor height is measured")
+            }
+            Parameter::Baseline | Parameter::BaselineSlope if !has_position => {
+                Some("the force is not measured against a penetration or height")
+            }
+            Parameter::Stiffness if kind != Kind::ForceHeight => {
+                Some("no height of a cantilever is measured")
+            }
+            _ => None,
+        }
+    }
+
+    /// Accepts the stiffness of the cantilever where one is needed.
+    pub(crate) fn accept_stiffness(&self) -> Result<(), Error> {
+        if self.measurement.kind != Kind::ForceHeight {
+            return Ok(());
+        }
+        let stiffness = self.stiffness.unwrap_or(f64::NAN);
+        if stiffness > 0.0 && stiffness.is_finite() {
+            return Ok(());
+        }
+        Err(Error::Setting {
+            name: format!("stiffness of {}", self.measurement.name),
+            value: stiffness,
+            allowed:
+                "positive and finite: forces against heights need the stiffness of the cantilever"
+                    .into(),
+        })
+    }
+}

@@ -1,0 +1,147 @@
+//! What is to be found, and how.
+
+use super::Parameter;
+
+/// A parameter to be found.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Free {
+    /// The parameter.
+    pub parameter: Parameter,
+    /// Where the fit starts. `None`: moduli, works of adhesion, offsets, contact points and
+    /// baselines start from the data themselves; Poisson ratio, thickness and stiffness from the
+    /// value of the [`Experiment`](crate::Experiment).
+    pub start: Option<f64>,
+    /// The smallest and the largest value allowed. A Poisson ratio has the bounds 0 and 0.5 unless
+    /// others are given. Other parameters have none, but moduli, thickness, works of adhesion and
+    /// stiffness stay positive.
+    ///
+    /// Within bounds `[l, u]` the fit varies an angle `y` with `x = l + (u - l) (1 + sin y)/2`,
+    /// where `x` is the parameter or, if it is positive, its logarithm. The standard errors are
+    /// those of the parameter itself.
+    pub bounds: Option<[f64; 2]>,
+    /// What is known of the value from elsewhere.
+    pub prior: Option<Prior>,
+    /// Whether several experiments have one value in common.
+    pub scope: Scope,
+}
+
+/// A value known from elsewhere, with its standard error. It counts as one more measured point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Prior {
+    /// The expected value.
+    pub mean: f64,
+    /// Its standard error.
+    pub width: f64,
+}
+
+/// Whether several experiments have one value in common.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Scope {
+    /// All experiments have one value.
+    Shared,
+    /// Each experiment has its own value.
+    Own,
+}
+
+impl Free {
+    /// Frees a parameter: without bounds, without a prior, and from a start that the data give.
+    ///
+    /// Offsets, contact points and baselines are each experiment's own, all else is shared.
+    pub const fn new(parameter: Parameter) -> Self {
+        let scope = match parameter {
+            Parameter::LoadOffset
+            | Parameter::ContactPoint
+            | Parameter::Baseline
+            | Parameter::BaselineSlope => Scope::Own,
+            _ => Scope::Shared,
+        };
+        Self {
+            parameter,
+            start: None,
+            bounds: None,
+            prior: None,
+            scope,
+        }
+    }
+
+    /// Starts from a value.
+    #[must_use]
+    pub const fn starting_from(self, start: f64) -> Self {
+        Self {
+            start: Some(start),
+            ..self
+        }
+    }
+
+    /// Keeps the parameter within bounds.
+    #[must_use]
+    pub const fn within(self, least: f64, most: f64) -> Self {
+        Self {
+            bounds: Some([least, most]),
+            ..self
+        }
+    }
+
+    /// Adds what is known of the value from elsewhere.
+    #[must_use]
+    pub const fn with_prior(self, mean: f64, width: f64) -> Self {
+        Self {
+            prior: Some(Prior { mean, width }),
+            ..self
+        }
+    }
+
+    /// Gives each experiment its own value, or all experiments one.
+    #[must_use]
+    pub const fn with_scope(self, scope: Scope) -> Self {
+        Self { scope, ..self }
+    }
+}
+
+/// What a residual `r` (in units of the noise) adds to the sum that is made least.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Loss {
+    /// `r^2`: least squares.
+    Squares,
+    /// Huber's loss: `r^2` below the threshold `c`, `2 c |r| - c^2` above it.
+    Huber {
+        /// The threshold `c`, in units of the noise.
+        threshold: f64,
+    },
+    /// The soft L1 loss: `2 c^2 (sqrt(1 + (r/c)^2) - 1)`.
+    SoftL1 {
+        /// The threshold `c`, in units of the noise.
+        threshold: f64,
+    },
+}
+
+impl Loss {
+    /// Huber's loss with the threshold 1.345, at which it is 95 % as efficient as least squares on
+    /// normal noise (Huber, *Robust Statistics*, 1981).
+    pub const HUBER: Self = Self::Huber { threshold: 1.345 };
+    /// The soft L1 loss with the threshold 1.
+    pub const SOFT_L1: Self = Self::SoftL1 { threshold: 1.0 };
+}
+
+/// How to fit.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Options {
+    /// The loss.
+    pub loss: Loss,
+    /// The level, such as 0.95, of profile-likelihood intervals; `None` does without them. An
+    /// interval takes some twenty further fits for each parameter.
+    pub profile_level: Option<f64>,
+    /// The range `z0` of the attraction (m), for Tabor's parameter.
+    pub interaction_range: f64,
+}
+
+impl Default for Options {
+    /// Least squares, no profiles, and an attraction over 0.3 nm.
+    fn default() -> Self {
+        Self {
+            loss: Loss::Squares,
+            profile_level: None,
+            interaction_range: 3e-10,
+        }
+    }
+}

@@ -1,0 +1,91 @@
+//! What was measured: the points of one experiment, in SI units.
+
+/// The two quantities that a measurement pairs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// Contact radius (m) and load (N): a JKR test.
+    LoadRadius,
+    /// Contact radius (m) and penetration (m).
+    PenetrationRadius,
+    /// Penetration (m) and load (N).
+    LoadPenetration,
+    /// Height of the cantilever's base (m) and force (N): an AFM. The height is smaller when the
+    /// base is closer to the sample; contact point - height = penetration + force/stiffness.
+    ForceHeight,
+}
+
+impl Kind {
+    /// All kinds.
+    pub const ALL: [Self; 4] = [
+        Self::LoadRadius,
+        Self::PenetrationRadius,
+        Self::LoadPenetration,
+        Self::ForceHeight,
+    ];
+
+    /// Returns the name, as on the command line.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::LoadRadius => "load-radius",
+            Self::PenetrationRadius => "penetration-radius",
+            Self::LoadPenetration => "load-penetration",
+            Self::ForceHeight => "force-height",
+        }
+    }
+
+    /// Returns the names of abscissa and ordinate.
+    pub const fn names(self) -> [&'static str; 2] {
+        match self {
+            Self::LoadRadius => ["contact radius", "load"],
+            Self::PenetrationRadius => ["contact radius", "penetration"],
+            Self::LoadPenetration => ["penetration", "load"],
+            Self::ForceHeight => ["height", "force"],
+        }
+    }
+}
+
+/// The direction in which a point was measured.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Direction {
+    /// The sphere moves towards the sample.
+    Approach,
+    /// The sphere moves away from the sample.
+    Retract,
+}
+
+impl Direction {
+    /// Both directions.
+    pub const ALL: [Self; 2] = [Self::Approach, Self::Retract];
+
+    /// Returns the name, as on the command line and in columns of segments.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Approach => "approach",
+            Self::Retract => "retract",
+        }
+    }
+}
+
+/// One measured point, in SI units. Loads and forces are positive in compression.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Point {
+    /// The line of the file that the point comes from, counted from 1.
+    pub line: u64,
+    /// The contact radius, penetration or height (m), by the [`Kind`].
+    pub abscissa: f64,
+    /// The load or force (N), or the penetration (m), by the [`Kind`].
+    pub ordinate: f64,
+    /// The direction, where it is known.
+    pub direction: Option<Direction>,
+}
+
+/// The points of one experiment, in the order in which they were measured.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Measurement {
+    /// Names the measurement in messages: the path of its file, for instance.
+    pub name: String,
+    /// The two quantities.
+    pub kind: Kind,
+    /// The points.
+    pub points: Vec<Point>,
+}

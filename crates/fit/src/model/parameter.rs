@@ -1,0 +1,110 @@
+//! The numbers that can be fitted.
+
+use std::fmt;
+use std::str::FromStr;
+
+use crate::Error;
+
+/// A number that can be fitted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Parameter {
+    /// The reduced modulus `E2*` of the sphere, Pa.
+    SphereModulus,
+    /// Young's modulus `E1` of the film, Pa; without a film, that of the half-space.
+    FilmModulus,
+    /// The Poisson ratio `nu1` of the film; without a film, that of the half-space.
+    FilmPoissonRatio,
+    /// The thickness `t` of the film, m.
+    FilmThickness,
+    /// The work of adhesion `w`, J/m^2: that of both directions, or of approach alone where
+    /// [`Parameter::WorkOfAdhesionReceding`] is given or free.
+    WorkOfAdhesion,
+    /// The work of adhesion of points measured on retract, J/m^2.
+    WorkOfAdhesionReceding,
+    /// What a load reads without a force, N.
+    LoadOffset,
+    /// The reading of a penetration or height at which the sphere would just touch, m.
+    ContactPoint,
+    /// The force that is read at the contact point without a contact, N.
+    Baseline,
+    /// The slope of the force that is read without a contact, N/m.
+    BaselineSlope,
+    /// The stiffness `k` of the cantilever, N/m.
+    Stiffness,
+}
+
+impl Parameter {
+    /// All parameters.
+    pub const ALL: [Self; 11] = [
+        Self::SphereModulus,
+        Self::FilmModulus,
+        Self::FilmPoissonRatio,
+        Self::FilmThickness,
+        Self::WorkOfAdhesion,
+        Self::WorkOfAdhesionReceding,
+        Self::LoadOffset,
+        Self::ContactPoint,
+        Self::Baseline,
+        Self::BaselineSlope,
+        Self::Stiffness,
+    ];
+
+    /// Returns the name, as on the command line.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::SphereModulus => "sphere-modulus",
+            Self::FilmModulus => "film-modulus",
+            Self::FilmPoissonRatio => "film-poisson-ratio",
+            Self::FilmThickness => "film-thickness",
+            Self::WorkOfAdhesion => "work-of-adhesion",
+            Self::WorkOfAdhesionReceding => "work-of-adhesion-receding",
+            Self::LoadOffset => "load-offset",
+            Self::ContactPoint => "contact-point",
+            Self::Baseline => "baseline",
+            Self::BaselineSlope => "baseline-slope",
+            Self::Stiffness => "stiffness",
+        }
+    }
+
+    /// Returns the SI unit; `"1"` for a Poisson ratio.
+    pub const fn unit(self) -> &'static str {
+        match self {
+            Self::SphereModulus | Self::FilmModulus => "Pa",
+            Self::FilmPoissonRatio => "1",
+            Self::FilmThickness | Self::ContactPoint => "m",
+            Self::WorkOfAdhesion | Self::WorkOfAdhesionReceding => "J/m^2",
+            Self::LoadOffset | Self::Baseline => "N",
+            Self::BaselineSlope | Self::Stiffness => "N/m",
+        }
+    }
+
+    /// Tells whether the parameter is positive. Then its logarithm is fitted.
+    pub const fn is_positive(self) -> bool {
+        matches!(
+            self,
+            Self::SphereModulus
+                | Self::FilmModulus
+                | Self::FilmThickness
+                | Self::WorkOfAdhesion
+                | Self::WorkOfAdhesionReceding
+                | Self::Stiffness
+        )
+    }
+}
+
+impl fmt::Display for Parameter {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.name())
+    }
+}
+
+impl FromStr for Parameter {
+    type Err = Error;
+
+    fn from_str(name: &str) -> Result<Self, Error> {
+        let found = Self::ALL
+            .into_iter()
+            .find(|parameter| parameter.name() == name);
+        found.ok_or_else(|| Error::UnknownParameter(name.to_owned()))
+    }
+}

@@ -1,0 +1,339 @@
+//! The ordinates that the contact model predicts for the points of an experiment, and their
+//! derivatives with respect to parameters.
+
+use interp::{Contact, Derivatives, Equilibria, Input, State};
+
+use super::readings::imposed;
+use super::turn::Turn;
+use super::{Branch, Direction, Experiment, Kind, Parameter};
+
+/// Contacts whose radius is within this factor of that at the end of the branch give the slope by
+/// which a branch is continued beyond its end.
+const NEAR_END: f64 = 1.1;
+
+/// The predictions for all points of an experiment.
+#[derive(Clone, Debug)]
+pub(crate) struct Predicted {
+    /// The ordinates; those of points that are left out mean nothing.
+    pub values: Vec<f64>,
+    /// The contact radii, m; 0 without a contact.
+    pub radii: Vec<f64>,
+    /// The points beyond the end of their branch.
+    pub beyond: Vec<bool>,
+    /// The points in the contact of the turn, whose line does not move.
+    pub pinned: Vec<bool>,
+    /// The derivatives with respect to each of the parameters asked for, point after point.
+    pub derivatives: Vec<f64>,
+}
+
+/// The end of a stable branch.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct BranchEnd {
+    /// The abscissa at which it ends.
+    pub abscissa: f64,
+    /// The derivatives of this abscissa with respect to the parameters asked for.
+    pub derivatives: [f64; 11],
+}
+
+impl Experiment {
+    /// Predicts all points that are not left out. `order` lists the points by descending imposed
+    /// value. Without `parameters` there are no derivatives.
+    pub(crate) fn predict(
+        &self,
+        contact: &Contact,
+        branches: &[Branch],
+        order: &[usize],
+        parameters: Option<&[Parameter]>,
+    ) -> Result<Predicted, interp::Error> {
+        let points = &self.measurement.points;
+        let columns = parameters.unwrap_or_default();
+        let width = columns.len();
+        let mut predicted = Predicted {
+            values: points
+                .iter()
+                .map(|point| self.baseline_at(point.abscissa))
+                .collect(),
+            radii: vec![0.0; points.len()],
+            beyond: vec![false; points.len()],
+            pinned: vec![false; points.len()],
+            derivatives: Vec::with_capacity(points.len() * width),
+        };
+        for point in points {
+            predicted.derivatives.extend(
+                columns
+                    .iter()
+                    .map(|&parameter| self.baseline_derivative(parameter, point.abscissa)),
+            );
+        }
+        match self.measurement.kind {
+            Kind::LoadRadius | Kind::PenetrationRadius => {
+                self.predict_at_radii(contact, branches, parameters, &mut predicted)?;
+            }
+            Kind::LoadPenetration | Kind::ForceHeight => {
+                let turn = self.turn(contact, branches, order, columns)?;
+                for branch in [Branch::Advancing, Branch::Receding] {
+                    self.predict_branch(
+                        contact,
+                        (branch, branches),
+                        order,
+                        turn.as_ref(),
+                        parameters,
+                        &mut predicted,
+                    )?;
+                }
+            }
+        }
+        Ok(predicted)
+    }
+
+    /// Predicts the points at measured contact radii.
+    fn predict_at_radii(
+        &self,
+        contact: &Contact,
+        branches: &[Branch],
+        parameters: Option<&[Parameter]>,
+        predicted: &mut Predicted,
+    ) -> Result<(), interp::Error> {
+        let load = self.measurement.kind == Kind::LoadRadius;
+        let columns = parameters.unwrap_or_default();
+        for (i, (point, &branch)) in self.measurement.points.iter().zip(branches).enumerate() {
+            if !matches!(branch, Branch::Advancing | Branch::Receding) {
+                continue;
+            }
+            let (a, w) = (point.abscissa, self.work_of(branch));
+            predicted.radii[i] = a;
+            if parameters.is_none() {
+                predicted.values[i] += if load {
+                    contact.load(a, w)?
+                } else {
+                    contact.load_and_penetration(a, w)?.1
+                };
+                continue;
+            }
+            let gradient = contact.gradient(a, w)?;
+            let of = |both: Derivatives| if load { both.load } else { both.penetration };
+            predicted.values[i] += if load {
+                gradient.load()
+            } else {
+                gradient.penetration()
+            };
+            let row = &mut predicted.derivatives[i * columns.len()..][..columns.len()];
+            for (derivative, &parameter) in row.iter_mut().zip(columns) {
+                if let Some(input) = self.input(parameter) {
+                    *derivative += of(gradient.by(input)?);
+                } else if self.is_work_of(parameter, branch) && w > 0.0 {
+                    *derivative += of(gradient.by(Input::WorkOfAdhesion)?);
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Predicts the points of one branch at imposed penetrations or positions of the spring.
+    fn predict_branch(
+        &self,
+        contact: &Contact,
+        (branch, branches): (Branch, &[Branch]),
+        order: &[usize],
+        turn: Option<&Turn>,
+        parameters: Option<&[Parameter]>,
+        predicted: &mut Predicted,
+    ) -> Result<(), interp::Error> {
+        let points = &self.measurement.points;
+        let w = self.work_of(branch);
+        let of_branch = order.iter().filter(|&&i| branches[i] == branch);
+        let mut within: Vec<usize> = of_branch.copied().collect();
+        if within.is_empty() {
+            return Ok(());
+        }
+        let control = self.control();
+        let equilibria = contact.equilibria(w, control)?;
+        let imposed_at = |i: usize| self.imposed(points[i].abscissa);
+        let mut beyond = Vec::new();
+        let end = if w > 0.0 {
+            Some(equilibria.pull_off()?)
+        } else {
+            None
+        };
+        let least = end.map_or(0.0, |end| imposed(control, end.load, end.penetration));
+        within.retain(|&i| {
+            let inside = imposed_at(i) > least;
+            if !inside && end.is_some() {
+                beyond.push(i);
+            }
+            inside
+        });
+        // On approach, the contact that grows from the first touch; below the contact point the
+        // same contact as on retract.
+        let split = within
+            .iter()
+            .position(|&i| points[i].direction != Some(Direction::Approach) || imposed_at(i) < 0.0)
+            .filter(|_| branch == Branch::Advancing)
+            .unwrap_or(if branch == Branch::Advancing {
+                within.len()
+            } else {
+                0
+            });
+        let (loading, unloading) = within.split_at(split);
+        for (indices, course) in [
+            (loading, interp::Branch::Loading),
+            (unloading, interp::Branch::Unloading),
+        ] {
+            self.follow(
+                &equilibria,
+                (branch, course),
+                indices,
+                parameters,
+                predicted,
+            )?;
+        }
+        if let Some(end) = end
+            && !beyond.is_empty()
+        {
+            self.continue_beyond(
+                contact,
+                (branch, &end),
+                &beyond,
+                parameters.unwrap_or_default(),
+                predicted,
+            )?;
+        }
+        if let Some(turn) = turn.filter(|_| branch == Branch::Receding) {
+            for &i in &within {
+                if predicted.radii[i] > turn.state.contact_radius {
+                    self.pin(contact, turn, i, parameters, predicted)?;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Predicts points on the stable branch.
+    fn follow(
+        &self,
+        equilibria: &Equilibria<'_>,
+        (branch, course): (Branch, interp::Branch),
+        indices: &[usize],
+        parameters: Option<&[Parameter]>,
+        predicted: &mut Predicted,
+    ) -> Result<(), interp::Error> {
+        let values: Vec<f64> = indices
+            .iter()
+            .map(|&i| self.imposed(self.measurement.points[i].abscissa))
+            .collect();
+        let mut states = vec![State::ORIGIN; values.len()];
+        let Some(columns) = parameters else {
+            equilibria.branch(&values, course, &mut states)?;
+            for (&i, state) in indices.iter().zip(&states) {
+                predicted.values[i] += state.load;
+                predicted.radii[i] = state.contact_radius;
+            }
+            return Ok(());
+        };
+        // The inputs asked for, and the column of each.
+        let mut inputs = Vec::new();
+        let mut input_columns = Vec::new();
+        for (column, &parameter) in columns.iter().enumerate() {
+            if let Some(input) = self.input_on(parameter, branch) {
+                inputs.push(input);
+                input_columns.push(column);
+            }
+        }
+        let zero = Derivatives {
+            load: 0.0,
+            penetration: 0.0,
+        };
+        let mut derivatives = vec![zero; values.len() * (1 + inputs.len())];
+        equilibria.branch_with_gradient(&values, course, &inputs, &mut states, &mut derivatives)?;
+        let rows = derivatives.chunks_exact(1 + inputs.len());
+        for ((&i, state), row) in indices.iter().zip(&states).zip(rows) {
+            predicted.values[i] += state.load;
+            predicted.radii[i] = state.contact_radius;
+            let own = &mut predicted.derivatives[i * columns.len()..][..columns.len()];
+            for (by, &column) in row[1..].iter().zip(&input_columns) {
+                own[column] += by.load;
+            }
+            let by_imposed = row[0].load;
+            for (derivative, &parameter) in own.iter_mut().zip(columns) {
+                *derivative += by_imposed * self.imposed_derivative(parameter, state.load);
+            }
+        }
+        Ok(())
+    }
+
+    /// Continues a branch beyond its end by a straight line, so that the sum of squares has no
+    /// jump.
+    fn continue_beyond(
+        &self,
+        contact: &Contact,
+        (branch, end): (Branch, &State),
+        indices: &[usize],
+        columns: &[Parameter],
+        predicted: &mut Predicted,
+    ) -> Result<(), interp::Error> {
+        let control = self.control();
+        let a = end.contact_radius;
+        let (load, penetration) =
+            contact.load_and_penetration(NEAR_END * a, self.work_of(branch))?;
+        let least = imposed(control, end.load, end.penetration);
+        let slope = (load - end.load) / (imposed(control, load, penetration) - least);
+        let gradient = if columns.is_empty() {
+            None
+        } else {
+            Some(contact.gradient(a, self.work_of(branch))?)
+        };
+        for &i in indices {
+            let excess = self.imposed(self.measurement.points[i].abscissa) - least;
+            predicted.values[i] += end.load + slope * excess;
+            predicted.radii[i] = a;
+            predicted.beyond[i] = true;
+            let Some(gradient) = &gradient else { continue };
+            let row = &mut predicted.derivatives[i * columns.len()..][..columns.len()];
+            for (derivative, &parameter) in row.iter_mut().zip(columns) {
+                if let Some(input) = self.input_on(parameter, branch) {
+                    let by = gradient.by(input)?;
+                    *derivative += by.load - slope * imposed(control, by.load, by.penetration);
+                }
+                *derivative += slope * self.imposed_derivative(parameter, end.load);
+            }
+        }
+        Ok(())
+    }
+
+    /// Returns where a stable branch ends on unloading, with the derivatives of its abscissa.
+    pub(crate) fn branch_end(
+        &self,
+        contact: &Contact,
+        branch: Branch,
+        columns: &[Parameter],
+    ) -> Result<Option<BranchEnd>, interp::Error> {
+        let w = self.work_of(branch);
+        if w == 0.0
+            || matches!(
+                self.measurement.kind,
+                Kind::LoadRadius | Kind::PenetrationRadius
+            )
+        {
+            return Ok(None);
+        }
+        let control = self.control();
+        let end = contact.pull_off(w, control)?;
+        let gradient = contact.gradient(end.contact_radius, w)?;
+        let mut derivatives = [0.0; 11];
+        for (derivative, &parameter) in derivatives.iter_mut().zip(columns) {
+            let of_state = match self.input_on(parameter, branch) {
+                Some(input) => {
+                    let by = gradient.by(input)?;
+                    imposed(control, by.load, by.penetration)
+                }
+                None => -self.imposed_derivative(parameter, end.load),
+            };
+            *derivative = self.sense() * of_state;
+        }
+        let value = imposed(control, end.load, end.penetration);
+        Ok(Some(BranchEnd {
+            abscissa: self.contact_point + self.sense() * value,
+            derivatives,
+        }))
+    }
+}

@@ -1,0 +1,94 @@
+//! Synthetic data.
+
+use std::f64::consts::TAU;
+
+use interp::Table;
+use rand::{RngExt, SeedableRng};
+use rand_pcg::Pcg64Mcg;
+
+use super::{Branch, Direction, Experiment, Kind, Measurement};
+use crate::Error;
+
+/// Makes the measurement that the values of an experiment would give.
+///
+/// The points of `experiment` say where to measure: their abscissae and directions; their ordinates
+/// are not used. On approach the contact forms at the contact point. On retract, and without a
+/// direction, it lasts to the end of the stable branch. It is pinned after the turn if the receding
+/// work of adhesion is the larger one; the turn is at the largest imposed value. Points at contact
+/// radii are always in contact (a radius of 0 is none). `noise` is the standard deviation of the
+/// normal noise that is added to each ordinate; one `seed` always gives one measurement.
+///
+/// # Errors
+/// [`Error::Setting`] for a noise that is negative or not finite, or a missing stiffness;
+/// [`Error::Contact`] outside the table.
+pub fn simulate(
+    table: &Table,
+    experiment: &Experiment,
+    noise: f64,
+    seed: u64,
+) -> Result<Measurement, Error> {
+    if !(0.0..f64::INFINITY).contains(&noise) {
+        return Err(Error::Setting {
+            name: "noise".into(),
+            value: noise,
+            allowed: ">= 0 and finite".into(),
+        });
+    }
+    experiment.accept_stiffness()?;
+    let contact = experiment.bodies.contact(table, true)?;
+    let (branches, order) = experiment.branches_of_model(&contact)?;
+    let predicted = experiment.predict(&contact, &branches, &order, None)?;
+    let mut random = Pcg64Mcg::seed_from_u64(seed);
+    // The method of Box and Muller.
+    let mut normal = || {
+        let radius = (-2.0 * random.random_range(f64::MIN_POSITIVE..1.0).ln()).sqrt();
+        radius * (TAU * random.random_range(0.0..1.0)).cos()
+    };
+    let mut measurement = experiment.measurement.clone();
+    for (point, value) in measurement.points.iter_mut().zip(predicted.values) {
+        point.ordinate = value + noise * normal();
+    }
+    Ok(measurement)
+}
+
+impl Experiment {
+    /// Returns the branches on which the model has the points, and the points by descending imposed
+    /// value.
+    pub(crate) fn branches_of_model(
+        &self,
+        contact: &interp::Contact,
+    ) -> Result<(Vec<Branch>, Vec<usize>), Error> {
+        let points = &self.measurement.points;
+        let sense = self.sense();
+        let mut order: Vec<usize> = (0..points.len()).collect();
+        order.sort_by(|&i, &j| {
+            (sense * points[j].abscissa).total_cmp(&(sense * points[i].abscissa))
+        });
+        let ends = [Branch::Advancing, Branch::Receding]
+            .map(|branch| self.branch_end(contact, branch, &[]));
+        let [advancing, receding] = ends;
+        let [advancing, receding] = [advancing?, receding?];
+        let at_radii = matches!(
+            self.measurement.kind,
+            Kind::LoadRadius | Kind::PenetrationRadius
+        );
+        let branches = points
+            .iter()
+            .map(|point| {
+                let (branch, end) = match point.direction {
+                    Some(Direction::Approach) => (Branch::Advancing, None),
+                    Some(Direction::Retract) => (Branch::Receding, receding.as_ref()),
+                    None => (Branch::Advancing, advancing.as_ref()),
+                };
+                let is_apart = if at_radii {
+                    point.abscissa == 0.0
+                } else {
+                    let end = end.map_or(self.contact_point, |end| end.abscissa);
+                    sense * (point.abscissa - end) <= 0.0
+                };
+                if is_apart { Branch::Baseline } else { branch }
+            })
+            .collect();
+        Ok((branches, order))
+    }
+}

@@ -1,0 +1,172 @@
+//! Tables that cannot be read: each error names the place and the next step.
+
+use fit::data::{Column, Format};
+
+use crate::read;
+
+/// Asserts that a text is refused with a message of one line that names all the words.
+fn refused(text: &str, format: &Format, words: &[&str]) {
+    let error = read(text, format).expect_err(text).to_string();
+    assert_eq!(error.lines().count(), 1, "{error}");
+    for word in words {
+        assert!(error.contains(word), "{word:?} is not in: {error}");
+    }
+}
+
+#[test]
+fn an_error_names_line_column_value_and_next_step() {
+    let cases: [(&str, &[&str]); 29] = [
+        ("", &["no line holds two numbers"]),
+        ("contact_radius,load\n", &["no line holds two numbers"]),
+        ("one\ntwo\n3\n", &["no line holds two numbers"]),
+        // A wrong row above three sound ones is not taken for a line before the headings.
+        (
+            "contact_radius,load\n1,x\n1,2\n2,3\n3,4\n",
+            &["line 2", "\"x\""],
+        ),
+        (
+            "contact_radius,load\nx,y\n1,2\n2,3\n3,4\n",
+            &["line 2", "\"x\""],
+        ),
+        ("1,2\n3,4\n", &["line 1", "2 cells", "--column"]),
+        ("# lens\n\n1,2\n3,4\n", &["line 3", "headings"]),
+        (
+            "contact_radius,load\n1,2\n2,3\n3,x\n",
+            &["line 4, column 2 \"load\"", "\"x\"", "not a number", "#"],
+        ),
+        (
+            "contact_radius,load\n1,2\n2,\n",
+            &["line 3, column 2", "missing", "#"],
+        ),
+        (
+            "contact_radius,load\n1,2\nNaN,3\n",
+            &["line 3, column 1", "missing"],
+        ),
+        (
+            "contact_radius,load\n1,2\n2,inf\n",
+            &["line 3, column 2", "not finite"],
+        ),
+        (
+            "contact_radius,load\n1,2\n2,1e999\n",
+            &["line 3, column 2", "1e999"],
+        ),
+        (
+            "contact_radius,load\n1,2\n-2,3\n",
+            &["line 3, column 1", "-2", "below 0"],
+        ),
+        (
+            "contact_radius,load\n1,2\n2,3\n4,5,6\n",
+            &["line 4", "3 cells", "2", "decimal"],
+        ),
+        ("contact_radius,load\n1,2\n2,3\n4\n", &["line 4", "1 cell"]),
+        (
+            "contact_radius,load\n1,5,2,5\n1,6,2,7\n1,8,2,9\n",
+            &["line 2", "4 cells", "headings"],
+        ),
+        (
+            "contact_radius;load\n1,5;2\n2.5;3\n",
+            &["line 3, column 1", "2.5", "decimal mark"],
+        ),
+        (
+            "contact_radius;load\n1.234,5;2\n2.234,6;2\n",
+            &["two numbers"],
+        ),
+        (
+            "contact_radius,load\n1,2\n1,3\n",
+            &["column 1", "all 2 values are 1.0"],
+        ),
+        (
+            "contact_radius,load\n1,2\n2,2\n",
+            &["column 2", "all 2 values are 2.0"],
+        ),
+        (
+            "Radius,Load [mN]\n1,2\n2,3\n",
+            &["column 1 \"Radius\"", "no unit", "Radius [um]"],
+        ),
+        (
+            "Radius [um],Load [mm]\n1,2\n2,3\n",
+            &["no kind", "\"Load [mm]\"", "--kind load-radius|"],
+        ),
+        (
+            "Radius [um],Load [mN],Load [uN]\n1,2,3\n2,3,4\n",
+            &["columns 2 and 3", "load", "--column load=2"],
+        ),
+        (
+            "Radius [um],Load [mN],Depth [nm]\n1,2,3\n2,3,4\n",
+            &[
+                "more than one kind",
+                "load-radius|penetration-radius|load-penetration",
+            ],
+        ),
+        ("x,y\n1,2\n2,3\n", &["no kind", "\"x\", \"y\"", "--column"]),
+        ("z [nm],defl [nm]\n1,2\n2,1\n", &["column 2", "--stiffness"]),
+        (
+            "height,force,phase\n1,2,approach\n1,3,sideways\n",
+            &[
+                "line 3, column 3",
+                "sideways",
+                "approach",
+                "--segments split",
+            ],
+        ),
+        ("contact_radius,load\n,2,\n1,2\n2,3\n", &["line 2"]),
+        (
+            "height,force,phase\n1,2,pause\n1,3,pause\n",
+            &["2 rows", "no point"],
+        ),
+    ];
+    for (text, words) in cases {
+        refused(text, &Format::default(), words);
+    }
+}
+
+#[test]
+fn bytes_that_are_not_text_are_refused() {
+    for (bytes, word) in [
+        (&b"\x89HDF\r\n\x1a\n\0\0"[..], "not text"),
+        (b"\xff\xfea\0,\0b\0", "UTF-16"),
+        (b"a,b\r1,2\r3,4\r", "carriage return"),
+        (&[b'1'; 70_000], "longer than"),
+    ] {
+        let error = fit::data::read_from(bytes, "file", &Format::default());
+        let error = error.expect_err("refused").to_string();
+        assert!(
+            error.starts_with("file, line ") && error.contains(word),
+            "{error}"
+        );
+    }
+    let error = fit::data::read("no/such/file".as_ref(), &Format::default());
+    let error = error.expect_err("refused").to_string();
+    assert!(error.contains("no/such/file"), "{error}");
+}
+
+#[test]
+fn a_column_that_is_not_there_is_refused() {
+    let format = |text: &str| Format {
+        columns: vec![text.parse::<Column>().expect("a column")],
+        ..Format::default()
+    };
+    let text = "Radius [um],Load [mN],Load (mN)\n1,2,3\n2,3,4\n";
+    refused(
+        text,
+        &format("load=Kraft [mN]"),
+        &["Kraft", "load", "Radius [um]"],
+    );
+    refused(text, &format("load=4"), &["\"4\"", "headings"]);
+    refused(text, &format("load=Load"), &["columns 2 and 3"]);
+    refused(
+        text,
+        &format("load=Radius [um]"),
+        &["Radius [um]", "a force"],
+    );
+    let format = Format {
+        kind: Some(fit::Kind::LoadPenetration),
+        ..Format::default()
+    };
+    let text = "Radius [um],Load [mN]\n1,2\n2,3\n";
+    refused(
+        text,
+        &format,
+        &["penetration", "a length", "--column \"penetration="],
+    );
+}

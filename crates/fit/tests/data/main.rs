@@ -1,0 +1,43 @@
+//! Reading measurements: the tables that instruments write, hostile ones, and large ones.
+
+#![forbid(unsafe_code)]
+
+mod errors;
+mod large;
+mod properties;
+mod tables;
+
+use fit::data::{DataError, Format, Reading, read_from};
+
+/// Reads a text.
+fn read(text: &str, format: &Format) -> Result<Reading, DataError> {
+    read_from(text.as_bytes(), "file", format)
+}
+
+/// Reads a text that is sound.
+fn sound(text: &str, format: &Format) -> Reading {
+    read(text, format).unwrap_or_else(|error| panic!("{error}\n{text}"))
+}
+
+/// Returns abscissae and ordinates.
+fn values(reading: &Reading) -> Vec<[f64; 2]> {
+    let points = &reading.measurement.points;
+    points
+        .iter()
+        .map(|point| [point.abscissa, point.ordinate])
+        .collect()
+}
+
+/// Asserts that two lists of points are equal up to the rounding of a product.
+fn assert_values(found: &[[f64; 2]], expected: &[[f64; 2]]) {
+    let near = |a: &f64, b: &f64| (a - b).abs() <= 2.0 * f64::EPSILON * b.abs();
+    assert!(
+        found.len() == expected.len()
+            && found
+                .iter()
+                .flatten()
+                .zip(expected.iter().flatten())
+                .all(|(a, b)| near(a, b)),
+        "{found:?}, not {expected:?}"
+    );
+}

@@ -1,0 +1,248 @@
+//! Tables as programs and instruments write them. The numbers are invented.
+
+use fit::data::{Cantilever, Format, Segments};
+use fit::{Direction, Kind};
+
+use crate::{assert_values, sound, values};
+
+/// Two points with a radius of 50 and 60 um and a load of -0.1 and 0.2 mN.
+const TWO: [[f64; 2]; 2] = [[50e-6, -0.1e-3], [60e-6, 0.2e-3]];
+
+#[test]
+fn delimiters_decimal_marks_quotes_comments_and_ends_of_line() {
+    for text in [
+        "contact_radius,load\n5e-5,-1e-4\n6e-5,2e-4\n",
+        "load,contact_radius\n-1e-4,5e-5\n2e-4,6e-5",
+        "Radius (um),Force [mN]\n50,-0.1\n60,0.2\n",
+        "\u{feff}Radius [µm];Kraft;Force [mN]\r\n50,0;7;-0,1\r\n60,0;7;0,2\r\n",
+        "Radius_um\tForce_mN\n50\t-0,1\n60\t0,2\n",
+        "Force [mN]   Radius [um]\n  -0.1   50\n   0.2   60\n",
+        "Force [mN]   Radius [um]\n  -0,1   50\n   0,2   60\n",
+        "\"Contact radius / um\",\"Normal load / mN\"\n\"50,0\",\"-0,1\"\n\"60,0\",\"0,2\"\n",
+        "# a lens\n\n% on a film\n# Radius [um], Load [mN]\n50, -0.1\n// a pause\n60, 0.2\n\n# end\n",
+        "Radius,Load\num,mN\n50,-0.1\n60,0.2\n",
+        "Radius;Load;Time\n[um];[mN];[s]\n50;-0.1;0\n60;0.2;1\n",
+        "Instrument: lens 7\nDate;1;12;2024\n\nRadius [um];Load [mN];Date;X\n50;-0.1;a;b\n60;0.2;a;b\n",
+        "Radius [um];Load [mN]\n50;-0.1;\n60;0.2;\n",
+        "a/um;F/mN\n50;-0.1\n60;0.2\n",
+        "radius {micrometres},force in Newton (mN)\n50,-0.1\n60,0.2\n",
+    ] {
+        let text = text.replace("force in Newton", "force");
+        let reading = sound(&text, &Format::default());
+        assert_eq!(reading.measurement.kind, Kind::LoadRadius, "{text}");
+        assert_values(&values(&reading), &TWO);
+    }
+}
+
+#[test]
+fn latin_1_and_lines_of_points_are_kept() {
+    let reading = fit::data::read_from(
+        &b"# \xb5\nRadius [\xb5m]\tLoad [mN]\n\n50\t-0.1\n# note\n60\t0.2\n"[..],
+        "file",
+        &Format::default(),
+    )
+    .expect("a sound table");
+    assert_values(&values(&reading), &TWO);
+    let lines: Vec<u64> = reading.measurement.points.iter().map(|p| p.line).collect();
+    assert_eq!(lines, [4, 6]);
+    assert_eq!(reading.measurement.name, "file");
+}
+
+#[test]
+fn kinds_are_told_by_the_columns_or_by_the_user() {
+    let curve = "contact_radius,load,penetration,jkr_abscissa\n1,2,3,4\n2,3,4,5\n";
+    for (kind, first) in [
+        (Kind::LoadRadius, [1.0, 2.0]),
+        (Kind::PenetrationRadius, [1.0, 3.0]),
+        (Kind::LoadPenetration, [3.0, 2.0]),
+    ] {
+        let format = Format {
+            kind: Some(kind),
+            ..Format::default()
+        };
+        let reading = sound(curve, &format);
+        assert_eq!(
+            (reading.measurement.kind, values(&reading)[0]),
+            (kind, first)
+        );
+    }
+    for (header, kind) in [
+        ("Indentation (nm),Load (uN)", Kind::LoadPenetration),
+        ("contact_radius,penetration", Kind::PenetrationRadius),
+        ("Piezo/nm,Force/nN", Kind::ForceHeight),
+        (
+            "Height (Measured) [m],Vertical deflection [N]",
+            Kind::ForceHeight,
+        ),
+        ("force,height (measured)", Kind::ForceHeight),
+        ("z_nm,vDeflection_V", Kind::ForceHeight),
+    ] {
+        let format = Format {
+            cantilever: Cantilever {
+                stiffness: Some(1.0),
+                sensitivity: Some(1.0),
+            },
+            ..Format::default()
+        };
+        let reading = sound(&format!("{header}\n1,2\n2,1\n"), &format);
+        assert_eq!(reading.measurement.kind, kind, "{header}");
+    }
+}
+
+#[test]
+fn columns_are_named_by_heading_by_number_and_with_a_minus() {
+    let named = |columns: &[&str], kind| Format {
+        kind,
+        columns: columns
+            .iter()
+            .map(|text| text.parse().expect("a column"))
+            .collect(),
+        ..Format::default()
+    };
+    let text = "R,Cell [mN],Spare [mN]\n50,0.1,0\n60,-0.2,0\n";
+    for columns in [
+        ["contact_radius=R [um]", "load=-Cell [mN]"],
+        ["contact_radius=r [um]", "load=-cell"],
+        ["contact_radius=1 [um]", "load=-2"],
+    ] {
+        assert_values(&values(&sound(text, &named(&columns, None))), &TWO);
+    }
+    let bare = "50;-0,1\n60;0,2\n";
+    let numbers = ["contact_radius=1 [um]", "load=2 [mN]"];
+    assert_values(&values(&sound(bare, &named(&numbers, None))), &TWO);
+    // A column that is named decides the kind.
+    let text = "contact_radius,load,penetration\n1,2,3\n2,3,4\n";
+    let reading = sound(
+        text,
+        &named(&["load=load", "penetration=penetration"], None),
+    );
+    assert_eq!(reading.measurement.kind, Kind::LoadPenetration);
+}
+
+#[test]
+fn segments_come_from_a_column_from_comments_from_headings_or_from_the_largest_load() {
+    let directions = |text: &str, segments, only| {
+        let format = Format {
+            segments,
+            only,
+            ..Format::default()
+        };
+        let reading = sound(text, &format);
+        let points = reading.measurement.points.iter();
+        let directions: Vec<_> = points.map(|point| point.direction).collect();
+        (
+            directions,
+            reading.notes.split,
+            reading.notes.other_segments,
+        )
+    };
+    let [approach, retract] = [Direction::Approach, Direction::Retract].map(Some);
+    let by_column = "height,force,segment\n2,0,approach\n1,1,Extend\n1,1,pause\n2,0,RETRACT\n";
+    assert_eq!(
+        directions(by_column, Segments::Auto, None),
+        (vec![approach, approach, retract], false, 1)
+    );
+    assert_eq!(
+        directions(by_column, Segments::Auto, Some(Direction::Retract)).0,
+        [retract]
+    );
+    assert_eq!(
+        directions(
+            "height,force,phase\n2,0,0\n1,1,False\n2,0,1\n",
+            Segments::Auto,
+            None
+        )
+        .0,
+        [approach, approach, retract]
+    );
+    let unknown = "height,force,phase\n2,0,5\n1,1,6\n2,0,7\n";
+    assert_eq!(
+        directions(unknown, Segments::Split, None).0,
+        [approach, approach, retract]
+    );
+    let by_comment = "# segment: extend\n# columns: height force\n# units: m N\n2 0\n1 1\n\n\
+                      # segment: retract\n# columns: height force\n# units: m N\n1 0.9\n2 0\n";
+    assert_eq!(
+        directions(by_comment, Segments::Auto, None).0,
+        [approach, approach, retract, retract]
+    );
+    let by_heading = "Extend Z(nm),Extend Force(nN),Retract Z(nm),Retract Force(nN)\n\
+                      2,0,1,0.9\n1,1,2,-0.5\n,,3,0\n";
+    assert_eq!(
+        directions(by_heading, Segments::Auto, None).0,
+        [approach, approach, retract, retract, retract]
+    );
+    let none = "height,force\n2,0\n1,1\n1.5,0.2\n2,0\n";
+    let split = vec![approach, approach, retract, retract];
+    assert_eq!(
+        directions(none, Segments::Auto, None),
+        (split.clone(), true, 0)
+    );
+    assert_eq!(directions(none, Segments::File, None).0, [None; 4]);
+    let lens = "contact_radius,load\n1,0\n2,1\n1.5,0.2\n1,0\n";
+    assert_eq!(directions(lens, Segments::Auto, None).0, [None; 4]);
+    assert_eq!(directions(lens, Segments::Split, None), (split, true, 0));
+}
+
+#[test]
+fn a_deflection_becomes_a_force_by_stiffness_and_sensitivity() {
+    let read = |text, stiffness, sensitivity| {
+        let format = Format {
+            cantilever: Cantilever {
+                stiffness: Some(stiffness),
+                sensitivity,
+            },
+            ..Format::default()
+        };
+        values(&sound(text, &format))
+    };
+    let expected = [[2e-6, 0.0], [1e-6, 3e-9]];
+    assert_values(&read("z [um],defl [nm]\n2,0\n1,30\n", 0.1, None), &expected);
+    assert_values(
+        &read("z [um],defl [V]\n2,0\n1,0.5\n", 0.1, Some(60e-9)),
+        &expected,
+    );
+    // A force is preferred to a deflection.
+    assert_values(
+        &read("z [um],defl [nm],force [nN]\n2,0,0\n1,99,3\n", 0.1, None),
+        &expected,
+    );
+}
+
+#[test]
+fn rows_without_values_are_left_out_and_counted() {
+    let reading = sound(
+        "contact_radius,load,note\n1,2,a\n,,b\nnan,NaN,c\n2,3,d\n",
+        &Format::default(),
+    );
+    assert_values(&values(&reading), &[[1.0, 2.0], [2.0, 3.0]]);
+    assert_eq!(reading.notes.missing, 2);
+}
+
+#[test]
+fn a_sign_that_counts_in_the_opposite_sense_is_doubted() {
+    let doubt = |text| sound(text, &Format::default()).notes.doubt;
+    assert_eq!(doubt("height,force\n3,0\n2,0\n1,1\n"), None);
+    assert_eq!(doubt("contact_radius,load\n1,-1\n2,-1.2\n3,1\n"), None);
+    for text in [
+        "height,force\n1,0\n2,0\n3,1\n",
+        "height,force\n3,0\n2,0\n1,-1\n",
+        "contact_radius,load\n1,0\n2,-0.2\n3,-1\n",
+    ] {
+        let doubt = doubt(text).unwrap_or_else(|| panic!("no doubt: {text}"));
+        assert!(doubt.contains("minus"), "{doubt}");
+    }
+}
+
+/// Unsorted rows and equal rows are a measurement like any other.
+#[test]
+fn the_order_of_rows_is_kept() {
+    let reading = sound(
+        "contact_radius,load\n3,1\n1,0\n1,0\n2,5\n",
+        &Format::default(),
+    );
+    assert_values(
+        &values(&reading),
+        &[[3.0, 1.0], [1.0, 0.0], [1.0, 0.0], [2.0, 5.0]],
+    );
+}

@@ -1,0 +1,185 @@
+//! The experiments and the free parameters, from the arguments and the measurements.
+
+use ::fit::{Bodies, Experiment, Free, Kind, Measurement, Parameter, Scope};
+use anyhow::{Context, bail, ensure};
+use interp::HalfSpace;
+
+use super::setting::{Bounds, Known, Values};
+use crate::cli::system::SystemArguments;
+
+/// The flags of known values.
+#[derive(clap::Args)]
+pub struct KnownArguments {
+    #[command(flatten)]
+    pub system: SystemArguments,
+    /// No film and no substrate: the sphere touches a half-space with the modulus and the Poisson
+    /// ratio of the film
+    #[arg(long)]
+    pub half_space: bool,
+    /// Stiffness of the cantilever, N/m
+    #[arg(long, value_name = "N/m", allow_negative_numbers = true)]
+    pub stiffness: Option<f64>,
+    /// Value of a parameter in SI units: the fixed value, or where the fit starts if the parameter
+    /// is free. NAME=VALUE,VALUE,... gives each file its own. It goes before the flag of the same
+    /// name
+    #[arg(long = "value", value_name = "NAME=VALUE")]
+    pub values: Vec<Values>,
+}
+
+impl KnownArguments {
+    /// Joins measurements with what is known about them.
+    pub fn experiments(&self, measurements: Vec<Measurement>) -> anyhow::Result<Vec<Experiment>> {
+        let system = self.system.system()?;
+        let bodies = if self.half_space {
+            Bodies::HalfSpace(HalfSpace {
+                sphere_radius: system.sphere_radius,
+                sphere_modulus: system.sphere_modulus,
+                solid: system.film,
+            })
+        } else {
+            Bodies::Coated(system)
+        };
+        let files = measurements.len();
+        for Values { parameter, values } in &self.values {
+            ensure!(
+                values.len() == 1 || values.len() == files,
+                "--value {parameter}: {} values for {files} files; give one, or one for each file",
+                values.len()
+            );
+        }
+        let experiment = |(i, measurement)| {
+            let mut experiment = Experiment::new(measurement, bodies);
+            experiment.work_of_adhesion = self.system.work_of_adhesion;
+            experiment.stiffness = self.stiffness;
+            for Values { parameter, values } in &self.values {
+                let value = values.get(i).unwrap_or(&values[0]);
+                experiment
+                    .set(*parameter, *value)
+                    .with_context(|| format!("--value {parameter}={value:?}"))?;
+            }
+            Ok(experiment)
+        };
+        measurements
+            .into_iter()
+            .enumerate()
+            .map(experiment)
+            .collect()
+    }
+}
+
+/// The flags of free parameters.
+#[derive(clap::Args)]
+pub struct FreeArguments {
+    /// The parameters to be found: sphere-modulus, film-modulus, film-poisson-ratio,
+    /// film-thickness, work-of-adhesion, work-of-adhesion-receding, load-offset, contact-point,
+    /// baseline, baseline-slope, stiffness
+    ///
+    /// Default: the work of adhesion; the modulus of the sphere, or of the film under a rigid
+    /// sphere, if loads are measured; the contact point with penetrations or heights; the baseline
+    /// with heights.
+    #[arg(long, value_name = "NAME,...", value_delimiter = ',')]
+    pub free: Vec<Parameter>,
+    /// Smallest and largest value of a free parameter, in SI units: film-modulus=1e5..1e8
+    #[arg(long, value_name = "NAME=LEAST..MOST")]
+    pub bounds: Vec<Bounds>,
+    /// Mean and standard error of a free parameter that are known from elsewhere, in SI units:
+    /// film-thickness=1e-6+-5e-8. They count as one more measured point
+    #[arg(long, value_name = "NAME=MEAN+-ERROR")]
+    pub prior: Vec<Known>,
+    /// Free parameters of which each file has its own value. Offset, contact point and baseline
+    /// are each file's own anyway
+    #[arg(long, value_name = "NAME,...", value_delimiter = ',')]
+    pub own: Vec<Parameter>,
+    /// Free parameters of which all files have one value
+    #[arg(long, value_name = "NAME,...", value_delimiter = ',')]
+    pub shared: Vec<Parameter>,
+}
+
+impl FreeArguments {
+    /// Tells whether no flag is given.
+    pub const fn is_empty(&self) -> bool {
+        self.free.is_empty()
+            && self.bounds.is_empty()
+            && self.prior.is_empty()
+            && self.own.is_empty()
+            && self.shared.is_empty()
+    }
+
+    /// Returns the free parameters of experiments.
+    pub fn of(&self, experiments: &[Experiment], values: &[Values]) -> anyhow::Result<Vec<Free>> {
+        let names = if self.free.is_empty() {
+            usual(experiments)
+        } else {
+            self.free.clone()
+        };
+        let lists = [("--own", &self.own), ("--shared", &self.shared)];
+        let settings = self.bounds.iter().map(|set| ("--bounds", set.parameter));
+        let settings = settings.chain(self.prior.iter().map(|set| ("--prior", set.parameter)));
+        let listed = lists
+            .iter()
+            .flat_map(|(flag, list)| list.iter().map(move |name| (*flag, *name)));
+        for (flag, parameter) in settings.chain(listed) {
+            if !names.contains(&parameter) {
+                let names: Vec<&str> = names.iter().map(|name| name.name()).collect();
+                bail!(
+                    "{flag} {parameter}: it is not free; free are {}",
+                    names.join(", ")
+                );
+            }
+        }
+        let free = |&parameter: &Parameter| {
+            let mut free = Free::new(parameter);
+            if let Some(set) = values.iter().rfind(|set| set.parameter == parameter)
+                && let [start] = set.values[..]
+            {
+                free = free.starting_from(start);
+            }
+            for Bounds { range, .. } in self.bounds.iter().filter(|set| set.parameter == parameter)
+            {
+                free = free.within(range[0], range[1]);
+            }
+            for set in self.prior.iter().filter(|set| set.parameter == parameter) {
+                free = free.with_prior(set.mean, set.error);
+            }
+            for (list, scope) in [(&self.own, Scope::Own), (&self.shared, Scope::Shared)] {
+                if list.contains(&parameter) {
+                    free = free.with_scope(scope);
+                }
+            }
+            free
+        };
+        Ok(names.iter().map(free).collect())
+    }
+}
+
+/// Returns the parameters that are free unless others are named.
+fn usual(experiments: &[Experiment]) -> Vec<Parameter> {
+    let any = |kinds: &[Kind]| {
+        experiments
+            .iter()
+            .any(|experiment| kinds.contains(&experiment.measurement.kind))
+    };
+    let is_rigid =
+        |experiment: &Experiment| experiment.get(Parameter::SphereModulus) == Some(f64::INFINITY);
+    let mut free = Vec::new();
+    // Without a load the data tell the ratio of adhesion and modulus only.
+    if any(&[Kind::LoadRadius, Kind::LoadPenetration, Kind::ForceHeight]) {
+        free.push(if experiments.iter().any(is_rigid) {
+            Parameter::FilmModulus
+        } else {
+            Parameter::SphereModulus
+        });
+    }
+    free.push(Parameter::WorkOfAdhesion);
+    if any(&[
+        Kind::PenetrationRadius,
+        Kind::LoadPenetration,
+        Kind::ForceHeight,
+    ]) {
+        free.push(Parameter::ContactPoint);
+    }
+    if any(&[Kind::ForceHeight]) {
+        free.push(Parameter::Baseline);
+    }
+    free
+}

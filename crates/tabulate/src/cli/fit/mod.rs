@@ -1,0 +1,236 @@
+//! `tabulate fit`
+//!
+//! `setting` reads settings of parameters, and `experiments` joins them with the measurements.
+//! `text`, with the numbers of `units`, `object` and `table` write the result as a report, as JSON
+//! and as CSV; `crate::plot::fit` draws it.
+
+pub mod experiments;
+pub mod object;
+pub mod setting;
+pub mod table;
+pub mod text;
+pub mod units;
+
+use std::path::{Path, PathBuf};
+
+use ::fit::data::{Cantilever, Column, Format, Role, Segments, read};
+use ::fit::{Direction, Kind, Loss, Options, Parameter};
+use anyhow::{bail, ensure};
+use clap::ValueHint;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use interp::Table;
+
+use self::experiments::{FreeArguments, KnownArguments};
+use self::setting::Asked;
+use super::json;
+use super::output::Output;
+use super::plot::picture;
+use super::print;
+use super::table_name::{self, TableName};
+use crate::plot::fit::figure;
+use crate::plot::picture::Format as PictureFormat;
+use crate::printable;
+
+/// Find moduli and work of adhesion from measured contacts, with their errors
+///
+/// Each DATA file is a table of text: cells between tabs, semicolons, commas or spaces, a decimal
+/// point or comma, comment lines (#, % or //) and other lines before the headings. Columns are
+/// recognised by headings with a unit, such as `Force [mN]`, `Radius (um)`, `height_nm`,
+/// `Piezo/nm`; --column names others. Without a unit, the names contact_radius, penetration, load,
+/// force, height, `height (measured)` and `height (piezo)` are in SI units, all others an error.
+/// Loads are positive in compression; heights are smaller when the cantilever is closer to the
+/// sample: contact point - height = penetration + force/stiffness.
+///
+/// Which points are in contact is read from the data: points up to the jump of pull-off are in
+/// contact, those after it are the baseline. With several files, the parameters are common to all
+/// files unless they are the file's own: a global fit of films of several thicknesses is
+/// --value film-thickness=1e-6,1e-5.
+///
+/// The exit status is 0 only if the fit has converged.
+#[derive(clap::Args)]
+#[command(after_help = super::examples!(
+    "tabulate fit crates/fit/data/lens.csv --film-thickness 3e-5",
+    "tabulate fit crates/fit/data/lens.csv --film-thickness 3e-5 --free sphere-modulus,load-offset",
+    "tabulate fit crates/fit/data/gel.csv --stiffness 0.1 --half-space --sphere-radius 1e-5 --json",
+))]
+pub struct Arguments {
+    /// The measurements: tables of text
+    #[arg(required = true, value_name = "DATA", value_hint = ValueHint::FilePath)]
+    data: Vec<PathBuf>,
+    /// The two quantities that were measured [default: the only ones that the columns fit]
+    #[arg(long, value_parser = kinds())]
+    kind: Option<Kind>,
+    /// A column that is not recognised: NAME=HEADING [UNIT]. The NAMEs are contact_radius, load,
+    /// penetration, height, deflection and segment. The number of the column may stand for the
+    /// heading; a minus before it turns the sign
+    #[arg(long = "column", value_name = "NAME=HEADING [UNIT]")]
+    columns: Vec<Column>,
+    /// Sensitivity, m of deflection for each V, of a deflection in volts
+    #[arg(long, value_name = "m/V", allow_negative_numbers = true)]
+    sensitivity: Option<f64>,
+    /// Where the directions of points come from: a column segment, phase or direction, comments
+    /// `segment: retract` or headings of the file (file), or the largest load (split). auto:
+    /// from the file, and heights without a direction are split
+    #[arg(long, default_value = "auto", value_parser = one_of([
+        ("auto", Segments::Auto),
+        ("file", Segments::File),
+        ("split", Segments::Split),
+    ]))]
+    segments: Segments,
+    /// Keep the points of one direction only
+    #[arg(long, value_parser = one_of(Direction::ALL.map(|one| (one.name(), one))))]
+    only: Option<Direction>,
+    #[command(flatten)]
+    known: KnownArguments,
+    #[command(flatten)]
+    free: FreeArguments,
+    /// Standard deviation of a load (N) or penetration (m), one or one for each file [default:
+    /// estimated from the residuals]
+    #[arg(
+        long,
+        value_name = "S",
+        value_delimiter = ',',
+        allow_negative_numbers = true
+    )]
+    noise: Vec<f64>,
+    /// Robust loss, for data with outliers: Huber's with the threshold 1.345, or the soft L1 loss
+    #[arg(long, value_parser = one_of([("huber", Loss::HUBER), ("soft-l1", Loss::SOFT_L1)]))]
+    robust: Option<Loss>,
+    /// Intervals from the profile of the likelihood, at a level such as 0.95
+    #[arg(long, value_name = "LEVEL", allow_negative_numbers = true)]
+    intervals: Option<f64>,
+    #[arg(
+        long,
+        default_value = "embedded",
+        help = table_name::HELP,
+        value_hint = ValueHint::FilePath
+    )]
+    table: TableName,
+    /// Units of the report: film-modulus=MPa [default: such that numbers are above 1]
+    #[arg(
+        long,
+        value_name = "NAME=UNIT,...",
+        value_delimiter = ',',
+        conflicts_with = "json"
+    )]
+    units: Vec<Asked>,
+    /// Print a JSON object in SI units instead of the report
+    ///
+    /// {"converged": bool, "parameters": {"film_modulus": {"value", "stderr", "unit"}, ...},
+    /// "correlation": [[...]], "reduced_chi_squared", "noise", "without_film": {...}, "warnings":
+    /// [{"kind", "text"}]}. A parameter of which each file has its own is a list. With --intervals
+    /// each parameter has an "interval".
+    #[arg(long)]
+    json: bool,
+    /// Write data, fit, residual and branch of every point here
+    #[arg(long, value_name = "FILE.csv")]
+    csv: Option<PathBuf>,
+    /// Draw data, fit, residuals and the curve without the film: SVG or PNG by the ending
+    #[arg(long, value_name = "FILE.svg|FILE.png", value_parser = picture)]
+    plot: Option<PathBuf>,
+}
+
+/// Parses the name of a kind.
+pub fn kinds() -> impl TypedValueParser<Value = Kind> {
+    one_of(Kind::ALL.map(|kind| (kind.name(), kind)))
+}
+
+/// Parses one of several names.
+pub fn one_of<T: Copy + Send + Sync + 'static, const N: usize>(
+    choices: [(&'static str, T); N],
+) -> impl TypedValueParser<Value = T> {
+    PossibleValuesParser::new(choices.map(|(name, _)| name)).map(move |given| {
+        let chosen = choices.iter().find(|(name, _)| *name == given);
+        chosen.expect("clap accepts these names only").1
+    })
+}
+
+impl Arguments {
+    fn format(&self) -> Format {
+        Format {
+            kind: self.kind,
+            columns: self.columns.clone(),
+            cantilever: Cantilever {
+                stiffness: self.known.stiffness,
+                sensitivity: self.sensitivity,
+            },
+            segments: self.segments,
+            only: self.only,
+        }
+    }
+}
+
+/// Accepts a file to write, if one is asked for.
+fn output<'a>(path: &'a Option<PathBuf>, inputs: &[&Path]) -> anyhow::Result<Option<Output<'a>>> {
+    let path = path.as_deref();
+    path.map(|_| Output::beside(path, inputs)).transpose()
+}
+
+pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
+    let inputs: Vec<&Path> = arguments
+        .data
+        .iter()
+        .map(PathBuf::as_path)
+        .chain(arguments.table.path())
+        .collect();
+    ensure!(
+        arguments.csv.is_none() || arguments.csv != arguments.plot,
+        "--csv and --plot name the same file; choose two names"
+    );
+    let csv = output(&arguments.csv, &inputs)?;
+    let plot = output(&arguments.plot, &inputs)?;
+    let files = arguments.data.len();
+    let noises = arguments.noise.len();
+    ensure!(
+        noises <= 1 || noises == files,
+        "--noise: {noises} values for {files} files; give one, or one for each file"
+    );
+    let format = arguments.format();
+    let (mut measurements, mut notes) = (Vec::new(), Vec::new());
+    for path in &arguments.data {
+        let reading = read(path, &format)?;
+        measurements.push(reading.measurement);
+        notes.push(reading.notes);
+    }
+    let mut experiments = arguments.known.experiments(measurements)?;
+    for (i, experiment) in experiments.iter_mut().enumerate() {
+        let noise = arguments.noise.get(i).or(arguments.noise.first());
+        experiment.noise = noise.copied();
+    }
+    let free = arguments.free.of(&experiments, &arguments.known.values)?;
+    let mut columns = notes.iter().flat_map(|notes| &notes.columns);
+    let from_deflection = columns.any(|column| column.role == Role::Deflection);
+    if from_deflection
+        && free
+            .iter()
+            .any(|free| free.parameter == Parameter::Stiffness)
+    {
+        bail!("the stiffness cannot be free where it turns a deflection into a force: fix it");
+    }
+    let table = arguments.table.read()?;
+    let table: &Table = &table;
+    let options = Options {
+        loss: arguments.robust.unwrap_or(Loss::Squares),
+        profile_level: arguments.intervals,
+        ..Options::default()
+    };
+    let fit = ::fit::fit(table, &experiments, &free, &options)?;
+    if let Some(csv) = csv {
+        csv.write(&table::csv(&fit, &experiments)?)?;
+    }
+    if let (Some(plot), Some(path)) = (plot, &arguments.plot) {
+        let picture = figure(&fit, &experiments).picture()?;
+        plot.write(&picture.encode(PictureFormat::of(path)?)?)?;
+    }
+    if arguments.json {
+        json::print(&object::FitObject::new(&fit, &notes))?;
+    } else {
+        let report = text::report(&fit, &experiments, &notes, &arguments.units)?;
+        print(printable::lines(&report).as_bytes())?;
+    }
+    ensure!(
+        fit.converged,
+        "the fit did not converge; free fewer parameters, or give starts (--value) and bounds"
+    );
+    Ok(())
+}

@@ -1,0 +1,142 @@
+//! The JSON object of a fit.
+
+use ::fit::data::Notes;
+use ::fit::{Estimate, Fit, Parameter, WithoutFilm};
+use serde::{Serialize, Serializer};
+
+use crate::cli::json::Number;
+
+/// A fit.
+#[derive(Serialize)]
+pub struct FitObject<'a> {
+    converged: bool,
+    parameters: Estimates<'a>,
+    /// In the order of `parameters`, the values of one parameter one after another.
+    correlation: Vec<Vec<Number>>,
+    /// Null where a noise was estimated from the residuals.
+    reduced_chi_squared: Option<Number>,
+    noise: OneOrAll<Number>,
+    without_film: Option<WithoutFilmObject<'a>>,
+    warnings: Vec<WarningObject<'a>>,
+}
+
+/// The same data without the film.
+#[derive(Serialize)]
+struct WithoutFilmObject<'a> {
+    parameters: Estimates<'a>,
+    chi_squared: Number,
+    /// The modulus beside that with the film; null if no modulus is free.
+    modulus: Option<ModulusObject>,
+}
+
+#[derive(Serialize)]
+struct ModulusObject {
+    parameter: String,
+    relative: Number,
+    standard_errors: Number,
+    film_matters: bool,
+}
+
+#[derive(Serialize)]
+struct WarningObject<'a> {
+    kind: &'static str,
+    text: &'a str,
+}
+
+/// The value itself if there is one, else the list.
+struct OneOrAll<T>(Vec<T>);
+
+impl<T: Serialize> Serialize for OneOrAll<T> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match &self.0[..] {
+            [one] => one.serialize(serializer),
+            all => all.serialize(serializer),
+        }
+    }
+}
+
+/// Estimates by the names of their parameters: one object, or a list where files have their own.
+pub struct Estimates<'a>(pub &'a [Estimate]);
+
+#[derive(Serialize)]
+struct EstimateObject {
+    value: Number,
+    stderr: Number,
+    unit: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    interval: Option<[Number; 2]>,
+}
+
+impl Serialize for Estimates<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut parameters: Vec<Parameter> = Vec::new();
+        for estimate in self.0 {
+            if !parameters.contains(&estimate.parameter) {
+                parameters.push(estimate.parameter);
+            }
+        }
+        serializer.collect_map(parameters.into_iter().map(|parameter| {
+            let of = self.0.iter().filter(|found| found.parameter == parameter);
+            let objects = of.map(|found| EstimateObject {
+                value: Number(found.value),
+                stderr: Number(found.standard_error),
+                unit: parameter.unit(),
+                interval: found.profile.map(|ends| ends.map(Number)),
+            });
+            (json_name(parameter), OneOrAll(objects.collect()))
+        }))
+    }
+}
+
+fn json_name(parameter: Parameter) -> String {
+    parameter.name().replace('-', "_")
+}
+
+/// Returns a matrix as JSON.
+pub fn matrix(rows: &[Vec<f64>]) -> Vec<Vec<Number>> {
+    rows.iter()
+        .map(|row| row.iter().copied().map(Number).collect())
+        .collect()
+}
+
+impl<'a> FitObject<'a> {
+    /// Returns the object of a fit.
+    pub fn new(fit: &'a Fit, notes: &'a [Notes]) -> Self {
+        let doubts = notes.iter().filter_map(|notes| notes.doubt.as_ref());
+        let warnings = fit.warnings.iter().map(|warning| WarningObject {
+            kind: warning.kind.name(),
+            text: &warning.text,
+        });
+        Self {
+            converged: fit.converged,
+            parameters: Estimates(&fit.estimates),
+            correlation: matrix(&fit.correlation),
+            reduced_chi_squared: fit.reduced_chi_squared.map(Number),
+            noise: OneOrAll(
+                fit.experiments
+                    .iter()
+                    .map(|one| Number(one.noise))
+                    .collect(),
+            ),
+            without_film: fit.without_film.as_ref().map(WithoutFilmObject::new),
+            warnings: warnings
+                .chain(doubts.map(|text| WarningObject { kind: "sign", text }))
+                .collect(),
+        }
+    }
+}
+
+impl<'a> WithoutFilmObject<'a> {
+    fn new(without: &'a WithoutFilm) -> Self {
+        Self {
+            parameters: Estimates(&without.estimates),
+            chi_squared: Number(without.chi_squared),
+            modulus: without.modulus.map(|bias| ModulusObject {
+                parameter: json_name(bias.parameter),
+                relative: Number(bias.relative),
+                standard_errors: Number(bias.standard_errors),
+                film_matters: bias.matters(),
+            }),
+        }
+    }
+}

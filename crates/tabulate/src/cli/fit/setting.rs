@@ -1,0 +1,169 @@
+//! Settings of parameters, as the command line gives them: `NAME=VALUE`.
+
+use std::str::FromStr;
+
+use ::fit::Parameter;
+
+/// Values of a parameter, `NAME=VALUE` or `NAME=VALUE,VALUE,...` with one for each file.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Values {
+    pub parameter: Parameter,
+    pub values: Vec<f64>,
+}
+
+/// Bounds of a free parameter, `NAME=LEAST..MOST`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Bounds {
+    pub parameter: Parameter,
+    pub range: [f64; 2],
+}
+
+/// What is known of a free parameter from elsewhere, `NAME=MEAN+-ERROR`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Known {
+    pub parameter: Parameter,
+    pub mean: f64,
+    pub error: f64,
+}
+
+/// A unit for the report, `NAME=UNIT`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Asked {
+    pub parameter: Parameter,
+    /// The prefix before the SI unit.
+    pub prefix: String,
+    /// The size in SI units.
+    pub size: f64,
+}
+
+impl FromStr for Values {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let (parameter, values) = split(text, "NAME=VALUE, such as load-offset=1e-6")?;
+        Ok(Self {
+            parameter,
+            values: values.split(',').map(number).collect::<Result<_, _>>()?,
+        })
+    }
+}
+
+impl FromStr for Bounds {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let how = "NAME=LEAST..MOST, such as film-modulus=1e5..1e8";
+        let (parameter, range) = split(text, how)?;
+        let ends = range.split_once("..");
+        let (least, most) = ends.ok_or_else(|| format!("{range:?} has no ..: write {how}"))?;
+        Ok(Self {
+            parameter,
+            range: [number(least)?, number(most)?],
+        })
+    }
+}
+
+impl FromStr for Known {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let how = "NAME=MEAN+-ERROR, such as film-thickness=1e-6+-5e-8";
+        let (parameter, known) = split(text, how)?;
+        let ends = known.split_once("+-").or_else(|| known.split_once('±'));
+        let (mean, error) = ends.ok_or_else(|| format!("{known:?} has no +-: write {how}"))?;
+        Ok(Self {
+            parameter,
+            mean: number(mean)?,
+            error: number(error)?,
+        })
+    }
+}
+
+impl FromStr for Asked {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let (parameter, unit) = split(text, "NAME=UNIT, such as film-modulus=MPa")?;
+        let si = parameter.unit();
+        let prefix = unit.strip_suffix(si);
+        let found = prefix.and_then(|prefix| Some((prefix, ::fit::data::prefix(prefix)?)));
+        let (prefix, size) = found.ok_or_else(|| {
+            format!("{unit:?} is not {si} with a prefix of the SI, such as m{si}")
+        })?;
+        Ok(Self {
+            parameter,
+            prefix: prefix.to_owned(),
+            size,
+        })
+    }
+}
+
+/// Splits `NAME=...`.
+fn split<'a>(text: &'a str, how: &str) -> Result<(Parameter, &'a str), String> {
+    let (name, rest) = text
+        .split_once('=')
+        .ok_or_else(|| format!("{text:?} has no =: write {how}"))?;
+    let parameter = name.trim().parse::<Parameter>();
+    Ok((parameter.map_err(|error| error.to_string())?, rest.trim()))
+}
+
+fn number(text: &str) -> Result<f64, String> {
+    text.trim()
+        .parse()
+        .map_err(|_| format!("{text:?} is not a number"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn settings_are_read() {
+        assert_eq!(
+            "film-thickness=1e-6, 1e-5".parse(),
+            Ok(Values {
+                parameter: Parameter::FilmThickness,
+                values: vec![1e-6, 1e-5]
+            })
+        );
+        assert_eq!(
+            "film-modulus = 1e5..1e8".parse(),
+            Ok(Bounds {
+                parameter: Parameter::FilmModulus,
+                range: [1e5, 1e8]
+            })
+        );
+        for text in ["baseline=-1e-9+-2e-10", "baseline=-1e-9 ± 2e-10"] {
+            assert_eq!(
+                text.parse(),
+                Ok(Known {
+                    parameter: Parameter::Baseline,
+                    mean: -1e-9,
+                    error: 2e-10
+                })
+            );
+        }
+        assert_eq!(
+            "work-of-adhesion=mJ/m^2".parse(),
+            Ok(Asked {
+                parameter: Parameter::WorkOfAdhesion,
+                prefix: "m".into(),
+                size: 1e-3
+            })
+        );
+    }
+
+    #[test]
+    fn what_is_no_setting_is_refused_with_an_example() {
+        let values = |text: &str| text.parse::<Values>().unwrap_err();
+        assert!(values("load-offset").contains("load-offset=1e-6"));
+        assert!(values("offset=1").contains("load-offset"));
+        assert!(values("load-offset=1;2").contains("\"1;2\""));
+        let bounds = "film-modulus=1e5".parse::<Bounds>().unwrap_err();
+        assert!(bounds.contains("1e5..1e8"));
+        let known = "film-modulus=1e5".parse::<Known>().unwrap_err();
+        assert!(known.contains("+-"));
+        let unit = "film-modulus=mN".parse::<Asked>().unwrap_err();
+        assert!(unit.contains("Pa"));
+    }
+}

@@ -1,0 +1,226 @@
+//! The report of a fit for people.
+
+use std::fmt::{self, Write};
+
+use ::fit::data::{Notes, Source};
+use ::fit::{Bodies, Combination, Estimate, Experiment, Fit, Measurement, ModulusBias, Parameter};
+
+use super::setting::Asked;
+use super::units::{decimals, scaled, unit, with_error};
+
+/// The width of the names of parameters.
+const NAME: usize = 26;
+
+/// Returns the report.
+pub fn report(
+    fit: &Fit,
+    experiments: &[Experiment],
+    notes: &[Notes],
+    asked: &[Asked],
+) -> Result<String, fmt::Error> {
+    let mut out = String::new();
+    for (experiment, notes) in experiments.iter().zip(notes) {
+        writeln!(out, "{}", read(&experiment.measurement, notes))?;
+    }
+    writeln!(out, "\nfixed")?;
+    for (name, value) in fixed(fit, &experiments[0]) {
+        writeln!(out, "  {name:<NAME$}{value}")?;
+    }
+    writeln!(
+        out,
+        "\n{}",
+        if fit.converged {
+            "found"
+        } else {
+            "not converged; the last step"
+        }
+    )?;
+    let files: Vec<&str> = fit
+        .experiments
+        .iter()
+        .map(|one| one.name.as_str())
+        .collect();
+    estimates(&mut out, &fit.estimates, &fit.correlation, &files, asked)?;
+    writeln!(out, "\n{}", agreement(fit))?;
+    if let Some(text) = film(fit) {
+        writeln!(out, "{text}")?;
+    }
+    undetermined(&mut out, &fit.undetermined)?;
+    for warning in &fit.warnings {
+        writeln!(out, "warning: {}", warning.text)?;
+    }
+    for doubt in notes.iter().filter_map(|notes| notes.doubt.as_ref()) {
+        writeln!(out, "warning: {doubt}")?;
+    }
+    Ok(out)
+}
+
+/// Says how a file was read.
+fn read(measurement: &Measurement, notes: &Notes) -> String {
+    let mut columns: Vec<String> = notes.columns.iter().map(column).collect();
+    columns.dedup();
+    let mut text = format!(
+        "{}: {} points, {}; {}",
+        measurement.name,
+        measurement.points.len(),
+        measurement.kind.name(),
+        columns.join(", ")
+    );
+    if notes.split {
+        text += "; split at the largest load";
+    }
+    for (count, what) in [
+        (notes.missing, "without values"),
+        (notes.other_segments, "of another segment"),
+    ] {
+        if count > 0 {
+            text += &format!("; {count} rows {what} left out");
+        }
+    }
+    text
+}
+
+fn column(source: &Source) -> String {
+    let unit = if source.assumed_si {
+        " in SI units"
+    } else {
+        ""
+    };
+    format!("{} from {:?}{unit}", source.role.name(), source.heading)
+}
+
+/// Returns the values that are not fitted. Zeros of the instrument that are 0 are left out.
+fn fixed(fit: &Fit, experiment: &Experiment) -> Vec<(&'static str, String)> {
+    let text = |value: f64, si: &str| {
+        let (unit, size) = scaled(si, value);
+        // Without the rounding of the division.
+        let number = (value / size * 1e12).round() / 1e12;
+        format!("{number} {unit}").trim_end().to_owned()
+    };
+    let mut rows = vec![(
+        "sphere-radius",
+        text(experiment.bodies.sphere_radius(), "m"),
+    )];
+    if let Bodies::Coated(system) = &experiment.bodies {
+        rows.push(("substrate-modulus", text(system.substrate.young(), "Pa")));
+        rows.push((
+            "substrate-poisson-ratio",
+            text(system.substrate.poisson(), "1"),
+        ));
+    }
+    for parameter in Parameter::ALL {
+        if let Some(value) = experiment.get(parameter)
+            && fit.estimate(parameter).is_none()
+            && (value != 0.0 || parameter.is_positive())
+        {
+            rows.push((parameter.name(), text(value, parameter.unit())));
+        }
+    }
+    rows
+}
+
+/// Writes estimates, each with its file if it is one file's own of several, and their correlation.
+pub fn estimates(
+    out: &mut String,
+    estimates: &[Estimate],
+    correlation: &[Vec<f64>],
+    files: &[&str],
+    asked: &[Asked],
+) -> fmt::Result {
+    let name = |estimate: &Estimate| match estimate.experiment {
+        Some(i) if files.len() > 1 => format!("{} ({})", estimate.parameter, files[i]),
+        _ => estimate.parameter.to_string(),
+    };
+    for estimate in estimates {
+        writeln!(out, "  {:<NAME$}{}", name(estimate), value(estimate, asked))?;
+    }
+    if estimates.len() > 1 {
+        writeln!(out, "\ncorrelation")?;
+        for (i, (estimate, row)) in estimates.iter().zip(correlation).enumerate() {
+            let row: String = row[..=i]
+                .iter()
+                .map(|value| format!("{value:>7.3}"))
+                .collect();
+            writeln!(out, "  {:<NAME$}{row}", name(estimate))?;
+        }
+    }
+    Ok(())
+}
+
+/// Writes the combinations that data do not determine.
+pub fn undetermined(out: &mut String, combinations: &[Combination]) -> fmt::Result {
+    combinations
+        .iter()
+        .try_for_each(|one| writeln!(out, "the data do not determine {}", one.text))
+}
+
+/// Returns value, error and unit of an estimate, and its interval.
+fn value(estimate: &Estimate, asked: &[Asked]) -> String {
+    let (unit, size) = unit(
+        estimate.parameter,
+        estimate.value,
+        estimate.standard_error,
+        asked,
+    );
+    let [value, error] = [estimate.value, estimate.standard_error].map(|number| number / size);
+    let mut text = format!("{} {unit}", with_error(value, error));
+    if let Some(profile) = estimate.profile {
+        let decimals = decimals(value, error);
+        let [from, to] = profile.map(|end| end / size);
+        text += &format!(" ({from:.decimals$} to {to:.decimals$} {unit})");
+    }
+    text
+}
+
+/// Says how well the fit agrees with the data.
+fn agreement(fit: &Fit) -> String {
+    let noises = fit.experiments.iter().map(|experiment| {
+        let ordinate = if experiment.noise_is_estimated {
+            ", from the residuals"
+        } else {
+            ""
+        };
+        format!("{:.2e}{ordinate}", experiment.noise)
+    });
+    let noise = noises.collect::<Vec<_>>().join("; ");
+    let freedom = fit.degrees_of_freedom;
+    match fit.reduced_chi_squared {
+        Some(reduced) => {
+            format!(
+                "reduced chi^2 {reduced:.2} with {freedom} degrees of freedom; noise (SI) {noise}"
+            )
+        }
+        None => format!("noise (SI) {noise}; {freedom} degrees of freedom"),
+    }
+}
+
+/// Says whether the film matters.
+fn film(fit: &Fit) -> Option<String> {
+    let without = fit.without_film.as_ref()?;
+    let Some(bias) = without.modulus else {
+        return Some(format!(
+            "without the film chi^2 is {:.1} instead of {:.1}",
+            without.chi_squared, fit.chi_squared
+        ));
+    };
+    let ModulusBias {
+        parameter,
+        relative,
+        standard_errors,
+    } = bias;
+    let errors = standard_errors.abs();
+    let errors = if errors < 9.95 {
+        format!("{errors:.1}")
+    } else {
+        format!("{errors:.0}")
+    };
+    let verdict = if bias.matters() {
+        "matters"
+    } else {
+        "does not matter"
+    };
+    Some(format!(
+        "the film {verdict}: {parameter} is off by {:+.1} % ({errors} standard errors) without it",
+        100.0 * relative
+    ))
+}

@@ -1,0 +1,71 @@
+//! Numbers for people: a unit with a prefix, and as many digits as the error leaves.
+
+use ::fit::Parameter;
+
+use super::setting::Asked;
+
+/// The prefixes that are chosen, the largest first.
+const PREFIXES: [&str; 8] = ["G", "M", "k", "", "m", "u", "n", "p"];
+
+/// Returns the prefix of a unit and its size: as asked for, or so that the number before it is at
+/// least 1.
+pub fn unit(parameter: Parameter, value: f64, error: f64, asked: &[Asked]) -> (String, f64) {
+    if let Some(asked) = asked.iter().rfind(|asked| asked.parameter == parameter) {
+        return (format!("{}{}", asked.prefix, parameter.unit()), asked.size);
+    }
+    let size = if value == 0.0 { error } else { value };
+    scaled(parameter.unit(), size)
+}
+
+/// Returns a unit with a prefix, and its size, so that the number before it is at least 1.
+pub fn scaled(unit: &str, value: f64) -> (String, f64) {
+    let sizes = PREFIXES.map(|prefix| (prefix, ::fit::data::prefix(prefix).unwrap_or(1.0)));
+    let usual = || sizes.into_iter().find(|(_, size)| value.abs() >= *size);
+    match unit {
+        "1" => (String::new(), 1.0),
+        _ if value == 0.0 || !value.is_finite() => (unit.to_owned(), 1.0),
+        _ => {
+            let (prefix, size) = usual().unwrap_or(sizes[sizes.len() - 1]);
+            (format!("{prefix}{unit}"), size)
+        }
+    }
+}
+
+/// Returns a value and its error, in one unit, with two digits of the error.
+pub fn with_error(value: f64, error: f64) -> String {
+    let decimals = decimals(value, error);
+    format!("{value:.decimals$} +- {error:.decimals$}")
+}
+
+/// Returns the number of decimals that shows two digits of the error.
+pub fn decimals(value: f64, error: f64) -> usize {
+    let smallest = if error > 0.0 && error.is_finite() {
+        error
+    } else {
+        1e-3 * value.abs().max(f64::MIN_POSITIVE)
+    };
+    (1.0 - smallest.log10().floor()).clamp(0.0, 12.0) as usize
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn units_and_digits_follow_value_and_error() {
+        let modulus = |value, error| {
+            let (unit, size) = unit(Parameter::FilmModulus, value, error, &[]);
+            format!("{} {unit}", with_error(value / size, error / size))
+        };
+        assert_eq!(modulus(2.0134e6, 1.2e4), "2.013 +- 0.012 MPa");
+        assert_eq!(modulus(999.0, 123.0), "999 +- 123 Pa");
+        assert_eq!(modulus(999.9e3, 1e3), "999.9 +- 1.0 kPa");
+        assert_eq!(modulus(2e6, f64::INFINITY), "2.000 +- inf MPa");
+        let asked = ["film-modulus=kPa".parse().expect("a unit")];
+        let (unit_name, size) = unit(Parameter::FilmModulus, 2e6, 1e4, &asked);
+        assert_eq!((unit_name.as_str(), size), ("kPa", 1e3));
+        assert_eq!(scaled("m", -2.5e-7), ("nm".to_owned(), 1e-9));
+        assert_eq!(scaled("1", 0.5), (String::new(), 1.0));
+        assert_eq!(scaled("N", 0.0), ("N".to_owned(), 1.0));
+    }
+}

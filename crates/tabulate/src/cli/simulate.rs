@@ -1,0 +1,221 @@
+//! `tabulate simulate`
+
+use std::env;
+use std::path::PathBuf;
+
+use ::fit::data::{Role, roles};
+use ::fit::{Direction, Experiment, Forecast, Kind, Measurement, Point, forecast, simulate};
+use anyhow::ensure;
+use clap::builder::TypedValueParser;
+use clap::{ValueHint, value_parser};
+use serde::Serialize;
+
+use super::fit::experiments::{FreeArguments, KnownArguments};
+use super::fit::object::{Estimates, matrix};
+use super::fit::setting::Asked;
+use super::fit::{kinds, one_of, text};
+use super::json::{self, Number};
+use super::output::Output;
+use super::points::{evenly, number};
+use super::table_name::{self, TableName};
+
+/// Make the data that an experiment would give, or the errors that its fit would have
+///
+/// Prints a table of the two quantities in SI units, with normal noise, that `tabulate fit` reads.
+/// An approach goes from --from to --to, a retract goes back. The contact follows the branch that
+/// an experiment follows: it jumps into contact and off at the end of the branch. Zeros of the
+/// instrument are set by --value, such as --value load-offset=1e-6; a hysteresis of adhesion is
+/// --value work-of-adhesion-receding=0.1.
+///
+/// With --expect it prints the standard errors that a fit of these data would find, before any
+/// measurement: change --points, --from, --to and --noise until they are small enough.
+#[derive(clap::Args)]
+#[command(after_help = super::examples!(
+    "tabulate simulate --kind load-radius --from 4e-5 --to 1.3e-4 --noise 5e-6 -o lens.csv",
+    "tabulate simulate --kind load-radius --from 4e-5 --to 1.3e-4 --noise 5e-6 --expect",
+    "tabulate simulate --kind load-penetration --from -1e-6 --to 1e-6 --noise 1e-6 --seed 2",
+))]
+pub struct Arguments {
+    /// The two quantities that are measured
+    #[arg(long, value_parser = kinds())]
+    kind: Kind,
+    /// First abscissa, m: of the contact radii, penetrations or heights
+    #[arg(long, allow_hyphen_values = true)]
+    from: f64,
+    /// Last abscissa, m, where an approach ends
+    #[arg(long, allow_hyphen_values = true)]
+    to: f64,
+    /// Number of points, equally spaced; of a cycle, on each way
+    #[arg(long, default_value_t = 40, value_parser = value_parser!(u32).range(2..=10_000_000))]
+    points: u32,
+    /// The ways measured: approach, retract, both (cycle), or points without a direction (none)
+    /// [default: none for contact radii, cycle otherwise]
+    #[arg(long, value_parser = ways())]
+    segments: Option<&'static [Option<Direction>]>,
+    /// Standard deviation of a load (N) or penetration (m)
+    #[arg(long, allow_negative_numbers = true)]
+    noise: f64,
+    /// Seed of the noise
+    #[arg(long, default_value_t = 0)]
+    seed: u64,
+    #[command(flatten)]
+    known: KnownArguments,
+    /// Print the standard errors expected of a fit of the parameters --free
+    #[arg(long)]
+    expect: bool,
+    #[command(flatten)]
+    free: FreeArguments,
+    #[arg(
+        long,
+        default_value = "embedded",
+        help = table_name::HELP,
+        value_hint = ValueHint::FilePath
+    )]
+    table: TableName,
+    /// Units of the expected errors: film-modulus=MPa [default: such that numbers are above 1]
+    #[arg(
+        long,
+        value_name = "NAME=UNIT,...",
+        value_delimiter = ',',
+        requires = "expect"
+    )]
+    units: Vec<Asked>,
+    /// Print the expected errors as a JSON object in SI units: {"parameters": {"film_modulus":
+    /// {"value", "stderr", "unit"}, ...}, "correlation": [[...]]}
+    #[arg(long, requires = "expect")]
+    json: bool,
+    /// Write here instead of to standard output
+    #[arg(short, long, value_name = "DATA.csv", conflicts_with = "json")]
+    output: Option<PathBuf>,
+}
+
+const NONE: &[Option<Direction>] = &[None];
+const APPROACH: &[Option<Direction>] = &[Some(Direction::Approach)];
+const RETRACT: &[Option<Direction>] = &[Some(Direction::Retract)];
+const CYCLE: &[Option<Direction>] = &[Some(Direction::Approach), Some(Direction::Retract)];
+
+/// Parses the ways measured.
+fn ways() -> impl TypedValueParser<Value = &'static [Option<Direction>]> {
+    one_of([
+        ("none", NONE),
+        ("approach", APPROACH),
+        ("retract", RETRACT),
+        ("cycle", CYCLE),
+    ])
+}
+
+pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
+    let output = Output::new(arguments.output.as_deref(), [arguments.table.path()])?;
+    let [from, to] = [arguments.from, arguments.to];
+    ensure!(
+        from.is_finite() && to.is_finite() && from != to,
+        "--from {from:?} and --to {to:?} must be two different numbers"
+    );
+    let measurement = plan(arguments);
+    let mut experiments = arguments.known.experiments(vec![measurement])?;
+    experiments[0].noise = Some(arguments.noise);
+    let table = arguments.table.read()?;
+    if arguments.expect {
+        let free = arguments.free.of(&experiments, &[])?;
+        let expected = forecast(&table, &experiments, &free)?;
+        return if arguments.json {
+            json::print(&ForecastObject::new(&expected))
+        } else {
+            let text = expected_errors(&expected, &arguments.units)?;
+            output.write(text.as_bytes())
+        };
+    }
+    ensure!(
+        arguments.free.is_empty(),
+        "--free, --bounds, --prior, --own and --shared are for --expect; add it"
+    );
+    let measurement = simulate(&table, &experiments[0], arguments.noise, arguments.seed)?;
+    let text = csv(&measurement, &experiments[0])?;
+    output.write(&text)
+}
+
+/// Returns the measurement to be made, without ordinates.
+fn plan(arguments: &Arguments) -> Measurement {
+    let Arguments { kind, points, .. } = *arguments;
+    let usual = match kind {
+        Kind::LoadRadius | Kind::PenetrationRadius => NONE,
+        Kind::LoadPenetration | Kind::ForceHeight => CYCLE,
+    };
+    let way = |&direction: &Option<Direction>| {
+        let back = direction == Some(Direction::Retract);
+        let ends = if back {
+            [arguments.to, arguments.from]
+        } else {
+            [arguments.from, arguments.to]
+        };
+        (0..points).map(move |i| Point {
+            line: 0,
+            abscissa: evenly(ends, i, points),
+            ordinate: 0.0,
+            direction,
+        })
+    };
+    Measurement {
+        name: "the experiment".into(),
+        kind,
+        points: arguments
+            .segments
+            .unwrap_or(usual)
+            .iter()
+            .flat_map(way)
+            .collect(),
+    }
+}
+
+/// Writes a measurement as a table that `tabulate fit` reads.
+fn csv(measurement: &Measurement, experiment: &Experiment) -> anyhow::Result<Vec<u8>> {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    let command: Vec<String> = env::args().skip(1).collect();
+    let command = command.join(" ");
+    let note = format!("# Synthetic, not measured. SI units.\n# tabulate {command}\n");
+    let has_segments = measurement
+        .points
+        .iter()
+        .any(|point| point.direction.is_some());
+    let names = roles(experiment.measurement.kind).map(Role::name);
+    let segment = has_segments.then_some(Role::Segment.name());
+    writer.write_record(names.into_iter().chain(segment))?;
+    for point in &measurement.points {
+        let numbers = [point.abscissa, point.ordinate].map(number);
+        let direction = point.direction.map(|direction| direction.name().to_owned());
+        writer.write_record(numbers.into_iter().chain(direction))?;
+    }
+    let mut bytes = note.into_bytes();
+    bytes.extend(writer.into_inner()?);
+    Ok(bytes)
+}
+
+/// Returns the expected errors for people.
+fn expected_errors(expected: &Forecast, units: &[Asked]) -> Result<String, std::fmt::Error> {
+    let mut out = String::from("expected\n");
+    text::estimates(
+        &mut out,
+        &expected.estimates,
+        &expected.correlation,
+        &[],
+        units,
+    )?;
+    text::undetermined(&mut out, &expected.undetermined)?;
+    Ok(out)
+}
+
+/// The JSON object of expected errors.
+#[derive(Serialize)]
+struct ForecastObject<'a> {
+    parameters: Estimates<'a>,
+    correlation: Vec<Vec<Number>>,
+}
+
+impl<'a> ForecastObject<'a> {
+    fn new(expected: &'a Forecast) -> Self {
+        Self {
+            parameters: Estimates(&expected.estimates),
+            correlation: matrix(&expected.correlation),
+        }
+    }
+}

@@ -1,0 +1,216 @@
+//! Measured AFM curves: the test data of the Python package afmformats (MIT), fetched when the tests
+//! run and exported to columns by this package.
+//!
+//! No radius of a sphere and no sample is known, so that the moduli mean nothing: the curves test
+//! that files are read, and that each is fitted or refused with a reason.
+
+use std::collections::BTreeMap;
+use std::env;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use acceptance::{Workdir, workdir};
+use fit::data::{Format, read};
+use serde_json::Value;
+
+/// What `tabulate fit` makes of a curve: a row of `tests/data/afm_curves.csv`.
+#[derive(Clone, Debug, PartialEq)]
+struct Row {
+    curve: String,
+    /// `fitted`, `not converged`, `refused`, or `not exported`.
+    outcome: String,
+    /// Modulus and work of adhesion in SI units, of a fit.
+    values: Option<[f64; 2]>,
+    /// The kinds of the warnings, or the reason.
+    text: String,
+}
+
+/// The columns of the recorded values.
+const HEADER: &str = "curve,outcome,film_modulus,work_of_adhesion,text";
+
+impl Row {
+    fn csv(&self) -> String {
+        let [modulus, work] = match self.values {
+            Some(values) => values.map(|value| format!("{value:.4e}")),
+            None => [String::new(), String::new()],
+        };
+        format!(
+            "{},{},{modulus},{work},{}",
+            self.curve, self.outcome, self.text
+        )
+    }
+
+    fn parse(line: &str) -> Self {
+        let cells: Vec<&str> = line.splitn(5, ',').collect();
+        let [curve, outcome, modulus, work, text] = cells[..] else {
+            panic!("{line:?} has five columns");
+        };
+        let values = modulus.parse().ok().zip(work.parse().ok());
+        Self {
+            curve: curve.into(),
+            outcome: outcome.into(),
+            values: values.map(|(modulus, work)| [modulus, work]),
+            text: text.into(),
+        }
+    }
+
+    /// Tells whether two rows agree. Processors round differently.
+    fn agrees(&self, other: &Self) -> bool {
+        const DIFFERENCE: f64 = 1e-3;
+        let near = match (self.values, other.values) {
+            (Some(a), Some(b)) => a
+                .iter()
+                .zip(b)
+                .all(|(a, b)| (a - b).abs() <= DIFFERENCE * b.abs()),
+            (a, b) => a == b,
+        };
+        near && self.curve == other.curve
+            && self.outcome == other.outcome
+            && self.text == other.text
+    }
+}
+
+/// Fits an exported curve.
+fn fit(workdir: &Workdir, curve: String, file: &str, stiffness: &str) -> Row {
+    let stiffness = ["--stiffness", stiffness];
+    let known = if stiffness[1].is_empty() {
+        &[]
+    } else {
+        &stiffness[..]
+    };
+    let system = [
+        "--half-space",
+        "--sphere-modulus",
+        "inf",
+        "--sphere-radius",
+        "2e-5",
+    ];
+    let run = workdir.run(&[&["fit", file, "--json"], &system[..], known].concat());
+    assert!(
+        !run.stderr.contains("panicked") && run.status < 2,
+        "{curve}: {run:?}"
+    );
+    let reason = |text: &str| text.trim().replace(file, "FILE").replace(',', ";");
+    let Ok(object) = serde_json::from_str::<Value>(&run.stdout) else {
+        assert_eq!((run.status, run.stderr.lines().count()), (1, 1), "{run:?}");
+        return Row {
+            curve,
+            outcome: "refused".into(),
+            values: None,
+            text: reason(&run.stderr),
+        };
+    };
+    let converged = object["converged"].as_bool().expect("true or false");
+    assert_eq!(converged, run.status == 0, "{curve}: {run:?}");
+    let value = |name: &str| object["parameters"][name]["value"].as_f64();
+    let warnings = object["warnings"].as_array().expect("a list");
+    let mut kinds: Vec<&str> = warnings
+        .iter()
+        .filter_map(|warning| warning["kind"].as_str())
+        .collect();
+    kinds.dedup();
+    Row {
+        curve,
+        outcome: if converged { "fitted" } else { "not converged" }.into(),
+        values: value("film_modulus")
+            .zip(value("work_of_adhesion"))
+            .map(|(modulus, work)| [modulus, work]),
+        text: kinds.join(" "),
+    }
+}
+
+/// Exports the curves to a folder. Returns a line for each curve; none without afmformats.
+fn export(workdir: &Workdir) -> Option<(PathBuf, String)> {
+    let paths = ["AFMFORMATS_PATH", "AFMFORMATS_SOURCE"].map(env::var_os);
+    let [Some(package), Some(source)] = paths else {
+        println!("skipped: `cargo xtask test` fetches afmformats and its measured curves");
+        return None;
+    };
+    let files = Path::new(&source).join("tests/data");
+    let output = Command::new("python3")
+        .arg("-B")
+        .env("PYTHONPATH", package)
+        .arg(Path::new(env!("CARGO_MANIFEST_DIR")).join("cli/export_curves.py"))
+        .arg(&files)
+        .arg(workdir.path(""))
+        .output()
+        .expect("python3 runs");
+    let errors = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{errors}");
+    let list = String::from_utf8(output.stdout).expect("UTF-8");
+    Some((files, list))
+}
+
+/// afmformats turns the height round, because the file's grows towards the sample.
+#[test]
+fn a_file_of_an_instrument_is_read_as_afmformats_reads_it() {
+    /// Digits of the exported text.
+    const DIFFERENCE: f64 = 1e-7;
+    let workdir = workdir!();
+    let Some((files, _)) = export(&workdir) else {
+        return;
+    };
+    let name = "fmt-afm-workshop-fd_single_2020-02-14_13.41.25.csv";
+    let column = |text: &str| text.parse().expect("a column");
+    let turned = Format {
+        columns: vec![
+            column("height=-Extend Z-Sense(nm)"),
+            column("height=-Retract Z-Sense(nm)"),
+        ],
+        ..Format::default()
+    };
+    let direct = read(&files.join(name), &turned).expect("a sound file");
+    let exported = workdir.path(&format!("{name}.0.tab"));
+    let exported = read(&exported, &Format::default()).expect("a sound file");
+    let [direct, exported] = [direct, exported].map(|reading| reading.measurement.points);
+    assert_eq!((direct.len(), exported.len()), (2030, 2030));
+    for (a, b) in direct.iter().zip(&exported) {
+        assert_eq!(a.direction, b.direction);
+        for (a, b) in [(a.abscissa, b.abscissa), (a.ordinate, b.ordinate)] {
+            assert!((a - b).abs() <= DIFFERENCE * b.abs(), "{a} and {b}");
+        }
+    }
+}
+
+/// The regression values of `tests/data/afm_curves.csv` come from this test, which prints them.
+#[test]
+fn every_curve_is_fitted_or_refused_with_a_reason() {
+    let workdir = workdir!();
+    let Some((_, list)) = export(&workdir) else {
+        return;
+    };
+    let row = |line: &str| {
+        let cells: Vec<&str> = line.split('\t').collect();
+        let [file, number, stiffness, exported] = cells[..] else {
+            panic!("{line:?} has four cells");
+        };
+        let curve = format!("{file} {number}").trim().replace(',', ";");
+        if exported.is_empty() {
+            return Row {
+                curve,
+                outcome: "not exported".into(),
+                values: None,
+                text: stiffness.into(),
+            };
+        }
+        fit(&workdir, curve, exported, stiffness)
+    };
+    let rows: Vec<Row> = list.lines().map(row).collect();
+    println!("{HEADER}");
+    for row in &rows {
+        println!("{}", row.csv());
+    }
+    let tests = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let recorded = std::fs::read_to_string(tests.join("data/afm_curves.csv")).expect("text");
+    let mut lines = recorded.lines().filter(|line| !line.starts_with('#'));
+    assert_eq!(lines.next(), Some(HEADER));
+    let recorded: BTreeMap<String, Row> = lines
+        .map(Row::parse)
+        .map(|row| (row.curve.clone(), row))
+        .collect();
+    assert_eq!(rows.len(), recorded.len(), "the number of curves");
+    for row in rows {
+        let before = &recorded[&row.curve];
+        assert!(row.agrees(before), "{row:?} was {before:?}");
+    }
+}

@@ -1,0 +1,496 @@
+//! `tabulate fit`
+
+use acceptance::{Workdir, assert_names, workdir};
+use serde_json::Value;
+
+/// A measurement to be simulated and fitted: the arguments of both commands, those of one, those of
+/// the other, and the truth.
+struct Case {
+    system: &'static [&'static str],
+    simulate: &'static [&'static str],
+    fit: &'static [&'static str],
+    truth: &'static [(&'static str, f64)],
+}
+
+const LENS: Case = Case {
+    system: &["--film-thickness", "1e-5"],
+    simulate: &[
+        "--kind",
+        "load-radius",
+        "--from",
+        "4.2e-5",
+        "--to",
+        "1.3e-4",
+        "--noise",
+        "2e-6",
+        "--value",
+        "load-offset=2e-5",
+    ],
+    fit: &[
+        "--free",
+        "sphere-modulus,work-of-adhesion,load-offset",
+        "--noise",
+        "2e-6",
+    ],
+    truth: &[
+        ("sphere_modulus", 2e6),
+        ("work_of_adhesion", 0.04),
+        ("load_offset", 2e-5),
+    ],
+};
+
+const DEPTHS: Case = Case {
+    system: &["--film-thickness", "1e-5"],
+    simulate: &[
+        "--kind",
+        "penetration-radius",
+        "--from",
+        "4.2e-5",
+        "--to",
+        "1.3e-4",
+        "--noise",
+        "2e-8",
+        "--value",
+        "contact-point=1e-6",
+    ],
+    fit: &["--free", "sphere-modulus,work-of-adhesion,contact-point"],
+    truth: &[
+        ("sphere_modulus", 2e6),
+        ("work_of_adhesion", 0.04),
+        ("contact_point", 1e-6),
+    ],
+};
+
+const INDENTER: Case = Case {
+    system: &[
+        "--sphere-radius",
+        "1e-5",
+        "--sphere-modulus",
+        "inf",
+        "--film-thickness",
+        "5e-7",
+        "--film-modulus",
+        "7e10",
+        "--film-poisson-ratio",
+        "0.2",
+        "--substrate-modulus",
+        "2.4e9",
+        "--substrate-poisson-ratio",
+        "0.38",
+        "--work-of-adhesion",
+        "0",
+    ],
+    simulate: &[
+        "--kind",
+        "load-penetration",
+        "--from",
+        "-2e-8",
+        "--to",
+        "4e-8",
+        "--points",
+        "100",
+        "--segments",
+        "approach",
+        "--noise",
+        "2e-7",
+    ],
+    fit: &["--free", "film-modulus,contact-point"],
+    truth: &[("film_modulus", 7e10), ("contact_point", 0.0)],
+};
+
+const GEL: Case = Case {
+    system: &[
+        "--sphere-radius",
+        "1e-5",
+        "--sphere-modulus",
+        "inf",
+        "--film-thickness",
+        "2e-5",
+        "--film-modulus",
+        "5e3",
+        "--substrate-modulus",
+        "7e10",
+        "--stiffness",
+        "0.1",
+    ],
+    simulate: &[
+        "--kind",
+        "force-height",
+        "--work-of-adhesion",
+        "1e-4",
+        "--from",
+        "2e-6",
+        "--to",
+        "-1e-6",
+        "--points",
+        "300",
+        "--noise",
+        "5e-11",
+        "--value",
+        "contact-point=2e-7",
+        "--value",
+        "baseline=1e-9",
+    ],
+    fit: &[],
+    truth: &[
+        ("film_modulus", 5e3),
+        ("work_of_adhesion", 1e-4),
+        ("contact_point", 2e-7),
+        ("baseline", 1e-9),
+    ],
+};
+
+/// Writes the data of a case.
+fn simulate(workdir: &Workdir, case: &Case, file: &str, seed: u32) {
+    let seed = seed.to_string();
+    let more = ["--seed", &seed, "-o", file];
+    workdir.succeed(&[&["simulate"], case.simulate, case.system, &more].concat());
+}
+
+/// Fits a file as a case says.
+fn fit(workdir: &Workdir, case: &Case, more: &[&str]) -> Value {
+    let text = workdir.succeed(&[&["fit", "--json"], case.system, case.fit, more].concat());
+    assert_eq!(text.lines().count(), 1);
+    serde_json::from_str(&text).expect("JSON")
+}
+
+fn kinds(object: &Value) -> Vec<&str> {
+    let warnings = object["warnings"].as_array().expect("a list").iter();
+    warnings
+        .map(|warning| warning["kind"].as_str().expect("text"))
+        .collect()
+}
+
+#[test]
+fn every_kind_is_recovered() {
+    /// The largest error in standard errors of eleven normal numbers, once in 10,000 cases.
+    const LARGEST: f64 = 4.5;
+    let workdir = workdir!();
+    for case in [&LENS, &DEPTHS, &INDENTER, &GEL] {
+        simulate(&workdir, case, "data.csv", 7);
+        let found = fit(&workdir, case, &["data.csv"]);
+        assert_eq!(found["converged"], true);
+        for (name, truth) in case.truth {
+            let parameter = &found["parameters"][name];
+            let [value, error] = ["value", "stderr"].map(|key| parameter[key].as_f64());
+            let off = (value.expect("a number") - truth) / error.expect("a number");
+            println!("{name}: off by {off:.1} standard errors");
+            assert!(off.abs() < LARGEST, "{name}: {parameter}");
+        }
+    }
+}
+
+#[test]
+fn the_object_has_the_keys_of_its_help() {
+    let workdir = workdir!();
+    simulate(&workdir, &LENS, "lens.csv", 1);
+    let object = fit(&workdir, &LENS, &["lens.csv"]);
+    let keys = |object: &Value| {
+        let keys = object.as_object().expect("an object").keys();
+        keys.cloned().collect::<Vec<_>>()
+    };
+    let mut sorted = [
+        "converged",
+        "parameters",
+        "correlation",
+        "reduced_chi_squared",
+        "noise",
+        "without_film",
+        "warnings",
+    ];
+    sorted.sort_unstable();
+    assert_eq!(keys(&object), sorted);
+    assert_eq!(
+        keys(&object["parameters"]),
+        ["load_offset", "sphere_modulus", "work_of_adhesion"]
+    );
+    assert_eq!(
+        keys(&object["parameters"]["load_offset"]),
+        ["stderr", "unit", "value"]
+    );
+    assert_eq!(object["parameters"]["work_of_adhesion"]["unit"], "J/m^2");
+    assert_eq!(object["noise"], 2e-6);
+    let correlation = object["correlation"].as_array().expect("a matrix");
+    assert_eq!(correlation.len(), 3);
+    assert_eq!(correlation[2][2], 1.0);
+    let chi = object["reduced_chi_squared"].as_f64().expect("a number");
+    assert!((0.4..1.9).contains(&chi), "{chi}");
+    assert_eq!(
+        object["without_film"]["modulus"]["parameter"],
+        "sphere_modulus"
+    );
+    // The order of the parameters, which is that of the correlation, is that of --free.
+    let text = workdir.succeed(&[&["fit", "lens.csv", "--json"], LENS.system, LENS.fit].concat());
+    let places = ["sphere_modulus", "work_of_adhesion", "load_offset"].map(|name| {
+        text.find(&format!("\"{name}\":{{\"value\""))
+            .expect("a parameter")
+    });
+    assert!(places.is_sorted(), "{text}");
+    let intervals = fit(&workdir, &LENS, &["lens.csv", "--intervals", "0.95"]);
+    for name in ["sphere_modulus", "work_of_adhesion", "load_offset"] {
+        let parameter = &intervals["parameters"][name];
+        let number = |value: &Value| value.as_f64().expect("a number");
+        let [from, to] = [0, 1].map(|end| number(&parameter["interval"][end]));
+        // Nearly a normal distribution: 1.96 standard errors on both sides.
+        let width = (to - from) / number(&parameter["stderr"]);
+        assert!((width / 3.92 - 1.0).abs() < 0.05, "{name}: {width}");
+        assert!(from < number(&parameter["value"]) && number(&parameter["value"]) < to);
+    }
+}
+
+#[test]
+fn an_offset_that_is_not_fitted_and_a_film_that_matters_are_told() {
+    let workdir = workdir!();
+    simulate(&workdir, &LENS, "lens.csv", 1);
+    let arguments = [&["fit", "lens.csv", "--noise", "2e-6"], LENS.system].concat();
+    let report = workdir.succeed(&arguments);
+    assert_names(
+        &report,
+        &[
+            "warning: ",
+            "load-offset",
+            "lens.csv: 40 points, load-radius",
+        ],
+    );
+    let report = workdir.succeed(&[&["fit", "lens.csv"], LENS.system, LENS.fit].concat());
+    assert_names(
+        &report,
+        &[
+            "contact_radius from \"contact_radius\" in SI units",
+            "sphere-radius             1.0 mm",
+            "film-thickness            10.0 um",
+            "MPa",
+            "mJ/m^2",
+            "correlation",
+            "the film matters: sphere-modulus is off by ",
+            "standard errors) without it",
+            "reduced chi^2",
+        ],
+    );
+    assert!(!report.contains("warning: "), "{report}");
+    let units = ["--units", "sphere-modulus=kPa,work-of-adhesion=J/m^2"];
+    let report = workdir.succeed(&[&["fit", "lens.csv"], LENS.system, LENS.fit, &units].concat());
+    assert_names(&report, &[" kPa", " J/m^2"]);
+}
+
+#[test]
+fn the_same_data_in_another_style_give_the_same_fit() {
+    let workdir = workdir!();
+    simulate(&workdir, &LENS, "lens.csv", 1);
+    let text = String::from_utf8(workdir.read("lens.csv")).expect("UTF-8");
+    let mut other = String::from("\u{feff}# a lens\r\nR;Messzelle\r\n");
+    for line in text.lines().skip(3) {
+        let (radius, load) = line.split_once(',').expect("two cells");
+        let [radius, load]: [f64; 2] = [radius, load].map(|cell| cell.parse().expect("a number"));
+        let row = format!("{:?};{:?}\r\n", radius * 1e6, -load * 1e3);
+        other += &row.replace('.', ",");
+    }
+    workdir.write("other.txt", other);
+    let columns = [
+        "--column",
+        "contact_radius=R [um]",
+        "--column",
+        "load=-Messzelle [mN]",
+    ];
+    let found = [
+        fit(&workdir, &LENS, &["lens.csv"]),
+        fit(&workdir, &LENS, &[&["other.txt"], &columns[..]].concat()),
+    ];
+    for (name, _) in LENS.truth {
+        let [a, b] = [0, 1].map(|i| found[i]["parameters"][name]["value"].as_f64());
+        let [a, b] = [a, b].map(|value| value.expect("a number"));
+        assert!((a / b - 1.0).abs() < 1e-6, "{name}: {a} and {b}");
+    }
+}
+
+#[test]
+fn csv_and_pictures_are_written() {
+    let workdir = workdir!();
+    simulate(&workdir, &GEL, "gel.csv", 1);
+    for picture in ["gel.svg", "gel.png"] {
+        fit(
+            &workdir,
+            &GEL,
+            &["gel.csv", "--csv", "points.csv", "--plot", picture],
+        );
+    }
+    assert!(workdir.read("gel.svg").starts_with(b"<svg"));
+    assert!(workdir.read("gel.png").starts_with(b"\x89PNG"));
+    let mut reader = csv::Reader::from_path(workdir.path("points.csv")).expect("CSV");
+    assert_eq!(
+        reader.headers().expect("a header"),
+        &csv::StringRecord::from(vec![
+            "file",
+            "line",
+            "segment",
+            "height",
+            "load",
+            "fit",
+            "residual",
+            "branch",
+            "outlier",
+            "without_film",
+        ])
+    );
+    let rows: Vec<csv::StringRecord> = reader.records().map(|row| row.expect("a row")).collect();
+    assert_eq!(rows.len(), 600);
+    let count = |column: usize, word: &str| rows.iter().filter(|row| &row[column] == word).count();
+    assert_eq!([count(2, "approach"), count(2, "retract")], [300, 300]);
+    for branch in ["advancing", "baseline"] {
+        assert!(count(7, branch) > 50, "{branch}");
+    }
+    for row in &rows {
+        let number = |column: usize| row[column].parse::<f64>().expect("a number");
+        assert_eq!(&row[0], "gel.csv");
+        if !row[5].is_empty() {
+            assert_eq!(number(6), number(4) - number(5));
+        }
+    }
+    let message = workdir.fail(1, &["fit", "gel.csv", "--csv", "gel.csv"]);
+    assert_names(&message, &["gel.csv", "it is the input"]);
+}
+
+#[test]
+fn films_of_two_thicknesses_are_fitted_at_once() {
+    let workdir = workdir!();
+    for (thickness, file, seed) in [("1e-5", "thick.csv", "1"), ("2e-6", "thin.csv", "2")] {
+        workdir.succeed(&[
+            "simulate",
+            "--kind",
+            "load-radius",
+            "--from",
+            "4.2e-5",
+            "--to",
+            "1.3e-4",
+            "--noise",
+            "5e-6",
+            "--film-thickness",
+            thickness,
+            "--seed",
+            seed,
+            "-o",
+            file,
+        ]);
+    }
+    let both = Case {
+        system: &["--value", "film-thickness=1e-5,2e-6"],
+        fit: &[
+            "--free",
+            "sphere-modulus,film-modulus,work-of-adhesion,load-offset",
+            "--noise",
+            "5e-6",
+        ],
+        ..LENS
+    };
+    let found = fit(&workdir, &both, &["thick.csv", "thin.csv"]);
+    let offsets = found["parameters"]["load_offset"]
+        .as_array()
+        .expect("a list");
+    assert_eq!(
+        (offsets.len(), found["correlation"].as_array().map(Vec::len)),
+        (2, Some(5))
+    );
+    assert_eq!(found["noise"], serde_json::json!([5e-6, 5e-6]));
+    for (name, truth) in [("sphere_modulus", 2e6), ("film_modulus", 3.5e6)] {
+        let [value, error] = ["value", "stderr"]
+            .map(|key| found["parameters"][name][key].as_f64().expect("a number"));
+        assert!(
+            (value - truth).abs() < 4.5 * error,
+            "{name}: {value} +- {error}"
+        );
+    }
+    let report = workdir.succeed(
+        &[
+            &["fit", "thick.csv", "thin.csv", "--plot", "both.svg"],
+            both.system,
+            both.fit,
+        ]
+        .concat(),
+    );
+    assert_names(
+        &report,
+        &["load-offset (thick.csv)", "load-offset (thin.csv)"],
+    );
+}
+
+#[test]
+fn bounds_and_priors_hold() {
+    let workdir = workdir!();
+    simulate(&workdir, &LENS, "lens.csv", 1);
+    let found = fit(
+        &workdir,
+        &LENS,
+        &["lens.csv", "--bounds", "sphere-modulus=2.5e6..4e6"],
+    );
+    let value = found["parameters"]["sphere_modulus"]["value"]
+        .as_f64()
+        .expect("a number");
+    assert!((2.5e6..2.6e6).contains(&value), "{value}");
+    assert!(kinds(&found).contains(&"at-bound"), "{found}");
+    let prior = ["--prior", "load-offset=0+-1e-12"];
+    let found = fit(&workdir, &LENS, &[&["lens.csv"], &prior[..]].concat());
+    let value = found["parameters"]["load_offset"]["value"]
+        .as_f64()
+        .expect("a number");
+    assert!(value.abs() < 1e-10, "{value}");
+}
+
+#[test]
+fn a_fit_that_cannot_be_made_is_an_error_that_names_the_reason() {
+    let workdir = workdir!();
+    simulate(&workdir, &LENS, "lens.csv", 1);
+    workdir.write(
+        "gel.csv",
+        "z [nm],defl [nm]\n3,0\n2,0\n1,1\n0,2\n-1,3\n-2,4\n",
+    );
+    workdir.write("bad.csv", "contact_radius,load\n1e-5,1e-6\n2e-5,x\n");
+    workdir.write("one.csv", "contact_radius,load\n5e-5,-2e-4\n");
+    workdir.write(
+        "constant.csv",
+        "contact_radius,load\n5e-5,-2e-4\n6e-5,-2e-4\n",
+    );
+    workdir.write("empty.csv", "");
+    let cases: [(&[&str], i32, &[&str]); 13] = [
+        (&[], 2, &["DATA"]),
+        (&["missing.csv"], 1, &["missing.csv"]),
+        (
+            &["bad.csv"],
+            1,
+            &["bad.csv, line 3, column 2 \"load\"", "\"x\""],
+        ),
+        (&["one.csv"], 1, &["point"]),
+        (&["constant.csv"], 1, &["constant.csv, column 2", "-0.0002"]),
+        (&["empty.csv"], 1, &["empty.csv", "two numbers"]),
+        (
+            &["gel.csv"],
+            1,
+            &["gel.csv, column 2 \"defl [nm]\"", "--stiffness"],
+        ),
+        (
+            &["gel.csv", "--stiffness", "1", "--free", "stiffness"],
+            1,
+            &["stiffness", "fix it"],
+        ),
+        (&["lens.csv", "--free", "E1"], 2, &["E1", "film-modulus"]),
+        (
+            &["lens.csv", "--bounds", "film-modulus=1..2"],
+            1,
+            &["film-modulus", "not free"],
+        ),
+        (
+            &["lens.csv", "--noise", "1,2"],
+            1,
+            &["--noise", "2 values for 1 files"],
+        ),
+        (&["lens.csv", "--noise", "-1"], 1, &["noise", "-1"]),
+        (
+            &["lens.csv", "--film-poisson-ratio", "0.6"],
+            1,
+            &["film", "0.6"],
+        ),
+    ];
+    for (more, status, words) in cases {
+        let message = workdir.fail(status, &[&["fit"], more].concat());
+        assert_names(&message, words);
+    }
+}

@@ -1,0 +1,217 @@
+//! `tabulate simulate`
+
+use acceptance::{Data, Workdir, assert_names, larger, paper_system, workdir};
+use interp::Mechanics;
+use serde_json::Value;
+
+use crate::solved;
+
+/// The lens of the documentation: radii and loads, on a film of 10 um.
+const LENS: [&str; 9] = [
+    "simulate",
+    "--kind",
+    "load-radius",
+    "--film-thickness",
+    "1e-5",
+    "--from",
+    "4.2e-5",
+    "--to",
+    "1.3e-4",
+];
+
+fn simulate(workdir: &Workdir, more: &[&str]) -> String {
+    workdir.succeed(&[&LENS, more].concat())
+}
+
+#[test]
+fn without_noise_the_loads_are_those_of_direct_solves() {
+    /// The certified error of the embedded table is 3e-7.
+    const ERROR: f64 = 1e-6;
+    let workdir = workdir!();
+    let text = simulate(&workdir, &["--noise", "0", "--value", "load-offset=1e-6"]);
+    let data = Data::parse("data", &text);
+    assert_eq!(data.columns(), ["contact_radius", "load"]);
+    assert_eq!(data.cases().count(), 40);
+    let system = paper_system(1e-5);
+    let mechanics = Mechanics::new(&system).expect("physical");
+    let material = system.material().expect("physical");
+    let mut worst = 0.0;
+    for case in data.cases() {
+        let a = case.get("contact_radius");
+        let edge = mechanics.edge_singularity(a, 0.04).expect("physical");
+        let quantities = solved(a / 1e-5, &material, 1e-9).quantities;
+        let (load, _) = mechanics.load_and_penetration(a, edge, &quantities);
+        let (bare, _) = mechanics.load_and_penetration(a, 0.0, &quantities);
+        let error = (case.get("load") - 1e-6 - load).abs() / (bare + (bare - load));
+        worst = larger(worst, error);
+    }
+    println!("largest error: {worst:.1e} of the terms of the load");
+    assert!(worst <= ERROR);
+}
+
+#[test]
+fn a_seed_always_gives_the_same_data_and_the_noise_asked_for() {
+    let workdir = workdir!();
+    let noisy = |seed: &str| {
+        let more = ["--noise", "5e-6", "--points", "2000", "--seed", seed];
+        simulate(&workdir, &more)
+    };
+    let [one, again, other] = ["1", "1", "2"].map(noisy);
+    assert_eq!(one, again);
+    assert_ne!(one, other);
+    let clean = simulate(&workdir, &["--noise", "0", "--points", "2000"]);
+    let [one, clean] = [one, clean].map(|text| Data::parse("data", &text));
+    let squares = one
+        .cases()
+        .zip(clean.cases())
+        .map(|(a, b)| ((a.get("load") - b.get("load")) / 5e-6).powi(2));
+    let variance = squares.sum::<f64>() / 2000.0;
+    // The variance of 2000 normal numbers has a standard error of sqrt(2/2000) = 0.032.
+    assert!((variance - 1.0).abs() < 0.15, "{variance}");
+}
+
+#[test]
+fn the_expected_errors_are_those_of_the_fits() {
+    /// Fits. The mean square of as many normal numbers is between 0.62 and 1.5 in 999 of 1000 cases.
+    const FITS: u32 = 100;
+    let workdir = workdir!();
+    let free = ["--free", "sphere-modulus,film-modulus,work-of-adhesion"];
+    // So small that the model is linear over the errors.
+    let noise = ["--noise", "5e-7"];
+    let expected = simulate(
+        &workdir,
+        &[&noise[..], &free, &["--expect", "--json"]].concat(),
+    );
+    let expected: Value = serde_json::from_str(&expected).expect("JSON");
+    let truth = [
+        ("sphere_modulus", 2e6),
+        ("film_modulus", 3.5e6),
+        ("work_of_adhesion", 0.04),
+    ];
+    let mut squares = [0.0; 3];
+    for seed in 0..FITS {
+        let seed = seed.to_string();
+        let data = simulate(&workdir, &[&noise[..], &["--seed", &seed]].concat());
+        workdir.write("data.csv", data);
+        let fit = ["fit", "data.csv", "--film-thickness", "1e-5", "--json"];
+        let run = workdir.run(&[&fit[..], &free, &noise].concat());
+        let found: Value = serde_json::from_str(&run.stdout).expect("JSON");
+        for (square, (name, truth)) in squares.iter_mut().zip(truth) {
+            let value = found["parameters"][name]["value"]
+                .as_f64()
+                .expect("a number");
+            let error = expected["parameters"][name]["stderr"]
+                .as_f64()
+                .expect("a number");
+            assert_eq!(expected["parameters"][name]["value"].as_f64(), Some(truth));
+            *square += ((value - truth) / error).powi(2) / f64::from(FITS);
+        }
+    }
+    println!("mean squares in expected variances: {squares:.2?}");
+    assert!(
+        squares.iter().all(|square| (0.62..1.5).contains(square)),
+        "{squares:?}"
+    );
+}
+
+#[test]
+fn a_cycle_goes_there_and_back() {
+    let workdir = workdir!();
+    let cycle = [
+        "simulate",
+        "--kind",
+        "force-height",
+        "--sphere-radius",
+        "1e-5",
+        "--sphere-modulus",
+        "inf",
+        "--film-modulus",
+        "5e3",
+        "--film-thickness",
+        "2e-5",
+        "--work-of-adhesion",
+        "1e-4",
+        "--stiffness",
+        "0.1",
+        "--from",
+        "1e-6",
+        "--to",
+        "-1e-6",
+        "--points",
+        "5",
+        "--noise",
+        "0",
+        "--value",
+        "baseline=1e-9",
+    ];
+    let text = workdir.succeed(&cycle);
+    assert!(text.starts_with("# Synthetic, not measured. SI units.\n# tabulate simulate --kind "));
+    let lines: Vec<&str> = text.lines().skip(2).collect();
+    assert_eq!(lines[0], "height,load,segment");
+    let cell = |line: &str, i: usize| line.split(',').nth(i).expect("a cell").to_owned();
+    let column = |i| {
+        lines[1..]
+            .iter()
+            .map(|line| cell(line, i))
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(
+        column(0),
+        [
+            "1e-6", "5e-7", "0.0", "-5e-7", "-1e-6", "-1e-6", "-5e-7", "0.0", "5e-7", "1e-6"
+        ]
+    );
+    let segments = column(2);
+    assert_eq!((&*segments[4], &*segments[5]), ("approach", "retract"));
+    assert_eq!(
+        [&column(1)[0], &column(1)[9]],
+        ["1e-9", "1e-9"],
+        "the baseline"
+    );
+    for (ways, points) in [("approach", 5), ("retract", 5), ("none", 5), ("cycle", 10)] {
+        let text = workdir.succeed(&[&cycle[..], &["--segments", ways]].concat());
+        assert_eq!(text.lines().count(), 3 + points, "{ways}");
+        assert_eq!(text.contains("segment\n"), ways != "none");
+    }
+}
+
+#[test]
+fn what_cannot_be_simulated_is_an_error() {
+    let workdir = workdir!();
+    let cases: [(&[&str], i32, &[&str]); 7] = [
+        (&[], 2, &["--noise"]),
+        (&["--noise", "-1"], 1, &["noise", "-1"]),
+        (&["--noise", "nan"], 1, &["noise", "NaN"]),
+        (
+            &["--noise", "1e-6", "--free", "film-modulus"],
+            1,
+            &["--expect"],
+        ),
+        (&["--noise", "1e-6", "--json"], 2, &["--expect"]),
+        (
+            &["--noise", "1e-6", "--value", "offset=1"],
+            2,
+            &["offset", "load-offset"],
+        ),
+        (
+            &["--noise", "1e-6", "--value", "load-offset=1,2"],
+            1,
+            &["load-offset", "2 values for 1 files"],
+        ),
+    ];
+    for (more, status, words) in cases {
+        let message = workdir.fail(status, &[&LENS, more].concat());
+        assert_names(&message, words);
+    }
+    let mut same = LENS.map(str::to_owned);
+    same[8] = same[6].clone();
+    let arguments: Vec<&str> = same
+        .iter()
+        .map(String::as_str)
+        .chain(["--noise", "0"])
+        .collect();
+    assert_names(
+        &workdir.fail(1, &arguments),
+        &["--from", "--to", "different"],
+    );
+}

@@ -1,0 +1,419 @@
+//! Doubts where there is reason for them, and none where there is not.
+
+use acceptance::{assert_names, table};
+use fit::{Bodies, Direction, Fit, Free, Kind, Options, Parameter, WarningKind, fit};
+use interp::{HalfSpace, Table};
+
+use crate::imagined::{Course, Imagined, solid};
+
+/// The parameters of a JKR test.
+const LENS: [Parameter; 2] = [Parameter::SphereModulus, Parameter::WorkOfAdhesion];
+
+/// Returns by how many standard errors an estimate is off.
+fn deviation(imagined: &Imagined, found: &Fit, parameter: Parameter) -> f64 {
+    let estimate = found.estimate(parameter).expect("it is free");
+    let truth = imagined.truth.get(parameter).expect("a value");
+    (estimate.value - truth) / estimate.standard_error
+}
+
+/// Asserts that a fit has a warning of a kind, and that its text names all `words`.
+fn assert_warns(found: &Fit, kind: WarningKind, words: &[&str]) {
+    let of_kind = found.warnings.iter().filter(|warning| warning.kind == kind);
+    let texts: Vec<&str> = of_kind.map(|warning| warning.text.as_str()).collect();
+    assert!(!texts.is_empty(), "no {kind:?} in {:?}", found.warnings);
+    assert_names(&texts.join("; "), words);
+}
+
+#[test]
+fn an_offset_that_is_not_fitted_is_missed() {
+    let mut lens = Imagined::lens(Kind::LoadRadius, 10e-6, 5e-6, &LENS);
+    lens.truth.load_offset = 4e-5;
+    let mut experiment = lens.measured(&lens.exact(), 1);
+    experiment.load_offset = 0.0;
+    let options = Options::default();
+    let found = fit(
+        Table::embedded(),
+        &[experiment.clone()],
+        &lens.free,
+        &options,
+    )
+    .expect("sound");
+    let off = deviation(&lens, &found, Parameter::WorkOfAdhesion).abs();
+    assert!(
+        off > 5.0,
+        "the work of adhesion is only {off} standard errors off"
+    );
+    assert_warns(
+        &found,
+        WarningKind::OffsetWanted,
+        &["load-offset", "free it"],
+    );
+    lens.free.push(Free::new(Parameter::LoadOffset));
+    let found = fit(Table::embedded(), &[experiment], &lens.free, &options).expect("sound");
+    assert!(found.warnings.is_empty(), "{:?}", found.warnings);
+    // A contact point and a baseline are missed, too.
+    let probe = Imagined::probe(Course::Retract, 1e-4, &[Parameter::FilmModulus]);
+    let exact = probe.exact();
+    for (parameter, change) in [
+        (Parameter::ContactPoint, 5e-8),
+        (Parameter::Baseline, 4e-10),
+        (Parameter::BaselineSlope, 2e-3),
+    ] {
+        let mut experiment = probe.measured(&exact, 1);
+        let truth = experiment.get(parameter).expect("a value");
+        experiment
+            .set(parameter, truth + change)
+            .expect("any value");
+        let found = fit(Table::embedded(), &[experiment], &probe.free, &options).expect("sound");
+        assert_warns(
+            &found,
+            WarningKind::OffsetWanted,
+            &[parameter.name(), "free it"],
+        );
+    }
+}
+
+#[test]
+fn loading_and_unloading_are_not_mixed_unnoticed() {
+    let mut lens = Imagined::lens(Kind::LoadRadius, 10e-6, 5e-6, &LENS);
+    lens.course = Course::Cycle;
+    lens.radii[0] = 60e-6;
+    lens.truth.work_of_adhesion = 0.03;
+    lens.truth.work_of_adhesion_receding = Some(0.06);
+    let mut experiment = lens.measured(&lens.exact(), 1);
+    experiment.work_of_adhesion_receding = None;
+    let fit_of = |experiment: &fit::Experiment| {
+        let options = Options::default();
+        fit(
+            Table::embedded(),
+            std::slice::from_ref(experiment),
+            &lens.free,
+            &options,
+        )
+        .expect("sound")
+    };
+    let advice = ["work-of-adhesion-receding"];
+    assert_warns(&fit_of(&experiment), WarningKind::MixedBranches, &advice);
+    // Without directions the order in time tells them apart, and without order the residuals do.
+    let points = &mut experiment.measurement.points;
+    points.iter_mut().for_each(|point| point.direction = None);
+    assert_warns(&fit_of(&experiment), WarningKind::MixedBranches, &advice);
+    let points = &mut experiment.measurement.points;
+    points.sort_by_key(|point| point.line * 37 % 101);
+    assert_warns(&fit_of(&experiment), WarningKind::MixedBranches, &advice);
+}
+
+#[test]
+fn a_retract_without_adhesion_in_the_model_is_doubted() {
+    let free = [Parameter::FilmModulus, Parameter::ContactPoint];
+    let probe = Imagined::probe(Course::Retract, 1e-4, &free);
+    let mut experiment = probe.measured(&probe.exact(), 1);
+    experiment.work_of_adhesion = 0.0;
+    let options = Options::default();
+    let found = fit(Table::embedded(), &[experiment], &probe.free, &options).expect("sound");
+    assert_warns(&found, WarningKind::PoorFit, &["reduced chi^2"]);
+    assert_warns(
+        &found,
+        WarningKind::StructuredResiduals,
+        &["runs of one sign"],
+    );
+}
+
+#[test]
+fn what_the_data_do_not_tell_is_named() {
+    let free = [LENS[0], LENS[1], Parameter::FilmModulus];
+    for kind in [Kind::LoadRadius, Kind::LoadPenetration] {
+        let lens = Imagined::lens(kind, 1e-6, 5e-6, &free);
+        let found = lens.fit(1);
+        let words = ["film-modulus is not determined", "standard error"];
+        assert_warns(&found, WarningKind::Undetermined, &words);
+        assert_warns(
+            &found,
+            WarningKind::FilmNotSeen,
+            &["a/t is from", "film-modulus"],
+        );
+        // If the film's modulus is known, there is no doubt.
+        let known = Imagined::lens(kind, 1e-6, 5e-6, &LENS).fit(1);
+        assert!(known.warnings.is_empty(), "{:?}", known.warnings);
+    }
+    // Penetrations at contact radii on a half-space tell w/E* alone.
+    let mut lens = Imagined::lens(Kind::PenetrationRadius, 1e-6, 5e-9, &LENS);
+    lens.truth.bodies = Bodies::HalfSpace(HalfSpace {
+        sphere_radius: 1e-3,
+        sphere_modulus: 2e6,
+        solid: solid(2e11, 0.25),
+    });
+    let found = lens.fit(1);
+    let both = "sphere-modulus and work-of-adhesion";
+    assert_eq!(found.undetermined.len(), 1);
+    assert_eq!(found.undetermined[0].text, both);
+    let [(_, one), (_, other)] = found.undetermined[0].weights[..] else {
+        panic!("{:?}", found.undetermined);
+    };
+    assert!(
+        (one - other).abs() < 0.01,
+        "they change together: {one}, {other}"
+    );
+    assert_warns(&found, WarningKind::Undetermined, &[both]);
+    let ratio = |fit: &Fit| {
+        fit.estimate(LENS[1]).expect("free").value / fit.estimate(LENS[0]).expect("free").value
+    };
+    assert!((ratio(&found) / (0.04 / 2e6) - 1.0).abs() < 0.05);
+    // A prior on one of them decides.
+    lens.free[0] = lens.free[0].with_prior(2e6, 2e4);
+    let found = lens.fit(1);
+    assert!(found.warnings.is_empty(), "{:?}", found.warnings);
+    let error = found.estimate(LENS[0]).expect("free").standard_error;
+    assert!((error / 2e4 - 1.0).abs() < 0.01, "{error}");
+}
+
+#[test]
+fn wrong_values_and_wrong_units_are_doubted() {
+    let lens = Imagined::lens(Kind::LoadRadius, 100e-6, 5e-6, &LENS);
+    let exact = lens.exact();
+    let with = |edit: &dyn Fn(&mut fit::Experiment)| {
+        let mut experiment = lens.measured(&exact, 1);
+        edit(&mut experiment);
+        let options = Options::default();
+        fit(Table::embedded(), &[experiment], &lens.free, &options)
+    };
+    let thin = with(&|experiment| {
+        experiment
+            .set(Parameter::FilmThickness, 10e-6)
+            .expect("physical");
+    });
+    assert_warns(
+        &thin.expect("sound"),
+        WarningKind::PoorFit,
+        &["reduced chi^2"],
+    );
+    // Loads in uN taken for N, and the other way round.
+    for factor in [1e6, 1e-6] {
+        let found = with(&|experiment| {
+            let points = &mut experiment.measurement.points;
+            points.iter_mut().for_each(|point| point.ordinate *= factor);
+            experiment.noise = experiment.noise.map(|noise| factor * noise);
+        });
+        let found = found.expect("a fit");
+        let kinds = [WarningKind::Implausible, WarningKind::PoorFit];
+        assert!(
+            kinds.iter().any(|kind| found.warns_of(*kind)),
+            "{:?}",
+            found.warnings
+        );
+    }
+    // Radii in um taken for m.
+    let error = with(&|experiment| {
+        let points = &mut experiment.measurement.points;
+        points.iter_mut().for_each(|point| point.abscissa *= 1e6);
+    });
+    let words = ["imagined.csv", "line 2", "contact radius", "42", "units"];
+    assert_names(
+        &error.expect_err("no sphere is so large").to_string(),
+        &words,
+    );
+    // And the other way round.
+    let found = with(&|experiment| {
+        let points = &mut experiment.measurement.points;
+        points.iter_mut().for_each(|point| point.abscissa *= 1e-6);
+    });
+    match found {
+        Ok(found) => assert_warns(&found, WarningKind::Implausible, &["check the units"]),
+        Err(error) => assert_names(&error.to_string(), &["imagined.csv"]),
+    }
+}
+
+#[test]
+fn points_far_from_the_fit_are_listed() {
+    let lens = Imagined::lens(Kind::LoadRadius, 10e-6, 5e-6, &LENS);
+    let mut experiment = lens.measured(&lens.exact(), 1);
+    experiment.measurement.points[20].ordinate += 1e-4;
+    let options = Options::default();
+    let found = fit(Table::embedded(), &[experiment], &lens.free, &options).expect("sound");
+    assert_warns(
+        &found,
+        WarningKind::Outliers,
+        &["1 of 40 points", "lines 22"],
+    );
+    let flagged = found.experiments[0].points.iter().filter(|p| p.outlier);
+    assert_eq!(flagged.map(|point| point.line).collect::<Vec<_>>(), [22]);
+}
+
+#[test]
+fn contacts_outside_the_model_are_warned_of() {
+    let free = [Parameter::FilmModulus];
+    let mut probe = Imagined::probe(Course::Retract, 1e-4, &free);
+    probe.radii[1] = 9e-6;
+    let found = probe.fit(1);
+    assert_warns(
+        &found,
+        WarningKind::LargeContact,
+        &["a/R reaches 0.45", "0.3"],
+    );
+    assert_warns(&found, WarningKind::LargeStrain, &["of its thickness"]);
+    // A hard and weakly adhesive contact: mu = (20e-9 (1e-3/5e10)^2/(3e-10)^3)^(1/3) = 0.07.
+    let mut hard = Imagined::lens(Kind::LoadPenetration, 1e-6, 1e-9, &[LENS[1]]);
+    hard.truth.bodies = Bodies::Coated(interp::System {
+        sphere_radius: 20e-9,
+        sphere_modulus: f64::INFINITY,
+        film: solid(5e10, 0.2),
+        film_thickness: 1e-7,
+        substrate: solid(2e11, 0.2),
+    });
+    hard.truth.work_of_adhesion = 0.05;
+    hard.radii = [0.8e-9, 2e-9];
+    hard.noise = 1e-11;
+    assert_warns(
+        &hard.fit(1),
+        WarningKind::LongRange,
+        &["Tabor's parameter", "below 5"],
+    );
+    // The lens is soft and in the limit of JKR.
+    let lens = Imagined::lens(Kind::LoadRadius, 10e-6, 5e-6, &LENS).fit(1);
+    assert!(lens.warnings.is_empty(), "{:?}", lens.warnings);
+}
+
+#[test]
+fn points_beyond_the_pull_off_of_the_fit_are_warned_of() {
+    // The data separate at a penetration at which a contact of this fixed work of adhesion cannot
+    // be.
+    let free = [Parameter::SphereModulus];
+    let mut lens = Imagined::lens(Kind::LoadPenetration, 10e-6, 3e-6, &free);
+    lens.radii[0] = 21e-6;
+    let mut experiment = lens.measured(&lens.exact(), 1);
+    experiment.work_of_adhesion = 0.02;
+    let options = Options::default();
+    let found = fit(Table::embedded(), &[experiment], &lens.free, &options).expect("sound");
+    assert_warns(
+        &found,
+        WarningKind::LeftOut,
+        &["in contact", "end of the fitted branch"],
+    );
+}
+
+#[test]
+fn a_fit_that_would_leave_the_table_is_warned_of() {
+    let limited = table(
+        "title = 'Soft films'\ntolerance = 1e-6\nquantities = ['gamma']
+        a_over_t = { from = 1e-3, to = 1e3 }\ne1_over_e2 = { from = 1e-3, to = 0.1 }
+        nu1 = 0.5\ne0_over_e2 = { from = 1e4, to = 1e6 }\nnu0 = 0.25",
+    );
+    // The sphere is 3000 times as stiff as the film, and the table ends at 1000.
+    let free = [Parameter::WorkOfAdhesion, Parameter::FilmModulus];
+    let mut lens = Imagined::lens(Kind::LoadRadius, 3e-6, 5e-6, &free);
+    lens.radii = [90e-6, 200e-6];
+    lens.truth
+        .set(Parameter::FilmModulus, 2e6 / 3000.0)
+        .expect("physical");
+    lens.free[1] = lens.free[1].starting_from(4e3);
+    let experiment = lens.measured(&lens.exact(), 1);
+    let options = Options::default();
+    let found = fit(&limited, &[experiment], &lens.free, &options).expect("it starts inside");
+    assert_warns(&found, WarningKind::EndOfTable, &["the table ends"]);
+}
+
+#[test]
+fn a_value_at_its_bound_is_named() {
+    let mut lens = Imagined::lens(Kind::LoadRadius, 10e-6, 5e-6, &LENS);
+    lens.free[0] = lens.free[0].within(1e6, 1.9e6).starting_from(1.5e6);
+    let found = lens.fit(1);
+    assert_warns(
+        &found,
+        WarningKind::AtBound,
+        &["sphere-modulus", "at its bound"],
+    );
+    let value = found.estimate(LENS[0]).expect("free").value;
+    assert!((1.89e6..=1.9e6).contains(&value), "{value}");
+    // Bounds that hold the truth change nothing.
+    let free = Imagined::lens(Kind::LoadRadius, 10e-6, 5e-6, &LENS).fit(1);
+    lens.free[0] = lens.free[0].within(1e5, 1e7);
+    let bounded = lens.fit(1);
+    for parameter in LENS {
+        let [one, other] = [&free, &bounded].map(|fit| *fit.estimate(parameter).expect("free"));
+        assert!((one.value - other.value).abs() < 1e-2 * one.standard_error);
+        assert!((one.standard_error / other.standard_error - 1.0).abs() < 1e-3);
+    }
+}
+
+/// Figure 4 of the paper: the lens of Tardivat and Leger on films of 1 to 30 um, with the moduli,
+/// the radius and the adhesion of the paper's tables.
+#[test]
+fn films_below_10_um_change_what_jkr_finds_by_less_than_3_percent() {
+    for thickness in [1e-6, 3e-6, 10e-6, 30e-6] {
+        let mut lens = Imagined::lens(Kind::LoadRadius, thickness, 1e-6, &LENS);
+        lens.radii[0] = 40e-6;
+        let found = lens.fit(7);
+        let without = found.without_film.as_ref().expect("JKR");
+        let [modulus, work] = [0, 1].map(|i| without.estimates[i].value);
+        let bias = without.modulus.expect("the sphere's modulus is free");
+        println!("{thickness:e} m: {bias:?}, w/w0 = {}", work / 0.04);
+        // The paper reads the modulus and the adhesion from the slope and the intercept of a
+        // straight line in the JKR plot; this fit weights the loads themselves.
+        assert_eq!(bias.parameter, LENS[0]);
+        let expected = modulus / found.estimates[0].value - 1.0;
+        assert!((bias.relative - expected).abs() < 1e-12);
+        if thickness <= 10e-6 {
+            assert!(bias.relative.abs() < 0.03, "{bias:?}");
+        } else {
+            assert!(bias.relative.abs() > 0.03, "{bias:?}");
+        }
+        assert!(bias.matters(), "{bias:?}");
+        for parameter in LENS {
+            let off = deviation(&lens, &found, parameter);
+            assert!(off.abs() < 3.5, "{thickness:e} m, {parameter}: {off}");
+        }
+    }
+    // With twenty times the noise the data do not tell a film of 1 um from none.
+    let found = Imagined::lens(Kind::LoadRadius, 1e-6, 2e-5, &LENS).fit(7);
+    let bias = found.without_film.and_then(|without| without.modulus);
+    assert!(!bias.expect("a modulus is free").matters());
+}
+
+#[test]
+fn profiles_agree_with_standard_errors_where_the_model_is_linear() {
+    let options = Options {
+        profile_level: Some(0.95),
+        ..Options::default()
+    };
+    let lens = Imagined::lens(Kind::LoadRadius, 10e-6, 5e-6, &LENS);
+    let experiment = lens.measured(&lens.exact(), 1);
+    let found = fit(Table::embedded(), &[experiment], &lens.free, &options).expect("sound");
+    for estimate in &found.estimates {
+        let ([low, high], [from, to]) = (estimate.interval(1.96), estimate.profile.expect("asked"));
+        let width = high - low;
+        assert!((from - low).abs() < 0.02 * width && (to - high).abs() < 0.02 * width);
+    }
+    // These data set a lower limit to the film's modulus, and no upper one.
+    let free = [LENS[0], LENS[1], Parameter::FilmModulus];
+    let lens = Imagined::lens(Kind::LoadRadius, 10e-6, 5e-6, &free);
+    let experiment = lens.measured(&lens.exact(), 1);
+    let found = fit(Table::embedded(), &[experiment], &lens.free, &options).expect("sound");
+    println!("{:?}", found.estimates);
+    let [low, high] = found
+        .estimate(free[2])
+        .and_then(|e| e.profile)
+        .expect("asked");
+    assert!(
+        low > 1e5 && low < 3.5e6 && high == f64::INFINITY,
+        "{low:e} to {high:e}"
+    );
+}
+
+#[test]
+fn directions_without_hysteresis_are_no_reason_for_doubt() {
+    let mut lens = Imagined::lens(Kind::LoadRadius, 10e-6, 5e-6, &LENS);
+    lens.course = Course::Cycle;
+    for seed in 0..20 {
+        let found = lens.fit(seed);
+        assert!(found.warnings.is_empty(), "{:?}", found.warnings);
+        let retracts = found.experiments[0].points.iter();
+        let retracts = retracts.filter(|point| point.branch == fit::Branch::Receding);
+        assert_eq!(retracts.count(), 40);
+    }
+    let exact = lens.exact();
+    let back = exact
+        .points
+        .iter()
+        .filter(|p| p.direction == Some(Direction::Retract));
+    assert_eq!(back.count(), 40);
+}

@@ -1,0 +1,304 @@
+//! Data and settings that cannot be used are refused by name; no data make a fit panic.
+
+use acceptance::{Contacts, assert_names};
+use fit::{Bodies, Direction, Error, Experiment, Fit, Free, Kind, Loss, Options, Parameter, Point};
+use fit::{Scope, fit};
+use interp::Table;
+
+use crate::imagined::{Course, Imagined, gel, measurement};
+
+const LENS: [Parameter; 2] = [Parameter::SphereModulus, Parameter::WorkOfAdhesion];
+
+/// Fits the lens on a film of 10 um to points that are changed first.
+fn with(edit: impl Fn(&mut Vec<Point>)) -> Result<Fit, Error> {
+    let lens = Imagined::lens(Kind::LoadRadius, 10e-6, 5e-6, &LENS);
+    let mut experiment = lens.measured(&lens.exact(), 1);
+    edit(&mut experiment.measurement.points);
+    fit(
+        Table::embedded(),
+        &[experiment],
+        &lens.free,
+        &Options::default(),
+    )
+}
+
+#[test]
+fn points_that_cannot_be_are_named_by_their_line() {
+    type Edit = fn(&mut Vec<Point>);
+    let cases: [(Edit, &[&str]); 9] = [
+        (|points| points.clear(), &["0 usable points"]),
+        (
+            |points| points.truncate(1),
+            &["imagined.csv", "every point"],
+        ),
+        (
+            |points| points.truncate(2),
+            &["2 usable points", "2 parameters"],
+        ),
+        (
+            |points| points[5].ordinate = f64::NAN,
+            &["imagined.csv", "line 7", "load", "NaN", "finite"],
+        ),
+        (
+            |points| points[6].abscissa = f64::INFINITY,
+            &["line 8", "contact radius", "inf"],
+        ),
+        (
+            |points| points[0].abscissa = -1e-6,
+            &[
+                "line 2",
+                "contact radius",
+                "-1e-6",
+                "0 (no contact) or positive",
+            ],
+        ),
+        (
+            |points| points.iter_mut().for_each(|point| point.ordinate = 1e-4),
+            &["imagined.csv", "load is 0.0001 at every point"],
+        ),
+        (
+            |points| points.iter_mut().for_each(|point| point.abscissa = 5e-5),
+            &["contact radius is 5e-5 at every point"],
+        ),
+        (
+            |points| points.iter_mut().for_each(|point| point.ordinate *= -1.0),
+            &["no positive modulus", "units and signs"],
+        ),
+    ];
+    for (edit, words) in cases {
+        assert_names(&with(edit).expect_err("unusable").to_string(), words);
+    }
+}
+
+#[test]
+fn the_order_of_points_does_not_matter_and_duplicates_count_twice() {
+    let sorted = with(|_| ()).expect("sound");
+    let shuffled = with(|points| points.sort_by_key(|point| point.line * 37 % 101)).expect("sound");
+    let doubled = with(|points| points.extend(points.clone())).expect("sound");
+    for (i, one) in sorted.estimates.iter().enumerate() {
+        let (other, twice) = (shuffled.estimates[i], doubled.estimates[i]);
+        assert!((one.value - other.value).abs() < 1e-3 * one.standard_error);
+        assert!((one.value - twice.value).abs() < 1e-2 * one.standard_error);
+        let ratio = one.standard_error / twice.standard_error;
+        assert!((ratio / 2_f64.sqrt() - 1.0).abs() < 1e-3, "{ratio}");
+    }
+}
+
+#[test]
+fn settings_that_cannot_be_used_are_named() {
+    let lens = Imagined::lens(Kind::LoadRadius, 10e-6, 5e-6, &LENS);
+    let measured = lens.measured(&lens.exact(), 1);
+    let refused = |experiments: &[Experiment], free: &[Free], options: &Options, words: &[&str]| {
+        let error = fit(Table::embedded(), experiments, free, options).expect_err("unusable");
+        assert_names(&error.to_string(), words);
+    };
+    let (one, options) = (std::slice::from_ref(&measured), Options::default());
+    refused(&[], &lens.free, &options, &["no experiment"]);
+    refused(one, &[], &options, &["no free parameter"]);
+    let sphere = Free::new(Parameter::SphereModulus);
+    let cases: [(&[Free], &[&str]); 10] = [
+        (&[sphere, sphere], &["sphere-modulus", "one number"]),
+        (
+            &[Free::new(Parameter::ContactPoint)],
+            &[
+                "contact-point",
+                "imagined.csv",
+                "neither penetration nor height",
+            ],
+        ),
+        (
+            &[Free::new(Parameter::Stiffness)],
+            &["stiffness", "no height"],
+        ),
+        (
+            &[Free::new(Parameter::Baseline)],
+            &["baseline", "not measured"],
+        ),
+        (
+            &[sphere.starting_from(-1.0)],
+            &["start of sphere-modulus", "-1.0", "positive"],
+        ),
+        (
+            &[sphere.within(1e6, f64::NAN)],
+            &["bound of sphere-modulus", "NaN"],
+        ),
+        (
+            &[sphere.within(2e6, 1e6)],
+            &["upper bound", "1000000.0", "2000000.0"],
+        ),
+        (
+            &[sphere.within(1e6, 2e6).starting_from(3e6)],
+            &["start of sphere-modulus", "3000000.0", "between the bounds"],
+        ),
+        (
+            &[sphere.with_prior(2e6, 0.0)],
+            &["prior width", "0.0", "positive"],
+        ),
+        (
+            &[Free::new(Parameter::FilmPoissonRatio).within(0.0, 0.6)],
+            &["bound of film-poisson-ratio", "0.6", "0.5"],
+        ),
+    ];
+    for (free, words) in cases {
+        refused(one, free, &options, words);
+    }
+    let loss = Loss::Huber { threshold: 0.0 };
+    refused(
+        one,
+        &lens.free,
+        &Options { loss, ..options },
+        &["threshold", "0.0"],
+    );
+    let profile_level = Some(1.0);
+    let level = Options {
+        profile_level,
+        ..options
+    };
+    refused(one, &lens.free, &level, &["profile-likelihood", "1.0"]);
+    let interaction_range = -3e-10;
+    let range = Options {
+        interaction_range,
+        ..options
+    };
+    refused(one, &lens.free, &range, &["interaction range", "-3e-10"]);
+    for noise in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+        let noisy = Experiment {
+            noise: Some(noise),
+            ..measured.clone()
+        };
+        refused(
+            &[noisy],
+            &lens.free,
+            &options,
+            &["noise", &format!("{noise:?}")],
+        );
+    }
+    let sticky = Experiment {
+        work_of_adhesion: f64::NAN,
+        ..measured.clone()
+    };
+    refused(&[sticky], &[sphere], &options, &["work-of-adhesion", "NaN"]);
+    let mut rigid = measured.clone();
+    rigid
+        .set(Parameter::SphereModulus, f64::INFINITY)
+        .expect("a rigid sphere");
+    refused(&[rigid], &[sphere], &options, &["sphere-modulus", "rigid"]);
+    // Two thicknesses cannot be one, but may each be found.
+    let mut thick = measured.clone();
+    thick.set(Parameter::FilmThickness, 30e-6).expect("a film");
+    let thickness = Free::new(Parameter::FilmThickness);
+    let both = [measured.clone(), thick];
+    refused(
+        &both,
+        &[sphere, thickness],
+        &options,
+        &["film-thickness", "one value is fitted"],
+    );
+    let own = [sphere, thickness.with_scope(Scope::Own)];
+    assert!(fit(Table::embedded(), &both, &own, &options).is_ok());
+    // A cantilever without a stiffness.
+    let probe = Imagined::probe(Course::Approach, 0.0, &[Parameter::FilmModulus]);
+    let mut limp = probe.measured(&probe.exact(), 1);
+    limp.stiffness = None;
+    refused(
+        &[limp],
+        &probe.free,
+        &options,
+        &["stiffness of imagined.csv", "cantilever"],
+    );
+    let level = [Parameter::LoadOffset, Parameter::Baseline].map(Free::new);
+    let probe = probe.measured(&probe.exact(), 1);
+    refused(
+        &[probe],
+        &level,
+        &options,
+        &["load-offset", "baseline", "one number"],
+    );
+}
+
+#[test]
+fn parameters_are_known_by_name() {
+    for parameter in Parameter::ALL {
+        assert_eq!(
+            parameter.name().parse::<Parameter>().expect("its name"),
+            parameter
+        );
+    }
+    let error = "nu1".parse::<Parameter>().expect_err("no parameter");
+    assert_names(
+        &error.to_string(),
+        &["nu1", "film-modulus", "baseline-slope", "stiffness"],
+    );
+}
+
+#[test]
+fn data_without_sense_give_an_error_or_a_result() {
+    let kinds = [
+        Kind::LoadRadius,
+        Kind::PenetrationRadius,
+        Kind::LoadPenetration,
+        Kind::ForceHeight,
+    ];
+    let directions = [None, Some(Direction::Approach), Some(Direction::Retract)];
+    let free = [
+        Parameter::FilmModulus,
+        Parameter::WorkOfAdhesion,
+        Parameter::ContactPoint,
+    ];
+    let (mut fitted, mut refused) = (0, 0);
+    for seed in 0..400 {
+        let mut random = Contacts::new(seed);
+        let mut pick = |count: usize| random.uniform(0.0, count as f64) as usize;
+        let kind = kinds[pick(4)];
+        let count = pick(60);
+        let (abscissa_unit, ordinate_unit) = (pick(12), pick(16));
+        let mut points = Vec::new();
+        for i in 0..count {
+            let mut number = |unit: usize| match random.uniform(0.0, 600.0) as usize {
+                0 => 0.0,
+                1 => f64::MAX,
+                2 => f64::NAN,
+                _ => random.uniform(0.0, 1.0) * 10_f64.powi(-(unit as i32)),
+            };
+            let (abscissa, ordinate) = (number(abscissa_unit), number(ordinate_unit));
+            let abscissa = if matches!(kind, Kind::LoadRadius | Kind::PenetrationRadius) {
+                abscissa.abs()
+            } else {
+                abscissa
+            };
+            points.push(Point {
+                line: i as u64,
+                abscissa,
+                ordinate: if ordinate == f64::MAX { 1e9 } else { ordinate },
+                direction: directions[i % 3],
+            });
+        }
+        let mut experiment = Experiment::new(measurement(kind, points), Bodies::Coated(gel()));
+        experiment.stiffness = Some(0.2);
+        experiment.noise = (seed % 3 == 0).then_some(1e-9);
+        let free: Vec<Free> = free
+            .iter()
+            .copied()
+            .filter(|parameter| kind != Kind::LoadRadius || *parameter != free[2])
+            .map(Free::new)
+            .collect();
+        let loss = [Loss::Squares, Loss::HUBER, Loss::SOFT_L1][seed as usize % 3];
+        let options = Options {
+            loss,
+            ..Options::default()
+        };
+        match fit(Table::embedded(), &[experiment], &free, &options) {
+            // Random numbers are no contact: there is always a doubt.
+            Ok(found) => {
+                fitted += 1;
+                assert!(!found.warnings.is_empty(), "seed {seed}: {found:?}");
+            }
+            Err(error) => {
+                refused += 1;
+                assert!(!error.to_string().is_empty());
+            }
+        }
+    }
+    println!("{fitted} fitted with doubts, {refused} refused");
+    assert!(fitted > 0 && refused > 0);
+}

@@ -1,0 +1,287 @@
+//! Imagined experiments. Their data are made by direct solves, along contact radii: neither the
+//! table nor a search for equilibria takes part.
+
+use std::f64::consts::PI;
+
+use acceptance::{Contacts, paper_system};
+use fit::{
+    Bodies, Direction, Experiment, Fit, Free, Kind, Loss, Measurement, Options, Parameter, Point,
+};
+use interp::{Contact, Elastic, HalfSpace, System, Table};
+
+/// How an imagined experiment brings sphere and sample together.
+#[derive(Clone, Copy, Debug)]
+pub enum Course {
+    /// Contacts of the radii given, without a direction.
+    Radii,
+    /// Approach from no contact to the largest radius.
+    Approach,
+    /// Retract from the largest radius to no contact.
+    Retract,
+    /// Both, with the contact pinned between them if the works of adhesion differ.
+    Cycle,
+}
+
+/// An imagined experiment.
+#[derive(Clone)]
+pub struct Imagined {
+    /// The true values, with an empty measurement.
+    pub truth: Experiment,
+    pub course: Course,
+    /// Contact radii, first and last, m. Above that of pull-off the first one is the last measured
+    /// before the jump.
+    pub radii: [f64; 2],
+    /// The number of points in contact, and on the baseline, of each direction.
+    pub points: [usize; 2],
+    /// The standard deviation of an ordinate.
+    pub noise: f64,
+    /// Whether the fit is told the noise.
+    pub noise_is_known: bool,
+    /// Whether every twentieth point is 20 standard deviations off, upwards or downwards.
+    pub outliers: bool,
+    pub free: Vec<Free>,
+    pub loss: Loss,
+}
+
+/// Makes an empty measurement.
+pub fn measurement(kind: Kind, points: Vec<Point>) -> Measurement {
+    Measurement {
+        name: "imagined.csv".into(),
+        kind,
+        points,
+    }
+}
+
+/// Makes a solid.
+pub fn solid(young: f64, poisson: f64) -> Elastic {
+    Elastic::new(young, poisson).expect("physical")
+}
+
+/// A rigid colloidal probe of 20 um on a gel of 20 kPa and 10 um thickness, on glass.
+pub fn gel() -> System {
+    System {
+        sphere_radius: 20e-6,
+        sphere_modulus: f64::INFINITY,
+        film: solid(2e4, 0.45),
+        film_thickness: 10e-6,
+        substrate: solid(7e10, 0.2),
+    }
+}
+
+impl Imagined {
+    /// A JKR test of the paper's lens on a film.
+    pub fn lens(kind: Kind, film_thickness: f64, noise: f64, free: &[Parameter]) -> Self {
+        let bodies = Bodies::Coated(paper_system(film_thickness));
+        let mut truth = Experiment::new(measurement(kind, Vec::new()), bodies);
+        truth.work_of_adhesion = 0.04;
+        Self {
+            truth,
+            course: Course::Radii,
+            radii: [42e-6, 131e-6],
+            points: [40, 0],
+            noise,
+            noise_is_known: true,
+            outliers: false,
+            free: free.iter().copied().map(Free::new).collect(),
+            loss: Loss::Squares,
+        }
+    }
+
+    /// A force curve of a colloidal probe on a gel.
+    pub fn probe(course: Course, work_of_adhesion: f64, free: &[Parameter]) -> Self {
+        let bodies = Bodies::Coated(gel());
+        let mut truth = Experiment::new(measurement(Kind::ForceHeight, Vec::new()), bodies);
+        truth.work_of_adhesion = work_of_adhesion;
+        truth.stiffness = Some(0.2);
+        truth.contact_point = 1.3e-6;
+        truth.baseline = 4e-10;
+        Self {
+            truth,
+            course,
+            radii: [0.1e-6, 5e-6],
+            points: [120, 60],
+            noise: 1.5e-10,
+            noise_is_known: true,
+            outliers: false,
+            free: free.iter().copied().map(Free::new).collect(),
+            loss: Loss::Squares,
+        }
+    }
+
+    /// Returns load and penetration as functions of contact radius and work of adhesion.
+    fn contact(&self) -> Box<dyn Fn(f64, f64) -> (f64, f64)> {
+        match self.truth.bodies {
+            Bodies::Coated(system) => {
+                let range = self.radii.map(|radius| radius / system.film_thickness);
+                let material = system.material().expect("physical");
+                let range = [0.3 * range[0], 1.1 * range[1]];
+                let curve = tabulate::curve(&material, range, 1e-9).expect("within reach");
+                let contact = Contact::new(&system, curve).expect("its own curve");
+                Box::new(move |a, w| contact.load_and_penetration(a, w).expect("in range"))
+            }
+            // The equations of Johnson, Kendall and Roberts (1971).
+            Bodies::HalfSpace(HalfSpace {
+                sphere_radius,
+                sphere_modulus,
+                solid,
+            }) => {
+                let modulus = 1.0 / (1.0 / sphere_modulus + 1.0 / solid.reduced());
+                Box::new(move |a, w| {
+                    let load = 4.0 * modulus * a.powi(3) / (3.0 * sphere_radius)
+                        - (8.0 * PI * w * modulus * a.powi(3)).sqrt();
+                    let penetration = a * a / sphere_radius - (2.0 * PI * w * a / modulus).sqrt();
+                    (load, penetration)
+                })
+            }
+        }
+    }
+
+    /// Returns the points without noise.
+    pub fn exact(&self) -> Measurement {
+        let truth = &self.truth;
+        let kind = truth.measurement.kind;
+        let contact = self.contact();
+        let advancing = truth.work_of_adhesion;
+        let receding = truth.work_of_adhesion_receding.unwrap_or(advancing);
+        let stiffness = truth.stiffness.unwrap_or(f64::INFINITY);
+        let imposed = |a: f64, w: f64| {
+            let (load, penetration) = contact(a, w);
+            penetration + load / stiffness
+        };
+        let [smallest, largest] = self.radii;
+        let ([contacts, apart], steps) = (self.points, 4000);
+        let first = 0.35 * smallest;
+        let grid = |i: usize| first + (largest - first) * i as f64 / steps as f64;
+        // The radius of the smallest imposed value, and that of a given one, on a fine grid.
+        let pull_off = (0..=steps)
+            .min_by(|&i, &j| imposed(grid(i), receding).total_cmp(&imposed(grid(j), receding)))
+            .map_or(smallest, grid);
+        let touches = (0..=steps)
+            .map(grid)
+            .find(|&a| a >= pull_off && imposed(a, advancing) >= 0.0)
+            .unwrap_or(smallest);
+        let at_radii = matches!(kind, Kind::LoadRadius | Kind::PenetrationRadius);
+        let even = |from: f64, to: f64, count: usize| -> Vec<f64> {
+            let step = (to - from) / (count.max(2) - 1) as f64;
+            (0..count).map(|i| from + step * i as f64).collect()
+        };
+        let mut points: Vec<Point> = Vec::new();
+        let mut add = |abscissa: f64, ordinate: f64, direction| {
+            points.push(Point {
+                line: points.len() as u64 + 2,
+                abscissa,
+                ordinate,
+                direction,
+            });
+        };
+        let abscissa_at = |value: f64| match kind {
+            Kind::ForceHeight => truth.contact_point - value,
+            _ => truth.contact_point + value,
+        };
+        let baseline = |abscissa: f64| {
+            truth.load_offset
+                + truth.baseline
+                + truth.baseline_slope * (abscissa - truth.contact_point)
+        };
+        let reading = |a: f64, w: f64| {
+            let (load, penetration) = contact(a, w);
+            match kind {
+                Kind::LoadRadius => (a, load + truth.load_offset),
+                Kind::PenetrationRadius => (a, penetration + truth.contact_point),
+                _ => {
+                    let abscissa = abscissa_at(penetration + load / stiffness);
+                    (abscissa, load + baseline(abscissa))
+                }
+            }
+        };
+        let span = imposed(largest, advancing);
+        let free_of = |value: f64, add: &mut dyn FnMut(f64, f64, Option<Direction>), direction| {
+            let abscissa = abscissa_at(value);
+            add(abscissa, baseline(abscissa), Some(direction));
+        };
+        if matches!(self.course, Course::Radii) {
+            for a in even(smallest, largest, contacts) {
+                let (abscissa, ordinate) = reading(a, advancing);
+                add(abscissa, ordinate, None);
+            }
+        }
+        if matches!(self.course, Course::Approach | Course::Cycle) {
+            if !at_radii {
+                for value in even(-0.6 * span, -0.01 * span, apart) {
+                    free_of(value, &mut add, Direction::Approach);
+                }
+            }
+            for a in even(touches, largest, contacts) {
+                let (abscissa, ordinate) = reading(a, advancing);
+                add(abscissa, ordinate, Some(Direction::Approach));
+            }
+        }
+        if matches!(self.course, Course::Retract | Course::Cycle) {
+            if receding > advancing && matches!(self.course, Course::Cycle) {
+                // The line does not move until its energy release rate is that of a receding one.
+                for w in even(advancing, receding, contacts / 6) {
+                    let (abscissa, ordinate) = reading(largest, w);
+                    add(abscissa, ordinate, Some(Direction::Retract));
+                }
+            }
+            let ends = if at_radii {
+                smallest
+            } else {
+                smallest.max(1.01 * pull_off)
+            };
+            for a in even(largest, ends, contacts) {
+                let (abscissa, ordinate) = reading(a, receding);
+                add(abscissa, ordinate, Some(Direction::Retract));
+            }
+            if !at_radii {
+                let apart_from = imposed(pull_off, receding) - 0.01 * span;
+                for value in even(apart_from, apart_from - 0.6 * span, apart) {
+                    free_of(value, &mut add, Direction::Retract);
+                }
+            }
+        }
+        measurement(kind, points)
+    }
+
+    /// Returns the experiment with noise that belongs to `seed`, with false starts.
+    pub fn measured(&self, exact: &Measurement, seed: u64) -> Experiment {
+        let mut random = Contacts::new(seed);
+        // Box and Muller.
+        let mut normal = || {
+            (-2.0 * random.uniform(f64::MIN_POSITIVE, 1.0).ln()).sqrt()
+                * (2.0 * PI * random.uniform(0.0, 1.0)).cos()
+        };
+        let mut experiment = self.truth.clone();
+        experiment.measurement = exact.clone();
+        for (i, point) in experiment.measurement.points.iter_mut().enumerate() {
+            point.ordinate += self.noise * normal();
+            let moved = (i as u64 + 7 * seed).is_multiple_of(20);
+            if self.outliers && moved {
+                let upwards = (i / 20 + seed as usize).is_multiple_of(2);
+                point.ordinate += if upwards { 20.0 } else { -20.0 } * self.noise;
+            }
+        }
+        experiment.noise = self.noise_is_known.then_some(self.noise);
+        // The truth of a free parameter is not a start.
+        for free in &self.free {
+            let truth = experiment.get(free.parameter).expect("a value");
+            let start = match free.parameter {
+                Parameter::FilmPoissonRatio => truth - 0.05,
+                parameter if parameter.is_positive() => 1.5 * truth,
+                _ => 0.0,
+            };
+            experiment.set(free.parameter, start).expect("physical");
+        }
+        experiment
+    }
+
+    /// Fits data that belong to `seed`.
+    pub fn fit(&self, seed: u64) -> Fit {
+        let options = Options {
+            loss: self.loss,
+            ..Options::default()
+        };
+        let experiment = self.measured(&self.exact(), seed);
+        fit::fit(Table::embedded(), &[experiment], &self.free, &options).expect("sound")
+    }
+}

@@ -1,0 +1,153 @@
+//! Synthetic data, and what an experiment would tell.
+
+use fit::{Direction, Experiment, Free, Kind, Parameter, forecast, simulate};
+use interp::Table;
+
+use crate::imagined::{Course, Imagined};
+
+/// Returns the experiments of all kinds and courses.
+fn imagined() -> Vec<Imagined> {
+    use Parameter::{ContactPoint, FilmModulus, SphereModulus, WorkOfAdhesion};
+    let lens = [SphereModulus, WorkOfAdhesion];
+    let probe = [FilmModulus, WorkOfAdhesion, ContactPoint];
+    let mut hysteresis = Imagined::probe(Course::Cycle, 5e-5, &probe);
+    hysteresis.truth.work_of_adhesion_receding = Some(1.5e-4);
+    hysteresis.truth.baseline_slope = 2e-4;
+    let mut hertz = Imagined::probe(Course::Cycle, 0.0, &[FilmModulus, ContactPoint]);
+    hertz.radii[0] = 0.5e-6;
+    let mut retract = Imagined::lens(Kind::LoadPenetration, 10e-6, 3e-6, &lens);
+    (retract.course, retract.radii[0], retract.points) = (Course::Retract, 10e-6, [60, 20]);
+    vec![
+        Imagined::lens(Kind::LoadRadius, 10e-6, 5e-6, &lens),
+        Imagined::lens(
+            Kind::PenetrationRadius,
+            100e-6,
+            5e-9,
+            &[WorkOfAdhesion, FilmModulus],
+        ),
+        retract,
+        Imagined::probe(Course::Cycle, 1e-4, &probe),
+        hysteresis,
+        hertz,
+    ]
+}
+
+/// Returns the experiment whose points say where to measure.
+fn planned(imagined: &Imagined) -> Experiment {
+    let mut experiment = imagined.truth.clone();
+    experiment.measurement = imagined.exact();
+    experiment
+}
+
+#[test]
+fn simulated_data_are_those_of_direct_solves() {
+    for imagined in imagined() {
+        let experiment = planned(&imagined);
+        let exact = &experiment.measurement;
+        let made = simulate(Table::embedded(), &experiment, 0.0, 1).expect("in the table");
+        let readings = exact.points.iter().map(|point| point.ordinate.abs());
+        let scale = readings.fold(0.0, f64::max);
+        for (point, made) in exact.points.iter().zip(&made.points) {
+            // The points at the very contact point may fall on either side of the jump.
+            let at_touch = point.direction == Some(Direction::Approach)
+                && (point.abscissa - experiment.contact_point).abs() < 2e-9;
+            let off = (point.ordinate - made.ordinate).abs() / scale;
+            assert!(
+                off < 2e-5 || at_touch,
+                "{:?}: {point:?}, {made:?}",
+                exact.kind
+            );
+        }
+    }
+}
+
+#[test]
+fn noise_is_normal_and_belongs_to_its_seed() {
+    let experiment = planned(&imagined()[0]);
+    let data = |noise, seed| simulate(Table::embedded(), &experiment, noise, seed).expect("inside");
+    assert_eq!(data(1e-6, 3), data(1e-6, 3));
+    assert_ne!(data(1e-6, 3), data(1e-6, 4));
+    let exact = data(0.0, 3);
+    let deviations: Vec<f64> = (0..100)
+        .flat_map(|seed| {
+            let noisy = data(1e-6, seed);
+            let pairs = noisy.points.into_iter().zip(exact.points.clone());
+            pairs.map(|(one, other)| (one.ordinate - other.ordinate) / 1e-6)
+        })
+        .collect();
+    let mean_of = |power| {
+        deviations.iter().map(|d: &f64| d.powi(power)).sum::<f64>() / deviations.len() as f64
+    };
+    // 4000 normal numbers: the moments are within 4.5 standard deviations of 0, 1, 0, 3.
+    for (power, moment, spread) in [(1, 0.0, 1.0), (2, 1.0, 2.0), (3, 0.0, 15.0), (4, 3.0, 96.0)] {
+        let most = 4.5 * f64::sqrt(spread / deviations.len() as f64);
+        assert!(
+            (mean_of(power) - moment).abs() < most,
+            "moment {power}: {}",
+            mean_of(power)
+        );
+    }
+    for noise in [-1.0, f64::NAN] {
+        let error = simulate(Table::embedded(), &experiment, noise, 1).expect_err("no noise");
+        assert!(error.to_string().contains("noise"));
+    }
+}
+
+#[test]
+fn a_forecast_tells_the_errors_of_the_fit() {
+    for mut imagined in imagined() {
+        // Off the end of the branch, near which a point counts in one data set and not in the next.
+        match imagined.truth.measurement.kind {
+            Kind::ForceHeight => imagined.radii[0] = 2.2e-6,
+            _ => imagined.radii[0] = 42e-6,
+        }
+        let mut experiment = planned(&imagined);
+        experiment.noise = Some(imagined.noise);
+        let expected = forecast(Table::embedded(), &[experiment], &imagined.free).expect("sound");
+        let found = imagined.fit(5);
+        for (one, other) in expected.estimates.iter().zip(&found.estimates) {
+            let ratio = one.standard_error / other.standard_error;
+            println!(
+                "{:?} {}: {ratio}",
+                imagined.truth.measurement.kind, one.parameter
+            );
+            assert!((0.95..1.05).contains(&ratio), "{} {ratio}", one.parameter);
+            assert_eq!(Some(one.value), imagined.truth.get(one.parameter));
+        }
+    }
+    // Nothing tells the film's modulus here, and the forecast says so.
+    let free = [
+        Parameter::SphereModulus,
+        Parameter::WorkOfAdhesion,
+        Parameter::FilmModulus,
+    ];
+    let lens = Imagined::lens(Kind::LoadRadius, 1e-6, 5e-6, &free);
+    let mut experiment = planned(&lens);
+    experiment.noise = Some(lens.noise);
+    let one = std::slice::from_ref(&experiment);
+    let expected = forecast(Table::embedded(), one, &lens.free).expect("sound");
+    assert!(
+        expected
+            .undetermined
+            .iter()
+            .any(|one| one.text.contains("film-modulus"))
+    );
+    experiment.noise = None;
+    let error = forecast(Table::embedded(), &[experiment], &lens.free).expect_err("no noise");
+    assert!(error.to_string().contains("the noise of imagined.csv"));
+}
+
+#[test]
+fn free_parameters_are_made_with_the_scope_they_need() {
+    let own = Parameter::ALL.map(|parameter| Free::new(parameter).scope == fit::Scope::Own);
+    let names: Vec<&str> = Parameter::ALL
+        .iter()
+        .zip(own)
+        .filter(|(_, own)| *own)
+        .map(|(parameter, _)| parameter.name())
+        .collect();
+    assert_eq!(
+        names,
+        ["load-offset", "contact-point", "baseline", "baseline-slope"]
+    );
+}

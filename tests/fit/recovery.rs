@@ -1,0 +1,319 @@
+//! The truth is within the intervals as often as they say.
+
+use fit::{Bodies, Experiment, Fit, Free, Kind, Loss, Options, Parameter, WarningKind};
+use interp::{HalfSpace, System, Table};
+use rayon::prelude::*;
+
+use crate::imagined::{Course, Imagined, solid};
+
+/// The number of data sets of each kind.
+const SETS: u64 = 200;
+/// The numbers of 200 that a binomial distribution with 0.6827 and 0.95 exceeds on either side once
+/// in 20,000 times. The tests below make about 100 such comparisons.
+const BETWEEN: [[usize; 2]; 2] = [[110, 161], [176, 199]];
+
+/// Asserts that the intervals of 68 % and 95 % of each estimate hold the truth as often as they
+/// should, that all fits converge, and that none has another warning than those expected.
+fn assert_coverage(
+    name: &str,
+    fits: &[Fit],
+    truth: impl Fn(Parameter, Option<usize>) -> f64,
+    expected: &[WarningKind],
+) {
+    assert_eq!(fits.len() as u64, SETS);
+    assert!(fits.iter().all(|fit| fit.converged), "{name}");
+    for (i, estimate) in fits[0].estimates.iter().enumerate() {
+        let (parameter, truth) = (
+            estimate.parameter,
+            truth(estimate.parameter, estimate.experiment),
+        );
+        let covered = [1.0, 1.96].map(|z| {
+            let holds = |fit: &&Fit| {
+                let [low, high] = fit.estimates[i].interval(z);
+                (low..=high).contains(&truth)
+            };
+            fits.iter().filter(holds).count()
+        });
+        println!(
+            "{name}: {parameter} {:.1e}, covered {covered:?} of {SETS}",
+            estimate.standard_error / truth.abs()
+        );
+        for (covered, [least, most]) in covered.into_iter().zip(BETWEEN) {
+            assert!(
+                (least..=most).contains(&covered),
+                "{name}, {parameter}: {covered} of {SETS}, not {least} to {most}"
+            );
+        }
+    }
+    let unexpected: Vec<_> = fits
+        .iter()
+        .flat_map(|fit| &fit.warnings)
+        .filter(|warning| !expected.contains(&warning.kind))
+        .collect();
+    // Each of some ten tests for doubts in a fit has a chance of 7e-6 of a false alarm.
+    assert!(unexpected.is_empty(), "{name}: {unexpected:?}");
+}
+
+/// Fits the data sets with the seeds from `200 seed` on.
+fn recover(name: &str, imagined: &Imagined, seed: u64, expected: &[WarningKind]) {
+    let exact = imagined.exact();
+    let options = Options {
+        loss: imagined.loss,
+        ..Options::default()
+    };
+    let fit_of = |seed: u64| {
+        let experiment = imagined.measured(&exact, seed);
+        fit::fit(Table::embedded(), &[experiment], &imagined.free, &options).expect("sound data")
+    };
+    let fits: Vec<Fit> = (SETS * seed..SETS * (seed + 1))
+        .into_par_iter()
+        .map(fit_of)
+        .collect();
+    let truth = |parameter: Parameter, _| imagined.truth.get(parameter).expect("a value");
+    assert_coverage(name, &fits, truth, expected);
+}
+
+#[test]
+fn a_lens_on_a_film() {
+    use Parameter::{FilmModulus, LoadOffset, SphereModulus, WorkOfAdhesion};
+    let kind = Kind::LoadRadius;
+    let thin = Imagined::lens(kind, 10e-6, 5e-6, &[SphereModulus, WorkOfAdhesion]);
+    recover("lens", &thin, 1, &[]);
+    let estimated = Imagined {
+        noise_is_known: false,
+        ..thin.clone()
+    };
+    recover("lens, noise not known", &estimated, 2, &[]);
+    let mut offset = thin;
+    offset.free.push(Free::new(LoadOffset));
+    offset.truth.load_offset = 2e-5;
+    recover("lens, load offset", &offset, 3, &[]);
+    let free = [SphereModulus, WorkOfAdhesion, FilmModulus];
+    let thick = Imagined::lens(kind, 100e-6, 5e-7, &free);
+    recover("lens, film modulus", &thick, 4, &[WarningKind::LargeStrain]);
+}
+
+#[test]
+fn a_lens_with_adhesion_hysteresis() {
+    use Parameter::{SphereModulus, WorkOfAdhesion, WorkOfAdhesionReceding};
+    let free = [SphereModulus, WorkOfAdhesion, WorkOfAdhesionReceding];
+    let mut lens = Imagined::lens(Kind::LoadRadius, 10e-6, 5e-6, &free);
+    lens.course = Course::Cycle;
+    lens.radii[0] = 60e-6;
+    lens.truth.work_of_adhesion = 0.03;
+    lens.truth.work_of_adhesion_receding = Some(0.06);
+    recover("lens, hysteresis", &lens, 5, &[]);
+}
+
+#[test]
+fn penetrations_at_contact_radii() {
+    use Parameter::{ContactPoint, FilmModulus, WorkOfAdhesion};
+    let free = [WorkOfAdhesion, FilmModulus, ContactPoint];
+    let mut lens = Imagined::lens(Kind::PenetrationRadius, 100e-6, 5e-9, &free);
+    lens.truth.contact_point = -3e-7;
+    lens.points[0] = 60;
+    recover("penetration, radius", &lens, 6, &[WarningKind::LargeStrain]);
+}
+
+#[test]
+fn a_lens_at_penetrations() {
+    use Parameter::{ContactPoint, LoadOffset, SphereModulus, WorkOfAdhesion};
+    let free = [SphereModulus, WorkOfAdhesion, ContactPoint];
+    let mut lens = Imagined::lens(Kind::LoadPenetration, 10e-6, 3e-6, &free);
+    lens.truth.contact_point = 2e-7;
+    recover("load, penetration", &lens, 7, &[]);
+    lens.course = Course::Retract;
+    lens.radii[0] = 10e-6;
+    lens.points = [80, 40];
+    lens.truth.load_offset = -1e-5;
+    lens.free.push(Free::new(LoadOffset));
+    recover("load, penetration, retract to pull-off", &lens, 8, &[]);
+}
+
+#[test]
+fn a_probe_on_a_gel() {
+    use Parameter::{Baseline, ContactPoint, FilmModulus, WorkOfAdhesion};
+    let free = [FilmModulus, WorkOfAdhesion, ContactPoint, Baseline];
+    let strain = [WarningKind::LargeStrain];
+    let probe = Imagined::probe(Course::Retract, 1e-4, &free);
+    recover("probe, retract", &probe, 9, &strain);
+    let mut thickness = probe;
+    thickness.free.push(Free::new(Parameter::FilmThickness));
+    thickness.radii[1] = 7e-6;
+    let warnings = [WarningKind::LargeStrain, WarningKind::LargeContact];
+    recover("probe, film thickness", &thickness, 10, &warnings);
+    let free = [FilmModulus, ContactPoint, Baseline];
+    let hertz = Imagined::probe(Course::Approach, 0.0, &free);
+    recover("probe, approach without adhesion", &hertz, 11, &strain);
+}
+
+#[test]
+fn a_probe_with_adhesion_hysteresis() {
+    use Parameter::{
+        Baseline, BaselineSlope, ContactPoint, FilmModulus, WorkOfAdhesion, WorkOfAdhesionReceding,
+    };
+    let free = [
+        FilmModulus,
+        WorkOfAdhesion,
+        WorkOfAdhesionReceding,
+        ContactPoint,
+        Baseline,
+        BaselineSlope,
+    ];
+    let mut probe = Imagined::probe(Course::Cycle, 5e-5, &free);
+    probe.truth.work_of_adhesion_receding = Some(1.5e-4);
+    probe.truth.baseline_slope = 2e-4;
+    recover("probe, cycle", &probe, 12, &[WarningKind::LargeStrain]);
+}
+
+#[test]
+fn a_probe_on_a_half_space() {
+    use Parameter::{Baseline, ContactPoint, FilmModulus, WorkOfAdhesion};
+    let free = [FilmModulus, WorkOfAdhesion, ContactPoint, Baseline];
+    let mut probe = Imagined::probe(Course::Retract, 1e-4, &free);
+    probe.truth.bodies = Bodies::HalfSpace(HalfSpace {
+        sphere_radius: 20e-6,
+        sphere_modulus: f64::INFINITY,
+        solid: solid(2e4, 0.5),
+    });
+    recover("probe, half-space", &probe, 13, &[]);
+}
+
+#[test]
+fn a_hard_probe_on_a_hard_coating() {
+    use Parameter::{ContactPoint, FilmModulus};
+    let free = [FilmModulus, ContactPoint];
+    let mut probe = Imagined::lens(Kind::LoadPenetration, 2e-6, 1e-4, &free);
+    probe.truth.bodies = Bodies::Coated(System {
+        sphere_radius: 100e-6,
+        sphere_modulus: f64::INFINITY,
+        film: solid(4e11, 0.2),
+        film_thickness: 2e-6,
+        substrate: solid(2e11, 0.3),
+    });
+    probe.truth.work_of_adhesion = 0.0;
+    probe.truth.contact_point = 1e-8;
+    probe.radii = [0.2e-6, 4e-6];
+    probe.points = [100, 0];
+    recover("hard coating", &probe, 14, &[]);
+}
+
+#[test]
+fn five_percent_of_outliers() {
+    use Parameter::{Baseline, ContactPoint, FilmModulus, SphereModulus, WorkOfAdhesion};
+    let outliers = [WarningKind::Outliers, WarningKind::LargeStrain];
+    let mut lens = Imagined::lens(
+        Kind::LoadRadius,
+        10e-6,
+        5e-6,
+        &[SphereModulus, WorkOfAdhesion],
+    );
+    lens.points[0] = 120;
+    lens.outliers = true;
+    lens.loss = Loss::HUBER;
+    recover("lens, outliers, Huber", &lens, 15, &outliers);
+    lens.noise_is_known = false;
+    recover("lens, outliers, noise not known", &lens, 16, &outliers);
+    let free = [FilmModulus, WorkOfAdhesion, ContactPoint, Baseline];
+    let mut probe = Imagined::probe(Course::Retract, 1e-4, &free);
+    probe.outliers = true;
+    probe.loss = Loss::SOFT_L1;
+    recover("probe, outliers, soft L1", &probe, 17, &outliers);
+}
+
+#[test]
+fn films_of_three_thicknesses_share_their_modulus() {
+    use Parameter::{FilmModulus, LoadOffset, SphereModulus, WorkOfAdhesion};
+    let free = [SphereModulus, FilmModulus, WorkOfAdhesion, LoadOffset];
+    let lenses: Vec<Imagined> = [(20e-6, 1e-5), (60e-6, -2e-5), (150e-6, 3e-5)]
+        .into_iter()
+        .map(|(thickness, offset)| {
+            let mut lens = Imagined::lens(Kind::LoadRadius, thickness, 2e-6, &free);
+            lens.truth.load_offset = offset;
+            lens
+        })
+        .collect();
+    let exact: Vec<_> = lenses.iter().map(Imagined::exact).collect();
+    let fit_of = |seed: u64| {
+        let measured = lenses.iter().zip(&exact).zip(0..);
+        let experiments: Vec<Experiment> = measured
+            .map(|((lens, exact), i)| lens.measured(exact, 3 * seed + i))
+            .collect();
+        let options = Options::default();
+        fit::fit(Table::embedded(), &experiments, &lenses[0].free, &options).expect("sound data")
+    };
+    let fits: Vec<Fit> = (SETS * 18..SETS * 19).into_par_iter().map(fit_of).collect();
+    let truth = |parameter, experiment: Option<usize>| {
+        let lens = &lenses[experiment.unwrap_or(0)];
+        lens.truth.get(parameter).expect("a value")
+    };
+    assert_eq!(
+        fits[0].estimates.len(),
+        6,
+        "three are shared, three are own"
+    );
+    assert_coverage("three films", &fits, truth, &[WarningKind::LargeStrain]);
+}
+
+/// The data of the example `lens` are the loads of direct solves with noise.
+#[test]
+fn the_data_of_the_example_are_made_as_they_say() {
+    let lens = Imagined::lens(Kind::LoadRadius, 10e-6, 5e-6, &[]);
+    let made = lens.measured(&lens.exact(), 10).measurement.points;
+    let text = include_str!("../../crates/fit/examples/synthetic-10um.csv");
+    let rows: Vec<&str> = text.lines().skip(3).collect();
+    assert_eq!(rows.len(), made.len());
+    for (row, made) in rows.into_iter().zip(made) {
+        let (radius, load) = row.split_once(',').expect("two columns");
+        let number = |text: &str| text.parse::<f64>().expect("a number");
+        assert!((number(radius) / made.abscissa - 1.0).abs() < 1e-6, "{row}");
+        assert!(
+            (number(load) - made.ordinate).abs() < 1e-9,
+            "{row}, not {}",
+            made.ordinate
+        );
+    }
+}
+
+#[test]
+fn wrong_starts_lead_to_the_truth_or_are_doubted() {
+    use Parameter::{ContactPoint, FilmModulus, SphereModulus, WorkOfAdhesion};
+    let lens = [SphereModulus, WorkOfAdhesion, FilmModulus];
+    let experiments = [
+        Imagined::lens(Kind::LoadRadius, 100e-6, 5e-7, &lens),
+        Imagined::probe(
+            Course::Retract,
+            1e-4,
+            &[FilmModulus, WorkOfAdhesion, ContactPoint],
+        ),
+    ];
+    let mut recovered = 0;
+    for mut imagined in experiments {
+        for factor in [1e-4, 1e-2, 0.1, 10.0, 1e2, 1e4] {
+            let truth = imagined.truth.get(FilmModulus).expect("a film");
+            for free in &mut imagined.free {
+                if free.parameter == FilmModulus {
+                    *free = Free::new(FilmModulus).starting_from(factor * truth);
+                }
+            }
+            let found = imagined.fit(3);
+            let estimate = found.estimate(FilmModulus).expect("free");
+            let off = (estimate.value - truth).abs() / estimate.standard_error;
+            println!(
+                "{factor:e}: {off:.1} standard errors, {} evaluations",
+                found.evaluations
+            );
+            if found.converged && off < 4.5 {
+                recovered += 1;
+            } else {
+                let kinds = [WarningKind::PoorFit, WarningKind::NotConverged];
+                assert!(
+                    kinds.iter().any(|kind| found.warns_of(*kind)),
+                    "{factor:e}: {found:?}"
+                );
+            }
+        }
+    }
+    println!("{recovered} of 12 recovered");
+    assert!(recovered >= 10, "{recovered}");
+}
