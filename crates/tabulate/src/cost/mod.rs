@@ -23,7 +23,7 @@ pub mod table;
 
 pub use comparison::{TIME_FACTOR, compare};
 pub(crate) use lookup::random_points;
-pub use rows::{Measurement, read_csv, to_csv};
+pub use rows::{Measurement, read_csv, read_earlier, to_csv};
 
 /// Rows that were measured, and the reasons for those that were not.
 #[derive(Clone, Debug)]

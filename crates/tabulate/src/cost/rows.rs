@@ -44,19 +44,33 @@ pub(super) const COUNT: [f64; 2] = [0.0, 1e15];
 /// The largest number of bytes of a file of rows. A larger one is taken for a mistake.
 const LONGEST: u64 = 1 << 24;
 
-/// Reads rows that [`to_csv`] wrote.
+/// Reads rows that [`to_csv`] wrote, to show them.
 ///
 /// # Errors
-/// [`Error::Read`] for a file that cannot be read, a line that is not such a row, or a file without
-/// rows. It names the file and, where there is one, the line, the column and the value.
+/// [`Error::Read`] for a file that cannot be read, a line that is not such a row, a number outside
+/// [`Measurement::RANGES`], or a file without rows. It names the file and, where there is one, the
+/// line, the column and the value.
 pub fn read_csv<R: Measurement>(path: &Path) -> Result<Vec<R>, Error> {
+    read(path, R::RANGES)
+}
+
+/// Reads rows that [`to_csv`] wrote, to [`compare`](super::compare) others with them: a time of 0
+/// was not measured.
+///
+/// # Errors
+/// As [`read_csv`], but for the ranges.
+pub fn read_earlier<R: Measurement>(path: &Path) -> Result<Vec<R>, Error> {
+    read(path, &[])
+}
+
+fn read<R: Measurement>(path: &Path, ranges: &[(&str, [f64; 2])]) -> Result<Vec<R>, Error> {
     let attempt = || {
         let mut reader = csv::Reader::from_reader(input::open(path, LONGEST)?.0);
         let headers = reader.headers()?.clone();
         let mut rows = Vec::new();
         for record in reader.records() {
             let record = record?;
-            check::<R>(&headers, &record)?;
+            check(&headers, &record, ranges)?;
             rows.push(record.deserialize(Some(&headers))?);
         }
         if rows.is_empty() {
@@ -71,9 +85,10 @@ pub fn read_csv<R: Measurement>(path: &Path) -> Result<Vec<R>, Error> {
 }
 
 /// Accepts the numbers and the texts of a row, which may come from anywhere.
-fn check<R: Measurement>(
+fn check(
     headers: &csv::StringRecord,
     record: &csv::StringRecord,
+    ranges: &[(&str, [f64; 2])],
 ) -> io::Result<()> {
     let line = record.position().map_or(0, csv::Position::line);
     for (column, field) in headers.iter().zip(record) {
@@ -84,7 +99,7 @@ fn check<R: Measurement>(
                 printable::line(column)
             )));
         }
-        let range = R::RANGES.iter().find(|(name, _)| *name == column);
+        let range = ranges.iter().find(|(name, _)| *name == column);
         if let Some((name, [from, to])) = range
             && let Ok(value) = field.parse::<f64>()
             && !(value >= *from && value <= *to)

@@ -17,7 +17,7 @@ pub use self::table::of_default as measure_table;
 use super::output::Output;
 use super::{note, print};
 use crate::cost::clock::Timing;
-use crate::cost::{Measured, Measurement, compare, read_csv, to_csv};
+use crate::cost::{Measured, Measurement, compare, read_csv, read_earlier, to_csv};
 use crate::printable;
 
 /// Measure the cost of accuracy in time and memory
@@ -86,7 +86,7 @@ impl Rows {
         let before = self
             .compare
             .as_ref()
-            .map(|path| anyhow::Ok((path, read_csv::<R>(path)?)))
+            .map(|path| anyhow::Ok((path, read_earlier::<R>(path)?)))
             .transpose()?;
         let Measured { rows, left_out } = match &self.data {
             Some(path) => read_csv(path)?.into(),
