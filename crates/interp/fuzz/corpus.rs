@@ -16,7 +16,11 @@ fn main() -> io::Result<()> {
     for folder in ["corpus/packed", "corpus/numbers"] {
         fs::create_dir_all(folder)?;
     }
-    for (name, table) in [("dense", tables::dense()), ("low_rank", tables::low_rank())] {
+    for (name, table) in [
+        ("dense", tables::dense()),
+        ("low_rank", tables::low_rank()),
+        ("tiles", tables::low_rank_in_tiles()),
+    ] {
         let packed = table.to_packed().expect("a small table");
         fs::write(format!("corpus/packed/{name}"), &packed[PREFIX..])?;
     }

@@ -182,3 +182,53 @@ fn fletcher32(bytes: &[u8]) -> u32 {
     }
     fold(second) << 16 | fold(first)
 }
+
+#[cfg(test)]
+mod tests {
+    use std::io::Write;
+
+    use allocation_counter::measure;
+    use flate2::Compression;
+    use flate2::write::ZlibEncoder;
+
+    use super::*;
+
+    /// Returns a chunk of values as it is stored.
+    fn stored(bytes: &[u8]) -> Vec<u8> {
+        let mut encoder = ZlibEncoder::new(Vec::new(), Compression::best());
+        encoder.write_all(bytes).expect("in memory");
+        let mut stored = encoder.finish().expect("in memory");
+        stored.extend(fletcher32(&stored).to_le_bytes());
+        stored
+    }
+
+    #[test]
+    fn a_chunk_that_inflates_to_more_than_its_size_takes_no_more_memory() {
+        const SIZE: usize = 800;
+        assert_eq!(
+            decode(stored(&[0; SIZE]), true, false, SIZE),
+            Ok(vec![0.0; SIZE / 8])
+        );
+        let bomb = stored(&vec![0; 100_000_000]);
+        println!("{} bytes", bomb.len());
+        let mut result = None;
+        let used = measure(|| result = Some(decode(bomb, true, false, SIZE)));
+        assert_eq!(result, Some(Err("is not as long as its shape")));
+        assert!(used.bytes_max < 100_000, "{} bytes", used.bytes_max);
+    }
+
+    #[test]
+    fn the_checksum_is_fletchers() {
+        let words = |count: u16| -> Vec<u8> { (1..=count).flat_map(u16::to_be_bytes).collect() };
+        // Sums of the words, and sums of these sums, modulo 65535.
+        for count in [1_u16, 2, 359, 360, 361, 5000] {
+            let (mut first, mut second) = (0_u64, 0_u64);
+            for word in 1..=u64::from(count) {
+                first += word;
+                second += first;
+            }
+            let expected = ((second % 65535) << 16) + first % 65535;
+            assert_eq!(u64::from(fletcher32(&words(count))), expected, "{count}");
+        }
+    }
+}

@@ -168,6 +168,10 @@ impl Table {
     /// another version; [`Error::Length`] for missing or trailing bytes; [`Error::Checksum`] for
     /// changed bytes; [`Error::Malformed`] for a forged content; [`Error::LowRankTooLarge`] for a
     /// form whose first lookup would need too much.
+    ///
+    /// Whatever the bytes, reading takes at most 25 bytes of memory for each of them and 1.1 MB. The
+    /// first lookup takes at most 600 and 37 MB in a low-rank table, 50 and 27 MB in a dense one
+    /// (measured at their worst by `tests/hostile/packed.rs`). [`LowRank::new`] states the work.
     pub fn from_packed(bytes: &[u8]) -> Result<Self, Error> {
         if !is_packed(bytes) {
             let what = if bytes.starts_with(&HDF5_SIGNATURE) {

@@ -2,7 +2,7 @@
 //! of at most a small multiple of their length.
 
 use allocation_counter::measure;
-use interp::{Elastic, Error, LowRank, Quantity, System, Table};
+use interp::{Elastic, Error, LowRank, Quantity, System, Table, Tiles};
 
 use crate::tables::{self, PREFIX, look_up, with_prefix};
 
@@ -303,6 +303,22 @@ fn a_small_form_that_needs_gigabytes_is_refused_with_what_to_do() {
         ] {
             assert!(message.contains(word), "{message}");
         }
+    }
+}
+
+/// Each form alone is accepted because forms of any size may need a megabyte of numbers.
+#[test]
+fn tiles_that_need_too_much_together_are_refused() {
+    let table = tables::demanding([1, 20, 20, 20], [1, 20, 200]).expect("accepted");
+    let form = &table.low_rank().expect("low-rank").forms()[0];
+    let tiles = |count: usize| Tiles::new((1..count).collect(), vec![form.clone(); count]);
+    assert!(tiles(1).is_ok());
+    for count in [2, 8] {
+        let result = tiles(count);
+        assert!(
+            matches!(result, Err(Error::LowRankTooLarge { needed, most, .. }) if needed > most),
+            "{result:?}"
+        );
     }
 }
 
