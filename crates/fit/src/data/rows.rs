@@ -2,10 +2,10 @@
 
 use std::io::BufRead;
 
-use super::assign::{Assignment, Pair, Source, assign, roles};
+use super::assignment::{Assignment, Pair, Source, assign, roles};
 use super::cells::comment;
 use super::column::Role;
-use super::error::Problem;
+use super::failure::Problem;
 use super::heading::Heading;
 use super::layout::{Layout, Search, Titles};
 use super::lines::Lines;

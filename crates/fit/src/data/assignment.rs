@@ -1,7 +1,7 @@
 //! Which column of a file holds what.
 
 use super::column::{Column, Role};
-use super::error::Problem;
+use super::failure::Problem;
 use super::heading::Heading;
 use super::unit::{Dimension, Unit};
 use super::{Cantilever, Format};
