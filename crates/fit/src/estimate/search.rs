@@ -95,34 +95,53 @@ pub(crate) fn minimum<'a>(
     loss: Loss,
 ) -> Result<Minimum<'a>, Error> {
     let few: Vec<Assigned> = data.assigned.iter().map(hold_back).map(thin).collect();
-    let from = |factor: f64| -> Result<(Problem<'a>, Ending), Error> {
+    let from = |factor: f64, free: &[Free]| -> Result<(Problem<'a>, Ending), Error> {
         let problem = start::problem(table, &few, (free, slots), loss, factor)?;
         Ok(problem.minimise(PATIENCE, COARSE))
     };
-    let (mut problem, mut ending) = from(1.0)?;
-    let mut rival = None;
-    if ending != Ending::Converged || is_bad(&problem, data) {
-        for factor in OTHER_STARTS {
-            // A start where the model has no contact is no start.
-            let Ok((mut other, other_ending)) = from(factor) else {
-                continue;
+    let mut minima = Vec::new();
+    let failure = match from(1.0, free) {
+        Ok(minimum) => {
+            minima.push(minimum);
+            None
+        }
+        Err(error) => Some(error),
+    };
+    let is_good = |(problem, ending): &(Problem<'_>, Ending)| {
+        *ending == Ending::Converged && !is_bad(problem, data)
+    };
+    if !minima.iter().any(is_good) {
+        // A start where the model has no contact is no start.
+        minima.extend(OTHER_STARTS.iter().flat_map(|&factor| from(factor, free)));
+        if free.iter().any(|one| one.start.is_some()) {
+            let without_start = |one: &Free| Free {
+                start: None,
+                ..*one
             };
-            other.evaluations += problem.evaluations;
-            let better = other.misfit() < problem.misfit();
-            let both = ending == Ending::Converged && other_ending == Ending::Converged;
-            if both && is_rival(&problem, &other) {
-                let worse = if better { &problem } else { &other };
-                rival = Some((0..slots.len()).map(|slot| worse.value(slot)).collect());
-            }
-            let preferred = (other_ending == Ending::Converged, better)
-                > (ending == Ending::Converged, !better);
-            if preferred {
-                (problem, ending) = (other, other_ending);
-            } else {
-                problem.evaluations = other.evaluations;
-            }
+            let free: Vec<Free> = free.iter().map(without_start).collect();
+            minima.extend(from(1.0, &free));
         }
     }
+    if let Some(error) = failure.filter(|_| minima.is_empty()) {
+        return Err(error);
+    }
+    let evaluations = minima.iter().map(|(problem, _)| problem.evaluations).sum();
+    let rank = |(problem, ending): &(Problem<'_>, Ending)| {
+        (*ending != Ending::Converged, problem.misfit())
+    };
+    let best = (0..minima.len())
+        .min_by(|&one, &other| {
+            let (one, other) = (rank(&minima[one]), rank(&minima[other]));
+            one.0.cmp(&other.0).then(one.1.total_cmp(&other.1))
+        })
+        .unwrap_or(0);
+    let (mut problem, ending) = minima.swap_remove(best);
+    problem.evaluations = evaluations;
+    let rival = minima
+        .iter()
+        .filter(|(_, other)| *other == Ending::Converged && ending == Ending::Converged)
+        .find(|(other, _)| is_rival(&problem, other))
+        .map(|(other, _)| (0..slots.len()).map(|slot| other.value(slot)).collect());
     let (problem, ending, uncertainty) = settle(problem, ending, data);
     Ok(Minimum {
         problem,
