@@ -280,11 +280,16 @@ fn settle<'a>(
         // at which the method may stop too early.
         let stalled = uncertainty.short > SHORT && ending == Ending::Converged && round < 3;
         let settled = !(branches_changed || noise_changed && noise_matters || stalled);
-        if settled || round == ROUNDS {
+        if settled || (round == ROUNDS && !branches_changed) {
             return (problem, ending, Some(uncertainty));
         }
         if problem.update().is_err() {
             return (problem, Ending::Failed, None);
+        }
+        if round == ROUNDS {
+            // The points that count still change, and the uncertainty is that of other points.
+            let uncertainty = Uncertainty::of(&problem);
+            return (problem, Ending::OutOfPatience, uncertainty);
         }
         (problem, ending) = problem.minimise(PATIENCE, FINE);
     }

@@ -166,8 +166,12 @@ fn value(estimate: &Estimate, asked: &[Asked]) -> String {
     let mut text = format!("{} {unit}", with_error(value, error));
     if let Some(profile) = estimate.profile {
         let decimals = decimals(value, error);
-        let [from, to] = profile.map(|end| end / size);
-        text += &format!(" ({from:.decimals$} to {to:.decimals$} {unit})");
+        let end = |value: f64| match value / size {
+            end if end.is_nan() => "not found".to_owned(),
+            end if end.is_infinite() => "no limit".to_owned(),
+            end => format!("{end:.decimals$}"),
+        };
+        text += &format!(" ({} to {} {unit})", end(profile[0]), end(profile[1]));
     }
     text
 }
