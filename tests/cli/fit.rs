@@ -451,7 +451,8 @@ fn a_fit_that_cannot_be_made_is_an_error_that_names_the_reason() {
         "contact_radius,load\n5e-5,-2e-4\n6e-5,-2e-4\n",
     );
     workdir.write("empty.csv", "");
-    let cases: [(&[&str], i32, &[&str]); 13] = [
+    workdir.write("z.csv", "height,force\n2e-6,0\n1e-6,0\n0,1e-9\n");
+    let cases: [(&[&str], i32, &[&str]); 14] = [
         (&[], 2, &["DATA"]),
         (&["missing.csv"], 1, &["missing.csv"]),
         (
@@ -472,6 +473,7 @@ fn a_fit_that_cannot_be_made_is_an_error_that_names_the_reason() {
             1,
             &["stiffness", "fix it"],
         ),
+        (&["z.csv"], 1, &["z.csv", "--stiffness"]),
         (&["lens.csv", "--free", "E1"], 2, &["E1", "film-modulus"]),
         (
             &["lens.csv", "--bounds", "film-modulus=1..2"],
