@@ -1,5 +1,5 @@
-//! Measured AFM curves: the test data of the Python package afmformats (MIT), fetched when the tests
-//! run and exported to columns by this package.
+//! Measured AFM curves: the test data of the Python package afmformats (MIT), fetched when the
+//! tests run and exported to columns by this package.
 //!
 //! No radius of a sphere and no sample is known, so that the moduli mean nothing: the curves test
 //! that files are read, and that each is fitted or refused with a reason.
