@@ -18,7 +18,7 @@ pub struct DataError {
     /// The column, if the problem is in one: its number from 1, and its heading.
     pub column: Option<(usize, String)>,
     /// What is wrong, and what to do.
-    pub problem: Problem,
+    pub problem: Box<Problem>,
 }
 
 /// The line and the column of an error, as text.

@@ -113,7 +113,7 @@ pub fn read(path: &Path, format: &Format) -> Result<Reading, DataError> {
             name,
             line: None,
             column: None,
-            problem: Problem::Read(source),
+            problem: Box::new(Problem::Read(source)),
         }),
     }
 }
@@ -127,6 +127,6 @@ pub fn read_from(source: impl BufRead, name: &str, format: &Format) -> Result<Re
         name: name.to_owned(),
         line: failure.line,
         column: failure.column,
-        problem: failure.problem,
+        problem: Box::new(failure.problem),
     })
 }
