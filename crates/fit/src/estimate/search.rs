@@ -5,8 +5,8 @@ use interp::Table;
 
 use super::problem::{Assigned, Ending, Problem};
 use super::slot::Slot;
-use super::start;
 use super::uncertainty::Uncertainty;
+use super::{slot, start};
 use crate::model::Assignment;
 use crate::statistics::{excess, median};
 use crate::{Branch, Error, Experiment, Free, Kind, Loss, Parameter};
@@ -95,12 +95,12 @@ pub(crate) fn minimum<'a>(
     loss: Loss,
 ) -> Result<Minimum<'a>, Error> {
     let few: Vec<Assigned> = data.assigned.iter().map(hold_back).map(thin).collect();
-    let from = |factor: f64, free: &[Free]| -> Result<(Problem<'a>, Ending), Error> {
+    let from = |factor: f64, free: &[Free], slots: &[Slot]| {
         let problem = start::problem(table, &few, (free, slots), loss, factor)?;
-        Ok(problem.minimise(PATIENCE, COARSE))
+        Ok::<_, Error>(problem.minimise(PATIENCE, COARSE))
     };
     let mut minima = Vec::new();
-    let failure = match from(1.0, free) {
+    let failure = match from(1.0, free, slots) {
         Ok(minimum) => {
             minima.push(minimum);
             None
@@ -112,14 +112,24 @@ pub(crate) fn minimum<'a>(
     };
     if !minima.iter().any(is_good) {
         // A start where the model has no contact is no start.
-        minima.extend(OTHER_STARTS.iter().flat_map(|&factor| from(factor, free)));
+        minima.extend(
+            OTHER_STARTS
+                .iter()
+                .flat_map(|&factor| from(factor, free, slots)),
+        );
         if free.iter().any(|one| one.start.is_some()) {
             let without_start = |one: &Free| Free {
                 start: None,
                 ..*one
             };
             let free: Vec<Free> = free.iter().map(without_start).collect();
-            minima.extend(from(1.0, &free));
+            let experiments: Vec<Experiment> = data
+                .assigned
+                .iter()
+                .map(|assigned| assigned.experiment.clone())
+                .collect();
+            let slots = slot::slots(&experiments, &free);
+            minima.extend(slots.and_then(|slots| from(1.0, &free, &slots)));
         }
     }
     if let Some(error) = failure.filter(|_| minima.is_empty()) {
