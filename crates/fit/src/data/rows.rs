@@ -2,10 +2,10 @@
 
 use std::io::BufRead;
 
-use super::assign::{Assignment, Pair, Source, assign, roles};
+use super::assignment::{Assignment, Pair, Source, assign, roles};
 use super::cells::comment;
 use super::column::Role;
-use super::error::Problem;
+use super::failure::Problem;
 use super::heading::Heading;
 use super::layout::{Layout, Search, Titles};
 use super::lines::Lines;
@@ -259,7 +259,7 @@ impl Rows<'_> {
         if points.is_empty() {
             return Err(Problem::NoPoints(self.count).into());
         }
-        self.check_constant(&points, &pairs[0])?;
+        check_constant(&points, &pairs[0])?;
         let columns = pairs
             .iter()
             .flat_map(|pair| [pair.abscissa.clone(), pair.ordinate.clone()]);
@@ -277,28 +277,28 @@ impl Rows<'_> {
         };
         Ok(Reading { measurement, notes })
     }
+}
 
-    /// Refuses a column that holds one value only.
-    fn check_constant(&self, points: &[Point], pair: &Pair) -> Result<(), Failure> {
-        for (source, value) in [
-            (
-                &pair.abscissa,
-                (|point| point.abscissa) as fn(&Point) -> f64,
-            ),
-            (&pair.ordinate, |point| point.ordinate),
-        ] {
-            let first = value(&points[0]);
-            if points.len() > 1 && points.iter().all(|point| value(point) == first) {
-                return Err(Failure {
-                    line: None,
-                    column: Some((source.index + 1, source.heading.clone())),
-                    problem: Problem::Constant {
-                        points: points.len(),
-                        value: first,
-                    },
-                });
-            }
+/// Refuses a column that holds one value only.
+fn check_constant(points: &[Point], pair: &Pair) -> Result<(), Failure> {
+    for (source, value) in [
+        (
+            &pair.abscissa,
+            (|point| point.abscissa) as fn(&Point) -> f64,
+        ),
+        (&pair.ordinate, |point| point.ordinate),
+    ] {
+        let first = value(&points[0]);
+        if points.len() > 1 && points.iter().all(|point| value(point) == first) {
+            return Err(Failure {
+                line: None,
+                column: Some((source.index + 1, source.heading.clone())),
+                problem: Problem::Constant {
+                    points: points.len(),
+                    value: first,
+                },
+            });
         }
-        Ok(())
     }
+    Ok(())
 }

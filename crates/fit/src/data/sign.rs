@@ -1,6 +1,6 @@
 //! Signs: a contact that is pressed together more must push back more.
 
-use super::assign::Pair;
+use super::assignment::Pair;
 use crate::{Kind, Point};
 
 /// The part of the range of the abscissa that is taken for the deepest.

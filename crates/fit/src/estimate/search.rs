@@ -5,8 +5,8 @@ use interp::Table;
 
 use super::problem::{Assigned, Ending, Problem};
 use super::slot::Slot;
-use super::start;
 use super::uncertainty::Uncertainty;
+use super::{slot, start};
 use crate::model::Assignment;
 use crate::statistics::{excess, median};
 use crate::{Branch, Error, Experiment, Free, Kind, Loss, Parameter};
@@ -95,34 +95,63 @@ pub(crate) fn minimum<'a>(
     loss: Loss,
 ) -> Result<Minimum<'a>, Error> {
     let few: Vec<Assigned> = data.assigned.iter().map(hold_back).map(thin).collect();
-    let from = |factor: f64| -> Result<(Problem<'a>, Ending), Error> {
+    let from = |factor: f64, free: &[Free], slots: &[Slot]| {
         let problem = start::problem(table, &few, (free, slots), loss, factor)?;
-        Ok(problem.minimise(PATIENCE, COARSE))
+        Ok::<_, Error>(problem.minimise(PATIENCE, COARSE))
     };
-    let (mut problem, mut ending) = from(1.0)?;
-    let mut rival = None;
-    if ending != Ending::Converged || is_bad(&problem, data) {
-        for factor in OTHER_STARTS {
-            // A start where the model has no contact is no start.
-            let Ok((mut other, other_ending)) = from(factor) else {
-                continue;
+    let mut minima = Vec::new();
+    let failure = match from(1.0, free, slots) {
+        Ok(minimum) => {
+            minima.push(minimum);
+            None
+        }
+        Err(error) => Some(error),
+    };
+    let is_good = |(problem, ending): &(Problem<'_>, Ending)| {
+        *ending == Ending::Converged && !is_bad(problem, data)
+    };
+    if !minima.iter().any(is_good) {
+        // A start where the model has no contact is no start.
+        minima.extend(
+            OTHER_STARTS
+                .iter()
+                .flat_map(|&factor| from(factor, free, slots)),
+        );
+        if free.iter().any(|one| one.start.is_some()) {
+            let without_start = |one: &Free| Free {
+                start: None,
+                ..*one
             };
-            other.evaluations += problem.evaluations;
-            let better = other.misfit() < problem.misfit();
-            let both = ending == Ending::Converged && other_ending == Ending::Converged;
-            if both && is_rival(&problem, &other) {
-                let worse = if better { &problem } else { &other };
-                rival = Some((0..slots.len()).map(|slot| worse.value(slot)).collect());
-            }
-            let preferred = (other_ending == Ending::Converged, better)
-                > (ending == Ending::Converged, !better);
-            if preferred {
-                (problem, ending) = (other, other_ending);
-            } else {
-                problem.evaluations = other.evaluations;
-            }
+            let free: Vec<Free> = free.iter().map(without_start).collect();
+            let experiments: Vec<Experiment> = data
+                .assigned
+                .iter()
+                .map(|assigned| assigned.experiment.clone())
+                .collect();
+            let slots = slot::slots(&experiments, &free);
+            minima.extend(slots.and_then(|slots| from(1.0, &free, &slots)));
         }
     }
+    if let Some(error) = failure.filter(|_| minima.is_empty()) {
+        return Err(error);
+    }
+    let evaluations = minima.iter().map(|(problem, _)| problem.evaluations).sum();
+    let rank = |(problem, ending): &(Problem<'_>, Ending)| {
+        (*ending != Ending::Converged, problem.misfit())
+    };
+    let best = (0..minima.len())
+        .min_by(|&one, &other| {
+            let (one, other) = (rank(&minima[one]), rank(&minima[other]));
+            one.0.cmp(&other.0).then(one.1.total_cmp(&other.1))
+        })
+        .unwrap_or(0);
+    let (mut problem, ending) = minima.swap_remove(best);
+    problem.evaluations = evaluations;
+    let rival = minima
+        .iter()
+        .filter(|(_, other)| *other == Ending::Converged && ending == Ending::Converged)
+        .find(|(other, _)| is_rival(&problem, other))
+        .map(|(other, _)| (0..slots.len()).map(|slot| other.value(slot)).collect());
     let (problem, ending, uncertainty) = settle(problem, ending, data);
     Ok(Minimum {
         problem,
@@ -261,11 +290,16 @@ fn settle<'a>(
         // at which the method may stop too early.
         let stalled = uncertainty.short > SHORT && ending == Ending::Converged && round < 3;
         let settled = !(branches_changed || noise_changed && noise_matters || stalled);
-        if settled || round == ROUNDS {
+        if settled || (round == ROUNDS && !branches_changed) {
             return (problem, ending, Some(uncertainty));
         }
         if problem.update().is_err() {
             return (problem, Ending::Failed, None);
+        }
+        if round == ROUNDS {
+            // The points that count still change, and the uncertainty is that of other points.
+            let uncertainty = Uncertainty::of(&problem);
+            return (problem, Ending::OutOfPatience, uncertainty);
         }
         (problem, ending) = problem.minimise(PATIENCE, FINE);
     }

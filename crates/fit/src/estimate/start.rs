@@ -57,20 +57,28 @@ pub(crate) fn problem<'a>(
             slope: is_unknown(Parameter::BaselineSlope),
             contact_point: is_unknown(Parameter::ContactPoint),
         };
-        let found = homogeneous(&at, unknown).ok_or_else(|| Error::NoStart {
-            experiment: one.experiment.measurement.name.clone(),
-        })?;
-        let mut starts = starts(table, &mut at, found, is_unknown)?;
         let multiplied = [
             Parameter::FilmModulus,
             Parameter::FilmThickness,
             Parameter::SphereModulus,
         ]
         .into_iter()
-        .find(|parameter| own.iter().any(|one| one.0 == *parameter));
-        if let Some(parameter) = multiplied.filter(|_| factor != 1.0)
-            && let Some(value) = at.experiment.get(parameter)
+        .find(|parameter| factor != 1.0 && own.iter().any(|one| one.0 == *parameter));
+        let matched = [Parameter::SphereModulus, Parameter::FilmModulus]
+            .into_iter()
+            .find(|&parameter| is_unknown(parameter));
+        // The modulus that is matched to the data is multiplied after that.
+        let before = multiplied.filter(|_| multiplied != matched);
+        if let Some((parameter, value)) = before.and_then(|p| Some((p, at.experiment.get(p)?))) {
+            at.experiment.replace(parameter, factor * value)?;
+        }
+        let found = homogeneous(&at, unknown).ok_or_else(|| Error::NoStart {
+            experiment: one.experiment.measurement.name.clone(),
+        })?;
+        let mut starts = starts(table, &mut at, found, matched, is_unknown)?;
+        if let Some((parameter, value)) = multiplied.and_then(|p| Some((p, at.experiment.get(p)?)))
         {
+            let factor = if before.is_some() { 1.0 } else { factor };
             starts.push((parameter, factor * value));
         }
         for &(parameter, slot) in &own {
@@ -131,6 +139,7 @@ fn starts(
     table: &Table,
     at: &mut Assigned,
     found: Homogeneous,
+    matched: Option<Parameter>,
     is_unknown: impl Fn(Parameter) -> bool,
 ) -> Result<Vec<(Parameter, f64)>, Error> {
     let experiment = &mut at.experiment;
@@ -176,10 +185,7 @@ fn starts(
         Parameter::WorkOfAdhesionReceding,
         work(receding),
     )?;
-    let modulus = [Parameter::SphereModulus, Parameter::FilmModulus]
-        .into_iter()
-        .find(|&parameter| is_unknown(parameter));
-    if let Some((parameter, compound)) = modulus.zip(found.modulus) {
+    if let Some((parameter, compound)) = matched.zip(found.modulus) {
         let value = matching_modulus(table, experiment, parameter, compound, found.largest);
         give(experiment, parameter, value)?;
     }

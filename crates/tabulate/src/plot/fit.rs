@@ -133,8 +133,8 @@ fn panels(kind: Kind, members: &[(usize, &FittedExperiment)]) -> Vec<Panel> {
     vec![data.share(1.25), left]
 }
 
-/// Writes a text beside one of the points, if there are any. Some of many points will do: to try all
-/// would take long.
+/// Writes a text beside one of the points, if there are any. Of many points some are tried, because
+/// all would take long.
 fn label(panel: &mut Panel, points: Vec<Point>, text: &str, colour: Colour, side: Side) {
     let every = points.len().div_ceil(20).max(1);
     let places: Vec<Point> = points.into_iter().step_by(every).collect();

@@ -14,7 +14,7 @@ pub mod units;
 use std::path::{Path, PathBuf};
 
 use ::fit::data::{Cantilever, Column, Format, Role, Segments, read};
-use ::fit::{Direction, Kind, Loss, Options, Parameter};
+use ::fit::{Direction, Kind, Loss, Measurement, Options, Parameter};
 use anyhow::{bail, ensure};
 use clap::ValueHint;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
@@ -194,6 +194,11 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     }
     let mut experiments = arguments.known.experiments(measurements)?;
     for (i, experiment) in experiments.iter_mut().enumerate() {
+        let Measurement { name, kind, .. } = &experiment.measurement;
+        ensure!(
+            *kind != Kind::ForceHeight || experiment.stiffness.is_some(),
+            "{name}: heights need the stiffness of the cantilever; give it: --stiffness N/m"
+        );
         let noise = arguments.noise.get(i).or(arguments.noise.first());
         experiment.noise = noise.copied();
     }

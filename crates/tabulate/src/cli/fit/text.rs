@@ -9,7 +9,10 @@ use super::setting::Asked;
 use super::units::{decimals, scaled, unit, with_error};
 
 /// The width of the names of parameters.
-const NAME: usize = 26;
+const NAME: usize = 25;
+
+/// The rise of chi^2 that tells a worse fit: five standard deviations.
+const WORSE: f64 = 25.0;
 
 /// Returns the report.
 pub fn report(
@@ -24,7 +27,7 @@ pub fn report(
     }
     writeln!(out, "\nfixed")?;
     for (name, value) in fixed(fit, &experiments[0]) {
-        writeln!(out, "  {name:<NAME$}{value}")?;
+        writeln!(out, "  {name:<NAME$} {value}")?;
     }
     writeln!(
         out,
@@ -132,7 +135,12 @@ pub fn estimates(
         _ => estimate.parameter.to_string(),
     };
     for estimate in estimates {
-        writeln!(out, "  {:<NAME$}{}", name(estimate), value(estimate, asked))?;
+        writeln!(
+            out,
+            "  {:<NAME$} {}",
+            name(estimate),
+            value(estimate, asked)
+        )?;
     }
     if estimates.len() > 1 {
         writeln!(out, "\ncorrelation")?;
@@ -141,7 +149,7 @@ pub fn estimates(
                 .iter()
                 .map(|value| format!("{value:>7.3}"))
                 .collect();
-            writeln!(out, "  {:<NAME$}{row}", name(estimate))?;
+            writeln!(out, "  {:<NAME$} {row}", name(estimate))?;
         }
     }
     Ok(())
@@ -166,8 +174,12 @@ fn value(estimate: &Estimate, asked: &[Asked]) -> String {
     let mut text = format!("{} {unit}", with_error(value, error));
     if let Some(profile) = estimate.profile {
         let decimals = decimals(value, error);
-        let [from, to] = profile.map(|end| end / size);
-        text += &format!(" ({from:.decimals$} to {to:.decimals$} {unit})");
+        let end = |value: f64| match value / size {
+            end if end.is_nan() => "not found".to_owned(),
+            end if end.is_infinite() => "no limit".to_owned(),
+            end => format!("{end:.decimals$}"),
+        };
+        text += &format!(" ({} to {} {unit})", end(profile[0]), end(profile[1]));
     }
     text
 }
@@ -219,8 +231,16 @@ fn film(fit: &Fit) -> Option<String> {
     } else {
         "does not matter"
     };
-    Some(format!(
+    let mut text = format!(
         "the film {verdict}: {parameter} is off by {:+.1} % ({errors} standard errors) without it",
         100.0 * relative
-    ))
+    );
+    // The modulus may be right by chance, as between films of different thickness.
+    if !bias.matters() && without.chi_squared - fit.chi_squared > WORSE {
+        text += &format!(
+            ", but chi^2 is then {:.0} instead of {:.0}",
+            without.chi_squared, fit.chi_squared
+        );
+    }
+    Some(text)
 }

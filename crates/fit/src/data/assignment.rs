@@ -1,7 +1,7 @@
 //! Which column of a file holds what.
 
 use super::column::{Column, Role};
-use super::error::Problem;
+use super::failure::Problem;
 use super::heading::Heading;
 use super::unit::{Dimension, Unit};
 use super::{Cantilever, Format};
@@ -90,6 +90,11 @@ pub const fn roles(kind: Kind) -> [Role; 2] {
         Kind::LoadPenetration => [Role::Penetration, Role::Load],
         Kind::ForceHeight => [Role::Height, Role::Load],
     }
+}
+
+/// Tells whether a name of a load means a deflection unless its unit says otherwise.
+fn is_deflection(role: Role, name: &str) -> bool {
+    role == Role::Load && Role::Deflection.headings().contains(&name)
 }
 
 /// The headings, and what the user says about them.
@@ -191,7 +196,7 @@ impl Columns<'_> {
                     && heading.direction == direction
                     && heading
                         .unit
-                        .map_or(!self.is_deflection(role, name), |unit| role.accepts(unit))
+                        .map_or(!is_deflection(role, name), |unit| role.accepts(unit))
             };
             let mut indices = self.positions(matches);
             let Some(first) = indices.next() else {
@@ -209,11 +214,6 @@ impl Columns<'_> {
                 .map(Some);
         }
         Ok(None)
-    }
-
-    /// Tells whether a name of a load means a deflection unless its unit says otherwise.
-    fn is_deflection(&self, role: Role, name: &str) -> bool {
-        role == Role::Load && Role::Deflection.headings().contains(&name)
     }
 
     fn positions(&self, matches: impl Fn(&Heading) -> bool) -> impl Iterator<Item = usize> {

@@ -18,7 +18,7 @@ pub struct DataError {
     /// The column, if the problem is in one: its number from 1, and its heading.
     pub column: Option<(usize, String)>,
     /// What is wrong, and what to do.
-    pub problem: Problem,
+    pub problem: Box<Problem>,
 }
 
 /// The line and the column of an error, as text.
@@ -72,8 +72,8 @@ pub enum Problem {
     NoPoints(u64),
     /// The columns have no headings.
     #[error(
-        "the rows of {columns} cells that begin here have no line of {columns} headings above them; \
-         add one, or name the columns by their numbers and units: --column \"{0}=1 [um]\" \
+        "the rows of {columns} cells that begin here have no line of {columns} headings above \
+         them; add one, or name the columns by their numbers and units: --column \"{0}=1 [um]\" \
          --column \"{1}=2 [mN]\"",
         roles[0], roles[1]
     )]
@@ -87,7 +87,10 @@ pub enum Problem {
     #[error(
         "no column is recognised as {role} ({dimension}){}; the headings are {}; name the column: \
          --column \"{role}=HEADING [UNIT]\"",
-        wrong.as_ref().map(|w| format!(": {w:?} is not in a unit of {dimension}")).unwrap_or_default(),
+        wrong
+            .as_ref()
+            .map(|heading| format!(": {heading:?} is not in a unit of {dimension}"))
+            .unwrap_or_default(),
         list(headings)
     )]
     MissingColumn {
