@@ -42,7 +42,7 @@ pub fn decimals(value: f64, error: f64) -> usize {
     let smallest = if error > 0.0 && error.is_finite() {
         error
     } else {
-        1e-3 * value.abs().max(f64::MIN_POSITIVE)
+        1e-2 * value.abs().max(f64::MIN_POSITIVE)
     };
     (1.0 - smallest.log10().floor()).clamp(0.0, 12.0) as usize
 }
