@@ -148,7 +148,7 @@ impl From<Error> for Failure {
                 name,
                 value,
                 allowed,
-            } => of("UnphysicalError").about(name, value).allowed(&allowed),
+            } => of("UnphysicalError").about(name, value).allowed(allowed),
             Error::InvalidArgument {
                 name,
                 value,
