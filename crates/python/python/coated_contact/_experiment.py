@@ -132,7 +132,7 @@ _NUMBERS = (
 def _fixed(array: NDArray[Any]) -> NDArray[Any]:
     """Return a contiguous copy that does not change."""
     copy = np.array(array, order="C")
-    copy.flags.writeable = False
+    copy.setflags(write=False)
     return copy
 
 

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from . import _html
 from ._errors import ContactError
-from ._results import Array
+from ._results import Array, axes
 
 if TYPE_CHECKING:
     import pandas
@@ -221,10 +221,7 @@ class Fit:
         matplotlib.axes.Axes
             The axes.
         """
-        if ax is None:
-            from matplotlib import pyplot
-
-            ax = pyplot.gca()
+        ax = axes(ax)
         for i, points in enumerate(self.experiments):
             x, colour = points.abscissa, f"C{i % 10}"
             ax.plot(x, points.ordinate, ".", color=colour, label=points.name)

@@ -199,10 +199,7 @@ class ForceDisplacement:
         matplotlib.axes.Axes
             The axes.
         """
-        if ax is None:
-            from matplotlib import pyplot
-
-            ax = pyplot.gca()
+        ax = axes(ax)
         for colour, branches in (("C0", self.loading), ("C1", self.unloading)):
             label = "loading" if branches is self.loading else "unloading"
             for states in branches:
@@ -280,6 +277,15 @@ class Gradient:
         if self._errors == "raise" and np.isnan(load).any():
             raise _core.no_derivative(INPUTS.index(name))
         return Derivatives(scalar_or_array(load), scalar_or_array(penetration))
+
+
+def axes(given: Axes | None) -> Axes:
+    """Return the axes given, or the current ones of matplotlib."""
+    if given is not None:
+        return given
+    from matplotlib import pyplot
+
+    return pyplot.gca()
 
 
 def states(arrays: list[Array]) -> State | States:
