@@ -23,9 +23,16 @@ const LIKE_MIT: [&str; 9] = [
 /// The name of everything that is in no published package.
 const TESTS: &str = "tests, benches, xtask";
 
+/// All packages that fit.
+const FITS: &str =
+    "coated-contact-python, fit, tabulate, tabulate/default, tabulate/hdf5, tabulate/hdf5-static";
+/// All packages that fit, and contact lines that move at a finite speed.
+const FITS_AND_DYNAMICS: &str = "coated-contact-python, fit, interp/dynamics, tabulate, tabulate/default, tabulate/hdf5, \
+     tabulate/hdf5-static";
+
 /// Crates under other licences, their licences, and the features that need them.
-const OTHERS: [(&str, &str, &str); 10] = [
-    ("approx", "Apache-2.0", "interp/dynamics"),
+const OTHERS: [(&str, &str, &str); 11] = [
+    ("approx", "Apache-2.0", FITS_AND_DYNAMICS),
     ("ciborium", "Apache-2.0", TESTS),
     ("ciborium-io", "Apache-2.0", TESTS),
     ("ciborium-ll", "Apache-2.0", TESTS),
@@ -37,9 +44,11 @@ const OTHERS: [(&str, &str, &str); 10] = [
     ),
     // In a file of its own, that of HDF5: as BSD-3-Clause.
     ("hdf5-metno-src", "", "tabulate/hdf5-static"),
-    ("nalgebra", "Apache-2.0", TESTS),
-    ("simba", "Apache-2.0", "interp/dynamics"),
+    ("nalgebra", "Apache-2.0", FITS),
+    ("simba", "Apache-2.0", FITS_AND_DYNAMICS),
     ("spdx", "Apache-2.0", TESTS),
+    // Runs in the compiler only.
+    ("target-lexicon", "Apache-2.0 WITH LLVM-exception", PYTHON),
 ];
 
 /// Crates that nobody maintains, with the reason to keep them.
@@ -146,6 +155,9 @@ fn is_like_mit(licence: &str) -> Result<bool, String> {
     }))
 }
 
+/// The crate of the Python package.
+const PYTHON: &str = "coated-contact-python";
+
 /// The feature of a package without any.
 const NO_FEATURE: &str = "";
 
@@ -155,11 +167,11 @@ fn features() -> Result<Vec<(String, String)>, String> {
     let metadata: Value = serde_json::from_str(&metadata).map_err(|e| e.to_string())?;
     let mut features = Vec::new();
     for package in metadata["packages"].as_array().into_iter().flatten() {
-        // `publish = false` is an empty list.
-        if package["publish"].is_array() {
+        let name = package["name"].as_str().unwrap_or_default();
+        // `publish = false` is an empty list. The Python package is published as a wheel.
+        if package["publish"].is_array() && name != PYTHON {
             continue;
         }
-        let name = package["name"].as_str().unwrap_or_default();
         features.push((name.to_owned(), NO_FEATURE.to_owned()));
         for feature in package["features"].as_object().into_iter().flatten() {
             features.push((name.to_owned(), feature.0.clone()));

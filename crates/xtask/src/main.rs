@@ -2,8 +2,9 @@
 //!
 //! They need Rust, a C compiler and python3 with pip. All else is fetched from PyPI into the target
 //! directory: cmake to build libhdf5 where no library is installed, h5py and xarray for tests
-//! (xarray needs Python 3.11), scipy for two benches. Nothing is installed on the system. The tests
-//! of the report's page run in Chromium, and are skipped, with a message, where there is none.
+//! (xarray needs Python 3.11), scipy for two benches, maturin and more for the Python package.
+//! Nothing is installed on the system. The tests of the report's page run in Chromium, and are
+//! skipped, with a message, where there is none.
 
 #![forbid(unsafe_code)]
 
@@ -14,6 +15,7 @@ mod licences;
 mod python;
 mod tables;
 mod tabulate;
+mod wheel;
 mod workspace;
 
 use std::env;
@@ -32,7 +34,10 @@ usage: cargo xtask COMMAND
                  tables/README.md
   figures --check
                  measure and draw again, and fail where the figures or the quoted numbers differ
-  test [ARGS]    run the whole test suite, optimised; ARGS go to `cargo test`
+  test [ARGS]    run the whole test suite, optimised; ARGS go to `cargo test`, and then the tests of the Python package
+                 are left out
+  wheel          build the Python package: wheel and source distribution in target/wheels/
+  wheel --test   build the wheel, and run the tests of the Python package
   compare        time the solve against numpy and scipy on the same equation, and the lookup against interpn and scipy on
                  the same nodes
   licences       check the licences of all crates of the lock file, and print those that have more conditions than MIT
@@ -50,6 +55,8 @@ fn main() -> ExitCode {
         Some("figures") if rest.is_empty() => figures::figures(),
         Some("figures") if rest == ["--check"] => figures::check(),
         Some("test") => test(&rest),
+        Some("wheel") if rest.is_empty() => wheel::build(),
+        Some("wheel") if rest == ["--test"] => wheel::test(),
         Some("compare") if rest.is_empty() => compare(),
         Some("licences") if rest.is_empty() => licences::licences(),
         Some("cargo") if !rest.is_empty() => cargo(&rest),
@@ -95,7 +102,14 @@ fn table(args: &[String]) -> Result<(), String> {
 
 /// Runs every test of every member, documentation examples included.
 fn test(args: &[String]) -> Result<(), String> {
-    let mut command = vec!["test", "--release", "--workspace"];
+    // The Python package has no tests in Rust, and is linked for an interpreter.
+    let mut command = vec![
+        "test",
+        "--release",
+        "--workspace",
+        "--exclude",
+        "coated-contact-python",
+    ];
     command.extend(args.iter().map(String::as_str));
     let mut cargo = hdf5::cargo(&command)?;
     cargo
@@ -110,7 +124,12 @@ fn test(args: &[String]) -> Result<(), String> {
             eprintln!("xtask: {message}\nxtask: the test with measured AFM curves is skipped")
         }
     }
-    succeed(&mut cargo)
+    succeed(&mut cargo)?;
+    if args.is_empty() {
+        wheel::test()
+    } else {
+        Ok(())
+    }
 }
 
 /// Returns the environment of the test that reads measured AFM curves: the package afmformats, which

@@ -1,0 +1,111 @@
+"""Adhesive contact of a sphere on a coated substrate.
+
+A sphere (body 2) touches a film (1) bonded to a substrate (0) and adheres to it, in Barthel's
+model (*Adhesive contact of a compliant sphere to an elastic coated substrate: the thin film limit*,
+2007). All units are SI. Loads are positive in compression; penetrations are positive when the
+sphere is below the undeformed surface.
+
+Examples
+--------
+A sphere of 1 mm with E2* = 2 MPa, an incompressible film of 10 um, a stiff substrate:
+
+>>> from coated_contact import Elastic, System, Table
+>>> system = System(
+...     sphere_radius=1e-3,
+...     sphere_modulus=2e6,
+...     film=Elastic(young_modulus=3.5e6, poisson_ratio=0.5),
+...     film_thickness=1e-5,
+...     substrate=Elastic(young_modulus=2e11, poisson_ratio=0.25),
+... )
+>>> contact = Table.embedded().contact(system)
+>>> print(f"{contact.load(65e-6, 0.040):.3e} N")
+-3.415e-05 N
+>>> print(f"{contact.pull_off(0.040).load:.4e} N")
+-1.9353e-04 N
+
+The names are those of the Rust crate ``interp``, and so are the numbers, bit for bit.
+"""
+
+from ._bodies import Elastic, HalfSpace, System
+from ._contact import Contact
+from ._control import Spring
+from ._core import __version__
+from ._equilibria import Equilibria
+from ._errors import (
+    BeyondSphereError,
+    ContactError,
+    DomainError,
+    EquivalentError,
+    ExtrapolationError,
+    FitError,
+    FixedParameterError,
+    InvalidArgumentError,
+    MissingQuantityError,
+    NoContactError,
+    NormalisationError,
+    NotConvergedError,
+    OutsideRadiiError,
+    OutsideTableError,
+    TableError,
+    UnphysicalError,
+)
+from ._experiment import Experiment, Free
+from ._fit import fit, fit_map
+from ._fit_results import Estimate, Fit, FitMap, FittedExperiment, FitWarning, WithoutFilm
+from ._results import (
+    Derivatives,
+    Equilibrium,
+    ForceDisplacement,
+    Gradient,
+    Jump,
+    State,
+    States,
+)
+from ._solve import Solution, solve
+from ._table import Table
+
+__all__ = [
+    "BeyondSphereError",
+    "Contact",
+    "ContactError",
+    "Derivatives",
+    "DomainError",
+    "Elastic",
+    "Equilibria",
+    "Equilibrium",
+    "EquivalentError",
+    "Estimate",
+    "Experiment",
+    "ExtrapolationError",
+    "Fit",
+    "FitError",
+    "FitMap",
+    "FitWarning",
+    "FittedExperiment",
+    "FixedParameterError",
+    "ForceDisplacement",
+    "Free",
+    "Gradient",
+    "HalfSpace",
+    "InvalidArgumentError",
+    "Jump",
+    "MissingQuantityError",
+    "NoContactError",
+    "NormalisationError",
+    "NotConvergedError",
+    "OutsideRadiiError",
+    "OutsideTableError",
+    "Solution",
+    "Spring",
+    "State",
+    "States",
+    "System",
+    "Table",
+    "TableError",
+    "UnphysicalError",
+    "WithoutFilm",
+    "__version__",
+    "fit",
+    "fit_map",
+    "solve",
+]

@@ -1,0 +1,72 @@
+"""Numbers and arrays as the native part takes them: real, flat, of float64."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from math import prod
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ._errors import ContactError
+
+Errors = Literal["raise", "nan"]
+
+
+def number(name: str, value: float) -> float:
+    """Return a real number as a float; refuse all else, text included."""
+    array = real(name, value)
+    if array.ndim != 0:
+        raise TypeError(f"{name} must be one number, it has the shape {array.shape}")
+    return float(array)
+
+
+def real(name: str, value: ArrayLike) -> NDArray[np.float64]:
+    """Return real numbers as an array of float64; refuse what would lose a part on the way."""
+    array = np.asarray(value)
+    if array.dtype.kind not in "fiu":
+        raise TypeError(f"{name} must be real numbers, not of the type {array.dtype}")
+    if np.ma.is_masked(value):
+        raise TypeError(f'{name} is masked: fill it with NaN, and pass errors="nan"')
+    return np.asarray(array, dtype=np.float64)
+
+
+def evaluate(
+    function: Callable[..., Any], errors: Errors, /, **inputs: ArrayLike
+) -> list[NDArray[np.float64]]:
+    """Broadcast the inputs, evaluate them in the native part, and return arrays of their shape.
+
+    ``function`` takes the number of points with the choice for errors, and flat arrays.
+    """
+    if errors not in ("raise", "nan"):
+        raise ValueError(f'errors = {errors!r} cannot be used: give "raise" or "nan"')
+    arrays = [real(name, value) for name, value in inputs.items()]
+    shape = np.broadcast_shapes(*(array.shape for array in arrays))
+    flat = [
+        array.reshape(1)
+        if array.size == 1
+        else np.ascontiguousarray(np.broadcast_to(array, shape)).reshape(-1)
+        for array in arrays
+    ]
+    try:
+        results = function((prod(shape), errors == "nan"), *flat)
+    except ContactError as error:
+        _locate(error, shape)
+        raise
+    return [result.reshape(shape) for result in results]
+
+
+def _locate(error: ContactError, shape: tuple[int, ...]) -> None:
+    """Give the place of the point that failed as an index of the broadcast shape."""
+    flat: Any = error.index
+    if flat is None:
+        return
+    error.index = tuple(int(i) for i in np.unravel_index(flat, shape)) if shape else None
+    if error.index is not None:
+        error.add_note(f'at index {error.index}; errors="nan" gives NaN at such points')
+
+
+def scalar_or_array(array: NDArray[np.float64]) -> Any:
+    """Return a float for an array without dimensions, else the array."""
+    return float(array) if array.ndim == 0 else array

@@ -1,0 +1,300 @@
+"""The contact of one system, in SI units."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any, overload
+
+from numpy.typing import ArrayLike
+
+from . import _core, _html
+from ._arrays import Errors, evaluate, scalar_or_array
+from ._bodies import HalfSpace, System
+from ._control import Control, native_control
+from ._equilibria import Equilibria
+from ._results import INPUTS, Array, ForceDisplacement, Gradient, State, States, states
+
+if TYPE_CHECKING:
+    from ._table import Table
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Contact:
+    """A contact of a sphere with a coated substrate, or with a half-space.
+
+    ``Table.contact`` makes it. It is frozen, hashable and picklable.
+
+    Its methods broadcast over their arguments as numpy's functions do: scalars give a scalar,
+    arrays give an array. The interpreter's lock is released meanwhile. The argument ``errors``
+    tells what a point with an error gives: an exception (``"raise"``), whose ``index`` is the first
+    such point, or NaN (``"nan"``).
+
+    Parameters
+    ----------
+    system : System or HalfSpace
+        The bodies in contact.
+    table : Table or None
+        The table; None on a half-space.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from coated_contact import Elastic, System, Table
+    >>> rubber = Elastic(young_modulus=3.5e6, poisson_ratio=0.5)
+    >>> silicon = Elastic(young_modulus=2e11, poisson_ratio=0.25)
+    >>> system = System(sphere_radius=1e-3, sphere_modulus=2e6, film=rubber,
+    ...                 film_thickness=1e-5, substrate=silicon)
+    >>> contact = Table.embedded().contact(system)
+    >>> contact.load(np.array([40e-6, 100e-6]), 0.04).round(7)
+    array([-0.0001919,  0.0011804])
+    """
+
+    system: System | HalfSpace
+    table: Table | None
+    _native: Any = field(init=False, repr=False, compare=False)
+
+    def __post_init__(self) -> None:
+        if isinstance(self.system, System) and self.table is not None:
+            native = self.table._native.contact(self.system._numbers())
+        elif isinstance(self.system, HalfSpace) and self.table is None:
+            native = _core.Contact.half_space(self.system._numbers())
+        else:
+            raise TypeError("a contact needs a System and a Table, or a HalfSpace and no table")
+        object.__setattr__(self, "_native", native)
+
+    @classmethod
+    def half_space(cls, system: HalfSpace) -> Contact:
+        """Make the contact of a sphere on a half-space: JKR, to rounding.
+
+        Examples
+        --------
+        >>> from math import pi
+        >>> from coated_contact import Contact, Elastic, HalfSpace
+        >>> glass = Elastic(young_modulus=64e9, poisson_ratio=0.2)
+        >>> system = HalfSpace(sphere_radius=1e-3, sphere_modulus=2e6, solid=glass)
+        >>> pull_off = Contact.half_space(system).pull_off(0.04)
+        >>> abs(pull_off.load / (-1.5 * pi * 0.04 * 1e-3) - 1) < 1e-14
+        True
+        """
+        return cls(system=system, table=None)
+
+    @property
+    def contact_radius_range(self) -> tuple[float, float]:
+        """The smallest and the largest contact radius (m) among which states are sought."""
+        smallest, largest = self._native.contact_radius_range()
+        return smallest, largest
+
+    @overload
+    def load(self, a: float, w: float, *, errors: Errors = "raise") -> float: ...
+    @overload
+    def load(self, a: ArrayLike, w: ArrayLike, *, errors: Errors = "raise") -> Array: ...
+    def load(self, a: ArrayLike, w: ArrayLike, *, errors: Errors = "raise") -> float | Array:
+        """Return the load F at a contact radius, eq. 9 of the model.
+
+        Parameters
+        ----------
+        a : array_like
+            Contact radius, m, below the radius of the sphere.
+        w : array_like
+            Work of adhesion, J/m^2, 0 or more.
+        errors : {"raise", "nan"}
+            What a point with an error gives.
+
+        Returns
+        -------
+        float or numpy.ndarray
+            Load, N, positive in compression. Each of the two terms of eq. 9 has the relative error
+            of the table.
+
+        Raises
+        ------
+        OutsideTableError, ExtrapolationError
+            Where the table does not cover a/t.
+        BeyondSphereError
+            For an ``a`` that is not below the radius of the sphere.
+        UnphysicalError
+            For ``a`` <= 0, ``w`` < 0, infinity, NaN, or a load that overflows a float.
+        """
+        (load,) = evaluate(self._native.load, errors, contact_radius=a, work_of_adhesion=w)
+        return scalar_or_array(load)
+
+    @overload
+    def penetration(self, a: float, w: float, *, errors: Errors = "raise") -> float: ...
+    @overload
+    def penetration(self, a: ArrayLike, w: ArrayLike, *, errors: Errors = "raise") -> Array: ...
+    def penetration(self, a: ArrayLike, w: ArrayLike, *, errors: Errors = "raise") -> float | Array:
+        """Return the penetration delta at a contact radius.
+
+        Parameters and errors are those of :meth:`load`.
+
+        Returns
+        -------
+        float or numpy.ndarray
+            Penetration, m, positive when the sphere is below the undeformed surface.
+        """
+        return self.load_and_penetration(a, w, errors=errors)[1]
+
+    @overload
+    def load_and_penetration(
+        self, a: float, w: float, *, errors: Errors = "raise"
+    ) -> tuple[float, float]: ...
+    @overload
+    def load_and_penetration(
+        self, a: ArrayLike, w: ArrayLike, *, errors: Errors = "raise"
+    ) -> tuple[Array, Array]: ...
+    def load_and_penetration(
+        self, a: ArrayLike, w: ArrayLike, *, errors: Errors = "raise"
+    ) -> tuple[float, float] | tuple[Array, Array]:
+        """Return load and penetration at a contact radius, together at less cost.
+
+        Parameters and errors are those of :meth:`load`.
+
+        Returns
+        -------
+        load : float or numpy.ndarray
+            Load, N, positive in compression.
+        penetration : float or numpy.ndarray
+            Penetration, m, positive when the sphere is below the undeformed surface.
+        """
+        load, penetration = evaluate(
+            self._native.load_and_penetration, errors, contact_radius=a, work_of_adhesion=w
+        )
+        return scalar_or_array(load), scalar_or_array(penetration)
+
+    @overload
+    def stiffness(self, a: float, *, errors: Errors = "raise") -> float: ...
+    @overload
+    def stiffness(self, a: ArrayLike, *, errors: Errors = "raise") -> Array: ...
+    def stiffness(self, a: ArrayLike, *, errors: Errors = "raise") -> float | Array:
+        """Return the contact stiffness S = 2 a E* Eeq at a contact radius, eq. 5 of the model.
+
+        Parameters
+        ----------
+        a : array_like
+            Contact radius, m, below the radius of the sphere.
+        errors : {"raise", "nan"}
+            What a point with an error gives.
+
+        Returns
+        -------
+        float or numpy.ndarray
+            Stiffness, N/m.
+        """
+        (stiffness,) = evaluate(self._native.stiffness, errors, contact_radius=a)
+        return scalar_or_array(stiffness)
+
+    def gradient(self, a: ArrayLike, w: ArrayLike, *, errors: Errors = "raise") -> Gradient:
+        """Return load and penetration with their exact derivatives by every input.
+
+        Parameters are those of :meth:`load`.
+
+        Returns
+        -------
+        Gradient
+            ``load`` (N), ``penetration`` (m), and ``by(name)`` with the derivatives.
+
+        Raises
+        ------
+        ContactError
+            As :meth:`load`, but always ``OutsideTableError`` above the nodes in a/t.
+
+        Examples
+        --------
+        >>> from coated_contact import Contact, Elastic, HalfSpace
+        >>> glass = Elastic(young_modulus=64e9, poisson_ratio=0.2)
+        >>> system = HalfSpace(sphere_radius=1e-3, sphere_modulus=2e6, solid=glass)
+        >>> gradient = Contact.half_space(system).gradient(5e-5, 0.0)
+        >>> print(f"{gradient.by('contact_radius').load:.3f} N/m")  # Hertz: 4 E* a^2 / R
+        19.999 N/m
+        """
+        load, penetration, *pairs = evaluate(
+            self._native.gradient, errors, contact_radius=a, work_of_adhesion=w
+        )
+        derivatives = {name: (pairs[2 * i], pairs[2 * i + 1]) for i, name in enumerate(INPUTS)}
+        return Gradient(scalar_or_array(load), scalar_or_array(penetration), derivatives, errors)
+
+    @overload
+    def pull_off(
+        self, w: float, *, control: Control = "load", errors: Errors = "raise"
+    ) -> State: ...
+    @overload
+    def pull_off(
+        self, w: ArrayLike, *, control: Control = "load", errors: Errors = "raise"
+    ) -> States: ...
+    def pull_off(
+        self, w: ArrayLike, *, control: Control = "load", errors: Errors = "raise"
+    ) -> State | States:
+        """Return the state in which the contact finally separates on unloading.
+
+        Parameters
+        ----------
+        w : array_like
+            Work of adhesion, J/m^2. At 0 the state is that of the first touch.
+        control : {"load", "displacement"} or Spring
+            What is imposed: a dead weight, a rigid machine, or a spring such as a cantilever.
+        errors : {"raise", "nan"}
+            What a point with an error gives.
+
+        Raises
+        ------
+        OutsideRadiiError
+            If its contact radius is out of range.
+        """
+        imposed = native_control(control)
+        return states(
+            evaluate(
+                lambda points, w: self._native.pull_off(points, w, imposed),
+                errors,
+                work_of_adhesion=w,
+            )
+        )
+
+    def equilibria(self, w: float, *, control: Control = "load") -> Equilibria:
+        """Return the equilibria with one work of adhesion under one control.
+
+        Parameters
+        ----------
+        w : float
+            Work of adhesion, J/m^2.
+        control : {"load", "displacement"} or Spring
+            What is imposed.
+        """
+        return Equilibria(contact=self, work_of_adhesion=w, control=control)
+
+    def force_displacement(
+        self, w: float, *, control: Control = "displacement", most: float, points: int = 200
+    ) -> ForceDisplacement:
+        """Return loading from the first touch and unloading until separation, with the jumps.
+
+        Parameters
+        ----------
+        w : float
+            Work of adhesion, J/m^2.
+        control : {"load", "displacement"} or Spring
+            What is imposed.
+        most : float
+            The largest imposed value: a load (N), a penetration (m) or a position of the spring
+            (m).
+        points : int
+            The number of states of each branch, evenly spaced in contact radius.
+
+        Raises
+        ------
+        OutsideRadiiError
+            If a state has a contact radius out of range.
+        InvalidArgumentError
+            Unless ``points`` is from 2 to 1,000,000.
+        """
+        return self.equilibria(w, control=control).force_displacement(most=most, points=points)
+
+    def _repr_html_(self) -> str:
+        """Return what a notebook shows: the bodies, drawn to scale, and their moduli."""
+        return _html.contact(self.system)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Pickle the bodies and the table, from which the contact is made again."""
+        return (_contact, (self.system, self.table))
+
+
+def _contact(system: System | HalfSpace, table: Table | None) -> Contact:
+    return Contact(system=system, table=table)

@@ -1,0 +1,174 @@
+"""What was measured, what is known about it, and what is to be found."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Literal, get_args
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ._arrays import number, real
+from ._bodies import HalfSpace, System
+from ._errors import FitError
+
+Kind = Literal["load-radius", "penetration-radius", "load-penetration", "force-height"]
+ParameterName = Literal[
+    "sphere_modulus",
+    "film_modulus",
+    "film_poisson_ratio",
+    "film_thickness",
+    "work_of_adhesion",
+    "work_of_adhesion_receding",
+    "load_offset",
+    "contact_point",
+    "baseline",
+    "baseline_slope",
+    "stiffness",
+]
+
+
+def one_of(name: str, value: object, allowed: tuple[str, ...]) -> None:
+    """Refuse a word that is not one of those allowed."""
+    if value not in allowed:
+        words = ", ".join(f'"{word}"' for word in allowed)
+        raise FitError(f"{name} = {value!r} cannot be used: give one of {words}", axis=name)
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Experiment:
+    """A measurement with what is known about it, in SI units.
+
+    Each value below is fixed, or the start of the fit where the parameter is free and its
+    :class:`Free` says so. The ordinates have the noise; the abscissae are taken as exact.
+
+    Parameters
+    ----------
+    kind : {"load-radius", "penetration-radius", "load-penetration", "force-height"}
+        What is measured: the ordinate, then the abscissa. Heights are those of the base of a
+        cantilever: contact point - height = penetration + force / stiffness.
+    abscissa : array_like
+        Contact radii, penetrations or heights, m, in the order measured.
+    ordinate : array_like
+        Loads or forces, N, positive in compression; or penetrations, m.
+    system : System or HalfSpace
+        The bodies. On a half-space the parameters of the film are those of the solid.
+    retract : array_like of bool, optional
+        Whether each point was measured on retract; None where that is not known.
+    work_of_adhesion : float
+        Work of adhesion, J/m^2; 0 is a contact without adhesion.
+    work_of_adhesion_receding : float, optional
+        Work of adhesion on retract, J/m^2; None is that of approach.
+    load_offset : float
+        What a load reads without a force, N.
+    contact_point : float
+        The penetration or height at which the sphere would just touch, m.
+    baseline : float
+        The force that is read at the contact point without a contact, N.
+    baseline_slope : float
+        The slope of the force that is read without a contact, N/m.
+    stiffness : float, optional
+        Stiffness of the cantilever, N/m, which ``"force-height"`` needs.
+    noise : float, optional
+        Standard deviation of an ordinate, N or m; None estimates it from the residuals.
+    name : str
+        The name of the measurement in messages.
+    """
+
+    kind: Kind
+    abscissa: Any
+    ordinate: Any
+    system: System | HalfSpace
+    retract: Any = None
+    work_of_adhesion: float = 0.0
+    work_of_adhesion_receding: float | None = None
+    load_offset: float = 0.0
+    contact_point: float = 0.0
+    baseline: float = 0.0
+    baseline_slope: float = 0.0
+    stiffness: float | None = None
+    noise: float | None = None
+    name: str = "experiment"
+
+    def __post_init__(self) -> None:
+        one_of("kind", self.kind, get_args(Kind))
+        if not isinstance(self.system, System | HalfSpace):
+            raise TypeError(f"system must be a System or a HalfSpace, not {self.system!r}")
+        points = [real(name, getattr(self, name)) for name in ("abscissa", "ordinate")]
+        for name, array in zip(("abscissa", "ordinate"), points, strict=True):
+            object.__setattr__(self, name, _fixed(array))
+        shapes = {array.shape for array in points}
+        if self.retract is not None:
+            retract = np.asarray(self.retract)
+            if retract.dtype != np.bool_:
+                raise TypeError(f"retract must be True or False, not of the type {retract.dtype}")
+            object.__setattr__(self, "retract", _fixed(retract))
+            shapes.add(retract.shape)
+        if len(shapes) != 1 or points[0].ndim != 1:
+            raise FitError(f"abscissa, ordinate and retract must be as long, not {shapes}")
+        for name in _NUMBERS:
+            value = getattr(self, name)
+            if value is not None:
+                object.__setattr__(self, name, number(name, value))
+
+    @property
+    def bodies(self) -> tuple[float, ...]:
+        """The numbers of the bodies, as the native part takes them."""
+        return self.system._numbers()
+
+
+_NUMBERS = (
+    "work_of_adhesion",
+    "work_of_adhesion_receding",
+    "load_offset",
+    "contact_point",
+    "baseline",
+    "baseline_slope",
+    "stiffness",
+    "noise",
+)
+
+
+def _fixed(array: NDArray[Any]) -> NDArray[Any]:
+    """Return a contiguous copy that does not change."""
+    copy = np.array(array, order="C")
+    copy.setflags(write=False)
+    return copy
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Free:
+    """A parameter to be found.
+
+    Parameters
+    ----------
+    parameter : str
+        Its name, such as ``"film_modulus"``.
+    start : float, optional
+        Where the fit starts. By default moduli, works of adhesion, offsets, contact points and
+        baselines start from the data themselves; Poisson ratio, thickness and stiffness from the
+        value of the experiment.
+    bounds : tuple of float, optional
+        The smallest and the largest value allowed. A Poisson ratio has the bounds 0 and 0.5.
+    prior : tuple of float, optional
+        A value known from elsewhere, and its standard error.
+    own : bool, optional
+        Whether each experiment has its own value. By default offsets, contact points and baselines
+        are each experiment's own, all else is shared.
+    """
+
+    parameter: ParameterName
+    start: float | None = None
+    bounds: tuple[float, float] | None = None
+    prior: tuple[float, float] | None = None
+    own: bool | None = None
+
+    def __post_init__(self) -> None:
+        one_of("parameter", self.parameter, get_args(ParameterName))
+        if self.start is not None:
+            object.__setattr__(self, "start", number("start", self.start))
+        for name in ("bounds", "prior"):
+            if getattr(self, name) is not None:
+                first, second = getattr(self, name)
+                pair = number(name, first), number(name, second)
+                object.__setattr__(self, name, pair)

@@ -1,0 +1,189 @@
+"""Fits of measured contacts: JKR tests and force curves."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from typing import Any, Literal, get_args
+
+import numpy as np
+
+from . import _core
+from ._arrays import Errors, number
+from ._errors import ContactError
+from ._experiment import Experiment, Free, ParameterName, one_of
+from ._fit_results import (
+    Fit,
+    FitMap,
+    FittedExperiment,
+    correlation_of,
+    estimates_of,
+    warnings_of,
+    without_film_of,
+)
+from ._table import Table
+
+Loss = Literal["squares", "huber", "soft-l1"]
+
+
+def fit(
+    experiments: Experiment | Iterable[Experiment],
+    free: Iterable[ParameterName | Free],
+    *,
+    table: Table | None = None,
+    loss: Loss = "squares",
+    profile_level: float | None = None,
+    interaction_range: float = 3e-10,
+) -> Fit:
+    """Find the free parameters of one or several experiments together.
+
+    Levenberg and Marquardt's method with exact derivatives minimises the loss. The start comes from
+    the data. The fit is deterministic.
+
+    Parameters
+    ----------
+    experiments : Experiment or iterable of Experiment
+        The measurements with what is known about them.
+    free : iterable of str or Free
+        The parameters to be found.
+    table : Table, optional
+        The table; by default the embedded one.
+    loss : {"squares", "huber", "soft-l1"}
+        What a residual adds to the sum. The last two forgive outliers.
+    profile_level : float, optional
+        The level, such as 0.95, of profile-likelihood intervals. An interval takes some twenty
+        further fits for each parameter.
+    interaction_range : float
+        The range of the attraction, m, for the warning about Tabor's parameter.
+
+    Returns
+    -------
+    Fit
+        Values, standard errors, covariance, warnings. A fit that does not converge is no error:
+        see ``Fit.converged``.
+
+    Raises
+    ------
+    FitError
+        For points, parameters or options that cannot be used. Points are counted from 0.
+    ContactError
+        For a contact that cannot be computed.
+
+    Examples
+    --------
+    >>> from coated_contact import Elastic, System
+    >>> system = System(sphere_radius=1e-3, sphere_modulus=2e6,
+    ...                 film=Elastic(young_modulus=3.5e6, poisson_ratio=0.5), film_thickness=1e-5,
+    ...                 substrate=Elastic(young_modulus=2e11, poisson_ratio=0.25))
+    >>> lens = Experiment(kind="load-radius", system=system,
+    ...                   abscissa=[40e-6, 60e-6, 80e-6, 100e-6],
+    ...                   ordinate=[-1.909e-4, -1.016e-4, 3.12e-4, 1.179e-3])
+    >>> found = fit(lens, ["sphere_modulus", "work_of_adhesion"])
+    >>> print(f"{found.params['sphere_modulus']:.2e} Pa")
+    2.00e+06 Pa
+    """
+    if isinstance(experiments, Experiment):
+        experiments = [experiments]
+    found = _native(_core.fit, experiments, free, table, loss, profile_level, interaction_range)
+    film = found["without_film"]
+    return Fit(
+        estimates=estimates_of(found),
+        correlation=correlation_of(found),
+        converged=found["converged"],
+        evaluations=found["evaluations"],
+        chi_squared=found["chi_squared"],
+        degrees_of_freedom=found["degrees_of_freedom"],
+        reduced_chi_squared=found["reduced_chi_squared"],
+        warnings=warnings_of(found),
+        experiments=tuple(FittedExperiment(**points) for points in found["experiments"]),
+        without_film=film and without_film_of(film, len(found["experiments"])),
+        undetermined=tuple(found["undetermined"]),
+    )
+
+
+def fit_map(
+    curves: Iterable[Experiment],
+    free: Iterable[ParameterName | Free],
+    *,
+    table: Table | None = None,
+    loss: Loss = "squares",
+    profile_level: float | None = None,
+    interaction_range: float = 3e-10,
+    errors: Errors = "raise",
+) -> FitMap:
+    """Fit each of many curves by itself, on all cores.
+
+    The numbers are those of :func:`fit` for each curve, and do not depend on the number of cores.
+
+    Parameters
+    ----------
+    curves : iterable of Experiment
+        The measurements, such as those of a force map.
+    free, table, loss, profile_level, interaction_range
+        As :func:`fit`.
+    errors : {"raise", "nan"}
+        What a curve without a result gives: the exception of the first one, or NaN and an entry in
+        ``FitMap.failures``.
+
+    Returns
+    -------
+    FitMap
+        Arrays over the curves.
+    """
+    if errors not in ("raise", "nan"):
+        raise ValueError(f'errors = {errors!r} cannot be used: give "raise" or "nan"')
+    free = _free(free)
+    results = _native(_core.fit_map, curves, free, table, loss, profile_level, interaction_range)
+    failures = {i: found for i, found in enumerate(results) if isinstance(found, ContactError)}
+    for i, error in failures.items():
+        error.index = (i,)
+        error.add_note(f"curve {i}")
+        if errors == "raise":
+            raise error
+    names, count = [one.parameter for one in free], len(results)
+    values, deviations = np.full((2, len(names), count), np.nan)
+    covariance = np.full((count, len(names), len(names)), np.nan)
+    converged, chi_squared = np.zeros(count, dtype=np.bool_), np.full(count, np.nan)
+    for i, found in enumerate(results):
+        if i in failures:
+            continue
+        estimates = estimates_of(found)
+        values[:, i] = [estimate.value for estimate in estimates]
+        deviations[:, i] = [estimate.standard_error for estimate in estimates]
+        covariance[i] = correlation_of(found) * np.outer(deviations[:, i], deviations[:, i])
+        converged[i], chi_squared[i] = found["converged"], found["chi_squared"]
+    return FitMap(
+        params=dict(zip(names, values, strict=True)),
+        stderr=dict(zip(names, deviations, strict=True)),
+        covariance=covariance,
+        converged=converged,
+        chi_squared=chi_squared,
+        warnings=tuple(() if i in failures else warnings_of(r) for i, r in enumerate(results)),
+        failures=failures,
+    )
+
+
+def _native(
+    function: Callable[..., Any],
+    experiments: Iterable[Experiment],
+    free: Iterable[ParameterName | Free],
+    table: Table | None,
+    loss: Loss,
+    profile_level: float | None,
+    interaction_range: float,
+) -> Any:
+    """Check the arguments and call the native part."""
+    one_of("loss", loss, get_args(Loss))
+    given = list(experiments)
+    for one in given:
+        if not isinstance(one, Experiment):
+            raise TypeError(f"an experiment must be an Experiment, not {type(one).__name__}")
+    level = None if profile_level is None else number("profile_level", profile_level)
+    options = (loss, level, number("interaction_range", interaction_range))
+    return function((table or Table.embedded())._native, given, _free(free), options)
+
+
+def _free(free: Iterable[ParameterName | Free]) -> list[Free]:
+    """Return the free parameters, those without further wishes too."""
+    if isinstance(free, str):
+        raise TypeError(f"free must be a list of parameters: [{free!r}]")
+    return [one if isinstance(one, Free) else Free(parameter=one) for one in free]

@@ -1,0 +1,321 @@
+"""The results of fits."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _html
+from ._errors import ContactError
+from ._results import Array, axes
+
+if TYPE_CHECKING:
+    import pandas
+    from matplotlib.axes import Axes
+
+
+@dataclass(frozen=True, slots=True)
+class FitWarning:
+    """A doubt about the result of a fit.
+
+    Attributes
+    ----------
+    kind : str
+        What it is about, such as ``"undetermined"``.
+    text : str
+        The doubt in one sentence, with the numbers and the next step.
+    """
+
+    kind: str
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class Estimate:
+    """A parameter found.
+
+    Attributes
+    ----------
+    parameter : str
+        Its name.
+    experiment : int or None
+        The number of the experiment to which it belongs; None if it is shared.
+    value : float
+        The value, in SI units.
+    standard_error : float
+        The standard error, in SI units.
+    profile : tuple of float or None
+        The interval of the profile likelihood, if asked for.
+    """
+
+    parameter: str
+    experiment: int | None
+    value: float
+    standard_error: float
+    profile: tuple[float, float] | None
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class FittedExperiment:
+    """The points of an experiment, as fitted: arrays in the order measured.
+
+    Attributes
+    ----------
+    name : str
+        The name of the measurement.
+    noise : float
+        Standard deviation of an ordinate, N or m.
+    noise_is_estimated : bool
+        Whether the noise was estimated from the residuals.
+    abscissa, ordinate : numpy.ndarray
+        The measured points.
+    fit : numpy.ndarray
+        The ordinates of the fit; NaN for a point that was left out.
+    contact_radius : numpy.ndarray
+        The contact radii of the fit, m; NaN without a contact.
+    without_film : numpy.ndarray
+        The ordinates of the fit without the film; NaN where there is none.
+    branch : list of str
+        ``"advancing"``, ``"receding"``, ``"pinned"``, ``"baseline"`` or ``"left-out"``.
+    outlier : numpy.ndarray
+        Whether the residual is more than 4.5 times the noise.
+    """
+
+    name: str
+    noise: float
+    noise_is_estimated: bool
+    abscissa: Array
+    ordinate: Array
+    fit: Array
+    contact_radius: Array
+    without_film: Array
+    branch: list[str]
+    outlier: NDArray[np.bool_]
+
+    @property
+    def residual(self) -> Array:
+        """The ordinates measured less those of the fit."""
+        return self.ordinate - self.fit
+
+
+@dataclass(frozen=True, slots=True)
+class WithoutFilm:
+    """The same data, fitted without the film by JKR, or by Hertz without adhesion.
+
+    Attributes
+    ----------
+    params : dict of str to float
+        The parameters found.
+    chi_squared : float
+        The sum of the squared residuals, in units of the noise of the fit with the film.
+    modulus : str or None
+        The modulus that is compared; None if none is free.
+    relative_error : float or None
+        The error of that modulus, relative to the one with the film: 0.041 is +4.1 %.
+    standard_errors : float or None
+        The same error in standard errors of the modulus with the film.
+    film_matters : bool
+        Whether that error is above three standard errors.
+    """
+
+    params: dict[str, float]
+    chi_squared: float
+    modulus: str | None
+    relative_error: float | None
+    standard_errors: float | None
+    film_matters: bool
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Fit:
+    """The result of a fit.
+
+    Attributes
+    ----------
+    estimates : tuple of Estimate
+        The parameters found.
+    correlation : numpy.ndarray
+        Their correlation matrix; NaN where the data do not determine it.
+    converged : bool
+        Whether the method found a minimum. If not, the numbers are those of its last step.
+    evaluations : int
+        The number of times that the model was evaluated at all points.
+    chi_squared : float
+        The sum of the squared residuals, in units of the noise.
+    degrees_of_freedom : int
+        The number of points that count, and of priors, less that of the parameters.
+    reduced_chi_squared : float or None
+        chi_squared over degrees_of_freedom; None if the noise was estimated from the residuals.
+    warnings : tuple of FitWarning
+        The doubts about the result. An empty tuple is a good sign.
+    experiments : tuple of FittedExperiment
+        The experiments, in the order given.
+    without_film : WithoutFilm or None
+        The same data without the film.
+    undetermined : tuple of str
+        The combinations of parameters that the data do not determine, in words.
+    """
+
+    estimates: tuple[Estimate, ...]
+    correlation: Array
+    converged: bool
+    evaluations: int
+    chi_squared: float
+    degrees_of_freedom: int
+    reduced_chi_squared: float | None
+    warnings: tuple[FitWarning, ...]
+    experiments: tuple[FittedExperiment, ...]
+    without_film: WithoutFilm | None
+    undetermined: tuple[str, ...]
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The names of the estimates: ``contact_point[1]`` is that of the second experiment.
+
+        With one experiment there are no numbers.
+        """
+        return tuple(_name(estimate, len(self.experiments)) for estimate in self.estimates)
+
+    @property
+    def params(self) -> dict[str, float]:
+        """The values found, in SI units, by name."""
+        values = (estimate.value for estimate in self.estimates)
+        return dict(zip(self.names, values, strict=True))
+
+    @property
+    def stderr(self) -> dict[str, float]:
+        """The standard errors, in SI units, by name."""
+        errors = (estimate.standard_error for estimate in self.estimates)
+        return dict(zip(self.names, errors, strict=True))
+
+    @property
+    def covariance(self) -> Array:
+        """The covariance matrix, in the order of ``names``."""
+        errors = np.array([estimate.standard_error for estimate in self.estimates])
+        return self.correlation * np.outer(errors, errors)
+
+    def _repr_html_(self) -> str:
+        """Return what a notebook shows: values with standard errors, and the warnings."""
+        rows = [
+            (name, f"{value:.6g}", f"{self.stderr[name]:.2g}")
+            for name, value in self.params.items()
+        ]
+        doubts = [(warning.kind, warning.text) for warning in self.warnings]
+        found = _html.table(("parameter (SI)", "value", "standard error"), rows)
+        return found + (_html.table(("warning", "text"), doubts) if doubts else "")
+
+    def plot(self, ax: Axes | None = None) -> Axes:
+        """Draw the points, the fit, and the fit without the film; needs matplotlib.
+
+        Parameters
+        ----------
+        ax : matplotlib.axes.Axes, optional
+            Where to draw; by default the current axes.
+
+        Returns
+        -------
+        matplotlib.axes.Axes
+            The axes.
+        """
+        ax = axes(ax)
+        for i, points in enumerate(self.experiments):
+            x, colour = points.abscissa, f"C{i % 10}"
+            ax.plot(x, points.ordinate, ".", color=colour, label=points.name)
+            ax.plot(x, points.fit, "-", color=colour)
+            if not np.isnan(points.without_film).all():
+                ax.plot(x, points.without_film, ":", color=colour)
+        ax.legend()
+        return ax
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class FitMap:
+    """The results of separate fits of many curves, as arrays over the curves.
+
+    A curve without a result has NaN, and its error in ``failures``.
+
+    Attributes
+    ----------
+    params : dict of str to numpy.ndarray
+        The values found, in SI units, by the name of the parameter.
+    stderr : dict of str to numpy.ndarray
+        The standard errors, in SI units.
+    covariance : numpy.ndarray
+        The covariance matrices, in the order of ``params``; the first axis is the curves.
+    converged : numpy.ndarray
+        Whether the method found a minimum.
+    chi_squared : numpy.ndarray
+        The sums of the squared residuals, in units of the noise.
+    warnings : tuple of tuple of FitWarning
+        The doubts about each result.
+    failures : dict of int to ContactError
+        The error of each curve that has no result.
+    """
+
+    params: dict[str, Array]
+    stderr: dict[str, Array]
+    covariance: Array
+    converged: NDArray[np.bool_]
+    chi_squared: Array
+    warnings: tuple[tuple[FitWarning, ...], ...]
+    failures: dict[int, ContactError]
+
+    def __len__(self) -> int:
+        return len(self.converged)
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """Return a row for each curve: values, standard errors and kinds of warnings.
+
+        Needs pandas.
+        """
+        import pandas
+
+        columns: dict[str, Any] = {}
+        for name, values in self.params.items():
+            columns[name], columns[f"{name}_stderr"] = values, self.stderr[name]
+        columns["converged"], columns["chi_squared"] = self.converged, self.chi_squared
+        columns["warnings"] = [
+            " ".join(warning.kind for warning in warnings) for warnings in self.warnings
+        ]
+        return pandas.DataFrame(columns).rename_axis("curve")
+
+
+def estimates_of(found: Mapping[str, Any]) -> tuple[Estimate, ...]:
+    """Return the estimates in a native result."""
+    return tuple(Estimate(*numbers) for numbers in found["estimates"])
+
+
+def warnings_of(found: Mapping[str, Any]) -> tuple[FitWarning, ...]:
+    """Return the warnings in a native result."""
+    return tuple(FitWarning(*words) for words in found["warnings"])
+
+
+def correlation_of(found: Mapping[str, Any]) -> Array:
+    """Return the correlation matrix in a native result."""
+    count = len(found["estimates"])
+    if not found["correlation"]:
+        return np.full((count, count), np.nan)
+    return np.array(found["correlation"], dtype=np.float64)
+
+
+def _name(estimate: Estimate, experiments: int) -> str:
+    if estimate.experiment is None or experiments == 1:
+        return estimate.parameter
+    return f"{estimate.parameter}[{estimate.experiment}]"
+
+
+def without_film_of(found: Mapping[str, Any], experiments: int) -> WithoutFilm:
+    """Return the fit without the film in a native result."""
+    modulus, relative, deviations, matters = found["modulus"] or (None, None, None, False)
+    return WithoutFilm(
+        params={_name(one, experiments): one.value for one in estimates_of(found)},
+        chi_squared=found["chi_squared"],
+        modulus=modulus,
+        relative_error=relative,
+        standard_errors=deviations,
+        film_matters=matters,
+    )

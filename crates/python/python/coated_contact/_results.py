@@ -1,0 +1,295 @@
+"""Results: states, equilibria, curves and derivatives."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _core
+from ._arrays import Errors, scalar_or_array
+
+if TYPE_CHECKING:
+    import pandas
+    import xarray
+    from matplotlib.axes import Axes
+
+Array = NDArray[np.float64]
+
+InputName = Literal[
+    "contact_radius",
+    "work_of_adhesion",
+    "sphere_radius",
+    "sphere_modulus",
+    "film_thickness",
+    "film_modulus",
+    "film_poisson_ratio",
+    "substrate_modulus",
+    "substrate_poisson_ratio",
+]
+
+# In the order of the native part.
+INPUTS: tuple[InputName, ...] = (
+    "contact_radius",
+    "work_of_adhesion",
+    "sphere_radius",
+    "sphere_modulus",
+    "film_thickness",
+    "film_modulus",
+    "film_poisson_ratio",
+    "substrate_modulus",
+    "substrate_poisson_ratio",
+)
+
+
+# The numbers of a state.
+UNITS = {"contact_radius": "m", "load": "N", "penetration": "m"}
+
+
+@dataclass(frozen=True, slots=True)
+class State:
+    """A state of a contact.
+
+    Attributes
+    ----------
+    contact_radius : float
+        Contact radius a, m.
+    load : float
+        Load F, N, positive in compression.
+    penetration : float
+        Penetration delta, m, positive when the sphere has moved in.
+    """
+
+    contact_radius: float
+    load: float
+    penetration: float
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class States:
+    """Many states, as arrays of one shape.
+
+    Attributes
+    ----------
+    contact_radius : numpy.ndarray
+        Contact radii a, m.
+    load : numpy.ndarray
+        Loads F, N, positive in compression.
+    penetration : numpy.ndarray
+        Penetrations delta, m, positive when the sphere has moved in.
+    """
+
+    contact_radius: Array
+    load: Array
+    penetration: Array
+
+    def __len__(self) -> int:
+        return len(self.load)
+
+    def __iter__(self) -> Iterator[State]:
+        """Iterate over the states in the order of the flattened arrays."""
+        flat = (self.contact_radius.flat, self.load.flat, self.penetration.flat)
+        return (State(*map(float, values)) for values in zip(*flat, strict=True))
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """Return a row for each state, in the order of the flattened arrays; needs pandas."""
+        import pandas
+
+        return pandas.DataFrame({name: getattr(self, name).ravel() for name in UNITS})
+
+    def to_xarray(self) -> xarray.Dataset:
+        """Return a Dataset with the dimensions of the arrays, ``dim_0`` and so on; needs xarray."""
+        import xarray
+
+        dimensions = [f"dim_{axis}" for axis in range(self.load.ndim)]
+        variables = {
+            name: (dimensions, getattr(self, name), {"units": unit}) for name, unit in UNITS.items()
+        }
+        return xarray.Dataset(variables)
+
+
+@dataclass(frozen=True, slots=True)
+class Equilibrium:
+    """An equilibrium at an imposed value.
+
+    Attributes
+    ----------
+    state : State
+        The state of the contact.
+    stable : bool
+        Whether the contact returns to this state after a small change of its radius.
+    """
+
+    state: State
+    stable: bool
+
+
+@dataclass(frozen=True, slots=True)
+class Jump:
+    """A sudden change of the contact at a fixed imposed value.
+
+    Attributes
+    ----------
+    from_ : State
+        The state in which stability is lost, or in which the surfaces meet.
+    to : State or None
+        The state in which the contact, or the separated sphere, comes to rest. None if the contact
+        separates under a load, where the sphere does not come to rest.
+    """
+
+    from_: State
+    to: State | None
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ForceDisplacement:
+    """Infinitely slow loading from the first touch, and unloading until separation.
+
+    Attributes
+    ----------
+    loading : tuple of States
+        The branches of stable states in order, up to the largest imposed value. A jump precedes
+        each branch; the first jump is that into contact.
+    unloading : tuple of States
+        The branches of stable states in order, down to separation. A jump follows each branch; the
+        last jump is the separation.
+    jumps : tuple of Jump
+        All jumps in order. Without adhesion there is none at first touch and none at separation.
+    """
+
+    loading: tuple[States, ...]
+    unloading: tuple[States, ...]
+    jumps: tuple[Jump, ...]
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """Return a row for each state, with its direction and the number of its branch.
+
+        Needs pandas.
+        """
+        import pandas
+
+        directions = {"loading": self.loading, "unloading": self.unloading}
+        frames = [
+            states.to_pandas().assign(direction=direction, branch=number)
+            for direction, branches in directions.items()
+            for number, states in enumerate(branches)
+        ]
+        return pandas.concat(frames, ignore_index=True)
+
+    def to_xarray(self) -> xarray.Dataset:
+        """Return :meth:`to_pandas` as a Dataset over ``state``; needs pandas and xarray."""
+        data = self.to_pandas().rename_axis("state").to_xarray()
+        for name, unit in UNITS.items():
+            data[name].attrs["units"] = unit
+        return data
+
+    def plot(self, ax: Axes | None = None) -> Axes:
+        """Draw load against penetration: branches as lines, jumps dashed; needs matplotlib.
+
+        Parameters
+        ----------
+        ax : matplotlib.axes.Axes, optional
+            Where to draw; by default the current axes.
+
+        Returns
+        -------
+        matplotlib.axes.Axes
+            The axes.
+        """
+        ax = axes(ax)
+        for colour, branches in (("C0", self.loading), ("C1", self.unloading)):
+            label = "loading" if branches is self.loading else "unloading"
+            for states in branches:
+                ax.plot(states.penetration, states.load, color=colour, label=label)
+                label = "_nolegend_"
+        for jump in self.jumps:
+            if jump.to is not None:
+                ax.plot(
+                    [jump.from_.penetration, jump.to.penetration],
+                    [jump.from_.load, jump.to.load],
+                    color="0.5",
+                    linestyle="--",
+                    linewidth=1,
+                )
+        ax.set_xlabel("penetration (m)")
+        ax.set_ylabel("load (N)")
+        return ax
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Derivatives:
+    """The derivatives of load and penetration with respect to one input, at fixed other inputs.
+
+    Attributes
+    ----------
+    load : float or numpy.ndarray
+        The derivative of the load, N per unit of the input.
+    penetration : float or numpy.ndarray
+        The derivative of the penetration, m per unit of the input.
+    """
+
+    load: Any
+    penetration: Any
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Gradient:
+    """Load and penetration with their derivatives.
+
+    Attributes
+    ----------
+    load : float or numpy.ndarray
+        Load F, N.
+    penetration : float or numpy.ndarray
+        Penetration delta, m.
+    """
+
+    load: Any
+    penetration: Any
+    _derivatives: Mapping[InputName, tuple[Array, Array]] = field(repr=False)
+    _errors: Errors = field(repr=False)
+
+    def by(self, name: InputName) -> Derivatives:
+        """Return the derivatives with respect to one input, in its SI unit.
+
+        They are 0 with respect to the modulus and the Poisson ratio of a rigid body.
+
+        Parameters
+        ----------
+        name : str
+            ``contact_radius``, ``work_of_adhesion``, ``sphere_radius``, ``sphere_modulus``,
+            ``film_thickness``, ``film_modulus``, ``film_poisson_ratio``, ``substrate_modulus`` or
+            ``substrate_poisson_ratio``.
+
+        Raises
+        ------
+        FixedParameterError
+            For an input whose derivative needs a parameter that the table fixes, an input of the
+            film on a half-space, and the work of adhesion where it is 0. Not where the gradient was
+            computed with ``errors="nan"``.
+        KeyError
+            For another name.
+        """
+        load, penetration = self._derivatives[name]
+        if self._errors == "raise" and np.isnan(load).any():
+            raise _core.no_derivative(INPUTS.index(name))
+        return Derivatives(scalar_or_array(load), scalar_or_array(penetration))
+
+
+def axes(given: Axes | None) -> Axes:
+    """Return the axes given, or the current ones of matplotlib."""
+    if given is not None:
+        return given
+    from matplotlib import pyplot
+
+    return pyplot.gca()
+
+
+def states(arrays: list[Array]) -> State | States:
+    """Return one state for arrays without dimensions, else many."""
+    if arrays[0].ndim == 0:
+        return State(*map(float, arrays))
+    return States(*arrays)

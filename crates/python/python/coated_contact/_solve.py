@@ -1,0 +1,156 @@
+"""Direct solves, to the accuracy asked for."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from . import _core
+from ._arrays import Errors, evaluate, real, scalar_or_array
+
+if TYPE_CHECKING:
+    import xarray
+
+QUANTITIES = {
+    "pi0": "adhesionless load, F0 = a^3 E* pi0 / (2 R)",
+    "eeq": "contact stiffness, S = 2 a E* eeq",
+    "gamma": "edge singularity per flat-punch penetration",
+    "delta0": "adhesionless penetration, delta0 a^2 / R",
+    "error": "estimated largest relative error of the four",
+}
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Solution:
+    """The four dimensionless quantities, each with the shape of the broadcast parameters.
+
+    Attributes
+    ----------
+    pi0 : float or numpy.ndarray
+        Adhesionless load, F0 = a^3 E* pi0 / (2 R).
+    eeq : float or numpy.ndarray
+        Contact stiffness, S = 2 a E* eeq.
+    gamma : float or numpy.ndarray
+        Edge singularity per flat-punch penetration.
+    delta0 : float or numpy.ndarray
+        Adhesionless penetration, a^2 delta0 / R.
+    error : float or numpy.ndarray
+        The estimated largest relative error of the four: truncation, quadrature and rounding.
+    """
+
+    pi0: Any
+    eeq: Any
+    gamma: Any
+    delta0: Any
+    error: Any
+    _parameters: dict[str, ArrayLike] = field(repr=False)
+
+    def to_xarray(self) -> xarray.Dataset:
+        """Return the quantities over their parameters; needs xarray.
+
+        A dimension along which one parameter varies alone has its name and its values as
+        coordinates. Other dimensions are called ``dim_0``, ``dim_1`` and so on; parameters that
+        vary along them, or along several dimensions, are coordinates of their dimensions.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> x, nu1 = np.array([0.1, 1.0, 10.0]), np.array([0.3, 0.5])
+        >>> dict(solve(x[:, None], 1.75, nu1, 1e5).to_xarray().sizes)
+        {'a_over_t': 3, 'nu1': 2}
+        """
+        import xarray
+
+        values = {name: np.asarray(getattr(self, name)) for name in QUANTITIES}
+        ndim = values["pi0"].ndim
+        given = {name: real(name, value) for name, value in self._parameters.items()}
+        axes = {
+            name: tuple(i + ndim - array.ndim for i, n in enumerate(array.shape) if n > 1)
+            for name, array in given.items()
+        }
+        dimensions = [
+            alone[0] if len(alone) == 1 else f"dim_{axis}"
+            for axis in range(ndim)
+            for alone in [[name for name, varies in axes.items() if varies == (axis,)]]
+        ]
+        coordinates = {
+            name: ([dimensions[axis] for axis in axes[name]], array.squeeze())
+            for name, array in given.items()
+        }
+        variables = {
+            name: (dimensions, value, {"long_name": QUANTITIES[name], "units": "1"})
+            for name, value in values.items()
+        }
+        return xarray.Dataset(variables, coordinates)
+
+
+def solve(
+    a_over_t: ArrayLike,
+    e1_over_e2: ArrayLike,
+    nu1: ArrayLike,
+    e0_over_e2: ArrayLike,
+    nu0: ArrayLike = 0.25,
+    tolerance: ArrayLike = 1e-8,
+    *,
+    errors: Errors = "raise",
+) -> Solution:
+    """Solve contacts directly, without a table, on all cores.
+
+    The parameters broadcast as numpy's functions do. The results do not depend on the number of
+    cores.
+
+    Parameters
+    ----------
+    a_over_t : array_like
+        Contact radius over film thickness, 1e-6 to 1e6.
+    e1_over_e2 : array_like
+        Young's modulus of the film over the sphere's reduced modulus E2*; 0 is a rigid sphere: then
+        the quantities are in units of the film's reduced modulus, and ``e0_over_e2`` is E0/E1.
+    nu1 : array_like
+        Poisson ratio of the film, above -1 and at most 0.5.
+    e0_over_e2 : array_like
+        Young's modulus of the substrate over E2*; infinity is a rigid substrate.
+    nu0 : array_like
+        Poisson ratio of the substrate, above -1 and at most 0.5.
+    tolerance : array_like
+        The largest relative error allowed, 1e-13 to 1e-2.
+    errors : {"raise", "nan"}
+        What a point with an error gives: an exception, or NaN.
+
+    Returns
+    -------
+    Solution
+        The four quantities in units of E2*, and their estimated error.
+
+    Raises
+    ------
+    UnphysicalError
+        For a parameter that no material has.
+    DomainError
+        For an ``a_over_t``, a ``tolerance`` or a ratio of moduli outside the domain.
+    NotConvergedError
+        Where double precision does not allow the tolerance.
+
+    Examples
+    --------
+    >>> solution = solve(65.0, 1.75, 0.5, 1e5, tolerance=1e-10)
+    >>> solution.error <= 1e-10
+    True
+    >>> solve([0.1, 1.0], 1.75, 0.5, 1e5).eeq.round(4)
+    array([0.7243, 0.8912])
+    """
+    parameters: dict[str, ArrayLike] = {
+        "a_over_t": a_over_t,
+        "e1_over_e2": e1_over_e2,
+        "nu1": nu1,
+        "e0_over_e2": e0_over_e2,
+        "nu0": nu0,
+        "tolerance": tolerance,
+    }
+    found = evaluate(_core.solve, errors, **parameters)
+    del parameters["tolerance"]
+    pi0, eeq, gamma, delta0, error = map(scalar_or_array, found)
+    return Solution(pi0, eeq, gamma, delta0, error, parameters)

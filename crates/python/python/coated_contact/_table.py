@@ -1,0 +1,168 @@
+"""Tables of the dimensionless quantities."""
+
+from __future__ import annotations
+
+import hashlib
+import os
+from collections.abc import Mapping
+from functools import cache, cached_property
+from typing import Any, NoReturn, final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _core
+from ._bodies import System
+from ._contact import Contact
+
+
+@final
+class Table:
+    """A table of the quantities, from which the contact of every system in its box is looked up.
+
+    Tables are made by :meth:`embedded`, :meth:`read` or :meth:`open`. They do not change. Two
+    tables are equal if they hold the same bits.
+
+    Examples
+    --------
+    >>> Table.embedded().quantities
+    ('gamma',)
+    """
+
+    _native: Any
+
+    def __init__(self, native: Any) -> None:
+        """Take a native table; use the class methods instead."""
+        if not isinstance(native, _core.Table):
+            raise TypeError("make a table with Table.embedded, Table.read or Table.open")
+        object.__setattr__(self, "_native", native)
+
+    def __setattr__(self, name: str, value: object) -> NoReturn:
+        """Refuse changes."""
+        raise AttributeError(f"a table does not change: {name} cannot be set")
+
+    @classmethod
+    def embedded(cls) -> Table:
+        """Return the table that comes with the package.
+
+        It holds every sphere, film and substrate with Poisson ratios from 0 to 0.5, to 1e-6. The
+        first contact made from it takes some 20 to 40 ms more, which decode it.
+        """
+        return _embedded()
+
+    @classmethod
+    def read(cls, path: str | os.PathLike[str]) -> Table:
+        """Read a packed table, as ``tabulate pack`` writes it.
+
+        Raises
+        ------
+        OSError
+            If the file cannot be read.
+        TableError
+            If it is no packed table, or a damaged one.
+        """
+        return cls(_core.Table.read(path))
+
+    @classmethod
+    def open(cls, path: str | os.PathLike[str]) -> Table:
+        """Read an HDF5 table, as ``tabulate generate`` writes it.
+
+        Raises
+        ------
+        OSError
+            If the file cannot be read.
+        TableError
+            If it is no HDF5 table of this project, or a damaged one.
+        """
+        return cls(_core.Table.open(path))
+
+    @classmethod
+    def from_packed(cls, packed: bytes) -> Table:
+        """Make a table from the bytes of a packed one.
+
+        Raises
+        ------
+        TableError
+            If the bytes are no packed table.
+        """
+        return cls(_core.Table.from_packed(packed))
+
+    def to_packed(self) -> bytes:
+        """Return the packed form, from which :meth:`from_packed` makes this table bit for bit."""
+        return self._native.to_packed()
+
+    def contact(self, system: System) -> Contact:
+        """Look up the material of a system, and return its contact.
+
+        Raises
+        ------
+        OutsideTableError, EquivalentError, NormalisationError
+            If the table does not hold the material.
+        """
+        return Contact(system=system, table=self)
+
+    @property
+    def title(self) -> str:
+        """The title of the scene."""
+        return self._description["title"]
+
+    @property
+    def scene(self) -> str:
+        """The scene, as TOML."""
+        return self._description["scene"]
+
+    @property
+    def tolerance(self) -> float:
+        """The relative tolerance of the table."""
+        return self._description["tolerance"]
+
+    @property
+    def max_error(self) -> float:
+        """The certificate: the largest relative error at sampled points, against direct solves."""
+        return self._description["max_error"]
+
+    @property
+    def median_error(self) -> float:
+        """The median relative error at the sampled points."""
+        return self._description["median_error"]
+
+    @property
+    def quantities(self) -> tuple[str, ...]:
+        """The names of the quantities held. A table of ``gamma`` alone answers all four."""
+        return tuple(self._native.quantities())
+
+    @property
+    def axes(self) -> Mapping[str, NDArray[np.float64]]:
+        """The nodes of each axis by its name, in the order of the dimensions."""
+        return self._native.axes()
+
+    @cached_property
+    def _description(self) -> dict[str, Any]:
+        return self._native.description()
+
+    @cached_property
+    def _digest(self) -> bytes:
+        return hashlib.sha256(self.to_packed()).digest()
+
+    def __eq__(self, other: object) -> bool:
+        """Compare the contents."""
+        if not isinstance(other, Table):
+            return NotImplemented
+        return self._native is other._native or self._digest == other._digest
+
+    def __hash__(self) -> int:
+        return hash(self._digest)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Pickle the embedded table by its name, any other by its packed form."""
+        if self._native.is_embedded:
+            return (_embedded, ())
+        return (Table.from_packed, (self.to_packed(),))
+
+    def __repr__(self) -> str:
+        return f"<Table {self.title!r}, tolerance {self.tolerance:g}>"
+
+
+@cache
+def _embedded() -> Table:
+    return Table(_core.Table.embedded())

@@ -1,0 +1,122 @@
+//! Flat arrays of f64, evaluated point by point with the interpreter's lock released.
+
+use std::ops::Range;
+
+use numpy::{PyArray1, PyReadonlyArray1};
+use pyo3::exceptions::{PyMemoryError, PyValueError};
+use pyo3::prelude::*;
+use rayon::prelude::*;
+
+use crate::error::Failure;
+
+/// An input: one value for each point, or one value for all.
+pub type Input<'py> = PyReadonlyArray1<'py, f64>;
+/// A result: one value for each point.
+pub type Output<'py> = Bound<'py, PyArray1<f64>>;
+
+/// The points of an evaluation: their number, and whether a point with an error gives NaN instead of
+/// an exception.
+#[derive(FromPyObject)]
+pub struct Points(usize, bool);
+
+/// The values of the inputs.
+#[derive(Clone, Copy)]
+struct Values<'a, const K: usize>([&'a [f64]; K]);
+
+impl<const K: usize> Values<'_, K> {
+    /// Returns the inputs of one point.
+    fn at(self, index: usize) -> [f64; K] {
+        self.0
+            .map(|values| values[if values.len() == 1 { 0 } else { index }])
+    }
+}
+
+impl Points {
+    /// Evaluates `function` at every point, in the thread of the caller.
+    pub fn evaluate<'py, const K: usize, const N: usize, E>(
+        &self,
+        py: Python<'py>,
+        inputs: [&Input<'_>; K],
+        function: impl Fn([f64; K]) -> Result<[f64; N], E> + Sync,
+    ) -> PyResult<[Output<'py>; N]>
+    where
+        E: Send,
+        Failure: From<E>,
+    {
+        let function = &function;
+        self.in_blocks(py, inputs, 1 << 16, |values, block| {
+            block.map(move |index| function(values.at(index)))
+        })
+    }
+
+    /// Evaluates `function` at every point, on all cores. The results do not depend on their number.
+    pub fn evaluate_on_all_cores<'py, const K: usize, const N: usize, E>(
+        &self,
+        py: Python<'py>,
+        inputs: [&Input<'_>; K],
+        function: impl Fn([f64; K]) -> Result<[f64; N], E> + Sync,
+    ) -> PyResult<[Output<'py>; N]>
+    where
+        E: Send,
+        Failure: From<E>,
+    {
+        self.in_blocks(py, inputs, 1 << 12, |values, block| {
+            let results = block
+                .into_par_iter()
+                .map(|index| function(values.at(index)));
+            results.collect::<Vec<_>>().into_iter()
+        })
+    }
+
+    /// Evaluates blocks of points one after the other. Between them a signal, such as Ctrl-C, ends
+    /// the evaluation.
+    fn in_blocks<'py, 'a, const K: usize, const N: usize, E, I>(
+        &self,
+        py: Python<'py>,
+        inputs: [&'a Input<'_>; K],
+        length: usize,
+        evaluate: impl Fn(Values<'a, K>, Range<usize>) -> I + Sync,
+    ) -> PyResult<[Output<'py>; N]>
+    where
+        E: Send,
+        Failure: From<E>,
+        I: Iterator<Item = Result<[f64; N], E>>,
+    {
+        let Self(count, nan) = *self;
+        let mut values = Values([&[]; K]);
+        for (values, input) in values.0.iter_mut().zip(inputs) {
+            *values = input.as_slice()?;
+            if values.len() != 1 && values.len() != count {
+                return Err(PyValueError::new_err(format!(
+                    "an input has {} values, there are {count} points",
+                    values.len()
+                )));
+            }
+        }
+        let mut results = [const { Vec::new() }; N];
+        for result in &mut results {
+            result
+                .try_reserve_exact(count)
+                .map_err(|error| PyMemoryError::new_err(error.to_string()))?;
+        }
+        for start in (0..count).step_by(length) {
+            let block = start..count.min(start + length);
+            py.detach(|| {
+                for (index, result) in block.clone().zip(evaluate(values, block)) {
+                    let numbers = match result {
+                        Ok(numbers) => numbers,
+                        Err(_) if nan => [f64::NAN; N],
+                        Err(error) => return Err((index, error)),
+                    };
+                    for (result, number) in results.iter_mut().zip(numbers) {
+                        result.push(number);
+                    }
+                }
+                Ok(())
+            })
+            .map_err(|(index, error)| Failure::from(error).at(index).raise(py))?;
+            py.check_signals()?;
+        }
+        Ok(results.map(|result| PyArray1::from_vec(py, result)))
+    }
+}

@@ -1,0 +1,262 @@
+//! One contact: numbers at contact radii, and states at imposed values.
+
+use std::sync::OnceLock;
+
+use interp::{Branch, Control, Error, ForceDisplacement, Input as Parameter, State, System};
+use numpy::PyArray1;
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+
+use crate::arrays::{Input, Output, Points};
+use crate::bodies::{HalfSpaceNumbers, half_space};
+use crate::error::Failure;
+use crate::table::Table;
+
+/// A contact, with the table that makes its derivatives when they are first asked for.
+#[pyclass(frozen, module = "coated_contact._core")]
+pub struct Contact {
+    contact: interp::Contact,
+    origin: Option<(Table, System)>,
+    with_gradient: OnceLock<interp::Contact>,
+}
+
+/// What is imposed: `load`, `displacement` or `spring`, and the stiffness of the spring, N/m.
+type Imposed<'a> = (&'a str, f64);
+/// Contact radius, load and penetration.
+type StateNumbers = [f64; 3];
+/// Contact radii, loads and penetrations.
+type StateArrays<'py> = [Output<'py>; 3];
+/// Branches on loading and unloading, and the states before and after each jump.
+type CurveNumbers<'py> = (
+    Vec<StateArrays<'py>>,
+    Vec<StateArrays<'py>>,
+    Vec<(StateNumbers, Option<StateNumbers>)>,
+);
+
+impl Contact {
+    /// Takes the contact of a system on a table.
+    pub fn coated(table: Table, system: System, contact: interp::Contact) -> Self {
+        Self {
+            contact,
+            origin: Some((table, system)),
+            with_gradient: OnceLock::new(),
+        }
+    }
+
+    /// Returns the contact with derivatives, made at the first call.
+    fn gradient_contact(&self) -> Result<&interp::Contact, Error> {
+        let Some((table, system)) = &self.origin else {
+            return Ok(&self.contact);
+        };
+        if let Some(made) = self.with_gradient.get() {
+            return Ok(made);
+        }
+        let made = table.get().contact_with_gradient(system)?;
+        Ok(self.with_gradient.get_or_init(|| made))
+    }
+}
+
+/// Returns what is imposed on the contact.
+fn control((name, stiffness): Imposed<'_>) -> PyResult<Control> {
+    match name {
+        "load" => Ok(Control::Load),
+        "displacement" => Ok(Control::Displacement),
+        "spring" => Ok(Control::Spring { stiffness }),
+        other => Err(PyValueError::new_err(format!("{other:?} is not a control"))),
+    }
+}
+
+/// Returns the branch of a name.
+fn branch(name: &str) -> PyResult<Branch> {
+    match name {
+        "loading" => Ok(Branch::Loading),
+        "unloading" => Ok(Branch::Unloading),
+        other => Err(PyValueError::new_err(format!("{other:?} is not a branch"))),
+    }
+}
+
+/// Returns the three numbers of a state.
+fn numbers(state: State) -> StateNumbers {
+    [state.contact_radius, state.load, state.penetration]
+}
+
+/// Returns the states of a branch as three arrays.
+fn arrays<'py>(py: Python<'py>, states: &[State]) -> StateArrays<'py> {
+    [0, 1, 2].map(|i| PyArray1::from_iter(py, states.iter().map(|&state| numbers(state)[i])))
+}
+
+#[pymethods]
+impl Contact {
+    #[staticmethod]
+    fn half_space(py: Python<'_>, numbers: HalfSpaceNumbers) -> PyResult<Self> {
+        half_space(numbers)
+            .and_then(|system| interp::Contact::half_space(&system))
+            .map(|contact| Self {
+                contact,
+                origin: None,
+                with_gradient: OnceLock::new(),
+            })
+            .map_err(|error| Failure::from(error).raise(py))
+    }
+
+    /// Returns the smallest and the largest contact radius of searches.
+    fn contact_radius_range(&self) -> [f64; 2] {
+        self.contact.contact_radius_range()
+    }
+
+    fn load<'py>(
+        &self,
+        py: Python<'py>,
+        points: Points,
+        a: Input<'_>,
+        w: Input<'_>,
+    ) -> PyResult<[Output<'py>; 1]> {
+        points.evaluate(py, [&a, &w], |[a, w]| {
+            self.contact.load(a, w).map(|load| [load])
+        })
+    }
+
+    fn load_and_penetration<'py>(
+        &self,
+        py: Python<'py>,
+        points: Points,
+        a: Input<'_>,
+        w: Input<'_>,
+    ) -> PyResult<[Output<'py>; 2]> {
+        points.evaluate(py, [&a, &w], |[a, w]| {
+            self.contact
+                .load_and_penetration(a, w)
+                .map(<[f64; 2]>::from)
+        })
+    }
+
+    fn stiffness<'py>(
+        &self,
+        py: Python<'py>,
+        points: Points,
+        a: Input<'_>,
+    ) -> PyResult<[Output<'py>; 1]> {
+        points.evaluate(py, [&a], |[a]| {
+            self.contact.stiffness(a).map(|stiffness| [stiffness])
+        })
+    }
+
+    /// Returns load and penetration, and then the derivatives of both with respect to each of
+    /// `interp::Input::ALL`; NaN where one is not known.
+    fn gradient<'py>(
+        &self,
+        py: Python<'py>,
+        points: Points,
+        a: Input<'_>,
+        w: Input<'_>,
+    ) -> PyResult<[Output<'py>; 20]> {
+        let contact = py
+            .detach(|| self.gradient_contact())
+            .map_err(|error| Failure::from(error).raise(py))?;
+        points.evaluate(py, [&a, &w], |[a, w]| {
+            let gradient = contact.gradient(a, w)?;
+            let mut values = [f64::NAN; 20];
+            (values[0], values[1]) = (gradient.load(), gradient.penetration());
+            for (pair, input) in values[2..].chunks_exact_mut(2).zip(Parameter::ALL) {
+                if let Ok(derivatives) = gradient.by(input) {
+                    pair.copy_from_slice(&[derivatives.load, derivatives.penetration]);
+                }
+            }
+            Ok::<_, Error>(values)
+        })
+    }
+
+    fn pull_off<'py>(
+        &self,
+        py: Python<'py>,
+        points: Points,
+        w: Input<'_>,
+        imposed: Imposed<'_>,
+    ) -> PyResult<StateArrays<'py>> {
+        let control = control(imposed)?;
+        points.evaluate(py, [&w], |[w]| {
+            self.contact.pull_off(w, control).map(numbers)
+        })
+    }
+
+    /// Accepts a work of adhesion and what is imposed.
+    fn check_equilibria(&self, py: Python<'_>, w: f64, imposed: Imposed<'_>) -> PyResult<()> {
+        let control = control(imposed)?;
+        py.detach(|| self.contact.equilibria(w, control).map(drop))
+            .map_err(|error| Failure::from(error).raise(py))
+    }
+
+    /// Returns all equilibria at one imposed value, each with its stability.
+    fn equilibria_at(
+        &self,
+        py: Python<'_>,
+        w: f64,
+        imposed: Imposed<'_>,
+        value: f64,
+    ) -> PyResult<Vec<(StateNumbers, bool)>> {
+        let control = control(imposed)?;
+        let found = py.detach(|| self.contact.equilibria(w, control)?.at(value));
+        found
+            .map(|all| {
+                all.into_iter()
+                    .map(|one| (numbers(one.state), one.stable))
+                    .collect()
+            })
+            .map_err(|error| Failure::from(error).raise(py))
+    }
+
+    /// Returns the stable state of a branch at each imposed value.
+    fn states<'py>(
+        &self,
+        py: Python<'py>,
+        points: Points,
+        values: Input<'_>,
+        w: f64,
+        imposed: Imposed<'_>,
+        branch_name: &str,
+    ) -> PyResult<StateArrays<'py>> {
+        let (control, branch) = (control(imposed)?, branch(branch_name)?);
+        let equilibria = py
+            .detach(|| self.contact.equilibria(w, control))
+            .map_err(|error| Failure::from(error).raise(py))?;
+        points.evaluate(py, [&values], |[value]| {
+            let state = match branch {
+                Branch::Loading => equilibria.loading(value),
+                Branch::Unloading => equilibria.unloading(value),
+            };
+            state.map(numbers)
+        })
+    }
+
+    fn force_displacement<'py>(
+        &self,
+        py: Python<'py>,
+        w: f64,
+        imposed: Imposed<'_>,
+        most: f64,
+        points: i64,
+    ) -> PyResult<CurveNumbers<'py>> {
+        let control = control(imposed)?;
+        let computed = py.detach(|| {
+            let points = usize::try_from(points).map_err(|_| Error::InvalidArgument {
+                name: "number of points",
+                value: points as f64,
+                allowed: "from 2 to 1000000".into(),
+            })?;
+            self.contact
+                .equilibria(w, control)?
+                .force_displacement(most, points)
+        });
+        let ForceDisplacement {
+            loading,
+            unloading,
+            jumps,
+        } = computed.map_err(|error| Failure::from(error).raise(py))?;
+        let [loading, unloading] = [loading, unloading]
+            .map(|branches| branches.iter().map(|branch| arrays(py, branch)).collect());
+        let jumps = jumps
+            .into_iter()
+            .map(|jump| (numbers(jump.from), jump.to.map(numbers)));
+        Ok((loading, unloading, jumps.collect()))
+    }
+}

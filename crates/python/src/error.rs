@@ -1,0 +1,269 @@
+//! Python's exceptions for the errors of the Rust crates.
+//!
+//! The classes are Python's own, in `coated_contact._errors`, so that they are documented and
+//! annotated there. Files that cannot be read are `OSError`s.
+
+use std::io;
+use std::path::Path;
+
+use interp::Error;
+use pyo3::exceptions::PyOSError;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+/// An error on its way to Python.
+pub struct Failure {
+    class: &'static str,
+    message: String,
+    axis: Option<String>,
+    value: Option<f64>,
+    range: Option<(f64, f64)>,
+    allowed: Option<String>,
+    /// The number of the point that failed, where there are many.
+    index: Option<usize>,
+    cause: Option<Box<Failure>>,
+    file: Option<FileFailure>,
+}
+
+/// The numbers of Python's `OSError`.
+struct FileFailure {
+    errno: i32,
+    reason: String,
+    path: String,
+}
+
+impl Failure {
+    /// An error of the class `class` with the message of `error` and of its sources.
+    pub fn new(class: &'static str, error: &dyn std::error::Error) -> Self {
+        let mut message = error.to_string();
+        let mut source = error.source();
+        while let Some(error) = source {
+            message = format!("{message}: {error}");
+            source = error.source();
+        }
+        Self {
+            class,
+            message,
+            axis: None,
+            value: None,
+            range: None,
+            allowed: None,
+            index: None,
+            cause: None,
+            file: None,
+        }
+    }
+
+    /// Adds the name and the value of what is refused.
+    pub fn about(self, axis: &str, value: f64) -> Self {
+        Self {
+            axis: Some(axis.to_owned()),
+            value: Some(value),
+            ..self
+        }
+    }
+
+    /// Adds the range of the values allowed.
+    pub fn range(self, from: f64, to: f64) -> Self {
+        Self {
+            range: Some((from, to)),
+            ..self
+        }
+    }
+
+    /// Adds the values allowed in words.
+    pub fn allowed(self, words: &str) -> Self {
+        Self {
+            allowed: Some(words.to_owned()),
+            ..self
+        }
+    }
+
+    /// Adds the number of the point that failed.
+    pub fn at(self, index: usize) -> Self {
+        Self {
+            index: Some(index),
+            ..self
+        }
+    }
+
+    /// Makes it an `OSError` about a file, with the class that Python chooses by its number.
+    pub fn about_file(self, path: &Path, source: &io::Error) -> Self {
+        let file = source.raw_os_error().map(|errno| FileFailure {
+            errno,
+            reason: reason(source),
+            path: path.display().to_string(),
+        });
+        Self {
+            class: "OSError",
+            file,
+            ..self
+        }
+    }
+
+    /// Makes the exception.
+    pub fn raise(self, py: Python<'_>) -> PyErr {
+        if let Some(FileFailure {
+            errno,
+            reason,
+            path,
+        }) = self.file
+        {
+            return PyOSError::new_err((errno, reason, path));
+        }
+        if self.class == "OSError" {
+            return PyOSError::new_err(self.message);
+        }
+        let make = || -> PyResult<PyErr> {
+            let fields = PyDict::new(py);
+            fields.set_item("axis", self.axis)?;
+            fields.set_item("value", self.value)?;
+            fields.set_item("range", self.range)?;
+            fields.set_item("allowed", self.allowed)?;
+            fields.set_item("index", self.index)?;
+            let class = py.import("coated_contact._errors")?.getattr(self.class)?;
+            let made = PyErr::from_value(class.call((self.message,), Some(&fields))?);
+            made.set_cause(py, self.cause.map(|cause| cause.raise(py)));
+            Ok(made)
+        };
+        make().unwrap_or_else(|error| error)
+    }
+}
+
+/// Returns the words of the operating system without the number that Rust adds.
+fn reason(source: &io::Error) -> String {
+    let text = source.to_string();
+    match text.find(" (os error") {
+        Some(end) => text[..end].to_owned(),
+        None => text,
+    }
+}
+
+impl From<Error> for Failure {
+    fn from(error: Error) -> Self {
+        let failure = Self::new("ContactError", &error);
+        let of = |class| Self { class, ..failure };
+        match error {
+            Error::Unphysical {
+                name,
+                value,
+                allowed,
+            } => of("UnphysicalError").about(name, value).allowed(allowed),
+            Error::InvalidArgument {
+                name,
+                value,
+                allowed,
+            } => of("InvalidArgumentError")
+                .about(name, value)
+                .allowed(&allowed),
+            Error::BeyondSphere {
+                contact_radius,
+                sphere_radius,
+            } => of("BeyondSphereError")
+                .about("contact radius", contact_radius)
+                .range(0.0, sphere_radius),
+            Error::OutsideTable {
+                axis,
+                value,
+                from,
+                to,
+            } => of("OutsideTableError").about(axis, value).range(from, to),
+            Error::Extrapolation { value, edge, .. } => {
+                let ends_above = value < edge;
+                of("ExtrapolationError").about("a_over_t", value).range(
+                    if ends_above { edge } else { 0.0 },
+                    if ends_above { f64::INFINITY } else { edge },
+                )
+            }
+            Error::OutsideRadii {
+                name,
+                value,
+                from,
+                to,
+                ..
+            } => of("OutsideRadiiError").about(name, value).allowed(&format!(
+                "such that the contact radius is from {from:?} m to {to:?} m"
+            )),
+            Error::NoContact { name, value, least } => of("NoContactError")
+                .about(name, value)
+                .range(least, f64::INFINITY),
+            Error::Equivalent { nu0, cause, .. } => Self {
+                cause: Some(Box::new((*cause).into())),
+                ..of("EquivalentError").about("nu0", nu0)
+            },
+            Error::Normalisation { .. } => of("NormalisationError"),
+            Error::MissingQuantity(_) | Error::BeginsTooLate { .. } => of("MissingQuantityError"),
+            Error::FixedParameter(name) => Self {
+                axis: Some(name.to_owned()),
+                ..of("FixedParameterError")
+            },
+            Error::Foreign(_)
+            | Error::Version { .. }
+            | Error::Length { .. }
+            | Error::Checksum { .. }
+            | Error::Malformed(_)
+            | Error::LowRankTooLarge { .. } => of("TableError"),
+            Error::Io { path, source } => of("OSError").about_file(&path, &source),
+            _ => of("ContactError"),
+        }
+    }
+}
+
+impl From<tabulate::Error> for Failure {
+    fn from(error: tabulate::Error) -> Self {
+        use tabulate::Error;
+        let failure = Self::new("ContactError", &error);
+        let of = |class| Self { class, ..failure };
+        match error {
+            Error::Table(error) => error.into(),
+            Error::Domain {
+                name,
+                value,
+                from,
+                to,
+            } => of("DomainError").about(name, value).range(from, to),
+            Error::NotConverged {
+                tolerance, reached, ..
+            } => of("NotConvergedError")
+                .about("tolerance", tolerance)
+                .range(reached, f64::INFINITY),
+            _ => of("ContactError"),
+        }
+    }
+}
+
+impl From<fit::Error> for Failure {
+    fn from(error: fit::Error) -> Self {
+        use fit::Error;
+        let of = Self::new("FitError", &error);
+        match error {
+            Error::Contact(error) => error.into(),
+            Error::Point {
+                name,
+                value,
+                allowed,
+                ..
+            } => of.about(name, value).allowed(allowed),
+            Error::Constant { name, value, .. } => of.about(name, value),
+            Error::Setting {
+                name,
+                value,
+                allowed,
+            } => of.about(&name, value).allowed(&allowed),
+            Error::Start { cause, .. } => Self {
+                cause: Some(Box::new(cause.into())),
+                ..of
+            },
+            _ => of,
+        }
+    }
+}
+
+/// Returns the exception of a derivative that is not known.
+#[pyfunction]
+pub fn no_derivative(py: Python<'_>, input: usize) -> PyErr {
+    let name = interp::Input::ALL
+        .get(input)
+        .map_or("an unknown input", |input| input.name());
+    Failure::from(Error::FixedParameter(name)).raise(py)
+}

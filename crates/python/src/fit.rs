@@ -1,0 +1,300 @@
+//! Fits of measured contacts: one fit of one or several experiments, and a map of separate fits.
+
+use fit::{
+    Bodies, Direction, Estimate, Experiment, Fit, FittedExperiment, Free, Kind, Loss, Measurement,
+    Options, Parameter, Point, Scope, WithoutFilm,
+};
+use interp::Error as ContactError;
+use numpy::{PyArray1, PyReadonlyArray1};
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyList};
+use rayon::prelude::*;
+
+use crate::bodies::{half_space, system};
+use crate::error::Failure;
+use crate::table::Table;
+
+/// An experiment, as the attributes of the Python class.
+#[derive(FromPyObject)]
+pub struct Given<'py> {
+    name: String,
+    kind: String,
+    bodies: Vec<f64>,
+    abscissa: PyReadonlyArray1<'py, f64>,
+    ordinate: PyReadonlyArray1<'py, f64>,
+    retract: Option<PyReadonlyArray1<'py, bool>>,
+    work_of_adhesion: f64,
+    work_of_adhesion_receding: Option<f64>,
+    load_offset: f64,
+    contact_point: f64,
+    baseline: f64,
+    baseline_slope: f64,
+    stiffness: Option<f64>,
+    noise: Option<f64>,
+}
+
+/// A free parameter, as the attributes of the Python class.
+#[derive(FromPyObject)]
+pub struct GivenFree {
+    parameter: String,
+    start: Option<f64>,
+    bounds: Option<[f64; 2]>,
+    prior: Option<[f64; 2]>,
+    own: Option<bool>,
+}
+
+/// Loss, level of profiles, range of the attraction.
+type GivenOptions = (String, Option<f64>, f64);
+
+/// Fits one or several experiments together.
+#[pyfunction]
+#[pyo3(name = "fit")]
+pub fn fit_together<'py>(
+    py: Python<'py>,
+    table: &Bound<'py, Table>,
+    experiments: Vec<Given<'py>>,
+    free: Vec<GivenFree>,
+    given_options: GivenOptions,
+) -> PyResult<Bound<'py, PyDict>> {
+    let (table, options) = (table.get(), options(given_options)?);
+    let experiments = experiments.iter().map(|one| experiment(py, one));
+    let experiments: Vec<Experiment> = experiments.collect::<PyResult<_>>()?;
+    let free = frees(py, free)?;
+    let found = py
+        .detach(|| fit::fit(table.get(), &experiments, &free, &options))
+        .map_err(|error| Failure::from(error).raise(py))?;
+    let result = summary(py, &found)?;
+    let fitted = found.experiments.iter().map(|one| points(py, one));
+    result.set_item("experiments", fitted.collect::<PyResult<Vec<_>>>()?)?;
+    result.set_item(
+        "without_film",
+        without_film(py, found.without_film.as_ref())?,
+    )?;
+    let undetermined = found.undetermined.into_iter().map(|one| one.text);
+    result.set_item("undetermined", undetermined.collect::<Vec<_>>())?;
+    Ok(result)
+}
+
+/// Fits each experiment by itself, on all cores. Returns a summary, or an exception, for each.
+#[pyfunction]
+pub fn fit_map<'py>(
+    py: Python<'py>,
+    table: &Bound<'py, Table>,
+    experiments: Vec<Given<'py>>,
+    free: Vec<GivenFree>,
+    given_options: GivenOptions,
+) -> PyResult<Bound<'py, PyList>> {
+    /// The fits between two looks at signals.
+    const BLOCK: usize = 64;
+    let (table, options) = (table.get(), options(given_options)?);
+    let free = frees(py, free)?;
+    let results = PyList::empty(py);
+    for (block, curves) in experiments.chunks(BLOCK).enumerate() {
+        let curves = curves.iter().map(|one| experiment(py, one));
+        let curves: Vec<Experiment> = curves.collect::<PyResult<_>>()?;
+        let one = |curve: &Experiment| {
+            fit::fit(table.get(), std::slice::from_ref(curve), &free, &options)
+        };
+        let found: Vec<_> = py.detach(|| curves.par_iter().map(one).collect());
+        for (i, found) in found.into_iter().enumerate() {
+            match found {
+                Ok(found) => results.append(summary(py, &found)?)?,
+                Err(error) => {
+                    let failure = Failure::from(error).at(block * BLOCK + i);
+                    results.append(failure.raise(py))?;
+                }
+            }
+        }
+        py.check_signals()?;
+    }
+    Ok(results)
+}
+
+/// Makes an experiment.
+fn experiment(py: Python<'_>, given: &Given<'_>) -> PyResult<Experiment> {
+    let kind = match given.kind.as_str() {
+        "load-radius" => Kind::LoadRadius,
+        "penetration-radius" => Kind::PenetrationRadius,
+        "load-penetration" => Kind::LoadPenetration,
+        "force-height" => Kind::ForceHeight,
+        other => return Err(unknown("kind", other)),
+    };
+    let (x, y) = (given.abscissa.as_slice()?, given.ordinate.as_slice()?);
+    let retract = given.retract.as_ref().map(|retract| retract.as_slice());
+    let retract = retract.transpose()?;
+    let directions = x.iter().enumerate().map(|(i, _)| {
+        retract.and_then(|retract| retract.get(i)).map(|&retract| {
+            if retract {
+                Direction::Retract
+            } else {
+                Direction::Approach
+            }
+        })
+    });
+    let points = x.iter().zip(y).zip(directions).enumerate();
+    let points = points.map(|(i, ((&abscissa, &ordinate), direction))| Point {
+        // Points are counted from 0, as the items of an array are.
+        line: i as u64,
+        abscissa,
+        ordinate,
+        direction,
+    });
+    let measurement = Measurement {
+        name: given.name.clone(),
+        kind,
+        points: points.collect(),
+    };
+    Ok(Experiment {
+        work_of_adhesion: given.work_of_adhesion,
+        work_of_adhesion_receding: given.work_of_adhesion_receding,
+        load_offset: given.load_offset,
+        contact_point: given.contact_point,
+        baseline: given.baseline,
+        baseline_slope: given.baseline_slope,
+        stiffness: given.stiffness,
+        noise: given.noise,
+        ..Experiment::new(measurement, bodies(py, &given.bodies)?)
+    })
+}
+
+/// Makes the bodies from the numbers of a system, or of a half-space.
+fn bodies(py: Python<'_>, numbers: &[f64]) -> PyResult<Bodies> {
+    let made: Result<Bodies, ContactError> = if let Ok(numbers) = numbers.try_into() {
+        system(numbers).map(Bodies::Coated)
+    } else if let Ok(numbers) = numbers.try_into() {
+        half_space(numbers).map(Bodies::HalfSpace)
+    } else {
+        return Err(PyValueError::new_err("bodies have 7 or 4 numbers"));
+    };
+    made.map_err(|error| Failure::from(error).raise(py))
+}
+
+/// Makes the free parameters.
+fn frees(py: Python<'_>, given: Vec<GivenFree>) -> PyResult<Vec<Free>> {
+    let one = |given: GivenFree| {
+        let parameter: Parameter = given.parameter.replace('_', "-").parse()?;
+        let mut free = Free {
+            start: given.start,
+            bounds: given.bounds,
+            ..Free::new(parameter)
+        };
+        if let Some([mean, width]) = given.prior {
+            free = free.with_prior(mean, width);
+        }
+        if let Some(own) = given.own {
+            free = free.with_scope(if own { Scope::Own } else { Scope::Shared });
+        }
+        Ok(free)
+    };
+    let all: Result<_, fit::Error> = given.into_iter().map(one).collect();
+    all.map_err(|error| Failure::from(error).raise(py))
+}
+
+/// Makes the options.
+fn options((loss, profile_level, interaction_range): GivenOptions) -> PyResult<Options> {
+    let loss = match loss.as_str() {
+        "squares" => Loss::Squares,
+        "huber" => Loss::HUBER,
+        "soft-l1" => Loss::SOFT_L1,
+        other => return Err(unknown("loss", other)),
+    };
+    Ok(Options {
+        loss,
+        profile_level,
+        interaction_range,
+    })
+}
+
+/// Returns the exception of a word that the Python layer should have refused.
+fn unknown(name: &str, word: &str) -> PyErr {
+    PyValueError::new_err(format!("{word:?} is not a {name}"))
+}
+
+/// Returns the name of a parameter in Python.
+fn name(parameter: Parameter) -> String {
+    parameter.name().replace('-', "_")
+}
+
+/// Returns parameter, experiment, value, standard error and profile of each estimate.
+fn estimates<'py>(py: Python<'py>, estimates: &[Estimate]) -> PyResult<Bound<'py, PyList>> {
+    let one = |estimate: &Estimate| {
+        let Estimate {
+            parameter,
+            experiment,
+            value,
+            standard_error,
+            profile,
+        } = *estimate;
+        (
+            name(parameter),
+            experiment,
+            value,
+            standard_error,
+            profile.map(<(f64, f64)>::from),
+        )
+    };
+    PyList::new(py, estimates.iter().map(one))
+}
+
+/// Returns what a fit of a map and a single one have in common.
+fn summary<'py>(py: Python<'py>, found: &Fit) -> PyResult<Bound<'py, PyDict>> {
+    let fields = PyDict::new(py);
+    fields.set_item("converged", found.converged)?;
+    fields.set_item("evaluations", found.evaluations)?;
+    fields.set_item("estimates", estimates(py, &found.estimates)?)?;
+    fields.set_item("correlation", &found.correlation)?;
+    fields.set_item("chi_squared", found.chi_squared)?;
+    fields.set_item("degrees_of_freedom", found.degrees_of_freedom)?;
+    fields.set_item("reduced_chi_squared", found.reduced_chi_squared)?;
+    let warnings = found.warnings.iter();
+    let warnings = warnings.map(|warning| (warning.kind.name(), &warning.text));
+    fields.set_item("warnings", warnings.collect::<Vec<_>>())?;
+    Ok(fields)
+}
+
+/// Returns the points of an experiment as arrays, NaN where there is no value.
+fn points<'py>(py: Python<'py>, experiment: &FittedExperiment) -> PyResult<Bound<'py, PyDict>> {
+    let points = &experiment.points;
+    let column = |value: fn(&fit::FittedPoint) -> Option<f64>| {
+        PyArray1::from_iter(
+            py,
+            points.iter().map(|point| value(point).unwrap_or(f64::NAN)),
+        )
+    };
+    let fields = PyDict::new(py);
+    fields.set_item("name", &experiment.name)?;
+    fields.set_item("noise", experiment.noise)?;
+    fields.set_item("noise_is_estimated", experiment.noise_is_estimated)?;
+    fields.set_item("abscissa", column(|point| Some(point.abscissa)))?;
+    fields.set_item("ordinate", column(|point| Some(point.ordinate)))?;
+    fields.set_item("fit", column(|point| point.fit))?;
+    fields.set_item("contact_radius", column(|point| point.contact_radius))?;
+    fields.set_item("without_film", column(|point| point.without_film))?;
+    let branches = points.iter().map(|point| point.branch.name());
+    fields.set_item("branch", branches.collect::<Vec<_>>())?;
+    let outliers = points.iter().map(|point| point.outlier);
+    fields.set_item("outlier", PyArray1::from_iter(py, outliers))?;
+    Ok(fields)
+}
+
+/// Returns the fit without the film.
+fn without_film<'py>(
+    py: Python<'py>,
+    found: Option<&WithoutFilm>,
+) -> PyResult<Option<Bound<'py, PyDict>>> {
+    let Some(found) = found else { return Ok(None) };
+    let fields = PyDict::new(py);
+    fields.set_item("estimates", estimates(py, &found.estimates)?)?;
+    fields.set_item("chi_squared", found.chi_squared)?;
+    let modulus = found.modulus.map(|bias| {
+        (
+            name(bias.parameter),
+            bias.relative,
+            bias.standard_errors,
+            bias.matters(),
+        )
+    });
+    fields.set_item("modulus", modulus)?;
+    Ok(Some(fields))
+}

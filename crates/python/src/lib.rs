@@ -1,0 +1,41 @@
+//! The native part of the Python package `coated_contact`: the module `coated_contact._core`.
+//!
+//! It is thin. The Python layer beside it checks types, broadcasts, documents and annotates; this
+//! module takes flat arrays of f64 and evaluates them with the interpreter's lock released. Data
+//! flows `contact → table → bodies`, all through `arrays`; `fit` and `solve` stand beside them; `error` makes Python's exceptions of all of them.
+
+#![forbid(unsafe_code)]
+
+mod arrays;
+mod bodies;
+mod contact;
+mod error;
+mod fit;
+mod solve;
+mod table;
+
+use pyo3::prelude::*;
+
+/// The native part of `coated_contact`.
+#[pymodule]
+mod _core {
+    #[pymodule_export]
+    use super::bodies::{check_elastic, check_half_space, check_system};
+    #[pymodule_export]
+    use super::contact::Contact;
+    #[pymodule_export]
+    use super::error::no_derivative;
+    #[pymodule_export]
+    use super::fit::{fit_map, fit_together};
+    #[pymodule_export]
+    use super::solve::solve;
+    #[pymodule_export]
+    use super::table::Table;
+
+    use super::{Bound, PyModule, PyModuleMethods as _, PyResult};
+
+    #[pymodule_init]
+    fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
+        module.add("__version__", env!("CARGO_PKG_VERSION"))
+    }
+}

@@ -1,0 +1,125 @@
+//! Tables: the embedded one, packed ones and HDF5 ones.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use interp::{Error, SubstratePoissonRatio};
+use numpy::PyArray1;
+use pyo3::prelude::*;
+use pyo3::types::{PyBytes, PyDict};
+
+use crate::bodies::{SystemNumbers, system};
+use crate::contact::Contact;
+use crate::error::Failure;
+
+/// A table, shared with the contacts made from it.
+#[pyclass(frozen, module = "coated_contact._core")]
+#[derive(Clone)]
+pub struct Table(Source);
+
+#[derive(Clone)]
+enum Source {
+    Embedded,
+    Own(Arc<interp::Table>),
+}
+
+impl Table {
+    /// Returns the table in Rust.
+    pub fn get(&self) -> &interp::Table {
+        match &self.0 {
+            Source::Embedded => interp::Table::embedded(),
+            Source::Own(table) => table,
+        }
+    }
+
+    /// Takes a table that was read, or raises.
+    fn own(py: Python<'_>, read: Result<interp::Table, Error>) -> PyResult<Self> {
+        match read {
+            Ok(table) => Ok(Self(Source::Own(Arc::new(table)))),
+            Err(error) => Err(Failure::from(error).raise(py)),
+        }
+    }
+}
+
+#[pymethods]
+impl Table {
+    #[staticmethod]
+    fn embedded() -> Self {
+        Self(Source::Embedded)
+    }
+
+    #[staticmethod]
+    fn read(py: Python<'_>, path: PathBuf) -> PyResult<Self> {
+        Self::own(py, py.detach(|| interp::Table::read(path)))
+    }
+
+    #[staticmethod]
+    fn open(py: Python<'_>, path: PathBuf) -> PyResult<Self> {
+        Self::own(py, py.detach(|| interp::Table::open(path)))
+    }
+
+    #[staticmethod]
+    fn from_packed(py: Python<'_>, bytes: &[u8]) -> PyResult<Self> {
+        Self::own(py, interp::Table::from_packed(bytes))
+    }
+
+    fn to_packed<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyBytes>> {
+        py.detach(|| self.get().to_packed())
+            .map(|bytes| PyBytes::new(py, &bytes))
+            .map_err(|error| Failure::from(error).raise(py))
+    }
+
+    #[getter]
+    fn is_embedded(&self) -> bool {
+        matches!(self.0, Source::Embedded)
+    }
+
+    /// Returns the description with its certificate.
+    fn description<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let description = self.get().description();
+        let certificate = &description.certificate;
+        let fields = PyDict::new(py);
+        fields.set_item("title", &description.title)?;
+        fields.set_item("scene", &description.scene)?;
+        match description.nu0 {
+            SubstratePoissonRatio::Fixed(nu0) => fields.set_item("nu0", nu0)?,
+            SubstratePoissonRatio::Paired => {
+                fields.set_item("nu0", SubstratePoissonRatio::PAIRED)?;
+            }
+        }
+        fields.set_item("tolerance", description.tolerance)?;
+        fields.set_item("created_by", &description.created_by)?;
+        fields.set_item("max_error", certificate.max_error)?;
+        fields.set_item("median_error", certificate.median_error)?;
+        fields.set_item("points", certificate.points)?;
+        Ok(fields)
+    }
+
+    /// Returns the nodes of each axis by its name.
+    fn axes<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let axes = PyDict::new(py);
+        for (parameter, nodes) in self.get().axes() {
+            axes.set_item(parameter.name(), PyArray1::from_vec(py, nodes))?;
+        }
+        Ok(axes)
+    }
+
+    /// Returns the names of the quantities held.
+    fn quantities(&self) -> Vec<&'static str> {
+        let held = self.get().quantities();
+        held.into_iter().map(interp::Quantity::name).collect()
+    }
+
+    /// Makes the contact of a system.
+    fn contact(&self, py: Python<'_>, numbers: SystemNumbers) -> PyResult<Contact> {
+        let made: Result<_, Error> = py.detach(|| {
+            let system = system(numbers)?;
+            let contact = self.get().contact(&system)?;
+            Ok((system, contact))
+        });
+        match made {
+            Ok((system, contact)) => Ok(Contact::coated(self.clone(), system, contact)),
+            Err(error) => Err(Failure::from(error).raise(py)),
+        }
+    }
+}

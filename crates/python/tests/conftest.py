@@ -1,0 +1,80 @@
+"""Systems, contacts, reference data and the program `tabulate`, for all tests."""
+
+import csv
+import os
+import subprocess
+from pathlib import Path
+
+import pytest
+
+from coated_contact import Elastic, System, Table
+
+ROOT = Path(__file__).resolve().parents[3]
+DATA = ROOT / "tests" / "data"
+
+
+def make_system(*, film_thickness=1e-5, film_modulus=3.5e6, film_poisson_ratio=0.5):
+    """Barthel's elastomer sphere on an elastomer film on silicon."""
+    return System(
+        sphere_radius=1e-3,
+        sphere_modulus=2e6,
+        film=Elastic(young_modulus=film_modulus, poisson_ratio=film_poisson_ratio),
+        film_thickness=film_thickness,
+        substrate=Elastic(young_modulus=2e11, poisson_ratio=0.25),
+    )
+
+
+@pytest.fixture(scope="session")
+def system():
+    return make_system()
+
+
+@pytest.fixture(scope="session")
+def contact(system):
+    return Table.embedded().contact(system)
+
+
+def rows(name):
+    """The rows of a file of reference values; words stay words."""
+    with (DATA / f"{name}.csv").open() as file:
+        return list(csv.DictReader(line for line in file if not line.startswith("#")))
+
+
+def system_of(row):
+    """The system of a row of systems.csv."""
+    number = {name: float(value) for name, value in row.items() if name not in BODIES}
+    return System(
+        sphere_radius=number["sphere_radius"],
+        sphere_modulus=number["sphere_modulus"],
+        film=Elastic(
+            young_modulus=number["film_modulus"], poisson_ratio=number["film_poisson_ratio"]
+        ),
+        film_thickness=number["film_thickness"],
+        substrate=Elastic(
+            young_modulus=number["substrate_modulus"],
+            poisson_ratio=number["substrate_poisson_ratio"],
+        ),
+    )
+
+
+BODIES = ("sphere", "film", "substrate")
+
+
+@pytest.fixture(scope="session")
+def tabulate(tmp_path_factory):
+    """Run the program `tabulate` and return the rows of the CSV that it writes."""
+    program = os.environ.get("TABULATE")
+    if program is None:
+        pytest.skip("TABULATE does not name the program: `cargo xtask test` sets it")
+    folder = tmp_path_factory.mktemp("tabulate")
+
+    def run(*arguments):
+        path = folder / "out.csv"
+        command = [program, *map(str, arguments), "-o", str(path)]
+        subprocess.run(command, check=True, capture_output=True)
+        with path.open() as file:
+            return [
+                {name: float(value) for name, value in row.items()} for row in csv.DictReader(file)
+            ]
+
+    return run

@@ -1,0 +1,127 @@
+"""Broadcasting, types, and what a point with an error gives."""
+
+import threading
+
+import numpy as np
+import pytest
+
+from coated_contact import BeyondSphereError, ContactError, FixedParameterError, State, States
+
+W = 0.04
+
+
+def test_scalars_give_scalars(contact):
+    for a in (65e-6, np.float64(65e-6), np.array(65e-6)):
+        assert type(contact.load(a, W)) is float
+        assert type(contact.stiffness(a)) is float
+        assert type(contact.gradient(a, W).by("film_modulus").load) is float
+    assert isinstance(contact.pull_off(W), State)
+    assert isinstance(contact.pull_off([W]), States)
+
+
+def test_arrays_broadcast(contact):
+    a, w = np.linspace(40e-6, 90e-6, 5)[:, None], np.array([0.0, 0.02, 0.04])
+    load, penetration = contact.load_and_penetration(a, w)
+    assert load.shape == penetration.shape == (5, 3)
+    for i in range(5):
+        for j in range(3):
+            expected = contact.load_and_penetration(a[i, 0], w[j])
+            assert (load[i, j], penetration[i, j]) == expected
+    assert np.array_equal(contact.load(a, w), load)
+    assert np.array_equal(contact.penetration(a, w), penetration)
+    assert contact.load(np.empty((0, 3)), 0.04).shape == (0, 3)
+    assert contact.load([[65e-6]], 0.04).shape == (1, 1)
+    with pytest.raises(ValueError, match="broadcast"):
+        contact.load(np.ones(2), np.ones(3))
+
+
+def test_layouts_and_types_do_not_matter(contact):
+    a = np.linspace(40e-6, 90e-6, 8)
+    expected = contact.load(a, W)
+    assert np.array_equal(contact.load(list(a), W), expected)
+    assert np.array_equal(contact.load(a[::-1], W)[::-1], expected)
+    assert np.array_equal(contact.load(np.asfortranarray(a.reshape(2, 4)), W).ravel(), expected)
+    assert np.array_equal(contact.load(a.astype(">f8"), W), expected)
+    single = a.astype(np.float32)
+    assert np.array_equal(contact.load(single, W), contact.load(single.astype(float), W))
+    assert np.array_equal(contact.load(a, 0), contact.load(a, 0.0))
+
+
+@pytest.mark.parametrize(
+    "value",
+    ["65e-6", None, 1j, True, [None], ["x"], np.array([1 + 1j]), np.ma.array([1.0], mask=[True])],
+)
+def test_other_types_are_refused_by_name(contact, value):
+    with pytest.raises(TypeError, match="contact_radius"):
+        contact.load(value, W)
+
+
+def test_an_error_names_the_first_point(contact):
+    a = np.array([[65e-6, 65e-6], [65e-6, 2e-3]])
+    with pytest.raises(BeyondSphereError, match="below the sphere's radius") as caught:
+        contact.load(a, W)
+    error = caught.value
+    assert (error.axis, error.value, error.range) == ("contact radius", 2e-3, (0.0, 1e-3))
+    assert error.index == (1, 1)
+    assert any("(1, 1)" in note for note in error.__notes__)
+    found = contact.load(a, W, errors="nan")
+    assert np.array_equal(np.isnan(found), [[False, False], [False, True]])
+    assert found[0, 0] == contact.load(65e-6, W)
+    assert np.isnan(contact.load(2e-3, W, errors="nan"))
+    with pytest.raises(ValueError, match="errors = 'ignore'"):
+        contact.load(a, W, errors="ignore")
+    with pytest.raises(BeyondSphereError) as caught:
+        contact.load(2e-3, W)
+    assert caught.value.index is None
+
+
+def test_a_point_beyond_the_first_block_is_found(contact):
+    """The native part works in blocks of 65,536 points."""
+    a = np.full(200_000, 65e-6)
+    a[150_001] = -1.0
+    with pytest.raises(ContactError) as caught:
+        contact.load(a, W)
+    assert caught.value.index == (150_001,)
+    found = contact.load(a, W, errors="nan")
+    assert np.flatnonzero(np.isnan(found)).tolist() == [150_001]
+    assert np.all(np.delete(found, 150_001) == contact.load(65e-6, W))
+
+
+def test_states_broadcast(contact):
+    equilibria = contact.equilibria(W, control="displacement")
+    least = equilibria.pull_off().penetration
+    imposed = np.linspace(least * 1.5, 1e-6, 7)
+    states = equilibria.unloading(imposed, errors="nan")
+    assert np.isnan(states.load).tolist() == (imposed < least).tolist()
+    for state, penetration in zip(states, imposed, strict=True):
+        assert penetration < least or state == equilibria.unloading(penetration)
+    with pytest.raises(ContactError) as caught:
+        equilibria.unloading(imposed)
+    assert caught.value.index == (0,)
+    assert caught.value.range == (least, np.inf)
+
+
+def test_unknown_derivatives_are_errors(contact):
+    gradient = contact.gradient([65e-6, 65e-6], [W, 0.0])
+    with pytest.raises(FixedParameterError, match="work of adhesion") as caught:
+        gradient.by("work_of_adhesion")
+    assert caught.value.axis == "work of adhesion"
+    gradient = contact.gradient([65e-6, 65e-6], [W, 0.0], errors="nan")
+    assert np.isnan(gradient.by("work_of_adhesion").load).tolist() == [False, True]
+    with pytest.raises(KeyError):
+        gradient.by("colour")
+
+
+def test_threads_share_a_contact(contact):
+    a = np.linspace(40e-6, 90e-6, 100_000)
+    expected, found = contact.load(a, W), {}
+
+    def evaluate(thread):
+        found[thread] = contact.load(a, W)
+
+    threads = [threading.Thread(target=evaluate, args=(i,)) for i in range(4)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert all(np.array_equal(found[i], expected) for i in range(4))

@@ -1,0 +1,230 @@
+"""Fits: JKR against linear least squares, a coated contact, maps, and what is refused."""
+
+import pickle
+from math import pi, sqrt
+
+import numpy as np
+import pytest
+
+from coated_contact import (
+    ContactError,
+    Elastic,
+    Experiment,
+    FitError,
+    FitMap,
+    Free,
+    HalfSpace,
+    Table,
+    fit,
+    fit_map,
+)
+from conftest import make_system
+
+RADIUS, MODULUS, W = 1e-3, 2e6, 0.04
+WANTED = ["sphere_modulus", "work_of_adhesion"]
+
+
+def jkr_load(a):
+    """F = 4 E* a^3 / (3 R) - sqrt(8 pi w E* a^3)."""
+    return 4 * MODULUS * a**3 / (3 * RADIUS) - np.sqrt(8 * pi * W * MODULUS * a**3)
+
+
+def lens(seed, noise=2e-6, **known):
+    """A JKR test on a rigid half-space."""
+    rigid = Elastic(young_modulus=np.inf, poisson_ratio=0.3)
+    # The moduli are those of a wrong guess.
+    system = HalfSpace(sphere_radius=RADIUS, sphere_modulus=5e6, solid=rigid)
+    a = np.linspace(50e-6, 110e-6, 40)
+    load = jkr_load(a) + noise * np.random.default_rng(seed).standard_normal(len(a))
+    return Experiment(
+        kind="load-radius", abscissa=a, ordinate=load, system=system, work_of_adhesion=0.1, **known
+    )
+
+
+def linear_least_squares(a, load):
+    """F is linear in E* and sqrt(w E*). Returns E* and w with their covariance."""
+    columns = np.stack([4 * a**3 / (3 * RADIUS), -np.sqrt(8 * pi * a**3)], axis=1)
+    (modulus, root), sum_of_squares, *_ = np.linalg.lstsq(columns, load)
+    variance = sum_of_squares[0] / (len(a) - 2)
+    w = root**2 / modulus
+    jacobian = np.array([[1.0, 0.0], [-w / modulus, 2 * root / modulus]])
+    covariance = variance * np.linalg.inv(columns.T @ columns)
+    return [modulus, w], jacobian @ covariance @ jacobian.T
+
+
+def test_jkr_is_linear_least_squares():
+    one = lens(seed=1)
+    found = fit(one, WANTED)
+    values, covariance = linear_least_squares(one.abscissa, one.ordinate)
+    assert found.converged
+    assert list(found.params) == list(found.stderr) == WANTED
+    assert list(found.params.values()) == pytest.approx(values, rel=1e-7)
+    assert found.covariance == pytest.approx(covariance, rel=1e-5)
+    assert found.stderr["work_of_adhesion"] == pytest.approx(sqrt(covariance[1, 1]), rel=1e-5)
+    (points,) = found.experiments
+    assert points.noise_is_estimated
+    assert found.degrees_of_freedom == 38
+    residuals = one.ordinate - points.fit
+    assert np.array_equal(points.residual, residuals)
+    assert points.noise == pytest.approx(sqrt(np.sum(residuals**2) / 38), rel=1e-6)
+    assert np.array_equal(points.contact_radius, one.abscissa)
+    assert set(points.branch) == {"advancing"}
+
+
+def test_a_coated_contact_is_found_within_its_errors():
+    """The film matters: without it the modulus of the sphere is far off."""
+    truth, noise = make_system(film_modulus=5e5, film_poisson_ratio=0.45), 2e-6
+    a = np.linspace(50e-6, 110e-6, 40)
+    load = Table.embedded().contact(truth).load(a, W)
+    load = load + noise * np.random.default_rng(7).standard_normal(len(a))
+    guess = make_system(film_modulus=3e6, film_poisson_ratio=0.45)
+    one = Experiment(kind="load-radius", abscissa=a, ordinate=load, system=guess, noise=noise)
+    found = fit(one, ["film_modulus", "work_of_adhesion"], profile_level=0.95)
+    assert found.converged
+    for name, value in {"film_modulus": 5e5, "work_of_adhesion": W}.items():
+        assert abs(found.params[name] - value) < 4 * found.stderr[name]
+        assert found.stderr[name] < 0.2 * value
+    assert 0.5 < found.reduced_chi_squared < 2
+    for estimate in found.estimates:
+        low, high = estimate.profile
+        assert low < estimate.value < high
+    assert found.without_film is not None
+    assert found.without_film.modulus == "film_modulus"
+    assert found.without_film.film_matters
+
+
+def test_experiments_share_a_parameter():
+    both = [lens(seed=1, name="first"), lens(seed=2, name="second")]
+    free = [Free(parameter="sphere_modulus"), Free(parameter="work_of_adhesion", own=True)]
+    found = fit(both, free)
+    assert found.names == ("sphere_modulus", "work_of_adhesion[0]", "work_of_adhesion[1]")
+    assert [points.name for points in found.experiments] == ["first", "second"]
+    alone = [fit(one, WANTED).params["sphere_modulus"] for one in both]
+    assert min(alone) < found.params["sphere_modulus"] < max(alone)
+
+
+def test_wishes_are_heard():
+    one = lens(seed=3)
+    bounded = Free(parameter="sphere_modulus", start=2.5e6, bounds=(2.2e6, 3e6))
+    found = fit(one, [bounded, "work_of_adhesion"])
+    assert found.params["sphere_modulus"] == pytest.approx(2.2e6, rel=1e-3)
+    assert "at-bound" in [warning.kind for warning in found.warnings]
+    known = Free(parameter="sphere_modulus", prior=(3e6, 1.0))
+    found = fit(one, [known, "work_of_adhesion"])
+    assert found.params["sphere_modulus"] == pytest.approx(3e6, rel=1e-4)
+    # One point far off moves least squares, and hardly Huber's loss.
+    loads = one.ordinate.copy()
+    loads[20] += 1e-3
+    spoilt = Experiment(
+        kind="load-radius", abscissa=one.abscissa, ordinate=loads, system=one.system
+    )
+    errors = [
+        abs(fit(spoilt, WANTED, loss=loss).params["work_of_adhesion"] / W - 1)
+        for loss in ("squares", "huber", "soft-l1")
+    ]
+    assert errors[1] < 0.2 * errors[0]
+    assert errors[2] < 0.2 * errors[0]
+
+
+def test_a_map_is_many_fits():
+    curves = [lens(seed=seed, noise=1e-6 * (1 + seed % 5)) for seed in range(150)]
+    found = fit_map(curves, WANTED)
+    assert len(found) == 150
+    for i in (0, 1, 63, 64, 149):
+        one = fit(curves[i], WANTED)
+        assert {name: values[i] for name, values in found.params.items()} == one.params
+        assert {name: values[i] for name, values in found.stderr.items()} == one.stderr
+        assert np.array_equal(found.covariance[i], one.covariance)
+        assert found.chi_squared[i] == one.chi_squared
+        assert found.warnings[i] == one.warnings
+    assert found.converged.all()
+    # The true values lie within two standard errors in some 95 of 100 fits.
+    within = np.abs(found.params["sphere_modulus"] - MODULUS) < 2 * found.stderr["sphere_modulus"]
+    assert 0.88 < within.mean() < 0.995
+
+
+def test_a_curve_without_a_result():
+    curves = [lens(seed=seed) for seed in range(3)]
+    flat = np.full(40, 1e-5)
+    curves[1] = Experiment(
+        kind="load-radius", abscissa=curves[1].abscissa, ordinate=flat, system=curves[1].system
+    )
+    with pytest.raises(ContactError) as caught:
+        fit_map(curves, WANTED)
+    assert caught.value.index == (1,)
+    found = fit_map(curves, WANTED, errors="nan")
+    assert list(found.failures) == [1]
+    assert type(found.failures[1]) is type(caught.value)
+    assert np.isnan(found.params["sphere_modulus"]).tolist() == [False, True, False]
+    assert np.isnan(found.covariance).all(axis=(1, 2)).tolist() == [False, True, False]
+    assert found.converged.tolist() == [True, False, True]
+    assert fit_map([], WANTED).params["sphere_modulus"].shape == (0,)
+    again = pickle.loads(pickle.dumps(found))
+    assert isinstance(again, FitMap)
+    assert np.array_equal(again.covariance, found.covariance, equal_nan=True)
+
+
+def test_what_cannot_be_used_is_named():
+    one = lens(seed=1)
+    a, load = one.abscissa.copy(), one.ordinate.copy()
+    load[3] = np.nan
+    bad = Experiment(kind="load-radius", abscissa=a, ordinate=load, system=one.system, name="lens")
+    with pytest.raises(FitError, match="lens, line 3: load") as caught:
+        fit(bad, WANTED)
+    assert caught.value.axis == "load"
+    with pytest.raises(FitError, match="at least one"):
+        fit(one, [])
+    with pytest.raises(FitError, match="at least one"):
+        fit([], WANTED)
+    with pytest.raises(FitError, match="film-thickness cannot be found"):
+        fit(one, ["film_thickness"])
+    with pytest.raises(FitError, match="parameter = 'colour' cannot be used"):
+        fit(one, ["colour"])
+    with pytest.raises(FitError, match="loss = 'cubes'"):
+        fit(one, WANTED, loss="cubes")
+    with pytest.raises(FitError, match="kind = 'load'"):
+        Experiment(kind="load", abscissa=a, ordinate=load, system=one.system)
+    with pytest.raises(FitError, match="as long"):
+        Experiment(kind="load-radius", abscissa=a, ordinate=load[1:], system=one.system)
+    with pytest.raises(TypeError, match="retract must be True or False"):
+        Experiment(kind="load-radius", abscissa=a, ordinate=load, retract=a, system=one.system)
+    with pytest.raises(TypeError, match="ordinate must be real"):
+        Experiment(kind="load-radius", abscissa=a, ordinate=["x"] * 40, system=one.system)
+    with pytest.raises(TypeError, match="a list of parameters"):
+        fit(one, "film_modulus")
+    with pytest.raises(TypeError, match="must be an Experiment"):
+        fit([3], WANTED)
+
+
+def test_an_experiment_does_not_change():
+    a = np.linspace(50e-6, 110e-6, 40)
+    one = Experiment(
+        kind="load-radius", abscissa=a, ordinate=jkr_load(a), system=lens(seed=1).system
+    )
+    a[0] = 1.0
+    assert one.abscissa[0] == 50e-6
+    with pytest.raises(ValueError, match="read-only"):
+        one.abscissa[0] = 1.0
+    with pytest.raises(AttributeError):
+        one.noise = 1.0
+
+
+@pytest.mark.parametrize("value", [0.0, -1.0, 1e-320, 1e300, np.inf, -np.inf, np.nan])
+def test_any_number_gives_a_fit_or_an_error(value):
+    one = lens(seed=1)
+    given = {"abscissa": one.abscissa, "ordinate": one.ordinate}
+    spoilt = [{name: np.where(np.arange(40) == 5, value, points)} for name, points in given.items()]
+    spoilt += [{name: value} for name in ("work_of_adhesion", "load_offset", "noise")]
+    for change in spoilt:
+        known = {"work_of_adhesion": 0.1, **given, **change}
+        try:
+            found = fit(Experiment(kind="load-radius", system=one.system, **known), WANTED)
+        except ContactError:
+            continue
+        assert np.all(np.isfinite(list(found.params.values())))
+    for change in ({"start": value}, {"bounds": (value, 1e7)}, {"prior": (2e6, value)}):
+        try:
+            found = fit(one, [Free(parameter="sphere_modulus", **change), "work_of_adhesion"])
+        except ContactError:
+            continue
+        assert np.all(np.isfinite(list(found.params.values())))

@@ -1,0 +1,181 @@
+"""Frozen, hashable, picklable objects; tables and their files."""
+
+import copy
+import dataclasses
+import pickle
+
+import numpy as np
+import pytest
+
+from coated_contact import (
+    Contact,
+    ContactError,
+    Elastic,
+    HalfSpace,
+    OutsideTableError,
+    Spring,
+    System,
+    Table,
+    TableError,
+    UnphysicalError,
+    __version__,
+)
+from conftest import ROOT, make_system
+
+PACKED, HDF5 = ROOT / "tables" / "paper.bin", ROOT / "tables" / "paper.h5"
+
+
+@pytest.fixture(scope="module")
+def objects(system, contact):
+    solid = Elastic(young_modulus=1e6, poisson_ratio=0.3)
+    half_space = HalfSpace(sphere_radius=1e-3, sphere_modulus=np.inf, solid=solid)
+    table = Table.read(PACKED)
+    return [
+        solid,
+        system,
+        half_space,
+        Spring(stiffness=0.5),
+        contact,
+        Contact.half_space(half_space),
+        contact.equilibria(0.04, control=Spring(stiffness=0.5)),
+        Table.embedded(),
+        table,
+        table.contact(make_system()),
+        contact.pull_off(0.04),
+    ]
+
+
+def test_objects_are_values(objects):
+    for one in objects:
+        for other in (pickle.loads(pickle.dumps(one)), copy.deepcopy(one), copy.copy(one)):
+            assert other == one
+            assert hash(other) == hash(one)
+            assert repr(other) == repr(one)
+    assert len(set(objects)) == len(objects)
+
+
+def test_objects_do_not_change(objects):
+    for one in objects:
+        # A frozen dataclass with slots raises TypeError for a name that it does not have.
+        with pytest.raises((AttributeError, TypeError)):
+            one.title = "x"
+        for field in dataclasses.fields(one) if dataclasses.is_dataclass(one) else ():
+            with pytest.raises(dataclasses.FrozenInstanceError):
+                setattr(one, field.name, 1.0)
+
+
+def test_an_unpickled_contact_gives_the_same_numbers(contact):
+    again = pickle.loads(pickle.dumps(contact))
+    a = np.linspace(40e-6, 90e-6, 20)
+    assert np.array_equal(again.load(a, 0.04), contact.load(a, 0.04))
+
+
+def test_errors_are_pickled_whole(contact):
+    with pytest.raises(ContactError) as caught:
+        contact.load([65e-6, 1.0], 0.04)
+    error = pickle.loads(pickle.dumps(caught.value))
+    assert type(error) is type(caught.value)
+    assert str(error) == str(caught.value)
+    for name in ("axis", "value", "range", "allowed", "index"):
+        assert getattr(error, name) == getattr(caught.value, name)
+
+
+def test_values_that_cannot_be_are_refused(system):
+    with pytest.raises(UnphysicalError, match=r"Poisson ratio = 0\.6") as caught:
+        Elastic(young_modulus=1e6, poisson_ratio=0.6)
+    error = caught.value
+    assert (error.axis, error.value, error.allowed) == ("Poisson ratio", 0.6, "in (-1, 0.5]")
+    with pytest.raises(UnphysicalError, match="film_thickness"):
+        dataclasses.replace(system, film_thickness=0.0)
+    with pytest.raises(TypeError, match="film must be an Elastic"):
+        dataclasses.replace(system, film=1e6)
+    with pytest.raises(TypeError, match="young_modulus must be real"):
+        Elastic(young_modulus="1e6", poisson_ratio=0.3)
+    with pytest.raises(TypeError, match="one number"):
+        Elastic(young_modulus=[1e6], poisson_ratio=0.3)
+    with pytest.raises(TypeError, match="positional"):
+        Elastic(1e6, 0.3)
+    with pytest.raises(TypeError, match="a contact needs"):
+        Contact(system=system, table=None)
+
+
+def test_numpy_numbers_become_floats():
+    solid = Elastic(young_modulus=np.float32(1e6), poisson_ratio=np.int64(0))
+    assert (type(solid.young_modulus), type(solid.poisson_ratio)) == (float, float)
+    assert solid == Elastic(young_modulus=1e6, poisson_ratio=0)
+
+
+def test_controls(contact):
+    with pytest.raises(ContactError, match="control = 'weight' cannot be used"):
+        contact.pull_off(0.04, control="weight")
+    with pytest.raises(UnphysicalError, match="stiffness of the spring"):
+        contact.pull_off(0.04, control=Spring(stiffness=-1.0))
+    with pytest.raises(UnphysicalError, match="work of adhesion"):
+        contact.equilibria(-1.0)
+    with pytest.raises(ContactError, match=r"number of points = -5\.0"):
+        contact.force_displacement(0.04, most=1e-6, points=-5)
+    with pytest.raises(TypeError):
+        contact.force_displacement(0.04, most=1e-6, points=10.5)
+
+
+def test_tables_tell_what_they_are():
+    table = Table.open(HDF5)
+    assert table.quantities == ("pi0", "eeq", "gamma", "delta0")
+    assert list(table.axes) == ["a_over_t", "e1_over_e2", "nu1", "e0_over_e2"]
+    assert table.axes["nu1"].tolist() == [0.5]
+    assert 0 < table.median_error < table.max_error < table.tolerance
+    assert "a_over_t" in table.scene
+    assert table.title in repr(table)
+
+
+def test_files_of_both_forms_hold_one_table():
+    packed, hdf5 = Table.read(PACKED), Table.open(HDF5)
+    system = System(
+        sphere_radius=1e-3,
+        sphere_modulus=2e6,
+        film=Elastic(young_modulus=3.5e6, poisson_ratio=0.5),
+        film_thickness=1e-6,
+        substrate=Elastic(young_modulus=2e11, poisson_ratio=0.25),
+    )
+    a = np.linspace(1e-5, 1e-4, 10)
+    found = [table.contact(system).load(a, 0.04) for table in (packed, hdf5)]
+    assert np.allclose(*found, rtol=1e-7, atol=0)
+    assert np.allclose(found[0], Table.embedded().contact(system).load(a, 0.04), rtol=1e-5, atol=0)
+    assert Table.from_packed(packed.to_packed()) == packed
+    assert packed != Table.embedded()
+    assert packed != "paper"
+
+
+def test_a_material_outside_a_table_is_named():
+    with pytest.raises(OutsideTableError, match="nu1") as caught:
+        Table.open(HDF5).contact(make_system(film_poisson_ratio=0.3))
+    assert caught.value.__cause__ is None or isinstance(caught.value.__cause__, ContactError)
+
+
+def test_files_that_cannot_be_read(tmp_path):
+    missing = tmp_path / "no such table"
+    for read in (Table.read, Table.open):
+        with pytest.raises(FileNotFoundError) as caught:
+            read(missing)
+        assert caught.value.filename == str(missing)
+        with pytest.raises(IsADirectoryError):
+            read(tmp_path)
+    with pytest.raises(TableError, match="HDF5"):
+        Table.read(HDF5)
+    with pytest.raises(TableError):
+        Table.open(PACKED)
+    damaged = bytearray(PACKED.read_bytes())
+    damaged[-1] ^= 1
+    with pytest.raises(TableError, match="corrupt"):
+        Table.from_packed(bytes(damaged))
+    with pytest.raises(TableError, match="truncated"):
+        Table.from_packed(bytes(damaged[:-1]))
+    with pytest.raises(TableError):
+        Table.from_packed(b"")
+    with pytest.raises(TypeError, match="make a table with"):
+        Table(3)
+
+
+def test_the_version_is_that_of_the_workspace():
+    manifest = (ROOT / "Cargo.toml").read_text()
+    assert f'version = "{__version__}"' in manifest

@@ -1,0 +1,156 @@
+"""Direct solves: independent values with the stated errors, arrays, and xarray."""
+
+import signal
+
+import numpy as np
+import pytest
+
+from coated_contact import (
+    ContactError,
+    DomainError,
+    NotConvergedError,
+    UnphysicalError,
+    solve,
+)
+from conftest import rows
+
+QUANTITIES = ("pi0", "eeq", "gamma", "delta0")
+PARAMETERS = ("a_over_t", "e1_over_e2", "nu1", "e0_over_e2", "nu0")
+
+
+def columns(name, names):
+    table = rows(name)
+    return [np.array([float(row[name]) for row in table]) for name in names]
+
+
+@pytest.mark.parametrize("tolerance", [1e-4, 1e-7, 1e-10])
+def test_stated_errors_bound_the_true_ones(tolerance):
+    """The references are in double-double arithmetic, good to all digits of a float."""
+    solution = solve(*columns("barthel_reference", PARAMETERS), tolerance=tolerance)
+    assert np.all(solution.error <= tolerance)
+    assert len(solution.error) > 30
+    for name, expected in zip(QUANTITIES, columns("barthel_reference", QUANTITIES), strict=True):
+        error = np.abs(getattr(solution, name) / expected - 1)
+        assert np.all(error <= solution.error), name
+
+
+def test_many_contacts_in_quadruple_precision():
+    """Where a tolerance is out of reach, there is NaN and no number."""
+    parameters = columns("contacts", PARAMETERS)
+    solution = solve(*parameters, tolerance=1e-9, errors="nan")
+    answered = ~np.isnan(solution.error)
+    assert np.count_nonzero(answered) > 600
+    for name, expected in zip(QUANTITIES, columns("contacts", QUANTITIES), strict=True):
+        found = getattr(solution, name)
+        assert np.array_equal(np.isnan(found), ~answered)
+        error = np.abs(found / expected - 1)[answered]
+        assert np.all(error <= solution.error[answered]), name
+
+
+def test_hayes_layers():
+    """A rigid indenter on a layer on a rigid base; the numerics of 1972 are good to 1 %."""
+    x, nu1, printed = columns("hayes1972", ("a_over_t", "nu1", "kappa"))
+    assert np.allclose(solve(x, 0.0, nu1, np.inf).eeq, printed, rtol=1e-2, atol=0)
+
+
+def test_numbers_are_those_of_rust_bit_for_bit(tabulate, tmp_path):
+    parameters = columns("barthel_reference", PARAMETERS)
+    points = tmp_path / "points.csv"
+    lines = [",".join(PARAMETERS)]
+    lines += [",".join(repr(float(number)) for number in row) for row in zip(*parameters)]  # noqa: B905
+    points.write_text("\n".join(lines) + "\n")
+    printed = tabulate("solve", "--points", points, "--tolerance", "1e-8")
+    solution = solve(*parameters, tolerance=1e-8)
+    for name in (*QUANTITIES, "error"):
+        expected = np.array([row[name] for row in printed])
+        assert np.array_equal(getattr(solution, name), expected), name
+
+
+def test_parameters_broadcast():
+    x, nu1 = np.array([0.1, 1.0, 10.0])[:, None], np.array([0.3, 0.5])
+    solution = solve(x, 1.75, nu1, 1e5)
+    for i in range(3):
+        for j in range(2):
+            one = solve(x[i, 0], 1.75, nu1[j], 1e5)
+            assert type(one.pi0) is float
+            for name in (*QUANTITIES, "error"):
+                assert getattr(solution, name)[i, j] == getattr(one, name)
+
+
+def test_errors():
+    with pytest.raises(DomainError, match="a_over_t") as caught:
+        solve([1.0, 1e7, 1e8], 1.75, 0.5, 1e5)
+    error = caught.value
+    assert (error.axis, error.value, error.range, error.index) == (
+        "a_over_t",
+        1e7,
+        (1e-6, 1e6),
+        (1,),
+    )
+    with pytest.raises(UnphysicalError, match="nu1"):
+        solve(1.0, 1.75, 0.6, 1e5)
+    with pytest.raises(DomainError, match="tolerance"):
+        solve(1.0, 1.75, 0.5, 1e5, tolerance=1e-20)
+    with pytest.raises(NotConvergedError) as caught:
+        solve(1e5, 1e20, 0.3, 1e-10, tolerance=1e-13)
+    assert caught.value.range[0] > 1e-13
+    with pytest.raises(TypeError, match="nu1 must be real numbers"):
+        solve(1.0, 1.75, "0.5", 1e5)
+
+
+def test_any_numbers_give_finite_results_or_nan():
+    random = np.random.default_rng(2)
+    valid = np.array([1.0, 1.75, 0.4, 1e5, 0.25, 1e-6])
+    bits = random.integers(0, 2**64, (3000, 6), dtype=np.uint64).view(np.float64)
+    magnitude = 10.0 ** random.uniform(-12, 12, (3000, 6))
+    chosen = random.random((3000, 6))
+    points = np.where(chosen < 0.1, bits, np.where(chosen < 0.4, magnitude, valid))
+    solution = solve(*points.T, errors="nan")
+    values = np.array([getattr(solution, name) for name in (*QUANTITIES, "error")])
+    assert not np.isinf(values).any()
+    missing = np.isnan(values)
+    assert np.all(missing == missing[0])
+    assert 200 < np.count_nonzero(missing[0]) < 2800
+    refused = points[missing[0]][:50]
+    for point in refused:
+        with pytest.raises(ContactError):
+            solve(*point)
+
+
+def test_a_signal_ends_a_long_solve():
+    """A million solves take a minute; the signal comes after 50 ms of it."""
+
+    class InterruptedHereError(Exception):
+        pass
+
+    def interrupt(*_):
+        raise InterruptedHereError
+
+    before = signal.signal(signal.SIGALRM, interrupt)
+    try:
+        signal.setitimer(signal.ITIMER_REAL, 0.05)
+        with pytest.raises(InterruptedHereError):
+            solve(np.geomspace(1.0, 100.0, 1_000_000), 1.75, 0.5, 1e5, tolerance=1e-12)
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, before)
+
+
+def test_xarray_names_its_dimensions():
+    pytest.importorskip("xarray")
+    x, nu1 = np.array([0.1, 1.0, 10.0]), np.array([0.3, 0.5])
+    data = solve(x[:, None], 1.75, nu1, 1e5).to_xarray()
+    assert dict(data.sizes) == {"a_over_t": 3, "nu1": 2}
+    assert np.array_equal(data["a_over_t"], x)
+    assert data["e0_over_e2"].item() == 1e5
+    assert data.sel(a_over_t=1.0, nu1=0.5)["eeq"].item() == solve(1.0, 1.75, 0.5, 1e5).eeq
+    assert data["eeq"].attrs["units"] == "1"
+    # Two parameters along one dimension give it no name, and are both coordinates of it.
+    data = solve(x, [1.0, 2.0, 3.0], 0.5, 1e5).to_xarray()
+    assert dict(data.sizes) == {"dim_0": 3}
+    assert data["e1_over_e2"].dims == data["a_over_t"].dims == ("dim_0",)
+    # A parameter along two dimensions is a coordinate of both.
+    data = solve(np.outer(x, [1.0, 2.0]), 1.75, nu1, 1e5).to_xarray()
+    assert data["a_over_t"].dims == ("dim_0", "nu1")
+    assert solve(1.0, 1.75, 0.5, 1e5).to_xarray()["eeq"].shape == ()
+    assert solve([[1.0]], 1.75, 0.5, 1e5).to_xarray()["eeq"].dims == ("dim_0", "dim_1")

@@ -1,0 +1,91 @@
+"""Results as tables of pandas and xarray, and as drawings."""
+
+from xml.etree import ElementTree
+
+import numpy as np
+import pytest
+
+from coated_contact import Contact, Free, fit, fit_map
+from test_fit import WANTED, lens
+
+
+@pytest.fixture(scope="module")
+def curve(contact):
+    return contact.force_displacement(0.04, most=1e-6, points=20)
+
+
+@pytest.fixture
+def axes():
+    matplotlib = pytest.importorskip("matplotlib")
+    matplotlib.use("Agg")
+    from matplotlib import pyplot
+
+    figure, axes = pyplot.subplots()
+    yield axes
+    pyplot.close(figure)
+
+
+def test_a_force_curve_is_a_table(curve):
+    pytest.importorskip("pandas")
+    table = curve.to_pandas()
+    assert len(table) == 20 * (len(curve.loading) + len(curve.unloading))
+    first = table[(table.direction == "unloading") & (table.branch == 0)]
+    assert np.array_equal(first.load, curve.unloading[0].load)
+    pytest.importorskip("xarray")
+    data = curve.to_xarray()
+    assert np.array_equal(data["load"], table.load)
+    assert data["penetration"].attrs["units"] == "m"
+
+
+def test_states_are_a_table(contact):
+    pytest.importorskip("pandas")
+    states = contact.pull_off([[0.02, 0.04]])
+    assert np.array_equal(states.to_pandas().load, states.load.ravel())
+    pytest.importorskip("xarray")
+    assert dict(states.to_xarray().sizes) == {"dim_0": 1, "dim_1": 2}
+
+
+def test_a_force_curve_is_drawn(curve, axes):
+    assert curve.plot(axes) is axes
+    lines = axes.get_lines()
+    assert len(lines) == len(curve.loading) + len(curve.unloading) + len(curve.jumps)
+    assert np.array_equal(lines[0].get_ydata(), curve.loading[0].load)
+    assert axes.get_xlabel() == "penetration (m)"
+
+
+def test_a_fit_is_drawn(axes):
+    found = fit(lens(seed=1), WANTED)
+    assert found.plot(axes) is axes
+    points, line = axes.get_lines()
+    assert np.array_equal(points.get_ydata(), found.experiments[0].ordinate)
+    assert np.array_equal(line.get_ydata(), found.experiments[0].fit)
+
+
+def test_a_map_is_a_table():
+    pytest.importorskip("pandas")
+    found = fit_map([lens(seed=seed) for seed in range(3)], WANTED)
+    table = found.to_pandas()
+    assert table.index.name == "curve"
+    assert np.array_equal(table.work_of_adhesion_stderr, found.stderr["work_of_adhesion"])
+
+
+def test_notebooks_show_a_contact_to_scale(contact):
+    svg, bodies = contact._repr_html_().split("</svg>")
+    drawn = {element.tag: element for element in ElementTree.fromstring(svg + "</svg>")}
+    film = float(drawn["rect"].get("height"))
+    assert film / float(drawn["circle"].get("r")) == pytest.approx(1e-5 / 1e-3)
+    assert "t = 1e-05 m" in bodies
+    half_space = Contact.half_space(contact.system.without_film())
+    assert "t =" not in half_space._repr_html_()
+
+
+def test_notebooks_show_fits_as_text():
+    one = lens(seed=1, name="<script>")
+    bounded = Free(parameter="sphere_modulus", bounds=(2.2e6, 3e6), start=2.5e6)
+    found = fit(one, [bounded, "work_of_adhesion"])
+    shown = found._repr_html_()
+    assert f"{found.params['work_of_adhesion']:.6g}" in shown
+    assert found.warnings
+    for warning in found.warnings:
+        assert warning.kind in shown
+    assert "<script>" not in shown
