@@ -208,7 +208,7 @@ mod tests {
         );
         for (text, word) in [
             ("load", "has no ="),
-            ("laod=x", "laod"),
+            ("lode=x", "lode"),
             ("load=-", "no heading"),
         ] {
             let error = text.parse::<Column>().unwrap_err();

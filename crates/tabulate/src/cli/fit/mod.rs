@@ -60,7 +60,7 @@ pub struct Arguments {
     /// The two quantities that were measured [default: the only ones that the columns fit]
     #[arg(long, value_parser = kinds())]
     kind: Option<Kind>,
-    /// A column that is not recognised: NAME=HEADING [UNIT]. The NAMEs are contact_radius, load,
+    /// A column that is not recognised: NAME=HEADING [UNIT]. NAME is one of contact_radius, load,
     /// penetration, height, deflection and segment. The number of the column may stand for the
     /// heading; a minus before it turns the sign
     #[arg(long = "column", value_name = "NAME=HEADING [UNIT]")]
@@ -161,8 +161,7 @@ impl Arguments {
 }
 
 /// Accepts a file to write, if one is asked for.
-fn output<'a>(path: &'a Option<PathBuf>, inputs: &[&Path]) -> anyhow::Result<Option<Output<'a>>> {
-    let path = path.as_deref();
+fn output<'a>(path: Option<&'a Path>, inputs: &[&Path]) -> anyhow::Result<Option<Output<'a>>> {
     path.map(|_| Output::beside(path, inputs)).transpose()
 }
 
@@ -177,8 +176,8 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         arguments.csv.is_none() || arguments.csv != arguments.plot,
         "--csv and --plot name the same file; choose two names"
     );
-    let csv = output(&arguments.csv, &inputs)?;
-    let plot = output(&arguments.plot, &inputs)?;
+    let csv = output(arguments.csv.as_deref(), &inputs)?;
+    let plot = output(arguments.plot.as_deref(), &inputs)?;
     let files = arguments.data.len();
     let noises = arguments.noise.len();
     ensure!(

@@ -132,8 +132,8 @@ pub fn break_even(making: f64, solve: f64, lookup: f64) -> f64 {
 /// [`Measured::left_out`].
 ///
 /// # Errors
-/// Those of [`generate`](crate::table::generate) and [`low_rank`](crate::table::low_rank) if not
-/// even the first table can be made; [`Error::Write`] for temporary files that cannot be written.
+/// Those of [`generate`](crate::table::generate()) and of packing if not even the first table can
+/// be made; [`Error::Write`] for temporary files that cannot be written.
 pub fn measure(
     scene: &Scene,
     limits: &Limits<'_>,
