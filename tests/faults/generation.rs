@@ -14,7 +14,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread::sleep;
 use std::time::Duration;
 
-use acceptance::{Contacts, Workdir, assert_names, checksum};
+use acceptance::{Contacts, Workdir, assert_names, checksum, start};
 use interp::Table;
 use tabulate::Error;
 use tabulate::table::{Budget, Generated, Observer, Options, Scene, generate};
@@ -191,10 +191,8 @@ fn reaches(workdir: &Workdir, child: &mut Child, bytes: usize) -> bool {
 
 /// Sends a signal to a process that was not waited for yet.
 fn send(signal: &str, child: &Child) {
-    let status = Command::new("kill")
-        .args([signal, &child.id().to_string()])
-        .status();
-    assert!(status.expect("kill runs").success());
+    let mut kill = start(Command::new("kill").args([signal, &child.id().to_string()]));
+    assert!(kill.wait().expect("kill runs").success());
 }
 
 fn assert_finished(workdir: &Workdir) {

@@ -4,7 +4,7 @@ use std::fs;
 use std::os::unix::fs::symlink;
 use std::process::Command;
 
-use acceptance::{Workdir, assert_names, checksum};
+use acceptance::{Workdir, assert_names, checksum, start};
 
 const SCENE: &str = "\
 title = 'Three pieces'
@@ -72,11 +72,8 @@ fn a_name_beside_the_table_is_nobodys_but_the_users() {
 fn a_journal_that_is_no_file_is_refused_and_not_followed() {
     let workdir = workdir();
     workdir.write("empty", "");
-    let made = Command::new("mkfifo")
-        .arg(workdir.path("pipe"))
-        .status()
-        .expect("mkfifo runs");
-    assert!(made.success());
+    let mut make = start(Command::new("mkfifo").arg(workdir.path("pipe")));
+    assert!(make.wait().expect("mkfifo runs").success());
     fs::create_dir(workdir.path("folder")).expect("a new folder");
     let files = workdir.files();
     for other in ["pipe", "empty", "folder", "nowhere"] {

@@ -17,4 +17,4 @@ pub use error::{TRUTH, all_bits, bits, error_at, larger, relative_error, relativ
 pub use forgery::{Checked, PREFIX, checksum, with_payload};
 pub use material::{material, paper_system};
 pub use tables::{BOX, RIGID_SPHERE, ends, low_rank, shipped, table};
-pub use workdir::{Run, Workdir, assert_names};
+pub use workdir::{Run, Workdir, assert_names, nothing_starts, start};

@@ -3,6 +3,7 @@
 use std::fs;
 use std::path::PathBuf;
 use std::process::{Child, Command, Stdio};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use tempfile::TempDir;
 
@@ -32,6 +33,25 @@ macro_rules! workdir {
     () => {
         $crate::Workdir::new(env!("CARGO_BIN_EXE_tabulate-under-test"))
     };
+}
+
+/// Waits until no other thread is starting a program, and keeps all others from it.
+///
+/// Between its fork and its exec a child holds the locks of files that this process has opened. A
+/// test that opens a file again would then find it locked by nobody that it knows.
+pub fn nothing_starts() -> MutexGuard<'static, ()> {
+    static STARTING: Mutex<()> = Mutex::new(());
+    STARTING.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Starts a program, whose output is captured.
+///
+/// # Panics
+/// If it cannot be started.
+pub fn start(command: &mut Command) -> Child {
+    let _guard = nothing_starts();
+    let captured = command.stdout(Stdio::piped()).stderr(Stdio::piped());
+    captured.spawn().expect("the program starts")
 }
 
 impl Workdir {
@@ -111,13 +131,7 @@ impl Workdir {
     }
 
     fn spawn(&self, command: &mut Command) -> Child {
-        command
-            .current_dir(self.folder.path())
-            .stdin(Stdio::null())
-            .stdout(Stdio::piped())
-            .stderr(Stdio::piped())
-            .spawn()
-            .expect("the program starts")
+        start(command.current_dir(self.folder.path()).stdin(Stdio::null()))
     }
 
     /// Waits for the end of `child` and returns its exit status and output. Messages name it by

@@ -5,7 +5,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 
-use acceptance::{PREFIX, Workdir, all_bits, assert_names, table, with_payload, workdir};
+use acceptance::{
+    PREFIX, Workdir, all_bits, assert_names, nothing_starts, table, with_payload, workdir,
+};
 use interp::Parameter;
 use interp::{Certificate, Error, Quantity, Table};
 use ndarray::{Array1, Array4};
@@ -68,6 +70,8 @@ fn altered(
     alter: impl FnOnce(&hdf5::File) -> hdf5::Result<()>,
 ) -> PathBuf {
     let path = workdir.write(name, workdir.read("table.h5"));
+    // The file is locked while it is open.
+    let _guard = nothing_starts();
     alter(&hdf5::File::open_rw(&path).expect("a sound file"))
         .unwrap_or_else(|e| panic!("{name}: {e}"));
     path

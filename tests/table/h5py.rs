@@ -4,7 +4,7 @@ use std::env;
 use std::path::Path;
 use std::process::Command;
 
-use acceptance::{bits, table};
+use acceptance::{bits, start, table};
 use interp::{Parameter, SubstratePoissonRatio, Table};
 use serde_json::{Value, json};
 use tabulate::table::archive;
@@ -36,13 +36,12 @@ fn read(path: &Path) -> Value {
         .expect("H5PY_PATH is not set: run the tests with `cargo xtask test`, which fetches h5py");
     let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("table/read_table.py");
     let mut python = Command::new("python3");
-    let output = python
+    python
         .arg("-B")
         .arg(script)
         .arg(path)
-        .env("PYTHONPATH", packages)
-        .output()
-        .expect("python3 runs");
+        .env("PYTHONPATH", packages);
+    let output = start(&mut python).wait_with_output().expect("python3 runs");
     assert!(
         output.status.success(),
         "{}",

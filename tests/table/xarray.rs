@@ -5,7 +5,7 @@ use std::env;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use acceptance::{BOX, Contacts, TRUTH, bits, larger, shipped, table};
+use acceptance::{BOX, Contacts, TRUTH, bits, larger, shipped, start, table};
 use interp::{Material, Parameter, Quantity, Table};
 use serde_json::{Value, json};
 use tabulate::solve;
@@ -34,7 +34,7 @@ fn python() -> Command {
 
 /// Returns the standard output of a command that succeeds.
 fn output(command: &mut Command) -> Vec<u8> {
-    let output = command.output().expect("python3 runs");
+    let output = start(command).wait_with_output().expect("python3 runs");
     assert!(
         output.status.success(),
         "{}",
