@@ -21,7 +21,7 @@ impl Table {
     /// [`certificate`](crate::Description::certificate) states the largest error of all four at
     /// sampled points.
     ///
-    /// The first call decodes the table in some 20 to 40 milliseconds.
+    /// The first call decodes the table, and the first lookup prepares it: the next ones are faster.
     ///
     /// ```
     /// # fn main() -> Result<(), interp::Error> {

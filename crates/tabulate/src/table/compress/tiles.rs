@@ -9,7 +9,7 @@ use crate::parallel::try_map;
 use crate::table::compress::truncation::truncate;
 
 /// The `E1*/Einf*` where tiles meet: between films softer than sphere and substrate together, and
-/// stiffer ones. Without tiles, the packed table of `tables/universal.toml` is twice as large.
+/// stiffer ones.
 const FILM_LIKE_THE_REST: f64 = 1.0;
 /// The smallest number of nodes on both sides of a cut. A smaller tile would save nothing.
 const LEAST_NODES: usize = 16;
