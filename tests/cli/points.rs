@@ -1,9 +1,10 @@
 //! `tabulate solve` and `tabulate query`: one point, and points from CSV.
 
-use acceptance::{Contacts, Data, material, table, workdir};
+use acceptance::{Contacts, Data, assert_names, material, table, workdir};
 use interp::Parameter;
 use interp::Table;
 use serde_json::Value;
+use tabulate::solve::solve_power_laws;
 
 use crate::{TWO_QUANTITIES, solved};
 
@@ -386,4 +387,76 @@ fn a_bad_file_of_points_is_named_with_the_line() {
     }
     assert_eq!(workdir.files(), ["points.csv", "table.bin"]);
     assert!(wrong.is_empty(), "{wrong:#?}");
+}
+
+#[test]
+fn solve_adds_the_columns_of_other_probes() {
+    let workdir = workdir!();
+    let given = material([1.75, 0.5, 1e5, 0.25]);
+    let (solution, power_laws) =
+        solve_power_laws(3.0, &given, &[1.0, 2.5], DEFAULT_TOLERANCE).expect("within reach");
+    let point = [
+        "--a-over-t",
+        "3",
+        "--e1-over-e2",
+        "1.75",
+        "--nu1",
+        "0.5",
+        "--e0-over-e2",
+        "1e5",
+    ];
+    let probes = ["--exponent", "1", "--exponent", "2.5"];
+    let arguments = [&["solve"][..], &point, &probes].concat();
+    let expected = [
+        ("pi_1", power_laws[0].pi),
+        ("delta_1", power_laws[0].delta),
+        ("pi_2.5", power_laws[1].pi),
+        ("delta_2.5", power_laws[1].delta),
+        ("error", solution.error),
+    ];
+    let text = workdir.succeed(&arguments);
+    let json = workdir.succeed(&[&arguments[..], &["--json"]].concat());
+    for (name, value) in expected {
+        assert!(
+            text.contains(&format!("{name:13} = {value:?}\n")),
+            "{name}: {text}"
+        );
+        assert!(
+            json.contains(&format!("\"{name}\":{value:?},")),
+            "{name}: {json}"
+        );
+    }
+
+    workdir.write(
+        "points.csv",
+        "a_over_t,e1_over_e2,nu1,e0_over_e2\n3,1.75,0.5,1e5\n",
+    );
+    let table = workdir.succeed(&[&["solve", "--points", "points.csv"][..], &probes].concat());
+    let data = Data::parse("solve", &table);
+    let further = ["pi_1", "delta_1", "pi_2.5", "delta_2.5"];
+    assert_eq!(data.columns(), [&COLUMNS[..], &further].concat());
+    for case in data.cases() {
+        for (name, value) in expected {
+            assert_eq!(case.get(name), value, "{name}");
+        }
+    }
+
+    for (exponent, words) in [
+        ("0", &["exponent = 0.0", "0.1 to 20.0"][..]),
+        ("nan", &["exponent = NaN", "0.1 to 20.0"]),
+        ("-1", &["exponent = -1.0", "0.1 to 20.0"]),
+    ] {
+        let error = workdir.fail(
+            1,
+            &[&["solve"][..], &point, &["--exponent", exponent]].concat(),
+        );
+        assert_names(&error, words);
+    }
+    let twice = [
+        &["solve"][..],
+        &point,
+        &["--exponent", "1", "--exponent", "1.0"],
+    ]
+    .concat();
+    assert_names(&workdir.fail(1, &twice), &["--exponent 1", "twice"]);
 }

@@ -15,5 +15,6 @@ mod hayes;
 mod identities;
 mod limits;
 mod paper;
+mod power_laws;
 mod reference;
 mod regimes;

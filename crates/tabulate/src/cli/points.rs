@@ -22,7 +22,7 @@ pub struct Point {
 }
 
 /// The columns. The last, `nu0`, may be missing.
-const COLUMNS: [&str; 5] = ["a_over_t", "e1_over_e2", "nu1", "e0_over_e2", "nu0"];
+pub const COLUMNS: [&str; 5] = ["a_over_t", "e1_over_e2", "nu1", "e0_over_e2", "nu0"];
 
 /// The largest number of points in memory.
 const BATCH: usize = 4096;
@@ -63,11 +63,13 @@ impl<'a> Points<'a> {
     }
 
     /// Prints each point with its answer, in the order of the file. The points of a batch are
-    /// answered in parallel, and printed before the next are read. `what` names the work.
+    /// answered in parallel, and printed before the next are read. `what` names the work, `further`
+    /// the columns of [`Answer::further`].
     pub fn answer(
         mut self,
         what: &str,
         output: &Output<'_>,
+        further: &[String],
         answer: impl Fn(&Point) -> anyhow::Result<Answer> + Sync,
     ) -> anyhow::Result<()> {
         let path = self.path;
@@ -92,7 +94,7 @@ impl<'a> Points<'a> {
                 // Nothing is written of a batch that fails, and no header where nothing follows.
                 let answers = try_map(batch, answered)?;
                 if number == 0 {
-                    write_header(&mut writer, answers[0].1.gradient.is_some())?;
+                    write_header(&mut writer, further)?;
                 }
                 for (point, answer) in &answers {
                     write_row(&mut writer, point, answer)?;
@@ -202,22 +204,17 @@ pub struct Answer {
     pub values: [Option<f64>; 4],
     /// The relative error.
     pub error: f64,
-    /// The derivatives of each quantity with respect to the [`COLUMNS`], if they are asked for. One
-    /// that is not known is none.
-    pub gradient: Option<[[Option<f64>; COLUMNS.len()]; 4]>,
+    /// The numbers of further columns. One that is not known is none.
+    pub further: Vec<Option<f64>>,
 }
 
-fn write_header(writer: &mut csv::Writer<impl Write>, with_gradient: bool) -> csv::Result<()> {
-    let names = Quantity::ALL.map(Quantity::name);
-    let derivatives = names
-        .iter()
-        .flat_map(|name| COLUMNS.map(|column| format!("d_{name}_d_{column}")));
+fn write_header(writer: &mut csv::Writer<impl Write>, further: &[String]) -> csv::Result<()> {
     let header = COLUMNS
-        .iter()
-        .chain(&names)
-        .chain(&["error"])
-        .map(ToString::to_string);
-    writer.write_record(header.chain(derivatives.filter(|_| with_gradient)))
+        .into_iter()
+        .chain(Quantity::ALL.map(Quantity::name))
+        .chain(["error"])
+        .chain(further.iter().map(String::as_str));
+    writer.write_record(header)
 }
 
 /// Writes a point and its answer. A missing number is an empty field.
@@ -236,12 +233,12 @@ fn write_row(
         material.nu0(),
     ]
     .map(Some);
-    let gradient = answer.gradient.into_iter().flatten().flatten();
+    let further = answer.further.iter().copied();
     let numbers = parameters
         .into_iter()
         .chain(answer.values)
         .chain([Some(answer.error)])
-        .chain(gradient);
+        .chain(further);
     writer.write_record(numbers.map(|value| value.map(number).unwrap_or_default()))
 }
 

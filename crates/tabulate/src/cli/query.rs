@@ -6,7 +6,7 @@ use clap::ValueHint;
 use interp::{Parameter, Quantity, SubstratePoissonRatio, Table};
 
 use super::output::Output;
-use super::points::{Answer, Point, Points};
+use super::points::{Answer, COLUMNS, Point, Points};
 use super::table_name::{self, TableName};
 use crate::table::DEFAULT_NU0;
 
@@ -53,7 +53,12 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         SubstratePoissonRatio::Paired => DEFAULT_NU0,
     };
     let points = Points::open(&arguments.points, nu0)?;
-    points.answer("looking up", &output, |point| {
+    let derivatives: Vec<String> = Quantity::ALL
+        .iter()
+        .flat_map(|quantity| COLUMNS.map(|column| format!("d_{}_d_{column}", quantity.name())))
+        .filter(|_| arguments.gradient)
+        .collect();
+    points.answer("looking up", &output, &derivatives, |point| {
         Ok(look_up(&table, point, arguments.gradient)?)
     })
 }
@@ -73,17 +78,18 @@ fn look_up(table: &Table, point: &Point, gradient: bool) -> Result<Answer, inter
     let mut answer = Answer {
         values,
         error: curve.error(x)?,
-        gradient: None,
+        further: Vec::new(),
     };
     if gradient {
         let gradient = curve.gradient(x)?;
         let by = [Parameter::E1OverE2, Parameter::Nu1, Parameter::E0OverE2]
             .map(|parameter| gradient.by(parameter).ok());
         let by = [by[0], by[1], by[2], gradient.by_nu0().ok()];
-        answer.gradient = Some(Quantity::ALL.map(|quantity| {
+        let derivatives = |quantity| {
             let [e1, nu1, e0, nu0] = by.map(|derivatives| Some(derivatives?.get(quantity)));
             [Some(gradient.slopes().get(quantity) / x), e1, nu1, e0, nu0]
-        }));
+        };
+        answer.further = Quantity::ALL.into_iter().flat_map(derivatives).collect();
     }
     Ok(answer)
 }

@@ -154,7 +154,7 @@ impl Shared {
                     Operator::assemble(&group.compliance, abscissae, blocks)
                 });
                 if let Some(solved) = operator
-                    .solve(&symbol)
+                    .solve(&symbol, &[])
                     .filter(|solved| solved.error() <= self.tolerance)
                 {
                     return Ok(solved.quantities);

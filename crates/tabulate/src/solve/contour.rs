@@ -21,10 +21,13 @@
 use std::f64::consts::PI;
 use std::sync::OnceLock;
 
+use faer::linalg::matmul::matmul;
+use faer::{Accum, ColMut, ColRef, MatRef, Par};
 use num_complex::Complex64;
 
 use crate::solve::compliance::FLAT;
 use crate::solve::domain::A_OVER_T;
+use crate::solve::turned_line::TurnedLine;
 
 /// The lines that the edges' coupling is integrated along.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -56,7 +59,7 @@ impl Path {
 
     /// Returns the units of the parts of a node's strength `y`. On the imaginary axis its real part
     /// has no influence.
-    fn units(self) -> &'static [Complex64] {
+    pub(super) fn units(self) -> &'static [Complex64] {
         match self {
             Self::Axis => &[Complex64::I],
             Self::Ray => &[Complex64::ONE, Complex64::I],
@@ -84,7 +87,7 @@ impl Path {
 
 /// The angle of the ray, in radians: 32 degrees. The zeros and poles of `S` lie above 53 degrees
 /// ([`SINE_OF_FREE_ANGLE`](crate::solve::compliance::SINE_OF_FREE_ANGLE)).
-const RAY: f64 = 0.55;
+pub(super) const RAY: f64 = 0.55;
 
 /// The rule for the integrals of `ln S`, which is smooth up to the zeros and poles of `S`.
 const LOGARITHM: Rule = Rule {
@@ -122,25 +125,24 @@ pub struct Contour {
     pub readouts: Readouts,
     /// The matrix from the strengths to `V` at the readouts: one element for each unknown.
     pub readout: Vec<[Complex64; READOUTS]>,
-    /// The abscissae `t` of `ln S`, ascending.
-    pub abscissae: Vec<f64>,
     /// The matrix from `ln S` at the abscissae to `ln S_+`: a column of length [`Self::rows`] for
     /// each abscissa.
     pub factor: Vec<f64>,
     /// The factor from `ln S` at a point to `ln S_+` at that point: nodes, then readouts.
     pub own: Vec<Complex64>,
+    /// The abscissae and steps of the whole integral of `ln S`.
+    logarithm: Logarithm,
+    /// The line for profiles that are not even powers of the radius, made when it is needed.
+    turned_line: OnceLock<TurnedLine>,
 }
 
-/// The readouts `z`, and the weights that extrapolate an even function's values there to `z = 0`:
-/// to its value, and to its slope in `z^2`.
+/// The readouts `z`, and the polynomial in `z^2` through the values of an even function there.
 #[derive(Debug)]
 pub struct Readouts {
     /// The readouts, ascending.
     pub z: [f64; READOUTS],
-    /// The weights for the value at 0.
-    pub value: [f64; READOUTS],
-    /// The weights for the slope in `z^2` at 0.
-    pub slope: [f64; READOUTS],
+    /// Row `i` holds the weights of the values in the coefficient of `z^{2i}`.
+    pub coefficients: [[f64; READOUTS]; READOUTS],
 }
 
 impl Readouts {
@@ -159,16 +161,24 @@ impl Readouts {
             below + (above - below) * (0.25 + 0.5 * (z - below) / (above - below))
         });
         let square = z.map(|z| z * z);
-        let others = |i: usize| {
-            (0..READOUTS)
-                .filter(move |&j| j != i)
-                .map(move |j| square[j])
-        };
-        let value: [f64; READOUTS] =
-            std::array::from_fn(|i| others(i).map(|other| other / (other - square[i])).product());
-        let slope =
-            std::array::from_fn(|i| -value[i] * others(i).map(|other| 1.0 / other).sum::<f64>());
-        Self { z, value, slope }
+        let mut coefficients = [[0.0; READOUTS]; READOUTS];
+        for (m, &own) in square.iter().enumerate() {
+            // Lagrange's polynomial of readout m: the product of (1 - u/u_j)/(1 - u_m/u_j). Its
+            // coefficients alternate in sign, and no sum of this loop cancels.
+            let mut product = [0.0; READOUTS];
+            product[0] = 1.0;
+            for other in (0..READOUTS).filter(|&j| j != m).map(|j| square[j]) {
+                let scale = other / (other - own);
+                for i in (1..READOUTS).rev() {
+                    product[i] = scale * (product[i] - product[i - 1] / other);
+                }
+                product[0] *= scale;
+            }
+            for (row, value) in coefficients.iter_mut().zip(product) {
+                row[m] = value;
+            }
+        }
+        Self { z, coefficients }
     }
 }
 
@@ -196,40 +206,24 @@ impl Contour {
         };
         let weights = nodes.iter().zip(&steps).map(weight).collect();
 
-        // The far end of the integral of 1 beyond the last abscissa of `ln S` is not zero.
-        let last = FLAT * A_OVER_T[1];
-        let (mut abscissae, mut steps) = LOGARITHM.nodes(digits, knee, last * digits.exp());
-        abscissae.reverse();
-        steps.reverse();
-        let kept = abscissae.partition_point(|&t| t <= last);
-        let readouts = Readouts::between(&abscissae);
+        let logarithm = Logarithm::new(digits, knee);
+        let readouts = Readouts::between(&logarithm.abscissae);
         let z = readouts.z.map(Complex64::from);
         let points: Vec<Complex64> = nodes.iter().copied().chain(z).collect();
-        let share =
-            |q: Complex64, t: f64, step: f64| q / (PI * Complex64::I) * step / (t * t - q * q);
-        let own = points.iter().map(|&q| {
-            let sum: Complex64 = abscissae
-                .iter()
-                .zip(&steps)
-                .map(|(&t, &step)| share(q, t, step))
-                .sum();
-            0.5 - sum
-        });
-        let own = own.collect();
+        let own = points.iter().map(|&q| logarithm.own(q)).collect();
         let mut factor = Vec::new();
-        for (&t, &step) in abscissae[..kept].iter().zip(&steps) {
-            factor.extend(nodes.iter().map(|&q| share(q, t, step).re));
+        for i in 0..logarithm.kept {
+            factor.extend(nodes.iter().map(|&q| logarithm.share(q, i).re));
             if path == Path::Ray {
-                factor.extend(nodes.iter().map(|&q| share(q, t, step).im));
+                factor.extend(nodes.iter().map(|&q| logarithm.share(q, i).im));
             }
-            factor.extend(z.iter().map(|&q| share(q, t, step).im));
+            factor.extend(z.iter().map(|&q| logarithm.share(q, i).im));
         }
-        abscissae.truncate(kept);
 
         let (mut kernel, mut readout) = (Vec::new(), Vec::new());
         for unit in path.units() {
             for &zeta in &nodes {
-                let influence = |q: Complex64| unit / (q + zeta) - unit.conj() / (q - zeta.conj());
+                let influence = |q: Complex64| influence(*unit, zeta, q);
                 kernel.extend(nodes.iter().map(|&q| influence(q).re));
                 if path == Path::Ray {
                     kernel.extend(nodes.iter().map(|&q| influence(q).im));
@@ -244,10 +238,23 @@ impl Contour {
             kernel,
             readouts,
             readout,
-            abscissae,
             factor,
             own,
+            logarithm,
+            turned_line: OnceLock::new(),
         }
+    }
+
+    /// Returns the abscissae `t` at which `ln S` is needed, ascending.
+    pub fn abscissae(&self) -> &[f64] {
+        &self.logarithm.abscissae[..self.logarithm.kept]
+    }
+
+    /// Returns the line on which `S Y` is needed for profiles that are not even powers of the
+    /// radius.
+    pub fn turned_line(&self) -> &TurnedLine {
+        self.turned_line
+            .get_or_init(|| TurnedLine::new(self.path, &self.nodes, &self.logarithm))
     }
 
     /// Returns the number of real unknowns. `V` is real on the imaginary axis; elsewhere it has two
@@ -260,6 +267,68 @@ impl Contour {
     /// then the phases at the readouts.
     pub fn rows(&self) -> usize {
         self.unknowns() + READOUTS
+    }
+}
+
+/// Adds the product of a matrix, given by columns, and a vector to `out`. The matrix may have more
+/// columns than the vector has elements.
+pub fn add_product(matrix: &[f64], vector: &[f64], out: &mut [f64]) {
+    let rows = out.len();
+    matmul(
+        ColMut::from_slice_mut(out),
+        Accum::Add,
+        MatRef::from_column_major_slice(&matrix[..rows * vector.len()], rows, vector.len()),
+        ColRef::from_slice(vector),
+        1.0,
+        Par::Seq,
+    );
+}
+
+/// Returns the share of a strength `unit` at the node `zeta`, and of its mirror image, in `V(q)`.
+pub(super) fn influence(unit: Complex64, zeta: Complex64, q: Complex64) -> Complex64 {
+    unit / (q + zeta) - unit.conj() / (q - zeta.conj())
+}
+
+/// The trapezoidal rule for `ln S_+`.
+#[derive(Debug)]
+pub(super) struct Logarithm {
+    /// The abscissae `t` of `ln S`, ascending.
+    abscissae: Vec<f64>,
+    /// The length that each one represents.
+    steps: Vec<f64>,
+    /// The number of abscissae at which `S` may differ from 1.
+    pub(super) kept: usize,
+    /// `e^{-digits}` is the error of the rule.
+    pub(super) digits: f64,
+}
+
+impl Logarithm {
+    fn new(digits: f64, knee: f64) -> Self {
+        // The far end of the integral of 1 beyond the last abscissa of `ln S` is not zero.
+        let last = FLAT * A_OVER_T[1];
+        let (mut abscissae, mut steps) = LOGARITHM.nodes(digits, knee, last * digits.exp());
+        abscissae.reverse();
+        steps.reverse();
+        let kept = abscissae.partition_point(|&t| t <= last);
+        Self {
+            abscissae,
+            steps,
+            kept,
+            digits,
+        }
+    }
+
+    /// Returns the factor of `ln S` at abscissa `i` in `ln S_+(q)`.
+    pub(super) fn share(&self, q: Complex64, i: usize) -> Complex64 {
+        let (t, step) = (self.abscissae[i], self.steps[i]);
+        q / (PI * Complex64::I) * step / (t * t - q * q)
+    }
+
+    /// Returns the factor of `ln S(q)` in `ln S_+(q)`, which removes the pole at `t = q` from the
+    /// integrand.
+    pub(super) fn own(&self, q: Complex64) -> Complex64 {
+        let sum: Complex64 = (0..self.abscissae.len()).map(|i| self.share(q, i)).sum();
+        0.5 - sum
     }
 }
 
@@ -296,9 +365,10 @@ mod tests {
         let mut worst: f64 = 0.0;
         for path in [Path::Axis, Path::Ray] {
             for level in 0..LEVELS.len() {
-                let Readouts { z, value, slope } = Contour::get(path, level, 1.0).readouts;
+                let Readouts { z, coefficients } = &Contour::get(path, level, 1.0).readouts;
+                let [value, slope] = [0, 1].map(|i| coefficients[i]);
                 let sum = |weights: &[f64; READOUTS], f: fn(f64) -> f64| -> f64 {
-                    weights.iter().zip(z).map(|(w, z)| w * f(z)).sum()
+                    weights.iter().zip(z).map(|(w, &z)| w * f(z)).sum()
                 };
                 let cosine = [
                     sum(&value, f64::cos) - 1.0,
@@ -330,7 +400,7 @@ mod tests {
             let log = |t: Complex64| ((t * t + 4.0) / (t * t + 1.0)).ln();
             let mut sums = vec![0.0; contour.rows()];
             for (t, column) in contour
-                .abscissae
+                .abscissae()
                 .iter()
                 .zip(contour.factor.chunks_exact(contour.rows()))
             {

@@ -33,9 +33,10 @@ use crate::solve::operator::Operator;
 use crate::solve::quadrature::Panels;
 use crate::solve::symbol::Symbol;
 
-/// Solves one contact at `x = a/t`. Adds modes and panels until the estimated error is at most
-/// `tolerance`, or until only rounding is left of it.
-pub fn solve(x: f64, symbol: &Symbol, tolerance: f64) -> Estimate {
+/// Solves one contact at `x = a/t`, and those of the power laws with the `exponents`. Adds modes
+/// and panels until the estimated error is at most `tolerance`, or until only rounding is left of
+/// it.
+pub fn solve(x: f64, symbol: &Symbol, exponents: &[f64], tolerance: f64) -> Estimate {
     let compliance = symbol.compliance();
     let (mut modes, ample) = (modes(x, tolerance), modes(x, FINEST));
     let mut panels = Panels::new(x, [compliance], tolerance);
@@ -43,7 +44,7 @@ pub fn solve(x: f64, symbol: &Symbol, tolerance: f64) -> Estimate {
     loop {
         let abscissae = Abscissae::new(x, modes, panels.clone());
         let operator = Operator::assemble(compliance, &abscissae, abscissae.blocks());
-        let Some(solved) = operator.solve(symbol) else {
+        let Some(solved) = operator.solve(symbol, exponents) else {
             // Too few modes, or too much rounding.
             if modes >= ample {
                 return Estimate::FAILED;
@@ -55,6 +56,7 @@ pub fn solve(x: f64, symbol: &Symbol, tolerance: f64) -> Estimate {
         if error <= tolerance {
             return Estimate {
                 quantities: solved.quantities,
+                power_laws: solved.power_laws,
                 error,
                 modes,
             };
@@ -68,6 +70,7 @@ pub fn solve(x: f64, symbol: &Symbol, tolerance: f64) -> Estimate {
         } else {
             return Estimate {
                 quantities: solved.quantities,
+                power_laws: solved.power_laws,
                 error,
                 modes,
             };

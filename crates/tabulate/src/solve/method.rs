@@ -4,6 +4,7 @@ use interp::Quantities;
 
 use crate::solve::contour::Path;
 use crate::solve::estimate::Estimate;
+use crate::solve::power_law::PowerLaw;
 use crate::solve::symbol::Symbol;
 use crate::solve::{galerkin, wiener_hopf};
 
@@ -70,13 +71,20 @@ impl Method {
             .filter_map(|(method, applies)| applies.then_some(method))
     }
 
-    /// Solves the contact at `x = a/t` to `tolerance`, or as accurately as this method can.
-    pub(crate) fn solve(self, x: f64, symbol: &Symbol, tolerance: f64) -> Estimate {
+    /// Solves the contact at `x = a/t`, and those of the power laws with the `exponents`, to
+    /// `tolerance`, or as accurately as this method can.
+    pub(crate) fn solve(
+        self,
+        x: f64,
+        symbol: &Symbol,
+        exponents: &[f64],
+        tolerance: f64,
+    ) -> Estimate {
         match self {
-            Self::ClosedForm => closed_form(symbol),
-            Self::Galerkin => galerkin::solve(x, symbol, tolerance),
-            Self::Axis => wiener_hopf::solve(x, symbol, Path::Axis, tolerance),
-            Self::Ray => wiener_hopf::solve(x, symbol, Path::Ray, tolerance),
+            Self::ClosedForm => closed_form(symbol, exponents),
+            Self::Galerkin => galerkin::solve(x, symbol, exponents, tolerance),
+            Self::Axis => wiener_hopf::solve(x, symbol, exponents, Path::Axis, tolerance),
+            Self::Ray => wiener_hopf::solve(x, symbol, exponents, Path::Ray, tolerance),
         }
     }
 }
@@ -101,11 +109,13 @@ fn closed_form_error(symbol: &Symbol) -> f64 {
     4.0 * f64::EPSILON + 10.0 * symbol.contrast()
 }
 
-/// Returns the quantities of Hertz's contact and the flat punch: for film = substrate, and the
-/// limit under a sphere that is much softer than both.
-fn closed_form(symbol: &Symbol) -> Estimate {
+/// Returns the quantities of Hertz's contact and the flat punch, and Sneddon's power laws: for film
+/// = substrate, and the limit under a sphere that is much softer than both.
+fn closed_form(symbol: &Symbol, exponents: &[f64]) -> Estimate {
+    let power_law = |&exponent: &f64| PowerLaw::homogeneous(exponent, symbol.modulus());
     Estimate {
         quantities: Quantities::homogeneous(symbol.modulus()),
+        power_laws: exponents.iter().map(power_law).collect(),
         error: closed_form_error(symbol),
         modes: 0,
     }
@@ -118,12 +128,15 @@ mod tests {
     use rand_pcg::Pcg64Mcg;
 
     use super::*;
-    use crate::solve::estimate::{difference, larger};
+    use crate::solve::estimate::larger;
 
-    /// Both methods between `a/t = 10` and 300, over `E1*/E2*` from 1e-12 to 1e14, and 0, and
-    /// `E0*/E1*` from 1e-14 to 1e14, and infinity. They share the compliance only.
-    #[test]
-    fn two_methods_agree_within_their_stated_errors_over_all_contrasts() {
+    /// Solves random contacts with both methods between `a/t = 10` and 300, over `E1*/E2*` from 1e-12
+    /// to 1e14, and 0, and `E0*/E1*` from 1e-14 to 1e14, and infinity. The methods share the compliance
+    /// only.
+    ///
+    /// Returns the number of contacts, those whose stated errors are below 1e-6 together, and their
+    /// largest difference over the stated errors.
+    fn compare(exponents: &[f64]) -> (usize, usize, f64) {
         const COUNT: usize = 300;
         const TOLERANCE: f64 = 1e-9;
         let mut random = Pcg64Mcg::seed_from_u64(4);
@@ -142,18 +155,39 @@ mod tests {
             let mut nu = || [0.5, random.random_range(0.0..0.5)][random.random_range(0..2)];
             let material = Material::new(e1, nu(), e0, nu()).expect("physical");
             let symbol = Symbol::new(&material);
-            let [galerkin, ray] =
-                [Method::Galerkin, Method::Ray].map(|method| method.solve(x, &symbol, TOLERANCE));
+            let [galerkin, ray] = [Method::Galerkin, Method::Ray]
+                .map(|method| method.solve(x, &symbol, exponents, TOLERANCE));
             if galerkin.error + ray.error < 1e-6 {
                 compared += 1;
-                let difference = difference(&galerkin.quantities, &ray.quantities);
-                worst = larger(worst, difference / (galerkin.error + ray.error));
+                let share = galerkin.difference(&ray) / (galerkin.error + ray.error);
+                worst = larger(worst, share);
             }
         }
-        println!("{compared} of {COUNT} contacts: at most {worst:.2} of the stated errors");
+        (COUNT, compared, worst)
+    }
+
+    #[test]
+    fn two_methods_agree_within_their_stated_errors_over_all_contrasts() {
+        let (count, compared, worst) = compare(&[]);
+        println!("{compared} of {count} contacts: at most {worst:.2} of the stated errors");
         assert!(
-            compared >= COUNT * 9 / 10 && worst <= 1.0,
+            compared >= count * 9 / 10 && worst <= 1.0,
             "{compared}, {worst}"
         );
+    }
+
+    /// A cone, even and odd powers, and two exponents that are no integers.
+    #[test]
+    fn two_methods_agree_on_power_laws_too() {
+        for exponent in [1.0, 3.0, 4.0, 6.0, 0.5, 2.7] {
+            let (count, compared, worst) = compare(&[exponent]);
+            println!(
+                "n = {exponent}: {compared} of {count} contacts, at most {worst:.2} of the stated errors"
+            );
+            assert!(
+                compared >= count * 8 / 10 && worst <= 1.0,
+                "{compared}, {worst}"
+            );
+        }
     }
 }

@@ -2,8 +2,10 @@
 //!
 //! `compliance` is the film on its substrate, `symbol` adds the sphere. `solution` accepts a
 //! contact within the `domain` and lets `method` choose: `galerkin` (with `quadrature`, `bessel`,
-//! `abscissae` and `operator`) for thick films, `wiener_hopf` (with `contour` and `krylov`) for
-//! thin ones. Both return an `estimate`. `batch` solves many materials at one `a/t`,
+//! `abscissae` and `operator`) for thick films, `wiener_hopf` (with `contour`, `krylov` and
+//! `read_out`) for thin ones. Both return an `estimate`. A probe with the profile `r^n`
+//! (`power_law`) is one more column of Galerkin's method, and one more functional of the result
+//! (`moment`, `turned_line`) of the Wiener-Hopf method. `batch` solves many materials at one `a/t`,
 //! `adaptive_curve` one material along `a/t`.
 //!
 //! # The face of the film
@@ -33,10 +35,14 @@ pub(crate) mod estimate;
 mod galerkin;
 mod krylov;
 mod method;
+mod moment;
 mod operator;
+mod power_law;
 mod quadrature;
+mod read_out;
 mod solution;
 mod symbol;
+mod turned_line;
 mod wiener_hopf;
 
 pub use adaptive_curve::{CURVE_TOLERANCE, curve};
@@ -44,5 +50,6 @@ pub use compliance::{Compliance, Sample};
 pub use domain::{A_OVER_T, TOLERANCE};
 pub(crate) use estimate::larger;
 pub use method::Method;
+pub use power_law::{EXPONENTS, PowerLaw};
 pub(crate) use quadrature::{GaussLegendre, Panels};
-pub use solution::{Solution, solve};
+pub use solution::{Solution, solve, solve_power_laws};

@@ -16,11 +16,15 @@
 //! Eeq = 1/softness      Gamma = sqrt(edge)/softness      Pi0 = 4 load/edge      Delta0 = k + Pi0 softness/4
 //! ```
 //!
+//! Another power `rho^n` has its own `w`, from its coefficients without the first, and its own `k`,
+//! with its first coefficient instead of `1/3`; in its load `2 k` becomes `n k`.
+//!
 //! Long waves enter the softness only: in `M_00 + C_00 = (2/pi) int (q (X-1))' J_0^2 dz` they are
 //! integrated by parts ([`LongWaves`](crate::solve::abscissae::LongWaves)). Each term is then
 //! accurate for every contrast of the moduli.
 
 use std::borrow::Borrow;
+use std::iter;
 
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::llt::factor::{
@@ -37,6 +41,7 @@ use crate::solve::abscissae::{Abscissae, Block};
 use crate::solve::bessel::LANES;
 use crate::solve::compliance::{Compliance, Sample};
 use crate::solve::estimate::larger;
+use crate::solve::power_law::{PowerLaw, coefficients};
 use crate::solve::symbol::Symbol;
 
 const SQRT_5: f64 = 2.236_067_977_499_79;
@@ -65,10 +70,12 @@ pub struct Operator {
 }
 
 /// The quantities of one contact, with the sources of their error.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Solved {
     /// The four quantities.
     pub quantities: Quantities,
+    /// The contacts of the power laws asked for.
+    pub power_laws: Vec<PowerLaw>,
     /// Estimated relative error from the finite number of modes.
     pub truncation: f64,
     /// Estimated relative error from the quadrature.
@@ -131,12 +138,12 @@ impl Operator {
         operator
     }
 
-    /// Solves the contact of one sphere with the film and substrate of this operator. `symbol`
-    /// holds all three bodies.
+    /// Solves the contact of one sphere with the film and substrate of this operator, and of the
+    /// probes `c r^n` with the `exponents` n. `symbol` holds all three bodies.
     ///
     /// Returns `None` where the matrix is not positive definite, by rounding, or `Gamma^2` is not
     /// positive, by too few modes.
-    pub fn solve(&self, symbol: &Symbol) -> Option<Solved> {
+    pub fn solve(&self, symbol: &Symbol, exponents: &[f64]) -> Option<Solved> {
         let (n, film) = (self.kernel.nrows() - 1, symbol.film());
         let mut factor = Mat::zeros(n, n);
         for j in 0..n {
@@ -163,59 +170,100 @@ impl Operator {
         )
         .ok()?;
 
-        let mut solutions = Mat::from_fn(n, 2, |i, column| match (column, i) {
-            (0, _) => film * self.kernel[(i + 1, 0)],
-            (_, 0) => PARABOLA,
-            _ => 0.0,
-        });
+        // The first mode, the paraboloid, then the other profiles.
+        let mut solutions = Mat::zeros(n, 2 + exponents.len());
+        for (i, value) in solutions.col_as_slice_mut(0).iter_mut().enumerate() {
+            *value = film * self.kernel[(i + 1, 0)];
+        }
+        solutions[(0, 1)] = PARABOLA;
+        for (j, &exponent) in exponents.iter().enumerate() {
+            let coefficients = coefficients(exponent, n + 1).skip(1);
+            let column = solutions.col_as_slice_mut(2 + j);
+            column
+                .iter_mut()
+                .zip(coefficients)
+                .for_each(|(value, c)| *value = c);
+        }
         solve_lower_triangular_in_place(factor.as_ref(), solutions.as_mut(), Par::Seq);
         // Forward substitution does not depend on the modes that follow: the forms of any smaller
         // number of modes are partial sums over these.
-        let halves = [0, 1].map(|column| solutions.col_as_slice(column));
-        let missing = halves.map(missing_modes);
-        let yielding = dot(halves[0], halves[0]);
-        let tilt = dot(halves[0], halves[1]);
+        let half = solutions.col_as_slice(0);
+        let missing = missing_modes(half);
+        let yielding = dot(half, half);
+        let profiles = || iter::once(2.0).chain(exponents.iter().copied()).zip(1..);
+        let halves: Vec<Half> = profiles()
+            .map(|(_, column)| {
+                let profile = solutions.col_as_slice(column);
+                Half {
+                    missing: missing_modes(profile),
+                    tilt: dot(half, profile),
+                }
+            })
+            .collect();
         solve_upper_triangular_in_place(factor.transpose(), solutions.as_mut(), Par::Seq);
-        let (h, w) = (solutions.col_as_slice(0), solutions.col_as_slice(1));
-        let [hh, ww] = [h, w].map(|v| dot(v, v));
-        let [chh, chw] = [(h, h), (h, w)].map(|(u, v)| film * form(&self.slope, u, v));
+        let h = solutions.col_as_slice(0);
+        let squares = 1.0 + dot(h, h);
+        let chh = film * form(&self.slope, h, h);
         let c = &self.slope.col_as_slice(0)[1..];
-        let [ch, cw] = [h, w].map(|v| film * dot(c, v));
+        let ch = film * dot(c, h);
 
         let softness = 1.0 + film * self.kernel[(0, 0)] - yielding;
         let edge = 1.0 + film * self.translation - yielding - 2.0 * ch + chh;
-        let share = 1.0 / 3.0 - tilt;
-        let load_sum = 2.0 * share + cw - chw;
-        if !(softness > 0.0 && edge > 0.0 && load_sum > 0.0) {
+        if !(softness > 0.0 && edge > 0.0) {
             return None;
         }
         let es = symbol.modulus();
-        let load = 4.0 * load_sum / edge;
-        let squares = 1.0 + hh;
-        let sizes = [
+        let mut size = larger(
             (squares + (softness - squares).abs()) / softness,
             (squares + film * self.translation.abs() + yielding + 2.0 * ch.abs() + chh.abs())
                 / edge,
-            ((squares * ww).sqrt() + 1.0 + 2.0 * tilt.abs() + cw.abs() + chw.abs()) / load_sum,
-        ];
-        let truncations = [
-            missing[0] / softness,
-            missing[0] / edge,
-            (missing[0] * missing[1]).sqrt() / load_sum,
-        ];
+        );
+        let mut truncation = larger(missing / softness, missing / edge);
+        let mut solve_profile = |((exponent, column), half): ((f64, usize), Half)| {
+            let w = solutions.col_as_slice(column);
+            let share = 1.0 / (exponent + 1.0) - half.tilt;
+            let chw = film * form(&self.slope, h, w);
+            let cw = film * dot(c, w);
+            let sum = exponent * share + cw - chw;
+            let terms = (squares * dot(w, w)).sqrt()
+                + 1.0
+                + exponent * half.tilt.abs()
+                + cw.abs()
+                + chw.abs();
+            size = larger(size, terms / sum);
+            truncation = larger(truncation, (missing * half.missing).sqrt() / sum);
+            let load = 4.0 * sum / edge;
+            (sum > 0.0).then_some(PowerLaw {
+                exponent,
+                pi: es * load,
+                delta: share + 0.25 * load * softness,
+            })
+        };
+        let mut solved = profiles().zip(halves).map(&mut solve_profile);
+        let paraboloid = solved.next()??;
+        let power_laws = solved.collect::<Option<_>>()?;
         Some(Solved {
             quantities: Quantities {
-                pi0: es * load,
+                pi0: paraboloid.pi,
                 eeq: es / softness,
                 gamma: es * edge.sqrt() / softness,
-                delta0: share + 0.25 * load * softness,
+                delta0: paraboloid.delta,
             },
-            truncation: TRUNCATION_SAFETY * truncations.into_iter().fold(0.0, larger),
+            power_laws,
+            truncation: TRUNCATION_SAFETY * truncation,
             quadrature: film
                 * (self.resolution_error / softness + self.shape_error / edge + self.design_error),
-            rounding: self.rounding * sizes.into_iter().fold(0.0, larger),
+            rounding: self.rounding * size,
         })
     }
+}
+
+/// What forward substitution gives of one profile.
+struct Half {
+    /// The contribution of the modes left out to the square of its norm.
+    missing: f64,
+    /// The form with the first mode, `h.(c_1, c_2, ...)`.
+    tilt: f64,
 }
 
 /// Adds the lower triangle of `J^T F J` to `target`. `bessel` holds `J` by columns, `factors` the

@@ -4,8 +4,9 @@ use interp::{Material, Quantities};
 
 use crate::Error;
 use crate::solve::domain;
-use crate::solve::estimate::{Estimate, larger};
+use crate::solve::estimate::larger;
 use crate::solve::method::Method;
+use crate::solve::power_law::{self, PowerLaw};
 use crate::solve::symbol::Symbol;
 
 /// The four quantities of one contact, with their estimated error.
@@ -39,25 +40,57 @@ pub struct Solution {
 /// [`Error::Domain`] for an `a_over_t`, a `tolerance` or a ratio of moduli outside the domain;
 /// [`Error::NotConverged`] where double precision does not allow the tolerance.
 pub fn solve(a_over_t: f64, material: &Material, tolerance: f64) -> Result<Solution, Error> {
+    solve_power_laws(a_over_t, material, &[], tolerance).map(|(solution, _)| solution)
+}
+
+/// Solves the contact of `material` at `a_over_t`, and those of rigid or elastic probes with the
+/// profiles `c r^n`, to the relative `tolerance`.
+///
+/// The `exponents` n need not be integers; each must be within
+/// [`EXPONENTS`](crate::solve::EXPONENTS). The power laws come in the order of the exponents. The
+/// error and the tolerance are those of all numbers together, so that a power law that is difficult
+/// makes the whole solve more expensive. Beyond `a/t = 300` or so the Wiener-Hopf method has to
+/// extrapolate, and each further even power loses a factor of 15 to 20: 1e-10 or so is reached up to
+/// an exponent of 6.
+///
+/// ```
+/// # fn main() -> Result<(), tabulate::Error> {
+/// let film_on_glass = interp::Material::new(1.75, 0.5, 1e5, 0.25)?;
+/// let (_, cone) = tabulate::solve::solve_power_laws(3.0, &film_on_glass, &[1.0], 1e-8)?;
+/// println!("delta0 = {} a (pi/2) tan(beta)", cone[0].delta);
+/// # Ok(()) }
+/// ```
+///
+/// # Errors
+/// As [`solve`], and [`Error::Domain`] for an exponent outside the domain.
+pub fn solve_power_laws(
+    a_over_t: f64,
+    material: &Material,
+    exponents: &[f64],
+    tolerance: f64,
+) -> Result<(Solution, Vec<PowerLaw>), Error> {
     domain::check(a_over_t, material, tolerance)?;
+    exponents
+        .iter()
+        .try_for_each(|&exponent| power_law::check(exponent))?;
     let symbol = Symbol::new(material);
     let mut reached = f64::INFINITY;
     for method in Method::candidates(a_over_t, &symbol, tolerance) {
-        let Estimate {
-            quantities,
-            error,
-            modes,
-        } = method.solve(a_over_t, &symbol, tolerance);
+        let estimate = method.solve(a_over_t, &symbol, exponents, tolerance);
         // A value that underflows has lost its digits.
-        let normal = quantities.to_array().into_iter().all(f64::is_normal);
-        let error = if normal { error } else { larger(error, 1.0) };
+        let error = if estimate.numbers().all(f64::is_normal) {
+            estimate.error
+        } else {
+            larger(estimate.error, 1.0)
+        };
         if error <= tolerance {
-            return Ok(Solution {
-                quantities,
+            let solution = Solution {
+                quantities: estimate.quantities,
                 error,
-                modes,
+                modes: estimate.modes,
                 method,
-            });
+            };
+            return Ok((solution, estimate.power_laws));
         }
         reached = reached.min(error);
     }

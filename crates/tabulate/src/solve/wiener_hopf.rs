@@ -66,7 +66,8 @@
 //!
 //! For film = substrate `a = cos z` and `b = sin z`, which gives 8/3, 1, 1, 1. `a` and `b/z` are
 //! entire functions of `z^2` of slow growth; their values at fifteen `z^2` between 0.1 and 40
-//! extrapolate to 0.
+//! extrapolate to 0. Other powers of `rho` need other functionals of the same two functions
+//! ([`moment`](crate::solve::moment)).
 //!
 //! # Accuracy
 //!
@@ -75,15 +76,13 @@
 //! measures it. The rounding of `Pi0` sets the limit: some 1e-13, and up to 1e-10 for a soft
 //! incompressible film between rigid bodies, where `S(t/a)` and with it `V` are small.
 
-use faer::linalg::matmul::matmul;
-use faer::{Accum, ColMut, ColRef, MatRef, Par};
-use interp::Quantities;
 use num_complex::Complex64;
 
 use crate::solve::compliance::{FLAT, SINE_OF_FREE_ANGLE};
-use crate::solve::contour::{Contour, LEVELS, Path, READOUTS};
-use crate::solve::estimate::{Estimate, difference, larger};
+use crate::solve::contour::{Contour, LEVELS, Path, add_product};
+use crate::solve::estimate::Estimate;
 use crate::solve::krylov;
+use crate::solve::read_out::Fields;
 use crate::solve::symbol::Symbol;
 
 /// Returns the relative error of the imaginary axis from the zeros of `S` that it leaves out.
@@ -111,44 +110,27 @@ pub fn ray_cost(x: f64, symbol: &Symbol, tolerance: f64) -> f64 {
 /// slightly softer spheres extrapolate to the given one: `2 f(h) - f(2h)` differs from `f(0)` by
 /// `h^2 f''`. As `f` is a sum of `c/(l + h)` with `l` above `S(t/a)` or so, this is less than twice
 /// the square of `h/S(t/a)`. Measured: 1.5 times.
-pub fn solve(x: f64, symbol: &Symbol, path: Path, tolerance: f64) -> Estimate {
+pub fn solve(x: f64, symbol: &Symbol, exponents: &[f64], path: Path, tolerance: f64) -> Estimate {
     /// The added compliance over `S(t/a)`. The error is about its square.
     const SOFTENING: f64 = 1e-6;
     const WEIGHTS: [f64; 2] = [2.0, -1.0];
     let softening = SOFTENING * symbol.at(1.0 / x);
     if symbol.at(0.0) > softening {
-        return converge(x, symbol, path, tolerance);
+        return converge(x, symbol, exponents, path, tolerance);
     }
-    let softened = |k: usize| {
-        converge(
-            x,
-            &symbol.softened((k + 1) as f64 * softening),
-            path,
-            tolerance / 3.0,
-        )
-    };
-    let estimates = [0, 1].map(softened);
-    let values = estimates
-        .each_ref()
-        .map(|estimate| estimate.quantities.to_array());
-    let extrapolated = std::array::from_fn(|i| {
-        values
-            .iter()
-            .zip(WEIGHTS)
-            .map(|(value, weight)| weight * value[i])
-            .sum()
+    let [mut extrapolated, softer] = [1.0, 2.0].map(|multiple| {
+        let symbol = symbol.softened(multiple * softening);
+        converge(x, &symbol, exponents, path, tolerance / 3.0)
     });
-    let error = estimates
-        .iter()
-        .zip(WEIGHTS)
-        .map(|(estimate, weight)| weight.abs() * estimate.error)
-        .sum::<f64>()
+    let mut others = softer.numbers();
+    extrapolated.change(|number| {
+        let other = others.next().expect("both hold the same numbers");
+        WEIGHTS[0] * number + WEIGHTS[1] * other
+    });
+    extrapolated.error = WEIGHTS[0].abs() * extrapolated.error
+        + WEIGHTS[1].abs() * softer.error
         + 2.0 * SOFTENING.powi(2);
-    Estimate {
-        quantities: Quantities::from_array(extrapolated),
-        error,
-        modes: estimates[0].modes,
-    }
+    extrapolated
 }
 
 /// The largest error of a contour over its difference from the contour before. Most often it is a
@@ -160,7 +142,7 @@ const GAIN: f64 = 0.3;
 const NOISE: f64 = 3e-11;
 
 /// Solves with contours of growing accuracy until two agree.
-fn converge(x: f64, symbol: &Symbol, path: Path, tolerance: f64) -> Estimate {
+fn converge(x: f64, symbol: &Symbol, exponents: &[f64], path: Path, tolerance: f64) -> Estimate {
     let left_out = if path == Path::Axis {
         left_out(x, symbol)
     } else {
@@ -173,11 +155,11 @@ fn converge(x: f64, symbol: &Symbol, path: Path, tolerance: f64) -> Estimate {
         .clamp(1, LEVELS.len() - 1);
     let mut best = Estimate {
         error: f64::INFINITY,
-        ..on_contour(x, symbol, path, first - 1)
+        ..on_contour(x, symbol, exponents, path, first - 1)
     };
     for level in first..LEVELS.len() {
-        let next = on_contour(x, symbol, path, level);
-        let difference = difference(&next.quantities, &best.quantities);
+        let next = on_contour(x, symbol, exponents, path, level);
+        let difference = next.difference(&best);
         let error = GAIN * difference + 2.0 * difference.min(NOISE) + next.error + left_out;
         best = Estimate { error, ..next };
         if error <= tolerance {
@@ -188,34 +170,40 @@ fn converge(x: f64, symbol: &Symbol, path: Path, tolerance: f64) -> Estimate {
 }
 
 /// Solves with one contour. The error of the estimate is that of rounding only.
-fn on_contour(x: f64, symbol: &Symbol, path: Path, level: usize) -> Estimate {
+fn on_contour(x: f64, symbol: &Symbol, exponents: &[f64], path: Path, level: usize) -> Estimate {
     /// The knee over the smallest scale.
     const BELOW: f64 = 0.3;
     let contour = Contour::get(path, level, BELOW * x * symbol.smallest_scale());
-    let log_factors = log_factors(x, symbol, contour);
+    let logs = logarithms(x, symbol, contour);
+    let log_factors = log_factors(&logs, contour);
     let couplings = couplings(x, symbol, contour, &log_factors);
-    let [even, odd] = solve_coupling(contour, &couplings, (-LEVELS[level]).exp());
-    read_out(
+    let strengths = solve_coupling(contour, &couplings, (-LEVELS[level]).exp());
+    let fields = Fields {
         x,
         symbol,
         contour,
-        &log_factors[contour.unknowns()..],
-        &even,
-        &odd,
-    )
+        logs: &logs,
+        phases: &log_factors[contour.unknowns()..],
+        strengths: &strengths,
+    };
+    fields.read_out(exponents)
+}
+
+/// Returns `ln S` at the abscissae of the contour.
+fn logarithms(x: f64, symbol: &Symbol, contour: &Contour) -> Vec<f64> {
+    contour
+        .abscissae()
+        .iter()
+        .take_while(|t| **t <= FLAT * x)
+        .map(|t| symbol.at(t / x).ln())
+        .collect()
 }
 
 /// Returns `ln S_+` at the nodes and its phase at the readouts, by (1), without the contribution of
 /// `ln S` at the same point ([`Contour::own`]).
-fn log_factors(x: f64, symbol: &Symbol, contour: &Contour) -> Vec<f64> {
-    let logs: Vec<f64> = contour
-        .abscissae
-        .iter()
-        .take_while(|t| **t <= FLAT * x)
-        .map(|t| symbol.at(t / x).ln())
-        .collect();
+fn log_factors(logs: &[f64], contour: &Contour) -> Vec<f64> {
     let mut sums = vec![0.0; contour.rows()];
-    add_product(&contour.factor, &logs, &mut sums);
+    add_product(&contour.factor, logs, &mut sums);
     sums
 }
 
@@ -285,127 +273,3 @@ fn solve_coupling(contour: &Contour, couplings: &[Complex64], accuracy: f64) -> 
         result
     })
 }
-
-/// Adds the product of a matrix, given by columns, and a vector to `out`. The matrix may have more
-/// columns than the vector has elements.
-fn add_product(matrix: &[f64], vector: &[f64], out: &mut [f64]) {
-    let rows = out.len();
-    matmul(
-        ColMut::from_slice_mut(out),
-        Accum::Add,
-        MatRef::from_column_major_slice(&matrix[..rows * vector.len()], rows, vector.len()),
-        ColRef::from_slice(vector),
-        1.0,
-        Par::Seq,
-    );
-}
-
-/// A sum and the size of its terms. The rounding error is proportional to the size.
-#[derive(Clone, Copy, Default)]
-struct Sum {
-    value: f64,
-    size: f64,
-}
-
-impl Sum {
-    /// Adds `weight` times `term`.
-    fn add(&mut self, weight: f64, term: Self) {
-        self.value += weight * term.value;
-        self.size += weight.abs() * term.size;
-    }
-
-    /// Divides value and size by `divisor`.
-    fn over(self, divisor: f64) -> Self {
-        Self {
-            value: self.value / divisor,
-            size: self.size / divisor.abs(),
-        }
-    }
-}
-
-/// Returns the quantities from the strengths of the nodes for the even and for the odd fields.
-fn read_out(
-    x: f64,
-    symbol: &Symbol,
-    contour: &Contour,
-    phases: &[f64],
-    even: &[f64],
-    odd: &[f64],
-) -> Estimate {
-    let mut v = [[Complex64::ONE; 2]; READOUTS];
-    for ((even, odd), row) in even.iter().zip(odd).zip(&contour.readout) {
-        for (v, influence) in v.iter_mut().zip(row) {
-            v[0] += influence * even;
-            v[1] -= influence * odd;
-        }
-    }
-    let readouts = &contour.readouts;
-    // a and b, with the size of their terms, which may be larger.
-    let values: [[Sum; 2]; READOUTS] = std::array::from_fn(|m| {
-        let (z, [even, odd]) = (readouts.z[m], v[m]);
-        let s = symbol.at(z / x);
-        let wave = Complex64::from_polar(
-            1.0 / s.sqrt(),
-            z + phases[m] + contour.own[contour.nodes.len() + m].im * s.ln(),
-        );
-        let size = |v: Complex64| wave.norm() * (1.0 + v.norm());
-        [
-            Sum {
-                value: (wave * even).re,
-                size: size(even),
-            },
-            Sum {
-                value: (wave * odd).im,
-                size: size(odd),
-            },
-        ]
-    });
-    let [mut a0, mut a1, mut b1, mut b2, mut pole] = [Sum::default(); 5];
-    for (m, [a, b]) in values.iter().enumerate() {
-        a0.add(readouts.value[m], *a);
-        a1.add(readouts.slope[m], *a);
-        pole.add(readouts.value[m] * readouts.z[m], *b);
-    }
-    // a(z)/z is an odd field too, but for its pole at 0. Equation (2) excludes the pole in
-    // proportion to S(0) only: where S(0) is small, b comes with a share of a(z)/z. z b(z) at 0
-    // gives the share, which is subtracted unless it is rounding.
-    let share = if pole.value.abs() > ROUNDING * pole.size {
-        pole.over(a0.value)
-    } else {
-        Sum::default()
-    };
-    for (m, [a, b]) in values.iter().enumerate() {
-        let z = readouts.z[m];
-        let mut regular = Sum::default();
-        regular.add(1.0 / z, *b);
-        regular.add(-a.value / (z * z), share);
-        b1.add(readouts.value[m], regular);
-        b2.add(readouts.slope[m], regular);
-    }
-    let es = symbol.modulus();
-    let load = a0.value * b2.value - a1.value * b1.value;
-    let load_size = a0.size * b2.value.abs()
-        + a0.value.abs() * b2.size
-        + a1.size * b1.value.abs()
-        + a1.value.abs() * b1.size;
-    let quantities = Quantities {
-        pi0: 8.0 * es * load,
-        eeq: es * a0.value * b1.value,
-        gamma: es * a0.value,
-        delta0: -2.0 * a1.value / a0.value,
-    };
-    let relative = |sum: Sum| (sum.size / sum.value).abs();
-    let [eeq, delta0] = [relative(a0) + relative(b1), relative(a0) + relative(a1)];
-    let rounding = larger(larger((load_size / load).abs(), eeq), delta0);
-    // Long waves of a stiff film on a soft base add rounding errors, though the contact hardly acts
-    // on them.
-    let long_waves = symbol.at(0.0) / symbol.at(1.0 / x);
-    Estimate {
-        quantities,
-        error: ROUNDING * (rounding + long_waves),
-        modes: contour.unknowns(),
-    }
-}
-
-/// The rounding error of the sums at the readouts, relative to the size of their terms.
-const ROUNDING: f64 = 4.0 * f64::EPSILON;

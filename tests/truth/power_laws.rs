@@ -1,0 +1,149 @@
+//! Probes with the profile `c r^n` against values in 80-bit arithmetic, identities and limits.
+
+use acceptance::{Contacts, Data, larger, material};
+use interp::Material;
+use tabulate::solve::{PowerLaw, solve_power_laws};
+
+/// Returns the largest relative difference of load and penetration.
+fn error(power_law: PowerLaw, pi: f64, delta: f64) -> f64 {
+    larger(
+        (power_law.pi / pi - 1.0).abs(),
+        (power_law.delta / delta - 1.0).abs(),
+    )
+}
+
+/// Measured at 1e-10: 1.0e-11.
+#[test]
+fn power_laws_agree_with_reference_values_within_the_stated_error() {
+    let data = Data::read("shapes");
+    for tolerance in [1e-4, 1e-6, 1e-8, 1e-10] {
+        let (mut worst, mut share, mut count) = (0.0, 0.0, 0);
+        for case in data.cases() {
+            let (x, n) = (case.get("a_over_t"), case.get("n"));
+            let (solution, power_laws) = solve_power_laws(x, &case.material(), &[n], tolerance)
+                .unwrap_or_else(|e| panic!("n = {n}: {e}"));
+            let error = error(power_laws[0], case.get("pi_n"), case.get("delta_n"));
+            assert!(
+                error <= solution.error,
+                "{error:.1e} > {:.1e}: n = {n}, a/t = {x}, {:?}, {:?}",
+                solution.error,
+                case.material(),
+                solution.method,
+            );
+            worst = larger(worst, error);
+            share = larger(share, error / solution.error);
+            count += 1;
+        }
+        println!(
+            "{count} cases at {tolerance:e}: largest error {worst:.1e}, at most {share:.2} of the stated one"
+        );
+        assert!(count >= 60);
+    }
+}
+
+/// Returns the numbers at `x`, and their derivatives with respect to `ln x` by the differences of
+/// ninth order.
+fn with_rates(x: f64, material: &Material, exponent: f64) -> ([f64; 4], [f64; 4]) {
+    const STEP: f64 = 0.05;
+    const WEIGHTS: [f64; 4] = [4.0 / 5.0, -1.0 / 5.0, 4.0 / 105.0, -1.0 / 280.0];
+    let values = |steps: f64| {
+        let x = x * (steps * STEP).exp();
+        let (solution, power_laws) = solve_power_laws(x, material, &[exponent], 1e-11)
+            .unwrap_or_else(|e| panic!("n = {exponent}: {e}"));
+        let q = solution.quantities;
+        [power_laws[0].pi, power_laws[0].delta, q.eeq, q.gamma]
+    };
+    let mut rates = [0.0; 4];
+    for (weight, k) in WEIGHTS.into_iter().zip(1..) {
+        let [after, before] = [1.0, -1.0].map(|sign| values(sign * f64::from(k)));
+        for (i, rate) in rates.iter_mut().enumerate() {
+            *rate += weight * (after[i] - before[i]) / STEP;
+        }
+    }
+    (values(0.0), rates)
+}
+
+/// The load follows from the penetration, `dF0 = S d(delta0)`, and `Delta_{n+2}` from `mu_n = Delta_n
+/// Eeq - Pi_n/4`, at random contacts and random exponents.
+///
+/// ```text
+/// (n+1) Pi_n + x Pi_n' = 4 Eeq (n Delta_n + x Delta_n')
+/// (n+2) Delta_{n+2} + x Delta_{n+2}' = (n+2)(n+1) es mu_n/Gamma^2
+/// ```
+#[test]
+fn the_identities_hold_for_random_exponents() {
+    let mut contacts = Contacts::new(31);
+    let [mut load, mut ladder] = [0.0; 2];
+    for round in 0..60 {
+        let material = contacts.material([1e-2, 1e3], [1e-2, 1e6]);
+        let x = contacts.log_uniform(1e-2, 100.0);
+        let n = [1.0, 2.0, 3.0, contacts.uniform(0.3, 4.0)][round % 4];
+        let ([pi, delta, eeq, gamma], [pi_rate, delta_rate, ..]) = with_rates(x, &material, n);
+        let work = 4.0 * eeq * (n * delta + delta_rate);
+        load = larger(load, (((n + 1.0) * pi + pi_rate) / work - 1.0).abs());
+
+        let ([_, next, ..], [_, next_rate, ..]) = with_rates(x, &material, n + 2.0);
+        let mean = delta * eeq - 0.25 * pi;
+        let source =
+            (n + 2.0) * (n + 1.0) * material.sphere_film_modulus() * mean / (gamma * gamma);
+        ladder = larger(
+            ladder,
+            (((n + 2.0) * next + next_rate) / source - 1.0).abs(),
+        );
+    }
+    println!("load {load:.1e}, ladder {ladder:.1e}");
+    assert!(load < 1e-8 && ladder < 1e-8, "{load}, {ladder}");
+}
+
+/// On a thick film `Delta_n = 1 + c n/(n+1)` with `c = es/Eeq - 1`, and the load is Sneddon's.
+#[test]
+fn thick_films_approach_the_half_space_at_every_exponent() {
+    for parameters in [
+        [1.75, 0.5, 1e5, 0.25],
+        [10.0, 0.0, 1.0, 0.5],
+        [0.0, 0.3, 0.5, 0.25],
+    ] {
+        let material = material(parameters);
+        for n in [0.1, 0.5, 1.0, 2.5, 4.0, 7.0, 12.0, 20.0] {
+            let (thick, power_laws) = solve_power_laws(1e-4, &material, &[n], 1e-10)
+                .unwrap_or_else(|e| panic!("n = {n}: {e}"));
+            let es = material.sphere_film_modulus();
+            let share = es / thick.quantities.eeq - 1.0;
+            let expected = 1.0 + share * n / (n + 1.0);
+            let [delta, pi] = [
+                power_laws[0].delta / expected,
+                power_laws[0].pi * (n + 1.0) / (4.0 * n * es),
+            ];
+            // The next terms are of order `x^3`.
+            assert!((delta - 1.0).abs() < 1e-10, "n = {n}: {delta}");
+            assert!((pi - 1.0).abs() < 1e-10, "n = {n}: {pi}");
+        }
+    }
+}
+
+/// On a thin film `Delta_n -> 1`, and the load is Sneddon's with the compound modulus of the
+/// substrate: `x (1 - Delta_n)/n` is `A (ln x - ln 2 - psi((n+1)/2)) + C`, so that its value at
+/// `n = 1` less that at `n = 3` is `A (psi(2) - psi(1)) = A`, and at 3 less that at 5 `A/2`.
+#[test]
+fn thin_films_approach_the_half_space_of_the_substrate() {
+    const X: f64 = 1e5;
+    for parameters in [[1.75, 0.5, 1e5, 0.25], [0.3, 0.2, 1.0, 0.3]] {
+        let material = material(parameters);
+        let exponents = [1.0, 3.0, 5.0];
+        let (solution, power_laws) =
+            solve_power_laws(X, &material, &exponents, 1e-10).unwrap_or_else(|e| panic!("{e}"));
+        let logs: Vec<f64> = power_laws
+            .iter()
+            .map(|power_law| X * (1.0 - power_law.delta) / power_law.exponent)
+            .collect();
+        let ratio = (logs[0] - logs[1]) / (logs[1] - logs[2]);
+        assert!((ratio / 2.0 - 1.0).abs() < 2e-3, "{ratio}");
+        let einf = material.sphere_substrate_modulus();
+        for power_law in &power_laws {
+            let n = power_law.exponent;
+            let load = power_law.pi * (n + 1.0) / (4.0 * n * einf);
+            assert!((load - 1.0).abs() < 2e-3, "n = {n}: {load}");
+        }
+        assert!((solution.quantities.eeq / einf - 1.0).abs() < 2e-3);
+    }
+}
