@@ -422,7 +422,7 @@ fn solve_adds_the_columns_of_other_probes() {
             "{name}: {text}"
         );
         assert!(
-            json.contains(&format!("\"{name}\":{value:?},")),
+            json.contains(&format!("\"{name}\":{value:?}")),
             "{name}: {json}"
         );
     }

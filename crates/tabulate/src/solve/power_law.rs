@@ -80,8 +80,8 @@ mod tests {
             let second = 5_f64.sqrt() * n / ((n + 1.0) * (n + 3.0));
             assert!((c[1] / second - 1.0).abs() < 1e-14, "{n}: {}", c[1]);
             let squares: f64 = c.iter().map(|c| c * c).sum();
-            // The terms left out fall like `m^{-2n-2}`: at n = 0.5 their sum is 1e-8 or so.
-            let left_out = if n < 1.0 { 1e-7 } else { 1e-13 };
+            // The terms left out fall like `m^{-2n-2}`, and their sum like `m^{-2n-1}`.
+            let left_out = 1e-14 + 4000_f64.powf(-2.0 * n - 1.0);
             assert!(
                 (squares * (2.0 * n + 1.0) - 1.0).abs() < left_out,
                 "{n}: {squares}"
