@@ -36,13 +36,15 @@ mod method;
 mod operator;
 mod quadrature;
 mod solution;
+mod surface;
 mod symbol;
 mod wiener_hopf;
 
 pub use adaptive_curve::{CURVE_TOLERANCE, curve};
-pub use compliance::{Compliance, Sample};
+pub use compliance::Compliance;
 pub use domain::{A_OVER_T, TOLERANCE};
 pub(crate) use estimate::larger;
 pub use method::Method;
 pub(crate) use quadrature::{GaussLegendre, Panels};
 pub use solution::{Solution, solve};
+pub use surface::Sample;

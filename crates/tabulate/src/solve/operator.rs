@@ -35,8 +35,8 @@ use interp::Quantities;
 
 use crate::solve::abscissae::{Abscissae, Block};
 use crate::solve::bessel::LANES;
-use crate::solve::compliance::{Compliance, Sample};
 use crate::solve::estimate::larger;
+use crate::solve::surface::{Sample, SurfaceCompliance};
 use crate::solve::symbol::Symbol;
 
 const SQRT_5: f64 = 2.236_067_977_499_79;
@@ -88,7 +88,7 @@ impl Operator {
     /// Sums `M` and `C` over the abscissae. `blocks` are those of `abscissae`, evaluated one by one
     /// or kept for many materials.
     pub fn assemble<B: Borrow<Block>>(
-        compliance: &Compliance,
+        compliance: &impl SurfaceCompliance,
         abscissae: &Abscissae,
         blocks: impl IntoIterator<Item = B>,
     ) -> Self {
@@ -136,7 +136,7 @@ impl Operator {
     ///
     /// Returns `None` where the matrix is not positive definite, by rounding, or `Gamma^2` is not
     /// positive, by too few modes.
-    pub fn solve(&self, symbol: &Symbol) -> Option<Solved> {
+    pub fn solve<C: SurfaceCompliance>(&self, symbol: &Symbol<C>) -> Option<Solved> {
         let (n, film) = (self.kernel.nrows() - 1, symbol.film());
         let mut factor = Mat::zeros(n, n);
         for j in 0..n {
