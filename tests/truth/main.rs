@@ -17,3 +17,4 @@ mod limits;
 mod paper;
 mod reference;
 mod regimes;
+mod stacks;
