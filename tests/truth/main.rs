@@ -18,3 +18,4 @@ mod paper;
 mod power_laws;
 mod reference;
 mod regimes;
+mod stacks;

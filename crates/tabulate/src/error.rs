@@ -39,6 +39,50 @@ pub enum Error {
         /// The estimated relative error that was reached; infinite where every method failed.
         reached: f64,
     },
+    /// A tolerance that the solve of a stack of layers has not reached.
+    #[error(
+        "tolerance {tolerance:.1e} is not reached at a_over_t = {a_over_t:?} of this stack of layers: the estimated error is {reached:.1e}; \
+         ask for a larger tolerance"
+    )]
+    StackNotConverged {
+        /// The contact radius over the thickness of the stack.
+        a_over_t: f64,
+        /// The tolerance.
+        tolerance: f64,
+        /// The estimated relative error that was reached; infinite where the method failed.
+        reached: f64,
+    },
+    /// A contact that is too wide beside the top layer of a stack.
+    #[error(
+        "a_over_t = {a_over_t:?} is out of reach of this stack of {layers} different layers: its thickness is {thickness_over_top:?} times that \
+         of its top layer, and the contact radius may be at most {} times that of the top layer; use an a_over_t up to {reach:?}, or \
+         leave out a top layer that is too thin to matter", crate::solve::A_OVER_TOP[1]
+    )]
+    StackReach {
+        /// The contact radius over the thickness of the stack.
+        a_over_t: f64,
+        /// The largest contact radius within reach, over the thickness of the stack.
+        reach: f64,
+        /// The thickness of the stack over that of its top layer.
+        thickness_over_top: f64,
+        /// The number of layers, of which neighbours of one material count as one.
+        layers: usize,
+    },
+    /// A stack without layers.
+    #[error(
+        "a stack needs at least one layer on its base; a sphere on the bare base is `interp::HalfSpace`"
+    )]
+    NoLayers,
+    /// A layer that a stack cannot have.
+    #[error("layer {layer} of {layers}, counted from the base: {what}")]
+    Layer {
+        /// The number of the layer, from 1 at the base.
+        layer: usize,
+        /// The number of all layers.
+        layers: usize,
+        /// A sentence with the value and the allowed range.
+        what: String,
+    },
     /// A measurement that differs from a recorded one.
     #[error("row {row}: {column} was {before} and is {now}")]
     Changed {

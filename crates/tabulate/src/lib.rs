@@ -16,6 +16,7 @@
 //! | module | holds |
 //! |---|---|
 //! | [`solve`](mod@solve) | the solver: the film's compliance, the methods of solution, many contacts at once |
+//! | [`stack`] | stacks of layers on a base |
 //! | [`table`] | from a scene to a certified table, and its files |
 //! | [`cost`] | measurements of time and accuracy |
 //! | [`plot`] | the figures |
@@ -39,8 +40,9 @@ pub mod plot;
 mod printable;
 pub mod report;
 pub mod solve;
+pub mod stack;
 pub mod table;
 
 pub use error::Error;
-pub use solve::{curve, solve};
+pub use solve::{curve, solve, solve_stack, stack_curve};
 pub use table::generate;

@@ -4,17 +4,18 @@ use std::path::PathBuf;
 
 use anyhow::ensure;
 use clap::{ValueHint, value_parser};
-use interp::{Mechanics, Validity};
+use interp::{Contact, Mechanics, Validity};
 
 use super::note;
 use super::output::Output;
 use super::points::{evenly, number};
 use super::progress::progress_bar;
+use super::stack_file::{self, StackFile};
 use super::system::SystemArguments;
 use super::table_name::{self, TableName};
 use crate::parallel::try_map;
 use crate::report::LARGE_CONTACT;
-use crate::solve::solve;
+use crate::solve::{solve, stack_curve};
 
 /// Print the force curve of one system as CSV, in SI units
 ///
@@ -31,6 +32,7 @@ use crate::solve::solve;
     "tabulate curve --film-thickness 1e-5 --points 20 | cut -d, -f1-3",
     "tabulate curve --sphere-modulus inf --film-modulus 1e9 --film-poisson-ratio 0.4",
     "tabulate curve embedded --work-of-adhesion 0.1 -o curve.csv",
+    "tabulate curve --stack tables/stacks/primer.toml --from 1e-5 --to 1e-4 --points 20",
 ))]
 pub struct Arguments {
     #[arg(
@@ -38,6 +40,16 @@ pub struct Arguments {
         value_hint = ValueHint::FilePath
     )]
     table: Option<TableName>,
+    #[arg(
+        long,
+        value_name = "STACK.toml",
+        help = format!("{}. It replaces film and substrate", stack_file::HELP),
+        value_hint = ValueHint::FilePath,
+        conflicts_with_all = [
+            "table", "film_thickness", "film_modulus", "film_poisson_ratio", "substrate_modulus", "substrate_poisson_ratio",
+        ],
+    )]
+    stack: Option<PathBuf>,
     #[command(flatten)]
     system: SystemArguments,
     /// Smallest contact radius, m
@@ -74,21 +86,44 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         ..
     } = *arguments;
     let input = arguments.table.as_ref().and_then(TableName::path);
-    let output = Output::new(arguments.output.as_deref(), [input])?;
+    let output = Output::new(
+        arguments.output.as_deref(),
+        [input, arguments.stack.as_deref()],
+    )?;
     ensure!(
         from > 0.0 && to > from && to < f64::INFINITY,
         "the contact radii must run from > 0 to more than that: from {from} to {to}"
     );
-    let system = arguments.system.system()?;
+    let stack = arguments
+        .stack
+        .as_ref()
+        .map(|path| StackFile::read(path))
+        .transpose()?
+        .map(|file| file.stack);
+    let system = match &stack {
+        Some(stack) => {
+            let SystemArguments {
+                sphere_radius,
+                sphere_modulus,
+                ..
+            } = arguments.system;
+            stack.system(sphere_radius, sphere_modulus)
+        }
+        None => arguments.system.system()?,
+    };
     let mechanics = Mechanics::new(&system)?;
     // Refuses too large a radius before any work.
     mechanics.edge_singularity(to, work_of_adhesion)?;
     let material = system.material()?;
-    let contact = arguments
-        .table
-        .as_ref()
-        .map(|name| anyhow::Ok(name.read()?.contact(&system)?))
-        .transpose()?;
+    let contact = match (&arguments.table, &stack) {
+        (Some(name), _) => Some(name.read()?.contact(&system)?),
+        (None, Some(stack)) => {
+            let range = [from, to].map(|a| a / system.film_thickness);
+            let curve = stack_curve(stack, system.sphere_modulus, range, arguments.tolerance)?;
+            Some(Contact::new(&system, curve)?)
+        }
+        (None, None) => None,
+    };
 
     let bar = progress_bar(points as usize, "solving");
     let row = |i: u32| {

@@ -1,7 +1,8 @@
 //! The command line: one module for each subcommand.
 //!
 //! Each has `Arguments`, which clap fills and whose comments are the help, and `run`. A table is
-//! named by a `table_name`, or is the `default_table`; points come from CSV (`points`); results go
+//! named by a `table_name`, or is the `default_table`; points come from CSV (`points`), a stack of layers
+//! from TOML (`stack_file`); results go
 //! to an `output`, which knows the inputs, or are printed, as text or as one object of `json`; notes
 //! go to standard error.
 
@@ -25,6 +26,7 @@ mod query;
 mod report;
 mod simulate;
 mod solve;
+mod stack_file;
 mod system;
 mod table_name;
 mod unpack;

@@ -3,13 +3,15 @@
 use std::path::{Path, PathBuf};
 
 use anyhow::ensure;
+use clap::ValueHint;
 use interp::Material;
 
 use super::json::Number;
 use super::output::Output;
 use super::points::{Answer, Points, number};
 use super::print;
-use crate::solve::{PowerLaw, solve_power_laws};
+use super::stack_file::{self, StackFile};
+use crate::solve::{PowerLaw, Solution, solve_power_laws, solve_stack_power_laws};
 use crate::table::DEFAULT_NU0;
 
 /// Solve the contact directly, at one point or at every point of a CSV file
@@ -24,9 +26,10 @@ use crate::table::DEFAULT_NU0;
     "tabulate solve --a-over-t 1 --e1-over-e2 0 --nu1 0.3 --e0-over-e2 inf --json",
     "tabulate solve --points tables/points.csv -o solved.csv",
     "tabulate solve --points tables/points.csv --exponent 1 --exponent 4",
+    "tabulate solve --stack tables/stacks/primer.toml --sphere-modulus 2e6 --a-over-t 6.5",
 ))]
 pub struct Arguments {
-    /// Contact radius over film thickness
+    /// Contact radius over film thickness; of a stack, over the thickness of all layers
     #[arg(
         long,
         required_unless_present = "points",
@@ -37,14 +40,14 @@ pub struct Arguments {
     /// rigid sphere
     #[arg(
         long,
-        required_unless_present = "points",
+        required_unless_present_any = ["points", "stack"],
         allow_negative_numbers = true
     )]
     e1_over_e2: Option<f64>,
     /// Poisson ratio of the film
     #[arg(
         long,
-        required_unless_present = "points",
+        required_unless_present_any = ["points", "stack"],
         allow_negative_numbers = true
     )]
     nu1: Option<f64>,
@@ -52,7 +55,7 @@ pub struct Arguments {
     /// inf: rigid substrate; under a rigid sphere E0/E1
     #[arg(
         long,
-        required_unless_present = "points",
+        required_unless_present_any = ["points", "stack"],
         allow_negative_numbers = true
     )]
     e0_over_e2: Option<f64>,
@@ -62,6 +65,24 @@ pub struct Arguments {
     /// CSV with the columns a_over_t, e1_over_e2, nu1, e0_over_e2 and perhaps nu0, in any order
     #[arg(long, value_name = "IN.csv", conflicts_with_all = ["a_over_t", "e1_over_e2", "nu1", "e0_over_e2", "json"])]
     points: Option<PathBuf>,
+    #[arg(
+        long,
+        value_name = "STACK.toml",
+        help = stack_file::HELP,
+        value_hint = ValueHint::FilePath,
+        requires = "sphere_modulus",
+        conflicts_with_all = ["e1_over_e2", "nu1", "e0_over_e2", "nu0", "points"],
+    )]
+    stack: Option<PathBuf>,
+    /// With --stack: reduced modulus E2* = E2/(1 - nu2^2) of the sphere, Pa; inf: rigid. Results are
+    /// in units of E2*, under a rigid sphere of E1* of the top layer
+    #[arg(
+        long,
+        value_name = "PA",
+        requires = "stack",
+        allow_negative_numbers = true
+    )]
+    sphere_modulus: Option<f64>,
     /// Write the CSV here instead of to standard output
     #[arg(short, long, value_name = "OUT.csv", requires = "points", conflicts_with_all = ["a_over_t", "e1_over_e2", "nu1", "e0_over_e2", "json"])]
     output: Option<PathBuf>,
@@ -78,8 +99,9 @@ pub struct Arguments {
     /// Print one JSON object
     ///
     /// The fields are a_over_t, e1_over_e2, nu1, e0_over_e2, nu0, pi0, eeq, gamma, delta0, error,
-    /// pi_N and delta_N of each exponent, normalised_by, modes and method (of the solve). An infinite
-    /// number is the text "inf".
+    /// pi_N and delta_N of each exponent, normalised_by, modes and method (of the solve). With
+    /// --stack, sphere_modulus, thickness and layers (their number) stand in place of e1_over_e2 to
+    /// nu0. An infinite number is the text "inf".
     #[arg(long)]
     json: bool,
 }
@@ -95,7 +117,9 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     if let Some(path) = &arguments.points {
         return solve_file(arguments, path);
     }
-    let given = |value: Option<f64>| value.expect("clap requires the parameters without --points");
+    if let Some(path) = &arguments.stack {
+        return solve_layers(arguments, path);
+    }
     let (a_over_t, e1, nu1, e0) = (
         given(arguments.a_over_t),
         given(arguments.e1_over_e2),
@@ -103,23 +127,65 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         given(arguments.e0_over_e2),
     );
     let material = Material::new(e1, nu1, e0, arguments.nu0)?;
-    let (solution, power_laws) =
-        solve_power_laws(a_over_t, &material, exponents, arguments.tolerance)?;
+    let solution = solve_power_laws(a_over_t, &material, exponents, arguments.tolerance)?;
+    let contact = serde_json::json!({
+        "a_over_t": a_over_t, "e1_over_e2": e1, "nu1": nu1, "e0_over_e2": Number(e0), "nu0": arguments.nu0,
+    });
+    print_solution(arguments, contact, &solution, &material)
+}
+
+fn solve_layers(arguments: &Arguments, path: &Path) -> anyhow::Result<()> {
+    let StackFile { stack, .. } = StackFile::read(path)?;
+    let (a_over_t, sphere_modulus) = (given(arguments.a_over_t), given(arguments.sphere_modulus));
+    let solution = solve_stack_power_laws(
+        a_over_t,
+        &stack,
+        sphere_modulus,
+        &arguments.exponents,
+        arguments.tolerance,
+    )?;
+    let contact = serde_json::json!({
+        "a_over_t": a_over_t, "sphere_modulus": Number(sphere_modulus), "thickness": stack.thickness(),
+        "layers": stack.layers().len(),
+    });
+    print_solution(
+        arguments,
+        contact,
+        &solution,
+        &stack.material(sphere_modulus)?,
+    )
+}
+
+/// Returns the value of an argument that clap requires.
+fn given(value: Option<f64>) -> f64 {
+    value.expect("clap requires the parameters without --points")
+}
+
+/// Prints a solution with its power laws: as JSON after the fields of `contact`, or as text.
+fn print_solution(
+    arguments: &Arguments,
+    mut contact: serde_json::Value,
+    (solution, power_laws): &(Solution, Vec<PowerLaw>),
+    material: &Material,
+) -> anyhow::Result<()> {
     let q = solution.quantities;
     let unit = material.normalisation().symbol();
-    let further = further_columns(exponents)
+    let further = further_columns(&arguments.exponents)
         .into_iter()
-        .zip(numbers(&power_laws));
+        .zip(numbers(power_laws));
     let text = if arguments.json {
-        let mut object = serde_json::json!({
-            "a_over_t": a_over_t, "e1_over_e2": e1, "nu1": nu1, "e0_over_e2": Number(e0), "nu0": arguments.nu0,
+        let results = serde_json::json!({
             "pi0": q.pi0, "eeq": q.eeq, "gamma": q.gamma, "delta0": q.delta0,
             "error": solution.error, "normalised_by": unit, "modes": solution.modes, "method": solution.method.name(),
         });
-        for (name, value) in further {
-            object[name] = value.into();
-        }
-        format!("{object}\n")
+        let (serde_json::Value::Object(object), serde_json::Value::Object(results)) =
+            (&mut contact, results)
+        else {
+            unreachable!("both are written as objects")
+        };
+        object.extend(results);
+        object.extend(further.map(|(name, value)| (name, value.into())));
+        format!("{contact}\n")
     } else {
         let rows = [
             ("pi0", q.pi0),

@@ -4,8 +4,8 @@
 use std::f64::consts::FRAC_2_PI;
 
 use crate::solve::bessel::{EvenBessel, LANES};
-use crate::solve::compliance::Compliance;
 use crate::solve::quadrature::Panels;
+use crate::solve::surface::SurfaceCompliance;
 
 /// The number of abscissae handled at once: the Bessel values of a block stay in the processor's
 /// cache.
@@ -42,7 +42,7 @@ pub struct LongWaves {
 
 impl LongWaves {
     /// Returns the boundary term `(2/pi) z J_0^2` at the upper end.
-    pub fn boundary(&self, x: f64, compliance: &Compliance) -> f64 {
+    pub fn boundary(&self, x: f64, compliance: &impl SurfaceCompliance) -> f64 {
         let z = x * self.end;
         // `z J_0^2 = sin^2 z/z`, and 0 at 0.
         if z == 0.0 {

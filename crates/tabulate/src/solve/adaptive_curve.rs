@@ -67,23 +67,47 @@ const LEAST_DISTANCE: f64 = 2e-3;
 /// outside [`CURVE_TOLERANCE`], or for a material outside the domain of the solver;
 /// [`Error::NotConverged`] where double precision does not allow the tolerance.
 pub fn curve(material: &Material, a_over_t: [f64; 2], tolerance: f64) -> Result<Curve, Error> {
-    let [from, to] = a_over_t;
+    check_range(a_over_t, tolerance)?;
+    curve_of(
+        material,
+        a_over_t,
+        tolerance,
+        |x, tolerance| Ok(solve(x, material, tolerance)?.quantities),
+        |reached, a_over_t| Error::NotConverged {
+            a_over_t,
+            material: *material,
+            tolerance,
+            reached,
+        },
+    )
+}
+
+/// Accepts the ends and the tolerance of a curve.
+pub fn check_range([from, to]: [f64; 2], tolerance: f64) -> Result<(), Error> {
     Error::check("a_over_t", from, [A_OVER_T[0], A_OVER_T[1] / NARROWEST])?;
     Error::check("a_over_t", to, [from * NARROWEST, A_OVER_T[1]])?;
-    Error::check("tolerance", tolerance, CURVE_TOLERANCE)?;
+    Error::check("tolerance", tolerance, CURVE_TOLERANCE)
+}
+
+/// Makes the curve of any surface that the sphere touches.
+///
+/// `material` is what the curve is said to be made for. `solve(x, tolerance)` solves the contact at
+/// `x = a/t`. `not_converged(reached, a_over_t)` is the error of an estimated error that is larger
+/// than the tolerance of the curve.
+pub fn curve_of(
+    material: &Material,
+    a_over_t: [f64; 2],
+    tolerance: f64,
+    solve: impl Fn(f64, f64) -> Result<Quantities, Error> + Sync,
+    not_converged: impl Fn(f64, f64) -> Error + Sync,
+) -> Result<Curve, Error> {
     let range = Range::new(a_over_t);
-    let not_converged = |(reached, a_over_t)| Error::NotConverged {
-        a_over_t,
-        material: *material,
-        tolerance,
-        reached,
-    };
-    let solve_at = |x: f64| match solve(x, material, SHARE_OF_SOLVES * tolerance) {
+    let solve_at = |x: f64| match solve(x, SHARE_OF_SOLVES * tolerance) {
         // In terms of the tolerance of the curve.
-        Err(Error::NotConverged { reached, .. }) => {
-            Err(not_converged((reached / SHARE_OF_SOLVES, x)))
+        Err(Error::NotConverged { reached, .. } | Error::StackNotConverged { reached, .. }) => {
+            Err(not_converged(reached / SHARE_OF_SOLVES, x))
         }
-        solution => Ok((x, solution?.quantities)),
+        quantities => Ok((x, quantities?)),
     };
 
     let (mut polynomial, mut solved) = (Polynomial::default(), Vec::new());
@@ -99,7 +123,7 @@ pub fn curve(material: &Material, a_over_t: [f64; 2], tolerance: f64) -> Result<
             break;
         }
         if solved.len() >= MOST_POINTS {
-            return Err(not_converged(error));
+            return Err(not_converged(error.0, error.1));
         }
     }
 
@@ -121,7 +145,7 @@ pub fn curve(material: &Material, a_over_t: [f64; 2], tolerance: f64) -> Result<
             return Ok(curve);
         }
         if distance < LEAST_DISTANCE.min(1e-3 * range.length()) {
-            return Err(not_converged(error));
+            return Err(not_converged(error.0, error.1));
         }
         // The error of a quintic falls with the sixth power of the distance.
         distance *= 0.8

@@ -34,6 +34,8 @@ use std::ops::{Add, Mul};
 use interp::Material;
 use num_complex::ComplexFloat;
 
+use crate::solve::surface::{Sample, SurfaceCompliance};
+
 /// A real or complex wave number: `f64` or [`Complex64`](num_complex::Complex64).
 pub trait WaveNumber:
     ComplexFloat<Real = f64> + Add<f64, Output = Self> + Mul<f64, Output = Self>
@@ -61,15 +63,6 @@ pub struct Compliance {
     b: f64,
 }
 
-/// `X - 1` and its slope at one wave number.
-#[derive(Clone, Copy, Debug)]
-pub struct Sample {
-    /// `X(q) - 1`.
-    pub excess: f64,
-    /// `q X'(q)`.
-    pub slope: f64,
-}
-
 impl Compliance {
     /// Returns the compliance of the film of `material` on its substrate.
     pub fn new(material: &Material) -> Self {
@@ -92,42 +85,6 @@ impl Compliance {
             a: (m * g0 - g1) / (1.0 + m * g0),
             b: (m - 1.0) / (m + g1),
         }
-    }
-
-    /// Returns whether film and substrate are one material in the sense of Dundurs: then `X = 1`
-    /// everywhere.
-    pub(crate) fn is_constant(&self) -> bool {
-        self.a == 0.0 && self.b == 0.0
-    }
-
-    /// Returns the smallest wave number, in units of `1/t`, on which `X` varies; at most 1.
-    ///
-    /// A film much stiffer than its substrate has poles of `X` as low as `q ~ G0/G1` (shear lag)
-    /// and `(G0/G1)^{1/3}` (bending). For all other films the nearest pole is at `|q| > 1`.
-    ///
-    /// Below `1e-20 (G0/G1)^{1/3}` lies no more than `1e-20` of the integral of `X`.
-    pub(crate) fn smallest_scale(&self) -> f64 {
-        let shear_lag = 0.5 * self.c[3] / self.c[0];
-        shear_lag.max(1e-20 * shear_lag.cbrt()).min(1.0)
-    }
-
-    /// Returns a bound of `|X - 1|`: `X` lies between 0 and the larger of `2 X(0)` and 2.
-    pub(crate) fn largest_excess(&self) -> f64 {
-        2.0 * (self.c[0] / self.c[3]).max(1.0)
-    }
-
-    /// Returns a wave number beyond which `weight(q)` times `|X - 1|`, and `weight(q)` times
-    /// `|q X'|`, are at most `tolerance`, for every film on every substrate. `weight` must not grow
-    /// with `q`.
-    ///
-    /// `q X'` is the larger of the two. It is at most `28 q^3 e^{-2q}` for `q >= 4`, as `|b| <= 1`
-    /// and `|a| <= 7`.
-    pub(crate) fn cut_off(tolerance: f64, weight: impl Fn(f64) -> f64) -> f64 {
-        let mut q: f64 = 4.0;
-        while 28.0 * q.powi(3) * (-2.0 * q).exp() * weight(q) > tolerance {
-            q += 0.25;
-        }
-        q
     }
 
     /// Returns `X(q)` to 14 digits, for a finite `q >= 0` or a complex `q` with `Re q >= 0`.
@@ -274,9 +231,38 @@ impl Compliance {
     }
 }
 
+impl SurfaceCompliance for Compliance {
+    /// No zero and no pole of a film is nearer to the real axis than [`SINE_OF_FREE_ANGLE`] says:
+    /// the ellipse of convergence of a panel `[c, 4c]` is 2.5.
+    const GROWTH: f64 = 3.0;
+
+    fn sample(&self, q: f64) -> Sample {
+        self.sample(q)
+    }
+
+    /// A film much stiffer than its substrate has poles of `X` as low as `q ~ G0/G1` (shear lag)
+    /// and `(G0/G1)^{1/3}` (bending). For all other films the nearest pole is at `|q| > 1`.
+    ///
+    /// Below `1e-20 (G0/G1)^{1/3}` lies no more than `1e-20` of the integral of `X`.
+    fn smallest_scale(&self) -> f64 {
+        let shear_lag = 0.5 * self.c[3] / self.c[0];
+        shear_lag.max(1e-20 * shear_lag.cbrt()).min(1.0)
+    }
+
+    /// `X` lies between 0 and the larger of `2 X(0)` and 2. It is 1 everywhere where film and
+    /// substrate are one material in the sense of Dundurs.
+    fn largest_excess(&self) -> f64 {
+        if self.a == 0.0 && self.b == 0.0 {
+            0.0
+        } else {
+            2.0 * (self.c[0] / self.c[3]).max(1.0)
+        }
+    }
+}
+
 /// Returns `sinh s - s` and `cosh s - 1 - s^2/2` for `|s| <= 2`, to rounding, by their power
 /// series.
-fn hyperbolic_rests<T: WaveNumber>(s: T) -> [T; 2] {
+pub fn hyperbolic_rests<T: WaveNumber>(s: T) -> [T; 2] {
     /// The first neglected term at `s = 2` is below 1e-18 of the sum.
     const TERMS: u32 = 11;
     let square = s * s;
@@ -302,6 +288,7 @@ mod tests {
 
     use super::*;
     use crate::solve::estimate::larger;
+    use crate::solve::surface::cut_off;
 
     /// Returns how often a function winds around 0 along the boundary of the sector
     /// `arg q <= angle`, `inner <= |q| <= outer`.
@@ -420,7 +407,7 @@ mod tests {
         for _ in 0..1000 {
             let compliance = Sum::random(&mut random).compliance;
             for tolerance in [1e-3, 1e-6, 1e-12] {
-                let from = Compliance::cut_off(tolerance, |_| 1.0);
+                let from = cut_off(tolerance, |_| 1.0);
                 for q in (0..40).map(|i| from + 0.1 * f64::from(i)) {
                     let Sample { excess, slope } = compliance.sample(q);
                     worst = larger(worst, excess.abs() / tolerance);

@@ -31,12 +31,18 @@ use crate::solve::abscissae::Abscissae;
 use crate::solve::estimate::Estimate;
 use crate::solve::operator::Operator;
 use crate::solve::quadrature::Panels;
+use crate::solve::surface::SurfaceCompliance;
 use crate::solve::symbol::Symbol;
 
 /// Solves one contact at `x = a/t`, and those of the power laws with the `exponents`. Adds modes
 /// and panels until the estimated error is at most `tolerance`, or until only rounding is left of
 /// it.
-pub fn solve(x: f64, symbol: &Symbol, exponents: &[f64], tolerance: f64) -> Estimate {
+pub fn solve<C: SurfaceCompliance>(
+    x: f64,
+    symbol: &Symbol<C>,
+    exponents: &[f64],
+    tolerance: f64,
+) -> Estimate {
     let compliance = symbol.compliance();
     let (mut modes, ample) = (modes(x, tolerance), modes(x, FINEST));
     let mut panels = Panels::new(x, [compliance], tolerance);

@@ -5,6 +5,7 @@ use interp::Quantities;
 use crate::solve::contour::Path;
 use crate::solve::estimate::Estimate;
 use crate::solve::power_law::PowerLaw;
+use crate::solve::surface::SurfaceCompliance;
 use crate::solve::symbol::Symbol;
 use crate::solve::{galerkin, wiener_hopf};
 
@@ -100,18 +101,18 @@ fn prefers_axis(x: f64, symbol: &Symbol, tolerance: f64) -> bool {
 const CLOSED_FORM: f64 = 0.01;
 
 /// Returns whether the closed form is accurate enough.
-pub(crate) fn has_closed_form(symbol: &Symbol, tolerance: f64) -> bool {
+pub(crate) fn has_closed_form<C: SurfaceCompliance>(symbol: &Symbol<C>, tolerance: f64) -> bool {
     symbol.contrast() == 0.0 || closed_form_error(symbol) <= CLOSED_FORM * tolerance
 }
 
 /// Returns the relative error of the closed form: rounding, and the departure of the symbol from 1.
-fn closed_form_error(symbol: &Symbol) -> f64 {
+fn closed_form_error<C: SurfaceCompliance>(symbol: &Symbol<C>) -> f64 {
     4.0 * f64::EPSILON + 10.0 * symbol.contrast()
 }
 
 /// Returns the quantities of Hertz's contact and the flat punch, and Sneddon's power laws: for film
 /// = substrate, and the limit under a sphere that is much softer than both.
-fn closed_form(symbol: &Symbol, exponents: &[f64]) -> Estimate {
+pub(crate) fn closed_form<C: SurfaceCompliance>(symbol: &Symbol<C>, exponents: &[f64]) -> Estimate {
     let power_law = |&exponent: &f64| PowerLaw::homogeneous(exponent, symbol.modulus());
     Estimate {
         quantities: Quantities::homogeneous(symbol.modulus()),

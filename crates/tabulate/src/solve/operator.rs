@@ -39,9 +39,9 @@ use interp::Quantities;
 
 use crate::solve::abscissae::{Abscissae, Block};
 use crate::solve::bessel::LANES;
-use crate::solve::compliance::{Compliance, Sample};
 use crate::solve::estimate::larger;
 use crate::solve::power_law::{PowerLaw, coefficients};
+use crate::solve::surface::{Sample, SurfaceCompliance};
 use crate::solve::symbol::Symbol;
 
 const SQRT_5: f64 = 2.236_067_977_499_79;
@@ -95,7 +95,7 @@ impl Operator {
     /// Sums `M` and `C` over the abscissae. `blocks` are those of `abscissae`, evaluated one by one
     /// or kept for many materials.
     pub fn assemble<B: Borrow<Block>>(
-        compliance: &Compliance,
+        compliance: &impl SurfaceCompliance,
         abscissae: &Abscissae,
         blocks: impl IntoIterator<Item = B>,
     ) -> Self {
@@ -143,7 +143,11 @@ impl Operator {
     ///
     /// Returns `None` where the matrix is not positive definite, by rounding, or `Gamma^2` is not
     /// positive, by too few modes.
-    pub fn solve(&self, symbol: &Symbol, exponents: &[f64]) -> Option<Solved> {
+    pub fn solve<C: SurfaceCompliance>(
+        &self,
+        symbol: &Symbol<C>,
+        exponents: &[f64],
+    ) -> Option<Solved> {
         let (n, film) = (self.kernel.nrows() - 1, symbol.film());
         let mut factor = Mat::zeros(n, n);
         for j in 0..n {

@@ -46,12 +46,13 @@ impl PowerLaw {
     }
 }
 
-/// Accepts an exponent within [`EXPONENTS`].
+/// Accepts exponents within [`EXPONENTS`].
 ///
 /// # Errors
 /// [`Error::Domain`] for any other.
-pub(crate) fn check(exponent: f64) -> Result<(), Error> {
-    Error::check("exponent", exponent, EXPONENTS)
+pub(crate) fn check(exponents: &[f64]) -> Result<(), Error> {
+    let accept = |&exponent: &f64| Error::check("exponent", exponent, EXPONENTS);
+    exponents.iter().try_for_each(accept)
 }
 
 /// Returns the coefficients of `rho^n` in the orthonormal basis `sqrt(4m+1) P_2m` on `[0, 1]`.

@@ -5,17 +5,18 @@
 //!
 //! * `X` is analytic but for poles that lie more than 50 degrees off the real axis
 //!   ([`SINE_OF_FREE_ANGLE`](crate::solve::compliance::SINE_OF_FREE_ANGLE)), the nearest at
-//!   `|q| ~ s` ([`Compliance::smallest_scale`]). On a panel `[c, 4c]` an `n`-point rule therefore
-//!   converges like `2.5^{-2n}`, and panels grow geometrically from `[0, s]`.
+//!   `|q| ~ s` ([`SurfaceCompliance::smallest_scale`]). On a panel `[c, 4c]` an `n`-point rule therefore
+//!   converges like `2.5^{-2n}`, and panels grow geometrically from `[0, s]`. The poles of a stack of
+//!   layers come nearer to the axis, and its panels are `[c, 2c]` ([`SurfaceCompliance::GROWTH`]).
 //! * The Bessel product oscillates like `cos 2z`. An `n`-point rule on a panel `w` long in `z` has
 //!   an error of about `(e w / (4 n))^{2n}`, which bounds the width.
 //! * `X - 1` dies out like `q^2 e^{-2q}`. The last panel ends where the rest of the integral is
-//!   below the tolerance ([`Compliance::cut_off`]).
+//!   below the tolerance ([`cut_off`]).
 
 use std::f64::consts::{E, PI};
 use std::sync::LazyLock;
 
-use crate::solve::compliance::Compliance;
+use crate::solve::surface::{SurfaceCompliance, cut_off};
 
 /// An `n`-point Gauss-Legendre rule on `[-1, 1]`, exact to degree `2n - 1`.
 #[derive(Clone, Debug)]
@@ -96,10 +97,6 @@ pub struct Panels {
 static RULES: LazyLock<[GaussLegendre; 4]> =
     LazyLock::new(|| [16, 20, 24, 32].map(GaussLegendre::new));
 
-/// The largest length of a panel over its lower end. It keeps the poles of `X` outside the ellipse
-/// of convergence 2.5.
-const GROWTH: f64 = 3.0;
-
 /// The factor by which the last panel may be longer.
 const STRETCH: f64 = 1.1;
 
@@ -109,14 +106,14 @@ const SHARE: f64 = 0.1;
 impl Panels {
     /// Chooses panels for `x = a/t` that serve every one of `compliances` to the relative accuracy
     /// `tolerance`.
-    pub fn new<'a>(
+    pub fn new<'a, C: SurfaceCompliance + 'a>(
         x: f64,
-        compliances: impl IntoIterator<Item = &'a Compliance>,
+        compliances: impl IntoIterator<Item = &'a C>,
         tolerance: f64,
     ) -> Self {
         let smallest_scale = compliances
             .into_iter()
-            .map(Compliance::smallest_scale)
+            .map(C::smallest_scale)
             .fold(1.0, f64::min);
         // Many points a panel are economical where oscillation limits the panels, few where poles
         // and decay do.
@@ -130,14 +127,14 @@ impl Panels {
         // `e^{-2q}` needs panels as narrow as an oscillation at `x = 1` does.
         let width = 4.0 * n / E * (SHARE * tolerance).powf(0.5 / n) / (1.0 + x * x).sqrt();
         // The Bessel product is at most 1 where it has not begun to decay, and `1/z^2` beyond.
-        let end = Compliance::cut_off(SHARE * tolerance, |q| x / (1.0 + x * x * q * q));
+        let end = cut_off(SHARE * tolerance, |q| x / (1.0 + x * x * q * q));
         let mut edges = vec![0.0];
         let mut last = 0.0;
         while last < end {
             let length = if last == 0.0 {
                 smallest_scale
             } else {
-                GROWTH * last
+                C::GROWTH * last
             };
             // A little more range is not worth the points of one more panel.
             let length = if last + STRETCH * length >= end {

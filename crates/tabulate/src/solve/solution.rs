@@ -4,7 +4,7 @@ use interp::{Material, Quantities};
 
 use crate::Error;
 use crate::solve::domain;
-use crate::solve::estimate::larger;
+use crate::solve::estimate::{Estimate, larger};
 use crate::solve::method::Method;
 use crate::solve::power_law::{self, PowerLaw};
 use crate::solve::symbol::Symbol;
@@ -70,29 +70,15 @@ pub fn solve_power_laws(
     tolerance: f64,
 ) -> Result<(Solution, Vec<PowerLaw>), Error> {
     domain::check(a_over_t, material, tolerance)?;
-    exponents
-        .iter()
-        .try_for_each(|&exponent| power_law::check(exponent))?;
+    power_law::check(exponents)?;
     let symbol = Symbol::new(material);
     let mut reached = f64::INFINITY;
     for method in Method::candidates(a_over_t, &symbol, tolerance) {
         let estimate = method.solve(a_over_t, &symbol, exponents, tolerance);
-        // A value that underflows has lost its digits.
-        let error = if estimate.numbers().all(f64::is_normal) {
-            estimate.error
-        } else {
-            larger(estimate.error, 1.0)
-        };
-        if error <= tolerance {
-            let solution = Solution {
-                quantities: estimate.quantities,
-                error,
-                modes: estimate.modes,
-                method,
-            };
-            return Ok((solution, estimate.power_laws));
+        match estimate.accept(method, tolerance) {
+            Ok(accepted) => return Ok(accepted),
+            Err(error) => reached = reached.min(error),
         }
-        reached = reached.min(error);
     }
     Err(Error::NotConverged {
         a_over_t,
@@ -100,4 +86,31 @@ pub fn solve_power_laws(
         tolerance,
         reached,
     })
+}
+
+impl Estimate {
+    /// Returns the solution and the power laws if the estimated error is at most `tolerance`, and
+    /// otherwise that error.
+    pub(crate) fn accept(
+        self,
+        method: Method,
+        tolerance: f64,
+    ) -> Result<(Solution, Vec<PowerLaw>), f64> {
+        // A value that underflows has lost its digits.
+        let error = if self.numbers().all(f64::is_normal) {
+            self.error
+        } else {
+            larger(self.error, 1.0)
+        };
+        if error > tolerance || error.is_nan() {
+            return Err(error);
+        }
+        let solution = Solution {
+            quantities: self.quantities,
+            error,
+            modes: self.modes,
+            method,
+        };
+        Ok((solution, self.power_laws))
+    }
 }

@@ -13,11 +13,13 @@
 use interp::Material;
 
 use crate::solve::compliance::{Compliance, WaveNumber};
+use crate::solve::surface::SurfaceCompliance;
 
-/// `S(q)`, with `S(inf) = 1`, of one contact.
+/// `S(q)`, with `S(inf) = 1`, of one contact: of a film on its substrate, or of any other
+/// [`SurfaceCompliance`] `C`.
 #[derive(Clone, Copy, Debug)]
-pub struct Symbol {
-    compliance: Compliance,
+pub struct Symbol<C = Compliance> {
+    compliance: C,
     /// The share of the sphere in the compliance at short waves.
     sphere: f64,
     /// The share of the film, `1 - sphere`.
@@ -26,14 +28,10 @@ pub struct Symbol {
     modulus: f64,
 }
 
-impl Symbol {
-    /// Returns the symbol of `material`.
-    pub fn new(material: &Material) -> Self {
-        Self::with_compliance(Compliance::new(material), material)
-    }
-
-    /// Returns the symbol of `material`, the compliance of whose film and substrate is known.
-    pub fn with_compliance(compliance: Compliance, material: &Material) -> Self {
+impl<C: SurfaceCompliance> Symbol<C> {
+    /// Returns the symbol of `material`, the compliance of whose film and substrate is known. Of a
+    /// stack of layers, `material` holds the top layer and the base.
+    pub fn with_compliance(compliance: C, material: &Material) -> Self {
         let ratio = material.sphere_compliance() * material.film_modulus();
         Self {
             compliance,
@@ -44,7 +42,7 @@ impl Symbol {
     }
 
     /// Returns the compliance of film and substrate, without the sphere.
-    pub fn compliance(&self) -> &Compliance {
+    pub fn compliance(&self) -> &C {
         &self.compliance
     }
 
@@ -56,11 +54,19 @@ impl Symbol {
     /// Returns a bound of `|S - 1|`: 0 where film and substrate are one material in the sense of
     /// Dundurs, and tiny under a sphere that is much softer than both.
     pub fn contrast(&self) -> f64 {
-        if self.compliance.is_constant() {
-            0.0
-        } else {
-            self.film * self.compliance.largest_excess()
-        }
+        self.film * self.compliance.largest_excess()
+    }
+
+    /// Returns the compound modulus `es`.
+    pub fn modulus(&self) -> f64 {
+        self.modulus
+    }
+}
+
+impl Symbol {
+    /// Returns the symbol of `material`.
+    pub fn new(material: &Material) -> Self {
+        Self::with_compliance(Compliance::new(material), material)
     }
 
     /// Returns the symbol of this film and substrate under a softer sphere, which adds `share` of
@@ -73,11 +79,6 @@ impl Symbol {
             modulus: self.modulus / whole,
             ..self
         }
-    }
-
-    /// Returns the compound modulus `es`.
-    pub fn modulus(&self) -> f64 {
-        self.modulus
     }
 
     /// Returns `S(q)` for `Re q >= 0`, to 14 digits wherever it is not close to a zero.

@@ -1,0 +1,224 @@
+//! Stacks of layers, as TOML files give them.
+
+use std::io::Read;
+use std::path::Path;
+
+use anyhow::{Context, anyhow, bail};
+use interp::Elastic;
+use serde::Deserialize;
+
+use crate::stack::{Layer, Stack};
+use crate::{Error, input, printable};
+
+/// The help of an argument that names a stack file. Clap shows it as it stands.
+pub const HELP: &str = "Stack of layers, as a TOML file in SI units: base = { young_modulus = .., poisson_ratio = .. } and, \
+    from the base up, a [[layers]] with young_modulus, poisson_ratio, thickness and perhaps a name for each. A base with \
+    young_modulus = inf is rigid and needs no Poisson ratio";
+
+/// The largest number of bytes of a stack file. A larger one is taken for a mistake.
+const LONGEST: u64 = 1 << 20;
+
+/// The keys of a stack file, before they are checked.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Text {
+    base: Base,
+    #[serde(default)]
+    layers: Vec<TextLayer>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Base {
+    young_modulus: f64,
+    poisson_ratio: Option<f64>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct TextLayer {
+    name: Option<String>,
+    young_modulus: f64,
+    poisson_ratio: f64,
+    thickness: f64,
+}
+
+/// A stack with the names of its layers.
+#[derive(Clone, Debug)]
+pub struct StackFile {
+    pub stack: Stack,
+    /// A name for each layer that has one, from the base up.
+    pub names: Vec<Option<String>>,
+}
+
+impl StackFile {
+    /// Reads a stack file. An error names the file, and the layer if it is about one.
+    pub fn read(path: &Path) -> anyhow::Result<Self> {
+        let mut text = String::new();
+        input::open(path, LONGEST)
+            .and_then(|(mut file, _)| file.read_to_string(&mut text))
+            .map_err(|source| Error::Read {
+                path: path.to_owned(),
+                source,
+            })?;
+        Self::parse(&text).with_context(|| printable::path(path))
+    }
+
+    /// Parses the text of a stack file.
+    fn parse(text: &str) -> anyhow::Result<Self> {
+        let Text { base, layers } =
+            toml::from_str(text).map_err(|error| anyhow!("{}", error.to_string().trim_end()))?;
+        let names: Vec<Option<String>> = layers.iter().map(|layer| layer.name.clone()).collect();
+        let of_layer = |i: usize| match &names[i] {
+            Some(name) => format!("layer {name:?}, {} of {} from the base", i + 1, names.len()),
+            None => format!("layer {} of {} from the base", i + 1, names.len()),
+        };
+        for (i, name) in names.iter().enumerate() {
+            let first = names.iter().position(|other| other == name);
+            if let (Some(_), Some(first)) = (name, first)
+                && first < i
+            {
+                bail!(
+                    "{}: layer {} has this name, too; give another",
+                    of_layer(i),
+                    first + 1
+                );
+            }
+        }
+        let base = match base.poisson_ratio {
+            Some(poisson) => Elastic::new(base.young_modulus, poisson).context("base")?,
+            // A rigid body has none; any one serves.
+            None if base.young_modulus == f64::INFINITY => Elastic::new(f64::INFINITY, 0.0)?,
+            None => bail!(
+                "base: poisson_ratio is missing; give one in (-1, 0.5], or young_modulus = inf for a rigid base"
+            ),
+        };
+        let solids = layers.iter().enumerate().map(|(i, layer)| {
+            Ok(Layer {
+                solid: Elastic::new(layer.young_modulus, layer.poisson_ratio)
+                    .with_context(|| of_layer(i))?,
+                thickness: layer.thickness,
+            })
+        });
+        match Stack::new(base, solids.collect::<anyhow::Result<Vec<_>>>()?) {
+            Ok(stack) => Ok(Self { stack, names }),
+            Err(Error::Layer { layer, what, .. }) => bail!("{}: {what}", of_layer(layer - 1)),
+            Err(Error::NoLayers) => bail!(
+                "there is no [[layers]]: a stack needs at least one, with young_modulus, poisson_ratio and thickness"
+            ),
+            Err(error) => Err(error.into()),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::hostile::each_damaged;
+
+    const SOUND: &str = "base = { young_modulus = 2e11, poisson_ratio = 0.25 }\n\
+         [[layers]]\nname = \"primer\"\nyoung_modulus = 5e5\npoisson_ratio = 0.5\nthickness = 2.5e-6\n\
+         [[layers]]\nyoung_modulus = 35e5\npoisson_ratio = 0.5\nthickness = 75e-7\n";
+
+    #[test]
+    fn a_stack_file_is_read_as_it_stands() {
+        let file = StackFile::parse(SOUND).expect("sound");
+        let layers = file.stack.layers();
+        assert_eq!(file.names, [Some("primer".into()), None]);
+        assert_eq!(
+            file.stack.base(),
+            Elastic::new(2e11, 0.25).expect("physical")
+        );
+        assert_eq!(
+            layers
+                .iter()
+                .map(|layer| layer.thickness)
+                .collect::<Vec<_>>(),
+            [2.5e-6, 7.5e-6]
+        );
+        let rigid = SOUND.replace("2e11, poisson_ratio = 0.25", "inf");
+        let base = StackFile::parse(&rigid).expect("sound").stack.base();
+        assert_eq!(base.young(), f64::INFINITY);
+    }
+
+    #[test]
+    fn a_mistake_is_named_with_its_layer() {
+        let cases = [
+            (
+                "5e5",
+                "inf",
+                ["layer \"primer\", 1 of 2", "give it as the base"],
+            ),
+            ("5e5", "-1", ["layer \"primer\", 1 of 2", "Young's modulus"]),
+            ("35e5", "1e300", ["layer 2 of 2", "1e9 times"]),
+            ("75e-7", "0", ["layer 2 of 2", "> 0 and finite"]),
+            (
+                "2e11, poisson_ratio = 0.25",
+                "1",
+                ["base", "poisson_ratio is missing"],
+            ),
+            (
+                "poisson_ratio = 0.25",
+                "poisson_ratio = 0.6",
+                ["base", "(-1, 0.5]"],
+            ),
+            ("name", "nmae", ["unknown field", "nmae"]),
+            ("name = \"primer\"", "name = \"\"", ["", ""]),
+        ];
+        for (from, to, parts) in cases {
+            let text = SOUND.replacen(from, to, 1);
+            if parts[0].is_empty() {
+                StackFile::parse(&text).expect("sound");
+                continue;
+            }
+            let message = format!("{:#}", StackFile::parse(&text).expect_err("refused"));
+            for part in parts {
+                assert!(message.contains(part), "{message:?} lacks {part:?}");
+            }
+        }
+        let twice = SOUND.replace(
+            "young_modulus = 35e5",
+            "name = \"primer\"\nyoung_modulus = 35e5",
+        );
+        let message = format!("{:#}", StackFile::parse(&twice).expect_err("refused"));
+        assert!(
+            message.contains("layer \"primer\", 2 of 2") && message.contains("layer 1"),
+            "{message}"
+        );
+        let bare = format!("{:#}", StackFile::parse(&SOUND[..50]).expect_err("refused"));
+        assert!(bare.contains("no [[layers]]"), "{bare}");
+    }
+
+    #[test]
+    fn a_damaged_stack_file_is_refused_or_sound() {
+        const WORDS: [&str; 12] = [
+            "nan",
+            "inf",
+            "-inf",
+            "-",
+            "0",
+            "1e-308",
+            "1e308",
+            "[[layers]]",
+            "name",
+            "{",
+            "\"",
+            "\n",
+        ];
+        let (mut refused, mut accepted) = (0, 0);
+        each_damaged(
+            SOUND.as_bytes(),
+            &WORDS,
+            3,
+            |_, bytes| match std::str::from_utf8(bytes).map(StackFile::parse) {
+                Ok(Ok(file)) => {
+                    accepted += 1;
+                    assert!(file.stack.thickness().is_finite());
+                }
+                _ => refused += 1,
+            },
+        );
+        println!("{refused} refused, {accepted} accepted");
+        assert!(refused > 0 && accepted > 0);
+    }
+}

@@ -1,0 +1,87 @@
+//! A surface compliance from samples: for stacks of so many layers that each evaluation counts.
+
+use std::f64::consts::PI;
+
+use crate::solve::compliance::FLAT;
+use crate::solve::layered::LayeredCompliance;
+use crate::solve::surface::{Sample, SurfaceCompliance};
+
+/// The samples of a panel. On `[c, 1.5c]`, with poles at 27 degrees from the real axis, the
+/// interpolation error is 8e-14 of `max(X, 1)`.
+const POINTS: usize = 20;
+
+/// The upper over the lower end of a panel.
+const RATIO: f64 = 1.5;
+
+/// The compliance of a stack of layers, interpolated between samples up to the wave number beyond
+/// which it is 1 to rounding, and evaluated beyond.
+#[derive(Clone, Debug)]
+pub struct SampledCompliance {
+    whole: LayeredCompliance,
+    /// The ends of the panels, ascending from 0.
+    edges: Vec<f64>,
+    /// The Chebyshev coefficients of `X - 1` and `q X'` on every panel.
+    panels: Vec<[[f64; 2]; POINTS]>,
+}
+
+impl SampledCompliance {
+    /// Samples `compliance`.
+    pub fn new(compliance: LayeredCompliance) -> Self {
+        let mut edges = vec![0.0, compliance.smallest_scale()];
+        while edges[edges.len() - 1] < FLAT {
+            edges.push(RATIO * edges[edges.len() - 1]);
+        }
+        let cosine = |i: usize, k: usize| (PI * (i as f64 + 0.5) * k as f64 / POINTS as f64).cos();
+        let panel = |ends: &[f64]| {
+            let (middle, half) = (0.5 * (ends[0] + ends[1]), 0.5 * (ends[1] - ends[0]));
+            let samples: [Sample; POINTS] =
+                std::array::from_fn(|i| compliance.sample(middle + half * cosine(i, 1)));
+            std::array::from_fn(|k| {
+                let weight = if k == 0 { 1.0 } else { 2.0 } / POINTS as f64;
+                let mut sums = [0.0; 2];
+                for (i, Sample { excess, slope }) in samples.iter().enumerate() {
+                    sums[0] += weight * cosine(i, k) * excess;
+                    sums[1] += weight * cosine(i, k) * slope;
+                }
+                sums
+            })
+        };
+        let panels = edges.windows(2).map(panel).collect();
+        Self {
+            whole: compliance,
+            edges,
+            panels,
+        }
+    }
+}
+
+impl SurfaceCompliance for SampledCompliance {
+    const GROWTH: f64 = LayeredCompliance::GROWTH;
+
+    fn sample(&self, q: f64) -> Sample {
+        let above = self.edges.partition_point(|&edge| edge <= q);
+        let Some(&to) = self.edges.get(above) else {
+            return self.whole.sample(q);
+        };
+        let from = self.edges[above - 1];
+        let twice = 2.0 * ((q - from) - (to - q)) / (to - from);
+        // Clenshaw's recurrence.
+        let (mut next, mut after) = ([0.0; 2], [0.0; 2]);
+        let [constant, rest @ ..] = &self.panels[above - 1];
+        for coefficient in rest.iter().rev() {
+            let sum = std::array::from_fn(|i| coefficient[i] + twice * next[i] - after[i]);
+            (next, after) = (sum, next);
+        }
+        let [excess, slope] =
+            std::array::from_fn(|i| constant[i] + 0.5 * twice * next[i] - after[i]);
+        Sample { excess, slope }
+    }
+
+    fn smallest_scale(&self) -> f64 {
+        self.whole.smallest_scale()
+    }
+
+    fn largest_excess(&self) -> f64 {
+        self.whole.largest_excess()
+    }
+}

@@ -1,0 +1,50 @@
+//! What the solver asks of a coated half-space: its surface compliance in Hankel space.
+//!
+//! Under a normal pressure `p`, the surface displacement is `u(k) = 2 X/(E1* k) p(k)`, with the
+//! reduced modulus `E1*` of what the sphere touches. Wave numbers `q` are in units of one over the
+//! thickness of the top layer, beyond which `X` tends to 1 like `q^2 e^{-2q}`. One film
+//! ([`Compliance`](crate::solve::compliance::Compliance)) and a stack of layers
+//! ([`LayeredCompliance`](crate::solve::layered::LayeredCompliance), or a
+//! [`SampledCompliance`](crate::solve::sampled::SampledCompliance) of it) answer the same questions.
+
+/// `X - 1` and its slope at one wave number.
+#[derive(Clone, Copy, Debug)]
+pub struct Sample {
+    /// `X(q) - 1`.
+    pub excess: f64,
+    /// `q X'(q)`.
+    pub slope: f64,
+}
+
+/// The surface compliance `X(q)` of a coated half-space, without the sphere.
+pub trait SurfaceCompliance {
+    /// The largest length of a panel of quadrature over its lower end. It keeps the poles of `X`
+    /// outside the ellipse of convergence of the panel's rule.
+    const GROWTH: f64;
+
+    /// Returns `X(q) - 1` and `q X'(q)` for a finite `q >= 0`, with an absolute error of a few
+    /// rounding units of `max(X, 1)`.
+    fn sample(&self, q: f64) -> Sample;
+
+    /// Returns the smallest wave number on which `X` varies, at most 1: the length of the first
+    /// panel.
+    fn smallest_scale(&self) -> f64;
+
+    /// Returns a bound of `|X - 1|`; 0 where `X = 1` everywhere.
+    fn largest_excess(&self) -> f64;
+}
+
+/// Returns a wave number beyond which `weight(q)` times `|X - 1|`, and `weight(q)` times `|q X'|`,
+/// are at most `tolerance`, for every film on every substrate and every stack of layers. `weight`
+/// must not grow with `q`.
+///
+/// `q X'` is the larger of the two. For a film it is at most `28 q^3 e^{-2q}` for `q >= 4`, as
+/// `|b| <= 1` and `|a| <= 7` in the formulas of `compliance.rs`. Below the top layer of a stack lies
+/// a body whose compliance is between those of free and rigid bodies, which `a` and `b` span.
+pub fn cut_off(tolerance: f64, weight: impl Fn(f64) -> f64) -> f64 {
+    let mut q: f64 = 4.0;
+    while 28.0 * q.powi(3) * (-2.0 * q).exp() * weight(q) > tolerance {
+        q += 0.25;
+    }
+    q
+}
