@@ -5,6 +5,7 @@
 
 mod approximations;
 mod catalogue;
+mod cohesive;
 mod compliance;
 mod contacts;
 mod derived;

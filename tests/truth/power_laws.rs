@@ -42,7 +42,7 @@ fn power_laws_agree_with_reference_values_within_the_stated_error() {
 }
 
 /// Returns the numbers at `x`, and their derivatives with respect to `ln x` by the differences of
-/// ninth order.
+/// eighth order.
 fn with_rates(x: f64, material: &Material, exponent: f64) -> ([f64; 4], [f64; 4]) {
     const STEP: f64 = 0.05;
     const WEIGHTS: [f64; 4] = [4.0 / 5.0, -1.0 / 5.0, 4.0 / 105.0, -1.0 / 280.0];

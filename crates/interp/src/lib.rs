@@ -105,6 +105,8 @@ mod table;
 
 #[cfg(feature = "dynamics")]
 pub use contact::TimedState;
+#[doc(hidden)]
+pub use contact::root;
 pub use contact::{AdhesionRange, FilmValidity, Validity};
 pub use contact::{Branch, Control, Equilibria, Equilibrium, ForceDisplacement, Jump};
 pub use contact::{Contact, ContactGradient, Derivatives, Input, State};

@@ -83,6 +83,26 @@ pub enum Error {
         /// A sentence with the value and the allowed range.
         what: String,
     },
+    /// An attraction of finite range that has no solution at a contact radius.
+    #[error(
+        "there is no contact of radius {contact_radius:?} m with this attraction: {what}; take a larger contact radius or a shorter interaction range"
+    )]
+    NotAContact {
+        /// The contact radius, m.
+        contact_radius: f64,
+        /// The condition that is not fulfilled.
+        what: &'static str,
+    },
+    /// An attraction that reaches farther than is solved.
+    #[error(
+        "at the contact radius {contact_radius:?} m the attraction acts beyond the radius {reach:?} m, up to which it is solved; take a smaller contact radius or a shorter interaction range"
+    )]
+    AnnulusReach {
+        /// The contact radius, m.
+        contact_radius: f64,
+        /// The largest outer radius, m.
+        reach: f64,
+    },
     /// A measurement that differs from a recorded one.
     #[error("row {row}: {column} was {before} and is {now}")]
     Changed {

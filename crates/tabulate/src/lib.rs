@@ -29,6 +29,7 @@
 #![deny(unsafe_code)]
 
 pub mod cli;
+pub mod cohesive;
 pub mod cost;
 mod error;
 #[cfg(test)]

@@ -36,4 +36,5 @@ pub use force_displacement::{ForceDisplacement, Jump};
 pub use gradient::{ContactGradient, Derivatives, Input};
 pub use jkr_fit::{FilmBias, JkrFit};
 pub use mechanics::{JkrPoint, Mechanics};
+pub use root::root;
 pub use validity::{AdhesionRange, FilmValidity, Validity};

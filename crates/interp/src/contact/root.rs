@@ -1,7 +1,5 @@
 //! The root of a function between two points at which its signs differ.
 
-use crate::Error;
-
 /// The largest number of steps: after as many bisections an interval is narrower than rounding.
 const MOST_STEPS: usize = 300;
 
@@ -13,7 +11,7 @@ const MOST_STEPS: usize = 300;
 ///
 /// # Errors
 /// Those of `f`.
-pub(super) fn root(f: impl Fn(f64) -> Result<f64, Error>, a: f64, b: f64) -> Result<f64, Error> {
+pub fn root<E>(f: impl Fn(f64) -> Result<f64, E>, a: f64, b: f64) -> Result<f64, E> {
     // The ends of the interval as `(x, f(x))`; `new` is the one computed last.
     let (mut old, mut new) = ((a, f(a)?), (b, f(b)?));
     let mut part: f64 = 0.5;
@@ -54,6 +52,7 @@ pub(super) fn root(f: impl Fn(f64) -> Result<f64, Error>, a: f64, b: f64) -> Res
 #[cfg(test)]
 mod tests {
     use std::cell::Cell;
+    use std::convert::Infallible;
 
     use super::root;
 
@@ -62,7 +61,7 @@ mod tests {
         let count = Cell::new(0);
         let counted = |x| {
             count.set(count.get() + 1);
-            Ok(f(x))
+            Ok::<f64, Infallible>(f(x))
         };
         (
             root(counted, a, b).expect("no error to pass on"),

@@ -24,28 +24,28 @@
 //! | `zero_free_radius(sphere, film)` | the disc in which `S` has no zero, for the imaginary axis |
 //! | `SINE_OF_FREE_ANGLE` | the sector in which `S` has neither zeros nor poles, for the ray and the panels |
 
-mod abscissae;
+pub(crate) mod abscissae;
 mod adaptive_curve;
 pub(crate) mod batch;
-mod bessel;
-mod compliance;
+pub(crate) mod bessel;
+pub(crate) mod compliance;
 mod contour;
 mod domain;
 pub(crate) mod estimate;
-mod galerkin;
+pub(crate) mod galerkin;
 mod krylov;
-mod layered;
+pub(crate) mod layered;
 mod method;
 mod moment;
-mod operator;
-mod power_law;
-mod quadrature;
+pub(crate) mod operator;
+pub(crate) mod power_law;
+pub(crate) mod quadrature;
 mod read_out;
 mod sampled;
 mod solution;
 mod stacked;
-mod surface;
-mod symbol;
+pub(crate) mod surface;
+pub(crate) mod symbol;
 mod turned_line;
 mod wiener_hopf;
 

@@ -272,7 +272,7 @@ struct Half {
 
 /// Adds the lower triangle of `J^T F J` to `target`. `bessel` holds `J` by columns, `factors` the
 /// diagonal of `F`.
-fn add_products(target: &mut Mat<f64>, bessel: &[f64], factors: &[f64]) {
+pub(crate) fn add_products(target: &mut Mat<f64>, bessel: &[f64], factors: &[f64]) {
     let (rows, modes) = (factors.len(), target.nrows());
     let mut scaled = Vec::with_capacity(bessel.len());
     for column in bessel.chunks_exact(rows) {

@@ -70,7 +70,7 @@ impl GaussLegendre {
 }
 
 /// Returns `P_n(x)` and `P_{n-1}(x)`.
-fn legendre(n: usize, x: f64) -> (f64, f64) {
+pub(crate) fn legendre(n: usize, x: f64) -> (f64, f64) {
     let (mut previous, mut value) = (0.0, 1.0);
     for k in 0..n {
         let k = k as f64;

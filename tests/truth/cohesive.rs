@@ -1,0 +1,429 @@
+//! The attraction of finite range against values by two other programs, Maugis' closed form, the
+//! energy balance and the limits of long and of short ranges.
+
+use acceptance::{Case, Data, larger};
+use interp::{Contact, Control, Elastic, System};
+use std::f64::consts::PI;
+use tabulate::cohesive::{Cohesive, CohesiveState};
+use tabulate::stack::{Layer, Stack};
+
+/// The thickness of the films, m, and the modulus of the sphere, Pa: units of the file.
+const THICKNESS: f64 = 1e-6;
+const MODULUS: f64 = 1e6;
+
+/// Reads `E:nu`.
+fn solid(text: &str) -> Elastic {
+    let (young, poisson) = text.split_once(':').unwrap_or(("inf", "0.25"));
+    let young: f64 = if text == "rigid" {
+        f64::INFINITY
+    } else {
+        young.parse().expect("a modulus")
+    };
+    Elastic::new(young * MODULUS, poisson.parse().expect("a Poisson ratio")).expect("physical")
+}
+
+/// The bodies of a row.
+struct Bodies {
+    stack: Stack,
+    sphere_radius: f64,
+    sphere_modulus: f64,
+    work_of_adhesion: f64,
+    range: f64,
+    /// The unit of the loads, `pi w R`.
+    load: f64,
+}
+
+impl Bodies {
+    fn new(case: &Case<'_>) -> Self {
+        let layers: Vec<Layer> = case
+            .text("layers")
+            .split('|')
+            .map(|layer| {
+                let (body, thickness) = layer.rsplit_once(':').expect("E:nu:h");
+                Layer {
+                    solid: solid(body),
+                    thickness: thickness.parse::<f64>().expect("a thickness") * THICKNESS,
+                }
+            })
+            .collect();
+        let rigid = case.text("sphere") == "rigid";
+        let top = layers.last().expect("a layer").solid;
+        let unit = if rigid { top.reduced() } else { MODULUS };
+        let sphere_radius = case.get("r_over_t") * THICKNESS;
+        let work_of_adhesion = case.get("w") * unit * THICKNESS;
+        Self {
+            stack: Stack::new(solid(case.text("base")), layers).expect("physical"),
+            sphere_radius,
+            sphere_modulus: if rigid { f64::INFINITY } else { MODULUS },
+            work_of_adhesion,
+            range: work_of_adhesion / (case.get("sigma0") * unit),
+            load: PI * work_of_adhesion * sphere_radius,
+        }
+    }
+
+    fn cohesive(&self) -> Cohesive {
+        Cohesive::on_stack(
+            &self.stack,
+            self.sphere_radius,
+            self.sphere_modulus,
+            self.work_of_adhesion,
+            self.range,
+        )
+        .expect("physical")
+    }
+}
+
+/// Loads count relative to `pi w R`, penetrations and outer radii relative to their size.
+#[test]
+fn states_and_pull_offs_agree_with_reference_values() {
+    let data = Data::read("cohesive");
+    let (mut worst, mut count) = (0.0, 0);
+    for case in data.cases() {
+        let bodies = Bodies::new(&case);
+        let cohesive = bodies.cohesive();
+        let a = case.get("a_over_t") * THICKNESS;
+        let at_radius = cohesive.state(a).unwrap_or_else(|e| panic!("{e}"));
+        let [load, penetration, outer] =
+            ["load_over_piwR", "penetration_over_t", "c_over_t"].map(|name| case.get(name));
+        let errors = |state: &CohesiveState| {
+            [
+                state.load / bodies.load - load,
+                (state.penetration / THICKNESS - penetration) / penetration,
+                (state.outer_radius / THICKNESS - outer) / outer,
+            ]
+            .map(f64::abs)
+        };
+        let [load_error, penetration_error, outer_error] = errors(&at_radius);
+        let error = larger(larger(load_error, penetration_error), outer_error);
+        println!(
+            "{} {} a/t = {}: {:?}",
+            case.text("kind"),
+            case.text("system"),
+            case.get("a_over_t"),
+            errors(&at_radius)
+        );
+        worst = larger(worst, error);
+        let control = match case.text("kind") {
+            "pull_off_load" => Control::Load,
+            "pull_off_displacement" => Control::Displacement,
+            _ => continue,
+        };
+        let pull_off = cohesive.pull_off(control).unwrap_or_else(|e| panic!("{e}"));
+        let [load_error, penetration_error, _] = errors(&pull_off);
+        // The imposed value is stationary, the other one is not.
+        let error = if control == Control::Load {
+            load_error
+        } else {
+            penetration_error
+        };
+        println!(
+            "   pull-off {error:.1e}, a {:.1e}",
+            pull_off.contact_radius / a - 1.0
+        );
+        worst = larger(worst, error);
+        count += 1;
+    }
+    println!("{count} pull-offs, largest error {worst:.1e}");
+    assert!(worst < 1e-11 && count > 10, "{worst}");
+}
+
+/// A rigid sphere on a half-space of the reduced modulus `MODULUS`, with `R = 1` and `w` in its units,
+/// and the parameter `lambda = 2 sigma0 (R/(pi w K^2))^{1/3}`, `K = 4 E*/3`.
+fn half_space(lambda: f64) -> (Cohesive, f64, f64) {
+    const RADIUS: f64 = 1e-3;
+    const WORK: f64 = 1e-6 * MODULUS * RADIUS;
+    let solid = Elastic::new(MODULUS, 0.0).expect("physical");
+    let layer = Layer {
+        solid,
+        thickness: RADIUS,
+    };
+    let stack = Stack::new(solid, [layer]).expect("physical");
+    let k = 4.0 / 3.0 * MODULUS;
+    let stress = 0.5 * lambda / (RADIUS / (PI * WORK * k * k)).cbrt();
+    let cohesive = Cohesive::on_stack(&stack, RADIUS, f64::INFINITY, WORK, WORK / stress);
+    (cohesive.expect("physical"), RADIUS, WORK)
+}
+
+/// Maugis (1992): with `a` in units of `(pi w R^2/K)^{1/3}`, the load in `pi w R`, the penetration in
+/// `(pi^2 w^2 R/K^2)^{1/3}`, `m = c/a` and `t = sqrt(m^2 - 1)`,
+///
+/// ```text
+/// 1 = lambda a^2/2 [t + (m^2-2) arccos(1/m)] + 4 lambda^2 a/3 [t arccos(1/m) - m + 1]
+/// F = a^3 - lambda a^2 [t + m^2 arccos(1/m)]         delta = a^2 - 4/3 a lambda t
+/// ```
+#[test]
+fn states_on_a_half_space_are_those_of_maugis() {
+    let mut worst = 0.0;
+    for lambda in [0.05, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0] {
+        let (cohesive, radius, w) = half_space(lambda);
+        let k = 4.0 / 3.0 * MODULUS;
+        let unit = (PI * w * radius * radius / k).cbrt();
+        for a in [0.1, 0.4, 0.8, 1.2, 1.8, 2.5] {
+            let state = cohesive.state(a * unit).unwrap_or_else(|e| panic!("{e}"));
+            let m = state.outer_radius / state.contact_radius;
+            let t = ((m - 1.0) * (m + 1.0)).sqrt();
+            let angle = t.atan();
+            let opening = 0.5 * lambda * a * a * (t + (m * m - 2.0) * angle)
+                + 4.0 / 3.0 * lambda * lambda * a * (t * angle - m + 1.0);
+            // The equation for m loses the digits of a thin annulus.
+            let noise = 1e-15 * (lambda * a * a + lambda * lambda * a) * m * m;
+            assert!(
+                (opening - 1.0).abs() < 1e-12 + noise,
+                "{lambda}, {a}: {opening}"
+            );
+            let load = a.powi(3) - lambda * a * a * (t + m * m * angle);
+            let penetration = a * a - 4.0 / 3.0 * a * lambda * t;
+            let errors = [
+                state.load / (PI * w * radius) - load,
+                state.penetration / (unit * unit / radius) - penetration,
+            ];
+            let size = 1.0 + a.powi(3);
+            worst = errors.iter().map(|e| e.abs() / size).fold(worst, larger);
+        }
+    }
+    println!("Maugis: {worst:.1e}");
+    assert!(worst < 1e-12);
+}
+
+/// The paper's film under a sphere of 100 times its thickness, and a rigid sphere on a confined
+/// incompressible film, at Dugdale's `lambda`.
+fn on_film(lambda: f64, confined: bool) -> (Cohesive, f64, f64) {
+    let (young, base, sphere_modulus) = if confined {
+        (0.75, f64::INFINITY, f64::INFINITY)
+    } else {
+        (1.75, 1e5, MODULUS)
+    };
+    let film = Elastic::new(young * MODULUS, 0.5).expect("physical");
+    let base = Elastic::new(base * MODULUS, 0.25).expect("physical");
+    let layer = Layer {
+        solid: film,
+        thickness: THICKNESS,
+    };
+    let stack = Stack::new(base, [layer]).expect("physical");
+    let (radius, w) = (100.0 * THICKNESS, 2e-3 * MODULUS * THICKNESS);
+    let cohesive = Cohesive::on_stack(
+        &stack,
+        radius,
+        sphere_modulus,
+        w,
+        range_of(lambda, confined),
+    );
+    (cohesive.expect("physical"), radius, w)
+}
+
+/// Returns the nodes of the midpoint rule on `[0, 1]`, and the weights, after a substitution whose
+/// derivatives vanish at both ends.
+fn nodes(count: u32) -> impl Iterator<Item = (f64, f64)> {
+    let bend = |u: f64| {
+        let angle = 2.0 * PI * u;
+        (u - angle.sin() / (2.0 * PI), 1.0 - angle.cos())
+    };
+    (0..count).map(move |i| {
+        let (u, slope) = bend((f64::from(i) + 0.5) / f64::from(count));
+        let (v, next) = bend(u);
+        (v, slope * next / f64::from(count))
+    })
+}
+
+/// Returns the sum of `weight(r) * values(r)` over the steps at `radii`.
+fn integral(values: &[f64], radii: &[f64], steps: &[f64], weight: impl Fn(f64) -> f64) -> f64 {
+    let terms = values.iter().zip(radii).zip(steps);
+    terms
+        .map(|((value, &r), step)| value * weight(r) * step)
+        .sum()
+}
+
+/// The load is the derivative of the energy with respect to the penetration, and the integral of the
+/// pressure less that of the traction. With the gap `h`, elastic energy and that of the surfaces are
+///
+/// ```text
+/// U = F delta/2 - (pi/2R) int_0^c r^3 p dr + (sigma0/2) int_annulus h dA - w pi c^2
+/// ```
+///
+/// It knows nothing of how the outer radius was found.
+#[test]
+fn the_load_is_the_slope_of_the_energy() {
+    const POINTS: u32 = 200;
+    // The differences of eighth order.
+    const WEIGHTS: [f64; 4] = [4.0 / 5.0, -1.0 / 5.0, 4.0 / 105.0, -1.0 / 280.0];
+    let [mut worst, mut worst_sum] = [0.0; 2];
+    for confined in [false, true] {
+        for (lambda, a) in [(0.3, 3.0), (1.0, 2.0), (3.0, 4.0), (8.0, 2.0)] {
+            let (cohesive, radius, w) = on_film(lambda, confined);
+            let stress = w / range_of(lambda, confined);
+            let energy = |a: f64| {
+                let state = cohesive.state(a).unwrap_or_else(|e| panic!("{e}"));
+                let c = state.outer_radius;
+                // r = a sin(psi) in the contact.
+                let (inside, steps): (Vec<f64>, Vec<f64>) = nodes(POINTS)
+                    .map(|(part, weight)| ((0.5 * PI * part).sin_cos(), 0.5 * PI * weight))
+                    .map(|((sin, cos), step)| (a * sin, a * cos * step))
+                    .unzip();
+                let pressure = cohesive
+                    .pressure(a, &inside)
+                    .unwrap_or_else(|e| panic!("{e}"));
+                let load = 2.0 * PI * integral(&pressure, &inside, &steps, |r| r)
+                    - stress * PI * (c - a) * (c + a);
+                let moment = integral(&pressure, &inside, &steps, |r| r.powi(3))
+                    - 0.25 * stress * (c.powi(4) - a.powi(4));
+                let (outside, steps): (Vec<f64>, Vec<f64>) = nodes(POINTS)
+                    .map(|(part, weight)| (a + (c - a) * part, (c - a) * weight))
+                    .unzip();
+                let gap = cohesive.gap(a, &outside).unwrap_or_else(|e| panic!("{e}"));
+                let opening = 2.0 * PI * integral(&gap, &outside, &steps, |r| r);
+                let energy = 0.5 * state.load * state.penetration - 0.5 * PI / radius * moment
+                    + 0.5 * stress * opening
+                    - w * PI * c * c;
+                (energy, load, state)
+            };
+            let a = a * THICKNESS;
+            let step = 0.01 * a;
+            let [mut rise, mut descent] = [0.0; 2];
+            for (weight, k) in WEIGHTS.into_iter().zip(1..) {
+                for sign in [1.0, -1.0] {
+                    let (energy, _, state) = energy(a + sign * f64::from(k) * step);
+                    rise += sign * weight * energy / step;
+                    descent += sign * weight * state.penetration / step;
+                }
+            }
+            let (_, load, state) = energy(a);
+            let scale = PI * w * radius;
+            let errors = [
+                (rise / descent - state.load) / scale,
+                (load - state.load) / scale,
+            ];
+            println!(
+                "{confined} {lambda}: {errors:?}, F {:.3}",
+                state.load / scale
+            );
+            worst = larger(worst, errors[0].abs());
+            worst_sum = larger(worst_sum, errors[1].abs());
+        }
+    }
+    assert!(worst < 1e-9 && worst_sum < 1e-10, "{worst}, {worst_sum}");
+}
+
+/// Returns the range of the attraction of [`on_film`], m.
+fn range_of(lambda: f64, confined: bool) -> f64 {
+    let (young, sphere) = if confined {
+        (1.0, f64::INFINITY)
+    } else {
+        (1.75 / 0.75, 1.0)
+    };
+    let k = 4.0 / 3.0 * MODULUS / (1.0 / young + 1.0 / sphere);
+    let (radius, w) = (100.0 * THICKNESS, 2e-3 * MODULUS * THICKNESS);
+    let stress = 0.5 * lambda / (radius / (PI * w * k * k)).cbrt();
+    w / stress
+}
+
+/// The pull-off load of a long range is DMT's `-2 pi w R` on every film.
+#[test]
+fn a_long_range_is_the_limit_of_dmt() {
+    for confined in [false, true] {
+        let [far, farther] = [0.02, 0.01].map(|lambda| {
+            let (cohesive, radius, w) = on_film(lambda, confined);
+            let pull_off = cohesive
+                .pull_off(Control::Load)
+                .unwrap_or_else(|e| panic!("{e}"));
+            pull_off.load / (-2.0 * PI * w * radius) - 1.0
+        });
+        println!("{far:.1e} {farther:.1e}");
+        assert!(farther.abs() < 0.01 && farther.abs() < 0.7 * far.abs());
+    }
+}
+
+/// A short range is JKR: the difference of the pull-off loads falls with the square of `lambda`, on a
+/// half-space as `0.1092/lambda^2`.
+#[test]
+fn a_short_range_is_the_limit_of_jkr() {
+    for lambda in [20.0, 40.0, 300.0] {
+        let (cohesive, radius, w) = half_space(lambda);
+        let pull_off = cohesive
+            .pull_off(Control::Load)
+            .unwrap_or_else(|e| panic!("{e}"));
+        let excess = (pull_off.load / (-1.5 * PI * w * radius) - 1.0) * lambda * lambda;
+        println!("half-space: {excess}");
+        assert!((excess / 0.1092 - 1.0).abs() < 0.02, "{excess}");
+    }
+    let film = Elastic::new(1.75 * MODULUS, 0.5).expect("physical");
+    let system = System {
+        sphere_radius: 100.0 * THICKNESS,
+        sphere_modulus: MODULUS,
+        film,
+        film_thickness: THICKNESS,
+        substrate: Elastic::new(1e5 * MODULUS, 0.25).expect("physical"),
+    };
+    let material = system.material().expect("physical");
+    let curve = tabulate::curve(&material, [1e-2, 1e2], 1e-10).expect("within reach");
+    let contact = Contact::new(&system, curve).expect("its curve");
+    let excess = [20.0, 40.0].map(|lambda| {
+        let (cohesive, _, w) = on_film(lambda, false);
+        let jkr = contact.pull_off(w, Control::Load).expect("a pull-off").load;
+        let pull_off = cohesive
+            .pull_off(Control::Load)
+            .unwrap_or_else(|e| panic!("{e}"));
+        pull_off.load / jkr - 1.0
+    });
+    println!("film: {excess:?}");
+    assert!(excess[0] > 0.0 && (excess[0] / excess[1] / 4.0 - 1.0).abs() < 0.02);
+}
+
+/// The contact begins where the attraction across the gap ends.
+#[test]
+fn the_contact_continues_the_attraction_before_it() {
+    for confined in [false, true] {
+        let (cohesive, radius, w) = on_film(0.5, confined);
+        let range = range_of(0.5, confined);
+        let mut outer = (2.0 * radius * range).sqrt();
+        while cohesive.without_contact(outer).is_err() {
+            outer *= 0.999;
+        }
+        let before = cohesive
+            .without_contact(outer)
+            .unwrap_or_else(|e| panic!("{e}"));
+        let after = cohesive
+            .state(2e-3 * outer)
+            .unwrap_or_else(|e| panic!("{e}"));
+        let error = (after.load - before.load) / (PI * w * radius);
+        println!(
+            "{error:.1e}, c {:.4}",
+            after.outer_radius / before.outer_radius
+        );
+        assert!(
+            error.abs() < 5e-3 && (after.outer_radius / before.outer_radius - 1.0).abs() < 2e-3
+        );
+        // Far before the contact the load vanishes and the gap in the middle is the range.
+        let first = cohesive
+            .without_contact(1e-4 * outer)
+            .unwrap_or_else(|e| panic!("{e}"));
+        assert!((first.penetration / -range - 1.0).abs() < 1e-3);
+    }
+}
+
+#[test]
+fn values_outside_the_domain_are_named() {
+    let (cohesive, radius, _) = on_film(1.0, false);
+    for a in [0.0, -1.0, f64::NAN, f64::INFINITY, 1.001 * radius] {
+        let error = cohesive.state(a).expect_err("outside").to_string();
+        assert!(error.contains("contact radius"), "{error}");
+    }
+    let stack = |w: f64, range: f64| {
+        let film = Elastic::new(MODULUS, 0.5).expect("physical");
+        let layer = Layer {
+            solid: film,
+            thickness: THICKNESS,
+        };
+        let stack = Stack::new(film, [layer]).expect("physical");
+        Cohesive::on_stack(&stack, radius, MODULUS, w, range)
+    };
+    for (w, range, name) in [
+        (0.0, 1e-9, "work of adhesion"),
+        (f64::NAN, 1e-9, "work of adhesion"),
+        (0.05, 0.0, "interaction range"),
+        (0.05, f64::INFINITY, "interaction range"),
+        (0.05, 2.0 * radius, "interaction range"),
+    ] {
+        let error = stack(w, range).expect_err("outside").to_string();
+        assert!(error.contains(name), "{error}");
+    }
+}
