@@ -1,7 +1,9 @@
 //! `tabulate curve`
 
 use acceptance::{Data, assert_names, larger, paper_system, workdir};
-use interp::{Mechanics, Table, Validity};
+use interp::{Control, Mechanics, System, Table, Validity};
+use serde_json::Value;
+use tabulate::cohesive::Cohesive;
 use tabulate::report::LARGE_CONTACT;
 
 use crate::{paper_table, solved};
@@ -114,7 +116,7 @@ fn curve_takes_every_part_of_the_system() {
     let output = String::from_utf8(workdir.read("curve.csv")).expect("UTF-8");
     let data = Data::parse("curve.csv", &output);
     let solid = |young, poisson| interp::Elastic::new(young, poisson).expect("physical");
-    let system = interp::System {
+    let system = System {
         sphere_radius: 5e-4,
         sphere_modulus: f64::INFINITY,
         film: solid(5e6, 0.4),
@@ -164,4 +166,85 @@ fn a_radius_that_is_not_small_beside_the_spheres_is_warned_of_once() {
         assert_eq!((run.status, run.stderr), (0, warning));
         assert_eq!(Data::parse("curve", &run.stdout).cases().count(), 150);
     }
+}
+
+#[test]
+fn curve_and_pull_off_take_the_range_of_the_attraction() {
+    let workdir = workdir!();
+    let bodies = ["--sphere-radius", "1e-4", "--interaction-range", "2e-7"];
+    let system = System {
+        sphere_radius: 1e-4,
+        ..paper_system(1e-6)
+    };
+    let cohesive = Cohesive::new(&system, 0.04, 2e-7).expect("physical");
+    let radii = ["--from", "4e-6", "--to", "8e-6", "--points", "3"];
+    let text = workdir.succeed(&[&["curve"][..], &bodies, &radii].concat());
+    let rows = Data::parse("curve", &text);
+    assert_eq!(rows.columns()[5], "outer_radius");
+    for case in rows.cases() {
+        let state = cohesive
+            .state(case.get("contact_radius"))
+            .expect("a contact");
+        assert_eq!(case.get("load"), state.load);
+        assert_eq!(case.get("penetration"), state.penetration);
+        assert_eq!(case.get("outer_radius"), state.outer_radius);
+    }
+
+    let controls: [(&[&str], Control); 3] = [
+        (&[], Control::Load),
+        (&["--control", "displacement"], Control::Displacement),
+        (
+            &["--control", "spring", "--stiffness", "40"],
+            Control::Spring { stiffness: 40.0 },
+        ),
+    ];
+    let table = Table::embedded().contact(&system).expect("inside");
+    for (flags, control) in controls {
+        let state = cohesive.pull_off(control).expect("a pull-off");
+        let text = workdir.succeed(&[&["pull-off"][..], &bodies, flags, &["--json"]].concat());
+        let object: Value = serde_json::from_str(&text).expect("JSON");
+        for (name, value) in [
+            ("load", state.load),
+            ("contact_radius", state.contact_radius),
+            ("outer_radius", state.outer_radius),
+            ("penetration", state.penetration),
+        ] {
+            let printed = object[name].as_f64().expect("a number");
+            // The reader of JSON may miss the last bit.
+            assert!((printed / value - 1.0).abs() < 1e-15, "{name}: {text}");
+        }
+        let jkr = table.pull_off(0.04, control).expect("a pull-off");
+        let text = workdir.succeed(&[&["pull-off", "embedded"][..], &bodies[..2], flags].concat());
+        assert!(
+            text.contains(&format!("load           = {:?}\n", jkr.load)),
+            "{text}"
+        );
+        // Without a table the system is solved.
+        let text = workdir.succeed(&[&["pull-off"][..], &bodies[..2], flags].concat());
+        let load: f64 = text
+            .lines()
+            .find_map(|line| line.strip_prefix("load           = "))
+            .expect("a load")
+            .parse()
+            .expect("a number");
+        assert!((load / jkr.load - 1.0).abs() < 1e-5, "{load}");
+    }
+    for (arguments, words) in [
+        (
+            &["pull-off", "--interaction-range", "0"][..],
+            &["interaction range", "0.0"][..],
+        ),
+        (
+            &["pull-off", "--interaction-range", "1"],
+            &["interaction range", "1.0"],
+        ),
+        (
+            &["curve", "--interaction-range", "nan"],
+            &["interaction range", "NaN"],
+        ),
+    ] {
+        assert_names(&workdir.fail(1, arguments), words);
+    }
+    workdir.fail(2, &["pull-off", "--control", "spring"]);
+    workdir.fail(2, &["pull-off", "embedded", "--interaction-range", "1e-9"]);
 }

@@ -10,6 +10,7 @@ use super::note;
 use super::output::Output;
 use super::points::{evenly, number};
 use super::progress::progress_bar;
+use super::pull_off;
 use super::stack_file::{self, StackFile};
 use super::system::SystemArguments;
 use super::table_name::{self, TableName};
@@ -23,6 +24,9 @@ use crate::solve::{solve, stack_curve};
 /// compression), penetration (m), and the coordinates of the reduced JKR plot, jkr_abscissa =
 /// a^(3/2) / (sqrt(pi) R) and jkr_ordinate = F / (sqrt(6 pi) a^(3/2)). At a small radius or a
 /// negative load an equilibrium may be unstable.
+///
+/// With --interaction-range the attraction is not that of JKR, and there is a column outer_radius (m):
+/// the radius within which it acts.
 ///
 /// Without arguments the system is that of Barthel's Tables 1 and 2: an elastomer sphere of 1 mm on
 /// an elastomer film of 1 um on silicon.
@@ -52,6 +56,15 @@ pub struct Arguments {
     stack: Option<PathBuf>,
     #[command(flatten)]
     system: SystemArguments,
+    /// Distance over which the attraction acts, m: a constant stress, the work of adhesion over this
+    /// distance, wherever the gap is smaller (Dugdale's law). Without it the distance is 0 (JKR)
+    #[arg(
+        long,
+        value_name = "M",
+        conflicts_with = "table",
+        allow_negative_numbers = true
+    )]
+    interaction_range: Option<f64>,
     /// Smallest contact radius, m
     #[arg(long, default_value = "1e-6", allow_negative_numbers = true)]
     from: f64,
@@ -117,20 +130,31 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let material = system.material()?;
     let contact = match (&arguments.table, &stack) {
         (Some(name), _) => Some(name.read()?.contact(&system)?),
-        (None, Some(stack)) => {
+        (None, Some(stack)) if arguments.interaction_range.is_none() => {
             let range = [from, to].map(|a| a / system.film_thickness);
             let curve = stack_curve(stack, system.sphere_modulus, range, arguments.tolerance)?;
             Some(Contact::new(&system, curve)?)
         }
-        (None, None) => None,
+        (None, _) => None,
     };
+
+    let cohesive = arguments
+        .interaction_range
+        .map(|range| pull_off::cohesive(&arguments.system, stack.as_ref(), range))
+        .transpose()?;
 
     let bar = progress_bar(points as usize, "solving");
     let row = |i: u32| {
         let a = evenly([from, to], i, points);
-        let (load, penetration) = match &contact {
-            Some(contact) => contact.load_and_penetration(a, work_of_adhesion)?,
-            None => {
+        let mut outer_radius = None;
+        let (load, penetration) = match (&cohesive, &contact) {
+            (Some(cohesive), _) => {
+                let state = cohesive.state(a)?;
+                outer_radius = Some(state.outer_radius);
+                (state.load, state.penetration)
+            }
+            (None, Some(contact)) => contact.load_and_penetration(a, work_of_adhesion)?,
+            (None, None) => {
                 let edge = mechanics.edge_singularity(a, work_of_adhesion)?;
                 let solution = solve(a / system.film_thickness, &material, arguments.tolerance)?;
                 mechanics.load_and_penetration(a, edge, &solution.quantities)
@@ -138,7 +162,8 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         };
         bar.inc(1);
         let jkr = mechanics.jkr_point(a, load);
-        anyhow::Ok([a, load, penetration, jkr.abscissa, jkr.ordinate])
+        let row = [a, load, penetration, jkr.abscissa, jkr.ordinate];
+        anyhow::Ok(row.into_iter().chain(outer_radius))
     };
     let rows = try_map(0..points, row)?;
     bar.finish_and_clear();
@@ -146,13 +171,18 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         note(LARGE_CONTACT);
     }
     let mut writer = csv::Writer::from_writer(Vec::new());
-    writer.write_record([
+    let columns = [
         "contact_radius",
         "load",
         "penetration",
         "jkr_abscissa",
         "jkr_ordinate",
-    ])?;
+    ];
+    writer.write_record(
+        columns
+            .into_iter()
+            .chain(cohesive.as_ref().map(|_| "outer_radius")),
+    )?;
     for row in rows {
         writer.write_record(row.map(number))?;
     }

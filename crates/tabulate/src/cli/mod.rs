@@ -22,6 +22,7 @@ mod plan;
 mod plot;
 mod points;
 mod progress;
+mod pull_off;
 mod query;
 mod report;
 mod simulate;
@@ -85,6 +86,7 @@ struct Arguments {
 #[derive(Subcommand)]
 enum Command {
     Curve(curve::Arguments),
+    PullOff(pull_off::Arguments),
     Fit(Box<fit::Arguments>),
     Simulate(Box<simulate::Arguments>),
     Solve(solve::Arguments),
@@ -105,6 +107,7 @@ enum Command {
 pub fn run() -> ExitCode {
     let outcome = match Arguments::parse().command {
         Command::Curve(arguments) => curve::run(&arguments),
+        Command::PullOff(arguments) => pull_off::run(&arguments),
         Command::Fit(arguments) => fit::run(&arguments),
         Command::Simulate(arguments) => simulate::run(&arguments),
         Command::Solve(arguments) => solve::run(&arguments),

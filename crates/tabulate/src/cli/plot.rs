@@ -14,7 +14,7 @@ use crate::cost::{Measurement, read_csv};
 use crate::plot::chart;
 use crate::plot::picture::Format;
 use crate::plot::{
-    effects, error_map, fig2, fig3, fig4, force_displacement, lookup_cost, table_cost,
+    effects, error_map, fig2, fig3, fig4, force_displacement, lookup_cost, pull_off, table_cost,
     work_precision,
 };
 
@@ -46,6 +46,9 @@ enum Figure {
     /// Load against penetration of the paper's system for several films, with the jumps
     #[command(after_help = super::examples!("tabulate plot force-displacement -o curves.svg"))]
     ForceDisplacement(Picture),
+    /// Pull-off load against Tabor's parameter, from DMT to JKR, on a half-space and on two films
+    #[command(after_help = super::examples!("tabulate plot pull-off -o pull-off.svg"))]
+    PullOff(Picture),
     /// Largest difference of a table from direct solves, over a/t and E1/E2*, at the worst nu1 and
     /// E0/E2*
     #[command(after_help = super::examples!("tabulate plot error-map tables/paper.h5 -o errors.svg"))]
@@ -155,6 +158,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         Figure::ForceDisplacement(output) => output.write(None, || {
             Ok(force_displacement::figure(&force_displacement::data()?))
         }),
+        Figure::PullOff(output) => output.write(None, || Ok(pull_off::figure(&pull_off::data()?))),
         Figure::ErrorMap { table, output } => {
             output.write(table.as_ref().and_then(TableName::path), || {
                 let table = default_table::read_or_make(table.as_ref())?;

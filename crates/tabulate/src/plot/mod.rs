@@ -20,6 +20,7 @@ mod labels;
 pub mod lookup_cost;
 pub mod paper;
 pub mod picture;
+pub mod pull_off;
 pub mod table_cost;
 pub mod work_precision;
 

@@ -1,0 +1,176 @@
+//! `tabulate pull-off`
+
+use std::path::PathBuf;
+
+use clap::{ValueEnum, ValueHint};
+use interp::{Contact, Control, System};
+
+use super::points::number;
+use super::print;
+use super::stack_file::{self, StackFile};
+use super::system::SystemArguments;
+use super::table_name::{self, TableName};
+use crate::cohesive::{Cohesive, CohesiveState};
+use crate::solve::{curve, stack_curve};
+use crate::stack::Stack;
+
+/// Print the last stable state of a separation: load (N), contact radius (m), outer radius of the
+/// attraction (m) and penetration (m)
+///
+/// Without --interaction-range the attraction has no range (JKR), and the outer radius is the
+/// contact radius. With it, a constant stress attracts the sphere wherever the gap is below the
+/// range (Dugdale's law), from DMT to JKR. Under a long range and an imposed displacement the last
+/// stable state may have no contact: its contact radius is 0.
+#[derive(clap::Args)]
+#[command(after_help = super::examples!(
+    "tabulate pull-off embedded",
+    "tabulate pull-off --sphere-radius 1e-5 --interaction-range 5e-9 --json",
+    "tabulate pull-off --control spring --stiffness 40 --film-thickness 1e-5",
+    "tabulate pull-off --stack tables/stacks/primer.toml --sphere-radius 1e-4",
+))]
+pub struct Arguments {
+    #[arg(
+        help = format!("{}. Without a table, the system is solved directly", table_name::HELP),
+        value_hint = ValueHint::FilePath
+    )]
+    table: Option<TableName>,
+    #[arg(
+        long,
+        value_name = "STACK.toml",
+        help = format!("{}. It replaces film and substrate", stack_file::HELP),
+        value_hint = ValueHint::FilePath,
+        conflicts_with_all = [
+            "table", "film_thickness", "film_modulus", "film_poisson_ratio", "substrate_modulus", "substrate_poisson_ratio",
+        ],
+    )]
+    stack: Option<PathBuf>,
+    #[command(flatten)]
+    system: SystemArguments,
+    /// What the machine imposes: a dead weight, the displacement, or the far end of a spring
+    #[arg(long, value_enum, default_value = "load")]
+    control: ControlName,
+    /// Stiffness of the spring, N/m
+    #[arg(
+        long,
+        required_if_eq("control", "spring"),
+        allow_negative_numbers = true
+    )]
+    stiffness: Option<f64>,
+    /// Distance over which the attraction acts, m; its stress is the work of adhesion over this
+    /// distance
+    #[arg(
+        long,
+        value_name = "M",
+        conflicts_with = "table",
+        allow_negative_numbers = true
+    )]
+    interaction_range: Option<f64>,
+    /// Print one JSON object with load, contact_radius, outer_radius and penetration
+    #[arg(long)]
+    json: bool,
+}
+
+/// The names of [`Control`].
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum ControlName {
+    Load,
+    Displacement,
+    Spring,
+}
+
+pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
+    let control = match (arguments.control, arguments.stiffness) {
+        (ControlName::Load, _) => Control::Load,
+        (ControlName::Displacement, _) => Control::Displacement,
+        (ControlName::Spring, stiffness) => Control::Spring {
+            stiffness: stiffness.expect("clap requires it"),
+        },
+    };
+    let stack = arguments
+        .stack
+        .as_ref()
+        .map(|path| StackFile::read(path))
+        .transpose()?
+        .map(|file| file.stack);
+    let state = match arguments.interaction_range {
+        Some(range) => cohesive(&arguments.system, stack.as_ref(), range)?.pull_off(control)?,
+        None => jkr(arguments, stack.as_ref(), control)?,
+    };
+    let values = [
+        ("load", state.load),
+        ("contact_radius", state.contact_radius),
+        ("outer_radius", state.outer_radius),
+        ("penetration", state.penetration),
+    ];
+    let text = if arguments.json {
+        let object: serde_json::Map<String, serde_json::Value> = values
+            .into_iter()
+            .map(|(name, value)| (name.to_owned(), value.into()))
+            .collect();
+        format!("{}\n", serde_json::Value::Object(object))
+    } else {
+        values
+            .into_iter()
+            .map(|(name, value)| format!("{name:14} = {}\n", number(value)))
+            .collect()
+    };
+    print(text.as_bytes())
+}
+
+/// Makes the attraction of a finite range between the bodies of the command line.
+pub fn cohesive(
+    arguments: &SystemArguments,
+    stack: Option<&Stack>,
+    range: f64,
+) -> anyhow::Result<Cohesive> {
+    let w = arguments.work_of_adhesion;
+    Ok(match stack {
+        Some(stack) => Cohesive::on_stack(
+            stack,
+            arguments.sphere_radius,
+            arguments.sphere_modulus,
+            w,
+            range,
+        )?,
+        None => Cohesive::new(&arguments.system()?, w, range)?,
+    })
+}
+
+/// Finds the pull-off of an attraction without range.
+fn jkr(
+    arguments: &Arguments,
+    stack: Option<&Stack>,
+    control: Control,
+) -> anyhow::Result<CohesiveState> {
+    /// The range of `a/t` that is solved, and the relative tolerance.
+    const RANGE: [f64; 2] = [1e-3, 1e3];
+    const TOLERANCE: f64 = 1e-9;
+    /// The contact radius over the thickness of the top layer up to which a stack is solved. Wider
+    /// contacts take much longer.
+    const OVER_TOP: f64 = 300.0;
+    let contact = match (&arguments.table, stack) {
+        (Some(name), _) => name.read()?.contact(&arguments.system.system()?)?,
+        (None, Some(stack)) => {
+            let SystemArguments {
+                sphere_radius,
+                sphere_modulus,
+                ..
+            } = arguments.system;
+            let top = stack.top().thickness / stack.thickness();
+            let range = [RANGE[0], RANGE[1].min(OVER_TOP * top)];
+            let curve = stack_curve(stack, sphere_modulus, range, TOLERANCE)?;
+            Contact::new(&stack.system(sphere_radius, sphere_modulus), curve)?
+        }
+        (None, None) => {
+            let system: System = arguments.system.system()?;
+            Contact::new(&system, curve(&system.material()?, RANGE, TOLERANCE)?)?
+        }
+    };
+    let state = contact.pull_off(arguments.system.work_of_adhesion, control)?;
+    Ok(CohesiveState {
+        contact_radius: state.contact_radius,
+        outer_radius: state.contact_radius,
+        load: state.load,
+        penetration: state.penetration,
+    })
+}
