@@ -283,7 +283,15 @@ fn every_help_shows_examples_and_names_moduli_with_the_star() {
 #[test]
 fn the_examples_work_when_pasted_at_the_root_of_the_repository() {
     let workdir = workdir!();
-    copy_folders(&workdir, &["tables", "tables/figures", "tables/stacks", "crates/fit/data"]);
+    copy_folders(
+        &workdir,
+        &[
+            "tables",
+            "tables/figures",
+            "tables/stacks",
+            "crates/fit/data",
+        ],
+    );
     let helps = helps(&workdir);
     let mut left: Vec<&str> = helps.iter().flat_map(|(_, text)| examples(text)).collect();
     left.sort_unstable();

@@ -17,4 +17,6 @@ mod limits;
 mod paper;
 mod reference;
 mod regimes;
+mod stack_limits;
 mod stacks;
+mod tmp_timing;

@@ -40,7 +40,7 @@
 //! # Reach
 //!
 //! Stacks are solved by Galerkin's method, whose cost grows with the contact radius over the
-//! thickness of the *top* layer, `a/h`. It goes up to [`A_OVER_TOP`]. The method that serves
+//! thickness of the *top* layer, `a/h`. It goes up to [`MOST_A_OVER_TOP`]. The method that serves
 //! thinner films needs to know where the zeros and poles of the compliance lie. For one film they
 //! are at least 53 degrees away from the real axis; for stacks, where they were found at 27
 //! degrees, no bound is known, and a larger `a/h` is refused. A stack that is in fact a single film
@@ -53,7 +53,7 @@
 use interp::{Elastic, Material, System};
 
 use crate::Error;
-pub use crate::solve::A_OVER_TOP;
+pub use crate::solve::MOST_A_OVER_TOP;
 
 /// The largest ratio of the Young's moduli of two bodies of a stack, a rigid base left aside.
 pub const LARGEST_CONTRAST: f64 = 1e9;

@@ -234,7 +234,9 @@ impl Compliance {
 impl SurfaceCompliance for Compliance {
     /// No zero and no pole of a film is nearer to the real axis than [`SINE_OF_FREE_ANGLE`] says:
     /// the ellipse of convergence of a panel `[c, 4c]` is 2.5.
-    const GROWTH: f64 = 3.0;
+    fn growth(_points: usize) -> f64 {
+        3.0
+    }
 
     fn sample(&self, q: f64) -> Sample {
         self.sample(q)
@@ -262,15 +264,23 @@ impl SurfaceCompliance for Compliance {
 
 /// Returns `sinh s - s` and `cosh s - 1 - s^2/2` for `|s| <= 2`, to rounding, by their power
 /// series.
-pub fn hyperbolic_rests<T: WaveNumber>(s: T) -> [T; 2] {
+#[inline]
+pub fn hyperbolic_rests<T>(s: T) -> [T; 2]
+where
+    T: Copy + Mul<Output = T> + Add<f64, Output = T> + Mul<f64, Output = T>,
+{
     /// The first neglected term at `s = 2` is below 1e-18 of the sum.
     const TERMS: u32 = 11;
     let square = s * s;
-    let (mut sinh, mut cosh) = (T::one(), T::one());
-    for k in (2..=TERMS).rev() {
+    let factors = |k: u32| {
         let k = f64::from(2 * k);
-        sinh = sinh * square * (1.0 / (k * (k + 1.0))) + 1.0;
-        cosh = cosh * square * (1.0 / ((k + 1.0) * (k + 2.0))) + 1.0;
+        [1.0 / (k * (k + 1.0)), 1.0 / ((k + 1.0) * (k + 2.0))]
+    };
+    let [mut sinh, mut cosh] = factors(TERMS).map(|factor| square * factor + 1.0);
+    for k in (2..TERMS).rev() {
+        let [of_sinh, of_cosh] = factors(k);
+        sinh = sinh * square * of_sinh + 1.0;
+        cosh = cosh * square * of_cosh + 1.0;
     }
     [
         s * square * sinh * (1.0 / 6.0),

@@ -7,7 +7,7 @@
 //!   ([`SINE_OF_FREE_ANGLE`](crate::solve::compliance::SINE_OF_FREE_ANGLE)), the nearest at
 //!   `|q| ~ s` ([`SurfaceCompliance::smallest_scale`]). On a panel `[c, 4c]` an `n`-point rule therefore
 //!   converges like `2.5^{-2n}`, and panels grow geometrically from `[0, s]`. The poles of a stack of
-//!   layers come nearer to the axis, and its panels are `[c, 2c]` ([`SurfaceCompliance::GROWTH`]).
+//!   layers come nearer to the axis, and its panels are shorter ([`SurfaceCompliance::growth`]).
 //! * The Bessel product oscillates like `cos 2z`. An `n`-point rule on a panel `w` long in `z` has
 //!   an error of about `(e w / (4 n))^{2n}`, which bounds the width.
 //! * `X - 1` dies out like `q^2 e^{-2q}`. The last panel ends where the rest of the integral is
@@ -123,6 +123,7 @@ impl Panels {
             3e-11.. => 1,
             _ => 2,
         }];
+        let growth = C::growth(rule.abscissae.len());
         let n = rule.abscissae.len() as f64;
         // `e^{-2q}` needs panels as narrow as an oscillation at `x = 1` does.
         let width = 4.0 * n / E * (SHARE * tolerance).powf(0.5 / n) / (1.0 + x * x).sqrt();
@@ -134,7 +135,7 @@ impl Panels {
             let length = if last == 0.0 {
                 smallest_scale
             } else {
-                C::GROWTH * last
+                growth * last
             };
             // A little more range is not worth the points of one more panel.
             let length = if last + STRETCH * length >= end {

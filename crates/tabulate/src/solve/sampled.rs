@@ -1,5 +1,6 @@
 //! A surface compliance from samples: for stacks of so many layers that each evaluation counts.
 
+use std::array::from_fn;
 use std::f64::consts::PI;
 
 use crate::solve::compliance::FLAT;
@@ -32,16 +33,20 @@ impl SampledCompliance {
             edges.push(RATIO * edges[edges.len() - 1]);
         }
         let cosine = |i: usize, k: usize| (PI * (i as f64 + 0.5) * k as f64 / POINTS as f64).cos();
+        // The factors of the values at the nodes that give the coefficients of a panel.
+        let factors: [[f64; POINTS]; POINTS] = from_fn(|k| {
+            let weight = if k == 0 { 1.0 } else { 2.0 } / POINTS as f64;
+            from_fn(|i| weight * cosine(i, k))
+        });
         let panel = |ends: &[f64]| {
             let (middle, half) = (0.5 * (ends[0] + ends[1]), 0.5 * (ends[1] - ends[0]));
-            let samples: [Sample; POINTS] =
-                std::array::from_fn(|i| compliance.sample(middle + half * cosine(i, 1)));
-            std::array::from_fn(|k| {
-                let weight = if k == 0 { 1.0 } else { 2.0 } / POINTS as f64;
+            let nodes: [f64; POINTS] = from_fn(|i| middle + half * cosine(i, 1));
+            let samples = compliance.sample_all(&nodes);
+            factors.map(|row| {
                 let mut sums = [0.0; 2];
-                for (i, Sample { excess, slope }) in samples.iter().enumerate() {
-                    sums[0] += weight * cosine(i, k) * excess;
-                    sums[1] += weight * cosine(i, k) * slope;
+                for (factor, Sample { excess, slope }) in row.iter().zip(&samples) {
+                    sums[0] += factor * excess;
+                    sums[1] += factor * slope;
                 }
                 sums
             })
@@ -56,7 +61,9 @@ impl SampledCompliance {
 }
 
 impl SurfaceCompliance for SampledCompliance {
-    const GROWTH: f64 = LayeredCompliance::GROWTH;
+    fn growth(points: usize) -> f64 {
+        LayeredCompliance::growth(points)
+    }
 
     fn sample(&self, q: f64) -> Sample {
         let above = self.edges.partition_point(|&edge| edge <= q);
@@ -69,11 +76,10 @@ impl SurfaceCompliance for SampledCompliance {
         let (mut next, mut after) = ([0.0; 2], [0.0; 2]);
         let [constant, rest @ ..] = &self.panels[above - 1];
         for coefficient in rest.iter().rev() {
-            let sum = std::array::from_fn(|i| coefficient[i] + twice * next[i] - after[i]);
+            let sum = from_fn(|i| coefficient[i] + twice * next[i] - after[i]);
             (next, after) = (sum, next);
         }
-        let [excess, slope] =
-            std::array::from_fn(|i| constant[i] + 0.5 * twice * next[i] - after[i]);
+        let [excess, slope] = from_fn(|i| constant[i] + 0.5 * twice * next[i] - after[i]);
         Sample { excess, slope }
     }
 

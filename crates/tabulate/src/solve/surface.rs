@@ -18,13 +18,18 @@ pub struct Sample {
 
 /// The surface compliance `X(q)` of a coated half-space, without the sphere.
 pub trait SurfaceCompliance {
-    /// The largest length of a panel of quadrature over its lower end. It keeps the poles of `X`
-    /// outside the ellipse of convergence of the panel's rule.
-    const GROWTH: f64;
+    /// Returns the largest length of a panel of quadrature over its lower end, for a rule of a number
+    /// of `points`. It keeps the poles of `X` outside the ellipse on which the rule converges.
+    fn growth(points: usize) -> f64;
 
     /// Returns `X(q) - 1` and `q X'(q)` for a finite `q >= 0`, with an absolute error of a few
     /// rounding units of `max(X, 1)`.
     fn sample(&self, q: f64) -> Sample;
+
+    /// Returns the samples at all `q`, in their order.
+    fn sample_all(&self, q: &[f64]) -> Vec<Sample> {
+        q.iter().map(|&q| self.sample(q)).collect()
+    }
 
     /// Returns the smallest wave number on which `X` varies, at most 1: the length of the first
     /// panel.
