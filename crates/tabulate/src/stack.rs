@@ -37,6 +37,15 @@
 //!
 //! Under a rigid sphere the unit of the quantities is `E1*` of the top layer.
 //!
+//! # What a contact answers
+//!
+//! [`interp::Contact`] answers for a stack all that it answers for a film: loads, equilibria,
+//! pull-off, energy release rates, crack-tip laws, JKR fits. `film_bias` is relative to the bare base.
+//! Three answers differ. A curve of a stack has no expansions beyond its ends and no derivatives with
+//! respect to the material: both are errors. The compressibility of `validity` is that of all layers
+//! ([`Stack::compressibility`]). The zone of attraction of `adhesion_range` must be short beside the
+//! *top layer*, whose modulus it is computed with.
+//!
 //! # Reach
 //!
 //! Stacks are solved by Galerkin's method, whose cost grows with the contact radius over the
@@ -47,8 +56,10 @@
 //! (all layers of one material, or the lower ones of that of the base) is solved as a film, without
 //! this limit.
 //!
-//! Measured against reference values (`tests/truth/stacks.rs`): the four quantities of 15 contacts
-//! up to `a/h` of 160 are within 1e-12 at the tolerance 1e-12.
+//! Measured (`tests/truth/stacks.rs`, 15 contacts up to `a/h` of 160, values by another program): the
+//! errors of the quantities are at most 6e-15 at the tolerance 1e-12 and 3.4e-11 at 1e-8. A solve with
+//! three layers takes 2 to 5 times as long as one with a film of the same `a/h`, some 15 to 70
+//! microseconds; many layers are sampled once for a curve.
 
 use interp::{Elastic, Material, System};
 
@@ -172,6 +183,35 @@ impl Stack {
     /// As [`System::material`].
     pub fn material(&self, sphere_modulus: f64) -> Result<Material, Error> {
         Ok(self.system(1.0, sphere_modulus).material()?)
+    }
+
+    /// Returns the compressibility of the layers in a wide contact, over `(a/t)^2`, which is
+    /// [`FilmValidity::compressibility`](interp::FilmValidity::compressibility) for a stack.
+    ///
+    /// It compares two stiffnesses under a flat frictionless punch of radius `a`, on a rigid base.
+    /// Layers that cannot move sideways are springs in series, and layers that keep their volume flow
+    /// sideways. With `b = (1 - 2 nu)/(2 (1 - nu))` and the depth-weighted shear compliance `I` of all
+    /// layers, the stiffnesses are `pi a^2 / sum(h b/G)` and `pi a^4/(16 I)`, and
+    ///
+    /// ```text
+    /// compressibility = a^2 sum(h b/G)/(16 I)        I = int_0^t int_0^z int_0^y dx/G(x) dy dz
+    /// ```
+    ///
+    /// (`I`: lubrication theory, with shear stress that grows with depth from the frictionless top).
+    /// It is `3/16 (1 - 2 nu)/(1 - nu)` for one film, however it is cut into layers.
+    pub fn compressibility(&self) -> f64 {
+        let t = self.thickness();
+        let (mut series, mut once, mut twice, mut thrice) = (0.0, 0.0, 0.0, 0.0);
+        for Layer { solid, thickness } in &self.layers {
+            let (h, nu) = (thickness / t, solid.poisson());
+            // In units of that of the surface, so that nothing overflows.
+            let compliance = (1.0 + nu) * (self.surface.young() / solid.young());
+            series += h * compliance * (1.0 - 2.0 * nu) / (2.0 * (1.0 - nu));
+            thrice += h * (twice + h * (0.5 * once + h * compliance / 6.0));
+            twice += h * (once + 0.5 * h * compliance);
+            once += h * compliance;
+        }
+        series / (16.0 * thrice)
     }
 
     /// Returns the top layer.

@@ -49,6 +49,8 @@ pub struct Curve {
     start_error: Option<f64>,
     sensitivities: Option<Arc<Sensitivities>>,
     accuracy: Option<Accuracy>,
+    /// Of a stack of layers, its compressibility over `(a/t)^2`.
+    stack_compressibility: Option<f64>,
 }
 
 /// The accuracy of the table that a curve was made from.
@@ -83,6 +85,7 @@ impl Curve {
             start_error: start_error.map(|error| error + fifth_order(&material, range[0])),
             sensitivities: None,
             accuracy: None,
+            stack_compressibility: None,
         }
     }
 
@@ -111,6 +114,26 @@ impl Curve {
             accuracy: Some(Accuracy { error, tolerance }),
             ..self
         }
+    }
+
+    /// Makes this the curve of a stack of layers, of which [`Curve::material`] holds the solid that the
+    /// sphere touches and the base.
+    ///
+    /// `compressibility` is the ratio of stiffnesses of
+    /// [`FilmValidity::compressibility`](crate::FilmValidity::compressibility) over `(a/t)^2`, with
+    /// the thickness `t` of all layers. It replaces the formula for one film; nothing else that a
+    /// contact answers needs more than the quantities, the material and `t`.
+    #[must_use]
+    pub fn of_stack(self, compressibility: f64) -> Self {
+        Self {
+            stack_compressibility: Some(compressibility),
+            ..self
+        }
+    }
+
+    /// Returns the compressibility of a stack of layers over `(a/t)^2`; `None` for one film.
+    pub fn stack_compressibility(&self) -> Option<f64> {
+        self.stack_compressibility
     }
 
     /// Returns the material. On a curve from a table it is the equivalent on a substrate with the

@@ -9,7 +9,7 @@ use super::json::Number;
 use super::output::Output;
 use super::points::{Answer, Points, number};
 use super::print;
-use super::stack_file::{self, StackFile};
+use super::stack_file;
 use crate::solve::{Solution, solve, solve_stack};
 use crate::table::DEFAULT_NU0;
 
@@ -117,7 +117,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
 }
 
 fn solve_layers(arguments: &Arguments, path: &Path) -> anyhow::Result<()> {
-    let StackFile { stack, .. } = StackFile::read(path)?;
+    let stack = stack_file::read(path)?;
     let (a_over_t, sphere_modulus) = (given(arguments.a_over_t), given(arguments.sphere_modulus));
     let solution = solve_stack(a_over_t, &stack, sphere_modulus, arguments.tolerance)?;
     let contact = serde_json::json!({

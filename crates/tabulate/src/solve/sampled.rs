@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 
 use crate::solve::compliance::FLAT;
 use crate::solve::layered::LayeredCompliance;
-use crate::solve::surface::{Sample, SurfaceCompliance};
+use crate::solve::surface::{PanelRule, Sample, SurfaceCompliance};
 
 /// The samples of a panel. On `[c, 1.5c]`, with poles at 27 degrees from the real axis, the
 /// interpolation error is 8e-14 of `max(X, 1)`.
@@ -61,8 +61,8 @@ impl SampledCompliance {
 }
 
 impl SurfaceCompliance for SampledCompliance {
-    fn growth(points: usize) -> f64 {
-        LayeredCompliance::growth(points)
+    fn rule(tolerance: f64, oscillates: bool) -> PanelRule {
+        LayeredCompliance::rule(tolerance, oscillates)
     }
 
     fn sample(&self, q: f64) -> Sample {

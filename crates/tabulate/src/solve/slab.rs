@@ -73,33 +73,40 @@ pub struct Lanes<const L: usize>(pub [f64; L]);
 
 impl<const L: usize> Lanes<L> {
     /// Returns one value everywhere.
+    #[inline]
     pub fn all(value: f64) -> Self {
         Self([value; L])
     }
 
     /// Applies a function to every value.
-    pub fn map(self, f: impl Fn(f64) -> f64) -> Self {
-        Self(self.0.map(f))
+    #[inline]
+    pub fn map(mut self, f: impl Fn(f64) -> f64) -> Self {
+        for value in &mut self.0 {
+            *value = f(*value);
+        }
+        self
     }
 
     /// Returns the values of `first` where `choose` holds for that of `self`, elsewhere those of
     /// `second`.
-    fn choose(self, choose: impl Fn(f64) -> bool, first: Self, second: Self) -> Self {
-        Self(from_fn(|i| {
+    fn choose(self, choose: impl Fn(f64) -> bool, first: Self, mut second: Self) -> Self {
+        for i in 0..L {
             if choose(self.0[i]) {
-                first.0[i]
-            } else {
-                second.0[i]
+                second.0[i] = first.0[i];
             }
-        }))
+        }
+        second
     }
 }
 
 impl<const L: usize> Add for Lanes<L> {
     type Output = Self;
     #[inline]
-    fn add(self, other: Self) -> Self {
-        Self(from_fn(|i| self.0[i] + other.0[i]))
+    fn add(mut self, other: Self) -> Self {
+        for (value, other) in self.0.iter_mut().zip(other.0) {
+            *value += other;
+        }
+        self
     }
 }
 
@@ -107,31 +114,37 @@ impl<const L: usize> Add<f64> for Lanes<L> {
     type Output = Self;
     #[inline]
     fn add(self, other: f64) -> Self {
-        Self(from_fn(|i| self.0[i] + other))
+        self + Self::all(other)
     }
 }
 
 impl<const L: usize> Sub for Lanes<L> {
     type Output = Self;
     #[inline]
-    fn sub(self, other: Self) -> Self {
-        Self(from_fn(|i| self.0[i] - other.0[i]))
+    fn sub(mut self, other: Self) -> Self {
+        for (value, other) in self.0.iter_mut().zip(other.0) {
+            *value -= other;
+        }
+        self
     }
 }
 
 impl<const L: usize> Mul for Lanes<L> {
     type Output = Self;
     #[inline]
-    fn mul(self, other: Self) -> Self {
-        Self(from_fn(|i| self.0[i] * other.0[i]))
+    fn mul(mut self, other: Self) -> Self {
+        for (value, other) in self.0.iter_mut().zip(other.0) {
+            *value *= other;
+        }
+        self
     }
 }
 
 impl<const L: usize> Mul<f64> for Lanes<L> {
     type Output = Self;
     #[inline]
-    fn mul(self, factor: f64) -> Self {
-        Self(from_fn(|i| self.0[i] * factor))
+    fn mul(self, other: f64) -> Self {
+        self * Self::all(other)
     }
 }
 
@@ -210,15 +223,19 @@ impl Slab {
     ) -> [Minors<L>; 2] {
         let [sinh, cosh] = hyperbolic_rests(q * 2.0);
         let factors = [q, q * q * 0.5, sinh * 0.125, cosh * 0.0625];
-        let [y_top, z_top] = [y, z].map(|y| {
-            let (mut total, mut power) = (y, y);
-            for factor in factors {
-                power = self.n_times(power);
-                total = sum(total, factor, power);
-            }
-            total
-        });
+        let y_top = self.thin_step(factors, y);
+        let z_top = self.thin_step(factors, z);
         [y_top, sum(z_top, q, self.n_times(y_top))]
+    }
+
+    /// The sum of (1), with the factors of `N y` to `N^4 y`.
+    fn thin_step<const L: usize>(&self, factors: [Lanes<L>; 4], y: Minors<L>) -> Minors<L> {
+        let (mut total, mut power) = (y, y);
+        for factor in factors {
+            power = self.n_times(power);
+            total = sum(total, factor, power);
+        }
+        total
     }
 
     /// Equation (2), divided by `e^{2q}`.
@@ -230,27 +247,39 @@ impl Slab {
         z: Minors<L>,
     ) -> [Minors<L>; 2] {
         let e = (q * -2.0).map(f64::exp);
-        let half_square = q * q * 0.5;
-        let [(y_up, y_rest), (z_up, z_rest)] = [y, z].map(|y| {
-            let [grow, fall] = self.exponential_parts(y);
-            let up = [self.e, 2.0, 2.0 * self.b, 2.0, 1.0 + self.b].map(|v| grow * v);
-            let down = [self.e, -2.0, 2.0 * self.b, -2.0, 1.0 + self.b].map(|v| fall * v);
-            let once = self.n_times(y);
-            let twice = self.n_times(once);
-            let rest = from_fn(|i| {
-                e * down[i]
-                    + (y[i] - up[i] - down[i])
-                    + q * (once[i] - (up[i] - down[i]) * 2.0)
-                    + half_square * (twice[i] - (up[i] + down[i]) * 4.0)
-            });
-            (up, rest)
-        });
+        let (y_up, y_rest) = self.thick_step(q, e, y);
+        let (z_up, z_rest) = self.thick_step(q, e, z);
         // `N - 2` is 0 on what grows: no digits are lost, however large `q` is.
         let change = sum(self.n_times(y_rest), Lanes::all(-2.0), y_rest);
         [
             sum(y_up, e, y_rest),
             sum(sum(z_up, e, z_rest), q * e, change),
         ]
+    }
+
+    /// The two parts of (2): `P+`, and what is multiplied with `E`.
+    fn thick_step<const L: usize>(
+        &self,
+        q: Lanes<L>,
+        e: Lanes<L>,
+        y: Minors<L>,
+    ) -> (Minors<L>, Minors<L>) {
+        let half_square = q * q * 0.5;
+        let [grow, fall] = self.exponential_parts(y);
+        let once = self.n_times(y);
+        let twice = self.n_times(once);
+        let shape = [self.e, 2.0, 2.0 * self.b, 2.0, 1.0 + self.b];
+        let (mut all_up, mut rest) = (y, y);
+        for i in 0..5 {
+            let sign = if i % 2 == 0 { 1.0 } else { -1.0 };
+            let (up, down) = (grow * shape[i], fall * (sign * shape[i]));
+            all_up[i] = up;
+            rest[i] = e * down
+                + (y[i] - up - down)
+                + q * (once[i] - (up - down) * 2.0)
+                + half_square * (twice[i] - (up + down) * 4.0);
+        }
+        (all_up, rest)
     }
 
     /// Returns `l+` and `l-`.
@@ -307,26 +336,46 @@ impl Slab {
         y: Minors<L>,
         z: Minors<L>,
     ) -> [Lanes<L>; 2] {
-        let [at_y, at_z] = [y, z].map(|y| {
-            let f = |y: Minors<L>| y[3] - y[0] * (2.0 / self.e);
-            let once = self.n_times(y);
-            let twice = self.n_times(once);
-            [f(y), f(once), f(twice), self.exponential_parts(y)[1] * 4.0]
-        });
         let square = q * q;
         let of_fall = square * 2.0 - q * 2.0 - e + 1.0;
-        let value = |[f, once, twice, fall]: [Lanes<L>; 4]| {
-            f + q * once + square * twice * 0.5 + fall * of_fall
-        };
-        let [_, once, twice, fall] = at_y;
+        let [of_y, once, twice, fall] = self.functionals(y);
+        let value = of_y + q * once + square * twice * 0.5 + fall * of_fall;
         let explicit =
             q * once + square * twice + fall * (square * 4.0 + q * (e - Lanes::all(1.0)) * 2.0);
-        [value(at_y), value(at_z) + explicit]
+        let [of_z, once, twice, fall] = self.functionals(z);
+        let slope = of_z + q * once + square * twice * 0.5 + fall * of_fall + explicit;
+        [value, slope]
+    }
+
+    /// Returns `f(y)`, `f(N y)`, `f(N^2 y)` and `4 l-`.
+    fn functionals<const L: usize>(&self, y: Minors<L>) -> [Lanes<L>; 4] {
+        let factor = 2.0 / self.e;
+        let once = self.n_times(y);
+        let twice = self.n_times(once);
+        let [_, fall] = self.exponential_parts(y);
+        [
+            y[3] - y[0] * factor,
+            once[3] - once[0] * factor,
+            twice[3] - twice[0] * factor,
+            fall * 4.0,
+        ]
     }
 }
 
 /// Returns `a + factor b`.
 #[inline]
-pub fn sum<const L: usize>(a: Minors<L>, factor: Lanes<L>, b: Minors<L>) -> Minors<L> {
-    from_fn(|i| a[i] + factor * b[i])
+pub fn sum<const L: usize>(mut a: Minors<L>, factor: Lanes<L>, b: Minors<L>) -> Minors<L> {
+    for (a, b) in a.iter_mut().zip(b) {
+        *a = *a + factor * b;
+    }
+    a
+}
+
+/// Returns `factor a`.
+#[inline]
+pub fn scaled<const L: usize>(factor: Lanes<L>, mut a: Minors<L>) -> Minors<L> {
+    for a in &mut a {
+        *a = *a * factor;
+    }
+    a
 }

@@ -63,7 +63,7 @@ pub fn stack_curve(
     check_range(a_over_t, tolerance)?;
     let contact = StackContact::new(stack, sphere_modulus, Evaluation::Sampled)?;
     contact.check_reach(a_over_t[1])?;
-    curve_of(
+    let curve = curve_of(
         &contact.material,
         a_over_t,
         tolerance,
@@ -73,7 +73,8 @@ pub fn stack_curve(
             tolerance,
             reached,
         },
-    )
+    )?;
+    Ok(curve.of_stack(stack.compressibility()))
 }
 
 /// The way in which the compliance of a stack is evaluated.
