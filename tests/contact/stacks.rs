@@ -136,23 +136,19 @@ fn compressibility_is_that_of_all_layers() {
     // Heights and thickness in units of t.
     const STEPS: u32 = 100_000;
     let dz = 1.0 / f64::from(STEPS);
-    let (mut series, mut shear, mut flow) = (0.0, 0.0, 0.0);
-    let [mut above, mut sum] = [0.0; 2];
+    let (mut series, mut velocity, mut flux) = (0.0, 0.0, 0.0);
     for i in 0..STEPS {
         let z = (f64::from(i) + 0.5) * dz;
         let (young, nu) = if z < 0.3 { soft } else { stiff };
         let g = young / (2.0 * (1.0 + nu));
         series += dz * (1.0 - 2.0 * nu) / (2.0 * (1.0 - nu) * g);
-        // Lubrication: the shear stress is (1 - z) dp/dr, the velocity its integral from the base,
-        // and the flux that of the velocity.
-        above = (1.0 - z) / g;
-        shear += above * dz;
-        sum = shear;
-        flow += sum * dz;
+        // Lubrication: the shear stress is (1 - z) dp/dr from the frictionless top, the sideways
+        // displacement its integral from the base, and the flux the integral of that.
+        velocity += dz * (1.0 - z) / g;
+        flux += dz * velocity;
     }
-    assert!(above > 0.0 && sum > 0.0);
     // The flux of one film is t^3/(3 G), its stiffness 3 pi G a^4/(8 t^3).
-    let expected = series / (8.0 * flow);
+    let expected = series / (8.0 * flux);
     let found = two.compressibility();
     println!("compressibility: {found}, by integration {expected}");
     assert!((found / expected - 1.0).abs() <= 1e-4);
@@ -168,8 +164,6 @@ fn compressibility_is_that_of_all_layers() {
         .expect("in range")
         .film
         .expect("layers");
-    assert_eq!(
-        validity.compressibility,
-        two_layers().compressibility() * validity.a_over_t.powi(2)
-    );
+    let expected = two_layers().compressibility() * validity.a_over_t.powi(2);
+    assert!((validity.compressibility / expected - 1.0).abs() <= 1e-14);
 }

@@ -19,4 +19,3 @@ mod reference;
 mod regimes;
 mod stack_limits;
 mod stacks;
-mod tmp_timing;

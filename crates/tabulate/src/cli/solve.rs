@@ -13,7 +13,7 @@ use super::stack_file;
 use crate::solve::{Solution, solve, solve_stack};
 use crate::table::DEFAULT_NU0;
 
-/// Solve the contact directly, at one point or at every point of a CSV file
+/// Solve the contact directly, at one point or at every point of a CSV file, or that of a stack of layers
 ///
 /// Prints pi0, eeq, gamma, delta0 and the estimated relative error. Results with e1_over_e2 = 0 are
 /// normalised by E1*, all others by E2*. Points of a file are solved in batches: at an error, those
