@@ -366,9 +366,10 @@ fn wide_contacts_approach_the_bare_base_like_the_first_order_expansion() {
             [of_gamma, (c[0] - c[1]) / x, (c[0] - c[2]) / x].map(f64::abs)
         });
         println!("remainders at x = 20 and 60: {remainders:?}");
-        for i in 0..3 {
+        let [at_20, at_60] = remainders;
+        for (far, near) in at_60.into_iter().zip(at_20) {
             // `(ln x/x)^2` falls to 0.21.
-            assert!(remainders[1][i] <= 0.25 * remainders[0][i] + 1e-9);
+            assert!(far <= 0.25 * near + 1e-9);
         }
     }
 }

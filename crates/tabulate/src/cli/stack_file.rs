@@ -170,7 +170,10 @@ mod tests {
             message.contains("layer \"primer\", 2 of 2") && message.contains("layer 1"),
             "{message}"
         );
-        let bare = format!("{:#}", parse(SOUND.lines().next().expect("the base")).expect_err("refused"));
+        let bare = format!(
+            "{:#}",
+            parse(SOUND.lines().next().expect("the base")).expect_err("refused")
+        );
         assert!(bare.contains("no [[layers]]"), "{bare}");
     }
 

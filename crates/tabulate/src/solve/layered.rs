@@ -230,7 +230,7 @@ pub(super) mod tests {
     pub fn random_stack(seed: u64) -> Stack {
         let mut random = Pcg64Mcg::seed_from_u64(seed);
         let count = random.random_range(2..=10);
-        let mut solid = |random: &mut Pcg64Mcg| {
+        let solid = |random: &mut Pcg64Mcg| {
             let young = 10_f64.powf(random.random_range(0.0..9.0));
             let poisson = match random.random_range(0..3) {
                 0 => 0.5,
