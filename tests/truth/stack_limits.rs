@@ -20,8 +20,9 @@ fn sandwich(base: Elastic) -> Stack {
     stack(base, &layers)
 }
 
-/// Three kinds of top, of compliance and of base, whose lowest poles are near the real axis: Winkler's
-/// foundation (`k^4 = -c`), an incompressible one (`k^6 = -c`), and a plate between soft layers.
+/// Three kinds of top, of compliance and of base, whose lowest poles are near the real axis:
+/// Winkler's foundation (`k^4 = -c`), an incompressible one (`k^6 = -c`), and a plate between soft
+/// layers.
 fn near_poles() -> [Stack; 3] {
     let rigid = solid(f64::INFINITY, 0.25);
     [
@@ -42,8 +43,8 @@ fn wave_numbers() -> impl Iterator<Item = f64> {
     (0..=60).map(|i| 10_f64.powf(-7.0 + 0.15 * f64::from(i)))
 }
 
-/// Returns the largest difference of `X - 1`, relative to `max(X, 1)`, between two compliances whose
-/// wave numbers are in different units.
+/// Returns the largest difference of `X - 1`, relative to `max(X, 1)`, between two compliances
+/// whose wave numbers are in different units.
 fn apart(a: &impl Fn(f64) -> f64, b: &impl Fn(f64) -> f64) -> f64 {
     wave_numbers()
         .map(|k| (a(k) - b(k)).abs() / (1.0 + a(k)).max(1.0))

@@ -26,10 +26,10 @@
 //!
 //! # What changes, and what does not
 //!
-//! The layers enter through the surface compliance `X(kt)` alone (the page `solve/layered.rs` of the
-//! source derives it). With `X` relative to the top layer, Barthel's equations hold as they stand,
-//! and so do the definitions of the four quantities. `E1*` is the reduced modulus of the top layer
-//! and `E0*` that of the base:
+//! The layers enter through the surface compliance `X(kt)` alone (the page `solve/layered.rs` of
+//! the source derives it). With `X` relative to the top layer, Barthel's equations hold as they
+//! stand, and so do the definitions of the four quantities. `E1*` is the reduced modulus of the top
+//! layer and `E0*` that of the base:
 //!
 //! ```text
 //! es = 1/(1 + E2*/E1*)    crack tip, and a/t -> 0          einf = 1/(1 + E2*/E0*)    a/t -> inf
@@ -40,11 +40,11 @@
 //! # What a contact answers
 //!
 //! [`interp::Contact`] answers for a stack all that it answers for a film: loads, equilibria,
-//! pull-off, energy release rates, crack-tip laws, JKR fits. `film_bias` is relative to the bare base.
-//! Three answers differ. A curve of a stack has no expansions beyond its ends and no derivatives with
-//! respect to the material: both are errors. The compressibility of `validity` is that of all layers
-//! ([`Stack::compressibility`]). The zone of attraction of `adhesion_range` must be short beside the
-//! *top layer*, whose modulus it is computed with.
+//! pull-off, energy release rates, crack-tip laws, JKR fits. `film_bias` is relative to the bare
+//! base. Three answers differ. A curve of a stack has no expansions beyond its ends and no
+//! derivatives with respect to the material: both are errors. The compressibility of `validity` is
+//! that of all layers ([`Stack::compressibility`]). The zone of attraction of `adhesion_range` must
+//! be short beside the *top layer*, whose modulus it is computed with.
 //!
 //! # Reach
 //!
@@ -56,10 +56,10 @@
 //! (all layers of one material, or the lower ones of that of the base) is solved as a film, without
 //! this limit.
 //!
-//! Measured (`tests/truth/stacks.rs`, 15 contacts up to `a/h` of 160, values by another program): the
-//! errors of the quantities are at most 6e-15 at the tolerance 1e-12 and 3.4e-11 at 1e-8. A solve with
-//! three layers takes 2 to 5 times as long as one with a film of the same `a/h`, some 15 to 70
-//! microseconds; many layers are sampled once for a curve.
+//! Measured (`tests/truth/stacks.rs`, 15 contacts up to `a/h` of 160, values by another program):
+//! the errors of the quantities are at most 6e-15 at the tolerance 1e-12 and 3.4e-11 at 1e-8. A
+//! solve with three layers takes 2 to 5 times as long as one with a film of the same `a/h`, some 15
+//! to 70 microseconds; many layers are sampled once for a curve.
 
 use interp::{Elastic, Material, System};
 
@@ -91,8 +91,8 @@ impl Stack {
     /// rigid.
     ///
     /// # Errors
-    /// [`Error::NoLayers`] without a layer; [`Error::Layer`] for a thickness that is not positive and
-    /// finite, a rigid layer, or a Young's modulus more than [`LARGEST_CONTRAST`] times that of
+    /// [`Error::NoLayers`] without a layer; [`Error::Layer`] for a thickness that is not positive
+    /// and finite, a rigid layer, or a Young's modulus more than [`LARGEST_CONTRAST`] times that of
     /// another body.
     pub fn new(base: Elastic, layers: impl Into<Vec<Layer>>) -> Result<Self, Error> {
         let layers: Vec<Layer> = layers.into();
@@ -110,9 +110,10 @@ impl Stack {
     /// Makes a film of a given `thickness` (m) whose material changes with the height above the
     /// `base`: `count` sublayers of equal thickness, each of the solid at its middle height (m).
     ///
-    /// At the surface the sphere touches `solid(thickness)`: this solid sets the modulus of the crack
-    /// tip, `es`, and the unit of the quantities under a rigid sphere. `Gamma` of the sublayers, which
-    /// is proportional to the root of their own `es`, is multiplied with the root of the ratio.
+    /// At the surface the sphere touches `solid(thickness)`: this solid sets the modulus of the
+    /// crack tip, `es`, and the unit of the quantities under a rigid sphere. `Gamma` of the
+    /// sublayers, which is proportional to the root of their own `es`, is multiplied with the root
+    /// of the ratio.
     ///
     /// The error falls with the square of the number of sublayers. Measured for an exponential
     /// gradient of 20:1 on a base like its lower face (`tests/truth/stack_limits.rs`): with 40
@@ -153,8 +154,8 @@ impl Stack {
         self.layers.iter().map(|layer| layer.thickness).sum()
     }
 
-    /// Returns the solid that the sphere touches: that of the top layer, of a graded film that at its
-    /// surface.
+    /// Returns the solid that the sphere touches: that of the top layer, of a graded film that at
+    /// its surface.
     pub const fn surface(&self) -> Elastic {
         self.surface
     }
@@ -162,8 +163,8 @@ impl Stack {
     /// Returns the sphere on this stack as a system: its film is the solid that the sphere touches
     /// with the thickness of the whole stack, its substrate is the base.
     ///
-    /// `es`, `einf` and `a/t` of this system are those of the stack. [`Contact::new`] takes it together
-    /// with the curve of the stack, and any other curve is of another contact.
+    /// `es`, `einf` and `a/t` of this system are those of the stack. [`Contact::new`] takes it
+    /// together with the curve of the stack, and any other curve is of another contact.
     ///
     /// [`Contact::new`]: interp::Contact::new
     pub fn system(&self, sphere_radius: f64, sphere_modulus: f64) -> System {
@@ -189,16 +190,16 @@ impl Stack {
     /// [`FilmValidity::compressibility`](interp::FilmValidity::compressibility) for a stack.
     ///
     /// It compares two stiffnesses under a flat frictionless punch of radius `a`, on a rigid base.
-    /// Layers that cannot move sideways are springs in series, and layers that keep their volume flow
-    /// sideways. With `b = (1 - 2 nu)/(2 (1 - nu))` and the depth-weighted shear compliance `I` of all
-    /// layers, the stiffnesses are `pi a^2 / sum(h b/G)` and `pi a^4/(16 I)`, and
+    /// Layers that cannot move sideways are springs in series, and layers that keep their volume
+    /// flow sideways. With `b = (1 - 2 nu)/(2 (1 - nu))` and the depth-weighted shear compliance
+    /// `I` of all layers, the stiffnesses are `pi a^2 / sum(h b/G)` and `pi a^4/(16 I)`, and
     ///
     /// ```text
     /// compressibility = a^2 sum(h b/G)/(16 I)        I = int_0^t int_0^z int_0^y dx/G(x) dy dz
     /// ```
     ///
-    /// (`I`: lubrication theory, with shear stress that grows with depth from the frictionless top).
-    /// It is `3/16 (1 - 2 nu)/(1 - nu)` for one film, however it is cut into layers.
+    /// (`I`: lubrication theory, with shear stress that grows with depth from the frictionless
+    /// top). It is `3/16 (1 - 2 nu)/(1 - nu)` for one film, however it is cut into layers.
     pub fn compressibility(&self) -> f64 {
         let t = self.thickness();
         let (mut series, mut once, mut twice, mut thrice) = (0.0, 0.0, 0.0, 0.0);

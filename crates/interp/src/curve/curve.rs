@@ -116,8 +116,8 @@ impl Curve {
         }
     }
 
-    /// Makes this the curve of a stack of layers, of which [`Curve::material`] holds the solid that the
-    /// sphere touches and the base.
+    /// Makes this the curve of a stack of layers, of which [`Curve::material`] holds the solid that
+    /// the sphere touches and the base.
     ///
     /// `compressibility` is the ratio of stiffnesses of
     /// [`FilmValidity::compressibility`](crate::FilmValidity::compressibility) over `(a/t)^2`, with
@@ -241,7 +241,8 @@ impl Curve {
         self.values_and_slopes(a_over_t)
     }
 
-    /// Returns `Pi0` and `Delta0` with their [slopes](Curve::slope). The other two are known or not.
+    /// Returns `Pi0` and `Delta0` with their [slopes](Curve::slope). The other two are known or
+    /// not.
     pub(crate) fn adhesionless_and_slopes(
         &self,
         a_over_t: f64,
@@ -306,8 +307,8 @@ impl Curve {
     /// estimated error of the expansion about the limit.
     ///
     /// # Errors
-    /// As [`Curve::quantity`]; [`Error::OutsideTable`] everywhere on a curve whose error is unknown:
-    /// one that is not from a table, or from a table without a certificate.
+    /// As [`Curve::quantity`]; [`Error::OutsideTable`] everywhere on a curve whose error is
+    /// unknown: one that is not from a table, or from a table without a certificate.
     pub fn error(&self, a_over_t: f64) -> Result<f64, Error> {
         let known = self.accuracy.filter(|accuracy| accuracy.error.is_finite());
         let accuracy = known.ok_or_else(|| self.outside(a_over_t))?;

@@ -13,11 +13,12 @@ use super::stack_file;
 use crate::solve::{Solution, solve, solve_stack};
 use crate::table::DEFAULT_NU0;
 
-/// Solve the contact directly, at one point or at every point of a CSV file, or that of a stack of layers
+/// Solve the contact directly, at one point, at every point of a CSV file, or of a stack of layers
 ///
 /// Prints pi0, eeq, gamma, delta0 and the estimated relative error. Results with e1_over_e2 = 0 are
 /// normalised by E1*, all others by E2*. Points of a file are solved in batches: at an error, those
-/// before the batch are printed already, and a file is not written. `tabulate --help` explains the parameters.
+/// before the batch are printed already, and a file is not written. `tabulate --help` explains the
+/// parameters.
 #[derive(clap::Args)]
 #[command(after_help = super::examples!(
     "tabulate solve --a-over-t 65 --e1-over-e2 1.75 --nu1 0.5 --e0-over-e2 1e5",
@@ -71,8 +72,8 @@ pub struct Arguments {
         conflicts_with_all = ["e1_over_e2", "nu1", "e0_over_e2", "nu0", "points"],
     )]
     stack: Option<PathBuf>,
-    /// With --stack: reduced modulus E2* = E2/(1 - nu2^2) of the sphere, Pa; inf: rigid. Results are
-    /// in units of E2*, under a rigid sphere of E1* of the top layer
+    /// With --stack: reduced modulus E2* = E2/(1 - nu2^2) of the sphere, Pa; inf: rigid. Results
+    /// are in units of E2*, under a rigid sphere of E1* of the top layer
     #[arg(
         long,
         value_name = "PA",
@@ -90,7 +91,8 @@ pub struct Arguments {
     ///
     /// The fields are a_over_t, e1_over_e2, nu1, e0_over_e2, nu0, pi0, eeq, gamma, delta0, error,
     /// normalised_by, modes and method (of the solve). With --stack, sphere_modulus, thickness and
-    /// layers (their number) stand in place of e1_over_e2 to nu0. An infinite number is the text "inf".
+    /// layers (their number) stand in place of e1_over_e2 to nu0. An infinite number is the text
+    /// "inf".
     #[arg(long)]
     json: bool,
 }

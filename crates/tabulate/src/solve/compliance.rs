@@ -232,8 +232,8 @@ impl Compliance {
 }
 
 impl SurfaceCompliance for Compliance {
-    /// No zero and no pole of a film is nearer to the real axis than [`SINE_OF_FREE_ANGLE`] says:
-    /// the ellipse of convergence of a panel `[c, 4c]` is 2.5.
+    /// No zero and no pole of a film is nearer to the real axis than 53 degrees: the
+    /// ellipse of convergence of a panel `[c, 4c]` is 2.5.
     fn rule(tolerance: f64, oscillates: bool) -> PanelRule {
         let points = match tolerance {
             _ if oscillates => 32,

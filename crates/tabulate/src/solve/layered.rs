@@ -1,13 +1,14 @@
 //! A stack of layers on its base: the surface compliance by minors, without cancellation or
 //! overflow.
 //!
-//! `slab.rs` has the equations of one layer, and how it carries the minors `y` from its bottom to its
-//! top. On an elastic base `y` begins with `(1, 1-nu, 1/2-nu, 1-nu, 3/4-nu)` in units of `1/G`, on a
-//! rigid one with `(1, 0, 0, 0, 0)`. At an interface the compliances take the unit of the next layer:
-//! `c11`, `c12` and `c22` are multiplied with `m = G_new/G_old`, and `D` with `m^2`.
+//! `slab.rs` has the equations of one layer, and how it carries the minors `y` from its bottom to
+//! its top. On an elastic base `y` begins with `(1, 1-nu, 1/2-nu, 1-nu, 3/4-nu)` in units of `1/G`,
+//! on a rigid one with `(1, 0, 0, 0, 0)`. At an interface the compliances take the unit of the next
+//! layer: `c11`, `c12` and `c22` are multiplied with `m = G_new/G_old`, and `D` with `m^2`.
 //!
-//! Measured against mpmath over 20,000 random stacks (`tests/truth/stacks.rs`): the errors of `X - 1`
-//! and of the slope are at most 2.6e-15 and 6.0e-15 of `max(X, 1)`, that of `X` at most 2.7e-15 of `X`.
+//! Measured against mpmath over 20,000 random stacks (`tests/truth/stacks.rs`): the errors of `X -
+//! 1` and of the slope are at most 2.6e-15 and 6.0e-15 of `max(X, 1)`, that of `X` at most 2.7e-15
+//! of `X`.
 
 use std::array::from_fn;
 
@@ -108,10 +109,10 @@ impl LayeredCompliance {
     /// Estimates from below how far the nearest pole of `X` is from wave number 0.
     ///
     /// The poles are the zeros of `d` at the top, an entire function of `k`. By the bound of
-    /// Fujiwara for the zeros of a polynomial, none is nearer than half of
-    /// `min_n |d_0/d_n|^{1/n}` with the coefficients `d_n` of its power series. Those up to degree 8
-    /// are taken: shear lag of a stiff layer is of degree 1, bending of degree 3, 4 or 6, and higher
-    /// coefficients fall factorially.
+    /// Fujiwara for the zeros of a polynomial, none is nearer than half of `min_n |d_0/d_n|^{1/n}`
+    /// with the coefficients `d_n` of its power series. Those up to degree 8 are taken: shear lag
+    /// of a stiff layer is of degree 1, bending of degree 3, 4 or 6, and higher coefficients fall
+    /// factorially.
     fn nearest_pole(&self) -> f64 {
         const DEGREE: usize = 8;
         // The coefficients of each minor.
@@ -181,9 +182,9 @@ fn shear(solid: &Elastic) -> f64 {
 
 /// Returns a bound of `|X - 1|`.
 ///
-/// A body whose shear and bulk modulus are nowhere above those of another is nowhere stiffer, at any
-/// wave number. `X` therefore lies between the compliances of two half-spaces: one with the smallest
-/// shear and the smallest bulk modulus of all bodies, the other with the largest.
+/// A body whose shear and bulk modulus are nowhere above those of another is nowhere stiffer, at
+/// any wave number. `X` therefore lies between the compliances of two half-spaces: one with the
+/// smallest shear and the smallest bulk modulus of all bodies, the other with the largest.
 fn largest_excess(stack: &Stack) -> f64 {
     let bodies = || {
         stack
@@ -192,7 +193,8 @@ fn largest_excess(stack: &Stack) -> f64 {
             .map(|layer| layer.solid)
             .chain([stack.base()])
     };
-    // `1/E* = (3K + 4G)/(4G (3K + G))`, with the compressibility `1/K`, 0 at a Poisson ratio of 1/2.
+    // `1/E* = (3K + 4G)/(4G (3K + G))`, with the compressibility `1/K`, 0 at a Poisson ratio of
+    // 1/2.
     let compliance = |shear: f64, compressibility: f64| {
         if shear == f64::INFINITY {
             return 0.0;

@@ -4,8 +4,8 @@
 //! interpolation) a stack of layers on its base; `symbol` adds the sphere. `solution` accepts a
 //! contact within the `domain` and lets `method` choose: `galerkin` (with `quadrature`, `bessel`,
 //! `abscissae` and `operator`) for thick films, `wiener_hopf` (with `contour` and `krylov`) for
-//! thin ones. Both return an `estimate`. `stacked` does so for a stack. `batch` solves many materials
-//! at one `a/t`, `adaptive_curve` one material along `a/t`.
+//! thin ones. Both return an `estimate`. `stacked` does so for a stack. `batch` solves many
+//! materials at one `a/t`, `adaptive_curve` one material along `a/t`.
 //!
 //! # The face of what the sphere touches
 //!
@@ -15,7 +15,7 @@
 //! |---|---|
 //! | `sample(q)`, `sample_all(q)` | the excess `X - 1` and the slope `q X'`, without cancellation |
 //! | `smallest_scale()` | the wave number of the nearest pole of `X`: the first panel |
-//! | `rule(tolerance, oscillates)` | points and growth of the panels, which keep away from the poles |
+//! | `rule(tolerance, oscillates)` | points and growth of panels, away from the poles |
 //! | `largest_excess()` | a bound of `|X - 1|`; 0 where `X = 1` everywhere |
 //!
 //! The cut-off of `surface`, beyond which `X` is 1, serves all of them. The Wiener-Hopf method asks

@@ -7,9 +7,9 @@ use crate::solve::compliance::FLAT;
 use crate::solve::layered::LayeredCompliance;
 use crate::solve::surface::{PanelRule, Sample, SurfaceCompliance};
 
-/// The samples of a panel. With poles at 26 degrees from the real axis, the ellipse of convergence of
-/// a panel `[c, 1.4c]` is 5.5, and that of the first panel, whose length is half the distance of the
-/// nearest pole, is 6.2: the interpolation error is that of rounding.
+/// The samples of a panel. With poles at 26 degrees from the real axis, the ellipse of convergence
+/// of a panel `[c, 1.4c]` is 5.5, and that of the first panel, whose length is half the distance of
+/// the nearest pole, is 6.2: the interpolation error is that of rounding.
 const POINTS: usize = 20;
 
 /// The upper over the lower end of a panel.
@@ -101,7 +101,8 @@ mod tests {
     use crate::stack::{Layer, Stack};
     use interp::Elastic;
 
-    /// A plate on a thin soft layer on a rigid base, compressible or not: poles at 45 and 30 degrees.
+    /// A plate on a thin soft layer on a rigid base, compressible or not: poles at 45 and 30
+    /// degrees.
     fn plate(poisson: f64) -> Stack {
         let layer = |young: f64, poisson: f64, thickness: f64| Layer {
             solid: Elastic::new(young, poisson).expect("physical"),

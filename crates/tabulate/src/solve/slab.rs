@@ -22,7 +22,8 @@
 //! where only the ratios matter. The product rule gives a linear equation `y' = N y`,
 //!
 //! ```text
-//! d' = e c11     c11' = d + 2 c12     c12' = c22 - l c11     c22' = b d - 2 l c12 + e D     D' = c22 + b c11
+//! d' = e c11             c11' = d + 2 c12                c12' = c22 - l c11
+//! c22' = b d - 2 l c12 + e D                             D' = c22 + b c11
 //! ```
 //!
 //! in units of `1/G` of the layer. All coefficients are positive but the two with `l`. `N` has the
@@ -30,16 +31,18 @@
 //! `h`, its exact exponential is therefore
 //!
 //! ```text
-//! y(top) = y + q N y + q^2/2 N^2 y + (sinh 2q - 2q)/8 N^3 y + (cosh 2q - 1 - 2q^2)/16 N^4 y       (1)
+//! y(top) = y + q N y + q^2/2 N^2 y                                                       (1)
+//!          + (sinh 2q - 2q)/8 N^3 y + (cosh 2q - 1 - 2q^2)/16 N^4 y
 //! ```
 //!
-//! Beyond `q = 1` the parts `P+` and `P-` that grow and fall like `e^{2q}` and `e^{-2q}` are split off
-//! and all is divided by `e^{2q}`: with `E = e^{-2q}`
+//! Beyond `q = 1` the parts `P+` and `P-` that grow and fall like `e^{2q}` and `e^{-2q}` are split
+//! off and all is divided by `e^{2q}`: with `E = e^{-2q}`
 //!
 //! ```text
 //! l+ = ((1+b) d + 2 c11 + 4b c12 + 2 c22 + e D)/16         P+ = l+ (e, 2, 2b, 2, 1+b)
 //! l- = ((1+b) d - 2 c11 + 4b c12 - 2 c22 + e D)/16         P- = l- (e, -2, 2b, -2, 1+b)
-//! y(top) = P+ + E {E P- + (y - P+ - P-) + q (N y - 2 P+ + 2 P-) + q^2/2 (N^2 y - 4 P+ - 4 P-)}    (2)
+//! y(top) = P+ + E {E P- + (y - P+ - P-) + q (N y - 2 P+ + 2 P-)                          (2)
+//!                  + q^2/2 (N^2 y - 4 P+ - 4 P-)}
 //! ```
 //!
 //! # The top layer
@@ -50,13 +53,13 @@
 //!
 //! ```text
 //! X - 1 = (e/2) E F/d(top)
-//! F = f(y) + q f(N y) + q^2/2 f(N^2 y) + 4 l- (1 - 2q + 2q^2 - E)                                   (3)
+//! F = f(y) + q f(N y) + q^2/2 f(N^2 y) + 4 l- (1 - 2q + 2q^2 - E)                        (3)
 //! ```
 //!
 //! The slope `k dX/dk` follows from `z = k dy/dk`, which takes the same steps as `y` and in each
-//! layer `q N y(top)` in addition. Any multiple of `y` may be taken from `z`, as the factor of `y` is
-//! free: with `q (N - 2) y(top)` instead, and with `d = 1` after every layer, `z` stays of the size
-//! of `y` in thick layers, too.
+//! layer `q N y(top)` in addition. Any multiple of `y` may be taken from `z`, as the factor of `y`
+//! is free: with `q (N - 2) y(top)` instead, and with `d = 1` after every layer, `z` stays of the
+//! size of `y` in thick layers, too.
 
 use std::array::from_fn;
 use std::ops::{Add, Mul, Sub};
@@ -195,8 +198,8 @@ impl Slab {
         ]
     }
 
-    /// Carries minors `y` and `z = k dy/dk` from the bottom to the top of the layer, at wave numbers
-    /// `k`. The result is divided by a function of `k`, whose slope is part of the result.
+    /// Carries minors `y` and `z = k dy/dk` from the bottom to the top of the layer, at wave
+    /// numbers `k`. The result is divided by a function of `k`, whose slope is part of the result.
     #[inline]
     pub fn cross<const L: usize>(&self, k: Lanes<L>, y: Minors<L>, z: Minors<L>) -> [Minors<L>; 2] {
         let q = k * self.thickness;

@@ -24,8 +24,8 @@ pub const MOST_A_OVER_TOP: f64 = 1000.0;
 /// every wave number of every solve.
 const MANY_LAYERS: usize = 4;
 
-/// Solves the contact of a sphere of reduced modulus `sphere_modulus` (Pa; infinity is rigid) with a
-/// stack, at `a_over_t` (contact radius over the thickness of the whole stack), to the relative
+/// Solves the contact of a sphere of reduced modulus `sphere_modulus` (Pa; infinity is rigid) with
+/// a stack, at `a_over_t` (contact radius over the thickness of the whole stack), to the relative
 /// `tolerance`.
 ///
 /// The quantities are in units of `E2*`, under a rigid sphere in units of `E1*` of what the sphere
@@ -34,7 +34,8 @@ const MANY_LAYERS: usize = 4;
 /// # Errors
 /// [`Error::Domain`] for an `a_over_t`, a `tolerance` or a ratio of moduli outside the domain of
 /// [`solve`]; [`Error::StackReach`] where the contact is too wide beside the top layer
-/// ([`MOST_A_OVER_TOP`]); [`Error::StackNotConverged`] where double precision does not allow the tolerance.
+/// ([`MOST_A_OVER_TOP`]); [`Error::StackNotConverged`] where double precision does not allow the
+/// tolerance.
 pub fn solve_stack(
     a_over_t: f64,
     stack: &Stack,

@@ -5,7 +5,8 @@
 //! thickness of the top layer, beyond which `X` tends to 1 like `q^2 e^{-2q}`. One film
 //! ([`Compliance`](crate::solve::compliance::Compliance)) and a stack of layers
 //! ([`LayeredCompliance`](crate::solve::layered::LayeredCompliance), or a
-//! [`SampledCompliance`](crate::solve::sampled::SampledCompliance) of it) answer the same questions.
+//! [`SampledCompliance`](crate::solve::sampled::SampledCompliance) of it) answer the same
+//! questions.
 
 /// `X - 1` and its slope at one wave number.
 #[derive(Clone, Copy, Debug)]
@@ -53,9 +54,9 @@ pub trait SurfaceCompliance {
 /// are at most `tolerance`, for every film on every substrate and every stack of layers. `weight`
 /// must not grow with `q`.
 ///
-/// `q X'` is the larger of the two. For a film it is at most `28 q^3 e^{-2q}` for `q >= 4`, as
-/// `|b| <= 1` and `|a| <= 7` in the formulas of `compliance.rs`. Below the top layer of a stack lies
-/// a body whose compliance is between those of free and rigid bodies, which `a` and `b` span.
+/// `q X'` is the larger of the two. For a film it is at most `28 q^3 e^{-2q}` for `q >= 4`, as `|b|
+/// <= 1` and `|a| <= 7` in the formulas of `compliance.rs`. Below the top layer of a stack lies a
+/// body whose compliance is between those of free and rigid bodies, which `a` and `b` span.
 pub fn cut_off(tolerance: f64, weight: impl Fn(f64) -> f64) -> f64 {
     let mut q: f64 = 4.0;
     while 28.0 * q.powi(3) * (-2.0 * q).exp() * weight(q) > tolerance {
