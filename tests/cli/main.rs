@@ -22,6 +22,7 @@ mod plot;
 mod points;
 mod readme;
 mod simulate;
+mod stacks;
 mod streams;
 
 use std::fs;

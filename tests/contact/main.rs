@@ -9,3 +9,4 @@ mod equilibria;
 mod gradient;
 mod half_space;
 mod sphere_radius;
+mod stacks;

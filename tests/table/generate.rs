@@ -267,7 +267,13 @@ fn a_wrong_scene_is_named_with_key_value_and_range() {
         (
             "e0_over_e2 = inf",
             "e0_over_e2 = inf\n[[layers]]\nthickness = 1",
-            &["layers", "not modelled", "one film on a half-space", "nu0"],
+            &[
+                "layers",
+                "not tabulated",
+                "--stack",
+                "one film on a half-space",
+                "nu0",
+            ],
         ),
         ("title = 'A small box'", "", &["title"]),
         ("nu1 = 0.5", "", &["nu1"]),

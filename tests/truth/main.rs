@@ -19,4 +19,5 @@ mod paper;
 mod power_laws;
 mod reference;
 mod regimes;
+mod stack_limits;
 mod stacks;

@@ -1,72 +1,79 @@
-//! Stacks of layers against independent values: the surface compliance, and contacts.
+//! Stacks of layers against independent values: the surface compliance and its slope, contacts, and
+//! curves.
 
 use acceptance::{Data, larger, random_stack, relative_error};
 use tabulate::solve::{LayeredCompliance, SurfaceCompliance};
 use tabulate::{solve_stack, stack_curve};
 
-/// Largest error of `X - 1` relative to `max(X, 1)`.
+/// Largest error of `X - 1` relative to `max(X, 1)`. Measured: 2.1e-15 over the first 2000 random
+/// stacks, 2.6e-15 over the first 20,000, 9.0e-16 at the other values.
 const EXCESS: f64 = 5e-15;
+/// Largest relative error of `X`. Measured: 4.0e-15, for 200 layers; 2.7e-15 over
+/// the first 20,000 random stacks.
+const X: f64 = 5e-15;
+/// Largest error of the slope relative to `max(X, 1)`. Measured: 6.0e-15 over the first 20,000.
+const SLOPE: f64 = 1e-14;
 
-/// Values by the exponential of 4 x 4 matrices, in ball arithmetic.
+/// Values by another program: 4 x 4 transfer matrices in ball arithmetic.
 #[test]
 fn the_compliance_agrees_with_transfer_matrices() {
-    let mut worst = 0.0;
+    let [mut excess_error, mut x_error] = [0.0; 2];
     for case in Data::read("stacks_x").cases() {
         let stack = case.stack();
         let compliance = LayeredCompliance::new(&stack);
         let top = stack.layers().last().expect("a layer").thickness;
-        let sample = compliance.sample(case.get("kt") * top / stack.thickness());
-        let error = (sample.excess - case.get("X_minus_1")).abs() / case.get("X").max(1.0);
-        worst = larger(worst, error);
+        let (q, x) = (case.get("kt") * top / stack.thickness(), case.get("X"));
+        let error = (compliance.sample(q).excess - case.get("X_minus_1")).abs() / x.max(1.0);
+        excess_error = larger(excess_error, error);
+        x_error = larger(x_error, (compliance.x(q) / x - 1.0).abs());
     }
-    println!("largest error of X - 1: {worst:.1e}");
-    assert!(worst <= EXCESS);
+    println!("largest errors: X - 1 {excess_error:.1e}, X {x_error:.1e}");
+    assert!(excess_error <= EXCESS);
+    assert!(x_error <= X);
 }
 
-/// Up to 40 layers, moduli over nine decades, thicknesses over four, wave numbers from 1e-8 to 64.
-/// Measured with the first 20,000 stacks of the program beside the data.
+/// One to 40 layers, moduli over nine decades, thicknesses over four, wave numbers from 1e-8 to 64.
+/// `data/stacks_mpmath.py` states the method of the values.
 #[test]
 fn the_compliance_of_random_stacks_agrees_with_mpmath() {
-    let [mut excess_error, mut slope_error, mut count] = [0.0, 0.0, 0.0];
+    let [mut excess_error, mut x_error, mut slope_error] = [0.0; 3];
+    let mut count = 0;
     for (seed, case) in Data::read("stacks_mpmath").cases().enumerate() {
         let (stack, q) = random_stack(seed as u64);
-        let sample = LayeredCompliance::new(&stack).sample(q);
-        let scale = case.get("x").max(1.0);
-        let error = (sample.excess - case.get("excess")).abs() / scale;
-        let of_slope = (sample.slope - case.get("slope")).abs() / scale;
-        if error > EXCESS || of_slope > 1e-13 {
-            println!(
-                "{seed} {q:e} {} {error:.1e} {of_slope:.1e}",
-                stack.layers().len()
-            );
-        }
-        excess_error = larger(excess_error, error);
-        slope_error = larger(slope_error, of_slope);
-        count += 1.0;
+        let compliance = LayeredCompliance::new(&stack);
+        let (sample, x) = (compliance.sample(q), case.get("x"));
+        let scale = x.max(1.0);
+        let errors = [
+            (sample.excess - case.get("excess")).abs() / scale,
+            (compliance.x(q) / x - 1.0).abs(),
+            (sample.slope - case.get("slope")).abs() / scale,
+        ];
+        excess_error = larger(excess_error, errors[0]);
+        x_error = larger(x_error, errors[1]);
+        slope_error = larger(slope_error, errors[2]);
+        count += 1;
     }
     println!(
-        "{count} stacks: largest error of X - 1 {excess_error:.1e}, of the slope {slope_error:.1e}"
+        "largest errors of {count} stacks: X - 1 {excess_error:.1e}, X {x_error:.1e}, \
+         slope {slope_error:.1e}"
     );
+    assert!(count >= 2000);
     assert!(excess_error <= EXCESS);
-    assert!(slope_error <= 1e-13);
+    assert!(x_error <= X);
+    assert!(slope_error <= SLOPE);
 }
 
+/// Measured: 6.1e-15 at the tolerance 1e-12, 3.4e-11 at 1e-8.
 #[test]
-fn contacts_agree() {
-    for (tolerance, allowed) in [(1e-12, 1e-11), (1e-8, 1e-8)] {
+fn contacts_agree_and_the_stated_error_bounds_the_true_one() {
+    for (tolerance, allowed) in [(1e-12, 1e-13), (1e-8, 1e-9)] {
         let mut worst = 0.0;
         for case in Data::read("stacks_contacts").cases() {
             let solution = solve_stack(case.get("a_over_t"), &case.stack(), 1.0, tolerance)
                 .unwrap_or_else(|e| panic!("{}: {e}", case.text("name")));
             let error = relative_error(&solution.quantities, &case.quantities());
-            println!(
-                "{} at {}: {error:.1e}, stated {:.1e}, {} modes",
-                case.text("name"),
-                case.get("a_over_t"),
-                solution.error,
-                solution.modes
-            );
-            assert!(error <= solution.error);
+            assert!(solution.error <= tolerance, "{}", case.text("name"));
+            assert!(error <= solution.error, "{}", case.text("name"));
             worst = larger(worst, error);
         }
         println!("largest error at {tolerance:e}: {worst:.1e}");
@@ -74,19 +81,18 @@ fn contacts_agree() {
     }
 }
 
+/// Measured: 1.0e-13.
 #[test]
 fn curves_agree() {
+    const TOLERANCE: f64 = 1e-10;
+    let mut worst = 0.0;
     for case in Data::read("stacks_contacts").cases() {
         let x = case.get("a_over_t");
-        let start = std::time::Instant::now();
-        let curve = stack_curve(&case.stack(), 1.0, [0.5 * x, 2.0 * x], 1e-8)
+        let curve = stack_curve(&case.stack(), 1.0, [0.5 * x, 1.7 * x], TOLERANCE)
             .unwrap_or_else(|e| panic!("{}: {e}", case.text("name")));
-        let quantities = curve.quantities(x).expect("inside");
-        println!(
-            "{} {x} {:?} {:.1e}",
-            case.text("name"),
-            start.elapsed(),
-            relative_error(&quantities, &case.quantities())
-        );
+        let quantities = curve.quantities(x).expect("between the ends");
+        worst = larger(worst, relative_error(&quantities, &case.quantities()));
     }
+    println!("largest error of curves at {TOLERANCE:e}: {worst:.1e}");
+    assert!(worst <= TOLERANCE);
 }

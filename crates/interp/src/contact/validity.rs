@@ -31,6 +31,9 @@ pub struct FilmValidity {
     /// `2 pi G1 a^2 (1 - nu1)/((1 - 2 nu1) t)`. Above 1, a thin film deforms by a change of its
     /// volume. Below 1, it behaves as incompressible, and its stress reaches deep into the contact.
     /// Near 1, every digit of `1/2 - nu1` counts (Johnson, *Contact Mechanics*, 5.8).
+    ///
+    /// For a stack of layers it is the same ratio, of all layers together
+    /// ([`Curve::of_stack`](crate::Curve::of_stack)), and `a/t` is with their whole thickness.
     pub compressibility: f64,
     /// Whether `a/t` is between the first and the last node of the table or curve. Beyond them an
     /// expansion is used, or there is an error.
@@ -111,10 +114,10 @@ impl Contact {
         let film = match self.system().zip(self.curve()) {
             Some((system, curve)) => {
                 let (a_over_t, nu1) = (a / system.film_thickness, system.film.poisson());
-                let compressibility = finite_result(
-                    a,
-                    3.0 / 16.0 * (1.0 - 2.0 * nu1) / (1.0 - nu1) * a_over_t * a_over_t,
-                )?;
+                let factor = curve
+                    .stack_compressibility()
+                    .unwrap_or(3.0 / 16.0 * (1.0 - 2.0 * nu1) / (1.0 - nu1));
+                let compressibility = finite_result(a, factor * a_over_t * a_over_t)?;
                 let [from, to] = curve.range();
                 let in_range = (from..=to).contains(&a_over_t);
                 Some(FilmValidity {

@@ -49,6 +49,8 @@ pub struct Curve {
     start_error: Option<f64>,
     sensitivities: Option<Arc<Sensitivities>>,
     accuracy: Option<Accuracy>,
+    /// Of a stack of layers, its compressibility over `(a/t)^2`.
+    stack_compressibility: Option<f64>,
 }
 
 /// The accuracy of the table that a curve was made from.
@@ -83,6 +85,7 @@ impl Curve {
             start_error: start_error.map(|error| error + fifth_order(&material, range[0])),
             sensitivities: None,
             accuracy: None,
+            stack_compressibility: None,
         }
     }
 
@@ -111,6 +114,26 @@ impl Curve {
             accuracy: Some(Accuracy { error, tolerance }),
             ..self
         }
+    }
+
+    /// Makes this the curve of a stack of layers, of which [`Curve::material`] holds the solid that
+    /// the sphere touches and the base.
+    ///
+    /// `compressibility` is the ratio of stiffnesses of
+    /// [`FilmValidity::compressibility`](crate::FilmValidity::compressibility) over `(a/t)^2`, with
+    /// the thickness `t` of all layers. It replaces the formula for one film; nothing else that a
+    /// contact answers needs more than the quantities, the material and `t`.
+    #[must_use]
+    pub fn of_stack(self, compressibility: f64) -> Self {
+        Self {
+            stack_compressibility: Some(compressibility),
+            ..self
+        }
+    }
+
+    /// Returns the compressibility of a stack of layers over `(a/t)^2`; `None` for one film.
+    pub fn stack_compressibility(&self) -> Option<f64> {
+        self.stack_compressibility
     }
 
     /// Returns the material. On a curve from a table it is the equivalent on a substrate with the
@@ -218,7 +241,8 @@ impl Curve {
         self.values_and_slopes(a_over_t)
     }
 
-    /// Returns `Pi0` and `Delta0` with their [slopes](Curve::slope). The other two are known or not.
+    /// Returns `Pi0` and `Delta0` with their [slopes](Curve::slope). The other two are known or
+    /// not.
     pub(crate) fn adhesionless_and_slopes(
         &self,
         a_over_t: f64,
@@ -283,8 +307,8 @@ impl Curve {
     /// estimated error of the expansion about the limit.
     ///
     /// # Errors
-    /// As [`Curve::quantity`]; [`Error::OutsideTable`] everywhere on a curve whose error is unknown:
-    /// one that is not from a table, or from a table without a certificate.
+    /// As [`Curve::quantity`]; [`Error::OutsideTable`] everywhere on a curve whose error is
+    /// unknown: one that is not from a table, or from a table without a certificate.
     pub fn error(&self, a_over_t: f64) -> Result<f64, Error> {
         let known = self.accuracy.filter(|accuracy| accuracy.error.is_finite());
         let accuracy = known.ok_or_else(|| self.outside(a_over_t))?;

@@ -11,7 +11,7 @@ use super::output::Output;
 use super::points::{evenly, number};
 use super::progress::progress_bar;
 use super::pull_off;
-use super::stack_file::{self, StackFile};
+use super::stack_file;
 use super::system::SystemArguments;
 use super::table_name::{self, TableName};
 use crate::parallel::try_map;
@@ -110,9 +110,8 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let stack = arguments
         .stack
         .as_ref()
-        .map(|path| StackFile::read(path))
-        .transpose()?
-        .map(|file| file.stack);
+        .map(|path| stack_file::read(path))
+        .transpose()?;
     let system = match &stack {
         Some(stack) => {
             let SystemArguments {

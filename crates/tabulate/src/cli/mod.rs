@@ -1,10 +1,9 @@
 //! The command line: one module for each subcommand.
 //!
 //! Each has `Arguments`, which clap fills and whose comments are the help, and `run`. A table is
-//! named by a `table_name`, or is the `default_table`; points come from CSV (`points`), a stack of layers
-//! from TOML (`stack_file`); results go
-//! to an `output`, which knows the inputs, or are printed, as text or as one object of `json`; notes
-//! go to standard error.
+//! named by a `table_name`, or is the `default_table`; points come from CSV (`points`), a stack of
+//! layers from TOML (`stack_file`); results go to an `output`, which knows the inputs, or are
+//! printed, as text or as one object of `json`; notes go to standard error.
 
 mod check;
 mod completions;
@@ -48,8 +47,8 @@ macro_rules! examples {
 }
 use examples;
 
-/// The largest number of points of a certificate or a comparison: they are held in memory, 200 bytes
-/// each.
+/// The largest number of points of a certificate or a comparison: they are held in memory, 200
+/// bytes each.
 const MOST_POINTS: i64 = 1_000_000;
 
 /// The name of the program.

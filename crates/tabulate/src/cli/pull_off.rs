@@ -7,7 +7,7 @@ use interp::{Contact, Control, System};
 
 use super::points::number;
 use super::print;
-use super::stack_file::{self, StackFile};
+use super::stack_file;
 use super::system::SystemArguments;
 use super::table_name::{self, TableName};
 use crate::cohesive::{Cohesive, CohesiveState};
@@ -89,9 +89,8 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let stack = arguments
         .stack
         .as_ref()
-        .map(|path| StackFile::read(path))
-        .transpose()?
-        .map(|file| file.stack);
+        .map(|path| stack_file::read(path))
+        .transpose()?;
     let state = match arguments.interaction_range {
         Some(range) => cohesive(&arguments.system, stack.as_ref(), range)?.pull_off(control)?,
         None => jkr(arguments, stack.as_ref(), control)?,

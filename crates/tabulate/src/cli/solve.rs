@@ -10,16 +10,17 @@ use super::json::Number;
 use super::output::Output;
 use super::points::{Answer, Points, number};
 use super::print;
-use super::stack_file::{self, StackFile};
+use super::stack_file;
 use crate::solve::{PowerLaw, Solution, solve_power_laws, solve_stack_power_laws};
 use crate::table::DEFAULT_NU0;
 
-/// Solve the contact directly, at one point or at every point of a CSV file
+/// Solve the contact directly, at one point, at every point of a CSV file, or of a stack of layers
 ///
 /// Prints pi0, eeq, gamma, delta0, the estimated relative error, and with --exponent the load and
 /// the penetration of other probes. Results with e1_over_e2 = 0 are
 /// normalised by E1*, all others by E2*. Points of a file are solved in batches: at an error, those
-/// before the batch are printed already, and a file is not written. `tabulate --help` explains the parameters.
+/// before the batch are printed already, and a file is not written. `tabulate --help` explains the
+/// parameters.
 #[derive(clap::Args)]
 #[command(after_help = super::examples!(
     "tabulate solve --a-over-t 65 --e1-over-e2 1.75 --nu1 0.5 --e0-over-e2 1e5",
@@ -74,8 +75,8 @@ pub struct Arguments {
         conflicts_with_all = ["e1_over_e2", "nu1", "e0_over_e2", "nu0", "points"],
     )]
     stack: Option<PathBuf>,
-    /// With --stack: reduced modulus E2* = E2/(1 - nu2^2) of the sphere, Pa; inf: rigid. Results are
-    /// in units of E2*, under a rigid sphere of E1* of the top layer
+    /// With --stack: reduced modulus E2* = E2/(1 - nu2^2) of the sphere, Pa; inf: rigid. Results
+    /// are in units of E2*, under a rigid sphere of E1* of the top layer
     #[arg(
         long,
         value_name = "PA",
@@ -135,7 +136,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
 }
 
 fn solve_layers(arguments: &Arguments, path: &Path) -> anyhow::Result<()> {
-    let StackFile { stack, .. } = StackFile::read(path)?;
+    let stack = stack_file::read(path)?;
     let (a_over_t, sphere_modulus) = (given(arguments.a_over_t), given(arguments.sphere_modulus));
     let solution = solve_stack_power_laws(
         a_over_t,

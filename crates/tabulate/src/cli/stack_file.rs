@@ -43,74 +43,63 @@ struct TextLayer {
     thickness: f64,
 }
 
-/// A stack with the names of its layers.
-#[derive(Clone, Debug)]
-pub struct StackFile {
-    pub stack: Stack,
-    /// A name for each layer that has one, from the base up.
-    pub names: Vec<Option<String>>,
+/// Reads a stack file. An error names the file, and the layer if it is about one.
+pub fn read(path: &Path) -> anyhow::Result<Stack> {
+    let mut text = String::new();
+    input::open(path, LONGEST)
+        .and_then(|(mut file, _)| file.read_to_string(&mut text))
+        .map_err(|source| Error::Read {
+            path: path.to_owned(),
+            source,
+        })?;
+    parse(&text).with_context(|| printable::path(path))
 }
 
-impl StackFile {
-    /// Reads a stack file. An error names the file, and the layer if it is about one.
-    pub fn read(path: &Path) -> anyhow::Result<Self> {
-        let mut text = String::new();
-        input::open(path, LONGEST)
-            .and_then(|(mut file, _)| file.read_to_string(&mut text))
-            .map_err(|source| Error::Read {
-                path: path.to_owned(),
-                source,
-            })?;
-        Self::parse(&text).with_context(|| printable::path(path))
+/// Parses the text of a stack file.
+fn parse(text: &str) -> anyhow::Result<Stack> {
+    let Text { base, layers } =
+        toml::from_str(text).map_err(|error| anyhow!("{}", error.to_string().trim_end()))?;
+    let names: Vec<Option<String>> = layers.iter().map(|layer| layer.name.clone()).collect();
+    let of_layer = |i: usize| match &names[i] {
+        Some(name) => format!("layer {name:?}, {} of {} from the base", i + 1, names.len()),
+        None => format!("layer {} of {} from the base", i + 1, names.len()),
+    };
+    for (i, name) in names.iter().enumerate() {
+        let first = names.iter().position(|other| other == name);
+        if let (Some(_), Some(first)) = (name, first)
+            && first < i
+        {
+            bail!(
+                "{}: layer {} has this name, too; give another",
+                of_layer(i),
+                first + 1
+            );
+        }
     }
-
-    /// Parses the text of a stack file.
-    fn parse(text: &str) -> anyhow::Result<Self> {
-        let Text { base, layers } =
-            toml::from_str(text).map_err(|error| anyhow!("{}", error.to_string().trim_end()))?;
-        let names: Vec<Option<String>> = layers.iter().map(|layer| layer.name.clone()).collect();
-        let of_layer = |i: usize| match &names[i] {
-            Some(name) => format!("layer {name:?}, {} of {} from the base", i + 1, names.len()),
-            None => format!("layer {} of {} from the base", i + 1, names.len()),
-        };
-        for (i, name) in names.iter().enumerate() {
-            let first = names.iter().position(|other| other == name);
-            if let (Some(_), Some(first)) = (name, first)
-                && first < i
-            {
-                bail!(
-                    "{}: layer {} has this name, too; give another",
-                    of_layer(i),
-                    first + 1
-                );
-            }
-        }
-        let base = match base.poisson_ratio {
-            Some(poisson) => Elastic::new(base.young_modulus, poisson).context("base")?,
-            // A rigid body has none; any one serves.
-            None if base.young_modulus == f64::INFINITY => Elastic::new(f64::INFINITY, 0.0)?,
-            None => bail!(
-                "base: poisson_ratio is missing; give one in (-1, 0.5], or young_modulus = inf for a rigid base"
-            ),
-        };
-        let solids = layers.iter().enumerate().map(|(i, layer)| {
-            Ok(Layer {
-                solid: Elastic::new(layer.young_modulus, layer.poisson_ratio)
-                    .with_context(|| of_layer(i))?,
-                thickness: layer.thickness,
-            })
-        });
-        match Stack::new(base, solids.collect::<anyhow::Result<Vec<_>>>()?) {
-            Ok(stack) => Ok(Self { stack, names }),
-            Err(Error::Layer { layer, what, .. }) => bail!("{}: {what}", of_layer(layer - 1)),
-            Err(Error::NoLayers) => bail!(
-                "there is no [[layers]]: a stack needs at least one, with young_modulus, poisson_ratio and thickness"
-            ),
-            Err(error) => Err(error.into()),
-        }
+    let base = match base.poisson_ratio {
+        Some(poisson) => Elastic::new(base.young_modulus, poisson).context("base")?,
+        // A rigid body has none; any one serves.
+        None if base.young_modulus == f64::INFINITY => Elastic::new(f64::INFINITY, 0.0)?,
+        None => bail!(
+            "base: poisson_ratio is missing; give one in (-1, 0.5], or young_modulus = inf for a rigid base"
+        ),
+    };
+    let solids = layers.iter().enumerate().map(|(i, layer)| {
+        Ok(Layer {
+            solid: Elastic::new(layer.young_modulus, layer.poisson_ratio)
+                .with_context(|| of_layer(i))?,
+            thickness: layer.thickness,
+        })
+    });
+    match Stack::new(base, solids.collect::<anyhow::Result<Vec<_>>>()?) {
+        Ok(stack) => Ok(stack),
+        Err(Error::Layer { layer, what, .. }) => bail!("{}: {what}", of_layer(layer - 1)),
+        Err(Error::NoLayers) => bail!(
+            "there is no [[layers]]: a stack needs at least one, with young_modulus, poisson_ratio and thickness"
+        ),
+        Err(error) => Err(error.into()),
     }
 }
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -122,13 +111,9 @@ mod tests {
 
     #[test]
     fn a_stack_file_is_read_as_it_stands() {
-        let file = StackFile::parse(SOUND).expect("sound");
-        let layers = file.stack.layers();
-        assert_eq!(file.names, [Some("primer".into()), None]);
-        assert_eq!(
-            file.stack.base(),
-            Elastic::new(2e11, 0.25).expect("physical")
-        );
+        let stack = parse(SOUND).expect("sound");
+        let layers = stack.layers();
+        assert_eq!(stack.base(), Elastic::new(2e11, 0.25).expect("physical"));
         assert_eq!(
             layers
                 .iter()
@@ -137,7 +122,7 @@ mod tests {
             [2.5e-6, 7.5e-6]
         );
         let rigid = SOUND.replace("2e11, poisson_ratio = 0.25", "inf");
-        let base = StackFile::parse(&rigid).expect("sound").stack.base();
+        let base = parse(&rigid).expect("sound").base();
         assert_eq!(base.young(), f64::INFINITY);
     }
 
@@ -168,10 +153,10 @@ mod tests {
         for (from, to, parts) in cases {
             let text = SOUND.replacen(from, to, 1);
             if parts[0].is_empty() {
-                StackFile::parse(&text).expect("sound");
+                parse(&text).expect("sound");
                 continue;
             }
-            let message = format!("{:#}", StackFile::parse(&text).expect_err("refused"));
+            let message = format!("{:#}", parse(&text).expect_err("refused"));
             for part in parts {
                 assert!(message.contains(part), "{message:?} lacks {part:?}");
             }
@@ -180,12 +165,15 @@ mod tests {
             "young_modulus = 35e5",
             "name = \"primer\"\nyoung_modulus = 35e5",
         );
-        let message = format!("{:#}", StackFile::parse(&twice).expect_err("refused"));
+        let message = format!("{:#}", parse(&twice).expect_err("refused"));
         assert!(
             message.contains("layer \"primer\", 2 of 2") && message.contains("layer 1"),
             "{message}"
         );
-        let bare = format!("{:#}", StackFile::parse(&SOUND[..50]).expect_err("refused"));
+        let bare = format!(
+            "{:#}",
+            parse(SOUND.lines().next().expect("the base")).expect_err("refused")
+        );
         assert!(bare.contains("no [[layers]]"), "{bare}");
     }
 
@@ -210,10 +198,10 @@ mod tests {
             SOUND.as_bytes(),
             &WORDS,
             3,
-            |_, bytes| match std::str::from_utf8(bytes).map(StackFile::parse) {
-                Ok(Ok(file)) => {
+            |_, bytes| match std::str::from_utf8(bytes).map(parse) {
+                Ok(Ok(stack)) => {
                     accepted += 1;
-                    assert!(file.stack.thickness().is_finite());
+                    assert!(stack.thickness().is_finite());
                 }
                 _ => refused += 1,
             },

@@ -113,12 +113,13 @@ impl<'a> FixedRadius<'a> {
         let abscissae = abscissae(radius, radius, modes, symbol);
         let mut matrix = Mat::zeros(modes, modes);
         if let Some(abscissae) = &abscissae {
+            let excesses = symbol.compliance().excesses(&abscissae.q);
             for block in abscissae.blocks() {
                 let range = block.first..block.first + block.rows;
-                let weights: Vec<f64> = abscissae.q[range.clone()]
+                let weights: Vec<f64> = excesses[range.clone()]
                     .iter()
                     .zip(&abscissae.weights[range])
-                    .map(|(&q, w)| symbol.film() * w * symbol.compliance().excess(q))
+                    .map(|(excess, w)| symbol.film() * w * excess)
                     .collect();
                 add_products(&mut matrix, &block.values, &weights);
             }
@@ -237,11 +238,11 @@ impl Waves {
                     bessel[n * rows + block.first..][..block.rows].copy_from_slice(column);
                 }
             }
-            weights = abscissae
-                .q
+            let excesses = symbol.compliance().excesses(&abscissae.q);
+            weights = excesses
                 .iter()
                 .zip(&abscissae.weights)
-                .map(|(&q, w)| symbol.film() * w / radius * symbol.compliance().excess(q))
+                .map(|(excess, w)| symbol.film() * w / radius * excess)
                 .collect();
             q = abscissae.q;
         }

@@ -2,7 +2,7 @@
 
 use crate::solve::compliance::Compliance;
 use crate::solve::layered::LayeredCompliance;
-use crate::solve::surface::{Sample, SurfaceCompliance};
+use crate::solve::surface::{PanelRule, Sample, SurfaceCompliance};
 
 /// The compliance of a film or of a stack.
 #[derive(Clone, Debug)]
@@ -14,19 +14,30 @@ pub enum Surface {
 }
 
 impl Surface {
-    /// Returns `X(q) - 1`.
-    pub fn excess(&self, q: f64) -> f64 {
-        self.sample(q).excess
+    /// Returns `X(q) - 1` at all `q`.
+    pub fn excesses(&self, q: &[f64]) -> Vec<f64> {
+        let samples = self.sample_all(q);
+        samples.into_iter().map(|sample| sample.excess).collect()
     }
 }
 
 impl SurfaceCompliance for Surface {
-    const GROWTH: f64 = LayeredCompliance::GROWTH;
+    /// The rule for layers serves films, too.
+    fn rule(tolerance: f64, oscillates: bool) -> PanelRule {
+        LayeredCompliance::rule(tolerance, oscillates)
+    }
 
     fn sample(&self, q: f64) -> Sample {
         match self {
             Self::Film(film) => film.sample(q),
             Self::Layers(layers) => layers.sample(q),
+        }
+    }
+
+    fn sample_all(&self, q: &[f64]) -> Vec<Sample> {
+        match self {
+            Self::Film(film) => film.sample_all(q),
+            Self::Layers(layers) => layers.sample_all(q),
         }
     }
 

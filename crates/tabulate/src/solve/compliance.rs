@@ -34,7 +34,7 @@ use std::ops::{Add, Mul};
 use interp::Material;
 use num_complex::ComplexFloat;
 
-use crate::solve::surface::{Sample, SurfaceCompliance};
+use crate::solve::surface::{PanelRule, Sample, SurfaceCompliance};
 
 /// A real or complex wave number: `f64` or [`Complex64`](num_complex::Complex64).
 pub trait WaveNumber:
@@ -232,9 +232,20 @@ impl Compliance {
 }
 
 impl SurfaceCompliance for Compliance {
-    /// No zero and no pole of a film is nearer to the real axis than [`SINE_OF_FREE_ANGLE`] says:
-    /// the ellipse of convergence of a panel `[c, 4c]` is 2.5.
-    const GROWTH: f64 = 3.0;
+    /// No zero and no pole of a film is nearer to the real axis than 53 degrees: the
+    /// ellipse of convergence of a panel `[c, 4c]` is 2.5.
+    fn rule(tolerance: f64, oscillates: bool) -> PanelRule {
+        let points = match tolerance {
+            _ if oscillates => 32,
+            1e-6.. => 16,
+            3e-11.. => 20,
+            _ => 24,
+        };
+        PanelRule {
+            points,
+            growth: 3.0,
+        }
+    }
 
     fn sample(&self, q: f64) -> Sample {
         self.sample(q)
@@ -262,15 +273,23 @@ impl SurfaceCompliance for Compliance {
 
 /// Returns `sinh s - s` and `cosh s - 1 - s^2/2` for `|s| <= 2`, to rounding, by their power
 /// series.
-pub fn hyperbolic_rests<T: WaveNumber>(s: T) -> [T; 2] {
+#[inline]
+pub fn hyperbolic_rests<T>(s: T) -> [T; 2]
+where
+    T: Copy + Mul<Output = T> + Add<f64, Output = T> + Mul<f64, Output = T>,
+{
     /// The first neglected term at `s = 2` is below 1e-18 of the sum.
     const TERMS: u32 = 11;
     let square = s * s;
-    let (mut sinh, mut cosh) = (T::one(), T::one());
-    for k in (2..=TERMS).rev() {
+    let factors = |k: u32| {
         let k = f64::from(2 * k);
-        sinh = sinh * square * (1.0 / (k * (k + 1.0))) + 1.0;
-        cosh = cosh * square * (1.0 / ((k + 1.0) * (k + 2.0))) + 1.0;
+        [1.0 / (k * (k + 1.0)), 1.0 / ((k + 1.0) * (k + 2.0))]
+    };
+    let [mut sinh, mut cosh] = factors(TERMS).map(|factor| square * factor + 1.0);
+    for k in (2..TERMS).rev() {
+        let [of_sinh, of_cosh] = factors(k);
+        sinh = sinh * square * of_sinh + 1.0;
+        cosh = cosh * square * of_cosh + 1.0;
     }
     [
         s * square * sinh * (1.0 / 6.0),

@@ -1,25 +1,31 @@
 //! The solver: from a material and `a/t` to the four quantities, with an estimate of their error.
 //!
-//! `compliance` is the film on its substrate, `symbol` adds the sphere. `solution` accepts a
+//! `compliance` is the film on its substrate, `layered` (with `slab`, one layer, and `sampled`, its
+//! interpolation) a stack of layers on its base; `symbol` adds the sphere. `solution` accepts a
 //! contact within the `domain` and lets `method` choose: `galerkin` (with `quadrature`, `bessel`,
 //! `abscissae` and `operator`) for thick films, `wiener_hopf` (with `contour`, `krylov` and
-//! `read_out`) for thin ones. Both return an `estimate`. A probe with the profile `r^n`
+//! `read_out`) for thin ones. Both return an `estimate`. `stacked` does so for a stack. A probe with the profile `r^n`
 //! (`power_law`) is one more column of Galerkin's method, and one more functional of the result
 //! (`moment`, `turned_line`) of the Wiener-Hopf method. `batch` solves many materials at one `a/t`,
 //! `adaptive_curve` one material along `a/t`.
 //!
-//! # The face of the film
+//! # The face of what the sphere touches
 //!
-//! The formulas of one film on one half-space are private to `compliance`. The rest of the folder
-//! uses only this, and a stack of layers would have to offer it too:
+//! Galerkin's method knows film or layers by [`SurfaceCompliance`] alone:
+//!
+//! | [`SurfaceCompliance`] | |
+//! |---|---|
+//! | `sample(q)`, `sample_all(q)` | the excess `X - 1` and the slope `q X'`, without cancellation |
+//! | `smallest_scale()` | the wave number of the nearest pole of `X`: the first panel |
+//! | `rule(tolerance, oscillates)` | points and growth of panels, away from the poles |
+//! | `largest_excess()` | a bound of `|X - 1|`; 0 where `X = 1` everywhere |
+//!
+//! The cut-off of `surface`, beyond which `X` is 1, serves all of them. The Wiener-Hopf method asks
+//! for more, which [`Compliance`] has for one film only:
 //!
 //! | [`Compliance`] | |
 //! |---|---|
 //! | `x(q)` | the value `X(q)`, real or complex |
-//! | `sample(q)` | the excess `X - 1` and the slope `q X'`, without cancellation |
-//! | `is_constant()` | whether `X = 1` everywhere |
-//! | `smallest_scale()` | the wave number of the nearest pole of `X`: the first panel |
-//! | `cut_off(tolerance, weight)` | the wave number beyond which `X` is 1: the last panel; `FLAT` to rounding |
 //! | `smallest_scale_of_sum(sphere, film)` | the smallest scale of `S = sphere + film X` |
 //! | `zero_free_radius(sphere, film)` | the disc in which `S` has no zero, for the imaginary axis |
 //! | `SINE_OF_FREE_ANGLE` | the sector in which `S` has neither zeros nor poles, for the ray and the panels |
@@ -42,6 +48,7 @@ pub(crate) mod power_law;
 pub(crate) mod quadrature;
 mod read_out;
 mod sampled;
+mod slab;
 mod solution;
 mod stacked;
 pub(crate) mod surface;
@@ -58,5 +65,5 @@ pub use method::Method;
 pub use power_law::{EXPONENTS, PowerLaw};
 pub(crate) use quadrature::{GaussLegendre, Panels};
 pub use solution::{Solution, solve, solve_power_laws};
-pub use stacked::{A_OVER_TOP, solve_stack, solve_stack_power_laws, stack_curve};
-pub use surface::{Sample, SurfaceCompliance};
+pub use stacked::{MOST_A_OVER_TOP, solve_stack, solve_stack_power_laws, stack_curve};
+pub use surface::{PanelRule, Sample, SurfaceCompliance};

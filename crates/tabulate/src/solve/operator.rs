@@ -100,7 +100,7 @@ impl Operator {
         blocks: impl IntoIterator<Item = B>,
     ) -> Self {
         let n = abscissae.modes;
-        let samples: Vec<Sample> = abscissae.q.iter().map(|&q| compliance.sample(q)).collect();
+        let samples = compliance.sample_all(&abscissae.q);
         let long = abscissae.long_waves();
         let [resolution_error, shape_error] = resolution_errors(abscissae, &samples);
         let mut operator = Self {

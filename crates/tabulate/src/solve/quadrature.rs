@@ -5,9 +5,10 @@
 //!
 //! * `X` is analytic but for poles that lie more than 50 degrees off the real axis
 //!   ([`SINE_OF_FREE_ANGLE`](crate::solve::compliance::SINE_OF_FREE_ANGLE)), the nearest at
-//!   `|q| ~ s` ([`SurfaceCompliance::smallest_scale`]). On a panel `[c, 4c]` an `n`-point rule therefore
-//!   converges like `2.5^{-2n}`, and panels grow geometrically from `[0, s]`. The poles of a stack of
-//!   layers come nearer to the axis, and its panels are `[c, 2c]` ([`SurfaceCompliance::GROWTH`]).
+//!   `|q| ~ s` ([`SurfaceCompliance::smallest_scale`]). On a panel `[c, 4c]` an `n`-point rule
+//!   therefore converges like `2.5^{-2n}`, and panels grow geometrically from `[0, s]`. The poles of
+//!   a stack of layers come nearer to the axis, and its panels are shorter
+//!   ([`SurfaceCompliance::rule`]).
 //! * The Bessel product oscillates like `cos 2z`. An `n`-point rule on a panel `w` long in `z` has
 //!   an error of about `(e w / (4 n))^{2n}`, which bounds the width.
 //! * `X - 1` dies out like `q^2 e^{-2q}`. The last panel ends where the rest of the integral is
@@ -16,7 +17,7 @@
 use std::f64::consts::{E, PI};
 use std::sync::LazyLock;
 
-use crate::solve::surface::{SurfaceCompliance, cut_off};
+use crate::solve::surface::{PanelRule, SurfaceCompliance, cut_off};
 
 /// An `n`-point Gauss-Legendre rule on `[-1, 1]`, exact to degree `2n - 1`.
 #[derive(Clone, Debug)]
@@ -117,13 +118,12 @@ impl Panels {
             .fold(1.0, f64::min);
         // Many points a panel are economical where oscillation limits the panels, few where poles
         // and decay do.
-        let rule = &RULES[match tolerance {
-            _ if x > 5.0 => 3,
-            1e-6.. => 0,
-            3e-11.. => 1,
-            _ => 2,
-        }];
-        let n = rule.abscissae.len() as f64;
+        let PanelRule { points, growth } = C::rule(tolerance, x > 5.0);
+        let rule = RULES
+            .iter()
+            .find(|rule| rule.abscissae.len() == points)
+            .expect("there is a rule for every allowed number of points");
+        let n = points as f64;
         // `e^{-2q}` needs panels as narrow as an oscillation at `x = 1` does.
         let width = 4.0 * n / E * (SHARE * tolerance).powf(0.5 / n) / (1.0 + x * x).sqrt();
         // The Bessel product is at most 1 where it has not begun to decay, and `1/z^2` beyond.
@@ -134,7 +134,7 @@ impl Panels {
             let length = if last == 0.0 {
                 smallest_scale
             } else {
-                C::GROWTH * last
+                growth * last
             };
             // A little more range is not worth the points of one more panel.
             let length = if last + STRETCH * length >= end {

@@ -16,16 +16,16 @@ use crate::solve::surface::SurfaceCompliance;
 use crate::solve::symbol::Symbol;
 use crate::stack::Stack;
 
-/// The values of the contact radius over the thickness of the top layer for which a stack is
-/// solved. Neighbouring layers of one material count as one.
-pub const A_OVER_TOP: [f64; 2] = [0.0, 1000.0];
+/// The largest contact radius over the thickness of the top layer for which a stack is solved.
+/// Neighbouring layers of one material count as one.
+pub const MOST_A_OVER_TOP: f64 = 1000.0;
 
 /// The number of layers from which on a curve samples the compliance instead of evaluating it at
 /// every wave number of every solve.
 const MANY_LAYERS: usize = 4;
 
-/// Solves the contact of a sphere of reduced modulus `sphere_modulus` (Pa; infinity is rigid) with a
-/// stack, at `a_over_t` (contact radius over the thickness of the whole stack), to the relative
+/// Solves the contact of a sphere of reduced modulus `sphere_modulus` (Pa; infinity is rigid) with
+/// a stack, at `a_over_t` (contact radius over the thickness of the whole stack), to the relative
 /// `tolerance`.
 ///
 /// The quantities are in units of `E2*`, under a rigid sphere in units of `E1*` of what the sphere
@@ -34,7 +34,8 @@ const MANY_LAYERS: usize = 4;
 /// # Errors
 /// [`Error::Domain`] for an `a_over_t`, a `tolerance` or a ratio of moduli outside the domain of
 /// [`solve`]; [`Error::StackReach`] where the contact is too wide beside the top layer
-/// ([`A_OVER_TOP`]); [`Error::StackNotConverged`] where double precision does not allow the tolerance.
+/// ([`MOST_A_OVER_TOP`]); [`Error::StackNotConverged`] where double precision does not allow the
+/// tolerance.
 pub fn solve_stack(
     a_over_t: f64,
     stack: &Stack,
@@ -81,7 +82,7 @@ pub fn stack_curve(
     check_range(a_over_t, tolerance)?;
     let contact = StackContact::new(stack, sphere_modulus, Evaluation::Sampled)?;
     contact.check_reach(a_over_t[1])?;
-    curve_of(
+    let curve = curve_of(
         &contact.material,
         a_over_t,
         tolerance,
@@ -91,7 +92,8 @@ pub fn stack_curve(
             tolerance,
             reached,
         },
-    )
+    )?;
+    Ok(curve.of_stack(stack.compressibility()))
 }
 
 /// The way in which the compliance of a stack is evaluated.
@@ -162,7 +164,7 @@ impl StackContact {
 
     /// Accepts an `a/t` at which the contact is not too wide beside the top layer.
     fn check_reach(&self, a_over_t: f64) -> Result<(), Error> {
-        let reach = A_OVER_TOP[1] / self.thickness_over_top;
+        let reach = MOST_A_OVER_TOP / self.thickness_over_top;
         if matches!(self.form, Form::Film(_)) || a_over_t <= reach {
             return Ok(());
         }

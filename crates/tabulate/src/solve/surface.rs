@@ -5,7 +5,8 @@
 //! thickness of the top layer, beyond which `X` tends to 1 like `q^2 e^{-2q}`. One film
 //! ([`Compliance`](crate::solve::compliance::Compliance)) and a stack of layers
 //! ([`LayeredCompliance`](crate::solve::layered::LayeredCompliance), or a
-//! [`SampledCompliance`](crate::solve::sampled::SampledCompliance) of it) answer the same questions.
+//! [`SampledCompliance`](crate::solve::sampled::SampledCompliance) of it) answer the same
+//! questions.
 
 /// `X - 1` and its slope at one wave number.
 #[derive(Clone, Copy, Debug)]
@@ -16,15 +17,30 @@ pub struct Sample {
     pub slope: f64,
 }
 
+/// A rule of quadrature on panels that grow with the wave number.
+#[derive(Clone, Copy, Debug)]
+pub struct PanelRule {
+    /// The number of points on a panel: 16, 20, 24 or 32.
+    pub points: usize,
+    /// The largest length of a panel over its lower end.
+    pub growth: f64,
+}
+
 /// The surface compliance `X(q)` of a coated half-space, without the sphere.
 pub trait SurfaceCompliance {
-    /// The largest length of a panel of quadrature over its lower end. It keeps the poles of `X`
-    /// outside the ellipse of convergence of the panel's rule.
-    const GROWTH: f64;
+    /// Returns the rule of quadrature that keeps the poles of `X` outside the ellipse on which it
+    /// converges to a relative `tolerance`. `oscillates` tells that panels are short beside their
+    /// wave numbers for another reason, so that many points a panel are economical.
+    fn rule(tolerance: f64, oscillates: bool) -> PanelRule;
 
     /// Returns `X(q) - 1` and `q X'(q)` for a finite `q >= 0`, with an absolute error of a few
     /// rounding units of `max(X, 1)`.
     fn sample(&self, q: f64) -> Sample;
+
+    /// Returns the samples at all `q`, in their order.
+    fn sample_all(&self, q: &[f64]) -> Vec<Sample> {
+        q.iter().map(|&q| self.sample(q)).collect()
+    }
 
     /// Returns the smallest wave number on which `X` varies, at most 1: the length of the first
     /// panel.
@@ -38,9 +54,9 @@ pub trait SurfaceCompliance {
 /// are at most `tolerance`, for every film on every substrate and every stack of layers. `weight`
 /// must not grow with `q`.
 ///
-/// `q X'` is the larger of the two. For a film it is at most `28 q^3 e^{-2q}` for `q >= 4`, as
-/// `|b| <= 1` and `|a| <= 7` in the formulas of `compliance.rs`. Below the top layer of a stack lies
-/// a body whose compliance is between those of free and rigid bodies, which `a` and `b` span.
+/// `q X'` is the larger of the two. For a film it is at most `28 q^3 e^{-2q}` for `q >= 4`, as `|b|
+/// <= 1` and `|a| <= 7` in the formulas of `compliance.rs`. Below the top layer of a stack lies a
+/// body whose compliance is between those of free and rigid bodies, which `a` and `b` span.
 pub fn cut_off(tolerance: f64, weight: impl Fn(f64) -> f64) -> f64 {
     let mut q: f64 = 4.0;
     while 28.0 * q.powi(3) * (-2.0 * q).exp() * weight(q) > tolerance {

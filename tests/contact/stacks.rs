@@ -1,0 +1,169 @@
+//! A stack of layers answers what a film answers; what would assume one film is an error, or is of
+//! all layers.
+
+use acceptance::{larger, layer, paper_system, solid, stack};
+use interp::{Contact, Control, Error, Quantity};
+use tabulate::stack::Stack;
+use tabulate::{curve, stack_curve};
+
+const RADIUS: f64 = 1e-3;
+const SPHERE: f64 = 2e6;
+const W: f64 = 0.04;
+/// The ends of the curves, m.
+const RADII: [f64; 2] = [5e-6, 2e-4];
+
+/// An elastomer on a softer primer on silicon, 100 um together.
+fn two_layers() -> Stack {
+    let layers = [layer(5e5, 0.49, 2.5e-5), layer(3.5e6, 0.5, 7.5e-5)];
+    stack(solid(2e11, 0.25), &layers)
+}
+
+fn contact(stack: &Stack) -> Contact {
+    let range = RADII.map(|a| a / stack.thickness());
+    let curve = stack_curve(stack, SPHERE, range, 1e-10).expect("within reach");
+    Contact::new(&stack.system(RADIUS, SPHERE), curve).expect("the curve of this stack")
+}
+
+/// Equal films, one of them cut into layers. Measured: 2.2e-14.
+#[test]
+fn a_film_cut_into_layers_gives_the_answers_of_the_film() {
+    let system = paper_system(1e-4);
+    let range = RADII.map(|a| a / 1e-4);
+    let material = system.material().expect("physical");
+    let whole = curve(&material, range, 1e-10).expect("converges");
+    let film = Contact::new(&system, whole).expect("its curve");
+    let parts = [layer(3.5e6, 0.5, 2e-5), layer(3.5e6, 0.5, 8e-5)];
+    let cut = contact(&stack(solid(2e11, 0.25), &parts));
+    let mut worst = 0.0;
+    let mut compare = |film: f64, cut: f64| worst = larger(worst, (cut / film - 1.0).abs());
+    for a in [1e-5, 6e-5, 1.5e-4] {
+        let answers = |contact: &Contact| {
+            let (load, penetration) = contact.load_and_penetration(a, W).expect("in range");
+            let validity = contact.validity(a).expect("in range").film.expect("a film");
+            [
+                load,
+                penetration,
+                contact.stiffness(a).expect("in range"),
+                contact.stress_intensity(a, W).expect("in range"),
+                validity.a_over_t,
+                1.0 + validity.compressibility,
+            ]
+        };
+        let (film, cut) = (answers(&film), answers(&cut));
+        film.into_iter()
+            .zip(cut)
+            .for_each(|(film, cut)| compare(film, cut));
+    }
+    for control in [Control::Load, Control::Displacement] {
+        let [film, cut] = [&film, &cut].map(|contact| contact.pull_off(W, control).expect("there"));
+        compare(film.load, cut.load);
+        compare(film.contact_radius, cut.contact_radius);
+    }
+    println!("film in layers: {worst:.1e}");
+    assert!(worst <= 1e-10);
+}
+
+/// Pull-off is the least load, and the energy release rate of a load is the work of adhesion.
+#[test]
+fn the_equilibria_of_a_stack_are_consistent() {
+    let contact = contact(&two_layers());
+    let pull_off = contact.pull_off(W, Control::Load).expect("there is one");
+    for i in 0..=200 {
+        let a = RADII[0] * (RADII[1] / RADII[0]).powf(f64::from(i) / 200.0);
+        let a = a.clamp(RADII[0], RADII[1]);
+        let load = contact.load(a, W).expect("in range");
+        assert!(load >= pull_off.load * (1.0 + 1e-12), "{load} at {a}");
+        let g = contact
+            .energy_release_rate_at_load(a, load)
+            .expect("in range");
+        assert!((g / W - 1.0).abs() <= 1e-6, "{g} at {a}");
+    }
+    let zero = contact.zero_load(W).expect("there is one");
+    let load = contact.load(zero.contact_radius, W).expect("in range");
+    assert!(load.abs() <= 1e-9 * pull_off.load.abs());
+}
+
+/// Film bias is redefined only in name: it is relative to the bare base.
+#[test]
+fn the_film_bias_of_a_stack_is_that_of_all_layers() {
+    let contact = contact(&two_layers());
+    let radii = [4e-5, 1.3e-4];
+    let bias = contact.film_bias(W, radii, 15).expect("a compliant sphere");
+    let fit = contact.jkr_fit(W, radii, 15).expect("in range");
+    let bare = contact.mechanics().sphere_substrate_modulus();
+    let expected = 1.0 / (1.0 / SPHERE + 1.0 / solid(2e11, 0.25).reduced());
+    assert!((bare / expected - 1.0).abs() <= 1e-14);
+    assert_eq!(bias.modulus, fit.modulus / bare - 1.0);
+    // A softer primer makes the coating softer than the film alone.
+    let alone = paper_system(1e-4);
+    let material = alone.material().expect("physical");
+    let curve = curve(&material, RADII.map(|a| a / 1e-4), 1e-8).expect("converges");
+    let film = Contact::new(&alone, curve).expect("its curve");
+    let of_film = film.film_bias(W, radii, 15).expect("a compliant sphere");
+    assert!(bias.modulus < of_film.modulus && of_film.modulus < 0.0);
+}
+
+#[test]
+fn beyond_its_ends_the_curve_of_a_stack_is_an_error() {
+    let contact = contact(&two_layers());
+    let curve = contact.curve().expect("a stack has one");
+    for a in [0.9 * RADII[0], 1.1 * RADII[1]] {
+        let x = a / 1e-4;
+        for error in [
+            curve.quantity(Quantity::Eeq, x).expect_err("beyond"),
+            contact.load(a, W).expect_err("beyond"),
+        ] {
+            assert!(matches!(error, Error::OutsideTable { .. }), "{error}");
+        }
+    }
+}
+
+#[test]
+fn derivatives_with_respect_to_one_films_parameters_are_an_error() {
+    let contact = contact(&two_layers());
+    let error = contact.gradient(5e-5, W).expect_err("none");
+    assert!(matches!(error, Error::NoGradient), "{error}");
+}
+
+/// Springs in series over squeeze flow, integrated numerically; and the formula for one film.
+#[test]
+fn compressibility_is_that_of_all_layers() {
+    let (soft, stiff) = ((1e6, 0.4), (3e6, 0.49));
+    let two = stack(
+        solid(f64::INFINITY, 0.25),
+        &[layer(soft.0, soft.1, 3e-5), layer(stiff.0, stiff.1, 7e-5)],
+    );
+    // Heights and thickness in units of t.
+    const STEPS: u32 = 100_000;
+    let dz = 1.0 / f64::from(STEPS);
+    let (mut series, mut velocity, mut flux) = (0.0, 0.0, 0.0);
+    for i in 0..STEPS {
+        let z = (f64::from(i) + 0.5) * dz;
+        let (young, nu) = if z < 0.3 { soft } else { stiff };
+        let g = young / (2.0 * (1.0 + nu));
+        series += dz * (1.0 - 2.0 * nu) / (2.0 * (1.0 - nu) * g);
+        // Lubrication: the shear stress is (1 - z) dp/dr from the frictionless top, the sideways
+        // displacement its integral from the base, and the flux the integral of that.
+        velocity += dz * (1.0 - z) / g;
+        flux += dz * velocity;
+    }
+    // The flux of one film is t^3/(3 G), its stiffness 3 pi G a^4/(8 t^3).
+    let expected = series / (8.0 * flux);
+    let found = two.compressibility();
+    println!("compressibility: {found}, by integration {expected}");
+    assert!((found / expected - 1.0).abs() <= 1e-4);
+
+    let film = stack(
+        solid(1e9, 0.3),
+        &[layer(1e6, 0.4, 2e-5), layer(1e6, 0.4, 5e-5)],
+    );
+    assert!((film.compressibility() / (3.0 / 16.0 * 0.2 / 0.6) - 1.0).abs() <= 1e-14);
+    let contact = contact(&two_layers());
+    let validity = contact
+        .validity(1e-4)
+        .expect("in range")
+        .film
+        .expect("layers");
+    let expected = two_layers().compressibility() * validity.a_over_t.powi(2);
+    assert!((validity.compressibility / expected - 1.0).abs() <= 1e-14);
+}
