@@ -17,6 +17,7 @@
 //! |---|---|
 //! | [`solve`](mod@solve) | the solver: the film's compliance, the methods of solution, many contacts at once |
 //! | [`stack`] | stacks of layers on a base |
+//! | [`cohesive`] | an attraction of finite range |
 //! | [`table`] | from a scene to a certified table, and its files |
 //! | [`cost`] | measurements of time and accuracy |
 //! | [`plot`] | the figures |
