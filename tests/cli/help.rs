@@ -35,6 +35,8 @@ fn the_help_of_every_command_has_its_arguments_and_the_program_says_whose_modulu
                 "--tolerance",
                 "--json",
                 "--points",
+                "--stack",
+                "--sphere-modulus",
                 "-o",
                 "--output",
             ],
@@ -44,6 +46,7 @@ fn the_help_of_every_command_has_its_arguments_and_the_program_says_whose_modulu
             "curve",
             &[
                 "TABLE",
+                "--stack",
                 "--film-thickness",
                 "--sphere-radius",
                 "--work-of-adhesion",

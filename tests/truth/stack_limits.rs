@@ -417,6 +417,14 @@ fn a_contact_that_is_too_wide_beside_the_top_layer_is_refused_with_the_reach() {
         assert!(error.to_string().contains(part), "{error}");
     }
     assert!(tabulate::stack_curve(&stack, 1.0, [1.0, 250.1], 1e-6).is_err());
+    let layers = [layer(1.0, 0.3, 1.0), layer(2.0, 0.4, 1e-300)];
+    let thinnest = Stack::new(solid(1e3, 0.3), layers).expect("physical");
+    for error in [
+        solve_stack(1.0, &thinnest, 1.0, 1e-6).map(drop),
+        tabulate::stack_curve(&thinnest, 1.0, [0.1, 1.0], 1e-6).map(drop),
+    ] {
+        assert!(matches!(error, Err(Error::StackReach { .. })), "{error:?}");
+    }
 }
 
 /// An exponential gradient of 20:1. The error falls with the square of the number of sublayers; the

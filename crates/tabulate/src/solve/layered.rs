@@ -65,7 +65,8 @@ impl LayeredCompliance {
             smallest_scale: 1.0,
             largest_excess: largest_excess(stack),
         };
-        compliance.smallest_scale = compliance.nearest_pole().min(1.0);
+        // Below 1e-40 lies nothing of the integral of `X`, which is at most some 1e9.
+        compliance.smallest_scale = compliance.nearest_pole().clamp(1e-40, 1.0);
         compliance
     }
 

@@ -59,7 +59,7 @@ pub fn solve_stack_power_laws(
     tolerance: f64,
 ) -> Result<(Solution, Vec<PowerLaw>), Error> {
     power_law::check(exponents)?;
-    StackContact::new(stack, sphere_modulus, Evaluation::Direct)?
+    StackContact::new(stack, sphere_modulus, a_over_t, Evaluation::Direct)?
         .solve(a_over_t, exponents, tolerance)
 }
 
@@ -80,8 +80,7 @@ pub fn stack_curve(
     tolerance: f64,
 ) -> Result<Curve, Error> {
     check_range(a_over_t, tolerance)?;
-    let contact = StackContact::new(stack, sphere_modulus, Evaluation::Sampled)?;
-    contact.check_reach(a_over_t[1])?;
+    let contact = StackContact::new(stack, sphere_modulus, a_over_t[1], Evaluation::Sampled)?;
     let curve = curve_of(
         &contact.material,
         a_over_t,
@@ -105,14 +104,12 @@ enum Evaluation {
     Sampled,
 }
 
-/// A stack under a sphere, ready to be solved at any `a/t`.
+/// A stack under a sphere, ready to be solved up to some `a/t`.
 struct StackContact {
     /// The surface of the stack and its base.
     material: Material,
     /// The thickness of the stack over that of the top layer.
     thickness_over_top: f64,
-    /// The number of layers, of which neighbours of one material count as one.
-    layers: usize,
     form: Form,
     /// The factors of the quantities of the top layer that give those of the surface.
     surface: Quantities,
@@ -129,8 +126,15 @@ enum Form {
 }
 
 impl StackContact {
-    /// Prepares a stack under a sphere.
-    fn new(stack: &Stack, sphere_modulus: f64, evaluation: Evaluation) -> Result<Self, Error> {
+    /// Prepares a stack under a sphere for contacts up to `a_over_t`. Refuses one that is too wide
+    /// beside the top layer, before any work with layers too thin for it.
+    fn new(
+        stack: &Stack,
+        sphere_modulus: f64,
+        a_over_t: f64,
+        evaluation: Evaluation,
+    ) -> Result<Self, Error> {
+        Error::check("a_over_t", a_over_t, A_OVER_T)?;
         let material = stack.material(sphere_modulus)?;
         let merged = stack.merged();
         let layers = merged.layers().len();
@@ -142,8 +146,17 @@ impl StackContact {
                 [f64::MIN_POSITIVE, f64::MAX],
             )?;
         }
+        let thickness_over_top = stack.thickness() / merged.top().thickness;
+        let reach = MOST_A_OVER_TOP / thickness_over_top;
         let form = if layers == 1 {
             Form::Film(of_top)
+        } else if a_over_t > reach {
+            return Err(Error::StackReach {
+                a_over_t,
+                reach,
+                thickness_over_top,
+                layers,
+            });
         } else {
             let compliance = LayeredCompliance::new(&merged);
             if evaluation == Evaluation::Sampled && layers >= MANY_LAYERS {
@@ -155,24 +168,9 @@ impl StackContact {
         };
         Ok(Self {
             material,
-            thickness_over_top: stack.thickness() / merged.top().thickness,
-            layers,
+            thickness_over_top,
             form,
             surface: factors(&of_top, &material, stack),
-        })
-    }
-
-    /// Accepts an `a/t` at which the contact is not too wide beside the top layer.
-    fn check_reach(&self, a_over_t: f64) -> Result<(), Error> {
-        let reach = MOST_A_OVER_TOP / self.thickness_over_top;
-        if matches!(self.form, Form::Film(_)) || a_over_t <= reach {
-            return Ok(());
-        }
-        Err(Error::StackReach {
-            a_over_t,
-            reach,
-            thickness_over_top: self.thickness_over_top,
-            layers: self.layers,
         })
     }
 
@@ -183,9 +181,7 @@ impl StackContact {
         exponents: &[f64],
         tolerance: f64,
     ) -> Result<(Solution, Vec<PowerLaw>), Error> {
-        Error::check("a_over_t", a_over_t, A_OVER_T)?;
         Error::check("tolerance", tolerance, TOLERANCE)?;
-        self.check_reach(a_over_t)?;
         let x = a_over_t * self.thickness_over_top;
         let not_converged = |reached| Error::StackNotConverged {
             a_over_t,
