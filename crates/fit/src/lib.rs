@@ -68,5 +68,5 @@ pub use estimate::{
 };
 pub use model::{
     Bodies, Branch, Direction, Experiment, Free, Kind, Loss, Measurement, Options, Parameter,
-    Point, Prior, Scope, simulate,
+    Point, Prediction, Prior, Scope, simulate,
 };

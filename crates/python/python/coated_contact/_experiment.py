@@ -49,8 +49,9 @@ class Experiment:
         cantilever: contact point - height = penetration + force / stiffness.
     abscissa : array_like
         Contact radii, penetrations or heights, m, in the order measured.
-    ordinate : array_like
-        Loads or forces, N, positive in compression; or penetrations, m.
+    ordinate : array_like, optional
+        Loads or forces, N, positive in compression; or penetrations, m. None where they are not
+        measured yet: then they are NaN, which :func:`simulate` and :func:`forecast` accept.
     system : System or HalfSpace
         The bodies. On a half-space the parameters of the film are those of the solid.
     retract : array_like of bool, optional
@@ -77,7 +78,7 @@ class Experiment:
 
     kind: Kind
     abscissa: Any
-    ordinate: Any
+    ordinate: Any = None
     system: System | HalfSpace
     retract: Any = None
     work_of_adhesion: float = 0.0
@@ -94,6 +95,8 @@ class Experiment:
         one_of("kind", self.kind, get_args(Kind))
         if not isinstance(self.system, System | HalfSpace):
             raise TypeError(f"system must be a System or a HalfSpace, not {self.system!r}")
+        if self.ordinate is None:
+            object.__setattr__(self, "ordinate", np.full(np.shape(self.abscissa), np.nan))
         points = [real(name, getattr(self, name)) for name in ("abscissa", "ordinate")]
         for name, array in zip(("abscissa", "ordinate"), points, strict=True):
             object.__setattr__(self, name, _fixed(array))

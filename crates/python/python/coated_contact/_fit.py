@@ -81,8 +81,6 @@ def fit(
     >>> print(f"{found.params['sphere_modulus']:.2e} Pa")
     2.00e+06 Pa
     """
-    if isinstance(experiments, Experiment):
-        experiments = [experiments]
     found = _native(_core.fit, experiments, free, table, loss, profile_level, interaction_range)
     film = found["without_film"]
     return Fit(
@@ -131,7 +129,7 @@ def fit_map(
     """
     if errors not in ("raise", "nan"):
         raise ValueError(f'errors = {errors!r} cannot be used: give "raise" or "nan"')
-    free = _free(free)
+    free = free_of(free)
     results = _native(_core.fit_map, curves, free, table, loss, profile_level, interaction_range)
     failures = {i: found for i, found in enumerate(results) if isinstance(found, ContactError)}
     for i, error in failures.items():
@@ -164,7 +162,7 @@ def fit_map(
 
 def _native(
     function: Callable[..., Any],
-    experiments: Iterable[Experiment],
+    experiments: Experiment | Iterable[Experiment],
     free: Iterable[ParameterName | Free],
     table: Table | None,
     loss: Loss,
@@ -173,16 +171,22 @@ def _native(
 ) -> Any:
     """Check the arguments and call the native part."""
     one_of("loss", loss, get_args(Loss))
-    given = list(experiments)
-    for one in given:
-        if not isinstance(one, Experiment):
-            raise TypeError(f"an experiment must be an Experiment, not {type(one).__name__}")
+    given = experiments_of(experiments)
     level = None if profile_level is None else number("profile_level", profile_level)
     options = (loss, level, number("interaction_range", interaction_range))
-    return function((table or Table.embedded())._native, given, _free(free), options)
+    return function((table or Table.embedded())._native, given, free_of(free), options)
 
 
-def _free(free: Iterable[ParameterName | Free]) -> list[Free]:
+def experiments_of(given: Experiment | Iterable[Experiment]) -> list[Experiment]:
+    """Return experiments as a list; refuse other objects."""
+    experiments = [given] if isinstance(given, Experiment) else list(given)
+    for one in experiments:
+        if not isinstance(one, Experiment):
+            raise TypeError(f"an experiment must be an Experiment, not {type(one).__name__}")
+    return experiments
+
+
+def free_of(free: Iterable[ParameterName | Free]) -> list[Free]:
     """Return the free parameters, those without further wishes too."""
     if isinstance(free, str):
         raise TypeError(f"free must be a list of parameters: [{free!r}]")

@@ -178,7 +178,7 @@ class Fit:
 
         With one experiment there are no numbers.
         """
-        return tuple(_name(estimate, len(self.experiments)) for estimate in self.estimates)
+        return tuple(name_of(estimate, len(self.experiments)) for estimate in self.estimates)
 
     @property
     def params(self) -> dict[str, float]:
@@ -230,6 +230,28 @@ class Fit:
                 ax.plot(x, points.without_film, ":", color=colour)
         ax.legend()
         return ax
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Forecast:
+    """What planned experiments would tell.
+
+    Attributes
+    ----------
+    estimates : tuple of Estimate
+        The parameters at their true values, with the standard errors expected.
+    correlation : numpy.ndarray
+        Their expected correlation matrix; NaN where the experiments would not determine it.
+    undetermined : tuple of str
+        The combinations of parameters that the experiments would not determine, in words.
+    stderr : dict of str to float
+        The standard errors, in SI units, by name.
+    """
+
+    estimates: tuple[Estimate, ...]
+    correlation: Array
+    undetermined: tuple[str, ...]
+    stderr: dict[str, float]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -302,7 +324,8 @@ def correlation_of(found: Mapping[str, Any]) -> Array:
     return np.array(found["correlation"], dtype=np.float64)
 
 
-def _name(estimate: Estimate, experiments: int) -> str:
+def name_of(estimate: Estimate, experiments: int) -> str:
+    """Return the name of an estimate: ``contact_point[1]`` is that of the second experiment."""
     if estimate.experiment is None or experiments == 1:
         return estimate.parameter
     return f"{estimate.parameter}[{estimate.experiment}]"
@@ -312,7 +335,7 @@ def without_film_of(found: Mapping[str, Any], experiments: int) -> WithoutFilm:
     """Return the fit without the film in a native result."""
     modulus, relative, deviations, matters = found["modulus"] or (None, None, None, False)
     return WithoutFilm(
-        params={_name(one, experiments): one.value for one in estimates_of(found)},
+        params={name_of(one, experiments): one.value for one in estimates_of(found)},
         chi_squared=found["chi_squared"],
         modulus=modulus,
         relative_error=relative,
