@@ -59,8 +59,9 @@ impl GivenScene {
 
 /// What the thread of the generation tells that of the caller.
 enum Event {
-    /// A stage begins, with its points and those that are finished already.
-    Begin(&'static str, usize, usize),
+    /// A stage begins, with its points and those that are finished already. Dropping the last lets
+    /// it begin.
+    Begin(&'static str, usize, usize, Sender<()>),
     /// A sentence for the user.
     Note(String),
     /// The pieces of a sweep are to be solved elsewhere.
@@ -106,7 +107,11 @@ impl Drop for End<'_> {
 
 impl Observer for Told {
     fn begin(&self, what: &'static str, points: usize, finished: usize) {
-        self.tell(Event::Begin(what, points, finished));
+        let (go, told) = channel();
+        self.tell(Event::Begin(what, points, finished, go));
+        // Nothing advances until the caller has taken the stage. Nothing is sent: the caller drops
+        // its end.
+        let _ = told.recv();
     }
 
     fn advance(&self, points: usize) {
@@ -176,7 +181,6 @@ impl Listener<'_> {
     fn listen(&mut self, py: Python<'_>) -> PyResult<()> {
         let heard = self.attend(py);
         if heard.is_err() {
-            self.told.interrupted.store(true, Ordering::Relaxed);
             // The piece that is being solved is finished and kept.
             while !matches!(self.next(py), Some(Event::End)) {}
         }
@@ -186,16 +190,24 @@ impl Listener<'_> {
     /// Handles events until the end, or until Python raises.
     fn attend(&mut self, py: Python<'_>) -> PyResult<()> {
         loop {
-            py.check_signals()?;
+            py.check_signals().inspect_err(|_| self.interrupt())?;
             let event = self.next(py);
-            self.report()?;
-            match event {
-                Some(Event::End) => return Ok(()),
-                Some(Event::Pieces(pieces)) => self.solve(py, &pieces)?,
-                Some(other) => self.hear(other)?,
-                None => {}
+            let heard = self.report().and_then(|()| match &event {
+                Some(Event::Pieces(pieces)) => self.solve(py, pieces),
+                Some(event) => self.hear(event),
+                None => Ok(()),
+            });
+            // Before the event is dropped, which lets the generation go on.
+            heard.inspect_err(|_| self.interrupt())?;
+            if matches!(event, Some(Event::End)) {
+                return Ok(());
             }
         }
+    }
+
+    /// Lets the generation end after the piece that is being solved.
+    fn interrupt(&self) {
+        self.told.interrupted.store(true, Ordering::Relaxed);
     }
 
     /// Returns the next event; none within a [`TICK`].
@@ -208,11 +220,10 @@ impl Listener<'_> {
     }
 
     /// Takes a stage or a sentence.
-    fn hear(&mut self, event: Event) -> PyResult<()> {
+    fn hear(&mut self, event: &Event) -> PyResult<()> {
         match event {
-            Event::Begin(stage, points, finished) => {
-                self.told.advanced.store(0, Ordering::Relaxed);
-                (self.stage, self.finished) = (Some((stage, points)), finished);
+            Event::Begin(stage, points, finished, _) => {
+                (self.stage, self.finished) = (Some((*stage, *points)), *finished);
                 self.tell_progress()
             }
             Event::Note(text) => self.note.call1((text,)).map(drop),

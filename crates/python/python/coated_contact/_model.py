@@ -205,7 +205,7 @@ def forecast(
     ...                   work_of_adhesion=0.04, noise=5e-6)
     >>> expected = forecast(plan, ["sphere_modulus", "work_of_adhesion"])
     >>> print(f"{expected.stderr['sphere_modulus']:.1e} Pa")
-    1.2e+04 Pa
+    6.8e+03 Pa
     """
     given = experiments_of(experiments)
     native = (table or Table.embedded())._native
