@@ -23,9 +23,8 @@ def test_a_lens_is_fitted_like_by_fit(model_class, method):
     one = lens(seed=1)
     expected = fit(one, WANTED)
     model = model_class(one, WANTED)
-    found = model.fit(
-        one.ordinate, x=one.abscissa, sphere_modulus=1e6, work_of_adhesion=0.05, method=method
-    )
+    start = {"sphere_modulus": 1e6, "work_of_adhesion": 0.05}
+    found = model.fit(one.ordinate, x=one.abscissa, weights=1 / 2e-6, method=method, **start)
     assert found.success
     for name in WANTED:
         assert found.best_values[name] == pytest.approx(expected.params[name], rel=1e-5)

@@ -37,7 +37,8 @@ def solved_pieces(
                     f"a worker runs another build of the package or another processor, {build}, "
                     f"and this is {own}: the last digits may differ; install one wheel everywhere"
                 )
-            yield missing[index], values
+            # A copy: what dask has received may not be aligned.
+            yield missing[index], np.array(values)
 
     return pieces
 

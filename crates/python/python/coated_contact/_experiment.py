@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from typing import Any, Literal, get_args
 
 import numpy as np
@@ -114,6 +114,10 @@ class Experiment:
             if value is not None:
                 object.__setattr__(self, name, number(name, value))
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Pickle the values, from which the experiment is made again."""
+        return (_experiment, ({one.name: getattr(self, one.name) for one in fields(self)},))
+
     @property
     def bodies(self) -> tuple[float, ...]:
         """The numbers of the bodies, as the native part takes them."""
@@ -130,6 +134,10 @@ _NUMBERS = (
     "stiffness",
     "noise",
 )
+
+
+def _experiment(values: dict[str, Any]) -> Experiment:
+    return Experiment(**values)
 
 
 def _fixed(array: NDArray[Any]) -> NDArray[Any]:

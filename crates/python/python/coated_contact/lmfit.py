@@ -37,7 +37,8 @@ class Model(LmfitModel):  # type: ignore[misc]
     The independent variable ``x`` is the abscissa. The parameters are those of
     :class:`coated_contact.Free` that the kind of experiment has, with the values of the experiment;
     those in ``free`` vary. With the methods ``"leastsq"`` and ``"least_squares"`` the fit uses the
-    exact derivatives, unless a parameter has an expression.
+    exact derivatives, unless a parameter has an expression. Give the weights 1/noise:
+    ``"least_squares"`` stops by an absolute gradient, which is tiny in newtons.
 
     At the abscissae of the experiment the branch of each point is read from its data, as
     :func:`coated_contact.branches` does, and points in a jump do not count. At other abscissae the

@@ -96,7 +96,9 @@ class Plugin:
     ) -> Array:
         """Return the force less that of the model, 0 for points in a jump.
 
-        Which points are in contact is read from the data: those before the jump off. There are no
+        Which points are in contact is read from the data: those before the jump off; on retract
+        those up to the smallest force, because a contact that detaches gradually does not follow
+        the model any more. There are no
         weights about the contact point, whatever ``weight_cp`` is: they would play down adhesion.
         Where there is no contact of these values, such as one larger than the sphere, the residuals
         are far larger than any force, so that the method shortens its step.
@@ -105,6 +107,12 @@ class Plugin:
         known = [key for key, parameter in params.items() if parameter.vary]
         free = [key for key in ("work_of_adhesion", "contact_point", "baseline") if key in known]
         words = branches(experiment, free)  # type: ignore[arg-type]
+        if self.retract and params["work_of_adhesion"].value > 0:
+            closest = experiment.abscissa[experiment.ordinate.argmin()]
+            words = [
+                "left-out" if word == "receding" and x < closest else word
+                for word, x in zip(words, experiment.abscissa, strict=True)
+            ]
         try:
             difference = experiment.ordinate - predict(experiment, branches=words).ordinate
         except FitError:
