@@ -27,6 +27,20 @@ ParameterName = Literal[
     "stiffness",
 ]
 
+UNITS_OF: dict[str, str] = {
+    "sphere_modulus": "Pa",
+    "film_modulus": "Pa",
+    "film_poisson_ratio": "1",
+    "film_thickness": "m",
+    "work_of_adhesion": "J/m^2",
+    "work_of_adhesion_receding": "J/m^2",
+    "load_offset": "N",
+    "contact_point": "m",
+    "baseline": "N",
+    "baseline_slope": "N/m",
+    "stiffness": "N/m",
+}
+
 
 def one_of(name: str, value: object, allowed: tuple[str, ...]) -> None:
     """Refuse a word that is not one of those allowed."""
