@@ -9,16 +9,26 @@ use std::process::{Command, Stdio};
 use crate::{succeed, workspace};
 
 /// The packages that build and test the Python package.
-const PACKAGES: [&str; 8] = [
-    "maturin==1.16.0",
+const PACKAGES: [&str; 13] = [
+    "distributed==2026.8.0",
+    "lmfit==1.3.4",
     "matplotlib==3.11.2",
+    "maturin==1.16.0",
     "mypy==2.4.1",
     "numpy==2.4.6",
     "pandas==3.1.1",
     "pytest==9.2.0",
     "ruff==0.17.6",
+    "scipy==1.17.1",
+    "tqdm==4.70.1",
     "xarray==2026.9.0",
+    "ziglang==0.15.1",
 ];
+/// The packages with whose numbers those of the package are compared. Without them the tests that
+/// need them are skipped.
+const PEERS: [&str; 2] = ["ContactMechanics==1.8.3", "nanite==4.2.3"];
+/// The version of nanite whose source holds the measured curve of a test.
+const NANITE: &str = "4.2.3";
 
 /// Builds the wheel and the source distribution into `wheels` in the target directory.
 pub fn build() -> Result<(), String> {
