@@ -2,7 +2,8 @@
 # # A colloidal probe on a gel
 #
 # A glass sphere of 10 µm on a cantilever touches a layer of gel, 5 µm thick, on glass. Adhesion is
-# larger on retract than on approach. Measured are the height of the cantilever's base and the force.
+# larger on retract than on approach. The height of the cantilever's base and the force are
+# measured.
 
 # %%
 import matplotlib.pyplot as plt
