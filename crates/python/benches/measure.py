@@ -5,6 +5,7 @@ Run it on a quiet machine: ``python benches/measure.py`` (needs scipy). CPU time
 
 import os
 import threading
+from dataclasses import replace
 from time import perf_counter, process_time
 
 import numpy as np
@@ -24,7 +25,7 @@ from coated_contact import (
 
 
 def best(work, repeats=7, clock=perf_counter):
-    """The least time of one call."""
+    """Return the least time of one call."""
     times = []
     for _ in range(repeats):
         start = clock()
@@ -42,7 +43,7 @@ def made(film_modulus=3.5e6, **changes):
 
 
 def lookups():
-    """Loads, threads, and contacts."""
+    """Measure loads, threads and contacts."""
     contact = Table.embedded().contact(made())
     a = np.linspace(40e-6, 100e-6, 1_000_000)
     alone = best(lambda: contact.load(a, 0.04))
@@ -66,7 +67,7 @@ TRUTH = {"film_modulus": 5e5, "work_of_adhesion": 0.04, "contact_point": 4e-6}
 
 
 def retract(seed, points=300):
-    """A curve of a cantilever with three unknowns."""
+    """Return a curve of a cantilever with three unknowns."""
     system = made(film_modulus=TRUTH["film_modulus"])
     plan = Experiment(
         kind="force-height",
@@ -82,9 +83,7 @@ def retract(seed, points=300):
 
 
 def with_values(curve, modulus, w, contact_point):
-    """The curve with other values of the unknowns."""
-    from dataclasses import replace
-
+    """Return the curve with other values of the unknowns."""
     film = replace(curve.system.film, young_modulus=modulus)
     return replace(
         curve,
@@ -95,7 +94,7 @@ def with_values(curve, modulus, w, contact_point):
 
 
 def fits():
-    """Our fit beside scipy's least squares, from one start, in CPU time."""
+    """Measure fits beside scipy's least squares, from one start, in CPU time."""
     free = list(TRUTH)
     curves = [retract(seed) for seed in range(500)]
     fit_map(curves[:20], free)

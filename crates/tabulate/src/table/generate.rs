@@ -119,7 +119,8 @@ const ORDER: f64 = 8.0;
 const SUSPECTS: usize = 24;
 
 /// Solves every node of a scene, measures the accuracy, refines the axes that hold the error until
-/// it is within the tolerance, and writes the file: packed to a name that ends in `.bin`, else HDF5.
+/// it is within the tolerance, and writes the file: packed to a name that ends in `.bin`, else
+/// HDF5.
 ///
 /// The file depends on the scene, the certificate's points and seed, and this build of the program
 /// on this kind of processor alone. It does not depend on the number of threads, or on
@@ -130,11 +131,11 @@ const SUSPECTS: usize = 24;
 ///
 /// # Errors
 /// [`Error::Busy`] if another process generates the same file; [`Error::OtherRun`] if the finished
-/// pieces belong to another scene, build or processor, or a refined plan to another certificate; [`Error::Budget`] if
-/// the budget is spent before all is solved; [`Error::Interrupted`] if the observer ends it;
-/// [`Error::Write`] for a file that cannot be written, or an HDF5 file from a program that was
-/// built without the feature `hdf5`; those of the
-/// solve and of [`Plan::new`]. Finished pieces are kept.
+/// pieces belong to another scene, build or processor, or a refined plan to another certificate;
+/// [`Error::Budget`] if the budget is spent before all is solved; [`Error::Interrupted`] if the
+/// observer ends it; [`Error::Write`] for a file that cannot be written, or an HDF5 file from a
+/// program that was built without the feature `hdf5`; those of the solve and of [`Plan::new`].
+/// Finished pieces are kept.
 ///
 /// # Panics
 /// If `certificate_points` is 0.
@@ -147,8 +148,8 @@ pub fn generate(
     generate_with(scene, path, options, observer, &Here)
 }
 
-/// Generates like [`generate`], with the pieces of each sweep solved by `solver`. The certificate is
-/// measured in this process.
+/// Generates like [`generate`], with the pieces of each sweep solved by `solver`. The certificate
+/// is measured in this process.
 ///
 /// # Errors
 /// Those of [`generate`] and of the solver; [`Error::Piece`] for a piece with a wrong number of
