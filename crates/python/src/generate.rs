@@ -16,7 +16,7 @@ use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
 use tabulate::Error;
 use tabulate::table::{
-    Here, Observer, Options, Scene, Solver, Sweep, build_name, default_points, generate_with,
+    Here, Keep, Observer, Options, Scene, Solver, Sweep, build_name, default_points, generate_with,
 };
 
 use crate::arrays::Output;
@@ -59,8 +59,7 @@ impl GivenScene {
 
 /// What the thread of the generation tells that of the caller.
 enum Event {
-    /// A stage begins, with its points and those that are finished already. Dropping the last lets
-    /// it begin.
+    /// A stage begins, with its points and those that are finished already. It waits for an answer.
     Begin(&'static str, usize, usize, Sender<()>),
     /// A sentence for the user.
     Note(String),
@@ -109,8 +108,8 @@ impl Observer for Told {
     fn begin(&self, what: &'static str, points: usize, finished: usize) {
         let (go, told) = channel();
         self.tell(Event::Begin(what, points, finished, go));
-        // Nothing advances until the caller has taken the stage. Nothing is sent: the caller drops
-        // its end.
+        // Nothing advances until the caller has taken the stage. Without an answer it has an
+        // exception, and has interrupted the generation.
         let _ = told.recv();
     }
 
@@ -136,7 +135,7 @@ impl Solver for Elsewhere<'_> {
         sweep: &Sweep<'_>,
         missing: &[usize],
         observer: &dyn Observer,
-        keep: &mut dyn FnMut(usize, &[f64]) -> Result<(), Error>,
+        keep: Keep<'_>,
     ) -> Result<(), Error> {
         let (reply, solved) = channel();
         let missing = missing.to_vec();
@@ -222,9 +221,12 @@ impl Listener<'_> {
     /// Takes a stage or a sentence.
     fn hear(&mut self, event: &Event) -> PyResult<()> {
         match event {
-            Event::Begin(stage, points, finished, _) => {
+            Event::Begin(stage, points, finished, go) => {
                 (self.stage, self.finished) = (Some((*stage, *points)), *finished);
-                self.tell_progress()
+                self.tell_progress()?;
+                // The generation listens, unless it has panicked.
+                let _ = go.send(());
+                Ok(())
             }
             Event::Note(text) => self.note.call1((text,)).map(drop),
             Event::Pieces(_) | Event::End => Ok(()),

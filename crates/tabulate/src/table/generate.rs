@@ -50,6 +50,9 @@ pub trait Observer: Sync {
     }
 }
 
+/// Keeps the values of a finished piece, given by its number.
+pub type Keep<'a> = &'a mut dyn FnMut(usize, &[f64]) -> Result<(), Error>;
+
 /// Solves the pieces of a sweep: in this process ([`Here`]), or elsewhere.
 pub trait Solver {
     /// Solves the pieces `missing` of a sweep in any order, tells the observer of finished points,
@@ -62,7 +65,7 @@ pub trait Solver {
         sweep: &Sweep<'_>,
         missing: &[usize],
         observer: &dyn Observer,
-        keep: &mut dyn FnMut(usize, &[f64]) -> Result<(), Error>,
+        keep: Keep<'_>,
     ) -> Result<(), Error>;
 }
 
@@ -76,7 +79,7 @@ impl Solver for Here {
         sweep: &Sweep<'_>,
         missing: &[usize],
         observer: &dyn Observer,
-        keep: &mut dyn FnMut(usize, &[f64]) -> Result<(), Error>,
+        keep: Keep<'_>,
     ) -> Result<(), Error> {
         for &piece in missing {
             keep(

@@ -26,7 +26,7 @@ pub use build::name as build_name;
 pub(crate) use certify::Axis as SampledAxis;
 pub use certify::{Sample, certificate, certify, default_points, measure, points_for, sample};
 pub use compress::{compress, low_rank};
-pub use generate::{Generated, Here, Observer, Options, Solver, generate, generate_with};
+pub use generate::{Generated, Here, Keep, Observer, Options, Solver, generate, generate_with};
 pub use lines::{lines, logarithms};
 pub use placement::{EVENNESS, Placement, places};
 pub use plan::Plan;
