@@ -6,7 +6,7 @@ import signal
 import numpy as np
 import pytest
 
-from coated_contact import GenerationError, Table, generate, solve
+from coated_contact import GenerationError, InvalidArgumentError, Table, generate, solve
 from conftest import ROOT
 
 SCENE = {
@@ -141,6 +141,9 @@ def test_scenes_that_cannot_be_used_are_named(tmp_path):
     }.items():
         with pytest.raises(GenerationError, match=words):
             generate({**SCENE, change: 0.6}, progress=False)
+    for wrong in ({"certificate_points": 0}, {"certificate_points": -1}, {"seed": -1}):
+        with pytest.raises(InvalidArgumentError, match=next(iter(wrong))):
+            generate(SCENE, progress=False, **wrong)
     with pytest.raises(FileNotFoundError):
         generate(tmp_path / "missing.toml", progress=False)
     with pytest.raises(ValueError, match=r"pathlib\.Path"):

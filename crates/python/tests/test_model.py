@@ -17,6 +17,7 @@ from coated_contact import (
     Forecast,
     Free,
     HalfSpace,
+    InvalidArgumentError,
     branches,
     fit,
     fit_map,
@@ -206,6 +207,8 @@ def test_what_cannot_be_used_is_named():
         predict(3)
     with pytest.raises(FitError, match="noise = -1"):
         simulate(planned(), noise=-1.0, seed=0)
+    with pytest.raises(InvalidArgumentError, match="seed = -1"):
+        simulate(planned(), noise=1.0, seed=-1)
     with pytest.raises(FitError, match="finite"):
         branches(planned())
 

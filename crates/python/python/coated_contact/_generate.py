@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from . import _core
-from ._arrays import number
+from ._arrays import integer, number
 from ._distributed import solved_pieces
 from ._table import Table
 
@@ -124,6 +124,9 @@ def generate(
     True
     """
     given_scene = scene_of(scene, tolerance)
+    if certificate_points is not None:
+        integer("certificate_points", certificate_points, 1, 2**31)
+    integer("seed", seed, 0, 2**63)
     if path is None:
         with tempfile.TemporaryDirectory() as folder:
             return generate(

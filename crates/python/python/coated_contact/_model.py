@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import operator
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from typing import Literal, get_args
@@ -11,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _core
-from ._arrays import number
+from ._arrays import integer, number
 from ._experiment import Experiment, Free, ParameterName, one_of
 from ._fit import experiments_of, free_of
 from ._fit_results import Forecast, correlation_of, estimates_of, name_of
@@ -163,7 +162,8 @@ def simulate(
     """
     experiments_of([experiment])
     native = (table or Table.embedded())._native
-    ordinate = _core.simulate(native, experiment, number("noise", noise), operator.index(seed))
+    whole = integer("seed", seed, 0, 2**63)
+    ordinate = _core.simulate(native, experiment, number("noise", noise), whole)
     return replace(experiment, ordinate=ordinate)
 
 
