@@ -130,7 +130,7 @@ def test_an_error_of_a_worker_is_raised_here(client):
 
 @pytest.mark.large
 def test_a_map_of_100_000_curves(client):
-    """Half an hour on two cores: `pytest -m large`."""
+    """Two minutes on two cores: `pytest -m large`."""
     plan = lens(seed=1)
     curves = (
         Experiment(
