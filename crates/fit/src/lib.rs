@@ -52,6 +52,9 @@
 //!
 //! `F` is 0 where the data show no contact. Which points are in contact is read from the data, not
 //! from the model: see [`Branch`].
+//!
+//! [`Experiment::predictions`] evaluates the model for other methods of fitting, with its
+//! derivatives.
 
 #![forbid(unsafe_code)]
 
@@ -68,5 +71,5 @@ pub use estimate::{
 };
 pub use model::{
     Bodies, Branch, Direction, Experiment, Free, Kind, Loss, Measurement, Options, Parameter,
-    Point, Prior, Scope, simulate,
+    Point, Prediction, Prior, Scope, simulate,
 };

@@ -15,15 +15,15 @@ use crate::table::Table;
 /// A contact, with the table that makes its derivatives when they are first asked for.
 #[pyclass(frozen, module = "coated_contact._core")]
 pub struct Contact {
-    contact: interp::Contact,
+    pub contact: interp::Contact,
     origin: Option<(Table, System)>,
     with_gradient: OnceLock<interp::Contact>,
 }
 
 /// What is imposed: `load`, `displacement` or `spring`, and the stiffness of the spring, N/m.
-type Imposed<'a> = (&'a str, f64);
+pub type Imposed<'a> = (&'a str, f64);
 /// Contact radius, load and penetration.
-type StateNumbers = [f64; 3];
+pub type StateNumbers = [f64; 3];
 /// Contact radii, loads and penetrations.
 type StateArrays<'py> = [Output<'py>; 3];
 /// Branches on loading and unloading, and the states before and after each jump.
@@ -57,7 +57,7 @@ impl Contact {
 }
 
 /// Returns what is imposed on the contact.
-fn control((name, stiffness): Imposed<'_>) -> PyResult<Control> {
+pub fn control((name, stiffness): Imposed<'_>) -> PyResult<Control> {
     match name {
         "load" => Ok(Control::Load),
         "displacement" => Ok(Control::Displacement),
@@ -76,7 +76,7 @@ fn branch(name: &str) -> PyResult<Branch> {
 }
 
 /// Returns the three numbers of a state.
-fn numbers(state: State) -> StateNumbers {
+pub fn numbers(state: State) -> StateNumbers {
     [state.contact_radius, state.load, state.penetration]
 }
 
@@ -138,6 +138,39 @@ impl Contact {
     ) -> PyResult<[Output<'py>; 1]> {
         points.evaluate(py, [&a], |[a]| {
             self.contact.stiffness(a).map(|stiffness| [stiffness])
+        })
+    }
+
+    /// Returns a/R, a/t, the compressibility, and 1 if a/t is among the nodes; NaN on a half-space
+    /// for the last three.
+    fn validity<'py>(
+        &self,
+        py: Python<'py>,
+        points: Points,
+        a: Input<'_>,
+    ) -> PyResult<[Output<'py>; 4]> {
+        points.evaluate(py, [&a], |[a]| {
+            let validity = self.contact.validity(a)?;
+            let [a_over_t, compressibility, in_range] =
+                validity.film.map_or([f64::NAN; 3], |film| {
+                    let in_range = f64::from(u8::from(film.in_range));
+                    [film.a_over_t, film.compressibility, in_range]
+                });
+            Ok::<_, Error>([validity.a_over_r, a_over_t, compressibility, in_range])
+        })
+    }
+
+    /// Returns Tabor's parameter and the length of the zone of attraction.
+    fn adhesion_range<'py>(
+        &self,
+        py: Python<'py>,
+        points: Points,
+        w: Input<'_>,
+        z0: Input<'_>,
+    ) -> PyResult<[Output<'py>; 2]> {
+        points.evaluate(py, [&w, &z0], |[w, z0]| {
+            let range = self.contact.adhesion_range(w, z0)?;
+            Ok::<_, Error>([range.tabor, range.cohesive_zone])
         })
     }
 

@@ -227,6 +227,16 @@ impl From<tabulate::Error> for Failure {
             } => of("NotConvergedError")
                 .about("tolerance", tolerance)
                 .range(reached, f64::INFINITY),
+            Error::Read { path, source } | Error::Write { path, source } => {
+                of("OSError").about_file(&path, &source)
+            }
+            Error::Busy { .. } => of("OSError"),
+            Error::Scene { .. }
+            | Error::TooLarge { .. }
+            | Error::TooClose { .. }
+            | Error::Unresolved { .. }
+            | Error::OtherRun { .. }
+            | Error::Piece { .. } => of("GenerationError"),
             _ => of("ContactError"),
         }
     }

@@ -112,7 +112,7 @@ pub fn fit_map<'py>(
 }
 
 /// Makes an experiment.
-fn experiment(py: Python<'_>, given: &Given<'_>) -> PyResult<Experiment> {
+pub fn experiment(py: Python<'_>, given: &Given<'_>) -> PyResult<Experiment> {
     let kind = match given.kind.as_str() {
         "load-radius" => Kind::LoadRadius,
         "penetration-radius" => Kind::PenetrationRadius,
@@ -171,9 +171,9 @@ fn bodies(py: Python<'_>, numbers: &[f64]) -> PyResult<Bodies> {
 }
 
 /// Makes the free parameters.
-fn frees(py: Python<'_>, given: Vec<GivenFree>) -> PyResult<Vec<Free>> {
+pub fn frees(py: Python<'_>, given: Vec<GivenFree>) -> PyResult<Vec<Free>> {
     let one = |given: GivenFree| {
-        let parameter: Parameter = given.parameter.replace('_', "-").parse()?;
+        let parameter = parameter(&given.parameter)?;
         let mut free = Free {
             start: given.start,
             bounds: given.bounds,
@@ -207,8 +207,13 @@ fn options((loss, profile_level, interaction_range): GivenOptions) -> PyResult<O
 }
 
 /// Returns the exception of a word that the Python layer should have refused.
-fn unknown(name: &str, word: &str) -> PyErr {
+pub fn unknown(name: &str, word: &str) -> PyErr {
     PyValueError::new_err(format!("{word:?} is not a {name}"))
+}
+
+/// Returns the parameter of a name in Python.
+pub fn parameter(name: &str) -> Result<Parameter, fit::Error> {
+    name.replace('_', "-").parse()
 }
 
 /// Returns the name of a parameter in Python.
@@ -217,7 +222,7 @@ fn name(parameter: Parameter) -> String {
 }
 
 /// Returns parameter, experiment, value, standard error and profile of each estimate.
-fn estimates<'py>(py: Python<'py>, estimates: &[Estimate]) -> PyResult<Bound<'py, PyList>> {
+pub fn estimates<'py>(py: Python<'py>, estimates: &[Estimate]) -> PyResult<Bound<'py, PyList>> {
     let one = |estimate: &Estimate| {
         let Estimate {
             parameter,

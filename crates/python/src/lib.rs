@@ -2,7 +2,8 @@
 //!
 //! It is thin. The Python layer beside it checks types, broadcasts, documents and annotates; this
 //! module takes flat arrays of f64 and evaluates them with the interpreter's lock released. Data
-//! flows `contact → table → bodies`, all through `arrays`; `fit` and `solve` stand beside them; `error` makes Python's exceptions of all of them.
+//! flows `contact → table → bodies`, all through `arrays`; `line`, `fit`, `model`, `generate` and
+//! `solve` stand beside them; `error` makes Python's exceptions of all of them.
 
 #![forbid(unsafe_code)]
 
@@ -11,6 +12,9 @@ mod bodies;
 mod contact;
 mod error;
 mod fit;
+mod generate;
+mod line;
+mod model;
 mod solve;
 mod table;
 
@@ -27,6 +31,12 @@ mod _core {
     use super::error::no_derivative;
     #[pymodule_export]
     use super::fit::{fit_map, fit_together};
+    #[pymodule_export]
+    use super::generate::{build, generate, solve_piece};
+    #[pymodule_export]
+    use super::line::{check_law, energy_of_speed, impose, line, ramp};
+    #[pymodule_export]
+    use super::model::{branches, forecast, predict, simulate};
     #[pymodule_export]
     use super::solve::solve;
     #[pymodule_export]

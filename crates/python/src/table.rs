@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use interp::{Error, SubstratePoissonRatio};
-use numpy::PyArray1;
+use numpy::{PyArray1, PyArrayMethods as _};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 
@@ -32,10 +32,15 @@ impl Table {
         }
     }
 
+    /// Takes a table.
+    pub fn of(table: interp::Table) -> Self {
+        Self(Source::Own(Arc::new(table)))
+    }
+
     /// Takes a table that was read, or raises.
     fn own(py: Python<'_>, read: Result<interp::Table, Error>) -> PyResult<Self> {
         match read {
-            Ok(table) => Ok(Self(Source::Own(Arc::new(table)))),
+            Ok(table) => Ok(Self::of(table)),
             Err(error) => Err(Failure::from(error).raise(py)),
         }
     }
@@ -102,6 +107,26 @@ impl Table {
             axes.set_item(parameter.name(), PyArray1::from_vec(py, nodes))?;
         }
         Ok(axes)
+    }
+
+    /// Returns the values of each quantity at the nodes, row-major, by its name.
+    fn values<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let expanded = py
+            .detach(|| self.get().expand())
+            .map_err(|error| Failure::from(error).raise(py))?;
+        let values = PyDict::new(py);
+        for quantity in expanded.quantities() {
+            if let Some(held) = expanded.values(quantity) {
+                let array = PyArray1::from_slice(py, held).reshape(expanded.shape())?;
+                values.set_item(quantity.name(), array)?;
+            }
+        }
+        Ok(values)
+    }
+
+    /// Returns the modulus in whose unit the quantities are.
+    fn unit(&self) -> &'static str {
+        self.get().unit()
     }
 
     /// Returns the names of the quantities held.

@@ -5,7 +5,7 @@ from math import pi, sqrt
 import numpy as np
 import pytest
 
-from coated_contact import Contact, Elastic, HalfSpace, Spring, Table
+from coated_contact import Contact, Elastic, HalfSpace, Spring, System, Table
 from conftest import rows, system_of
 
 SYSTEMS = rows("systems")
@@ -21,6 +21,35 @@ def test_every_system_of_the_catalogue_is_answered():
         for name, value in found.items():
             error = abs(value - float(row[name])) / float(row[f"{name}_scale"])
             assert error <= 1e-6, (row, name)
+
+
+def test_the_reference_is_answered_by_the_embedded_table():
+    """Values in double-double arithmetic; stiffness and zero-adhesion load are eqs. 4 and 5."""
+    modulus, radius, thickness = 2e6, 1.0, 1e-6
+    checked = 0
+    for row in rows("barthel_reference"):
+        x, e1, nu1, e0, nu0, pi0, eeq, delta0 = (
+            float(row[name])
+            for name in (
+                *("a_over_t", "e1_over_e2", "nu1", "e0_over_e2", "nu0"),
+                *("pi0", "eeq", "delta0"),
+            )
+        )
+        if e1 == 0:
+            continue
+        system = System(
+            sphere_radius=radius,
+            sphere_modulus=modulus,
+            film=Elastic(young_modulus=e1 * modulus, poisson_ratio=nu1),
+            film_thickness=thickness,
+            substrate=Elastic(young_modulus=e0 * modulus, poisson_ratio=nu0),
+        )
+        contact, a = Table.embedded().contact(system), x * thickness
+        expected = (a**3 * modulus * pi0 / (2 * radius), a**2 * delta0 / radius)
+        assert contact.load_and_penetration(a, 0.0) == pytest.approx(expected, rel=1e-6)
+        assert contact.stiffness(a) == pytest.approx(2 * a * modulus * eeq, rel=1e-6)
+        checked += 1
+    assert checked > 30
 
 
 @pytest.fixture(scope="module")

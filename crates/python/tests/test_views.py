@@ -5,7 +5,7 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 
-from coated_contact import Contact, Free, fit, fit_map
+from coated_contact import Contact, Experiment, Free, fit, fit_map
 from test_fit import WANTED, lens
 
 
@@ -89,3 +89,41 @@ def test_notebooks_show_fits_as_text():
     for warning in found.warnings:
         assert warning.kind in shown
     assert "<script>" not in shown
+
+
+@pytest.fixture(scope="module")
+def small_map():
+    curves = [lens(seed=seed) for seed in range(6)]
+    flat = np.full(40, 1e-5)
+    curves[4] = Experiment(
+        kind="load-radius", abscissa=curves[4].abscissa, ordinate=flat, system=curves[4].system
+    )
+    return fit_map(curves, WANTED, errors="nan")
+
+
+def test_a_map_is_drawn(small_map, axes):
+    assert small_map.plot(ax=axes) is axes
+    line = axes.containers[0].lines[0]
+    assert np.array_equal(line.get_ydata(), small_map.params["sphere_modulus"], equal_nan=True)
+    assert axes.get_ylabel() == "sphere_modulus (Pa)"
+
+
+def test_a_map_is_drawn_as_an_image(small_map, axes):
+    small_map.plot("work_of_adhesion", shape=(2, 3), ax=axes)
+    (image,) = axes.get_images()
+    expected = small_map.params["work_of_adhesion"].reshape(2, 3)
+    assert np.array_equal(image.get_array().filled(np.nan), expected, equal_nan=True)
+    assert image.get_array().mask.tolist() == [[False] * 3, [False, True, False]]
+    with pytest.raises(ValueError, match="of 4 curves, not 6"):
+        small_map.plot(shape=(2, 2), ax=axes)
+    with pytest.raises(ValueError, match="'colour' was not fitted"):
+        small_map.plot("colour", ax=axes)
+
+
+def test_notebooks_show_maps_as_text(small_map):
+    shown = small_map._repr_html_()
+    median = np.nanmedian(small_map.params["work_of_adhesion"])
+    assert f"<td>{median:.4g}</td>" in shown
+    assert "of 6 curves" in shown
+    assert "<td>no result</td><td>1</td>" in shown
+    assert "nan" in fit_map([], WANTED)._repr_html_()

@@ -239,6 +239,28 @@ pub enum Error {
         /// The state of the work, as the end of a sentence.
         spent: String,
     },
+    /// A generation that its observer has ended.
+    #[error(
+        "the generation was interrupted with {finished} of {total} points solved; they are kept, and a resumed generation goes on from them"
+    )]
+    Interrupted {
+        /// The number of points solved.
+        finished: usize,
+        /// The number of points of the sweep.
+        total: usize,
+    },
+    /// A piece of a sweep that was solved elsewhere and does not fit.
+    #[error(
+        "piece {piece} of the sweep came back with {values} values instead of {expected}: solve the pieces by the same version of this program"
+    )]
+    Piece {
+        /// The number of the piece.
+        piece: usize,
+        /// The number of its values.
+        values: usize,
+        /// The number of values that it must have.
+        expected: usize,
+    },
     /// A file that cannot be read.
     #[error("cannot read {}", printable::path(path))]
     Read {

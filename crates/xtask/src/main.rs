@@ -37,6 +37,8 @@ usage: cargo xtask COMMAND
   test [ARGS]    run the whole test suite, optimised; ARGS go to `cargo test`, and then the tests of the Python package
                  are left out
   wheel          build the Python package: wheel and source distribution in target/wheels/
+  wheel --release
+                 build them for a release: the wheel runs on every Linux since 2014
   wheel --test   build the wheel, and run the tests of the Python package
   compare        time the solve against numpy and scipy on the same equation, and the lookup against interpn and scipy on
                  the same nodes
@@ -56,6 +58,7 @@ fn main() -> ExitCode {
         Some("figures") if rest == ["--check"] => figures::check(),
         Some("test") => test(&rest),
         Some("wheel") if rest.is_empty() => wheel::build(),
+        Some("wheel") if rest == ["--release"] => wheel::release(),
         Some("wheel") if rest == ["--test"] => wheel::test(),
         Some("compare") if rest.is_empty() => compare(),
         Some("licences") if rest.is_empty() => licences::licences(),

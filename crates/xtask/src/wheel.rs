@@ -3,28 +3,51 @@
 use std::env;
 use std::ffi::OsString;
 use std::fs;
+use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
-use crate::{succeed, workspace};
+use crate::{python, succeed, workspace};
 
 /// The packages that build and test the Python package.
-const PACKAGES: [&str; 8] = [
-    "maturin==1.16.0",
+const PACKAGES: [&str; 12] = [
+    "distributed==2026.8.0",
+    "lmfit==1.3.4",
     "matplotlib==3.11.2",
+    "maturin==1.16.0",
     "mypy==2.4.1",
     "numpy==2.4.6",
     "pandas==3.1.1",
     "pytest==9.2.0",
     "ruff==0.17.6",
+    "scipy==1.17.1",
+    "tqdm==4.70.1",
     "xarray==2026.9.0",
 ];
+/// The packages with whose numbers those of the package are compared. Without them the tests that
+/// need them are skipped.
+const PEERS: [&str; 2] = ["ContactMechanics==1.8.3", "nanite==4.2.3"];
+/// The version of zig that links the wheel of a release.
+const ZIG: &str = "==0.15.2";
+/// The version of nanite whose source holds the measured curve of a test.
+const NANITE: &str = "4.2.3";
 
 /// Builds the wheel and the source distribution into `wheels` in the target directory.
 pub fn build() -> Result<(), String> {
+    distribute(&[], None)
+}
+
+/// Builds the wheel of a release like [`build`], for every Linux since 2014: zig, from PyPI, links
+/// it with the C library of that time.
+pub fn release() -> Result<(), String> {
+    let zig = python::package("ziglang", ZIG)?;
+    distribute(&["--zig", "--compatibility", "manylinux2014"], Some(&zig))
+}
+
+fn distribute(options: &[&str], zig: Option<&Path>) -> Result<(), String> {
     let python = environment()?;
-    wheel(&python)?;
-    succeed(maturin(&python, "sdist")?.args(["--out"]).arg(folder()?))?;
+    wheel(&python, options, zig)?;
+    succeed(maturin(&python, "sdist")?.arg("--out").arg(folder()?))?;
     println!(
         "xtask: wheel and source distribution are in {}",
         folder()?.display()
@@ -49,7 +72,7 @@ pub fn test() -> Result<(), String> {
     }
     let python = environment()?;
     let package = workspace::root().join("crates/python");
-    let wheel = wheel(&python)?;
+    let wheel = wheel(&python, &[], None)?;
     let pip = [
         "-m",
         "pip",
@@ -61,6 +84,13 @@ pub fn test() -> Result<(), String> {
     ];
     succeed(Command::new(&python).args(pip).arg(wheel))?;
 
+    let measured = match python::source("nanite", NANITE) {
+        Ok(folder) => Some(folder),
+        Err(message) => {
+            eprintln!("xtask: {message}\nxtask: the tests with a measured curve are skipped");
+            None
+        }
+    };
     let cache = |name: &str| Ok::<_, String>(workspace::target()?.join("tools").join(name));
     let run = |module: &str, arguments: &[&str]| -> Result<(), String> {
         let mut command = Command::new(&python);
@@ -71,6 +101,9 @@ pub fn test() -> Result<(), String> {
             .env("PYTHONDONTWRITEBYTECODE", "1")
             .env("RUFF_CACHE_DIR", cache("ruff")?)
             .env("MYPY_CACHE_DIR", cache("mypy")?);
+        if let Some(folder) = &measured {
+            command.env("NANITE_SOURCE", folder);
+        }
         if let Some(program) = program()? {
             command.env("TABULATE", program);
         }
@@ -95,8 +128,9 @@ pub fn test() -> Result<(), String> {
     )
 }
 
-/// Builds the wheel and returns its path.
-fn wheel(python: &Path) -> Result<PathBuf, String> {
+/// Builds the wheel with further options of maturin, and with the folder of zig where it links, and
+/// returns its path.
+fn wheel(python: &Path, options: &[&str], zig: Option<&Path>) -> Result<PathBuf, String> {
     let folder = folder()?;
     // An older wheel would be taken for the new one.
     if folder.exists() {
@@ -106,7 +140,9 @@ fn wheel(python: &Path) -> Result<PathBuf, String> {
     succeed(
         maturin(python, "build")?
             .args(["--release", "--locked", "--out"])
-            .arg(&folder),
+            .arg(&folder)
+            .args(options)
+            .envs(zig.map(|folder| ("PYTHONPATH", folder))),
     )?;
     let entries =
         fs::read_dir(&folder).map_err(|e| format!("cannot read {}: {e}", folder.display()))?;
@@ -140,12 +176,10 @@ fn program() -> Result<Option<OsString>, String> {
 
 /// Returns the interpreter of a virtual environment with [`PACKAGES`]. The first call makes it.
 fn environment() -> Result<PathBuf, String> {
-    let name = PACKAGES
-        .join(" ")
-        .replace(|c: char| !c.is_ascii_alphanumeric(), "-");
-    let folder = workspace::target()?
-        .join("tools")
-        .join(format!("venv-{name}"));
+    let mut hasher = DefaultHasher::new();
+    (PACKAGES, PEERS).hash(&mut hasher);
+    let name = format!("venv-{:016x}", hasher.finish());
+    let folder = workspace::target()?.join("tools").join(name);
     let python = folder.join("bin/python");
     if folder.exists() {
         return Ok(python);
@@ -174,6 +208,17 @@ fn environment() -> Result<PathBuf, String> {
             .args(pip)
             .args(PACKAGES),
     )?;
+    for peer in PEERS {
+        let fetched = Command::new(unfinished.join("bin/python"))
+            .args(pip)
+            .arg(peer)
+            // Lest the peer replaces a version.
+            .args(PACKAGES)
+            .status();
+        if !fetched.is_ok_and(|status| status.success()) {
+            eprintln!("xtask: {peer} cannot be fetched: the tests that need it are skipped");
+        }
+    }
     fs::rename(&unfinished, &folder)
         .map_err(|e| format!("cannot rename {}: {e}", unfinished.display()))?;
     Ok(python)

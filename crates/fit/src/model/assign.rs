@@ -51,10 +51,10 @@ impl Experiment {
     /// out, because their line may not have moved yet.
     ///
     /// Against penetrations or heights each segment is read from its largest contact on. If it has
-    /// a jump to the baseline, larger than 6 times the noise, the points before the jump are in
-    /// contact and those after it are on the baseline. The baseline is flat to 5 times the noise,
-    /// and at the level that is known unless this level is free. Without such a jump a flat end of
-    /// the segment is the baseline. Points between contact and baseline are left out.
+    /// a jump from below the baseline to it, larger than 6 times the noise, the points before the
+    /// jump are in contact and those after it are on the baseline. The baseline is flat to 5 times
+    /// the noise, and at the level that is known unless this level is free. Without such a jump a
+    /// flat end of the segment is the baseline. Points between contact and baseline are left out.
     pub(crate) fn assign(&self, freedom: Freedom) -> Result<Assignment, Error> {
         let points = &self.measurement.points;
         self.accept_points()?;
@@ -262,8 +262,13 @@ impl Experiment {
             let is_known = (level - known).abs() <= SIGNIFICANT * noise;
             (is_flat && (is_known || (freedom.level && free.len() >= 3))).then_some(level)
         };
+        let tail = ((TAIL * segment.len() as f64) as usize).max(FEWEST);
         let step = |i: usize| readings[i + 1] - readings[i];
-        let largest = (0..segment.len() - 1).max_by(|&i, &j| step(i).total_cmp(&step(j)));
+        // An adhesive contact ends, and begins, in tension: below the reading without a contact.
+        let free = median(readings[segment.len().saturating_sub(tail)..].to_vec());
+        let largest = (0..segment.len() - 1)
+            .filter(|&i| readings[i] < free)
+            .max_by(|&i, &j| step(i).total_cmp(&step(j)));
         if let Some(jump) = largest.filter(|&i| step(i) > SIGNIFICANT * noise)
             && let Some(level) = is_level(&readings[jump + 1..])
         {
@@ -277,7 +282,6 @@ impl Experiment {
                 .unwrap_or(0);
             return [ends + 1, jump + 1 + lands];
         }
-        let tail = ((TAIL * segment.len() as f64) as usize).max(FEWEST);
         let Some(level) = segment
             .len()
             .checked_sub(tail)

@@ -4,7 +4,7 @@
 //! points with all that is known about them, `free` what is to be found and how. `assign` reads the
 //! `branch` of each point from the data. `predict` compares the points with the contact of
 //! `interp`, through `readings` and, under adhesion hysteresis, `turn`; `simulate` makes synthetic
-//! points.
+//! points, `prediction` evaluates the model for other methods of fitting.
 
 mod assign;
 mod branch;
@@ -13,6 +13,7 @@ mod free;
 mod measurement;
 mod parameter;
 mod predict;
+mod prediction;
 mod readings;
 mod simulate;
 mod turn;
@@ -24,4 +25,5 @@ pub use free::{Free, Loss, Options, Prior, Scope};
 pub use measurement::{Direction, Kind, Measurement, Point};
 pub use parameter::Parameter;
 pub(crate) use predict::Predicted;
+pub use prediction::Prediction;
 pub use simulate::simulate;

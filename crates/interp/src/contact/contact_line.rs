@@ -54,6 +54,29 @@ impl Contact {
         })
     }
 
+    /// Returns the line of this contact in a `state` that another line of it had, such as one that
+    /// was saved; `None` after it has separated.
+    ///
+    /// # Errors
+    /// As [`Contact::line`]; [`Error::Unphysical`] for a load or penetration that is not finite.
+    pub fn line_in<L: CrackTip>(
+        &self,
+        law: L,
+        state: Option<State>,
+    ) -> Result<ContactLine<'_, L>, Error> {
+        energies_in_order(law.at_rest())?;
+        if let Some(state) = state {
+            self.quantities(state.contact_radius)?;
+            finite_input("load", state.load)?;
+            finite_input("penetration", state.penetration)?;
+        }
+        Ok(ContactLine {
+            contact: self,
+            law,
+            state,
+        })
+    }
+
     /// Returns the state at contact radius `a` (m) under an `imposed` value, and its energy release
     /// rate (J/m^2), which is negative where the stress at the edge is compressive. No work of
     /// adhesion is assumed.

@@ -39,6 +39,7 @@ from ._errors import (
     ExtrapolationError,
     FitError,
     FixedParameterError,
+    GenerationError,
     InvalidArgumentError,
     MissingQuantityError,
     NoContactError,
@@ -51,7 +52,18 @@ from ._errors import (
 )
 from ._experiment import Experiment, Free
 from ._fit import fit, fit_map
-from ._fit_results import Estimate, Fit, FitMap, FittedExperiment, FitWarning, WithoutFilm
+from ._fit_results import (
+    Estimate,
+    Fit,
+    FitMap,
+    FittedExperiment,
+    FitWarning,
+    Forecast,
+    WithoutFilm,
+)
+from ._generate import generate
+from ._line import ContactLine, Hysteresis, RateDependent, TimedStates
+from ._model import Prediction, branches, forecast, predict, simulate
 from ._results import (
     Derivatives,
     Equilibrium,
@@ -63,11 +75,14 @@ from ._results import (
 )
 from ._solve import Solution, solve
 from ._table import Table
+from ._validity import AdhesionRange, Validity
 
 __all__ = [
+    "AdhesionRange",
     "BeyondSphereError",
     "Contact",
     "ContactError",
+    "ContactLine",
     "Derivatives",
     "DomainError",
     "Elastic",
@@ -84,9 +99,12 @@ __all__ = [
     "FittedExperiment",
     "FixedParameterError",
     "ForceDisplacement",
+    "Forecast",
     "Free",
+    "GenerationError",
     "Gradient",
     "HalfSpace",
+    "Hysteresis",
     "InvalidArgumentError",
     "Jump",
     "MissingQuantityError",
@@ -95,6 +113,8 @@ __all__ = [
     "NotConvergedError",
     "OutsideRadiiError",
     "OutsideTableError",
+    "Prediction",
+    "RateDependent",
     "Solution",
     "Spring",
     "State",
@@ -102,10 +122,17 @@ __all__ = [
     "System",
     "Table",
     "TableError",
+    "TimedStates",
     "UnphysicalError",
+    "Validity",
     "WithoutFilm",
     "__version__",
+    "branches",
     "fit",
     "fit_map",
+    "forecast",
+    "generate",
+    "predict",
+    "simulate",
     "solve",
 ]

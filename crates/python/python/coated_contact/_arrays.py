@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import operator
 from collections.abc import Callable
 from math import prod
 from typing import Any, Literal
@@ -9,7 +10,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._errors import ContactError
+from ._errors import ContactError, InvalidArgumentError
 
 Errors = Literal["raise", "nan"]
 
@@ -20,6 +21,19 @@ def number(name: str, value: float) -> float:
     if array.ndim != 0:
         raise TypeError(f"{name} must be one number, it has the shape {array.shape}")
     return float(array)
+
+
+def integer(name: str, value: int, least: int, end: int) -> int:
+    """Return an integer from ``least`` to ``end - 1``; refuse all else."""
+    whole = operator.index(value)
+    if not least <= whole < end:
+        raise InvalidArgumentError(
+            f"{name} = {whole} cannot be used: it must be from {least} to {end - 1}",
+            axis=name,
+            value=float(whole),
+            range=(float(least), float(end - 1)),
+        )
+    return whole
 
 
 def real(name: str, value: ArrayLike) -> NDArray[np.float64]:

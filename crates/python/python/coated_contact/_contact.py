@@ -13,8 +13,10 @@ from ._bodies import HalfSpace, System
 from ._control import Control, native_control
 from ._equilibria import Equilibria
 from ._results import INPUTS, Array, ForceDisplacement, Gradient, State, States, states
+from ._validity import AdhesionRange, Validity
 
 if TYPE_CHECKING:
+    from ._line import ContactLine, Law
     from ._table import Table
 
 
@@ -286,6 +288,91 @@ class Contact:
             Unless ``points`` is from 2 to 1,000,000.
         """
         return self.equilibria(w, control=control).force_displacement(most=most, points=points)
+
+    def line(self, law: Law, a: float) -> ContactLine:
+        """Return the line of a contact that has slowly grown to a radius under a law.
+
+        Parameters
+        ----------
+        law : float, Hysteresis or RateDependent
+            The law of the line; a number is a constant work of adhesion, J/m^2.
+        a : float
+            Contact radius, m.
+
+        Returns
+        -------
+        ContactLine
+            The line, which ``impose`` and ``ramp`` move.
+        """
+        from ._line import ContactLine
+
+        return ContactLine(self, law, a)
+
+    def validity(self, a: ArrayLike, *, errors: Errors = "raise") -> Validity:
+        """Compare contacts of given radii with the assumptions of the model.
+
+        Parameters
+        ----------
+        a : array_like
+            Contact radius, m, below the radius of the sphere.
+        errors : {"raise", "nan"}
+            What a point with an error gives.
+
+        Returns
+        -------
+        Validity
+            a/R, a/t, compressibility, and whether a/t is among the nodes of the table.
+
+        Examples
+        --------
+        >>> from coated_contact import Elastic, System, Table
+        >>> system = System(sphere_radius=1e-3, sphere_modulus=2e6,
+        ...                 film=Elastic(young_modulus=3.5e6, poisson_ratio=0.5),
+        ...                 film_thickness=1e-5,
+        ...                 substrate=Elastic(young_modulus=2e11, poisson_ratio=0.25))
+        >>> validity = Table.embedded().contact(system).validity(6.5e-5)
+        >>> round(validity.a_over_r, 9), validity.is_large_contact, validity.is_confined
+        (0.065, False, True)
+        """
+        found = evaluate(self._native.validity, errors, contact_radius=a)
+        a_over_r, a_over_t, compressibility, in_range = found
+        if isinstance(self.system, HalfSpace):
+            return Validity(scalar_or_array(a_over_r), None, None, None)
+        within = in_range == 1.0
+        return Validity(
+            scalar_or_array(a_over_r),
+            scalar_or_array(a_over_t),
+            scalar_or_array(compressibility),
+            bool(within) if within.ndim == 0 else within,
+        )
+
+    def adhesion_range(
+        self, w: ArrayLike, *, interaction_range: ArrayLike = 3e-10, errors: Errors = "raise"
+    ) -> AdhesionRange:
+        """Compare an attraction of a given range with the JKR limit, which the model assumes.
+
+        Parameters
+        ----------
+        w : array_like
+            Work of adhesion, J/m^2, above 0.
+        interaction_range : array_like
+            The distance z0 (m) at which the attraction is largest or ends; for van der Waals forces
+            that of an atom.
+        errors : {"raise", "nan"}
+            What a point with an error gives.
+
+        Returns
+        -------
+        AdhesionRange
+            Tabor's parameter and the length of the cohesive zone.
+        """
+        found = evaluate(
+            self._native.adhesion_range,
+            errors,
+            work_of_adhesion=w,
+            interaction_range=interaction_range,
+        )
+        return AdhesionRange(*map(scalar_or_array, found))
 
     def _repr_html_(self) -> str:
         """Return what a notebook shows: the bodies, drawn to scale, and their moduli."""

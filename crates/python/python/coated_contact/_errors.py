@@ -99,3 +99,7 @@ class NotConvergedError(ContactError):
 
 class FitError(ContactError):
     """A fit that cannot be made: points, parameters or options that cannot be used."""
+
+
+class GenerationError(ContactError):
+    """A scene that cannot be used, or a table that cannot be made."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from typing import Any, Literal, get_args
 
 import numpy as np
@@ -27,6 +27,20 @@ ParameterName = Literal[
     "stiffness",
 ]
 
+UNITS_OF: dict[str, str] = {
+    "sphere_modulus": "Pa",
+    "film_modulus": "Pa",
+    "film_poisson_ratio": "1",
+    "film_thickness": "m",
+    "work_of_adhesion": "J/m^2",
+    "work_of_adhesion_receding": "J/m^2",
+    "load_offset": "N",
+    "contact_point": "m",
+    "baseline": "N",
+    "baseline_slope": "N/m",
+    "stiffness": "N/m",
+}
+
 
 def one_of(name: str, value: object, allowed: tuple[str, ...]) -> None:
     """Refuse a word that is not one of those allowed."""
@@ -49,8 +63,9 @@ class Experiment:
         cantilever: contact point - height = penetration + force / stiffness.
     abscissa : array_like
         Contact radii, penetrations or heights, m, in the order measured.
-    ordinate : array_like
-        Loads or forces, N, positive in compression; or penetrations, m.
+    ordinate : array_like, optional
+        Loads or forces, N, positive in compression; or penetrations, m. None where they are not
+        measured yet: then they are NaN, which :func:`simulate` and :func:`forecast` accept.
     system : System or HalfSpace
         The bodies. On a half-space the parameters of the film are those of the solid.
     retract : array_like of bool, optional
@@ -77,7 +92,7 @@ class Experiment:
 
     kind: Kind
     abscissa: Any
-    ordinate: Any
+    ordinate: Any = None
     system: System | HalfSpace
     retract: Any = None
     work_of_adhesion: float = 0.0
@@ -94,6 +109,8 @@ class Experiment:
         one_of("kind", self.kind, get_args(Kind))
         if not isinstance(self.system, System | HalfSpace):
             raise TypeError(f"system must be a System or a HalfSpace, not {self.system!r}")
+        if self.ordinate is None:
+            object.__setattr__(self, "ordinate", np.full(np.shape(self.abscissa), np.nan))
         points = [real(name, getattr(self, name)) for name in ("abscissa", "ordinate")]
         for name, array in zip(("abscissa", "ordinate"), points, strict=True):
             object.__setattr__(self, name, _fixed(array))
@@ -111,6 +128,10 @@ class Experiment:
             if value is not None:
                 object.__setattr__(self, name, number(name, value))
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Pickle the values, from which the experiment is made again."""
+        return (_experiment, ({one.name: getattr(self, one.name) for one in fields(self)},))
+
     @property
     def bodies(self) -> tuple[float, ...]:
         """The numbers of the bodies, as the native part takes them."""
@@ -127,6 +148,10 @@ _NUMBERS = (
     "stiffness",
     "noise",
 )
+
+
+def _experiment(values: dict[str, Any]) -> Experiment:
+    return Experiment(**values)
 
 
 def _fixed(array: NDArray[Any]) -> NDArray[Any]:

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
-from typing import Any, Literal, get_args
+import itertools
+from collections.abc import Callable, Iterable, Iterator
+from typing import TYPE_CHECKING, Any, Literal, get_args
 
 import numpy as np
 
 from . import _core
 from ._arrays import Errors, number
+from ._distributed import unordered
 from ._errors import ContactError
 from ._experiment import Experiment, Free, ParameterName, one_of
 from ._fit_results import (
@@ -21,6 +23,9 @@ from ._fit_results import (
     without_film_of,
 )
 from ._table import Table
+
+if TYPE_CHECKING:
+    from distributed import Client
 
 Loss = Literal["squares", "huber", "soft-l1"]
 
@@ -81,8 +86,6 @@ def fit(
     >>> print(f"{found.params['sphere_modulus']:.2e} Pa")
     2.00e+06 Pa
     """
-    if isinstance(experiments, Experiment):
-        experiments = [experiments]
     found = _native(_core.fit, experiments, free, table, loss, profile_level, interaction_range)
     film = found["without_film"]
     return Fit(
@@ -109,10 +112,12 @@ def fit_map(
     profile_level: float | None = None,
     interaction_range: float = 3e-10,
     errors: Errors = "raise",
+    client: Client | None = None,
 ) -> FitMap:
     """Fit each of many curves by itself, on all cores.
 
     The numbers are those of :func:`fit` for each curve, and do not depend on the number of cores.
+    ``curves`` may be a generator: only some blocks of curves are held at a time.
 
     Parameters
     ----------
@@ -123,6 +128,10 @@ def fit_map(
     errors : {"raise", "nan"}
         What a curve without a result gives: the exception of the first one, or NaN and an entry in
         ``FitMap.failures``.
+    client : distributed.Client, optional
+        A client of dask: its workers fit the curves, block by block. The blocks of a worker that is
+        lost are fitted by another one. Workers on another kind of processor may differ in the last
+        digits.
 
     Returns
     -------
@@ -131,15 +140,42 @@ def fit_map(
     """
     if errors not in ("raise", "nan"):
         raise ValueError(f'errors = {errors!r} cannot be used: give "raise" or "nan"')
-    free = _free(free)
-    results = _native(_core.fit_map, curves, free, table, loss, profile_level, interaction_range)
-    failures = {i: found for i, found in enumerate(results) if isinstance(found, ContactError)}
-    for i, error in failures.items():
-        error.index = (i,)
-        error.add_note(f"curve {i}")
-        if errors == "raise":
-            raise error
+    free = free_of(free)
+    options = (loss, profile_level, interaction_range)
+    given = _batched(curves)
+    done: dict[int, FitMap] = {}
+    blocks: Iterator[tuple[int, FitMap]]
+    if client is None:
+        blocks = ((i, fit_block(block, free, table, options)) for i, block in enumerate(given))
+    else:
+        # A task of its own, so that a large table is not sent with every block.
+        shared = None if table is None else client.submit(_itself, table, pure=False)
+        tasks = ((fit_block, (block, free, shared, options)) for block in given)
+        blocks = unordered(client, tasks)
+    for i, block in blocks:
+        done[i] = block
+        if errors == "raise" and client is None and block.failures:
+            break
+    found = joined([done[i] for i in sorted(done)], [one.parameter for one in free])
+    if errors == "raise" and found.failures:
+        raise found.failures[min(found.failures)]
+    return found
+
+
+# The number of curves in a block: half a second of fits, and a megabyte of points.
+BLOCK = 256
+
+
+def fit_block(
+    curves: Iterable[Experiment],
+    free: list[Free],
+    table: Table | None,
+    options: tuple[Loss, float | None, float],
+) -> FitMap:
+    """Fit some of the curves of a map."""
+    results = _native(_core.fit_map, curves, free, table, *options)
     names, count = [one.parameter for one in free], len(results)
+    failures = {i: found for i, found in enumerate(results) if isinstance(found, ContactError)}
     values, deviations = np.full((2, len(names), count), np.nan)
     covariance = np.full((count, len(names), len(names)), np.nan)
     converged, chi_squared = np.zeros(count, dtype=np.bool_), np.full(count, np.nan)
@@ -162,9 +198,42 @@ def fit_map(
     )
 
 
+def joined(blocks: list[FitMap], names: list[ParameterName]) -> FitMap:
+    """Join the results of blocks of curves, whose failures get the numbers of their curves."""
+    failures: dict[int, ContactError] = {}
+    start = 0
+    for block in blocks:
+        for i, error in block.failures.items():
+            error.index = (start + i,)
+            error.add_note(f"curve {start + i}")
+            failures[start + i] = error
+        start += len(block)
+    none, square = np.empty(0), np.empty((0, len(names), len(names)))
+    return FitMap(
+        params={n: np.concatenate([none, *(block.params[n] for block in blocks)]) for n in names},
+        stderr={n: np.concatenate([none, *(block.stderr[n] for block in blocks)]) for n in names},
+        covariance=np.concatenate([square, *(block.covariance for block in blocks)]),
+        converged=np.concatenate([none.astype(np.bool_), *(block.converged for block in blocks)]),
+        chi_squared=np.concatenate([none, *(block.chi_squared for block in blocks)]),
+        warnings=tuple(one for block in blocks for one in block.warnings),
+        failures=failures,
+    )
+
+
+def _batched(curves: Iterable[Experiment]) -> Iterator[tuple[Experiment, ...]]:
+    """Return blocks of curves."""
+    rest = iter(curves)
+    while block := tuple(itertools.islice(rest, BLOCK)):
+        yield block
+
+
+def _itself(table: Table) -> Table:
+    return table
+
+
 def _native(
     function: Callable[..., Any],
-    experiments: Iterable[Experiment],
+    experiments: Experiment | Iterable[Experiment],
     free: Iterable[ParameterName | Free],
     table: Table | None,
     loss: Loss,
@@ -173,16 +242,22 @@ def _native(
 ) -> Any:
     """Check the arguments and call the native part."""
     one_of("loss", loss, get_args(Loss))
-    given = list(experiments)
-    for one in given:
-        if not isinstance(one, Experiment):
-            raise TypeError(f"an experiment must be an Experiment, not {type(one).__name__}")
+    given = experiments_of(experiments)
     level = None if profile_level is None else number("profile_level", profile_level)
     options = (loss, level, number("interaction_range", interaction_range))
-    return function((table or Table.embedded())._native, given, _free(free), options)
+    return function((table or Table.embedded())._native, given, free_of(free), options)
 
 
-def _free(free: Iterable[ParameterName | Free]) -> list[Free]:
+def experiments_of(given: Experiment | Iterable[Experiment]) -> list[Experiment]:
+    """Return experiments as a list; refuse other objects."""
+    experiments = [given] if isinstance(given, Experiment) else list(given)
+    for one in experiments:
+        if not isinstance(one, Experiment):
+            raise TypeError(f"an experiment must be an Experiment, not {type(one).__name__}")
+    return experiments
+
+
+def free_of(free: Iterable[ParameterName | Free]) -> list[Free]:
     """Return the free parameters, those without further wishes too."""
     if isinstance(free, str):
         raise TypeError(f"free must be a list of parameters: [{free!r}]")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
@@ -11,6 +12,7 @@ from numpy.typing import NDArray
 
 from . import _html
 from ._errors import ContactError
+from ._experiment import UNITS_OF
 from ._results import Array, axes
 
 if TYPE_CHECKING:
@@ -178,7 +180,7 @@ class Fit:
 
         With one experiment there are no numbers.
         """
-        return tuple(_name(estimate, len(self.experiments)) for estimate in self.estimates)
+        return tuple(name_of(estimate, len(self.experiments)) for estimate in self.estimates)
 
     @property
     def params(self) -> dict[str, float]:
@@ -233,6 +235,28 @@ class Fit:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
+class Forecast:
+    """What planned experiments would tell.
+
+    Attributes
+    ----------
+    estimates : tuple of Estimate
+        The parameters at their true values, with the standard errors expected.
+    correlation : numpy.ndarray
+        Their expected correlation matrix; NaN where the experiments would not determine it.
+    undetermined : tuple of str
+        The combinations of parameters that the experiments would not determine, in words.
+    stderr : dict of str to float
+        The standard errors, in SI units, by name.
+    """
+
+    estimates: tuple[Estimate, ...]
+    correlation: Array
+    undetermined: tuple[str, ...]
+    stderr: dict[str, float]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
 class FitMap:
     """The results of separate fits of many curves, as arrays over the curves.
 
@@ -266,6 +290,64 @@ class FitMap:
 
     def __len__(self) -> int:
         return len(self.converged)
+
+    def _repr_html_(self) -> str:
+        """Return what a notebook shows: medians and quartiles, and how often there are doubts."""
+        rows = []
+        for name, values in self.params.items():
+            found, errors = values[~np.isnan(values)], self.stderr[name]
+            quartiles = np.quantile(found, [0.25, 0.5, 0.75]) if len(found) else [np.nan] * 3
+            known = errors[np.isfinite(errors)]
+            error = np.median(known) if len(known) else np.nan
+            rows.append((name, *(f"{value:.4g}" for value in quartiles), f"{error:.2g}"))
+        header = ("parameter (SI)", "first quartile", "median", "third quartile")
+        table = _html.table((*header, "median standard error"), rows)
+        kinds = Counter(kind for doubts in self.warnings for kind in {one.kind for one in doubts})
+        doubts = [(kind, count) for kind, count in kinds.most_common()]
+        doubts += [("no result", len(self.failures))] if self.failures else []
+        return table + (
+            _html.table(("warning", f"of {len(self)} curves"), doubts) if doubts else ""
+        )
+
+    def plot(
+        self,
+        parameter: str | None = None,
+        *,
+        shape: tuple[int, int] | None = None,
+        ax: Axes | None = None,
+    ) -> Axes:
+        """Draw one parameter over the curves, as a map where its shape is given; needs matplotlib.
+
+        Parameters
+        ----------
+        parameter : str, optional
+            The parameter; by default the first one.
+        shape : tuple of int, optional
+            Rows and columns of the map: the curves are in the order of its rows. Without it the
+            values are drawn with their standard errors over the numbers of the curves.
+        ax : matplotlib.axes.Axes, optional
+            Where to draw; by default the current axes.
+
+        Returns
+        -------
+        matplotlib.axes.Axes
+            The axes. Curves without a result are left empty.
+        """
+        name = next(iter(self.params)) if parameter is None else parameter
+        if name not in self.params:
+            raise ValueError(f"{name!r} was not fitted: give one of {', '.join(self.params)}")
+        values, label = self.params[name], f"{name} ({UNITS_OF[name]})"
+        ax = axes(ax)
+        if shape is None:
+            ax.errorbar(np.arange(len(self)), values, self.stderr[name], fmt=".", capsize=2)
+            ax.set_xlabel("curve")
+            ax.set_ylabel(label)
+            return ax
+        if np.prod(shape) != len(self):
+            raise ValueError(f"shape = {shape} is that of {np.prod(shape)} curves, not {len(self)}")
+        image = ax.imshow(values.reshape(shape))
+        ax.figure.colorbar(image, ax=ax, label=label)
+        return ax
 
     def to_pandas(self) -> pandas.DataFrame:
         """Return a row for each curve: values, standard errors and kinds of warnings.
@@ -302,7 +384,8 @@ def correlation_of(found: Mapping[str, Any]) -> Array:
     return np.array(found["correlation"], dtype=np.float64)
 
 
-def _name(estimate: Estimate, experiments: int) -> str:
+def name_of(estimate: Estimate, experiments: int) -> str:
+    """Return the name of an estimate: ``contact_point[1]`` is that of the second experiment."""
     if estimate.experiment is None or experiments == 1:
         return estimate.parameter
     return f"{estimate.parameter}[{estimate.experiment}]"
@@ -312,7 +395,7 @@ def without_film_of(found: Mapping[str, Any], experiments: int) -> WithoutFilm:
     """Return the fit without the film in a native result."""
     modulus, relative, deviations, matters = found["modulus"] or (None, None, None, False)
     return WithoutFilm(
-        params={_name(one, experiments): one.value for one in estimates_of(found)},
+        params={name_of(one, experiments): one.value for one in estimates_of(found)},
         chi_squared=found["chi_squared"],
         modulus=modulus,
         relative_error=relative,

@@ -6,7 +6,7 @@ import hashlib
 import os
 from collections.abc import Mapping
 from functools import cache, cached_property
-from typing import Any, NoReturn, final
+from typing import TYPE_CHECKING, Any, NoReturn, final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,6 +14,9 @@ from numpy.typing import NDArray
 from . import _core
 from ._bodies import System
 from ._contact import Contact
+
+if TYPE_CHECKING:
+    import xarray
 
 
 @final
@@ -52,7 +55,7 @@ class Table:
 
     @classmethod
     def read(cls, path: str | os.PathLike[str]) -> Table:
-        """Read a packed table, as ``tabulate pack`` writes it.
+        """Read a packed table, as :func:`generate` and ``tabulate pack`` write it.
 
         Raises
         ------
@@ -135,6 +138,43 @@ class Table:
     def axes(self) -> Mapping[str, NDArray[np.float64]]:
         """The nodes of each axis by its name, in the order of the dimensions."""
         return self._native.axes()
+
+    @property
+    def values(self) -> Mapping[str, NDArray[np.float64]]:
+        """The values of each quantity at the nodes, with the order of dimensions of ``axes``.
+
+        Those of a low-rank table, such as the embedded one, are computed.
+        """
+        return self._native.values()
+
+    def to_xarray(self) -> xarray.Dataset:
+        """Return the nodes and the values as a Dataset; needs xarray.
+
+        ``dataset.to_netcdf(path)`` writes them as netCDF4, which is HDF5, for other programs; this
+        package reads the packed form and the HDF5 files of ``tabulate generate``.
+
+        Examples
+        --------
+        >>> from coated_contact import generate
+        >>> data = generate({
+        ...     "title": "Rubber on glass", "tolerance": 1e-2, "a_over_t": {"from": 0.1, "to": 10},
+        ...     "e1_over_e2": 1.75, "nu1": 0.5, "e0_over_e2": 1e5}, progress=False).to_xarray()
+        >>> float(data["eeq"].sel(a_over_t=0.1, method="nearest").squeeze()).__round__(3)
+        0.724
+        """
+        import xarray
+
+        axes = self.axes
+        described = {
+            "title": self.title,
+            "tolerance": self.tolerance,
+            "max_error": self.max_error,
+            "units_of_moduli": self._native.unit(),
+            "nu0": self._description["nu0"],
+        }
+        return xarray.Dataset(
+            {name: (tuple(axes), values) for name, values in self.values.items()}, axes, described
+        )
 
     @cached_property
     def _description(self) -> dict[str, Any]:

@@ -17,7 +17,7 @@ use crate::table::{Budget, Generated, Options, generate};
 use crate::{output, printable};
 
 /// The four-parameter scene that is made when no other is named.
-const DEFAULT_SCENE: &str = include_str!("../../../../tables/default.toml");
+const DEFAULT_SCENE: &str = include_str!("default.toml");
 
 /// Make the HDF5 table of a scene: choose the nodes, solve them, measure the accuracy
 ///

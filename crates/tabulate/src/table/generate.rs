@@ -11,10 +11,10 @@ use interp::{Certificate, Parameter, Table};
 
 use crate::parallel::try_map;
 use crate::solve::larger;
-use crate::table::archive;
 use crate::table::budget::Budget;
 use crate::table::build;
 use crate::table::certify::{Sample, certificate, measure, sample};
+use crate::table::file;
 use crate::table::journal::{Header, Journal};
 use crate::table::plan::Plan;
 use crate::table::scene::{Scene, created_by};
@@ -43,6 +43,52 @@ pub trait Observer: Sync {
     fn advance(&self, points: usize);
     /// Tells the user something in words.
     fn note(&self, text: &str);
+    /// Returns whether the generation is to end with [`Error::Interrupted`], with the finished
+    /// pieces kept. Asked after each piece, and before a table is written.
+    fn is_interrupted(&self) -> bool {
+        false
+    }
+}
+
+/// Keeps the values of a finished piece, given by its number.
+pub type Keep<'a> = &'a mut dyn FnMut(usize, &[f64]) -> Result<(), Error>;
+
+/// Solves the pieces of a sweep: in this process ([`Here`]), or elsewhere.
+pub trait Solver {
+    /// Solves the pieces `missing` of a sweep in any order, tells the observer of finished points,
+    /// and hands the values of each piece to `keep`, as [`Sweep::solve`] returns them.
+    ///
+    /// # Errors
+    /// The first error of a solve or of `keep`, which ends the work.
+    fn solve(
+        &self,
+        sweep: &Sweep<'_>,
+        missing: &[usize],
+        observer: &dyn Observer,
+        keep: Keep<'_>,
+    ) -> Result<(), Error>;
+}
+
+/// Solves the pieces one after the other, each on all cores of this machine.
+#[derive(Clone, Copy, Debug)]
+pub struct Here;
+
+impl Solver for Here {
+    fn solve(
+        &self,
+        sweep: &Sweep<'_>,
+        missing: &[usize],
+        observer: &dyn Observer,
+        keep: Keep<'_>,
+    ) -> Result<(), Error> {
+        for &piece in missing {
+            keep(
+                piece,
+                &sweep.solve(piece, &|count| observer.advance(count))?,
+            )?;
+        }
+        Ok(())
+    }
 }
 
 /// A finished table and the numbers of its generation.
@@ -76,7 +122,8 @@ const ORDER: f64 = 8.0;
 const SUSPECTS: usize = 24;
 
 /// Solves every node of a scene, measures the accuracy, refines the axes that hold the error until
-/// it is within the tolerance, and writes the file.
+/// it is within the tolerance, and writes the file: packed to a name that ends in `.bin`, else
+/// HDF5.
 ///
 /// The file depends on the scene, the certificate's points and seed, and this build of the program
 /// on this kind of processor alone. It does not depend on the number of threads, or on
@@ -87,10 +134,11 @@ const SUSPECTS: usize = 24;
 ///
 /// # Errors
 /// [`Error::Busy`] if another process generates the same file; [`Error::OtherRun`] if the finished
-/// pieces belong to another scene, build or processor, or a refined plan to another certificate; [`Error::Budget`] if
-/// the budget is spent before all is solved; [`Error::Write`] for a file that cannot be written, a
-/// name that ends in `.bin`, or a program that was built without the feature `hdf5`; those of the
-/// solve and of [`Plan::new`]. Finished pieces are kept.
+/// pieces belong to another scene, build or processor, or a refined plan to another certificate;
+/// [`Error::Budget`] if the budget is spent before all is solved; [`Error::Interrupted`] if the
+/// observer ends it; [`Error::Write`] for a file that cannot be written, or an HDF5 file from a
+/// program that was built without the feature `hdf5`; those of the solve and of [`Plan::new`].
+/// Finished pieces are kept.
 ///
 /// # Panics
 /// If `certificate_points` is 0.
@@ -100,15 +148,34 @@ pub fn generate(
     options: &Options<'_>,
     observer: &dyn Observer,
 ) -> Result<Generated, Error> {
+    generate_with(scene, path, options, observer, &Here)
+}
+
+/// Generates like [`generate`], with the pieces of each sweep solved by `solver`. The certificate
+/// is measured in this process.
+///
+/// # Errors
+/// Those of [`generate`] and of the solver; [`Error::Piece`] for a piece with a wrong number of
+/// values.
+///
+/// # Panics
+/// If `certificate_points` is 0.
+pub fn generate_with(
+    scene: &Scene,
+    path: &Path,
+    options: &Options<'_>,
+    observer: &dyn Observer,
+    solver: &dyn Solver,
+) -> Result<Generated, Error> {
     assert!(options.certificate_points > 0, "a certificate needs points");
     // Two links to one file are one output. A file cannot be renamed from one disk to another.
     let path = &output::behind_links(path)?;
-    archive::check(path)?;
+    file::check(path)?;
     for removed in output::tidy(path) {
         observer.note(&output::removed(&removed));
     }
     let mut journal = Journal::open(path)?;
-    let outcome = run(scene, path, options, observer, &mut journal);
+    let outcome = run(scene, path, options, (observer, solver), &mut journal);
     match &outcome {
         // The journal belongs to another run, or its pieces are of use to `--resume`.
         Err(Error::OtherRun { .. }) => {}
@@ -122,7 +189,7 @@ fn run(
     scene: &Scene,
     path: &Path,
     options: &Options<'_>,
-    observer: &dyn Observer,
+    (observer, solver): (&dyn Observer, &dyn Solver),
     journal: &mut Journal,
 ) -> Result<Generated, Error> {
     let start = Instant::now();
@@ -142,7 +209,7 @@ fn run(
     let (mut refined, mut points) = (Vec::new(), 0);
     loop {
         let began = budget.map(|budget| budget.now());
-        let mut table = table(scene, &plan, journal, observer, budget)?;
+        let mut table = table(scene, &plan, journal, (observer, solver), budget)?;
         points += plan.points();
         let solved = start.elapsed();
         observer.begin("checking", options.certificate_points, 0);
@@ -150,6 +217,7 @@ fn run(
             observer.advance(count)
         })?;
         let certificate = certificate(&samples, options.seed);
+        interruption(observer, plan.points(), plan.points())?;
         let next = if certificate.max_error <= scene.tolerance || round == MOST_ROUNDS {
             None
         } else {
@@ -182,7 +250,7 @@ fn run(
             }
             None => {
                 table.set_certificate(certificate);
-                archive::write(&table, path)?;
+                file::write(&table, path)?;
                 return Ok(Generated {
                     table,
                     refined,
@@ -227,12 +295,12 @@ fn table(
     scene: &Scene,
     plan: &Plan,
     journal: &mut Journal,
-    observer: &dyn Observer,
+    by: (&dyn Observer, &dyn Solver),
     budget: Option<Budget<'_>>,
 ) -> Result<Table, Error> {
     let axes = plan.axes();
     let sweep = Sweep::new(scene, &axes)?;
-    solve(&sweep, journal, observer, budget)?;
+    solve(&sweep, journal, by, budget)?;
     let mut values = sweep.blank();
     for piece in 0..sweep.pieces() {
         sweep.place(&mut values, piece, &journal.values(piece, sweep.values())?);
@@ -244,28 +312,43 @@ fn table(
 fn solve(
     sweep: &Sweep<'_>,
     journal: &mut Journal,
-    observer: &dyn Observer,
+    (observer, solver): (&dyn Observer, &dyn Solver),
     budget: Option<Budget<'_>>,
 ) -> Result<(), Error> {
     let total = sweep.pieces() * sweep.points();
     observer.begin("solving", total, journal.finished() * sweep.points());
-    for piece in 0..sweep.pieces() {
-        if journal.holds(piece) {
-            continue;
+    let missing: Vec<usize> = (0..sweep.pieces())
+        .filter(|&piece| !journal.holds(piece))
+        .collect();
+    solver.solve(sweep, &missing, observer, &mut |piece, solved| {
+        if solved.len() != sweep.values() {
+            return Err(Error::Piece {
+                piece,
+                values: solved.len(),
+                expected: sweep.values(),
+            });
         }
-        let solved = sweep.solve(piece, &|count| observer.advance(count))?;
-        journal.add(piece, &solved)?;
+        journal.add(piece, solved)?;
         // After a piece, so that the smallest budget finishes one.
-        let finished = journal.finished();
-        if finished < sweep.pieces() && budget.is_some_and(|budget| budget.is_spent()) {
-            let finished = finished * sweep.points();
+        let finished = journal.finished() * sweep.points();
+        interruption(observer, finished, total)?;
+        if finished < total && budget.is_some_and(|budget| budget.is_spent()) {
             let spent = format!(
                 "with {finished} of {total} points solved; they are kept, and --resume goes on from them"
             );
             return Err(Error::Budget { spent });
         }
+        Ok(())
+    })
+}
+
+/// Returns an error if the observer ends the generation.
+fn interruption(observer: &dyn Observer, finished: usize, total: usize) -> Result<(), Error> {
+    if observer.is_interrupted() {
+        Err(Error::Interrupted { finished, total })
+    } else {
+        Ok(())
     }
-    Ok(())
 }
 
 /// Returns the factors by which each axis needs more nodes, judged by the worst points.

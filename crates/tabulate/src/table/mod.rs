@@ -3,14 +3,16 @@
 //! A `scene` states the box of parameters. `plan` places the nodes of each axis by a rule of
 //! `placement`, with as few nodes as the splines on `lines` through the box need. `sweep` solves
 //! the nodes, into the `journal`, from which an interrupted run goes on. `certify` measures the
-//! certificate: the largest error at sampled points. `archive` writes the HDF5 file. `generate`
-//! runs all of these within a `budget`; `build` names the program whose pieces a journal holds. `compress` makes the low-rank form of a finished table.
+//! certificate: the largest error at sampled points. `file` writes the file, packed or by
+//! `archive` as HDF5. `generate` runs all of these within a `budget`; `build` names the program
+//! whose pieces a journal holds. `compress` makes the low-rank form of a finished table.
 
 pub mod archive;
 mod budget;
 mod build;
 mod certify;
 mod compress;
+mod file;
 mod generate;
 mod journal;
 mod lines;
@@ -20,10 +22,11 @@ pub(crate) mod scene;
 mod sweep;
 
 pub use budget::{Budget, Clock};
+pub use build::name as build_name;
 pub(crate) use certify::Axis as SampledAxis;
 pub use certify::{Sample, certificate, certify, default_points, measure, points_for, sample};
 pub use compress::{compress, low_rank};
-pub use generate::{Generated, Observer, Options, generate};
+pub use generate::{Generated, Here, Keep, Observer, Options, Solver, generate, generate_with};
 pub use lines::{lines, logarithms};
 pub use placement::{EVENNESS, Placement, places};
 pub use plan::Plan;

@@ -56,7 +56,7 @@ pub fn sweep(
 /// The nodes of a scene, to be solved piece by piece. A piece is all nodes at one `a_over_t`.
 pub struct Sweep<'a> {
     scene: &'a Scene,
-    a_over_t: &'a [f64],
+    axes: &'a [(Parameter, Vec<f64>); 4],
     /// Whether the values of the table are in units of `Es*`.
     reduced: bool,
     batch: Batch,
@@ -68,7 +68,7 @@ impl<'a> Sweep<'a> {
     /// # Errors
     /// [`Error::Table`] for axes that are not those of the scene.
     pub fn new(scene: &'a Scene, axes: &'a [(Parameter, Vec<f64>); 4]) -> Result<Self, Error> {
-        let [a_over_t, film, nu1, substrate] = axes.each_ref().map(|(_, nodes)| nodes);
+        let [_, film, nu1, substrate] = axes.each_ref().map(|(_, nodes)| nodes);
         let mut materials = Vec::with_capacity(film.len() * nu1.len() * substrate.len());
         for &film in film {
             for &nu1 in nu1 {
@@ -80,15 +80,20 @@ impl<'a> Sweep<'a> {
         let reduced = scene.parameters == Parameter::REDUCED;
         Ok(Self {
             scene,
-            a_over_t,
+            axes,
             reduced,
             batch: Batch::new(materials),
         })
     }
 
+    /// Returns the axes.
+    pub const fn axes(&self) -> &'a [(Parameter, Vec<f64>); 4] {
+        self.axes
+    }
+
     /// Returns the number of pieces.
     pub fn pieces(&self) -> usize {
-        self.a_over_t.len()
+        self.axes[0].1.len()
     }
 
     /// Returns the number of points in a piece.
@@ -128,7 +133,7 @@ impl<'a> Sweep<'a> {
         piece: usize,
         progress: &(dyn Fn(usize) + Sync),
     ) -> Result<Vec<f64>, Error> {
-        let (a_over_t, tolerance) = (self.a_over_t[piece], self.scene.tolerance);
+        let (a_over_t, tolerance) = (self.axes[0].1[piece], self.scene.tolerance);
         let alone = |material: &Material| solve_for_table(a_over_t, material, tolerance);
         let solved = self
             .batch

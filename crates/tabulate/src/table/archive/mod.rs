@@ -29,7 +29,8 @@ pub(crate) fn check(path: &Path) -> Result<(), Error> {
     };
     if cfg!(not(feature = "hdf5")) {
         return refused(
-            "this program was built without HDF5; build it with the feature `hdf5`, which is on by default",
+            "this program was built without HDF5; write the packed form, to a name that ends in .bin, or build it with the \
+             feature `hdf5`",
         );
     }
     let ending = path.extension();

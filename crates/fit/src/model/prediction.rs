@@ -1,0 +1,105 @@
+//! The model at given values of the parameters, for other methods of fitting than that of this
+//! crate.
+
+use interp::Table;
+
+use super::{Branch, Experiment, Freedom, Parameter};
+use crate::Error;
+
+/// The ordinates that the values of an experiment give at its points.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Prediction {
+    /// The ordinate of each point, N or m; NaN for a point that is left out.
+    pub ordinates: Vec<f64>,
+    /// The contact radius of each point, m; 0 without a contact, NaN for a point that is left out.
+    pub contact_radii: Vec<f64>,
+    /// The branch of each point.
+    pub branches: Vec<Branch>,
+    /// Whether each point is in contact according to its branch, but beyond the end of the stable
+    /// states. There the branch is continued by a straight line, so that a sum of squares has no
+    /// jump.
+    pub beyond: Vec<bool>,
+    /// The derivatives of the ordinates with respect to each parameter asked for, in SI units,
+    /// point after point; NaN for a point that is left out.
+    pub derivatives: Vec<f64>,
+}
+
+impl Experiment {
+    /// Reads from the data on which branch each point is, as [`fit`](crate::fit) does before it
+    /// fits the parameters `free`.
+    ///
+    /// # Errors
+    /// [`Error::Point`] for a point that is not finite, too large, or at a radius that is negative
+    /// or not below that of the sphere; [`Error::Constant`] for points that are all at one place or
+    /// all read one value.
+    pub fn branches(&self, free: &[Parameter]) -> Result<Vec<Branch>, Error> {
+        let is_free = |parameter| free.contains(&parameter);
+        let works = [Parameter::WorkOfAdhesion, Parameter::WorkOfAdhesionReceding];
+        let is_adhesive = |work| is_free(work) || self.get(work).is_some_and(|value| value > 0.0);
+        let [_, receding] = works;
+        let assignment = self.assign(Freedom {
+            adhesive: works.into_iter().any(is_adhesive),
+            hysteretic: is_free(receding) || self.get(receding).is_some(),
+            level: is_free(Parameter::LoadOffset) || is_free(Parameter::Baseline),
+        })?;
+        Ok(assignment.branches)
+    }
+
+    /// Evaluates the model at every point, with the exact derivatives with respect to `parameters`
+    /// at a fixed abscissa.
+    ///
+    /// `branches` holds the branch of each point; `None` takes those on which the model itself has
+    /// the points, as [`simulate`](crate::simulate) does. The ordinates of the points are not used.
+    ///
+    /// # Errors
+    /// [`Error::Setting`] for another number of branches than points, or a missing stiffness;
+    /// [`Error::NotApplicable`] for a parameter without an effect on this experiment;
+    /// [`Error::Contact`] outside the table.
+    pub fn predictions(
+        &self,
+        table: &Table,
+        branches: Option<&[Branch]>,
+        parameters: &[Parameter],
+    ) -> Result<Prediction, Error> {
+        self.accept_stiffness()?;
+        for &parameter in parameters {
+            if let Some(reason) = self.why_without_effect(parameter) {
+                return Err(Error::NotApplicable {
+                    parameter,
+                    experiment: self.measurement.name.clone(),
+                    reason,
+                });
+            }
+        }
+        let count = self.measurement.points.len();
+        let contact = self.bodies.contact(table, true)?;
+        let (of_model, order) = self.branches_of_model(&contact)?;
+        let branches = branches.map_or(of_model, <[Branch]>::to_vec);
+        if branches.len() != count {
+            return Err(Error::Setting {
+                name: "number of branches".into(),
+                value: branches.len() as f64,
+                allowed: format!("that of the points, {count}"),
+            });
+        }
+        let predicted = self.predict(&contact, &branches, &order, Some(parameters))?;
+        let kept = |i: usize, value: f64| {
+            if branches[i] == Branch::LeftOut {
+                f64::NAN
+            } else {
+                value
+            }
+        };
+        let column = |values: Vec<f64>, width: usize| {
+            let values = values.into_iter().enumerate();
+            values.map(|(i, value)| kept(i / width, value)).collect()
+        };
+        Ok(Prediction {
+            ordinates: column(predicted.values, 1),
+            contact_radii: column(predicted.radii, 1),
+            derivatives: column(predicted.derivatives, parameters.len().max(1)),
+            beyond: predicted.beyond,
+            branches,
+        })
+    }
+}

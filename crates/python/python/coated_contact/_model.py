@@ -1,0 +1,229 @@
+"""The model of measured contacts: predictions, synthetic data, and the errors of planned ones."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
+from typing import Literal, get_args
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _core
+from ._arrays import integer, number
+from ._experiment import Experiment, Free, ParameterName, one_of
+from ._fit import experiments_of, free_of
+from ._fit_results import Forecast, correlation_of, estimates_of, name_of
+from ._results import Array
+from ._table import Table
+
+BranchName = Literal["advancing", "receding", "pinned", "baseline", "left-out"]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Prediction:
+    """The ordinates that the values of an experiment give at its points.
+
+    Attributes
+    ----------
+    ordinate : numpy.ndarray
+        Loads or forces, N, or penetrations, m; NaN for a point that is left out.
+    contact_radius : numpy.ndarray
+        Contact radii, m; 0 without a contact, NaN for a point that is left out.
+    branch : list of str
+        ``"advancing"``, ``"receding"``, ``"pinned"``, ``"baseline"`` or ``"left-out"``.
+    beyond : numpy.ndarray
+        Whether a point is in contact according to its branch, but beyond the end of the stable
+        states. There a straight line continues the branch, so that a sum of squares has no jump.
+    derivatives : dict of str to numpy.ndarray
+        The exact derivatives of the ordinates at a fixed abscissa, in SI units, by parameter.
+    """
+
+    ordinate: Array
+    contact_radius: Array
+    branch: list[str]
+    beyond: NDArray[np.bool_]
+    derivatives: dict[str, Array]
+
+
+def branches(experiment: Experiment, free: Iterable[ParameterName] = ()) -> list[str]:
+    """Read from the data on which branch each point is, as :func:`fit` does.
+
+    Against penetrations or heights, points before the jump to the baseline are in contact, those
+    after it are on the baseline. A model that jumps within the residual has wrong optima, so the
+    branches are fixed before a fit.
+
+    Parameters
+    ----------
+    experiment : Experiment
+        The measurement.
+    free : iterable of str
+        The parameters that will be fitted. A free offset or baseline leaves the level of the
+        baseline to the data.
+
+    Returns
+    -------
+    list of str
+        ``"advancing"``, ``"receding"``, ``"pinned"``, ``"baseline"`` or ``"left-out"``.
+
+    Raises
+    ------
+    FitError
+        For points that cannot be used.
+    """
+    experiments_of([experiment])
+    return _core.branches(experiment, _names(free))
+
+
+def predict(
+    experiment: Experiment,
+    by: Iterable[ParameterName] = (),
+    *,
+    branches: Sequence[BranchName | str] | None = None,
+    table: Table | None = None,
+) -> Prediction:
+    """Return the ordinates that the values of an experiment give, with exact derivatives.
+
+    This is the function that :func:`fit` fits, for other methods: least squares of scipy, samplers.
+
+    Parameters
+    ----------
+    experiment : Experiment
+        Where is measured, and the values of all parameters. Its ordinates are not used.
+    by : iterable of str
+        The parameters whose derivatives are wanted.
+    branches : sequence of str, optional
+        The branch of each point, such as :func:`branches` reads from data. By default the model
+        decides: points beyond the end of the stable branch are on the baseline.
+    table : Table, optional
+        The table; by default the embedded one.
+
+    Raises
+    ------
+    FitError
+        For a parameter without an effect on the experiment.
+    ContactError
+        For a contact that cannot be computed.
+
+    Examples
+    --------
+    >>> from coated_contact import Elastic, HalfSpace
+    >>> glass = Elastic(young_modulus=64e9, poisson_ratio=0.2)
+    >>> system = HalfSpace(sphere_radius=1e-3, sphere_modulus=2e6, solid=glass)
+    >>> lens = Experiment(kind="load-radius", abscissa=[5e-5, 1e-4], system=system,
+    ...                   work_of_adhesion=0.04)
+    >>> found = predict(lens, ["work_of_adhesion"])
+    >>> found.ordinate.round(7), found.derivatives["work_of_adhesion"].round(5)
+    (array([-0.000168 ,  0.0012486]), array([-0.00627, -0.01772]))
+    """
+    experiments_of([experiment])
+    names = _names(by)
+    words = None if branches is None else list(branches)
+    for word in words or ():
+        one_of("branch", word, get_args(BranchName))
+    found = _core.predict((table or Table.embedded())._native, experiment, words, names)
+    columns = found.pop("derivatives").T
+    return Prediction(derivatives=dict(zip(names, columns, strict=True)), **found)
+
+
+def simulate(
+    experiment: Experiment, *, noise: float, seed: int, table: Table | None = None
+) -> Experiment:
+    """Return the experiment with synthetic ordinates.
+
+    On approach the contact forms at the contact point; on retract, and without a direction, it
+    lasts to the end of the stable branch. Points at contact radii are in contact.
+
+    Parameters
+    ----------
+    experiment : Experiment
+        Where to measure, and the true values. Its ordinates are not used.
+    noise : float
+        Standard deviation of the normal noise that is added to each ordinate, N or m.
+    seed : int
+        One seed always gives one measurement, that of ``tabulate simulate``.
+    table : Table, optional
+        The table; by default the embedded one.
+
+    Returns
+    -------
+    Experiment
+        A copy with ordinates.
+
+    Examples
+    --------
+    >>> from coated_contact import Elastic, HalfSpace
+    >>> glass = Elastic(young_modulus=64e9, poisson_ratio=0.2)
+    >>> system = HalfSpace(sphere_radius=1e-3, sphere_modulus=2e6, solid=glass)
+    >>> plan = Experiment(kind="load-radius", abscissa=[5e-5, 1e-4], system=system,
+    ...                   work_of_adhesion=0.04)
+    >>> simulate(plan, noise=0.0, seed=1).ordinate.round(7)
+    array([-0.000168 ,  0.0012486])
+    """
+    experiments_of([experiment])
+    native = (table or Table.embedded())._native
+    whole = integer("seed", seed, 0, 2**63)
+    ordinate = _core.simulate(native, experiment, number("noise", noise), whole)
+    return replace(experiment, ordinate=ordinate)
+
+
+def forecast(
+    experiments: Experiment | Iterable[Experiment],
+    free: Iterable[ParameterName | Free],
+    *,
+    table: Table | None = None,
+) -> Forecast:
+    """Return the standard errors that planned experiments would give, before they are made.
+
+    Parameters
+    ----------
+    experiments : Experiment or iterable of Experiment
+        Where to measure, the true values, and the ``noise``, which each needs. Ordinates are not
+        used.
+    free : iterable of str or Free
+        The parameters to be found. Priors count; starts and bounds are not used.
+    table : Table, optional
+        The table; by default the embedded one.
+
+    Returns
+    -------
+    Forecast
+        The estimates with the errors expected, and what would not be determined.
+
+    Raises
+    ------
+    FitError
+        Without a noise, or for parameters that cannot be used.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from coated_contact import Elastic, HalfSpace
+    >>> glass = Elastic(young_modulus=64e9, poisson_ratio=0.2)
+    >>> system = HalfSpace(sphere_radius=1e-3, sphere_modulus=2e6, solid=glass)
+    >>> plan = Experiment(kind="load-radius", abscissa=np.linspace(5e-5, 1e-4, 20), system=system,
+    ...                   work_of_adhesion=0.04, noise=5e-6)
+    >>> expected = forecast(plan, ["sphere_modulus", "work_of_adhesion"])
+    >>> print(f"{expected.stderr['sphere_modulus']:.1e} Pa")
+    6.8e+03 Pa
+    """
+    given = experiments_of(experiments)
+    native = (table or Table.embedded())._native
+    found = _core.forecast(native, given, free_of(free))
+    estimates = estimates_of(found)
+    return Forecast(
+        estimates=estimates,
+        correlation=correlation_of(found),
+        undetermined=tuple(found["undetermined"]),
+        stderr={name_of(one, len(given)): one.standard_error for one in estimates},
+    )
+
+
+def _names(parameters: Iterable[ParameterName]) -> list[str]:
+    """Return names of parameters; refuse others."""
+    if isinstance(parameters, str):
+        raise TypeError(f"the parameters must be a list: [{parameters!r}]")
+    names = list(parameters)
+    for name in names:
+        one_of("parameter", name, get_args(ParameterName))
+    return list(names)

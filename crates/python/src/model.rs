@@ -1,0 +1,120 @@
+//! The model of measured contacts: branches read from data, predictions, synthetic data, and the
+//! errors of planned experiments.
+
+use fit::{Branch, Error, Experiment};
+use numpy::{PyArray1, PyArrayMethods as _};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::arrays::Output;
+use crate::error::Failure;
+use crate::fit::{Given, GivenFree, estimates, experiment, frees, parameter, unknown};
+use crate::table::Table;
+
+/// All branches.
+const BRANCHES: [Branch; 5] = [
+    Branch::Advancing,
+    Branch::Receding,
+    Branch::Pinned,
+    Branch::Baseline,
+    Branch::LeftOut,
+];
+
+/// Raises an error of the crate `fit`.
+fn raised<T>(py: Python<'_>, result: Result<T, Error>) -> PyResult<T> {
+    result.map_err(|error| Failure::from(error).raise(py))
+}
+
+/// Returns the names of branches.
+fn names(branches: &[Branch]) -> Vec<&'static str> {
+    branches.iter().map(|branch| branch.name()).collect()
+}
+
+/// Reads from the data on which branch each point is.
+#[pyfunction]
+pub fn branches(
+    py: Python<'_>,
+    given: Given<'_>,
+    free: Vec<String>,
+) -> PyResult<Vec<&'static str>> {
+    let experiment = experiment(py, &given)?;
+    let free: Result<Vec<_>, Error> = free.iter().map(|name| parameter(name)).collect();
+    let free = raised(py, free)?;
+    raised(py, experiment.branches(&free)).map(|branches| names(&branches))
+}
+
+/// Evaluates the model at every point: ordinates, contact radii, branches, whether each point is
+/// beyond the end of its branch, and the derivatives, a row for each point.
+#[pyfunction]
+pub fn predict<'py>(
+    py: Python<'py>,
+    table: &Bound<'py, Table>,
+    given: Given<'py>,
+    branches: Option<Vec<String>>,
+    parameters: Vec<String>,
+) -> PyResult<Bound<'py, PyDict>> {
+    let (table, experiment) = (table.get(), experiment(py, &given)?);
+    let parameters: Result<Vec<_>, Error> = parameters.iter().map(|name| parameter(name)).collect();
+    let parameters = raised(py, parameters)?;
+    let branch = |name: String| {
+        let found = BRANCHES.into_iter().find(|branch| branch.name() == name);
+        found.ok_or_else(|| unknown("branch", &name))
+    };
+    let branches: Option<Vec<Branch>> = branches
+        .map(|names| names.into_iter().map(branch).collect())
+        .transpose()?;
+    let predicted =
+        py.detach(|| experiment.predictions(table.get(), branches.as_deref(), &parameters));
+    let predicted = raised(py, predicted)?;
+    let fields = PyDict::new(py);
+    fields.set_item("branch", names(&predicted.branches))?;
+    let shape = [predicted.ordinates.len(), parameters.len()];
+    let derivatives = PyArray1::from_vec(py, predicted.derivatives).reshape(shape)?;
+    fields.set_item("ordinate", PyArray1::from_vec(py, predicted.ordinates))?;
+    let radii = PyArray1::from_vec(py, predicted.contact_radii);
+    fields.set_item("contact_radius", radii)?;
+    fields.set_item("beyond", PyArray1::from_vec(py, predicted.beyond))?;
+    fields.set_item("derivatives", derivatives)?;
+    Ok(fields)
+}
+
+/// Returns the ordinates of synthetic data.
+#[pyfunction]
+pub fn simulate<'py>(
+    py: Python<'py>,
+    table: &Bound<'py, Table>,
+    given: Given<'py>,
+    noise: f64,
+    seed: u64,
+) -> PyResult<Output<'py>> {
+    let (table, experiment) = (table.get(), experiment(py, &given)?);
+    let made = py.detach(|| fit::simulate(table.get(), &experiment, noise, seed));
+    let points = raised(py, made)?.points;
+    Ok(PyArray1::from_iter(
+        py,
+        points.iter().map(|point| point.ordinate),
+    ))
+}
+
+/// Returns the estimates that planned experiments would give, their correlation, and what would not
+/// be determined.
+#[pyfunction]
+pub fn forecast<'py>(
+    py: Python<'py>,
+    table: &Bound<'py, Table>,
+    experiments: Vec<Given<'py>>,
+    free: Vec<GivenFree>,
+) -> PyResult<Bound<'py, PyDict>> {
+    let table = table.get();
+    let experiments = experiments.iter().map(|one| experiment(py, one));
+    let experiments: Vec<Experiment> = experiments.collect::<PyResult<_>>()?;
+    let free = frees(py, free)?;
+    let found = py.detach(|| fit::forecast(table.get(), &experiments, &free));
+    let found = raised(py, found)?;
+    let fields = PyDict::new(py);
+    fields.set_item("estimates", estimates(py, &found.estimates)?)?;
+    fields.set_item("correlation", found.correlation)?;
+    let undetermined = found.undetermined.into_iter().map(|one| one.text);
+    fields.set_item("undetermined", undetermined.collect::<Vec<_>>())?;
+    Ok(fields)
+}

@@ -1,0 +1,97 @@
+"""The model of lmfit: the numbers of `fit`, with fewer evaluations by exact derivatives."""
+
+import numpy as np
+import pytest
+
+from coated_contact import Experiment, fit, simulate
+from conftest import make_system
+from test_fit import WANTED, lens
+from test_model import retract
+
+lmfit = pytest.importorskip("lmfit")
+
+
+@pytest.fixture(scope="module")
+def model_class():
+    from coated_contact.lmfit import Model
+
+    return Model
+
+
+@pytest.mark.parametrize("method", ["leastsq", "least_squares"])
+def test_a_lens_is_fitted_like_by_fit(model_class, method):
+    one = lens(seed=1)
+    expected = fit(one, WANTED)
+    model = model_class(one, WANTED)
+    start = {"sphere_modulus": 1e6, "work_of_adhesion": 0.05}
+    found = model.fit(one.ordinate, x=one.abscissa, weights=1 / 2e-6, method=method, **start)
+    assert found.success
+    for name in WANTED:
+        assert found.best_values[name] == pytest.approx(expected.params[name], rel=1e-5)
+        assert found.params[name].stderr == pytest.approx(expected.stderr[name], rel=1e-3)
+    points = expected.experiments[0]
+    assert np.allclose(found.best_fit, points.fit, rtol=0, atol=1e-3 * points.noise)
+
+
+def test_the_exact_derivatives_are_used(model_class):
+    one = lens(seed=1)
+    start = {"sphere_modulus": 1e6, "work_of_adhesion": 0.05}
+    exact = model_class(one, WANTED).fit(one.ordinate, x=one.abscissa, **start)
+    differences = model_class(one, WANTED).fit(
+        one.ordinate, x=one.abscissa, **start, fit_kws={"Dfun": None}
+    )
+    assert exact.nfev < 0.6 * differences.nfev
+    assert exact.chisqr <= differences.chisqr
+
+
+def test_a_cantilever_is_fitted_like_by_fit(model_class):
+    truth = retract(points=200, contact_point=4e-6)
+    made = simulate(truth, noise=1e-7, seed=2)
+    free = ["film_modulus", "work_of_adhesion", "contact_point", "baseline"]
+    expected = fit(made, free)
+    model = model_class(made, free)
+    params = model.make_params(film_modulus=4e5, work_of_adhesion=0.05, baseline=1e-7)
+    found = model.fit(made.ordinate, params, x=made.abscissa, weights=1e7)
+    assert found.success
+    for name in ("film_modulus", "work_of_adhesion", "contact_point"):
+        error = abs(found.best_values[name] - expected.params[name])
+        assert error < 0.5 * expected.stderr[name], name
+        assert abs(found.best_values[name] - value(truth, name)) < 4 * expected.stderr[name]
+
+
+def value(truth, name):
+    return truth.system.film.young_modulus if name == "film_modulus" else getattr(truth, name)
+
+
+def test_the_fit_is_drawn_on_a_finer_grid(model_class):
+    one = lens(seed=1)
+    model = model_class(one, WANTED)
+    found = model.fit(one.ordinate, x=one.abscissa)
+    finer = np.linspace(one.abscissa[0], one.abscissa[-1], 2 * len(one.abscissa) - 1)
+    assert np.allclose(found.eval(x=finer)[::2], found.best_fit, rtol=1e-12, atol=1e-15)
+    assert found.eval_uncertainty(x=finer).shape == finer.shape
+
+
+def test_expressions_and_fixed_parameters(model_class):
+    plan = Experiment(
+        kind="load-radius",
+        abscissa=np.linspace(50e-6, 110e-6, 40),
+        system=make_system(film_modulus=5e5, film_poisson_ratio=0.45),
+        work_of_adhesion=0.04,
+    )
+    made = simulate(plan, noise=1e-6, seed=3)
+    model = model_class(made, ["film_modulus", "work_of_adhesion"])
+    params = model.make_params(film_modulus=4e5)
+    params["sphere_modulus"].set(expr="4 * film_modulus")
+    found = model.fit(made.ordinate, params, x=made.abscissa)
+    assert found.best_values["sphere_modulus"] == 4 * found.best_values["film_modulus"]
+    assert found.best_values["film_modulus"] == pytest.approx(5e5, rel=0.05)
+    assert [name for name, one in params.items() if one.vary and not one.expr] == [
+        "film_modulus",
+        "work_of_adhesion",
+    ]
+
+
+def test_unknown_parameters_are_named(model_class):
+    with pytest.raises(ValueError, match="film_thickness"):
+        model_class(lens(seed=1), ["film_thickness"])

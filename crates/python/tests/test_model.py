@@ -1,0 +1,242 @@
+"""Predictions, synthetic data, forecasts: JKR, linear least squares, Rust bit for bit."""
+
+import csv
+import json
+import os
+import subprocess
+from dataclasses import replace
+from math import pi
+
+import numpy as np
+import pytest
+
+from coated_contact import (
+    Elastic,
+    Experiment,
+    FitError,
+    Forecast,
+    Free,
+    HalfSpace,
+    InvalidArgumentError,
+    branches,
+    fit,
+    fit_map,
+    forecast,
+    predict,
+    simulate,
+)
+from conftest import make_system
+from test_fit import MODULUS, WANTED, W, jkr_load
+
+RIGID = HalfSpace(
+    sphere_radius=1e-3,
+    sphere_modulus=MODULUS,
+    solid=Elastic(young_modulus=np.inf, poisson_ratio=0.3),
+)
+RADII = np.linspace(50e-6, 110e-6, 40)
+
+
+def planned(**known):
+    return Experiment(kind="load-radius", abscissa=RADII, system=RIGID, work_of_adhesion=W, **known)
+
+
+def retract(points=60, **known):
+    """A colloidal probe on a film, pulled off."""
+    heights = np.linspace(-0.5e-6, 8e-6, points)
+    return Experiment(
+        kind="force-height",
+        abscissa=heights,
+        retract=np.full(points, True),
+        system=make_system(film_modulus=5e5, film_poisson_ratio=0.45),
+        work_of_adhesion=W,
+        stiffness=200.0,
+        **known,
+    )
+
+
+def test_predictions_are_jkr():
+    found = predict(planned(), ["sphere_modulus", "work_of_adhesion", "load_offset"])
+    assert np.allclose(found.ordinate, jkr_load(RADII), rtol=1e-12, atol=1e-18)
+    by_modulus = 4 * RADII**3 / 3e-3 - np.sqrt(2 * pi * W * RADII**3 / MODULUS)
+    assert np.allclose(found.derivatives["sphere_modulus"], by_modulus, rtol=1e-11, atol=1e-22)
+    by_work = -np.sqrt(2 * pi * MODULUS * RADII**3 / W)
+    assert np.allclose(found.derivatives["work_of_adhesion"], by_work, rtol=1e-12)
+    assert np.array_equal(found.derivatives["load_offset"], np.ones(40))
+    assert set(found.branch) == {"advancing"}
+
+
+PARAMETERS = [
+    "sphere_modulus",
+    "film_modulus",
+    "film_poisson_ratio",
+    "film_thickness",
+    "work_of_adhesion",
+    "contact_point",
+    "baseline",
+    "stiffness",
+]
+
+
+@pytest.mark.parametrize("parameter", PARAMETERS)
+def test_derivatives_at_a_fixed_height_are_those_of_differences(parameter):
+    one = retract(contact_point=4e-6, baseline_slope=1e-3)
+    branch = predict(one).branch
+    assert {"receding", "baseline"} == set(branch)
+    assert set(branch[:30]) == {"receding"}
+
+    def ordinate(change):
+        value = value_of(one, parameter)
+        return predict(changed(one, parameter, value + change), branches=branch)
+
+    step = 1e-4 * (value_of(one, parameter) or 1e-5)
+    up, down = ordinate(step), ordinate(-step)
+    expected = (up.ordinate - down.ordinate) / (2 * step)
+    found = predict(one, [parameter]).derivatives[parameter]
+    assert np.allclose(found, expected, rtol=1e-5, atol=1e-6 * np.abs(expected).max())
+    assert np.abs(found).max() > 0
+
+
+def value_of(one, parameter):
+    if parameter in ("film_modulus", "film_poisson_ratio"):
+        return getattr(
+            one.system.film, parameter.replace("film_", "").replace("modulus", "young_modulus")
+        )
+    owner = one.system if hasattr(one.system, parameter) else one
+    return getattr(owner, parameter)
+
+
+def changed(one, parameter, value):
+    if parameter in ("film_modulus", "film_poisson_ratio"):
+        name = parameter.replace("film_", "").replace("modulus", "young_modulus")
+        system = replace(one.system, film=replace(one.system.film, **{name: value}))
+        return replace(one, system=system)
+    if hasattr(one.system, parameter):
+        return replace(one, system=replace(one.system, **{parameter: value}))
+    return replace(one, **{parameter: value})
+
+
+def test_branches_come_from_the_data():
+    made = simulate(retract(contact_point=4e-6), noise=1e-8, seed=4)
+    from_data = branches(made, ["work_of_adhesion", "contact_point", "baseline"])
+    of_model = predict(made).branch
+    assert from_data.count("receding") > 20
+    differ = [i for i in range(60) if from_data[i] != of_model[i]]
+    assert all(from_data[i] == "left-out" for i in differ)
+    assert len(differ) < 4
+    found = predict(made, branches=from_data)
+    assert np.array_equal(np.isnan(found.ordinate), [b == "left-out" for b in from_data])
+
+
+def test_simulated_data_have_the_noise_asked_for():
+    plan = Experiment(
+        kind="load-radius",
+        abscissa=np.linspace(50e-6, 110e-6, 4000),
+        system=RIGID,
+        work_of_adhesion=W,
+    )
+    made = simulate(plan, noise=2e-6, seed=5)
+    residuals = (made.ordinate - jkr_load(plan.abscissa)) / 2e-6
+    # The standard error of a mean of 4000 is 0.016, and that of a standard deviation 0.011.
+    assert abs(residuals.mean()) < 0.08
+    assert residuals.std() == pytest.approx(1, abs=0.055)
+    assert np.array_equal(simulate(plan, noise=2e-6, seed=5).ordinate, made.ordinate)
+    assert not np.array_equal(simulate(plan, noise=2e-6, seed=6).ordinate, made.ordinate)
+
+
+def test_a_forecast_is_linear_least_squares():
+    """The covariance of the linear problem at the truth, by numpy."""
+    noise = 2e-6
+    found = forecast(planned(noise=noise), WANTED)
+    assert isinstance(found, Forecast)
+    columns = np.stack([4 * RADII**3 / 3e-3, -np.sqrt(8 * pi * RADII**3)], axis=1)
+    root = np.sqrt(W * MODULUS)
+    jacobian = np.array([[1.0, 0.0], [-W / MODULUS, 2 * root / MODULUS]])
+    covariance = noise**2 * jacobian @ np.linalg.inv(columns.T @ columns) @ jacobian.T
+    expected = dict(zip(WANTED, np.sqrt(np.diag(covariance)), strict=True))
+    assert found.stderr == pytest.approx(expected, rel=1e-6)
+    assert found.correlation[0, 1] == pytest.approx(
+        covariance[0, 1] / np.prod(list(expected.values())), rel=1e-6
+    )
+
+
+def test_a_forecast_tells_the_scatter_of_fits():
+    noise, count = 2e-6, 200
+    plan = planned(noise=noise)
+    curves = [simulate(plan, noise=noise, seed=seed) for seed in range(count)]
+    found = fit_map(curves, WANTED)
+    expected = forecast(plan, WANTED).stderr
+    for name in WANTED:
+        # A standard deviation of 200 has a standard error of 5 %.
+        assert found.params[name].std(ddof=1) == pytest.approx(expected[name], rel=0.2)
+
+
+def test_what_would_not_be_determined_is_named():
+    """Beside a thick film only the compound modulus of sphere and film counts."""
+    one = Experiment(
+        kind="load-radius",
+        abscissa=[5e-5, 6e-5, 7e-5],
+        system=make_system(film_thickness=1e-2),
+        work_of_adhesion=W,
+        noise=1e-6,
+    )
+    found = forecast(one, ["sphere_modulus", "film_modulus"])
+    assert found.undetermined
+    assert "film-modulus" in found.undetermined[0]
+    prior = Free(parameter="film_modulus", prior=(3.5e6, 1e5))
+    assert forecast(one, ["sphere_modulus", prior]).stderr["film_modulus"] == pytest.approx(
+        1e5, rel=1e-3
+    )
+
+
+def test_what_cannot_be_used_is_named():
+    with pytest.raises(FitError, match="noise"):
+        forecast(planned(), WANTED)
+    with pytest.raises(FitError, match="finite"):
+        fit(planned(), WANTED)
+    with pytest.raises(FitError, match="thickness"):
+        predict(planned(), ["film_thickness"])
+    with pytest.raises(FitError, match="number of branches = 1"):
+        predict(planned(), branches=["advancing"])
+    with pytest.raises(FitError, match="branch = 'up' cannot be used"):
+        predict(planned(), branches=["up"])
+    with pytest.raises(FitError, match="parameter = 'colour'"):
+        predict(planned(), ["colour"])
+    with pytest.raises(TypeError, match="must be a list"):
+        predict(planned(), "sphere_modulus")
+    with pytest.raises(TypeError, match="must be an Experiment"):
+        predict(3)
+    with pytest.raises(FitError, match="noise = -1"):
+        simulate(planned(), noise=-1.0, seed=0)
+    with pytest.raises(InvalidArgumentError, match="seed = -1"):
+        simulate(planned(), noise=1.0, seed=-1)
+    with pytest.raises(FitError, match="finite"):
+        branches(planned())
+
+
+def test_numbers_are_those_of_rust_bit_for_bit(tabulate, tmp_path):
+    program = os.environ["TABULATE"]
+    plan = Experiment(
+        kind="load-radius",
+        abscissa=[
+            float(number) for number in ("4e-5", "6.25e-5", "8.5e-5", "0.0001075", "0.00013")
+        ],
+        system=make_system(film_thickness=1e-6),
+        work_of_adhesion=0.04,
+        noise=5e-6,
+    )
+    plan_options = {"kind": "load-radius", "from": 4e-5, "to": 1.3e-4, "points": 5, "noise": 5e-6}
+    command = ["simulate", *(f"--{name}={value}" for name, value in plan_options.items())]
+    run = subprocess.run(
+        [program, *command, "--seed", "3"], check=True, capture_output=True, text=True
+    )
+    lines = [line for line in run.stdout.splitlines() if not line.startswith("#")]
+    printed = list(csv.DictReader(lines))
+    assert [float(row["contact_radius"]) for row in printed] == plan.abscissa.tolist()
+    made = simulate(plan, noise=5e-6, seed=3)
+    assert made.ordinate.tolist() == [float(row["load"]) for row in printed]
+    run = subprocess.run(
+        [program, *command, "--expect", "--json"], check=True, capture_output=True, text=True
+    )
+    expected = json.loads(run.stdout)["parameters"]
+    found = forecast(plan, WANTED)
+    assert found.stderr == {name: expected[name]["stderr"] for name in WANTED}
