@@ -248,9 +248,9 @@ pub enum Error {
          use it as HDF5 or packed without a tolerance"
     )]
     LowRankTooLarge {
-        /// The ranks of the form.
-        ranks: [usize; 3],
-        /// The numbers of nodes of `e0_over_e2`, `e1_over_e2`, `nu1` and `a_over_t`.
+        /// The ranks of the form of each tile.
+        ranks: Vec<[usize; 3]>,
+        /// The numbers of nodes of the axes.
         nodes: [usize; 4],
         /// What it needs too many of, numbers in memory or products.
         what: &'static str,

@@ -116,4 +116,4 @@ pub use material::{
     Elastic, HalfSpace, Material, Normalisation, Parameter, Quantities, Quantity,
     SubstratePoissonRatio, System,
 };
-pub use table::{Certificate, Description, LowRank, Table, Tiles, is_packed, schema};
+pub use table::{Certificate, Description, LowRank, Table, Tile, chebyshev, is_packed, schema};
