@@ -35,15 +35,18 @@ pub(crate) struct Demand {
 }
 
 impl Demand {
-    /// Adds up the needs of tiles with `n_a` nodes of `a/t`. A number that overflows counts as the
+    /// Adds up the needs of tiles on axes of `shape` nodes. A number that overflows counts as the
     /// largest u64.
-    pub(crate) fn of(tiles: &[Tile], n_a: usize) -> Self {
+    pub(crate) fn of(tiles: &[Tile], shape: [usize; 4]) -> Self {
         let product = |factors: &[usize]| {
             let factors = factors.iter().map(|&factor| factor as u64);
             factors.fold(1, u64::saturating_mul)
         };
         let padded = |length: usize| length.checked_next_multiple_of(BLOCK).unwrap_or(length);
-        let curves = ((PARTS + 1).pow(3) * Resampler::ROUNDS) as u64;
+        let [n_a, of_material @ ..] = shape;
+        let free = of_material.into_iter().filter(|&nodes| nodes > 1);
+        let materials = free.fold(1, |materials, _| materials * (PARTS + 1));
+        let curves = (materials * Resampler::ROUNDS) as u64;
         let (mut demand, mut largest) = (Self::default(), 0);
         for tile in tiles {
             let mut used = 0_u64;
@@ -112,7 +115,7 @@ mod tests {
     fn the_embedded_table_needs_a_fraction_of_what_is_allowed() {
         let table = Table::embedded();
         let tiles = table.low_rank().expect("it is low-rank");
-        let all = Demand::of(tiles, table.shape()[0]);
+        let all = Demand::of(tiles, table.shape());
         let [numbers, products] = [all.numbers, all.products].map(|number| number / all.integers);
         println!("{numbers} numbers and {products} products for each integer");
         assert!(

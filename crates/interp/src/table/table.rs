@@ -92,8 +92,8 @@ impl Table {
     ///
     /// # Errors
     /// Those of [`Table::new`] about description and axes; [`Error::Malformed`] if there are no tiles
-    /// or more than 16, if they overlap, leave a gap or differ in their quantities, or for more than
-    /// 2e8 values at the nodes.
+    /// or more than 16, if they overlap, leave a gap or differ in their quantities, if a core has
+    /// several terms along an axis of one node, or for more than 2e8 values at the nodes.
     ///
     /// [`Error::LowRankTooLarge`] if the first lookup would need more than 1e8 numbers, or more
     /// numbers or products than 16 and 4000 for each integer of the cores, of which a byte of a file

@@ -163,7 +163,7 @@ fn train<'a>(
         within(film, of_film) && within(substrate, of_substrate)
     };
     let tile = boxes.iter().position(contains);
-    &trains[tile.expect("the tiles cover the box, and the material is inside")]
+    &trains[tile.expect("the tiles cover all coordinates")]
 }
 
 /// Makes the B-splines of the material axes, and those of `a_over_t`.

@@ -52,7 +52,8 @@ impl Tile {
 ///
 /// # Errors
 /// [`Error::Malformed`] if there are more than 16 tiles or none, if they overlap or leave a gap, or
-/// differ in their quantities; or for more than 2e8 values at the nodes. [`Error::LowRankTooLarge`] if
+/// differ in their quantities; if a core has several terms along an axis of one node; or for more than
+/// 2e8 values at the nodes. [`Error::LowRankTooLarge`] if
 /// the first lookup in all tiles together would need too much, see [`Demand::check`].
 pub(crate) fn check(axes: &Axes, tiles: &[Tile]) -> Result<(), Error> {
     let malformed = |what: String| Err(Error::Malformed(what));
@@ -75,6 +76,16 @@ pub(crate) fn check(axes: &Axes, tiles: &[Tile]) -> Result<(), Error> {
         return malformed(format!(
             "it has {shape:?} nodes, more than {MOST_VALUES} values"
         ));
+    }
+    for tile in tiles {
+        let terms = tile.form.dimensions().into_iter().zip(tile.form.terms());
+        for (dimension, terms) in terms {
+            if shape[dimension] == 1 && terms > 1 {
+                return malformed(format!(
+                    "a core of it has {terms} terms along an axis of one node, it must have 1"
+                ));
+            }
+        }
     }
     let moduli = |tile: &Tile| [(tile.film, n_film), (tile.substrate, n_substrate)];
     let is_box = |tile: &Tile| {
@@ -106,7 +117,7 @@ pub(crate) fn check(axes: &Axes, tiles: &[Tile]) -> Result<(), Error> {
              {n_substrate} nodes once"
         ));
     }
-    Demand::of(tiles, n_a).check(tiles, shape)
+    Demand::of(tiles, shape).check(tiles, shape)
 }
 
 /// Returns the logarithms at all nodes with node `film` of the film's modulus, as
@@ -140,11 +151,22 @@ pub(crate) fn logarithms(axes: &Axes, tiles: &[Tile], film: usize) -> Vec<f64> {
     logarithms
 }
 
-/// Returns the coordinates of the two moduli between which each tile lies.
+/// Returns the coordinates of the two moduli between which each tile lies. At the ends of the table
+/// they are infinite, because a coordinate may be beyond the end by rounding.
 pub(crate) fn boxes(axes: &Axes, tiles: &[Tile]) -> Vec<[[f64; 2]; 2]> {
+    let [_, n_film, _, n_substrate] = axes.shape();
+    let within = |[from, to]: [f64; 2], [first, last]: [usize; 2], count: usize| {
+        [
+            if first == 0 { f64::NEG_INFINITY } else { from },
+            if last + 1 == count { f64::INFINITY } else { to },
+        ]
+    };
     let ends = |tile: &Tile| {
         let [_, film, _, substrate] = tile.ends(axes);
-        [film, substrate]
+        [
+            within(film, tile.film, n_film),
+            within(substrate, tile.substrate, n_substrate),
+        ]
     };
     tiles.iter().map(ends).collect()
 }
