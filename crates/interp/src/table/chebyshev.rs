@@ -9,10 +9,10 @@ use std::f64::consts::SQRT_2;
 /// The degree from which the factors fall, for each dimension: `a/t`, the modulus of the film, its
 /// Poisson ratio, the modulus of the substrate. The derivative with respect to the Poisson ratio of
 /// nearly incompressible films is the one that errors change most.
-const SMOOTH_DEGREE: [f64; 4] = [40.0, 20.0, 5.0, 20.0];
+const SMOOTH_DEGREE: [f64; 4] = [40.0, 20.0, 2.0, 20.0];
 
 /// Returns the weight of degree `k` along a dimension: `(1 + (k/s)^2)^(1/2)`, where `s` is 40 for
-/// `a/t`, 20 for the moduli, and 5 for `nu1`.
+/// `a/t`, 20 for the moduli, and 2 for `nu1`.
 pub fn smoothness(dimension: usize, k: usize) -> f64 {
     (k as f64 / SMOOTH_DEGREE[dimension]).hypot(1.0)
 }

@@ -19,7 +19,7 @@ use crate::Parameter;
 use crate::table::tensor_spline::TensorSpline;
 
 /// The largest `(w + u) |dv/dw|` with which the slope of the spline is used.
-const LARGEST_MAGNIFICATION: f64 = 10.0;
+const LARGEST_MAGNIFICATION: f64 = 2.0;
 /// The number of distances in one difference.
 const POINTS: usize = 4;
 /// The ratio of one distance to the next. Smaller ratios need more lookups, and have larger errors
@@ -41,7 +41,7 @@ pub(crate) fn improve_slopes(
     values: &[f64],
     slopes: &mut [f64],
 ) {
-    let [film, v, substrate] = coordinates;
+    let [_, v, _] = coordinates;
     let w = 1.0 - 2.0 * Parameter::Nu1.value(v);
     let room = 1.0 - 2.0 * least - w;
     // The B-splines are numbered as the nodes in their middle.
@@ -64,11 +64,11 @@ pub(crate) fn improve_slopes(
     for _ in 1..POINTS {
         distances.push(distances[distances.len() - 1] / RATIO);
     }
-    let lookup = |distance: &f64| {
-        let v = Parameter::Nu1.coordinate(0.5 * (1.0 - w - distance));
-        spline.coefficients([film, v, substrate])
-    };
-    let lookups: Vec<Vec<f64>> = distances.iter().map(lookup).collect();
+    let places: Vec<f64> = distances
+        .iter()
+        .map(|distance| Parameter::Nu1.coordinate(0.5 * (1.0 - w - distance)))
+        .collect();
+    let lookups = spline.coefficients_along(coordinates, 1, &places);
     let quantities = values.len() / a_over_t.len();
     for (j, unit) in units[..inaccurate].iter().enumerate() {
         let first = distances.partition_point(|&distance| distance > REACH * unit);

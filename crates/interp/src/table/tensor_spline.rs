@@ -104,6 +104,29 @@ impl TensorSpline {
         }
     }
 
+    /// Returns the coefficients of materials that differ in one coordinate, the number `axis`, which
+    /// has the values `places`.
+    pub(crate) fn coefficients_along(
+        &self,
+        coordinates: [f64; 3],
+        axis: usize,
+        places: &[f64],
+    ) -> Vec<Vec<f64>> {
+        match &self.form {
+            Form::Tiles { trains, boxes } => {
+                train(trains, boxes, coordinates).coefficients_along(coordinates, axis, places)
+            }
+            Form::Dense(_) => {
+                let at = |&place: &f64| {
+                    let mut coordinates = coordinates;
+                    coordinates[axis] = place;
+                    self.coefficients(coordinates)
+                };
+                places.iter().map(at).collect()
+            }
+        }
+    }
+
     /// Returns these coefficients, followed by their derivatives with respect to the three
     /// coordinates.
     pub(crate) fn coefficients_and_slopes(&self, coordinates: [f64; 3]) -> [Vec<f64>; 4] {

@@ -162,6 +162,17 @@ impl TensorTrain {
         dispatch!(Level::new(), simd => self.value_and_slopes(simd, coordinates))
     }
 
+    /// Returns the coefficients of materials that differ in one coordinate, the number `axis`, which
+    /// has the values `places`.
+    pub(crate) fn coefficients_along(
+        &self,
+        coordinates: [f64; 3],
+        axis: usize,
+        places: &[f64],
+    ) -> Vec<Vec<f64>> {
+        dispatch!(Level::new(), simd => self.values_along(simd, coordinates, axis, places))
+    }
+
     #[inline(always)]
     fn value<S: Simd>(&self, simd: S, coordinates: [f64; 3]) -> Vec<f64> {
         let mut vector = vec![1.0];
@@ -175,24 +186,52 @@ impl TensorTrain {
 
     #[inline(always)]
     fn value_and_slopes<S: Simd>(&self, simd: S, coordinates: [f64; 3]) -> [Vec<f64>; 4] {
+        let [first, second, third] = &self.cores;
+        let at = |core: &Core| coordinates[core.axis];
         // The product of the cores so far, and its derivatives with respect to their coordinates.
-        let mut vectors = vec![vec![1.0]];
-        for core in &self.cores {
-            let u = coordinates[core.axis];
-            let interval = core.interval(u);
-            let (values, slopes) = interval.functions.evaluate(u);
-            let slope = core.multiply(simd, interval, &vectors[0], &slopes);
-            for vector in &mut vectors {
-                *vector = core.multiply(simd, interval, vector, &values);
-            }
-            vectors.push(slope);
-        }
-        let mut sums = [const { Vec::new() }; 4];
-        sums[0] = self.last.sum(simd, &vectors[0]);
-        for (core, by_axis) in self.cores.iter().zip(&vectors[1..]) {
-            sums[1 + core.axis] = self.last.sum(simd, by_axis);
+        let [value, by_first] = first.products(simd, at(first), [&[1.0]], &[1.0]);
+        let [value, by_first, by_second] =
+            second.products(simd, at(second), [&value, &by_first], &value);
+        let [value, by_first, by_second, by_third] =
+            third.products(simd, at(third), [&value, &by_first, &by_second], &value);
+        let vectors = [&value, &by_first, &by_second, &by_third].map(Vec::as_slice);
+        let [value, slopes @ ..] = self.last.sums(simd, vectors);
+        let mut sums = [value, Vec::new(), Vec::new(), Vec::new()];
+        for (core, by_axis) in self.cores.iter().zip(slopes) {
+            sums[1 + core.axis] = by_axis;
         }
         sums
+    }
+
+    #[inline(always)]
+    fn values_along<S: Simd>(
+        &self,
+        simd: S,
+        coordinates: [f64; 3],
+        axis: usize,
+        places: &[f64],
+    ) -> Vec<Vec<f64>> {
+        // One vector until the core of this axis, one for each place from there on.
+        let mut vectors = vec![vec![1.0]];
+        for core in &self.cores {
+            let multiplied = |u: f64, vectors: &[Vec<f64>]| {
+                let interval = core.interval(u);
+                let functions = interval.functions.evaluate(u).0;
+                let weights: Vec<Vec<f64>> = vectors
+                    .iter()
+                    .map(|vector| interval.weights(vector, &functions))
+                    .collect();
+                let mut after = interval.rows.sum_all(simd, &weights);
+                after.iter_mut().for_each(|after| core.scale(after));
+                after
+            };
+            vectors = if core.axis == axis {
+                places.iter().flat_map(|&u| multiplied(u, &vectors)).collect()
+            } else {
+                multiplied(coordinates[core.axis], &vectors)
+            };
+        }
+        self.last.sum_all(simd, &vectors)
     }
 }
 
@@ -212,19 +251,42 @@ impl Core {
         before: &[f64],
         functions: &[f64; MOST_FUNCTIONS],
     ) -> Vec<f64> {
-        let mut weights = vec![0.0; before.len() * interval.functions.count];
-        for (weights, function) in weights.chunks_exact_mut(before.len()).zip(functions) {
-            weights
-                .iter_mut()
-                .zip(before)
-                .for_each(|(weight, entry)| *weight = function * entry);
-        }
-        let mut after = interval.rows.sum(simd, &weights);
+        let mut after = interval
+            .rows
+            .sum(simd, &interval.weights(before, functions));
+        self.scale(&mut after);
+        after
+    }
+
+    /// Multiplies vectors over the bond before by the core at `u`, and `slope_of` by its derivative,
+    /// which comes last. `M` must be `N + 1`.
+    #[inline(always)]
+    fn products<S: Simd, const N: usize, const M: usize>(
+        &self,
+        simd: S,
+        u: f64,
+        before: [&[f64]; N],
+        slope_of: &[f64],
+    ) -> [Vec<f64>; M] {
+        let interval = self.interval(u);
+        let (values, slopes) = interval.functions.evaluate(u);
+        let weights: [Vec<f64>; M] = std::array::from_fn(|i| match before.get(i) {
+            Some(before) => interval.weights(before, &values),
+            None => interval.weights(slope_of, &slopes),
+        });
+        let mut after = interval
+            .rows
+            .sums(simd, weights.each_ref().map(Vec::as_slice));
+        after.iter_mut().for_each(|after| self.scale(after));
+        after
+    }
+
+    /// Divides a vector over the next bond by the weights of the bond.
+    fn scale(&self, after: &mut [f64]) {
         after
             .iter_mut()
             .zip(&self.scales)
             .for_each(|(entry, scale)| *entry *= scale);
-        after
     }
 }
 
@@ -255,6 +317,17 @@ impl Interval {
             functions,
             rows: MixedPrecision::new(&rows, length, negligible, ROUNDING * tolerance),
         }
+    }
+}
+
+impl Interval {
+    /// Returns the weight of each row: a function times an entry of the vector over the bond before.
+    fn weights(&self, before: &[f64], functions: &[f64; MOST_FUNCTIONS]) -> Vec<f64> {
+        let mut weights = Vec::with_capacity(before.len() * self.functions.count);
+        for function in &functions[..self.functions.count] {
+            weights.extend(before.iter().map(|entry| function * entry));
+        }
+        weights
     }
 }
 

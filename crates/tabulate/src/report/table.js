@@ -13,7 +13,7 @@ const QUANTITIES = ["pi0", "eeq", "gamma", "delta0"];
 /** All parameters of axes: in files, an axis has the number of its parameter here. */
 const PARAMETERS = ["a_over_t", "e1_over_e2", "nu1", "e0_over_e2", "e1s_over_einfs", "e0s_over_e2s"];
 /** For each dimension (a/t, film's modulus, film's Poisson ratio, substrate's modulus) the degree from which the factors of the polynomials fall. */
-const SMOOTH_DEGREE = [40, 20, 5, 20];
+const SMOOTH_DEGREE = [40, 20, 2, 20];
 /** The largest number of integers that a byte of their code holds, and their largest length in bits. */
 const MOST_IN_A_BYTE = 6, MOST_BITS = 54;
 
