@@ -473,8 +473,9 @@ fn nothing_is_allocated_on_the_word_of_a_file() {
         panic!("it has one tile")
     };
     let payload = &PACKED[PREFIX..];
-    // A whole number below 251 takes a byte, others three. The content ends with the weights of three
-    // bonds, each list behind its length, a step of eight bytes, and the list of the coded integers.
+    // A whole number below 251 takes a byte, others three. The content ends with the weights of
+    // three bonds, each list behind its length, a step of eight bytes, and the list of the coded
+    // integers.
     let integers = tile.form.coded_bytes();
     let size = |length: usize| if length < 251 { 1 } else { 3 };
     let at_integers = payload.len() - integers - size(integers);
@@ -485,7 +486,8 @@ fn nothing_is_allocated_on_the_word_of_a_file() {
     for (at, rank) in lengths[1..].iter().zip([a, b, c]) {
         assert_eq!(usize::from(payload[*at]), rank);
     }
-    // Before them, the number of tiles, the nodes of the tile, the order, and the terms of each core.
+    // Before them, the number of tiles, the nodes of the tile, the order, and the terms of each
+    // core.
     let terms = tile.form.terms();
     for (at, terms) in (at_weights - 4..at_weights).zip(terms) {
         assert_eq!(usize::from(payload[at]), terms);
@@ -536,14 +538,19 @@ fn a_form_whose_parts_contradict_each_other_is_malformed() {
     let [film, nu, a] = [-root(0.01), root(0.25), -root(1.0 / 1600.0)];
     let vector = [10.0 + 30.0 * nu, 20.0 - 5.0 * nu];
     let before = 2.0 * step / 0.5 * (step * (1.0 - film) / 0.25);
-    let expected = [[1.0 + 3.0 * a, 5.0 + 7.0 * a], [2.0 + 4.0 * a, 6.0 + 8.0 * a]].map(|last| {
-        before * step * step * (vector[0] / 2.0 * last[0] + vector[1] * last[1])
-    });
+    let expected = [
+        [1.0 + 3.0 * a, 5.0 + 7.0 * a],
+        [2.0 + 4.0 * a, 6.0 + 8.0 * a],
+    ]
+    .map(|last| before * step * step * (vector[0] / 2.0 * last[0] + vector[1] * last[1]));
     let ends = [[-1.0, 1.0], [2.0, 4.0], [0.0, 1.0], [7.0, 7.0]];
     let found = sound.logarithms(ends, [&[-1.0], &[3.0], &[1.0], &[7.0]]);
     assert_eq!(found.len(), 2);
     for (found, expected) in found.iter().zip(expected) {
-        assert!((found / expected - 1.0).abs() < 1e-14, "{found}, not {expected}");
+        assert!(
+            (found / expected - 1.0).abs() < 1e-14,
+            "{found}, not {expected}"
+        );
     }
     let new = |order, terms, weights, step, cores| {
         LowRank::new(held(), order, terms, weights, step, cores)
@@ -554,7 +561,15 @@ fn a_form_whose_parts_contradict_each_other_is_malformed() {
         new(order, terms, weights(), step, cores)
     };
     let of = |quantities| LowRank::new(quantities, order, terms, weights(), step, cores());
-    let with_weight = |weight| new(order, terms, [vec![weight], vec![-2], vec![1, 0]], step, cores());
+    let with_weight = |weight| {
+        new(
+            order,
+            terms,
+            [vec![weight], vec![-2], vec![1, 0]],
+            step,
+            cores(),
+        )
+    };
     let wrong = [
         of(vec![]),
         of(vec![Quantity::Eeq, Quantity::Pi0]),
@@ -565,14 +580,25 @@ fn a_form_whose_parts_contradict_each_other_is_malformed() {
         new(order, [0, 3, 2, 2], weights(), step, cores()),
         new(order, [1, usize::MAX, 2, 2], weights(), step, cores()),
         new(order, terms, [vec![-1], vec![], vec![1, 0]], step, cores()),
-        new(order, terms, [vec![-1], vec![-2], vec![1, 0, 0]], step, cores()),
+        new(
+            order,
+            terms,
+            [vec![-1], vec![-2], vec![1, 0, 0]],
+            step,
+            cores(),
+        ),
         // Two values of an index from a single term.
         new(
             order,
             terms,
             [vec![-1, -1], vec![-2], vec![1, 0]],
             step,
-            [vec![2, 2], vec![1, 2, -1, 3, 1, 1], vec![10, 20, 30, -5], vec![1; 8]],
+            [
+                vec![2, 2],
+                vec![1, 2, -1, 3, 1, 1],
+                vec![10, 20, 30, -5],
+                vec![1; 8],
+            ],
         ),
         with_core(0, vec![]),
         with_core(2, vec![10, 20, 30]),

@@ -207,7 +207,8 @@ pub enum Error {
     /// A table in another version of the format.
     #[error(
         "the table has format version {found}, this program reads version {supported}: make the \
-         table again with this program, or read it with the version of the program that made it"
+         table again (`tabulate generate`), or convert it, by `tabulate unpack` or `tabulate pack` of \
+         the program that made it, and `tabulate pack` or `tabulate unpack` of this one"
     )]
     Version {
         /// The version in the file.

@@ -1,8 +1,8 @@
 //! The polynomials in which a low-rank form expands the logarithms along an axis.
 //!
-//! They are the Chebyshev polynomials `T_k` between the ends of a tile, with factors: an error of one
-//! unit in a number of high degree changes derivatives more than one of low degree, and therefore has
-//! a smaller factor.
+//! They are the Chebyshev polynomials `T_k` between the ends of a tile, with factors: an error of
+//! one unit in a number of high degree changes derivatives more than one of low degree, and
+//! therefore has a smaller factor.
 
 use std::f64::consts::SQRT_2;
 
@@ -20,8 +20,8 @@ pub fn smoothness(dimension: usize, k: usize) -> f64 {
 /// Returns the first `count` polynomials at `u`: 1, and `2^(1/2) T_k(t) / w_k` for the degrees `k`
 /// from 1 on, with the [weights](smoothness) `w_k`.
 ///
-/// `t` is -1 and 1 at the `ends`. Over the angle `arccos(t)` the polynomials are orthogonal, and the
-/// mean of their squares is `1 / w_k^2`.
+/// `t` is -1 and 1 at the `ends`. Over the angle `arccos(t)` the polynomials are orthogonal, and
+/// the mean of their squares is `1 / w_k^2`.
 pub fn polynomials(dimension: usize, count: usize, [from, to]: [f64; 2], u: f64) -> Vec<f64> {
     let length = to - from;
     let t = if length > 0.0 {
@@ -43,8 +43,8 @@ pub fn polynomials(dimension: usize, count: usize, [from, to]: [f64; 2], u: f64)
         .collect()
 }
 
-/// Returns the linear map from the values of a function at the [points](points) to its coefficients in
-/// the first `count` [polynomials]: a row for each coefficient.
+/// Returns the linear map from the values of a function at the [points](points) to its coefficients
+/// in the first `count` [polynomials]: a row for each coefficient.
 pub fn transform(dimension: usize, count: usize) -> Vec<Vec<f64>> {
     let row = |k: usize| {
         let angle = |i: usize| k as f64 * std::f64::consts::PI * (i as f64 + 0.5) / count as f64;

@@ -19,13 +19,13 @@ const ALWAYS_ALLOWED: [u64; 2] = [1_000_000, 100_000_000];
 
 /// What the first lookup in a low-rank form needs. All four cores count.
 ///
-/// A core of a material parameter with `n` terms, between bonds of the lengths `a` and `b`, has `a n
-/// b` integers in a file. The lookup makes of it `10 a` rows of length `b` on each of about `n/2`
+/// A core of a material parameter with `n` terms, between bonds of the lengths `a` and `b`, has `a
+/// n b` integers in a file. The lookup makes of it `10 a` rows of length `b` on each of about `n/2`
 /// intervals, by `n` products for each number. The last core becomes `a` rows of the quantities at
 /// the nodes of `a/t`. The curves of 125 materials at most, on which the pieces of a curve are
-/// tested, take a product for each number of one interval of the cores of one tile, and of its whole
-/// last core, up to [six times](Resampler::ROUNDS). The comparison of these curves with the pieces
-/// does not depend on the size of the form, and has its own limit.
+/// tested, take a product for each number of one interval of the cores of one tile, and of its
+/// whole last core, up to [six times](Resampler::ROUNDS). The comparison of these curves with the
+/// pieces does not depend on the size of the form, and has its own limit.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Demand {
     /// The integers, as f64, and the f64 that are kept.
@@ -118,8 +118,6 @@ mod tests {
         let all = Demand::of(tiles, table.shape());
         let [numbers, products] = [all.numbers, all.products].map(|number| number / all.integers);
         println!("{numbers} numbers and {products} products for each integer");
-        assert!(
-            numbers <= NUMBERS_FOR_AN_INTEGER / 2 && products <= PRODUCTS_FOR_AN_INTEGER / 2
-        );
+        assert!(numbers <= NUMBERS_FOR_AN_INTEGER / 2 && products <= PRODUCTS_FOR_AN_INTEGER / 2);
     }
 }

@@ -2,16 +2,16 @@
 //! (G. N. N. Martin, *Range encoding*, 1979; in the form of P. Deutsch's and I. Pavlov's LZMA).
 //!
 //! An integer is written as the length of its absolute value in bits, one binary decision for each
-//! bit, then the bits after the leading one, and the sign. The probabilities of the decisions adapt to
-//! those before. They depend on a *context*: the sizes of the neighbours before, along the bond before,
-//! the degree of the polynomial, and the next bond.
+//! bit, then the bits after the leading one, and the sign. The probabilities of the decisions adapt
+//! to those before. They depend on a *context*: the sizes of the neighbours before, along the bond
+//! before, the degree of the polynomial, and the next bond.
 //!
 //! Reading is linear in the number of integers, of which a byte holds at most [`MOST_IN_A_BYTE`].
 
 use crate::Error;
 
-/// The largest number of integers for each byte. It limits what a forged file can claim. Where fewer
-/// bytes would do, zeros follow.
+/// The largest number of integers for each byte. It limits what a forged file can claim. Where
+/// fewer bytes would do, zeros follow.
 pub(crate) const MOST_IN_A_BYTE: usize = 6;
 /// The longest integer, in bits: 2^53 has 54.
 const MOST_BITS: usize = 54;
@@ -22,8 +22,8 @@ const LARGEST_NEIGHBOUR: u64 = 1 << 26;
 /// The range below which a byte is written or read.
 const SMALL: u32 = 1 << 24;
 
-/// Two estimates of the probability that a decision is "no", in units of 2^-16. One follows the last
-/// decisions fast, the other slowly. Their mean is used.
+/// Two estimates of the probability that a decision is "no", in units of 2^-16. One follows the
+/// last decisions fast, the other slowly. Their mean is used.
 #[derive(Clone, Copy)]
 struct Probability([u16; 2]);
 
@@ -221,7 +221,11 @@ impl Model {
             found = found << 1 | u64::from(bit);
         }
         let found = found as i64;
-        if coder.even(integer < 0) { -found } else { found }
+        if coder.even(integer < 0) {
+            -found
+        } else {
+            found
+        }
     }
 
     /// Writes the integers of a core with `shape`, or reads those that were written: row-major over
@@ -245,7 +249,8 @@ impl Model {
     }
 }
 
-/// Returns the context of a sum of sizes: its length in bits and the two bits after the leading one.
+/// Returns the context of a sum of sizes: its length in bits and the two bits after the leading
+/// one.
 fn context(sum: u64) -> usize {
     let sum = sum + 2;
     let length = sum.ilog2() as usize;
@@ -259,7 +264,11 @@ pub(crate) fn encode(shapes: [[usize; 3]; 4], cores: &[Vec<i64>; 4]) -> Vec<u8> 
         model.core(&mut encoder, shape, &mut core.clone());
     }
     let mut bytes = encoder.finish();
-    let least = cores.iter().map(Vec::len).sum::<usize>().div_ceil(MOST_IN_A_BYTE);
+    let least = cores
+        .iter()
+        .map(Vec::len)
+        .sum::<usize>()
+        .div_ceil(MOST_IN_A_BYTE);
     bytes.resize(bytes.len().max(least), 0);
     bytes
 }
@@ -267,7 +276,8 @@ pub(crate) fn encode(shapes: [[usize; 3]; 4], cores: &[Vec<i64>; 4]) -> Vec<u8> 
 /// Reads the integers of cores that [`encode`] wrote.
 ///
 /// # Errors
-/// [`Error::Malformed`] if the cores have more integers than the bytes can hold, or other bytes than
+/// [`Error::Malformed`] if the cores have more integers than the bytes can hold, or other bytes
+/// than
 /// [`encode`] writes follow them.
 pub(crate) fn decode(shapes: [[usize; 3]; 4], bytes: &[u8]) -> Result<[Vec<i64>; 4], Error> {
     let counts = shapes.map(|shape| {
@@ -321,7 +331,8 @@ mod tests {
         for bits in 0..=53 {
             let mut core = |shape: [usize; 3]| -> Vec<i64> {
                 let mut integer = |_| {
-                    let size = (next() & ((1 << bits) - 1)) as i64 + (1 << bits) * (next() & 1) as i64;
+                    let size =
+                        (next() & ((1 << bits) - 1)) as i64 + (1 << bits) * (next() & 1) as i64;
                     let size = size.min(1 << 53) >> (next() % (bits + 1));
                     if next() & 1 == 0 { size } else { -size }
                 };
@@ -329,7 +340,11 @@ mod tests {
             };
             let cores = shapes.map(&mut core);
             let bytes = encode(shapes, &cores);
-            assert_eq!(decode(shapes, &bytes).expect("as written"), cores, "{bits} bits");
+            assert_eq!(
+                decode(shapes, &bytes).expect("as written"),
+                cores,
+                "{bits} bits"
+            );
             for wrong in [&bytes[..bytes.len() - 1], &[&bytes[..], &[0]].concat()] {
                 assert!(matches!(decode(shapes, wrong), Err(Error::Malformed(_))));
             }

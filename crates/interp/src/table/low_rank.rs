@@ -23,10 +23,10 @@ const LARGEST_WEIGHT: u8 = 99;
 /// ```
 ///
 /// The bonds `a`, `b` and `c` are the indices shared by neighbouring cores `C`; `w` are their
-/// weights, powers of two; `n` are integers. The polynomials of the degrees `k = 0, 1, 2, ...` along
-/// an axis are Chebyshev's between the ends of the box, `p_0 = 1` and `p_k = 2^(1/2) T_k / (1 +
-/// (k/s)^2)^(1/2)`, where `s` is 40 for `a/t`, 2 for `nu1` and 20 for the moduli. With these factors
-/// the rounding to integers does not spoil derivatives.
+/// weights, powers of two; `n` are integers. The polynomials of the degrees `k = 0, 1, 2, ...`
+/// along an axis are Chebyshev's between the ends of the box, `p_0 = 1` and `p_k = 2^(1/2) T_k / (1
+/// + (k/s)^2)^(1/2)`, where `s` is 40 for `a/t`, 2 for `nu1` and 20 for the moduli. With these
+/// factors the rounding to integers does not spoil derivatives.
 ///
 /// The weight of a bond index is about the root mean square of its contribution to the logarithms.
 /// With these weights each number of a core is about as large as its contribution, and all numbers
@@ -44,8 +44,13 @@ pub struct LowRank {
     cores: [Vec<i64>; 4],
 }
 
-/// Returns the shape of each core: the bond before, the terms, and the next bond, or the quantities.
-pub(crate) fn shapes([a, b, c]: [usize; 3], terms: [usize; 4], quantities: usize) -> [[usize; 3]; 4] {
+/// Returns the shape of each core: the bond before, the terms, and the next bond, or the
+/// quantities.
+pub(crate) fn shapes(
+    [a, b, c]: [usize; 3],
+    terms: [usize; 4],
+    quantities: usize,
+) -> [[usize; 3]; 4] {
     let bonds = [[1, a], [a, b], [b, c], [c, quantities]];
     std::array::from_fn(|i| [bonds[i][0], terms[i], bonds[i][1]])
 }
@@ -54,14 +59,15 @@ impl LowRank {
     /// Makes the form from its parts.
     ///
     /// * `quantities`: the quantities held, ascending.
-    /// * `order`: the dimensions of the first three cores, see [`Table::parameters`]: 1 for the film's
-    ///   modulus, 2 for `nu1`, 3 for the substrate's modulus. The last core is that of `a/t`.
+    /// * `order`: the dimensions of the first three cores, see [`Table::parameters`]: 1 for the
+    ///   film's modulus, 2 for `nu1`, 3 for the substrate's modulus. The last core is that of
+    ///   `a/t`.
     /// * `terms`: the number of polynomials of each core, from degree 0 on.
     /// * `weights`: the binary logarithms of the weights of the three bonds, one for each value of
     ///   the bond.
     /// * `step`: what an integer of 1 stands for.
-    /// * `cores`: the integers of the cores, row-major over the bond before, the degree, and the bond
-    ///   after (the quantities held, for the last core).
+    /// * `cores`: the integers of the cores, row-major over the bond before, the degree, and the
+    ///   bond after (the quantities held, for the last core).
     ///
     /// [`Table::parameters`]: crate::Table::parameters
     ///
@@ -70,8 +76,8 @@ impl LowRank {
     ///
     /// * if no quantity is given, one is given twice, or they are not in order;
     /// * if `order` does not hold 1, 2 and 3;
-    /// * if a bond or a core is empty, the lengths contradict each other, or a bond is longer than the
-    ///   product of the bond before and the terms between;
+    /// * if a bond or a core is empty, the lengths contradict each other, or a bond is longer than
+    ///   the product of the bond before and the terms between;
     /// * if a weight is not in `[-99, 99]`, the step not in `[1e-30, 1e30]`, an integer not in
     ///   `[-2^53, 2^53]`, or its product with the step not in `[-1e30, 1e30]`.
     pub fn new(
@@ -154,8 +160,8 @@ impl LowRank {
         self.weights.each_ref().map(Vec::len)
     }
 
-    /// Returns the dimensions of the first three cores: 1 for the film's modulus, 2 for `nu1`, 3 for
-    /// the substrate's modulus.
+    /// Returns the dimensions of the first three cores: 1 for the film's modulus, 2 for `nu1`, 3
+    /// for the substrate's modulus.
     pub fn order(&self) -> [usize; 3] {
         self.order
     }
@@ -197,17 +203,18 @@ impl LowRank {
         [first, second, third, 0]
     }
 
-    /// Returns the weights and the cores times the step, scaled such that each bond index has a root
-    /// mean square of 1 over the cores before it, and its contribution to the logarithms as weight.
-    /// Means are those over the angles of the polynomials.
+    /// Returns the weights and the cores times the step, scaled such that each bond index has a
+    /// root mean square of 1 over the cores before it, and its contribution to the logarithms as
+    /// weight. Means are those over the angles of the polynomials.
     ///
     /// Recomputed, because lookup drops small entries and must not trust the file.
     pub(crate) fn normalised(&self) -> ([Vec<f64>; 3], [Vec<f64>; 4]) {
         let mut weights = self.weights();
-        let mut cores = self
-            .cores
-            .each_ref()
-            .map(|core| core.iter().map(|&n| self.step * n as f64).collect::<Vec<_>>());
+        let mut cores = self.cores.each_ref().map(|core| {
+            core.iter()
+                .map(|&n| self.step * n as f64)
+                .collect::<Vec<_>>()
+        });
         let dimensions = self.dimensions();
         // The mean square of a row: the squares of the polynomials have the means `1 / w_k^2`.
         let means = |core: usize| -> Vec<f64> {
@@ -273,8 +280,8 @@ impl LowRank {
             .map(|exponents| exponents.iter().map(weight).collect())
     }
 
-    /// Returns the logarithms at a grid of coordinates, row-major over those of the film's modulus, of
-    /// `nu1`, of the substrate's modulus and of `a/t`, and the quantities held.
+    /// Returns the logarithms at a grid of coordinates, row-major over those of the film's modulus,
+    /// of `nu1`, of the substrate's modulus and of `a/t`, and the quantities held.
     ///
     /// `ends` are the ends of the box, and `places` the coordinates of the grid. Both have an entry
     /// for each dimension of a table: `a/t`, the film's modulus, `nu1`, the substrate's modulus.
@@ -301,7 +308,8 @@ impl LowRank {
                     at_places.extend(row.iter().map(|entry| weights[b] * entry));
                 }
             }
-            let mut next = Vec::with_capacity(vectors.len() / before * places[dimension].len() * after);
+            let mut next =
+                Vec::with_capacity(vectors.len() / before * places[dimension].len() * after);
             for vector in vectors.chunks_exact(before) {
                 for core in at_places.chunks_exact(before * after) {
                     let mut row = vec![0.0; after];

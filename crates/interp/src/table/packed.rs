@@ -16,8 +16,8 @@
 //!
 //! A forged length cannot allocate much memory. The length of the header is limited. The number of
 //! values must match the number of bytes. An integer of a core has 8 bytes in memory, and a byte of
-//! the file holds at most six. serde reads a list, and reserves at most a megabyte before it has read
-//! the numbers. What the first lookup may need follows from the size of the form (`demand`).
+//! the file holds at most six. serde reads a list, and reserves at most a megabyte before it has
+//! read the numbers. What the first lookup may need follows from the size of the form (`demand`).
 
 use std::fmt::Display;
 use std::fs;
@@ -184,9 +184,10 @@ impl Table {
     /// changed bytes; [`Error::Malformed`] for a forged content; [`Error::LowRankTooLarge`] for a
     /// form whose first lookup would need too much.
     ///
-    /// Whatever the bytes, reading takes at most 25 bytes of memory for each of them and 1.1 MB. The
-    /// first lookup takes at most 600 and 37 MB in a low-rank table, 50 and 27 MB in a dense one
-    /// (measured at their worst by `tests/hostile/packed.rs`). [`LowRank::new`] states the work.
+    /// Whatever the bytes, reading takes at most 52 bytes of memory for each of them and 1.1 MB.
+    /// The first lookup takes at most 1000 and 37 MB in a low-rank table, 50 and 27 MB in a dense
+    /// one (measured at their worst by `tests/hostile/packed.rs`). [`Table::from_low_rank`] states the
+    /// work.
     pub fn from_packed(bytes: &[u8]) -> Result<Self, Error> {
         if !is_packed(bytes) {
             let what = if bytes.starts_with(&HDF5_SIGNATURE) {

@@ -91,15 +91,15 @@ impl Table {
     /// of film and substrate.
     ///
     /// # Errors
-    /// Those of [`Table::new`] about description and axes; [`Error::Malformed`] if there are no tiles
-    /// or more than 16, if they overlap, leave a gap or differ in their quantities, if a core has
-    /// several terms along an axis of one node, or for more than 2e8 values at the nodes.
+    /// Those of [`Table::new`] about description and axes; [`Error::Malformed`] if there are no
+    /// tiles or more than 16, if they overlap, leave a gap or differ in their quantities, if a core
+    /// has several terms along an axis of one node, or for more than 2e8 values at the nodes.
     ///
     /// [`Error::LowRankTooLarge`] if the first lookup would need more than 1e8 numbers, or more
-    /// numbers or products than 16 and 4000 for each integer of the cores, of which a byte of a file
-    /// holds up to six. These limits do not hold below 1e6 numbers and 1e8 products. What does not
-    /// depend on the size of the form, the choice of the pieces of a curve, has a limit of its own:
-    /// 500,000 comparisons of a piece with a curve, about a second.
+    /// numbers or products than 16 and 4000 for each integer of the cores, of which a byte of a
+    /// file holds up to six. These limits do not hold below 1e6 numbers and 1e8 products. What does
+    /// not depend on the size of the form, the choice of the pieces of a curve, has a limit of its
+    /// own: 500,000 comparisons of a piece with a curve, about a second.
     pub fn from_low_rank(
         description: Description,
         axes: [(Parameter, Vec<f64>); 4],

@@ -104,8 +104,8 @@ impl TensorSpline {
         }
     }
 
-    /// Returns the coefficients of materials that differ in one coordinate, the number `axis`, which
-    /// has the values `places`.
+    /// Returns the coefficients of materials that differ in one coordinate, the number `axis`,
+    /// which has the values `places`.
     pub(crate) fn coefficients_along(
         &self,
         coordinates: [f64; 3],

@@ -38,8 +38,8 @@ pub(crate) const MOST_FUNCTIONS: usize = 10;
 
 /// Returns the number of intervals of a core of so many `terms`.
 ///
-/// On an interval of the angle `h`, the function number `j` of the expansion of `T_k` is about
-/// `2 (k h/4)^j / j!`. With two degrees for an interval, what ten functions leave out of the highest
+/// On an interval of the angle `h`, the function number `j` of the expansion of `T_k` is about `2
+/// (k h/4)^j / j!`. With two degrees for an interval, what ten functions leave out of the highest
 /// degree is 5e-5 of it, and of lower ones far less.
 pub(crate) const fn intervals(terms: usize) -> usize {
     if terms > MOST_FUNCTIONS {
@@ -92,8 +92,8 @@ struct Functions {
 }
 
 impl TensorTrain {
-    /// Prepares `form` in a tile with these `ends`, accurate enough for `tolerance`. `a_over_t` holds
-    /// the coordinates of the nodes of `a/t`, and `basis` the B-splines through them.
+    /// Prepares `form` in a tile with these `ends`, accurate enough for `tolerance`. `a_over_t`
+    /// holds the coordinates of the nodes of `a/t`, and `basis` the B-splines through them.
     pub(crate) fn new(
         form: &LowRank,
         ends: [[f64; 2]; 4],
@@ -162,8 +162,8 @@ impl TensorTrain {
         dispatch!(Level::new(), simd => self.value_and_slopes(simd, coordinates))
     }
 
-    /// Returns the coefficients of materials that differ in one coordinate, the number `axis`, which
-    /// has the values `places`.
+    /// Returns the coefficients of materials that differ in one coordinate, the number `axis`,
+    /// which has the values `places`.
     pub(crate) fn coefficients_along(
         &self,
         coordinates: [f64; 3],
@@ -226,7 +226,10 @@ impl TensorTrain {
                 after
             };
             vectors = if core.axis == axis {
-                places.iter().flat_map(|&u| multiplied(u, &vectors)).collect()
+                places
+                    .iter()
+                    .flat_map(|&u| multiplied(u, &vectors))
+                    .collect()
             } else {
                 multiplied(coordinates[core.axis], &vectors)
             };
@@ -258,8 +261,8 @@ impl Core {
         after
     }
 
-    /// Multiplies vectors over the bond before by the core at `u`, and `slope_of` by its derivative,
-    /// which comes last. `M` must be `N + 1`.
+    /// Multiplies vectors over the bond before by the core at `u`, and `slope_of` by its
+    /// derivative, which comes last. `M` must be `N + 1`.
     #[inline(always)]
     fn products<S: Simd, const N: usize, const M: usize>(
         &self,
@@ -321,7 +324,8 @@ impl Interval {
 }
 
 impl Interval {
-    /// Returns the weight of each row: a function times an entry of the vector over the bond before.
+    /// Returns the weight of each row: a function times an entry of the vector over the bond
+    /// before.
     fn weights(&self, before: &[f64], functions: &[f64; MOST_FUNCTIONS]) -> Vec<f64> {
         let mut weights = Vec::with_capacity(before.len() * self.functions.count);
         for function in &functions[..self.functions.count] {
@@ -349,11 +353,11 @@ impl Functions {
         (values, slopes.map(|slope| 2.0 / length * slope))
     }
 
-    /// Returns the matrix from the coefficients of some polynomials to those of the functions: a row
-    /// for each function. `polynomials` evaluates them.
+    /// Returns the matrix from the coefficients of some polynomials to those of the functions: a
+    /// row for each function. `polynomials` evaluates them.
     ///
-    /// The functions go through the values at the points where the last of them is largest, the ends
-    /// among them, so that the intervals meet.
+    /// The functions go through the values at the points where the last of them is largest, the
+    /// ends among them, so that the intervals meet.
     fn transform(&self, polynomials: impl Fn(f64) -> Vec<f64>) -> Vec<Vec<f64>> {
         let [from, to] = self.ends;
         let last = self.count - 1;
@@ -365,10 +369,18 @@ impl Functions {
             let angle = |function: usize| PI * (function * point) as f64 / last as f64;
             let s = 0.5 - 0.5 * angle(1).cos();
             let values = polynomials(to - (to - from) * s);
-            let at_end = if point == 0 || point == last { 0.5 } else { 1.0 };
+            let at_end = if point == 0 || point == last {
+                0.5
+            } else {
+                1.0
+            };
             for (function, row) in transform.iter_mut().enumerate() {
                 row.resize(values.len(), 0.0);
-                let halved = if function == 0 || function == last { 0.5 } else { 1.0 };
+                let halved = if function == 0 || function == last {
+                    0.5
+                } else {
+                    1.0
+                };
                 let share = 2.0 / last as f64 * at_end * halved * angle(function).cos();
                 row.iter_mut()
                     .zip(&values)
@@ -387,12 +399,16 @@ impl Functions {
     }
 }
 
-/// Returns the ends of `count` intervals between two coordinates, equal in the angle whose cosine runs
-/// from one to the other.
+/// Returns the ends of `count` intervals between two coordinates, equal in the angle whose cosine
+/// runs from one to the other.
 fn parts([from, to]: [f64; 2], count: usize) -> impl Iterator<Item = [f64; 2]> {
     let place = move |i: usize| {
         let s = 0.5 - 0.5 * (PI * i as f64 / count as f64).cos();
-        if i == count { to } else { from + (to - from) * s }
+        if i == count {
+            to
+        } else {
+            from + (to - from) * s
+        }
     };
     (0..count).map(move |i| [place(i), place(i + 1)])
 }

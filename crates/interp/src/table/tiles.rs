@@ -1,5 +1,5 @@
-//! The tiles of a table in low-rank form: boxes of the moduli of film and substrate, each with a tensor
-//! train of its own.
+//! The tiles of a table in low-rank form: boxes of the moduli of film and substrate, each with a
+//! tensor train of its own.
 //!
 //! A film softer than sphere and substrate makes other contacts than a stiff one. The bonds of a
 //! train for both would be as long as those of two trains together, and a lookup would multiply by
@@ -52,9 +52,9 @@ impl Tile {
 ///
 /// # Errors
 /// [`Error::Malformed`] if there are more than 16 tiles or none, if they overlap or leave a gap, or
-/// differ in their quantities; if a core has several terms along an axis of one node; or for more than
-/// 2e8 values at the nodes. [`Error::LowRankTooLarge`] if
-/// the first lookup in all tiles together would need too much, see [`Demand::check`].
+/// differ in their quantities; if a core has several terms along an axis of one node; or for more
+/// than 2e8 values at the nodes. [`Error::LowRankTooLarge`] if the first lookup in all tiles
+/// together would need too much, see [`Demand::check`].
 pub(crate) fn check(axes: &Axes, tiles: &[Tile]) -> Result<(), Error> {
     let malformed = |what: String| Err(Error::Malformed(what));
     let shape = axes.shape();
@@ -66,7 +66,10 @@ pub(crate) fn check(axes: &Axes, tiles: &[Tile]) -> Result<(), Error> {
         ));
     }
     let quantities = tiles[0].form.quantities();
-    if tiles.iter().any(|tile| tile.form.quantities() != quantities) {
+    if tiles
+        .iter()
+        .any(|tile| tile.form.quantities() != quantities)
+    {
         return malformed("its low-rank forms differ in their quantities".into());
     }
     let values = [n_a, n_film, n_nu, n_substrate, quantities.len()]
@@ -105,13 +108,21 @@ pub(crate) fn check(axes: &Axes, tiles: &[Tile]) -> Result<(), Error> {
                 count == 1 || one[0].max(other[0]) < one[1].min(other[1])
             })
     };
-    let pairs = || tiles.iter().enumerate().flat_map(|(i, one)| tiles[..i].iter().map(move |other| (one, other)));
+    let pairs = || {
+        tiles
+            .iter()
+            .enumerate()
+            .flat_map(|(i, one)| tiles[..i].iter().map(move |other| (one, other)))
+    };
     let whole = (n_film - 1).max(1) * (n_substrate - 1).max(1);
     if !tiles.iter().all(is_box)
         || tiles.iter().map(area).sum::<usize>() != whole
         || pairs().any(|(one, other)| overlap(one, other))
     {
-        let places: Vec<_> = tiles.iter().map(|tile| (tile.film, tile.substrate)).collect();
+        let places: Vec<_> = tiles
+            .iter()
+            .map(|tile| (tile.film, tile.substrate))
+            .collect();
         return malformed(format!(
             "its tiles hold the nodes {places:?} of the two moduli: they must cover {n_film} and \
              {n_substrate} nodes once"
@@ -133,11 +144,17 @@ pub(crate) fn logarithms(axes: &Axes, tiles: &[Tile], film: usize) -> Vec<f64> {
             .find(|tile| tile.contains(film, first))
             .expect("the tiles cover the box");
         let last = tile.substrate[1];
-        let (parameters, nodes) = (axes.parameters(), [[0, n_a - 1], [film; 2], [0, n_nu - 1], [first, last]]);
+        let (parameters, nodes) = (
+            axes.parameters(),
+            [[0, n_a - 1], [film; 2], [0, n_nu - 1], [first, last]],
+        );
         let places: [Vec<f64>; 4] = std::array::from_fn(|dimension| {
             let (parameter, [first, last]) = (parameters[dimension], nodes[dimension]);
             let nodes = &axes.nodes(parameter)[first..=last];
-            nodes.iter().map(|&value| parameter.coordinate(value)).collect()
+            nodes
+                .iter()
+                .map(|&value| parameter.coordinate(value))
+                .collect()
         });
         let part = tile
             .form

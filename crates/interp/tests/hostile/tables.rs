@@ -57,8 +57,8 @@ pub fn dense() -> Table {
 /// The order of the cores of all forms of this file.
 pub const ORDER: [usize; 3] = [3, 1, 2];
 
-/// Makes a form of these numbers of terms along the substrate's modulus, the film's, its Poisson ratio
-/// and `a/t`, and of these ranks. `integer` gives the integers of each core.
+/// Makes a form of these numbers of terms along the substrate's modulus, the film's, its Poisson
+/// ratio and `a/t`, and of these ranks. `integer` gives the integers of each core.
 pub fn form(
     quantities: &[Quantity],
     terms: [usize; 4],
@@ -96,7 +96,9 @@ pub fn low_rank() -> Table {
 pub fn low_rank_in_tiles() -> Table {
     let nodes = |count: u32, from: f64, to: f64| -> Vec<f64> {
         let part = |i: u32| f64::from(i) / f64::from(count - 1);
-        (0..count).map(|i| from * (to / from).powf(part(i))).collect()
+        (0..count)
+            .map(|i| from * (to / from).powf(part(i)))
+            .collect()
     };
     let mut axes = axes();
     (axes[1].1, axes[3].1) = (nodes(40, 0.01, 100.0), nodes(10, 1.0, 1e5));
@@ -140,8 +142,8 @@ pub fn of_nodes(count: usize, [from, to]: [f64; 2]) -> Table {
     .expect("valid")
 }
 
-/// Makes a low-rank table with these numbers of terms along the substrate's modulus, the film's, its
-/// Poisson ratio and `a/t`, these ranks, and `n_a` nodes of `a/t`.
+/// Makes a low-rank table with these numbers of terms along the substrate's modulus, the film's,
+/// its Poisson ratio and `a/t`, these ranks, and `n_a` nodes of `a/t`.
 pub fn demanding(terms: [usize; 4], ranks: [usize; 3], n_a: usize) -> Result<Table, Error> {
     let spread = |count: usize, from: f64, to: f64| -> Vec<f64> {
         let part = |i: usize| i as f64 / (count - 1).max(1) as f64;
@@ -156,8 +158,8 @@ pub fn demanding(terms: [usize; 4], ranks: [usize; 3], n_a: usize) -> Result<Tab
         (Parameter::Nu1, spread(n_nu, 0.3, 0.49)),
         (Parameter::E0OverE2, spread(n_e0, 300.0, 1e5)),
     ];
-    // So rough and so accurate that no part of a core is negligible.
-    let integer = |i: i64| i % 7 - 3;
+    // So accurate that no part of a core is negligible, and yet of few bits for an integer.
+    let integer = |i: i64| i64::from(i % 4 == 0);
     let form = form(&Quantity::ALL, terms, ranks, 1e-3, integer);
     Table::from_low_rank(
         Description {

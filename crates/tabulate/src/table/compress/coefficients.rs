@@ -1,8 +1,8 @@
 //! The coefficients of the logarithms of a table in the polynomials of a tile.
 //!
-//! The splines of the table, whose error is certified, are evaluated at Chebyshev points of the tile,
-//! and the values at these points become coefficients. The splines reach over the whole axis: next to
-//! the end of a tile inside the table they are as accurate as elsewhere.
+//! The splines of the table, whose error is certified, are evaluated at Chebyshev points of the
+//! tile, and the values at these points become coefficients. The splines reach over the whole axis:
+//! next to the end of a tile inside the table they are as accurate as elsewhere.
 
 use faer::{Mat, MatRef};
 use interp::bspline::Basis;
@@ -13,8 +13,8 @@ use crate::table::compress::matrices::{row_major, singular_vectors};
 
 /// The first number of points for each node of a tile, and the number of further ones.
 const POINTS: [f64; 2] = [1.25, 12.0];
-/// The largest number of points for each node. Splines of degree 9 have coefficients that fall as the
-/// tenth power of the degree at last.
+/// The largest number of points for each node. Splines of degree 9 have coefficients that fall as
+/// the tenth power of the degree at last.
 const MOST_POINTS: f64 = 8.0;
 /// The largest coefficient of the last quarter of the degrees, relative to the allowed error.
 const CONVERGED: f64 = 0.01;
@@ -46,13 +46,17 @@ impl Axis {
         self.nodes.map(|node| self.coordinates[node])
     }
 
-    /// Returns the matrix from the values at the nodes of the axis to `count` coefficients in the tile.
+    /// Returns the matrix from the values at the nodes of the axis to `count` coefficients in the
+    /// tile.
     fn matrix(&self, count: usize) -> Mat<f64> {
         let nodes = self.coordinates.len();
         let basis = Basis::of_table(&self.coordinates);
         // The spline through 1 at a node and 0 at the others, for each node.
         let mut splines = vec![0.0; nodes * nodes];
-        splines.iter_mut().step_by(nodes + 1).for_each(|one| *one = 1.0);
+        splines
+            .iter_mut()
+            .step_by(nodes + 1)
+            .for_each(|one| *one = 1.0);
         basis.interpolate(&mut splines, nodes);
         let mut values: Mat<f64> = Mat::zeros(count, nodes);
         for (i, u) in points(count, self.ends()).into_iter().enumerate() {
@@ -104,7 +108,10 @@ impl Coefficients {
             let unfolding = MatRef::from_row_major_slice(&tensor, nodes, width);
             let coefficients = axis.expand(unfolding, error);
             // A sum of squares over all other nodes and quantities, as a mean.
-            let others: usize = axes[i + 1..].iter().map(|axis| axis.coordinates.len()).product();
+            let others: usize = axes[i + 1..]
+                .iter()
+                .map(|axis| axis.coordinates.len())
+                .product();
             let scale = ((others * quantities) as f64).sqrt();
             let (vectors, _) = singular_vectors(coefficients.as_ref(), LEFT_OUT * error * scale);
             let projected = coefficients.transpose() * &vectors;

@@ -17,9 +17,9 @@ struct Cut {
     above: Option<&'static Cut>,
 }
 
-/// Where tiles meet: the films softer than sphere and substrate together are apart from stiffer ones,
-/// and among these the substrates softer than the sphere from stiffer ones. The contacts of stiff films
-/// on soft substrates have the largest ranks, and are cut most.
+/// Where tiles meet: the films softer than sphere and substrate together are apart from stiffer
+/// ones, and among these the substrates softer than the sphere from stiffer ones. The contacts of
+/// stiff films on soft substrates have the largest ranks, and are cut most.
 static CUTS: Cut = Cut {
     parameter: Parameter::E1sOverEinfs,
     at: 1.0,
@@ -59,14 +59,16 @@ type Nodes = [[usize; 2]; 2];
 /// error of the quantities at the nodes.
 ///
 /// # Errors
-/// [`Error::Truncation`] where the smallest steps have a larger error; [`Error::Table`] for a low-rank
-/// form that needs too much at its first lookup.
+/// [`Error::Truncation`] where the smallest steps have a larger error; [`Error::Table`] for a
+/// low-rank form that needs too much at its first lookup.
 pub fn compress(table: &Table, error: f64) -> Result<Vec<Tile>, Error> {
     let [_, n_film, _, n_substrate] = table.shape();
     let whole = [[0, n_film - 1], [0, n_substrate - 1]];
     let mut boxes = Vec::new();
     divide(table, whole, Some(&CUTS), &mut boxes);
-    let logarithms: Vec<f64> = (0..n_film).flat_map(|film| table.logarithms(film)).collect();
+    let logarithms: Vec<f64> = (0..n_film)
+        .flat_map(|film| table.logarithms(film))
+        .collect();
     let form = |[film, substrate]: Nodes| {
         let part = Part::new(table, &logarithms, [film, substrate], error);
         let form = truncate(&part, error)?;
@@ -105,8 +107,8 @@ fn divide(table: &Table, nodes: Nodes, cut: Option<&Cut>, boxes: &mut Vec<Nodes>
     }
 }
 
-/// Returns the axes of a table, for the part at some nodes of film and substrate: in the order of the
-/// table's logarithms.
+/// Returns the axes of a table, for the part at some nodes of film and substrate: in the order of
+/// the table's logarithms.
 pub(super) fn axes(table: &Table, [film, substrate]: Nodes) -> [Axis; 4] {
     let shape = table.shape();
     [1, 2, 3, 0].map(|dimension| {
@@ -119,7 +121,9 @@ pub(super) fn axes(table: &Table, [film, substrate]: Nodes) -> [Axis; 4] {
         let coordinates = table.axis(parameter).iter();
         Axis {
             dimension,
-            coordinates: coordinates.map(|&node| parameter.coordinate(node)).collect(),
+            coordinates: coordinates
+                .map(|&node| parameter.coordinate(node))
+                .collect(),
             nodes,
         }
     })

@@ -1,14 +1,15 @@
-//! The low-rank form of a part of a table, a tensor train, by successive singular value decompositions
-//! of its coefficients (I. V. Oseledets, SIAM J. Sci. Comput. 33 (2011) 2295).
+//! The low-rank form of a part of a table, a tensor train, by successive singular value
+//! decompositions of its coefficients (I. V. Oseledets, SIAM J. Sci. Comput. 33 (2011) 2295).
 //!
 //! For one mode after the other, the rest of the tensor is projected on the leading left singular
 //! vectors of its unfolding, which become the core of the mode. The quantities belong to the last
 //! mode: they share all other cores. The cores of the material may be in any order. Each order is
 //! tried, and that of the fewest bytes is kept.
 //!
-//! The numbers of the cores, times the weights of the next bond, are rounded to multiples of one step:
-//! each rounding then adds equally to the mean square error. A small index of a bond, whose numbers are
-//! of the order of the step, takes few bits, and is worth keeping down to a size of some steps.
+//! The numbers of the cores, times the weights of the next bond, are rounded to multiples of one
+//! step: each rounding then adds equally to the mean square error. A small index of a bond, whose
+//! numbers are of the order of the step, takes few bits, and is worth keeping down to a size of
+//! some steps.
 
 use faer::{Mat, MatRef};
 use interp::{LowRank, Quantity, Table};
@@ -27,8 +28,8 @@ const LOOSEST: f64 = 0.3;
 const TIGHTEST: f64 = 1e-6;
 /// The number of bisections. Each halves the range of the logarithm of the step, to 5 % in the end.
 const BISECTIONS: usize = 8;
-/// The root mean square left out at each bond, in steps: the larger one costs fewer multiplications at
-/// a lookup, the smaller one leaves out less in a small part of the box.
+/// The root mean square left out at each bond, in steps: the larger one costs fewer multiplications
+/// at a lookup, the smaller one leaves out less in a small part of the box.
 const LEFT_OUT: [f64; 2] = [20.0, 6.0];
 /// The part left out at each bond, relative to [`LEFT_OUT`]. The few indices of the first bond cost
 /// little.
@@ -99,15 +100,18 @@ impl Part {
             places[1] = &films[film..=film];
             let found = form.logarithms(ends, places);
             let exact = &self.logarithms[film * width..][..width];
-            let differences = found.iter().zip(exact).map(|(found, exact)| (found - exact).abs());
+            let differences = found
+                .iter()
+                .zip(exact)
+                .map(|(found, exact)| (found - exact).abs());
             differences.fold(0.0, larger)
         });
         differences.reduce(|| 0.0, larger)
     }
 }
 
-/// Returns a part as one tensor train, in about as few bytes as `error` allows, the largest relative
-/// error of the quantities at the nodes.
+/// Returns a part as one tensor train, in about as few bytes as `error` allows, the largest
+/// relative error of the quantities at the nodes.
 ///
 /// # Errors
 /// [`Error::Truncation`] where the smallest steps have a larger error.
@@ -156,9 +160,9 @@ struct Train {
     /// For each bond, the root mean square that each of its indices adds to the logarithms,
     /// descending.
     weights: [Vec<f64>; 3],
-    /// The cores, row-major over the bond before, the function along the axis, and the next bond. The
-    /// vectors of each index of a bond have the length 1. Those of the last core have the root mean
-    /// square of the index.
+    /// The cores, row-major over the bond before, the function along the axis, and the next bond.
+    /// The vectors of each index of a bond have the length 1. Those of the last core have the root
+    /// mean square of the index.
     cores: [Vec<f64>; 4],
 }
 
@@ -206,7 +210,8 @@ impl Train {
         let (mut kept, mut most) = ([0; 3], 1_usize);
         for (bond, weights) in self.weights.iter().enumerate() {
             let squares: Vec<f64> = weights.iter().map(|weight| weight * weight).collect();
-            most = rank(&squares, BONDS[bond] * left_out * step).min(most * functions(bond).ncols());
+            most =
+                rank(&squares, BONDS[bond] * left_out * step).min(most * functions(bond).ncols());
             kept[bond] = most;
         }
         let exponents: [Vec<i8>; 3] = std::array::from_fn(|bond| {
@@ -230,18 +235,24 @@ impl Train {
             // From functions along the axis to polynomials, for all pairs of indices of the bonds.
             let of_functions = Mat::from_fn(count, before * after, |function, pair| {
                 let (index, after) = (pair / after, pair % after);
-                let weight = exponents.get(i).map_or(1.0, |all| f64::from(all[after]).exp2());
+                let weight = exponents
+                    .get(i)
+                    .map_or(1.0, |all| f64::from(all[after]).exp2());
                 weight * self.cores[i][(index * count + function) * of_after + after]
             });
             let numbers = functions * of_functions;
-            let integer = |degree: usize, pair: usize| (numbers[(degree, pair)] / step).round() as i64;
+            let integer =
+                |degree: usize, pair: usize| (numbers[(degree, pair)] / step).round() as i64;
             // Degrees of zeros alone are left out, and one is left in.
-            let is_zero = |&degree: &usize| (0..before * after).all(|pair| integer(degree, pair) == 0);
+            let is_zero =
+                |&degree: &usize| (0..before * after).all(|pair| integer(degree, pair) == 0);
             let zeros = (1..numbers.nrows()).rev().take_while(is_zero).count();
             terms[i] = numbers.nrows() - zeros;
             let terms = terms[i];
             cores[i] = (0..before)
-                .flat_map(|b| (0..terms).flat_map(move |k| (0..after).map(move |a| (k, b * after + a))))
+                .flat_map(|b| {
+                    (0..terms).flat_map(move |k| (0..after).map(move |a| (k, b * after + a)))
+                })
                 .map(|(degree, pair)| integer(degree, pair))
                 .collect();
         }
@@ -256,12 +267,13 @@ impl Train {
     }
 }
 
-/// Returns a tensor of the film's modulus, `nu1`, the substrate's modulus and the rest, with the first
-/// three dimensions in another order.
+/// Returns a tensor of the film's modulus, `nu1`, the substrate's modulus and the rest, with the
+/// first three dimensions in another order.
 fn permuted(tensor: &[f64], counts: &[usize], order: [usize; 3]) -> Vec<f64> {
     let width = tensor.len() / counts[..3].iter().product::<usize>();
     let strides = [counts[1] * counts[2], counts[2], 1];
-    let [first, second, third] = order.map(|dimension| (counts[dimension - 1], strides[dimension - 1]));
+    let [first, second, third] =
+        order.map(|dimension| (counts[dimension - 1], strides[dimension - 1]));
     let mut result = Vec::with_capacity(tensor.len());
     for i in 0..first.0 {
         for j in 0..second.0 {
