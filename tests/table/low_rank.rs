@@ -120,11 +120,14 @@ fn derivatives_are_those_of_the_dense_table_with_axes_of_one_node_too() {
 #[test]
 fn a_low_rank_table_has_the_error_it_was_given_at_the_nodes_and_little_more_between_them() {
     /// The least ratio of the error of a form to the allowed one, if its ranks are not all 1: with
-    /// a rank less it may be too large. Measured: 0.18.
-    const USED: f64 = 0.15;
+    /// a rank less it may be too large. Measured: 0.5.
+    const USED: f64 = 0.3;
     /// The largest difference from the curves of the dense table, and from those of the dense table
     /// of the form's values at the nodes, in allowed errors.
-    const BETWEEN: f64 = 3.0;
+    ///
+    /// The error is searched at the nodes. Where an axis has twelve, it is larger between them.
+    /// Measured: 0.6 with four axes, 5.0 at most.
+    const BETWEEN: f64 = 8.0;
     /// The part of it that does not depend on the allowed error, in tolerances: a lookup drops and
     /// rounds small terms.
     const DROPPED: f64 = 0.005;
@@ -215,7 +218,7 @@ fn packing_keeps_the_tolerance_at_fresh_points_and_says_so() {
         let packed = Table::read(workdir.path("table.bin")).expect("a sound table");
         let (value, ranks) = (
             tolerance.parse::<f64>().expect("a number"),
-            packed.low_rank().expect("low-rank").ranks()[0],
+            packed.ranks().expect("low-rank")[0],
         );
         let description = packed.description();
         let certificate = &description.certificate;

@@ -62,8 +62,8 @@
 //! * At a load, a penetration or a position of a spring ([`Control`]): [`Contact::equilibria`]
 //!   finds the contacts and their stability, whole force-displacement curves with their jumps
 //!   ([`Equilibria::force_displacement`]), [`Contact::pull_off`] and [`Contact::zero_load`].
-//!   [`Equilibria::branch`] finds the states at many values, [`Equilibria::branch_with_gradient`] with
-//!   derivatives at fixed imposed values.
+//!   [`Equilibria::branch`] finds the states at many values, [`Equilibria::branch_with_gradient`]
+//!   with derivatives at fixed imposed values.
 //! * From any two measured values, without a work of adhesion:
 //!   [`Contact::energy_release_rate_at_load`], [`Contact::energy_release_rate_at_penetration`] and
 //!   [`Contact::radius_and_energy_release_rate`].

@@ -9,6 +9,10 @@ use crate::table::compress::truncation::{Part, truncate};
 /// The smallest number of nodes on both sides of a cut. A smaller tile would save nothing.
 const LEAST_NODES: usize = 8;
 
+/// The error of the tiles of films softer than sphere and substrate, in parts of the allowed one.
+/// There an error of the table changes the derivative with respect to the Poisson ratio most.
+const SOFT: f64 = 0.5;
+
 /// A cut of a box at a value of a modulus, and the cuts of its two sides.
 struct Cut {
     parameter: Parameter,
@@ -70,6 +74,9 @@ pub fn compress(table: &Table, error: f64) -> Result<Vec<Tile>, Error> {
         .flat_map(|film| table.logarithms(film))
         .collect();
     let form = |[film, substrate]: Nodes| {
+        let softer = table.axis(Parameter::E1sOverEinfs).get(film[1]);
+        let is_soft = softer.is_some_and(|&stiffest| stiffest < 2.0 * CUTS.at);
+        let error = if is_soft { SOFT * error } else { error };
         let part = Part::new(table, &logarithms, [film, substrate], error);
         let form = truncate(&part, error)?;
         Ok(Tile {
