@@ -24,9 +24,9 @@ const LARGEST_WEIGHT: u8 = 99;
 ///
 /// The bonds `a`, `b` and `c` are the indices shared by neighbouring cores `C`; `w` are their
 /// weights, powers of two; `n` are integers. The polynomials of the degrees `k = 0, 1, 2, ...`
-/// along an axis are Chebyshev's between the ends of the box, `p_0 = 1` and `p_k = 2^(1/2) T_k / (1
-/// + (k/s)^2)^(1/2)`, where `s` is 40 for `a/t`, 2 for `nu1` and 20 for the moduli. With these
-/// factors the rounding to integers does not spoil derivatives.
+/// along an axis are Chebyshev's between the ends of the box: `p_0 = 1`, and `p_k = 2^(1/2) T_k`
+/// over `(1 + (k/s)^2)^(1/2)`, where `s` is 40 for `a/t`, 2 for `nu1` and 20 for the moduli. With
+/// these factors the rounding to integers does not spoil derivatives.
 ///
 /// The weight of a bond index is about the root mean square of its contribution to the logarithms.
 /// With these weights each number of a core is about as large as its contribution, and all numbers
