@@ -95,11 +95,7 @@ fn rows_say_what_generate_and_pack_say() {
         assert_eq!(row.packed_error, packed.description().certificate.max_error);
         assert_eq!(row.dense_bytes, workdir.read("table.h5").len() as u64);
         assert_eq!(row.packed_bytes, workdir.read("table.bin").len() as u64);
-        let ranks = packed
-            .low_rank()
-            .map(|tiles| tiles.ranks()[0])
-            .expect("low rank")
-            .map(|rank| rank as u64);
+        let ranks = packed.ranks().expect("low rank")[0].map(|rank| rank as u64);
         assert_eq!([row.rank_1, row.rank_2, row.rank_3], ranks);
         assert_names(
             &printed,

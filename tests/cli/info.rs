@@ -117,7 +117,7 @@ fn assert_describes(object: &Value, table: &Table, bytes: u64) {
     assert_eq!(object["quantities"], serde_json::json!(names));
     assert_eq!(object["normalised_by"], table.unit());
     close("/tolerance", description.tolerance);
-    let ranks = table.low_rank().map(interp::Tiles::ranks);
+    let ranks = table.ranks();
     assert_eq!(object["ranks"], serde_json::json!(ranks));
     let certificate = &description.certificate;
     close("/certificate/max_error", certificate.max_error);

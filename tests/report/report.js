@@ -130,7 +130,7 @@ function damage(count, Table, checksum) {
         }
         if (repaired && copy.length > 24) {
             const view = new DataView(copy.buffer);
-            view.setUint32(8, 2, true);
+            view.setUint32(8, 3, true);
             view.setBigUint64(12, BigInt(copy.length - 24), true);
             view.setUint32(20, checksum(copy.subarray(24)), true);
         }

@@ -66,7 +66,7 @@ fn finest(table: &Table) -> Table {
         tolerance: 1e-8,
         ..table.description().clone()
     };
-    let tiles = table.low_rank().expect("low-rank").clone();
+    let tiles = table.low_rank().expect("low-rank").to_vec();
     Table::from_low_rank(description, table.axes(), tiles).expect("the form of this table")
 }
 

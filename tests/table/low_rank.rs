@@ -7,7 +7,7 @@ use acceptance::{
     material, shipped, table, with_payload, workdir,
 };
 use interp::Parameter;
-use interp::{Description, Error, LowRank, Quantity, Table};
+use interp::{Description, Error, LowRank, Quantity, Table, Tile};
 use tabulate::table::{archive, compress};
 
 const TWO_AXES: &str = "
@@ -118,14 +118,19 @@ fn derivatives_are_those_of_the_dense_table_with_axes_of_one_node_too() {
 }
 
 #[test]
-fn at_the_nodes_a_low_rank_table_has_the_error_it_was_given_and_between_them_the_splines_through_its_values()
- {
+fn a_low_rank_table_has_the_error_it_was_given_at_the_nodes_and_little_more_between_them() {
     /// The least ratio of the error of a form to the allowed one, if its ranks are not all 1: with
-    /// a rank less it may be too large. Measured: 0.18.
-    const USED: f64 = 0.15;
-    /// The largest difference between the curves of both forms, in tolerances: a lookup drops and
-    /// rounds small terms. Measured: 0.0010.
-    const SAME_SPLINE: f64 = 0.005;
+    /// a rank less it may be too large. Measured: 0.5.
+    const USED: f64 = 0.3;
+    /// The largest difference from the curves of the dense table, and from those of the dense table
+    /// of the form's values at the nodes, in allowed errors.
+    ///
+    /// The error is searched at the nodes. Where an axis has twelve, it is larger between them.
+    /// Measured: 0.6 with four axes, 5.0 at most.
+    const BETWEEN: f64 = 8.0;
+    /// The part of it that does not depend on the allowed error, in tolerances: a lookup drops and
+    /// rounds small terms.
+    const DROPPED: f64 = 0.005;
     for scene in [BOX, RIGID_SPHERE, TWO_AXES, ONE_AXIS, ONE_RADIUS] {
         let dense = table(scene);
         assert!(
@@ -134,7 +139,7 @@ fn at_the_nodes_a_low_rank_table_has_the_error_it_was_given_and_between_them_the
         );
         for error in [1e-2, 1e-4, 1e-6, 1e-9, 1e-12] {
             let low_rank = low_rank(&dense, error);
-            let form = low_rank.low_rank().expect("it is low-rank");
+            let ranks = low_rank.ranks().expect("it is low-rank");
             assert!(
                 Quantity::ALL
                     .into_iter()
@@ -146,27 +151,32 @@ fn at_the_nodes_a_low_rank_table_has_the_error_it_was_given_and_between_them_the
             let mut different = 0.0;
             for _ in 0..200 {
                 let (x, material) = contacts.point_of(&dense);
-                let [a, b] =
-                    [&low_rank, &*expanded].map(|table| table.curve(&material).expect("inside"));
+                let curves = [&low_rank, &dense, &*expanded]
+                    .map(|table| table.curve(&material).expect("inside"));
                 for quantity in dense.quantities() {
-                    let [a, b] = [&a, &b].map(|curve| curve.quantity(quantity, x).expect("inside"));
-                    different = larger(different, (a / b - 1.0).abs());
+                    let [found, expected @ ..] = curves
+                        .each_ref()
+                        .map(|curve| curve.quantity(quantity, x).expect("inside"));
+                    for expected in expected {
+                        different = larger(different, (found / expected - 1.0).abs());
+                    }
                 }
             }
             let packed = low_rank.to_packed().expect("a small table");
             println!(
-                "{}: error {error:e}: {reached:.1e} with ranks {:?} in {} bytes; the curves of both forms differ by {different:.1e}",
+                "{}: error {error:e}: {reached:.1e} with ranks {:?} in {} bytes; the curves differ by {different:.1e}",
                 dense.description().title,
-                form.ranks(),
+                ranks,
                 packed.len()
             );
             // Rounding of logarithm and exponential.
             assert!(reached <= error * (1.0 + error) + 1e-14, "{reached:.1e}");
             assert!(
-                reached >= USED * error || form.ranks() == [[1; 3]],
+                reached >= USED * error || ranks == [[1; 3]],
                 "{reached:.1e}"
             );
-            assert!(different <= SAME_SPLINE * dense.description().tolerance);
+            let allowed = BETWEEN * error + DROPPED * dense.description().tolerance;
+            assert!(different <= allowed, "{different:.1e}");
             let again = Table::from_packed(&packed).expect("a sound table");
             assert_eq!(again.description(), low_rank.description());
             assert_eq!(again.to_packed().expect("a small table"), packed);
@@ -208,7 +218,7 @@ fn packing_keeps_the_tolerance_at_fresh_points_and_says_so() {
         let packed = Table::read(workdir.path("table.bin")).expect("a sound table");
         let (value, ranks) = (
             tolerance.parse::<f64>().expect("a number"),
-            packed.low_rank().expect("low-rank").ranks()[0],
+            packed.ranks().expect("low-rank")[0],
         );
         let description = packed.description();
         let certificate = &description.certificate;
@@ -323,14 +333,18 @@ fn tables_of_fewer_axes_are_packed_to_a_tolerance_and_checked_too() {
             ],
         );
         let packed = Table::read(workdir.path("table.bin")).expect("a sound table");
-        let form = packed.low_rank().expect("low-rank");
+        let [tile] = packed.low_rank().expect("low-rank") else {
+            panic!("such a table is not divided")
+        };
         assert!(packed.description().certificate.max_error <= tolerance);
-        let ([n_a, n_e1, n_nu, n_e0], [a, b, c]) = (dense.shape(), form.ranks()[0]);
-        assert!(
-            a <= n_e0 && b <= a * n_e1 && c <= (b * n_nu).min(n_a * dense.quantities().len()),
-            "{:?}",
-            form.ranks()
-        );
+        let (shape, [a, b, c]) = (dense.shape(), tile.form.ranks());
+        let terms = tile.form.terms();
+        assert!(a <= terms[0] && b <= a * terms[1] && c <= b * terms[2]);
+        // An axis of one node has one term.
+        let [first, second, third] = tile.form.order();
+        for (dimension, terms) in [first, second, third, 0].into_iter().zip(terms) {
+            assert!(shape[dimension] > 1 || terms == 1, "{terms} terms");
+        }
         assert_eq!(packed.quantities(), dense.quantities());
         let mut contacts = Contacts::new(62);
         let fresh = (0..200)
@@ -458,44 +472,32 @@ fn a_forged_form_is_an_error_or_a_table_that_can_be_looked_up() {
 fn nothing_is_allocated_on_the_word_of_a_file() {
     let workdir = workdir!();
     let table = Table::from_packed(&PACKED).expect("as it was");
-    let ranks = table.low_rank().expect("low-rank").ranks()[0];
+    let [tile] = table.low_rank().expect("low-rank") else {
+        panic!("it has one tile")
+    };
     let payload = &PACKED[PREFIX..];
-    // A whole number takes a byte, or as many after a mark.
-    let whole = |at: usize| match payload[at] {
-        251 => (
-            usize::from(u16::from_le_bytes([payload[at + 1], payload[at + 2]])),
-            3,
-        ),
-        252 => (0, 5),
-        253 => (0, 9),
-        small => (usize::from(small), 1),
-    };
-    // The content begins with three lists of weights, each with its length in a byte; then there
-    // are those of four functions, four steps, and the cores.
-    let [a, b, c] = ranks;
-    let begins = |&at: &usize| {
-        let places = [at, at + 1 + 8 * a, at + 2 + 8 * (a + b)];
-        places
-            .iter()
-            .zip(ranks)
-            .all(|(&at, rank)| payload.get(at).copied().map(usize::from) == Some(rank))
-    };
-    let mut at = (0..payload.len()).find(begins).expect("the weights");
-    let mut lengths = Vec::new();
-    for _ in 0..7 {
-        lengths.push(at);
-        let (count, size) = whole(at);
-        at += size + 8 * count;
+    // A whole number below 251 takes a byte, others three. The content ends with the weights of
+    // three bonds, each list behind its length, a step of eight bytes, and the list of the coded
+    // integers.
+    let integers = tile.form.coded_bytes();
+    let size = |length: usize| if length < 251 { 1 } else { 3 };
+    let at_integers = payload.len() - integers - size(integers);
+    let [a, b, c] = tile.form.ranks();
+    let at_weights = at_integers - 8 - (3 + a + b + c);
+    let mut lengths = vec![at_integers];
+    lengths.extend([at_weights, at_weights + 1 + a, at_weights + 2 + a + b]);
+    for (at, rank) in lengths[1..].iter().zip([a, b, c]) {
+        assert_eq!(usize::from(payload[*at]), rank);
     }
-    assert_eq!(lengths[3] - lengths[0], 3 + 8 * (a + b + c));
-    at += 4 * 8;
-    for _ in 0..4 {
+    // Before them, the number of tiles, the nodes of the tile, the order, and the terms of each
+    // core.
+    let terms = tile.form.terms();
+    for (at, terms) in (at_weights - 4..at_weights).zip(terms) {
+        assert_eq!(usize::from(payload[at]), terms);
         lengths.push(at);
-        let (count, size) = whole(at);
-        at += size;
-        (0..count).for_each(|_| at += whole(at).1);
     }
-    assert_eq!(at, payload.len());
+    assert_eq!(payload[at_weights - 12], 1);
+    lengths.push(at_weights - 12);
     for at in lengths {
         let size = if payload[at] == 251 { 3 } else { 1 };
         for claimed in [1_u64 << 27, 1 << 32, 1 << 60, u64::MAX] {
@@ -517,108 +519,113 @@ fn nothing_is_allocated_on_the_word_of_a_file() {
 #[test]
 fn a_form_whose_parts_contradict_each_other_is_malformed() {
     let held = || vec![Quantity::Pi0, Quantity::Eeq];
-    let weights = || [vec![0.5], vec![0.25], vec![2.0, 1.0]];
-    // One substrate; three film moduli, two Poisson ratios, one function for each; three contact
-    // radii, the third the sum of the others.
-    let functions = || {
-        let unit = |count: usize| {
-            (0..count * count)
-                .map(|i| if i % (count + 1) == 0 { 1.0 } else { 0.0 })
-                .collect()
-        };
+    let (order, terms, step) = ([3, 1, 2], [1, 3, 2, 2], 0.5);
+    // The weights 1/2, 1/4, 2 and 1.
+    let weights = || [vec![-1], vec![-2], vec![1, 0]];
+    let cores = || {
         [
-            unit(1),
-            unit(3),
-            unit(2),
-            vec![1.0, 0.0, 0.0, 1.0, 1.0, 1.0],
+            vec![2],
+            vec![1, 2, -1],
+            vec![10, 20, 30, -5],
+            vec![1, 2, 3, 4, 5, 6, 7, 8],
         ]
     };
-    let steps = [1.0, 0.5, 0.1, 2.0];
-    let cores: [&[i64]; 4] = [
-        &[2],
-        &[1, 2, -1],
-        &[10, 20, 30, -5],
-        &[1, 2, 3, 4, 5, 6, 7, 8],
-    ];
-    let sound = LowRank::new(held(), weights(), functions(), steps, cores).expect("sound");
+    let sound = LowRank::new(held(), order, terms, weights(), step, cores()).expect("sound");
     assert_eq!(
-        (sound.ranks(), sound.quantities()),
-        ([1, 1, 2], &held()[..])
+        (sound.ranks(), sound.terms(), sound.quantities()),
+        ([1, 1, 2], terms, &held()[..])
     );
-    // By hand: C0 / w0 = 4, at the second film modulus C1 / w1 = 4, so 16 times C2 / w2 = (0.5, 2)
-    // or (1.5, -0.5), times C3.
+    // By hand, where the film's modulus is in the middle, `T1 = 0` and `T2 = -1`, `nu1` at its end,
+    // `T1 = 1`, and `a/t` at its beginning, `T1 = -1`.
+    let root = |square: f64| 2_f64.sqrt() / (1.0 + square).sqrt();
+    let [film, nu, a] = [-root(0.01), root(0.25), -root(1.0 / 1600.0)];
+    let vector = [10.0 + 30.0 * nu, 20.0 - 5.0 * nu];
+    let before = 2.0 * step / 0.5 * (step * (1.0 - film) / 0.25);
     let expected = [
-        336.0, 416.0, 496.0, 576.0, 832.0, 992.0, -32.0, 0.0, 32.0, 64.0, 0.0, 64.0,
-    ];
-    let logarithms = sound.logarithms(1);
-    assert_eq!(logarithms.len(), expected.len());
-    for (found, expected) in logarithms.iter().zip(expected) {
-        assert!((found - expected).abs() < 1e-12, "{logarithms:?}");
+        [1.0 + 3.0 * a, 5.0 + 7.0 * a],
+        [2.0 + 4.0 * a, 6.0 + 8.0 * a],
+    ]
+    .map(|last| before * step * step * (vector[0] / 2.0 * last[0] + vector[1] * last[1]));
+    let ends = [[-1.0, 1.0], [2.0, 4.0], [0.0, 1.0], [7.0, 7.0]];
+    let found = sound.logarithms(ends, [&[-1.0], &[3.0], &[1.0], &[7.0]]);
+    assert_eq!(found.len(), 2);
+    for (found, expected) in found.iter().zip(expected) {
+        assert!(
+            (found / expected - 1.0).abs() < 1e-14,
+            "{found}, not {expected}"
+        );
     }
-    let new = |weights, steps, cores| LowRank::new(held(), weights, functions(), steps, cores);
-    let with_core = |i: usize, core: &'static [i64]| {
-        let mut cores = cores;
+    let new = |order, terms, weights, step, cores| {
+        LowRank::new(held(), order, terms, weights, step, cores)
+    };
+    let with_core = |i: usize, core: Vec<i64>| {
+        let mut cores = cores();
         cores[i] = core;
-        new(weights(), steps, cores)
+        new(order, terms, weights(), step, cores)
     };
-    let with_function = |i: usize, values: Vec<f64>| {
-        let mut functions = functions();
-        functions[i] = values;
-        LowRank::new(held(), weights(), functions, steps, cores)
-    };
-    let with_step = |step: f64| new(weights(), [1.0, 0.5, step, 2.0], cores);
-    let with_weight = |weight: f64| new([vec![0.5], vec![weight], vec![2.0, 1.0]], steps, cores);
-    let wrong = [
-        LowRank::new(vec![], weights(), functions(), steps, cores),
-        LowRank::new(
-            vec![Quantity::Eeq, Quantity::Pi0],
-            weights(),
-            functions(),
-            steps,
-            cores,
-        ),
-        LowRank::new(vec![Quantity::Eeq; 2], weights(), functions(), steps, cores),
-        new([vec![0.5], vec![], vec![2.0, 1.0]], steps, cores),
-        new([vec![0.5], vec![0.25], vec![2.0, 1.0, 1.0]], steps, cores),
-        // Two values of an index from a single node.
+    let of = |quantities| LowRank::new(quantities, order, terms, weights(), step, cores());
+    let with_weight = |weight| {
         new(
-            [vec![0.5, 0.5], vec![0.25], vec![2.0, 1.0]],
-            steps,
-            [&[2, 2], &[1, 2, -1, 3, 1, 1], cores[2], cores[3]],
+            order,
+            terms,
+            [vec![weight], vec![-2], vec![1, 0]],
+            step,
+            cores(),
+        )
+    };
+    let wrong = [
+        of(vec![]),
+        of(vec![Quantity::Eeq, Quantity::Pi0]),
+        of(vec![Quantity::Eeq; 2]),
+        new([3, 1, 1], terms, weights(), step, cores()),
+        new([0, 1, 2], terms, weights(), step, cores()),
+        new(order, [1, 3, 2, 1], weights(), step, cores()),
+        new(order, [0, 3, 2, 2], weights(), step, cores()),
+        new(order, [1, usize::MAX, 2, 2], weights(), step, cores()),
+        new(order, terms, [vec![-1], vec![], vec![1, 0]], step, cores()),
+        new(
+            order,
+            terms,
+            [vec![-1], vec![-2], vec![1, 0, 0]],
+            step,
+            cores(),
         ),
-        with_core(0, &[]),
-        with_core(2, &[10, 20, 30]),
-        with_core(3, &[1, 2, 3, 4, 5, 6]),
-        with_core(1, &[1, 2, i64::MIN]),
-        with_core(1, &[1, 2, (1 << 53) + 1]),
-        with_function(0, vec![]),
-        with_function(2, vec![1.0; 3]),
-        with_function(0, vec![f64::NAN]),
-        with_function(0, vec![f64::INFINITY]),
-        // Two functions on a single node.
-        with_function(3, vec![1.0; 2]),
-        with_step(0.0),
-        with_step(f64::NAN),
-        with_step(f64::INFINITY),
-        // In steps of this, one entry is more than anything is.
-        with_step(1e29),
-        with_weight(0.0),
-        with_weight(-0.25),
-        with_weight(f64::NAN),
-        // More values than are ever made.
-        LowRank::new(
-            vec![Quantity::Pi0],
-            std::array::from_fn(|_| vec![1.0]),
-            std::array::from_fn(|_| vec![0.1; 200]),
-            [1.0; 4],
-            [&[1]; 4],
+        // Two values of an index from a single term.
+        new(
+            order,
+            terms,
+            [vec![-1, -1], vec![-2], vec![1, 0]],
+            step,
+            [
+                vec![2, 2],
+                vec![1, 2, -1, 3, 1, 1],
+                vec![10, 20, 30, -5],
+                vec![1; 8],
+            ],
         ),
+        with_core(0, vec![]),
+        with_core(2, vec![10, 20, 30]),
+        with_core(3, vec![1, 2, 3, 4, 5, 6]),
+        with_core(1, vec![1, 2, i64::MIN]),
+        with_core(1, vec![1, 2, (1 << 53) + 1]),
+        new(order, terms, weights(), 0.0, cores()),
+        new(order, terms, weights(), f64::NAN, cores()),
+        new(order, terms, weights(), f64::INFINITY, cores()),
+        // In steps of this, one integer is more than anything is.
+        new(order, terms, weights(), 1e29, cores()),
+        with_weight(100),
+        with_weight(i8::MIN),
     ];
     for (i, wrong) in wrong.iter().enumerate() {
         assert!(matches!(wrong, Err(Error::Malformed(_))), "{i}: {wrong:?}");
     }
     let table = &*FOUR_AXES;
-    let misfit = Table::from_low_rank(table.description().clone(), table.axes(), sound);
+    let tile = Tile {
+        film: [0, 2],
+        substrate: [0, 0],
+        form: sound,
+    };
+    let misfit = Table::from_low_rank(table.description().clone(), table.axes(), vec![tile]);
     assert!(matches!(misfit, Err(Error::Malformed(_))), "{misfit:?}");
 }
 
@@ -642,7 +649,7 @@ fn the_embedded_table_is_the_universal_one_and_as_accurate_as_it_says() {
         "{certificate:?}"
     );
     let size = table.to_packed().expect("it was packed").len();
-    assert!(size <= 3_000_000, "{size} bytes");
+    assert!(size <= 400_000, "{size} bytes");
     // Its own way of placing points, which finds the edges and corners of the box; truth as
     // accurate as the tolerance needs.
     let measured =

@@ -207,7 +207,8 @@ pub enum Error {
     /// A table in another version of the format.
     #[error(
         "the table has format version {found}, this program reads version {supported}: make the \
-         table again with this program, or read it with the version of the program that made it"
+         table again (`tabulate generate`), or convert it, by `tabulate unpack` or `tabulate pack` of \
+         the program that made it, and `tabulate pack` or `tabulate unpack` of this one"
     )]
     Version {
         /// The version in the file.
@@ -248,9 +249,9 @@ pub enum Error {
          use it as HDF5 or packed without a tolerance"
     )]
     LowRankTooLarge {
-        /// The ranks of the form.
-        ranks: [usize; 3],
-        /// The numbers of nodes of `e0_over_e2`, `e1_over_e2`, `nu1` and `a_over_t`.
+        /// The ranks of the form of each tile.
+        ranks: Vec<[usize; 3]>,
+        /// The numbers of nodes of the axes.
         nodes: [usize; 4],
         /// What it needs too many of, numbers in memory or products.
         what: &'static str,

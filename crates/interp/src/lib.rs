@@ -62,8 +62,8 @@
 //! * At a load, a penetration or a position of a spring ([`Control`]): [`Contact::equilibria`]
 //!   finds the contacts and their stability, whole force-displacement curves with their jumps
 //!   ([`Equilibria::force_displacement`]), [`Contact::pull_off`] and [`Contact::zero_load`].
-//!   [`Equilibria::branch`] finds the states at many values, [`Equilibria::branch_with_gradient`] with
-//!   derivatives at fixed imposed values.
+//!   [`Equilibria::branch`] finds the states at many values, [`Equilibria::branch_with_gradient`]
+//!   with derivatives at fixed imposed values.
 //! * From any two measured values, without a work of adhesion:
 //!   [`Contact::energy_release_rate_at_load`], [`Contact::energy_release_rate_at_penetration`] and
 //!   [`Contact::radius_and_energy_release_rate`].
@@ -88,7 +88,7 @@
 //!
 //! | feature | adds |
 //! |---|---|
-//! | `embedded` (default) | `Table::embedded`, 2.7 MB in the program |
+//! | `embedded` (default) | `Table::embedded`, 0.4 MB in the program |
 //! | `hdf5` | `Table::open`, without a C library |
 //! | `dynamics` | `ContactLine::ramp`: contact lines that move at a finite speed |
 //!
@@ -118,4 +118,4 @@ pub use material::{
     Elastic, HalfSpace, Material, Normalisation, Parameter, Quantities, Quantity,
     SubstratePoissonRatio, System,
 };
-pub use table::{Certificate, Description, LowRank, Table, Tiles, is_packed, schema};
+pub use table::{Certificate, Description, LowRank, Table, Tile, chebyshev, is_packed, schema};

@@ -87,20 +87,6 @@ impl Basis {
         self.count
     }
 
-    /// Returns the degree of the polynomials.
-    pub(crate) fn degree(&self) -> usize {
-        self.degree
-    }
-
-    /// Returns the intervals between the knots, on each of which a spline is one polynomial.
-    ///
-    /// [`Weights::first`] is the number of the interval.
-    pub(crate) fn intervals(&self) -> impl Iterator<Item = [f64; 2]> {
-        self.knots[self.degree..self.knots.len() - self.degree]
-            .windows(2)
-            .map(|ends| [ends[0], ends[1]])
-    }
-
     /// Evaluates the B-splines that do not vanish at `u`.
     ///
     /// Beyond the first and the last node they are the polynomials of the nearest interval, which

@@ -77,19 +77,59 @@ impl MixedPrecision {
         let single: Vec<f32> = weights.iter().map(|&weight| weight as f32).collect();
         let mut sum = vec![0.0; self.length.next_multiple_of(BLOCK)];
         for (i, sum) in sum.chunks_exact_mut(BLOCK).enumerate() {
-            let [first, second] = self.double.sum_of_block::<S, f64x8<S>, 2>(simd, i, weights);
-            let [rest] = self
+            let double = self.double.sum_of_block::<S, f64x8<S>, 2>(simd, i, weights);
+            let [single] = self
                 .single
                 .sum_of_block::<S, f32x16<S>, 1>(simd, i, &single);
-            let (first_half, second_half) = sum.split_at_mut(BLOCK / 2);
-            first.store_slice(first_half);
-            second.store_slice(second_half);
-            sum.iter_mut()
-                .zip(rest.as_slice())
-                .for_each(|(sum, &entry)| *sum += f64::from(entry));
+            store(double, single, sum);
         }
         sum.truncate(self.length);
         sum
+    }
+
+    /// Returns `N` sums of the rows, each with its weights. A row is read once for all of them.
+    #[inline(always)]
+    pub(crate) fn sums<S: Simd, const N: usize>(
+        &self,
+        simd: S,
+        weights: [&[f64]; N],
+    ) -> [Vec<f64>; N] {
+        let double: Vec<[f64; N]> = (0..weights[0].len())
+            .map(|row| weights.map(|weights| weights[row]))
+            .collect();
+        let single: Vec<[f32; N]> = double
+            .iter()
+            .map(|weights| weights.map(|weight| weight as f32))
+            .collect();
+        let mut sums = weights.map(|_| vec![0.0; self.length.next_multiple_of(BLOCK)]);
+        for i in 0..self.length.div_ceil(BLOCK) {
+            let double = self
+                .double
+                .sums_of_block::<S, f64x8<S>, 2, N>(simd, i, &double);
+            let single = self
+                .single
+                .sums_of_block::<S, f32x16<S>, 1, N>(simd, i, &single);
+            for n in 0..N {
+                let [single] = single[n];
+                store(double[n], single, &mut sums[n][i * BLOCK..][..BLOCK]);
+            }
+        }
+        sums.iter_mut().for_each(|sum| sum.truncate(self.length));
+        sums
+    }
+
+    /// Returns the sums of the rows with each of several weights.
+    #[inline(always)]
+    pub(crate) fn sum_all<S: Simd>(&self, simd: S, weights: &[Vec<f64>]) -> Vec<Vec<f64>> {
+        let mut sums = Vec::with_capacity(weights.len());
+        let (groups, rest) = weights.as_chunks::<4>();
+        for group in groups {
+            sums.extend(self.sums(simd, group.each_ref().map(Vec::as_slice)));
+        }
+        for weights in rest {
+            sums.push(self.sum(simd, weights));
+        }
+        sums
     }
 }
 
@@ -148,6 +188,40 @@ impl<T: Copy + Default> Blocks<T> {
         }
         even
     }
+
+    /// Returns `N` weighted sums of a block, which are independent.
+    #[inline(always)]
+    fn sums_of_block<
+        S: Simd,
+        V: SimdFloat<S, Element = T>,
+        const VECTORS: usize,
+        const N: usize,
+    >(
+        &self,
+        simd: S,
+        block: usize,
+        weights: &[[T; N]],
+    ) -> [[V; VECTORS]; N] {
+        let block = if block == 0 { 0 } else { self.ends[block - 1] }..self.ends[block];
+        let mut sums = [[V::splat(simd, T::default()); VECTORS]; N];
+        for (&row, entries) in self.rows[block.clone()].iter().zip(&self.entries[block]) {
+            for (sum, &weight) in sums.iter_mut().zip(&weights[row as usize]) {
+                add(simd, sum, entries, weight);
+            }
+        }
+        sums
+    }
+}
+
+/// Stores the sum of the two precisions of a block.
+#[inline(always)]
+fn store<S: Simd>([first, second]: [f64x8<S>; 2], single: f32x16<S>, sum: &mut [f64]) {
+    let (first_half, second_half) = sum.split_at_mut(BLOCK / 2);
+    first.store_slice(first_half);
+    second.store_slice(second_half);
+    sum.iter_mut()
+        .zip(single.as_slice())
+        .for_each(|(sum, &entry)| *sum += f64::from(entry));
 }
 
 /// Adds a row of a block, times its weight, to the sum.
@@ -189,6 +263,16 @@ mod tests {
             weights[row] = 1.0 / 3.0;
             let sum = dispatch!(Level::new(), simd => rows_in_two.sum(simd, &weights));
             assert_eq!(sum.len(), LENGTH);
+            // Five sums, of which four are made at a time.
+            let halved: Vec<f64> = weights.iter().map(|weight| 0.5 * weight).collect();
+            let all = [&weights, &halved, &weights, &halved, &weights].map(Vec::clone);
+            let sums = dispatch!(Level::new(), simd => rows_in_two.sum_all(simd, &all));
+            for (i, found) in sums.iter().enumerate() {
+                let factor = if i % 2 == 0 { 1.0 } else { 0.5 };
+                for (found, sum) in found.iter().zip(&sum) {
+                    assert_eq!(*found, factor * sum, "sum {i} of row {row}");
+                }
+            }
             for (column, value) in sum.iter().enumerate() {
                 let error = (value - entry(row, column) / 3.0).abs();
                 // Entry and weight are rounded to single precision where a block of 16 columns of

@@ -6,9 +6,9 @@ use std::sync::OnceLock;
 use crate::curve::nodes::REASONABLE;
 use crate::table::axes::Axes;
 use crate::table::lookup::Lookup;
-use crate::table::low_rank::LowRank;
 use crate::table::tensor_spline::TensorSpline;
-use crate::{Certificate, Curve, Description, Error, Material, Parameter, Quantity, Tiles};
+use crate::table::tiles;
+use crate::{Certificate, Curve, Description, Error, Material, Parameter, Quantity, Tile};
 
 /// Values of the quantities on a grid of (`a_over_t`, `e1_over_e2`, `nu1`, `e0_over_e2`).
 #[derive(Clone, Debug)]
@@ -25,7 +25,7 @@ pub struct Table {
 enum Content {
     /// Row-major over the four axes, `a_over_t` slowest.
     Dense([Option<Vec<f64>>; 4]),
-    LowRank(Tiles),
+    LowRank(Vec<Tile>),
 }
 
 impl Table {
@@ -87,27 +87,27 @@ impl Table {
         })
     }
 
-    /// Makes a table in low-rank form from its parts.
+    /// Makes a table in low-rank form from its parts. The tiles meet at nodes, and cover the moduli
+    /// of film and substrate.
     ///
     /// # Errors
-    /// Those of [`Table::new`] about description and axes; [`Error::Malformed`] if an axis and its
-    /// core differ in the number of nodes.
+    /// Those of [`Table::new`] about description and axes; [`Error::Malformed`] if there are no
+    /// tiles or more than 16, if they overlap, leave a gap or differ in their quantities, if a core
+    /// has several terms along an axis of one node, or for more than 2e8 values at the nodes.
+    ///
+    /// [`Error::LowRankTooLarge`] if the first lookup would need more than 1e8 numbers, or more
+    /// numbers or products than 16 and 4000 for each integer of the cores, of which a byte of a
+    /// file holds up to six. These limits do not hold below 1e6 numbers and 1e8 products. What does
+    /// not depend on the size of the form, the choice of the pieces of a curve, has a limit of its
+    /// own: 500,000 comparisons of a piece with a curve, about a second.
     pub fn from_low_rank(
         description: Description,
         axes: [(Parameter, Vec<f64>); 4],
-        tiles: impl Into<Tiles>,
+        tiles: Vec<Tile>,
     ) -> Result<Self, Error> {
-        let (axes, tiles) = (Axes::new(axes)?, tiles.into());
+        let axes = Axes::new(axes)?;
         description.check()?;
-        let shape = axes.shape();
-        if !tiles.fit(shape) {
-            return Err(Error::Malformed(format!(
-                "its cores are made for {:?} nodes in tiles that meet at the nodes {:?}, its axes have \
-                 {shape:?}",
-                tiles.forms().iter().map(LowRank::shape).collect::<Vec<_>>(),
-                tiles.cuts()
-            )));
-        }
+        tiles::check(&axes, &tiles)?;
         Ok(Self {
             description,
             axes,
@@ -161,7 +161,7 @@ impl Table {
     pub fn holds(&self, quantity: Quantity) -> bool {
         match &self.content {
             Content::Dense(values) => values[quantity as usize].is_some(),
-            Content::LowRank(tiles) => tiles.quantities().contains(&quantity),
+            Content::LowRank(tiles) => tiles[0].form.quantities().contains(&quantity),
         }
     }
 
@@ -184,12 +184,18 @@ impl Table {
         }
     }
 
-    /// Returns the low-rank form, or `None` if the table is dense.
-    pub fn low_rank(&self) -> Option<&Tiles> {
+    /// Returns the tiles of the low-rank form, or `None` if the table is dense.
+    pub fn low_rank(&self) -> Option<&[Tile]> {
         match &self.content {
             Content::LowRank(tiles) => Some(tiles),
             Content::Dense(_) => None,
         }
+    }
+
+    /// Returns the ranks of each tile of the low-rank form, or `None` if the table is dense.
+    pub fn ranks(&self) -> Option<Vec<[usize; 3]>> {
+        let tiles = self.low_rank()?;
+        Some(tiles.iter().map(|tile| tile.form.ranks()).collect())
     }
 
     /// Returns the logarithms that the splines interpolate, `ln(Q/es)` (`ln Delta0`), at all nodes
@@ -201,7 +207,7 @@ impl Table {
     /// If `e1` is not below the number of nodes of the film's modulus.
     pub fn logarithms(&self, e1: usize) -> Vec<f64> {
         let values = match &self.content {
-            Content::LowRank(tiles) => return tiles.logarithms(e1, self.shape()[1]),
+            Content::LowRank(tiles) => return tiles::logarithms(&self.axes, tiles, e1),
             Content::Dense(values) => values,
         };
         let [n_a, n_e1, n_nu, n_e0] = self.shape();
@@ -227,8 +233,8 @@ impl Table {
 
     /// Returns the dense table: this table, or the values of its low-rank form at the nodes.
     ///
-    /// The description and its certificate are kept, because the splines through these values are
-    /// those of the low-rank form except for rounding.
+    /// The description and its certificate are kept. Between the nodes, the splines through these
+    /// values differ from the polynomials of the low-rank form by a part of its tolerance.
     ///
     /// Each value takes 8 bytes. A low-rank file of a few kilobytes may expand to 2e8 values: check
     /// [`Table::shape`] first if the origin of the file is doubtful.

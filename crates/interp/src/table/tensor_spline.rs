@@ -2,14 +2,12 @@
 //! `ln(a/t)`.
 
 use std::array;
-use std::ops::Range;
 
 use crate::Parameter;
 use crate::curve::bspline::{Basis, LARGEST_DEGREE, Weights};
 use crate::table::axes::Axes;
-use crate::table::low_rank::LowRank;
 use crate::table::tensor_train::TensorTrain;
-use crate::table::tiles::Tiles;
+use crate::table::tiles::{self, Tile};
 use crate::table::weighted_sum::add_rows;
 
 /// The tensor B-spline of a table.
@@ -31,33 +29,30 @@ enum Form {
     /// A row for each combination of the B-splines of the material axes, `e1_over_e2` slowest: a
     /// group of the quantities held for each B-spline of `a_over_t`.
     Dense(Vec<f64>),
-    /// A train for each tile of the film's modulus.
+    /// A train for each tile.
     Tiles {
         trains: Vec<TensorTrain>,
-        /// The coordinates where tiles meet.
-        breaks: Vec<f64>,
+        /// The ends of each tile in the coordinates of the moduli of film and substrate.
+        boxes: Vec<[[f64; 2]; 2]>,
     },
 }
 
 impl TensorSpline {
     /// Makes the spline of a low-rank form, accurate enough for `tolerance`.
-    pub(crate) fn of_low_rank(axes: &Axes, tiles: &Tiles, tolerance: f64) -> Self {
+    pub(crate) fn of_low_rank(axes: &Axes, tiles: &[Tile], tolerance: f64) -> Self {
         let (bases, a_over_t_basis) = bases(axes);
-        let [film, ..] = axes.of_material();
-        let coordinates: Vec<f64> = axes
-            .nodes(film)
+        let a_over_t: Vec<f64> = axes
+            .nodes(Parameter::AOverT)
             .iter()
-            .map(|&value| film.coordinate(value))
+            .map(|&value| Parameter::AOverT.coordinate(value))
             .collect();
-        let train = |(form, nodes): (&LowRank, Range<usize>)| {
-            let film = Basis::of_table(&coordinates[nodes]);
-            let [_, nu, substrate] = &bases;
-            TensorTrain::new(form, [&film, nu, substrate], &a_over_t_basis, tolerance)
+        let train = |tile: &Tile| {
+            let ends = tile.ends(axes);
+            TensorTrain::new(&tile.form, ends, &a_over_t, &a_over_t_basis, tolerance)
         };
-        let nodes = Tiles::nodes(tiles.cuts(), coordinates.len());
         let form = Form::Tiles {
-            trains: tiles.forms().iter().zip(nodes).map(train).collect(),
-            breaks: tiles.cuts().iter().map(|&cut| coordinates[cut]).collect(),
+            trains: tiles.iter().map(train).collect(),
+            boxes: tiles::boxes(axes, tiles),
         };
         Self {
             bases,
@@ -99,8 +94,8 @@ impl TensorSpline {
     /// quantities held for each B-spline.
     pub(crate) fn coefficients(&self, coordinates: [f64; 3]) -> Vec<f64> {
         match &self.form {
-            Form::Tiles { trains, breaks } => {
-                tile(trains, breaks, coordinates).coefficients(coordinates)
+            Form::Tiles { trains, boxes } => {
+                train(trains, boxes, coordinates).coefficients(coordinates)
             }
             Form::Dense(rows) => {
                 let [sum] = self.sums(rows, &self.weights(coordinates), [[false; 3]]);
@@ -109,12 +104,35 @@ impl TensorSpline {
         }
     }
 
+    /// Returns the coefficients of materials that differ in one coordinate, the number `axis`,
+    /// which has the values `places`.
+    pub(crate) fn coefficients_along(
+        &self,
+        coordinates: [f64; 3],
+        axis: usize,
+        places: &[f64],
+    ) -> Vec<Vec<f64>> {
+        match &self.form {
+            Form::Tiles { trains, boxes } => {
+                train(trains, boxes, coordinates).coefficients_along(coordinates, axis, places)
+            }
+            Form::Dense(_) => {
+                let at = |&place: &f64| {
+                    let mut coordinates = coordinates;
+                    coordinates[axis] = place;
+                    self.coefficients(coordinates)
+                };
+                places.iter().map(at).collect()
+            }
+        }
+    }
+
     /// Returns these coefficients, followed by their derivatives with respect to the three
     /// coordinates.
     pub(crate) fn coefficients_and_slopes(&self, coordinates: [f64; 3]) -> [Vec<f64>; 4] {
         match &self.form {
-            Form::Tiles { trains, breaks } => {
-                tile(trains, breaks, coordinates).coefficients_and_slopes(coordinates)
+            Form::Tiles { trains, boxes } => {
+                train(trains, boxes, coordinates).coefficients_and_slopes(coordinates)
             }
             Form::Dense(rows) => {
                 let weights = self.weights(coordinates);
@@ -157,9 +175,18 @@ impl TensorSpline {
     }
 }
 
-/// Returns the train of the tile that contains the material.
-fn tile<'a>(trains: &'a [TensorTrain], breaks: &[f64], coordinates: [f64; 3]) -> &'a TensorTrain {
-    &trains[breaks.partition_point(|&end| end <= coordinates[0])]
+/// Returns the train of the first tile that contains the material.
+fn train<'a>(
+    trains: &'a [TensorTrain],
+    boxes: &[[[f64; 2]; 2]],
+    [film, _, substrate]: [f64; 3],
+) -> &'a TensorTrain {
+    let contains = |[of_film, of_substrate]: &[[f64; 2]; 2]| {
+        let within = |u: f64, [from, to]: &[f64; 2]| (*from..=*to).contains(&u);
+        within(film, of_film) && within(substrate, of_substrate)
+    };
+    let tile = boxes.iter().position(contains);
+    &trains[tile.expect("the tiles cover all coordinates")]
 }
 
 /// Makes the B-splines of the material axes, and those of `a_over_t`.

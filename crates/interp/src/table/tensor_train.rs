@@ -1,14 +1,13 @@
 //! A tensor train prepared for lookup: from its cores to the coefficients of the splines of one
 //! material over `ln(a/t)`.
 //!
-//! Ten B-splines of an axis contribute at any point. Between two knots, however, a table is
-//! smoother than a general sum of ten B-splines, and a bond index with a small weight needs few
-//! digits. Therefore each core is expanded, over each interval between knots, in functions that
-//! oscillate more and more. The contribution of a bond index and a function to a block of indices
-//! of the next bond is dropped where it is far below the table's tolerance, and stored in single
-//! precision where that is accurate enough. This leaves fewer multiplications, and more of them are
-//! done at a time. All but the first two functions vanish at the knots: dropping them makes no jump
-//! there.
+//! A core is a sum of polynomials of up to a high degree. Therefore the axis is divided into
+//! intervals, equal in the angle of the Chebyshev polynomials, and on each of them the core is
+//! expanded in ten functions that oscillate more and more. The contribution of a bond index and a
+//! function to a block of indices of the next bond is dropped where it is far below the table's
+//! tolerance, and stored in single precision where that is accurate enough. This leaves fewer
+//! multiplications, and more of them are done at a time. All but the first two functions vanish at
+//! the ends of an interval: dropping them makes no jump there.
 //!
 //! A function with an argument `simd` is compiled for several instruction sets, and that of the
 //! processor is chosen at run time. It must be inlined, with its closures: only then is it compiled
@@ -19,7 +18,8 @@ use std::f64::consts::PI;
 use fearless_simd::prelude::*;
 use fearless_simd::{Level, dispatch};
 
-use crate::curve::bspline::{Basis, TABLE_DEGREE};
+use crate::curve::bspline::Basis;
+use crate::table::chebyshev::polynomials;
 use crate::table::low_rank::LowRank;
 use crate::table::mixed_precision::{BLOCK, MixedPrecision};
 use crate::table::weighted_sum::add_rows;
@@ -28,18 +28,31 @@ use crate::table::weighted_sum::add_rows;
 ///
 /// Norms are root mean squares of contributions to the logarithms.
 const NEGLIGIBLE: f64 = 1e-5;
-/// The largest rounding to single precision, and the largest jump at a knot. Smaller than
+/// The largest rounding to single precision, and the largest jump between intervals. Smaller than
 /// [`NEGLIGIBLE`], because it acts as noise: a difference quotient of two lookups divides it by its
 /// step.
 const ROUNDING: f64 = 3e-7;
 
 /// The largest number of functions on an interval.
-const MOST_FUNCTIONS: usize = TABLE_DEGREE + 1;
+pub(crate) const MOST_FUNCTIONS: usize = 10;
+
+/// Returns the number of intervals of a core of so many `terms`.
+///
+/// On an interval of the angle `h`, the function number `j` of the expansion of `T_k` is about `2
+/// (k h/4)^j / j!`. With two degrees for an interval, what ten functions leave out of the highest
+/// degree is 5e-5 of it, and of lower ones far less.
+pub(crate) const fn intervals(terms: usize) -> usize {
+    if terms > MOST_FUNCTIONS {
+        terms.div_ceil(2)
+    } else {
+        1
+    }
+}
 
 /// The cores of a [`LowRank`] form, prepared for lookup.
 #[derive(Clone, Debug)]
 pub(crate) struct TensorTrain {
-    /// The cores of `e0_over_e2`, `e1_over_e2` and `nu1`.
+    /// The cores of the material parameters.
     cores: [Core; 3],
     /// The core of `a_over_t`: a row of coefficients over `ln(a/t)` for each index of the last
     /// bond, a group of the quantities for each B-spline.
@@ -49,9 +62,11 @@ pub(crate) struct TensorTrain {
 /// A core of a material parameter.
 #[derive(Clone, Debug)]
 struct Core {
-    /// The intervals between the knots of the axis.
+    /// The number of its coordinate among those of the material.
+    axis: usize,
+    /// The intervals of the axis.
     intervals: Vec<Interval>,
-    /// The knots between the intervals.
+    /// The coordinates between the intervals.
     breaks: Vec<f64>,
     /// One over the weights of the next bond.
     scales: Vec<f64>,
@@ -65,63 +80,67 @@ struct Interval {
     rows: MixedPrecision,
 }
 
-/// The functions whose sum is a spline between two knots.
+/// The functions whose sum is a core on an interval.
 ///
 /// They are the Chebyshev polynomials `T0`, `T1`, `T2 - T0`, `T3 - T1`, `T4 - T0` and so on.
 #[derive(Clone, Copy, Debug)]
 struct Functions {
-    /// The two knots.
+    /// The ends of the interval.
     ends: [f64; 2],
     /// The number of functions.
     count: usize,
 }
 
 impl TensorTrain {
-    /// Prepares `form`, accurate enough for `tolerance`, with the B-splines of `e1_over_e2`, `nu1`,
-    /// `e0_over_e2`, and of `a_over_t`.
+    /// Prepares `form` in a tile with these `ends`, accurate enough for `tolerance`. `a_over_t`
+    /// holds the coordinates of the nodes of `a/t`, and `basis` the B-splines through them.
     pub(crate) fn new(
         form: &LowRank,
-        [e1, nu, e0]: [&Basis; 3],
-        a_over_t_basis: &Basis,
+        ends: [[f64; 2]; 4],
+        a_over_t: &[f64],
+        basis: &Basis,
         tolerance: f64,
     ) -> Self {
-        let ([a, b, c], [substrate, film_modulus, film, mut last]) = form.normalised();
-        let core = |mut core: Vec<f64>, before: usize, basis: &Basis, after: &[f64]| {
-            let width = after.len();
-            core.chunks_exact_mut(basis.len() * width)
-                .for_each(|slab| basis.interpolate(slab, width));
-            let intervals = basis.intervals().enumerate().map(|(first, ends)| {
-                let functions = Functions::new(basis, ends);
-                let coefficients = |i: usize, spline: usize| {
-                    &core[(i * basis.len() + first + spline) * width..][..width]
-                };
-                Interval::new(
-                    functions,
-                    &functions.transform(basis),
-                    before,
-                    coefficients,
-                    tolerance,
-                )
-            });
-            let intervals: Vec<Interval> = intervals.collect();
+        let (weights, entries) = form.normalised();
+        let shapes = form.shapes();
+        let cores = std::array::from_fn(|i| {
+            let dimension = form.order()[i];
+            let [before, terms, after] = shapes[i];
+            let (entries, ends) = (&entries[i], ends[dimension]);
+            let row = |b: usize, k: usize| &entries[(b * terms + k) * after..][..after];
+            let intervals: Vec<Interval> = parts(ends, intervals(terms))
+                .map(|part| {
+                    let functions = Functions {
+                        ends: part,
+                        count: terms.min(MOST_FUNCTIONS),
+                    };
+                    let transform = functions.transform(|u| polynomials(dimension, terms, ends, u));
+                    Interval::new(functions, &transform, before, row, tolerance)
+                })
+                .collect();
             let breaks = intervals[1..]
                 .iter()
                 .map(|interval| interval.functions.ends[0])
                 .collect();
             Core {
+                axis: dimension - 1,
                 intervals,
                 breaks,
-                scales: after.iter().map(|weight| 1.0 / weight).collect(),
+                scales: weights[i].iter().map(|weight| 1.0 / weight).collect(),
             }
-        };
-        let cores = [
-            core(substrate, 1, e0, &a),
-            core(film_modulus, a.len(), e1, &b),
-            core(film, b.len(), nu, &c),
-        ];
-        let width = last.len() / c.len();
+        });
+        let [_, _, _, [before, terms, quantities]] = shapes;
+        let width = a_over_t.len() * quantities;
+        let mut last = vec![0.0; before * width];
+        for (node, &place) in a_over_t.iter().enumerate() {
+            let polynomials = polynomials(0, terms, ends[0], place);
+            for (b, entries) in entries[3].chunks_exact(terms * quantities).enumerate() {
+                let row = &mut last[b * width + node * quantities..][..quantities];
+                add_rows(row, &polynomials, entries, quantities);
+            }
+        }
         last.chunks_exact_mut(width)
-            .for_each(|row| a_over_t_basis.interpolate(row, width / a_over_t_basis.len()));
+            .for_each(|row| basis.interpolate(row, quantities));
         // A column of the last core is a logarithm: the error of a dropped block is spread over its
         // columns, not summed.
         let limit = |share: f64| (BLOCK as f64).sqrt() * share * tolerance;
@@ -143,10 +162,22 @@ impl TensorTrain {
         dispatch!(Level::new(), simd => self.value_and_slopes(simd, coordinates))
     }
 
+    /// Returns the coefficients of materials that differ in one coordinate, the number `axis`,
+    /// which has the values `places`.
+    pub(crate) fn coefficients_along(
+        &self,
+        coordinates: [f64; 3],
+        axis: usize,
+        places: &[f64],
+    ) -> Vec<Vec<f64>> {
+        dispatch!(Level::new(), simd => self.values_along(simd, coordinates, axis, places))
+    }
+
     #[inline(always)]
-    fn value<S: Simd>(&self, simd: S, [e1, nu, e0]: [f64; 3]) -> Vec<f64> {
+    fn value<S: Simd>(&self, simd: S, coordinates: [f64; 3]) -> Vec<f64> {
         let mut vector = vec![1.0];
-        for (core, u) in self.cores.iter().zip([e0, e1, nu]) {
+        for core in &self.cores {
+            let u = coordinates[core.axis];
             let interval = core.interval(u);
             vector = core.multiply(simd, interval, &vector, &interval.functions.evaluate(u).0);
         }
@@ -155,26 +186,55 @@ impl TensorTrain {
 
     #[inline(always)]
     fn value_and_slopes<S: Simd>(&self, simd: S, coordinates: [f64; 3]) -> [Vec<f64>; 4] {
+        let [first, second, third] = &self.cores;
+        let at = |core: &Core| coordinates[core.axis];
         // The product of the cores so far, and its derivatives with respect to their coordinates.
-        let mut vectors = vec![vec![1.0]];
-        for (core, axis) in self.cores.iter().zip([2, 0, 1]) {
-            let interval = core.interval(coordinates[axis]);
-            let (values, slopes) = interval.functions.evaluate(coordinates[axis]);
-            let slope = core.multiply(simd, interval, &vectors[0], &slopes);
-            for vector in &mut vectors {
-                *vector = core.multiply(simd, interval, vector, &values);
-            }
-            vectors.push(slope);
+        let [value, by_first] = first.products(simd, at(first), [&[1.0]], &[1.0]);
+        let [value, by_first, by_second] =
+            second.products(simd, at(second), [&value, &by_first], &value);
+        let [value, by_first, by_second, by_third] =
+            third.products(simd, at(third), [&value, &by_first, &by_second], &value);
+        let vectors = [&value, &by_first, &by_second, &by_third].map(Vec::as_slice);
+        let [value, slopes @ ..] = self.last.sums(simd, vectors);
+        let mut sums = [value, Vec::new(), Vec::new(), Vec::new()];
+        for (core, by_axis) in self.cores.iter().zip(slopes) {
+            sums[1 + core.axis] = by_axis;
         }
-        let [value, by_e0, by_e1, by_nu] = &vectors[..] else {
-            unreachable!("the values, and the derivatives of three axes")
-        };
-        [
-            self.last.sum(simd, value),
-            self.last.sum(simd, by_e1),
-            self.last.sum(simd, by_nu),
-            self.last.sum(simd, by_e0),
-        ]
+        sums
+    }
+
+    #[inline(always)]
+    fn values_along<S: Simd>(
+        &self,
+        simd: S,
+        coordinates: [f64; 3],
+        axis: usize,
+        places: &[f64],
+    ) -> Vec<Vec<f64>> {
+        // One vector until the core of this axis, one for each place from there on.
+        let mut vectors = vec![vec![1.0]];
+        for core in &self.cores {
+            let multiplied = |u: f64, vectors: &[Vec<f64>]| {
+                let interval = core.interval(u);
+                let functions = interval.functions.evaluate(u).0;
+                let weights: Vec<Vec<f64>> = vectors
+                    .iter()
+                    .map(|vector| interval.weights(vector, &functions))
+                    .collect();
+                let mut after = interval.rows.sum_all(simd, &weights);
+                after.iter_mut().for_each(|after| core.scale(after));
+                after
+            };
+            vectors = if core.axis == axis {
+                places
+                    .iter()
+                    .flat_map(|&u| multiplied(u, &vectors))
+                    .collect()
+            } else {
+                multiplied(coordinates[core.axis], &vectors)
+            };
+        }
+        self.last.sum_all(simd, &vectors)
     }
 }
 
@@ -194,27 +254,50 @@ impl Core {
         before: &[f64],
         functions: &[f64; MOST_FUNCTIONS],
     ) -> Vec<f64> {
-        let mut weights = vec![0.0; before.len() * interval.functions.count];
-        for (weights, function) in weights.chunks_exact_mut(before.len()).zip(functions) {
-            weights
-                .iter_mut()
-                .zip(before)
-                .for_each(|(weight, entry)| *weight = function * entry);
-        }
-        let mut after = interval.rows.sum(simd, &weights);
+        let mut after = interval
+            .rows
+            .sum(simd, &interval.weights(before, functions));
+        self.scale(&mut after);
+        after
+    }
+
+    /// Multiplies vectors over the bond before by the core at `u`, and `slope_of` by its
+    /// derivative, which comes last. `M` must be `N + 1`.
+    #[inline(always)]
+    fn products<S: Simd, const N: usize, const M: usize>(
+        &self,
+        simd: S,
+        u: f64,
+        before: [&[f64]; N],
+        slope_of: &[f64],
+    ) -> [Vec<f64>; M] {
+        let interval = self.interval(u);
+        let (values, slopes) = interval.functions.evaluate(u);
+        let weights: [Vec<f64>; M] = std::array::from_fn(|i| match before.get(i) {
+            Some(before) => interval.weights(before, &values),
+            None => interval.weights(slope_of, &slopes),
+        });
+        let mut after = interval
+            .rows
+            .sums(simd, weights.each_ref().map(Vec::as_slice));
+        after.iter_mut().for_each(|after| self.scale(after));
+        after
+    }
+
+    /// Divides a vector over the next bond by the weights of the bond.
+    fn scale(&self, after: &mut [f64]) {
         after
             .iter_mut()
             .zip(&self.scales)
             .for_each(|(entry, scale)| *entry *= scale);
-        after
     }
 }
 
 impl Interval {
     /// Expands the core in the functions of an interval.
     ///
-    /// `coefficients(i, spline)` is the row over the next bond of index `i`, below `before`, of the
-    /// bond before. `transform` holds a row for each function.
+    /// `coefficients(b, k)` is the row over the next bond of the index `b`, below `before`, of the
+    /// bond before, and of the polynomial `k`. `transform` holds a row for each function.
     fn new<'a>(
         functions: Functions,
         transform: &[Vec<f64>],
@@ -226,12 +309,12 @@ impl Interval {
         let mut rows = vec![0.0; functions.count * before * length];
         for (rows, transform) in rows.chunks_exact_mut(before * length).zip(transform) {
             for (i, row) in rows.chunks_exact_mut(length).enumerate() {
-                for (spline, weight) in transform.iter().enumerate() {
-                    add_rows(row, &[*weight], coefficients(i, spline), length);
+                for (k, weight) in transform.iter().enumerate() {
+                    add_rows(row, &[*weight], coefficients(i, k), length);
                 }
             }
         }
-        let jumps = Functions::AT_KNOTS * before;
+        let jumps = Functions::AT_ENDS * before;
         let negligible = |row| tolerance * if row < jumps { ROUNDING } else { NEGLIGIBLE };
         Self {
             functions,
@@ -240,17 +323,21 @@ impl Interval {
     }
 }
 
+impl Interval {
+    /// Returns the weight of each row: a function times an entry of the vector over the bond
+    /// before.
+    fn weights(&self, before: &[f64], functions: &[f64; MOST_FUNCTIONS]) -> Vec<f64> {
+        let mut weights = Vec::with_capacity(before.len() * self.functions.count);
+        for function in &functions[..self.functions.count] {
+            weights.extend(before.iter().map(|entry| function * entry));
+        }
+        weights
+    }
+}
+
 impl Functions {
     /// The number of functions that do not vanish at both ends; they are the first.
-    const AT_KNOTS: usize = 2;
-
-    /// Chooses the functions between two neighbouring knots.
-    fn new(basis: &Basis, ends: [f64; 2]) -> Self {
-        Self {
-            ends,
-            count: basis.degree() + 1,
-        }
-    }
+    const AT_ENDS: usize = 2;
 
     /// Evaluates the functions and their slopes at `u`.
     fn evaluate(&self, u: f64) -> ([f64; MOST_FUNCTIONS], [f64; MOST_FUNCTIONS]) {
@@ -266,26 +353,42 @@ impl Functions {
         (values, slopes.map(|slope| 2.0 / length * slope))
     }
 
-    /// Returns the matrix from the coefficients of the B-splines that do not vanish on the interval
-    /// to those of the functions: a row for each function.
-    fn transform(&self, basis: &Basis) -> Vec<Vec<f64>> {
+    /// Returns the matrix from the coefficients of some polynomials to those of the functions: a
+    /// row for each function. `polynomials` evaluates them.
+    ///
+    /// The functions go through the values at the points where the last of them is largest, the
+    /// ends among them, so that the intervals meet.
+    fn transform(&self, polynomials: impl Fn(f64) -> Vec<f64>) -> Vec<Vec<f64>> {
         let [from, to] = self.ends;
-        let count = self.count;
-        let angle = |point: usize| PI * (point as f64 + 0.5) / count as f64;
-        let mut transform = vec![vec![0.0; count]; count];
-        for point in 0..count {
-            let s = 0.5 - 0.5 * angle(point).cos();
-            let splines = basis.weights(to - (to - from) * s);
+        let last = self.count - 1;
+        if last == 0 {
+            return vec![polynomials(from)];
+        }
+        let mut transform = vec![Vec::new(); self.count];
+        for point in 0..=last {
+            let angle = |function: usize| PI * (function * point) as f64 / last as f64;
+            let s = 0.5 - 0.5 * angle(1).cos();
+            let values = polynomials(to - (to - from) * s);
+            let at_end = if point == 0 || point == last {
+                0.5
+            } else {
+                1.0
+            };
             for (function, row) in transform.iter_mut().enumerate() {
-                let share = if function == 0 { 1.0 } else { 2.0 } / count as f64
-                    * (function as f64 * angle(point)).cos();
+                row.resize(values.len(), 0.0);
+                let halved = if function == 0 || function == last {
+                    0.5
+                } else {
+                    1.0
+                };
+                let share = 2.0 / last as f64 * at_end * halved * angle(function).cos();
                 row.iter_mut()
-                    .zip(splines.values)
+                    .zip(&values)
                     .for_each(|(entry, value)| *entry += share * value);
             }
         }
         // From the Chebyshev polynomials to their differences from the first two.
-        for function in 2..count {
+        for function in 2..self.count {
             let (firsts, row) = transform.split_at_mut(function);
             firsts[function % 2]
                 .iter_mut()
@@ -294,6 +397,20 @@ impl Functions {
         }
         transform
     }
+}
+
+/// Returns the ends of `count` intervals between two coordinates, equal in the angle whose cosine
+/// runs from one to the other.
+fn parts([from, to]: [f64; 2], count: usize) -> impl Iterator<Item = [f64; 2]> {
+    let place = move |i: usize| {
+        let s = 0.5 - 0.5 * (PI * i as f64 / count as f64).cos();
+        if i == count {
+            to
+        } else {
+            from + (to - from) * s
+        }
+    };
+    (0..count).map(move |i| [place(i), place(i + 1)])
 }
 
 /// Evaluates `T0`, `T1`, `T2 - T0`, `T3 - T1`, `T4 - T0` and so on, and their derivatives, at `t`.

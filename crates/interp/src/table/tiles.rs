@@ -1,128 +1,268 @@
-//! The low-rank form of a table in tiles: a tensor train for each stretch of the film's modulus.
+//! The tiles of a table in low-rank form: boxes of the moduli of film and substrate, each with a
+//! tensor train of its own.
 //!
 //! A film softer than sphere and substrate makes other contacts than a stiff one. The bonds of a
 //! train for both would be as long as those of two trains together, and a lookup would multiply by
 //! all of them.
 
-use std::ops::Range;
-
+use crate::table::axes::Axes;
 use crate::table::demand::Demand;
-use crate::{Error, LowRank, Quantity};
+use crate::{Error, LowRank};
 
-/// The number of nodes by which a tile reaches beyond the nodes where it meets its neighbours. The
-/// error of splines is larger next to their ends, and falls by 0.6 from node to node: with 6 nodes
-/// the packed table of `tables/universal.toml` had an error of 4e-7 beside the cut.
-const OVERLAP: usize = 16;
 /// The largest number of tiles, which limits what the first lookup of a forged table needs.
-const MOST_TILES: usize = 8;
+const MOST_TILES: usize = 16;
+/// The largest number of values at the nodes. More are taken for a mistake or a forgery: they would
+/// not fit in memory when written out.
+const MOST_VALUES: usize = 200_000_000;
 
-/// The low-rank forms of a table, one for each tile of the axis of the film's modulus.
-#[derive(Clone, Debug)]
-pub struct Tiles {
-    /// The nodes of that axis where tiles meet, ascending.
-    cuts: Vec<usize>,
-    forms: Vec<LowRank>,
+/// A box of the moduli of film and substrate, with the logarithms of a table's quantities in it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Tile {
+    /// The first and the last node of the film's modulus.
+    pub film: [usize; 2],
+    /// The first and the last node of the substrate's modulus.
+    pub substrate: [usize; 2],
+    /// The logarithms.
+    pub form: LowRank,
 }
 
-impl From<LowRank> for Tiles {
-    fn from(form: LowRank) -> Self {
-        Self {
-            cuts: Vec::new(),
-            forms: vec![form],
-        }
+impl Tile {
+    /// Returns the first and the last node of each axis, of an axis of `shape` nodes.
+    pub(crate) fn nodes(&self, [n_a, _, n_nu, _]: [usize; 4]) -> [[usize; 2]; 4] {
+        [[0, n_a - 1], self.film, [0, n_nu - 1], self.substrate]
+    }
+
+    /// Returns the coordinates of the ends of each axis.
+    pub(crate) fn ends(&self, axes: &Axes) -> [[f64; 2]; 4] {
+        let (parameters, nodes) = (axes.parameters(), self.nodes(axes.shape()));
+        std::array::from_fn(|dimension| {
+            let parameter = parameters[dimension];
+            nodes[dimension].map(|node| parameter.coordinate(axes.nodes(parameter)[node]))
+        })
+    }
+
+    /// Returns whether the tile contains the nodes `film` and `substrate` of the moduli.
+    fn contains(&self, film: usize, substrate: usize) -> bool {
+        let within = |node: usize, [first, last]: [usize; 2]| (first..=last).contains(&node);
+        within(film, self.film) && within(substrate, self.substrate)
     }
 }
 
-impl Tiles {
-    /// Joins the forms of the tiles that meet at the nodes `cuts`; each holds the
-    /// [nodes](Self::nodes) of its tile.
-    ///
-    /// # Errors
-    /// [`Error::Malformed`] unless `cuts` ascend and there is one form more than cuts, at most 8;
-    /// or if the forms differ in their quantities, or in the number of nodes on another axis.
-    /// [`Error::LowRankTooLarge`] if all forms together need more than one may, see
-    /// [`LowRank::new`].
-    pub fn new(cuts: Vec<usize>, forms: Vec<LowRank>) -> Result<Self, Error> {
-        let malformed = |what: String| Err(Error::Malformed(what));
-        if forms.len() != cuts.len() + 1 || forms.len() > MOST_TILES {
-            return malformed(format!(
-                "it has {} low-rank forms and {} cuts between them: there must be one form more than \
-                 cuts, and {MOST_TILES} at most",
-                forms.len(),
-                cuts.len()
-            ));
+/// Accepts tiles that cover the moduli of `axes` once.
+///
+/// # Errors
+/// [`Error::Malformed`] if there are more than 16 tiles or none, if they overlap or leave a gap, or
+/// differ in their quantities; if a core has several terms along an axis of one node; or for more
+/// than 2e8 values at the nodes. [`Error::LowRankTooLarge`] if the first lookup in all tiles
+/// together would need too much, see [`Demand::check`].
+pub(crate) fn check(axes: &Axes, tiles: &[Tile]) -> Result<(), Error> {
+    let malformed = |what: String| Err(Error::Malformed(what));
+    let shape = axes.shape();
+    let [n_a, n_film, n_nu, n_substrate] = shape;
+    if tiles.is_empty() || tiles.len() > MOST_TILES {
+        return malformed(format!(
+            "it has {} low-rank forms, it must have 1 to {MOST_TILES}",
+            tiles.len()
+        ));
+    }
+    let quantities = tiles[0].form.quantities();
+    if tiles
+        .iter()
+        .any(|tile| tile.form.quantities() != quantities)
+    {
+        return malformed("its low-rank forms differ in their quantities".into());
+    }
+    let values = [n_a, n_film, n_nu, n_substrate, quantities.len()]
+        .into_iter()
+        .try_fold(1_usize, usize::checked_mul);
+    if values.is_none_or(|values| values > MOST_VALUES) {
+        return malformed(format!(
+            "it has {shape:?} nodes, more than {MOST_VALUES} values"
+        ));
+    }
+    for tile in tiles {
+        let terms = tile.form.dimensions().into_iter().zip(tile.form.terms());
+        for (dimension, terms) in terms {
+            if shape[dimension] == 1 && terms > 1 {
+                return malformed(format!(
+                    "a core of it has {terms} terms along an axis of one node, it must have 1"
+                ));
+            }
         }
-        if !cuts.is_sorted_by(|a, b| a < b) {
-            return malformed(format!(
-                "its tiles meet at the nodes {cuts:?}, not ascending"
-            ));
-        }
-        let others = |form: &LowRank| {
-            let [a, _, nu, e0] = form.shape();
-            ([a, nu, e0], form.quantities().to_vec())
+    }
+    let moduli = |tile: &Tile| [(tile.film, n_film), (tile.substrate, n_substrate)];
+    let is_box = |tile: &Tile| {
+        let sound = |([first, last], count): ([usize; 2], usize)| {
+            last < count && (first < last || count == 1)
         };
-        if forms[1..]
-            .iter()
-            .any(|form| others(form) != others(&forms[0]))
-        {
-            return malformed("its tiles differ in their quantities or in their nodes".into());
-        }
-        let all = forms
-            .iter()
-            .map(LowRank::demand)
-            .fold(Demand::default(), Demand::plus);
-        let [a, film, nu, e0] = forms[0].shape();
-        all.check(forms[0].ranks(), [e0, film, nu, a])?;
-        Ok(Self { cuts, forms })
-    }
-
-    /// Returns the nodes of each tile of an axis of `count` nodes, which is cut at the nodes
-    /// `cuts`: those between the cuts, and sixteen more beyond each cut.
-    pub fn nodes(cuts: &[usize], count: usize) -> Vec<Range<usize>> {
-        let first = |cut: &usize| cut.saturating_sub(OVERLAP);
-        let end = |cut: &usize| cut.saturating_add(OVERLAP + 1).min(count);
-        (0..=cuts.len())
-            .map(|i| {
-                let before = i.checked_sub(1).map_or(0, |i| first(&cuts[i]));
-                before..cuts.get(i).map_or(count, end)
+        moduli(tile).into_iter().all(sound)
+    };
+    // An axis of one node counts as an interval.
+    let intervals = |tile: &Tile| moduli(tile).map(|([first, last], _)| (last - first).max(1));
+    let area = |tile: &Tile| intervals(tile).into_iter().product::<usize>();
+    let overlap = |one: &Tile, other: &Tile| {
+        moduli(one)
+            .into_iter()
+            .zip(moduli(other))
+            .all(|((one, count), (other, _))| {
+                count == 1 || one[0].max(other[0]) < one[1].min(other[1])
             })
-            .collect()
+    };
+    let pairs = || {
+        tiles
+            .iter()
+            .enumerate()
+            .flat_map(|(i, one)| tiles[..i].iter().map(move |other| (one, other)))
+    };
+    let whole = (n_film - 1).max(1) * (n_substrate - 1).max(1);
+    if !tiles.iter().all(is_box)
+        || tiles.iter().map(area).sum::<usize>() != whole
+        || pairs().any(|(one, other)| overlap(one, other))
+    {
+        let places: Vec<_> = tiles
+            .iter()
+            .map(|tile| (tile.film, tile.substrate))
+            .collect();
+        return malformed(format!(
+            "its tiles hold the nodes {places:?} of the two moduli: they must cover {n_film} and \
+             {n_substrate} nodes once"
+        ));
+    }
+    Demand::of(tiles, shape).check(tiles, shape)
+}
+
+/// Returns the logarithms at all nodes with node `film` of the film's modulus, as
+/// [`Table::logarithms`](crate::Table::logarithms).
+pub(crate) fn logarithms(axes: &Axes, tiles: &[Tile], film: usize) -> Vec<f64> {
+    let [n_a, _, n_nu, n_substrate] = axes.shape();
+    let width = n_a * tiles[0].form.quantities().len();
+    let mut logarithms = vec![0.0; n_nu * n_substrate * width];
+    let mut first = 0;
+    while first < n_substrate {
+        let tile = tiles
+            .iter()
+            .find(|tile| tile.contains(film, first))
+            .expect("the tiles cover the box");
+        let last = tile.substrate[1];
+        let (parameters, nodes) = (
+            axes.parameters(),
+            [[0, n_a - 1], [film; 2], [0, n_nu - 1], [first, last]],
+        );
+        let places: [Vec<f64>; 4] = std::array::from_fn(|dimension| {
+            let (parameter, [first, last]) = (parameters[dimension], nodes[dimension]);
+            let nodes = &axes.nodes(parameter)[first..=last];
+            nodes
+                .iter()
+                .map(|&value| parameter.coordinate(value))
+                .collect()
+        });
+        let part = tile
+            .form
+            .logarithms(tile.ends(axes), places.each_ref().map(Vec::as_slice));
+        let length = (last - first + 1) * width;
+        for (nu, rows) in part.chunks_exact(length).enumerate() {
+            logarithms[(nu * n_substrate + first) * width..][..length].copy_from_slice(rows);
+        }
+        first = last + 1;
+    }
+    logarithms
+}
+
+/// Returns the coordinates of the two moduli between which each tile lies. At the ends of the table
+/// they are infinite, because a coordinate may be beyond the end by rounding.
+pub(crate) fn boxes(axes: &Axes, tiles: &[Tile]) -> Vec<[[f64; 2]; 2]> {
+    let [_, n_film, _, n_substrate] = axes.shape();
+    let within = |[from, to]: [f64; 2], [first, last]: [usize; 2], count: usize| {
+        [
+            if first == 0 { f64::NEG_INFINITY } else { from },
+            if last + 1 == count { f64::INFINITY } else { to },
+        ]
+    };
+    let ends = |tile: &Tile| {
+        let [_, film, _, substrate] = tile.ends(axes);
+        [
+            within(film, tile.film, n_film),
+            within(substrate, tile.substrate, n_substrate),
+        ]
+    };
+    tiles.iter().map(ends).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Parameter, Quantity};
+
+    /// Makes tiles of rank 1 at these nodes.
+    fn tiles(places: &[[[usize; 2]; 2]]) -> Vec<Tile> {
+        let one = || vec![1];
+        let form = LowRank::new(
+            vec![Quantity::Gamma],
+            [1, 2, 3],
+            [1; 4],
+            std::array::from_fn(|_| vec![0]),
+            1.0,
+            std::array::from_fn(|_| one()),
+        )
+        .expect("sound");
+        let tile = |&[film, substrate]: &[[usize; 2]; 2]| Tile {
+            film,
+            substrate,
+            form: form.clone(),
+        };
+        places.iter().map(tile).collect()
     }
 
-    /// Returns the nodes of the film's modulus where tiles meet.
-    pub fn cuts(&self) -> &[usize] {
-        &self.cuts
-    }
-
-    /// Returns the forms, in the order of their tiles.
-    pub fn forms(&self) -> &[LowRank] {
-        &self.forms
-    }
-
-    /// Returns the ranks of each form.
-    pub fn ranks(&self) -> Vec<[usize; 3]> {
-        self.forms.iter().map(LowRank::ranks).collect()
-    }
-
-    /// Returns the quantities held, in the order of [`Quantity::ALL`].
-    pub fn quantities(&self) -> &[Quantity] {
-        self.forms[0].quantities()
-    }
-
-    /// Returns whether these are the tiles of axes with `shape` nodes.
-    pub(crate) fn fit(&self, shape: [usize; 4]) -> bool {
-        let [a, film, nu, e0] = shape;
-        let nodes = Self::nodes(&self.cuts, film);
-        let fits =
-            |(form, nodes): (&LowRank, &Range<usize>)| form.shape() == [a, nodes.len(), nu, e0];
-        self.cuts.last().is_none_or(|&last| last < film) && self.forms.iter().zip(&nodes).all(fits)
-    }
-
-    /// Returns the logarithms at all nodes with node `e1` of `count` nodes of the film's modulus,
-    /// as [`Table::logarithms`](crate::Table::logarithms).
-    pub(crate) fn logarithms(&self, e1: usize, count: usize) -> Vec<f64> {
-        let tile = self.cuts.partition_point(|&cut| cut <= e1);
-        let first = Self::nodes(&self.cuts, count)[tile].start;
-        self.forms[tile].logarithms(e1 - first)
+    #[test]
+    fn tiles_must_cover_the_box_once() {
+        let axes = |n_film: usize, n_substrate: usize| {
+            let moduli = |count: usize| (0..count).map(|i| 1.5_f64.powi(i as i32)).collect();
+            Axes::new([
+                (Parameter::AOverT, vec![0.1, 1.0, 10.0]),
+                (Parameter::E1OverE2, moduli(n_film)),
+                (Parameter::Nu1, vec![0.0, 0.5]),
+                (Parameter::E0OverE2, moduli(n_substrate)),
+            ])
+            .expect("sound")
+        };
+        let whole = [[0, 5], [0, 3]];
+        let sound: [&[[[usize; 2]; 2]]; 4] = [
+            &[whole],
+            &[[[0, 2], [0, 3]], [[2, 5], [0, 3]]],
+            &[[[0, 5], [1, 3]], [[0, 5], [0, 1]]],
+            // Five tiles around a middle one.
+            &[
+                [[0, 3], [0, 1]],
+                [[3, 5], [0, 2]],
+                [[2, 5], [2, 3]],
+                [[0, 2], [1, 3]],
+                [[2, 3], [1, 2]],
+            ],
+        ];
+        for places in sound {
+            assert!(check(&axes(6, 4), &tiles(places)).is_ok(), "{places:?}");
+        }
+        let wrong: [&[[[usize; 2]; 2]]; 9] = [
+            &[],
+            &[[[0, 5], [0, 2]]],
+            &[[[0, 5], [0, 4]]],
+            &[[[5, 0], [0, 3]]],
+            &[[[0, 2], [0, 3]], [[3, 5], [0, 3]]],
+            &[[[0, 3], [0, 3]], [[2, 5], [0, 3]]],
+            &[whole, whole],
+            &[whole, [[2, 2], [0, 3]]],
+            // As large as the box, with a gap and an overlap.
+            &[[[0, 3], [0, 3]], [[2, 4], [0, 3]]],
+        ];
+        for places in wrong {
+            let result = check(&axes(6, 4), &tiles(places));
+            assert!(matches!(result, Err(Error::Malformed(_))), "{places:?}");
+        }
+        let result = check(&axes(18, 4), &tiles(&[[[0, 1], [0, 3]]; 17]));
+        assert!(matches!(result, Err(Error::Malformed(_))), "{result:?}");
+        // An axis of one node.
+        assert!(check(&axes(1, 4), &tiles(&[[[0, 0], [0, 2]], [[0, 0], [2, 3]]])).is_ok());
+        assert!(check(&axes(1, 1), &tiles(&[[[0, 0], [0, 0]]])).is_ok());
+        assert!(check(&axes(1, 1), &tiles(&[[[0, 0], [0, 0]]; 2])).is_err());
     }
 }

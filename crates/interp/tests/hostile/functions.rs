@@ -439,23 +439,22 @@ pub const FUNCTIONS: &[Function] = &[
         let curve = table.curve(&tables::material())?;
         Ok(vec![curve.error(x[5]).unwrap_or(0.0), curve.error(0.7)?])
     }),
-    ("LowRank::new", &[1.0, 1.0, 1.0, 0.1, 0.1, 1.0], |x| {
-        let nodes = AXES.map(|nodes| vec![1; nodes.len()]);
-        let cores = [&nodes[3][..], &nodes[1], &nodes[2], &nodes[0]];
-        let weights = from_fn(|bond| vec![x[bond]]);
-        let mut functions = tables::functions(AXES.map(<[f64]>::len));
-        functions[1][0] = x[5];
+    ("LowRank::new", &[0.1, 1.0, -2.0, 3.0], |x| {
+        let terms = [3, 1, 2, 0].map(|dimension| AXES[dimension].len());
+        let integer = |number: f64| number as i64;
         let form = LowRank::new(
             vec![Quantity::Pi0],
-            weights,
-            functions,
-            [x[3], x[4], 1.0, 1.0],
-            cores,
+            tables::ORDER,
+            terms,
+            from_fn(|_| vec![integer(x[1]) as i8]),
+            x[0],
+            terms.map(|count| vec![integer(x[2]), integer(x[3])].repeat(count)[..count].to_vec()),
         )?;
+        let tiles = tables::whole(form, AXES.map(<[f64]>::len));
         look_up(&Table::from_low_rank(
             tables::description(),
             tables::axes(),
-            form,
+            tiles,
         )?)?;
         Ok(vec![])
     }),

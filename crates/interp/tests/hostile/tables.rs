@@ -2,7 +2,7 @@
 
 use interp::{
     Certificate, Contact, Description, Elastic, Error, LowRank, Material, Parameter, Quantity,
-    SubstratePoissonRatio, System, Table, Tiles,
+    SubstratePoissonRatio, System, Table, Tile,
 };
 
 /// The nodes of the four axes.
@@ -54,62 +54,64 @@ pub fn dense() -> Table {
     .expect("valid")
 }
 
-/// Returns the functions for the four cores of a low-rank form, in the order of its cores: as many
-/// for each axis as it has nodes. Each function is 1 at one node and 0 at the others.
-pub fn functions([a, e1, nu, e0]: [usize; 4]) -> [Vec<f64>; 4] {
-    [e0, e1, nu, a].map(|n| {
-        (0..n * n)
-            .map(|i| if i % (n + 1) == 0 { 1.0 } else { 0.0 })
-            .collect()
-    })
+/// The order of the cores of all forms of this file.
+pub const ORDER: [usize; 3] = [3, 1, 2];
+
+/// Makes a form of these numbers of terms along the substrate's modulus, the film's, its Poisson
+/// ratio and `a/t`, and of these ranks. `integer` gives the integers of each core.
+pub fn form(
+    quantities: &[Quantity],
+    terms: [usize; 4],
+    ranks: [usize; 3],
+    step: f64,
+    integer: impl Fn(i64) -> i64,
+) -> LowRank {
+    let bonds = [1, ranks[0], ranks[1], ranks[2], quantities.len()];
+    let cores = std::array::from_fn(|i| {
+        let count = (bonds[i] * terms[i] * bonds[i + 1]) as i64;
+        (0..count).map(&integer).collect()
+    });
+    let weights = ranks.map(|rank| vec![0; rank]);
+    LowRank::new(quantities.to_vec(), ORDER, terms, weights, step, cores).expect("valid")
+}
+
+/// Returns the only tile of a table with this number of nodes on each axis.
+pub fn whole(form: LowRank, [_, film, _, substrate]: [usize; 4]) -> Vec<Tile> {
+    vec![Tile {
+        film: [0, film - 1],
+        substrate: [0, substrate - 1],
+        form,
+    }]
 }
 
 /// Makes a low-rank table of all quantities, with bonds of rank 2.
 pub fn low_rank() -> Table {
-    let core = |length: i64| {
-        (0..length)
-            .map(|i| (i * i * 37) % 61 - 30)
-            .collect::<Vec<i64>>()
-    };
-    let [a, e1, nu, e0] = AXES.map(|nodes| nodes.len() as i64);
-    let cores = [
-        core(e0 * 2),
-        core(2 * e1 * 2),
-        core(2 * nu * 2),
-        core(2 * a * 4),
-    ];
-    let weights = std::array::from_fn(|_| vec![1.0, 0.5]);
-    let functions = functions(AXES.map(<[f64]>::len));
-    let cores = cores.each_ref().map(Vec::as_slice);
-    let form =
-        LowRank::new(Quantity::ALL.to_vec(), weights, functions, [0.01; 4], cores).expect("valid");
-    Table::from_low_rank(description(), axes(), form).expect("valid")
+    let [a, e1, nu, e0] = AXES.map(<[f64]>::len);
+    let integer = |i: i64| (i * i * 37) % 61 - 30;
+    let form = form(&Quantity::ALL, [e0, e1, nu, a], [2; 3], 0.01, integer);
+    Table::from_low_rank(description(), axes(), whole(form, [a, e1, nu, e0])).expect("valid")
 }
 
-/// Makes a low-rank table of `Gamma` in two tiles.
+/// Makes a low-rank table of `Gamma` in three tiles.
 pub fn low_rank_in_tiles() -> Table {
-    let nodes: Vec<f64> = (0..40)
-        .map(|i| 10_f64.powf(0.1 * f64::from(i) - 2.0))
-        .collect();
-    let mut axes = axes();
-    axes[1].1 = nodes;
-    let tile = |nodes: std::ops::Range<usize>| {
-        let shape = [AXES[0].len(), nodes.len(), AXES[2].len(), AXES[3].len()];
-        let [a, e1, nu, e0] = shape.map(|count| count as i64);
-        let cores =
-            [e0, e1, nu, a].map(|count| (0..count).map(|i| 20 + i % 5).collect::<Vec<i64>>());
-        LowRank::new(
-            vec![Quantity::Gamma],
-            std::array::from_fn(|_| vec![1.0]),
-            functions(shape),
-            [0.05; 4],
-            cores.each_ref().map(Vec::as_slice),
-        )
-        .expect("valid")
+    let nodes = |count: u32, from: f64, to: f64| -> Vec<f64> {
+        let part = |i: u32| f64::from(i) / f64::from(count - 1);
+        (0..count)
+            .map(|i| from * (to / from).powf(part(i)))
+            .collect()
     };
-    let cuts = vec![20];
-    let forms = Tiles::nodes(&cuts, 40).into_iter().map(tile).collect();
-    let tiles = Tiles::new(cuts, forms).expect("valid");
+    let mut axes = axes();
+    (axes[1].1, axes[3].1) = (nodes(40, 0.01, 100.0), nodes(10, 1.0, 1e5));
+    let tile = |film, substrate, terms| Tile {
+        film,
+        substrate,
+        form: form(&[Quantity::Gamma], terms, [2; 3], 0.05, |i| 4 + i % 5),
+    };
+    let tiles = vec![
+        tile([0, 20], [0, 9], [4, 12, 3, 5]),
+        tile([20, 39], [0, 4], [2, 6, 2, 4]),
+        tile([20, 39], [4, 9], [3, 20, 3, 3]),
+    ];
     Table::from_low_rank(description(), axes, tiles).expect("valid")
 }
 
@@ -128,68 +130,44 @@ pub fn of_nodes(count: usize, [from, to]: [f64; 2]) -> Table {
         (Parameter::Nu1, vec![0.3]),
         (Parameter::E0OverE2, vec![300.0]),
     ];
-    let one = vec![1.0];
-    let functions = [
-        one.clone(),
-        one.clone(),
-        one.clone(),
-        (0..count).map(|i| 1.0 + 0.1 * (i as f64).sin()).collect(),
-    ];
-    let cores: [&[i64]; 4] = [&[10], &[10], &[10], &[10, 11, 12, 10]];
-    let form = LowRank::new(
-        Quantity::ALL.to_vec(),
-        std::array::from_fn(|_| one.clone()),
-        functions,
-        [0.1; 4],
-        cores,
-    )
-    .expect("valid");
+    let form = form(&Quantity::ALL, [1, 1, 1, 30], [1; 3], 0.1, |i| 10 + i % 3);
     Table::from_low_rank(
         Description {
             tolerance: 1e-12,
             ..description()
         },
         axes,
-        form,
+        whole(form, [count, 1, 1, 1]),
     )
     .expect("valid")
 }
 
-/// Makes a low-rank table of one function along each axis, with these numbers of nodes of
-/// `e0_over_e2`, `e1_over_e2`, `nu1` and `a_over_t`, and these ranks.
-pub fn demanding(nodes: [usize; 4], ranks: [usize; 3]) -> Result<Table, Error> {
-    let [a, b, c] = ranks;
+/// Makes a low-rank table with these numbers of terms along the substrate's modulus, the film's,
+/// its Poisson ratio and `a/t`, these ranks, and `n_a` nodes of `a/t`.
+pub fn demanding(terms: [usize; 4], ranks: [usize; 3], n_a: usize) -> Result<Table, Error> {
     let spread = |count: usize, from: f64, to: f64| -> Vec<f64> {
         let part = |i: usize| i as f64 / (count - 1).max(1) as f64;
         (0..count)
             .map(|i| from * (to / from).powf(part(i)))
             .collect()
     };
-    let [n_e0, n_e1, n_nu, n_a] = nodes;
+    let [n_e0, n_e1, n_nu] = [0, 1, 2].map(|core| terms[core].min(2));
     let axes = [
         (Parameter::AOverT, spread(n_a, 1e-3, 1e3)),
         (Parameter::E1OverE2, spread(n_e1, 1.75, 100.0)),
         (Parameter::Nu1, spread(n_nu, 0.3, 0.49)),
         (Parameter::E0OverE2, spread(n_e0, 300.0, 1e5)),
     ];
-    let entries = |count: usize| -> Vec<i64> { (0..count as i64).map(|i| i % 7 - 3).collect() };
-    let cores = [a, a * b, b * c, 4 * c].map(entries);
-    let form = LowRank::new(
-        Quantity::ALL.to_vec(),
-        ranks.map(|rank| vec![1.0; rank]),
-        // So rough and so accurate that no part of a core is negligible.
-        nodes.map(|count| (0..count).map(|i| 2.0 + (7.0 * i as f64).sin()).collect()),
-        [1.0, 1.0, 1.0, 1e-3 / c as f64],
-        cores.each_ref().map(Vec::as_slice),
-    )?;
-    let tolerance = 1e-12;
+    // So accurate that no part of a core is negligible, and yet of few bits for an integer.
+    let integer = |i: i64| i64::from(i % 4 == 0);
+    let form = form(&Quantity::ALL, terms, ranks, 1e-3, integer);
     Table::from_low_rank(
         Description {
-            tolerance,
+            tolerance: 1e-12,
             ..description()
         },
         axes,
-        form,
+        whole(form, [n_a, n_e1, n_nu, n_e0]),
     )
 }
 
@@ -219,20 +197,10 @@ pub fn of_shape(shape: [usize; 4], a_over_t: [f64; 2]) -> [Table; 2] {
     let noise = |i: usize| 1.0 + 0.1 * (i as f64).sin();
     let count: usize = shape.iter().product();
     let values = [3, 5, 7, 9].map(|factor| Some((0..count).map(|i| noise(factor * i)).collect()));
-    let core = |length: usize| (0..length as i64).map(|i| 10 + i % 3).collect::<Vec<i64>>();
-    let [a, e1, nu, e0] = shape;
-    let cores = [core(e0), core(e1), core(nu), core(a * 4)];
-    let weights = std::array::from_fn(|_| vec![1.0]);
-    let cores = cores.each_ref().map(Vec::as_slice);
-    let form = LowRank::new(
-        Quantity::ALL.to_vec(),
-        weights,
-        functions(shape),
-        [0.1; 4],
-        cores,
-    )
-    .expect("valid");
-    let low_rank = Table::from_low_rank(description.clone(), axes.clone(), form).expect("valid");
+    let [a, e1, nu, e0] = shape.map(|count| count.min(40));
+    let form = form(&Quantity::ALL, [e0, e1, nu, a], [1; 3], 0.1, |i| 10 + i % 3);
+    let low_rank = Table::from_low_rank(description.clone(), axes.clone(), whole(form, shape));
+    let low_rank = low_rank.expect("valid");
     [
         Table::new(description, axes, values).expect("valid"),
         low_rank,
@@ -246,7 +214,7 @@ pub const PREFIX: usize = 24;
 pub fn with_prefix(payload: &[u8]) -> Vec<u8> {
     let (length, checksum) = (payload.len() as u64, crc32fast::hash(payload));
     [
-        &b"COATTBL\n\x02\0\0\0"[..],
+        &b"COATTBL\n\x03\0\0\0"[..],
         &length.to_le_bytes(),
         &checksum.to_le_bytes(),
         payload,

@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use clap::ValueHint;
 use interp::Parameter;
-use interp::{Certificate, Quantity, Table, Tiles};
+use interp::{Certificate, Quantity, Table};
 
 use super::json::{self, TableObject};
 use super::print;
@@ -59,7 +59,7 @@ pub fn describe(table: &Table) -> Result<String, std::fmt::Error> {
     for parameter in table.parameters() {
         text += &describe_axis(parameter, table.axis(parameter));
     }
-    for [a, b, c] in table.low_rank().map(Tiles::ranks).into_iter().flatten() {
+    for [a, b, c] in table.ranks().into_iter().flatten() {
         writeln!(text, "{:15} ranks {a}, {b}, {c}", "low rank")?;
     }
     writeln!(text, "{:15} {}", "nu0", description.nu0)?;

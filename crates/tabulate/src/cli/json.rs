@@ -1,7 +1,7 @@
 //! The JSON objects that `--json` prints. The names of their fields are fixed; the help of each
 //! command lists them.
 
-use interp::{Certificate, Parameter, Quantity, SubstratePoissonRatio, Table, Tiles};
+use interp::{Certificate, Parameter, Quantity, SubstratePoissonRatio, Table};
 use serde::{Serialize, Serializer};
 
 use crate::printable;
@@ -172,7 +172,7 @@ impl<'a> TableObject<'a> {
             quantities: table.quantities().into_iter().map(Quantity::name).collect(),
             normalised_by: table.unit(),
             tolerance: description.tolerance,
-            ranks: table.low_rank().map(Tiles::ranks),
+            ranks: table.ranks(),
             certificate: Errors::new(&description.certificate, table.parameters()),
             bytes,
         }

@@ -40,9 +40,9 @@ const SEED: u64 = 1;
 /// computes, and the `illustrations`, which are those of [`figures()`].
 ///
 /// A dense table is embedded in low-rank form. Its quantities differ from those of the table by at
-/// most 1e-6, relative (`tests/report` measures it). Where this form has tiles, the error of the
-/// splines on fewer nodes adds to this. The page states the largest difference at random points. A
-/// table in low-rank form is embedded unchanged. Equal tables give equal pages, byte for byte.
+/// most 1e-6, relative (`tests/report` measures it). The page states the largest difference at
+/// random points. A table in low-rank form is embedded unchanged. Equal tables give equal pages,
+/// byte for byte.
 ///
 /// # Errors
 /// Those of [`compress`], of [`Table::to_packed`], of the lookup and of the drawing.

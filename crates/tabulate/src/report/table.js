@@ -1,7 +1,7 @@
-// Reads a table that the crate `interp` packed (packed.rs), and evaluates its splines (bspline.rs, low_rank.rs, tiles.rs).
+// Reads a table that the crate `interp` packed (packed.rs, entropy.rs), and evaluates its polynomials and splines (chebyshev.rs, low_rank.rs, bspline.rs).
 
 /** The version of the packed form that this page reads. */
-const PACKED_VERSION = 2;
+const PACKED_VERSION = 3;
 /** The bytes before the payload: 8 of magic, the version (u32), the length (u64) and the CRC-32 (u32) of the payload. */
 const PREFIX = 24;
 /** The degree of the splines through a table's nodes, where there are enough of them. */
@@ -12,10 +12,10 @@ const ROUNDING = 1e-12;
 const QUANTITIES = ["pi0", "eeq", "gamma", "delta0"];
 /** All parameters of axes: in files, an axis has the number of its parameter here. */
 const PARAMETERS = ["a_over_t", "e1_over_e2", "nu1", "e0_over_e2", "e1s_over_einfs", "e0s_over_e2s"];
-/** The dimensions of a table (a/t, film's modulus, film's Poisson ratio, substrate's modulus) in the order of a train's cores. */
-const CORES = [3, 1, 2, 0];
-/** The number of nodes by which a tile reaches beyond the nodes where it meets its neighbours (tiles.rs). */
-const OVERLAP = 16;
+/** For each dimension (a/t, film's modulus, film's Poisson ratio, substrate's modulus) the degree from which the factors of the polynomials fall. */
+const SMOOTH_DEGREE = [40, 20, 2, 20];
+/** The largest number of integers that a byte of their code holds, and their largest length in bits. */
+const MOST_IN_A_BYTE = 6, MOST_BITS = 54;
 
 /** Reads numbers, texts and lists in bincode's two encodings: integers of fixed and of variable width. */
 class Reader {
@@ -54,11 +54,13 @@ class Reader {
             default: return byte;
         }
     }
-    /** Reads a signed integer of variable width, in the order 0, -1, 1, -2. */
-    signed() {
-        const wide = this.bytes[this.at] === 253;
-        const zigzag = wide ? this.view.getBigUint64(this.take(9) + 1, true) : BigInt(this.variable());
-        return Number(zigzag & 1n ? -(zigzag >> 1n) - 1n : zigzag >> 1n);
+    i8() {
+        return this.view.getInt8(this.take(1));
+    }
+    /** Reads a list of bytes. */
+    raw() {
+        const length = this.variable();
+        return this.bytes.subarray(this.take(length), this.at);
     }
     array(count, item) {
         return Array.from({ length: count }, item);
@@ -77,9 +79,97 @@ function checksum(bytes) {
     return ~remainder >>> 0;
 }
 
+/** Reads the integers of cores: an adaptive binary range decoder. */
+class Integers {
+    constructor(bytes) {
+        Object.assign(this, { bytes, at: 0, code: 0, range: 0xffffffff });
+        for (let i = 0; i < 4; i += 1) this.shift();
+        /** For each context and number of bits: two estimates of the probability that an integer is not longer, in units of 2^-16. */
+        this.longer = Array.from({ length: 120 }, () => new Uint16Array(2 * MOST_BITS).fill(1 << 15));
+        /** For each length: those of the first bit after the leading one, and of the second after either. */
+        this.next = Array.from({ length: MOST_BITS + 1 }, () => new Uint16Array(6).fill(1 << 15));
+    }
+    shift() {
+        const byte = this.at < this.bytes.length ? this.bytes[this.at] : 0;
+        this.code = ((this.code << 8) | byte) >>> 0;
+        this.at += 1;
+    }
+    narrow(bound) {
+        const decision = this.code >= bound;
+        if (decision) {
+            this.code -= bound;
+            this.range -= bound;
+        } else {
+            this.range = bound;
+        }
+        while (this.range < 0x1000000) {
+            this.range = (this.range << 8) >>> 0;
+            this.shift();
+        }
+        return decision ? 1 : 0;
+    }
+    even() {
+        return this.narrow(this.range >>> 1);
+    }
+    adaptive(estimates, i) {
+        const fast = estimates[2 * i], slow = estimates[2 * i + 1];
+        const decision = this.narrow((this.range >>> 16) * ((fast + slow) >>> 1));
+        estimates[2 * i] = decision ? fast - (fast >>> 4) : fast + ((0xffff - fast) >>> 4);
+        estimates[2 * i + 1] = decision ? slow - (slow >>> 7) : slow + ((0xffff - slow) >>> 7);
+        return decision;
+    }
+    integer(context) {
+        let bits = 0;
+        while (bits < MOST_BITS && this.adaptive(this.longer[context], bits)) bits += 1;
+        if (bits === 0) return 0;
+        let found = 1;
+        for (let read = 0; read < bits - 1; read += 1) {
+            // Integers may be longer than the 32 bits of JavaScript's operators.
+            found = 2 * found + (read === 0 ? this.adaptive(this.next[bits], 0)
+                : read === 1 ? this.adaptive(this.next[bits], 1 + (found & 1)) : this.even());
+        }
+        return this.even() ? -found : found;
+    }
+    /** Reads the integers of a core: row-major over the bond before, the degree, and the next bond. */
+    core([before, terms, after]) {
+        const core = new Float64Array(before * terms * after), sizes = new Int32Array(core.length);
+        // Twice the size of the nearest neighbour, and the next one's as often as `far` says.
+        const near = (i, place, stride, far) => (place > 0 ? 2 * sizes[i - stride] : 0) + (place > 1 ? far * sizes[i - 2 * stride] : 0);
+        let i = 0;
+        for (let b = 0; b < before; b += 1) for (let k = 0; k < terms; k += 1) for (let a = 0; a < after; a += 1, i += 1) {
+            const sum = 2 + near(i, a, 1, 1) + near(i, k, after, 2) + near(i, b, after * terms, 1);
+            const length = 31 - Math.clz32(sum);
+            core[i] = this.integer(4 * (length - 1) + (Math.floor((4 * sum) / 2 ** length) & 3));
+            sizes[i] = Math.min(Math.abs(core[i]), 2 ** 26);
+        }
+        return core;
+    }
+    /** Reads the cores of these shapes; zeros must follow, so that no byte holds too many integers. */
+    static cores(bytes, shapes) {
+        const count = shapes.reduce((sum, [before, terms, after]) => sum + before * terms * after, 0);
+        if (!(count <= MOST_IN_A_BYTE * bytes.length)) throw new Error("the data is damaged");
+        const reader = new Integers(bytes), cores = shapes.map((shape) => reader.core(shape));
+        const end = Math.max(reader.at, Math.ceil(count / MOST_IN_A_BYTE));
+        if (end !== bytes.length || bytes.subarray(reader.at).some((byte) => byte !== 0)) throw new Error("the data is damaged");
+        return cores;
+    }
+}
+
+/** Returns the values at `u` of `count` polynomials along a dimension of a tile (chebyshev.rs). */
+function polynomials(dimension, count, [from, to], u) {
+    const t = to > from ? (u - from - (to - u)) / (to - from) : 0;
+    let before = t, present = 1;
+    return Float64Array.from({ length: count }, (_, k) => {
+        const value = present;
+        [before, present] = [present, 2 * t * present - before];
+        return k === 0 ? value : (Math.SQRT2 * value) / Math.hypot(k / SMOOTH_DEGREE[dimension], 1);
+    });
+}
+
 /** The B-splines on the nodes of an axis, with "not-a-knot" ends. */
 class Basis {
     constructor(nodes) {
+        this.nodes = nodes;
         this.count = nodes.length;
         this.degree = Math.min(DEGREE, this.count - 1);
         const p = this.degree;
@@ -180,21 +270,24 @@ class Table {
         this.axes = Object.fromEntries(reader.array(4, () => [PARAMETERS[reader.u32()], list(f64)]));
         this.held = list(u32).map((variant) => QUANTITIES[variant]);
         if (reader.u32() !== 1) throw new Error("the data is not in low-rank form");
-        const numbers = (item) => Float64Array.from(reader.array(reader.variable(), () => item()));
-        const double = () => reader.f64();
-        const cuts = numbers(() => reader.variable());
-        const [, film] = Object.keys(this.axes), nodes = this.axes[film];
-        /** The coordinates of the film's modulus where tiles meet. */
-        this.breaks = Array.from(cuts, (cut) => coordinate(film, nodes[cut]));
-        this.tiles = reader.array(reader.variable(), (_, i) => {
-            const start = i === 0 ? 0 : Math.max(cuts[i - 1] - OVERLAP, 0);
-            const end = i === cuts.length ? nodes.length : cuts[i] + OVERLAP + 1;
-            const weights = reader.array(3, () => numbers(double));
-            const functions = reader.array(4, () => numbers(double));
-            const steps = reader.array(4, double);
-            const cores = reader.array(4, () => numbers(() => reader.signed()));
-            return this.train({ ...this.axes, [film]: nodes.slice(start, end) }, { weights, functions, steps, cores });
+        const index = () => reader.variable();
+        const coordinates = Object.entries(this.axes).map(([parameter, nodes]) => nodes.map((node) => coordinate(parameter, node)));
+        /** The B-splines along a/t. */
+        this.basis = new Basis(coordinates[0]);
+        this.tiles = reader.array(reader.variable(), () => {
+            const [film, substrate] = [reader.array(2, index), reader.array(2, index)];
+            const order = [...reader.array(3, index), 0], terms = reader.array(4, index);
+            const weights = reader.array(3, () => reader.array(reader.variable(), () => 2 ** reader.i8()));
+            const step = reader.f64();
+            const bonds = [1, ...weights.map((all) => all.length), this.held.length];
+            const shapes = terms.map((count, i) => [bonds[i], count, bonds[i + 1]]);
+            const cores = Integers.cores(reader.raw(), shapes).map((core) => core.map((n) => n * step));
+            const nodes = coordinates.map((all) => [0, all.length - 1]);
+            [nodes[1], nodes[3]] = [film, substrate];
+            const ends = coordinates.map((all, dimension) => nodes[dimension].map((node) => all[node]));
+            return { order, shapes, weights, cores, ends };
         });
+        if (reader.at !== bytes.length) throw new Error("the data is damaged");
         /** True if all quantities follow from gamma, the only one held. */
         this.derives = this.held.join() === "gamma" && derivable(this.range("a_over_t"));
     }
@@ -212,18 +305,6 @@ class Table {
     /** True if the sphere is rigid and the axes are those of Young's moduli: e0_over_e2 is E0/E1. */
     get rigidSphere() {
         return !this.reduced && this.range("e1_over_e2")[0] === 0;
-    }
-
-    /** The cores of a tensor train on the nodes of `axes`. */
-    train(axes, { weights, functions, steps, cores }) {
-        return CORES.map((dimension, i) => {
-            const [parameter, nodes] = Object.entries(axes)[dimension];
-            const basis = new Basis(nodes.map((node) => coordinate(parameter, node)));
-            const count = functions[i].length / nodes.length;
-            // The splines of a core are those of the functions that it combines.
-            basis.interpolate(functions[i], count);
-            return { parameter, basis, count, functions: functions[i], numbers: cores[i].map((n) => n * steps[i]), weights: weights[i] };
-        });
     }
 
     /** True if the table holds a quantity, or derives it. */
@@ -252,32 +333,33 @@ class Table {
 
     /** Returns the quantities of a material in the box, as functions of a/t. `material` has a value for each of the parameters. */
     curve(material) {
-        const at = this.place(this.parameters[0], material[this.parameters[0]]);
-        const cores = this.tiles[this.breaks.filter((end) => end <= at).length];
+        const places = [0, ...this.parameters.map((parameter) => this.place(parameter, material[parameter]))];
+        const inside = ({ ends }) => [1, 3].every((i) => places[i] >= ends[i][0] && places[i] <= ends[i][1]);
+        const { order, shapes, weights, cores, ends } = this.tiles.find(inside);
         let vector = [1];
-        for (const { parameter, basis, count, functions, numbers, weights } of cores.slice(0, 3)) {
-            const after = weights.length, splines = basis.weights(this.place(parameter, material[parameter]));
+        for (let i = 0; i < 3; i += 1) {
+            const [, terms, after] = shapes[i], dimension = order[i];
+            const values = polynomials(dimension, terms, ends[dimension], places[dimension]);
             const next = new Float64Array(after);
-            for (let f = 0; f < count; f += 1) {
-                let value = 0;
-                splines.values.forEach((spline, k) => { value += spline * functions[(splines.first + k) * count + f]; });
-                vector.forEach((entry, b) => {
-                    const factor = entry * value, row = (b * count + f) * after;
-                    for (let a = 0; a < after; a += 1) next[a] += factor * numbers[row + a];
-                });
-            }
-            vector = next.map((entry, a) => entry / weights[a]);
+            vector.forEach((entry, b) => values.forEach((value, k) => {
+                const factor = entry * value, row = (b * terms + k) * after;
+                for (let a = 0; a < after; a += 1) next[a] += factor * cores[i][row + a];
+            }));
+            vector = next.map((entry, a) => entry / weights[i][a]);
         }
-        const { basis, count, functions, numbers } = cores[3], held = this.held.length;
-        const sums = new Float64Array(count * held);
+        const [, terms, held] = shapes[3];
+        const sums = new Float64Array(terms * held);
         vector.forEach((entry, c) => {
-            for (let k = 0; k < sums.length; k += 1) sums[k] += entry * numbers[c * sums.length + k];
+            for (let k = 0; k < sums.length; k += 1) sums[k] += entry * cores[3][c * sums.length + k];
         });
-        const coefficients = this.held.map((_, q) => Float64Array.from({ length: basis.count }, (_, node) => {
-            let sum = 0;
-            for (let f = 0; f < count; f += 1) sum += functions[node * count + f] * sums[f * held + q];
-            return sum;
-        }));
+        // The values at the nodes of a/t become coefficients of the splines.
+        const { basis } = this, coefficients = this.held.map(() => new Float64Array(basis.count));
+        basis.nodes.forEach((place, node) => {
+            polynomials(0, terms, ends[0], place).forEach((value, k) => {
+                for (let q = 0; q < held; q += 1) coefficients[q][node] += value * sums[k * held + q];
+            });
+        });
+        coefficients.forEach((row) => basis.interpolate(row, 1));
         const curve = new Curve(this, basis, coefficients);
         return this.derives ? new DerivedCurve(curve, this.range("a_over_t")) : curve;
     }

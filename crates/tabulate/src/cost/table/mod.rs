@@ -12,7 +12,6 @@ mod summary;
 
 use std::time::Instant;
 
-use interp::Tiles;
 use serde::{Deserialize, Serialize};
 
 use self::evaluation::Evaluation;
@@ -218,7 +217,7 @@ fn row(
         nu1_nodes,
         e0_over_e2_nodes,
     ] = made.table.shape().map(|nodes| nodes as u64);
-    let ranks = packed.low_rank().map(Tiles::ranks).unwrap_or_default();
+    let ranks = packed.ranks().unwrap_or_default();
     // The largest of all tiles.
     let [rank_1, rank_2, rank_3] = [0, 1, 2].map(|bond| {
         ranks

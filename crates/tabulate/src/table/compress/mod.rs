@@ -1,10 +1,12 @@
 //! The low-rank form of a finished table, small enough to embed.
 //!
-//! `tiles` divides a table, and `truncation` compresses the logarithms of each part into a tensor
-//! train. `low_rank` tries truncations until the form, compared with direct solves, keeps its
-//! tolerance.
+//! `tiles` divides a table, `coefficients` expands the logarithms of each part in polynomials, and
+//! `truncation` compresses the coefficients into a tensor train of integers. `low_rank` tries
+//! truncations until the form, compared with direct solves, keeps its tolerance.
 
+mod coefficients;
 mod low_rank;
+mod matrices;
 mod tiles;
 mod truncation;
 

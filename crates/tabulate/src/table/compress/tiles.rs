@@ -1,61 +1,137 @@
-//! The tiles of a low-rank form: where they meet, and the table of each.
+//! The tiles of a low-rank form: where they meet, and the form of each.
 
-use std::ops::Range;
-
-use interp::{Parameter, Quantity, Table, Tiles};
+use interp::{Parameter, Table, Tile};
 
 use crate::Error;
-use crate::parallel::try_map;
-use crate::table::compress::truncation::truncate;
+use crate::table::compress::coefficients::Axis;
+use crate::table::compress::truncation::{Part, truncate};
 
-/// The `E1*/Einf*` where tiles meet: between films softer than sphere and substrate together, and
-/// stiffer ones.
-const FILM_LIKE_THE_REST: f64 = 1.0;
 /// The smallest number of nodes on both sides of a cut. A smaller tile would save nothing.
-const LEAST_NODES: usize = 16;
+const LEAST_NODES: usize = 8;
 
-/// Returns a table in low-rank form, with about as few numbers as `error` allows, the largest
-/// relative error of the quantities at the nodes.
-///
-/// # Errors
-/// [`Error::Truncation`] where a form that leaves out next to nothing has a larger error;
-/// [`Error::Table`] for a low-rank form that needs too much at its first lookup.
-pub fn compress(table: &Table, error: f64) -> Result<Tiles, Error> {
-    let cuts = cuts(table);
-    let [_, film, ..] = table.shape();
-    let dense = table.expand()?;
-    let tiles: Vec<Table> = Tiles::nodes(&cuts, film)
-        .into_iter()
-        .map(|nodes| part(&dense, nodes))
-        .collect::<Result<_, Error>>()?;
-    let forms = try_map(&tiles, |tile| truncate(tile, error))?;
-    Ok(Tiles::new(cuts, forms)?)
+/// The error of the tiles of films softer than sphere and substrate, in parts of the allowed one.
+/// There an error of the table changes the derivative with respect to the Poisson ratio most.
+const SOFT: f64 = 0.5;
+
+/// A cut of a box at a value of a modulus, and the cuts of its two sides.
+struct Cut {
+    parameter: Parameter,
+    at: f64,
+    below: Option<&'static Cut>,
+    above: Option<&'static Cut>,
 }
 
-/// Returns the nodes of the film's modulus where the tiles of a table meet.
-fn cuts(table: &Table) -> Vec<usize> {
-    let nodes = table.axis(Parameter::E1sOverEinfs);
-    let cut = nodes.partition_point(|&node| node < FILM_LIKE_THE_REST);
-    if cut >= LEAST_NODES && cut + LEAST_NODES <= nodes.len() {
-        vec![cut]
+/// Where tiles meet: the films softer than sphere and substrate together are apart from stiffer
+/// ones, and among these the substrates softer than the sphere from stiffer ones. The contacts of
+/// stiff films on soft substrates have the largest ranks, and are cut most.
+static CUTS: Cut = Cut {
+    parameter: Parameter::E1sOverEinfs,
+    at: 1.0,
+    below: Some(&Cut {
+        parameter: Parameter::E1sOverEinfs,
+        at: 1e-5,
+        below: None,
+        above: None,
+    }),
+    above: Some(&Cut {
+        parameter: Parameter::E0sOverE2s,
+        at: 1.0,
+        below: Some(&Cut {
+            parameter: Parameter::E1sOverEinfs,
+            at: 1e5,
+            below: Some(&Cut {
+                parameter: Parameter::E1sOverEinfs,
+                at: 1e3,
+                below: None,
+                above: None,
+            }),
+            above: Some(&Cut {
+                parameter: Parameter::E0sOverE2s,
+                at: 1e-5,
+                below: None,
+                above: None,
+            }),
+        }),
+        above: None,
+    }),
+};
+
+/// The first and the last node of film and substrate.
+type Nodes = [[usize; 2]; 2];
+
+/// Returns a table in low-rank form, in about as few bytes as `error` allows, the largest relative
+/// error of the quantities at the nodes.
+///
+/// # Errors
+/// [`Error::Truncation`] where the smallest steps have a larger error; [`Error::Table`] for a
+/// low-rank form that needs too much at its first lookup.
+pub fn compress(table: &Table, error: f64) -> Result<Vec<Tile>, Error> {
+    let [_, n_film, _, n_substrate] = table.shape();
+    let whole = [[0, n_film - 1], [0, n_substrate - 1]];
+    let mut boxes = Vec::new();
+    divide(table, whole, Some(&CUTS), &mut boxes);
+    let logarithms: Vec<f64> = (0..n_film)
+        .flat_map(|film| table.logarithms(film))
+        .collect();
+    let form = |[film, substrate]: Nodes| {
+        let softer = table.axis(Parameter::E1sOverEinfs).get(film[1]);
+        let is_soft = softer.is_some_and(|&stiffest| stiffest < 2.0 * CUTS.at);
+        let error = if is_soft { SOFT * error } else { error };
+        let part = Part::new(table, &logarithms, [film, substrate], error);
+        let form = truncate(&part, error)?;
+        Ok(Tile {
+            film,
+            substrate,
+            form,
+        })
+    };
+    boxes.into_iter().map(form).collect()
+}
+
+/// Divides the box of some nodes of film and substrate by a cut, and each side by its cuts.
+fn divide(table: &Table, nodes: Nodes, cut: Option<&Cut>, boxes: &mut Vec<Nodes>) {
+    let Some(cut) = cut else {
+        boxes.push(nodes);
+        return;
+    };
+    let side = usize::from(cut.parameter.dimension() == 3);
+    let [first, last] = nodes[side];
+    // No nodes in a table of other parameters.
+    let at = table
+        .axis(cut.parameter)
+        .partition_point(|&node| node < cut.at);
+    if table.axis(cut.parameter).is_empty() || last - first < LEAST_NODES {
+        boxes.push(nodes);
+    } else if at < first + LEAST_NODES {
+        divide(table, nodes, cut.above, boxes);
+    } else if at + LEAST_NODES > last {
+        divide(table, nodes, cut.below, boxes);
     } else {
-        Vec::new()
+        let (mut below, mut above) = (nodes, nodes);
+        (below[side], above[side]) = ([first, at], [at, last]);
+        divide(table, below, cut.below, boxes);
+        divide(table, above, cut.above, boxes);
     }
 }
 
-/// Returns the table of some nodes of the film's modulus.
-fn part(table: &Table, nodes: Range<usize>) -> Result<Table, Error> {
-    let [n_a, n_film, n_nu, n_substrate] = table.shape();
-    let mut axes = table.axes();
-    axes[1].1 = axes[1].1[nodes.clone()].to_vec();
-    let width = n_nu * n_substrate;
-    let of_part = |values: &[f64]| {
-        let slabs = (0..n_a).map(|a| &values[(a * n_film + nodes.start) * width..]);
-        slabs
-            .flat_map(|slab| &slab[..nodes.len() * width])
-            .copied()
-            .collect()
-    };
-    let values = Quantity::ALL.map(|quantity| table.values(quantity).map(of_part));
-    Ok(Table::new(table.description().clone(), axes, values)?)
+/// Returns the axes of a table, for the part at some nodes of film and substrate: in the order of
+/// the table's logarithms.
+pub(super) fn axes(table: &Table, [film, substrate]: Nodes) -> [Axis; 4] {
+    let shape = table.shape();
+    [1, 2, 3, 0].map(|dimension| {
+        let parameter = table.parameters()[dimension];
+        let nodes = match dimension {
+            1 => film,
+            3 => substrate,
+            _ => [0, shape[dimension] - 1],
+        };
+        let coordinates = table.axis(parameter).iter();
+        Axis {
+            dimension,
+            coordinates: coordinates
+                .map(|&node| parameter.coordinate(node))
+                .collect(),
+            nodes,
+        }
+    })
 }
