@@ -1,7 +1,7 @@
 //! `tabulate curve`
 
 use acceptance::{Data, assert_names, larger, paper_system, workdir};
-use interp::{Mechanics, Table, Validity};
+use interp::{Mechanics, Probe, Table, Validity};
 use tabulate::report::LARGE_CONTACT;
 
 use crate::{paper_table, solved};
@@ -115,7 +115,7 @@ fn curve_takes_every_part_of_the_system() {
     let data = Data::parse("curve.csv", &output);
     let solid = |young, poisson| interp::Elastic::new(young, poisson).expect("physical");
     let system = interp::System {
-        sphere_radius: 5e-4,
+        probe: Probe::Paraboloid { radius: 5e-4 },
         sphere_modulus: f64::INFINITY,
         film: solid(5e6, 0.4),
         film_thickness: 2e-6,

@@ -88,7 +88,7 @@ fn main_branch(assigned: &Assigned) -> Branch {
 /// Fits `F = 4 E*/(3 R) a^3 - sqrt(8 pi w E*) a^{3/2} + F0`, weighted as in the JKR plot.
 fn of_loads_at_radii(assigned: &Assigned, unknown: Unknown) -> Option<Homogeneous> {
     let experiment = &assigned.experiment;
-    let radius = experiment.bodies.sphere_radius();
+    let radius = experiment.bodies.probe().radius().unwrap_or(f64::NAN);
     let adhesive = unknown.work_of_adhesion || experiment.work_of_adhesion > 0.0;
     let apart = points_of(assigned, Branch::Baseline);
     let known_level = if apart.is_empty() || !unknown.level {
@@ -143,7 +143,7 @@ fn of_loads_at_radii(assigned: &Assigned, unknown: Unknown) -> Option<Homogeneou
 /// Fits `delta = a^2/R - sqrt(2 pi a w/E*) + c`.
 fn of_penetrations_at_radii(assigned: &Assigned, unknown: Unknown) -> Option<Homogeneous> {
     let experiment = &assigned.experiment;
-    let radius = experiment.bodies.sphere_radius();
+    let radius = experiment.bodies.probe().radius().unwrap_or(f64::NAN);
     let fit = |branch: Branch| {
         let points = points_of(assigned, branch);
         let rows = points.iter().map(|[a, penetration]| {
@@ -185,7 +185,7 @@ fn of_penetrations_at_radii(assigned: &Assigned, unknown: Unknown) -> Option<Hom
 /// `E*^{-2/3} (b^2/R - sqrt(2 pi b w))`, with a `b` that does not depend on `E*`.
 fn of_loads_at_positions(assigned: &Assigned, unknown: Unknown) -> Option<Homogeneous> {
     let experiment = &assigned.experiment;
-    let radius = experiment.bodies.sphere_radius();
+    let radius = experiment.bodies.probe().radius().unwrap_or(f64::NAN);
     let [level, slope] = baseline(assigned, unknown)?;
     let compliance = experiment
         .stiffness

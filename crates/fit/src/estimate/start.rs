@@ -144,7 +144,7 @@ fn starts(
 ) -> Result<Vec<(Parameter, f64)>, Error> {
     let experiment = &mut at.experiment;
     let [radius, load, _] = found.largest;
-    let sphere_radius = experiment.bodies.sphere_radius();
+    let sphere_radius = experiment.bodies.probe().radius().unwrap_or(f64::NAN);
     // Penetrations against radii tell the work of adhesion over the modulus only.
     let (scale, least) = match found.modulus {
         Some(_) => (1.0, load.abs() / sphere_radius),
@@ -243,7 +243,11 @@ fn matching_modulus(
         return first;
     }
     let excess = |logarithm: f64| -> Option<f64> {
-        let bodies = experiment.bodies.with(parameter, logarithm.exp()).ok()?;
+        let bodies = experiment
+            .bodies
+            .clone()
+            .with(parameter, logarithm.exp())
+            .ok()?;
         let contact = bodies.contact(table, false).ok()?;
         let w = experiment.work_of_adhesion;
         let predicted = if experiment.measurement.kind == Kind::LoadRadius {

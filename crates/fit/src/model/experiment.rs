@@ -1,26 +1,35 @@
 //! A measurement with all that is known about it.
 
-use interp::{Contact, Elastic, HalfSpace, System, Table};
+use interp::{Contact, Elastic, HalfSpace, Probe, System, Table};
 
 use super::{Kind, Measurement, Parameter};
 use crate::Error;
 
 /// The bodies in contact.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Bodies {
-    /// A sphere on a film on a substrate.
+    /// A probe on a film on a substrate.
     Coated(System),
-    /// A sphere on a half-space: JKR, or Hertz without adhesion. The parameters of the film are
+    /// A probe on a half-space: JKR, or Hertz without adhesion. The parameters of the film are
     /// those of the half-space.
     HalfSpace(HalfSpace),
 }
 
 impl Bodies {
-    /// Returns the radius of the sphere, m.
-    pub const fn sphere_radius(&self) -> f64 {
+    /// Returns the shape of the probe.
+    pub const fn probe(&self) -> &Probe {
         match self {
-            Self::Coated(system) => system.sphere_radius,
-            Self::HalfSpace(half_space) => half_space.sphere_radius,
+            Self::Coated(system) => &system.probe,
+            Self::HalfSpace(half_space) => &half_space.probe,
+        }
+    }
+
+    /// Returns the contact radius (m) that every contact must be below.
+    pub(crate) const fn largest_radius(&self) -> f64 {
+        match self.probe() {
+            Probe::Paraboloid { radius } | Probe::Sphere { radius } => *radius,
+            Probe::Profile(profile) => profile.end(),
+            _ => f64::INFINITY,
         }
     }
 
@@ -171,7 +180,7 @@ impl Experiment {
             Parameter::Baseline => self.baseline = value,
             Parameter::BaselineSlope => self.baseline_slope = value,
             Parameter::Stiffness => self.stiffness = Some(value),
-            _ => self.bodies = self.bodies.with(parameter, value)?,
+            _ => self.bodies = self.bodies.clone().with(parameter, value)?,
         }
         Ok(())
     }

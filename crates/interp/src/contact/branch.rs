@@ -249,7 +249,7 @@ impl<'a> Follower<'a> {
             if !(u >= section.u[0] && u <= section.u[1]) {
                 return Ok(None);
             }
-            let a = u.exp();
+            let a = contact.radius_at(u);
             let (at, [load, penetration]) = contact.state_and_slopes(a, work_of_adhesion)?;
             let slope = control.imposed(load, penetration);
             let step = (imposed - control.imposed(at.load, at.penetration)) / slope;

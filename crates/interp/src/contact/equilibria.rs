@@ -136,11 +136,11 @@ impl Contact {
         work_of_adhesion(w)?;
         control.check()?;
         let imposed = |u: f64| {
-            self.load_and_penetration(u.exp(), w)
+            self.load_and_penetration(self.radius_at(u), w)
                 .map(|(load, penetration)| control.imposed(load, penetration))
         };
         let slope = |u: f64| {
-            self.state_and_slopes(u.exp(), w)
+            self.state_and_slopes(self.radius_at(u), w)
                 .map(|(_, [load, penetration])| control.imposed(load, penetration))
         };
         let grid = self.search_grid()?;
@@ -369,7 +369,8 @@ impl Equilibria<'_> {
 
     /// Returns the state at the contact radius with logarithm `u`.
     pub(super) fn state(&self, u: f64) -> Result<State, Error> {
-        self.contact.state(u.exp(), self.work_of_adhesion)
+        self.contact
+            .state(self.contact.radius_at(u), self.work_of_adhesion)
     }
 
     /// Returns the imposed value of a state.

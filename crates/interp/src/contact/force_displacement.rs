@@ -129,7 +129,7 @@ impl Equilibria<'_> {
 
     /// Returns `points` states between the contact radii with logarithms `start` and `end`.
     fn states_between(&self, start: f64, end: f64, points: usize) -> Result<Vec<State>, Error> {
-        let [start, end] = [start.exp(), end.exp()];
+        let [start, end] = [start, end].map(|u| self.contact.radius_at(u));
         let part = |i: usize| i as f64 / (points - 1) as f64;
         let radius = |i: usize| (1.0 - part(i)) * start + part(i) * end;
         (0..points)

@@ -60,6 +60,15 @@ impl Sensitivities {
         &self.material
     }
 
+    /// Returns the derivatives of another curve of the material, whose pieces follow from those of
+    /// this one.
+    pub(crate) fn of_other(&self, other: impl Fn(&[Logarithms]) -> Arc<[Logarithms]>) -> Self {
+        Self {
+            by_table: self.by_table.each_ref().map(|by| other(by)),
+            ..self.clone()
+        }
+    }
+
     /// Returns the gradient at a position, whose quantities and slopes are given.
     pub(crate) fn gradient(
         &self,
@@ -117,17 +126,20 @@ impl QuantityGradient {
     /// large, where the quantities and their slopes are `values` and `slopes`.
     ///
     /// There the departures of `Pi0`, `Delta0`, `1/Eeq` and `1/Gamma` from their limits are `ratio`
-    /// times as large.
+    /// times as large. Under another shape than a paraboloid, `delta0` is by what factors the
+    /// departure of `Delta0`, and its limit, are as large.
     pub(crate) fn continued_to_thicker_films(
         self,
         ratio: f64,
         values: Quantities,
         slopes: Quantities,
+        delta0: Option<[f64; 2]>,
     ) -> Self {
         let change = |quantity: Quantity| values.get(quantity) / self.values.get(quantity);
-        let shares = Quantity::ALL.map(|quantity| match quantity {
-            Quantity::Pi0 | Quantity::Delta0 => ratio / change(quantity),
-            Quantity::Eeq | Quantity::Gamma => ratio * change(quantity),
+        let shares = Quantity::ALL.map(|quantity| match (quantity, delta0) {
+            (Quantity::Delta0, Some([share, half_space])) => share / change(quantity) * half_space,
+            (Quantity::Pi0 | Quantity::Delta0, _) => ratio / change(quantity),
+            (Quantity::Eeq | Quantity::Gamma, _) => ratio * change(quantity),
         });
         let mut relative = self.relative;
         for (relative, scale) in relative.iter_mut().zip(self.scale) {

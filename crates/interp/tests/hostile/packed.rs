@@ -2,7 +2,7 @@
 //! of at most a small multiple of their length.
 
 use allocation_counter::measure;
-use interp::{Elastic, Error, LowRank, Quantity, System, Table, Tiles};
+use interp::{Elastic, Error, LowRank, Probe, Quantity, System, Table, Tiles};
 
 use crate::tables::{self, PREFIX, look_up, with_prefix};
 
@@ -328,7 +328,7 @@ fn evaluating_a_contact_does_not_allocate() {
     let substrate = Elastic::new(2e11, 0.25).expect("physical");
     let film = Elastic::new(3.5e6, 0.5).expect("physical");
     let system = System {
-        sphere_radius: 1e-3,
+        probe: Probe::Paraboloid { radius: 1e-3 },
         sphere_modulus: 2e6,
         film,
         film_thickness: 1e-5,

@@ -107,7 +107,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     };
     let rows = try_map(0..points, row)?;
     bar.finish_and_clear();
-    if to > Validity::WARNING_A_OVER_R * system.sphere_radius {
+    if to > Validity::WARNING_A_OVER_R * arguments.system.sphere_radius {
         note(LARGE_CONTACT);
     }
     let mut writer = csv::Writer::from_writer(Vec::new());

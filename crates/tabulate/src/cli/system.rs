@@ -1,7 +1,7 @@
 //! The sphere, the film and the substrate, as the command line gives them.
 
 use anyhow::Context;
-use interp::{Elastic, System};
+use interp::{Elastic, Probe, System};
 
 /// The flags of a system, with the values of Barthel's Tables 1 and 2 as defaults.
 #[derive(clap::Args, Clone, Copy)]
@@ -37,7 +37,9 @@ impl SystemArguments {
     /// Returns the system. An error names the body.
     pub fn system(&self) -> anyhow::Result<System> {
         Ok(System {
-            sphere_radius: self.sphere_radius,
+            probe: Probe::Paraboloid {
+                radius: self.sphere_radius,
+            },
             sphere_modulus: self.sphere_modulus,
             film: Elastic::new(self.film_modulus, self.film_poisson_ratio).context("film")?,
             film_thickness: self.film_thickness,

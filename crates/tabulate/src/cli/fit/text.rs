@@ -102,7 +102,7 @@ fn fixed(fit: &Fit, experiment: &Experiment) -> Vec<(&'static str, String)> {
     };
     let mut rows = vec![(
         "sphere-radius",
-        text(experiment.bodies.sphere_radius(), "m"),
+        text(experiment.bodies.probe().radius().unwrap_or(f64::NAN), "m"),
     )];
     if let Bodies::Coated(system) = &experiment.bodies {
         rows.push(("substrate-modulus", text(system.substrate.young(), "Pa")));
