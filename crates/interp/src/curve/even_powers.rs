@@ -495,11 +495,8 @@ impl Source<'_> {
             let new = dispatch!(Level::new(), simd => {
                 group.integrated(simd, self.es, radius, &mut running)
             });
-            let own = pieces[4 * group.number..]
-                .iter_mut()
-                .zip(new)
-                .take(ends.len());
-            for (own, new) in own {
+            let group = own[4 * group.number..].iter_mut().zip(new);
+            for (own, new) in group.take(ends.len()) {
                 for (row, [load, penetration]) in own.iter_mut().zip(new) {
                     row[Quantity::Pi0 as usize] = load;
                     row[Quantity::Delta0 as usize] = penetration;
