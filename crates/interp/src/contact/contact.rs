@@ -86,7 +86,7 @@ impl Contact {
             });
         }
         let shape = Shape::on_film(system, &curve)?;
-        let mechanics = match Shape::largest_radius(&system.probe) {
+        let mechanics = match shape.largest_radius(system) {
             Some(most) => mechanics.with_largest_radius(most),
             None => mechanics,
         };

@@ -117,6 +117,8 @@ struct LogDerivatives {
     es: f64,
     /// Those of the four quantities, in the order of [`Quantity::ALL`](crate::Quantity::ALL).
     quantities: [f64; 4],
+    /// Those of the parameters of the material: `ln e1_over_e2`, `nu1`, `ln e0_over_e2` and `nu0`.
+    parameters: [f64; 4],
 }
 
 impl Contact {
@@ -313,7 +315,46 @@ impl Terms<'_> {
                 },
             }),
             Shape::Punch => Some(Pair::ZERO),
+            Shape::Solved(..) => self.without_adhesion_on_film(input, by).ok(),
         }
+    }
+
+    /// Returns the derivatives of load and penetration without adhesion under a shape that is solved
+    /// on a film.
+    fn without_adhesion_on_film(&self, input: Input, by: &LogDerivatives) -> Result<Pair, Error> {
+        let (contact, a) = (self.contact, self.a);
+        let Pair { load, penetration } = self.without;
+        Ok(match input {
+            Input::ContactRadius => {
+                let (_, slopes) = contact.adhesionless_and_slopes(a)?;
+                slopes.times(1.0 / a)
+            }
+            Input::SphereRadius => contact.by_size(a)?.times(by.sphere_radius),
+            // The penetration is a length, and the load a modulus times its square.
+            Input::FilmThickness => {
+                let (_, slopes) = contact.adhesionless_and_slopes(a)?;
+                let size = contact.by_size(a)?;
+                let t = contact.system().map_or(1.0, |system| system.film_thickness);
+                Pair {
+                    load: 2.0 * load - slopes.load - size.load,
+                    penetration: penetration - slopes.penetration - size.penetration,
+                }
+                .times(1.0 / t)
+            }
+            _ => {
+                let mut sum = Pair {
+                    load: load * (by.modulus + by.es),
+                    penetration: 0.0,
+                };
+                let changes = by.parameters.iter().enumerate();
+                for (parameter, &factor) in changes.filter(|(_, factor)| **factor != 0.0) {
+                    let own = contact.by_parameter(parameter, a)?.times(factor);
+                    sum.load += own.load;
+                    sum.penetration += own.penetration;
+                }
+                sum
+            }
+        })
     }
 
     /// Returns the derivatives of the logarithms of the factors with respect to one input.
@@ -449,6 +490,7 @@ fn elastic_derivatives(
         .filter(|&(_, factor)| factor != 0.0)
     {
         let derivatives = gradient.relative(parameter)?;
+        logarithms.parameters[parameter] = unit * factor;
         logarithms.es += unit * factor * gradient.scale(parameter);
         logarithms
             .quantities

@@ -174,6 +174,19 @@ impl Curve {
         })
     }
 
+    /// Returns the derivatives, with respect to a parameter by number as in
+    /// [`QuantityGradient::relative`], of the logarithms of `Pi0`, `Eeq` and `Gamma` over `es`
+    /// between the nodes, and of the last one also the derivative with respect to `a_over_t`.
+    pub(crate) fn over_es_by(&self, parameter: usize, a_over_t: f64) -> Result<[f64; 4], Error> {
+        let sensitivities = self.sensitivities.as_ref().ok_or(Error::NoGradient)?;
+        let x = self
+            .inside(a_over_t)
+            .ok_or_else(|| self.outside(a_over_t))?;
+        let by = sensitivities.over_es(self.grid.locate(x), parameter);
+        let [pi0, eeq, gamma, slope] = by.ok_or(Error::FixedParameter("the material"))?;
+        Ok([pi0, eeq, gamma, slope * self.grid.logarithmic_speed(x) / x])
+    }
+
     /// Returns the derivatives of the logarithms of load and penetration without adhesion with
     /// respect to that of all lengths of the shape, on a curve of [`Self::of_even_shape`].
     pub(crate) fn by_size(&self, a_over_t: f64) -> Result<[f64; 2], Error> {

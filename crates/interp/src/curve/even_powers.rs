@@ -32,7 +32,7 @@
 //!
 //! With `b'' = sum_k beta_k s^(2k)` the first line is `delta0' = (es/Gamma^2) sum_k beta_k a^(2k+1)
 //! mu_2k`, and `F0' = S delta0'`. So only these two sums are integrated, and `delta0` and `F0` are
-//! continuous although the `beta_k` are others for every four pieces. For small `a/R` they are the
+//! continuous although the `beta_k` are others on every piece. For small `a/R` they are the
 //! first terms of the series of `b = s artanh(s/R)`; above, those of the polynomial in `s^2` that
 //! equals `b'/s` at six Chebyshev points of the contact.
 //!
@@ -487,7 +487,7 @@ impl Source<'_> {
             let lanes = std::array::from_fn(|lane| lane.min(ends.len() - 1));
             let group = Group {
                 ends: lanes.map(|lane: usize| ends[lane]),
-                weights: change(shape.weights(ends[ends.len() - 1][1], unit)),
+                weights: lanes.map(|lane| change(shape.weights(ends[lane][1], unit))),
                 pieces: lanes.map(|lane| &self.pieces[4 * group + lane]),
                 start: (group == 0).then(|| self.grid.locate(self.range[0]).t),
                 number: group,
@@ -570,8 +570,7 @@ impl Running {
 struct Group<'a> {
     /// Their ends, in units of the grid.
     ends: [[f64; 2]; 4],
-    /// The weights up to the end of the last one.
-    weights: Weights,
+    weights: [Weights; 4],
     pieces: [&'a Values; 4],
     /// The place of the first node on the first piece, in the first group.
     start: Option<f64>,
@@ -613,12 +612,13 @@ impl Group<'_> {
         one[0] = f64x4::splat(simd, 1.0);
         let inverse = quotient(simd, &one, &square);
 
-        let terms = self.weights.terms;
+        let terms = self.weights.iter().map(|weights| weights.terms);
+        let terms = terms.max().unwrap_or(1);
         if terms > running.terms {
             running.extend(terms, self.ends[0][0]);
         }
         running.terms = terms;
-        let beta = |k: usize| f64x4::splat(simd, self.weights.beta[k]);
+        let beta = |k: usize| vector(self.weights.each_ref().map(|weights| weights.beta[k]));
         // The sum of the weighted moments. The moment of order 0 is that of the stiffness.
         let mut flux = stiffness;
         scale(&mut flux, beta(0));

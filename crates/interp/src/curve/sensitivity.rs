@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::curve::grid::Position;
-use crate::curve::piecewise::{Logarithms, evaluate_all};
+use crate::curve::piecewise::{Logarithms, evaluate_all, evaluate_derivatives};
 use crate::material::equivalence::Jacobian;
 use crate::material::one_minus_square;
 use crate::{Error, Material, Normalisation, Parameter, Quantities, Quantity};
@@ -58,6 +58,29 @@ impl Sensitivities {
     /// Returns the material asked for.
     pub(crate) const fn material(&self) -> &Material {
         &self.material
+    }
+
+    /// Returns the derivatives, with respect to a parameter of the material asked for by number, of
+    /// the logarithms of `Pi0`, `Eeq` and `Gamma` over `es`, and of the last one also the derivative
+    /// with respect to the position on its piece; `None` if the table fixes what they need.
+    pub(crate) fn over_es(&self, position: Position, parameter: usize) -> Option<[f64; 4]> {
+        let mut sums = [0.0; 4];
+        for (i, by_table) in self.by_table.iter().enumerate() {
+            let factor = self.jacobian[i][parameter];
+            if factor == 0.0 {
+                continue;
+            }
+            if !self.known[i] {
+                return None;
+            }
+            let piece = &by_table[position.piece];
+            let [pi0, eeq, gamma, _] = evaluate_all(piece, position);
+            let slope = evaluate_derivatives(piece, position)[Quantity::Gamma as usize];
+            for (sum, by) in sums.iter_mut().zip([pi0, eeq, gamma, slope]) {
+                *sum += factor * by;
+            }
+        }
+        Some(sums)
     }
 
     /// Returns the derivatives of another curve of the material, whose pieces follow from those of

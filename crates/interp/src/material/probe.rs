@@ -7,7 +7,7 @@ use crate::material::profile::Profile;
 use crate::material::system::positive;
 
 /// The largest exponent of [`Probe::PowerLaw`].
-const LARGEST_EXPONENT: f64 = 50.0;
+const LARGEST_EXPONENT: f64 = 20.0;
 
 /// The shape of the probe: its distance `f(r)` from the plane through its lowest point, at the
 /// distance `r` from its axis.
@@ -57,7 +57,7 @@ pub enum Probe {
     PowerLaw {
         /// The coefficient `c`, in m to the power `1 - n`.
         coefficient: f64,
-        /// The exponent `n`, any real number from 1 to 50. Below 1 the tip would be a spike of
+        /// The exponent `n`, any real number from 1 to 20. Below 1 the tip would be a spike of
         /// infinite slope.
         exponent: f64,
     },
@@ -142,7 +142,7 @@ impl Probe {
                     (1.0..=LARGEST_EXPONENT).contains(&exponent),
                     "exponent of the power law",
                     exponent,
-                    "from 1 to 50",
+                    "from 1 to 20",
                 )
             }
             Self::Cone { half_angle } => angle(half_angle),

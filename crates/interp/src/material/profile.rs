@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::Error;
 
 /// The largest number of points of a profile.
-const MOST_POINTS: usize = 1000;
+const MOST_POINTS: usize = 200;
 /// The part by which a slope may fall below the slope before it, for the rounding of text.
 const ROUNDING: f64 = 1e-9;
 
@@ -32,11 +32,14 @@ impl Profile {
     /// [`Error::Profile`] with the number of the row, from 1, for a number that is not finite, an
     /// `r` that is negative or not larger than the one before, a `z` that falls, or a slope smaller
     /// than the one before, because a contact is one disc under a convex shape only; and for fewer
-    /// than 2 or more than 1000 points.
+    /// than 2 or more than 200 points.
     pub fn new(points: &[[f64; 2]]) -> Result<Self, Error> {
         let refuse = |row: usize, reason: &'static str| Err(Error::Profile { row, reason });
         if points.len() > MOST_POINTS {
-            return refuse(MOST_POINTS + 1, "a profile has at most 1000 points");
+            return refuse(
+                MOST_POINTS + 1,
+                "a profile has at most 200 points: give fewer, such as means over several rows",
+            );
         }
         let on_axis = points.first().is_some_and(|point| point[0] == 0.0);
         let origin = if on_axis { points[0] } else { [0.0, 0.0] };
@@ -124,9 +127,9 @@ mod tests {
         assert_eq!(row(&[[0.0, 0.0], [1.0, -1.0]]), 2);
         assert_eq!(row(&[[0.0, 1.0], [1.0, 1.0]]), 2);
         assert_eq!(row(&[[-1.0, 1.0], [1.0, 2.0]]), 1);
-        let many: Vec<[f64; 2]> = (0..1001)
+        let many: Vec<[f64; 2]> = (0..201)
             .map(|i| [f64::from(i), f64::from(i).powi(2)])
             .collect();
-        assert_eq!(row(&many), 1001);
+        assert_eq!(row(&many), 201);
     }
 }

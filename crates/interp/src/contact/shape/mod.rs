@@ -3,9 +3,21 @@
 //! A shape gives the load `F0(a)` and the penetration `delta0(a)` of a contact of radius `a`
 //! without adhesion; `F0' = S delta0'`. `transform` holds its transform `b(s)`, which is all that
 //! is needed on a half-space.
+//!
+//! On a film, even powers of the radius and the sphere follow from the curve of the material by
+//! integrals, see the page `curve/even_powers.rs` of the source. For all other shapes `field`
+//! computes the stress of the flat punch at all smaller radii from the `Gamma` of a `medium`, and
+//! `solved` integrates the shape over it; `polynomial` serves both.
 
+mod field;
+mod medium;
+mod polynomial;
+mod solved;
 pub(super) mod transform;
 
+use std::sync::Arc;
+
+use self::solved::{SIZE, Solved};
 use self::transform::{Transform, kappa};
 use crate::curve::{EvenShape, LARGEST_A_OVER_R};
 use crate::{Contact, Curve, Error, Probe, Quantities, Quantity, System};
@@ -22,6 +34,8 @@ pub(super) enum Shape {
         /// of the material.
         curve: Option<Curve>,
     },
+    /// From the field of the flat punch, on a film.
+    Solved(Arc<Solved>),
     /// In closed form, on a half-space.
     HalfSpace(Transform),
     /// They are 0 at the only contact radius, that of a flat punch.
@@ -40,6 +54,14 @@ impl Pair {
         load: 0.0,
         penetration: 0.0,
     };
+
+    /// Returns both times a factor.
+    pub(super) const fn times(self, factor: f64) -> Self {
+        Self {
+            load: self.load * factor,
+            penetration: self.penetration * factor,
+        }
+    }
 }
 
 /// The exponents of power laws that follow from even powers.
@@ -56,9 +78,10 @@ impl Shape {
 
     /// Returns the largest contact radius (m) that is computed on a film, if the probe itself has
     /// larger ones.
-    pub(super) fn largest_radius(probe: &Probe) -> Option<f64> {
-        match probe {
-            Probe::Sphere { radius } => Some(LARGEST_A_OVER_R * radius),
+    pub(super) fn largest_radius(&self, system: &System) -> Option<f64> {
+        match (self, &system.probe) {
+            (Self::Solved(solved), _) => Some(solved.last() * system.film_thickness),
+            (_, Probe::Sphere { radius }) => Some(LARGEST_A_OVER_R * radius),
             _ => None,
         }
     }
@@ -94,12 +117,17 @@ impl Shape {
                 let k = (0.5 * exponent) as usize - 1;
                 even(EvenShape::Power { factor, k }, t)
             }
-            Probe::FlatPunch { .. } => Ok(Self::Punch),
-            _ => Err(Error::OtherProbe {
-                question: "a contact on a film",
-                probe: probe.name(),
-                reason: "",
-            }),
+            _ => {
+                let Some(transform) = Transform::of(probe) else {
+                    return Ok(Self::Punch);
+                };
+                let most = match probe {
+                    Probe::Profile(profile) => profile.end() / t,
+                    _ => f64::INFINITY,
+                };
+                let solved = Solved::new(curve, transform.in_units_of(t), most)?;
+                Ok(Self::Solved(Arc::new(solved)))
+            }
         }
     }
 
@@ -124,6 +152,7 @@ impl Contact {
                 Ok(self.mechanics.adhesionless(a, *radius, pi0, delta0))
             }
             Shape::HalfSpace(transform) => Ok(self.on_half_space(transform, a)),
+            Shape::Solved(solved) => Ok(self.on_film(solved, a)?.0),
             Shape::Punch => Ok(Pair::ZERO),
         }
     }
@@ -231,6 +260,7 @@ impl Contact {
             Shape::HalfSpace(transform) => {
                 (self.on_half_space(transform, a), a * transform.slope(a))
             }
+            Shape::Solved(solved) => self.on_film(solved, a)?,
             Shape::Punch => return Err(self.makes_no_sense("a change of the contact radius")),
         };
         let by_radius = Pair {
@@ -248,6 +278,46 @@ impl Contact {
             load: 2.0 * modulus * (a * b - transform.integral(a)),
             penetration: b,
         }
+    }
+
+    /// Returns load and penetration on a film, and the derivative of the penetration with respect to
+    /// `ln a`.
+    fn on_film(&self, solved: &Solved, a: f64) -> Result<(Pair, f64), Error> {
+        let t = self.film_thickness();
+        let values = solved.values(a / t)?;
+        let pair = Pair {
+            load: self.mechanics.sphere_film_modulus() * t * t * values.load,
+            penetration: t * values.penetration,
+        };
+        Ok((pair, a * values.slope))
+    }
+
+    /// Returns the derivatives of load and penetration without adhesion with respect to a parameter
+    /// of the material by number, at a fixed modulus of sphere and film.
+    pub(super) fn by_parameter(&self, parameter: usize, a: f64) -> Result<Pair, Error> {
+        match (&self.shape, self.curve()) {
+            (Shape::Solved(solved), Some(curve)) => {
+                let t = self.film_thickness();
+                let [penetration, load] = solved.by(curve, parameter, a / t)?;
+                Ok(Pair {
+                    load: self.mechanics.sphere_film_modulus() * t * t * load,
+                    penetration: t * penetration,
+                })
+            }
+            _ => Ok(Pair::ZERO),
+        }
+    }
+
+    /// Returns the derivatives of load and penetration without adhesion with respect to the
+    /// logarithm of all lengths of the shape.
+    pub(super) fn by_size(&self, a: f64) -> Result<Pair, Error> {
+        self.by_parameter(SIZE, a)
+    }
+
+    /// Returns the thickness of the film, m; infinity on a half-space.
+    fn film_thickness(&self) -> f64 {
+        self.system()
+            .map_or(f64::INFINITY, |system| system.film_thickness)
     }
 
     /// Returns whether the probe is a flat punch, whose contact has one radius.
