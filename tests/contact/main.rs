@@ -8,4 +8,5 @@ mod crack_tip;
 mod equilibria;
 mod gradient;
 mod half_space;
+mod shapes;
 mod sphere_radius;

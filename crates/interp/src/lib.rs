@@ -105,7 +105,7 @@ mod table;
 
 #[cfg(feature = "dynamics")]
 pub use contact::TimedState;
-pub use contact::{AdhesionRange, FilmValidity, Validity};
+pub use contact::{AdhesionRange, FilmValidity, Neglected, Validity};
 pub use contact::{Branch, Control, Equilibria, Equilibrium, ForceDisplacement, Jump};
 pub use contact::{Contact, ContactGradient, Derivatives, Input, State};
 pub use contact::{ContactLine, CrackTip, Hysteresis, RateDependent};

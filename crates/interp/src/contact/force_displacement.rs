@@ -65,6 +65,9 @@ impl Equilibria<'_> {
     /// ```
     pub fn force_displacement(&self, most: f64, points: usize) -> Result<ForceDisplacement, Error> {
         number_of_points(points)?;
+        if self.contact.is_punch() {
+            return self.of_punch(most, points);
+        }
         let u_turn = self.loading(most)?.contact_radius.ln();
         self.loading(0.0)?;
         self.pull_off()?;
@@ -123,6 +126,40 @@ impl Equilibria<'_> {
         Ok(ForceDisplacement {
             loading,
             unloading,
+            jumps,
+        })
+    }
+
+    /// Returns the curve of a flat punch, with states evenly spaced in the imposed value.
+    fn of_punch(&self, most: f64, points: usize) -> Result<ForceDisplacement, Error> {
+        self.loading(most)?;
+        let apart = self.pull_off()?;
+        let between = |from: f64, to: f64| -> Result<Vec<State>, Error> {
+            let part = |i: usize| i as f64 / (points - 1) as f64;
+            (0..points)
+                .map(|i| self.unloading((1.0 - part(i)) * from + part(i) * to))
+                .collect()
+        };
+        let loading = between(0.0, most)?;
+        let mut unloading = between(most, self.imposed(&apart))?;
+        let jumps = if self.adhesionless() {
+            Vec::new()
+        } else {
+            // Rounding must not hide the state of the pull-off.
+            unloading[points - 1] = apart;
+            let touch = Jump {
+                from: State::ORIGIN,
+                to: Some(loading[0]),
+            };
+            let separation = Jump {
+                from: apart,
+                to: self.separated(&apart),
+            };
+            vec![touch, separation]
+        };
+        Ok(ForceDisplacement {
+            loading: vec![loading],
+            unloading: vec![unloading],
             jumps,
         })
     }

@@ -213,6 +213,7 @@ impl Contact {
             penetration: without.penetration - lowered.penetration,
             without,
             lowered,
+            stiffness: self.mechanics.stiffness(a, values.eeq),
         })
     }
 }
@@ -230,6 +231,8 @@ pub(super) struct Terms<'a> {
     without: Pair,
     /// By how much adhesion lowers them.
     lowered: Pair,
+    /// The stiffness of the contact, N/m.
+    stiffness: f64,
 }
 
 impl Terms<'_> {
@@ -251,6 +254,22 @@ impl Terms<'_> {
             load: without.load - lowered.load * (contact_radius + edge + eeq - gamma),
             penetration: without.penetration - lowered.penetration * (edge - modulus - gamma),
         })
+    }
+
+    /// Returns the stiffness of the contact, N/m.
+    pub(super) fn stiffness(&self) -> f64 {
+        self.stiffness
+    }
+
+    /// Returns the derivative of the logarithm of the stiffness with respect to one input; `None` if
+    /// it is not known.
+    pub(super) fn stiffness_by(&self, input: Input) -> Option<f64> {
+        if input == Input::WorkOfAdhesion {
+            return Some(0.0);
+        }
+        let by = self.logarithms(input)?;
+        let [_, eeq, ..] = by.quantities;
+        Some(by.contact_radius + by.modulus + eeq)
     }
 
     /// Returns the derivatives of load and penetration without adhesion with respect to one input;
@@ -296,14 +315,14 @@ impl Terms<'_> {
                 Input::ContactRadius => {
                     let b = transform.slope(self.a);
                     Pair {
-                        load: self.contact.mechanics.stiffness(self.a, 1.0) * b,
+                        load: self.stiffness * b,
                         penetration: b,
                     }
                 }
                 // `b(s; R)` is `R` times a function of `s/R`: its derivative is `(b - s b')/R`.
                 Input::SphereRadius => {
                     let own = self.a * transform.slope(self.a);
-                    let stiffness = self.contact.mechanics.stiffness(self.a, 1.0);
+                    let stiffness = self.stiffness;
                     Pair {
                         load: by.sphere_radius * (2.0 * load - stiffness * own),
                         penetration: by.sphere_radius * (penetration - own),

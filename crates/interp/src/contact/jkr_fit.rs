@@ -113,6 +113,7 @@ impl Contact {
     /// 2 to 1,000,000.
     pub fn jkr_fit(&self, w: f64, [from, to]: [f64; 2], points: usize) -> Result<JkrFit, Error> {
         number_of_points(points)?;
+        self.with_radius_of_curvature("a JKR plot")?;
         let radius = |i: usize| from + (to - from) * (i as f64 / (points - 1) as f64);
         let point = |a: f64| Ok(self.mechanics().jkr_point(a, self.load(a, w)?));
         let points = (0..points)
@@ -163,6 +164,20 @@ impl Contact {
             modulus: fit.modulus / bare - 1.0,
             work_of_adhesion,
             work_of_adhesion_at_known_modulus,
+        })
+    }
+
+    /// Accepts a probe with a radius of curvature, which JKR needs. `question` is what is asked for.
+    pub(super) fn with_radius_of_curvature(&self, question: &'static str) -> Result<f64, Error> {
+        let radius = self.mechanics().sphere_radius();
+        if radius.is_finite() {
+            return Ok(radius);
+        }
+        Err(Error::OtherProbe {
+            question,
+            probe: self.mechanics().probe(),
+            reason: "it needs the radius of curvature at the tip; use a paraboloid, a sphere or a \
+                     rounded cone",
         })
     }
 

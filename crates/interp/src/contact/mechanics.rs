@@ -9,7 +9,7 @@ use crate::material::system::positive;
 use crate::{Error, HalfSpace, Normalisation, Probe, Quantities, System};
 
 /// The contact radius (m) below which contacts of a probe without a largest radius are.
-const LARGEST: f64 = 1e60;
+const LARGEST: f64 = 1e3;
 
 /// A point of the reduced "JKR plot" of eq. 9, a straight line for a homogeneous system.
 #[derive(Clone, Copy, Debug, PartialEq)]

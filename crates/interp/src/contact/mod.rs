@@ -38,4 +38,4 @@ pub use force_displacement::{ForceDisplacement, Jump};
 pub use gradient::{ContactGradient, Derivatives, Input};
 pub use jkr_fit::{FilmBias, JkrFit};
 pub use mechanics::{JkrPoint, Mechanics};
-pub use validity::{AdhesionRange, FilmValidity, Validity};
+pub use validity::{AdhesionRange, FilmValidity, Neglected, Validity};

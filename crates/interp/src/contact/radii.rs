@@ -9,6 +9,8 @@ const SMALLEST: f64 = 1e-60;
 /// The largest radius of a search over that of the shape, which a contact must stay below. A radius
 /// keeps this distance through its logarithm and back.
 const BELOW_LARGEST: f64 = 1.0 - 1e-12;
+/// The relative rounding of a radius through its logarithm and back.
+const ROUNDING: f64 = 1e-14;
 
 impl Contact {
     /// Returns the smallest and the largest contact radius (m) among which states are sought.
@@ -19,7 +21,7 @@ impl Contact {
     /// replace 0 by 1e-60 m (or by the radius of the smallest node, if that is smaller).
     ///
     /// Under another probe than a sphere the range ends where the shape is known no further, and at
-    /// 1e60 m at most. That of a flat end begins at its radius, and that of a flat punch consists of
+    /// 1e3 m at most. That of a flat end begins at its radius, and that of a flat punch consists of
     /// its radius.
     ///
     /// The range is empty, its beginning above its end, if the curve has no radius below `R`.
@@ -38,7 +40,12 @@ impl Contact {
     /// exactly the end.
     pub(super) fn radius_at(&self, u: f64) -> f64 {
         let [least, _] = self.mechanics().radii();
-        u.exp().max(least)
+        let a = u.exp();
+        if a <= least * (1.0 + ROUNDING) {
+            least
+        } else {
+            a
+        }
     }
 
     /// Returns the smallest and the largest contact radius (m) of the curve's nodes; `None` on a

@@ -119,6 +119,23 @@ impl Probe {
         }
     }
 
+    /// Returns the slope `f'(a)` of the shape at a radius, that of the paraboloid for a sphere.
+    pub(crate) fn slope(&self, a: f64) -> f64 {
+        match *self {
+            Self::Paraboloid { radius } | Self::Sphere { radius } => a / radius,
+            Self::PowerLaw {
+                coefficient,
+                exponent,
+            } => coefficient * exponent * a.powf(exponent - 1.0),
+            Self::Cone { half_angle } | Self::FlatEndedCone { half_angle, .. } => {
+                half_angle.tan().recip()
+            }
+            Self::RoundedCone { radius, half_angle } => (a / radius).min(half_angle.tan().recip()),
+            Self::FlatPunch { .. } => 0.0,
+            Self::Profile(ref profile) => profile.slope(a),
+        }
+    }
+
     /// Accepts a shape with positive lengths and possible angles.
     pub(crate) fn check(&self) -> Result<(), Error> {
         let angle = |half_angle: f64| {

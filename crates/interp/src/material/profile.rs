@@ -88,6 +88,17 @@ impl Profile {
         self.end
     }
 
+    /// Returns the slope at a radius (m).
+    pub(crate) fn slope(&self, r: f64) -> f64 {
+        let last = self.slopes.len() - 1;
+        let i = self
+            .slopes
+            .partition_point(|bend| bend[0] <= r)
+            .clamp(1, last);
+        let [before, after] = [self.slopes[i - 1], self.slopes[i]];
+        before[1] + (after[1] - before[1]) * (r - before[0]) / (after[0] - before[0])
+    }
+
     /// Returns the radii (m) at which the slope bends, ascending from 0, and the slopes there.
     pub(crate) fn slopes(&self) -> &[[f64; 2]] {
         &self.slopes

@@ -56,6 +56,17 @@ impl Field {
         while ends[ends.len() - 1] < 2.0 * last {
             ends.push(SQRT_2 * ends[ends.len() - 1]);
         }
+        Self::on_blocks(medium, ends, last)
+    }
+
+    /// Solves for a material that differs from that of this field a little, on the same blocks, so
+    /// that the errors of both nearly cancel in a difference.
+    pub(super) fn with_medium(&self, medium: Medium) -> Result<Self, Error> {
+        Self::on_blocks(medium, self.ends.clone(), self.last)
+    }
+
+    /// Solves on given blocks.
+    fn on_blocks(medium: Medium, ends: Vec<f64>, last: f64) -> Result<Self, Error> {
         let count = ends.len() - 1;
         let points = &*CHEBYSHEV;
         let at = |block: usize, i: usize| {

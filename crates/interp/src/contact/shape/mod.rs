@@ -20,7 +20,7 @@ use std::sync::Arc;
 use self::solved::{SIZE, Solved};
 use self::transform::{Transform, kappa};
 use crate::curve::{EvenShape, LARGEST_A_OVER_R};
-use crate::{Contact, Curve, Error, Probe, Quantities, Quantity, System};
+use crate::{Contact, Curve, Elastic, Error, Probe, Quantities, Quantity, System};
 
 use super::contact::Bodies;
 
@@ -325,6 +325,20 @@ impl Contact {
         matches!(self.shape, Shape::Punch)
     }
 
+    /// Returns the radius (m) on a half-space from which turning points are sought on a grid; `None`
+    /// for a shape without an end, under which there is one.
+    pub(super) fn first_of_grid(&self) -> Option<f64> {
+        /// The part of the smallest radius of a bend where the bend does not matter yet.
+        const BEFORE: f64 = 1e-3;
+        let Shape::HalfSpace(transform) = &self.shape else {
+            return None;
+        };
+        let mut knots = transform.knots().iter().map(|knot| knot.radius);
+        knots
+            .find(|radius| *radius > 0.0)
+            .map(|radius| BEFORE * radius)
+    }
+
     /// Returns whether the smallest contact has a positive radius, as that of a flat end.
     pub(super) const fn has_flat_end(&self) -> bool {
         self.mechanics.radii()[0] > 0.0
@@ -337,6 +351,14 @@ impl Contact {
             probe: self.mechanics.probe(),
             reason: "its contact has one radius, that of the punch; ask for `Contact::pull_off`, \
                      `Contact::stiffness` or the equilibria at a load or penetration",
+        }
+    }
+
+    /// Returns the solid that touches the probe, and the modulus of the probe.
+    pub(super) const fn touched(&self) -> (Elastic, f64) {
+        match &self.bodies {
+            Bodies::Coated { system, .. } => (system.film, system.sphere_modulus),
+            Bodies::HalfSpace(system) => (system.solid, system.sphere_modulus),
         }
     }
 

@@ -60,7 +60,7 @@ impl Solved {
         curve.accept_integrals("the contact of this probe")?;
         let field = Arc::new(Field::new(Medium::new(curve, None)?, most)?);
         Ok(Self {
-            own: Solution::new(field, transform)?,
+            own: Solution::new(field.clone(), transform, scale(&field)?)?,
             changed: Arc::default(),
         })
     }
@@ -80,15 +80,18 @@ impl Solved {
         let cell = &self.changed[parameter];
         if cell.get().is_none() {
             let Solution {
-                field, transform, ..
+                field,
+                transform,
+                scale,
+                ..
             } = &self.own;
             let change = |step: f64| {
                 if parameter == SIZE {
-                    return Solution::new(field.clone(), transform.scaled(1.0 + step));
+                    return Solution::new(field.clone(), transform.scaled(1.0 + step), *scale);
                 }
                 let medium = Medium::new(curve, Some((parameter, step)))?;
-                let field = Field::new(medium, field.last)?;
-                Solution::new(Arc::new(field), transform.clone())
+                let field = field.with_medium(medium)?;
+                Solution::new(Arc::new(field), transform.clone(), *scale)
             };
             let both = [change(STEP)?, change(-STEP)?];
             // Another thread may have been faster; its solutions are the same.
@@ -108,6 +111,8 @@ impl Solved {
 struct Solution {
     field: Arc<Field>,
     transform: Transform,
+    /// The contact radius at which the film begins to count.
+    scale: f64,
     panels: Vec<Panel>,
 }
 
@@ -129,7 +134,7 @@ impl Panel {
         2.0 * if self.root { part.sqrt() } else { part } - 1.0
     }
 
-    /// Returns the contact radius of a position, and half of its derivative.
+    /// Returns the contact radius of a position, and its derivative.
     fn radius(&self, t: f64) -> [f64; 2] {
         let length = self.to - self.from;
         let part = 0.5 * (t + 1.0);
@@ -142,13 +147,14 @@ impl Panel {
 }
 
 impl Solution {
-    fn new(field: Arc<Field>, transform: Transform) -> Result<Self, Error> {
+    fn new(field: Arc<Field>, transform: Transform, scale: f64) -> Result<Self, Error> {
         let mut solution = Self {
             field,
             transform,
+            scale,
             panels: Vec::new(),
         };
-        let ends = solution.ends()?;
+        let ends = solution.ends();
         let first = ends[0].0;
         if first >= solution.field.last && ends[0].1 {
             return Err(Error::OutsideTable {
@@ -212,58 +218,55 @@ impl Solution {
     }
 
     /// Returns the ends of the panels, and whether a knot of the shape is there.
-    fn ends(&self) -> Result<Vec<(f64, bool)>, Error> {
+    fn ends(&self) -> Vec<(f64, bool)> {
         let field = &self.field;
-        let knots: Vec<f64> = self
+        let knots = self.transform.knots().iter().map(|knot| knot.radius);
+        let flat_end = self
             .transform
             .knots()
-            .iter()
-            .map(|knot| knot.radius)
-            .collect();
-        let flat_end = knots.first().copied().unwrap_or(0.0);
+            .first()
+            .map_or(0.0, |knot| knot.radius);
         let start = field.first().max(flat_end);
-        let mut scale = field.last;
-        for &end in &field.ends()[1..] {
-            if end < field.last && field.medium.at(end)?.gamma.ln().abs() > BEGINS_TO_COUNT {
-                scale = end;
-                break;
-            }
-        }
-        let mut ends = vec![(start, flat_end >= start)];
-        let inner = knots
-            .iter()
-            .filter(|&&knot| knot > start && knot < field.last);
-        ends.extend(inner.map(|&knot| (knot, true)));
-        let graded: Vec<f64> = ends.iter().filter(|end| end.1).map(|end| end.0).collect();
-        let blocks = field.ends().iter().copied();
+        let inside = |end: &f64| *end > start && *end < field.last;
+        let mut ends = vec![(start, flat_end >= start), (field.last, false)];
+        ends.extend(knots.filter(inside).map(|knot| (knot, true)));
         ends.extend(
-            blocks
-                .filter(|&end| end > start && end < field.last)
+            field
+                .ends()
+                .iter()
+                .copied()
+                .filter(inside)
                 .map(|end| (end, false)),
         );
-        for (i, &knot) in graded.iter().enumerate() {
-            let next = graded.get(i + 1).copied().unwrap_or(field.last);
-            let mut distance = knot.min(scale);
-            while knot + distance < next {
-                ends.push((knot + distance, false));
-                distance *= 2.0;
-            }
-        }
-        ends.push((field.last, false));
-        ends.sort_by(|a, b| a.0.total_cmp(&b.0));
         // Of ends that are nearly equal the knot stays.
-        let mut kept: Vec<(f64, bool)> = Vec::with_capacity(ends.len());
-        for end in ends {
-            match kept.last_mut() {
-                Some(last) if end.0 <= last.0 * (1.0 + 1e-6) => {
-                    if end.1 && !last.1 {
-                        *last = end;
-                    }
-                }
-                _ => kept.push(end),
+        ends.sort_by(|a, b| a.0.total_cmp(&b.0));
+        ends.dedup_by(|next, last| {
+            let equal = next.0 <= last.0 * (1.0 + 1e-6);
+            if equal && next.1 && !last.1 {
+                *last = *next;
+            }
+            equal
+        });
+        // From a knot on, the panels grow with the distance from it.
+        let mut graded = Vec::with_capacity(2 * ends.len());
+        let mut knot = None;
+        for pair in ends.windows(2) {
+            let ([(mut from, at_knot), (to, _)], mut root) = ([pair[0], pair[1]], pair[0].1);
+            if at_knot {
+                knot = Some(from);
+            }
+            while from < to {
+                graded.push((from, root));
+                from = match knot {
+                    Some(knot) if root => to.min(knot + self.scale.min(knot)),
+                    Some(knot) => to.min(2.0 * from - knot),
+                    None => to,
+                };
+                root = false;
             }
         }
-        Ok(kept)
+        graded.extend(ends.last());
+        graded
     }
 
     /// Returns penetration and load of a thick film, in which the mean of the contact moves only.
@@ -371,6 +374,16 @@ impl Solution {
         }
         sum
     }
+}
+
+/// Returns the contact radius at which the film begins to count; the largest one if it never does.
+fn scale(field: &Field) -> Result<f64, Error> {
+    for &end in &field.ends()[1..] {
+        if end < field.last && field.medium.at(end)?.gamma.ln().abs() > BEGINS_TO_COUNT {
+            return Ok(end);
+        }
+    }
+    Ok(field.last)
 }
 
 /// Returns the integral at the points of a panel, from its value at the beginning.
