@@ -165,3 +165,52 @@ fn a_radius_that_is_not_small_beside_the_spheres_is_warned_of_once() {
         assert_eq!(Data::parse("curve", &run.stdout).cases().count(), 150);
     }
 }
+
+/// The rows of a cone on a half-space are those of Sneddon, and flags that do not belong together
+/// are errors that name the flag.
+#[test]
+fn the_shape_of_the_probe_is_chosen() {
+    let dir = workdir!();
+    let homogeneous = [
+        "curve",
+        "--film-modulus=1e6",
+        "--film-poisson-ratio=0.25",
+        "--substrate-modulus=1e6",
+        "--substrate-poisson-ratio=0.25",
+        "--sphere-modulus=inf",
+        "--work-of-adhesion=0",
+        "--from=1e-6",
+        "--to=4e-6",
+        "--points=4",
+    ];
+    let modulus = 1e6 / (1.0 - 0.0625);
+    let slope = 70_f64.to_radians().tan().recip();
+    let cone = ["--probe=cone", "--half-angle=70"];
+    for table in [&[][..], &["embedded"]] {
+        let text = dir.succeed(&[&homogeneous[..], &cone, table].concat());
+        let output = Data::parse("curve", &text);
+        for row in output.cases() {
+            let a = row.get("contact_radius");
+            let (load, penetration) = (
+                0.5 * std::f64::consts::PI * modulus * slope * a * a,
+                0.5 * std::f64::consts::PI * slope * a,
+            );
+            assert!((row.get("load") / load - 1.0).abs() < 3e-7);
+            assert!((row.get("penetration") / penetration - 1.0).abs() < 3e-7);
+        }
+    }
+    let refused = |flags: &[&str], words: &[&str]| {
+        let message = dir.fail(1, &[&homogeneous[..], flags].concat());
+        assert_names(&message, words);
+    };
+    refused(&["--probe=cone"], &["--half-angle"]);
+    refused(&["--half-angle=70"], &["--half-angle", "paraboloid"]);
+    refused(&["--probe=cone", "--half-angle=90"], &["90", "degrees"]);
+    refused(&["--probe=power-law", "--exponent=3"], &["--coefficient"]);
+    let path = dir.write("tip.csv", "r [um],z [nm]\n0,0\n1,100\n2,150\n");
+    let path = path.display().to_string();
+    refused(
+        &["--probe=profile", "--profile", &path],
+        &["line 4", "convex"],
+    );
+}

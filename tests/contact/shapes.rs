@@ -60,7 +60,7 @@ fn shapes() -> Vec<Probe> {
             exponent: 4.0,
         },
         Probe::PowerLaw {
-            coefficient: 1e3,
+            coefficient: 1e6,
             exponent: 2.5,
         },
         Probe::Cone {

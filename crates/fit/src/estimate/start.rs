@@ -2,7 +2,7 @@
 
 use interp::{Control, Table};
 
-use super::jkr::{Homogeneous, Unknown, homogeneous};
+use super::jkr::{Homogeneous, Unknown, homogeneous, radius_of};
 use super::problem::{Assigned, Problem};
 use super::slot::Slot;
 use crate::{Bodies, Branch, Error, Experiment, Free, Kind, Loss, Parameter, Point};
@@ -142,9 +142,9 @@ fn starts(
     matched: Option<Parameter>,
     is_unknown: impl Fn(Parameter) -> bool,
 ) -> Result<Vec<(Parameter, f64)>, Error> {
+    let sphere_radius = radius_of(at);
     let experiment = &mut at.experiment;
     let [radius, load, _] = found.largest;
-    let sphere_radius = experiment.bodies.probe().radius().unwrap_or(f64::NAN);
     // Penetrations against radii tell the work of adhesion over the modulus only.
     let (scale, least) = match found.modulus {
         Some(_) => (1.0, load.abs() / sphere_radius),

@@ -33,6 +33,46 @@ impl Bodies {
         }
     }
 
+    /// Returns the radius (m) of a paraboloid that makes, on a half-space and without adhesion, a
+    /// contact of the radius and the penetration of this probe. `size` is the contact radius or,
+    /// if it is `at_penetration`, the penetration. It gives starts of fits only.
+    pub(crate) fn paraboloid(&self, size: f64, at_penetration: bool) -> f64 {
+        /// A radius is found to rounding after as many bisections of the range of its logarithm.
+        const STEPS: usize = 60;
+        match self.probe() {
+            Probe::Paraboloid { radius } | Probe::Sphere { radius } => return *radius,
+            // Its load grows like the penetration, that of a paraboloid like the power 3/2: they
+            // are as large at this penetration, `2 a delta = 4/3 sqrt(R) delta^(3/2)`.
+            Probe::FlatPunch { radius } => return 2.25 * radius * radius / size,
+            _ => {}
+        }
+        let bare = HalfSpace {
+            probe: self.probe().clone(),
+            sphere_modulus: f64::INFINITY,
+            solid: self.film(),
+        };
+        let penetration = |a: f64| {
+            let contact = Contact::half_space(&bare).ok()?;
+            let (_, penetration) = contact.load_and_penetration(a, 0.0).ok()?;
+            Some(penetration)
+        };
+        if !at_penetration {
+            return penetration(size).map_or(f64::NAN, |penetration| size * size / penetration);
+        }
+        let most = self.largest_radius().min(1e2);
+        let [mut low, mut high] = [1e-15_f64.ln(), most.ln()];
+        for _ in 0..STEPS {
+            let middle = 0.5 * (low + high);
+            // A radius below a flat end has no penetration.
+            if penetration(middle.exp()).is_none_or(|found| found < size) {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        high.exp().powi(2) / size
+    }
+
     /// Returns the film, or the solid of a half-space.
     pub(crate) const fn film(&self) -> Elastic {
         match self {

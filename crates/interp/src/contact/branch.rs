@@ -30,9 +30,9 @@ impl Equilibria<'_> {
     ///
     /// ```
     /// # fn main() -> Result<(), interp::Error> {
-    /// use interp::{Branch, Contact, Control, Elastic, HalfSpace, State};
+    /// use interp::{Branch, Contact, Control, Elastic, HalfSpace, Probe, State};
     ///
-    /// let system = HalfSpace { sphere_radius: 1e-3, sphere_modulus: 2e6, solid: Elastic::new(2e11, 0.25)? };
+    /// let system = HalfSpace { probe: Probe::Paraboloid { radius: 1e-3 }, sphere_modulus: 2e6, solid: Elastic::new(2e11, 0.25)? };
     /// let contact = Contact::half_space(&system)?;
     /// let equilibria = contact.equilibria(0.04, Control::Displacement)?;
     /// let mut states = [State::ORIGIN; 3];

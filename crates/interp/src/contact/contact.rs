@@ -105,9 +105,9 @@ impl Contact {
     ///
     /// ```
     /// # fn main() -> Result<(), interp::Error> {
-    /// use interp::{Contact, Control, Elastic, HalfSpace};
+    /// use interp::{Contact, Control, Elastic, HalfSpace, Probe};
     ///
-    /// let system = HalfSpace { sphere_radius: 1e-3, sphere_modulus: 2e6, solid: Elastic::new(2e11, 0.25)? };
+    /// let system = HalfSpace { probe: Probe::Paraboloid { radius: 1e-3 }, sphere_modulus: 2e6, solid: Elastic::new(2e11, 0.25)? };
     /// let pull_off = Contact::half_space(&system)?.pull_off(0.04, Control::Load)?;
     /// assert!((pull_off.load / (-1.5 * std::f64::consts::PI * 0.04 * 1e-3) - 1.0).abs() < 1e-14);
     /// # Ok(()) }

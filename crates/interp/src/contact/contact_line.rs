@@ -16,9 +16,9 @@ const ROUNDING: f64 = 1e-6;
 ///
 /// ```
 /// # fn main() -> Result<(), interp::Error> {
-/// use interp::{Contact, Control, Elastic, HalfSpace, Hysteresis};
+/// use interp::{Contact, Control, Elastic, HalfSpace, Hysteresis, Probe};
 ///
-/// let system = HalfSpace { sphere_radius: 1e-3, sphere_modulus: 2e6, solid: Elastic::new(2e11, 0.25)? };
+/// let system = HalfSpace { probe: Probe::Paraboloid { radius: 1e-3 }, sphere_modulus: 2e6, solid: Elastic::new(2e11, 0.25)? };
 /// let contact = Contact::half_space(&system)?;
 /// let mut line = contact.line(Hysteresis::new(0.03, 0.05)?, 50e-6)?;
 /// let loaded = line.impose(Control::Load, 1e-3)?.expect("in contact");

@@ -113,9 +113,9 @@ impl Contact {
     /// ```
     /// # #[cfg(feature = "embedded")]
     /// # fn main() -> Result<(), interp::Error> {
-    /// # use interp::{Control, Elastic, System, Table};
+    /// # use interp::{Control, Elastic, Probe, System, Table};
     /// # let (film, substrate) = (Elastic::new(3.5e6, 0.5)?, Elastic::new(2e11, 0.25)?);
-    /// # let system = System { sphere_radius: 1e-3, sphere_modulus: 2e6, film, film_thickness: 1e-5, substrate };
+    /// # let system = System { probe: Probe::Paraboloid { radius: 1e-3 }, sphere_modulus: 2e6, film, film_thickness: 1e-5, substrate };
     /// let contact = Table::embedded().contact(&system)?;
     /// let equilibria = contact.equilibria(0.04, Control::Load)?;
     /// let at_rest = equilibria.unloading(0.0)?; // 67.06 um

@@ -53,9 +53,9 @@ impl Equilibria<'_> {
     ///
     /// ```
     /// # fn main() -> Result<(), interp::Error> {
-    /// use interp::{Contact, Control, Elastic, HalfSpace};
+    /// use interp::{Contact, Control, Elastic, HalfSpace, Probe};
     ///
-    /// let system = HalfSpace { sphere_radius: 1e-3, sphere_modulus: 2e6, solid: Elastic::new(2e11, 0.25)? };
+    /// let system = HalfSpace { probe: Probe::Paraboloid { radius: 1e-3 }, sphere_modulus: 2e6, solid: Elastic::new(2e11, 0.25)? };
     /// let contact = Contact::half_space(&system)?;
     /// let curve = contact.equilibria(0.04, Control::Displacement)?.force_displacement(1e-5, 50)?;
     /// assert_eq!((curve.loading.len(), curve.unloading.len(), curve.jumps.len()), (1, 1, 2));

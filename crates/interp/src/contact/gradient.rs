@@ -131,9 +131,9 @@ impl Contact {
     /// ```
     /// # #[cfg(feature = "embedded")]
     /// # fn main() -> Result<(), interp::Error> {
-    /// # use interp::{Elastic, Input, System, Table};
+    /// # use interp::{Elastic, Input, Probe, System, Table};
     /// # let (film, substrate) = (Elastic::new(3.5e6, 0.5)?, Elastic::new(2e11, 0.25)?);
-    /// # let system = System { sphere_radius: 1e-3, sphere_modulus: 2e6, film, film_thickness: 1e-6, substrate };
+    /// # let system = System { probe: Probe::Paraboloid { radius: 1e-3 }, sphere_modulus: 2e6, film, film_thickness: 1e-6, substrate };
     /// let contact = Table::embedded().contact_with_gradient(&system)?;
     /// let gradient = contact.gradient(65e-6, 0.04)?;
     /// let [film, sphere] = [(Input::FilmModulus, 3.5e6), (Input::SphereModulus, 2e6)].map(|(input, modulus)| {

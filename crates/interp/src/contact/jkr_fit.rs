@@ -137,10 +137,10 @@ impl Contact {
     /// ```
     /// # #[cfg(feature = "embedded")]
     /// # fn main() -> Result<(), interp::Error> {
-    /// # use interp::{Elastic, System, Table};
+    /// # use interp::{Elastic, Probe, System, Table};
     /// # let (film, substrate) = (Elastic::new(3.5e6, 0.5)?, Elastic::new(2e11, 0.25)?);
     /// let bias = |film_thickness| {
-    ///     let system = System { sphere_radius: 1e-3, sphere_modulus: 2e6, film, film_thickness, substrate };
+    ///     let system = System { probe: Probe::Paraboloid { radius: 1e-3 }, sphere_modulus: 2e6, film, film_thickness, substrate };
     ///     Table::embedded().contact(&system)?.film_bias(0.04, [39.4e-6, 131.3e-6], 15)
     /// };
     /// assert!(!bias(1e-6)?.exceeds(0.03)); // a film of 1 um makes less than 3 %

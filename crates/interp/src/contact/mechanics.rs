@@ -161,7 +161,7 @@ impl Mechanics {
         let (allowed, limit) = if a < from {
             ("at least the radius of the flat end,", from)
         } else if from > 0.0 && to < 2.0 * from {
-            ("that of the punch,", from)
+            ("that of the punch,", 0.5 * (from + to))
         } else {
             (
                 "below the largest one for which the shape is known or computed,",

@@ -201,7 +201,20 @@ impl Transform {
 
     /// Returns the transform with lengths in units of a `length`.
     pub(in crate::contact) fn in_units_of(&self, length: f64) -> Self {
-        self.scaled(1.0 / length)
+        match self {
+            // Divided as a contact radius is, so that that of a flat end is exactly its own.
+            Self::Knots(knots) => Self::Knots(
+                knots
+                    .iter()
+                    .map(|knot| Knot {
+                        radius: knot.radius / length,
+                        jump: knot.jump,
+                        bend: knot.bend * length,
+                    })
+                    .collect(),
+            ),
+            _ => self.scaled(1.0 / length),
+        }
     }
 
     /// Returns whether `b'` is analytic between the knots, the axis included.
