@@ -190,7 +190,7 @@ fn loads_are_those_of_rings_of_pressure() {
             let miss = found / expected - 1.0;
             println!("{}: {miss:.1e}", probe.name());
             // The error of the rings falls like the square of their width.
-            assert!(miss.abs() < 3e-4, "{probe:?}: {found}, not {expected}");
+            assert!(miss.abs() < 3e-5, "{probe:?}: {found}, not {expected}");
         }
     }
 }

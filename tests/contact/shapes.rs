@@ -445,7 +445,7 @@ fn a_flat_end_separates_like_a_punch() {
         assert!((cone_off.contact_radius / radius - 1.0).abs() < 1e-12);
         assert!(
             (cone_off.load / punch_off.load - 1.0).abs() < 1e-9,
-            "{cone_off:?}"
+            "{cone_off:?}, not {punch_off:?}"
         );
         let equilibria = cone.equilibria(w, Control::Displacement).expect("in range");
         let curve = equilibria.force_displacement(1e-6, 20).expect("in range");

@@ -161,7 +161,7 @@ impl Contact {
             return finite_result(a, self.adhesionless_load(a)?);
         }
         let (without, eeq_over_gamma) = self.load_factors(a)?;
-        let lowered = self.mechanics.load_lowered_by(a, edge, eeq_over_gamma);
+        let lowered = Mechanics::load_lowered_by(a, edge, eeq_over_gamma);
         finite_result(a, without - lowered)
     }
 

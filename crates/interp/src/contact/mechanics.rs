@@ -217,7 +217,7 @@ impl Mechanics {
     /// It follows from eqs. 2, 4, 5 and 6, and is another form of eq. 9.
     pub fn load(&self, a: f64, edge: f64, pi0: f64, eeq_over_gamma: f64) -> f64 {
         self.adhesionless_load(a, self.sphere_radius, pi0)
-            - self.load_lowered_by(a, edge, eeq_over_gamma)
+            - Self::load_lowered_by(a, edge, eeq_over_gamma)
     }
 
     /// Returns load (N) and penetration (m, positive when the sphere moves in) at contact radius
@@ -253,14 +253,14 @@ impl Mechanics {
     /// edge singularity `edge`, `g` (N/m), lowers those without adhesion.
     pub(super) fn lowered_by(&self, a: f64, edge: f64, eeq: f64, gamma: f64) -> Pair {
         Pair {
-            load: self.load_lowered_by(a, edge, eeq / gamma),
+            load: Self::load_lowered_by(a, edge, eeq / gamma),
             penetration: 2.0 * edge / (self.modulus * gamma),
         }
     }
 
     /// Returns the load `4 a g Eeq/Gamma` (N) by which the edge singularity `edge`, `g` (N/m),
     /// lowers that without adhesion.
-    pub(super) fn load_lowered_by(&self, a: f64, edge: f64, eeq_over_gamma: f64) -> f64 {
+    pub(super) fn load_lowered_by(a: f64, edge: f64, eeq_over_gamma: f64) -> f64 {
         4.0 * a * edge * eeq_over_gamma
     }
 

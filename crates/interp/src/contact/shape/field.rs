@@ -168,11 +168,11 @@ fn block(
         let mut change: f64 = 0.0;
         for i in 0..POINTS {
             let rate: [f64; POINTS] = std::array::from_fn(|j| growth[i][j] * q[i][j]);
-            for j in 0..POINTS {
-                let weights = points.integrals[j].iter().zip(rate);
-                let new = of_p[i] + halves[1] * weights.map(|(own, rate)| own * rate).sum::<f64>();
-                change = change.max((new - p[i][j]).abs());
-                p[i][j] = new;
+            for (value, weights) in p[i].iter_mut().zip(&points.integrals) {
+                let terms = weights.iter().zip(rate).map(|(own, rate)| own * rate);
+                let new = of_p[i] + halves[1] * terms.sum::<f64>();
+                change = change.max((new - *value).abs());
+                *value = new;
             }
         }
         for j in 0..POINTS {

@@ -107,8 +107,8 @@ impl Shape {
             Probe::Sphere { radius } => even(EvenShape::Sphere(radius / t), radius),
             Probe::PowerLaw {
                 coefficient,
-                exponent,
-            } if exponent == 2.0 => Ok(Self::paraboloid(0.5 / coefficient)),
+                exponent: 2.0,
+            } => Ok(Self::paraboloid(0.5 / coefficient)),
             Probe::PowerLaw {
                 coefficient,
                 exponent,

@@ -196,12 +196,13 @@ impl Solution {
                 points[k] = (at, b, speed);
             }
             let own = integrated(penetration, &rates);
-            panel.penetration = CHEBYSHEV.through(&own);
+            panel.penetration = continued(penetration, CHEBYSHEV.through(&own));
             let rates_of_load = std::array::from_fn(|k| {
                 let (at, b, speed) = points[k];
                 speed * at.gamma * (b + at.gamma * own[k])
             });
-            panel.load = CHEBYSHEV.through(&integrated(load, &rates_of_load));
+            let own = CHEBYSHEV.through(&integrated(load, &rates_of_load));
+            panel.load = continued(load, own);
             let whole = |rates: &[f64; POINTS]| -> f64 {
                 CHEBYSHEV
                     .whole
@@ -384,6 +385,13 @@ fn scale(field: &Field) -> Result<f64, Error> {
         }
     }
     Ok(field.last)
+}
+
+/// Shifts the polynomial of a panel such that it begins with the value at the end of the last one.
+fn continued(start: f64, mut polynomial: Polynomial) -> Polynomial {
+    let [value, _] = evaluate(&polynomial, -1.0);
+    polynomial[0] += start - value;
+    polynomial
 }
 
 /// Returns the integral at the points of a panel, from its value at the beginning.
