@@ -121,8 +121,9 @@ mod tests {
         let polynomial = CHEBYSHEV.through(&values);
         for t in [-1.0, CHEBYSHEV.at[2], 0.3, 1.0] {
             let [value, slope] = evaluate(&polynomial, t);
-            assert!((value - cube(t)).abs() < 1e-14);
-            assert!((slope - 3.0 * t * t).abs() < 1e-13);
+            // The coefficients of the Lagrange polynomials are up to some tens.
+            assert!((value - cube(t)).abs() < 1e-13, "{value} at {t}");
+            assert!((slope - 3.0 * t * t).abs() < 1e-12, "{slope} at {t}");
             let basis = CHEBYSHEV.basis(t);
             let sum: f64 = basis
                 .iter()
@@ -132,10 +133,10 @@ mod tests {
             assert!((sum - cube(t)).abs() < 1e-14);
         }
         let whole = CHEBYSHEV.whole.iter().zip(values);
-        assert!((whole.map(|(own, value)| own * value).sum::<f64>() - 2.0).abs() < 1e-14);
+        assert!((whole.map(|(own, value)| own * value).sum::<f64>() - 2.0).abs() < 1e-13);
         for rule in GAUSS.iter() {
             let sum: f64 = rule.iter().map(|[x, weight]| weight * x.powi(6)).sum();
-            assert!((sum - 2.0 / 7.0).abs() < 1e-15);
+            assert!((sum - 2.0 / 7.0).abs() < 1e-14);
         }
     }
 }
