@@ -4,7 +4,7 @@
 use std::f64::consts::PI;
 
 use acceptance::{Contacts, Workdir, assert_names, material, workdir};
-use interp::{Contact, Elastic, HalfSpace, Material};
+use interp::{Contact, Elastic, HalfSpace, Material, Probe};
 use tabulate::cost::clock::{Times, Timing};
 use tabulate::cost::effects::{Effect, Row, STRENGTHS, errors, markdown, measure};
 use tabulate::cost::{read_csv, to_csv};
@@ -55,7 +55,7 @@ fn errors_are_those_of_the_loads_of_other_systems() {
 
         let solid = Elastic::new(e0 * MODULUS, 0.25).expect("physical");
         let bare = HalfSpace {
-            sphere_radius: RADIUS,
+            probe: Probe::Paraboloid { radius: RADIUS },
             sphere_modulus: MODULUS,
             solid,
         };

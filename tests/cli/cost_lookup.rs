@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 use std::sync::LazyLock;
 
 use acceptance::{assert_names, low_rank, shipped, table, workdir};
-use interp::{Elastic, System, Table};
+use interp::{Elastic, Probe, System, Table};
 use tabulate::cost::clock::Timing;
 use tabulate::cost::lookup::{POINTS, Row, markdown, measure, random_points};
 use tabulate::cost::{read_csv, to_csv};
@@ -55,7 +55,7 @@ fn errors_are_those_of_loads_in_newtons() {
         let (t, r, unit) = (2e-6, 3e-3, 5e6);
         let solid = |ratio: f64, nu: f64| Elastic::new(ratio * unit, nu).expect("physical");
         let system = System {
-            sphere_radius: r,
+            probe: Probe::Paraboloid { radius: r },
             sphere_modulus: unit,
             film: solid(material.e1_over_e2(), material.nu1()),
             film_thickness: t,

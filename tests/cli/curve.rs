@@ -1,7 +1,7 @@
 //! `tabulate curve`
 
 use acceptance::{Data, assert_names, larger, paper_system, workdir};
-use interp::{Control, Mechanics, System, Table, Validity};
+use interp::{Control, Mechanics, Probe, System, Table, Validity};
 use serde_json::Value;
 use tabulate::cohesive::Cohesive;
 use tabulate::report::LARGE_CONTACT;
@@ -117,7 +117,7 @@ fn curve_takes_every_part_of_the_system() {
     let data = Data::parse("curve.csv", &output);
     let solid = |young, poisson| interp::Elastic::new(young, poisson).expect("physical");
     let system = System {
-        sphere_radius: 5e-4,
+        probe: Probe::Paraboloid { radius: 5e-4 },
         sphere_modulus: f64::INFINITY,
         film: solid(5e6, 0.4),
         film_thickness: 2e-6,
@@ -173,7 +173,7 @@ fn curve_and_pull_off_take_the_range_of_the_attraction() {
     let workdir = workdir!();
     let bodies = ["--sphere-radius", "1e-4", "--interaction-range", "2e-7"];
     let system = System {
-        sphere_radius: 1e-4,
+        probe: Probe::Paraboloid { radius: 1e-4 },
         ..paper_system(1e-6)
     };
     let cohesive = Cohesive::new(&system, 0.04, 2e-7).expect("physical");
@@ -247,4 +247,53 @@ fn curve_and_pull_off_take_the_range_of_the_attraction() {
     }
     workdir.fail(2, &["pull-off", "--control", "spring"]);
     workdir.fail(2, &["pull-off", "embedded", "--interaction-range", "1e-9"]);
+}
+
+/// The rows of a cone on a half-space are those of Sneddon, and flags that do not belong together
+/// are errors that name the flag.
+#[test]
+fn the_shape_of_the_probe_is_chosen() {
+    let dir = workdir!();
+    let homogeneous = [
+        "curve",
+        "--film-modulus=1e6",
+        "--film-poisson-ratio=0.25",
+        "--substrate-modulus=1e6",
+        "--substrate-poisson-ratio=0.25",
+        "--sphere-modulus=inf",
+        "--work-of-adhesion=0",
+        "--from=1e-6",
+        "--to=4e-6",
+        "--points=4",
+    ];
+    let modulus = 1e6 / (1.0 - 0.0625);
+    let slope = 70_f64.to_radians().tan().recip();
+    let cone = ["--probe=cone", "--half-angle=70"];
+    for table in [&[][..], &["embedded"]] {
+        let text = dir.succeed(&[&homogeneous[..], &cone, table].concat());
+        let output = Data::parse("curve", &text);
+        for row in output.cases() {
+            let a = row.get("contact_radius");
+            let (load, penetration) = (
+                0.5 * std::f64::consts::PI * modulus * slope * a * a,
+                0.5 * std::f64::consts::PI * slope * a,
+            );
+            assert!((row.get("load") / load - 1.0).abs() < 3e-7);
+            assert!((row.get("penetration") / penetration - 1.0).abs() < 3e-7);
+        }
+    }
+    let refused = |flags: &[&str], words: &[&str]| {
+        let message = dir.fail(1, &[&homogeneous[..], flags].concat());
+        assert_names(&message, words);
+    };
+    refused(&["--probe=cone"], &["--half-angle"]);
+    refused(&["--half-angle=70"], &["--half-angle", "paraboloid"]);
+    refused(&["--probe=cone", "--half-angle=90"], &["90", "degrees"]);
+    refused(&["--probe=power-law", "--exponent=3"], &["--coefficient"]);
+    let path = dir.write("tip.csv", "r [um],z [nm]\n0,0\n1,100\n2,150\n");
+    let path = path.display().to_string();
+    refused(
+        &["--probe=profile", "--profile", &path],
+        &["line 4", "convex"],
+    );
 }

@@ -4,7 +4,8 @@ use std::f64::consts::PI;
 
 use acceptance::{Contacts, assert_names, paper_system};
 use interp::{
-    Branch, Contact, Control, Derivatives, Elastic, Error, HalfSpace, Input, State, System, Table,
+    Branch, Contact, Control, Derivatives, Elastic, Error, HalfSpace, Input, Probe, State, System,
+    Table,
 };
 
 const NONE: Derivatives = Derivatives {
@@ -97,7 +98,7 @@ fn a_branch_holds_the_states_found_one_by_one() {
 fn derivatives_on_a_half_space_are_those_of_jkr() {
     let (radius, modulus, w) = (1e-3, 2e6, 0.04);
     let system = HalfSpace {
-        sphere_radius: radius,
+        probe: Probe::Paraboloid { radius: radius },
         sphere_modulus: modulus,
         solid: Elastic::new(f64::INFINITY, 0.25).expect("rigid"),
     };
@@ -188,7 +189,7 @@ fn derivatives_on_a_film_are_those_of_direct_solves() {
                 .expect("in range");
             for (k, input) in inputs.into_iter().enumerate() {
                 let changed = |factor: f64| {
-                    let mut system = system;
+                    let mut system = system.clone();
                     let film = system.film;
                     match input {
                         Input::SphereModulus => system.sphere_modulus *= factor,

@@ -5,8 +5,8 @@ use std::f64::consts::PI;
 
 use acceptance::{Contacts, larger, paper_system};
 use interp::{
-    Contact, Control, Elastic, Error, HalfSpace, JkrFit, JkrPoint, Material, Mechanics, Quantity,
-    System, Table,
+    Contact, Control, Elastic, Error, HalfSpace, JkrFit, JkrPoint, Material, Mechanics, Probe,
+    Quantity, System, Table,
 };
 use tabulate::solve;
 
@@ -286,7 +286,7 @@ fn the_compressibility_is_the_ratio_of_a_thin_films_two_stiffnesses() {
         let film = Elastic::new(1e6, nu1).expect("physical");
         let rigid = Elastic::new(f64::INFINITY, 0.25).expect("rigid");
         let system = System {
-            sphere_radius: 1e-3,
+            probe: Probe::Paraboloid { radius: 1e-3 },
             sphere_modulus: f64::INFINITY,
             film,
             film_thickness: 1e-9,
@@ -331,7 +331,7 @@ fn validity_says_how_large_thin_and_short_ranged_a_contact_is() {
     assert!((film.a_over_t - 5.0).abs() < 1e-14 && film.in_range && film.is_confined());
     assert_eq!(film.compressibility, 0.0);
     let wide = System {
-        sphere_radius: 0.1,
+        probe: Probe::Paraboloid { radius: 0.1 },
         ..paper_system(1e-5)
     };
     let wide = Table::embedded().contact(&wide).expect("in the table");
@@ -405,7 +405,7 @@ fn every_function_answers_any_number_with_a_finite_result_or_an_error() {
     };
     let absurd = |r, e| {
         Contact::half_space(&HalfSpace {
-            sphere_radius: r,
+            probe: Probe::Paraboloid { radius: r },
             sphere_modulus: e,
             ..bare()
         })
@@ -414,7 +414,7 @@ fn every_function_answers_any_number_with_a_finite_result_or_an_error() {
     for (r, e) in pairs() {
         systems.extend(absurd(r, e));
         let system = System {
-            sphere_radius: r,
+            probe: Probe::Paraboloid { radius: r },
             ..paper_system(e)
         };
         systems.extend(Table::embedded().contact(&system));
@@ -546,7 +546,7 @@ fn numbers_out_of_bounds_are_named() {
     }
     // A load that overflows.
     let planet = Contact::half_space(&HalfSpace {
-        sphere_radius: 1e300,
+        probe: Probe::Paraboloid { radius: 1e300 },
         ..bare()
     });
     let planet = planet.expect("physical");
@@ -604,8 +604,8 @@ fn numbers_out_of_bounds_are_named() {
     for value in [0.0, -1.0, f64::NAN] {
         assert_names(
             Contact::half_space(&HalfSpace {
-                sphere_radius: value,
-                ..system
+                probe: Probe::Paraboloid { radius: value },
+                ..system.clone()
             })
             .map(drop),
             "sphere_radius",
@@ -614,7 +614,7 @@ fn numbers_out_of_bounds_are_named() {
         assert_names(
             Contact::half_space(&HalfSpace {
                 sphere_modulus: value,
-                ..system
+                ..system.clone()
             })
             .map(drop),
             "sphere_modulus",
@@ -624,7 +624,7 @@ fn numbers_out_of_bounds_are_named() {
     let rigid = HalfSpace {
         sphere_modulus: f64::INFINITY,
         solid: Elastic::new(f64::INFINITY, 0.3).expect("rigid"),
-        ..system
+        ..system.clone()
     };
     assert_names(
         Contact::half_space(&rigid).map(drop),
@@ -634,7 +634,10 @@ fn numbers_out_of_bounds_are_named() {
     assert!(contact.curve().is_none() && contact.system().is_none());
     assert_eq!(
         contact.contact_radius_range(),
-        [0.0, (1.0 - 1e-12) * system.sphere_radius]
+        [
+            0.0,
+            (1.0 - 1e-12) * system.probe.radius().expect("a paraboloid")
+        ]
     );
     assert_eq!(
         contact

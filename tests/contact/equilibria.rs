@@ -4,7 +4,8 @@ use std::f64::consts::PI;
 
 use acceptance::{Contacts, larger, paper_system, table};
 use interp::{
-    Contact, Control, Curve, Elastic, Error, ForceDisplacement, Quantities, State, System, Table,
+    Contact, Control, Curve, Elastic, Error, ForceDisplacement, Probe, Quantities, State, System,
+    Table,
 };
 use tabulate::solve::curve;
 
@@ -98,7 +99,7 @@ fn pull_off_of_a_rigid_sphere_from_a_film_on_a_rigid_base() {
         let film = Elastic::new(1e6, nu1).expect("physical");
         let substrate = Elastic::new(f64::INFINITY, 0.25).expect("rigid");
         let system = System {
-            sphere_radius: r,
+            probe: Probe::Paraboloid { radius: r },
             sphere_modulus: f64::INFINITY,
             film,
             film_thickness: t,
@@ -135,7 +136,10 @@ fn a_film_of_the_substrates_material_is_jkr_within_the_tables_error() {
         };
         let coated = table.contact(&system).expect("in the table");
         let bare = Contact::half_space(&system.without_film()).expect("physical");
-        let (e, r) = (bare.mechanics().sphere_film_modulus(), system.sphere_radius);
+        let (e, r) = (
+            bare.mechanics().sphere_film_modulus(),
+            system.probe.radius().expect("a paraboloid"),
+        );
         assert!((coated.mechanics().sphere_substrate_modulus() / e - 1.0).abs() < 1e-14);
         let radius = 1e-6 * contacts.log_uniform(1e-2, 1e2);
         let w = 8.0 * e * radius.powi(3) / (9.0 * PI * r * r);
@@ -479,7 +483,7 @@ fn a_state_out_of_range_is_an_error_with_the_radii() {
     ",
     );
     let wide = System {
-        sphere_radius: 1.0,
+        probe: Probe::Paraboloid { radius: 1.0 },
         ..paper_system(1e-2)
     };
     for contact in [

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use acceptance::{Contacts, larger};
-use interp::{Contact, Control, Elastic, HalfSpace, State};
+use interp::{Contact, Control, Elastic, HalfSpace, Probe, State};
 
 /// Largest relative error of everything.
 const EXACT: f64 = 1e-12;
@@ -61,12 +61,14 @@ fn systems(seed: u64) -> impl Iterator<Item = (Contact, Jkr)> {
             Elastic::new(moduli[1], contacts.poisson_ratio()).expect("physical"),
         );
         let system = HalfSpace {
-            sphere_radius: contacts.log_uniform(1e-9, 1.0),
+            probe: Probe::Paraboloid {
+                radius: contacts.log_uniform(1e-9, 1.0),
+            },
             sphere_modulus: sphere,
             solid,
         };
         let e = 1.0 / (1.0 / sphere + (1.0 - solid.poisson().powi(2)) / solid.young());
-        let r = system.sphere_radius;
+        let r = system.probe.radius().expect("a paraboloid");
         let least_penetration = contacts.log_uniform(1e-7, 9e-4) * r;
         let w = 8.0 * e * least_penetration.powi(3) / (PI * r * r);
         let jkr = Jkr { r, e, w };

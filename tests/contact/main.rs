@@ -8,5 +8,7 @@ mod crack_tip;
 mod equilibria;
 mod gradient;
 mod half_space;
+mod rings;
+mod shapes;
 mod sphere_radius;
 mod stacks;

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use acceptance::{larger, paper_system, table};
-use interp::{Contact, Control, Elastic, Error, HalfSpace, State, System, Table};
+use interp::{Contact, Control, Elastic, Error, HalfSpace, Probe, State, System, Table};
 
 const CONTROLS: [Control; 3] = [
     Control::Load,
@@ -172,12 +172,12 @@ fn a_sphere_smaller_than_the_first_node_is_that_on_a_half_space_of_film() {
     const THICK: f64 = 1e-4;
     let film = Elastic::new(3.5e6, 0.5).expect("physical");
     let system = System {
-        sphere_radius: 1e-6,
+        probe: Probe::Paraboloid { radius: 1e-6 },
         ..paper_system(1e-2)
     };
     let coated = Table::embedded().contact(&system).expect("in the table");
     let bare = Contact::half_space(&HalfSpace {
-        sphere_radius: 1e-6,
+        probe: Probe::Paraboloid { radius: 1e-6 },
         sphere_modulus: system.sphere_modulus,
         solid: film,
     })

@@ -2,7 +2,7 @@
 
 use acceptance::{assert_names, table};
 use fit::{Bodies, Direction, Fit, Free, Kind, Options, Parameter, WarningKind, fit};
-use interp::{HalfSpace, Table};
+use interp::{HalfSpace, Probe, Table};
 
 use crate::imagined::{Course, Imagined, solid};
 
@@ -139,7 +139,7 @@ fn what_the_data_do_not_tell_is_named() {
     // Penetrations at contact radii on a half-space tell w/E* alone.
     let mut lens = Imagined::lens(Kind::PenetrationRadius, 1e-6, 5e-9, &LENS);
     lens.truth.bodies = Bodies::HalfSpace(HalfSpace {
-        sphere_radius: 1e-3,
+        probe: Probe::Paraboloid { radius: 1e-3 },
         sphere_modulus: 2e6,
         solid: solid(2e11, 0.25),
     });
@@ -254,7 +254,7 @@ fn contacts_outside_the_model_are_warned_of() {
     // A hard and weakly adhesive contact: mu = (20e-9 (1e-3/5e10)^2/(3e-10)^3)^(1/3) = 0.07.
     let mut hard = Imagined::lens(Kind::LoadPenetration, 1e-6, 1e-9, &[LENS[1]]);
     hard.truth.bodies = Bodies::Coated(interp::System {
-        sphere_radius: 20e-9,
+        probe: Probe::Paraboloid { radius: 20e-9 },
         sphere_modulus: f64::INFINITY,
         film: solid(5e10, 0.2),
         film_thickness: 1e-7,

@@ -7,7 +7,7 @@ use acceptance::{Contacts, paper_system};
 use fit::{
     Bodies, Direction, Experiment, Fit, Free, Kind, Loss, Measurement, Options, Parameter, Point,
 };
-use interp::{Contact, Elastic, HalfSpace, System, Table};
+use interp::{Contact, Elastic, HalfSpace, Probe, System, Table};
 
 /// How an imagined experiment brings sphere and sample together.
 #[derive(Clone, Copy, Debug)]
@@ -60,7 +60,7 @@ pub fn solid(young: f64, poisson: f64) -> Elastic {
 /// A rigid colloidal probe of 20 um on a gel of 20 kPa and 10 um thickness, on glass.
 pub fn gel() -> System {
     System {
-        sphere_radius: 20e-6,
+        probe: Probe::Paraboloid { radius: 20e-6 },
         sphere_modulus: f64::INFINITY,
         film: solid(2e4, 0.45),
         film_thickness: 10e-6,
@@ -110,7 +110,7 @@ impl Imagined {
 
     /// Returns load and penetration as functions of contact radius and work of adhesion.
     fn contact(&self) -> Box<dyn Fn(f64, f64) -> (f64, f64)> {
-        match self.truth.bodies {
+        match self.truth.bodies.clone() {
             Bodies::Coated(system) => {
                 let range = self.radii.map(|radius| radius / system.film_thickness);
                 let material = system.material().expect("physical");
@@ -121,10 +121,11 @@ impl Imagined {
             }
             // The equations of Johnson, Kendall and Roberts (1971).
             Bodies::HalfSpace(HalfSpace {
-                sphere_radius,
+                probe,
                 sphere_modulus,
                 solid,
             }) => {
+                let sphere_radius = probe.radius().expect("a paraboloid");
                 let modulus = 1.0 / (1.0 / sphere_modulus + 1.0 / solid.reduced());
                 Box::new(move |a, w| {
                     let load = 4.0 * modulus * a.powi(3) / (3.0 * sphere_radius)

@@ -2,7 +2,7 @@
 
 use acceptance::assert_names;
 use fit::{Bodies, Experiment, Fit, Free, Kind, Loss, Options, Parameter, WarningKind};
-use interp::{HalfSpace, System, Table};
+use interp::{HalfSpace, Probe, System, Table};
 use rayon::prelude::*;
 
 use crate::imagined::{Course, Imagined, solid};
@@ -173,7 +173,7 @@ fn a_probe_on_a_half_space() {
     let free = [FilmModulus, WorkOfAdhesion, ContactPoint, Baseline];
     let mut probe = Imagined::probe(Course::Retract, 1e-4, &free);
     probe.truth.bodies = Bodies::HalfSpace(HalfSpace {
-        sphere_radius: 20e-6,
+        probe: Probe::Paraboloid { radius: 20e-6 },
         sphere_modulus: f64::INFINITY,
         solid: solid(2e4, 0.5),
     });
@@ -186,7 +186,7 @@ fn a_hard_probe_on_a_hard_coating() {
     let free = [FilmModulus, ContactPoint];
     let mut probe = Imagined::lens(Kind::LoadPenetration, 2e-6, 1e-4, &free);
     probe.truth.bodies = Bodies::Coated(System {
-        sphere_radius: 100e-6,
+        probe: Probe::Paraboloid { radius: 100e-6 },
         sphere_modulus: f64::INFINITY,
         film: solid(4e11, 0.2),
         film_thickness: 2e-6,

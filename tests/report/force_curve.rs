@@ -4,7 +4,8 @@ use std::collections::HashMap;
 
 use acceptance::{Data, Workdir, assert_names, ends, low_rank, shipped, table, workdir};
 use interp::{
-    Contact, Control, Elastic, Error, Parameter, Quantity, SubstratePoissonRatio, System, Table,
+    Contact, Control, Elastic, Error, Parameter, Probe, Quantity, SubstratePoissonRatio, System,
+    Table,
 };
 use serde_json::Value;
 use tabulate::report::report;
@@ -79,7 +80,9 @@ impl Setting {
     fn contact(&self, table: &Table) -> Contact {
         let solid = |[young, poisson]: [f64; 2]| Elastic::new(young, poisson).expect("physical");
         let system = System {
-            sphere_radius: self.radius,
+            probe: Probe::Paraboloid {
+                radius: self.radius,
+            },
             sphere_modulus: self.sphere,
             film: solid(self.film),
             film_thickness: self.thickness,

@@ -1,6 +1,6 @@
 //! Materials and systems that many tests use.
 
-use interp::{Elastic, Material, System};
+use interp::{Elastic, Material, Probe, System};
 
 /// Returns the material `[e1_over_e2, nu1, e0_over_e2, nu0]`.
 ///
@@ -14,7 +14,7 @@ pub fn material([e1_over_e2, nu1, e0_over_e2, nu0]: [f64; 4]) -> Material {
 pub fn paper_system(film_thickness: f64) -> System {
     let solid = |young, poisson| Elastic::new(young, poisson).expect("physical");
     System {
-        sphere_radius: 1e-3,
+        probe: Probe::Paraboloid { radius: 1e-3 },
         sphere_modulus: 2e6,
         film: solid(3.5e6, 0.5),
         film_thickness,

@@ -1,7 +1,7 @@
 //! Curves made without a table, from solves or from samples.
 
 use acceptance::{Contacts, larger, material, paper_system, relative_error, shipped};
-use interp::{Contact, Curve, Elastic, Material, Quantities, System, Table};
+use interp::{Contact, Curve, Elastic, Material, Probe, Quantities, System, Table};
 use tabulate::Error;
 use tabulate::solve::{A_OVER_T, solve};
 use tabulate::solve::{CURVE_TOLERANCE as TOLERANCE, curve};
@@ -232,7 +232,7 @@ fn force_curves_need_no_table() {
         ..paper_system(1e-6)
     };
     let thick_film = System {
-        sphere_radius: 1e-2,
+        probe: Probe::Paraboloid { radius: 1e-2 },
         ..paper_system(30e-6)
     };
     for system in [paper_system(1e-6), thick_film, rigid_sphere] {
@@ -291,13 +291,17 @@ fn a_contact_takes_the_curve_of_its_material_or_an_equivalent_one_only() {
     ]);
     let compressible = System {
         film: Elastic::new(3.5e6, 0.4).expect("physical"),
-        ..system
+        ..system.clone()
     };
     let equivalent = compressible
         .material()
         .and_then(|own| own.with_substrate_poisson_ratio(0.1))
         .expect("there is one");
-    for (system, material) in [(system, own), (system, rounded), (compressible, equivalent)] {
+    for (system, material) in [
+        (&system, own),
+        (&system, rounded),
+        (&compressible, equivalent),
+    ] {
         Contact::new(&system, curve_of(&material)).expect("its own material, or an equivalent");
     }
     let error = Contact::new(&compressible, curve_of(&own)).expect_err("another film");

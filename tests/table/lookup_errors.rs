@@ -4,8 +4,8 @@ use std::sync::LazyLock;
 
 use acceptance::{assert_names, ends, material, paper_system, table, workdir};
 use interp::{
-    Elastic, Error, Material, Mechanics, Parameter, Quantities, SubstratePoissonRatio, System,
-    Table,
+    Elastic, Error, Material, Mechanics, Parameter, Probe, Quantities, SubstratePoissonRatio,
+    System, Table,
 };
 
 /// A scene whose ranges end inside those of physics.
@@ -366,8 +366,8 @@ fn an_unphysical_solid_or_system_is_an_error_that_names_it() {
             "sphere_radius",
             value,
             System {
-                sphere_radius: value,
-                ..sound
+                probe: Probe::Paraboloid { radius: value },
+                ..sound.clone()
             },
         ));
         broken.push((
@@ -375,7 +375,7 @@ fn an_unphysical_solid_or_system_is_an_error_that_names_it() {
             value,
             System {
                 film_thickness: value,
-                ..sound
+                ..sound.clone()
             },
         ));
     }
@@ -385,7 +385,7 @@ fn an_unphysical_solid_or_system_is_an_error_that_names_it() {
             value,
             System {
                 sphere_modulus: value,
-                ..sound
+                ..sound.clone()
             },
         ));
     }
@@ -395,7 +395,7 @@ fn an_unphysical_solid_or_system_is_an_error_that_names_it() {
         f64::INFINITY,
         System {
             film: rigid,
-            ..sound
+            ..sound.clone()
         },
     ));
     for (name, value, system) in broken {

@@ -2,7 +2,7 @@
 //! from independent direct solves, in `tests/data/systems.csv`.
 
 use acceptance::Data;
-use interp::{Elastic, System, Table};
+use interp::{Elastic, Probe, System, Table};
 
 /// Errors are relative to the sums of the sizes of the two terms of eq. 9, which may cancel. The
 /// table's tolerance is 1e-6.
@@ -18,7 +18,9 @@ fn every_system_of_the_catalogue_is_answered() {
             Elastic::new(modulus, poisson).expect("a catalogue of real materials")
         };
         let system = System {
-            sphere_radius: case.get("sphere_radius"),
+            probe: Probe::Paraboloid {
+                radius: case.get("sphere_radius"),
+            },
             sphere_modulus: case.get("sphere_modulus"),
             film: elastic("film"),
             film_thickness: case.get("film_thickness"),

@@ -2,7 +2,7 @@
 //! energy balance and the limits of long and of short ranges.
 
 use acceptance::{Case, Data, larger};
-use interp::{Contact, Control, Elastic, System};
+use interp::{Contact, Control, Elastic, Probe, System};
 use std::f64::consts::PI;
 use tabulate::cohesive::{Cohesive, CohesiveState};
 use tabulate::stack::{Layer, Stack};
@@ -347,7 +347,9 @@ fn a_short_range_is_the_limit_of_jkr() {
     }
     let film = Elastic::new(1.75 * MODULUS, 0.5).expect("physical");
     let system = System {
-        sphere_radius: 100.0 * THICKNESS,
+        probe: Probe::Paraboloid {
+            radius: 100.0 * THICKNESS,
+        },
         sphere_modulus: MODULUS,
         film,
         film_thickness: THICKNESS,

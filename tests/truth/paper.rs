@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 use std::sync::LazyLock;
 
 use acceptance::{Contacts, larger, paper_system, shipped};
-use interp::{Contact, Control, Elastic, Mechanics, Quantities, System, Table};
+use interp::{Contact, Control, Elastic, Mechanics, Probe, Quantities, System, Table};
 use tabulate::solve;
 
 /// Work of adhesion of the paper's Table 1, J/m^2.
@@ -175,7 +175,7 @@ fn the_pull_off_loads_of_the_papers_system() {
             .into_iter()
             .enumerate()
         {
-            let unit = PI * W * system.sphere_radius;
+            let unit = PI * W * system.probe.radius().expect("a paraboloid");
             let (found, solved) = (
                 contact.pull_off(W, control).expect("inside").load / unit,
                 solved[i] / unit,
@@ -210,7 +210,9 @@ fn homogeneous_systems(seed: u64) -> impl Iterator<Item = (System, f64, f64)> {
         let solid = Elastic::new(contacts.log_uniform(1e4, 1e12), contacts.uniform(-0.5, 0.5))
             .expect("physical");
         let system = System {
-            sphere_radius: contacts.log_uniform(1e-8, 1.0),
+            probe: Probe::Paraboloid {
+                radius: contacts.log_uniform(1e-8, 1.0),
+            },
             sphere_modulus: contacts.log_uniform(1e4, 1e12),
             film: solid,
             film_thickness: contacts.log_uniform(1e-9, 1e-2),
@@ -220,7 +222,9 @@ fn homogeneous_systems(seed: u64) -> impl Iterator<Item = (System, f64, f64)> {
         (system, compound, contacts.log_uniform(1e-3, 1.0))
     })
     // Ten times the contact radius at no load is below the sphere's.
-    .filter(|(system, e, w)| (9.0 * PI * w / (2.0 * e * system.sphere_radius)).cbrt() < 0.1)
+    .filter(|(system, e, w)| {
+        (9.0 * PI * w / (2.0 * e * system.probe.radius().expect("a paraboloid"))).cbrt() < 0.1
+    })
     .take(200)
 }
 
@@ -236,7 +240,7 @@ fn a_homogeneous_system_is_jkr() {
     let (mut exact, mut found, mut roughly) = (0.0, 0.0, 0.0);
     for (system, e, w) in homogeneous_systems(60) {
         let (r, mechanics) = (
-            system.sphere_radius,
+            system.probe.radius().expect("a paraboloid"),
             Mechanics::new(&system).expect("physical"),
         );
         let zero_load = (9.0 * PI * w * r * r / (2.0 * e)).cbrt();
@@ -321,7 +325,9 @@ fn in_units(system: &System, a: f64, w: f64, [length, force]: [f64; 2]) -> (Syst
     let solid =
         |solid: Elastic| Elastic::new(solid.young() / pressure, solid.poisson()).expect("physical");
     let system = System {
-        sphere_radius: system.sphere_radius / length,
+        probe: Probe::Paraboloid {
+            radius: system.probe.radius().expect("a paraboloid") / length,
+        },
         sphere_modulus: system.sphere_modulus / pressure,
         film: solid(system.film),
         film_thickness: system.film_thickness / length,
@@ -364,7 +370,7 @@ fn a_change_of_units_changes_nothing() {
         };
         // Where the contact is pressed on, so that no answer is a small difference.
         let (a, w) = (contacts.uniform(1e-4, 2e-4), W);
-        let in_metres = answers(&TABLE, (system, a, w), [1.0, 1.0]);
+        let in_metres = answers(&TABLE, (system.clone(), a, w), [1.0, 1.0]);
         // With powers of two every step scales without rounding: lengths of 2^-20 m, about a
         // micrometre, and forces of 2^-30 N.
         let binary = [2.0_f64.powi(-20), 2.0_f64.powi(-30)];

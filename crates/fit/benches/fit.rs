@@ -9,7 +9,7 @@ use fit::{
     Bodies, Direction, Experiment, Free, Kind, Measurement, Options, Parameter, Point, fit,
     simulate,
 };
-use interp::{Elastic, System, Table};
+use interp::{Elastic, Probe, System, Table};
 
 /// The number of points of a curve.
 const POINTS: usize = 300;
@@ -52,7 +52,7 @@ fn nothing() -> Measurement {
 fn lens() -> (Experiment, Vec<Free>) {
     let solid = |young, poisson| Elastic::new(young, poisson).expect("physical");
     let system = System {
-        sphere_radius: 1e-3,
+        probe: Probe::Paraboloid { radius: 1e-3 },
         sphere_modulus: 2e6,
         film: solid(3.5e6, 0.5),
         film_thickness: 1e-5,
@@ -73,7 +73,7 @@ fn lens() -> (Experiment, Vec<Free>) {
 fn probe() -> (Experiment, Vec<Free>) {
     let solid = |young, poisson| Elastic::new(young, poisson).expect("physical");
     let system = System {
-        sphere_radius: 20e-6,
+        probe: Probe::Paraboloid { radius: 20e-6 },
         sphere_modulus: f64::INFINITY,
         film: solid(2e4, 0.45),
         film_thickness: 1e-5,

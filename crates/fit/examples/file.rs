@@ -3,13 +3,13 @@
 
 use fit::data::{Format, read};
 use fit::{Bodies, Experiment, Free, Options, Parameter, fit};
-use interp::{Elastic, System, Table};
+use interp::{Elastic, Probe, System, Table};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let system = System {
-        sphere_radius: 1e-3,             // all in SI units
-        sphere_modulus: 2e6,             // the reduced modulus E2*, which is fitted
-        film: Elastic::new(3.5e6, 0.5)?, // Young's modulus, Poisson ratio
+        probe: Probe::Paraboloid { radius: 1e-3 }, // all in SI units
+        sphere_modulus: 2e6,                       // the reduced modulus E2*, which is fitted
+        film: Elastic::new(3.5e6, 0.5)?,           // Young's modulus, Poisson ratio
         film_thickness: 3e-5,
         substrate: Elastic::new(2e11, 0.25)?,
     };

@@ -4,7 +4,7 @@
 use std::error::Error;
 
 use fit::{Bodies, Experiment, Free, Kind, Measurement, Options, Parameter, Point};
-use interp::{Elastic, System, Table};
+use interp::{Elastic, Probe, System, Table};
 
 /// Contact radii and loads in SI units, below two comments and a header.
 const DATA: &str = include_str!("synthetic-10um.csv");
@@ -26,7 +26,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         points,
     };
     let system = System {
-        sphere_radius: 1e-3,
+        probe: Probe::Paraboloid { radius: 1e-3 },
         sphere_modulus: 1e6, // fitted; the start follows from the data
         film: Elastic::new(3.5e6, 0.5)?,
         film_thickness: 1e-5,

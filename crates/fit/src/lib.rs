@@ -8,11 +8,11 @@
 //!
 //! ```
 //! use fit::{Bodies, Experiment, Free, Kind, Measurement, Options, Parameter, Point};
-//! use interp::{Elastic, System, Table};
+//! use interp::{Elastic, System, Table, Probe};
 //!
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
 //! let system = System {
-//!     sphere_radius: 1e-3,
+//!     probe: Probe::Paraboloid { radius: 1e-3 },
 //!     sphere_modulus: 2e6,
 //!     film: Elastic::new(3.5e6, 0.5)?,
 //!     film_thickness: 1e-5,

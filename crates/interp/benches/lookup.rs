@@ -5,8 +5,8 @@ use std::hint::black_box;
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use interp::{
-    Branch, Control, Curve, Derivatives, Elastic, Input, Material, Parameter, Quantity, State,
-    System, Table,
+    Branch, Control, Curve, Derivatives, Elastic, Input, Material, Parameter, Probe, Quantity,
+    State, System, Table,
 };
 use splines::{Interpolation, Key, Spline};
 
@@ -18,7 +18,7 @@ fn lookup(criterion: &mut Criterion) {
     let substrate = Elastic::new(2e11, 0.25).expect("physical");
     let film = Elastic::new(3.5e6, 0.5).expect("physical");
     let system = System {
-        sphere_radius: 1e-3,
+        probe: Probe::Paraboloid { radius: 1e-3 },
         sphere_modulus: 2e6,
         film,
         film_thickness: 1e-6,

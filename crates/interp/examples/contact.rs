@@ -1,11 +1,11 @@
 //! Shows the results that a contact gives: pull-off, equilibria, energy release rates, derivatives,
 //! force-displacement curves, the effect of the film on a JKR fit, the validity of the model, and a
 //! contact line with hysteresis: `cargo run --release -p interp --example contact`.
-use interp::{Control, Elastic, Hysteresis, Input, System, Table};
+use interp::{Control, Elastic, Hysteresis, Input, Probe, System, Table};
 
 fn main() -> Result<(), interp::Error> {
     let system = System {
-        sphere_radius: 1e-3,
+        probe: Probe::Paraboloid { radius: 1e-3 },
         sphere_modulus: 2e6,
         film: Elastic::new(3.5e6, 0.5)?,
         film_thickness: 1e-5,

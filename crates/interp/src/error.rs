@@ -42,6 +42,45 @@ pub enum Error {
         /// The radius of the sphere, m.
         sphere_radius: f64,
     },
+    /// A contact radius that the shape of the probe does not have.
+    #[error(
+        "contact radius = {contact_radius:?} m cannot be used under a {probe}: it must be {allowed} \
+         {limit:?} m"
+    )]
+    BeyondProbe {
+        /// The name of the shape.
+        probe: &'static str,
+        /// The contact radius given, m.
+        contact_radius: f64,
+        /// The radii allowed, in words that a radius follows.
+        allowed: &'static str,
+        /// That radius, m.
+        limit: f64,
+    },
+    /// A question that makes no sense for the shape of the probe.
+    #[error("{question} makes no sense for a {probe}: {reason}")]
+    OtherProbe {
+        /// The question.
+        question: &'static str,
+        /// The name of the shape.
+        probe: &'static str,
+        /// The reason, and what to ask instead.
+        reason: &'static str,
+    },
+    /// The curve of a stack of layers under a probe that is no paraboloid.
+    #[error(
+        "the curve of a stack of layers serves a paraboloid or a flat punch only, because its expansion \
+         for small contacts is not known: use `Probe::Paraboloid`"
+    )]
+    StackProbe,
+    /// Points of a measured probe that are no convex shape.
+    #[error("row {row} of the profile of the probe cannot be used: {reason}")]
+    Profile {
+        /// The number of the row, from 1.
+        row: usize,
+        /// The reason.
+        reason: &'static str,
+    },
     /// A query outside the box of the table or outside the `a/t` of the curve.
     #[error(
         "{axis} = {value:?} is outside the table or curve, which {}; ask for a value inside, or make \

@@ -12,13 +12,13 @@
 //! ```
 //! # #[cfg(feature = "embedded")]
 //! # fn main() -> Result<(), interp::Error> {
-//! use interp::{Control, Elastic, System, Table};
+//! use interp::{Control, Elastic, System, Table, Probe};
 //!
 //! // A sphere of 1 mm and E2* = 2 MPa, an incompressible film of 10 um, a stiff substrate.
 //! let film = Elastic::new(3.5e6, 0.5)?; // Young's modulus (Pa), Poisson ratio
 //! let substrate = Elastic::new(2e11, 0.25)?;
 //! let system = System {
-//!     sphere_radius: 1e-3,
+//!     probe: Probe::Paraboloid { radius: 1e-3 },
 //!     sphere_modulus: 2e6,
 //!     film,
 //!     film_thickness: 1e-5,
@@ -35,7 +35,7 @@
 //!
 //! // The pull-off load is larger than that without a film, 1.5 pi w R.
 //! let pull_off = contact.pull_off(w, Control::Load)?;
-//! let unit = std::f64::consts::PI * w * system.sphere_radius;
+//! let unit = std::f64::consts::PI * w * 1e-3;
 //! assert!((pull_off.load / unit + 1.5401).abs() < 1e-4);
 //! # Ok(()) }
 //! # #[cfg(not(feature = "embedded"))]
@@ -107,7 +107,7 @@ mod table;
 pub use contact::TimedState;
 #[doc(hidden)]
 pub use contact::root;
-pub use contact::{AdhesionRange, FilmValidity, Validity};
+pub use contact::{AdhesionRange, FilmValidity, Neglected, Validity};
 pub use contact::{Branch, Control, Equilibria, Equilibrium, ForceDisplacement, Jump};
 pub use contact::{Contact, ContactGradient, Derivatives, Input, State};
 pub use contact::{ContactLine, CrackTip, Hysteresis, RateDependent};
@@ -115,7 +115,7 @@ pub use contact::{FilmBias, JkrFit, JkrPoint, Mechanics};
 pub use curve::{Curve, QuantityGradient, bspline};
 pub use error::Error;
 pub use material::{
-    Elastic, HalfSpace, Material, Normalisation, Parameter, Quantities, Quantity,
+    Elastic, HalfSpace, Material, Normalisation, Parameter, Probe, Profile, Quantities, Quantity,
     SubstratePoissonRatio, System,
 };
 pub use table::{Certificate, Description, LowRank, Table, Tile, chebyshev, is_packed, schema};

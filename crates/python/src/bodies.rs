@@ -1,6 +1,6 @@
 //! Sphere, film and substrate from the numbers of the Python classes.
 
-use interp::{Elastic, Error, HalfSpace, System};
+use interp::{Elastic, Error, HalfSpace, Probe, System};
 use pyo3::prelude::*;
 
 use crate::error::Failure;
@@ -15,7 +15,7 @@ pub type HalfSpaceNumbers = [f64; 4];
 pub fn system(numbers: SystemNumbers) -> Result<System, Error> {
     let [radius, modulus, film, nu1, thickness, substrate, nu0] = numbers;
     Ok(System {
-        sphere_radius: radius,
+        probe: Probe::Paraboloid { radius: radius },
         sphere_modulus: modulus,
         film: Elastic::new(film, nu1)?,
         film_thickness: thickness,
@@ -27,7 +27,7 @@ pub fn system(numbers: SystemNumbers) -> Result<System, Error> {
 pub fn half_space(numbers: HalfSpaceNumbers) -> Result<HalfSpace, Error> {
     let [radius, modulus, solid, nu] = numbers;
     Ok(HalfSpace {
-        sphere_radius: radius,
+        probe: Probe::Paraboloid { radius: radius },
         sphere_modulus: modulus,
         solid: Elastic::new(solid, nu)?,
     })

@@ -2,15 +2,15 @@
 //!
 //! Run it by `cargo run --release -p tabulate --no-default-features --example curve`.
 
-use interp::{Contact, Elastic, System};
+use interp::{Contact, Elastic, Probe, System};
 
 fn main() -> Result<(), tabulate::Error> {
     let system = System {
-        sphere_radius: 1e-3,                  // m
-        sphere_modulus: 2e6,                  // reduced modulus E2*, Pa
-        film: Elastic::new(3.5e6, 0.5)?,      // Young's modulus (Pa), Poisson ratio
-        film_thickness: 1e-6,                 // m
-        substrate: Elastic::new(2e11, 0.25)?, // Young's modulus (Pa), Poisson ratio
+        probe: Probe::Paraboloid { radius: 1e-3 }, // m
+        sphere_modulus: 2e6,                       // reduced modulus E2*, Pa
+        film: Elastic::new(3.5e6, 0.5)?,           // Young's modulus (Pa), Poisson ratio
+        film_thickness: 1e-6,                      // m
+        substrate: Elastic::new(2e11, 0.25)?,      // Young's modulus (Pa), Poisson ratio
     };
     // The curve of the material for a/t from 1e-3 to 1e3, with a relative tolerance of 1e-8.
     let curve = tabulate::curve(&system.material()?, [1e-3, 1e3], 1e-8)?;

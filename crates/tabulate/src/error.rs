@@ -94,6 +94,14 @@ pub enum Error {
         /// The condition that is not fulfilled.
         what: &'static str,
     },
+    /// An attraction of finite range under a probe that is no paraboloid.
+    #[error(
+        "an attraction of finite range is solved for a paraboloid only, not for a {probe}; use the paraboloid with the radius of curvature of the tip, or no interaction range"
+    )]
+    OnlyParaboloid {
+        /// The name of the shape.
+        probe: &'static str,
+    },
     /// An attraction that reaches farther than is solved.
     #[error(
         "at the contact radius {contact_radius:?} m the attraction acts beyond the radius {reach:?} m, up to which it is solved; take a smaller contact radius or a shorter interaction range"

@@ -63,7 +63,7 @@
 //! 200 layers up to `a/h` of 200 takes 25 ms on one core: the compliance of many layers is sampled
 //! once.
 
-use interp::{Elastic, Material, System};
+use interp::{Elastic, Material, Probe, System};
 
 use crate::Error;
 pub use crate::solve::MOST_A_OVER_TOP;
@@ -171,7 +171,9 @@ impl Stack {
     /// [`Contact::new`]: interp::Contact::new
     pub fn system(&self, sphere_radius: f64, sphere_modulus: f64) -> System {
         System {
-            sphere_radius,
+            probe: Probe::Paraboloid {
+                radius: sphere_radius,
+            },
             sphere_modulus,
             film: self.surface,
             film_thickness: self.thickness(),

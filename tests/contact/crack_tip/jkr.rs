@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use interp::{Contact, Elastic, HalfSpace, State};
+use interp::{Contact, Elastic, HalfSpace, Probe, State};
 
 /// Work of adhesion, J/m^2.
 pub const W: f64 = 0.04;
@@ -12,7 +12,7 @@ pub const R: f64 = 1e-3;
 pub fn half_space() -> Contact {
     let solid = Elastic::new(2e11, 0.25).expect("physical");
     Contact::half_space(&HalfSpace {
-        sphere_radius: R,
+        probe: Probe::Paraboloid { radius: R },
         sphere_modulus: 2e6,
         solid,
     })

@@ -1,7 +1,9 @@
 //! Load and penetration as functions of every input in SI units.
 
 use acceptance::{larger, paper_system, shipped};
-use interp::{Contact, Elastic, Error, HalfSpace, Input, Mechanics, Parameter, System, Table};
+use interp::{
+    Contact, Elastic, Error, HalfSpace, Input, Mechanics, Parameter, Probe, System, Table,
+};
 use tabulate::solve;
 
 use super::{SHARES, derivatives};
@@ -14,7 +16,7 @@ fn with(system: System, input: Input, value: f64) -> System {
     let elastic = |young, poisson| Elastic::new(young, poisson).expect("physical");
     match input {
         Input::SphereRadius => System {
-            sphere_radius: value,
+            probe: Probe::Paraboloid { radius: value },
             ..system
         },
         Input::SphereModulus => System {
@@ -73,7 +75,7 @@ fn derivatives_of_load_and_penetration_are_those_of_direct_solves() {
     };
     let rigid_sphere = System {
         sphere_modulus: f64::INFINITY,
-        ..soft
+        ..soft.clone()
     };
     let rigid_sphere_table = acceptance::table(
         "title = 'Rigid sphere'\ntolerance = 1e-6\na_over_t = { from = 0.5, to = 10 }\ne1_over_e2 = 0
@@ -95,13 +97,13 @@ fn derivatives_of_load_and_penetration_are_those_of_direct_solves() {
             );
             // In units of the adhesionless load and penetration, so that nothing depends on where
             // they cancel the adhesive ones.
-            let [load, penetration] = solved(system, a, 0.0);
+            let [load, penetration] = solved(system.clone(), a, 0.0);
             let units = [load.abs(), penetration.abs()];
             for input in Input::ALL {
                 let own = match input {
                     Input::ContactRadius => a,
                     Input::WorkOfAdhesion => w,
-                    Input::SphereRadius => system.sphere_radius,
+                    Input::SphereRadius => system.probe.radius().expect("a paraboloid"),
                     Input::SphereModulus => system.sphere_modulus,
                     Input::FilmThickness => system.film_thickness,
                     Input::FilmModulus => system.film.young(),
@@ -125,10 +127,10 @@ fn derivatives_of_load_and_penetration_are_those_of_direct_solves() {
                 let is_poisson = matches!(input, Input::FilmPoisson | Input::SubstratePoisson);
                 let (step, unit) = if is_poisson { (5e-4, 1.0) } else { (1e-2, own) };
                 let value = |h: f64| match input {
-                    Input::ContactRadius => solved(system, own * h.exp(), w),
-                    Input::WorkOfAdhesion => solved(system, a, own * h.exp()),
-                    _ if is_poisson => solved(with(system, input, own + h), a, w),
-                    _ => solved(with(system, input, own * h.exp()), a, w),
+                    Input::ContactRadius => solved(system.clone(), own * h.exp(), w),
+                    Input::WorkOfAdhesion => solved(system.clone(), a, own * h.exp()),
+                    _ if is_poisson => solved(with(system.clone(), input, own + h), a, w),
+                    _ => solved(with(system.clone(), input, own * h.exp()), a, w),
                 };
                 let one_sided = is_poisson && own > 0.49;
                 let expected = derivatives(step, one_sided, value);
@@ -266,7 +268,9 @@ fn derivatives_on_a_half_space_are_those_of_jkr() {
     let [a, w, sphere_radius, sphere_modulus, young, nu] = own;
     let solid = Elastic::new(young, nu).expect("physical");
     let contact = Contact::half_space(&HalfSpace {
-        sphere_radius,
+        probe: Probe::Paraboloid {
+            radius: sphere_radius,
+        },
         sphere_modulus,
         solid,
     })
@@ -294,7 +298,9 @@ fn derivatives_on_a_half_space_are_those_of_jkr() {
         );
     }
     let rigid = HalfSpace {
-        sphere_radius,
+        probe: Probe::Paraboloid {
+            radius: sphere_radius,
+        },
         sphere_modulus: f64::INFINITY,
         solid,
     };

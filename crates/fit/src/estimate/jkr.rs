@@ -7,7 +7,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::problem::{Assigned, LARGEST};
 use crate::statistics::median;
-use crate::{Branch, Kind};
+use crate::{Branch, Experiment, Kind};
 
 /// The most points that a search for a start uses.
 const MOST_POINTS: usize = 40;
@@ -85,10 +85,30 @@ fn main_branch(assigned: &Assigned) -> Branch {
     }
 }
 
+/// Returns the radius of the paraboloid that stands for the probe: that of the largest contact, or
+/// of half of the range of the penetrations or heights.
+pub(super) fn radius_of(assigned: &Assigned) -> f64 {
+    let Experiment {
+        measurement,
+        bodies,
+        ..
+    } = &assigned.experiment;
+    let contacts = measurement.points.iter().zip(&assigned.branches);
+    let contacts =
+        contacts.filter(|(_, branch)| matches!(branch, Branch::Advancing | Branch::Receding));
+    let [least, most] = contacts.fold([f64::INFINITY, f64::NEG_INFINITY], |[l, m], (point, _)| {
+        [l.min(point.abscissa), m.max(point.abscissa)]
+    });
+    match measurement.kind {
+        Kind::LoadRadius | Kind::PenetrationRadius => bodies.paraboloid(most, false),
+        Kind::LoadPenetration | Kind::ForceHeight => bodies.paraboloid(0.5 * (most - least), true),
+    }
+}
+
 /// Fits `F = 4 E*/(3 R) a^3 - sqrt(8 pi w E*) a^{3/2} + F0`, weighted as in the JKR plot.
 fn of_loads_at_radii(assigned: &Assigned, unknown: Unknown) -> Option<Homogeneous> {
     let experiment = &assigned.experiment;
-    let radius = experiment.bodies.sphere_radius();
+    let radius = radius_of(assigned);
     let adhesive = unknown.work_of_adhesion || experiment.work_of_adhesion > 0.0;
     let apart = points_of(assigned, Branch::Baseline);
     let known_level = if apart.is_empty() || !unknown.level {
@@ -143,7 +163,7 @@ fn of_loads_at_radii(assigned: &Assigned, unknown: Unknown) -> Option<Homogeneou
 /// Fits `delta = a^2/R - sqrt(2 pi a w/E*) + c`.
 fn of_penetrations_at_radii(assigned: &Assigned, unknown: Unknown) -> Option<Homogeneous> {
     let experiment = &assigned.experiment;
-    let radius = experiment.bodies.sphere_radius();
+    let radius = radius_of(assigned);
     let fit = |branch: Branch| {
         let points = points_of(assigned, branch);
         let rows = points.iter().map(|[a, penetration]| {
@@ -185,7 +205,7 @@ fn of_penetrations_at_radii(assigned: &Assigned, unknown: Unknown) -> Option<Hom
 /// `E*^{-2/3} (b^2/R - sqrt(2 pi b w))`, with a `b` that does not depend on `E*`.
 fn of_loads_at_positions(assigned: &Assigned, unknown: Unknown) -> Option<Homogeneous> {
     let experiment = &assigned.experiment;
-    let radius = experiment.bodies.sphere_radius();
+    let radius = radius_of(assigned);
     let [level, slope] = baseline(assigned, unknown)?;
     let compliance = experiment
         .stiffness

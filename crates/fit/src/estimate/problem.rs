@@ -158,7 +158,7 @@ impl<'a> Problem<'a> {
         if contacts.len() >= 2 * self.assigned.len() {
             contacts.remove(0);
         }
-        contacts.push((*bodies, gradient, contact.clone()));
+        contacts.push((bodies.clone(), gradient, contact.clone()));
         Ok(contact)
     }
 

@@ -2,7 +2,7 @@
 
 use interp::{Control, Table};
 
-use super::jkr::{Homogeneous, Unknown, homogeneous};
+use super::jkr::{Homogeneous, Unknown, homogeneous, radius_of};
 use super::problem::{Assigned, Problem};
 use super::slot::Slot;
 use crate::{Bodies, Branch, Error, Experiment, Free, Kind, Loss, Parameter, Point};
@@ -142,9 +142,9 @@ fn starts(
     matched: Option<Parameter>,
     is_unknown: impl Fn(Parameter) -> bool,
 ) -> Result<Vec<(Parameter, f64)>, Error> {
+    let sphere_radius = radius_of(at);
     let experiment = &mut at.experiment;
     let [radius, load, _] = found.largest;
-    let sphere_radius = experiment.bodies.sphere_radius();
     // Penetrations against radii tell the work of adhesion over the modulus only.
     let (scale, least) = match found.modulus {
         Some(_) => (1.0, load.abs() / sphere_radius),
@@ -243,7 +243,11 @@ fn matching_modulus(
         return first;
     }
     let excess = |logarithm: f64| -> Option<f64> {
-        let bodies = experiment.bodies.with(parameter, logarithm.exp()).ok()?;
+        let bodies = experiment
+            .bodies
+            .clone()
+            .with(parameter, logarithm.exp())
+            .ok()?;
         let contact = bodies.contact(table, false).ok()?;
         let w = experiment.work_of_adhesion;
         let predicted = if experiment.measurement.kind == Kind::LoadRadius {

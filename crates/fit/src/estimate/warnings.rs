@@ -1,6 +1,6 @@
 //! The doubts about a result.
 
-use interp::{AdhesionRange, Validity};
+use interp::{AdhesionRange, Probe, Validity};
 use nalgebra::DVector;
 
 use super::problem::{Assigned, Ending, Problem};
@@ -376,12 +376,14 @@ fn geometry(
             ),
         );
     }
-    if validity.a_over_r > Validity::WARNING_A_OVER_R {
+    let paraboloid = matches!(experiment.bodies.probe(), Probe::Paraboloid { .. });
+    if paraboloid && validity.a_over_r > Validity::WARNING_A_OVER_R {
         warnings.add(
             WarningKind::LargeContact,
             format!(
                 "{name}: a/R reaches {:.2}, above {}: the model takes the sphere for a paraboloid, \
-                 which changes the penetration by 3 % and more",
+                 which changes the penetration by 3 % and more; fit the sphere itself, \
+                 `Probe::Sphere` or --probe sphere",
                 validity.a_over_r,
                 Validity::WARNING_A_OVER_R
             ),

@@ -37,7 +37,7 @@ pub(crate) fn without_film(
     let problem = &with_film.problem;
     let mut assigned = problem.assigned.clone();
     for one in &mut assigned {
-        let Bodies::Coated(system) = one.experiment.bodies else {
+        let Bodies::Coated(system) = &one.experiment.bodies else {
             return None;
         };
         let solid = if of_film {

@@ -144,7 +144,7 @@ impl Experiment {
                 let allowed = "0 (no contact) or positive";
                 return Err(refuse(point.line, abscissa, point.abscissa, allowed));
             }
-            if at_radii && point.abscissa >= self.bodies.sphere_radius() {
+            if at_radii && point.abscissa >= self.bodies.largest_radius() {
                 let allowed = "below the radius of the sphere: check the units of both";
                 return Err(refuse(point.line, abscissa, point.abscissa, allowed));
             }

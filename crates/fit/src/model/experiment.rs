@@ -1,27 +1,76 @@
 //! A measurement with all that is known about it.
 
-use interp::{Contact, Elastic, HalfSpace, System, Table};
+use interp::{Contact, Elastic, HalfSpace, Probe, System, Table};
 
 use super::{Kind, Measurement, Parameter};
 use crate::Error;
 
 /// The bodies in contact.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Bodies {
-    /// A sphere on a film on a substrate.
+    /// A probe on a film on a substrate.
     Coated(System),
-    /// A sphere on a half-space: JKR, or Hertz without adhesion. The parameters of the film are
+    /// A probe on a half-space: JKR, or Hertz without adhesion. The parameters of the film are
     /// those of the half-space.
     HalfSpace(HalfSpace),
 }
 
 impl Bodies {
-    /// Returns the radius of the sphere, m.
-    pub const fn sphere_radius(&self) -> f64 {
+    /// Returns the shape of the probe.
+    pub const fn probe(&self) -> &Probe {
         match self {
-            Self::Coated(system) => system.sphere_radius,
-            Self::HalfSpace(half_space) => half_space.sphere_radius,
+            Self::Coated(system) => &system.probe,
+            Self::HalfSpace(half_space) => &half_space.probe,
         }
+    }
+
+    /// Returns the contact radius (m) that every contact must be below.
+    pub(crate) const fn largest_radius(&self) -> f64 {
+        match self.probe() {
+            Probe::Paraboloid { radius } | Probe::Sphere { radius } => *radius,
+            Probe::Profile(profile) => profile.end(),
+            _ => f64::INFINITY,
+        }
+    }
+
+    /// Returns the radius (m) of a paraboloid that makes, on a half-space and without adhesion, a
+    /// contact of the radius and the penetration of this probe. `size` is the contact radius or,
+    /// if it is `at_penetration`, the penetration. It gives starts of fits only.
+    pub(crate) fn paraboloid(&self, size: f64, at_penetration: bool) -> f64 {
+        /// A radius is found to rounding after as many bisections of the range of its logarithm.
+        const STEPS: usize = 60;
+        match self.probe() {
+            Probe::Paraboloid { radius } | Probe::Sphere { radius } => return *radius,
+            // Its load grows like the penetration, that of a paraboloid like the power 3/2: they
+            // are as large at this penetration, `2 a delta = 4/3 sqrt(R) delta^(3/2)`.
+            Probe::FlatPunch { radius } => return 2.25 * radius * radius / size,
+            _ => {}
+        }
+        let bare = HalfSpace {
+            probe: self.probe().clone(),
+            sphere_modulus: f64::INFINITY,
+            solid: self.film(),
+        };
+        let penetration = |a: f64| {
+            let contact = Contact::half_space(&bare).ok()?;
+            let (_, penetration) = contact.load_and_penetration(a, 0.0).ok()?;
+            Some(penetration)
+        };
+        if !at_penetration {
+            return penetration(size).map_or(f64::NAN, |penetration| size * size / penetration);
+        }
+        let most = self.largest_radius().min(1e2);
+        let [mut low, mut high] = [1e-15_f64.ln(), most.ln()];
+        for _ in 0..STEPS {
+            let middle = 0.5 * (low + high);
+            // A radius below a flat end has no penetration.
+            if penetration(middle.exp()).is_none_or(|found| found < size) {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        high.exp().powi(2) / size
     }
 
     /// Returns the film, or the solid of a half-space.
@@ -171,7 +220,7 @@ impl Experiment {
             Parameter::Baseline => self.baseline = value,
             Parameter::BaselineSlope => self.baseline_slope = value,
             Parameter::Stiffness => self.stiffness = Some(value),
-            _ => self.bodies = self.bodies.with(parameter, value)?,
+            _ => self.bodies = self.bodies.clone().with(parameter, value)?,
         }
         Ok(())
     }

@@ -1,7 +1,7 @@
 //! The ordinates that the contact model predicts for the points of an experiment, and their
 //! derivatives with respect to parameters.
 
-use interp::{Contact, Derivatives, Equilibria, Input, State};
+use interp::{Contact, Derivatives, Equilibria, Input, Probe, State};
 
 use super::readings::imposed;
 use super::turn::Turn;
@@ -273,10 +273,15 @@ impl Experiment {
     ) -> Result<(), interp::Error> {
         let control = self.control();
         let a = end.contact_radius;
-        let (load, penetration) =
-            contact.load_and_penetration(NEAR_END * a, self.work_of(branch))?;
         let least = imposed(control, end.load, end.penetration);
-        let slope = (load - end.load) / (imposed(control, load, penetration) - least);
+        let slope = if matches!(self.bodies.probe(), Probe::FlatPunch { .. }) {
+            let stiffness = contact.stiffness(a)?;
+            stiffness / imposed(control, stiffness, 1.0)
+        } else {
+            let (load, penetration) =
+                contact.load_and_penetration(NEAR_END * a, self.work_of(branch))?;
+            (load - end.load) / (imposed(control, load, penetration) - least)
+        };
         let gradient = if columns.is_empty() {
             None
         } else {

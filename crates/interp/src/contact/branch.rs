@@ -30,9 +30,9 @@ impl Equilibria<'_> {
     ///
     /// ```
     /// # fn main() -> Result<(), interp::Error> {
-    /// use interp::{Branch, Contact, Control, Elastic, HalfSpace, State};
+    /// use interp::{Branch, Contact, Control, Elastic, HalfSpace, Probe, State};
     ///
-    /// let system = HalfSpace { sphere_radius: 1e-3, sphere_modulus: 2e6, solid: Elastic::new(2e11, 0.25)? };
+    /// let system = HalfSpace { probe: Probe::Paraboloid { radius: 1e-3 }, sphere_modulus: 2e6, solid: Elastic::new(2e11, 0.25)? };
     /// let contact = Contact::half_space(&system)?;
     /// let equilibria = contact.equilibria(0.04, Control::Displacement)?;
     /// let mut states = [State::ORIGIN; 3];
@@ -117,7 +117,16 @@ impl Equilibria<'_> {
         }
         let terms = self.contact.terms(a, self.work_of_adhesion)?;
         let by = |input: Input| terms.by(input).ok_or(Error::FixedParameter(input.name()));
-        let by_radius = by(Input::ContactRadius)?;
+        // Under a flat punch not the contact radius but the energy release rate follows the imposed
+        // value: `F = S delta`.
+        let punch = self.contact.is_punch().then(|| terms.stiffness());
+        let by_radius = match punch {
+            Some(stiffness) => Derivatives {
+                load: stiffness,
+                penetration: 1.0,
+            },
+            None => by(Input::ContactRadius)?,
+        };
         let imposed_by_radius = self.control.imposed(by_radius.load, by_radius.penetration);
         let (by_imposed, by_inputs) = derivatives
             .split_first_mut()
@@ -130,6 +139,13 @@ impl Equilibria<'_> {
             let at_radius = match input {
                 Input::WorkOfAdhesion if self.adhesionless() => Derivatives {
                     load: 0.0,
+                    penetration: 0.0,
+                },
+                _ if punch.is_some() => Derivatives {
+                    load: state.load
+                        * terms
+                            .stiffness_by(input)
+                            .ok_or(Error::FixedParameter(input.name()))?,
                     penetration: 0.0,
                 },
                 _ => by(input)?,
@@ -197,6 +213,9 @@ impl<'a> Follower<'a> {
             Branch::Unloading => self.equilibria.unloading(imposed)?,
         };
         self.last = None;
+        if self.equilibria.contact.is_punch() {
+            return Ok(found);
+        }
         if let Some(section) = self.equilibria.section(self.branch, imposed)
             && found.contact_radius > 0.0
         {
@@ -249,7 +268,7 @@ impl<'a> Follower<'a> {
             if !(u >= section.u[0] && u <= section.u[1]) {
                 return Ok(None);
             }
-            let a = u.exp();
+            let a = contact.radius_at(u);
             let (at, [load, penetration]) = contact.state_and_slopes(a, work_of_adhesion)?;
             let slope = control.imposed(load, penetration);
             let step = (imposed - control.imposed(at.load, at.penetration)) / slope;

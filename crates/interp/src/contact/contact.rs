@@ -2,9 +2,10 @@
 //! contact radius.
 
 use super::checks::finite_result;
+use super::shape::{Pair, Shape};
 use crate::{Curve, Error, HalfSpace, Mechanics, Quantities, Quantity, System, Table};
 
-/// A contact of a sphere with a coated substrate, or with a half-space.
+/// A contact of a probe with a coated substrate, or with a half-space.
 ///
 /// On a coated substrate it holds the system and the curve of its material, from a table or from a
 /// solve. A half-space needs no curve. Each function is arithmetic with the values of the curve.
@@ -12,14 +13,15 @@ use crate::{Curve, Error, HalfSpace, Mechanics, Quantities, Quantity, System, Ta
 pub struct Contact {
     pub(super) mechanics: Mechanics,
     pub(super) bodies: Bodies,
+    pub(super) shape: Shape,
 }
 
 /// The bodies in contact.
 #[derive(Clone, Debug)]
 pub(super) enum Bodies {
-    /// A sphere on a homogeneous half-space.
+    /// A probe on a homogeneous half-space.
     HalfSpace(HalfSpace),
-    /// A sphere on a coated substrate, with the curve of its material.
+    /// A probe on a coated substrate, with the curve of its material.
     Coated { system: System, curve: Curve },
 }
 
@@ -83,22 +85,29 @@ impl Contact {
                 system: material.to_array(),
             });
         }
+        let shape = Shape::on_film(system, &curve)?;
+        let mechanics = match shape.largest_radius(system) {
+            Some(most) => mechanics.with_largest_radius(most),
+            None => mechanics,
+        };
         Ok(Self {
             mechanics,
             bodies: Bodies::Coated {
-                system: *system,
+                system: system.clone(),
                 curve,
             },
+            shape,
         })
     }
 
-    /// Makes the contact of a sphere on a half-space: JKR, to rounding.
+    /// Makes the contact of a probe on a half-space: JKR under a paraboloid, and closed forms under
+    /// every other probe, to rounding.
     ///
     /// ```
     /// # fn main() -> Result<(), interp::Error> {
-    /// use interp::{Contact, Control, Elastic, HalfSpace};
+    /// use interp::{Contact, Control, Elastic, HalfSpace, Probe};
     ///
-    /// let system = HalfSpace { sphere_radius: 1e-3, sphere_modulus: 2e6, solid: Elastic::new(2e11, 0.25)? };
+    /// let system = HalfSpace { probe: Probe::Paraboloid { radius: 1e-3 }, sphere_modulus: 2e6, solid: Elastic::new(2e11, 0.25)? };
     /// let pull_off = Contact::half_space(&system)?.pull_off(0.04, Control::Load)?;
     /// assert!((pull_off.load / (-1.5 * std::f64::consts::PI * 0.04 * 1e-3) - 1.0).abs() < 1e-14);
     /// # Ok(()) }
@@ -109,7 +118,8 @@ impl Contact {
     pub fn half_space(system: &HalfSpace) -> Result<Self, Error> {
         Ok(Self {
             mechanics: Mechanics::half_space(system)?,
-            bodies: Bodies::HalfSpace(*system),
+            bodies: Bodies::HalfSpace(system.clone()),
+            shape: Shape::on_half_space(&system.probe),
         })
     }
 
@@ -121,7 +131,7 @@ impl Contact {
         }
     }
 
-    /// Returns sphere, film and substrate; `None` on a half-space.
+    /// Returns probe, film and substrate; `None` on a half-space.
     pub fn system(&self) -> Option<&System> {
         match &self.bodies {
             Bodies::HalfSpace(_) => None,
@@ -147,12 +157,12 @@ impl Contact {
     /// and, if `w > 0`, without `eeq` and `gamma`.
     pub fn load(&self, a: f64, w: f64) -> Result<f64, Error> {
         let edge = self.mechanics.edge_singularity(a, w)?;
-        let (pi0, eeq_over_gamma) = if w == 0.0 {
-            (self.quantity(Quantity::Pi0, a)?, 1.0)
-        } else {
-            self.load_factors(a)?
-        };
-        finite_result(a, self.mechanics.load(a, edge, pi0, eeq_over_gamma))
+        if w == 0.0 {
+            return finite_result(a, self.adhesionless_load(a)?);
+        }
+        let (without, eeq_over_gamma) = self.load_factors(a)?;
+        let lowered = Mechanics::load_lowered_by(a, edge, eeq_over_gamma);
+        finite_result(a, without - lowered)
     }
 
     /// Writes into `loads` the load (N) at each of the contact `radii` (m), in their order, at work
@@ -176,20 +186,17 @@ impl Contact {
     /// As [`Contact::load`], and [`Error::MissingQuantity`] without `delta0`.
     pub fn load_and_penetration(&self, a: f64, w: f64) -> Result<(f64, f64), Error> {
         let edge = self.mechanics.edge_singularity(a, w)?;
-        let quantities = if w == 0.0 {
-            let (pi0, delta0) = (
-                self.quantity(Quantity::Pi0, a)?,
-                self.quantity(Quantity::Delta0, a)?,
-            );
-            Quantities {
-                pi0,
-                delta0,
-                ..Quantities::homogeneous(1.0)
-            }
+        let (load, penetration) = if w == 0.0 {
+            let without = self.adhesionless(a)?;
+            (without.load, without.penetration)
         } else {
-            self.quantities(a)?
+            let (without, q) = self.adhesionless_and_quantities(a)?;
+            let lowered = self.mechanics.lowered_by(a, edge, q.eeq, q.gamma);
+            (
+                without.load - lowered.load,
+                without.penetration - lowered.penetration,
+            )
         };
-        let (load, penetration) = self.mechanics.load_and_penetration(a, edge, &quantities);
         Ok((finite_result(a, load)?, finite_result(a, penetration)?))
     }
 
@@ -235,7 +242,10 @@ impl Contact {
     /// As [`Contact::stiffness`], and [`Error::MissingQuantity`] unless the curve holds all four.
     pub fn quantities(&self, a: f64) -> Result<Quantities, Error> {
         self.mechanics.check_radius(a)?;
-        self.evaluate(a, Curve::quantities, Quantities::homogeneous(1.0))
+        match &self.bodies {
+            Bodies::Coated { system, curve } => curve.quantities(a / system.film_thickness),
+            Bodies::HalfSpace(_) => Ok(Quantities::homogeneous(1.0)),
+        }
     }
 
     /// Returns one quantity at contact radius `a` (m).
@@ -245,11 +255,6 @@ impl Contact {
             |curve, x| curve.quantity(quantity, x),
             Quantities::homogeneous(1.0).get(quantity),
         )
-    }
-
-    /// Returns `Pi0` and `Eeq/Gamma`, which eq. 9 needs, at contact radius `a` (m).
-    pub(super) fn load_factors(&self, a: f64) -> Result<(f64, f64), Error> {
-        self.evaluate(a, Curve::load_factors, (8.0 / 3.0, 1.0))
     }
 
     /// Returns the state at contact radius `a` (m) and work of adhesion `w` (J/m^2).
@@ -269,52 +274,45 @@ impl Contact {
     /// `delta = delta0 - 2 g/(E* Gamma)`, where `g` grows like `a^{1/2}`.
     pub(super) fn state_and_slopes(&self, a: f64, w: f64) -> Result<(State, [f64; 2]), Error> {
         let edge = self.mechanics.edge_singularity(a, w)?;
-        let (one, zero) = (
-            Quantities::homogeneous(1.0),
-            Quantities::from_array([0.0; 4]),
-        );
-        let (values, slopes) = if w == 0.0 {
-            let of_two = |curve: &Curve, x: f64| {
-                let (values, slopes) = curve.adhesionless_and_slopes(x)?;
-                let two = |of: Quantities, others: Quantities| Quantities {
-                    pi0: of.pi0,
-                    delta0: of.delta0,
-                    ..others
-                };
-                Ok((two(values, one), two(slopes, zero)))
-            };
-            self.evaluate(a, of_two, (one, zero))?
-        } else {
-            self.evaluate(a, Curve::quantities_and_slopes, (one, zero))?
-        };
-        let relative = |quantity| slopes.get(quantity) / values.get(quantity);
-        let (load, penetration) = self.mechanics.load_and_penetration(a, edge, &values);
-        let f0 = self.mechanics.adhesionless_load(a, values.pi0);
-        let delta0 = self.mechanics.adhesionless_penetration(a, values.delta0);
-        let gamma = relative(Quantity::Gamma);
-        let state = State {
-            contact_radius: a,
-            load: finite_result(a, load)?,
-            penetration: finite_result(a, penetration)?,
+        if w == 0.0 {
+            let (without, slopes) = self.adhesionless_and_slopes(a)?;
+            let state = Self::finite_state(a, without)?;
+            return Ok((state, [slopes.load, slopes.penetration]));
+        }
+        let (without, slopes, values, relative) = self.everything_and_slopes(a)?;
+        let lowered = self.mechanics.lowered_by(a, edge, values.eeq, values.gamma);
+        let state = Pair {
+            load: without.load - lowered.load,
+            penetration: without.penetration - lowered.penetration,
         };
         let slopes = [
-            f0 * (3.0 + relative(Quantity::Pi0))
-                - (f0 - load) * (1.5 + relative(Quantity::Eeq) - gamma),
-            delta0 * (2.0 + relative(Quantity::Delta0)) - (delta0 - penetration) * (0.5 - gamma),
+            slopes.load - lowered.load * (1.5 + relative.eeq - relative.gamma),
+            slopes.penetration - lowered.penetration * (0.5 - relative.gamma),
         ];
-        Ok((state, slopes))
+        Ok((Self::finite_state(a, state)?, slopes))
     }
 
-    /// Evaluates `curve` at the `a/t` of contact radius `a` (m), or returns the constant
+    /// Returns a state unless it is infinite or NaN.
+    fn finite_state(a: f64, of: Pair) -> Result<State, Error> {
+        Ok(State {
+            contact_radius: a,
+            load: finite_result(a, of.load)?,
+            penetration: finite_result(a, of.penetration)?,
+        })
+    }
+
+    /// Evaluates the curve of the shape at the `a/t` of contact radius `a` (m), or returns the constant
     /// `half_space`. The radius must have been checked.
-    fn evaluate<T>(
+    pub(super) fn evaluate<T>(
         &self,
         a: f64,
         curve: impl FnOnce(&Curve, f64) -> Result<T, Error>,
         half_space: T,
     ) -> Result<T, Error> {
         match &self.bodies {
-            Bodies::Coated { system, curve: own } => curve(own, a / system.film_thickness),
+            Bodies::Coated { system, curve: own } => {
+                curve(self.shape.curve().unwrap_or(own), a / system.film_thickness)
+            }
             Bodies::HalfSpace(_) => Ok(half_space),
         }
     }

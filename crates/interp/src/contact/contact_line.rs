@@ -16,9 +16,9 @@ const ROUNDING: f64 = 1e-6;
 ///
 /// ```
 /// # fn main() -> Result<(), interp::Error> {
-/// use interp::{Contact, Control, Elastic, HalfSpace, Hysteresis};
+/// use interp::{Contact, Control, Elastic, HalfSpace, Hysteresis, Probe};
 ///
-/// let system = HalfSpace { sphere_radius: 1e-3, sphere_modulus: 2e6, solid: Elastic::new(2e11, 0.25)? };
+/// let system = HalfSpace { probe: Probe::Paraboloid { radius: 1e-3 }, sphere_modulus: 2e6, solid: Elastic::new(2e11, 0.25)? };
 /// let contact = Contact::half_space(&system)?;
 /// let mut line = contact.line(Hysteresis::new(0.03, 0.05)?, 50e-6)?;
 /// let loaded = line.impose(Control::Load, 1e-3)?.expect("in contact");
@@ -45,6 +45,9 @@ impl Contact {
     /// quantities.
     pub fn line<L: CrackTip>(&self, law: L, a: f64) -> Result<ContactLine<'_, L>, Error> {
         let [advancing, _] = energies_in_order(law.at_rest())?;
+        if self.is_punch() {
+            return Err(self.makes_no_sense("a contact line that moves"));
+        }
         self.quantities(a)?;
         let state = self.state(a, advancing)?;
         Ok(ContactLine {
@@ -86,8 +89,10 @@ impl Contact {
         imposed: f64,
         a: f64,
     ) -> Result<(State, f64), Error> {
-        let (quantities, mechanics) = (self.quantities(a)?, self.mechanics());
-        let (load, penetration) = mechanics.load_and_penetration(a, 0.0, &quantities);
+        let mechanics = self.mechanics();
+        mechanics.check_radius(a)?;
+        let (without, quantities) = self.adhesionless_and_quantities(a)?;
+        let (load, penetration) = (without.load, without.penetration);
         // An edge singularity of 1 N/m reduces both by those of a flat punch.
         let penetration_of_edge = 1.0 / mechanics.edge_of_flat_punch(1.0, quantities.gamma);
         let load_of_edge = mechanics.stiffness(a, quantities.eeq) * penetration_of_edge;

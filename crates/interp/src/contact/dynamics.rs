@@ -65,11 +65,11 @@ impl<L: CrackTip> ContactLine<'_, L> {
     /// ```
     /// # #[cfg(feature = "embedded")]
     /// # fn main() -> Result<(), interp::Error> {
-    /// use interp::{Control, Elastic, RateDependent, System, Table};
+    /// use interp::{Control, Elastic, Probe, RateDependent, System, Table};
     ///
     /// let film = Elastic::new(3.5e6, 0.5)?;
     /// let substrate = Elastic::new(2e11, 0.25)?;
-    /// let system = System { sphere_radius: 1e-3, sphere_modulus: 2e6, film, film_thickness: 1e-6, substrate };
+    /// let system = System { probe: Probe::Paraboloid { radius: 1e-3 }, sphere_modulus: 2e6, film, film_thickness: 1e-6, substrate };
     /// let contact = Table::embedded().contact(&system)?;
     /// let mut line = contact.line(RateDependent::new(0.04, 1e-6, 0.6)?, 65e-6)?;
     /// line.ramp(Control::Load, 1e-3, 10.0, 1e-6)?;

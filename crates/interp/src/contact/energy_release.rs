@@ -20,8 +20,8 @@ impl Contact {
     pub fn energy_release_rate_at_load(&self, a: f64, load: f64) -> Result<f64, Error> {
         self.mechanics().check_radius(a)?;
         finite_input("load", load)?;
-        let (pi0, eeq_over_gamma) = self.load_factors(a)?;
-        let edge = (self.mechanics().adhesionless_load(a, pi0) - load) / (4.0 * a * eeq_over_gamma);
+        let (without, eeq_over_gamma) = self.load_factors(a)?;
+        let edge = (without - load) / (4.0 * a * eeq_over_gamma);
         finite_result(a, self.mechanics().energy_release_rate(a, edge))
     }
 
@@ -42,11 +42,8 @@ impl Contact {
     ) -> Result<f64, Error> {
         self.mechanics().check_radius(a)?;
         finite_input("penetration", penetration)?;
-        let (gamma, delta0) = (
-            self.quantity(Quantity::Gamma, a)?,
-            self.quantity(Quantity::Delta0, a)?,
-        );
-        let flat_punch = self.mechanics().adhesionless_penetration(a, delta0) - penetration;
+        let gamma = self.quantity(Quantity::Gamma, a)?;
+        let flat_punch = self.adhesionless_penetration(a)? - penetration;
         finite_result(
             a,
             self.mechanics()
@@ -78,15 +75,13 @@ impl Contact {
     ) -> Result<(f64, f64), Error> {
         finite_input("load", load)?;
         finite_input("penetration", penetration)?;
+        if self.is_punch() {
+            return Err(self.makes_no_sense("a contact radius from load and penetration"));
+        }
         let [u_least, u_most] = self.search_range()?.map(f64::ln);
+        let radius = |u: f64| self.radius_at(u);
         let outside = |name, value| Err(self.outside(name, value));
-        let flat_punch = |u: f64| {
-            let a = u.exp();
-            Ok(self
-                .mechanics()
-                .adhesionless_penetration(a, self.quantity(Quantity::Delta0, a)?)
-                - penetration)
-        };
+        let flat_punch = |u: f64| Ok(self.adhesionless_penetration(radius(u))? - penetration);
         if flat_punch(u_most)? < 0.0 {
             return outside("penetration", penetration);
         }
@@ -98,14 +93,9 @@ impl Contact {
             u_least
         };
         let excess = |u: f64| {
-            let (a, flat_punch) = (u.exp(), flat_punch(u)?);
-            let (pi0, eeq) = (
-                self.quantity(Quantity::Pi0, a)?,
-                self.quantity(Quantity::Eeq, a)?,
-            );
-            Ok(self.mechanics().adhesionless_load(a, pi0)
-                - self.mechanics().stiffness(a, eeq) * flat_punch
-                - load)
+            let (a, flat_punch) = (radius(u), flat_punch(u)?);
+            let eeq = self.quantity(Quantity::Eeq, a)?;
+            Ok(self.adhesionless_load(a)? - self.mechanics().stiffness(a, eeq) * flat_punch - load)
         };
         if excess(u_from)? < 0.0 {
             let possible = adhesionless || (penetration <= 0.0 && load >= 0.0);
@@ -120,7 +110,7 @@ impl Contact {
         if excess(u_most)? >= 0.0 {
             return outside("load", load);
         }
-        let a = root(excess, u_from, u_most)?.exp();
+        let a = radius(root(excess, u_from, u_most)?);
         Ok((a, self.energy_release_rate_at_penetration(a, penetration)?))
     }
 }

@@ -113,9 +113,9 @@ impl Contact {
     /// ```
     /// # #[cfg(feature = "embedded")]
     /// # fn main() -> Result<(), interp::Error> {
-    /// # use interp::{Control, Elastic, System, Table};
+    /// # use interp::{Control, Elastic, Probe, System, Table};
     /// # let (film, substrate) = (Elastic::new(3.5e6, 0.5)?, Elastic::new(2e11, 0.25)?);
-    /// # let system = System { sphere_radius: 1e-3, sphere_modulus: 2e6, film, film_thickness: 1e-5, substrate };
+    /// # let system = System { probe: Probe::Paraboloid { radius: 1e-3 }, sphere_modulus: 2e6, film, film_thickness: 1e-5, substrate };
     /// let contact = Table::embedded().contact(&system)?;
     /// let equilibria = contact.equilibria(0.04, Control::Load)?;
     /// let at_rest = equilibria.unloading(0.0)?; // 67.06 um
@@ -136,13 +136,16 @@ impl Contact {
         work_of_adhesion(w)?;
         control.check()?;
         let imposed = |u: f64| {
-            self.load_and_penetration(u.exp(), w)
+            self.load_and_penetration(self.radius_at(u), w)
                 .map(|(load, penetration)| control.imposed(load, penetration))
         };
         let slope = |u: f64| {
-            self.state_and_slopes(u.exp(), w)
+            self.state_and_slopes(self.radius_at(u), w)
                 .map(|(_, [load, penetration])| control.imposed(load, penetration))
         };
+        if self.is_punch() {
+            return self.equilibria_of_punch(w, control);
+        }
         let grid = self.search_grid()?;
         let (first, last) = (grid[0], grid[grid.len() - 1]);
         let rises_at = |u: f64| slope(u).map(|slope| slope >= 0.0);
@@ -174,6 +177,23 @@ impl Contact {
         })
     }
 
+    /// Returns the equilibria of a flat punch. Its line stays at the edge of the punch, so that there
+    /// is one stable equilibrium at every imposed value from that of the pull-off on.
+    fn equilibria_of_punch(&self, w: f64, control: Control) -> Result<Equilibria<'_>, Error> {
+        let [radius, _] = self.contact_radius_range();
+        let (load, penetration) = self.load_and_penetration(radius, w)?;
+        Ok(Equilibria {
+            contact: self,
+            work_of_adhesion: w,
+            control,
+            sections: vec![Section {
+                u: [radius.ln(); 2],
+                imposed: [control.imposed(load, penetration), f64::MAX],
+                rises: true,
+            }],
+        })
+    }
+
     /// Returns the state in which a contact with work of adhesion `w` (J/m^2) separates on
     /// unloading, [`Equilibria::pull_off`].
     ///
@@ -195,13 +215,16 @@ impl Contact {
     }
 
     /// Returns the logarithms of contact radii between which the signs of the slopes are compared:
-    /// on a film a grid, on a half-space, which has one turning point, the ends of the range.
+    /// on a film, and under a shape with an end, a grid; on a half-space without such an end, where
+    /// there is one turning point, the ends of the range.
     fn search_grid(&self) -> Result<Vec<f64>, Error> {
         const STEP: f64 = 0.05;
         let [smallest, largest] = self.search_range()?;
-        let first_node = self
-            .node_radii()
-            .map_or(largest, |[from, _]| from.min(largest));
+        let first_node = match self.node_radii() {
+            Some([from, _]) => from.min(largest),
+            None => self.first_of_grid().unwrap_or(largest),
+        }
+        .max(smallest);
         let length = (largest / first_node).ln();
         let intervals = (length / STEP).ceil().max(1.0);
         let nodes =
@@ -317,6 +340,8 @@ impl Equilibria<'_> {
     /// Returns the state in which the contact finally separates on unloading: the equilibrium of
     /// the smallest imposed value.
     ///
+    /// Under a flat end, the smallest contact has the radius of the end, and may be this state.
+    ///
     /// Unloading follows the stable equilibria of the largest contact radius down to their end, a
     /// minimum of the imposed value. If another stable equilibrium with a smaller contact radius
     /// exists at this value, the contact jumps to it, and unloading continues from there. No
@@ -332,7 +357,7 @@ impl Equilibria<'_> {
             return Ok(State::ORIGIN);
         }
         let [first, last] = self.ends();
-        if first.rises || !last.rises {
+        if (first.rises && !self.contact.has_flat_end()) || !last.rises {
             return Err(self
                 .contact
                 .outside("the pull-off at work of adhesion", self.work_of_adhesion));
@@ -357,8 +382,11 @@ impl Equilibria<'_> {
     pub(super) fn check(&self, imposed: f64) -> Result<(), Error> {
         finite_input(self.control.name(), imposed)?;
         let [first, last] = self.ends();
-        let below =
-            first.rises && imposed < first.imposed[0] && !(self.adhesionless() && imposed <= 0.0);
+        // Below the contact of a flat end there is none.
+        let below = first.rises
+            && imposed < first.imposed[0]
+            && !self.contact.has_flat_end()
+            && !(self.adhesionless() && imposed <= 0.0);
         let within = last.rises && imposed <= last.imposed[1] && !below;
         if within {
             Ok(())
@@ -369,7 +397,8 @@ impl Equilibria<'_> {
 
     /// Returns the state at the contact radius with logarithm `u`.
     pub(super) fn state(&self, u: f64) -> Result<State, Error> {
-        self.contact.state(u.exp(), self.work_of_adhesion)
+        self.contact
+            .state(self.contact.radius_at(u), self.work_of_adhesion)
     }
 
     /// Returns the imposed value of a state.
@@ -389,6 +418,11 @@ impl Equilibria<'_> {
 
     /// Returns the state of a section at an imposed value.
     fn find(&self, section: &Section, imposed: f64) -> Result<State, Error> {
+        if self.contact.is_punch() {
+            let [radius, _] = self.contact.contact_radius_range();
+            let (state, _) = self.contact.state_under(self.control, imposed, radius)?;
+            return Ok(state);
+        }
         self.state(self.log_radius(section, imposed)?)
     }
 }

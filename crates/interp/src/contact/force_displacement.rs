@@ -53,9 +53,9 @@ impl Equilibria<'_> {
     ///
     /// ```
     /// # fn main() -> Result<(), interp::Error> {
-    /// use interp::{Contact, Control, Elastic, HalfSpace};
+    /// use interp::{Contact, Control, Elastic, HalfSpace, Probe};
     ///
-    /// let system = HalfSpace { sphere_radius: 1e-3, sphere_modulus: 2e6, solid: Elastic::new(2e11, 0.25)? };
+    /// let system = HalfSpace { probe: Probe::Paraboloid { radius: 1e-3 }, sphere_modulus: 2e6, solid: Elastic::new(2e11, 0.25)? };
     /// let contact = Contact::half_space(&system)?;
     /// let curve = contact.equilibria(0.04, Control::Displacement)?.force_displacement(1e-5, 50)?;
     /// assert_eq!((curve.loading.len(), curve.unloading.len(), curve.jumps.len()), (1, 1, 2));
@@ -65,6 +65,9 @@ impl Equilibria<'_> {
     /// ```
     pub fn force_displacement(&self, most: f64, points: usize) -> Result<ForceDisplacement, Error> {
         number_of_points(points)?;
+        if self.contact.is_punch() {
+            return self.of_punch(most, points);
+        }
         let u_turn = self.loading(most)?.contact_radius.ln();
         self.loading(0.0)?;
         self.pull_off()?;
@@ -127,9 +130,43 @@ impl Equilibria<'_> {
         })
     }
 
+    /// Returns the curve of a flat punch, with states evenly spaced in the imposed value.
+    fn of_punch(&self, most: f64, points: usize) -> Result<ForceDisplacement, Error> {
+        self.loading(most)?;
+        let apart = self.pull_off()?;
+        let between = |from: f64, to: f64| -> Result<Vec<State>, Error> {
+            let part = |i: usize| i as f64 / (points - 1) as f64;
+            (0..points)
+                .map(|i| self.unloading((1.0 - part(i)) * from + part(i) * to))
+                .collect()
+        };
+        let loading = between(0.0, most)?;
+        let mut unloading = between(most, self.imposed(&apart))?;
+        let jumps = if self.adhesionless() {
+            Vec::new()
+        } else {
+            // Rounding must not hide the state of the pull-off.
+            unloading[points - 1] = apart;
+            let touch = Jump {
+                from: State::ORIGIN,
+                to: Some(loading[0]),
+            };
+            let separation = Jump {
+                from: apart,
+                to: self.separated(&apart),
+            };
+            vec![touch, separation]
+        };
+        Ok(ForceDisplacement {
+            loading: vec![loading],
+            unloading: vec![unloading],
+            jumps,
+        })
+    }
+
     /// Returns `points` states between the contact radii with logarithms `start` and `end`.
     fn states_between(&self, start: f64, end: f64, points: usize) -> Result<Vec<State>, Error> {
-        let [start, end] = [start.exp(), end.exp()];
+        let [start, end] = [start, end].map(|u| self.contact.radius_at(u));
         let part = |i: usize| i as f64 / (points - 1) as f64;
         let radius = |i: usize| (1.0 - part(i)) * start + part(i) * end;
         (0..points)

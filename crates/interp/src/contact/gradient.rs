@@ -2,6 +2,7 @@
 
 use super::checks::finite_result;
 use super::contact::Bodies;
+use super::shape::{Pair, Shape};
 use crate::material::one_minus_square;
 use crate::{Contact, Error, HalfSpace, Normalisation, Quantities, QuantityGradient, System};
 
@@ -12,7 +13,8 @@ pub enum Input {
     ContactRadius,
     /// Work of adhesion `w`, J/m^2.
     WorkOfAdhesion,
-    /// Radius `R` of the sphere, m.
+    /// Radius `R` of the probe, m: of the sphere or paraboloid, of the end of a cone, or of the
+    /// punch.
     SphereRadius,
     /// Reduced modulus `E2*` of the sphere, Pa.
     SphereModulus,
@@ -94,8 +96,9 @@ impl ContactGradient {
     ///
     /// # Errors
     /// [`Error::FixedParameter`] for an input whose derivative needs a parameter of the material
-    /// that the table fixes; for an input of the film on a half-space; and for the work of adhesion
-    /// if it is below 2.3e-308 J/m^2, because the load falls like its square root.
+    /// that the table fixes; for an input of the film on a half-space; for the radius of a probe
+    /// that has none, and the contact radius of a flat punch, which is that of the punch; and for
+    /// the work of adhesion if it is below 2.3e-308 J/m^2, because the load falls like its square root.
     pub fn by(&self, input: Input) -> Result<Derivatives, Error> {
         self.derivatives[input as usize].ok_or(Error::FixedParameter(input.name()))
     }
@@ -114,6 +117,8 @@ struct LogDerivatives {
     es: f64,
     /// Those of the four quantities, in the order of [`Quantity::ALL`](crate::Quantity::ALL).
     quantities: [f64; 4],
+    /// Those of the parameters of the material: `ln e1_over_e2`, `nu1`, `ln e0_over_e2` and `nu0`.
+    parameters: [f64; 4],
 }
 
 impl Contact {
@@ -126,9 +131,9 @@ impl Contact {
     /// ```
     /// # #[cfg(feature = "embedded")]
     /// # fn main() -> Result<(), interp::Error> {
-    /// # use interp::{Elastic, Input, System, Table};
+    /// # use interp::{Elastic, Input, Probe, System, Table};
     /// # let (film, substrate) = (Elastic::new(3.5e6, 0.5)?, Elastic::new(2e11, 0.25)?);
-    /// # let system = System { sphere_radius: 1e-3, sphere_modulus: 2e6, film, film_thickness: 1e-6, substrate };
+    /// # let system = System { probe: Probe::Paraboloid { radius: 1e-3 }, sphere_modulus: 2e6, film, film_thickness: 1e-6, substrate };
     /// let contact = Table::embedded().contact_with_gradient(&system)?;
     /// let gradient = contact.gradient(65e-6, 0.04)?;
     /// let [film, sphere] = [(Input::FilmModulus, 3.5e6), (Input::SphereModulus, 2e6)].map(|(input, modulus)| {
@@ -186,20 +191,29 @@ impl Contact {
         let (values, gradient) = match &self.bodies {
             Bodies::HalfSpace(_) => (Quantities::homogeneous(1.0), None),
             Bodies::Coated { system, curve } => {
+                let curve = self.shape.curve().unwrap_or(curve);
                 let gradient = curve.gradient(a / system.film_thickness)?;
                 (gradient.values(), Some(gradient))
             }
         };
-        let (load, penetration) = self.mechanics.load_and_penetration(a, edge, &values);
+        let without = match self.shape {
+            Shape::Paraboloid { radius, .. } => {
+                self.mechanics
+                    .adhesionless(a, radius, values.pi0, values.delta0)
+            }
+            _ => self.adhesionless(a)?,
+        };
+        let lowered = self.mechanics.lowered_by(a, edge, values.eeq, values.gamma);
         Ok(Terms {
             contact: self,
             a,
             w,
             gradient,
-            load,
-            penetration,
-            f0: self.mechanics.adhesionless_load(a, values.pi0),
-            delta0: self.mechanics.adhesionless_penetration(a, values.delta0),
+            load: without.load - lowered.load,
+            penetration: without.penetration - lowered.penetration,
+            without,
+            lowered,
+            stiffness: self.mechanics.stiffness(a, values.eeq),
         })
     }
 }
@@ -213,61 +227,192 @@ pub(super) struct Terms<'a> {
     gradient: Option<QuantityGradient>,
     load: f64,
     penetration: f64,
-    f0: f64,
-    delta0: f64,
+    /// Those without adhesion.
+    without: Pair,
+    /// By how much adhesion lowers them.
+    lowered: Pair,
+    /// The stiffness of the contact, N/m.
+    stiffness: f64,
 }
 
 impl Terms<'_> {
     /// Returns the derivatives with respect to one input; `None` if they are not known.
     pub(super) fn by(&self, input: Input) -> Option<Derivatives> {
+        let logarithms = self.logarithms(input)?;
         let LogDerivatives {
             contact_radius,
             work_of_adhesion,
-            sphere_radius,
             modulus,
             es,
-            quantities: [pi0, eeq, gamma, delta],
-        } = self.logarithms(input)?;
+            quantities: [_, eeq, gamma, _],
+            ..
+        } = logarithms;
         // That of `g = sqrt(pi a w Es* / 2)`.
         let edge = 0.5 * (contact_radius + work_of_adhesion + modulus + es);
-        let (f0, delta0) = (self.f0, self.delta0);
+        let (without, lowered) = (self.without_adhesion(input, &logarithms)?, self.lowered);
         Some(Derivatives {
-            load: f0 * (3.0 * contact_radius + modulus + pi0 - sphere_radius)
-                - (f0 - self.load) * (contact_radius + edge + eeq - gamma),
-            penetration: delta0 * (2.0 * contact_radius + delta - sphere_radius)
-                - (delta0 - self.penetration) * (edge - modulus - gamma),
+            load: without.load - lowered.load * (contact_radius + edge + eeq - gamma),
+            penetration: without.penetration - lowered.penetration * (edge - modulus - gamma),
+        })
+    }
+
+    /// Returns the stiffness of the contact, N/m.
+    pub(super) fn stiffness(&self) -> f64 {
+        self.stiffness
+    }
+
+    /// Returns the derivative of the logarithm of the stiffness with respect to one input; `None` if
+    /// it is not known.
+    pub(super) fn stiffness_by(&self, input: Input) -> Option<f64> {
+        if input == Input::WorkOfAdhesion {
+            return Some(0.0);
+        }
+        let by = self.logarithms(input)?;
+        let [_, eeq, ..] = by.quantities;
+        Some(by.contact_radius + by.modulus + eeq)
+    }
+
+    /// Returns the derivatives of load and penetration without adhesion with respect to one input;
+    /// `None` if they are not known.
+    fn without_adhesion(&self, input: Input, by: &LogDerivatives) -> Option<Pair> {
+        let Pair { load, penetration } = self.without;
+        match &self.contact.shape {
+            Shape::Paraboloid {
+                curve: Some(curve), ..
+            } if matches!(input, Input::SphereRadius | Input::FilmThickness) => {
+                let Bodies::Coated { system, .. } = &self.contact.bodies else {
+                    return None;
+                };
+                let by_size = curve.by_size(self.a / system.film_thickness).ok()?;
+                // The penetration is a length, and the load a modulus times its square. So their
+                // logarithms have derivatives with respect to those of the thickness, of the
+                // contact radius and of the size of the shape whose sums are 1 and 2.
+                let logarithms = match input {
+                    Input::SphereRadius => by_size.map(|size| size * by.sphere_radius),
+                    _ => {
+                        let [pi0, _, _, delta0] = by.quantities;
+                        let t = system.film_thickness;
+                        [
+                            pi0 - (1.0 + by_size[0]) / t,
+                            delta0 - (1.0 + by_size[1]) / t,
+                        ]
+                    }
+                };
+                Some(Pair {
+                    load: load * logarithms[0],
+                    penetration: penetration * logarithms[1],
+                })
+            }
+            Shape::Paraboloid { .. } => {
+                let [pi0, _, _, delta0] = by.quantities;
+                Some(Pair {
+                    load: load * (3.0 * by.contact_radius + by.modulus + pi0 - by.sphere_radius),
+                    penetration: penetration
+                        * (2.0 * by.contact_radius + delta0 - by.sphere_radius),
+                })
+            }
+            Shape::HalfSpace(transform) => Some(match input {
+                Input::ContactRadius => {
+                    let b = transform.slope(self.a);
+                    Pair {
+                        load: self.stiffness * b,
+                        penetration: b,
+                    }
+                }
+                // `b(s; R)` is `R` times a function of `s/R`: its derivative is `(b - s b')/R`.
+                Input::SphereRadius => {
+                    let own = self.a * transform.slope(self.a);
+                    let stiffness = self.stiffness;
+                    Pair {
+                        load: by.sphere_radius * (2.0 * load - stiffness * own),
+                        penetration: by.sphere_radius * (penetration - own),
+                    }
+                }
+                _ => Pair {
+                    load: load * by.modulus,
+                    penetration: 0.0,
+                },
+            }),
+            Shape::Punch => Some(Pair::ZERO),
+            Shape::Solved(..) => self.without_adhesion_on_film(input, by).ok(),
+        }
+    }
+
+    /// Returns the derivatives of load and penetration without adhesion under a shape that is solved
+    /// on a film.
+    fn without_adhesion_on_film(&self, input: Input, by: &LogDerivatives) -> Result<Pair, Error> {
+        let (contact, a) = (self.contact, self.a);
+        let Pair { load, penetration } = self.without;
+        Ok(match input {
+            Input::ContactRadius => {
+                let (_, slopes) = contact.adhesionless_and_slopes(a)?;
+                slopes.times(1.0 / a)
+            }
+            Input::SphereRadius => contact.by_size(a)?.times(by.sphere_radius),
+            // The penetration is a length, and the load a modulus times its square.
+            Input::FilmThickness => {
+                let (_, slopes) = contact.adhesionless_and_slopes(a)?;
+                let size = contact.by_size(a)?;
+                let t = contact.system().map_or(1.0, |system| system.film_thickness);
+                Pair {
+                    load: 2.0 * load - slopes.load - size.load,
+                    penetration: penetration - slopes.penetration - size.penetration,
+                }
+                .times(1.0 / t)
+            }
+            _ => {
+                let mut sum = Pair {
+                    load: load * (by.modulus + by.es),
+                    penetration: 0.0,
+                };
+                let changes = by.parameters.iter().enumerate();
+                for (parameter, &factor) in changes.filter(|(_, factor)| **factor != 0.0) {
+                    let own = contact.by_parameter(parameter, a)?.times(factor);
+                    sum.load += own.load;
+                    sum.penetration += own.penetration;
+                }
+                sum
+            }
         })
     }
 
     /// Returns the derivatives of the logarithms of the factors with respect to one input.
     fn logarithms(&self, input: Input) -> Option<LogDerivatives> {
         match input {
+            Input::ContactRadius if self.contact.is_punch() => None,
+            Input::SphereRadius if self.contact.is_punch() => self.by_contact_radius(),
             Input::SphereRadius => Some(LogDerivatives {
-                sphere_radius: 1.0 / self.contact.mechanics.sphere_radius(),
+                sphere_radius: 1.0 / self.contact.probe().radius()?,
                 ..LogDerivatives::default()
             }),
+            Input::ContactRadius => self.by_contact_radius(),
             // Below the normal numbers `1 / w` may overflow.
             Input::WorkOfAdhesion => self.w.is_normal().then(|| LogDerivatives {
                 work_of_adhesion: 1.0 / self.w,
                 ..LogDerivatives::default()
             }),
-            _ => {
-                let mut logarithms = match (&self.contact.bodies, &self.gradient) {
-                    (Bodies::Coated { system, .. }, Some(gradient)) => {
-                        coated_derivatives(system, gradient, input, self.a)?
-                    }
-                    (Bodies::HalfSpace(system), _) => half_space_derivatives(
-                        system,
-                        self.contact.mechanics.sphere_film_modulus(),
-                        input,
-                    )?,
-                    (Bodies::Coated { .. }, None) => return None,
-                };
-                if input == Input::ContactRadius {
-                    logarithms.contact_radius = 1.0 / self.a;
-                }
-                Some(logarithms)
+            _ => self.by_body(input),
+        }
+    }
+
+    /// Returns the derivatives of the logarithms of the factors with respect to the contact radius.
+    fn by_contact_radius(&self) -> Option<LogDerivatives> {
+        Some(LogDerivatives {
+            contact_radius: 1.0 / self.a,
+            ..self.by_body(Input::ContactRadius)?
+        })
+    }
+
+    /// Returns the derivatives of the logarithms of the factors that depend on the bodies.
+    fn by_body(&self, input: Input) -> Option<LogDerivatives> {
+        match (&self.contact.bodies, &self.gradient) {
+            (Bodies::Coated { system, .. }, Some(gradient)) => {
+                coated_derivatives(system, gradient, input, self.a)
             }
+            (Bodies::HalfSpace(system), _) => {
+                half_space_derivatives(system, self.contact.mechanics.sphere_film_modulus(), input)
+            }
+            (Bodies::Coated { .. }, None) => None,
         }
     }
 }
@@ -364,6 +509,7 @@ fn elastic_derivatives(
         .filter(|&(_, factor)| factor != 0.0)
     {
         let derivatives = gradient.relative(parameter)?;
+        logarithms.parameters[parameter] = unit * factor;
         logarithms.es += unit * factor * gradient.scale(parameter);
         logarithms
             .quantities

@@ -113,6 +113,7 @@ impl Contact {
     /// 2 to 1,000,000.
     pub fn jkr_fit(&self, w: f64, [from, to]: [f64; 2], points: usize) -> Result<JkrFit, Error> {
         number_of_points(points)?;
+        self.with_radius_of_curvature("a JKR plot")?;
         let radius = |i: usize| from + (to - from) * (i as f64 / (points - 1) as f64);
         let point = |a: f64| Ok(self.mechanics().jkr_point(a, self.load(a, w)?));
         let points = (0..points)
@@ -136,10 +137,10 @@ impl Contact {
     /// ```
     /// # #[cfg(feature = "embedded")]
     /// # fn main() -> Result<(), interp::Error> {
-    /// # use interp::{Elastic, System, Table};
+    /// # use interp::{Elastic, Probe, System, Table};
     /// # let (film, substrate) = (Elastic::new(3.5e6, 0.5)?, Elastic::new(2e11, 0.25)?);
     /// let bias = |film_thickness| {
-    ///     let system = System { sphere_radius: 1e-3, sphere_modulus: 2e6, film, film_thickness, substrate };
+    ///     let system = System { probe: Probe::Paraboloid { radius: 1e-3 }, sphere_modulus: 2e6, film, film_thickness, substrate };
     ///     Table::embedded().contact(&system)?.film_bias(0.04, [39.4e-6, 131.3e-6], 15)
     /// };
     /// assert!(!bias(1e-6)?.exceeds(0.03)); // a film of 1 um makes less than 3 %
@@ -163,6 +164,20 @@ impl Contact {
             modulus: fit.modulus / bare - 1.0,
             work_of_adhesion,
             work_of_adhesion_at_known_modulus,
+        })
+    }
+
+    /// Accepts a probe with a radius of curvature, which JKR needs. `question` is what is asked for.
+    pub(super) fn with_radius_of_curvature(&self, question: &'static str) -> Result<f64, Error> {
+        let radius = self.mechanics().sphere_radius();
+        if radius.is_finite() {
+            return Ok(radius);
+        }
+        Err(Error::OtherProbe {
+            question,
+            probe: self.mechanics().probe(),
+            reason: "it needs the radius of curvature at the tip; use a paraboloid, a sphere or a \
+                     rounded cone",
         })
     }
 

@@ -3,8 +3,13 @@
 use std::f64::consts::PI;
 
 use super::checks::{finite_result, work_of_adhesion};
+use super::shape::Pair;
+use crate::material::ROUNDING;
 use crate::material::system::positive;
-use crate::{Error, HalfSpace, Normalisation, Quantities, System};
+use crate::{Error, HalfSpace, Normalisation, Probe, Quantities, System};
+
+/// The contact radius (m) below which contacts of a probe without a largest radius are.
+const LARGEST: f64 = 1e3;
 
 /// A point of the reduced "JKR plot" of eq. 9, a straight line for a homogeneous system.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -33,11 +38,22 @@ impl JkrPoint {
 /// The arithmetic of eqs. 2 to 9 for one system, from given values of the four quantities at the
 /// contact's `a/t`.
 ///
+/// Load and penetration without adhesion are those of the paraboloid, for which `Pi0` and `Delta0`
+/// are defined. Under another probe use the functions of [`Contact`](crate::Contact); here the
+/// loads and penetrations of a sphere are those of its paraboloid, and those of a probe without a
+/// radius of curvature are NaN. Everything else does not depend on the shape.
+///
 /// A function that returns no `Result` is plain arithmetic without checks: NaN gives NaN, and a
 /// result too large for an f64 is infinite. The functions of [`Contact`](crate::Contact) check.
 #[derive(Clone, Copy, Debug)]
 pub struct Mechanics {
+    /// The radius of curvature at the tip, m; NaN without one.
     sphere_radius: f64,
+    /// The name of the probe's shape.
+    probe: &'static str,
+    /// The smallest and the largest contact radius that the shape has, m. The contact radius of a
+    /// probe with a tip is larger than 0, and the largest one is excluded.
+    radii: [f64; 2],
     /// The modulus `E*` that normalises the quantities, Pa.
     modulus: f64,
     sphere_film_modulus: f64,
@@ -56,14 +72,16 @@ impl Mechanics {
             Normalisation::Film => system.film.reduced(),
         };
         Ok(Self {
-            sphere_radius: system.sphere_radius,
+            sphere_radius: tip_radius(&system.probe),
+            probe: system.probe.name(),
+            radii: contact_radii(&system.probe),
             modulus,
             sphere_film_modulus: modulus * material.sphere_film_modulus(),
             sphere_substrate_modulus: modulus * material.sphere_substrate_modulus(),
         })
     }
 
-    /// Takes the geometry and the moduli of a sphere on a half-space.
+    /// Takes the geometry and the moduli of a probe on a half-space.
     ///
     /// The compound modulus normalises: the quantities are [`Quantities::homogeneous`] of 1.
     ///
@@ -72,16 +90,35 @@ impl Mechanics {
     pub fn half_space(system: &HalfSpace) -> Result<Self, Error> {
         let modulus = system.compound_modulus()?;
         Ok(Self {
-            sphere_radius: system.sphere_radius,
+            sphere_radius: tip_radius(&system.probe),
+            probe: system.probe.name(),
+            radii: contact_radii(&system.probe),
             modulus,
             sphere_film_modulus: modulus,
             sphere_substrate_modulus: modulus,
         })
     }
 
-    /// Returns the radius `R` of the sphere, m.
+    /// Returns the radius `R` of the sphere or paraboloid, or that of the end of a rounded cone, m;
+    /// NaN for a probe without a radius of curvature.
     pub const fn sphere_radius(&self) -> f64 {
         self.sphere_radius
+    }
+
+    /// Returns the name of the probe's shape.
+    pub(super) const fn probe(&self) -> &'static str {
+        self.probe
+    }
+
+    /// Returns the smallest and the largest contact radius that the shape of the probe has, m.
+    pub(super) const fn radii(&self) -> [f64; 2] {
+        self.radii
+    }
+
+    /// Returns the same arithmetic with contact radii up to `most` (m) only.
+    pub(super) fn with_largest_radius(mut self, most: f64) -> Self {
+        self.radii[1] = self.radii[1].min(most);
+        self
     }
 
     /// Returns the compound modulus `Es*` of sphere and film (Pa, eq. 7), on a half-space that of
@@ -96,25 +133,46 @@ impl Mechanics {
         self.sphere_substrate_modulus
     }
 
-    /// Accepts a contact radius `a` (m) that is positive and below the radius of the sphere.
+    /// Accepts a contact radius `a` (m) that the shape of the probe has: positive and below the
+    /// radius of a sphere, not below the radius of a flat end, that of a flat punch.
     #[inline]
     pub(super) fn check_radius(&self, a: f64) -> Result<(), Error> {
-        if a > 0.0 && a < self.sphere_radius {
+        let [from, to] = self.radii;
+        if a > 0.0 && a >= from && a < to {
             Ok(())
         } else {
             Err(self.wrong_radius(a))
         }
     }
 
-    /// Makes the error of a contact radius that is not positive and below the radius of the sphere.
+    /// Makes the error of a contact radius that the shape of the probe does not have.
     #[cold]
     fn wrong_radius(&self, a: f64) -> Error {
-        match positive("contact radius", a) {
-            Err(error) => error,
-            Ok(()) => Error::BeyondSphere {
+        if let Err(error) = positive("contact radius", a) {
+            return error;
+        }
+        let [from, to] = self.radii;
+        if to == self.sphere_radius {
+            return Error::BeyondSphere {
                 contact_radius: a,
-                sphere_radius: self.sphere_radius,
-            },
+                sphere_radius: to,
+            };
+        }
+        let (allowed, limit) = if a < from {
+            ("at least the radius of the flat end,", from)
+        } else if from > 0.0 && to < 2.0 * from {
+            ("that of the punch,", 0.5 * (from + to))
+        } else {
+            (
+                "below the largest one for which the shape is known or computed,",
+                to,
+            )
+        };
+        Error::BeyondProbe {
+            probe: self.probe,
+            contact_radius: a,
+            allowed,
+            limit,
         }
     }
 
@@ -125,8 +183,9 @@ impl Mechanics {
     ///
     /// # Errors
     /// [`Error::BeyondSphere`] for an `a` that is not below the radius of the sphere;
-    /// [`Error::Unphysical`] for an `a` that is not positive, a negative `w`, infinity, NaN, or an
-    /// amplitude that overflows an f64.
+    /// [`Error::BeyondProbe`] for one that another shape does not have; [`Error::Unphysical`] for an
+    /// `a` that is not positive, a negative `w`, infinity, NaN, or an amplitude that overflows an
+    /// f64.
     pub fn edge_singularity(&self, a: f64, w: f64) -> Result<f64, Error> {
         self.check_radius(a)?;
         work_of_adhesion(w)?;
@@ -157,7 +216,8 @@ impl Mechanics {
     ///
     /// It follows from eqs. 2, 4, 5 and 6, and is another form of eq. 9.
     pub fn load(&self, a: f64, edge: f64, pi0: f64, eeq_over_gamma: f64) -> f64 {
-        self.adhesionless_load(a, pi0) - 4.0 * a * edge * eeq_over_gamma
+        self.adhesionless_load(a, self.sphere_radius, pi0)
+            - Self::load_lowered_by(a, edge, eeq_over_gamma)
     }
 
     /// Returns load (N) and penetration (m, positive when the sphere moves in) at contact radius
@@ -166,21 +226,42 @@ impl Mechanics {
     /// The load is [`Mechanics::load`], the penetration is
     /// `delta = a^2 Delta0 / R - 2 g / (E* Gamma)`.
     pub fn load_and_penetration(&self, a: f64, edge: f64, q: &Quantities) -> (f64, f64) {
-        let load = self.load(a, edge, q.pi0, q.eeq / q.gamma);
+        let without = self.adhesionless(a, self.sphere_radius, q.pi0, q.delta0);
+        let lowered = self.lowered_by(a, edge, q.eeq, q.gamma);
         (
-            load,
-            self.adhesionless_penetration(a, q.delta0) - 2.0 * edge / (self.modulus * q.gamma),
+            without.load - lowered.load,
+            without.penetration - lowered.penetration,
         )
     }
 
-    /// Returns the adhesionless load `F0 = a^3 E* Pi0 / (2R)` (N), eq. 4.
-    pub(super) fn adhesionless_load(&self, a: f64, pi0: f64) -> f64 {
-        a * a * a * self.modulus * pi0 / (2.0 * self.sphere_radius)
+    /// Returns the adhesionless load `F0 = a^3 E* Pi0 / (2R)` (N), eq. 4, under a paraboloid of
+    /// `radius` `R` (m).
+    pub(super) fn adhesionless_load(&self, a: f64, radius: f64, pi0: f64) -> f64 {
+        a * a * a * self.modulus * pi0 / (2.0 * radius)
     }
 
-    /// Returns the adhesionless penetration `delta0 = a^2 Delta0 / R` (m).
-    pub(super) fn adhesionless_penetration(&self, a: f64, delta0: f64) -> f64 {
-        a * a * delta0 / self.sphere_radius
+    /// Returns load (N), and penetration `delta0 = a^2 Delta0 / R` (m), without adhesion under a
+    /// paraboloid of `radius` `R` (m).
+    pub(super) fn adhesionless(&self, a: f64, radius: f64, pi0: f64, delta0: f64) -> Pair {
+        Pair {
+            load: self.adhesionless_load(a, radius, pi0),
+            penetration: a * a * delta0 / radius,
+        }
+    }
+
+    /// Returns the load `4 a g Eeq/Gamma` (N) and the penetration `2 g/(E* Gamma)` (m) by which the
+    /// edge singularity `edge`, `g` (N/m), lowers those without adhesion.
+    pub(super) fn lowered_by(&self, a: f64, edge: f64, eeq: f64, gamma: f64) -> Pair {
+        Pair {
+            load: Self::load_lowered_by(a, edge, eeq / gamma),
+            penetration: 2.0 * edge / (self.modulus * gamma),
+        }
+    }
+
+    /// Returns the load `4 a g Eeq/Gamma` (N) by which the edge singularity `edge`, `g` (N/m),
+    /// lowers that without adhesion.
+    pub(super) fn load_lowered_by(a: f64, edge: f64, eeq_over_gamma: f64) -> f64 {
+        4.0 * a * edge * eeq_over_gamma
     }
 
     /// Returns the stiffness `S = 2 a E* Eeq` (N/m), eq. 5.
@@ -197,5 +278,27 @@ impl Mechanics {
     /// Returns the point of the reduced JKR plot for a `load` (N) at contact radius `a` (m).
     pub fn jkr_point(&self, a: f64, load: f64) -> JkrPoint {
         JkrPoint::new(a, load, self.sphere_radius)
+    }
+}
+
+/// Returns the radius of curvature at the tip of a probe, NaN without one.
+fn tip_radius(probe: &Probe) -> f64 {
+    match *probe {
+        Probe::Paraboloid { radius }
+        | Probe::Sphere { radius }
+        | Probe::RoundedCone { radius, .. } => radius,
+        _ => f64::NAN,
+    }
+}
+
+/// Returns the smallest contact radius that a shape has, and the one below which the others are.
+fn contact_radii(probe: &Probe) -> [f64; 2] {
+    match probe {
+        Probe::Paraboloid { radius } | Probe::Sphere { radius } => [0.0, *radius],
+        // The radius itself, and its rounding.
+        Probe::FlatPunch { radius } => [radius * (1.0 - ROUNDING), radius * (1.0 + ROUNDING)],
+        Probe::FlatEndedCone { radius, .. } => [*radius, LARGEST],
+        Probe::Profile(profile) => [0.0, profile.end()],
+        Probe::PowerLaw { .. } | Probe::Cone { .. } | Probe::RoundedCone { .. } => [0.0, LARGEST],
     }
 }

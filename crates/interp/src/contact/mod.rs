@@ -1,7 +1,8 @@
 //! The contact in SI units: loads, penetrations, equilibria and their derivatives.
 //!
 //! [`Contact`] joins a system with the curve of its material, and [`Mechanics`] is the arithmetic
-//! of eqs. 2 to 9. `equilibria` and `force_displacement` find the states under a load, a
+//! of eqs. 2 to 9. `shape` knows the shape of the probe, which only the contact without adhesion
+//! depends on. `equilibria` and `force_displacement` find the states under a load, a
 //! penetration or a spring, `branch` those at many values, `radii` the contact radii among which
 //! they search. `energy_release` starts from measured values, `gradient` differentiates, `jkr_fit`
 //! fits a straight line, `validity` compares a contact with the limits of the model. `crack_tip`,
@@ -23,6 +24,7 @@ mod jkr_fit;
 mod mechanics;
 mod radii;
 mod root;
+mod shape;
 mod validity;
 
 pub use branch::Branch;
@@ -37,4 +39,4 @@ pub use gradient::{ContactGradient, Derivatives, Input};
 pub use jkr_fit::{FilmBias, JkrFit};
 pub use mechanics::{JkrPoint, Mechanics};
 pub use root::root;
-pub use validity::{AdhesionRange, FilmValidity, Validity};
+pub use validity::{AdhesionRange, FilmValidity, Neglected, Validity};

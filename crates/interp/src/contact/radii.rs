@@ -6,9 +6,11 @@ use crate::{Curve, Error};
 
 /// The radius (m) from which a search starts where the range begins at 0.
 const SMALLEST: f64 = 1e-60;
-/// The largest radius of a search over the radius of the sphere, which a contact must stay below. A
-/// radius keeps this distance through its logarithm and back.
-const BELOW_SPHERE: f64 = 1.0 - 1e-12;
+/// The largest radius of a search over that of the shape, which a contact must stay below. A radius
+/// keeps this distance through its logarithm and back.
+const BELOW_LARGEST: f64 = 1.0 - 1e-12;
+/// The relative rounding of a radius through its logarithm and back.
+const ROUNDING: f64 = 1e-14;
 
 impl Contact {
     /// Returns the smallest and the largest contact radius (m) among which states are sought.
@@ -18,12 +20,32 @@ impl Contact {
     /// is accurate enough at all radii below the nodes, as it is on the embedded table. Searches
     /// replace 0 by 1e-60 m (or by the radius of the smallest node, if that is smaller).
     ///
+    /// Under another probe than a sphere the range ends where the shape is known no further, and at
+    /// 1e3 m at most. That of a flat end begins at its radius, and that of a flat punch consists of
+    /// its radius.
+    ///
     /// The range is empty, its beginning above its end, if the curve has no radius below `R`.
     pub fn contact_radius_range(&self) -> [f64; 2] {
-        let below_sphere = BELOW_SPHERE * self.mechanics().sphere_radius();
-        let [from, to] = self.node_radii().unwrap_or([0.0, below_sphere]);
+        let [least, most] = self.mechanics().radii();
+        if self.is_punch() {
+            return [0.5 * (least + most); 2];
+        }
+        let most = BELOW_LARGEST * most;
+        let [from, to] = self.node_radii().unwrap_or([0.0, most]);
         let from = if self.extends_to_zero() { 0.0 } else { from };
-        [from, to.min(below_sphere)]
+        [from.max(least), to.min(most)]
+    }
+
+    /// Returns the contact radius of a logarithm of the search. At the ends of the range it is
+    /// exactly the end.
+    pub(super) fn radius_at(&self, u: f64) -> f64 {
+        let [least, _] = self.mechanics().radii();
+        let a = u.exp();
+        if a <= least * (1.0 + ROUNDING) {
+            least
+        } else {
+            a
+        }
     }
 
     /// Returns the smallest and the largest contact radius (m) of the curve's nodes; `None` on a
@@ -62,7 +84,7 @@ impl Contact {
             value,
             from,
             to,
-            at_sphere: to == BELOW_SPHERE * self.mechanics().sphere_radius(),
+            at_sphere: to == BELOW_LARGEST * self.mechanics().sphere_radius(),
         }
     }
 

@@ -3,16 +3,35 @@
 use std::f64::consts::PI;
 
 use super::checks::finite_result;
+#[cfg(doc)]
+use crate::Probe;
 use crate::material::system::positive;
 use crate::{Contact, Error};
 
 /// The geometry of a contact, compared with the assumptions of the model.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Validity {
-    /// Contact radius over sphere radius, `a/R`. The model replaces the sphere by a paraboloid. The
-    /// adhesionless penetration of a true rigid sphere is larger by the part `(a/R)^2/3` and more
-    /// (Sneddon, Int. J. Eng. Sci. 3, 47, 1965: `(a/2) ln((R+a)/(R-a))` on a half-space).
+    /// Contact radius over sphere radius, `a/R`; for a shape without a radius of curvature the slope
+    /// of the shape at the edge, which under a paraboloid is `a/R`, and 0 under a flat punch. Of a
+    /// paraboloid in place of a sphere, the adhesionless penetration is too small by the part
+    /// `(a/R)^2/3` and more (Sneddon, Int. J. Eng. Sci. 3, 47, 1965: `(a/2) ln((R+a)/(R-a))` on a
+    /// half-space).
     pub a_over_r: f64,
+    /// The part by which the load at a given penetration falls if a sphere stands for its
+    /// paraboloid, about `delta0/(10 R)` on a half-space and on films; 0 without a radius of
+    /// curvature. It is the effect that [`Probe::Sphere`] adds.
+    pub shape: f64,
+    /// The part by which the load at a given penetration rises because the surface moves sideways
+    /// under the sloping probe, which the model neglects: `(3/4 pi) (1 - 2 nu)/(1 - nu) a/R`, with
+    /// the Poisson ratio of the film or half-space.
+    ///
+    /// It follows from the displacement `u_r` of Hertz's contact on a half-space, which meets the
+    /// shape at `r + u_r`. On a thin film it is an order of magnitude only. Under cones the effect
+    /// is known since Hay, Bolshakov and Pharr, J. Mater. Res. 14, 2296 (1999).
+    pub sideways: f64,
+    /// The share of the probe in the compliance of probe and film, or half-space: `Es*/E2*`. The
+    /// model takes an elastic probe for a half-space, to first order in `a/R`.
+    pub probe_share: f64,
     /// The numbers of the film; `None` on a half-space.
     pub film: Option<FilmValidity>,
 }
@@ -35,6 +54,10 @@ pub struct FilmValidity {
     /// For a stack of layers it is the same ratio, of all layers together
     /// ([`Curve::of_stack`](crate::Curve::of_stack)), and `a/t` is with their whole thickness.
     pub compressibility: f64,
+    /// The penetration without adhesion over the thickness of the film, `delta0/t`: the size of its
+    /// strain. The model is linear. Where the curve does not cover `a/t`, the penetration is that
+    /// on a half-space.
+    pub strain: f64,
     /// Whether `a/t` is between the first and the last node of the table or curve. Beyond them an
     /// expansion is used, or there is an error.
     pub in_range: bool,
@@ -48,10 +71,46 @@ impl Validity {
     /// the penetration by 3 % there.
     pub const WARNING_A_OVER_R: f64 = 0.3;
 
+    /// The share of the probe in the compliance, and the strain of the film, that count as small: a
+    /// judgement, not a measured limit.
+    pub const SMALL: f64 = 0.1;
+
+    /// Returns the neglected effects that are larger than the difference between a sphere and its
+    /// paraboloid, in the order of [`Neglected`]. While there is one, the exact shape gains nothing
+    /// for loads at given penetrations.
+    ///
+    /// The displacement sideways is compared with [`Validity::shape`] itself. An elastic probe
+    /// counts above an `a/R` of 0.1 if its share of the compliance is above 0.1, and the strain of
+    /// the film counts above 0.1: at a large `a/t` it leaves small strains before `a/R` matters.
+    pub fn neglected(&self) -> Vec<Neglected> {
+        let mut all = Vec::new();
+        if self.sideways > self.shape {
+            all.push(Neglected::Sideways);
+        }
+        if self.is_large_contact() && self.probe_share > Self::SMALL {
+            all.push(Neglected::ElasticProbe);
+        }
+        if self.film.is_some_and(|film| film.strain > Self::SMALL) {
+            all.push(Neglected::Strain);
+        }
+        all
+    }
+
     /// Tells whether `a/R` is above [`Validity::LARGE_A_OVER_R`].
     pub fn is_large_contact(&self) -> bool {
         self.a_over_r > Self::LARGE_A_OVER_R
     }
+}
+
+/// An effect that the model neglects, which [`Validity::neglected`] compares with that of the shape.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Neglected {
+    /// The surface of a compressible film moves sideways under the probe.
+    Sideways,
+    /// An elastic probe is no half-space.
+    ElasticProbe,
+    /// The strain of the film is not small.
+    Strain,
 }
 
 impl FilmValidity {
@@ -111,6 +170,9 @@ impl Contact {
     /// that a result overflows an f64.
     pub fn validity(&self, a: f64) -> Result<Validity, Error> {
         self.mechanics().check_radius(a)?;
+        let a_over_r = self.probe().slope(a);
+        // Where the curve does not cover `a/t`, the size is that of a paraboloid on a half-space.
+        let without = self.adhesionless_penetration(a).unwrap_or(a * a_over_r);
         let film = match self.system().zip(self.curve()) {
             Some((system, curve)) => {
                 let (a_over_t, nu1) = (a / system.film_thickness, system.film.poisson());
@@ -118,18 +180,30 @@ impl Contact {
                     .stack_compressibility()
                     .unwrap_or(3.0 / 16.0 * (1.0 - 2.0 * nu1) / (1.0 - nu1));
                 let compressibility = finite_result(a, factor * a_over_t * a_over_t)?;
+                let strain = finite_result(a, without / system.film_thickness)?;
                 let [from, to] = curve.range();
                 let in_range = (from..=to).contains(&a_over_t);
                 Some(FilmValidity {
                     a_over_t,
                     compressibility,
+                    strain,
                     in_range,
                 })
             }
             None => None,
         };
+        let (solid, sphere_modulus) = self.touched();
+        let compressible = (1.0 - 2.0 * solid.poisson()) / (1.0 - solid.poisson());
+        let radius = self.mechanics().sphere_radius();
         Ok(Validity {
-            a_over_r: a / self.mechanics().sphere_radius(),
+            a_over_r,
+            shape: if radius.is_finite() {
+                0.1 * without / radius
+            } else {
+                0.0
+            },
+            sideways: 0.75 / PI * compressible * a_over_r,
+            probe_share: self.mechanics().sphere_film_modulus() / sphere_modulus,
             film,
         })
     }
@@ -146,11 +220,11 @@ impl Contact {
     pub fn adhesion_range(&self, w: f64, interaction_range: f64) -> Result<AdhesionRange, Error> {
         positive("work of adhesion", w)?;
         positive("interaction range", interaction_range)?;
+        let radius = self.with_radius_of_curvature("Tabor's parameter")?;
         let modulus = self.mechanics().sphere_film_modulus();
         // The displacement w/Es* of the solids by the attraction, over z0.
         let stretch = w / modulus / interaction_range;
-        let tabor =
-            (self.mechanics().sphere_radius() / interaction_range * stretch * stretch).cbrt();
+        let tabor = (radius / interaction_range * stretch * stretch).cbrt();
         let cohesive_zone = 0.25 * PI * interaction_range / stretch;
         let finite = tabor.is_finite() && cohesive_zone.is_finite();
         Error::unless(

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use fearless_simd::{Level, dispatch};
 
 use crate::curve::asymptotics::{Edge, Expansion};
+use crate::curve::even_powers::{EvenPowers, EvenShape, Source};
 use crate::curve::grid::Grid;
 use crate::curve::nodes::REASONABLE;
 use crate::curve::piecewise::{
@@ -12,7 +13,7 @@ use crate::curve::piecewise::{
 };
 use crate::curve::resampler::{Pieces, Resampler};
 use crate::curve::sensitivity::{QuantityGradient, Sensitivities};
-use crate::curve::thick_film::fifth_order;
+use crate::curve::thick_film::{LARGEST, fifth_order};
 use crate::material::ROUNDING;
 use crate::{Error, Material, Parameter, Quantities, Quantity};
 
@@ -48,6 +49,8 @@ pub struct Curve {
     /// The estimated error with which the quantities derived from `Gamma` begin, if any are.
     start_error: Option<f64>,
     sensitivities: Option<Arc<Sensitivities>>,
+    /// What belongs to the shape, if `Pi0` and `Delta0` are those of another one than a paraboloid.
+    even: Option<Arc<EvenPowers>>,
     accuracy: Option<Accuracy>,
     /// Of a stack of layers, its compressibility over `(a/t)^2`.
     stack_compressibility: Option<f64>,
@@ -84,6 +87,7 @@ impl Curve {
             known,
             start_error: start_error.map(|error| error + fifth_order(&material, range[0])),
             sensitivities: None,
+            even: None,
             accuracy: None,
             stack_compressibility: None,
         }
@@ -134,6 +138,87 @@ impl Curve {
     /// Returns the compressibility of a stack of layers over `(a/t)^2`; `None` for one film.
     pub fn stack_compressibility(&self) -> Option<f64> {
         self.stack_compressibility
+    }
+
+    /// Returns the curve whose `Pi0` and `Delta0` are those of a paraboloid with the load and the
+    /// penetration of another shape, with derivatives if this curve has them.
+    ///
+    /// # Errors
+    /// [`Error::MissingQuantity`] unless the curve knows all quantities; [`Error::BeginsTooLate`]
+    /// if it begins at so large an `a/t` that the contact is not that of a thick film there.
+    pub(crate) fn of_even_shape(&self, shape: EvenShape) -> Result<Self, Error> {
+        self.accept_integrals("the contact of this probe")?;
+        let source = Source {
+            grid: &self.grid,
+            pieces: &self.pieces,
+            range: self.range,
+            es: self.material.sphere_film_modulus(),
+        };
+        let (pieces, even) = source.of_shape(shape);
+        let (sensitivities, even) = match &self.sensitivities {
+            None => (None, even),
+            Some(own) => {
+                let own = own.of_other(|by| source.by_parameter(shape, &pieces, by));
+                (Some(Arc::new(own)), source.with_derivatives(&pieces, even))
+            }
+        };
+        Ok(Self {
+            pieces,
+            sensitivities,
+            even: Some(Arc::new(even)),
+            ..self.clone()
+        })
+    }
+
+    /// Accepts a curve on which integrals over `a/t` can begin at the first node. `name` is what
+    /// they give. On a stack of layers the expansion before the first node is not known.
+    pub(crate) fn accept_integrals(&self, name: &'static str) -> Result<(), Error> {
+        /// The accuracy that is asked of a curve that does not state its own.
+        const TOLERANCE: f64 = 1e-6;
+        self.require_all()?;
+        if self.stack_compressibility.is_some() {
+            return Err(Error::StackProbe);
+        }
+        let (from, tolerance) = (
+            self.range[0],
+            self.accuracy
+                .map_or(TOLERANCE, |accuracy| accuracy.tolerance),
+        );
+        let estimate = if from <= LARGEST {
+            fifth_order(&self.material, from)
+        } else {
+            f64::INFINITY
+        };
+        if estimate <= tolerance {
+            return Ok(());
+        }
+        Err(Error::BeginsTooLate {
+            quantity: name,
+            from,
+            estimate,
+            tolerance,
+        })
+    }
+
+    /// Returns the derivatives, with respect to a parameter by number as in
+    /// [`QuantityGradient::relative`], of the logarithms of `Pi0`, `Eeq` and `Gamma` over `es`
+    /// between the nodes, and of the last one also the derivative with respect to `a_over_t`.
+    pub(crate) fn over_es_by(&self, parameter: usize, a_over_t: f64) -> Result<[f64; 4], Error> {
+        let sensitivities = self.sensitivities.as_ref().ok_or(Error::NoGradient)?;
+        let x = self
+            .inside(a_over_t)
+            .ok_or_else(|| self.outside(a_over_t))?;
+        let by = sensitivities.over_es(self.grid.locate(x), parameter);
+        let [pi0, eeq, gamma, slope] = by.ok_or(Error::FixedParameter("the material"))?;
+        Ok([pi0, eeq, gamma, slope * self.grid.logarithmic_speed(x) / x])
+    }
+
+    /// Returns the derivatives of the logarithms of load and penetration without adhesion with
+    /// respect to that of all lengths of the shape, on a curve of [`Self::of_even_shape`].
+    pub(crate) fn by_size(&self, a_over_t: f64) -> Result<[f64; 2], Error> {
+        let even = self.even.as_ref().ok_or(Error::NoGradient)?;
+        let position = self.inside(a_over_t).map(|x| self.grid.locate(x));
+        even.by_size(a_over_t, position)
     }
 
     /// Returns the material. On a curve from a table it is the equivalent on a substrate with the
@@ -282,11 +367,12 @@ impl Curve {
             Some(x) => at(x),
             None if a_over_t < self.range[0] => {
                 let Expansion { values, slopes, .. } = self.expanded(a_over_t)?;
-                Ok(at(self.range[0])?.continued_to_thicker_films(
-                    a_over_t / self.range[0],
-                    values,
-                    slopes,
-                ))
+                let first = self.range[0];
+                let delta0 = self.even.as_ref().map(|even| {
+                    let change = even.on_half_space(a_over_t) / even.on_half_space(first);
+                    [even.share_below(a_over_t), change]
+                });
+                Ok(at(first)?.continued_to_thicker_films(a_over_t / first, values, slopes, delta0))
             }
             None => Err(self.outside(a_over_t)),
         }
@@ -420,12 +506,18 @@ impl Curve {
             Ok(Edge {
                 a_over_t,
                 quantities: self.values_and_slopes(a_over_t)?.0,
-                known: self.known,
+                known: match self.even {
+                    Some(_) => [false, true, true, false],
+                    None => self.known,
+                },
                 error,
             })
         };
         let expansion = if x < from {
-            edge(from)?.continue_to_thicker_films(&self.material, x)
+            let expansion = edge(from)?.continue_to_thicker_films(&self.material, x);
+            expansion.map(|expansion| self.with_shape(x, expansion))
+        } else if self.even.is_some() {
+            None
         } else if 0.5 * to >= from {
             let (at_half, _) = self.values_and_slopes(0.5 * to)?;
             edge(to)?.continue_to_thinner_films(&at_half, &self.material, x)
@@ -444,6 +536,19 @@ impl Curve {
             estimate,
             tolerance,
         })
+    }
+
+    /// Returns an expansion below the nodes with `Pi0` and `Delta0` of the shape.
+    fn with_shape(&self, x: f64, expansion: Expansion) -> Expansion {
+        let Some(even) = &self.even else {
+            return expansion;
+        };
+        let (values, slopes) = even.below(x, expansion.values, expansion.slopes);
+        Expansion {
+            values,
+            slopes,
+            ..expansion
+        }
     }
 
     /// The error of an `a/t` outside the curve.

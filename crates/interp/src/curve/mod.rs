@@ -6,6 +6,7 @@
 //! `Gamma` alone, `derived` integrates the other quantities as `series` on the pieces, beginning
 //! with those of a `thick_film`. [`Curve`] holds the pieces; `through` makes one from values at
 //! nodes, and `exchange` converts one for the crate `splines`.
+//! `even_powers` turns the curve into that of a sphere or of an even power of the radius.
 //! `asymptotics` continues a curve beyond its nodes; `sensitivity` holds its derivatives with
 //! respect to the material.
 
@@ -13,6 +14,7 @@ mod asymptotics;
 pub mod bspline;
 mod curve;
 mod derived;
+mod even_powers;
 mod exchange;
 mod fitting;
 mod grid;
@@ -27,4 +29,5 @@ mod thick_film;
 mod through;
 
 pub use curve::Curve;
+pub(crate) use even_powers::{EvenShape, LARGEST_A_OVER_R};
 pub use sensitivity::QuantityGradient;

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::curve::grid::Position;
-use crate::curve::piecewise::{Logarithms, evaluate_all};
+use crate::curve::piecewise::{Logarithms, evaluate_all, evaluate_derivatives};
 use crate::material::equivalence::Jacobian;
 use crate::material::one_minus_square;
 use crate::{Error, Material, Normalisation, Parameter, Quantities, Quantity};
@@ -58,6 +58,38 @@ impl Sensitivities {
     /// Returns the material asked for.
     pub(crate) const fn material(&self) -> &Material {
         &self.material
+    }
+
+    /// Returns the derivatives, with respect to a parameter of the material asked for by number, of
+    /// the logarithms of `Pi0`, `Eeq` and `Gamma` over `es`, and of the last one also the derivative
+    /// with respect to the position on its piece; `None` if the table fixes what they need.
+    pub(crate) fn over_es(&self, position: Position, parameter: usize) -> Option<[f64; 4]> {
+        let mut sums = [0.0; 4];
+        for (i, by_table) in self.by_table.iter().enumerate() {
+            let factor = self.jacobian[i][parameter];
+            if factor == 0.0 {
+                continue;
+            }
+            if !self.known[i] {
+                return None;
+            }
+            let piece = &by_table[position.piece];
+            let [pi0, eeq, gamma, _] = evaluate_all(piece, position);
+            let slope = evaluate_derivatives(piece, position)[Quantity::Gamma as usize];
+            for (sum, by) in sums.iter_mut().zip([pi0, eeq, gamma, slope]) {
+                *sum += factor * by;
+            }
+        }
+        Some(sums)
+    }
+
+    /// Returns the derivatives of another curve of the material, whose pieces follow from those of
+    /// this one.
+    pub(crate) fn of_other(&self, other: impl Fn(&[Logarithms]) -> Arc<[Logarithms]>) -> Self {
+        Self {
+            by_table: self.by_table.each_ref().map(|by| other(by)),
+            ..self.clone()
+        }
     }
 
     /// Returns the gradient at a position, whose quantities and slopes are given.
@@ -117,17 +149,20 @@ impl QuantityGradient {
     /// large, where the quantities and their slopes are `values` and `slopes`.
     ///
     /// There the departures of `Pi0`, `Delta0`, `1/Eeq` and `1/Gamma` from their limits are `ratio`
-    /// times as large.
+    /// times as large. Under another shape than a paraboloid, `delta0` is by what factors the
+    /// departure of `Delta0`, and its limit, are as large.
     pub(crate) fn continued_to_thicker_films(
         self,
         ratio: f64,
         values: Quantities,
         slopes: Quantities,
+        delta0: Option<[f64; 2]>,
     ) -> Self {
         let change = |quantity: Quantity| values.get(quantity) / self.values.get(quantity);
-        let shares = Quantity::ALL.map(|quantity| match quantity {
-            Quantity::Pi0 | Quantity::Delta0 => ratio / change(quantity),
-            Quantity::Eeq | Quantity::Gamma => ratio * change(quantity),
+        let shares = Quantity::ALL.map(|quantity| match (quantity, delta0) {
+            (Quantity::Delta0, Some([share, half_space])) => share / change(quantity) * half_space,
+            (Quantity::Pi0 | Quantity::Delta0, _) => ratio / change(quantity),
+            (Quantity::Eeq | Quantity::Gamma, _) => ratio * change(quantity),
         });
         let mut relative = self.relative;
         for (relative, scale) in relative.iter_mut().zip(self.scale) {

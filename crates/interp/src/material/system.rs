@@ -1,7 +1,7 @@
 //! The bodies in contact, in SI units.
 
 use crate::material::{one_minus_square, poisson_ratio};
-use crate::{Error, Material};
+use crate::{Error, Material, Probe};
 
 /// An isotropic elastic solid.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -37,12 +37,13 @@ impl Elastic {
     }
 }
 
-/// Sphere, film and substrate in SI units.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// Probe, film and substrate in SI units.
+#[derive(Clone, Debug, PartialEq)]
 pub struct System {
-    /// Radius `R` of the sphere, m.
-    pub sphere_radius: f64,
-    /// Reduced modulus `E2* = E2/(1 - nu2^2)` of the sphere, Pa; infinity is a rigid sphere.
+    /// The shape of the probe. [`Probe::Paraboloid`] is the sphere of JKR and of Barthel's model.
+    pub probe: Probe,
+    /// Reduced modulus `E2* = E2/(1 - nu2^2)` of the sphere, or of any other probe, Pa; infinity is
+    /// a rigid one.
     pub sphere_modulus: f64,
     /// The film (body 1).
     pub film: Elastic,
@@ -56,9 +57,10 @@ impl System {
     /// Returns the dimensionless material of the system.
     ///
     /// # Errors
-    /// [`Error::Unphysical`] for a length or modulus that is not positive, or a rigid film.
+    /// [`Error::Unphysical`] for a length or modulus that is not positive, an impossible angle or
+    /// exponent of the probe, or a rigid film.
     pub fn material(&self) -> Result<Material, Error> {
-        positive("sphere_radius", self.sphere_radius)?;
+        self.probe.check()?;
         positive("film_thickness", self.film_thickness)?;
         positive("film modulus", self.film.young)?;
         sphere_modulus(self.sphere_modulus)?;
@@ -77,22 +79,23 @@ impl System {
         )
     }
 
-    /// Returns the sphere of this system on the bare substrate.
-    pub const fn without_film(&self) -> HalfSpace {
+    /// Returns the probe of this system on the bare substrate.
+    pub fn without_film(&self) -> HalfSpace {
         HalfSpace {
-            sphere_radius: self.sphere_radius,
+            probe: self.probe.clone(),
             sphere_modulus: self.sphere_modulus,
             solid: self.substrate,
         }
     }
 }
 
-/// A sphere on a half-space without a film, in SI units: the system of JKR, which needs no table.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// A probe on a half-space without a film, in SI units: the system of JKR, which needs no table.
+#[derive(Clone, Debug, PartialEq)]
 pub struct HalfSpace {
-    /// Radius `R` of the sphere, m.
-    pub sphere_radius: f64,
-    /// Reduced modulus `E2* = E2/(1 - nu2^2)` of the sphere, Pa; infinity is a rigid sphere.
+    /// The shape of the probe. [`Probe::Paraboloid`] is the sphere of JKR.
+    pub probe: Probe,
+    /// Reduced modulus `E2* = E2/(1 - nu2^2)` of the sphere, or of any other probe, Pa; infinity is
+    /// a rigid one.
     pub sphere_modulus: f64,
     /// The solid that fills the half-space.
     pub solid: Elastic,
@@ -105,10 +108,10 @@ impl HalfSpace {
     /// The contact depends on the two bodies only through it.
     ///
     /// # Errors
-    /// [`Error::Unphysical`] for a radius or modulus that is not positive, or a rigid sphere on a
-    /// rigid solid.
+    /// [`Error::Unphysical`] for a length or modulus that is not positive, an impossible angle or
+    /// exponent of the probe, or a rigid sphere on a rigid solid.
     pub fn compound_modulus(&self) -> Result<f64, Error> {
-        positive("sphere_radius", self.sphere_radius)?;
+        self.probe.check()?;
         sphere_modulus(self.sphere_modulus)?;
         let (sphere, solid) = (self.sphere_modulus, self.solid.reduced());
         let softer = sphere.min(solid);

@@ -9,8 +9,8 @@ use std::sync::LazyLock;
 use interp::bspline::{Basis, LARGEST_DEGREE, TABLE_DEGREE};
 use interp::{
     Certificate, Contact, Control, CrackTip, Curve, Elastic, Error, HalfSpace, Hysteresis, Input,
-    JkrFit, JkrPoint, LowRank, Material, Mechanics, Parameter, Quantities, Quantity, RateDependent,
-    State, SubstratePoissonRatio, System, Table,
+    JkrFit, JkrPoint, LowRank, Material, Mechanics, Parameter, Probe, Quantities, Quantity,
+    RateDependent, State, SubstratePoissonRatio, System, Table,
 };
 
 use crate::tables::{self, AXES, look_up};
@@ -112,7 +112,7 @@ pub const FUNCTIONS: &[Function] = &[
         &[1e-3, 2e6, 2e11, 0.25, 6e-5, 0.04],
         |x| {
             let half_space = HalfSpace {
-                sphere_radius: x[0],
+                probe: Probe::Paraboloid { radius: x[0] },
                 sphere_modulus: x[1],
                 solid: Elastic::new(x[2], x[3])?,
             };
@@ -124,7 +124,7 @@ pub const FUNCTIONS: &[Function] = &[
         &[1e-3, 2e6, 2e11, 0.25],
         |x| {
             let half_space = HalfSpace {
-                sphere_radius: x[0],
+                probe: Probe::Paraboloid { radius: x[0] },
                 sphere_modulus: x[1],
                 solid: Elastic::new(x[2], x[3])?,
             };
@@ -499,7 +499,7 @@ fn numbers(state: State) -> [f64; 3] {
 fn system(x: &[f64]) -> Result<System, Error> {
     let (film, substrate) = (Elastic::new(x[2], x[3])?, Elastic::new(x[5], x[6])?);
     Ok(System {
-        sphere_radius: x[0],
+        probe: Probe::Paraboloid { radius: x[0] },
         sphere_modulus: x[1],
         film,
         film_thickness: x[4],

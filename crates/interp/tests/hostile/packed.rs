@@ -2,7 +2,7 @@
 //! of at most a small multiple of their length.
 
 use allocation_counter::measure;
-use interp::{Elastic, Error, Quantity, System, Table, Tile};
+use interp::{Elastic, Error, Probe, Quantity, System, Table, Tile};
 
 use crate::tables::{self, PREFIX, look_up, with_prefix};
 
@@ -341,7 +341,7 @@ fn evaluating_a_contact_does_not_allocate() {
     let substrate = Elastic::new(2e11, 0.25).expect("physical");
     let film = Elastic::new(3.5e6, 0.5).expect("physical");
     let system = System {
-        sphere_radius: 1e-3,
+        probe: Probe::Paraboloid { radius: 1e-3 },
         sphere_modulus: 2e6,
         film,
         film_thickness: 1e-5,

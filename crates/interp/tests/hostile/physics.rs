@@ -5,7 +5,7 @@ use std::sync::LazyLock;
 
 use interp::Parameter;
 use interp::bspline::{Basis, TABLE_DEGREE};
-use interp::{Contact, Control, Curve, Elastic, Material, Quantity, System, Table};
+use interp::{Contact, Control, Curve, Elastic, Material, Probe, Quantity, System, Table};
 use proptest::prelude::*;
 
 use crate::{config, tables};
@@ -37,7 +37,9 @@ fn system() -> impl Strategy<Value = System> {
         let film = solid(material.e1_over_e2(), material.nu1());
         let substrate = solid(material.e0_over_e2(), material.nu0());
         System {
-            sphere_radius: spheres * film_thickness,
+            probe: Probe::Paraboloid {
+                radius: spheres * film_thickness,
+            },
             sphere_modulus,
             film,
             film_thickness,
@@ -151,14 +153,15 @@ proptest! {
         modulus in magnitude(-6.0..=6.0),
     ) {
         let solid = |solid: Elastic| Elastic::new(modulus * solid.young(), solid.poisson()).expect("physical");
+        let radius = system.probe.radius().expect("a paraboloid");
         let scaled = System {
-            sphere_radius: length * system.sphere_radius,
+            probe: Probe::Paraboloid { radius: length * radius },
             sphere_modulus: modulus * system.sphere_modulus,
             film: solid(system.film),
             film_thickness: length * system.film_thickness,
             substrate: solid(system.substrate),
         };
-        let [one, other] = [system, scaled].map(|system| Table::embedded().contact(&system).expect("in the box"));
+        let [one, other] = [&system, &scaled].map(|system| Table::embedded().contact(system).expect("in the box"));
         let a = x * system.film_thickness;
         let bare = one.load(a, 0.0).expect("in the box");
         let w = one.mechanics().energy_release_rate(a, pull * bare / a);
@@ -166,7 +169,7 @@ proptest! {
         let (one, other) = (one.expect("in the box"), other.expect("in the box"));
         let (load, penetration) = (length * length * modulus * one.0, length * one.1);
         prop_assert!((other.0 - load).abs() < 1e-12 * length * length * modulus * bare * (1.0 + pull), "{other:?}, not {load}");
-        prop_assert!((other.1 - penetration).abs() < 1e-12 * length * (one.1.abs() + a * a / system.sphere_radius), "{other:?}, not {penetration}");
+        prop_assert!((other.1 - penetration).abs() < 1e-12 * length * (one.1.abs() + a * a / radius), "{other:?}, not {penetration}");
     }
 
     /// Load and penetration without adhesion grow with the contact radius, as the search for the

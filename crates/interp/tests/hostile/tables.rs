@@ -1,8 +1,8 @@
 //! Small tables with meaningless numbers, for tests of their bytes and of their look-up.
 
 use interp::{
-    Certificate, Contact, Description, Elastic, Error, LowRank, Material, Parameter, Quantity,
-    SubstratePoissonRatio, System, Table, Tile,
+    Certificate, Contact, Description, Elastic, Error, LowRank, Material, Parameter, Probe,
+    Quantity, SubstratePoissonRatio, System, Table, Tile,
 };
 
 /// The nodes of the four axes.
@@ -286,7 +286,7 @@ pub fn contact() -> Contact {
     let (film, substrate) = (Elastic::new(3.5e6, 0.5), Elastic::new(2e11, 0.25));
     let (film, substrate) = (film.expect("physical"), substrate.expect("physical"));
     let system = System {
-        sphere_radius: 1e-3,
+        probe: Probe::Paraboloid { radius: 1e-3 },
         sphere_modulus: 2e6,
         film,
         film_thickness: 1e-6,

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use anyhow::ensure;
 use clap::{ValueHint, value_parser};
-use interp::{Contact, Mechanics, Validity};
+use interp::{Contact, Mechanics, Probe, System, Validity};
 
 use super::note;
 use super::output::Output;
@@ -14,16 +14,19 @@ use super::pull_off;
 use super::stack_file;
 use super::system::SystemArguments;
 use super::table_name::{self, TableName};
+use crate::cohesive::Cohesive;
 use crate::parallel::try_map;
 use crate::report::LARGE_CONTACT;
-use crate::solve::{solve, stack_curve};
+use crate::solve::{curve as adaptive, solve, stack_curve};
+use crate::stack::Stack;
 
 /// Print the force curve of one system as CSV, in SI units
 ///
 /// Each row is an equilibrium at one contact radius: contact_radius (m), load (N, positive in
 /// compression), penetration (m), and the coordinates of the reduced JKR plot, jkr_abscissa =
 /// a^(3/2) / (sqrt(pi) R) and jkr_ordinate = F / (sqrt(6 pi) a^(3/2)). At a small radius or a
-/// negative load an equilibrium may be unstable.
+/// negative load an equilibrium may be unstable. Under a probe without a radius of curvature the
+/// coordinates of the plot are NaN; a flat punch has one row.
 ///
 /// With --interaction-range the attraction is not that of JKR, and there is a column outer_radius (m):
 /// the radius within which it acts.
@@ -37,6 +40,7 @@ use crate::solve::{solve, stack_curve};
     "tabulate curve --sphere-modulus inf --film-modulus 1e9 --film-poisson-ratio 0.4",
     "tabulate curve embedded --work-of-adhesion 0.1 -o curve.csv",
     "tabulate curve --stack tables/stacks/primer.toml --from 1e-5 --to 1e-4 --points 20",
+    "tabulate curve --probe rounded-cone --half-angle 70 --sphere-radius 1e-6 --to 5e-6",
 ))]
 pub struct Arguments {
     #[arg(
@@ -51,6 +55,7 @@ pub struct Arguments {
         value_hint = ValueHint::FilePath,
         conflicts_with_all = [
             "table", "film_thickness", "film_modulus", "film_poisson_ratio", "substrate_modulus", "substrate_poisson_ratio",
+            "probe", "half_angle", "exponent", "coefficient", "profile",
         ],
     )]
     stack: Option<PathBuf>,
@@ -89,19 +94,16 @@ pub struct Arguments {
 }
 
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
-    let Arguments {
-        from,
-        to,
-        points,
-        system: SystemArguments {
-            work_of_adhesion, ..
-        },
-        ..
-    } = *arguments;
-    let input = arguments.table.as_ref().and_then(TableName::path);
+    let Arguments { from, to, .. } = *arguments;
+    let work_of_adhesion = arguments.system.work_of_adhesion;
+    let table = arguments.table.as_ref().and_then(TableName::path);
     let output = Output::new(
         arguments.output.as_deref(),
-        [input, arguments.stack.as_deref()],
+        [
+            table,
+            arguments.stack.as_deref(),
+            arguments.system.shape.profile.as_deref(),
+        ],
     )?;
     ensure!(
         from > 0.0 && to > from && to < f64::INFINITY,
@@ -109,8 +111,8 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     );
     let stack = arguments
         .stack
-        .as_ref()
-        .map(|path| stack_file::read(path))
+        .as_deref()
+        .map(stack_file::read)
         .transpose()?;
     let system = match &stack {
         Some(stack) => {
@@ -124,49 +126,28 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         None => arguments.system.system()?,
     };
     let mechanics = Mechanics::new(&system)?;
-    // Refuses too large a radius before any work.
-    mechanics.edge_singularity(to, work_of_adhesion)?;
-    let material = system.material()?;
-    let contact = match (&arguments.table, &stack) {
-        (Some(name), _) => Some(name.read()?.contact(&system)?),
-        (None, Some(stack)) if arguments.interaction_range.is_none() => {
-            let range = [from, to].map(|a| a / system.film_thickness);
-            let curve = stack_curve(stack, system.sphere_modulus, range, arguments.tolerance)?;
-            Some(Contact::new(&system, curve)?)
-        }
-        (None, _) => None,
-    };
-
-    let cohesive = arguments
-        .interaction_range
-        .map(|range| pull_off::cohesive(&arguments.system, stack.as_ref(), range))
-        .transpose()?;
-
-    let bar = progress_bar(points as usize, "solving");
-    let row = |i: u32| {
-        let a = evenly([from, to], i, points);
-        let mut outer_radius = None;
-        let (load, penetration) = match (&cohesive, &contact) {
-            (Some(cohesive), _) => {
-                let state = cohesive.state(a)?;
-                outer_radius = Some(state.outer_radius);
-                (state.load, state.penetration)
-            }
-            (None, Some(contact)) => contact.load_and_penetration(a, work_of_adhesion)?,
-            (None, None) => {
-                let edge = mechanics.edge_singularity(a, work_of_adhesion)?;
-                let solution = solve(a / system.film_thickness, &material, arguments.tolerance)?;
-                mechanics.load_and_penetration(a, edge, &solution.quantities)
-            }
+    let punch = matches!(system.probe, Probe::FlatPunch { .. });
+    if !punch {
+        // Refuses too large a radius before any work.
+        mechanics.edge_singularity(to, work_of_adhesion)?;
+    }
+    let states = States::new(arguments, &system, stack.as_ref())?;
+    let rows: Vec<Vec<f64>> = if punch {
+        // The only contact radius of a punch.
+        vec![states.row(arguments.system.sphere_radius, &mechanics)?]
+    } else {
+        let bar = progress_bar(arguments.points as usize, "solving");
+        let row = |i: u32| {
+            let row = states.row(evenly([from, to], i, arguments.points), &mechanics)?;
+            bar.inc(1);
+            anyhow::Ok(row)
         };
-        bar.inc(1);
-        let jkr = mechanics.jkr_point(a, load);
-        let row = [a, load, penetration, jkr.abscissa, jkr.ordinate];
-        anyhow::Ok(row.into_iter().chain(outer_radius))
+        let rows = try_map(0..arguments.points, row)?;
+        bar.finish_and_clear();
+        rows
     };
-    let rows = try_map(0..points, row)?;
-    bar.finish_and_clear();
-    if to > Validity::WARNING_A_OVER_R * system.sphere_radius {
+    let paraboloid = matches!(system.probe, Probe::Paraboloid { .. });
+    if paraboloid && to > Validity::WARNING_A_OVER_R * arguments.system.sphere_radius {
         note(LARGE_CONTACT);
     }
     let mut writer = csv::Writer::from_writer(Vec::new());
@@ -177,13 +158,104 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         "jkr_abscissa",
         "jkr_ordinate",
     ];
-    writer.write_record(
-        columns
-            .into_iter()
-            .chain(cohesive.as_ref().map(|_| "outer_radius")),
-    )?;
+    let outer_radius = arguments.interaction_range.map(|_| "outer_radius");
+    writer.write_record(columns.into_iter().chain(outer_radius))?;
     for row in rows {
-        writer.write_record(row.map(number))?;
+        writer.write_record(row.into_iter().map(number))?;
     }
     output.write(&writer.into_inner()?)
+}
+
+/// What answers for the state at a contact radius.
+enum Source {
+    /// A solve for each radius.
+    Solves,
+    /// A curve, from a table or from solves of one material.
+    Curve(Box<Contact>),
+    /// Solves with an attraction of finite range.
+    Range(Box<Cohesive>),
+}
+
+/// The states of one system.
+struct States<'a> {
+    source: Source,
+    system: &'a System,
+    work_of_adhesion: f64,
+    tolerance: f64,
+}
+
+impl<'a> States<'a> {
+    fn new(
+        arguments: &Arguments,
+        system: &'a System,
+        stack: Option<&Stack>,
+    ) -> anyhow::Result<Self> {
+        let Arguments {
+            from,
+            to,
+            tolerance,
+            interaction_range,
+            ..
+        } = *arguments;
+        let source = if let Some(range) = interaction_range {
+            Source::Range(Box::new(pull_off::cohesive(
+                &arguments.system,
+                stack,
+                range,
+            )?))
+        } else if let Some(name) = &arguments.table {
+            Source::Curve(Box::new(name.read()?.contact(system)?))
+        } else if let Some(stack) = stack {
+            let range = [from, to].map(|a| a / system.film_thickness);
+            let curve = stack_curve(stack, system.sphere_modulus, range, tolerance)?;
+            Source::Curve(Box::new(Contact::new(system, curve)?))
+        } else {
+            match system.probe {
+                Probe::Paraboloid { .. } => Source::Solves,
+                Probe::FlatPunch { radius } => {
+                    Source::Curve(Box::new(of_shape(system, radius, tolerance)?))
+                }
+                _ => Source::Curve(Box::new(of_shape(system, to, tolerance)?)),
+            }
+        };
+        Ok(Self {
+            source,
+            system,
+            work_of_adhesion: arguments.system.work_of_adhesion,
+            tolerance,
+        })
+    }
+
+    /// Computes the row of a contact radius.
+    fn row(&self, a: f64, mechanics: &Mechanics) -> anyhow::Result<Vec<f64>> {
+        let mut outer_radius = None;
+        let (load, penetration) = match &self.source {
+            Source::Range(cohesive) => {
+                let state = cohesive.state(a)?;
+                outer_radius = Some(state.outer_radius);
+                (state.load, state.penetration)
+            }
+            Source::Curve(contact) => contact.load_and_penetration(a, self.work_of_adhesion)?,
+            Source::Solves => {
+                let edge = mechanics.edge_singularity(a, self.work_of_adhesion)?;
+                let material = self.system.material()?;
+                let solution = solve(a / self.system.film_thickness, &material, self.tolerance)?;
+                mechanics.load_and_penetration(a, edge, &solution.quantities)
+            }
+        };
+        let jkr = mechanics.jkr_point(a, load);
+        let row = [a, load, penetration, jkr.abscissa, jkr.ordinate];
+        Ok(row.into_iter().chain(outer_radius).collect())
+    }
+}
+
+/// Makes the contact of any shape up to contact radius `most` from solves of its material alone.
+fn of_shape(system: &System, most: f64, tolerance: f64) -> anyhow::Result<Contact> {
+    /// The `a/t` from which on the shape is integrated over the curve.
+    const BEGIN: f64 = 1e-3;
+    /// How far the curve reaches beyond the largest contact, because the integrals do.
+    const BEYOND: f64 = 1.5;
+    let end = (BEYOND * most / system.film_thickness).max(10.0 * BEGIN);
+    let curve = adaptive(&system.material()?, [BEGIN, end], tolerance)?;
+    Ok(Contact::new(system, curve)?)
 }

@@ -20,6 +20,7 @@ mod pack;
 mod plan;
 mod plot;
 mod points;
+mod probe;
 mod progress;
 mod pull_off;
 mod query;

@@ -41,6 +41,7 @@ pub struct Arguments {
         value_hint = ValueHint::FilePath,
         conflicts_with_all = [
             "table", "film_thickness", "film_modulus", "film_poisson_ratio", "substrate_modulus", "substrate_poisson_ratio",
+            "probe", "half_angle", "exponent", "coefficient", "profile",
         ],
     )]
     stack: Option<PathBuf>,

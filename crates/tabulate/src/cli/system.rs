@@ -3,8 +3,10 @@
 use anyhow::Context;
 use interp::{Elastic, System};
 
+use super::probe::ProbeArguments;
+
 /// The flags of a system, with the values of Barthel's Tables 1 and 2 as defaults.
-#[derive(clap::Args, Clone, Copy)]
+#[derive(clap::Args, Clone)]
 #[group(skip)]
 pub struct SystemArguments {
     /// Thickness of the film, m
@@ -22,12 +24,14 @@ pub struct SystemArguments {
     /// Poisson ratio of the substrate
     #[arg(long, default_value_t = 0.25, allow_negative_numbers = true)]
     pub substrate_poisson_ratio: f64,
-    /// Radius of the sphere, m
+    /// Radius of the sphere, of the paraboloid, of the end of a cone or of the punch, m
     #[arg(long, default_value = "1e-3", allow_negative_numbers = true)]
     pub sphere_radius: f64,
-    /// Reduced modulus E2* = E2/(1 - nu2^2) of the sphere, Pa; inf: rigid
+    /// Reduced modulus E2* = E2/(1 - nu2^2) of the sphere or other probe, Pa; inf: rigid
     #[arg(long, default_value = "2e6", allow_negative_numbers = true)]
     pub sphere_modulus: f64,
+    #[command(flatten)]
+    pub shape: ProbeArguments,
     /// Work of adhesion, J/m^2
     #[arg(long, default_value_t = 0.04, allow_negative_numbers = true)]
     pub work_of_adhesion: f64,
@@ -37,7 +41,7 @@ impl SystemArguments {
     /// Returns the system. An error names the body.
     pub fn system(&self) -> anyhow::Result<System> {
         Ok(System {
-            sphere_radius: self.sphere_radius,
+            probe: self.shape.probe(self.sphere_radius)?,
             sphere_modulus: self.sphere_modulus,
             film: Elastic::new(self.film_modulus, self.film_poisson_ratio).context("film")?,
             film_thickness: self.film_thickness,

@@ -14,11 +14,11 @@
 //!
 //! ```
 //! # fn main() -> Result<(), tabulate::Error> {
-//! use interp::{Control, Elastic, System};
+//! use interp::{Control, Elastic, Probe, System};
 //! use tabulate::cohesive::Cohesive;
 //!
 //! let system = System {
-//!     sphere_radius: 1e-5,
+//!     probe: Probe::Paraboloid { radius: 1e-5 },
 //!     sphere_modulus: 7.5e10,
 //!     film: Elastic::new(1e6, 0.5)?,
 //!     film_thickness: 1e-6,
@@ -47,7 +47,7 @@ mod surface;
 use std::cell::RefCell;
 use std::f64::consts::PI;
 
-use interp::{Control, Material, Normalisation, System};
+use interp::{Control, Material, Normalisation, Probe, System};
 
 use crate::Error;
 use crate::cohesive::annulus::Annulus;
@@ -94,11 +94,11 @@ pub struct CohesiveState {
 
 impl Cohesive {
     /// Takes a film on a substrate, the work of adhesion `w` (J/m^2) and the range `h0` (m) of the
-    /// attraction, whose traction is `sigma0 = w/h0`.
+    /// attraction, whose traction is `sigma0 = w/h0`. The probe is a paraboloid.
     ///
     /// # Errors
     /// As [`System::material`]; [`Error::Domain`] unless `w` and `h0` are positive, and for a range
-    /// that is not below the radius of the sphere.
+    /// that is not below the radius of the sphere; [`Error::OnlyParaboloid`] for another probe.
     pub fn new(system: &System, work_of_adhesion: f64, range: f64) -> Result<Self, Error> {
         let material = system.material()?;
         let surface = Surface::Film(Compliance::new(&material));
@@ -107,7 +107,12 @@ impl Cohesive {
             Normalisation::Film => system.film.reduced(),
         };
         let bodies = (surface, &material, unit, system.film_thickness);
-        Self::of_surface(bodies, system.sphere_radius, work_of_adhesion, range)
+        let Probe::Paraboloid { radius } = system.probe else {
+            return Err(Error::OnlyParaboloid {
+                probe: system.probe.name(),
+            });
+        };
+        Self::of_surface(bodies, radius, work_of_adhesion, range)
     }
 
     /// Takes a stack of layers under a sphere of the radius `sphere_radius` (m) and the reduced

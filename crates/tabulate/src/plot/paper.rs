@@ -1,7 +1,7 @@
 //! The system of Tables 1 and 2 of Barthel, *Adhesive contact of a compliant sphere to an elastic
 //! coated substrate: the thin film limit*: an elastomer lens on an incompressible film on silicon.
 
-use interp::{Contact, Curve, Elastic, System};
+use interp::{Contact, Curve, Elastic, Probe, System};
 
 use crate::Error;
 use crate::solve::curve;
@@ -22,7 +22,7 @@ const TOLERANCE: f64 = 1e-8;
 pub fn system(film_thickness: f64) -> Result<System, Error> {
     let [film, substrate] = [Elastic::new(3.5e6, 0.5)?, Elastic::new(2e11, 0.25)?];
     Ok(System {
-        sphere_radius: 1e-3,
+        probe: Probe::Paraboloid { radius: 1e-3 },
         sphere_modulus: 2e6,
         film,
         film_thickness,

@@ -32,7 +32,7 @@ impl KnownArguments {
         let system = self.system.system()?;
         let bodies = if self.half_space {
             Bodies::HalfSpace(HalfSpace {
-                sphere_radius: system.sphere_radius,
+                probe: system.probe,
                 sphere_modulus: system.sphere_modulus,
                 solid: system.film,
             })
@@ -48,7 +48,7 @@ impl KnownArguments {
             );
         }
         let experiment = |(i, measurement)| {
-            let mut experiment = Experiment::new(measurement, bodies);
+            let mut experiment = Experiment::new(measurement, bodies.clone());
             experiment.work_of_adhesion = self.system.work_of_adhesion;
             experiment.stiffness = self.stiffness;
             for Values { parameter, values } in &self.values {

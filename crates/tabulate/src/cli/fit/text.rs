@@ -4,6 +4,7 @@ use std::fmt::{self, Write};
 
 use ::fit::data::{Notes, Source};
 use ::fit::{Bodies, Combination, Estimate, Experiment, Fit, Measurement, ModulusBias, Parameter};
+use interp::Probe;
 
 use super::setting::Asked;
 use super::units::{decimals, scaled, unit, with_error};
@@ -100,10 +101,14 @@ fn fixed(fit: &Fit, experiment: &Experiment) -> Vec<(&'static str, String)> {
         let number = (value / size * 1e12).round() / 1e12;
         format!("{number} {unit}").trim_end().to_owned()
     };
-    let mut rows = vec![(
-        "sphere-radius",
-        text(experiment.bodies.sphere_radius(), "m"),
-    )];
+    let probe = experiment.bodies.probe();
+    let mut rows = Vec::new();
+    if !matches!(probe, Probe::Paraboloid { .. }) {
+        rows.push(("probe", probe.name().to_owned()));
+    }
+    if let Some(radius) = probe.radius() {
+        rows.push(("sphere-radius", text(radius, "m")));
+    }
     if let Bodies::Coated(system) = &experiment.bodies {
         rows.push(("substrate-modulus", text(system.substrate.young(), "Pa")));
         rows.push((

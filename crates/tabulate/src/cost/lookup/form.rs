@@ -2,8 +2,8 @@
 //! modulus.
 
 use interp::{
-    Contact, Curve, Elastic, Material, Normalisation, Parameter, Quantities, Quantity, System,
-    Table,
+    Contact, Curve, Elastic, Material, Normalisation, Parameter, Probe, Quantities, Quantity,
+    System, Table,
 };
 
 use super::linear::{Linear, Multilinear};
@@ -313,7 +313,7 @@ fn contact(curve: Curve) -> Result<Contact, Error> {
     let rigid = material.normalisation() == Normalisation::Film;
     let film = if rigid { 1.0 } else { material.e1_over_e2() };
     let system = System {
-        sphere_radius: 1e9,
+        probe: Probe::Paraboloid { radius: 1e9 },
         sphere_modulus: if rigid { f64::INFINITY } else { 1.0 },
         film: Elastic::new(film, material.nu1())?,
         film_thickness: 1.0,

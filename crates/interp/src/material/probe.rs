@@ -1,0 +1,178 @@
+//! The shape of the probe that touches the film.
+
+use std::f64::consts::FRAC_PI_2;
+
+use crate::Error;
+use crate::material::profile::Profile;
+use crate::material::system::positive;
+
+/// The largest exponent of [`Probe::PowerLaw`].
+const LARGEST_EXPONENT: f64 = 20.0;
+
+/// The shape of the probe: its distance `f(r)` from the plane through its lowest point, at the
+/// distance `r` from its axis.
+///
+/// Only the contact without adhesion depends on the shape: the load `F0(a)` and the penetration
+/// `delta0(a)` of [`Contact`](crate::Contact). A film, a substrate and the elasticity of the probe
+/// enter as for a sphere. The shape is convex, so that the contact is one disc.
+///
+/// ```
+/// # #[cfg(feature = "embedded")]
+/// # fn main() -> Result<(), interp::Error> {
+/// use interp::{Control, Elastic, Probe, System, Table};
+///
+/// let system = |probe| {
+///     Ok::<_, interp::Error>(System {
+///         probe,
+///         sphere_modulus: f64::INFINITY, // rigid
+///         film: Elastic::new(2e4, 0.5)?,
+///         film_thickness: 1e-5,
+///         substrate: Elastic::new(5e10, 0.2)?,
+///     })
+/// };
+/// let sphere = Table::embedded().contact(&system(Probe::Sphere { radius: 5e-6 })?)?;
+/// let cone = Table::embedded().contact(&system(Probe::Cone { half_angle: 1.2 })?)?;
+/// for contact in [sphere, cone] {
+///     let pull_off = contact.pull_off(1e-4, Control::Displacement)?;
+///     println!("{:e} N at {:e} m", pull_off.load, pull_off.penetration);
+/// }
+/// # Ok(()) }
+/// # #[cfg(not(feature = "embedded"))]
+/// # fn main() {}
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Probe {
+    /// The paraboloid `f = r^2/(2R)`, which JKR and Barthel's model put in place of a sphere.
+    Paraboloid {
+        /// The radius of curvature `R`, m.
+        radius: f64,
+    },
+    /// The sphere itself, `f = R - sqrt(R^2 - r^2)`.
+    Sphere {
+        /// The radius `R`, m.
+        radius: f64,
+    },
+    /// The power law `f = c r^n`.
+    PowerLaw {
+        /// The coefficient `c`, in m to the power `1 - n`.
+        coefficient: f64,
+        /// The exponent `n`, any real number from 1 to 20. Below 1 the tip would be a spike of
+        /// infinite slope.
+        exponent: f64,
+    },
+    /// The cone `f = r cot(half_angle)`.
+    Cone {
+        /// The angle between the axis and the flank, rad, between 0 and pi/2.
+        half_angle: f64,
+    },
+    /// A cone with a round end: `f = r^2/(2R)` up to `r = R cot(half_angle)`, where the flank of
+    /// the cone continues it with the same slope.
+    RoundedCone {
+        /// The radius of curvature `R` of the end, m.
+        radius: f64,
+        /// The angle between the axis and the flank, rad, between 0 and pi/2.
+        half_angle: f64,
+    },
+    /// A flat cylindrical punch. Its contact has one radius, that of the punch.
+    FlatPunch {
+        /// The radius of the punch, m.
+        radius: f64,
+    },
+    /// A cone with a flat end: `f = 0` up to the radius of the end, `(r - radius) cot(half_angle)`
+    /// beyond.
+    FlatEndedCone {
+        /// The radius of the flat end, m. A contact is at least as large.
+        radius: f64,
+        /// The angle between the axis and the flank, rad, between 0 and pi/2.
+        half_angle: f64,
+    },
+    /// A measured shape.
+    Profile(Profile),
+}
+
+impl Probe {
+    /// Returns the radius `R` (m) of the shape: the radius of curvature at the tip, or the radius
+    /// of a flat end; `None` for a power law, a cone and a measured profile.
+    pub const fn radius(&self) -> Option<f64> {
+        match *self {
+            Self::Paraboloid { radius }
+            | Self::Sphere { radius }
+            | Self::RoundedCone { radius, .. }
+            | Self::FlatPunch { radius }
+            | Self::FlatEndedCone { radius, .. } => Some(radius),
+            Self::PowerLaw { .. } | Self::Cone { .. } | Self::Profile(_) => None,
+        }
+    }
+
+    /// Returns the name in words.
+    pub const fn name(&self) -> &'static str {
+        match self {
+            Self::Paraboloid { .. } => "paraboloid",
+            Self::Sphere { .. } => "sphere",
+            Self::PowerLaw { .. } => "power law",
+            Self::Cone { .. } => "cone",
+            Self::RoundedCone { .. } => "rounded cone",
+            Self::FlatPunch { .. } => "flat punch",
+            Self::FlatEndedCone { .. } => "flat-ended cone",
+            Self::Profile(_) => "profile",
+        }
+    }
+
+    /// Returns the slope `f'(a)` of the shape at a radius, that of the paraboloid for a sphere.
+    pub(crate) fn slope(&self, a: f64) -> f64 {
+        match *self {
+            Self::Paraboloid { radius } | Self::Sphere { radius } => a / radius,
+            Self::PowerLaw {
+                coefficient,
+                exponent,
+            } => coefficient * exponent * a.powf(exponent - 1.0),
+            Self::Cone { half_angle } | Self::FlatEndedCone { half_angle, .. } => {
+                half_angle.tan().recip()
+            }
+            Self::RoundedCone { radius, half_angle } => (a / radius).min(half_angle.tan().recip()),
+            Self::FlatPunch { .. } => 0.0,
+            Self::Profile(ref profile) => profile.slope(a),
+        }
+    }
+
+    /// Accepts a shape with positive lengths and possible angles.
+    pub(crate) fn check(&self) -> Result<(), Error> {
+        let angle = |half_angle: f64| {
+            Error::unless(
+                half_angle > 0.0 && half_angle < FRAC_PI_2,
+                "half angle",
+                half_angle,
+                "between 0 and pi/2 rad, the angle between the axis and the flank",
+            )
+        };
+        match *self {
+            Self::Paraboloid { radius } | Self::Sphere { radius } => {
+                positive("sphere_radius", radius)
+            }
+            Self::PowerLaw {
+                coefficient,
+                exponent,
+            } => {
+                positive("coefficient of the power law", coefficient)?;
+                Error::unless(
+                    (1.0..=LARGEST_EXPONENT).contains(&exponent),
+                    "exponent of the power law",
+                    exponent,
+                    "from 1 to 20",
+                )
+            }
+            Self::Cone { half_angle } => angle(half_angle),
+            Self::RoundedCone { radius, half_angle } => {
+                positive("radius of the round end", radius)?;
+                angle(half_angle)
+            }
+            Self::FlatPunch { radius } => positive("radius of the punch", radius),
+            Self::FlatEndedCone { radius, half_angle } => {
+                positive("radius of the flat end", radius)?;
+                angle(half_angle)
+            }
+            Self::Profile(_) => Ok(()),
+        }
+    }
+}

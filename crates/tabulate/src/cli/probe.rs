@@ -1,0 +1,177 @@
+//! The shape of the probe, as the command line gives it.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use ::fit::data::{Dimension, Unit};
+use anyhow::{Context, anyhow, bail, ensure};
+use clap::{ValueEnum, ValueHint};
+use interp::{Probe, Profile};
+
+/// The shapes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Shape {
+    /// r^2/(2R), the sphere of JKR and of Barthel's model
+    Paraboloid,
+    /// The sphere itself, R - sqrt(R^2 - r^2)
+    Sphere,
+    /// r cot(half angle)
+    Cone,
+    /// A cone with a round end of radius --sphere-radius, which it touches without a bend
+    RoundedCone,
+    /// A flat cylinder of radius --sphere-radius
+    FlatPunch,
+    /// A cone with a flat end of radius --sphere-radius
+    FlatEndedCone,
+    /// coefficient r^exponent
+    PowerLaw,
+    /// The points of --profile
+    Profile,
+}
+
+/// The flags of the shape.
+#[derive(clap::Args, Clone)]
+#[group(skip)]
+pub struct ProbeArguments {
+    /// Shape of the probe
+    #[arg(long, value_enum, default_value = "paraboloid")]
+    pub probe: Shape,
+    /// Angle between the axis and the flank of a cone, in DEGREES, between 0 and 90
+    #[arg(long, value_name = "DEGREES", allow_negative_numbers = true)]
+    pub half_angle: Option<f64>,
+    /// Exponent n of the power law c r^n, from 1 to 20
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    pub exponent: Option<f64>,
+    /// Coefficient c of the power law c r^n, with r and c r^n in m
+    #[arg(long, value_name = "C", allow_negative_numbers = true)]
+    pub coefficient: Option<f64>,
+    /// CSV of a measured shape: distance r from the axis and height z above the lowest point, in
+    /// the units of the headings, such as `r [um],z [nm]`, or in m
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub profile: Option<PathBuf>,
+}
+
+impl ProbeArguments {
+    /// Returns the shape; `radius` is --sphere-radius. A flag that the shape does not have, or that
+    /// is missing, is an error.
+    pub fn probe(&self, radius: f64) -> anyhow::Result<Probe> {
+        let name = self
+            .probe
+            .to_possible_value()
+            .map_or_else(String::new, |value| value.get_name().to_owned());
+        let conical = matches!(
+            self.probe,
+            Shape::Cone | Shape::RoundedCone | Shape::FlatEndedCone
+        );
+        let (power, measured) = (self.probe == Shape::PowerLaw, self.probe == Shape::Profile);
+        let flags = [
+            ("--half-angle", self.half_angle.is_some(), conical),
+            ("--exponent", self.exponent.is_some(), power),
+            ("--coefficient", self.coefficient.is_some(), power),
+            ("--profile", self.profile.is_some(), measured),
+        ];
+        for (flag, given, needed) in flags {
+            ensure!(given || !needed, "--probe {name} needs {flag}");
+            ensure!(
+                needed || !given,
+                "--probe {name} has no {flag}: leave it out, or choose another --probe"
+            );
+        }
+        let half_angle = match self.half_angle {
+            Some(degrees) => {
+                ensure!(
+                    degrees > 0.0 && degrees < 90.0,
+                    "--half-angle {degrees:?}: it must be between 0 and 90 degrees, the angle \
+                     between the axis and the flank"
+                );
+                degrees.to_radians()
+            }
+            None => 0.0,
+        };
+        Ok(match self.probe {
+            Shape::Paraboloid => Probe::Paraboloid { radius },
+            Shape::Sphere => Probe::Sphere { radius },
+            Shape::Cone => Probe::Cone { half_angle },
+            Shape::RoundedCone => Probe::RoundedCone { radius, half_angle },
+            Shape::FlatPunch => Probe::FlatPunch { radius },
+            Shape::FlatEndedCone => Probe::FlatEndedCone { radius, half_angle },
+            Shape::PowerLaw => Probe::PowerLaw {
+                coefficient: self.coefficient.unwrap_or_default(),
+                exponent: self.exponent.unwrap_or_default(),
+            },
+            Shape::Profile => {
+                let path = self.profile.as_deref().unwrap_or_else(|| Path::new(""));
+                let profile = profile(path).with_context(|| path.display().to_string())?;
+                Probe::Profile(profile)
+            }
+        })
+    }
+}
+
+/// Reads a measured shape: two columns, r and z, with or without a line of headings. Lines that
+/// begin with # are comments.
+fn profile(path: &Path) -> anyhow::Result<Profile> {
+    let text = fs::read_to_string(path)?;
+    let cells = |line: &str| -> Vec<String> {
+        let cells = line.split([',', ';', '\t']).map(str::trim);
+        cells.map(str::to_owned).collect()
+    };
+    let is_data = |line: &&str| !line.trim().is_empty() && !line.trim_start().starts_with('#');
+    let lines = text.lines().enumerate().filter(|(_, line)| is_data(line));
+    let mut units = [1.0; 2];
+    let mut points = Vec::new();
+    let mut numbers = Vec::new();
+    for (i, line) in lines {
+        let cells = cells(line);
+        let [r, z] = cells.as_slice() else {
+            bail!(
+                "line {}: {} cells; give two, r and z, with a comma, semicolon or tab between them",
+                i + 1,
+                cells.len()
+            );
+        };
+        match (r.parse::<f64>(), z.parse::<f64>()) {
+            (Ok(r), Ok(z)) => {
+                points.push([r * units[0], z * units[1]]);
+                numbers.push(i + 1);
+            }
+            _ if points.is_empty() && numbers.is_empty() => {
+                units = [unit(r)?, unit(z)?];
+            }
+            _ => bail!("line {}: {line:?} is not two numbers", i + 1),
+        }
+    }
+    Profile::new(&points).map_err(|error| match error {
+        interp::Error::Profile { row, reason } => match numbers.get(row.wrapping_sub(1)) {
+            Some(line) => anyhow!("line {line}: {reason}"),
+            None => anyhow!("{reason}"),
+        },
+        other => other.into(),
+    })
+}
+
+/// Returns the size of the unit in the brackets of a heading, in m; 1 without brackets.
+fn unit(heading: &str) -> anyhow::Result<f64> {
+    let Some((_, rest)) = heading.split_once(['[', '(']) else {
+        return Ok(1.0);
+    };
+    let symbol = rest.trim_end_matches([']', ')']);
+    let unit = Unit::parse(symbol).filter(|unit| unit.dimension == Dimension::Length);
+    let unit = unit.with_context(|| {
+        format!("{heading:?}: {symbol:?} is no unit of length; write m, um or nm, for example")
+    })?;
+    Ok(unit.size)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn units_of_headings_are_lengths() {
+        assert!((unit("r [um]").expect("a length") - 1e-6).abs() < 1e-20);
+        assert!((unit("z (nm)").expect("a length") - 1e-9).abs() < 1e-22);
+        assert!((unit("z").expect("in m") - 1.0).abs() < 1e-15);
+        assert!(unit("z [mN]").is_err());
+    }
+}

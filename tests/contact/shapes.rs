@@ -1,0 +1,624 @@
+//! Other shapes of the probe than the paraboloid.
+
+use std::f64::consts::PI;
+
+use acceptance::{Data, larger};
+use interp::{
+    Branch, Contact, Control, Derivatives, Elastic, Error, HalfSpace, Input, Neglected, Probe,
+    Profile, State, System, Table,
+};
+
+/// Work of adhesion, J/m^2.
+const W: f64 = 0.04;
+const HALF_ANGLE: f64 = 1.2;
+
+fn solid(young: f64, poisson: f64) -> Elastic {
+    Elastic::new(young, poisson).expect("physical")
+}
+
+/// A rigid probe on a film on a substrate.
+fn system(probe: Probe, film: Elastic, film_thickness: f64, substrate: Elastic) -> System {
+    System {
+        probe,
+        sphere_modulus: f64::INFINITY,
+        film,
+        film_thickness,
+        substrate,
+    }
+}
+
+fn contact(probe: Probe, film: Elastic, film_thickness: f64, substrate: Elastic) -> Contact {
+    let system = system(probe, film, film_thickness, substrate);
+    Table::embedded().contact(&system).expect("in the table")
+}
+
+fn half_space(probe: Probe, solid: Elastic) -> Contact {
+    let system = HalfSpace {
+        probe,
+        sphere_modulus: f64::INFINITY,
+        solid,
+    };
+    Contact::half_space(&system).expect("physical")
+}
+
+/// A measured profile of an asphere.
+fn profile() -> Profile {
+    let points = (0..30).map(|i| 1e-6 * f64::from(i));
+    let points: Vec<[f64; 2]> = points
+        .map(|r| [r, r * r / 2e-5 + r.powi(4) * 1e12])
+        .collect();
+    Profile::new(&points).expect("convex")
+}
+
+/// Every shape with a contact of more than one radius, of some 10 um.
+fn shapes() -> Vec<Probe> {
+    vec![
+        Probe::Paraboloid { radius: 4e-5 },
+        Probe::Sphere { radius: 4e-5 },
+        Probe::PowerLaw {
+            coefficient: 1e13,
+            exponent: 4.0,
+        },
+        Probe::PowerLaw {
+            coefficient: 1e6,
+            exponent: 2.5,
+        },
+        Probe::Cone {
+            half_angle: HALF_ANGLE,
+        },
+        Probe::RoundedCone {
+            radius: 1e-5,
+            half_angle: HALF_ANGLE,
+        },
+        Probe::FlatEndedCone {
+            radius: 3e-6,
+            half_angle: HALF_ANGLE,
+        },
+        Probe::Profile(profile()),
+    ]
+}
+
+/// Power laws on films, by independent programs.
+#[test]
+fn power_laws_are_those_of_the_reference_to_the_accuracy_of_the_table() {
+    let table = Table::embedded();
+    let data = Data::read("shapes");
+    let kappa = |n: f64| match n as u32 {
+        1 => 0.5 * PI,
+        3 => 0.75 * PI,
+        4 => 8.0 / 3.0,
+        _ => 3.2,
+    };
+    let (t, unit) = (1e-6, 1e6);
+    let mut worst: f64 = 0.0;
+    for case in data.cases() {
+        let [x, e1, n] = ["a_over_t", "e1_over_e2", "n"].map(|name| case.get(name));
+        let film = solid(e1 * unit, case.get("nu1"));
+        let substrate = solid(case.get("e0_over_e2") * unit, case.get("nu0"));
+        let coefficient = if n == 1.0 { 0.1 } else { 1e3 };
+        let probe = if n == 1.0 {
+            Probe::Cone {
+                half_angle: 10_f64.atan(),
+            }
+        } else {
+            Probe::PowerLaw {
+                coefficient,
+                exponent: n,
+            }
+        };
+        let system = System {
+            sphere_modulus: unit,
+            ..system(probe, film, t, substrate)
+        };
+        let contact = table.contact(&system).expect("in the table");
+        let a = x * t;
+        let (load, penetration) = contact.load_and_penetration(a, 0.0).expect("in range");
+        let scale = coefficient * kappa(n) * a.powf(n);
+        let misses = [
+            load / (0.5 * scale * a * unit) / case.get("pi_n") - 1.0,
+            penetration / scale / case.get("delta_n") - 1.0,
+        ];
+        for miss in misses {
+            worst = larger(worst, miss.abs());
+            assert!(
+                miss.abs() < table.description().tolerance,
+                "r^{n} at {x} with {e1}: {misses:?}"
+            );
+        }
+    }
+    println!("worst: {worst:.1e}");
+    assert!(data.cases().count() > 30);
+}
+
+/// Maugis, Langmuir 11, 679 (1995): JKR with the exact sphere.
+#[test]
+fn pull_off_of_the_sphere_is_that_of_maugis() {
+    let cases = [
+        (1e-4, -1.49701, 0.11186),
+        (1e-3, -1.48623, 0.23808),
+        (1e-2, -1.43849, 0.48546),
+        (1e-1, -1.25735, 0.83510),
+    ];
+    let (r, material) = (1e-3, solid(1e6, 0.3));
+    for (reduced, pull_off, at_rest) in cases {
+        let w = reduced * material.reduced() * r;
+        let probe = || Probe::Sphere { radius: r };
+        let bare = half_space(probe(), material);
+        // A film of the material of the substrate takes the other way, through the table.
+        let coated = contact(probe(), material, 3e-4, material);
+        for contact in [&bare, &coated] {
+            let found = contact.pull_off(w, Control::Load).expect("in range");
+            let found = found.load / (PI * w * r);
+            assert!((found - pull_off).abs() < 6e-6, "{found}, not {pull_off}");
+            match contact.zero_load(w) {
+                Ok(found) => {
+                    let found = found.contact_radius / r;
+                    assert!((found - at_rest).abs() < 6e-6, "{found}, not {at_rest}");
+                }
+                Err(Error::OutsideRadii { .. }) => assert!(at_rest > 0.8),
+                Err(other) => panic!("{other}"),
+            }
+        }
+    }
+}
+
+/// Maugis and Barquins, J. Phys. Lett. 42, L95 (1981): `-54 w^2/(pi E* cot^3)`.
+#[test]
+fn pull_off_of_the_cone_is_that_of_the_closed_form() {
+    let material = solid(1e6, 0.3);
+    let bare = half_space(
+        Probe::Cone {
+            half_angle: HALF_ANGLE,
+        },
+        material,
+    );
+    let found = bare.pull_off(W, Control::Load).expect("in range").load;
+    let expected = -54.0 * W * W * HALF_ANGLE.tan().powi(3) / (PI * material.reduced());
+    assert!((found / expected - 1.0).abs() < 1e-12, "{found}");
+}
+
+/// On a film of the material of the substrate every shape is that on a half-space.
+#[test]
+fn on_a_homogeneous_body_shapes_are_those_of_the_closed_forms() {
+    let material = solid(1e6, 0.3);
+    for probe in shapes() {
+        let bare = half_space(probe.clone(), material);
+        for t in [1e-8, 1e-6, 1e-4, 1e-1] {
+            let coated = contact(probe.clone(), material, t, material);
+            for a in [1e-9, 1e-7, 2.9e-6, 3.1e-6, 1e-5, 2.8e-5] {
+                let [least, most] = coated.contact_radius_range();
+                if a < least
+                    || a > most
+                    || (a > 0.5 * 4e-5 && matches!(probe, Probe::Sphere { .. }))
+                {
+                    continue;
+                }
+                let [found, expected] = [&coated, &bare]
+                    .map(|contact| contact.load_and_penetration(a, 0.0).expect("in range"));
+                for (found, expected) in [(found.0, expected.0), (found.1, expected.1)] {
+                    let miss = found / expected - 1.0;
+                    assert!(miss.abs() < 3e-7, "{probe:?}, {t}, {a}: {miss:e}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn the_load_follows_the_penetration_by_the_stiffness() {
+    let films = [
+        (solid(1e5, 0.5), solid(1e9, 0.3)),
+        (solid(1e8, 0.2), solid(1e6, 0.4)),
+    ];
+    for (film, substrate) in films {
+        for probe in shapes() {
+            let contact = contact(probe.clone(), film, 2e-6, substrate);
+            for a in [1e-7, 1e-6, 3.2e-6, 8e-6, 2e-5, 2.8e-5] {
+                if a < contact.contact_radius_range()[0] {
+                    continue;
+                }
+                let at = |a: f64| contact.load_and_penetration(a, 0.0).expect("in range");
+                let step = 1e-4;
+                let (more, less) = (at(a * (1.0 + step)), at(a * (1.0 - step)));
+                let stiffness = (more.0 - less.0) / (more.1 - less.1);
+                let miss = stiffness / contact.stiffness(a).expect("in range") - 1.0;
+                assert!(miss.abs() < 1e-5, "{probe:?} at {a}: {miss:e}");
+            }
+        }
+    }
+}
+
+/// Two ways to one contact: integrals along the curve, and the field of the flat punch.
+#[test]
+fn the_two_methods_agree() {
+    let (film, substrate) = (solid(1e5, 0.5), solid(1e9, 0.3));
+    let pairs = [
+        (
+            Probe::Paraboloid { radius: 1e-4 },
+            Probe::RoundedCone {
+                radius: 1e-4,
+                half_angle: 1.2,
+            },
+        ),
+        (
+            Probe::PowerLaw {
+                coefficient: 1e12,
+                exponent: 4.0,
+            },
+            Probe::PowerLaw {
+                coefficient: 1e12,
+                exponent: 4.0 * (1.0 + 1e-15),
+            },
+        ),
+    ];
+    for (one, other) in pairs {
+        for t in [1e-7, 3e-6, 1e-4] {
+            let [one, other] =
+                [&one, &other].map(|probe| contact(probe.clone(), film, t, substrate));
+            for a in [1e-8, 1e-6, 1e-5, 3e-5] {
+                let [one, other] =
+                    [&one, &other].map(|contact| contact.load_and_penetration(a, 0.0));
+                let (one, other) = (one.expect("in range"), other.expect("in range"));
+                let misses = [one.0 / other.0 - 1.0, one.1 / other.1 - 1.0];
+                assert!(misses.iter().all(|miss| miss.abs() < 3e-7), "{misses:?}");
+            }
+        }
+    }
+}
+
+/// Every derivative of one shape is a difference of contacts.
+#[test]
+fn derivatives_are_differences() {
+    const STEP: f64 = 1e-3;
+    let table = Table::embedded();
+    let shape = |probe: &Probe, factor: f64| match *probe {
+        Probe::Sphere { radius } => Probe::Sphere {
+            radius: radius * factor,
+        },
+        Probe::RoundedCone { radius, half_angle } => Probe::RoundedCone {
+            radius: radius * factor,
+            half_angle,
+        },
+        Probe::FlatEndedCone { radius, half_angle } => Probe::FlatEndedCone {
+            radius: radius * factor,
+            half_angle,
+        },
+        _ => probe.clone(),
+    };
+    for probe in shapes() {
+        let own = System {
+            sphere_modulus: 2e6,
+            ..system(probe.clone(), solid(3.5e6, 0.4), 1e-5, solid(2e8, 0.25))
+        };
+        let contact = table.contact_with_gradient(&own).expect("in the table");
+        let a = 1.2e-5;
+        let gradient = contact.gradient(a, W).expect("in range");
+        let with = |input: Input, factor: f64| {
+            let mut other = own.clone();
+            let scaled = |body: Elastic| solid(factor * body.young(), body.poisson());
+            match input {
+                Input::SphereRadius => other.probe = shape(&probe, factor),
+                Input::SphereModulus => other.sphere_modulus *= factor,
+                Input::FilmThickness => other.film_thickness *= factor,
+                Input::FilmModulus => other.film = scaled(own.film),
+                Input::SubstrateModulus => other.substrate = scaled(own.substrate),
+                Input::FilmPoisson => {
+                    other.film = solid(own.film.young(), factor * own.film.poisson());
+                }
+                _ => {}
+            }
+            let a = if input == Input::ContactRadius {
+                a * factor
+            } else {
+                a
+            };
+            let contact = table.contact(&other).expect("in the table");
+            contact.load_and_penetration(a, W).expect("in range")
+        };
+        let units = [
+            (Input::ContactRadius, a),
+            (Input::SphereRadius, probe.radius().unwrap_or(0.0)),
+            (Input::SphereModulus, own.sphere_modulus),
+            (Input::FilmThickness, own.film_thickness),
+            (Input::FilmModulus, own.film.young()),
+            (Input::FilmPoisson, own.film.poisson()),
+            (Input::SubstrateModulus, own.substrate.young()),
+        ];
+        let (load, penetration) = contact.load_and_penetration(a, 0.0).expect("in range");
+        for (input, unit) in units {
+            if input == Input::SphereRadius && (unit == 0.0 || probe.name() == "paraboloid") {
+                assert_eq!(gradient.by(input).is_err(), unit == 0.0);
+                continue;
+            }
+            let found = gradient.by(input).expect("known");
+            let (more, less) = (with(input, 1.0 + STEP), with(input, 1.0 - STEP));
+            let misses = [
+                (found.load * unit - (more.0 - less.0) / (2.0 * STEP)) / load,
+                (found.penetration * unit - (more.1 - less.1) / (2.0 * STEP)) / penetration,
+            ];
+            // The contacts that are compared are exact to the tolerance of the table.
+            assert!(
+                misses.iter().all(|miss| miss.abs() < 3e-5),
+                "{probe:?} by {input:?}: {misses:?}"
+            );
+        }
+    }
+}
+
+#[test]
+fn a_flat_punch_has_one_contact_radius() {
+    let (radius, film) = (5e-6, solid(1e6, 0.5));
+    let punch = || Probe::FlatPunch { radius };
+    let coated = contact(punch(), film, 3e-6, solid(1e9, 0.3));
+    let bare = half_space(punch(), film);
+    for contact in [&coated, &bare] {
+        let q = contact.quantities(radius).expect("its radius");
+        let modulus = contact.mechanics().sphere_film_modulus();
+        let expected = -q.eeq / q.gamma * (8.0 * PI * W * modulus * radius.powi(3)).sqrt();
+        for control in [
+            Control::Load,
+            Control::Displacement,
+            Control::Spring { stiffness: 1.0 },
+        ] {
+            let found = contact.pull_off(W, control).expect("one radius");
+            assert!((found.load / expected - 1.0).abs() < 1e-12, "{found:?}");
+            assert!((found.contact_radius / radius - 1.0).abs() < 1e-12);
+            let stiffness = contact.stiffness(radius).expect("its radius");
+            assert!((found.load / (stiffness * found.penetration) - 1.0).abs() < 1e-12);
+            let equilibria = contact.equilibria(W, control).expect("one radius");
+            let curve = equilibria.force_displacement(1e-7, 5).expect("in range");
+            let states = curve.loading[0].iter().chain(&curve.unloading[0]);
+            for state in states {
+                let expected = stiffness * state.penetration;
+                assert!(
+                    (state.load - expected).abs()
+                        < 1e-12 * stiffness * 1e-7 + 1e-9 * expected.abs()
+                );
+            }
+            assert_eq!(curve.jumps.len(), 2);
+        }
+        assert!(matches!(
+            contact.load(0.9 * radius, W),
+            Err(Error::BeyondProbe { .. })
+        ));
+        for result in [
+            contact.line(W, radius).map(drop),
+            contact.radius_and_energy_release_rate(0.0, 0.0).map(drop),
+            contact.jkr_fit(W, [radius, radius], 2).map(drop),
+            contact.adhesion_range(W, 1e-9).map(drop),
+        ] {
+            assert!(
+                matches!(result, Err(Error::OtherProbe { .. })),
+                "{result:?}"
+            );
+        }
+    }
+    // On the half-space the stiffness is 2 E* a, and its derivatives are known in closed form.
+    let equilibria = bare
+        .equilibria(W, Control::Displacement)
+        .expect("one radius");
+    let (mut states, zero) = (
+        [State::ORIGIN; 2],
+        Derivatives {
+            load: 0.0,
+            penetration: 0.0,
+        },
+    );
+    let mut derivatives = [zero; 6];
+    equilibria
+        .branch_with_gradient(
+            &[1e-8, 2e-8],
+            Branch::Unloading,
+            &[Input::SubstrateModulus, Input::SphereRadius],
+            &mut states,
+            &mut derivatives,
+        )
+        .expect("in range");
+    let stiffness = 2.0 * film.reduced() * radius;
+    assert!((derivatives[0].load / stiffness - 1.0).abs() < 1e-12);
+    assert!((derivatives[1].load / (stiffness * 1e-8 / film.young()) - 1.0).abs() < 1e-12);
+    assert!((derivatives[5].load / (stiffness * 2e-8 / radius) - 1.0).abs() < 1e-12);
+}
+
+/// A flat-ended cone separates at the radius of its end like a punch, if it is stable down to it.
+#[test]
+fn a_flat_end_separates_like_a_punch() {
+    let (radius, film, substrate) = (5e-6, solid(1e6, 0.5), solid(1e9, 0.3));
+    let cone = Probe::FlatEndedCone {
+        radius,
+        half_angle: 0.9,
+    };
+    let w = 1e-4;
+    for (cone, punch) in [
+        (
+            contact(cone.clone(), film, 3e-6, substrate),
+            contact(Probe::FlatPunch { radius }, film, 3e-6, substrate),
+        ),
+        (
+            half_space(cone, film),
+            half_space(Probe::FlatPunch { radius }, film),
+        ),
+    ] {
+        let [cone_off, punch_off] =
+            [&cone, &punch].map(|contact| contact.pull_off(w, Control::Displacement));
+        let (cone_off, punch_off) = (cone_off.expect("in range"), punch_off.expect("in range"));
+        assert!((cone_off.contact_radius / radius - 1.0).abs() < 1e-12);
+        assert!(
+            (cone_off.load / punch_off.load - 1.0).abs() < 1e-9,
+            "{cone_off:?}, not {punch_off:?}"
+        );
+        let equilibria = cone.equilibria(w, Control::Displacement).expect("in range");
+        let curve = equilibria.force_displacement(1e-6, 20).expect("in range");
+        assert_eq!(curve.unloading.len(), 1);
+        assert!(matches!(
+            equilibria.unloading(2.0 * cone_off.penetration),
+            Err(Error::NoContact { .. })
+        ));
+    }
+}
+
+/// All shapes answer the questions that the paraboloid answers.
+#[test]
+fn every_shape_has_curves_branches_and_energies() {
+    let (film, substrate) = (solid(1e6, 0.4), solid(1e9, 0.3));
+    for probe in shapes() {
+        for contact in [
+            contact(probe.clone(), film, 2e-6, substrate),
+            half_space(probe.clone(), film),
+        ] {
+            let w = 1e-5;
+            for control in [Control::Load, Control::Displacement] {
+                let equilibria = contact.equilibria(w, control).expect("in range");
+                let at = contact.load_and_penetration(1.5e-5, w).expect("in range");
+                let most = if control == Control::Load { at.0 } else { at.1 };
+                let curve = equilibria.force_displacement(most, 30).expect("in range");
+                let last = curve.loading.last().and_then(|branch| branch.last());
+                let last = last.expect("a state");
+                assert!(
+                    (last.contact_radius / 1.5e-5 - 1.0).abs() < 1e-6,
+                    "{probe:?}"
+                );
+                let mut states = [State::ORIGIN; 3];
+                equilibria
+                    .branch(
+                        &[most, 0.9 * most, 0.8 * most],
+                        Branch::Unloading,
+                        &mut states,
+                    )
+                    .expect("in range");
+                for state in states {
+                    let a = state.contact_radius;
+                    let at_load = contact.energy_release_rate_at_load(a, state.load);
+                    let at_penetration =
+                        contact.energy_release_rate_at_penetration(a, state.penetration);
+                    for found in [at_load, at_penetration] {
+                        let found = found.expect("in range");
+                        assert!((found / w - 1.0).abs() < 1e-6, "{probe:?}: {found}");
+                    }
+                    let (radius, _) = contact
+                        .radius_and_energy_release_rate(state.load, state.penetration)
+                        .expect("in range");
+                    assert!((radius / a - 1.0).abs() < 1e-6, "{probe:?}: {radius}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn impossible_shapes_are_errors() {
+    let film = solid(1e6, 0.4);
+    let refused = |probe: Probe| {
+        let own = system(probe.clone(), film, 1e-6, film);
+        assert!(Table::embedded().contact(&own).is_err(), "{probe:?}");
+        let bare = HalfSpace {
+            probe: probe.clone(),
+            sphere_modulus: 1e6,
+            solid: film,
+        };
+        assert!(Contact::half_space(&bare).is_err(), "{probe:?}");
+    };
+    for bad in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+        refused(Probe::Paraboloid { radius: bad });
+        refused(Probe::Sphere { radius: bad });
+        refused(Probe::Cone { half_angle: bad });
+        refused(Probe::FlatPunch { radius: bad });
+        refused(Probe::FlatEndedCone {
+            radius: bad,
+            half_angle: 1.0,
+        });
+        refused(Probe::FlatEndedCone {
+            radius: 1e-6,
+            half_angle: bad,
+        });
+        refused(Probe::RoundedCone {
+            radius: bad,
+            half_angle: 1.0,
+        });
+        refused(Probe::PowerLaw {
+            coefficient: bad,
+            exponent: 2.0,
+        });
+        refused(Probe::PowerLaw {
+            coefficient: 1.0,
+            exponent: bad,
+        });
+    }
+    refused(Probe::Cone { half_angle: 1.6 });
+    refused(Probe::PowerLaw {
+        coefficient: 1.0,
+        exponent: 0.9,
+    });
+    // Extreme sizes give finite numbers or errors.
+    for probe in [
+        Probe::Cone { half_angle: 1e-300 },
+        Probe::RoundedCone {
+            radius: 1e-300,
+            half_angle: 1.0,
+        },
+        Probe::FlatEndedCone {
+            radius: 1e30,
+            half_angle: 1.0,
+        },
+        Probe::Sphere { radius: 1e-300 },
+        Probe::Sphere { radius: 1e300 },
+        Probe::PowerLaw {
+            coefficient: 1e300,
+            exponent: 20.0,
+        },
+        Probe::PowerLaw {
+            coefficient: 1e-300,
+            exponent: 19.5,
+        },
+    ] {
+        let own = system(probe.clone(), film, 1e-6, solid(1e9, 0.3));
+        let Ok(contact) = Table::embedded().contact(&own) else {
+            continue;
+        };
+        for a in [1e-320, 1e-300, 1e-9, 1e-6, 1e-3, 1e30, f64::NAN] {
+            if let Ok((load, penetration)) = contact.load_and_penetration(a, W) {
+                assert!(
+                    load.is_finite() && penetration.is_finite(),
+                    "{probe:?}, {a}"
+                );
+            }
+            let _ = contact.validity(a);
+        }
+        let _ = contact.pull_off(W, Control::Load);
+    }
+}
+
+#[test]
+fn neglected_effects_that_are_larger_than_the_shape_are_named() {
+    let sphere = || Probe::Sphere { radius: 1e-4 };
+    let compressible = contact(sphere(), solid(1e6, 0.3), 1e-3, solid(1e9, 0.3));
+    let neglected = |contact: &Contact, a: f64| contact.validity(a).expect("in range").neglected();
+    assert_eq!(neglected(&compressible, 3e-5), [Neglected::Sideways]);
+    let incompressible = contact(sphere(), solid(1e6, 0.5), 1e-3, solid(1e9, 0.3));
+    assert_eq!(neglected(&incompressible, 3e-5), []);
+    let thin = contact(sphere(), solid(1e6, 0.5), 1e-6, solid(1e9, 0.3));
+    assert_eq!(neglected(&thin, 3e-5), [Neglected::Strain]);
+    let elastic = System {
+        sphere_modulus: 1e6,
+        ..system(sphere(), solid(1e6, 0.5), 1e-3, solid(1e9, 0.3))
+    };
+    let elastic = Table::embedded().contact(&elastic).expect("in the table");
+    assert_eq!(neglected(&elastic, 3e-5), [Neglected::ElasticProbe]);
+    assert_eq!(neglected(&elastic, 5e-6), []);
+    // At equal penetration the load of the exact sphere is smaller by about delta/(10 R).
+    let paraboloid = contact(
+        Probe::Paraboloid { radius: 1e-4 },
+        solid(1e6, 0.5),
+        1e-3,
+        solid(1e9, 0.3),
+    );
+    let load = |contact: &Contact| {
+        let equilibria = contact
+            .equilibria(0.0, Control::Displacement)
+            .expect("in range");
+        equilibria.unloading(4e-6).expect("in range").load
+    };
+    let part = 1.0 - load(&incompressible) / load(&paraboloid);
+    let at = incompressible.validity(2e-5).expect("in range");
+    assert!((part / at.shape - 1.0).abs() < 0.1, "{part}, {at:?}");
+}
