@@ -302,7 +302,7 @@ fn a_contact_takes_the_curve_of_its_material_or_an_equivalent_one_only() {
         (&system, rounded),
         (&compressible, equivalent),
     ] {
-        Contact::new(&system, curve_of(&material)).expect("its own material, or an equivalent");
+        Contact::new(system, curve_of(&material)).expect("its own material, or an equivalent");
     }
     let error = Contact::new(&compressible, curve_of(&own)).expect_err("another film");
     assert!(

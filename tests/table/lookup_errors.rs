@@ -395,7 +395,7 @@ fn an_unphysical_solid_or_system_is_an_error_that_names_it() {
         f64::INFINITY,
         System {
             film: rigid,
-            ..sound.clone()
+            ..sound
         },
     ));
     for (name, value, system) in broken {

@@ -47,7 +47,7 @@ mod surface;
 use std::cell::RefCell;
 use std::f64::consts::PI;
 
-use interp::{Control, Material, Normalisation, Probe, System};
+use interp::{Control, Material, Normalisation, Probe, System, root};
 
 use crate::Error;
 use crate::cohesive::annulus::Annulus;
@@ -416,7 +416,7 @@ impl Cohesive {
             high = (STEP * high).min(farthest);
             value = excess(high);
         }
-        let tangent = search::root(|tangent| Ok::<f64, Error>(excess(tangent)), low, high)?;
+        let tangent = root(|tangent| Ok::<f64, Error>(excess(tangent)), low, high)?;
         Ok(Annulus::new(radius, tangent))
     }
 
@@ -473,7 +473,7 @@ impl Cohesive {
         while gap(high) < 0.0 && gap(0.5 * high) < 0.0 {
             high *= 0.5;
         }
-        search::root(|c| Ok::<f64, Error>(gap(c)), 0.25 * high, high)
+        root(|c| Ok::<f64, Error>(gap(c)), 0.25 * high, high)
     }
 
     /// Returns a state in SI units.

@@ -1,11 +1,6 @@
-//! Roots and minima of functions that may fail.
+//! Minima of functions that may fail.
 
 use crate::Error;
-
-/// Finds a sign change of `f` between `a` and `b` to rounding.
-///
-/// Chandrupatla's method: see [`interp::root`].
-pub use interp::root;
 
 /// A point and the value there.
 type Point = (f64, f64);

@@ -33,7 +33,7 @@ const MANY_LAYERS: usize = 4;
 ///
 /// # Errors
 /// [`Error::Domain`] for an `a_over_t`, a `tolerance` or a ratio of moduli outside the domain of
-/// [`solve`]; [`Error::StackReach`] where the contact is too wide beside the top layer
+/// [`solve`](crate::solve()); [`Error::StackReach`] where the contact is too wide beside the top layer
 /// ([`MOST_A_OVER_TOP`]); [`Error::StackNotConverged`] where double precision does not allow the
 /// tolerance.
 pub fn solve_stack(
