@@ -98,7 +98,7 @@ fn a_branch_holds_the_states_found_one_by_one() {
 fn derivatives_on_a_half_space_are_those_of_jkr() {
     let (radius, modulus, w) = (1e-3, 2e6, 0.04);
     let system = HalfSpace {
-        probe: Probe::Paraboloid { radius: radius },
+        probe: Probe::Paraboloid { radius },
         sphere_modulus: modulus,
         solid: Elastic::new(f64::INFINITY, 0.25).expect("rigid"),
     };

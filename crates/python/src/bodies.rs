@@ -15,7 +15,7 @@ pub type HalfSpaceNumbers = [f64; 4];
 pub fn system(numbers: SystemNumbers) -> Result<System, Error> {
     let [radius, modulus, film, nu1, thickness, substrate, nu0] = numbers;
     Ok(System {
-        probe: Probe::Paraboloid { radius: radius },
+        probe: Probe::Paraboloid { radius },
         sphere_modulus: modulus,
         film: Elastic::new(film, nu1)?,
         film_thickness: thickness,
@@ -27,7 +27,7 @@ pub fn system(numbers: SystemNumbers) -> Result<System, Error> {
 pub fn half_space(numbers: HalfSpaceNumbers) -> Result<HalfSpace, Error> {
     let [radius, modulus, solid, nu] = numbers;
     Ok(HalfSpace {
-        probe: Probe::Paraboloid { radius: radius },
+        probe: Probe::Paraboloid { radius },
         sphere_modulus: modulus,
         solid: Elastic::new(solid, nu)?,
     })
