@@ -448,7 +448,7 @@ pub const FUNCTIONS: &[Function] = &[
             terms,
             from_fn(|_| vec![integer(x[1]) as i8]),
             x[0],
-            terms.map(|count| vec![integer(x[2]), integer(x[3])].repeat(count)[..count].to_vec()),
+            terms.map(|count| [integer(x[2]), integer(x[3])].repeat(count)[..count].to_vec()),
         )?;
         let tiles = tables::whole(form, AXES.map(<[f64]>::len));
         look_up(&Table::from_low_rank(
