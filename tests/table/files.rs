@@ -183,7 +183,7 @@ fn every_changed_byte_of_a_packed_table_is_noticed() {
             bytes[at] ^= change;
             match (at, Table::from_packed(&bytes)) {
                 (0..8, Err(Error::Foreign(_))) => {}
-                (8..12, Err(Error::Version { supported: 2, .. })) => {}
+                (8..12, Err(Error::Version { supported: 3, .. })) => {}
                 (12..20, Err(Error::Length { .. })) => {}
                 (20.., Err(Error::Checksum { stored, found })) => assert_ne!(stored, found),
                 (_, other) => panic!("byte {at} changed by {change:#x}: {other:?}"),
@@ -315,7 +315,7 @@ fn another_version_is_an_error_that_names_both() {
         match Table::from_packed(&packed) {
             Err(Error::Version {
                 found,
-                supported: 2,
+                supported: 3,
             }) => assert_eq!(found, version),
             other => panic!("{other:?}"),
         }

@@ -222,9 +222,10 @@ impl LowRank {
             let weight = |k| smoothness(dimensions[core], k);
             degrees.map(|k| weight(k).powi(-2)).collect()
         };
-        // A bond index without any contribution is not scaled.
+        // A bond index without any contribution vanishes in both cores, and one with next to none is
+        // not scaled.
         let sound = |scale: f64| {
-            if REASONABLE.contains(&scale) {
+            if REASONABLE.contains(&scale) || scale == 0.0 {
                 scale
             } else {
                 1.0
@@ -243,7 +244,7 @@ impl LowRank {
                 let entries = core[j..].iter().step_by(width);
                 let size = mean_square(entries, &means, 1).sqrt() / *weight;
                 let size = sound(size);
-                *weight *= size;
+                *weight *= if size > 0.0 { size } else { 1.0 };
                 row.iter_mut().for_each(|entry| *entry *= size);
             }
         }
@@ -262,7 +263,7 @@ impl LowRank {
             {
                 let share = (mean_square(row.iter(), &means, after) / averaged).sqrt() / *weight;
                 let share = sound(share);
-                *weight *= share;
+                *weight *= if share > 0.0 { share } else { 1.0 };
                 core[j..]
                     .iter_mut()
                     .step_by(width)
