@@ -177,6 +177,9 @@ impl Readouts {
             for (row, value) in coefficients.iter_mut().zip(product) {
                 row[m] = value;
             }
+            // The slope with fewer rounding errors.
+            let others = (0..READOUTS).filter(|&j| j != m).map(|j| square[j]);
+            coefficients[1][m] = -product[0] * others.map(|other| 1.0 / other).sum::<f64>();
         }
         Self { z, coefficients }
     }
