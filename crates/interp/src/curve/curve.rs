@@ -340,18 +340,20 @@ impl Curve {
     /// Returns all four quantities at `a_over_t` with their derivatives with respect to `a_over_t`
     /// and to the four parameters of the material.
     ///
-    /// They are the derivatives of the table's splines, except for the error of the pieces. With
-    /// respect to the Poisson ratio of nearly incompressible films they are differences of the
-    /// splines instead, because there the slope of a spline is inaccurate. Below the nodes they are
-    /// those of the expansion for thick films.
+    /// They are the derivatives of the table's splines or polynomials, except for the error of the
+    /// pieces. With respect to the Poisson ratio of nearly incompressible films they are
+    /// differences of lookups instead, because there the slope is inaccurate. Below the nodes they
+    /// are those of the expansion for thick films.
     ///
-    /// Errors of the derivatives of the embedded table are below 100 times its tolerance. They are
+    /// Errors of the derivatives of the embedded table are about 100 times its tolerance at most,
+    /// those with respect to the film's Poisson ratio, and below 10 times the others. They are
     /// relative to the quantity and per unit of `ln(a/t)`, `ln e1_over_e2` and `ln e0_over_e2`. The
     /// unit of the film's Poisson ratio is `(1 - 2 nu1) + 1/(1 + (a/t)^2)`, that of the substrate's
     /// `1/(1 + E1/E0)`: the sizes of a change that alters the contact. Measured by
-    /// `tests/contact/gradient` at 2000 random contacts of every contrast: 1.4, 0.7 and 1.1
-    /// tolerances, and 77 and 0.9 for the Poisson ratios; for `e1_over_e2` from 1e-3 to 1e3 and
-    /// `e0_over_e2` from 1 to 1e6: 2.0, 1.0 and 0.3, and 8.2 and 0.5.
+    /// `tests/contact/gradient` at 2000 random contacts of every contrast: 2.2, 9.4 and 6.8
+    /// tolerances, and 172 and 4.4 for the Poisson ratios (78 at the 300 contacts of the test); for
+    /// `e1_over_e2` from 1e-3 to 1e3 and `e0_over_e2` from 1 to 1e6: 2.0, 3.2 and 2.4, and 58 and
+    /// 0.9.
     ///
     /// # Errors
     /// As [`Curve::quantity`], but [`Error::OutsideTable`] everywhere above the nodes;

@@ -18,7 +18,7 @@ use crate::Parameter;
 use crate::table::tensor_spline::TensorSpline;
 
 /// The largest `(w + u) |dv/dw|` with which the slope of the spline is used.
-const LARGEST_MAGNIFICATION: f64 = 1.0;
+const LARGEST_MAGNIFICATION: f64 = 2.0;
 /// The number of distances in one difference.
 const POINTS: usize = 4;
 /// The ratio of one distance to the next. Smaller ratios need more lookups, and have larger errors

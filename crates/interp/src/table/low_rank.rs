@@ -222,8 +222,8 @@ impl LowRank {
             let weight = |k| smoothness(dimensions[core], k);
             degrees.map(|k| weight(k).powi(-2)).collect()
         };
-        // A bond index without any contribution vanishes in both cores, and one with next to none is
-        // not scaled.
+        // A bond index without any contribution vanishes in both cores, and one with next to none
+        // is not scaled.
         let sound = |scale: f64| {
             if REASONABLE.contains(&scale) || scale == 0.0 {
                 scale

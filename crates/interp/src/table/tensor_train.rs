@@ -27,7 +27,7 @@ use crate::table::weighted_sum::add_rows;
 /// The largest norm of a block that is dropped, relative to the table's tolerance.
 ///
 /// Norms are root mean squares of contributions to the logarithms.
-const NEGLIGIBLE: f64 = 1e-5;
+const NEGLIGIBLE: f64 = 3e-5;
 /// The largest rounding to single precision, and the largest jump between intervals. Smaller than
 /// [`NEGLIGIBLE`], because it acts as noise: a difference quotient of two lookups divides it by its
 /// step.
