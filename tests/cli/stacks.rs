@@ -114,8 +114,8 @@ fn mistakes_are_named_with_file_layer_value_and_range() {
         &message,
         &["900.0", "2 different layers", "1000", "up to 749.9"],
     );
-    let message = solve("thickness", "thikness", "1");
-    assert_names(&message, &["bad.toml", "thikness"]);
+    let message = solve("thickness", "height", "1");
+    assert_names(&message, &["bad.toml", "height"]);
 }
 
 #[test]

@@ -147,7 +147,7 @@ mod tests {
                 "poisson_ratio = 0.6",
                 ["base", "(-1, 0.5]"],
             ),
-            ("name", "nmae", ["unknown field", "nmae"]),
+            ("name", "label", ["unknown field", "label"]),
             ("name = \"primer\"", "name = \"\"", ["", ""]),
         ];
         for (from, to, parts) in cases {
