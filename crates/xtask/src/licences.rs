@@ -23,12 +23,16 @@ const LIKE_MIT: [&str; 9] = [
 /// The name of everything that is in no published package.
 const TESTS: &str = "tests, benches, xtask";
 
+/// The Python package.
+const WHEEL: &str = "coated-contact-python, coated-contact-python/hdf5";
+/// Contact lines that move at a finite speed.
+const DYNAMICS: &str = "coated-contact-python, coated-contact-python/hdf5, interp/dynamics";
 /// All packages that fit.
-const FITS: &str =
-    "coated-contact-python, fit, tabulate, tabulate/default, tabulate/hdf5, tabulate/hdf5-static";
+const FITS: &str = "coated-contact-python, coated-contact-python/hdf5, fit, tabulate, tabulate/default, \
+     tabulate/hdf5, tabulate/hdf5-static";
 /// All packages that fit, and contact lines that move at a finite speed.
-const FITS_AND_DYNAMICS: &str = "coated-contact-python, fit, interp/dynamics, tabulate, tabulate/default, tabulate/hdf5, \
-     tabulate/hdf5-static";
+const FITS_AND_DYNAMICS: &str = "coated-contact-python, coated-contact-python/hdf5, fit, interp/dynamics, \
+     tabulate, tabulate/default, tabulate/hdf5, tabulate/hdf5-static";
 
 /// Crates under other licences, their licences, and the features that need them.
 const OTHERS: [(&str, &str, &str); 11] = [
@@ -36,19 +40,15 @@ const OTHERS: [(&str, &str, &str); 11] = [
     ("ciborium", "Apache-2.0", TESTS),
     ("ciborium-io", "Apache-2.0", TESTS),
     ("ciborium-ll", "Apache-2.0", TESTS),
-    ("differential-equations", "Apache-2.0", "interp/dynamics"),
-    (
-        "differential-equations-derive",
-        "Apache-2.0",
-        "interp/dynamics",
-    ),
+    ("differential-equations", "Apache-2.0", DYNAMICS),
+    ("differential-equations-derive", "Apache-2.0", DYNAMICS),
     // In a file of its own, that of HDF5: as BSD-3-Clause.
     ("hdf5-metno-src", "", "tabulate/hdf5-static"),
     ("nalgebra", "Apache-2.0", FITS),
     ("simba", "Apache-2.0", FITS_AND_DYNAMICS),
     ("spdx", "Apache-2.0", TESTS),
     // Runs in the compiler only.
-    ("target-lexicon", "Apache-2.0 WITH LLVM-exception", PYTHON),
+    ("target-lexicon", "Apache-2.0 WITH LLVM-exception", WHEEL),
 ];
 
 /// Crates that nobody maintains, with the reason to keep them.
