@@ -206,7 +206,7 @@ impl Derivation {
         }
     }
 
-    /// Returns the polynomials of the four quantities on the pieces of a group.
+    /// Writes the polynomials of the four quantities on the `pieces` of a group.
     #[inline(always)]
     pub(crate) fn values<S: Simd>(
         &self,
@@ -214,7 +214,8 @@ impl Derivation {
         group: usize,
         integrals: Integrals<S>,
         es: f64,
-    ) -> [Values; 4] {
+        pieces: &mut [Values; 4],
+    ) {
         let Group {
             half_lengths,
             inverse_middles,
@@ -233,11 +234,11 @@ impl Derivation {
         let eeq = economised(simd, &eeq);
         let gamma = economised(simd, &integrals.gamma);
         let delta0 = economised(simd, &delta0);
-        by_piece(&pi0, &eeq, &gamma, &delta0, [es, es, es, 1.0])
+        write_by_piece([&pi0, &eeq, &gamma, &delta0], [es, es, es, 1.0], pieces);
     }
 
-    /// Returns the polynomials of the derivatives of the logarithms of the four quantities on the
-    /// pieces of a group, with respect to a parameter of the material. `gamma` is that of
+    /// Writes the polynomials of the derivatives of the logarithms of the four quantities on the
+    /// `pieces` of a group, with respect to a parameter of the material. `gamma` is that of
     /// `ln(Gamma/es)`; the `constants` are those of the derivatives of the integrals.
     #[inline(always)]
     pub(crate) fn sensitivities<S: Simd>(
@@ -247,7 +248,8 @@ impl Derivation {
         integrals: &Integrals<S>,
         gamma: &Series<S, LOGARITHM>,
         mut constants: impl FnMut(usize, usize, [f64; 2]) -> f64,
-    ) -> [Logarithms; 4] {
+        pieces: &mut [Logarithms; 4],
+    ) {
         let half_lengths = f64x4::simd_from(simd, self.groups[group].half_lengths);
         let square = first_terms(&integrals.square);
         let inverse = first_terms(&integrals.inverse);
@@ -277,13 +279,13 @@ impl Derivation {
         self.add_constants(simd, group, &mut by_load, |piece, ends| {
             constants(2, piece, ends)
         });
-        by_piece(
+        let relative = [
             &relative(simd, &by_load, &load),
             &relative(simd, &by_stiffness, &stiffness),
             gamma,
             &relative(simd, &by_penetration, &penetration),
-            [1.0; 4],
-        )
+        ];
+        write_by_piece(relative, [1.0; 4], pieces);
     }
 }
 
@@ -315,17 +317,14 @@ fn relative<S: Simd>(
     economised(simd, &quotient(simd, derivative, value))
 }
 
-/// Sorts the coefficients of the quantities, each of them on four pieces, by piece, and scales
-/// them.
+/// Writes the coefficients of the quantities, each of them on four pieces, times its scale, to the
+/// `pieces`.
 #[inline(always)]
-fn by_piece<S: Simd, const N: usize>(
-    pi0: &Series<S, N>,
-    eeq: &Series<S, N>,
-    gamma: &Series<S, N>,
-    delta0: &Series<S, N>,
+fn write_by_piece<S: Simd, const N: usize>(
+    [pi0, eeq, gamma, delta0]: [&Series<S, N>; 4],
     scales: [f64; 4],
-) -> [[[f64; 4]; N]; 4] {
-    let mut pieces = [[[0.0; 4]; N]; 4];
+    pieces: &mut [[[f64; 4]; N]; 4],
+) {
     for k in 0..N {
         let rows = transposed([
             pi0[k] * scales[0],
@@ -337,5 +336,4 @@ fn by_piece<S: Simd, const N: usize>(
             row.store_slice(&mut piece[k]);
         }
     }
-    pieces
 }

@@ -262,12 +262,15 @@ impl Resampler {
         mut constants: impl FnMut(usize, usize, [f64; 2]) -> f64,
     ) -> Arc<[Values]> {
         let mut pieces = zeros(self.spans.len());
-        for (group, pieces) in Arc::make_mut(&mut pieces).chunks_mut(4).enumerate() {
+        let mut last = [[[0.0; 4]; VALUE]; 4];
+        let all = Arc::make_mut(&mut pieces);
+        for group in 0..derivation.groups() {
             let logarithms = self.logarithms_on_four(simd, group, coefficients);
             let integrals = derivation.integrals(simd, group, &logarithms, &mut constants);
-            let values = derivation.values(simd, group, integrals, es);
-            pieces.copy_from_slice(&values[..pieces.len()]);
+            let four = all[4 * group..].first_chunk_mut().unwrap_or(&mut last);
+            derivation.values(simd, group, integrals, es, four);
         }
+        complete(all, &last);
         pieces
     }
 
@@ -289,18 +292,21 @@ impl Resampler {
             let start = derivation.at_start(start.derivatives([first, second]));
             (coefficients, running(start))
         });
+        let mut last = [[[[0.0; 4]; LOGARITHM]; 4]; 3];
         for group in 0..derivation.groups() {
             let logarithms = self.logarithms_on_four(simd, group, coefficients);
             let integrals = derivation.integrals(simd, group, &logarithms, &mut constants);
-            for ((coefficients, constants), pieces) in derivatives.iter_mut().zip(&mut *pieces) {
+            for (((coefficients, constants), pieces), last) in
+                derivatives.iter_mut().zip(&mut *pieces).zip(&mut last)
+            {
                 let gamma = self.logarithms_on_four(simd, group, coefficients);
-                let relative = derivation.sensitivities(simd, group, &integrals, &gamma, constants);
-                let pieces = &mut Arc::make_mut(pieces)[4 * group..];
-                pieces
-                    .iter_mut()
-                    .zip(relative)
-                    .for_each(|(piece, relative)| *piece = relative);
+                let all = Arc::make_mut(pieces);
+                let four = all[4 * group..].first_chunk_mut().unwrap_or(last);
+                derivation.sensitivities(simd, group, &integrals, &gamma, constants, four);
             }
+        }
+        for (pieces, last) in pieces.iter_mut().zip(&last) {
+            complete(Arc::make_mut(pieces), last);
         }
     }
 
@@ -410,6 +416,12 @@ fn exponentials<S: Simd>(
 /// Returns polynomials of zero on `pieces` pieces.
 fn zeros<const N: usize>(pieces: usize) -> Arc<[[[f64; 4]; N]]> {
     std::iter::repeat_n([[0.0; 4]; N], pieces).collect()
+}
+
+/// Copies the pieces of the last group that are fewer than four.
+fn complete<const N: usize>(all: &mut [[[f64; 4]; N]], last: &[[[f64; 4]; N]; 4]) {
+    let (_, rest) = all.as_chunks_mut::<4>();
+    rest.copy_from_slice(&last[..rest.len()]);
 }
 
 #[cfg(test)]

@@ -214,24 +214,19 @@ impl TensorTrain {
         // One vector until the core of this axis, one for each place from there on.
         let mut vectors = vec![vec![1.0]];
         for core in &self.cores {
-            let multiplied = |u: f64, vectors: &[Vec<f64>]| {
-                let interval = core.interval(u);
-                let functions = interval.functions.evaluate(u).0;
-                let weights: Vec<Vec<f64>> = vectors
-                    .iter()
-                    .map(|vector| interval.weights(vector, &functions))
-                    .collect();
-                let mut after = interval.rows.sum_all(simd, &weights);
-                after.iter_mut().for_each(|after| core.scale(after));
-                after
-            };
             vectors = if core.axis == axis {
-                places
-                    .iter()
-                    .flat_map(|&u| multiplied(u, &vectors))
-                    .collect()
+                let [vector] = &vectors[..] else {
+                    unreachable!("one axis has this number")
+                };
+                let mut after = Vec::with_capacity(places.len());
+                for &u in places {
+                    let interval = core.interval(u);
+                    let functions = interval.functions.evaluate(u).0;
+                    after.push(core.multiply(simd, interval, vector, &functions));
+                }
+                after
             } else {
-                multiplied(coordinates[core.axis], &vectors)
+                core.multiply_all(simd, coordinates[core.axis], &vectors)
             };
         }
         self.last.sum_all(simd, &vectors)
@@ -258,6 +253,20 @@ impl Core {
             .rows
             .sum(simd, &interval.weights(before, functions));
         self.scale(&mut after);
+        after
+    }
+
+    /// Multiplies several vectors over the bond before by the core at `u`.
+    #[inline(always)]
+    fn multiply_all<S: Simd>(&self, simd: S, u: f64, before: &[Vec<f64>]) -> Vec<Vec<f64>> {
+        let interval = self.interval(u);
+        let functions = interval.functions.evaluate(u).0;
+        let mut weights = Vec::with_capacity(before.len());
+        for before in before {
+            weights.push(interval.weights(before, &functions));
+        }
+        let mut after = interval.rows.sum_all(simd, &weights);
+        after.iter_mut().for_each(|after| self.scale(after));
         after
     }
 
