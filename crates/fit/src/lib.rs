@@ -70,6 +70,6 @@ pub use estimate::{
     WarningKind, WithoutFilm, fit, forecast,
 };
 pub use model::{
-    Bodies, Branch, Direction, Experiment, Free, Kind, Loss, Measurement, Options, Parameter,
-    Point, Prediction, Prior, Scope, simulate,
+    Bodies, Branch, Cause, Direction, Experiment, Free, Kind, Layer, LayerName, Layered, Loss,
+    Measurement, Options, Parameter, Point, Prediction, Prior, Reach, Scope, simulate,
 };

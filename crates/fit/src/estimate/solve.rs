@@ -116,7 +116,7 @@ fn accept_numbers(experiment: &Experiment) -> Result<(), Error> {
     for parameter in [Parameter::WorkOfAdhesion, Parameter::WorkOfAdhesionReceding] {
         let value = experiment.get(parameter);
         if let Some(value) = value.filter(|value| !(0.0..f64::INFINITY).contains(value)) {
-            return Err(setting(parameter.name(), value, ">= 0 and finite"));
+            return Err(setting(&parameter.name(), value, ">= 0 and finite"));
         }
     }
     for parameter in [
@@ -127,7 +127,7 @@ fn accept_numbers(experiment: &Experiment) -> Result<(), Error> {
     ] {
         let value = experiment.get(parameter);
         if let Some(value) = value.filter(|value| !value.is_finite()) {
-            return Err(setting(parameter.name(), value, "finite"));
+            return Err(setting(&parameter.name(), value, "finite"));
         }
     }
     Ok(())

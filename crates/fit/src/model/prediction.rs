@@ -3,7 +3,7 @@
 
 use interp::Table;
 
-use super::{Branch, Experiment, Freedom, Parameter};
+use super::{Bodies, Branch, Experiment, Freedom, Parameter};
 use crate::Error;
 
 /// The ordinates that the values of an experiment give at its points.
@@ -72,7 +72,8 @@ impl Experiment {
             }
         }
         let count = self.measurement.points.len();
-        let contact = self.bodies.contact(table, true)?;
+        let contact_of = |bodies: &Bodies, gradient| bodies.contact(table, gradient);
+        let contact = contact_of(&self.bodies, false)?;
         let (of_model, order) = self.branches_of_model(&contact)?;
         let branches = branches.map_or(of_model, <[Branch]>::to_vec);
         if branches.len() != count {
@@ -82,7 +83,7 @@ impl Experiment {
                 allowed: format!("that of the points, {count}"),
             });
         }
-        let predicted = self.predict(&contact, &branches, &order, Some(parameters))?;
+        let predicted = self.predict_with(&contact_of, &branches, &order, Some(parameters))?;
         let kept = |i: usize, value: f64| {
             if branches[i] == Branch::LeftOut {
                 f64::NAN

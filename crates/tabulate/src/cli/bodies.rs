@@ -6,10 +6,9 @@ use std::path::{Path, PathBuf};
 use clap::ValueHint;
 use interp::System;
 
-use super::stack_file;
+use super::stack_file::{self, NamedStack};
 use super::system::SystemArguments;
 use crate::cohesive::Cohesive;
-use crate::stack::Stack;
 
 /// The flags of the bodies. A command that takes them has an argument `table`.
 #[derive(clap::Args)]
@@ -49,10 +48,10 @@ pub struct AttractingArguments {
 
 /// A probe on a film or on a stack.
 pub struct Bodies {
-    /// The probe on the film; of a stack, [`Stack::system`].
+    /// The probe on the film; of a stack, [`Stack::system`](crate::stack::Stack::system).
     pub system: System,
     /// The layers, if they are not one film.
-    pub stack: Option<Stack>,
+    pub stack: Option<NamedStack>,
 }
 
 impl BodiesArguments {
@@ -74,15 +73,15 @@ impl BodiesArguments {
                 stack: None,
             });
         };
-        let stack = stack_file::read(path)?;
+        let named = stack_file::read(path)?;
         let SystemArguments {
             sphere_radius,
             sphere_modulus,
             ..
         } = self.system;
         Ok(Bodies {
-            system: stack.system(sphere_radius, sphere_modulus),
-            stack: Some(stack),
+            system: named.stack.system(sphere_radius, sphere_modulus),
+            stack: Some(named),
         })
     }
 }
@@ -97,7 +96,7 @@ impl AttractingArguments {
             ..
         } = self.bodies.system;
         Ok(match &bodies.stack {
-            Some(stack) => Cohesive::on_stack(
+            Some(NamedStack { stack, .. }) => Cohesive::on_stack(
                 stack,
                 sphere_radius,
                 sphere_modulus,

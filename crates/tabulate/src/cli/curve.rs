@@ -11,6 +11,7 @@ use super::note;
 use super::output::Output;
 use super::points::{evenly, number};
 use super::progress::progress_bar;
+use super::stack_file::NamedStack;
 use super::table_name::{self, TableName};
 use crate::cohesive::Cohesive;
 use crate::parallel::try_map;
@@ -159,7 +160,7 @@ impl<'a> States<'a> {
             Source::Range(Box::new(attracting.cohesive(bodies, range)?))
         } else if let Some(name) = &arguments.table {
             Source::Curve(Box::new(name.read()?.contact(system)?))
-        } else if let Some(stack) = &bodies.stack {
+        } else if let Some(NamedStack { stack, .. }) = &bodies.stack {
             let range = [from, to].map(|a| a / system.film_thickness);
             let curve = stack_curve(stack, system.sphere_modulus, range, tolerance)?;
             Source::Curve(Box::new(Contact::new(system, curve)?))

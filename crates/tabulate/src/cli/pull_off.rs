@@ -6,6 +6,7 @@ use interp::{Contact, Control};
 use super::bodies::{AttractingArguments, Bodies};
 use super::points::number;
 use super::print;
+use super::stack_file::NamedStack;
 use super::system::SystemArguments;
 use super::table_name::{self, TableName};
 use crate::cohesive::CohesiveState;
@@ -107,7 +108,7 @@ fn jkr(arguments: &Arguments, bodies: &Bodies, control: Control) -> anyhow::Resu
     let system = &bodies.system;
     let contact = match (&arguments.table, &bodies.stack) {
         (Some(name), _) => name.read()?.contact(system)?,
-        (None, Some(stack)) => {
+        (None, Some(NamedStack { stack, .. })) => {
             let top = stack.top().thickness / stack.thickness();
             let range = [RANGE[0], RANGE[1].min(OVER_TOP * top)];
             let curve = stack_curve(stack, sphere_modulus, range, TOLERANCE)?;
