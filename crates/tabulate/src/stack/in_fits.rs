@@ -5,7 +5,7 @@ use interp::{Contact, System};
 
 use super::{Layer, Stack};
 use crate::Error;
-use crate::solve::stack_curve;
+use crate::solve::{A_OVER_T, stack_curve};
 
 /// The relative tolerance of the quantities. Differences of contacts, which stand for derivatives,
 /// need a smaller one than a fit alone.
@@ -80,7 +80,8 @@ pub fn solver(layered: &Layered) -> Result<Contact, Cause> {
         .reach
         .needed
         .max(layered.reach.expected.min(OVER_TOP * top));
-    let range = [BEGIN * top, end].map(|radius| radius / thickness);
+    let begin = (BEGIN * top / thickness).max(A_OVER_T[0]);
+    let range = [begin, end / thickness];
     let curve = stack_curve(&stack, layered.sphere_modulus, range, TOLERANCE)?;
     let system = System {
         probe: layered.probe.clone(),
