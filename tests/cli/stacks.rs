@@ -35,7 +35,7 @@ fn solve_prints_the_solution_of_the_library() {
         let modulus = sphere.parse().expect("a number");
         let solution = solve_stack(3.0, &stack, modulus, 1e-10).expect("within reach");
         let json = workdir.succeed(&[&arguments[..], &["--json"]].concat());
-        let object: serde_json::Value = serde_json::from_str(&json).expect("JSON");
+        let object: Value = serde_json::from_str(&json).expect("JSON");
         let values = solution.quantities.to_array();
         for (name, value) in ["pi0", "eeq", "gamma", "delta0"].into_iter().zip(values) {
             // The reader of JSON rounds the last digit.
@@ -184,7 +184,7 @@ const LENS: [&str; 10] = [
 ];
 
 fn simulated(workdir: &Workdir, noise: &str, more: &[&str]) -> String {
-    workdir.succeed(&[&LENS, &[noise, "--seed", "1"], more].concat())
+    workdir.succeed(&[&LENS[..], &[noise, "--seed", "1"], more].concat())
 }
 
 #[test]

@@ -429,7 +429,7 @@ fn bounds_priors_and_robust_losses_hold_for_layers() {
 }
 
 #[test]
-fn a_paraboloid_reaches_as_far_as_the_data() {
+fn contacts_are_made_as_far_as_the_data_need_them() {
     let probe = Probe::Paraboloid { radius: 1e-3 };
     let point = |abscissa: f64| fit::Point {
         line: 1,
@@ -448,4 +448,77 @@ fn a_paraboloid_reaches_as_far_as_the_data() {
     let path = of(Kind::LoadPenetration, &[-1e-6, 3e-6]);
     assert_eq!(path.needed, 0.0);
     assert!((path.expected - 3.0 * 4e-9_f64.sqrt()).abs() < 1e-12);
+}
+
+#[test]
+fn a_cone_on_layers_is_refused() {
+    let lens = lens(&[Parameter::WorkOfAdhesion]);
+    let mut experiment = with_reach(lens.measured(&lens.exact(), 1));
+    let Bodies::Layered(layered) = &mut experiment.bodies else {
+        unreachable!("a lens on layers")
+    };
+    layered.probe = Probe::Cone { half_angle: 1.4 };
+    let error = fit::fit(
+        Table::embedded(),
+        &[experiment],
+        &lens.free,
+        &Options::default(),
+    );
+    let message = error.expect_err("refused").to_string();
+    assert_names(&message, &["stack", "Paraboloid"]);
+}
+
+#[test]
+fn a_punch_on_one_layer_has_the_loads_on_the_film() {
+    let mut film = crate::imagined::gel();
+    film.probe = Probe::FlatPunch { radius: 8e-6 };
+    let gel = layer("gel", film.film, film.film_thickness);
+    let point = |abscissa: f64| fit::Point {
+        line: 1,
+        abscissa,
+        ordinate: 0.0,
+        direction: None,
+    };
+    let points = [1e-7, 1.5e-6].map(point).to_vec();
+    let predicted = |bodies: Bodies| {
+        let measurement = measurement(Kind::LoadPenetration, points.clone());
+        let experiment = with_reach(Experiment::new(measurement, bodies));
+        let predicted = experiment.predictions(Table::embedded(), None, &[]);
+        predicted.expect("in range").ordinates
+    };
+    let on_layer = predicted(on_layers(&film, &[gel]));
+    for (film, layer) in predicted(Bodies::Coated(film)).into_iter().zip(on_layer) {
+        let error = (layer / film - 1.0).abs();
+        println!("{error:.1e}");
+        // The table that the film is looked up in has an error of 7e-7.
+        assert!(film > 0.0 && error < 2e-6, "{film:e} {layer:e}");
+    }
+}
+
+#[test]
+fn lenses_on_two_coatings_tell_the_modulus_of_their_primer() {
+    let primer = Parameter::LayerModulus(named("primer"));
+    let lens = lens(&[primer, Parameter::WorkOfAdhesion]);
+    let (thin, mut thick) = (lens.clone(), lens.clone());
+    let thickness = Parameter::LayerThickness(named("elastomer"));
+    thick.truth.set(thickness, 1e-5).expect("a layer");
+    let experiments = [&thin, &thick].map(|lens| with_reach(lens.measured(&lens.exact(), 5)));
+    let found = fit::fit(
+        Table::embedded(),
+        &experiments,
+        &lens.free,
+        &Options::default(),
+    )
+    .expect("sound data");
+    assert!(found.converged && found.estimates.len() == 2);
+    let both = *found.estimate(primer).expect("it is free");
+    assert!(
+        (both.value - 5e5).abs() < 4.0 * both.standard_error,
+        "{both:?}"
+    );
+    let [thin, _] = experiments;
+    let alone = fit::fit(Table::embedded(), &[thin], &lens.free, &Options::default());
+    let alone = alone.expect("sound data");
+    let alone = alone.estimate(primer).expect("it is free");
+    assert!(both.standard_error < alone.standard_error);
 }

@@ -101,8 +101,8 @@ pub enum Error {
     )]
     LayerName(String),
     /// A contact on a stack of layers that cannot be computed.
-    #[error("{0}")]
-    Layers(#[source] Cause),
+    #[error(transparent)]
+    Layers(Cause),
     /// A contact that cannot be computed.
     #[error(transparent)]
     Contact(#[from] interp::Error),

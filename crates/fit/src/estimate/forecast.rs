@@ -59,7 +59,7 @@ pub fn forecast(
             let receding = receding.unwrap_or(experiment.work_of_adhesion);
             experiment.work_of_adhesion_receding = Some(receding);
         }
-        let contact = experiment.bodies.contact(table, false)?;
+        let contact = experiment.bodies.contact(table, true)?;
         let (branches, order) = experiment.branches_of_model(&contact)?;
         assigned.push(Assigned {
             experiment,

@@ -19,7 +19,8 @@ const OUTLIER: f64 = 5.0;
 
 /// Finds the free parameters of one or several experiments.
 ///
-/// Levenberg and Marquardt's method with the analytic Jacobian minimises the loss. Moduli, works of
+/// Levenberg and Marquardt's method with the analytic Jacobian, on a stack of layers with central
+/// differences, minimises the loss. Moduli, works of
 /// adhesion, thickness and stiffness are varied by their logarithms. The start comes from straight
 /// lines through the data without the film; where it ends in a bad minimum, other starts are tried.
 ///

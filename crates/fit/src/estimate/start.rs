@@ -60,7 +60,7 @@ pub(crate) fn problem<'a>(
         let multiplied = own
             .iter()
             .filter(|_| factor != 1.0)
-            .filter_map(|one| Some((turn(one.0)?, one.0)))
+            .filter_map(|one| Some((rank(one.0)?, one.0)))
             .min()
             .map(|(_, parameter)| parameter);
         let matched = [Parameter::SphereModulus, Parameter::FilmModulus]
@@ -99,8 +99,9 @@ pub(crate) fn problem<'a>(
     })
 }
 
-/// Returns the place of a parameter among those whose start another start multiplies.
-const fn turn(parameter: Parameter) -> Option<usize> {
+/// Returns the rank of a parameter among those whose start may be multiplied, the first to be
+/// multiplied first.
+const fn rank(parameter: Parameter) -> Option<usize> {
     Some(match parameter {
         Parameter::FilmModulus => 0,
         Parameter::FilmThickness => 1,

@@ -39,7 +39,7 @@ impl Experiment {
             let values = |experiment: &Self, contact: &Contact| {
                 Ok(experiment.predict(contact, branches, order, None)?.values)
             };
-            let by = self.differences(parameter, contact_of, &values)?;
+            let by = self.differences(parameter, contact_of, values)?;
             let rows = predicted.derivatives.chunks_exact_mut(columns.len());
             for (row, by) in rows.zip(by) {
                 row[column] = by;
@@ -69,7 +69,7 @@ impl Experiment {
             Ok(end.into_iter().map(|end| end.abscissa).collect())
         };
         for &parameter in columns {
-            let by = self.differences(parameter, contact_of, &abscissa)?;
+            let by = self.differences(parameter, contact_of, abscissa)?;
             end.derivatives.push(by.first().copied().unwrap_or(0.0));
         }
         Ok(Some(end))
@@ -81,7 +81,7 @@ impl Experiment {
         &self,
         parameter: Parameter,
         contact_of: &ContactOf<'_>,
-        numbers: &dyn Fn(&Self, &Contact) -> Result<Vec<f64>, Error>,
+        numbers: impl Fn(&Self, &Contact) -> Result<Vec<f64>, Error>,
     ) -> Result<Vec<f64>, Error> {
         let value = self.get(parameter).unwrap_or(0.0);
         let at = |value: f64| {

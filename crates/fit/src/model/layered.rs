@@ -63,7 +63,8 @@ impl FromStr for LayerName {
 /// One layer.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Layer {
-    /// The name by which parameters call it; a layer without one is fixed.
+    /// The name by which parameters call it: they set the values of all layers that have it. A layer
+    /// without a name is fixed.
     pub name: Option<LayerName>,
     /// The solid.
     pub solid: Elastic,
@@ -85,21 +86,23 @@ impl Reach {
     /// Returns the reach that a measurement needs under a probe.
     ///
     /// At measured contact radii it is a little more than the largest of them. Against penetrations
-    /// or heights it is estimated from their range and from the radius of curvature of the probe.
+    /// or heights it is estimated from their range and from the radius of the probe.
+    /// A flat punch has one contact radius.
     pub fn of(measurement: &Measurement, probe: &Probe) -> Self {
+        let up_to = |needed: f64| Self {
+            needed,
+            expected: needed,
+        };
+        if let Probe::FlatPunch { radius } = probe {
+            return up_to(MARGIN * radius);
+        }
         let abscissae = measurement.points.iter().map(|point| point.abscissa);
         let [least, most] = abscissae.fold([f64::INFINITY, f64::NEG_INFINITY], |[l, m], x| {
             [l.min(x), m.max(x)]
         });
         let largest = probe.radius().unwrap_or(f64::INFINITY);
         match measurement.kind {
-            Kind::LoadRadius | Kind::PenetrationRadius => {
-                let needed = (MARGIN * most).min(largest);
-                Self {
-                    needed,
-                    expected: needed,
-                }
-            }
+            Kind::LoadRadius | Kind::PenetrationRadius => up_to((MARGIN * most).min(largest)),
             Kind::LoadPenetration | Kind::ForceHeight => Self {
                 needed: 0.0,
                 expected: (WIDEST * (largest * (most - least)).sqrt()).min(largest),
@@ -113,11 +116,13 @@ pub type Cause = Box<dyn std::error::Error + Send + Sync>;
 
 /// A probe on a stack of layers on a base.
 ///
-/// This crate has no solver for layers. `solver` makes the contact of these bodies;
-/// `tabulate::stack` has one. Its contacts need no derivatives: those of a fit are differences.
+/// This crate has no solver for layers: `solver` makes the contact of these bodies, such as
+/// `tabulate::stack::solver`. The contact needs no derivatives, because those of a fit are
+/// differences of contacts.
 #[derive(Clone, Debug)]
 pub struct Layered {
-    /// The shape of the probe.
+    /// The shape of the probe. `tabulate::stack::solver` takes [`Probe::Paraboloid`] and
+    /// [`Probe::FlatPunch`].
     pub probe: Probe,
     /// The reduced modulus `E2*` of the probe, Pa; infinity is rigid.
     pub sphere_modulus: f64,

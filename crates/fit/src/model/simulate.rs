@@ -35,7 +35,7 @@ pub fn simulate(
         });
     }
     experiment.accept_stiffness()?;
-    let contact = experiment.bodies.contact(table, false)?;
+    let contact = experiment.bodies.contact(table, true)?;
     let (branches, order) = experiment.branches_of_model(&contact)?;
     let predicted = experiment.predict(&contact, &branches, &order, None)?;
     let mut random = Pcg64Mcg::seed_from_u64(seed);

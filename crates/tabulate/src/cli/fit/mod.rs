@@ -54,7 +54,7 @@ use crate::printable;
 #[command(after_help = super::examples!(
     "tabulate fit crates/fit/data/lens.csv --film-thickness 3e-5",
     "tabulate fit crates/fit/data/lens.csv --film-thickness 3e-5 --free sphere-modulus,load-offset",
-    "tabulate fit crates/fit/data/stack.csv --stack crates/fit/data/stack.toml --free primer.modulus,work-of-adhesion",
+    "tabulate fit crates/fit/data/primer.csv --stack tables/stacks/primer.toml --free primer.modulus",
     "tabulate fit crates/fit/data/gel.csv --stiffness 0.1 --half-space --sphere-radius 1e-5 --json",
 ))]
 pub struct Arguments {
