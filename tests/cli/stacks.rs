@@ -213,7 +213,7 @@ fn simulated_loads_are_those_of_direct_solves() {
 fn fit_finds_the_parameters_of_layers_by_their_names() {
     let workdir = workdir!();
     written(&workdir);
-    workdir.write("data.csv", &simulated(&workdir, "2e-7", &[]));
+    workdir.write("data.csv", simulated(&workdir, "2e-7", &[]));
     for (name, truth) in [("primer.modulus", 5e5), ("primer.thickness", 2.5e-6)] {
         let free = format!("{name},work-of-adhesion");
         let start = format!("{name}={}", 2.0 * truth);
@@ -249,10 +249,7 @@ fn fit_finds_the_parameters_of_layers_by_their_names() {
 fn the_report_lists_the_layers() {
     let workdir = workdir!();
     written(&workdir);
-    workdir.write(
-        "data.csv",
-        &simulated(&workdir, "1e-6", &["--points", "15"]),
-    );
+    workdir.write("data.csv", simulated(&workdir, "1e-6", &["--points", "15"]));
     let report = workdir.succeed(&["fit", "data.csv", "--stack", "stack.toml"]);
     for line in [
         "  base-modulus              200 GPa\n",
@@ -276,10 +273,7 @@ fn the_report_lists_the_layers() {
 fn a_mistake_about_layers_is_named_with_the_names_there_are() {
     let workdir = workdir!();
     written(&workdir);
-    workdir.write(
-        "data.csv",
-        &simulated(&workdir, "1e-6", &["--points", "15"]),
-    );
+    workdir.write("data.csv", simulated(&workdir, "1e-6", &["--points", "15"]));
     let fit = |more: &[&str]| {
         workdir.fail(
             1,

@@ -355,7 +355,7 @@ fn what_layers_do_not_have_is_named() {
         .bodies;
     let message = refused(&on_film, Parameter::LayerModulus(named("oxide")));
     assert_names(&message, &["oxide.modulus", "no stack of layers"]);
-    let mut set = experiment.clone();
+    let mut set = experiment;
     let error = set.set(Parameter::LayerThickness(named("oxide")), 1e-6);
     assert_names(
         &error.expect_err("refused").to_string(),

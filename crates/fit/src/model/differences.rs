@@ -2,7 +2,9 @@
 //! them.
 //!
 //! A contact on layers is a spline through solves to 1e-8, so that a step of 1e-3 in a modulus or a
-//! thickness leaves errors of some 1e-6 of the derivative. At a given contact a step can be smaller.
+//! thickness leaves errors of some 1e-6 of the derivative. At a given contact a step can be
+//! smaller. Measured on one layer, against the exact derivatives of the film: at most 6.3e-6 of the
+//! largest (`tests/fit/layers.rs`).
 
 use interp::Contact;
 

@@ -193,8 +193,8 @@ impl Experiment {
     }
 
     /// Returns the value of a parameter; `None` where the experiment has none: a thickness without
-    /// a film, a layer that is not there, a stiffness that is not given, a receding work of adhesion
-    /// that is not its own.
+    /// a film, a layer that is not there, a stiffness that is not given, a receding work of
+    /// adhesion that is not its own.
     pub fn get(&self, parameter: Parameter) -> Option<f64> {
         Some(match parameter {
             Parameter::SphereModulus => match &self.bodies {

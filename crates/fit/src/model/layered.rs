@@ -63,8 +63,8 @@ impl FromStr for LayerName {
 /// One layer.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Layer {
-    /// The name by which parameters call it: they set the values of all layers that have it. A layer
-    /// without a name is fixed.
+    /// The name by which parameters call it: they set the values of all layers that have it. A
+    /// layer without a name is fixed.
     pub name: Option<LayerName>,
     /// The solid.
     pub solid: Elastic,

@@ -5,7 +5,8 @@
 //! `branch` of each point from the data. `predict` compares the points with the contact of
 //! `interp`, through `readings` and, under adhesion hysteresis, `turn`; `layered` is a stack of
 //! layers, for which another crate computes contacts, and `differences` the derivatives on it.
-//! `simulate` makes synthetic points, `prediction` evaluates the model for other methods of fitting.
+//! `simulate` makes synthetic points, `prediction` evaluates the model for other methods of
+//! fitting.
 
 mod assign;
 mod branch;

@@ -35,8 +35,8 @@ pub struct BodiesArguments {
 pub struct AttractingArguments {
     #[command(flatten)]
     pub bodies: BodiesArguments,
-    /// Distance over which the attraction acts, m: a constant stress, the work of adhesion over this
-    /// distance, wherever the gap is smaller (Dugdale's law). Without it the distance is 0 (JKR)
+    /// Distance over which the attraction acts, m: a constant stress, the work of adhesion over
+    /// this distance, wherever the gap is smaller (Dugdale's law). Without it the distance is 0 (JKR)
     #[arg(
         long,
         value_name = "M",

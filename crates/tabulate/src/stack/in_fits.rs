@@ -33,22 +33,25 @@ const OVER_TOP: f64 = 300.0;
 /// use interp::{Elastic, Probe, Table};
 ///
 /// // Radii (m) of a contact, and loads (N) that are to be fitted.
-/// let point = |radius: f64, load: f64| Point { line: 0, abscissa: radius, ordinate: load, direction: None };
-/// let loads = [(5e-5, -1.66e-4), (7e-5, 3.7e-5), (9e-5, 5.61e-4), (1.1e-4, 1.502e-3), (1.3e-4, 2.946e-3)];
+/// let radii = [5e-5, 7e-5, 9e-5, 1.1e-4, 1.3e-4];
+/// let loads = [-1.825e-4, 3.92e-5, 6.480e-4, 1.7797e-3, 3.5612e-3];
+/// let point = |(abscissa, ordinate)| Point { line: 0, abscissa, ordinate, direction: None };
 /// let measurement = Measurement {
 ///     name: "lens.csv".into(),
 ///     kind: Kind::LoadRadius,
-///     points: loads.map(|(radius, load)| point(radius, load)).to_vec(),
+///     points: radii.into_iter().zip(loads).map(point).collect(),
 /// };
-/// let primer = Layer { name: Some("primer".parse()?), solid: Elastic::new(5e5, 0.5)?, thickness: 2.5e-6 };
-/// let film = Layer { name: Some("film".parse()?), solid: Elastic::new(3.5e6, 0.5)?, thickness: 7.5e-6 };
+/// let layer = |name: &str, modulus: f64, thickness: f64| {
+///     let solid = Elastic::new(modulus, 0.5)?;
+///     Ok::<_, fit::Error>(Layer { name: Some(name.parse()?), solid, thickness })
+/// };
 /// let probe = Probe::Paraboloid { radius: 1e-3 };
 /// let bodies = Bodies::Layered(Layered {
 ///     reach: Reach::of(&measurement, &probe),
 ///     probe,
 ///     sphere_modulus: 2e6,
 ///     base: Elastic::new(2e11, 0.25)?,
-///     layers: vec![primer, film],
+///     layers: vec![layer("primer", 5e5, 2.5e-6)?, layer("film", 3.5e6, 7.5e-6)?],
 ///     solver: tabulate::stack::solver,
 /// });
 /// let free: [Parameter; 2] = ["sphere-modulus".parse()?, "work-of-adhesion".parse()?];
@@ -58,7 +61,8 @@ const OVER_TOP: f64 = 300.0;
 ///     &free.map(Free::new),
 ///     &fit::Options::default(),
 /// )?;
-/// assert!(found.converged);
+/// let modulus = found.estimate(Parameter::SphereModulus).expect("it is free");
+/// assert!((modulus.value / 2e6 - 1.0).abs() < 0.01);
 /// # Ok(()) }
 /// ```
 ///

@@ -110,9 +110,9 @@ pub struct FreeArguments {
     /// baseline, baseline-slope, stiffness; with --stack, LAYER.modulus and LAYER.thickness of a
     /// layer by its name in the file take the place of those of the film
     ///
-    /// Default: the work of adhesion; the modulus of the sphere, or of the film or top layer under a
-    /// rigid sphere, if loads are measured; the contact point with penetrations or heights; the baseline
-    /// with heights.
+    /// Default: the work of adhesion; the modulus of the sphere, or of the film or top layer under
+    /// a rigid sphere, if loads are measured; the contact point with penetrations or heights; the
+    /// baseline with heights.
     #[arg(long, value_name = "NAME,...", value_delimiter = ',')]
     pub free: Vec<Parameter>,
     /// Smallest and largest value of a free parameter, in SI units: film-modulus=1e5..1e8
