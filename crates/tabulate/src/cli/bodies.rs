@@ -55,14 +55,9 @@ pub struct Bodies {
 }
 
 impl BodiesArguments {
-    /// Returns the file of the stack, if there is one.
-    pub fn stack_file(&self) -> Option<&Path> {
-        self.stack.as_deref()
-    }
-
     /// Returns the files that are read, so that none of them is overwritten.
     pub fn files(&self) -> [Option<&Path>; 2] {
-        [self.stack_file(), self.system.shape.profile.as_deref()]
+        [self.stack.as_deref(), self.system.shape.profile.as_deref()]
     }
 
     /// Returns the bodies. An error names the file and the body.

@@ -12,7 +12,7 @@ use crate::{Error, input, printable};
 
 /// The help of an argument that names a stack file. Clap shows it as it stands.
 pub const HELP: &str = "Stack of layers, as a TOML file in SI units: base = { young_modulus = .., poisson_ratio = .. } and, \
-    from the base up, a [[layers]] with young_modulus, poisson_ratio, thickness and perhaps a name for each. A base with \
+    from the base up, a [[layers]] with young_modulus, poisson_ratio, thickness and perhaps a name, by which messages and fits call it, for each. A base with \
     young_modulus = inf is rigid and needs no Poisson ratio";
 
 /// The largest number of bytes of a stack file. A larger one is taken for a mistake.
