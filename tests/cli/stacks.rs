@@ -1,7 +1,8 @@
-//! Stacks of layers: `tabulate solve --stack` and `tabulate curve --stack`.
+//! Stacks of layers: `--stack` of `tabulate solve`, `curve`, `fit` and `simulate`.
 
 use acceptance::{Data, Workdir, assert_names, layer, solid, stack, workdir};
 use interp::Contact;
+use serde_json::Value;
 use tabulate::stack::Stack;
 use tabulate::{solve_stack, stack_curve};
 
@@ -34,7 +35,7 @@ fn solve_prints_the_solution_of_the_library() {
         let modulus = sphere.parse().expect("a number");
         let solution = solve_stack(3.0, &stack, modulus, 1e-10).expect("within reach");
         let json = workdir.succeed(&[&arguments[..], &["--json"]].concat());
-        let object: serde_json::Value = serde_json::from_str(&json).expect("JSON");
+        let object: Value = serde_json::from_str(&json).expect("JSON");
         let values = solution.quantities.to_array();
         for (name, value) in ["pi0", "eeq", "gamma", "delta0"].into_iter().zip(values) {
             // The reader of JSON rounds the last digit.
@@ -138,7 +139,167 @@ fn what_describes_one_film_does_not_go_with_a_stack() {
         &["solve", "--sphere-modulus", "2e6", "--a-over-t", "1"],
         &["curve", "--stack", "stack.toml", "--film-thickness", "1e-6"],
         &["curve", "embedded", "--stack", "stack.toml"],
+        &[
+            "fit",
+            "data.csv",
+            "--stack",
+            "stack.toml",
+            "--film-modulus",
+            "1e6",
+        ],
+        &["fit", "data.csv", "--stack", "stack.toml", "--half-space"],
+        &[
+            "fit",
+            "data.csv",
+            "--stack",
+            "stack.toml",
+            "--table",
+            "embedded",
+        ],
+        &[
+            "fit",
+            "data.csv",
+            "--stack",
+            "stack.toml",
+            "--free",
+            "primer.poisson",
+        ],
     ] {
         workdir.fail(2, arguments);
     }
+}
+
+/// A lens on the stack, and the data that it gives.
+const LENS: [&str; 10] = [
+    "simulate",
+    "--kind",
+    "load-radius",
+    "--stack",
+    "stack.toml",
+    "--from",
+    "2e-5",
+    "--to",
+    "1e-4",
+    "--noise",
+];
+
+fn simulated(workdir: &Workdir, noise: &str, more: &[&str]) -> String {
+    workdir.succeed(&[&LENS[..], &[noise, "--seed", "1"], more].concat())
+}
+
+#[test]
+fn simulated_loads_are_those_of_direct_solves() {
+    let workdir = workdir!();
+    let stack = written(&workdir);
+    let system = stack.system(1e-3, 2e6);
+    let mechanics = interp::Mechanics::new(&system).expect("physical");
+    let text = simulated(&workdir, "0", &["--points", "12"]);
+    for row in Data::parse("data", &text).cases() {
+        let a = row.get("contact_radius");
+        let solution = solve_stack(a / stack.thickness(), &stack, 2e6, 1e-11).expect("in reach");
+        let of = |w: f64| {
+            let edge = mechanics.edge_singularity(a, w).expect("physical");
+            mechanics
+                .load_and_penetration(a, edge, &solution.quantities)
+                .0
+        };
+        let (load, bare) = (of(0.04), of(0.0));
+        let error = (row.get("load") - load).abs() / (bare + (bare - load));
+        assert!(error < 1e-8, "{a}: {error:e}");
+    }
+}
+
+#[test]
+fn fit_finds_the_parameters_of_layers_by_their_names() {
+    let workdir = workdir!();
+    written(&workdir);
+    workdir.write("data.csv", simulated(&workdir, "2e-7", &[]));
+    for (name, truth) in [("primer.modulus", 5e5), ("primer.thickness", 2.5e-6)] {
+        let free = format!("{name},work-of-adhesion");
+        let start = format!("{name}={}", 2.0 * truth);
+        let arguments = [
+            "fit",
+            "data.csv",
+            "--stack",
+            "stack.toml",
+            "--noise",
+            "2e-7",
+        ];
+        let more = ["--free", &free, "--value", &start, "--json"];
+        let text = workdir.succeed(&[&arguments[..], &more].concat());
+        let fit: Value = serde_json::from_str(&text).expect("JSON");
+        assert_eq!(fit["converged"], true);
+        assert_eq!(
+            fit["parameters"][name]["unit"],
+            if name == "primer.modulus" { "Pa" } else { "m" }
+        );
+        for (key, truth) in [(name, truth), ("work_of_adhesion", 0.04)] {
+            let number = |field: &str| fit["parameters"][key][field].as_f64().expect("a number");
+            let (value, error) = (number("value"), number("stderr"));
+            println!("{key}: {value:e} +- {error:e}");
+            assert!(
+                (value - truth).abs() < 4.0 * error && error < 0.1 * truth,
+                "{key}: {text}"
+            );
+        }
+    }
+}
+
+#[test]
+fn the_report_lists_the_layers() {
+    let workdir = workdir!();
+    written(&workdir);
+    workdir.write("data.csv", simulated(&workdir, "1e-6", &["--points", "15"]));
+    let report = workdir.succeed(&["fit", "data.csv", "--stack", "stack.toml"]);
+    for line in [
+        "  base-modulus              200 GPa\n",
+        "  primer.modulus            500 kPa\n",
+        "  primer.thickness          2.5 um\n",
+        "  layer-2.modulus           3.5 MPa\n",
+        "  layer-2.thickness         7.5 um\n",
+        "\n  sphere-modulus  ",
+        "\nthe layers matter: sphere-modulus is off by -",
+    ] {
+        assert!(report.contains(line), "{line:?} is not in {report}");
+    }
+    let expected = simulated(&workdir, "1e-6", &["--expect", "--free", "primer.modulus"]);
+    assert!(
+        expected.contains("  primer.modulus            500"),
+        "{expected}"
+    );
+}
+
+#[test]
+fn a_mistake_about_layers_is_named_with_the_names_there_are() {
+    let workdir = workdir!();
+    written(&workdir);
+    workdir.write("data.csv", simulated(&workdir, "1e-6", &["--points", "15"]));
+    let fit = |more: &[&str]| {
+        workdir.fail(
+            1,
+            &[&["fit", "data.csv", "--stack", "stack.toml"][..], more].concat(),
+        )
+    };
+    let message = fit(&["--free", "oxide.modulus"]);
+    assert_names(
+        &message,
+        &[
+            "oxide.modulus",
+            "no such layer",
+            "primer.modulus",
+            "primer.thickness",
+        ],
+    );
+    let message = fit(&["--free", "film-modulus"]);
+    assert_names(&message, &["film-modulus", "primer.modulus"]);
+    let message = fit(&["--value", "primer.thickness=0"]);
+    assert_names(&message, &["layer primer", "0.0 m", "> 0 and finite"]);
+    let message = fit(&["--bounds", "primer.modulus=1e5..1e6"]);
+    assert_names(&message, &["primer.modulus", "not free"]);
+    // Under a rigid sphere the modulus of the top layer would be found, but it has no name.
+    let message = fit(&["--sphere-modulus", "inf"]);
+    assert_names(&message, &["film-modulus", "primer.modulus"]);
+    workdir.write("bad.toml", TEXT.replace("\"primer\"", "\"a, b\""));
+    let message = workdir.fail(1, &["fit", "data.csv", "--stack", "bad.toml"]);
+    assert_names(&message, &["--stack", "a, b", "comma", "another name"]);
 }

@@ -68,7 +68,7 @@ fn an_offset_that_is_not_fitted_is_missed() {
         assert_warns(
             &found,
             WarningKind::OffsetWanted,
-            &[parameter.name(), "free it"],
+            &[&parameter.name(), "free it"],
         );
     }
 }

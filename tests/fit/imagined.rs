@@ -119,6 +119,24 @@ impl Imagined {
                 let contact = Contact::new(&system, curve).expect("its own curve");
                 Box::new(move |a, w| contact.load_and_penetration(a, w).expect("in range"))
             }
+            Bodies::Layered(layered) => {
+                let layers = layered.layers.iter();
+                let layers: Vec<_> = layers
+                    .map(|one| tabulate::stack::Layer {
+                        solid: one.solid,
+                        thickness: one.thickness,
+                    })
+                    .collect();
+                let stack = tabulate::stack::Stack::new(layered.base, layers).expect("physical");
+                let [from, to] = self.radii.map(|radius| radius / stack.thickness());
+                let modulus = layered.sphere_modulus;
+                let curve = tabulate::stack_curve(&stack, modulus, [0.3 * from, 1.1 * to], 1e-10);
+                let radius = layered.probe.radius().expect("a paraboloid");
+                let contact =
+                    Contact::new(&stack.system(radius, modulus), curve.expect("within reach"))
+                        .expect("its own curve");
+                Box::new(move |a, w| contact.load_and_penetration(a, w).expect("in range"))
+            }
             // The equations of Johnson, Kendall and Roberts (1971).
             Bodies::HalfSpace(HalfSpace {
                 probe,

@@ -6,5 +6,6 @@
 mod doubts;
 mod hostile;
 mod imagined;
+mod layers;
 mod planning;
 mod recovery;

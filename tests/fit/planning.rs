@@ -140,7 +140,7 @@ fn a_forecast_tells_the_errors_of_the_fit() {
 #[test]
 fn free_parameters_are_made_with_the_scope_they_need() {
     let own = Parameter::ALL.map(|parameter| Free::new(parameter).scope == fit::Scope::Own);
-    let names: Vec<&str> = Parameter::ALL
+    let names: Vec<_> = Parameter::ALL
         .iter()
         .zip(own)
         .filter(|(_, own)| *own)

@@ -262,7 +262,7 @@ fn a_plan_says_what_is_made_and_makes_nothing() {
 #[test]
 fn a_wrong_scene_is_named_with_key_value_and_range() {
     /// The line that is changed, its new text, and words of the error.
-    const CHANGES: [(&str, &str, &[&str]); 26] = [
+    const CHANGES: [(&str, &str, &[&str]); 27] = [
         ("nu1 = 0.5", "nu1 = 0.5\nnu2 = 0.3", &["nu2", "nu1"]),
         (
             "e0_over_e2 = inf",
@@ -274,6 +274,11 @@ fn a_wrong_scene_is_named_with_key_value_and_range() {
                 "one film on a half-space",
                 "nu0",
             ],
+        ),
+        (
+            "nu1 = 0.5",
+            "nu1 = 0.5\nstack = 'primer.toml'",
+            &["stack", "not tabulated", "fit", "one film on a half-space"],
         ),
         ("title = 'A small box'", "", &["title"]),
         ("nu1 = 0.5", "", &["nu1"]),

@@ -1,6 +1,9 @@
 //! The errors of fits. Each names the measurement, the line or parameter, and the next step.
 
+use std::borrow::Cow;
+
 use crate::Parameter;
+use crate::model::Cause;
 
 /// A fit that cannot be made.
 #[derive(Debug, thiserror::Error)]
@@ -52,7 +55,7 @@ pub enum Error {
         /// The name of the measurement.
         experiment: String,
         /// The reason.
-        reason: &'static str,
+        reason: Cow<'static, str>,
     },
     /// A parameter that is free twice, or two free parameters that are one and the same number.
     #[error("{0} and {1} are one number: free one of them")]
@@ -68,7 +71,11 @@ pub enum Error {
         allowed: String,
     },
     /// A name that is not one of a parameter.
-    #[error("{0:?} is not a parameter; the parameters are {all}", all = names())]
+    #[error(
+        "{0:?} is not a parameter; the parameters are {all}, and LAYER.modulus and LAYER.thickness of \
+         the layer LAYER of a stack",
+        all = names()
+    )]
     UnknownParameter(String),
     /// A model that cannot be evaluated where the fit starts.
     #[error("{experiment}, where the fit starts: {cause}; give another start")]
@@ -76,7 +83,7 @@ pub enum Error {
         /// The name of the measurement.
         experiment: String,
         /// The error of the contact.
-        cause: interp::Error,
+        cause: Box<Self>,
     },
     /// Data from which no start can be found.
     #[error(
@@ -87,6 +94,15 @@ pub enum Error {
         /// The name of the measurement.
         experiment: String,
     },
+    /// A name that a layer of a fit cannot have.
+    #[error(
+        "{0:?} cannot name a layer in a fit: a name has 1 to 40 bytes, no comma, equals sign or control \
+         character, and no space at its ends; give the layer another name"
+    )]
+    LayerName(String),
+    /// A contact on a stack of layers that cannot be computed.
+    #[error(transparent)]
+    Layers(Cause),
     /// A contact that cannot be computed.
     #[error(transparent)]
     Contact(#[from] interp::Error),

@@ -2,9 +2,10 @@
 //!
 //! An [`Experiment`] is a [`Measurement`] with what is known about it: the bodies, the work of
 //! adhesion, the zeros of the instrument. [`fit`] finds the parameters that are [`Free`], by
-//! Levenberg and Marquardt's method with the exact derivatives of the crate `interp`, and returns a
-//! [`Fit`]: estimates with standard errors, what the data do not determine, the same data without
-//! the film, and warnings. All units are SI. Loads are positive in compression.
+//! Levenberg and Marquardt's method with the exact derivatives of the crate `interp` (on a stack of
+//! layers, [`Layered`], with central differences), and returns a [`Fit`]: estimates with standard
+//! errors, what the data do not determine, the same data without the film, and warnings. All units
+//! are SI. Loads are positive in compression.
 //!
 //! ```
 //! use fit::{Bodies, Experiment, Free, Kind, Measurement, Options, Parameter, Point};
@@ -70,6 +71,6 @@ pub use estimate::{
     WarningKind, WithoutFilm, fit, forecast,
 };
 pub use model::{
-    Bodies, Branch, Direction, Experiment, Free, Kind, Loss, Measurement, Options, Parameter,
-    Point, Prediction, Prior, Scope, simulate,
+    Bodies, Branch, Cause, Direction, Experiment, Free, Kind, Layer, LayerName, Layered, Loss,
+    Measurement, Options, Parameter, Point, Prediction, Prior, Reach, Scope, simulate,
 };

@@ -261,7 +261,7 @@ impl From<fit::Error> for Failure {
                 allowed,
             } => of.about(&name, value).allowed(&allowed),
             Error::Start { cause, .. } => Self {
-                cause: Some(Box::new(cause.into())),
+                cause: Some(Box::new((*cause).into())),
                 ..of
             },
             _ => of,

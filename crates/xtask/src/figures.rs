@@ -34,7 +34,7 @@ const FIGURES: [(&str, Option<&str>); 10] = [
 
 /// The measurements of `crates/fit/EXPERIMENTS.md`: the name of data and figure, the arguments of
 /// `tabulate simulate` and those of `tabulate fit`.
-const FITS: [(&str, &str, &str); 3] = [
+const FITS: [(&str, &str, &str); 4] = [
     (
         "lens",
         "--kind load-radius --film-thickness 3e-5 --from 4.2e-5 --to 1.3e-4 --noise 2e-6 \
@@ -59,6 +59,13 @@ const FITS: [(&str, &str, &str); 3] = [
         "--sphere-radius 1e-5 --sphere-modulus inf --film-thickness 5e-7 --film-poisson-ratio 0.2 \
          --substrate-modulus 2.4e9 --substrate-poisson-ratio 0.38 --work-of-adhesion 0 \
          --free film-modulus,contact-point",
+    ),
+    (
+        "primer",
+        "--kind load-radius --stack crates/fit/data/primer.toml --from 2e-5 --to 1e-4 --noise 1e-6 \
+         --value primer.modulus=5e5 --seed 1",
+        "--stack crates/fit/data/primer.toml --noise 1e-6 \
+         --free sphere-modulus,primer.modulus,work-of-adhesion",
     ),
 ];
 

@@ -10,7 +10,7 @@ use nalgebra::{DMatrix, DVector, Dyn};
 use super::loss::weighted;
 use super::slot::Slot;
 use crate::model::Predicted;
-use crate::{Bodies, Branch, Experiment, Loss, Parameter};
+use crate::{Bodies, Branch, Error, Experiment, Loss, Parameter};
 
 /// The residuals at parameters without a contact, such as those outside the table. They are so
 /// large that the method rejects the step.
@@ -73,7 +73,7 @@ impl<'a> Problem<'a> {
         assigned: Vec<Assigned>,
         slots: Vec<Slot>,
         loss: Loss,
-    ) -> Result<Self, interp::Error> {
+    ) -> Result<Self, Error> {
         let x = DVector::from_iterator(
             slots.len(),
             slots.iter().map(|slot| slot.coordinate.first()),
@@ -113,7 +113,7 @@ impl<'a> Problem<'a> {
     }
 
     /// Gives the experiments the present values, and predicts their points.
-    pub fn update(&mut self) -> Result<(), interp::Error> {
+    pub fn update(&mut self) -> Result<(), Error> {
         self.predicted = None;
         self.evaluations += 1;
         for e in 0..self.assigned.len() {
@@ -134,19 +134,19 @@ impl<'a> Problem<'a> {
         &self,
         experiment: usize,
         parameters: Option<&[Parameter]>,
-    ) -> Result<Predicted, interp::Error> {
+    ) -> Result<Predicted, Error> {
         let Assigned {
             experiment,
             branches,
             order,
             ..
         } = &self.assigned[experiment];
-        let contact = self.contact(&experiment.bodies, parameters.is_some())?;
-        experiment.predict(&contact, branches, order, parameters)
+        let contact_of = |bodies: &Bodies, gradient| self.contact(bodies, gradient);
+        experiment.predict_with(&contact_of, branches, order, parameters)
     }
 
     /// Returns the contact of bodies, a new one only if they are new.
-    pub fn contact(&self, bodies: &Bodies, gradient: bool) -> Result<Contact, interp::Error> {
+    pub fn contact(&self, bodies: &Bodies, gradient: bool) -> Result<Contact, Error> {
         let mut contacts = self.contacts.borrow_mut();
         let known = contacts
             .iter()
@@ -155,7 +155,13 @@ impl<'a> Problem<'a> {
             return Ok(contact.clone());
         }
         let contact = bodies.contact(self.table, gradient)?;
-        if contacts.len() >= 2 * self.assigned.len() {
+        // On layers the derivatives need two more contacts for each value.
+        let most = if bodies.has_derivatives() {
+            2
+        } else {
+            2 * (1 + self.slots.len())
+        };
+        if contacts.len() >= most * self.assigned.len() {
             contacts.remove(0);
         }
         contacts.push((bodies.clone(), gradient, contact.clone()));

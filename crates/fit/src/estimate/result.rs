@@ -123,6 +123,7 @@ impl FittedPoint {
 ///
 /// If the modulus of the sphere is free, the sphere is taken to touch the bare substrate.
 /// Otherwise, if the modulus of the film is free, it is taken to touch a half-space of film.
+/// Without the layers of a stack it touches the base.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WithoutFilm {
     /// The parameters found.

@@ -9,7 +9,7 @@ use super::uncertainty::Uncertainty;
 use super::{slot, start};
 use crate::model::Assignment;
 use crate::statistics::{excess, median};
-use crate::{Branch, Error, Experiment, Free, Kind, Loss, Parameter};
+use crate::{Bodies, Branch, Error, Experiment, Free, Kind, Loss, Parameter};
 
 /// The most evaluations over the number of parameters + 1.
 const PATIENCE: usize = 60;
@@ -372,13 +372,12 @@ pub(super) fn ends(
     // With all points that may count, the variance will be smaller.
     let part = problem.assigned[e].counting() as f64 / whole.counting().max(1) as f64;
     let end = |branch: Branch| {
-        let end = problem
-            .contact(&experiment.bodies, true)
-            .and_then(|contact| experiment.branch_end(&contact, branch, &parameters));
+        let contact_of = |bodies: &Bodies, gradient| problem.contact(bodies, gradient);
+        let end = experiment.branch_end_with(&contact_of, branch, &parameters);
         let end = end.ok().flatten()?;
         let mut variance = 0.0;
-        for (&one, by_one) in slots.iter().zip(end.derivatives) {
-            for (&other, by_other) in slots.iter().zip(end.derivatives) {
+        for (&one, by_one) in slots.iter().zip(&end.derivatives) {
+            for (&other, by_other) in slots.iter().zip(&end.derivatives) {
                 let sizes = uncertainty.sizes[one] * uncertainty.sizes[other];
                 variance += by_one * by_other * sizes * uncertainty.covariance[(one, other)];
             }

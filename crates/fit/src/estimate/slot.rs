@@ -192,7 +192,7 @@ pub(crate) fn slots(experiments: &[Experiment], free: &[Free]) -> Result<Vec<Slo
         let missing = |e: usize| Error::NotApplicable {
             parameter: one.parameter,
             experiment: experiments[e].measurement.name.clone(),
-            reason: "it has no value to start from; give one",
+            reason: "it has no value to start from; give one".into(),
         };
         match one.scope {
             Scope::Own if experiments.len() > 1 => {

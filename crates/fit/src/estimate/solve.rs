@@ -19,7 +19,8 @@ const OUTLIER: f64 = 5.0;
 
 /// Finds the free parameters of one or several experiments.
 ///
-/// Levenberg and Marquardt's method with the analytic Jacobian minimises the loss. Moduli, works of
+/// Levenberg and Marquardt's method with the analytic Jacobian, on a stack of layers with central
+/// differences, minimises the loss. Moduli, works of
 /// adhesion, thickness and stiffness are varied by their logarithms. The start comes from straight
 /// lines through the data without the film; where it ends in a bad minimum, other starts are tried.
 ///
@@ -116,7 +117,7 @@ fn accept_numbers(experiment: &Experiment) -> Result<(), Error> {
     for parameter in [Parameter::WorkOfAdhesion, Parameter::WorkOfAdhesionReceding] {
         let value = experiment.get(parameter);
         if let Some(value) = value.filter(|value| !(0.0..f64::INFINITY).contains(value)) {
-            return Err(setting(parameter.name(), value, ">= 0 and finite"));
+            return Err(setting(&parameter.name(), value, ">= 0 and finite"));
         }
     }
     for parameter in [
@@ -127,7 +128,7 @@ fn accept_numbers(experiment: &Experiment) -> Result<(), Error> {
     ] {
         let value = experiment.get(parameter);
         if let Some(value) = value.filter(|value| !value.is_finite()) {
-            return Err(setting(parameter.name(), value, "finite"));
+            return Err(setting(&parameter.name(), value, "finite"));
         }
     }
     Ok(())

@@ -17,8 +17,8 @@ const SMALLEST_WORK: f64 = 1e-6;
 
 /// Gives the slots the starts that the data show, and returns the problem there.
 ///
-/// `factor` multiplies the start of the film's modulus, of its thickness or of the sphere's
-/// modulus, whichever is the first to be free.
+/// `factor` multiplies the start of the film's modulus, of its thickness, of a layer's modulus or
+/// thickness, or of the sphere's modulus, whichever is the first to be free.
 pub(crate) fn problem<'a>(
     table: &'a Table,
     assigned: &[Assigned],
@@ -57,13 +57,12 @@ pub(crate) fn problem<'a>(
             slope: is_unknown(Parameter::BaselineSlope),
             contact_point: is_unknown(Parameter::ContactPoint),
         };
-        let multiplied = [
-            Parameter::FilmModulus,
-            Parameter::FilmThickness,
-            Parameter::SphereModulus,
-        ]
-        .into_iter()
-        .find(|parameter| factor != 1.0 && own.iter().any(|one| one.0 == *parameter));
+        let multiplied = own
+            .iter()
+            .filter(|_| factor != 1.0)
+            .filter_map(|one| Some((rank(one.0)?, one.0)))
+            .min()
+            .map(|(_, parameter)| parameter);
         let matched = [Parameter::SphereModulus, Parameter::FilmModulus]
             .into_iter()
             .find(|&parameter| is_unknown(parameter));
@@ -96,7 +95,20 @@ pub(crate) fn problem<'a>(
     }
     Problem::new(table, assigned.to_vec(), slots, loss).map_err(|cause| Error::Start {
         experiment: names(assigned),
-        cause,
+        cause: Box::new(cause),
+    })
+}
+
+/// Returns the rank of a parameter among those whose start may be multiplied, the first to be
+/// multiplied first.
+const fn rank(parameter: Parameter) -> Option<usize> {
+    Some(match parameter {
+        Parameter::FilmModulus => 0,
+        Parameter::FilmThickness => 1,
+        Parameter::LayerModulus(_) => 2,
+        Parameter::LayerThickness(_) => 3,
+        Parameter::SphereModulus => 4,
+        _ => return None,
     })
 }
 
@@ -199,7 +211,7 @@ fn compound(experiment: &Experiment, table: &Table) -> Result<f64, Error> {
         .contact(table, false)
         .map_err(|cause| Error::Start {
             experiment: experiment.measurement.name.clone(),
-            cause,
+            cause: Box::new(cause),
         })?;
     Ok(contact.mechanics().sphere_film_modulus())
 }
@@ -221,6 +233,13 @@ fn matching_modulus(
                 system.film.reduced()
             } else {
                 system.substrate.reduced()
+            }
+        }
+        (Bodies::Layered(layered), Parameter::SphereModulus) => {
+            if layered.thickness() > radius {
+                layered.surface().reduced()
+            } else {
+                layered.base.reduced()
             }
         }
         _ => experiment

@@ -107,9 +107,11 @@ fn method(warnings: &mut Warnings, fit: &Fit, found: &Minimum<'_>) {
 /// Warns of values that no experiment has.
 fn implausible(warnings: &mut Warnings, estimate: &Estimate) {
     let [least, most] = match estimate.parameter {
-        Parameter::SphereModulus | Parameter::FilmModulus => [1.0, 1e13],
+        Parameter::SphereModulus | Parameter::FilmModulus | Parameter::LayerModulus(_) => {
+            [1.0, 1e13]
+        }
         Parameter::WorkOfAdhesion | Parameter::WorkOfAdhesionReceding => [1e-6, 1e2],
-        Parameter::FilmThickness => [1e-10, 1.0],
+        Parameter::FilmThickness | Parameter::LayerThickness(_) => [1e-10, 1.0],
         Parameter::Stiffness => [1e-6, 1e9],
         _ => return,
     };
@@ -181,7 +183,11 @@ fn undetermined(
         );
         if matches!(
             parameter,
-            Parameter::FilmModulus | Parameter::FilmThickness | Parameter::FilmPoissonRatio
+            Parameter::FilmModulus
+                | Parameter::FilmThickness
+                | Parameter::FilmPoissonRatio
+                | Parameter::LayerModulus(_)
+                | Parameter::LayerThickness(_)
         ) {
             film_not_seen(warnings, problem, parameter);
         }
@@ -211,7 +217,7 @@ fn film_not_seen(warnings: &mut Warnings, problem: &Problem<'_>, parameter: Para
         .iter()
         .zip(predicted)
         .flat_map(|(assigned, predicted)| {
-            let thickness = assigned.experiment.get(Parameter::FilmThickness);
+            let thickness = assigned.experiment.bodies.thickness();
             let radii = predicted.radii.iter().filter(|&&radius| radius > 0.0);
             thickness
                 .into_iter()
@@ -390,10 +396,14 @@ fn geometry(
         );
     }
     if let Some(strain) = strain(&contact, &experiment.bodies, a).filter(|s| *s > SMALL_STRAIN) {
+        let what = match experiment.bodies {
+            Bodies::Layered(_) => "stack of layers",
+            _ => "film",
+        };
         warnings.add(
             WarningKind::LargeStrain,
             format!(
-                "{name}: the film is compressed by up to {:.0} % of its thickness; above {:.0} % \
+                "{name}: the {what} is compressed by up to {:.0} % of its thickness; above {:.0} % \
                  its elasticity is not linear",
                 1e2 * strain,
                 1e2 * SMALL_STRAIN
@@ -426,11 +436,9 @@ fn geometry(
 /// Estimates the compression of the film over its thickness at contact radius `a`: the part of the
 /// adhesionless penetration that the bare substrate would not have at the same load.
 fn strain(contact: &interp::Contact, bodies: &Bodies, a: f64) -> Option<f64> {
-    let Bodies::Coated(system) = bodies else {
-        return None;
-    };
+    let thickness = bodies.thickness()?;
     let (_, penetration) = contact.load_and_penetration(a, 0.0).ok()?;
     let bare = 2.0 * a * contact.mechanics().sphere_substrate_modulus();
     let share = 1.0 - contact.stiffness(a).ok()? / bare;
-    Some(penetration * share / system.film_thickness)
+    Some(penetration * share / thickness)
 }

@@ -37,17 +37,18 @@ pub(crate) fn without_film(
     let problem = &with_film.problem;
     let mut assigned = problem.assigned.clone();
     for one in &mut assigned {
-        let Bodies::Coated(system) = &one.experiment.bodies else {
-            return None;
-        };
-        let solid = if of_film {
-            system.film
-        } else {
-            system.substrate
-        };
-        let half_space = HalfSpace {
-            solid,
-            ..system.without_film()
+        let half_space = match &one.experiment.bodies {
+            Bodies::Coated(system) if of_film => HalfSpace {
+                solid: system.film,
+                ..system.without_film()
+            },
+            Bodies::Coated(system) => system.without_film(),
+            Bodies::Layered(layered) => HalfSpace {
+                probe: layered.probe.clone(),
+                sphere_modulus: layered.sphere_modulus,
+                solid: layered.base,
+            },
+            Bodies::HalfSpace(_) => return None,
         };
         half_space.compound_modulus().ok()?;
         one.experiment.bodies = Bodies::HalfSpace(half_space);
@@ -55,6 +56,7 @@ pub(crate) fn without_film(
     let kept = |parameter: Parameter| match parameter {
         Parameter::FilmModulus => of_film,
         Parameter::FilmThickness | Parameter::FilmPoissonRatio => false,
+        Parameter::LayerModulus(_) | Parameter::LayerThickness(_) => false,
         _ => true,
     };
     let free: Vec<Free> = free

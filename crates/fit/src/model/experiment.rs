@@ -1,8 +1,10 @@
 //! A measurement with all that is known about it.
 
+use std::borrow::Cow;
+
 use interp::{Contact, Elastic, HalfSpace, Probe, System, Table};
 
-use super::{Kind, Measurement, Parameter};
+use super::{Kind, Layered, Measurement, Parameter};
 use crate::Error;
 
 /// The bodies in contact.
@@ -13,6 +15,9 @@ pub enum Bodies {
     /// A probe on a half-space: JKR, or Hertz without adhesion. The parameters of the film are
     /// those of the half-space.
     HalfSpace(HalfSpace),
+    /// A probe on a stack of layers. The parameters of the film do not apply; those of the layers
+    /// do.
+    Layered(Layered),
 }
 
 impl Bodies {
@@ -21,6 +26,7 @@ impl Bodies {
         match self {
             Self::Coated(system) => &system.probe,
             Self::HalfSpace(half_space) => &half_space.probe,
+            Self::Layered(layered) => &layered.probe,
         }
     }
 
@@ -73,17 +79,36 @@ impl Bodies {
         high.exp().powi(2) / size
     }
 
-    /// Returns the film, or the solid of a half-space.
-    pub(crate) const fn film(&self) -> Elastic {
+    /// Returns the film, the solid of a half-space, or the top layer.
+    pub(crate) fn film(&self) -> Elastic {
         match self {
             Self::Coated(system) => system.film,
             Self::HalfSpace(half_space) => half_space.solid,
+            Self::Layered(layered) => layered.surface(),
         }
+    }
+
+    /// Returns the thickness of the film or of all layers, m; `None` on a half-space.
+    pub(crate) fn thickness(&self) -> Option<f64> {
+        match self {
+            Self::Coated(system) => Some(system.film_thickness),
+            Self::HalfSpace(_) => None,
+            Self::Layered(layered) => Some(layered.thickness()),
+        }
+    }
+
+    /// Tells whether the contacts of these bodies have exact derivatives.
+    pub(crate) const fn has_derivatives(&self) -> bool {
+        !matches!(self, Self::Layered(_))
     }
 
     /// Returns these bodies with another value of one of their parameters. Other parameters change
     /// nothing.
     pub(crate) fn with(mut self, parameter: Parameter, value: f64) -> Result<Self, interp::Error> {
+        if let Self::Layered(layered) = &mut self {
+            layered.set(parameter, value)?;
+            return Ok(self);
+        }
         let film = self.film();
         let film = match parameter {
             Parameter::FilmModulus => Elastic::new(value, film.poisson())?,
@@ -98,6 +123,7 @@ impl Bodies {
                 (&mut system.sphere_modulus, &mut system.film)
             }
             Self::HalfSpace(half_space) => (&mut half_space.sphere_modulus, &mut half_space.solid),
+            Self::Layered(_) => return Ok(self),
         };
         *own_film = film;
         if parameter == Parameter::SphereModulus {
@@ -106,13 +132,15 @@ impl Bodies {
         Ok(self)
     }
 
-    /// Makes the contact, with the derivatives of the curve if asked for.
-    pub(crate) fn contact(&self, table: &Table, gradient: bool) -> Result<Contact, interp::Error> {
-        match self {
-            Self::Coated(system) if gradient => table.contact_with_gradient(system),
-            Self::Coated(system) => table.contact(system),
-            Self::HalfSpace(half_space) => Contact::half_space(half_space),
-        }
+    /// Makes the contact, with the derivatives of the curve if asked for. Contacts on layers have
+    /// none.
+    pub(crate) fn contact(&self, table: &Table, gradient: bool) -> Result<Contact, Error> {
+        Ok(match self {
+            Self::Coated(system) if gradient => table.contact_with_gradient(system)?,
+            Self::Coated(system) => table.contact(system)?,
+            Self::HalfSpace(half_space) => Contact::half_space(half_space)?,
+            Self::Layered(layered) => (layered.solver)(layered).map_err(Error::Layers)?,
+        })
     }
 }
 
@@ -165,18 +193,35 @@ impl Experiment {
     }
 
     /// Returns the value of a parameter; `None` where the experiment has none: a thickness without
-    /// a film, a stiffness that is not given, a receding work of adhesion that is not its own.
+    /// a film, a layer that is not there, a stiffness that is not given, a receding work of
+    /// adhesion that is not its own.
     pub fn get(&self, parameter: Parameter) -> Option<f64> {
         Some(match parameter {
             Parameter::SphereModulus => match &self.bodies {
                 Bodies::Coated(system) => system.sphere_modulus,
                 Bodies::HalfSpace(half_space) => half_space.sphere_modulus,
+                Bodies::Layered(layered) => layered.sphere_modulus,
             },
+            Parameter::FilmModulus | Parameter::FilmPoissonRatio | Parameter::FilmThickness
+                if matches!(self.bodies, Bodies::Layered(_)) =>
+            {
+                return None;
+            }
+            Parameter::LayerModulus(name) | Parameter::LayerThickness(name) => {
+                let Bodies::Layered(layered) = &self.bodies else {
+                    return None;
+                };
+                let layer = layered.layer(name)?;
+                match parameter {
+                    Parameter::LayerModulus(_) => layer.solid.young(),
+                    _ => layer.thickness,
+                }
+            }
             Parameter::FilmModulus => self.bodies.film().young(),
             Parameter::FilmPoissonRatio => self.bodies.film().poisson(),
             Parameter::FilmThickness => match &self.bodies {
                 Bodies::Coated(system) => system.film_thickness,
-                Bodies::HalfSpace(_) => return None,
+                Bodies::HalfSpace(_) | Bodies::Layered(_) => return None,
             },
             Parameter::WorkOfAdhesion => self.work_of_adhesion,
             Parameter::WorkOfAdhesionReceding => return self.work_of_adhesion_receding,
@@ -192,11 +237,10 @@ impl Experiment {
     ///
     /// # Errors
     /// [`Error::Contact`] for a film that is not physical; [`Error::NotApplicable`] for the
-    /// thickness of a half-space.
+    /// thickness of a half-space, for the film of a stack of layers, and for a layer that is not
+    /// there.
     pub fn set(&mut self, parameter: Parameter, value: f64) -> Result<(), Error> {
-        if parameter == Parameter::FilmThickness
-            && let Some(reason) = self.why_without_effect(parameter)
-        {
+        if let Some(reason) = self.why_not_there(parameter) {
             return Err(Error::NotApplicable {
                 parameter,
                 experiment: self.measurement.name.clone(),
@@ -225,33 +269,56 @@ impl Experiment {
         Ok(())
     }
 
+    /// Returns why these bodies do not have a parameter, if they do not have it.
+    fn why_not_there(&self, parameter: Parameter) -> Option<Cow<'static, str>> {
+        use Parameter::{
+            FilmModulus, FilmPoissonRatio, FilmThickness, LayerModulus, LayerThickness,
+        };
+        match (&self.bodies, parameter) {
+            (Bodies::HalfSpace(_), FilmThickness) => Some("a half-space has no thickness".into()),
+            (Bodies::Layered(layered), FilmModulus | FilmPoissonRatio | FilmThickness) => {
+                Some(format!("it has layers instead of one film; {}", names(layered)).into())
+            }
+            (Bodies::Layered(layered), LayerModulus(name) | LayerThickness(name)) => {
+                let is_there = layered.layer(name).is_some();
+                (!is_there).then(|| format!("there is no such layer; {}", names(layered)).into())
+            }
+            (_, LayerModulus(_) | LayerThickness(_)) => Some(
+                "it has no stack of layers; give one (--stack), or free the parameters of the film"
+                    .into(),
+            ),
+            _ => None,
+        }
+    }
+
     /// Returns why a parameter has no effect on this experiment, if it has none.
-    pub(crate) fn why_without_effect(&self, parameter: Parameter) -> Option<&'static str> {
+    pub(crate) fn why_without_effect(&self, parameter: Parameter) -> Option<Cow<'static, str>> {
+        if let Some(reason) = self.why_not_there(parameter) {
+            return Some(reason);
+        }
         let kind = self.measurement.kind;
         let has_load = kind != Kind::PenetrationRadius;
         let has_position = matches!(kind, Kind::LoadPenetration | Kind::ForceHeight);
-        match parameter {
+        let reason = match parameter {
             Parameter::SphereModulus if self.get(parameter) == Some(f64::INFINITY) => {
-                Some("the sphere is rigid; give it a modulus to fit one")
+                "the sphere is rigid; give it a modulus to fit one"
             }
             Parameter::FilmModulus if self.get(parameter) == Some(f64::INFINITY) => {
-                Some("the half-space is rigid; give it a modulus to fit one")
+                "the half-space is rigid; give it a modulus to fit one"
             }
-            Parameter::FilmThickness if matches!(self.bodies, Bodies::HalfSpace(_)) => {
-                Some("a half-space has no thickness")
-            }
-            Parameter::LoadOffset if !has_load => Some("no load is measured"),
+            Parameter::LoadOffset if !has_load => "no load is measured",
             Parameter::ContactPoint if kind == Kind::LoadRadius => {
-                Some("neither penetration nor height is measured")
+                "neither penetration nor height is measured"
             }
             Parameter::Baseline | Parameter::BaselineSlope if !has_position => {
-                Some("the force is not measured against a penetration or height")
+                "the force is not measured against a penetration or height"
             }
             Parameter::Stiffness if kind != Kind::ForceHeight => {
-                Some("no height of a cantilever is measured")
+                "no height of a cantilever is measured"
             }
-            _ => None,
-        }
+            _ => return None,
+        };
+        Some(reason.into())
     }
 
     /// Accepts the stiffness of the cantilever where one is needed.
@@ -270,5 +337,19 @@ impl Experiment {
                 "positive and finite: forces against heights need the stiffness of the cantilever"
                     .into(),
         })
+    }
+}
+
+/// Names the parameters of layers.
+fn names(layered: &Layered) -> String {
+    let names: Vec<_> = layered
+        .parameters()
+        .into_iter()
+        .map(Parameter::name)
+        .collect();
+    if names.is_empty() {
+        "give a layer a name to fit its modulus or thickness".into()
+    } else {
+        format!("its layers have {}", names.join(", "))
     }
 }

@@ -1,9 +1,15 @@
 //! The numbers that can be fitted.
 
+use std::borrow::Cow;
 use std::fmt;
 use std::str::FromStr;
 
+use super::LayerName;
 use crate::Error;
+
+/// The ends of the names of the parameters of a layer.
+const MODULUS: &str = ".modulus";
+const THICKNESS: &str = ".thickness";
 
 /// A number that can be fitted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -31,10 +37,14 @@ pub enum Parameter {
     BaselineSlope,
     /// The stiffness `k` of the cantilever, N/m.
     Stiffness,
+    /// Young's modulus of a layer of a stack, Pa.
+    LayerModulus(LayerName),
+    /// The thickness of a layer of a stack, m.
+    LayerThickness(LayerName),
 }
 
 impl Parameter {
-    /// All parameters.
+    /// All parameters but those of the layers of a stack.
     pub const ALL: [Self; 11] = [
         Self::SphereModulus,
         Self::FilmModulus,
@@ -49,9 +59,10 @@ impl Parameter {
         Self::Stiffness,
     ];
 
-    /// Returns the name, as on the command line.
-    pub const fn name(self) -> &'static str {
-        match self {
+    /// Returns the name, as on the command line: that of a layer begins with the name of the layer,
+    /// `oxide.modulus` or `oxide.thickness`.
+    pub fn name(self) -> Cow<'static, str> {
+        Cow::Borrowed(match self {
             Self::SphereModulus => "sphere-modulus",
             Self::FilmModulus => "film-modulus",
             Self::FilmPoissonRatio => "film-poisson-ratio",
@@ -63,15 +74,17 @@ impl Parameter {
             Self::Baseline => "baseline",
             Self::BaselineSlope => "baseline-slope",
             Self::Stiffness => "stiffness",
-        }
+            Self::LayerModulus(layer) => return format!("{layer}{MODULUS}").into(),
+            Self::LayerThickness(layer) => return format!("{layer}{THICKNESS}").into(),
+        })
     }
 
     /// Returns the SI unit; `"1"` for a Poisson ratio.
     pub const fn unit(self) -> &'static str {
         match self {
-            Self::SphereModulus | Self::FilmModulus => "Pa",
+            Self::SphereModulus | Self::FilmModulus | Self::LayerModulus(_) => "Pa",
             Self::FilmPoissonRatio => "1",
-            Self::FilmThickness | Self::ContactPoint => "m",
+            Self::FilmThickness | Self::LayerThickness(_) | Self::ContactPoint => "m",
             Self::WorkOfAdhesion | Self::WorkOfAdhesionReceding => "J/m^2",
             Self::LoadOffset | Self::Baseline => "N",
             Self::BaselineSlope | Self::Stiffness => "N/m",
@@ -88,13 +101,29 @@ impl Parameter {
                 | Self::WorkOfAdhesion
                 | Self::WorkOfAdhesionReceding
                 | Self::Stiffness
+                | Self::LayerModulus(_)
+                | Self::LayerThickness(_)
+        )
+    }
+
+    /// Tells whether the parameter belongs to the bodies, so that another value needs another
+    /// contact.
+    pub(crate) const fn is_of_bodies(self) -> bool {
+        matches!(
+            self,
+            Self::SphereModulus
+                | Self::FilmModulus
+                | Self::FilmPoissonRatio
+                | Self::FilmThickness
+                | Self::LayerModulus(_)
+                | Self::LayerThickness(_)
         )
     }
 }
 
 impl fmt::Display for Parameter {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(self.name())
+        f.pad(&self.name())
     }
 }
 
@@ -105,6 +134,17 @@ impl FromStr for Parameter {
         let found = Self::ALL
             .into_iter()
             .find(|parameter| parameter.name() == name);
-        found.ok_or_else(|| Error::UnknownParameter(name.to_owned()))
+        let of_layer = || {
+            let modulus = name.strip_suffix(MODULUS)?.parse().ok();
+            Some(Self::LayerModulus(modulus?))
+        };
+        let or_thickness = || {
+            let thickness = name.strip_suffix(THICKNESS)?.parse().ok();
+            Some(Self::LayerThickness(thickness?))
+        };
+        found
+            .or_else(of_layer)
+            .or_else(or_thickness)
+            .ok_or_else(|| Error::UnknownParameter(name.to_owned()))
     }
 }

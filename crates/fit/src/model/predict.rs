@@ -27,12 +27,12 @@ pub(crate) struct Predicted {
 }
 
 /// The end of a stable branch.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct BranchEnd {
     /// The abscissa at which it ends.
     pub abscissa: f64,
     /// The derivatives of this abscissa with respect to the parameters asked for.
-    pub derivatives: [f64; 11],
+    pub derivatives: Vec<f64>,
 }
 
 impl Experiment {
@@ -323,17 +323,19 @@ impl Experiment {
         }
         let control = self.control();
         let end = contact.pull_off(w, control)?;
-        let gradient = contact.gradient(end.contact_radius, w)?;
-        let mut derivatives = [0.0; 11];
-        for (derivative, &parameter) in derivatives.iter_mut().zip(columns) {
-            let of_state = match self.input_on(parameter, branch) {
-                Some(input) => {
-                    let by = gradient.by(input)?;
-                    imposed(control, by.load, by.penetration)
-                }
-                None => -self.imposed_derivative(parameter, end.load),
-            };
-            *derivative = self.sense() * of_state;
+        let mut derivatives = Vec::with_capacity(columns.len());
+        if !columns.is_empty() {
+            let gradient = contact.gradient(end.contact_radius, w)?;
+            for &parameter in columns {
+                let of_state = match self.input_on(parameter, branch) {
+                    Some(input) => {
+                        let by = gradient.by(input)?;
+                        imposed(control, by.load, by.penetration)
+                    }
+                    None => -self.imposed_derivative(parameter, end.load),
+                };
+                derivatives.push(self.sense() * of_state);
+            }
         }
         let value = imposed(control, end.load, end.penetration);
         Ok(Some(BranchEnd {

@@ -3,7 +3,7 @@
 
 use interp::Table;
 
-use super::{Branch, Experiment, Freedom, Parameter};
+use super::{Bodies, Branch, Experiment, Freedom, Parameter};
 use crate::Error;
 
 /// The ordinates that the values of an experiment give at its points.
@@ -45,8 +45,9 @@ impl Experiment {
         Ok(assignment.branches)
     }
 
-    /// Evaluates the model at every point, with the exact derivatives with respect to `parameters`
-    /// at a fixed abscissa.
+    /// Evaluates the model at every point, with the derivatives with respect to `parameters` at a
+    /// fixed abscissa. They are exact; on a stack of layers they are central differences, with
+    /// errors of at most 1e-5 of the largest.
     ///
     /// `branches` holds the branch of each point; `None` takes those on which the model itself has
     /// the points, as [`simulate`](crate::simulate) does. The ordinates of the points are not used.
@@ -73,6 +74,13 @@ impl Experiment {
         }
         let count = self.measurement.points.len();
         let contact = self.bodies.contact(table, true)?;
+        let contact_of = |bodies: &Bodies, gradient| {
+            if bodies == &self.bodies {
+                Ok(contact.clone())
+            } else {
+                bodies.contact(table, gradient)
+            }
+        };
         let (of_model, order) = self.branches_of_model(&contact)?;
         let branches = branches.map_or(of_model, <[Branch]>::to_vec);
         if branches.len() != count {
@@ -82,7 +90,7 @@ impl Experiment {
                 allowed: format!("that of the points, {count}"),
             });
         }
-        let predicted = self.predict(&contact, &branches, &order, Some(parameters))?;
+        let predicted = self.predict_with(&contact_of, &branches, &order, Some(parameters))?;
         let kept = |i: usize, value: f64| {
             if branches[i] == Branch::LeftOut {
                 f64::NAN

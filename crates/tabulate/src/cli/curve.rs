@@ -6,19 +6,17 @@ use anyhow::ensure;
 use clap::{ValueHint, value_parser};
 use interp::{Contact, Mechanics, Probe, System, Validity};
 
+use super::bodies::{AttractingArguments, Bodies};
 use super::note;
 use super::output::Output;
 use super::points::{evenly, number};
 use super::progress::progress_bar;
-use super::pull_off;
-use super::stack_file;
-use super::system::SystemArguments;
+use super::stack_file::NamedStack;
 use super::table_name::{self, TableName};
 use crate::cohesive::Cohesive;
 use crate::parallel::try_map;
 use crate::report::LARGE_CONTACT;
 use crate::solve::{curve as adaptive, solve, stack_curve};
-use crate::stack::Stack;
 
 /// Print the force curve of one system as CSV, in SI units
 ///
@@ -48,28 +46,8 @@ pub struct Arguments {
         value_hint = ValueHint::FilePath
     )]
     table: Option<TableName>,
-    #[arg(
-        long,
-        value_name = "STACK.toml",
-        help = format!("{}. It replaces film and substrate", stack_file::HELP),
-        value_hint = ValueHint::FilePath,
-        conflicts_with_all = [
-            "table", "film_thickness", "film_modulus", "film_poisson_ratio", "substrate_modulus", "substrate_poisson_ratio",
-            "probe", "half_angle", "exponent", "coefficient", "profile",
-        ],
-    )]
-    stack: Option<PathBuf>,
     #[command(flatten)]
-    system: SystemArguments,
-    /// Distance over which the attraction acts, m: a constant stress, the work of adhesion over this
-    /// distance, wherever the gap is smaller (Dugdale's law). Without it the distance is 0 (JKR)
-    #[arg(
-        long,
-        value_name = "M",
-        conflicts_with = "table",
-        allow_negative_numbers = true
-    )]
-    interaction_range: Option<f64>,
+    attracting: AttractingArguments,
     /// Smallest contact radius, m
     #[arg(long, default_value = "1e-6", allow_negative_numbers = true)]
     from: f64,
@@ -95,46 +73,27 @@ pub struct Arguments {
 
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let Arguments { from, to, .. } = *arguments;
-    let work_of_adhesion = arguments.system.work_of_adhesion;
+    let given = &arguments.attracting.bodies;
     let table = arguments.table.as_ref().and_then(TableName::path);
-    let output = Output::new(
-        arguments.output.as_deref(),
-        [
-            table,
-            arguments.stack.as_deref(),
-            arguments.system.shape.profile.as_deref(),
-        ],
-    )?;
+    let [stack, profile] = given.files();
+    let output = Output::new(arguments.output.as_deref(), [table, stack, profile])?;
     ensure!(
         from > 0.0 && to > from && to < f64::INFINITY,
         "the contact radii must run from > 0 to more than that: from {from} to {to}"
     );
-    let stack = arguments
-        .stack
-        .as_deref()
-        .map(stack_file::read)
-        .transpose()?;
-    let system = match &stack {
-        Some(stack) => {
-            let SystemArguments {
-                sphere_radius,
-                sphere_modulus,
-                ..
-            } = arguments.system;
-            stack.system(sphere_radius, sphere_modulus)
-        }
-        None => arguments.system.system()?,
-    };
-    let mechanics = Mechanics::new(&system)?;
+    let bodies = given.read()?;
+    let system = &bodies.system;
+    let given = &given.system;
+    let mechanics = Mechanics::new(system)?;
     let punch = matches!(system.probe, Probe::FlatPunch { .. });
     if !punch {
         // Refuses too large a radius before any work.
-        mechanics.edge_singularity(to, work_of_adhesion)?;
+        mechanics.edge_singularity(to, given.work_of_adhesion)?;
     }
-    let states = States::new(arguments, &system, stack.as_ref())?;
+    let states = States::new(arguments, &bodies)?;
     let rows: Vec<Vec<f64>> = if punch {
         // The only contact radius of a punch.
-        vec![states.row(arguments.system.sphere_radius, &mechanics)?]
+        vec![states.row(given.sphere_radius, &mechanics)?]
     } else {
         let bar = progress_bar(arguments.points as usize, "solving");
         let row = |i: u32| {
@@ -147,7 +106,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         rows
     };
     let paraboloid = matches!(system.probe, Probe::Paraboloid { .. });
-    if paraboloid && to > Validity::WARNING_A_OVER_R * arguments.system.sphere_radius {
+    if paraboloid && to > Validity::WARNING_A_OVER_R * given.sphere_radius {
         note(LARGE_CONTACT);
     }
     let mut writer = csv::Writer::from_writer(Vec::new());
@@ -158,7 +117,10 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         "jkr_abscissa",
         "jkr_ordinate",
     ];
-    let outer_radius = arguments.interaction_range.map(|_| "outer_radius");
+    let outer_radius = arguments
+        .attracting
+        .interaction_range
+        .map(|_| "outer_radius");
     writer.write_record(columns.into_iter().chain(outer_radius))?;
     for row in rows {
         writer.write_record(row.into_iter().map(number))?;
@@ -185,27 +147,20 @@ struct States<'a> {
 }
 
 impl<'a> States<'a> {
-    fn new(
-        arguments: &Arguments,
-        system: &'a System,
-        stack: Option<&Stack>,
-    ) -> anyhow::Result<Self> {
+    fn new(arguments: &Arguments, bodies: &'a Bodies) -> anyhow::Result<Self> {
         let Arguments {
             from,
             to,
             tolerance,
-            interaction_range,
+            ref attracting,
             ..
         } = *arguments;
-        let source = if let Some(range) = interaction_range {
-            Source::Range(Box::new(pull_off::cohesive(
-                &arguments.system,
-                stack,
-                range,
-            )?))
+        let system = &bodies.system;
+        let source = if let Some(range) = attracting.interaction_range {
+            Source::Range(Box::new(attracting.cohesive(bodies, range)?))
         } else if let Some(name) = &arguments.table {
             Source::Curve(Box::new(name.read()?.contact(system)?))
-        } else if let Some(stack) = stack {
+        } else if let Some(NamedStack { stack, .. }) = &bodies.stack {
             let range = [from, to].map(|a| a / system.film_thickness);
             let curve = stack_curve(stack, system.sphere_modulus, range, tolerance)?;
             Source::Curve(Box::new(Contact::new(system, curve)?))
@@ -221,7 +176,7 @@ impl<'a> States<'a> {
         Ok(Self {
             source,
             system,
-            work_of_adhesion: arguments.system.work_of_adhesion,
+            work_of_adhesion: attracting.bodies.system.work_of_adhesion,
             tolerance,
         })
     }

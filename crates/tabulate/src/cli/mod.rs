@@ -1,10 +1,12 @@
 //! The command line: one module for each subcommand.
 //!
 //! Each has `Arguments`, which clap fills and whose comments are the help, and `run`. A table is
-//! named by a `table_name`, or is the `default_table`; points come from CSV (`points`), a stack of
-//! layers from TOML (`stack_file`); results go to an `output`, which knows the inputs, or are
-//! printed, as text or as one object of `json`; notes go to standard error.
+//! named by a `table_name`, or is the `default_table`; points come from CSV (`points`); the
+//! `bodies` in contact are a `system` under a `probe`, or a stack of layers from TOML
+//! (`stack_file`); results go to an `output`, which knows the inputs, or are printed, as text or as
+//! one object of `json`; notes go to standard error.
 
+mod bodies;
 mod check;
 mod completions;
 mod cost;

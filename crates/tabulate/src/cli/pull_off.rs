@@ -1,18 +1,16 @@
 //! `tabulate pull-off`
 
-use std::path::PathBuf;
-
 use clap::{ValueEnum, ValueHint};
-use interp::{Contact, Control, System};
+use interp::{Contact, Control};
 
+use super::bodies::{AttractingArguments, Bodies};
 use super::points::number;
 use super::print;
-use super::stack_file;
+use super::stack_file::NamedStack;
 use super::system::SystemArguments;
 use super::table_name::{self, TableName};
-use crate::cohesive::{Cohesive, CohesiveState};
+use crate::cohesive::CohesiveState;
 use crate::solve::{curve, stack_curve};
-use crate::stack::Stack;
 
 /// Print the last stable state of a separation: load (N), contact radius (m), outer radius of the
 /// attraction (m) and penetration (m)
@@ -34,19 +32,8 @@ pub struct Arguments {
         value_hint = ValueHint::FilePath
     )]
     table: Option<TableName>,
-    #[arg(
-        long,
-        value_name = "STACK.toml",
-        help = format!("{}. It replaces film and substrate", stack_file::HELP),
-        value_hint = ValueHint::FilePath,
-        conflicts_with_all = [
-            "table", "film_thickness", "film_modulus", "film_poisson_ratio", "substrate_modulus", "substrate_poisson_ratio",
-            "probe", "half_angle", "exponent", "coefficient", "profile",
-        ],
-    )]
-    stack: Option<PathBuf>,
     #[command(flatten)]
-    system: SystemArguments,
+    attracting: AttractingArguments,
     /// What the machine imposes: a dead weight, the displacement, or the far end of a spring
     #[arg(long, value_enum, default_value = "load")]
     control: ControlName,
@@ -57,15 +44,6 @@ pub struct Arguments {
         allow_negative_numbers = true
     )]
     stiffness: Option<f64>,
-    /// Distance over which the attraction acts, m; its stress is the work of adhesion over this
-    /// distance
-    #[arg(
-        long,
-        value_name = "M",
-        conflicts_with = "table",
-        allow_negative_numbers = true
-    )]
-    interaction_range: Option<f64>,
     /// Print one JSON object with load, contact_radius, outer_radius and penetration
     #[arg(long)]
     json: bool,
@@ -87,14 +65,11 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
             stiffness: stiffness.expect("clap requires it"),
         },
     };
-    let stack = arguments
-        .stack
-        .as_ref()
-        .map(|path| stack_file::read(path))
-        .transpose()?;
-    let state = match arguments.interaction_range {
-        Some(range) => cohesive(&arguments.system, stack.as_ref(), range)?.pull_off(control)?,
-        None => jkr(arguments, stack.as_ref(), control)?,
+    let attracting = &arguments.attracting;
+    let bodies = attracting.bodies.read()?;
+    let state = match attracting.interaction_range {
+        Some(range) => attracting.cohesive(&bodies, range)?.pull_off(control)?,
+        None => jkr(arguments, &bodies, control)?,
     };
     let values = [
         ("load", state.load),
@@ -117,56 +92,31 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     print(text.as_bytes())
 }
 
-/// Makes the attraction of a finite range between the bodies of the command line.
-pub fn cohesive(
-    arguments: &SystemArguments,
-    stack: Option<&Stack>,
-    range: f64,
-) -> anyhow::Result<Cohesive> {
-    let w = arguments.work_of_adhesion;
-    Ok(match stack {
-        Some(stack) => Cohesive::on_stack(
-            stack,
-            arguments.sphere_radius,
-            arguments.sphere_modulus,
-            w,
-            range,
-        )?,
-        None => Cohesive::new(&arguments.system()?, w, range)?,
-    })
-}
-
 /// Finds the pull-off of an attraction without range.
-fn jkr(
-    arguments: &Arguments,
-    stack: Option<&Stack>,
-    control: Control,
-) -> anyhow::Result<CohesiveState> {
+fn jkr(arguments: &Arguments, bodies: &Bodies, control: Control) -> anyhow::Result<CohesiveState> {
     /// The range of `a/t` that is solved, and the relative tolerance.
     const RANGE: [f64; 2] = [1e-3, 1e3];
     const TOLERANCE: f64 = 1e-9;
     /// The contact radius over the thickness of the top layer up to which a stack is solved. Wider
     /// contacts take much longer.
     const OVER_TOP: f64 = 300.0;
-    let contact = match (&arguments.table, stack) {
-        (Some(name), _) => name.read()?.contact(&arguments.system.system()?)?,
-        (None, Some(stack)) => {
-            let SystemArguments {
-                sphere_radius,
-                sphere_modulus,
-                ..
-            } = arguments.system;
+    let SystemArguments {
+        sphere_modulus,
+        work_of_adhesion,
+        ..
+    } = arguments.attracting.bodies.system;
+    let system = &bodies.system;
+    let contact = match (&arguments.table, &bodies.stack) {
+        (Some(name), _) => name.read()?.contact(system)?,
+        (None, Some(NamedStack { stack, .. })) => {
             let top = stack.top().thickness / stack.thickness();
             let range = [RANGE[0], RANGE[1].min(OVER_TOP * top)];
             let curve = stack_curve(stack, sphere_modulus, range, TOLERANCE)?;
-            Contact::new(&stack.system(sphere_radius, sphere_modulus), curve)?
+            Contact::new(system, curve)?
         }
-        (None, None) => {
-            let system: System = arguments.system.system()?;
-            Contact::new(&system, curve(&system.material()?, RANGE, TOLERANCE)?)?
-        }
+        (None, None) => Contact::new(system, curve(&system.material()?, RANGE, TOLERANCE)?)?,
     };
-    let state = contact.pull_off(arguments.system.work_of_adhesion, control)?;
+    let state = contact.pull_off(work_of_adhesion, control)?;
     Ok(CohesiveState {
         contact_radius: state.contact_radius,
         outer_radius: state.contact_radius,

@@ -105,7 +105,9 @@ fn ways() -> impl TypedValueParser<Value = &'static [Option<Direction>]> {
 }
 
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
-    let output = Output::new(arguments.output.as_deref(), [arguments.table.path()])?;
+    let [stack, profile] = arguments.known.bodies.files();
+    let inputs = [arguments.table.path(), stack, profile];
+    let output = Output::new(arguments.output.as_deref(), inputs)?;
     let [from, to] = [arguments.from, arguments.to];
     ensure!(
         from.is_finite() && to.is_finite() && from != to,

@@ -136,7 +136,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
 }
 
 fn solve_layers(arguments: &Arguments, path: &Path) -> anyhow::Result<()> {
-    let stack = stack_file::read(path)?;
+    let stack = stack_file::read(path)?.stack;
     let (a_over_t, sphere_modulus) = (given(arguments.a_over_t), given(arguments.sphere_modulus));
     let solution = solve_stack_power_laws(
         a_over_t,

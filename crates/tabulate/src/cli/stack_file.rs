@@ -12,7 +12,7 @@ use crate::{Error, input, printable};
 
 /// The help of an argument that names a stack file. Clap shows it as it stands.
 pub const HELP: &str = "Stack of layers, as a TOML file in SI units: base = { young_modulus = .., poisson_ratio = .. } and, \
-    from the base up, a [[layers]] with young_modulus, poisson_ratio, thickness and perhaps a name for each. A base with \
+    from the base up, a [[layers]] with young_modulus, poisson_ratio, thickness and perhaps a name, by which messages and fits call it, for each. A base with \
     young_modulus = inf is rigid and needs no Poisson ratio";
 
 /// The largest number of bytes of a stack file. A larger one is taken for a mistake.
@@ -43,8 +43,16 @@ struct TextLayer {
     thickness: f64,
 }
 
+/// A stack as a file gives it.
+#[derive(Debug)]
+pub struct NamedStack {
+    pub stack: Stack,
+    /// The names of the layers, from the base up.
+    pub names: Vec<Option<String>>,
+}
+
 /// Reads a stack file. An error names the file, and the layer if it is about one.
-pub fn read(path: &Path) -> anyhow::Result<Stack> {
+pub fn read(path: &Path) -> anyhow::Result<NamedStack> {
     let mut text = String::new();
     input::open(path, LONGEST)
         .and_then(|(mut file, _)| file.read_to_string(&mut text))
@@ -56,7 +64,7 @@ pub fn read(path: &Path) -> anyhow::Result<Stack> {
 }
 
 /// Parses the text of a stack file.
-fn parse(text: &str) -> anyhow::Result<Stack> {
+fn parse(text: &str) -> anyhow::Result<NamedStack> {
     let Text { base, layers } =
         toml::from_str(text).map_err(|error| anyhow!("{}", error.to_string().trim_end()))?;
     let names: Vec<Option<String>> = layers.iter().map(|layer| layer.name.clone()).collect();
@@ -92,7 +100,7 @@ fn parse(text: &str) -> anyhow::Result<Stack> {
         })
     });
     match Stack::new(base, solids.collect::<anyhow::Result<Vec<_>>>()?) {
-        Ok(stack) => Ok(stack),
+        Ok(stack) => Ok(NamedStack { stack, names }),
         Err(Error::Layer { layer, what, .. }) => bail!("{}: {what}", of_layer(layer - 1)),
         Err(Error::NoLayers) => bail!(
             "there is no [[layers]]: a stack needs at least one, with young_modulus, poisson_ratio and thickness"
@@ -111,7 +119,8 @@ mod tests {
 
     #[test]
     fn a_stack_file_is_read_as_it_stands() {
-        let stack = parse(SOUND).expect("sound");
+        let NamedStack { stack, names } = parse(SOUND).expect("sound");
+        assert_eq!(names, [Some("primer".to_owned()), None]);
         let layers = stack.layers();
         assert_eq!(stack.base(), Elastic::new(2e11, 0.25).expect("physical"));
         assert_eq!(
@@ -122,7 +131,7 @@ mod tests {
             [2.5e-6, 7.5e-6]
         );
         let rigid = SOUND.replace("2e11, poisson_ratio = 0.25", "inf");
-        let base = parse(&rigid).expect("sound").base();
+        let base = parse(&rigid).expect("sound").stack.base();
         assert_eq!(base.young(), f64::INFINITY);
     }
 
@@ -199,9 +208,9 @@ mod tests {
             &WORDS,
             3,
             |_, bytes| match std::str::from_utf8(bytes).map(parse) {
-                Ok(Ok(stack)) => {
+                Ok(Ok(named)) => {
                     accepted += 1;
-                    assert!(stack.thickness().is_finite());
+                    assert!(named.stack.thickness().is_finite());
                 }
                 _ => refused += 1,
             },

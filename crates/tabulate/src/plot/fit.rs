@@ -1,6 +1,6 @@
 //! A fit: the data, the fit, the curve without the film, and the residuals.
 
-use fit::{Branch, Experiment, Fit, FittedExperiment, FittedPoint, Kind};
+use fit::{Bodies, Branch, Experiment, Fit, FittedExperiment, FittedPoint, Kind};
 
 use super::axis::Axis;
 use super::chart::{
@@ -23,6 +23,12 @@ const MOST_NAMES: usize = 5;
 /// Describes the figure of a fit: for each kind of measurement the data and the residuals.
 pub fn figure(fit: &Fit, experiments: &[Experiment]) -> Figure {
     let kind = |i: usize| experiments[i].measurement.kind;
+    let has_layers = |one: &Experiment| matches!(one.bodies, Bodies::Layered(_));
+    let without = if experiments.iter().any(has_layers) {
+        "without layers"
+    } else {
+        "without film"
+    };
     let mut rows = Vec::new();
     for one in Kind::ALL {
         let members: Vec<(usize, &FittedExperiment)> = fit
@@ -32,14 +38,15 @@ pub fn figure(fit: &Fit, experiments: &[Experiment]) -> Figure {
             .filter(|(i, _)| kind(*i) == one)
             .collect();
         if !members.is_empty() {
-            rows.push(panels(one, &members));
+            rows.push(panels(one, &members, without));
         }
     }
     Figure::grid(400 * rows.len() as u32, rows)
 }
 
-/// Describes the panels of the experiments of one kind, each with its number.
-fn panels(kind: Kind, members: &[(usize, &FittedExperiment)]) -> Vec<Panel> {
+/// Describes the panels of the experiments of one kind, each with its number. `without` says
+/// without what the dashed curves are.
+fn panels(kind: Kind, members: &[(usize, &FittedExperiment)], without: &str) -> Vec<Panel> {
     let [abscissa, ordinate] = kind.names();
     let unit = if kind == Kind::PenetrationRadius {
         'm'
@@ -61,9 +68,9 @@ fn panels(kind: Kind, members: &[(usize, &FittedExperiment)]) -> Vec<Panel> {
     let rest = Axis::linear("residual / noise", [-1.1 * largest, 1.1 * largest]);
     let without_film = points().any(|point| point.without_film.is_some());
     let title = if without_film {
-        "Residuals (dashed: without film)"
+        format!("Residuals (dashed: {without})")
     } else {
-        "Residuals"
+        "Residuals".to_owned()
     };
     let mut left = Panel::new(title, x.axis(), rest);
     let [from, to] = x.axis().range();
@@ -119,14 +126,8 @@ fn panels(kind: Kind, members: &[(usize, &FittedExperiment)]) -> Vec<Panel> {
     let first = || members[0].1.points.iter();
     let place = |point: &FittedPoint, value: f64| [x.at(point.abscissa), y.at(value)];
     if without_film {
-        let without = first().filter_map(|point| Some(place(point, point.without_film?)));
-        label(
-            &mut data,
-            without.collect(),
-            "without film",
-            GREY,
-            Side::Right,
-        );
+        let places = first().filter_map(|point| Some(place(point, point.without_film?)));
+        label(&mut data, places.collect(), without, GREY, Side::Right);
     }
     let fitted = first().filter_map(|point| Some(place(point, point.fit?)));
     label(&mut data, fitted.collect(), "fit", BLACK, Side::Left);

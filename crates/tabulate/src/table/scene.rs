@@ -343,11 +343,13 @@ pub(crate) fn random_points(
 /// Returns the message of the TOML reader, or a better one for a stack of layers.
 fn explained(text: &str, error: &toml::de::Error) -> String {
     let keys = text.parse::<toml::Table>().unwrap_or_default();
-    match keys.keys().find(|key| key.starts_with("layer")) {
+    let is_of_stack = |key: &&String| key.starts_with("layer") || *key == "stack";
+    match keys.keys().find(is_of_stack) {
         Some(key) => format!(
-            "{key}: stacks of layers are not tabulated; solve them with `tabulate solve --stack` or `tabulate curve \
-             --stack`. A scene is one film on a half-space, with the keys title, tolerance, quantities, a_over_t, \
-             e1_over_e2 (or e1s_over_einfs), nu1, e0_over_e2 (or e0s_over_e2s) and nu0"
+            "{key}: stacks of layers are not tabulated; `tabulate solve`, `curve`, `pull-off`, `fit` and \
+             `simulate` take one with --stack and solve it directly. A scene is one film on a half-space, \
+             with the keys title, tolerance, quantities, a_over_t, e1_over_e2 (or e1s_over_einfs), nu1, \
+             e0_over_e2 (or e0s_over_e2s) and nu0"
         ),
         None => error.to_string().trim_end().to_owned(),
     }

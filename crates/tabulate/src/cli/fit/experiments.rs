@@ -1,20 +1,24 @@
 //! The experiments and the free parameters, from the arguments and the measurements.
 
-use ::fit::{Bodies, Experiment, Free, Kind, Measurement, Parameter, Scope};
+use ::fit::{
+    Bodies, Experiment, Free, Kind, Layer, LayerName, Layered, Measurement, Parameter, Reach, Scope,
+};
 use anyhow::{Context, bail, ensure};
 use interp::HalfSpace;
 
 use super::setting::{Bounds, Known, Values};
-use crate::cli::system::SystemArguments;
+use crate::cli::bodies::{self, BodiesArguments};
+use crate::cli::stack_file::NamedStack;
+use crate::stack;
 
 /// The flags of known values.
 #[derive(clap::Args)]
 pub struct KnownArguments {
     #[command(flatten)]
-    pub system: SystemArguments,
+    pub bodies: BodiesArguments,
     /// No film and no substrate: the sphere touches a half-space with the modulus and the Poisson
     /// ratio of the film
-    #[arg(long)]
+    #[arg(long, conflicts_with = "stack")]
     pub half_space: bool,
     /// Stiffness of the cantilever, N/m
     #[arg(long, value_name = "N/m", allow_negative_numbers = true)]
@@ -29,15 +33,31 @@ pub struct KnownArguments {
 impl KnownArguments {
     /// Joins measurements with what is known about them.
     pub fn experiments(&self, measurements: Vec<Measurement>) -> anyhow::Result<Vec<Experiment>> {
-        let system = self.system.system()?;
-        let bodies = if self.half_space {
-            Bodies::HalfSpace(HalfSpace {
-                probe: system.probe,
-                sphere_modulus: system.sphere_modulus,
-                solid: system.film,
-            })
-        } else {
-            Bodies::Coated(system)
+        let bodies::Bodies { system, stack } = self.bodies.read()?;
+        let layers = match &stack {
+            Some(named) => layers(named)?,
+            None => Vec::new(),
+        };
+        let bodies = |measurement: &Measurement| {
+            let system = system.clone();
+            if stack.is_some() {
+                Bodies::Layered(Layered {
+                    reach: Reach::of(measurement, &system.probe),
+                    probe: system.probe,
+                    sphere_modulus: system.sphere_modulus,
+                    base: system.substrate,
+                    layers: layers.clone(),
+                    solver: stack::solver,
+                })
+            } else if self.half_space {
+                Bodies::HalfSpace(HalfSpace {
+                    probe: system.probe,
+                    sphere_modulus: system.sphere_modulus,
+                    solid: system.film,
+                })
+            } else {
+                Bodies::Coated(system)
+            }
         };
         let files = measurements.len();
         for Values { parameter, values } in &self.values {
@@ -47,9 +67,10 @@ impl KnownArguments {
                 values.len()
             );
         }
-        let experiment = |(i, measurement)| {
-            let mut experiment = Experiment::new(measurement, bodies.clone());
-            experiment.work_of_adhesion = self.system.work_of_adhesion;
+        let experiment = |(i, measurement): (usize, Measurement)| {
+            let bodies = bodies(&measurement);
+            let mut experiment = Experiment::new(measurement, bodies);
+            experiment.work_of_adhesion = self.bodies.system.work_of_adhesion;
             experiment.stiffness = self.stiffness;
             for Values { parameter, values } in &self.values {
                 let value = values.get(i).unwrap_or(&values[0]);
@@ -67,16 +88,31 @@ impl KnownArguments {
     }
 }
 
+/// Returns the layers of a stack for fits.
+fn layers(named: &NamedStack) -> anyhow::Result<Vec<Layer>> {
+    let layer = |(layer, name): (&stack::Layer, &Option<String>)| {
+        let name = name.as_deref().map(str::parse::<LayerName>).transpose();
+        Ok(Layer {
+            name: name.context("--stack")?,
+            solid: layer.solid,
+            thickness: layer.thickness,
+        })
+    };
+    let layers = named.stack.layers().iter().zip(&named.names);
+    layers.map(layer).collect()
+}
+
 /// The flags of free parameters.
 #[derive(clap::Args)]
 pub struct FreeArguments {
     /// The parameters to be found: sphere-modulus, film-modulus, film-poisson-ratio,
     /// film-thickness, work-of-adhesion, work-of-adhesion-receding, load-offset, contact-point,
-    /// baseline, baseline-slope, stiffness
+    /// baseline, baseline-slope, stiffness; with --stack, LAYER.modulus and LAYER.thickness of a
+    /// layer by its name in the file take the place of those of the film
     ///
-    /// Default: the work of adhesion; the modulus of the sphere, or of the film under a rigid
-    /// sphere, if loads are measured; the contact point with penetrations or heights; the baseline
-    /// with heights.
+    /// Default: the work of adhesion; the modulus of the sphere, or of the film or top layer under
+    /// a rigid sphere, if loads are measured; the contact point with penetrations or heights; the
+    /// baseline with heights.
     #[arg(long, value_name = "NAME,...", value_delimiter = ',')]
     pub free: Vec<Parameter>,
     /// Smallest and largest value of a free parameter, in SI units: film-modulus=1e5..1e8
@@ -120,7 +156,7 @@ impl FreeArguments {
             .flat_map(|(flag, list)| list.iter().map(move |name| (*flag, *name)));
         for (flag, parameter) in settings.chain(listed) {
             if !names.contains(&parameter) {
-                let names: Vec<&str> = names.iter().map(|name| name.name()).collect();
+                let names: Vec<_> = names.iter().map(|name| name.name()).collect();
                 bail!(
                     "{flag} {parameter}: it is not free; free are {}",
                     names.join(", ")
@@ -165,7 +201,7 @@ fn usual(experiments: &[Experiment]) -> Vec<Parameter> {
     // Without a load the data tell the ratio of adhesion and modulus only.
     if any(&[Kind::LoadRadius, Kind::LoadPenetration, Kind::ForceHeight]) {
         free.push(if experiments.iter().any(is_rigid) {
-            Parameter::FilmModulus
+            modulus_of_top(&experiments[0].bodies)
         } else {
             Parameter::SphereModulus
         });
@@ -182,4 +218,13 @@ fn usual(experiments: &[Experiment]) -> Vec<Parameter> {
         free.push(Parameter::Baseline);
     }
     free
+}
+
+/// Returns the modulus of the film, or of the top layer if it has a name.
+fn modulus_of_top(bodies: &Bodies) -> Parameter {
+    let top = match bodies {
+        Bodies::Layered(layered) => layered.layers.last().and_then(|layer| layer.name),
+        _ => None,
+    };
+    top.map_or(Parameter::FilmModulus, Parameter::LayerModulus)
 }

@@ -41,6 +41,9 @@ use crate::printable;
 /// Loads are positive in compression; heights are smaller when the cantilever is closer to the
 /// sample: contact point - height = penetration + force/stiffness.
 ///
+/// A stack of layers (--stack) is solved directly, which takes some tenths of a second; all else is
+/// looked up in the table. The modulus and the thickness of its layers can be free.
+///
 /// Which points are in contact is read from the data: points up to the jump of pull-off are in
 /// contact, those after it are the baseline. With several files, the parameters are common to all
 /// files unless they are the file's own: a global fit of films of several thicknesses is
@@ -51,6 +54,7 @@ use crate::printable;
 #[command(after_help = super::examples!(
     "tabulate fit crates/fit/data/lens.csv --film-thickness 3e-5",
     "tabulate fit crates/fit/data/lens.csv --film-thickness 3e-5 --free sphere-modulus,load-offset",
+    "tabulate fit crates/fit/data/primer.csv --stack tables/stacks/primer.toml --free primer.modulus",
     "tabulate fit crates/fit/data/gel.csv --stiffness 0.1 --half-space --sphere-radius 1e-5 --json",
 ))]
 pub struct Arguments {
@@ -170,6 +174,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         .data
         .iter()
         .map(PathBuf::as_path)
+        .chain(arguments.known.bodies.files().into_iter().flatten())
         .chain(arguments.table.path())
         .collect();
     ensure!(

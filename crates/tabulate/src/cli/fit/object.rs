@@ -88,8 +88,12 @@ impl Serialize for Estimates<'_> {
     }
 }
 
+/// Returns the key of a parameter: its name with underscores, but that of a layer as it stands.
 fn json_name(parameter: Parameter) -> String {
-    parameter.name().replace('-', "_")
+    match parameter {
+        Parameter::LayerModulus(_) | Parameter::LayerThickness(_) => parameter.name().into(),
+        _ => parameter.name().replace('-', "_"),
+    }
 }
 
 /// Returns a matrix as JSON.

@@ -1,5 +1,6 @@
 //! The report of a fit for people.
 
+use std::borrow::Cow;
 use std::fmt::{self, Write};
 
 use ::fit::data::{Notes, Source};
@@ -46,7 +47,7 @@ pub fn report(
         .collect();
     estimates(&mut out, &fit.estimates, &fit.correlation, &files, asked)?;
     writeln!(out, "\n{}", agreement(fit))?;
-    if let Some(text) = film(fit) {
+    if let Some(text) = film(fit, &experiments[0].bodies) {
         writeln!(out, "{text}")?;
     }
     undetermined(&mut out, &fit.undetermined)?;
@@ -94,7 +95,7 @@ fn column(source: &Source) -> String {
 }
 
 /// Returns the values that are not fitted. Zeros of the instrument that are 0 are left out.
-fn fixed(fit: &Fit, experiment: &Experiment) -> Vec<(&'static str, String)> {
+fn fixed(fit: &Fit, experiment: &Experiment) -> Vec<(Cow<'static, str>, String)> {
     let text = |value: f64, si: &str| {
         let (unit, size) = scaled(si, value);
         // Without the rounding of the division.
@@ -102,21 +103,52 @@ fn fixed(fit: &Fit, experiment: &Experiment) -> Vec<(&'static str, String)> {
         format!("{number} {unit}").trim_end().to_owned()
     };
     let probe = experiment.bodies.probe();
-    let mut rows = Vec::new();
+    let mut rows: Vec<(Cow<'static, str>, String)> = Vec::new();
     if !matches!(probe, Probe::Paraboloid { .. }) {
-        rows.push(("probe", probe.name().to_owned()));
+        rows.push(("probe".into(), probe.name().to_owned()));
     }
     if let Some(radius) = probe.radius() {
-        rows.push(("sphere-radius", text(radius, "m")));
+        rows.push(("sphere-radius".into(), text(radius, "m")));
     }
     if let Bodies::Coated(system) = &experiment.bodies {
-        rows.push(("substrate-modulus", text(system.substrate.young(), "Pa")));
         rows.push((
-            "substrate-poisson-ratio",
+            "substrate-modulus".into(),
+            text(system.substrate.young(), "Pa"),
+        ));
+        rows.push((
+            "substrate-poisson-ratio".into(),
             text(system.substrate.poisson(), "1"),
         ));
     }
-    for parameter in Parameter::ALL {
+    let mut parameters = Parameter::ALL.to_vec();
+    if let Bodies::Layered(layered) = &experiment.bodies {
+        rows.push(("base-modulus".into(), text(layered.base.young(), "Pa")));
+        if layered.base.young() < f64::INFINITY {
+            rows.push((
+                "base-poisson-ratio".into(),
+                text(layered.base.poisson(), "1"),
+            ));
+        }
+        for (i, layer) in layered.layers.iter().enumerate() {
+            let poisson = text(layer.solid.poisson(), "1");
+            match layer.name {
+                Some(name) => rows.push((format!("{name}.poisson-ratio").into(), poisson)),
+                None => rows.extend([
+                    (
+                        format!("layer-{}.modulus", i + 1).into(),
+                        text(layer.solid.young(), "Pa"),
+                    ),
+                    (
+                        format!("layer-{}.thickness", i + 1).into(),
+                        text(layer.thickness, "m"),
+                    ),
+                    (format!("layer-{}.poisson-ratio", i + 1).into(), poisson),
+                ]),
+            }
+        }
+        parameters.extend(layered.parameters());
+    }
+    for parameter in parameters {
         if let Some(value) = experiment.get(parameter)
             && fit.estimate(parameter).is_none()
             && (value != 0.0 || parameter.is_positive())
@@ -211,12 +243,18 @@ fn agreement(fit: &Fit) -> String {
     }
 }
 
-/// Says whether the film matters.
-fn film(fit: &Fit) -> Option<String> {
+/// Says whether the film matters, or the layers.
+fn film(fit: &Fit, bodies: &Bodies) -> Option<String> {
     let without = fit.without_film.as_ref()?;
+    let layered = matches!(bodies, Bodies::Layered(_));
+    let [what, it] = if layered {
+        ["layers", "them"]
+    } else {
+        ["film", "it"]
+    };
     let Some(bias) = without.modulus else {
         return Some(format!(
-            "without the film chi^2 is {:.1} instead of {:.1}",
+            "without the {what} chi^2 is {:.1} instead of {:.1}",
             without.chi_squared, fit.chi_squared
         ));
     };
@@ -231,13 +269,14 @@ fn film(fit: &Fit) -> Option<String> {
     } else {
         format!("{errors:.0}")
     };
-    let verdict = if bias.matters() {
-        "matters"
-    } else {
-        "does not matter"
+    let verdict = match (bias.matters(), layered) {
+        (true, true) => "matter",
+        (true, false) => "matters",
+        (false, true) => "do not matter",
+        (false, false) => "does not matter",
     };
     let mut text = format!(
-        "the film {verdict}: {parameter} is off by {:+.1} % ({errors} standard errors) without it",
+        "the {what} {verdict}: {parameter} is off by {:+.1} % ({errors} standard errors) without {it}",
         100.0 * relative
     );
     // The modulus may be right by chance, as between films of different thickness.

@@ -1,0 +1,136 @@
+//! The model where contacts have no exact derivatives: on layers. Central differences stand for
+//! them.
+//!
+//! A contact on layers is a spline through solves to 1e-8, so that a step of 1e-3 in a modulus or a
+//! thickness leaves errors of some 1e-6 of the derivative. At a given contact a step can be
+//! smaller. Measured on one layer, against the exact derivatives of the film: at most 6.3e-6 of the
+//! largest (`tests/fit/layers.rs`).
+
+use interp::Contact;
+
+use super::predict::{BranchEnd, Predicted};
+use super::{Bodies, Branch, Experiment, Parameter};
+use crate::Error;
+
+/// The step of the logarithm of a parameter of the bodies.
+const BODY_STEP: f64 = 1e-3;
+/// The step of other values, relative to themselves or to the range of the data.
+const STEP: f64 = 1e-5;
+
+/// Makes the contact of bodies, with its derivatives if they are asked for and known.
+pub(crate) type ContactOf<'a> = dyn Fn(&Bodies, bool) -> Result<Contact, Error> + 'a;
+
+impl Experiment {
+    /// Predicts all points that are not left out, with derivatives with respect to `parameters` if
+    /// they are given. See [`Experiment::predict`].
+    pub(crate) fn predict_with(
+        &self,
+        contact_of: &ContactOf<'_>,
+        branches: &[Branch],
+        order: &[usize],
+        parameters: Option<&[Parameter]>,
+    ) -> Result<Predicted, Error> {
+        let exact = self.bodies.has_derivatives();
+        let contact = contact_of(&self.bodies, exact && parameters.is_some())?;
+        let Some(columns) = parameters.filter(|_| !exact) else {
+            return Ok(self.predict(&contact, branches, order, parameters)?);
+        };
+        let mut predicted = self.predict(&contact, branches, order, None)?;
+        predicted.derivatives = vec![0.0; predicted.values.len() * columns.len()];
+        for (column, &parameter) in columns.iter().enumerate() {
+            let values = |experiment: &Self, contact: &Contact| {
+                Ok(experiment.predict(contact, branches, order, None)?.values)
+            };
+            let by = self.differences(parameter, contact_of, values)?;
+            let rows = predicted.derivatives.chunks_exact_mut(columns.len());
+            for (row, by) in rows.zip(by) {
+                row[column] = by;
+            }
+        }
+        Ok(predicted)
+    }
+
+    /// Returns where a stable branch ends on unloading, with the derivatives of its abscissa. See
+    /// [`Experiment::branch_end`].
+    pub(crate) fn branch_end_with(
+        &self,
+        contact_of: &ContactOf<'_>,
+        branch: Branch,
+        columns: &[Parameter],
+    ) -> Result<Option<BranchEnd>, Error> {
+        let exact = self.bodies.has_derivatives();
+        let contact = contact_of(&self.bodies, exact)?;
+        if exact {
+            return Ok(self.branch_end(&contact, branch, columns)?);
+        }
+        let Some(mut end) = self.branch_end(&contact, branch, &[])? else {
+            return Ok(None);
+        };
+        let abscissa = |experiment: &Self, contact: &Contact| {
+            let end = experiment.branch_end(contact, branch, &[])?;
+            Ok(end.into_iter().map(|end| end.abscissa).collect())
+        };
+        for &parameter in columns {
+            let by = self.differences(parameter, contact_of, abscissa)?;
+            end.derivatives.push(by.first().copied().unwrap_or(0.0));
+        }
+        Ok(Some(end))
+    }
+
+    /// Returns the central differences of numbers, over that of a parameter. They are 0 for a work
+    /// of adhesion of 0, as the exact ones.
+    fn differences(
+        &self,
+        parameter: Parameter,
+        contact_of: &ContactOf<'_>,
+        numbers: impl Fn(&Self, &Contact) -> Result<Vec<f64>, Error>,
+    ) -> Result<Vec<f64>, Error> {
+        let value = self.get(parameter).unwrap_or(0.0);
+        let at = |value: f64| {
+            let mut moved = self.clone();
+            moved.replace(parameter, value)?;
+            let contact = contact_of(&moved.bodies, false)?;
+            numbers(&moved, &contact)
+        };
+        let ends = if parameter.is_positive() {
+            let step: f64 = if parameter.is_of_bodies() {
+                BODY_STEP
+            } else {
+                STEP
+            };
+            [-step, step].map(|step| value * step.exp())
+        } else {
+            let step = STEP * self.range_of(parameter);
+            [value - step, value + step]
+        };
+        let [before, after] = [at(ends[0])?, at(ends[1])?];
+        let width = ends[1] - ends[0];
+        let difference = |(before, after): (f64, f64)| {
+            if width > 0.0 {
+                (after - before) / width
+            } else {
+                0.0
+            }
+        };
+        Ok(before.into_iter().zip(after).map(difference).collect())
+    }
+
+    /// Returns the size of changes of a zero of the instrument: the range of the abscissae, of the
+    /// ordinates, or their ratio.
+    fn range_of(&self, parameter: Parameter) -> f64 {
+        let points = &self.measurement.points;
+        let range = |values: &mut dyn Iterator<Item = f64>| {
+            let [least, most] = values.fold([f64::INFINITY, f64::NEG_INFINITY], |[l, m], v| {
+                [l.min(v), m.max(v)]
+            });
+            if most > least { most - least } else { 1.0 }
+        };
+        let abscissae = range(&mut points.iter().map(|point| point.abscissa));
+        let ordinates = range(&mut points.iter().map(|point| point.ordinate));
+        match parameter {
+            Parameter::ContactPoint => abscissae,
+            Parameter::BaselineSlope => ordinates / abscissae,
+            _ => ordinates,
+        }
+    }
+}

@@ -1,0 +1,222 @@
+//! A probe on a stack of layers, whose contacts another crate computes.
+
+use std::fmt;
+use std::str::FromStr;
+
+use arrayvec::ArrayString;
+use interp::{Contact, Elastic, Probe};
+
+use super::{Kind, Measurement, Parameter};
+use crate::Error;
+
+/// The largest number of bytes of the name of a layer.
+const LONGEST_NAME: usize = 40;
+
+/// The factor by which the largest contact radius at a measured radius is exceeded, so that the
+/// slopes there are known.
+const MARGIN: f64 = 1.2;
+
+/// The contact radius over `sqrt(R D)` that no contact is expected to exceed on the way `D`, the
+/// range of the penetrations or heights. Of a thin incompressible layer on a rigid base without
+/// adhesion it is 2; JKR's contact at the end of a pull to the pull-off has 1.5.
+const WIDEST: f64 = 3.0;
+
+/// The name of a layer, with which its [parameters](Parameter) begin: `oxide.modulus`.
+///
+/// A name has 1 to 40 bytes. It has no comma and no equals sign, which separate settings of
+/// parameters, no control character, and no white space at its ends.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct LayerName(ArrayString<LONGEST_NAME>);
+
+impl LayerName {
+    /// Returns the name.
+    pub fn as_str(&self) -> &str {
+        &self.0
+    }
+}
+
+impl fmt::Debug for LayerName {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{:?}", self.as_str())
+    }
+}
+
+impl fmt::Display for LayerName {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.as_str())
+    }
+}
+
+impl FromStr for LayerName {
+    type Err = Error;
+
+    fn from_str(name: &str) -> Result<Self, Error> {
+        let is_plain = |c: char| !(c == ',' || c == '=' || c.is_control());
+        let is_allowed = !name.is_empty() && name.trim() == name && name.chars().all(is_plain);
+        let stored = ArrayString::from(name).ok().filter(|_| is_allowed);
+        stored
+            .map(Self)
+            .ok_or_else(|| Error::LayerName(name.to_owned()))
+    }
+}
+
+/// One layer.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Layer {
+    /// The name by which parameters call it: they set the values of all layers that have it. A
+    /// layer without a name is fixed.
+    pub name: Option<LayerName>,
+    /// The solid.
+    pub solid: Elastic,
+    /// The thickness, m.
+    pub thickness: f64,
+}
+
+/// Up to which contact radii the contacts on layers are needed, m.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Reach {
+    /// Contacts as wide as this one are needed.
+    pub needed: f64,
+    /// No contact is expected to be wider than this one. Contacts are computed so far where that
+    /// takes no long time.
+    pub expected: f64,
+}
+
+impl Reach {
+    /// Returns the reach that a measurement needs under a probe.
+    ///
+    /// At measured contact radii it is a little more than the largest of them. Against penetrations
+    /// or heights it is estimated from their range and from the radius of the probe.
+    /// A flat punch has one contact radius.
+    pub fn of(measurement: &Measurement, probe: &Probe) -> Self {
+        let up_to = |needed: f64| Self {
+            needed,
+            expected: needed,
+        };
+        if let Probe::FlatPunch { radius } = probe {
+            return up_to(MARGIN * radius);
+        }
+        let abscissae = measurement.points.iter().map(|point| point.abscissa);
+        let [least, most] = abscissae.fold([f64::INFINITY, f64::NEG_INFINITY], |[l, m], x| {
+            [l.min(x), m.max(x)]
+        });
+        let largest = probe.radius().unwrap_or(f64::INFINITY);
+        match measurement.kind {
+            Kind::LoadRadius | Kind::PenetrationRadius => up_to((MARGIN * most).min(largest)),
+            Kind::LoadPenetration | Kind::ForceHeight => Self {
+                needed: 0.0,
+                expected: (WIDEST * (largest * (most - least)).sqrt()).min(largest),
+            },
+        }
+    }
+}
+
+/// Why a contact on layers cannot be computed.
+pub type Cause = Box<dyn std::error::Error + Send + Sync>;
+
+/// A probe on a stack of layers on a base.
+///
+/// This crate has no solver for layers: `solver` makes the contact of these bodies, such as
+/// `tabulate::stack::solver`. The contact needs no derivatives, because those of a fit are
+/// differences of contacts.
+#[derive(Clone, Debug)]
+pub struct Layered {
+    /// The shape of the probe. `tabulate::stack::solver` takes [`Probe::Paraboloid`] and
+    /// [`Probe::FlatPunch`].
+    pub probe: Probe,
+    /// The reduced modulus `E2*` of the probe, Pa; infinity is rigid.
+    pub sphere_modulus: f64,
+    /// The base; with an infinite modulus it is rigid.
+    pub base: Elastic,
+    /// The layers, from the base up. The probe touches the last one.
+    pub layers: Vec<Layer>,
+    /// Up to which contact radii contacts are needed.
+    pub reach: Reach,
+    /// Makes the contact.
+    pub solver: fn(&Layered) -> Result<Contact, Cause>,
+}
+
+impl PartialEq for Layered {
+    /// Compares the bodies; two solvers of one body are taken to agree.
+    fn eq(&self, other: &Self) -> bool {
+        let numbers = |of: &Self| (of.sphere_modulus, of.base, of.reach);
+        numbers(self) == numbers(other) && self.layers == other.layers && self.probe == other.probe
+    }
+}
+
+impl Layered {
+    /// Returns the thickness of all layers, m.
+    pub fn thickness(&self) -> f64 {
+        self.layers.iter().map(|layer| layer.thickness).sum()
+    }
+
+    /// Returns the solid that the probe touches; the base where there is no layer.
+    pub fn surface(&self) -> Elastic {
+        self.layers.last().map_or(self.base, |layer| layer.solid)
+    }
+
+    /// Lists the parameters of the layers that have a name.
+    pub fn parameters(&self) -> Vec<Parameter> {
+        let names = self.layers.iter().filter_map(|layer| layer.name);
+        names
+            .flat_map(|name| {
+                [
+                    Parameter::LayerModulus(name),
+                    Parameter::LayerThickness(name),
+                ]
+            })
+            .collect()
+    }
+
+    /// Returns the layer with a name.
+    pub(crate) fn layer(&self, name: LayerName) -> Option<&Layer> {
+        self.layers.iter().find(|layer| layer.name == Some(name))
+    }
+
+    /// Replaces the value of a parameter of the bodies. Other parameters change nothing.
+    pub(crate) fn set(&mut self, parameter: Parameter, value: f64) -> Result<(), interp::Error> {
+        let of = |name: LayerName| move |layer: &&mut Layer| layer.name == Some(name);
+        match parameter {
+            Parameter::SphereModulus => self.sphere_modulus = value,
+            Parameter::LayerModulus(name) => {
+                for layer in self.layers.iter_mut().filter(of(name)) {
+                    layer.solid = Elastic::new(value, layer.solid.poisson())?;
+                }
+            }
+            Parameter::LayerThickness(name) => {
+                for layer in self.layers.iter_mut().filter(of(name)) {
+                    layer.thickness = value;
+                }
+            }
+            _ => {}
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_that_settings_cannot_hold_are_refused() {
+        let long = "x".repeat(LONGEST_NAME + 1);
+        for name in ["", " oxide", "a,b", "a=b", "a\nb", &long] {
+            let error = name.parse::<LayerName>().expect_err("refused").to_string();
+            assert!(error.contains("1 to 40 bytes"), "{error}");
+        }
+        for name in ["oxide", "silicon dioxide", "Al2O3 (ALD).1", &long[1..]] {
+            let layer: LayerName = name.parse().expect("a name");
+            assert_eq!(layer.as_str(), name);
+            for parameter in [
+                Parameter::LayerModulus(layer),
+                Parameter::LayerThickness(layer),
+            ] {
+                assert_eq!(
+                    parameter.name().parse::<Parameter>().expect("its name"),
+                    parameter
+                );
+            }
+        }
+    }
+}

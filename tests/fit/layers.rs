@@ -1,0 +1,524 @@
+//! Fits of contacts on stacks of layers.
+
+use acceptance::{assert_names, larger};
+use fit::{
+    Bodies, Experiment, Fit, Free, Kind, Layer, LayerName, Layered, Loss, Options, Parameter,
+    Reach, WarningKind,
+};
+use interp::{Elastic, Probe, System, Table};
+use rayon::prelude::*;
+
+use crate::imagined::{Course, Imagined, measurement, solid};
+
+fn named(name: &str) -> LayerName {
+    name.parse().expect("a name")
+}
+
+fn layer(name: &str, solid: Elastic, thickness: f64) -> Layer {
+    Layer {
+        name: Some(named(name)),
+        solid,
+        thickness,
+    }
+}
+
+/// Puts a sphere on layers on a base.
+fn on_layers(system: &System, layers: &[Layer]) -> Bodies {
+    Bodies::Layered(Layered {
+        probe: system.probe.clone(),
+        sphere_modulus: system.sphere_modulus,
+        base: system.substrate,
+        layers: layers.to_vec(),
+        reach: Reach {
+            needed: 0.0,
+            expected: 0.0,
+        },
+        solver: tabulate::stack::solver,
+    })
+}
+
+/// A lens on an elastomer on a softer primer on silicon.
+fn lens(free: &[Parameter]) -> Imagined {
+    let mut lens = Imagined::lens(Kind::LoadRadius, 10e-6, 5e-6, free);
+    let Bodies::Coated(system) = &lens.truth.bodies else {
+        unreachable!("a lens is on a film")
+    };
+    let primer = layer("primer", solid(5e5, 0.5), 4e-6);
+    let elastomer = layer("elastomer", solid(3.5e6, 0.5), 6e-6);
+    lens.truth.bodies = on_layers(system, &[primer, elastomer]);
+    lens
+}
+
+/// A rigid colloidal probe on a gel on a stiffer primer on glass.
+fn probe(course: Course, work_of_adhesion: f64, free: &[Parameter]) -> Imagined {
+    let mut probe = Imagined::probe(course, work_of_adhesion, free);
+    let Bodies::Coated(system) = &probe.truth.bodies else {
+        unreachable!("a gel is on glass")
+    };
+    let primer = layer("primer", solid(1e5, 0.4), 3e-6);
+    let gel = layer("gel", system.film, 5e-6);
+    probe.truth.bodies = on_layers(system, &[primer, gel]);
+    probe
+}
+
+/// Gives the contacts on layers the reach that the measurement needs.
+fn with_reach(mut experiment: Experiment) -> Experiment {
+    if let Bodies::Layered(layered) = &mut experiment.bodies {
+        layered.reach = Reach::of(&experiment.measurement, &layered.probe);
+    }
+    experiment
+}
+
+fn fit_of(experiment: Experiment, imagined: &Imagined) -> Fit {
+    let options = Options {
+        loss: imagined.loss,
+        ..Options::default()
+    };
+    let experiments = [with_reach(experiment)];
+    fit::fit(Table::embedded(), &experiments, &imagined.free, &options).expect("sound data")
+}
+
+/// Fits 50 data sets, and asserts that the intervals of 68 % and 95 % hold the truth as often as
+/// they should, that all fits converge, and that none has another warning than those expected.
+fn recover(name: &str, imagined: &Imagined, expected: &[WarningKind]) {
+    const SETS: u64 = 50;
+    /// The numbers of 50 that a binomial distribution with 0.6827 and 0.95 exceeds on either side
+    /// once in 20,000 times.
+    const BETWEEN: [[usize; 2]; 2] = [[20, 46], [40, 50]];
+    let exact = imagined.exact();
+    let fits: Vec<Fit> = (0..SETS)
+        .into_par_iter()
+        .map(|seed| fit_of(imagined.measured(&exact, seed), imagined))
+        .collect();
+    for (i, estimate) in fits[0].estimates.iter().enumerate() {
+        let truth = imagined.truth.get(estimate.parameter).expect("a value");
+        let relative = estimate.standard_error / truth.abs();
+        for (z, [least, most]) in [1.0, 1.96].into_iter().zip(BETWEEN) {
+            let holds = |fit: &&Fit| {
+                let [low, high] = fit.estimates[i].interval(z);
+                (low..=high).contains(&truth)
+            };
+            let covered = fits.iter().filter(holds).count();
+            let parameter = estimate.parameter;
+            println!("{name}: {parameter} {relative:.1e}, {covered} of {SETS} within {z} errors");
+            assert!(
+                (least..=most).contains(&covered),
+                "{name}, {parameter}: {covered} of {SETS}, not {least} to {most}"
+            );
+        }
+    }
+    let all = fits.iter().flat_map(|fit| &fit.warnings);
+    let unexpected: Vec<_> = all.filter(|one| !expected.contains(&one.kind)).collect();
+    assert!(unexpected.is_empty(), "{name}: {unexpected:?}");
+    assert!(fits.iter().all(|fit| fit.converged), "{name}");
+}
+
+#[test]
+fn the_modulus_of_a_buried_layer_is_found() {
+    let free = [
+        Parameter::LayerModulus(named("primer")),
+        Parameter::WorkOfAdhesion,
+    ];
+    recover(
+        "lens, primer's modulus",
+        &lens(&free),
+        &[WarningKind::LargeStrain],
+    );
+}
+
+#[test]
+fn the_thickness_of_a_layer_is_found_from_a_force_curve() {
+    let free = [
+        Parameter::LayerThickness(named("gel")),
+        Parameter::WorkOfAdhesion,
+        Parameter::ContactPoint,
+        Parameter::Baseline,
+    ];
+    let probe = probe(Course::Retract, 2e-4, &free);
+    recover(
+        "probe, gel's thickness",
+        &probe,
+        &[WarningKind::LargeStrain],
+    );
+}
+
+#[test]
+fn sphere_and_layer_are_found_together() {
+    let free = [
+        Parameter::SphereModulus,
+        Parameter::LayerModulus(named("elastomer")),
+        Parameter::WorkOfAdhesion,
+    ];
+    let mut lens = lens(&free);
+    lens.noise = 2e-7;
+    recover(
+        "lens, sphere and elastomer",
+        &lens,
+        &[WarningKind::LargeStrain],
+    );
+}
+
+/// The film of an imagined experiment as a stack of one layer.
+fn as_one_layer(imagined: &Imagined) -> Imagined {
+    let Bodies::Coated(system) = &imagined.truth.bodies else {
+        unreachable!("a film")
+    };
+    let mut layered = imagined.clone();
+    let film = layer("film", system.film, system.film_thickness);
+    layered.truth.bodies = on_layers(system, &[film]);
+    for free in &mut layered.free {
+        free.parameter = match free.parameter {
+            Parameter::FilmModulus => Parameter::LayerModulus(named("film")),
+            Parameter::FilmThickness => Parameter::LayerThickness(named("film")),
+            other => other,
+        };
+    }
+    layered
+}
+
+#[test]
+fn one_layer_gives_the_fit_of_the_film() {
+    use Parameter::{
+        Baseline, ContactPoint, FilmModulus, FilmThickness, SphereModulus, WorkOfAdhesion,
+        WorkOfAdhesionReceding,
+    };
+    let mut hysteretic = Imagined::probe(
+        Course::Cycle,
+        1e-4,
+        &[
+            FilmModulus,
+            WorkOfAdhesion,
+            WorkOfAdhesionReceding,
+            ContactPoint,
+            Baseline,
+        ],
+    );
+    hysteretic.truth.work_of_adhesion_receding = Some(4e-4);
+    let of_lens = |free: &[Parameter]| Imagined::lens(Kind::LoadRadius, 100e-6, 5e-7, free);
+    let cases = [
+        of_lens(&[SphereModulus, FilmModulus, WorkOfAdhesion]),
+        of_lens(&[FilmThickness, WorkOfAdhesion]),
+        hysteretic,
+    ];
+    for imagined in cases {
+        let layered = as_one_layer(&imagined);
+        let exact = imagined.exact();
+        let film = fit_of(imagined.measured(&exact, 1), &imagined);
+        let stack = fit_of(layered.measured(&exact, 1), &layered);
+        assert!(film.converged && stack.converged);
+        for (film, stack) in film.estimates.iter().zip(&stack.estimates) {
+            let off = (film.value - stack.value).abs() / film.standard_error;
+            let errors = (film.standard_error / stack.standard_error - 1.0).abs();
+            println!(
+                "{}: {off:.1e} standard errors, which differ by {errors:.1e}",
+                stack.parameter
+            );
+            // The table that the film is looked up in has an error of 7e-7.
+            assert!(
+                off < 1e-2 && errors < 1e-2,
+                "{}: {off}, {errors}",
+                stack.parameter
+            );
+        }
+        assert_eq!(
+            film.warnings.iter().map(|one| one.kind).collect::<Vec<_>>(),
+            stack
+                .warnings
+                .iter()
+                .map(|one| one.kind)
+                .collect::<Vec<_>>()
+        );
+    }
+}
+
+#[test]
+fn differences_are_the_derivatives_of_the_film() {
+    use Parameter::{
+        Baseline, BaselineSlope, ContactPoint, FilmModulus, FilmThickness, LoadOffset, Stiffness,
+        WorkOfAdhesion,
+    };
+    let parameters = [
+        FilmModulus,
+        FilmThickness,
+        WorkOfAdhesion,
+        LoadOffset,
+        ContactPoint,
+        Baseline,
+        BaselineSlope,
+        Stiffness,
+    ];
+    let imagined = Imagined::probe(Course::Retract, 2e-4, &parameters);
+    let layered = as_one_layer(&imagined);
+    let prediction = |imagined: &Imagined| {
+        let mut experiment = imagined.truth.clone();
+        experiment.measurement = imagined.exact();
+        let free: Vec<Parameter> = imagined.free.iter().map(|one| one.parameter).collect();
+        let experiment = with_reach(experiment);
+        experiment
+            .predictions(Table::embedded(), None, &free)
+            .expect("in range")
+    };
+    let [film, stack] = [&imagined, &layered].map(prediction);
+    assert_eq!(film.branches, stack.branches);
+    let width = parameters.len();
+    for (k, parameter) in parameters.into_iter().enumerate() {
+        let column =
+            |of: &[f64]| -> Vec<f64> { of.iter().skip(k).step_by(width).copied().collect() };
+        let [exact, differences] = [&film, &stack].map(|of| column(&of.derivatives));
+        // The last contacts are so close to the end of the branch that derivatives grow without
+        // limit there.
+        let [contacts, _] = imagined.points;
+        let is_clear = |i: &usize| !(contacts - 10..contacts).contains(i);
+        let points = (0..exact.len()).filter(is_clear);
+        let points = points.map(|i| (exact[i], differences[i]));
+        let scale = points
+            .clone()
+            .map(|(exact, _)| exact.abs())
+            .fold(0.0, larger);
+        let error = points.map(|(a, b)| (a - b).abs() / scale).fold(0.0, larger);
+        println!("{parameter}: {error:.1e}");
+        assert!(
+            scale > 0.0 && error < 1e-4,
+            "{parameter}: {error:e} of {scale:e}"
+        );
+    }
+}
+
+#[test]
+fn a_planned_experiment_on_layers_has_the_errors_of_its_fit() {
+    let free = [
+        Parameter::LayerThickness(named("primer")),
+        Parameter::WorkOfAdhesion,
+    ];
+    let lens = lens(&free);
+    let mut experiment = lens.truth.clone();
+    experiment.measurement = lens.exact();
+    experiment.noise = Some(lens.noise);
+    let experiment = with_reach(experiment);
+    let expected = fit::forecast(Table::embedded(), &[experiment], &lens.free).expect("sound");
+    let found = fit_of(lens.measured(&lens.exact(), 3), &lens);
+    for (expected, found) in expected.estimates.iter().zip(&found.estimates) {
+        let ratio = expected.standard_error / found.standard_error;
+        println!("{}: {ratio:.3}", expected.parameter);
+        // The fit has the derivatives at the values that it finds, not at the true ones.
+        assert!(
+            (0.8..1.25).contains(&ratio),
+            "{}: {ratio}",
+            expected.parameter
+        );
+    }
+}
+
+#[test]
+fn without_the_layers_the_sphere_touches_the_base() {
+    let lens = lens(&[Parameter::SphereModulus, Parameter::WorkOfAdhesion]);
+    let found = fit_of(lens.measured(&lens.exact(), 1), &lens);
+    let modulus = found
+        .without_film
+        .expect("a half-space")
+        .modulus
+        .expect("a modulus");
+    assert_eq!(modulus.parameter, Parameter::SphereModulus);
+    assert!(modulus.relative < -0.02 && modulus.matters(), "{modulus:?}");
+}
+
+#[test]
+fn what_layers_do_not_have_is_named() {
+    let lens = lens(&[Parameter::WorkOfAdhesion]);
+    let experiment = with_reach(lens.measured(&lens.exact(), 1));
+    let refused = |experiment: &Experiment, free: Parameter| {
+        let free = [Free::new(free)];
+        let experiments = [experiment.clone()];
+        fit::fit(Table::embedded(), &experiments, &free, &Options::default())
+            .expect_err("refused")
+            .to_string()
+    };
+    let all = [
+        "primer.modulus",
+        "primer.thickness",
+        "elastomer.modulus",
+        "elastomer.thickness",
+    ];
+    let message = refused(&experiment, Parameter::LayerModulus(named("oxide")));
+    assert_names(
+        &message,
+        &[&["oxide.modulus", "no such layer"][..], &all].concat(),
+    );
+    let message = refused(&experiment, Parameter::FilmThickness);
+    assert_names(
+        &message,
+        &[&["film-thickness", "instead of one film"][..], &all].concat(),
+    );
+    let mut on_film = experiment.clone();
+    on_film.bodies = Imagined::lens(Kind::LoadRadius, 1e-5, 5e-6, &[])
+        .truth
+        .bodies;
+    let message = refused(&on_film, Parameter::LayerModulus(named("oxide")));
+    assert_names(&message, &["oxide.modulus", "no stack of layers"]);
+    let mut set = experiment;
+    let error = set.set(Parameter::LayerThickness(named("oxide")), 1e-6);
+    assert_names(
+        &error.expect_err("refused").to_string(),
+        &["oxide", "no such layer"],
+    );
+    let error = "oxide.poisson"
+        .parse::<Parameter>()
+        .expect_err("no parameter");
+    assert_names(&error.to_string(), &["oxide.poisson", "LAYER.modulus"]);
+}
+
+#[test]
+fn layers_that_cannot_be_solved_are_named() {
+    let lens = lens(&[Parameter::WorkOfAdhesion]);
+    let sound = with_reach(lens.measured(&lens.exact(), 1));
+    let refused = |name: &str, is_modulus: bool, value: f64| {
+        let mut experiment = sound.clone();
+        let parameter = if is_modulus {
+            Parameter::LayerModulus(named(name))
+        } else {
+            Parameter::LayerThickness(named(name))
+        };
+        experiment.set(parameter, value).expect("a number");
+        fit::fit(
+            Table::embedded(),
+            &[experiment],
+            &lens.free,
+            &Options::default(),
+        )
+        .expect_err("refused")
+        .to_string()
+    };
+    let message = refused("primer", false, -1e-6);
+    assert_names(&message, &["layer primer", "-1e-6", "> 0 and finite"]);
+    let message = refused("primer", true, f64::INFINITY);
+    assert_names(&message, &["layer primer", "inf", "must be finite"]);
+    let message = refused("elastomer", true, 1e18);
+    assert_names(&message, &["layer elastomer", "1e9 times"]);
+    // A top layer of 10 nm under contacts of 130 um.
+    let message = refused("elastomer", false, 1e-8);
+    assert_names(&message, &["out of reach", "top layer"]);
+}
+
+#[test]
+fn bounds_priors_and_robust_losses_hold_for_layers() {
+    let primer = Parameter::LayerModulus(named("primer"));
+    let mut lens = lens(&[primer, Parameter::WorkOfAdhesion]);
+    lens.outliers = true;
+    lens.loss = Loss::HUBER;
+    let robust = fit_of(lens.measured(&lens.exact(), 2), &lens);
+    let truth = 5e5;
+    let found = *robust.estimate(primer).expect("it is free");
+    assert!(robust.converged && robust.warns_of(WarningKind::Outliers));
+    assert!(
+        (found.value - truth).abs() < 4.0 * found.standard_error,
+        "{found:?}"
+    );
+    lens.outliers = false;
+    lens.loss = Loss::Squares;
+    lens.free[0] = Free::new(primer).within(6e5, 2e6);
+    let bounded = fit_of(lens.measured(&lens.exact(), 2), &lens);
+    assert!(
+        bounded.warns_of(WarningKind::AtBound),
+        "{:?}",
+        bounded.warnings
+    );
+    lens.free[0] = Free::new(primer).with_prior(5.5e5, 1e2);
+    let known = fit_of(lens.measured(&lens.exact(), 2), &lens);
+    let known = known.estimate(primer).expect("it is free");
+    assert!((known.value / 5.5e5 - 1.0).abs() < 1e-3 && known.standard_error < 1.1e2);
+}
+
+#[test]
+fn contacts_are_made_as_far_as_the_data_need_them() {
+    let probe = Probe::Paraboloid { radius: 1e-3 };
+    let point = |abscissa: f64| fit::Point {
+        line: 1,
+        abscissa,
+        ordinate: 0.0,
+        direction: None,
+    };
+    let of = |kind, abscissae: &[f64]| {
+        let points = abscissae.iter().copied().map(point).collect();
+        Reach::of(&measurement(kind, points), &probe)
+    };
+    let radii = of(Kind::LoadRadius, &[1e-5, 1e-4]);
+    assert_eq!((radii.needed, radii.expected), (1.2e-4, 1.2e-4));
+    let most = of(Kind::LoadRadius, &[9e-4]);
+    assert_eq!(most.needed, 1e-3);
+    let path = of(Kind::LoadPenetration, &[-1e-6, 3e-6]);
+    assert_eq!(path.needed, 0.0);
+    assert!((path.expected - 3.0 * 4e-9_f64.sqrt()).abs() < 1e-12);
+}
+
+#[test]
+fn a_cone_on_layers_is_refused() {
+    let lens = lens(&[Parameter::WorkOfAdhesion]);
+    let mut experiment = with_reach(lens.measured(&lens.exact(), 1));
+    let Bodies::Layered(layered) = &mut experiment.bodies else {
+        unreachable!("a lens on layers")
+    };
+    layered.probe = Probe::Cone { half_angle: 1.4 };
+    let error = fit::fit(
+        Table::embedded(),
+        &[experiment],
+        &lens.free,
+        &Options::default(),
+    );
+    let message = error.expect_err("refused").to_string();
+    assert_names(&message, &["stack", "Paraboloid"]);
+}
+
+#[test]
+fn a_punch_on_one_layer_has_the_loads_on_the_film() {
+    let mut film = crate::imagined::gel();
+    film.probe = Probe::FlatPunch { radius: 8e-6 };
+    let gel = layer("gel", film.film, film.film_thickness);
+    let point = |abscissa: f64| fit::Point {
+        line: 1,
+        abscissa,
+        ordinate: 0.0,
+        direction: None,
+    };
+    let points = [1e-7, 1.5e-6].map(point).to_vec();
+    let predicted = |bodies: Bodies| {
+        let measurement = measurement(Kind::LoadPenetration, points.clone());
+        let experiment = with_reach(Experiment::new(measurement, bodies));
+        let predicted = experiment.predictions(Table::embedded(), None, &[]);
+        predicted.expect("in range").ordinates
+    };
+    let on_layer = predicted(on_layers(&film, &[gel]));
+    for (film, layer) in predicted(Bodies::Coated(film)).into_iter().zip(on_layer) {
+        let error = (layer / film - 1.0).abs();
+        println!("{error:.1e}");
+        // The table that the film is looked up in has an error of 7e-7.
+        assert!(film > 0.0 && error < 2e-6, "{film:e} {layer:e}");
+    }
+}
+
+#[test]
+fn lenses_on_two_coatings_tell_the_modulus_of_their_primer() {
+    let primer = Parameter::LayerModulus(named("primer"));
+    let lens = lens(&[primer, Parameter::WorkOfAdhesion]);
+    let (thin, mut thick) = (lens.clone(), lens.clone());
+    let thickness = Parameter::LayerThickness(named("elastomer"));
+    thick.truth.set(thickness, 1e-5).expect("a layer");
+    let experiments = [&thin, &thick].map(|lens| with_reach(lens.measured(&lens.exact(), 5)));
+    let found = fit::fit(
+        Table::embedded(),
+        &experiments,
+        &lens.free,
+        &Options::default(),
+    )
+    .expect("sound data");
+    assert!(found.converged && found.estimates.len() == 2);
+    let both = *found.estimate(primer).expect("it is free");
+    assert!(
+        (both.value - 5e5).abs() < 4.0 * both.standard_error,
+        "{both:?}"
+    );
+    let [thin, _] = experiments;
+    let alone = fit::fit(Table::embedded(), &[thin], &lens.free, &Options::default());
+    let alone = alone.expect("sound data");
+    let alone = alone.estimate(primer).expect("it is free");
+    assert!(both.standard_error < alone.standard_error);
+}
