@@ -178,6 +178,21 @@ pub enum Error {
         /// The modulus that would normalise the result of the query.
         query: &'static str,
     },
+    /// A lookup of one film in a table of one stack of layers.
+    #[error(
+        "the table is of one stack of layers under spheres of any modulus, and the question is about one \
+         film on a substrate: look the stack up with `tabulate::table::StackTable` or \
+         `Table::stack_curve`, or use a table of films, as `Table::embedded` or `embedded` on the \
+         command line"
+    )]
+    OfStack,
+    /// A lookup of a stack of layers in a table of films.
+    #[error(
+        "the table is of films on substrates, and the question is about a stack of layers: make the \
+         table of a scene with a [stack] by `tabulate generate`, or solve the stack with \
+         `tabulate solve --stack`"
+    )]
+    NotOfStack,
     /// A curve made for another material than the system's.
     #[error(
         "the curve was made for {}, the system has {}: make the curve for `System::material`",

@@ -126,11 +126,14 @@ impl Curve {
     /// `compressibility` is the ratio of stiffnesses of
     /// [`FilmValidity::compressibility`](crate::FilmValidity::compressibility) over `(a/t)^2`, with
     /// the thickness `t` of all layers. It replaces the formula for one film; nothing else that a
-    /// contact answers needs more than the quantities, the material and `t`.
+    /// contact answers needs more than the quantities, the material and `t`. The curve has no
+    /// expansions beyond its nodes, and answers only the quantities that it holds, because the
+    /// expansions are those of one film.
     #[must_use]
     pub fn of_stack(self, compressibility: f64) -> Self {
         Self {
             stack_compressibility: Some(compressibility),
+            start_error: None,
             ..self
         }
     }
@@ -499,8 +502,9 @@ impl Curve {
     fn expanded(&self, x: f64) -> Result<Expansion, Error> {
         let [from, to] = self.range;
         let known = self.accuracy.filter(|accuracy| accuracy.error.is_finite());
-        let (Some(Accuracy { error, tolerance }), true) = (known, x > 0.0 && x < f64::INFINITY)
-        else {
+        let is_expandable =
+            x > 0.0 && x < f64::INFINITY && self.stack_compressibility.is_none();
+        let (Some(Accuracy { error, tolerance }), true) = (known, is_expandable) else {
             return Err(self.outside(x));
         };
         let edge = |a_over_t: f64| -> Result<Edge, Error> {

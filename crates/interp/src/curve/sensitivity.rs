@@ -207,7 +207,10 @@ impl QuantityGradient {
     pub fn by(&self, parameter: Parameter) -> Result<Quantities, Error> {
         let unknown = Error::FixedParameter(parameter.name());
         let (index, modulus) = match parameter {
-            Parameter::AOverT | Parameter::E1sOverEinfs | Parameter::E0sOverE2s => {
+            Parameter::AOverT
+            | Parameter::E1sOverEinfs
+            | Parameter::E0sOverE2s
+            | Parameter::E0OverE1 => {
                 return Err(unknown);
             }
             Parameter::E1OverE2 if self.material.e1_over_e2() == 0.0 => return Err(unknown),

@@ -336,7 +336,8 @@ impl Equivalence {
     /// ratios of moduli.
     pub(crate) fn jacobian(&self, parameters: [Parameter; 3]) -> Jacobian {
         parameters.map(|parameter| match parameter {
-            Parameter::AOverT => [0.0; 4],
+            // The second is an axis of stacks alone, which have no derivatives.
+            Parameter::AOverT | Parameter::E0OverE1 => [0.0; 4],
             Parameter::E1OverE2 => self.rows[0],
             Parameter::Nu1 => self.rows[1],
             Parameter::E0OverE2 => self.rows[2],

@@ -5,7 +5,7 @@
 /// A [`Material`](crate::Material) has the parameters [`E1OverE2`](Self::E1OverE2),
 /// [`Nu1`](Self::Nu1) and [`E0OverE2`](Self::E0OverE2). The axes of a table are
 /// [`Parameter::ALL`], or [`Parameter::REDUCED`] with the ratios of reduced moduli in which limits
-/// are ordinary points.
+/// are ordinary points, or [`Parameter::STACK`] for one stack of layers.
 #[derive(
     Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, serde::Serialize, serde::Deserialize,
 )]
@@ -24,6 +24,9 @@ pub enum Parameter {
     /// `E0*/E2*`: reduced modulus of the substrate over that of the sphere; 0 is a rigid sphere,
     /// infinity a rigid substrate.
     E0sOverE2s,
+    /// `E0/E1`: Young's modulus of the base of a stack of layers over that of its top layer;
+    /// infinity is a rigid base.
+    E0OverE1,
 }
 
 impl Parameter {
@@ -39,6 +42,13 @@ impl Parameter {
         Self::Nu1,
         Self::E0sOverE2s,
     ];
+
+    /// The parameters of a table of one stack of layers under spheres of any modulus, in the order
+    /// of the dimensions of a table.
+    ///
+    /// `a/t` has the thickness of all layers, and `E1` and `nu1` are those of the top layer. The
+    /// last two have one node each. The layers below are in the scene of the table.
+    pub const STACK: [Self; 4] = [Self::AOverT, Self::E1OverE2, Self::Nu1, Self::E0OverE1];
 
     /// Where the coordinate of `E1*/Einf*` ends to be logarithmic. Below, sphere and substrate are
     /// nearly rigid at any `a/t` up to 1e3: an incompressible film feels their compliance where
@@ -60,7 +70,7 @@ impl Parameter {
             Self::AOverT => 0,
             Self::E1OverE2 | Self::E1sOverEinfs => 1,
             Self::Nu1 => 2,
-            Self::E0OverE2 | Self::E0sOverE2s => 3,
+            Self::E0OverE2 | Self::E0sOverE2s | Self::E0OverE1 => 3,
         }
     }
 
@@ -73,6 +83,7 @@ impl Parameter {
             Self::E0OverE2 => "e0_over_e2",
             Self::E1sOverEinfs => "e1s_over_einfs",
             Self::E0sOverE2s => "e0s_over_e2s",
+            Self::E0OverE1 => "e0_over_e1",
         }
     }
 
@@ -96,6 +107,10 @@ impl Parameter {
                 "reduced modulus E0* of the substrate over that of the sphere, E2* \
                  (0: rigid sphere, inf: rigid substrate)"
             }
+            Self::E0OverE1 => {
+                "Young's modulus of the base of a stack of layers over that of its top layer \
+                 (inf: rigid base); film: top layer, film thickness: that of all layers"
+            }
         }
     }
 
@@ -103,7 +118,7 @@ impl Parameter {
     /// attribute `scale`.
     pub const fn scale(self) -> &'static str {
         match self {
-            Self::AOverT | Self::E1OverE2 | Self::E0OverE2 => "logarithmic",
+            Self::AOverT | Self::E1OverE2 | Self::E0OverE2 | Self::E0OverE1 => "logarithmic",
             Self::Nu1 => "-(1 - 2 nu1 + 1e-6)^(1/8)",
             Self::E1sOverEinfs => "ln(e1s_over_einfs + 1e-10)",
             Self::E0sOverE2s => "ln((e0s_over_e2s + 1e-11)/(1 + 1e-11 e0s_over_e2s))",
@@ -119,7 +134,7 @@ impl Parameter {
     /// smooth functions of `E1*/Einf*` at 0, and of `E0*/E2*` and its inverse at 0.
     pub fn coordinate(self, value: f64) -> f64 {
         match self {
-            Self::AOverT | Self::E1OverE2 | Self::E0OverE2 => value.ln(),
+            Self::AOverT | Self::E1OverE2 | Self::E0OverE2 | Self::E0OverE1 => value.ln(),
             Self::Nu1 => -(1.0 - 2.0 * value + Self::NU1_END).powf(0.125),
             Self::E1sOverEinfs => (value + Self::E1S_END).ln(),
             // Both forms are exact at their end.
@@ -136,9 +151,11 @@ impl Parameter {
     /// `coordinate`.
     pub fn speed(self, coordinate: f64) -> f64 {
         match self {
-            Self::AOverT | Self::E1OverE2 | Self::E0OverE2 | Self::E1sOverEinfs => {
-                (-coordinate).exp()
-            }
+            Self::AOverT
+            | Self::E1OverE2
+            | Self::E0OverE2
+            | Self::E1sOverEinfs
+            | Self::E0OverE1 => (-coordinate).exp(),
             Self::Nu1 => -0.25 / coordinate.powi(7),
             Self::E0sOverE2s => {
                 let value = self.value(coordinate);
@@ -162,7 +179,7 @@ impl Parameter {
     /// Returns the value with this `coordinate`: the inverse of [`Parameter::coordinate`].
     pub fn value(self, coordinate: f64) -> f64 {
         match self {
-            Self::AOverT | Self::E1OverE2 | Self::E0OverE2 => coordinate.exp(),
+            Self::AOverT | Self::E1OverE2 | Self::E0OverE2 | Self::E0OverE1 => coordinate.exp(),
             Self::Nu1 => 0.5 * (1.0 + Self::NU1_END - coordinate.powi(8)),
             Self::E1sOverEinfs => (coordinate.exp() - Self::E1S_END).max(0.0),
             // From the end that is nearer, so that the difference is exact there.

@@ -22,22 +22,31 @@ impl Axes {
     /// Accepts nodes that splines can interpolate.
     ///
     /// # Errors
-    /// [`Error::Malformed`] for parameters that are neither [`Parameter::ALL`] nor
-    /// [`Parameter::REDUCED`], or an axis that is empty, does not ascend, holds a value outside
+    /// [`Error::Malformed`] for parameters that are none of [`Parameter::ALL`],
+    /// [`Parameter::REDUCED`] and [`Parameter::STACK`], or an axis that is empty, does not ascend, holds a value outside
     /// physics, or has two nodes too close for a spline.
     pub(crate) fn new(axes: [(Parameter, Vec<f64>); 4]) -> Result<Self, Error> {
         let parameters = axes.each_ref().map(|(parameter, _)| *parameter);
-        if ![Parameter::ALL, Parameter::REDUCED].contains(&parameters) {
+        if ![Parameter::ALL, Parameter::REDUCED, Parameter::STACK].contains(&parameters) {
             let names = |parameters: [Parameter; 4]| parameters.map(Parameter::name).join(", ");
             return Err(Error::Malformed(format!(
-                "its axes are {}; they must be {} or {}",
+                "its axes are {}; they must be {}, {} or {}",
                 names(parameters),
                 names(Parameter::ALL),
-                names(Parameter::REDUCED)
+                names(Parameter::REDUCED),
+                names(Parameter::STACK)
             )));
         }
         for (parameter, nodes) in &axes {
             check(*parameter, nodes)?;
+        }
+        if let [_, _, (_, nu1), (Parameter::E0OverE1, _)] = &axes
+            && nu1.len() > 1
+        {
+            return Err(Error::Malformed(format!(
+                "axis nu1 has {} nodes, it must have 1 in a table of one stack of layers",
+                nu1.len()
+            )));
         }
         Ok(Self {
             parameters,
@@ -137,6 +146,44 @@ impl Axes {
         ])
     }
 
+    /// Returns whether these are the axes of a table of one stack of layers.
+    pub(crate) fn are_of_stack(&self) -> bool {
+        self.parameters == Parameter::STACK
+    }
+
+    /// Returns the coordinates of a stack of layers under a sphere, along the axes of
+    /// [`Self::of_material`], and the material of its top layer and base, with `nu0` of the base.
+    /// The axes are those of a stack.
+    ///
+    /// # Errors
+    /// [`Error::Unphysical`]; [`Error::Normalisation`] and [`Error::OutsideTable`] as
+    /// [`Self::locate`].
+    pub(crate) fn locate_sphere(
+        &self,
+        e1_over_e2: f64,
+        nu0: f64,
+    ) -> Result<(Material, [f64; 3]), Error> {
+        let [film, nu1, base] = self.of_material();
+        let [nu1_value, ratio] = [nu1, base].map(|parameter| self.ends(parameter)[0]);
+        // Under a rigid sphere a material holds `E0/E1` itself.
+        let base_value = if e1_over_e2 == 0.0 {
+            ratio
+        } else {
+            ratio * e1_over_e2
+        };
+        let material = Material::new(e1_over_e2, nu1_value, base_value, nu0)?;
+        let (table, query) = (self.unit(), material.normalisation().symbol());
+        if table != query {
+            return Err(Error::Normalisation { table, query });
+        }
+        let coordinates = [
+            self.coordinate(film, e1_over_e2)?,
+            nu1.coordinate(nu1_value),
+            base.coordinate(ratio),
+        ];
+        Ok((material, coordinates))
+    }
+
     /// Returns the coordinate of a value, which may be beyond an end by rounding.
     fn coordinate(&self, parameter: Parameter, value: f64) -> Result<f64, Error> {
         let [from, to] = self.ends(parameter);
@@ -204,6 +251,9 @@ fn check(parameter: Parameter, nodes: &[f64]) -> Result<(), Error> {
         Parameter::E0OverE2 => {
             REASONABLE.contains(&node) || (node == f64::INFINITY && nodes.len() == 1)
         }
+        Parameter::E0OverE1 => {
+            nodes.len() == 1 && (REASONABLE.contains(&node) || node == f64::INFINITY)
+        }
         Parameter::E1sOverEinfs => REASONABLE.contains(&node) || node == 0.0,
         Parameter::E0sOverE2s => REASONABLE.contains(&node) || node == 0.0 || node == f64::INFINITY,
     };
@@ -213,6 +263,7 @@ fn check(parameter: Parameter, nodes: &[f64]) -> Result<(), Error> {
             Parameter::E1OverE2 => "in [1e-30, 1e30], or 0 as the only node",
             Parameter::Nu1 => "in (-1, 0.5]",
             Parameter::E0OverE2 => "in [1e-30, 1e30], or inf as the only node",
+            Parameter::E0OverE1 => "one number in [1e-30, 1e30], or inf",
             Parameter::E1sOverEinfs => "in [1e-30, 1e30], or 0",
             Parameter::E0sOverE2s => "in [1e-30, 1e30], 0 or inf",
         };

@@ -80,11 +80,11 @@ impl Table {
             .group(AXES)
             .and_then(|group| group.datasets())
             .map_err(malformed)?;
-        let is_reduced = names
-            .iter()
-            .any(|name| name == Parameter::E1sOverEinfs.name());
-        let mut axes = if is_reduced {
+        let has = |parameter: Parameter| names.iter().any(|name| name == parameter.name());
+        let mut axes = if has(Parameter::E1sOverEinfs) {
             Parameter::REDUCED
+        } else if has(Parameter::E0OverE1) {
+            Parameter::STACK
         } else {
             Parameter::ALL
         }

@@ -83,7 +83,21 @@ impl Lookup {
             Ok((equivalent, axes.locate(&equivalent)?))
         })?;
         let coefficients = self.spline.coefficients(coordinates);
-        self.of_splines(description, &coefficients, equivalent)
+        self.of_splines(description, &coefficients, equivalent, None)
+    }
+
+    /// Makes the curve of the table's stack of layers under a sphere.
+    pub(crate) fn stack_curve(
+        &self,
+        axes: &Axes,
+        description: &Description,
+        e1_over_e2: f64,
+        compressibility: f64,
+    ) -> Result<Curve, Error> {
+        let nu0 = description.nu0.under(axes.ends(Parameter::Nu1)[0]);
+        let (material, coordinates) = axes.locate_sphere(e1_over_e2, nu0)?;
+        let coefficients = self.spline.coefficients(coordinates);
+        self.of_splines(description, &coefficients, material, Some(compressibility))
     }
 
     /// Makes the curve of `material` with its derivatives with respect to it.
@@ -127,18 +141,24 @@ impl Lookup {
         let jacobian = equivalence.jacobian(parameters);
         let sensitivities = Sensitivities::new(pieces, known, *material, jacobian);
         Ok(self
-            .of_splines(description, &values, equivalent)?
+            .of_splines(description, &values, equivalent, None)?
             .with_sensitivities(sensitivities))
     }
 
-    /// Makes the curve of the equivalent material from the coefficients over `ln(a/t)`.
+    /// Makes the curve of the equivalent material from the coefficients over `ln(a/t)`; of a stack
+    /// of layers, if its compressibility is given.
     fn of_splines(
         &self,
         description: &Description,
         coefficients: &[f64],
         equivalent: Material,
+        stack: Option<f64>,
     ) -> Result<Curve, Error> {
         let curve = Curve::of_splines(&self.resampler, self.range, coefficients, equivalent);
+        let curve = match stack {
+            Some(compressibility) => curve.of_stack(compressibility),
+            None => curve,
+        };
         let curve = curve.with_expansions(description.certificate.max_error, description.tolerance);
         if let Some((quantity, value)) = curve.unreasonable() {
             return Err(Error::Malformed(format!(

@@ -11,6 +11,10 @@ use crate::table::tiles;
 use crate::{Certificate, Curve, Description, Error, Material, Parameter, Quantity, Tile};
 
 /// Values of the quantities on a grid of (`a_over_t`, `e1_over_e2`, `nu1`, `e0_over_e2`).
+///
+/// The moduli may also be those of [`Parameter::REDUCED`]. A table with [`Parameter::STACK`] is of
+/// one stack of layers under spheres of any modulus: [`Table::stack_curve`] looks it up, and every
+/// lookup of a film is an error.
 #[derive(Clone, Debug)]
 pub struct Table {
     description: Description,
@@ -31,8 +35,8 @@ enum Content {
 impl Table {
     /// Makes a table from its parts.
     ///
-    /// `axes` holds the nodes of each of [`Parameter::ALL`] or [`Parameter::REDUCED`], in their
-    /// order. `values[quantity]` is row-major over the four axes, `a_over_t` slowest, or `None` if
+    /// `axes` holds the nodes of each of [`Parameter::ALL`], [`Parameter::REDUCED`] or
+    /// [`Parameter::STACK`], in their order. `values[quantity]` is row-major over the four axes, `a_over_t` slowest, or `None` if
     /// the scene does not ask for the quantity.
     ///
     /// # Errors
@@ -127,9 +131,15 @@ impl Table {
         self.description.certificate = certificate;
     }
 
-    /// Returns the parameters of the axes: [`Parameter::ALL`] or [`Parameter::REDUCED`].
+    /// Returns the parameters of the axes: [`Parameter::ALL`], [`Parameter::REDUCED`] or, of one
+    /// stack of layers, [`Parameter::STACK`].
     pub fn parameters(&self) -> [Parameter; 4] {
         self.axes.parameters()
+    }
+
+    /// Returns whether this is a table of one stack of layers.
+    pub fn is_of_stack(&self) -> bool {
+        self.axes.are_of_stack()
     }
 
     /// Returns the parameters with their nodes, as [`Table::new`] takes them.
@@ -277,11 +287,13 @@ impl Table {
     /// which allows for rounding.
     ///
     /// # Errors
+    /// [`Error::OfStack`] in a table of one stack of layers;
     /// [`Error::Normalisation`] for a rigid sphere in a table for compliant spheres, or the
     /// reverse; [`Error::OutsideTable`] for a material outside the box; [`Error::Equivalent`] if
     /// the equivalent does not exist or is outside the box; [`Error::Malformed`] if a quantity
     /// leaves `[1e-30, 1e30]`, which happens only in forged tables.
     pub fn curve(&self, material: &Material) -> Result<Curve, Error> {
+        self.accept_films()?;
         self.lookup().curve(&self.axes, &self.description, material)
     }
 
@@ -294,8 +306,42 @@ impl Table {
     /// # Errors
     /// As [`Table::curve`].
     pub fn curve_with_gradient(&self, material: &Material) -> Result<Curve, Error> {
+        self.accept_films()?;
         self.lookup()
             .curve_with_gradient(&self.axes, &self.description, material)
+    }
+
+    /// Makes the curve of the stack of layers of this table under a sphere.
+    ///
+    /// `e1_over_e2` is Young's modulus of the top layer over the sphere's reduced modulus, and 0
+    /// under a rigid sphere. `compressibility` is that of all layers, as [`Curve::of_stack`] takes
+    /// it; `tabulate::table::StackTable` computes it from the layers in the scene of the table. The
+    /// contact is [`Contact::new`](crate::Contact::new) with this curve and a system whose film is
+    /// the top layer with the thickness of all layers, and whose substrate is the base.
+    ///
+    /// The curve has no expansions beyond its nodes, and no derivatives with respect to the
+    /// material. The lookup depends on the ratios of moduli and thicknesses alone: it serves every
+    /// stack that has those of the table.
+    ///
+    /// # Errors
+    /// [`Error::NotOfStack`] in a table of films; [`Error::Unphysical`] for an `e1_over_e2` that is
+    /// negative or not finite; [`Error::Normalisation`], [`Error::OutsideTable`] and
+    /// [`Error::Malformed`] as [`Table::curve`].
+    pub fn stack_curve(&self, e1_over_e2: f64, compressibility: f64) -> Result<Curve, Error> {
+        if !self.is_of_stack() {
+            return Err(Error::NotOfStack);
+        }
+        self.lookup()
+            .stack_curve(&self.axes, &self.description, e1_over_e2, compressibility)
+    }
+
+    /// Accepts a table of films, for a lookup of one.
+    fn accept_films(&self) -> Result<(), Error> {
+        if self.is_of_stack() {
+            Err(Error::OfStack)
+        } else {
+            Ok(())
+        }
     }
 
     /// Returns the prepared lookup, and makes it at the first call.
