@@ -211,6 +211,7 @@ const LONG: [&str; 9] = [
     "tabulate generate                                  # the default scene: a million contacts",
     "tabulate report tables/paper.h5 -o paper.html",
     "tabulate report embedded -o report.html",
+    "tabulate report embedded --probe flat-punch --sphere-radius 1e-5 -o punch.html",
     "tabulate unpack embedded -o universal.h5",
     "tabulate plot error-map tables/paper.h5 -o errors.svg",
     "tabulate cost solve -o solve.csv",

@@ -6,6 +6,7 @@ use serde_json::Value;
 use tabulate::plot::fig2;
 use tabulate::report::{Illustration, report};
 
+use crate::SPHERE;
 use crate::browser::seen;
 
 /// The widths of the pages, in pixels.
@@ -50,7 +51,7 @@ fn a_phone_a_tablet_and_a_desktop_show_it_without_cutting_anything_off() {
         caption: "Fig. 2",
         figure: fig2::figure(&fig2::data().expect("solves")),
     };
-    let page = report(&table, &[figure]).expect("a report");
+    let page = report(&table, &[figure], &SPHERE).expect("a report");
     let escaped = page.replace('&', "&amp;").replace('"', "&quot;");
     let frames = WIDTHS.map(|width| {
         format!("<iframe style='border:0;width:{width}px' srcdoc=\"{escaped}\"></iframe>")
