@@ -60,7 +60,25 @@ pub(crate) const LARGEST_A_OVER_R: f64 = 0.8;
 
 /// The largest `a/R` of a piece for which so many terms of the series of the sphere suffice, to
 /// 1e-10.
-const FEW_TERMS: [(f64, usize); 3] = [(3e-3, 2), (0.02, 3), (0.05, 4)];
+const FEW_TERMS: [(f64, usize); 5] = [(3e-3, 2), (0.02, 3), (0.05, 4), (0.1, 5), (0.15, 6)];
+
+/// The Chebyshev points of the second kind on `[0, 1]`, `(1 - cos(pi j/5))/2`, and their roots.
+const POINTS: [f64; MOST_TERMS] = [
+    0.0,
+    0.095_491_502_812_526_27,
+    0.345_491_502_812_526_27,
+    0.654_508_497_187_473_7,
+    0.904_508_497_187_473_7,
+    1.0,
+];
+const ROOTS: [f64; MOST_TERMS] = [
+    0.0,
+    0.309_016_994_374_947_45,
+    0.587_785_252_292_473_1,
+    0.809_016_994_374_947_5,
+    0.951_056_516_295_153_5,
+    1.0,
+];
 
 /// A shape whose `b` consists of even powers. Lengths are in units of the film's thickness.
 #[derive(Clone, Copy, Debug)]
@@ -131,31 +149,43 @@ impl EvenShape {
     }
 }
 
+/// The coefficients of the polynomials that are 1 at one of [`POINTS`] and 0 at the others.
+const LAGRANGE: [[f64; MOST_TERMS]; MOST_TERMS] = {
+    let mut all = [[0.0; MOST_TERMS]; MOST_TERMS];
+    let mut j = 0;
+    while j < MOST_TERMS {
+        let own = &mut all[j];
+        own[0] = 1.0;
+        let mut i = 0;
+        while i < MOST_TERMS {
+            if i != j {
+                // Times `(u - POINTS[i])/(POINTS[j] - POINTS[i])`.
+                let scale = 1.0 / (POINTS[j] - POINTS[i]);
+                let mut k = MOST_TERMS - 1;
+                while k > 0 {
+                    own[k] = scale * (own[k - 1] - POINTS[i] * own[k]);
+                    k -= 1;
+                }
+                own[0] *= -scale * POINTS[i];
+            }
+            i += 1;
+        }
+        j += 1;
+    }
+    all
+};
+
 /// Returns the coefficients of the polynomial in `u` that equals `R b'/s = artanh(v)/v + 1/(1 -
 /// v^2)`, `v = alpha sqrt(u)`, at the Chebyshev points of the second kind on `0 <= u <= 1`.
 fn interpolated(alpha: f64) -> [f64; MOST_TERMS] {
-    let points: [f64; MOST_TERMS] = std::array::from_fn(|j| {
-        0.5 - 0.5 * (std::f64::consts::PI * j as f64 / (MOST_TERMS - 1) as f64).cos()
-    });
-    let value = |u: f64| {
-        let v = alpha * u.sqrt();
-        let artanh = if v > 0.0 { v.atanh() / v } else { 1.0 };
-        artanh + 1.0 / ((1.0 - v) * (1.0 + v))
-    };
-    // Newton's divided differences, and Horner's scheme on the coefficients of powers.
-    let mut differences = points.map(value);
-    for order in 1..MOST_TERMS {
-        for j in (order..MOST_TERMS).rev() {
-            differences[j] =
-                (differences[j] - differences[j - 1]) / (points[j] - points[j - order]);
+    // The value at 0 is 2.
+    let mut coefficients = LAGRANGE[0].map(|coefficient| 2.0 * coefficient);
+    for j in 1..MOST_TERMS {
+        let v = alpha * ROOTS[j];
+        let value = v.atanh() / v + 1.0 / ((1.0 - v) * (1.0 + v));
+        for (sum, coefficient) in coefficients.iter_mut().zip(LAGRANGE[j]) {
+            *sum += value * coefficient;
         }
-    }
-    let mut coefficients = [0.0; MOST_TERMS];
-    for j in (0..MOST_TERMS).rev() {
-        for k in (1..MOST_TERMS).rev() {
-            coefficients[k] = coefficients[k - 1] - points[j] * coefficients[k];
-        }
-        coefficients[0] = differences[j] - points[j] * coefficients[0];
     }
     coefficients
 }
