@@ -1,4 +1,4 @@
-// Other probes than the paraboloid: the sphere itself (even_powers.rs), and the flat punch.
+// Other probes than the paraboloid: the sphere itself (even_powers/mod.rs), and the flat punch.
 
 /** The largest contact radius under the sphere itself that is computed, over the radius of the sphere. */
 const LARGEST_UNDER_SPHERE = 0.8;
