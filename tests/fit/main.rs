@@ -8,3 +8,4 @@ mod hostile;
 mod imagined;
 mod planning;
 mod recovery;
+mod shapes;
