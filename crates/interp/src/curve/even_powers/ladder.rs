@@ -98,10 +98,9 @@ impl Group<'_> {
             running.extend(terms, self.ends[0][0]);
         }
         running.terms = terms;
-        let beta = |k: usize| vector(self.weights.each_ref().map(|weights| weights.beta[k]));
         // The sum of the weighted moments. The moment of order 0 is that of the stiffness.
         let mut flux = stiffness;
-        scale(&mut flux, beta(0));
+        scale(&mut flux, vector(lanes_of(&self.weights, 0)));
         let mut moment = stiffness;
         for k in 1..terms {
             if k > 1 {
@@ -113,9 +112,9 @@ impl Group<'_> {
             }
             moment = integral(simd, &product(&square, &penetration), half);
             self.continued(simd, &mut moment, &mut running.moments[k]);
-            let beta = beta(k);
-            for (sum, term) in flux.iter_mut().zip(&moment) {
-                *sum = beta.mul_add(*term, *sum);
+            let beta = vector(lanes_of(&self.weights, k));
+            for i in 0..TERMS {
+                flux[i] = beta.mul_add(moment[i], flux[i]);
             }
         }
         let rate = product(&flux, &inverse);
@@ -137,7 +136,14 @@ impl Group<'_> {
         scale(&mut load, f64x4::splat(simd, es * radius));
         let penetration: Series<S, VALUE> = economised(simd, &penetration);
         let load: Series<S, VALUE> = economised(simd, &load);
-        std::array::from_fn(|lane| std::array::from_fn(|k| [load[k][lane], penetration[k][lane]]))
+        let mut pieces = [[[0.0; 2]; VALUE]; 4];
+        for k in 0..VALUE {
+            let (load, penetration) = (*load[k].as_array(), *penetration[k].as_array());
+            for lane in 0..4 {
+                pieces[lane][k] = [load[lane], penetration[lane]];
+            }
+        }
+        pieces
     }
 
     /// Adds the constants with which an integral goes on from piece to piece.
@@ -158,6 +164,12 @@ impl Group<'_> {
         });
         integral[0] = f64x4::simd_from(simd, constants);
     }
+}
+
+/// Returns the coefficients of a term on the four pieces.
+#[inline(always)]
+fn lanes_of([a, b, c, d]: &[Weights; 4], k: usize) -> [f64; 4] {
+    [a.beta[k], b.beta[k], c.beta[k], d.beta[k]]
 }
 
 /// Multiplies a series by `middle + half t`.
