@@ -102,6 +102,16 @@ pub enum Error {
         /// The name of the shape.
         probe: &'static str,
     },
+    /// A probe whose force curve the page of a table does not compute.
+    #[error(
+        "the page of this table computes no {probe}: {reason}; `tabulate curve` prints the force curve of every probe"
+    )]
+    PageProbe {
+        /// The name of the shape.
+        probe: &'static str,
+        /// What the page computes, or what the table lacks.
+        reason: &'static str,
+    },
     /// An attraction that reaches farther than is solved.
     #[error(
         "at the contact radius {contact_radius:?} m the attraction acts beyond the radius {reach:?} m, up to which it is solved; take a smaller contact radius or a shorter interaction range"

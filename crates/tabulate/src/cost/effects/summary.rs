@@ -1,6 +1,6 @@
 //! The effects summed up as Markdown.
 
-use super::{Effect, Row, STRENGTHS};
+use super::{A_OVER_R, Effect, Row, STRENGTHS};
 use crate::cost::clock::human;
 use crate::cost::numbers::{grouped, human_bytes};
 
@@ -31,6 +31,9 @@ impl Row {
     /// the whole scene.
     fn saved_time(&self, whole: f64) -> String {
         let [_, saved, _] = self.saved();
+        if let Some(ratio) = self.time_ratio {
+            return format!("a new material takes {ratio:.1} times as long");
+        }
         let difference = whole - self.seconds;
         match self.saved_seconds {
             None => format!("{saved} ({} is within the noise)", human(difference.abs())),
@@ -92,6 +95,13 @@ pub fn markdown(rows: &[Row]) -> String {
          the same contact radius, over random points of the scene where the adhesive part of the load is {weak} to {strong} \
          times that load.\n"
     );
+    if rows.iter().any(|row| row.without == Some(Effect::Shape)) {
+        text += &format!(
+            "The shape needs no other table. Its errors are those of the adhesionless load under the paraboloid, relative to that \
+             under the sphere itself, at a = {A_OVER_R} R. Its time is that in which the embedded table makes the contact of a \
+             new material.\n"
+        );
+    }
     let missing: Vec<&str> = Effect::ALL
         .into_iter()
         .filter(|&effect| rows.iter().all(|row| row.without != Some(effect)))
