@@ -43,8 +43,8 @@
 //! pull-off, energy release rates, crack-tip laws, JKR fits. `film_bias` is relative to the bare
 //! base. Three answers differ. A curve of a stack has no expansions beyond its ends and no
 //! derivatives with respect to the material: both are errors. The compressibility of `validity` is
-//! that of all layers ([`Stack::compressibility`]). The zone of attraction of `adhesion_range` must
-//! be short beside the *top layer*, whose modulus it is computed with.
+//! that of all layers ([`Stack::compressibility`]). `finite_range` and `pull_off_error` demand that the
+//! zone of attraction be short beside the *top layer*, whose modulus it is computed with.
 //!
 //! # Reach
 //!

@@ -1,7 +1,7 @@
 //! A stack of layers under a sphere: solves it as a film where it is one, by Galerkin's method
 //! otherwise.
 
-use interp::{Curve, Material, Normalisation, Quantities};
+use interp::{Curve, Material, Normalisation, Quantities, StackShape};
 
 use crate::Error;
 use crate::solve::adaptive_curve::{check_range, curve_of};
@@ -92,7 +92,10 @@ pub fn stack_curve(
             reached,
         },
     )?;
-    Ok(curve.of_stack(stack.compressibility()))
+    Ok(curve.of_stack(StackShape {
+        compressibility: stack.compressibility(),
+        top: stack.merged().top().thickness / stack.thickness(),
+    }))
 }
 
 /// The way in which the compliance of a stack is evaluated.
