@@ -124,7 +124,7 @@ fn states_and_pull_offs_agree_with_reference_values() {
         count += 1;
     }
     println!("{count} pull-offs, largest error {worst:.1e}");
-    assert!(worst < 1e-11 && count > 10, "{worst}");
+    assert!(worst < 1e-12 && count > 10, "{worst}");
 }
 
 /// A rigid sphere on a half-space of the reduced modulus `MODULUS`, with `R = 1` and `w` in its units,
