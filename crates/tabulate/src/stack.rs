@@ -66,7 +66,10 @@
 use interp::{Elastic, Material, Probe, System};
 
 use crate::Error;
-pub use crate::solve::MOST_A_OVER_TOP;
+
+/// The largest contact radius over the thickness of the top layer for which a stack is solved.
+/// Neighbouring layers of one material count as one.
+pub const MOST_A_OVER_TOP: f64 = 1000.0;
 
 /// The largest ratio of the Young's moduli of two bodies of a stack, a rigid base left aside.
 pub const LARGEST_CONTRAST: f64 = 1e9;

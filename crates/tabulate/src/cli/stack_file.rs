@@ -100,6 +100,7 @@ fn parse(text: &str) -> anyhow::Result<Stack> {
         Err(error) => Err(error.into()),
     }
 }
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -14,11 +14,7 @@ use crate::solve::sampled::SampledCompliance;
 use crate::solve::solution::{Solution, solve_power_laws};
 use crate::solve::surface::SurfaceCompliance;
 use crate::solve::symbol::Symbol;
-use crate::stack::Stack;
-
-/// The largest contact radius over the thickness of the top layer for which a stack is solved.
-/// Neighbouring layers of one material count as one.
-pub const MOST_A_OVER_TOP: f64 = 1000.0;
+use crate::stack::{MOST_A_OVER_TOP, Stack};
 
 /// The number of layers from which on a curve samples the compliance instead of evaluating it at
 /// every wave number of every solve.
