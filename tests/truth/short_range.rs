@@ -2,7 +2,7 @@
 //! several probes, values by two other programs, and solves of the whole annulus on films.
 
 use acceptance::{Data, larger};
-use interp::{Contact, Control, Elastic, FiniteRange, HalfSpace, Probe, root};
+use interp::{CohesiveEquilibrium, Contact, Control, Elastic, FiniteRange, HalfSpace, Probe, root};
 use std::f64::consts::PI;
 use tabulate::cohesive::Cohesive;
 use tabulate::stack::{Layer, Stack};
@@ -255,20 +255,22 @@ fn equilibria_are_the_states_of_their_radii() {
         ),
     ] {
         let found = attraction.equilibria(control, imposed).expect("equilibria");
-        let (nearest, stable) = found
+        let distance = |found: &CohesiveEquilibrium| {
+            (found.state.contact_radius / state.contact_radius - 1.0).abs()
+        };
+        let nearest = found
             .iter()
-            .min_by(|(a, _), (b, _)| {
-                let distance = |s: f64| (s / state.contact_radius - 1.0).abs();
-                distance(a.contact_radius).total_cmp(&distance(b.contact_radius))
-            })
+            .min_by(|a, b| distance(a).total_cmp(&distance(b)))
             .expect("an equilibrium");
-        let error = nearest.contact_radius / state.contact_radius - 1.0;
-        assert!(error.abs() < 1e-11, "{control:?}: {error}");
+        assert!(distance(nearest) < 1e-11, "{control:?}: {nearest:?}");
         // The pull-off has a radius of 4.2 thicknesses under a load, and of 2.0 under a displacement;
         // the spring is stiffer than the contact.
-        assert_eq!(*stable, control != Control::Load, "{control:?}");
+        assert_eq!(nearest.stable, control != Control::Load, "{control:?}");
         let pull_off = attraction.pull_off(control).expect("a pull-off");
-        assert_eq!(pull_off.contact_radius < state.contact_radius, *stable);
+        assert_eq!(
+            pull_off.contact_radius < state.contact_radius,
+            nearest.stable
+        );
     }
 }
 

@@ -110,7 +110,7 @@ pub use contact::TimedState;
 pub use contact::root;
 pub use contact::{AdhesionRange, FilmValidity, Neglected, Validity};
 pub use contact::{Branch, Control, Equilibria, Equilibrium, ForceDisplacement, Jump};
-pub use contact::{CohesiveState, FiniteRange, ShortRange};
+pub use contact::{CohesiveEquilibrium, CohesiveState, FiniteRange, ShortRange};
 pub use contact::{Contact, ContactGradient, Derivatives, Input, State};
 pub use contact::{ContactLine, CrackTip, Hysteresis, RateDependent};
 pub use contact::{FilmBias, JkrFit, JkrPoint, Mechanics};

@@ -432,7 +432,10 @@ fn error_of_jkr(range: &AdhesionRange<'_>) -> String {
              --interaction-range` computes it with the range",
             1e2 * error
         ),
-        Err(error) => format!("The model does not hold: {error}"),
+        Err(error @ interp::Error::LongZone { .. }) => {
+            format!("The model does not hold: {error}")
+        }
+        Err(error) => format!("By how much the model is wrong is not known: {error}"),
     }
 }
 

@@ -51,6 +51,15 @@ pub struct CohesiveState {
     pub penetration: f64,
 }
 
+/// An equilibrium at an imposed value, with a zone of attraction around the contact.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CohesiveEquilibrium {
+    /// The state of the contact.
+    pub state: CohesiveState,
+    /// Whether the contact returns to this state after a small change of its radius.
+    pub stable: bool,
+}
+
 /// A contact with an attraction of short range, from [`Contact::finite_range`].
 #[derive(Clone, Debug)]
 pub struct ShortRange<'a> {
@@ -68,9 +77,10 @@ impl Contact {
     /// much as JKR. Measured for pull-off loads (`tests/truth/short_range.rs`: five films and stacks,
     /// soft, stiff and confined): the error is at most 0.6 % where `l` is a fifth of the shorter of
     /// contact radius and thickness, and 0.05 % where it is a twentieth; it falls with the square of `l`.
-    /// A state at a given contact radius errs by some ten times as much, because it moves by parts of
-    /// `l` where the load is not stationary. The crate `tabulate` solves zones of any length (`cohesive::Cohesive`,
-    /// `tabulate pull-off --interaction-range`).
+    /// At a given contact radius load and penetration err by more, on half-spaces by up to 3 % of what
+    /// adhesion lowers them by where `l` is a twentieth of the radius, because they are not stationary
+    /// there. The crate `tabulate` solves zones of any length (`cohesive::Cohesive`, `tabulate pull-off
+    /// --interaction-range`).
     ///
     /// ```
     /// # fn main() -> Result<(), interp::Error> {
@@ -149,7 +159,15 @@ impl ShortRange<'_> {
     /// the zone over [`FiniteRange::LONGEST`].
     pub fn state(&self, a: f64) -> Result<CohesiveState, Error> {
         self.contact.mechanics().check_radius(a)?;
-        self.at_tip(a + 2.0 / 3.0 * self.zone)
+        short(self.zone, a, "contact radius")?;
+        let b = a + 2.0 / 3.0 * self.zone;
+        let (load, penetration) = self.contact.load_and_penetration(b, self.energy.at(b))?;
+        Ok(CohesiveState {
+            contact_radius: a,
+            outer_radius: a + self.zone,
+            load,
+            penetration,
+        })
     }
 
     /// Returns the state in which the contact separates on unloading, as [`Contact::pull_off`].
@@ -166,7 +184,7 @@ impl ShortRange<'_> {
     }
 
     /// Returns the equilibria at an imposed load (N), penetration (m) or position of the spring (m),
-    /// in ascending order of contact radius, each with its stability.
+    /// in ascending order of contact radius.
     ///
     /// They are those of [`Equilibria::at`](crate::Equilibria::at). Unstable ones whose contact radius
     /// is below the zone over [`FiniteRange::LONGEST`] are left out.
@@ -178,7 +196,7 @@ impl ShortRange<'_> {
         &self,
         control: Control,
         imposed: f64,
-    ) -> Result<Vec<(CohesiveState, bool)>, Error> {
+    ) -> Result<Vec<CohesiveEquilibrium>, Error> {
         let all = self
             .contact
             .equilibria_with(self.energy, control)?
@@ -187,7 +205,10 @@ impl ShortRange<'_> {
         for tip in all {
             match self.at_tip(tip.state.contact_radius) {
                 Err(Error::LongZone { .. }) if !tip.stable => {}
-                state => found.push((state?, tip.stable)),
+                state => found.push(CohesiveEquilibrium {
+                    state: state?,
+                    stable: tip.stable,
+                }),
             }
         }
         Ok(found)
@@ -197,13 +218,7 @@ impl ShortRange<'_> {
     fn at_tip(&self, b: f64) -> Result<CohesiveState, Error> {
         let contact_radius = b - 2.0 / 3.0 * self.zone;
         short(self.zone, contact_radius, "contact radius")?;
-        let (load, penetration) = self.contact.load_and_penetration(b, self.energy.at(b))?;
-        Ok(CohesiveState {
-            contact_radius,
-            outer_radius: b + self.zone / 3.0,
-            load,
-            penetration,
-        })
+        self.state(contact_radius)
     }
 }
 

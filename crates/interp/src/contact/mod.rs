@@ -37,7 +37,7 @@ pub use crack_tip::{CrackTip, Hysteresis, RateDependent};
 #[cfg(feature = "dynamics")]
 pub use dynamics::TimedState;
 pub use equilibria::{Control, Equilibria, Equilibrium};
-pub use finite_range::{CohesiveState, FiniteRange, ShortRange};
+pub use finite_range::{CohesiveEquilibrium, CohesiveState, FiniteRange, ShortRange};
 pub use force_displacement::{ForceDisplacement, Jump};
 pub use gradient::{ContactGradient, Derivatives, Input};
 pub use jkr_fit::{FilmBias, JkrFit};

@@ -203,7 +203,7 @@ pub const FUNCTIONS: &[Function] = &[
                 for control in controls(x[4]) {
                     found.extend(attraction.pull_off(control));
                     let equilibria = attraction.equilibria(control, x[3]).unwrap_or_default();
-                    found.extend(equilibria.into_iter().map(|(state, _)| state));
+                    found.extend(equilibria.iter().map(|found| found.state));
                 }
                 let values = found.iter().flat_map(|state| {
                     [

@@ -138,7 +138,8 @@ mod tests {
 
     #[test]
     fn crossings_are_found_in_few_steps() {
-        let functions: [(fn(f64) -> f64, f64, usize); 3] = [
+        type Function = fn(f64) -> f64;
+        let functions: [(Function, f64, usize); 3] = [
             (|x| x * (1.0 + 0.3 * x) - 1.3, 1.0, 7),
             (|x| x.powi(5) - 32.0, 2.0, 12),
             (|x| (x - 0.5).max(0.0) - 1.5, 2.0, 12),
