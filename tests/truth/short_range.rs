@@ -1,5 +1,5 @@
-//! The correction of JKR for an attraction of short range, against Dugdale's law on a half-space under
-//! several probes, values by two other programs, and solves of the whole annulus on films.
+//! The correction of JKR for an attraction of short range, against Dugdale's law on a half-space
+//! under several probes, values by two other programs, and solves of the whole annulus on films.
 
 use acceptance::{Data, larger};
 use interp::{CohesiveEquilibrium, Contact, Control, Elastic, FiniteRange, HalfSpace, Probe, root};
@@ -57,13 +57,14 @@ fn dugdale(b: &dyn Fn(f64) -> f64, a: f64, stress: f64) -> [f64; 3] {
     [2.0 * MODULUS * (inside - tau * annulus), penetration, c]
 }
 
-/// The remainder of a correction of first order falls 16-fold where the zone becomes 4 times shorter,
-/// as it does where `lambda` doubles. Under every smooth probe the same correction holds.
+/// The remainder of a correction of first order falls 16-fold where the zone becomes 4 times
+/// shorter, as it does where `lambda` doubles. Under every smooth probe the same correction holds.
 #[test]
 fn the_remainder_is_of_second_order_under_every_smooth_probe() {
     let radius = 1e-4;
     let sphere = move |s: f64| 0.5 * s * ((radius + s) / (radius - s)).ln();
-    // The factors pi/2 and 8/3 belong to b(s) = s d/ds int_0^s f(r)/sqrt(s^2 - r^2) dr of r and r^4.
+    // The factors pi/2 and 8/3 belong to b(s) = s d/ds int_0^s f(r)/sqrt(s^2 - r^2) dr of r and
+    // r^4.
     let probes: [(Probe, &dyn Fn(f64) -> f64); 4] = [
         (Probe::Paraboloid { radius }, &move |s| s * s / radius),
         (Probe::Sphere { radius }, &sphere),
@@ -162,8 +163,8 @@ fn short_ranges_agree_with_reference_values() {
     assert!(count >= 7, "{count}");
 }
 
-/// Stacks under a sphere: the stack, the radius and the modulus of the sphere and the work of adhesion,
-/// in units of the thickness and of `MODULUS`.
+/// Stacks under a sphere: the stack, the radius and the modulus of the sphere and the work of
+/// adhesion, in units of the thickness and of `MODULUS`.
 fn systems() -> [(&'static str, Stack, f64, f64, f64); 5] {
     let solid = |young: f64, poisson| Elastic::new(young * MODULUS, poisson).expect("physical");
     let stack = |base, layers: &[(Elastic, f64)]| {
@@ -190,8 +191,8 @@ fn systems() -> [(&'static str, Stack, f64, f64, f64); 5] {
 }
 
 /// The remainder against solves of the whole annulus falls 16-fold where the zone becomes 4 times
-/// shorter, and is below 1 % at the longest zones. The first-order error of JKR's pull-off load is what
-/// these solves differ from JKR by.
+/// shorter, and is below 1 % at the longest zones. The first-order error of JKR's pull-off load is
+/// what these solves differ from JKR by.
 #[test]
 fn pull_offs_on_films_approach_those_of_the_whole_annulus() {
     for (name, stack, radius, sphere_modulus, w) in systems() {
@@ -263,8 +264,8 @@ fn equilibria_are_the_states_of_their_radii() {
             .min_by(|a, b| distance(a).total_cmp(&distance(b)))
             .expect("an equilibrium");
         assert!(distance(nearest) < 1e-11, "{control:?}: {nearest:?}");
-        // The pull-off has a radius of 4.2 thicknesses under a load, and of 2.0 under a displacement;
-        // the spring is stiffer than the contact.
+        // The pull-off has a radius of 4.2 thicknesses under a load, and of 2.0 under a
+        // displacement; the spring is stiffer than the contact.
         assert_eq!(nearest.stable, control != Control::Load, "{control:?}");
         let pull_off = attraction.pull_off(control).expect("a pull-off");
         assert_eq!(

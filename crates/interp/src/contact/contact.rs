@@ -268,8 +268,8 @@ impl Contact {
         })
     }
 
-    /// Returns the state at contact radius `a` (m) with an energy of the contact line, and the slopes
-    /// `dF/d ln a` (N) and `d delta/d ln a` (m) along the states of this energy.
+    /// Returns the state at contact radius `a` (m) with an energy of the contact line, and the
+    /// slopes `dF/d ln a` (N) and `d delta/d ln a` (m) along the states of this energy.
     ///
     /// They are the derivatives of `F = F0 - 4 a g Eeq/Gamma` and
     /// `delta = delta0 - 2 g/(E* Gamma)`, where `g` grows like `(a G(a))^{1/2}`.

@@ -143,8 +143,8 @@ impl Contact {
         self.equilibria_with(LineEnergy::of_jkr(w), control)
     }
 
-    /// Finds the turning points of the equilibria with another energy of the contact line, under any
-    /// probe but a flat punch.
+    /// Finds the turning points of the equilibria with another energy of the contact line, under
+    /// any probe but a flat punch.
     pub(super) fn equilibria_with(
         &self,
         energy: LineEnergy,

@@ -1,16 +1,16 @@
 //! An attraction of short range, as a correction of JKR's contact.
 //!
 //! Dugdale's law is a constant traction `sigma0` where the gap is below `w/sigma0`. Under it the
-//! attraction acts in a zone outside the contact, `a < r < c`, and no stress is singular (Maugis, J.
-//! Colloid Interface Sci. 150, 243, 1992, on a half-space).
+//! attraction acts in a zone outside the contact, `a < r < c`, and no stress is singular (Maugis,
+//! J. Colloid Interface Sci. 150, 243, 1992, on a half-space).
 //!
 //! Where the zone is short beside the contact radius and the film, its surroundings are in plane
 //! strain, and see only the field of a crack tip. To lowest order the zone of such a tip has the
 //! length `l` below, that of Dugdale (1960) and of Barenblatt (1962). To the next order the stress
-//! ahead of it, `(2 sigma0/pi) atan sqrt(l/x)` at the distance `x`, is that of a tip at `x = -2l/3`, at
-//! the radius `b`. What remains comes from the curvature of the line: the energy of a zone of fixed
-//! length is proportional to the length of the line, `w l/6` per length in Maugis' equations expanded
-//! about JKR. It knows no film and no shape of the probe, and so
+//! ahead of it, `(2 sigma0/pi) atan sqrt(l/x)` at the distance `x`, is that of a tip at `x =
+//! -2l/3`, at the radius `b`. What remains comes from the curvature of the line: the energy of a
+//! zone of fixed length is proportional to the length of the line, `w l/6` per length in Maugis'
+//! equations expanded about JKR. It knows no film and no shape of the probe, and so
 //!
 //! ```text
 //! l = pi Es* w/(4 sigma0^2)        b = a + 2l/3        c = a + l        G(b) = w (1 + l/(6b))
@@ -73,13 +73,14 @@ impl Contact {
     /// Corrects the contact with work of adhesion `w` (J/m^2) for an attraction of finite `range`.
     ///
     /// The correction is exact to first order in the length `l` of the zone of attraction over the
-    /// contact radius and over the thickness of the film, or of the top layer of a stack. It costs as
-    /// much as JKR. Measured for pull-off loads (`tests/truth/short_range.rs`: five films and stacks,
-    /// soft, stiff and confined): the error is at most 0.6 % where `l` is a fifth of the shorter of
-    /// contact radius and thickness, and 0.05 % where it is a twentieth; it falls with the square of `l`.
-    /// At a given contact radius load and penetration err by more, on half-spaces by up to 3 % of what
-    /// adhesion lowers them by where `l` is a twentieth of the radius, because they are not stationary
-    /// there. The crate `tabulate` solves zones of any length (`cohesive::Cohesive`, `tabulate pull-off
+    /// contact radius and over the thickness of the film, or of the top layer of a stack. It costs
+    /// as much as JKR. Measured for pull-off loads (`tests/truth/short_range.rs`: five films and
+    /// stacks, soft, stiff and confined): the error is at most 0.6 % where `l` is a fifth of the
+    /// shorter of contact radius and thickness, and 0.05 % where it is a twentieth; it falls with
+    /// the square of `l`. At a given contact radius load and penetration err by more, on
+    /// half-spaces by up to 3 % of what adhesion lowers them by where `l` is a twentieth of the
+    /// radius, because they are not stationary there. The crate `tabulate` solves zones of any
+    /// length (`cohesive::Cohesive`, `tabulate pull-off
     /// --interaction-range`).
     ///
     /// ```
@@ -120,7 +121,8 @@ impl Contact {
         })
     }
 
-    /// Returns the thickness of the film, or of the top layer of a stack, m; `None` on a half-space.
+    /// Returns the thickness of the film, or of the top layer of a stack, m; `None` on a
+    /// half-space.
     fn top_thickness(&self) -> Option<f64> {
         let (system, curve) = self.system().zip(self.curve())?;
         Some(system.film_thickness * curve.stack().map_or(1.0, |stack| stack.top))
@@ -173,8 +175,8 @@ impl ShortRange<'_> {
     /// Returns the state in which the contact separates on unloading, as [`Contact::pull_off`].
     ///
     /// # Errors
-    /// As [`Contact::pull_off`]; [`Error::LongZone`] for a contact radius that is below the zone over
-    /// [`FiniteRange::LONGEST`].
+    /// As [`Contact::pull_off`]; [`Error::LongZone`] for a contact radius that is below the zone
+    /// over [`FiniteRange::LONGEST`].
     pub fn pull_off(&self, control: Control) -> Result<CohesiveState, Error> {
         let tip = self
             .contact
@@ -183,11 +185,11 @@ impl ShortRange<'_> {
         self.at_tip(tip.contact_radius)
     }
 
-    /// Returns the equilibria at an imposed load (N), penetration (m) or position of the spring (m),
-    /// in ascending order of contact radius.
+    /// Returns the equilibria at an imposed load (N), penetration (m) or position of the spring
+    /// (m), in ascending order of contact radius.
     ///
-    /// They are those of [`Equilibria::at`](crate::Equilibria::at). Unstable ones whose contact radius
-    /// is below the zone over [`FiniteRange::LONGEST`] are left out.
+    /// They are those of [`Equilibria::at`](crate::Equilibria::at). Unstable ones whose contact
+    /// radius is below the zone over [`FiniteRange::LONGEST`] are left out.
     ///
     /// # Errors
     /// As [`Contact::equilibria`] and [`Equilibria::at`](crate::Equilibria::at);

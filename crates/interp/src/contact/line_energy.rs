@@ -1,9 +1,10 @@
 //! The energy release rate at which the contact line is at rest.
 
-/// The energy release rate `G(a) = w (1 + l/(6 a))` at which a contact line of radius `a` is at rest.
+/// The energy release rate `G(a) = w (1 + l/(6 a))` at which a contact line of radius `a` is at
+/// rest.
 ///
-/// Eq. 8 is `l = 0`. A short zone of attraction of the length `l` raises `G` by a term per length of
-/// line; `finite_range` derives it.
+/// Eq. 8 is `l = 0`. A short zone of attraction of the length `l` raises `G` by a term per length
+/// of line; `finite_range` derives it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct LineEnergy {
     work_of_adhesion: f64,

@@ -163,24 +163,24 @@ impl AdhesionRange<'_> {
         self.cohesive_zone <= Self::SMALL_ZONE * length
     }
 
-    /// Returns the part by which the pull-off load of JKR is too small, for Dugdale's law and to first
-    /// order in the length `l` of the zone of attraction:
+    /// Returns the part by which the pull-off load of JKR is too small, for Dugdale's law and to
+    /// first order in the length `l` of the zone of attraction:
     ///
     /// ```text
     /// F/F_JKR - 1 = (S |delta_fp|/(2 |F_JKR|)) l/(6 a)        0.0859/mu^2 on a half-space
     /// ```
     ///
     /// `F_JKR`, `a` and the term `S |delta_fp|` of eq. 9 belong to the pull-off of
-    /// [`Contact::pull_off`] under an imposed load. The load is stationary there, so that to first order
-    /// it feels only the energy `w (1 + l/(6 a))` of the line ([`Contact::finite_range`]). `z0` is the
-    /// distance at which Dugdale's traction ends.
+    /// [`Contact::pull_off`] under an imposed load. The load is stationary there, so that to first
+    /// order it feels only the energy `w (1 + l/(6 a))` of the line ([`Contact::finite_range`]).
+    /// `z0` is the distance at which Dugdale's traction ends.
     ///
-    /// Measured (`tests/truth/short_range.rs`): 6 % of itself too large at most where `l` is a twentieth
-    /// of the shorter of contact radius and film thickness, and 22 % where it is a fifth.
+    /// Measured (`tests/truth/short_range.rs`): 6 % of itself too large at most where `l` is a
+    /// twentieth of the shorter of contact radius and film thickness, and 22 % where it is a fifth.
     ///
     /// # Errors
-    /// As [`Contact::pull_off`] and [`Contact::finite_range`]: [`Error::LongZone`] for a zone that is
-    /// not short.
+    /// As [`Contact::pull_off`] and [`Contact::finite_range`]: [`Error::LongZone`] for a zone that
+    /// is not short.
     pub fn pull_off_error(&self) -> Result<f64, Error> {
         let (contact, w, zone) = (self.contact, self.work_of_adhesion, self.cohesive_zone);
         contact.with_zone(w, zone)?;

@@ -133,9 +133,9 @@ impl Curve {
     /// Makes this the curve of a stack of layers, of which [`Curve::material`] holds the solid that
     /// the sphere touches and the base.
     ///
-    /// Its compressibility replaces the formula for one film, and the thickness of its top layer limits
-    /// the zone of an attraction of finite range. Nothing else that a contact answers needs more than
-    /// the quantities, the material and the thickness `t` of all layers.
+    /// Its compressibility replaces the formula for one film, and the thickness of its top layer
+    /// limits the zone of an attraction of finite range. Nothing else that a contact answers needs
+    /// more than the quantities, the material and the thickness `t` of all layers.
     #[must_use]
     pub fn of_stack(self, stack: StackShape) -> Self {
         Self {

@@ -7,10 +7,10 @@
 //! H(q) = int_a^c sqrt(c^2 - s^2) cos(qs) ds            P(q) = int_a^c [cos(qs) - cos(qa)]/sqrt(c^2 - s^2) ds
 //! ```
 //!
-//! For a thin annulus, `s = c cos(psi)` and Gauss-Legendre quadrature in `psi`, with
-//! `s - a = 2c sin((phi+psi)/2) sin((phi-psi)/2)` and the sine and `1 - cos` of `q (s - a)`. For a wide one, the integrals over the whole disc,
-//! `(pi c/2q) J1(qc)` and `(pi/2) J0(qc)`, less those over the contact, where the roots have rapidly
-//! converging series in Legendre polynomials.
+//! For a thin annulus, `s = c cos(psi)` and Gauss-Legendre quadrature in `psi`, with `s - a = 2c
+//! sin((phi+psi)/2) sin((phi-psi)/2)` and the sine and `1 - cos` of `q (s - a)`. For a wide one,
+//! the integrals over the whole disc, `(pi c/2q) J1(qc)` and `(pi/2) J0(qc)`, less those over the
+//! contact, where the roots have rapidly converging series in Legendre polynomials.
 
 use std::f64::consts::FRAC_PI_2;
 use std::sync::{LazyLock, OnceLock};
@@ -102,8 +102,9 @@ impl Annulus {
         self.inner * (self.angle * self.angle.tan() - 2.0 * half * half / self.angle.cos())
     }
 
-    /// Returns `H` and `P` at the wave numbers `q`, which ascend in groups of [`LANES`]. `bessel(n)` holds the transforms of the first
-    /// [`TERMS`] even Legendre functions at `q a`, which a wide annulus needs.
+    /// Returns `H` and `P` at the wave numbers `q`, which ascend in groups of [`LANES`].
+    /// `bessel(n)` holds the transforms of the first [`TERMS`] even Legendre functions at `q a`,
+    /// which a wide annulus needs.
     pub fn transforms<'a>(
         &self,
         q: &[f64],
@@ -121,7 +122,8 @@ impl Annulus {
     /// With `theta = q (s - a)`,
     ///
     /// ```text
-    /// H = int (c sin psi)^2 cos(qa + theta) d psi           P = -int [cos(qa) (1 - cos theta) + sin(qa) sin theta] d psi
+    /// H = int (c sin psi)^2 cos(qa + theta) d psi
+    /// P = -int [cos(qa) (1 - cos theta) + sin(qa) sin theta] d psi
     /// ```
     fn thin_transforms(&self, q: &[f64]) -> (Vec<f64>, Vec<f64>) {
         let Self {

@@ -131,8 +131,8 @@ fn barycentric_weights(count: usize) -> Vec<f64> {
         .collect()
 }
 
-/// Returns the value at `s` of the polynomial through `values` at `nodes`, by the barycentric formula
-/// (Berrut and Trefethen, SIAM Review 46, 501, 2004).
+/// Returns the value at `s` of the polynomial through `values` at `nodes`, by the barycentric
+/// formula (Berrut and Trefethen, SIAM Review 46, 501, 2004).
 fn barycentric(nodes: &[f64], weights: &[f64], values: &[f64], s: f64) -> f64 {
     let (mut numerator, mut denominator) = (0.0, 0.0);
     for ((node, weight), value) in nodes.iter().zip(weights).zip(values) {

@@ -34,8 +34,8 @@
 //! # Accuracy
 //!
 //! Measured (`tests/truth/cohesive.rs`): load, penetration and outer radius of 24 contacts and 17
-//! pull-offs within 4.4e-14 of values by two other programs, Maugis' closed form on a half-space within
-//! 1.2e-14, and the energy balance `dU/d(delta) = F` within 2e-10.
+//! pull-offs within 4.4e-14 of values by two other programs, Maugis' closed form on a half-space
+//! within 1.2e-14, and the energy balance `dU/d(delta) = F` within 2e-10.
 
 mod annulus;
 mod before_contact;
@@ -367,9 +367,9 @@ impl Cohesive {
         } else {
             REACH
         };
-        // The square of tan(phi), with which the gap grows almost linearly: for a known width, or for
-        // a short range, (pi/4) es w/sigma0^2 beside a long crack, and a long one, in which the bodies
-        // keep their shapes. Both open the gap.
+        // The square of tan(phi), with which the gap grows almost linearly: for a known width, or
+        // for a short range, (pi/4) es w/sigma0^2 beside a long crack, and a long one, in which the
+        // bodies keep their shapes. Either alone would open the gap, and the inverse squares add.
         let square = |width: f64| width * (width + 2.0 * radius) / (radius * radius);
         let (mut low, mut growth) = if let Some(width) = width {
             (square(width) / NEAR.sqrt(), NEAR)

@@ -5,8 +5,9 @@ use crate::Error;
 /// A point and the value there.
 pub type Point = (f64, f64);
 
-/// Goes downhill from two points, in steps of their distance, until the values rise again, and returns
-/// three points with the lowest value in the middle; none if there is no minimum before `end`.
+/// Goes downhill from two points, in steps of their distance, until the values rise again, and
+/// returns three points with the lowest value in the middle; none if there is no minimum before
+/// `end`.
 pub fn bracket(
     f: &mut impl FnMut(f64) -> Result<f64, Error>,
     [mut before, mut middle]: [Point; 2],
@@ -29,9 +30,9 @@ pub fn bracket(
 /// Finds the minimum between the outer of three points to about 1e-7 of their distance; the value
 /// there is accurate to rounding.
 ///
-/// Each step goes to the lowest point of the parabola through the three. It divides the wider side by
-/// the golden section where that point is outside or the step is more than half of the one before the
-/// last (Brent, Algorithms for Minimization without Derivatives, 1973, chapter 5).
+/// Each step goes to the lowest point of the parabola through the three. It divides the wider side
+/// by the golden section where that point is outside or the step is more than half of the one
+/// before the last (Brent, Algorithms for Minimization without Derivatives, 1973, chapter 5).
 pub fn minimum(
     f: &mut impl FnMut(f64) -> Result<f64, Error>,
     [mut low, mut middle, mut high]: [Point; 3],
@@ -78,8 +79,8 @@ pub fn minimum(
     Ok(middle)
 }
 
-/// Finds the point between `low` and `high` at which `f` passes from negative to positive values, for
-/// an almost linear `f` of positive arguments.
+/// Finds the point between `low` and `high` at which `f` passes from negative to positive values,
+/// for an almost linear `f` of positive arguments.
 ///
 /// Each step is that of the secant through the last two points, or halves the interval where that
 /// leaves it. The error of a secant is of the order of the product of the last two steps.

@@ -37,8 +37,8 @@ const fn series(odd: usize) -> [f64; 12] {
 
 /// Returns `sin(theta)` and `1 - cos(theta)`, the latter without cancellation for small angles.
 ///
-/// They are `2 sin(y) cos(y)` and `2 sin(y)^2` of `y = theta/2`, brought to `[-pi/2, pi/2]`. The error
-/// is at most 1e-15 for angles up to 1e5.
+/// They are `2 sin(y) cos(y)` and `2 sin(y)^2` of `y = theta/2`, brought to `[-pi/2, pi/2]`. The
+/// error is at most 1e-15 for angles up to 1e5.
 #[inline(always)]
 pub fn sine_and_versine(theta: f64) -> [f64; 2] {
     /// A number so large that adding it rounds to whole numbers.

@@ -70,7 +70,8 @@ pub mod tests {
     use super::*;
     use crate::solve::estimate::larger;
 
-    /// Asserts that beyond the cut-off `X - 1` and `q X'` of all compliances are below the tolerance.
+    /// Asserts that beyond the cut-off `X - 1` and `q X'` of all compliances are below the
+    /// tolerance.
     pub fn assert_that_the_cut_off_bounds_the_rest<C: SurfaceCompliance>(
         compliances: impl Iterator<Item = C>,
     ) {
