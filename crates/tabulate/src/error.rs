@@ -57,7 +57,7 @@ pub enum Error {
         "a_over_t = {a_over_t:?} is out of reach of this stack of {layers} different layers: its thickness is {thickness_over_top:?} times that \
          of its top layer, and the contact radius may be at most {} times that of the top layer; use an a_over_t up to {reach:?}, or \
          leave out a top layer that is too thin to matter",
-        crate::solve::MOST_A_OVER_TOP
+        crate::stack::MOST_A_OVER_TOP
     )]
     StackReach {
         /// The contact radius over the thickness of the stack.

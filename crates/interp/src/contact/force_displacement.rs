@@ -170,7 +170,7 @@ impl Equilibria<'_> {
         let part = |i: usize| i as f64 / (points - 1) as f64;
         let radius = |i: usize| (1.0 - part(i)) * start + part(i) * end;
         (0..points)
-            .map(|i| self.contact.state(radius(i), self.work_of_adhesion))
+            .map(|i| self.contact.state(radius(i), self.energy.at(radius(i))))
             .collect()
     }
 

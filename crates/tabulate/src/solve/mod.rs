@@ -65,5 +65,5 @@ pub use method::Method;
 pub use power_law::{EXPONENTS, PowerLaw};
 pub(crate) use quadrature::{GaussLegendre, Panels};
 pub use solution::{Solution, solve, solve_power_laws};
-pub use stacked::{MOST_A_OVER_TOP, solve_stack, solve_stack_power_laws, stack_curve};
+pub use stacked::{solve_stack, solve_stack_power_laws, stack_curve};
 pub use surface::{PanelRule, Sample, SurfaceCompliance};
