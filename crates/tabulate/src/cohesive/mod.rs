@@ -399,9 +399,13 @@ impl Cohesive {
             weights[0] * parts[0].opening + weights[1] * parts[1].opening - self.range
         };
         let mut value = excess(low);
-        while value > 0.0 {
+        while value > 0.0 && low >= f64::MIN_POSITIVE {
             low *= 0.25;
             value = excess(low);
+        }
+        if low < f64::MIN_POSITIVE {
+            let what = "its annulus is so narrow that rounding has left no digits";
+            return Err(self.no_contact(radius, what));
         }
         let farthest = ((reach / radius).powi(2) - 1.0).max(0.0).sqrt();
         let mut high = low;
