@@ -62,6 +62,9 @@ use crate::stack::Stack;
 /// The radii, over the thickness of the top layer, of contacts and of annuli that are solved.
 pub const REACH: f64 = 120.0;
 
+/// The smallest radius of a contact, over the thickness of the top layer, that is solved.
+pub const SMALLEST: f64 = 1e-12;
+
 /// A sphere on a coated substrate with an attraction of finite range.
 #[derive(Clone, Debug)]
 pub struct Cohesive {
@@ -175,7 +178,8 @@ impl Cohesive {
     /// Of several outer radii at which the gap is `h0`, it is the smallest.
     ///
     /// # Errors
-    /// [`Error::Domain`] for a radius that is not positive or beyond [`REACH`], or whose annulus is;
+    /// [`Error::Domain`] for a radius below [`SMALLEST`] or beyond [`REACH`];
+    /// [`Error::AnnulusReach`] for one whose annulus is beyond it;
     /// [`Error::NotAContact`] where the contact would open inside, or the gap in the annulus is not
     /// between 0 and `h0`.
     pub fn state(&self, contact_radius: f64) -> Result<CohesiveState, Error> {
@@ -346,7 +350,8 @@ impl Cohesive {
         } else {
             reach
         };
-        Error::check("contact radius", contact_radius, [f64::MIN_POSITIVE, reach])?;
+        let smallest = SMALLEST * self.thickness;
+        Error::check("contact radius", contact_radius, [smallest, reach])?;
         let radius = contact_radius / self.thickness;
         FixedRadius::new(radius, &self.symbol)
             .ok_or_else(|| self.no_contact(radius, "rounding has left no digits"))
@@ -389,7 +394,8 @@ impl Cohesive {
         let length = 0.5 * PI * self.symbol.modulus() * self.range / self.traction;
         let short = (length * (length + 2.0 * radius)).sqrt();
         let long = (2.0 * self.range / self.curvature).sqrt();
-        let mut low = 0.4 * short.min(long) / radius;
+        let farthest = ((reach / radius).powi(2) - 1.0).max(0.0).sqrt();
+        let mut low = (0.4 * short.min(long) / radius).min(farthest);
         let weights = [self.curvature, self.traction];
         let contact = RefCell::new(contact);
         let excess = |tangent: f64| {
@@ -407,7 +413,6 @@ impl Cohesive {
             let what = "its annulus is so narrow that rounding has left no digits";
             return Err(self.no_contact(radius, what));
         }
-        let farthest = ((reach / radius).powi(2) - 1.0).max(0.0).sqrt();
         let mut high = low;
         while value < 0.0 {
             if high >= farthest {
