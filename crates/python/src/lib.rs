@@ -2,8 +2,8 @@
 //!
 //! It is thin. The Python layer beside it checks types, broadcasts, documents and annotates; this
 //! module takes flat arrays of f64 and evaluates them with the interpreter's lock released. Data
-//! flows `contact → table → bodies`, all through `arrays`; `line`, `fit`, `model`, `generate`, `solve`
-//! and `cohesive` stand beside them; `error` makes Python's exceptions of all of them.
+//! flows `contact → table → bodies`, all through `arrays`; `line`, `fit`, `model`, `generate`,
+//! `solve` and `cohesive` stand beside them; `error` makes Python's exceptions of all of them.
 
 #![forbid(unsafe_code)]
 
@@ -51,6 +51,7 @@ mod _core {
 
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
-        module.add("__version__", env!("CARGO_PKG_VERSION"))
+        module.add("__version__", env!("CARGO_PKG_VERSION"))?;
+        module.add("writes_hdf5", cfg!(feature = "hdf5"))
     }
 }

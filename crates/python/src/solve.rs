@@ -23,8 +23,8 @@ pub fn solve<'py>(
     points.evaluate_on_all_cores(py, inputs.each_ref(), one)
 }
 
-/// Solves a stack of layers at every point: `a_over_t`, the reduced modulus of the sphere, `tolerance`.
-/// Returns what [`solve`] returns.
+/// Solves a stack of layers at every point: `a_over_t`, the reduced modulus of the sphere,
+/// `tolerance`. Returns what [`solve`] returns.
 #[pyfunction]
 pub fn solve_stack<'py>(
     py: Python<'py>,

@@ -24,8 +24,9 @@ pub fn check(path: &Path, inputs: &[&Path]) -> Result<(), Error> {
     let attempt = || {
         let target = target(path)?;
         // Comparing opens both, and opening a pipe may block.
-        let is_target =
-            |input: &&Path| input.is_file() && same_file::is_same_file(input, &target).unwrap_or(false);
+        let is_target = |input: &&Path| {
+            input.is_file() && same_file::is_same_file(input, &target).unwrap_or(false)
+        };
         if inputs.iter().any(is_target) {
             return Err(io::Error::other(
                 "it is the input, which no command overwrites; choose another name",
