@@ -179,6 +179,7 @@ fn recover(
     match &mut imagined.truth.bodies {
         Bodies::Coated(system) => system.probe = wrong,
         Bodies::HalfSpace(half_space) => half_space.probe = wrong,
+        Bodies::Layered(layered) => layered.probe = wrong,
     }
     offs(&imagined, first).into_iter().fold(0.0, f64::max)
 }

@@ -63,10 +63,12 @@
 //! tenth of that by the other method. A curve of 200 layers up to `a/h` of 200 takes 25 ms on one
 //! core: the compliance of many layers is sampled once.
 
+#[cfg(feature = "fit")]
 mod in_fits;
 
 use interp::{Elastic, Material, Probe, System};
 
+#[cfg(feature = "fit")]
 pub use self::in_fits::solver;
 use crate::Error;
 
@@ -139,12 +141,20 @@ impl Stack {
             solid: solid(thickness * ((i as f64 + 0.5) / count as f64)),
             thickness: thickness / count as f64,
         };
-        let mut stack = Self::new(base, (0..count).map(layer).collect::<Vec<_>>())?;
-        stack.surface = solid(thickness);
-        if stack.surface.young() == f64::INFINITY {
-            return Err(stack.rigid(count));
+        Self::new(base, (0..count).map(layer).collect::<Vec<_>>())?.with_surface(solid(thickness))
+    }
+
+    /// Returns this stack with another solid at its surface than that of the top layer, as
+    /// [`Stack::graded`] makes it: the top layer is the highest sublayer of a graded film, and
+    /// `surface` what the sphere touches.
+    ///
+    /// # Errors
+    /// [`Error::Layer`] for a rigid solid.
+    pub fn with_surface(self, surface: Elastic) -> Result<Self, Error> {
+        if surface.young() == f64::INFINITY {
+            return Err(self.rigid(self.layers.len()));
         }
-        Ok(stack)
+        Ok(Self { surface, ..self })
     }
 
     /// Returns the base.

@@ -68,6 +68,9 @@ pub const REACH: f64 = 120.0;
 /// The step of `ln a` in the search of the pull-off.
 const STEP: f64 = 0.25;
 
+/// The smallest radius of a contact, over the thickness of the top layer, that is solved.
+pub const SMALLEST: f64 = 1e-12;
+
 /// A sphere on a coated substrate with an attraction of finite range.
 #[derive(Clone, Debug)]
 pub struct Cohesive {
@@ -165,7 +168,8 @@ impl Cohesive {
     /// Of several outer radii at which the gap is `h0`, it is the smallest.
     ///
     /// # Errors
-    /// [`Error::Domain`] for a radius that is not positive or beyond [`REACH`], or whose annulus is;
+    /// [`Error::Domain`] for a radius below [`SMALLEST`] or beyond [`REACH`];
+    /// [`Error::AnnulusReach`] for one whose annulus is beyond it;
     /// [`Error::NotAContact`] where the contact would open inside, or the gap in the annulus is not
     /// between 0 and `h0`.
     pub fn state(&self, contact_radius: f64) -> Result<CohesiveState, Error> {
@@ -325,7 +329,8 @@ impl Cohesive {
         } else {
             reach
         };
-        Error::check("contact radius", contact_radius, [f64::MIN_POSITIVE, reach])?;
+        let smallest = SMALLEST * self.thickness;
+        Error::check("contact radius", contact_radius, [smallest, reach])?;
         let radius = contact_radius / self.thickness;
         FixedRadius::new(radius, &self.symbol)
             .ok_or_else(|| self.no_contact(radius, "rounding has left no digits"))
@@ -371,13 +376,15 @@ impl Cohesive {
         // for a short range, (pi/4) es w/sigma0^2 beside a long crack, and a long one, in which the
         // bodies keep their shapes. Either alone would open the gap, and the inverse squares add.
         let square = |width: f64| width * (width + 2.0 * radius) / (radius * radius);
-        let (mut low, mut growth) = if let Some(width) = width {
+        let farthest = ((reach / radius).powi(2) - 1.0).max(0.0);
+        let (first, mut growth) = if let Some(width) = width {
             (square(width) / NEAR.sqrt(), NEAR)
         } else {
             let short = square(0.5 * PI * self.symbol.modulus() * self.range / self.traction);
             let long = 2.0 * self.range / (self.curvature * radius * radius);
             (short * long / (short + long) / GROWTH, GROWTH)
         };
+        let mut low = first.min(farthest);
         let weights = [self.curvature, self.traction];
         let mut excess = |square: f64| {
             let (parts, _) = contact.parts(&Annulus::new(radius, square.sqrt()));
@@ -385,13 +392,16 @@ impl Cohesive {
         };
         let mut value = excess(low);
         let mut high = None;
-        while value > 0.0 {
+        while value > 0.0 && low >= f64::MIN_POSITIVE {
             high = Some((low, value));
             low /= growth;
             growth = GROWTH;
             value = excess(low);
         }
-        let farthest = ((reach / radius).powi(2) - 1.0).max(0.0);
+        if low < f64::MIN_POSITIVE {
+            let what = "its annulus is so narrow that rounding has left no digits";
+            return Err(self.no_contact(radius, what));
+        }
         let high = loop {
             if let Some(high) = high {
                 break high;

@@ -63,6 +63,7 @@ pub(crate) use estimate::larger;
 pub use layered::LayeredCompliance;
 pub use method::Method;
 pub use power_law::{EXPONENTS, PowerLaw};
+#[cfg(feature = "cli")]
 pub(crate) use quadrature::{GaussLegendre, Panels};
 pub use solution::{Solution, solve, solve_power_laws};
 pub use stacked::{solve_stack, solve_stack_power_laws, stack_curve};
