@@ -270,7 +270,7 @@ fn contacts_outside_the_model_are_warned_of() {
     );
     // On a softer film the zone of attraction is short, and its effect a few per cent.
     let mut softer = Imagined::lens(Kind::LoadPenetration, 1e-6, 1e-9, &[LENS[1]]);
-    softer.truth = hard.truth.clone();
+    softer.truth = hard.truth;
     softer.truth.bodies = Bodies::Coated(interp::System {
         probe: Probe::Paraboloid { radius: 20e-9 },
         sphere_modulus: f64::INFINITY,
