@@ -84,7 +84,7 @@ fn errors_are_those_of_the_loads_of_other_systems() {
         let effects = &Effect::ALL[..others.len()];
         let found =
             errors(effects, a_over_t, &scene, strength).expect("moderate contrasts converge");
-        for ((&effect, found), other) in effects.into_iter().zip(found).zip(others) {
+        for ((&effect, found), other) in effects.iter().zip(found).zip(others) {
             let expected = ((other - load) / pressed).abs();
             // A substrate of thirty times the sphere's modulus is rigid to 1e-6 only.
             let allowed = 5e-5 * (other / pressed).abs().max(1.0);

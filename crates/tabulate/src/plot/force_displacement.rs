@@ -12,9 +12,8 @@ use crate::Error;
 /// The film thicknesses, m.
 pub const THICKNESSES: [f64; 3] = [1e-6, 30e-6, 300e-6];
 
-/// The largest imposed penetration over that of the farthest separation, and the largest imposed
-/// load over that of the strongest.
-const FARTHEST: [f64; 2] = [3.4, 2.0];
+/// The largest imposed load over that of the strongest separation.
+const HEAVIEST: f64 = 2.0;
 
 /// The number of states on each branch.
 const POINTS: usize = 200;
@@ -31,8 +30,8 @@ pub struct Film {
 }
 
 /// Computes the data of the paper's system under a `probe` from direct solves, for each of
-/// [`THICKNESSES`]. All curves reach the same penetration, or load, which is in proportion to the
-/// largest one at a separation.
+/// [`THICKNESSES`]. All curves reach the same load, twice the largest one at a separation, or the
+/// largest penetration under it.
 ///
 /// # Errors
 /// Those of [`crate::solve::curve`], of [`Contact::new`] and of
@@ -42,22 +41,20 @@ pub fn data(probe: &Probe) -> Result<Vec<Film>, Error> {
         .iter()
         .map(|&thickness| paper::contact(probe, thickness))
         .collect::<Result<_, _>>()?;
-    let courses = |control, value: fn(&State) -> f64, farthest: f64| {
-        let mut all = Vec::with_capacity(contacts.len());
-        for contact in &contacts {
-            all.push(contact.equilibria(WORK_OF_ADHESION, control)?);
-        }
-        let mut strongest = 0.0_f64;
-        for equilibria in &all {
-            strongest = strongest.max(-value(&equilibria.pull_off()?));
-        }
-        all.iter()
-            .map(|equilibria| equilibria.force_displacement(farthest * strongest, POINTS))
-            .collect::<Result<Vec<_>, _>>()
+    let courses = |control, most: f64| {
+        let course = |contact: &Contact| {
+            let equilibria = contact.equilibria(WORK_OF_ADHESION, control)?;
+            equilibria.force_displacement(most, POINTS)
+        };
+        contacts.iter().map(course).collect::<Result<Vec<_>, _>>()
     };
-    let [deeper, heavier] = FARTHEST;
-    let displacement = courses(Control::Displacement, |state| state.penetration, deeper)?;
-    let load = courses(Control::Load, |state| state.load, heavier)?;
+    let mut strongest = 0.0_f64;
+    for contact in &contacts {
+        let separation = contact.pull_off(WORK_OF_ADHESION, Control::Load)?;
+        strongest = strongest.max(-separation.load);
+    }
+    let load = courses(Control::Load, HEAVIEST * strongest)?;
+    let displacement = courses(Control::Displacement, deepest(&load))?;
     Ok(THICKNESSES
         .iter()
         .zip(displacement.into_iter().zip(load))
@@ -67,6 +64,14 @@ pub fn data(probe: &Probe) -> Result<Vec<Film>, Error> {
             load,
         })
         .collect())
+}
+
+/// Returns the largest penetration of some curves.
+fn deepest<'a>(courses: impl IntoIterator<Item = &'a ForceDisplacement>) -> f64 {
+    let branches = courses.into_iter().flat_map(|course| &course.loading);
+    branches
+        .flatten()
+        .fold(0.0, |most, state| most.max(state.penetration))
 }
 
 /// The axes of both panels.
@@ -82,21 +87,23 @@ impl Axes {
     fn new(films: &[Film]) -> Self {
         /// The lengths of the axes below zero over the largest values at a separation.
         const BELOW: [f64; 2] = [1.8, 1.25];
+        /// The least length of the axis of penetration below zero, over that above: for labels.
+        const FOR_LABELS: f64 = 0.4;
         let separations = |value: fn(&State) -> f64| {
             let jumps = films
                 .iter()
                 .flat_map(|film| film.displacement.jumps.iter().chain(&film.load.jumps));
             jumps.fold(0.0_f64, |most, jump| most.max(-value(&jump.from)))
         };
-        let most = [
-            separations(|state| state.penetration),
-            separations(|state| state.load),
+        let apart = separations(|state| state.penetration);
+        let pulled = separations(|state| state.load);
+        let deepest = deepest(films.iter().map(|film| &film.load));
+        let ends = [
+            [-(BELOW[0] * apart).max(FOR_LABELS * deepest), deepest],
+            [-BELOW[1] * pulled, HEAVIEST * pulled],
         ];
-        let units = [unit(most[0], "m"), unit(most[1], "N")];
-        let ends = [0, 1].map(|i| {
-            let most = most[i] / units[i].1;
-            [-BELOW[i] * most, FARTHEST[i] * most]
-        });
+        let units = [unit(deepest, "m"), unit(pulled, "N")];
+        let ends = [0, 1].map(|i| ends[i].map(|end| end / units[i].1));
         Self { ends, units }
     }
 

@@ -15,10 +15,11 @@ impl Row {
                 self.saved_solves < 0,
                 grouped(self.saved_solves.unsigned_abs()),
             ),
-            match self.saved_seconds {
-                None => "not measurable".into(),
-                Some(seconds) if seconds < 0.0 => "no time".into(),
-                Some(seconds) => human(seconds),
+            match (self.time_ratio, self.saved_seconds) {
+                (Some(ratio), _) => format!("a new material takes {ratio:.1} times as long"),
+                (None, None) => "not measurable".into(),
+                (None, Some(seconds)) if seconds < 0.0 => "no time".into(),
+                (None, Some(seconds)) => human(seconds),
             },
             signed(
                 self.saved_bytes < 0,
@@ -31,9 +32,6 @@ impl Row {
     /// the whole scene.
     fn saved_time(&self, whole: f64) -> String {
         let [_, saved, _] = self.saved();
-        if let Some(ratio) = self.time_ratio {
-            return format!("a new material takes {ratio:.1} times as long");
-        }
         let difference = whole - self.seconds;
         match self.saved_seconds {
             None => format!("{saved} ({} is within the noise)", human(difference.abs())),
