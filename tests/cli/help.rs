@@ -207,10 +207,11 @@ fn wrong_usage_ends_with_2_and_failed_work_with_1() {
 const EXAMPLE: &str = "  tabulate";
 
 /// Examples that take too long for a test. Other tests run most of these commands on smaller input.
-const LONG: [&str; 9] = [
+const LONG: [&str; 10] = [
     "tabulate generate                                  # the default scene: a million contacts",
     "tabulate report tables/paper.h5 -o paper.html",
     "tabulate report embedded -o report.html",
+    "tabulate report embedded --probe flat-punch --sphere-radius 1e-5 -o punch.html",
     "tabulate unpack embedded -o universal.h5",
     "tabulate plot error-map tables/paper.h5 -o errors.svg",
     "tabulate cost solve -o solve.csv",

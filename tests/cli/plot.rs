@@ -3,10 +3,10 @@
 use std::f64::consts::PI;
 
 use acceptance::{assert_names, ends, error_at, material, shipped, workdir};
-use interp::{ForceDisplacement, Jump, Parameter, State, Table};
+use interp::{ForceDisplacement, Jump, Parameter, Probe, State, Table};
 use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg::{Node, Options, Tree};
-use tabulate::plot::{error_map, fig2, fig3, fig4, force_displacement};
+use tabulate::plot::{error_map, fig2, fig3, fig4, force_displacement, paper};
 
 /// The width of every figure in pixels.
 const WIDTH: u32 = 840;
@@ -115,7 +115,7 @@ fn fig4_shows_the_lines_of_jkr_and_the_published_radii_at_zero_load() {
 
 #[test]
 fn force_curves_jump_at_what_is_imposed_and_separate_where_jkr_does() {
-    for film in force_displacement::data().unwrap() {
+    for film in force_displacement::data(&paper::PROBE).unwrap() {
         let (displacement, load): (&ForceDisplacement, &ForceDisplacement) =
             (&film.displacement, &film.load);
         for jump in &displacement.jumps {
@@ -154,6 +154,58 @@ fn force_curves_jump_at_what_is_imposed_and_separate_where_jkr_does() {
             film.thickness
         );
     }
+}
+
+#[test]
+fn other_probes_separate_from_the_thickest_film_as_from_a_half_space() {
+    let (w, modulus) = (0.04_f64, 1.4e6_f64);
+    let half_angle = 70_f64.to_radians();
+    let slope = half_angle.tan().recip();
+    let radius = 1e-6_f64;
+    // The least load of `F = pi/2 slope E* a^2 - sqrt(8 pi w E* a^3)` (Maugis and Barquins), and the
+    // load at which a punch separates (Kendall). The film is 240 and 300 contact radii thick.
+    let cases = [
+        (
+            Probe::Cone { half_angle },
+            -54.0 * w * w / (PI * slope.powi(3) * modulus),
+        ),
+        (
+            Probe::FlatPunch { radius },
+            -(8.0 * PI * w * modulus * radius.powi(3)).sqrt(),
+        ),
+    ];
+    for (probe, truth) in cases {
+        let films = force_displacement::data(&probe).unwrap();
+        let [thin, .., thick] = &films[..] else {
+            panic!("{} films", films.len());
+        };
+        let separation =
+            |film: &force_displacement::Film| film.load.jumps.last().unwrap().from.load;
+        close(separation(thick), truth, 0.01, probe.name());
+        // The stiff substrate is near under the thin film.
+        assert!(
+            (separation(thin) / truth - 1.0).abs() > 0.02,
+            "{}",
+            probe.name()
+        );
+    }
+    let workdir = workdir!();
+    let rounded = [
+        "--probe",
+        "rounded-cone",
+        "--half-angle",
+        "70",
+        "--sphere-radius",
+        "1e-6",
+    ];
+    let plot = ["plot", "force-displacement", "-o", "tip.svg"];
+    assert_eq!(workdir.succeed(&[&plot[..], &rounded].concat()), "");
+    let tree = Tree::from_data(&workdir.read("tip.svg"), &Options::default()).unwrap();
+    assert_eq!(tree.size().to_int_size().width(), WIDTH);
+    assert_names(
+        &workdir.fail(1, &[&plot[..], &["--probe", "cone"]].concat()),
+        &["--probe cone needs --half-angle"],
+    );
 }
 
 #[test]

@@ -266,7 +266,24 @@ fn contacts_outside_the_model_are_warned_of() {
     assert_warns(
         &hard.fit(1),
         WarningKind::LongRange,
-        &["Tabor's parameter", "below 5"],
+        &["Tabor's parameter", "below 5", "does not hold", "zone"],
+    );
+    // On a softer film the zone of attraction is short, and its effect a few per cent.
+    let mut softer = Imagined::lens(Kind::LoadPenetration, 1e-6, 1e-9, &[LENS[1]]);
+    softer.truth = hard.truth;
+    softer.truth.bodies = Bodies::Coated(interp::System {
+        probe: Probe::Paraboloid { radius: 20e-9 },
+        sphere_modulus: f64::INFINITY,
+        film: solid(5e8, 0.2),
+        film_thickness: 1e-7,
+        substrate: solid(2e11, 0.2),
+    });
+    softer.radii = [5e-9, 9e-9];
+    softer.noise = 1e-11;
+    assert_warns(
+        &softer.fit(1),
+        WarningKind::LongRange,
+        &["Tabor's parameter", "too small by 2.", "%"],
     );
     // The lens is soft and in the limit of JKR.
     let lens = Imagined::lens(Kind::LoadRadius, 10e-6, 5e-6, &LENS).fit(1);

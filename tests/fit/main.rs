@@ -9,3 +9,4 @@ mod imagined;
 mod layers;
 mod planning;
 mod recovery;
+mod shapes;

@@ -91,6 +91,12 @@ pub fn browse(page: &str, addresses: &[String]) -> Option<Value> {
     run(page, &format!("browse({addresses})"))
 }
 
+/// Returns what a report shows after each choice of a probe, on a film of a thickness in um.
+pub fn choose(page: &str, probes: &[&str], thickness: f64) -> Option<Value> {
+    let probes = serde_json::to_string(probes).expect("text");
+    run(page, &format!("choose({probes}, {thickness})"))
+}
+
 /// Returns the messages of a report.
 pub fn told(page: &str) -> Option<Value> {
     run(page, "told()")

@@ -3,6 +3,7 @@
 use acceptance::table;
 use tabulate::report::report;
 
+use crate::SPHERE;
 use crate::browser::{damage, told};
 
 const SCENE: &str = "
@@ -17,7 +18,7 @@ const DAMAGED: &str = "The data of this page is damaged. Copy the page again, or
 
 /// Returns a page and its data in base64.
 fn page() -> (String, String) {
-    let page = report(&table(SCENE), &[]).expect("a report");
+    let page = report(&table(SCENE), &[], &SPHERE).expect("a report");
     let (_, rest) = page
         .split_once("id=\"packed\">")
         .expect("the page has data");

@@ -6,7 +6,7 @@ use base64::engine::general_purpose::STANDARD;
 use interp::{Quantity, Table};
 use tabulate::report::report;
 
-use crate::{DIFFERENCE, FOUR_AXES, GAMMA_ALONE, RIGID_SPHERE, embedded_universal};
+use crate::{DIFFERENCE, FOUR_AXES, GAMMA_ALONE, RIGID_SPHERE, SPHERE, embedded_universal};
 
 /// Reads the table in a page.
 fn packed(page: &str) -> Table {
@@ -64,7 +64,7 @@ fn the_file_is_whole_and_the_same_twice() {
 
 #[test]
 fn what_a_table_says_is_text() {
-    let page = report(&table(FOUR_AXES), &[]).expect("a report");
+    let page = report(&table(FOUR_AXES), &[], &SPHERE).expect("a report");
     assert_names(&page, &["<title>Ångström &amp; &lt;Söhne&gt;</title>"]);
     assert!(!page.contains("<Söhne>"));
 }
@@ -79,7 +79,7 @@ fn the_table_in_the_page_is_the_table() {
         table(GAMMA_ALONE),
     ];
     for table in tables {
-        let embedded = packed(&report(&table, &[]).expect("a report"));
+        let embedded = packed(&report(&table, &[], &SPHERE).expect("a report"));
         assert_eq!(embedded.description(), table.description());
         let mut contacts = Contacts::new(1);
         let mut largest = 0.0;
@@ -106,7 +106,7 @@ fn the_table_in_the_page_is_the_table() {
     }
     // A table in low-rank form is in the page unchanged.
     let table = Table::read(embedded_universal()).expect("the embedded table");
-    let embedded = packed(&report(&table, &[]).expect("a report"));
+    let embedded = packed(&report(&table, &[], &SPHERE).expect("a report"));
     assert_eq!(
         embedded.to_packed().expect("packed"),
         table.to_packed().expect("packed")

@@ -11,7 +11,7 @@ use serde_json::Value;
 use tabulate::report::report;
 
 use crate::browser::browse;
-use crate::{DIFFERENCE, FOUR_AXES, GAMMA_ALONE, RIGID_SPHERE, embedded_universal};
+use crate::{DIFFERENCE, FOUR_AXES, GAMMA_ALONE, RIGID_SPHERE, SPHERE, embedded_universal};
 
 /// A rigid sphere with adhesion, without `delta0`: enough for load against contact radius.
 const NO_PENETRATION: &str = "
@@ -28,6 +28,8 @@ const NO_PENETRATION: &str = "
 /// ratio.
 #[derive(Clone, Copy)]
 struct Setting {
+    /// The value of --probe.
+    probe: &'static str,
     thickness: f64,
     film: [f64; 2],
     substrate: [f64; 2],
@@ -38,6 +40,7 @@ struct Setting {
 
 /// The settings of the paper, with a film of 1 um.
 const PAPER: Setting = Setting {
+    probe: "paraboloid",
     thickness: 1e-6,
     film: [3.5e6, 0.5],
     substrate: [2e11, 0.25],
@@ -74,14 +77,19 @@ impl Setting {
             .iter()
             .filter(|(free, ..)| *free)
             .map(|(_, name, value)| format!("{name}={value:e}"));
-        free.collect::<Vec<_>>().join("&")
+        let probe = (self.probe != "paraboloid").then(|| format!("probe={}", self.probe));
+        probe.into_iter().chain(free).collect::<Vec<_>>().join("&")
     }
 
     fn contact(&self, table: &Table) -> Contact {
         let solid = |[young, poisson]: [f64; 2]| Elastic::new(young, poisson).expect("physical");
+        let radius = self.radius;
         let system = System {
-            probe: Probe::Paraboloid {
-                radius: self.radius,
+            probe: match self.probe {
+                "paraboloid" => Probe::Paraboloid { radius },
+                "sphere" => Probe::Sphere { radius },
+                "flat-punch" => Probe::FlatPunch { radius },
+                other => panic!("{other}"),
             },
             sphere_modulus: self.sphere,
             film: solid(self.film),
@@ -116,6 +124,26 @@ fn assert_load(contact: &Contact, adhesion: f64, a: f64, load: f64, what: &str) 
     );
 }
 
+/// Asserts that the states in the CSV of a page lie on the line of a flat punch, and that the first
+/// one is the separation that the program prints.
+fn assert_punch(contact: &Contact, csv: &Data, printed: &Data, what: &str) {
+    let close = |ours: f64, theirs: f64| (ours - theirs).abs() <= DIFFERENCE * theirs.abs();
+    let (first, separation) = (csv.cases().next(), printed.cases().next());
+    let (first, separation) = (first.expect("a row"), separation.expect("a row"));
+    assert_eq!(printed.cases().count(), 1, "{what}");
+    for column in ["contact_radius", "load", "penetration", "jkr_ordinate"] {
+        let (ours, theirs) = (first.get(column), separation.get(column));
+        assert!(close(ours, theirs), "{what}: {column} {ours:e} {theirs:e}");
+    }
+    assert!(first.get("load") < 0.0, "{what}: the punch sticks");
+    for case in csv.cases() {
+        assert_eq!(case.text("jkr_abscissa"), "NaN");
+        let stiffness = contact.stiffness(case.get("contact_radius"));
+        let load = stiffness.expect("in the table") * case.get("penetration");
+        assert!(close(case.get("load"), load), "{what}: {load:e}");
+    }
+}
+
 /// Asserts that the page of a table agrees with `tabulate curve` and with `interp` at each of the
 /// settings. Returns the content of the page; none without Chromium.
 fn assert_shows(
@@ -124,7 +152,7 @@ fn assert_shows(
     table: &Table,
     settings: &[Setting],
 ) -> Option<Value> {
-    let page = report(table, &[]).expect("a report");
+    let page = report(table, &[], &SPHERE).expect("a report");
     let addresses: Vec<String> = settings
         .iter()
         .map(|setting| setting.address(table))
@@ -157,7 +185,10 @@ fn assert_shows(
             ]
         );
         assert_eq!(csv.cases().count(), 150);
-        if penetrates {
+        if setting.probe == "flat-punch" {
+            let printed = Data::parse("the program's", &workdir.succeed(&arguments));
+            assert_punch(&contact, &csv, &printed, &what);
+        } else if penetrates {
             let printed = Data::parse("the program's", &workdir.succeed(&arguments));
             for (ours, theirs) in csv.cases().zip(printed.cases()) {
                 let a = theirs.get("contact_radius");
@@ -176,7 +207,8 @@ fn assert_shows(
             assert!(csv.cases().all(|case| case.text("penetration").is_empty()));
         }
 
-        for point in look["points"].as_array().expect("points") {
+        let points = look["points"].as_array().expect("points");
+        for point in points.iter().filter(|_| setting.probe != "flat-punch") {
             assert_load(
                 &contact,
                 setting.adhesion,
@@ -311,6 +343,7 @@ fn a_page_of_the_embedded_table_shows_what_the_program_prints() {
         },
         // A probe of an atomic force microscope on a thin polymer film.
         Setting {
+            probe: "paraboloid",
             thickness: 5e-8,
             film: [2e9, 0.35],
             substrate: [1.3e11, 0.25],
@@ -327,8 +360,36 @@ fn a_page_of_the_embedded_table_shows_what_the_program_prints() {
             thickness: 1e-8,
             ..PAPER
         },
+        // Contact radii up to 0.4 R, on a film and on two thin ones.
+        Setting {
+            probe: "sphere",
+            radius: 1e-5,
+            ..PAPER
+        },
+        Setting {
+            probe: "sphere",
+            thickness: 1e-7,
+            radius: 1e-5,
+            film: [1e5, 0.499],
+            ..PAPER
+        },
+        Setting {
+            probe: "sphere",
+            thickness: 5e-8,
+            film: [2e9, 0.35],
+            substrate: [1.3e11, 0.25],
+            radius: 2e-6,
+            sphere: 7e10,
+            adhesion: 0.1,
+        },
+        Setting {
+            probe: "flat-punch",
+            radius: 1e-5,
+            ..PAPER
+        },
         // All parameters matter.
         Setting {
+            probe: "paraboloid",
             thickness: 1e-3,
             film: [5e6, 0.0],
             substrate: [2e6, 0.25],
@@ -355,8 +416,26 @@ fn a_page_with_all_axes_shows_what_the_program_prints() {
             thickness: 1e-8,
             ..setting
         },
+        // Four quantities that the table holds. Without adhesion the curve ends at 0.1 R.
+        Setting {
+            probe: "sphere",
+            radius: 1e-5,
+            ..setting
+        },
+        Setting {
+            probe: "sphere",
+            radius: 1e-5,
+            adhesion: 0.0,
+            ..setting
+        },
+        Setting {
+            probe: "flat-punch",
+            radius: 1e-5,
+            ..setting
+        },
         // All parameters matter.
         Setting {
+            probe: "paraboloid",
             thickness: 1e-3,
             film: [4e6, 0.3],
             substrate: [4e7, 0.2],

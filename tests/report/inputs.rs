@@ -1,14 +1,15 @@
 //! Wrong inputs of a page: in its address, and typed into its fields.
 
-use acceptance::table;
+use acceptance::{assert_names, table};
+use interp::Probe;
 use serde_json::{Value, json};
 use tabulate::report::{LARGE_CONTACT, report};
 
-use crate::browser::{browse, fill};
-use crate::{FOUR_AXES, GAMMA_ALONE};
+use crate::browser::{browse, choose, fill};
+use crate::{FOUR_AXES, GAMMA_ALONE, RIGID_SPHERE, SPHERE};
 
 fn page(scene: &str) -> String {
-    report(&table(scene), &[]).expect("a report")
+    report(&table(scene), &[], &SPHERE).expect("a report")
 }
 
 #[test]
@@ -175,4 +176,56 @@ fn rigid_bodies_and_free_poisson_ratios_have_messages_of_their_own() {
             assert_eq!(messages, *message, "{address}");
         }
     }
+}
+
+#[test]
+fn a_probe_is_chosen_with_its_radius_its_drawings_and_its_messages() {
+    let probes = ["flat-punch", "sphere", "paraboloid"];
+    let Some(seen) = choose(&page(FOUR_AXES), &probes, 1.0) else {
+        return;
+    };
+    let beyond = "The radius of the punch over the film thickness is 1000; the table holds 0.01 to 100. \
+                  Change the punch radius or the film thickness.";
+    let expected = [
+        ("punch radius R", 0, beyond, "#probe=flat-punch"),
+        ("sphere radius R", 2, "", "#probe=sphere"),
+        // The address holds what differs from the page as it opens.
+        ("sphere radius R", 2, "", "#film_thickness=0.000001"),
+    ];
+    for (expected, look) in expected.into_iter().zip(seen.as_array().expect("looks")) {
+        let (radius, drawings, messages, address) = expected;
+        assert_eq!(look["radius"], radius);
+        assert_eq!(look["messages"], messages);
+        assert_eq!(look["address"], address);
+        if messages.is_empty() {
+            assert_eq!(look["drawings"], drawings);
+        }
+    }
+}
+
+#[test]
+fn a_page_opens_with_the_probe_that_was_asked_for() {
+    let table = table(FOUR_AXES);
+    let probe = Probe::FlatPunch { radius: 2e-5 };
+    let page = report(&table, &[], &probe).expect("a report");
+    // Without an address.
+    let Some(seen) = browse(&page, &[String::new()]) else {
+        return;
+    };
+    let command = seen["looks"][0]["command"].as_str().expect("a command");
+    assert_names(command, &["--probe flat-punch", "--sphere-radius 0.00002"]);
+    assert_eq!(seen["sliders"][0]["back"], true);
+}
+
+#[test]
+fn a_page_with_a_probe_that_it_does_not_compute_is_refused() {
+    let [all, two] = [table(FOUR_AXES), table(RIGID_SPHERE)];
+    let refused = |table, probe| report(table, &[], &probe).expect_err("refused").to_string();
+    let cone = refused(&all, Probe::Cone { half_angle: 1.0 });
+    assert_names(
+        &cone,
+        &["no cone", "paraboloid", "flat punch", "`tabulate curve`"],
+    );
+    let sphere = refused(&two, Probe::Sphere { radius: 1e-3 });
+    assert_names(&sphere, &["no sphere", "eeq, gamma", "`tabulate curve`"]);
 }

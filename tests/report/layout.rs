@@ -6,6 +6,7 @@ use serde_json::Value;
 use tabulate::plot::fig2;
 use tabulate::report::{Illustration, report};
 
+use crate::SPHERE;
 use crate::browser::seen;
 
 /// The widths of the pages, in pixels.
@@ -53,7 +54,7 @@ fn a_phone_a_tablet_and_a_desktop_show_it_without_cutting_anything_off() {
         caption: "Fig. 2",
         figure: fig2::figure(&fig2::data().expect("solves")),
     };
-    let page = report(&table, &[figure])
+    let page = report(&table, &[figure], &SPHERE)
         .expect("a report")
         .replacen("</style>", WIDER, 1);
     let escaped = page.replace('&', "&amp;").replace('"', "&quot;");

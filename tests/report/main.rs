@@ -16,9 +16,14 @@ mod layout;
 
 use std::path::{Path, PathBuf};
 
+use interp::Probe;
+
 /// The largest relative difference between the quantities in a page and those of its table, as the
 /// documentation of `tabulate::report` states it.
 const DIFFERENCE: f64 = 1e-6;
+
+/// The probe with which a page opens.
+const SPHERE: Probe = Probe::Paraboloid { radius: 1e-3 };
 
 const FOUR_AXES: &str = "
     title      = 'Ångström & <Söhne>'

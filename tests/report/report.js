@@ -97,6 +97,22 @@ function fill(entries) {
     });
 }
 
+/** What the page shows after each choice of a probe, with the film thickness `thickness` in µm. */
+function choose(probes, thickness) {
+    enter(document.getElementById("film_thickness-number"), thickness);
+    const choice = document.getElementById("probe");
+    return probes.map((probe) => {
+        choice.value = probe;
+        choice.dispatchEvent(new Event("change", { bubbles: true }));
+        return {
+            radius: document.querySelector("label[for=sphere_radius]").innerText,
+            drawings: document.querySelectorAll("#charts svg").length,
+            messages: document.getElementById("message").innerText,
+            address: location.hash.split("&")[0],
+        };
+    });
+}
+
 /** The messages of the page. */
 function told() {
     return document.getElementById("message").innerText;

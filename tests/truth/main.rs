@@ -19,5 +19,6 @@ mod paper;
 mod power_laws;
 mod reference;
 mod regimes;
+mod short_range;
 mod stack_limits;
 mod stacks;

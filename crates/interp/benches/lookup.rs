@@ -69,6 +69,19 @@ fn lookup(criterion: &mut Criterion) {
     criterion.bench_function("curve of any material, four axes, low-rank", |b| {
         b.iter(|| low_rank.curve(black_box(any())))
     });
+    // The part that the shape adds to a new material.
+    for (what, probe) in [
+        ("paraboloid", Probe::Paraboloid { radius: 1e-5 }),
+        ("sphere", Probe::Sphere { radius: 1e-5 }),
+    ] {
+        let system = System {
+            probe,
+            ..system.clone()
+        };
+        criterion.bench_function(&format!("contact of a new material, {what}"), |b| {
+            b.iter(|| low_rank.contact(black_box(&system)))
+        });
+    }
     criterion.bench_function("curve with derivatives, four axes, low-rank", |b| {
         b.iter(|| low_rank.curve_with_gradient(black_box(&material)))
     });

@@ -67,6 +67,21 @@ pub enum Error {
         /// The reason, and what to ask instead.
         reason: &'static str,
     },
+    /// A zone of attraction that is not short.
+    #[error(
+        "the zone of attraction is {zone:?} m long, more than {} times the {what}, {length:?} m, and \
+         the correction for a short zone does not hold: give a larger stress of the attraction, or solve \
+         a zone of any length with `tabulate pull-off --interaction-range`",
+        crate::FiniteRange::LONGEST
+    )]
+    LongZone {
+        /// The length of the zone, m.
+        zone: f64,
+        /// What it is compared with, in words.
+        what: &'static str,
+        /// The radius or thickness, m.
+        length: f64,
+    },
     /// The curve of a stack of layers under a probe that is no paraboloid.
     #[error(
         "the curve of a stack of layers serves a paraboloid or a flat punch only, because its expansion \

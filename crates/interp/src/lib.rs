@@ -73,6 +73,7 @@
 //!   simplest. Advancing and receding lines may have different energies ([`Hysteresis`]), or
 //!   energies that depend on the speed ([`RateDependent`]). The line moves slowly
 //!   ([`ContactLine::impose`]) or in time (`ContactLine::ramp`, feature `dynamics`).
+//! * [`Contact::finite_range`] corrects for an attraction that acts over a short distance.
 //!
 //! # Outside the table
 //!
@@ -109,10 +110,11 @@ pub use contact::TimedState;
 pub use contact::root;
 pub use contact::{AdhesionRange, FilmValidity, Neglected, Validity};
 pub use contact::{Branch, Control, Equilibria, Equilibrium, ForceDisplacement, Jump};
+pub use contact::{CohesiveEquilibrium, CohesiveState, FiniteRange, ShortRange};
 pub use contact::{Contact, ContactGradient, Derivatives, Input, State};
 pub use contact::{ContactLine, CrackTip, Hysteresis, RateDependent};
 pub use contact::{FilmBias, JkrFit, JkrPoint, Mechanics};
-pub use curve::{Curve, QuantityGradient, bspline};
+pub use curve::{Curve, QuantityGradient, StackShape, bspline};
 pub use error::Error;
 pub use material::{
     Elastic, HalfSpace, Material, Normalisation, Parameter, Probe, Profile, Quantities, Quantity,

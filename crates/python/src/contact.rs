@@ -2,13 +2,15 @@
 
 use std::sync::OnceLock;
 
-use interp::{Branch, Control, Error, ForceDisplacement, Input as Parameter, State, System};
+use interp::{
+    Branch, Control, Error, ForceDisplacement, Input as Parameter, Neglected, State, System,
+};
 use numpy::PyArray1;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
 use crate::arrays::{Input, Output, Points};
-use crate::bodies::{HalfSpaceNumbers, half_space};
+use crate::bodies::{NativeHalfSpace, NativeStackSystem, NativeSystem};
 use crate::error::Failure;
 use crate::table::Table;
 
@@ -39,6 +41,15 @@ impl Contact {
         Self {
             contact,
             origin: Some((table, system)),
+            with_gradient: OnceLock::new(),
+        }
+    }
+
+    /// Takes a contact that no table can make again.
+    fn alone(contact: interp::Contact) -> Self {
+        Self {
+            contact,
+            origin: None,
             with_gradient: OnceLock::new(),
         }
     }
@@ -88,14 +99,45 @@ fn arrays<'py>(py: Python<'py>, states: &[State]) -> StateArrays<'py> {
 #[pymethods]
 impl Contact {
     #[staticmethod]
-    fn half_space(py: Python<'_>, numbers: HalfSpaceNumbers) -> PyResult<Self> {
-        half_space(numbers)
-            .and_then(|system| interp::Contact::half_space(&system))
-            .map(|contact| Self {
-                contact,
-                origin: None,
-                with_gradient: OnceLock::new(),
-            })
+    fn half_space(py: Python<'_>, system: &Bound<'_, NativeHalfSpace>) -> PyResult<Self> {
+        interp::Contact::half_space(&system.get().0)
+            .map(Self::alone)
+            .map_err(|error| Failure::from(error).raise(py))
+    }
+
+    /// Solves the contact of a system along `a/t`.
+    #[staticmethod]
+    fn solved(
+        py: Python<'_>,
+        system: &Bound<'_, NativeSystem>,
+        a_over_t: [f64; 2],
+        tolerance: f64,
+    ) -> PyResult<Self> {
+        let system = &system.get().0;
+        let solve = || {
+            let curve = tabulate::curve(&system.material()?, a_over_t, tolerance)?;
+            Ok::<_, tabulate::Error>(interp::Contact::new(system, curve)?)
+        };
+        py.detach(solve)
+            .map(Self::alone)
+            .map_err(|error| Failure::from(error).raise(py))
+    }
+
+    /// Solves the contact of a stack of layers along `a/t`.
+    #[staticmethod]
+    fn solved_on_stack(
+        py: Python<'_>,
+        system: &Bound<'_, NativeStackSystem>,
+        a_over_t: [f64; 2],
+        tolerance: f64,
+    ) -> PyResult<Self> {
+        let NativeStackSystem { stack, system } = system.get();
+        let solve = || {
+            let curve = tabulate::stack_curve(stack, system.sphere_modulus, a_over_t, tolerance)?;
+            Ok::<_, tabulate::Error>(interp::Contact::new(system, curve)?)
+        };
+        py.detach(solve)
+            .map(Self::alone)
             .map_err(|error| Failure::from(error).raise(py))
     }
 
@@ -141,22 +183,43 @@ impl Contact {
         })
     }
 
-    /// Returns a/R, a/t, the compressibility, and 1 if a/t is among the nodes; NaN on a half-space
-    /// for the last three.
+    /// Returns a/R, the effect of the shape, the displacement sideways, the share of the probe, and
+    /// of the film a/t, compressibility and strain, which are NaN on a half-space. Then 1 for yes:
+    /// whether a/t is among the nodes, and whether each effect is neglected though it matters.
     fn validity<'py>(
         &self,
         py: Python<'py>,
         points: Points,
         a: Input<'_>,
-    ) -> PyResult<[Output<'py>; 4]> {
+    ) -> PyResult<[Output<'py>; 11]> {
         points.evaluate(py, [&a], |[a]| {
             let validity = self.contact.validity(a)?;
-            let [a_over_t, compressibility, in_range] =
-                validity.film.map_or([f64::NAN; 3], |film| {
-                    let in_range = f64::from(u8::from(film.in_range));
-                    [film.a_over_t, film.compressibility, in_range]
+            let yes = |holds: bool| f64::from(u8::from(holds));
+            let [a_over_t, compressibility, strain, in_range] =
+                validity.film.map_or([f64::NAN; 4], |film| {
+                    let in_range = yes(film.in_range);
+                    [film.a_over_t, film.compressibility, film.strain, in_range]
                 });
-            Ok::<_, Error>([validity.a_over_r, a_over_t, compressibility, in_range])
+            let neglected = validity.neglected();
+            let [sideways, elastic_probe, large_strain] = [
+                Neglected::Sideways,
+                Neglected::ElasticProbe,
+                Neglected::Strain,
+            ]
+            .map(|effect| yes(neglected.contains(&effect)));
+            Ok::<_, Error>([
+                validity.a_over_r,
+                validity.shape,
+                validity.sideways,
+                validity.probe_share,
+                a_over_t,
+                compressibility,
+                strain,
+                in_range,
+                sideways,
+                elastic_probe,
+                large_strain,
+            ])
         })
     }
 

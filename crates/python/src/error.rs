@@ -162,6 +162,16 @@ impl From<Error> for Failure {
             } => of("BeyondSphereError")
                 .about("contact radius", contact_radius)
                 .range(0.0, sphere_radius),
+            Error::BeyondProbe {
+                contact_radius,
+                allowed,
+                limit,
+                ..
+            } => of("BeyondProbeError")
+                .about("contact radius", contact_radius)
+                .allowed(&format!("{allowed} {limit:?} m")),
+            Error::OtherProbe { .. } | Error::StackProbe => of("OtherProbeError"),
+            Error::Profile { row, .. } => of("ProfileError").about("row", row as f64),
             Error::OutsideTable {
                 axis,
                 value,
@@ -197,6 +207,7 @@ impl From<Error> for Failure {
                 axis: Some(name.to_owned()),
                 ..of("FixedParameterError")
             },
+            Error::NoGradient => of("FixedParameterError"),
             Error::Foreign(_)
             | Error::Version { .. }
             | Error::Length { .. }
@@ -227,6 +238,28 @@ impl From<tabulate::Error> for Failure {
             } => of("NotConvergedError")
                 .about("tolerance", tolerance)
                 .range(reached, f64::INFINITY),
+            Error::StackNotConverged {
+                tolerance, reached, ..
+            } => of("NotConvergedError")
+                .about("tolerance", tolerance)
+                .range(reached, f64::INFINITY),
+            Error::StackReach {
+                a_over_t, reach, ..
+            } => of("DomainError")
+                .about("a_over_t", a_over_t)
+                .range(0.0, reach),
+            Error::NoLayers => of("StackError"),
+            Error::Layer { layer, .. } => of("StackError").about("layer", layer as f64),
+            Error::NotAContact { contact_radius, .. } => {
+                of("NotAContactError").about("contact radius", contact_radius)
+            }
+            Error::AnnulusReach {
+                contact_radius,
+                reach,
+            } => of("DomainError")
+                .about("contact radius", contact_radius)
+                .range(0.0, reach),
+            Error::OnlyParaboloid { .. } => of("OtherProbeError"),
             Error::Read { path, source } | Error::Write { path, source } => {
                 of("OSError").about_file(&path, &source)
             }

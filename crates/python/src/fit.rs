@@ -4,14 +4,13 @@ use fit::{
     Bodies, Direction, Estimate, Experiment, Fit, FittedExperiment, Free, Kind, Loss, Measurement,
     Options, Parameter, Point, Scope, WithoutFilm,
 };
-use interp::Error as ContactError;
 use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 use rayon::prelude::*;
 
-use crate::bodies::{half_space, system};
+use crate::bodies::{NativeHalfSpace, NativeSystem};
 use crate::error::Failure;
 use crate::table::Table;
 
@@ -20,7 +19,7 @@ use crate::table::Table;
 pub struct Given<'py> {
     name: String,
     kind: String,
-    bodies: Vec<f64>,
+    bodies: GivenBodies<'py>,
     abscissa: PyReadonlyArray1<'py, f64>,
     ordinate: PyReadonlyArray1<'py, f64>,
     retract: Option<PyReadonlyArray1<'py, bool>>,
@@ -32,6 +31,15 @@ pub struct Given<'py> {
     baseline_slope: f64,
     stiffness: Option<f64>,
     noise: Option<f64>,
+}
+
+/// The bodies of an experiment.
+#[derive(FromPyObject)]
+enum GivenBodies<'py> {
+    #[pyo3(transparent)]
+    Coated(Bound<'py, NativeSystem>),
+    #[pyo3(transparent)]
+    HalfSpace(Bound<'py, NativeHalfSpace>),
 }
 
 /// A free parameter, as the attributes of the Python class.
@@ -58,7 +66,7 @@ pub fn fit_together<'py>(
     given_options: GivenOptions,
 ) -> PyResult<Bound<'py, PyDict>> {
     let (table, options) = (table.get(), options(given_options)?);
-    let experiments = experiments.iter().map(|one| experiment(py, one));
+    let experiments = experiments.iter().map(experiment);
     let experiments: Vec<Experiment> = experiments.collect::<PyResult<_>>()?;
     let free = frees(py, free)?;
     let found = py
@@ -91,7 +99,7 @@ pub fn fit_map<'py>(
     let free = frees(py, free)?;
     let results = PyList::empty(py);
     for (block, curves) in experiments.chunks(BLOCK).enumerate() {
-        let curves = curves.iter().map(|one| experiment(py, one));
+        let curves = curves.iter().map(experiment);
         let curves: Vec<Experiment> = curves.collect::<PyResult<_>>()?;
         let one = |curve: &Experiment| {
             fit::fit(table.get(), std::slice::from_ref(curve), &free, &options)
@@ -112,7 +120,7 @@ pub fn fit_map<'py>(
 }
 
 /// Makes an experiment.
-pub fn experiment(py: Python<'_>, given: &Given<'_>) -> PyResult<Experiment> {
+pub fn experiment(given: &Given<'_>) -> PyResult<Experiment> {
     let kind = match given.kind.as_str() {
         "load-radius" => Kind::LoadRadius,
         "penetration-radius" => Kind::PenetrationRadius,
@@ -145,6 +153,10 @@ pub fn experiment(py: Python<'_>, given: &Given<'_>) -> PyResult<Experiment> {
         kind,
         points: points.collect(),
     };
+    let bodies = match &given.bodies {
+        GivenBodies::Coated(system) => Bodies::Coated(system.get().0.clone()),
+        GivenBodies::HalfSpace(half_space) => Bodies::HalfSpace(half_space.get().0.clone()),
+    };
     Ok(Experiment {
         work_of_adhesion: given.work_of_adhesion,
         work_of_adhesion_receding: given.work_of_adhesion_receding,
@@ -154,20 +166,8 @@ pub fn experiment(py: Python<'_>, given: &Given<'_>) -> PyResult<Experiment> {
         baseline_slope: given.baseline_slope,
         stiffness: given.stiffness,
         noise: given.noise,
-        ..Experiment::new(measurement, bodies(py, &given.bodies)?)
+        ..Experiment::new(measurement, bodies)
     })
-}
-
-/// Makes the bodies from the numbers of a system, or of a half-space.
-fn bodies(py: Python<'_>, numbers: &[f64]) -> PyResult<Bodies> {
-    let made: Result<Bodies, ContactError> = if let Ok(numbers) = numbers.try_into() {
-        system(numbers).map(Bodies::Coated)
-    } else if let Ok(numbers) = numbers.try_into() {
-        half_space(numbers).map(Bodies::HalfSpace)
-    } else {
-        return Err(PyValueError::new_err("bodies have 7 or 4 numbers"));
-    };
-    made.map_err(|error| Failure::from(error).raise(py))
 }
 
 /// Makes the free parameters.

@@ -2,13 +2,14 @@
 //!
 //! It is thin. The Python layer beside it checks types, broadcasts, documents and annotates; this
 //! module takes flat arrays of f64 and evaluates them with the interpreter's lock released. Data
-//! flows `contact → table → bodies`, all through `arrays`; `line`, `fit`, `model`, `generate` and
-//! `solve` stand beside them; `error` makes Python's exceptions of all of them.
+//! flows `contact → table → bodies`, all through `arrays`; `line`, `fit`, `model`, `generate`,
+//! `solve` and `cohesive` stand beside them; `error` makes Python's exceptions of all of them.
 
 #![forbid(unsafe_code)]
 
 mod arrays;
 mod bodies;
+mod cohesive;
 mod contact;
 mod error;
 mod fit;
@@ -24,7 +25,11 @@ use pyo3::prelude::*;
 #[pymodule]
 mod _core {
     #[pymodule_export]
-    use super::bodies::{check_elastic, check_half_space, check_system};
+    use super::bodies::{
+        NativeHalfSpace, NativeProbe, NativeStack, NativeStackSystem, NativeSystem, check_elastic,
+    };
+    #[pymodule_export]
+    use super::cohesive::Cohesive;
     #[pymodule_export]
     use super::contact::Contact;
     #[pymodule_export]
@@ -38,7 +43,7 @@ mod _core {
     #[pymodule_export]
     use super::model::{branches, forecast, predict, simulate};
     #[pymodule_export]
-    use super::solve::solve;
+    use super::solve::{solve, solve_stack};
     #[pymodule_export]
     use super::table::Table;
 
@@ -46,6 +51,7 @@ mod _core {
 
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
-        module.add("__version__", env!("CARGO_PKG_VERSION"))
+        module.add("__version__", env!("CARGO_PKG_VERSION"))?;
+        module.add("writes_hdf5", cfg!(feature = "hdf5"))
     }
 }

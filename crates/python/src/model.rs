@@ -37,7 +37,7 @@ pub fn branches(
     given: Given<'_>,
     free: Vec<String>,
 ) -> PyResult<Vec<&'static str>> {
-    let experiment = experiment(py, &given)?;
+    let experiment = experiment(&given)?;
     let free: Result<Vec<_>, Error> = free.iter().map(|name| parameter(name)).collect();
     let free = raised(py, free)?;
     raised(py, experiment.branches(&free)).map(|branches| names(&branches))
@@ -53,7 +53,7 @@ pub fn predict<'py>(
     branches: Option<Vec<String>>,
     parameters: Vec<String>,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let (table, experiment) = (table.get(), experiment(py, &given)?);
+    let (table, experiment) = (table.get(), experiment(&given)?);
     let parameters: Result<Vec<_>, Error> = parameters.iter().map(|name| parameter(name)).collect();
     let parameters = raised(py, parameters)?;
     let branch = |name: String| {
@@ -87,7 +87,7 @@ pub fn simulate<'py>(
     noise: f64,
     seed: u64,
 ) -> PyResult<Output<'py>> {
-    let (table, experiment) = (table.get(), experiment(py, &given)?);
+    let (table, experiment) = (table.get(), experiment(&given)?);
     let made = py.detach(|| fit::simulate(table.get(), &experiment, noise, seed));
     let points = raised(py, made)?.points;
     Ok(PyArray1::from_iter(
@@ -106,7 +106,7 @@ pub fn forecast<'py>(
     free: Vec<GivenFree>,
 ) -> PyResult<Bound<'py, PyDict>> {
     let table = table.get();
-    let experiments = experiments.iter().map(|one| experiment(py, one));
+    let experiments = experiments.iter().map(experiment);
     let experiments: Vec<Experiment> = experiments.collect::<PyResult<_>>()?;
     let free = frees(py, free)?;
     let found = py.detach(|| fit::forecast(table.get(), &experiments, &free));

@@ -2,9 +2,10 @@
 
 use interp::Material;
 use pyo3::prelude::*;
-use tabulate::Error;
+use tabulate::solve::Solution;
 
 use crate::arrays::{Input, Output, Points};
+use crate::bodies::NativeStack;
 
 /// Solves every point: `a_over_t`, `e1_over_e2`, `nu1`, `e0_over_e2`, `nu0`, `tolerance`. Returns
 /// `pi0`, `eeq`, `gamma`, `delta0` and the estimated error.
@@ -17,9 +18,31 @@ pub fn solve<'py>(
 ) -> PyResult<[Output<'py>; 5]> {
     let one = |[a_over_t, e1_over_e2, nu1, e0_over_e2, nu0, tolerance]: [f64; 6]| {
         let material = Material::new(e1_over_e2, nu1, e0_over_e2, nu0)?;
-        let solution = tabulate::solve(a_over_t, &material, tolerance)?;
-        let [pi0, eeq, gamma, delta0] = solution.quantities.to_array();
-        Ok::<_, Error>([pi0, eeq, gamma, delta0, solution.error])
+        tabulate::solve(a_over_t, &material, tolerance).map(numbers)
     };
     points.evaluate_on_all_cores(py, inputs.each_ref(), one)
+}
+
+/// Solves a stack of layers at every point: `a_over_t`, the reduced modulus of the sphere,
+/// `tolerance`. Returns what [`solve`] returns.
+#[pyfunction]
+pub fn solve_stack<'py>(
+    py: Python<'py>,
+    stack: &Bound<'py, NativeStack>,
+    points: Points,
+    a_over_t: Input<'_>,
+    sphere_modulus: Input<'_>,
+    tolerance: Input<'_>,
+) -> PyResult<[Output<'py>; 5]> {
+    let stack = &stack.get().0;
+    let one = |[a_over_t, sphere_modulus, tolerance]: [f64; 3]| {
+        tabulate::solve_stack(a_over_t, stack, sphere_modulus, tolerance).map(numbers)
+    };
+    points.evaluate_on_all_cores(py, [&a_over_t, &sphere_modulus, &tolerance], one)
+}
+
+/// Returns `pi0`, `eeq`, `gamma`, `delta0` and the estimated error.
+fn numbers(solution: Solution) -> [f64; 5] {
+    let [pi0, eeq, gamma, delta0] = solution.quantities.to_array();
+    [pi0, eeq, gamma, delta0, solution.error]
 }

@@ -8,7 +8,7 @@ use numpy::{PyArray1, PyArrayMethods as _};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 
-use crate::bodies::{SystemNumbers, system};
+use crate::bodies::NativeSystem;
 use crate::contact::Contact;
 use crate::error::Failure;
 
@@ -136,15 +136,10 @@ impl Table {
     }
 
     /// Makes the contact of a system.
-    fn contact(&self, py: Python<'_>, numbers: SystemNumbers) -> PyResult<Contact> {
-        let made: Result<_, Error> = py.detach(|| {
-            let system = system(numbers)?;
-            let contact = self.get().contact(&system)?;
-            Ok((system, contact))
-        });
-        match made {
-            Ok((system, contact)) => Ok(Contact::coated(self.clone(), system, contact)),
-            Err(error) => Err(Failure::from(error).raise(py)),
-        }
+    fn contact(&self, py: Python<'_>, system: &Bound<'_, NativeSystem>) -> PyResult<Contact> {
+        let system = &system.get().0;
+        py.detach(|| self.get().contact(system))
+            .map(|contact| Contact::coated(self.clone(), system.clone(), contact))
+            .map_err(|error| Failure::from(error).raise(py))
     }
 }

@@ -7,7 +7,21 @@ from pathlib import Path
 
 import pytest
 
-from coated_contact import Elastic, System, Table
+from coated_contact import (
+    Cone,
+    Elastic,
+    FlatEndedCone,
+    FlatPunch,
+    Layer,
+    Paraboloid,
+    PowerLaw,
+    Profile,
+    RoundedCone,
+    Sphere,
+    Stack,
+    System,
+    Table,
+)
 
 ROOT = Path(__file__).resolve().parents[3]
 DATA = ROOT / "tests" / "data"
@@ -32,6 +46,33 @@ def system():
 @pytest.fixture(scope="session")
 def contact(system):
     return Table.embedded().contact(system)
+
+
+# One of each shape, some micrometres wide.
+PROBES = [
+    Paraboloid(radius=1e-5),
+    Sphere(radius=1e-5),
+    PowerLaw(coefficient=2e9, exponent=3),
+    Cone(half_angle=1.2),
+    RoundedCone(radius=2e-6, half_angle=1.0),
+    FlatPunch(radius=3e-6),
+    FlatEndedCone(radius=1e-6, half_angle=1.1),
+    Profile(points=[(r * 1e-6, r * r * 5e-8) for r in range(9)]),
+]
+
+
+@pytest.fixture(scope="session")
+def stack():
+    """An elastomer on a softer primer on silicon: tables/stacks/primer.toml."""
+    primer = Elastic(young_modulus=5e5, poisson_ratio=0.5)
+    elastomer = Elastic(young_modulus=3.5e6, poisson_ratio=0.5)
+    return Stack(
+        base=Elastic(young_modulus=2e11, poisson_ratio=0.25),
+        layers=[
+            Layer(name="primer", material=primer, thickness=2.5e-6),
+            Layer(name="elastomer", material=elastomer, thickness=7.5e-6),
+        ],
+    )
 
 
 def rows(name):
@@ -61,11 +102,32 @@ BODIES = ("sphere", "film", "substrate")
 
 
 @pytest.fixture(scope="session")
-def tabulate(tmp_path_factory):
-    """Run the program `tabulate` and return the rows of the CSV that it writes."""
+def program():
+    """The program `tabulate`."""
     program = os.environ.get("TABULATE")
     if program is None:
         pytest.skip("TABULATE does not name the program: `cargo xtask test` sets it")
+    return program
+
+
+@pytest.fixture(scope="session")
+def printed(program):
+    """Run the program and return the numbers that it prints as `name = value`."""
+
+    def run(*arguments):
+        command = [program, *map(str, arguments)]
+        text = subprocess.run(command, check=True, capture_output=True, text=True).stdout
+        lines = (line.partition("=") for line in text.splitlines())
+        named = {name.strip(): value.strip() for name, _, value in lines}
+        named.pop("normalised_by", None)
+        return {name: float(value) for name, value in named.items()}
+
+    return run
+
+
+@pytest.fixture(scope="session")
+def tabulate(program, tmp_path_factory):
+    """Run the program and return the rows of the CSV that it writes."""
     folder = tmp_path_factory.mktemp("tabulate")
 
     def run(*arguments):

@@ -6,7 +6,7 @@ import signal
 import numpy as np
 import pytest
 
-from coated_contact import GenerationError, InvalidArgumentError, Table, generate, solve
+from coated_contact import GenerationError, InvalidArgumentError, Table, _core, generate, solve
 from conftest import ROOT
 
 SCENE = {
@@ -156,6 +156,20 @@ def test_scenes_that_cannot_be_used_are_named(tmp_path):
         generate(SCENE, tmp_path / "missing" / "table.bin", progress=False)
 
 
+@pytest.mark.skipif(not _core.writes_hdf5, reason="built without the feature hdf5")
+def test_with_hdf5_the_archive_is_written(tmp_path):
+    path = tmp_path / "table.h5"
+    made = generate(SCENE, path, progress=False)
+    assert path.read_bytes()[:8] == b"\x89HDF\r\n\x1a\n"
+    opened = Table.open(path)
+    packed = generate(SCENE, tmp_path / "table.bin", progress=False)
+    for name, values in packed.values.items():
+        assert np.array_equal(opened.values[name], values)
+        assert np.array_equal(made.values[name], values)
+    assert opened.max_error == packed.max_error
+
+
+@pytest.mark.skipif(_core.writes_hdf5, reason="built with the feature hdf5")
 def test_without_hdf5_the_packed_form_is_named(tmp_path):
     """A wheel is built without the C library of HDF5."""
     path = tmp_path / "table.h5"

@@ -1,16 +1,23 @@
 """Every function takes any float: it returns finite numbers or raises a ContactError."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 from coated_contact import (
+    Cohesive,
+    Cone,
     Contact,
     ContactError,
     Elastic,
     HalfSpace,
+    Layer,
     Spring,
+    Stack,
     System,
     Table,
+    solve_stack,
 )
 
 ENDS = [0.0, 5e-324, 1e-310, 2.3e-308, 1e-154, 1e-30, 2.2e-16, 0.25, 0.5, 1.0, 1e30, 1e154, 1.8e308]
@@ -36,6 +43,26 @@ def half_space_of(numbers):
     solid = Elastic(young_modulus=solid, poisson_ratio=nu)
     system = HalfSpace(sphere_radius=radius, sphere_modulus=sphere, solid=solid)
     return Contact.half_space(system)
+
+
+def cone_of(numbers):
+    half_angle, *others = numbers
+    system = replace(contact_of([1e-3, *others]).system, probe=Cone(half_angle=half_angle))
+    return Table.embedded().contact(system)
+
+
+def stack_of(numbers):
+    film, nu1, thickness, other, base, nu0 = numbers
+    layers = [
+        Layer(material=Elastic(young_modulus=young, poisson_ratio=nu1), thickness=thickness)
+        for young in (other, film)
+    ]
+    return Stack(base=Elastic(young_modulus=base, poisson_ratio=nu0), layers=layers)
+
+
+def cohesive_of(numbers):
+    system = contact_of(numbers[:7]).system
+    return Cohesive(system=system, work_of_adhesion=numbers[7], interaction_range=numbers[8])
 
 
 def numbers_of(state):
@@ -86,6 +113,26 @@ FUNCTIONS = {
     "half_space": (
         [1e-3, 2e6, 3.5e6, 0.45, 65e-6, 0.04],
         lambda *n: half_space_of(n[:4]).load_and_penetration(n[4], n[5]),
+    ),
+    "cone": (
+        [1.2, *BODIES[1:], 5e-6, 0.04],
+        lambda *n: cone_of(n[:7]).load_and_penetration(n[7], n[8]),
+    ),
+    "stack": (
+        [3.5e6, 0.45, 5e-6, 5e5, 2e11, 0.25, 1.5, 2e6],
+        lambda *n: solve_stack(n[6], stack_of(n[:6]), n[7], 1e-6).eeq,
+    ),
+    "contact_of_stack": (
+        [3.5e6, 0.45, 5e-6, 5e5, 2e11, 0.25, 1e-5, 0.04],
+        lambda *n: (
+            stack_of(n[:6])
+            .contact(sphere_radius=1e-3, sphere_modulus=2e6, a_over_t=(0.5, 2), tolerance=1e-4)
+            .load(n[6], n[7])
+        ),
+    ),
+    "cohesive": (
+        [*BODIES, 0.04, 1e-8, 65e-6],
+        lambda *n: cohesive_of(n[:9]).state(n[9]).load,
     ),
     "reduced_modulus": (
         [3.5e6, 0.45],

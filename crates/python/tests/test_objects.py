@@ -3,30 +3,34 @@
 import copy
 import dataclasses
 import pickle
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
 from coated_contact import (
+    Cohesive,
     Contact,
     ContactError,
     Elastic,
     HalfSpace,
     OutsideTableError,
+    SolvedCurve,
     Spring,
+    StackSystem,
     System,
     Table,
     TableError,
     UnphysicalError,
     __version__,
 )
-from conftest import ROOT, make_system
+from conftest import PROBES, ROOT, make_system
 
 PACKED, HDF5 = ROOT / "tables" / "paper.bin", ROOT / "tables" / "paper.h5"
 
 
 @pytest.fixture(scope="module")
-def objects(system, contact):
+def objects(system, contact, stack):
     solid = Elastic(young_modulus=1e6, poisson_ratio=0.3)
     half_space = HalfSpace(sphere_radius=1e-3, sphere_modulus=np.inf, solid=solid)
     table = Table.read(PACKED)
@@ -42,6 +46,14 @@ def objects(system, contact):
         table,
         table.contact(make_system()),
         contact.pull_off(0.04),
+        *PROBES,
+        replace(system, probe=PROBES[1]),
+        stack,
+        stack.layers[0],
+        StackSystem(stack=stack, sphere_radius=1e-4, sphere_modulus=2e6),
+        SolvedCurve(a_over_t=(0.1, 2)),
+        stack.contact(sphere_radius=1e-4, sphere_modulus=2e6, a_over_t=(0.1, 2)),
+        Cohesive(system=system, work_of_adhesion=0.04, interaction_range=1e-8),
     ]
 
 

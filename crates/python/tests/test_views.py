@@ -1,11 +1,13 @@
 """Results as tables of pandas and xarray, and as drawings."""
 
+from dataclasses import replace
 from xml.etree import ElementTree
 
 import numpy as np
 import pytest
 
-from coated_contact import Contact, Experiment, Free, fit, fit_map
+from coated_contact import Contact, Elastic, Experiment, Free, Stack, Table, fit, fit_map
+from conftest import PROBES, make_system
 from test_fit import WANTED, lens
 
 
@@ -71,12 +73,61 @@ def test_a_map_is_a_table():
 
 def test_notebooks_show_a_contact_to_scale(contact):
     svg, bodies = contact._repr_html_().split("</svg>")
-    drawn = {element.tag: element for element in ElementTree.fromstring(svg + "</svg>")}
-    film = float(drawn["rect"].get("height"))
-    assert film / float(drawn["circle"].get("r")) == pytest.approx(1e-5 / 1e-3)
+    drawn = ElementTree.fromstring(svg + "</svg>")
+    # The film is drawn over the substrate.
+    film = float(drawn.findall("rect")[1].get("height"))
+    x, y = outline(drawn)
+    # Where the sphere rises by the thickness of the film, in pixels, its radius is 100 times that.
+    height = np.interp(160 + np.sqrt(2 * 100 * film * film), x, 90 - y)
+    assert height == pytest.approx(film, rel=0.02)
     assert "t = 1e-05 m" in bodies
     half_space = Contact.half_space(contact.system.without_film())
     assert "t =" not in half_space._repr_html_()
+
+
+def outline(drawn):
+    """The pixels of the surface of the probe, without the corners above the drawing."""
+    pairs = drawn.find("polygon").get("points").split()[:-2]
+    return np.array([[float(number) for number in pair.split(",")] for pair in pairs]).T
+
+
+@pytest.mark.parametrize("probe", PROBES, ids=lambda probe: probe.name)
+def test_every_probe_is_drawn_to_scale(probe):
+    system = replace(make_system(film_thickness=2e-7), probe=probe)
+    contact = Table.embedded().contact(system)
+    svg, bodies = contact._repr_html_().split("</svg>")
+    drawn = ElementTree.fromstring(svg + "</svg>")
+    scale = float(drawn.findall("rect")[1].get("height")) / 2e-7
+    x, y = outline(drawn)
+    expected = probe.height((x - 160) / scale) * scale
+    # Beside the edge of a punch the last digit of a pixel decides.
+    seen = (y > 0) & np.isfinite(expected)
+    expected = expected[seen]
+    # Half of the last digit of a pixel, and what it changes at the slope of the shape.
+    slope = np.abs(np.gradient(expected, x[seen]))
+    assert np.all(np.abs((90 - y[seen]) - expected) <= 0.06 * (1 + slope))
+    assert seen.sum() > 20
+    assert probe.name in bodies
+
+
+def test_layers_are_drawn_in_their_order(stack):
+    found = stack.contact(sphere_radius=1e-4, sphere_modulus=2e6, a_over_t=(0.1, 2))._repr_html_()
+    svg, bodies = found.split("</svg>")
+    heights = [float(r.get("height")) for r in ElementTree.fromstring(svg + "</svg>").iter("rect")]
+    # After the base, the top layer of 7.5 um is drawn first, then the lower one of 2.5 um.
+    assert heights[1] / heights[2] == pytest.approx(3.0)
+    assert bodies.index("elastomer") < bodies.index("primer") < bodies.index("base")
+
+
+def test_many_layers_are_listed_in_short():
+    def material(height):
+        return Elastic(young_modulus=1e6 + 1e11 * height, poisson_ratio=0.4)
+
+    stack = Stack.graded(base=material(0.0), thickness=1e-5, count=40, material=material)
+    shown = stack.contact(sphere_radius=1e-4, sphere_modulus=2e6, a_over_t=(0.1, 1))._repr_html_()
+    # The probe and the base, nine layers, and the others in one line.
+    assert shown.count("<tr>") == 1 + 12
+    assert "31 more layers" in shown
 
 
 def test_notebooks_show_fits_as_text():

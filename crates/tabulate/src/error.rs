@@ -57,7 +57,7 @@ pub enum Error {
         "a_over_t = {a_over_t:?} is out of reach of this stack of {layers} different layers: its thickness is {thickness_over_top:?} times that \
          of its top layer, and the contact radius may be at most {} times that of the top layer; use an a_over_t up to {reach:?}, or \
          leave out a top layer that is too thin to matter",
-        crate::solve::MOST_A_OVER_TOP
+        crate::stack::MOST_A_OVER_TOP
     )]
     StackReach {
         /// The contact radius over the thickness of the stack.
@@ -101,6 +101,16 @@ pub enum Error {
     OnlyParaboloid {
         /// The name of the shape.
         probe: &'static str,
+    },
+    /// A probe whose force curve the page of a table does not compute.
+    #[error(
+        "the page of this table computes no {probe}: {reason}; `tabulate curve` prints the force curve of every probe"
+    )]
+    PageProbe {
+        /// The name of the shape.
+        probe: &'static str,
+        /// What the page computes, or what the table lacks.
+        reason: &'static str,
     },
     /// An attraction that reaches farther than is solved.
     #[error(

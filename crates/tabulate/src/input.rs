@@ -35,6 +35,7 @@ pub fn open(path: &Path, most: u64) -> io::Result<(Limited, Room)> {
 
 impl Limited {
     /// Returns the length of the file, 0 of a pipe.
+    #[cfg(feature = "cli")]
     pub fn length(&self) -> u64 {
         self.file.metadata().map_or(0, |data| data.len())
     }

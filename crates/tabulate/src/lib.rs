@@ -24,13 +24,17 @@
 //! | [`report`] | the interactive page |
 //! | [`cli`] | the program `tabulate` |
 //!
+//! The last four are behind the feature `cli`, which is on by default.
+//!
 //! Lookup in a finished table, curves and contact mechanics are in the crate `interp`, which does
 //! not depend on this one.
 
 #![deny(unsafe_code)]
 
+#[cfg(feature = "cli")]
 pub mod cli;
 pub mod cohesive;
+#[cfg(feature = "cli")]
 pub mod cost;
 mod error;
 #[cfg(test)]
@@ -38,8 +42,10 @@ mod hostile;
 mod input;
 mod output;
 mod parallel;
+#[cfg(feature = "cli")]
 pub mod plot;
 mod printable;
+#[cfg(feature = "cli")]
 pub mod report;
 pub mod solve;
 pub mod stack;

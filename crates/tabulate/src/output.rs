@@ -9,7 +9,7 @@ use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io;
 use std::path::{Path, PathBuf, is_separator};
 
-use same_file::{Handle, is_same_file};
+use same_file::Handle;
 use tempfile::{NamedTempFile, TempPath};
 
 use crate::{Error, printable};
@@ -19,12 +19,14 @@ use crate::{Error, printable};
 ///
 /// # Errors
 /// [`Error::Write`] naming the output.
+#[cfg(feature = "cli")]
 pub fn check(path: &Path, inputs: &[&Path]) -> Result<(), Error> {
     let attempt = || {
         let target = target(path)?;
         // Comparing opens both, and opening a pipe may block.
-        let is_target =
-            |input: &&Path| input.is_file() && is_same_file(input, &target).unwrap_or(false);
+        let is_target = |input: &&Path| {
+            input.is_file() && same_file::is_same_file(input, &target).unwrap_or(false)
+        };
         if inputs.iter().any(is_target) {
             return Err(io::Error::other(
                 "it is the input, which no command overwrites; choose another name",

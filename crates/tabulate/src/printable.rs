@@ -20,6 +20,7 @@ pub fn line(text: &str) -> String {
 
 /// Returns a text of several lines, whose ends and tabs stay, with other such characters as
 /// [`line`] shows them.
+#[cfg(feature = "cli")]
 pub fn lines(text: &str) -> String {
     text.split_inclusive(['\n', '\t'])
         .map(|part| match part.char_indices().next_back() {
@@ -35,6 +36,7 @@ pub fn path(path: &Path) -> String {
 }
 
 /// Returns JSON on one line whose texts hold such characters as `\u001b`, which is the same JSON.
+#[cfg(feature = "cli")]
 pub fn json(text: &str) -> String {
     escaped(text, |c, shown| {
         let mut units = [0; 2];

@@ -43,8 +43,8 @@
 //! pull-off, energy release rates, crack-tip laws, JKR fits. `film_bias` is relative to the bare
 //! base. Three answers differ. A curve of a stack has no expansions beyond its ends and no
 //! derivatives with respect to the material: both are errors. The compressibility of `validity` is
-//! that of all layers ([`Stack::compressibility`]). The zone of attraction of `adhesion_range` must
-//! be short beside the *top layer*, whose modulus it is computed with.
+//! that of all layers ([`Stack::compressibility`]). `finite_range` and `pull_off_error` demand that
+//! the zone of attraction be short beside the *top layer*, whose modulus it is computed with.
 //!
 //! # Reach
 //!
@@ -58,18 +58,23 @@
 //!
 //! Measured (`tests/truth/stacks.rs`, 15 contacts up to `a/h` of 160, values by another program):
 //! the errors of the quantities are at most 8e-15 at the tolerance 1e-12 and 3.4e-11 at 1e-8. Three
-//! layers take 20 to 90 microseconds up to `a/h` of 10, which is 2 to 8 times the time of one film,
-//! and 0.2 ms at `a/h` of 30, where one film takes a tenth of that by the other method. A curve of
-//! 200 layers up to `a/h` of 200 takes 25 ms on one core: the compliance of many layers is sampled
-//! once.
+//! layers take 20 to 90 microseconds up to `a/h` of 10, which is 2 to 6 times the time of one film
+//! (`cargo bench -p tabulate --bench stacks`), and 0.2 ms at `a/h` of 30, where one film takes a
+//! tenth of that by the other method. A curve of 200 layers up to `a/h` of 200 takes 25 ms on one
+//! core: the compliance of many layers is sampled once.
 
+#[cfg(feature = "fit")]
 mod in_fits;
 
 use interp::{Elastic, Material, Probe, System};
 
+#[cfg(feature = "fit")]
 pub use self::in_fits::solver;
 use crate::Error;
-pub use crate::solve::MOST_A_OVER_TOP;
+
+/// The largest contact radius over the thickness of the top layer for which a stack is solved.
+/// Neighbouring layers of one material count as one.
+pub const MOST_A_OVER_TOP: f64 = 1000.0;
 
 /// The largest ratio of the Young's moduli of two bodies of a stack, a rigid base left aside.
 pub const LARGEST_CONTRAST: f64 = 1e9;
@@ -136,12 +141,20 @@ impl Stack {
             solid: solid(thickness * ((i as f64 + 0.5) / count as f64)),
             thickness: thickness / count as f64,
         };
-        let mut stack = Self::new(base, (0..count).map(layer).collect::<Vec<_>>())?;
-        stack.surface = solid(thickness);
-        if stack.surface.young() == f64::INFINITY {
-            return Err(stack.rigid(count));
+        Self::new(base, (0..count).map(layer).collect::<Vec<_>>())?.with_surface(solid(thickness))
+    }
+
+    /// Returns this stack with another solid at its surface than that of the top layer, as
+    /// [`Stack::graded`] makes it: the top layer is the highest sublayer of a graded film, and
+    /// `surface` what the sphere touches.
+    ///
+    /// # Errors
+    /// [`Error::Layer`] for a rigid solid.
+    pub fn with_surface(self, surface: Elastic) -> Result<Self, Error> {
+        if surface.young() == f64::INFINITY {
+            return Err(self.rigid(self.layers.len()));
         }
-        Ok(stack)
+        Ok(Self { surface, ..self })
     }
 
     /// Returns the base.

@@ -139,7 +139,7 @@ fn wheel(python: &Path, options: &[&str], zig: Option<&Path>) -> Result<PathBuf,
     }
     succeed(
         maturin(python, "build")?
-            .args(["--release", "--locked", "--out"])
+            .args(["--profile", "wheel", "--locked", "--out"])
             .arg(&folder)
             .args(options)
             .envs(zig.map(|folder| ("PYTHONPATH", folder))),

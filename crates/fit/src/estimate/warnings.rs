@@ -423,13 +423,29 @@ fn geometry(
                 format!(
                     "{name}: with {parameter} = {w:.2e} J/m^2 and an attraction over {:.1e} m \
                      Tabor's parameter is {:.2}, below {}: the attraction acts outside the \
-                     contact, too, and the model does not hold",
+                     contact, too. {}",
                     options.interaction_range,
                     range.tabor,
-                    AdhesionRange::JKR
+                    AdhesionRange::JKR,
+                    error_of_jkr(&range)
                 ),
             );
         }
+    }
+}
+
+/// Says by how much the model is wrong where the attraction has a range.
+fn error_of_jkr(range: &AdhesionRange<'_>) -> String {
+    match range.pull_off_error() {
+        Ok(error) => format!(
+            "The pull-off load of the model is too small by {:.1} %; `tabulate pull-off \
+             --interaction-range` computes it with the range",
+            1e2 * error
+        ),
+        Err(error @ interp::Error::LongZone { .. }) => {
+            format!("The model does not hold: {error}")
+        }
+        Err(error) => format!("By how much the model is wrong is not known: {error}"),
     }
 }
 

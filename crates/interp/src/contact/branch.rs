@@ -115,7 +115,7 @@ impl Equilibria<'_> {
             });
             return Ok(());
         }
-        let terms = self.contact.terms(a, self.work_of_adhesion)?;
+        let terms = self.contact.terms(a, self.energy.work_of_adhesion())?;
         let by = |input: Input| terms.by(input).ok_or(Error::FixedParameter(input.name()));
         // Under a flat punch not the contact radius but the energy release rate follows the imposed
         // value: `F = S delta`.
@@ -221,12 +221,12 @@ impl<'a> Follower<'a> {
         {
             let Equilibria {
                 contact,
-                work_of_adhesion,
+                energy,
                 control,
                 ..
             } = self.equilibria;
             let a = found.contact_radius;
-            let (_, [load, penetration]) = contact.state_and_slopes(a, *work_of_adhesion)?;
+            let (_, [load, penetration]) = contact.state_and_slopes(a, *energy)?;
             let speed = 1.0 / control.imposed(load, penetration);
             self.last = Some(Last {
                 section,
@@ -247,7 +247,7 @@ impl<'a> Follower<'a> {
         };
         let Equilibria {
             contact,
-            work_of_adhesion,
+            energy,
             control,
             ref sections,
             ..
@@ -269,7 +269,7 @@ impl<'a> Follower<'a> {
                 return Ok(None);
             }
             let a = contact.radius_at(u);
-            let (at, [load, penetration]) = contact.state_and_slopes(a, work_of_adhesion)?;
+            let (at, [load, penetration]) = contact.state_and_slopes(a, energy)?;
             let slope = control.imposed(load, penetration);
             let step = (imposed - control.imposed(at.load, at.penetration)) / slope;
             // Where the steps shrink like squares, their ratio shows the error, too.

@@ -2,6 +2,7 @@
 //! contact radius.
 
 use super::checks::finite_result;
+use super::line_energy::LineEnergy;
 use super::shape::{Pair, Shape};
 use crate::{Curve, Error, HalfSpace, Mechanics, Quantities, Quantity, System, Table};
 
@@ -267,12 +268,17 @@ impl Contact {
         })
     }
 
-    /// Returns the state at contact radius `a` (m) and work of adhesion `w` (J/m^2), and the slopes
-    /// `dF/d ln a` (N) and `d delta/d ln a` (m) at constant work of adhesion.
+    /// Returns the state at contact radius `a` (m) with an energy of the contact line, and the
+    /// slopes `dF/d ln a` (N) and `d delta/d ln a` (m) along the states of this energy.
     ///
     /// They are the derivatives of `F = F0 - 4 a g Eeq/Gamma` and
-    /// `delta = delta0 - 2 g/(E* Gamma)`, where `g` grows like `a^{1/2}`.
-    pub(super) fn state_and_slopes(&self, a: f64, w: f64) -> Result<(State, [f64; 2]), Error> {
+    /// `delta = delta0 - 2 g/(E* Gamma)`, where `g` grows like `(a G(a))^{1/2}`.
+    pub(super) fn state_and_slopes(
+        &self,
+        a: f64,
+        energy: LineEnergy,
+    ) -> Result<(State, [f64; 2]), Error> {
+        let w = energy.at(a);
         let edge = self.mechanics.edge_singularity(a, w)?;
         if w == 0.0 {
             let (without, slopes) = self.adhesionless_and_slopes(a)?;
@@ -285,9 +291,10 @@ impl Contact {
             load: without.load - lowered.load,
             penetration: without.penetration - lowered.penetration,
         };
+        let of_edge = 0.5 * (1.0 + energy.slope(a));
         let slopes = [
-            slopes.load - lowered.load * (1.5 + relative.eeq - relative.gamma),
-            slopes.penetration - lowered.penetration * (0.5 - relative.gamma),
+            slopes.load - lowered.load * (1.0 + of_edge + relative.eeq - relative.gamma),
+            slopes.penetration - lowered.penetration * (of_edge - relative.gamma),
         ];
         Ok((Self::finite_state(a, state)?, slopes))
     }

@@ -2,6 +2,7 @@
 //! spring, their stability, and the separation.
 
 use super::checks::{finite_input, work_of_adhesion};
+use super::line_energy::LineEnergy;
 use super::root::root;
 use crate::{Contact, Error, State};
 
@@ -43,8 +44,9 @@ impl Control {
         }
     }
 
-    /// Returns the imposed value at a `load` and a `penetration`, or its slope from their slopes.
-    pub(super) fn imposed(self, load: f64, penetration: f64) -> f64 {
+    /// Returns the imposed value at a `load` (N) and a `penetration` (m), or its slope from their
+    /// slopes.
+    pub fn imposed(self, load: f64, penetration: f64) -> f64 {
         match self {
             Self::Load => load,
             Self::Displacement => penetration,
@@ -79,7 +81,7 @@ pub struct Equilibrium {
 #[derive(Clone, Debug)]
 pub struct Equilibria<'a> {
     pub(super) contact: &'a Contact,
-    pub(super) work_of_adhesion: f64,
+    pub(super) energy: LineEnergy,
     pub(super) control: Control,
     /// In ascending order of contact radius.
     pub(super) sections: Vec<Section>,
@@ -134,18 +136,30 @@ impl Contact {
     /// adhesion, `eeq` and `gamma`.
     pub fn equilibria(&self, w: f64, control: Control) -> Result<Equilibria<'_>, Error> {
         work_of_adhesion(w)?;
+        if self.is_punch() {
+            control.check()?;
+            return self.equilibria_of_punch(w, control);
+        }
+        self.equilibria_with(LineEnergy::of_jkr(w), control)
+    }
+
+    /// Finds the turning points of the equilibria with another energy of the contact line, under
+    /// any probe but a flat punch.
+    pub(super) fn equilibria_with(
+        &self,
+        energy: LineEnergy,
+        control: Control,
+    ) -> Result<Equilibria<'_>, Error> {
         control.check()?;
         let imposed = |u: f64| {
-            self.load_and_penetration(self.radius_at(u), w)
+            let a = self.radius_at(u);
+            self.load_and_penetration(a, energy.at(a))
                 .map(|(load, penetration)| control.imposed(load, penetration))
         };
         let slope = |u: f64| {
-            self.state_and_slopes(self.radius_at(u), w)
+            self.state_and_slopes(self.radius_at(u), energy)
                 .map(|(_, [load, penetration])| control.imposed(load, penetration))
         };
-        if self.is_punch() {
-            return self.equilibria_of_punch(w, control);
-        }
         let grid = self.search_grid()?;
         let (first, last) = (grid[0], grid[grid.len() - 1]);
         let rises_at = |u: f64| slope(u).map(|slope| slope >= 0.0);
@@ -171,7 +185,7 @@ impl Contact {
         end_section(last, rises)?;
         Ok(Equilibria {
             contact: self,
-            work_of_adhesion: w,
+            energy,
             control,
             sections,
         })
@@ -184,7 +198,7 @@ impl Contact {
         let (load, penetration) = self.load_and_penetration(radius, w)?;
         Ok(Equilibria {
             contact: self,
-            work_of_adhesion: w,
+            energy: LineEnergy::of_jkr(w),
             control,
             sections: vec![Section {
                 u: [radius.ln(); 2],
@@ -358,9 +372,10 @@ impl Equilibria<'_> {
         }
         let [first, last] = self.ends();
         if (first.rises && !self.contact.has_flat_end()) || !last.rises {
-            return Err(self
-                .contact
-                .outside("the pull-off at work of adhesion", self.work_of_adhesion));
+            return Err(self.contact.outside(
+                "the pull-off at work of adhesion",
+                self.energy.work_of_adhesion(),
+            ));
         }
         let stable = self.sections.iter().filter(|section| section.rises);
         let least = stable
@@ -370,7 +385,7 @@ impl Equilibria<'_> {
     }
 
     pub(super) fn adhesionless(&self) -> bool {
-        self.work_of_adhesion == 0.0
+        self.energy.work_of_adhesion() == 0.0
     }
 
     /// Returns the first and the last section.
@@ -397,8 +412,8 @@ impl Equilibria<'_> {
 
     /// Returns the state at the contact radius with logarithm `u`.
     pub(super) fn state(&self, u: f64) -> Result<State, Error> {
-        self.contact
-            .state(self.contact.radius_at(u), self.work_of_adhesion)
+        let a = self.contact.radius_at(u);
+        self.contact.state(a, self.energy.at(a))
     }
 
     /// Returns the imposed value of a state.

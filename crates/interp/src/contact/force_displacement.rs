@@ -134,19 +134,19 @@ impl Equilibria<'_> {
     fn of_punch(&self, most: f64, points: usize) -> Result<ForceDisplacement, Error> {
         self.loading(most)?;
         let apart = self.pull_off()?;
-        let between = |from: f64, to: f64| -> Result<Vec<State>, Error> {
+        let first_between = |from: f64, to: f64, count: usize| -> Result<Vec<State>, Error> {
             let part = |i: usize| i as f64 / (points - 1) as f64;
-            (0..points)
+            (0..count)
                 .map(|i| self.unloading((1.0 - part(i)) * from + part(i) * to))
                 .collect()
         };
-        let loading = between(0.0, most)?;
-        let mut unloading = between(most, self.imposed(&apart))?;
+        let loading = first_between(0.0, most, points)?;
+        // Rounding may put the value of the pull-off beyond the last equilibrium.
+        let mut unloading = first_between(most, self.imposed(&apart), points - 1)?;
+        unloading.push(apart);
         let jumps = if self.adhesionless() {
             Vec::new()
         } else {
-            // Rounding must not hide the state of the pull-off.
-            unloading[points - 1] = apart;
             let touch = Jump {
                 from: State::ORIGIN,
                 to: Some(loading[0]),
@@ -170,7 +170,7 @@ impl Equilibria<'_> {
         let part = |i: usize| i as f64 / (points - 1) as f64;
         let radius = |i: usize| (1.0 - part(i)) * start + part(i) * end;
         (0..points)
-            .map(|i| self.contact.state(radius(i), self.work_of_adhesion))
+            .map(|i| self.contact.state(radius(i), self.energy.at(radius(i))))
             .collect()
     }
 

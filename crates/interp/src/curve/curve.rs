@@ -52,8 +52,18 @@ pub struct Curve {
     /// What belongs to the shape, if `Pi0` and `Delta0` are those of another one than a paraboloid.
     even: Option<Arc<EvenPowers>>,
     accuracy: Option<Accuracy>,
-    /// Of a stack of layers, its compressibility over `(a/t)^2`.
-    stack_compressibility: Option<f64>,
+    stack: Option<StackShape>,
+}
+
+/// What a contact needs to know of a stack of layers beside its curve.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StackShape {
+    /// The ratio of stiffnesses of
+    /// [`FilmValidity::compressibility`](crate::FilmValidity::compressibility) over `(a/t)^2`, with
+    /// the thickness `t` of all layers.
+    pub compressibility: f64,
+    /// The thickness of the top layer over `t`.
+    pub top: f64,
 }
 
 /// The accuracy of the table that a curve was made from.
@@ -89,7 +99,7 @@ impl Curve {
             sensitivities: None,
             even: None,
             accuracy: None,
-            stack_compressibility: None,
+            stack: None,
         }
     }
 
@@ -123,24 +133,23 @@ impl Curve {
     /// Makes this the curve of a stack of layers, of which [`Curve::material`] holds the solid that
     /// the sphere touches and the base.
     ///
-    /// `compressibility` is the ratio of stiffnesses of
-    /// [`FilmValidity::compressibility`](crate::FilmValidity::compressibility) over `(a/t)^2`, with
-    /// the thickness `t` of all layers. It replaces the formula for one film; nothing else that a
-    /// contact answers needs more than the quantities, the material and `t`. The curve has no
-    /// expansions beyond its nodes, and answers only the quantities that it holds, because the
-    /// expansions are those of one film.
+    /// Its compressibility replaces the formula for one film, and the thickness of its top layer
+    /// limits the zone of an attraction of finite range. Nothing else that a contact answers needs
+    /// more than the quantities, the material and the thickness `t` of all layers. The curve
+    /// has no expansions beyond its nodes, and answers only the quantities that it holds, because
+    /// the expansions are those of one film.
     #[must_use]
-    pub fn of_stack(self, compressibility: f64) -> Self {
+    pub fn of_stack(self, stack: StackShape) -> Self {
         Self {
-            stack_compressibility: Some(compressibility),
+            stack: Some(stack),
             start_error: None,
             ..self
         }
     }
 
-    /// Returns the compressibility of a stack of layers over `(a/t)^2`; `None` for one film.
-    pub fn stack_compressibility(&self) -> Option<f64> {
-        self.stack_compressibility
+    /// Returns what a contact needs to know of a stack of layers; `None` for one film.
+    pub const fn stack(&self) -> Option<StackShape> {
+        self.stack
     }
 
     /// Returns the curve whose `Pi0` and `Delta0` are those of a paraboloid with the load and the
@@ -179,7 +188,7 @@ impl Curve {
         /// The accuracy that is asked of a curve that does not state its own.
         const TOLERANCE: f64 = 1e-6;
         self.require_all()?;
-        if self.stack_compressibility.is_some() {
+        if self.stack.is_some() {
             return Err(Error::StackProbe);
         }
         let (from, tolerance) = (
@@ -503,7 +512,7 @@ impl Curve {
         let [from, to] = self.range;
         let known = self.accuracy.filter(|accuracy| accuracy.error.is_finite());
         let is_expandable =
-            x > 0.0 && x < f64::INFINITY && self.stack_compressibility.is_none();
+            x > 0.0 && x < f64::INFINITY && self.stack.is_none();
         let (Some(Accuracy { error, tolerance }), true) = (known, is_expandable) else {
             return Err(self.outside(x));
         };

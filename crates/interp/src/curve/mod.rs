@@ -28,6 +28,6 @@ mod test_curve;
 mod thick_film;
 mod through;
 
-pub use curve::Curve;
+pub use curve::{Curve, StackShape};
 pub(crate) use even_powers::{EvenShape, LARGEST_A_OVER_R};
 pub use sensitivity::QuantityGradient;

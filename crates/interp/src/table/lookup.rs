@@ -7,7 +7,9 @@ use crate::material::equivalence::{Equivalence, Invariants};
 use crate::table::axes::Axes;
 use crate::table::incompressible::improve_slopes;
 use crate::table::tensor_spline::TensorSpline;
-use crate::{Curve, Description, Error, Material, Parameter, Quantity, SubstratePoissonRatio};
+use crate::{
+    Curve, Description, Error, Material, Parameter, Quantity, StackShape, SubstratePoissonRatio,
+};
 
 /// The number of parts into which the materials with which the pieces are tested divide each axis.
 /// Two parts gave an error of 0.28 tolerances for other materials of the embedded table.
@@ -92,12 +94,12 @@ impl Lookup {
         axes: &Axes,
         description: &Description,
         e1_over_e2: f64,
-        compressibility: f64,
+        stack: StackShape,
     ) -> Result<Curve, Error> {
         let nu0 = description.nu0.under(axes.ends(Parameter::Nu1)[0]);
         let (material, coordinates) = axes.locate_sphere(e1_over_e2, nu0)?;
         let coefficients = self.spline.coefficients(coordinates);
-        self.of_splines(description, &coefficients, material, Some(compressibility))
+        self.of_splines(description, &coefficients, material, Some(stack))
     }
 
     /// Makes the curve of `material` with its derivatives with respect to it.
@@ -146,17 +148,17 @@ impl Lookup {
     }
 
     /// Makes the curve of the equivalent material from the coefficients over `ln(a/t)`; of a stack
-    /// of layers, if its compressibility is given.
+    /// of layers, if its shape is given.
     fn of_splines(
         &self,
         description: &Description,
         coefficients: &[f64],
         equivalent: Material,
-        stack: Option<f64>,
+        stack: Option<StackShape>,
     ) -> Result<Curve, Error> {
         let curve = Curve::of_splines(&self.resampler, self.range, coefficients, equivalent);
         let curve = match stack {
-            Some(compressibility) => curve.of_stack(compressibility),
+            Some(stack) => curve.of_stack(stack),
             None => curve,
         };
         let curve = curve.with_expansions(description.certificate.max_error, description.tolerance);

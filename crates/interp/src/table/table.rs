@@ -8,7 +8,7 @@ use crate::table::axes::Axes;
 use crate::table::lookup::Lookup;
 use crate::table::tensor_spline::TensorSpline;
 use crate::table::tiles;
-use crate::{Certificate, Curve, Description, Error, Material, Parameter, Quantity, Tile};
+use crate::{Certificate, Curve, Description, Error, Material, Parameter, Quantity, StackShape, Tile};
 
 /// Values of the quantities on a grid of (`a_over_t`, `e1_over_e2`, `nu1`, `e0_over_e2`).
 ///
@@ -314,8 +314,8 @@ impl Table {
     /// Makes the curve of the stack of layers of this table under a sphere.
     ///
     /// `e1_over_e2` is Young's modulus of the top layer over the sphere's reduced modulus, and 0
-    /// under a rigid sphere. `compressibility` is that of all layers, as [`Curve::of_stack`] takes
-    /// it; `tabulate::table::StackTable` computes it from the layers in the scene of the table. The
+    /// under a rigid sphere. `shape` is what [`Curve::of_stack`] takes;
+    /// `tabulate::table::StackTable` computes it from the layers in the scene of the table. The
     /// contact is [`Contact::new`](crate::Contact::new) with this curve and a system whose film is
     /// the top layer with the thickness of all layers, and whose substrate is the base.
     ///
@@ -327,12 +327,12 @@ impl Table {
     /// [`Error::NotOfStack`] in a table of films; [`Error::Unphysical`] for an `e1_over_e2` that is
     /// negative or not finite; [`Error::Normalisation`], [`Error::OutsideTable`] and
     /// [`Error::Malformed`] as [`Table::curve`].
-    pub fn stack_curve(&self, e1_over_e2: f64, compressibility: f64) -> Result<Curve, Error> {
+    pub fn stack_curve(&self, e1_over_e2: f64, shape: StackShape) -> Result<Curve, Error> {
         if !self.is_of_stack() {
             return Err(Error::NotOfStack);
         }
         self.lookup()
-            .stack_curve(&self.axes, &self.description, e1_over_e2, compressibility)
+            .stack_curve(&self.axes, &self.description, e1_over_e2, shape)
     }
 
     /// Accepts a table of films, for a lookup of one.

@@ -8,9 +8,9 @@ use std::sync::LazyLock;
 
 use interp::bspline::{Basis, LARGEST_DEGREE, TABLE_DEGREE};
 use interp::{
-    Certificate, Contact, Control, CrackTip, Curve, Elastic, Error, HalfSpace, Hysteresis, Input,
-    JkrFit, JkrPoint, LowRank, Material, Mechanics, Parameter, Probe, Quantities, Quantity,
-    RateDependent, State, SubstratePoissonRatio, System, Table,
+    Certificate, Contact, Control, CrackTip, Curve, Elastic, Error, FiniteRange, HalfSpace,
+    Hysteresis, Input, JkrFit, JkrPoint, LowRank, Material, Mechanics, Parameter, Probe,
+    Quantities, Quantity, RateDependent, State, SubstratePoissonRatio, System, Table,
 };
 
 use crate::tables::{self, AXES, look_up};
@@ -188,9 +188,35 @@ pub const FUNCTIONS: &[Function] = &[
         each(|contact| {
             let range = contact.adhesion_range(x[0], x[1])?;
             let _ = range.is_short_beside(x[1]);
-            Ok(vec![range.tabor, range.cohesive_zone])
+            let error = range.pull_off_error().unwrap_or_default();
+            Ok(vec![range.tabor, range.cohesive_zone, error])
         })
     }),
+    (
+        "Contact::finite_range",
+        &[0.04, 1e6, 6e-5, -1e-5, 50.0],
+        |x| {
+            each(|contact| {
+                let range = FiniteRange { stress: x[1] };
+                let attraction = contact.finite_range(x[0], range)?;
+                let mut found: Vec<_> = attraction.state(x[2]).into_iter().collect();
+                for control in controls(x[4]) {
+                    found.extend(attraction.pull_off(control));
+                    let equilibria = attraction.equilibria(control, x[3]).unwrap_or_default();
+                    found.extend(equilibria.iter().map(|found| found.state));
+                }
+                let values = found.iter().flat_map(|state| {
+                    [
+                        state.contact_radius,
+                        state.outer_radius,
+                        state.load,
+                        state.penetration,
+                    ]
+                });
+                Ok(values.chain([attraction.zone()]).collect())
+            })
+        },
+    ),
     ("Contact::jkr_fit", &[0.04, 5e-5, 1e-4, 2e6], |x| {
         each(|contact| {
             let fit = contact.jkr_fit(x[0], [x[1], x[2]], 4)?;

@@ -5,7 +5,9 @@ use std::sync::LazyLock;
 
 use interp::Parameter;
 use interp::bspline::{Basis, TABLE_DEGREE};
-use interp::{Contact, Control, Curve, Elastic, Material, Probe, Quantity, System, Table};
+use interp::{
+    Contact, Control, Curve, Elastic, FiniteRange, Material, Probe, Quantity, System, Table,
+};
 use proptest::prelude::*;
 
 use crate::{config, tables};
@@ -134,6 +136,20 @@ proptest! {
         for pair in separations.windows(2) {
             let [Ok(softer), Ok(stiffer)] = pair else { continue };
             prop_assert!(softer.load <= stiffer.load && softer.penetration >= stiffer.penetration, "{softer:?}, {stiffer:?}");
+        }
+        // A finite range makes the pull-off load larger, by about what it says to first order.
+        if let [Ok(jkr), ..] = separations {
+            let zone = 0.05 * jkr.contact_radius.min(contact.system().expect("a film").film_thickness);
+            let modulus = contact.mechanics().sphere_film_modulus();
+            let stress = (0.25 * std::f64::consts::PI * modulus * w / zone).sqrt();
+            let attraction = contact.finite_range(w, FiniteRange { stress }).expect("a short zone");
+            if let Ok(state) = attraction.pull_off(Control::Load) {
+                let range = contact.adhesion_range(w, w / stress).expect("physical");
+                let told = range.pull_off_error().expect("a short zone");
+                let excess = state.load / jkr.load - 1.0;
+                prop_assert!(excess > 0.0 && (told / excess - 1.0).abs() < 0.1, "{told}, {excess}");
+                prop_assert!(state.contact_radius < jkr.contact_radius && state.outer_radius > jkr.contact_radius);
+            }
         }
         if let Ok(rest) = contact.zero_load(w) {
             prop_assert!(rest.load.abs() < 1e-11 * bare, "{rest:?}");

@@ -1,4 +1,4 @@
-"""Adhesive contact of a sphere on a coated substrate.
+"""Adhesive contact of a sphere, or another probe, on a coated substrate.
 
 A sphere (body 2) touches a film (1) bonded to a substrate (0) and adheres to it, in Barthel's
 model (*Adhesive contact of a compliant sphere to an elastic coated substrate: the thin film limit*,
@@ -27,11 +27,13 @@ The names are those of the Rust crate ``interp``, and so are the numbers, bit fo
 """
 
 from ._bodies import Elastic, HalfSpace, System
-from ._contact import Contact
+from ._cohesive import Cohesive, CohesiveState, CohesiveStates
+from ._contact import Contact, SolvedCurve
 from ._control import Spring
 from ._core import __version__
 from ._equilibria import Equilibria
 from ._errors import (
+    BeyondProbeError,
     BeyondSphereError,
     ContactError,
     DomainError,
@@ -44,9 +46,13 @@ from ._errors import (
     MissingQuantityError,
     NoContactError,
     NormalisationError,
+    NotAContactError,
     NotConvergedError,
+    OtherProbeError,
     OutsideRadiiError,
     OutsideTableError,
+    ProfileError,
+    StackError,
     TableError,
     UnphysicalError,
 )
@@ -64,6 +70,17 @@ from ._fit_results import (
 from ._generate import generate
 from ._line import ContactLine, Hysteresis, RateDependent, TimedStates
 from ._model import Prediction, branches, forecast, predict, simulate
+from ._probe import (
+    Cone,
+    FlatEndedCone,
+    FlatPunch,
+    Paraboloid,
+    PowerLaw,
+    Probe,
+    Profile,
+    RoundedCone,
+    Sphere,
+)
 from ._results import (
     Derivatives,
     Equilibrium,
@@ -73,13 +90,19 @@ from ._results import (
     State,
     States,
 )
-from ._solve import Solution, solve
+from ._solve import Solution, solve, solve_stack
+from ._stack import Layer, Stack, StackSystem
 from ._table import Table
 from ._validity import AdhesionRange, Validity
 
 __all__ = [
     "AdhesionRange",
+    "BeyondProbeError",
     "BeyondSphereError",
+    "Cohesive",
+    "CohesiveState",
+    "CohesiveStates",
+    "Cone",
     "Contact",
     "ContactError",
     "ContactLine",
@@ -98,6 +121,8 @@ __all__ = [
     "FitWarning",
     "FittedExperiment",
     "FixedParameterError",
+    "FlatEndedCone",
+    "FlatPunch",
     "ForceDisplacement",
     "Forecast",
     "Free",
@@ -107,16 +132,30 @@ __all__ = [
     "Hysteresis",
     "InvalidArgumentError",
     "Jump",
+    "Layer",
     "MissingQuantityError",
     "NoContactError",
     "NormalisationError",
+    "NotAContactError",
     "NotConvergedError",
+    "OtherProbeError",
     "OutsideRadiiError",
     "OutsideTableError",
+    "Paraboloid",
+    "PowerLaw",
     "Prediction",
+    "Probe",
+    "Profile",
+    "ProfileError",
     "RateDependent",
+    "RoundedCone",
     "Solution",
+    "SolvedCurve",
+    "Sphere",
     "Spring",
+    "Stack",
+    "StackError",
+    "StackSystem",
     "State",
     "States",
     "System",
@@ -135,4 +174,5 @@ __all__ = [
     "predict",
     "simulate",
     "solve",
+    "solve_stack",
 ]

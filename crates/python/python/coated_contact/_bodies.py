@@ -1,27 +1,22 @@
-"""Sphere, film and substrate in SI units."""
+"""Probe, film and substrate in SI units."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, field
+from typing import Any, final
 
 from . import _core
-from ._arrays import number
+from ._probe import Probe, probe_of, radius_of
+from ._values import Remade, set_field, set_number, set_numbers
 
 
-def _floats(instance: object) -> None:
-    """Turn the numbers of a frozen instance into floats."""
-    for field in fields(instance):  # type: ignore[arg-type]
-        value = getattr(instance, field.name)
-        if not isinstance(value, Elastic):
-            object.__setattr__(instance, field.name, number(field.name, value))
-
-
-def _solid(name: str, value: object) -> None:
+def check_solid(name: str, value: object) -> None:
     """Refuse what is not a solid."""
     if not isinstance(value, Elastic):
         raise TypeError(f"{name} must be an Elastic, not {type(value).__name__}")
 
 
+@final
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Elastic:
     """An isotropic elastic solid.
@@ -49,7 +44,7 @@ class Elastic:
     poisson_ratio: float
 
     def __post_init__(self) -> None:
-        _floats(self)
+        set_numbers(self, "young_modulus", "poisson_ratio")
         _core.check_elastic(self.young_modulus, self.poisson_ratio)
 
     @property
@@ -57,17 +52,25 @@ class Elastic:
         """The reduced modulus E/(1 - nu^2), Pa."""
         return _core.check_elastic(self.young_modulus, self.poisson_ratio)
 
+    def _numbers(self) -> tuple[float, float]:
+        return self.young_modulus, self.poisson_ratio
 
-@dataclass(frozen=True, kw_only=True, slots=True)
-class System:
-    """Sphere, film and substrate.
+
+@final
+@dataclass(frozen=True, init=False, slots=True)
+class System(Remade):
+    """Probe, film and substrate.
 
     Parameters
     ----------
+    probe : Probe
+        The shape of the probe, such as ``Sphere(radius=1e-3)`` or ``Cone(half_angle=1.2)``.
     sphere_radius : float
-        Radius R of the sphere, m.
+        In place of ``probe``: the radius R, m, of the paraboloid that JKR and Barthel's model put
+        in place of a sphere.
     sphere_modulus : float
-        Reduced modulus E2* = E2/(1 - nu2^2) of the sphere, Pa; infinity is a rigid sphere.
+        Reduced modulus E2* = E2/(1 - nu2^2) of the sphere, or of any other probe, Pa; infinity is
+        a rigid one.
     film : Elastic
         The film (body 1).
     film_thickness : float
@@ -79,79 +82,109 @@ class System:
     ------
     UnphysicalError
         For a length or modulus that is not positive, or a rigid film.
+
+    Examples
+    --------
+    >>> from coated_contact import Cone, Table
+    >>> gel = Elastic(young_modulus=2e4, poisson_ratio=0.5)
+    >>> glass = Elastic(young_modulus=5e10, poisson_ratio=0.2)
+    >>> system = System(probe=Cone(half_angle=1.2), sphere_modulus=float("inf"), film=gel,
+    ...                 film_thickness=1e-5, substrate=glass)
+    >>> pull_off = Table.embedded().contact(system).pull_off(1e-4, control="displacement")
+    >>> print(f"{pull_off.load:.2e} N")
+    -1.21e-11 N
     """
 
-    sphere_radius: float
+    probe: Probe
     sphere_modulus: float
     film: Elastic
     film_thickness: float
     substrate: Elastic
+    _native: Any = field(init=False, repr=False, compare=False)
 
-    def __post_init__(self) -> None:
-        _solid("film", self.film)
-        _solid("substrate", self.substrate)
-        _floats(self)
-        _core.check_system(self._numbers())
+    def __init__(
+        self,
+        *,
+        probe: Probe | None = None,
+        sphere_radius: float | None = None,
+        sphere_modulus: float,
+        film: Elastic,
+        film_thickness: float,
+        substrate: Elastic,
+    ) -> None:
+        check_solid("film", film)
+        check_solid("substrate", substrate)
+        probe = probe_of(probe, sphere_radius)
+        set_field(self, "probe", probe)
+        sphere_modulus = set_number(self, "sphere_modulus", sphere_modulus)
+        set_field(self, "film", film)
+        film_thickness = set_number(self, "film_thickness", film_thickness)
+        set_field(self, "substrate", substrate)
+        native = _core.System(
+            probe._native, sphere_modulus, film._numbers(), film_thickness, substrate._numbers()
+        )
+        set_field(self, "_native", native)
+
+    @property
+    def sphere_radius(self) -> float | None:
+        """The radius R of the sphere or of its paraboloid, m; None for another probe."""
+        return radius_of(self.probe)
 
     def without_film(self) -> HalfSpace:
-        """Return the sphere of this system on the bare substrate."""
-        return HalfSpace(
-            sphere_radius=self.sphere_radius,
-            sphere_modulus=self.sphere_modulus,
-            solid=self.substrate,
-        )
-
-    def _numbers(self) -> tuple[float, ...]:
-        film, substrate = self.film, self.substrate
-        return (
-            self.sphere_radius,
-            self.sphere_modulus,
-            film.young_modulus,
-            film.poisson_ratio,
-            self.film_thickness,
-            substrate.young_modulus,
-            substrate.poisson_ratio,
-        )
+        """Return the probe of this system on the bare substrate."""
+        return HalfSpace(probe=self.probe, sphere_modulus=self.sphere_modulus, solid=self.substrate)
 
 
-@dataclass(frozen=True, kw_only=True, slots=True)
-class HalfSpace:
-    """A sphere on a half-space without a film: the system of JKR, which needs no table.
+@final
+@dataclass(frozen=True, init=False, slots=True)
+class HalfSpace(Remade):
+    """A probe on a half-space without a film: the system of JKR, which needs no table.
 
     Parameters
     ----------
+    probe : Probe
+        The shape of the probe.
     sphere_radius : float
-        Radius R of the sphere, m.
+        In place of ``probe``: the radius R, m, of the paraboloid of JKR.
     sphere_modulus : float
-        Reduced modulus E2* = E2/(1 - nu2^2) of the sphere, Pa; infinity is a rigid sphere.
+        Reduced modulus E2* = E2/(1 - nu2^2) of the sphere, or of any other probe, Pa; infinity is
+        a rigid one.
     solid : Elastic
         The solid that fills the half-space.
 
     Raises
     ------
     UnphysicalError
-        For a radius or modulus that is not positive, or a rigid sphere on a rigid solid.
+        For a length or modulus that is not positive, or a rigid sphere on a rigid solid.
     """
 
-    sphere_radius: float
+    probe: Probe
     sphere_modulus: float
     solid: Elastic
+    _native: Any = field(init=False, repr=False, compare=False)
 
-    def __post_init__(self) -> None:
-        _solid("solid", self.solid)
-        _floats(self)
-        _core.check_half_space(self._numbers())
+    def __init__(
+        self,
+        *,
+        probe: Probe | None = None,
+        sphere_radius: float | None = None,
+        sphere_modulus: float,
+        solid: Elastic,
+    ) -> None:
+        check_solid("solid", solid)
+        probe = probe_of(probe, sphere_radius)
+        set_field(self, "probe", probe)
+        sphere_modulus = set_number(self, "sphere_modulus", sphere_modulus)
+        set_field(self, "solid", solid)
+        native = _core.HalfSpace(probe._native, sphere_modulus, solid._numbers())
+        set_field(self, "_native", native)
+
+    @property
+    def sphere_radius(self) -> float | None:
+        """The radius R of the sphere or of its paraboloid, m; None for another probe."""
+        return radius_of(self.probe)
 
     @property
     def compound_modulus(self) -> float:
         """The compound modulus E* of sphere and solid, Pa: 1/E* = (1 - nu2^2)/E2 + (1 - nu^2)/E."""
-        return _core.check_half_space(self._numbers())
-
-    def _numbers(self) -> tuple[float, ...]:
-        solid = self.solid
-        return (
-            self.sphere_radius,
-            self.sphere_modulus,
-            solid.young_modulus,
-            solid.poisson_ratio,
-        )
+        return self._native.compound_modulus()

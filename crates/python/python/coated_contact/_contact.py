@@ -3,28 +3,32 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, overload
+from typing import TYPE_CHECKING, Any, final, overload
 
 from numpy.typing import ArrayLike
 
 from . import _core, _html
-from ._arrays import Errors, evaluate, scalar_or_array
+from ._arrays import Errors, evaluate, number, scalar_or_array
 from ._bodies import HalfSpace, System
 from ._control import Control, native_control
 from ._equilibria import Equilibria
 from ._results import INPUTS, Array, ForceDisplacement, Gradient, State, States, states
-from ._validity import AdhesionRange, Validity
+from ._stack import StackSystem
+from ._validity import AdhesionRange, Validity, validity
+from ._values import Remade, set_field, set_numbers
 
 if TYPE_CHECKING:
     from ._line import ContactLine, Law
     from ._table import Table
 
 
+@final
 @dataclass(frozen=True, kw_only=True, slots=True)
-class Contact:
-    """A contact of a sphere with a coated substrate, or with a half-space.
+class Contact(Remade):
+    """A contact of a probe with a coated substrate, a stack of layers or a half-space.
 
-    ``Table.contact`` makes it. It is frozen, hashable and picklable.
+    ``Table.contact``, ``Stack.contact`` and ``SolvedCurve.contact`` make it. It is frozen, hashable
+    and picklable.
 
     Its methods broadcast over their arguments as numpy's functions do: scalars give a scalar,
     arrays give an array. The interpreter's lock is released meanwhile. The argument ``errors``
@@ -33,10 +37,10 @@ class Contact:
 
     Parameters
     ----------
-    system : System or HalfSpace
+    system : System, HalfSpace or StackSystem
         The bodies in contact.
-    table : Table or None
-        The table; None on a half-space.
+    table : Table, SolvedCurve or None
+        The table; a solved curve, which a stack needs; None on a half-space.
 
     Examples
     --------
@@ -51,22 +55,16 @@ class Contact:
     array([-0.0001919,  0.0011804])
     """
 
-    system: System | HalfSpace
-    table: Table | None
+    system: System | HalfSpace | StackSystem
+    table: Table | SolvedCurve | None
     _native: Any = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
-        if isinstance(self.system, System) and self.table is not None:
-            native = self.table._native.contact(self.system._numbers())
-        elif isinstance(self.system, HalfSpace) and self.table is None:
-            native = _core.Contact.half_space(self.system._numbers())
-        else:
-            raise TypeError("a contact needs a System and a Table, or a HalfSpace and no table")
-        object.__setattr__(self, "_native", native)
+        set_field(self, "_native", _native(self.system, self.table))
 
     @classmethod
     def half_space(cls, system: HalfSpace) -> Contact:
-        """Make the contact of a sphere on a half-space: JKR, to rounding.
+        """Make the contact of a probe on a half-space: under a paraboloid JKR, to rounding.
 
         Examples
         --------
@@ -96,7 +94,7 @@ class Contact:
         Parameters
         ----------
         a : array_like
-            Contact radius, m, below the radius of the sphere.
+            Contact radius, m, that the probe can have: below the radius of a sphere.
         w : array_like
             Work of adhesion, J/m^2, 0 or more.
         errors : {"raise", "nan"}
@@ -173,7 +171,7 @@ class Contact:
         Parameters
         ----------
         a : array_like
-            Contact radius, m, below the radius of the sphere.
+            Contact radius, m, that the probe can have: below the radius of a sphere.
         errors : {"raise", "nan"}
             What a point with an error gives.
 
@@ -314,14 +312,14 @@ class Contact:
         Parameters
         ----------
         a : array_like
-            Contact radius, m, below the radius of the sphere.
+            Contact radius, m, that the probe can have: below the radius of a sphere.
         errors : {"raise", "nan"}
             What a point with an error gives.
 
         Returns
         -------
         Validity
-            a/R, a/t, compressibility, and whether a/t is among the nodes of the table.
+            a/R, a/t, compressibility, strain and more, and the neglected effects that matter.
 
         Examples
         --------
@@ -335,16 +333,7 @@ class Contact:
         (0.065, False, True)
         """
         found = evaluate(self._native.validity, errors, contact_radius=a)
-        a_over_r, a_over_t, compressibility, in_range = found
-        if isinstance(self.system, HalfSpace):
-            return Validity(scalar_or_array(a_over_r), None, None, None)
-        within = in_range == 1.0
-        return Validity(
-            scalar_or_array(a_over_r),
-            scalar_or_array(a_over_t),
-            scalar_or_array(compressibility),
-            bool(within) if within.ndim == 0 else within,
-        )
+        return validity(found, film=not isinstance(self.system, HalfSpace))
 
     def adhesion_range(
         self, w: ArrayLike, *, interaction_range: ArrayLike = 3e-10, errors: Errors = "raise"
@@ -378,10 +367,69 @@ class Contact:
         """Return what a notebook shows: the bodies, drawn to scale, and their moduli."""
         return _html.contact(self.system)
 
-    def __reduce__(self) -> tuple[Any, ...]:
-        """Pickle the bodies and the table, from which the contact is made again."""
-        return (_contact, (self.system, self.table))
+
+@final
+@dataclass(frozen=True, kw_only=True, slots=True)
+class SolvedCurve:
+    """What a contact is made of in place of a table: direct solves along a/t.
+
+    It takes some milliseconds for each contact, to any tolerance, and has neither expansions beyond
+    its ends nor derivatives with respect to the material.
+
+    Parameters
+    ----------
+    a_over_t : tuple of float
+        The smallest and the largest contact radius over the thickness of the film or stack.
+    tolerance : float
+        The largest relative error of the quantities.
+
+    Examples
+    --------
+    >>> from coated_contact import Elastic, System, Table
+    >>> rubber = Elastic(young_modulus=3.5e6, poisson_ratio=0.5)
+    >>> silicon = Elastic(young_modulus=2e11, poisson_ratio=0.25)
+    >>> system = System(sphere_radius=1e-3, sphere_modulus=2e6, film=rubber,
+    ...                 film_thickness=1e-5, substrate=silicon)
+    >>> solved = SolvedCurve(a_over_t=(0.1, 20), tolerance=1e-10).contact(system)
+    >>> looked_up = Table.embedded().contact(system)
+    >>> abs(solved.stiffness(65e-6) / looked_up.stiffness(65e-6) - 1) < 1e-6
+    True
+    """
+
+    a_over_t: tuple[float, float]
+    tolerance: float = 1e-8
+
+    def __post_init__(self) -> None:
+        first, last = self.a_over_t
+        set_field(self, "a_over_t", (number("a_over_t", first), number("a_over_t", last)))
+        set_numbers(self, "tolerance")
+
+    def contact(self, system: System | StackSystem) -> Contact:
+        """Solve the contact of a system.
+
+        Raises
+        ------
+        DomainError
+            For a range, a tolerance or a material outside the domain of the solver.
+        NotConvergedError
+            Where double precision does not allow the tolerance.
+        """
+        return Contact(system=system, table=self)
 
 
-def _contact(system: System | HalfSpace, table: Table | None) -> Contact:
-    return Contact(system=system, table=table)
+def _native(system: object, table: object) -> Any:
+    """Make the native contact."""
+    native = getattr(table, "_native", None)
+    if isinstance(system, System) and isinstance(native, _core.Table):
+        return native.contact(system._native)
+    if isinstance(system, HalfSpace) and table is None:
+        return _core.Contact.half_space(system._native)
+    if isinstance(table, SolvedCurve):
+        if isinstance(system, System):
+            return _core.Contact.solved(system._native, table.a_over_t, table.tolerance)
+        if isinstance(system, StackSystem):
+            return _core.Contact.solved_on_stack(system._native, table.a_over_t, table.tolerance)
+    raise TypeError(
+        "a contact needs a System and a Table or SolvedCurve, a StackSystem and a SolvedCurve, "
+        "or a HalfSpace and no table"
+    )

@@ -53,6 +53,18 @@ class BeyondSphereError(ContactError):
     """A contact radius that is not below the radius of the sphere."""
 
 
+class BeyondProbeError(ContactError):
+    """A contact radius that the shape of the probe does not have."""
+
+
+class OtherProbeError(ContactError):
+    """A question that makes no sense for the shape of the probe, or is not answered for it."""
+
+
+class ProfileError(ContactError):
+    """Points of a measured probe that are no convex shape; ``value`` is the row, from 1."""
+
+
 class OutsideTableError(ContactError):
     """A material outside the box of the table, or an a/t outside the curve."""
 
@@ -95,6 +107,14 @@ class DomainError(ContactError):
 
 class NotConvergedError(ContactError):
     """A tolerance that double precision does not allow; ``range`` begins at the error reached."""
+
+
+class StackError(ContactError):
+    """A layer that a stack cannot have; ``value`` is its number, from 1 at the base."""
+
+
+class NotAContactError(ContactError):
+    """An attraction of finite range that has no solution at a contact radius."""
 
 
 class FitError(ContactError):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 from typing import Any, Literal, get_args
 
 import numpy as np
@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from ._arrays import number, real
 from ._bodies import HalfSpace, System
 from ._errors import FitError
+from ._values import Remade
 
 Kind = Literal["load-radius", "penetration-radius", "load-penetration", "force-height"]
 ParameterName = Literal[
@@ -50,7 +51,7 @@ def one_of(name: str, value: object, allowed: tuple[str, ...]) -> None:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Experiment:
+class Experiment(Remade):
     """A measurement with what is known about it, in SI units.
 
     Each value below is fixed, or the start of the fit where the parameter is free and its
@@ -128,14 +129,10 @@ class Experiment:
             if value is not None:
                 object.__setattr__(self, name, number(name, value))
 
-    def __reduce__(self) -> tuple[Any, ...]:
-        """Pickle the values, from which the experiment is made again."""
-        return (_experiment, ({one.name: getattr(self, one.name) for one in fields(self)},))
-
     @property
-    def bodies(self) -> tuple[float, ...]:
-        """The numbers of the bodies, as the native part takes them."""
-        return self.system._numbers()
+    def bodies(self) -> Any:
+        """The bodies, as the native part takes them."""
+        return self.system._native
 
 
 _NUMBERS = (
@@ -148,10 +145,6 @@ _NUMBERS = (
     "stiffness",
     "noise",
 )
-
-
-def _experiment(values: dict[str, Any]) -> Experiment:
-    return Experiment(**values)
 
 
 def _fixed(array: NDArray[Any]) -> NDArray[Any]:

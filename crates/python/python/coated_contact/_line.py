@@ -7,10 +7,10 @@ from typing import Any
 
 from . import _core
 from ._arrays import number
-from ._bodies import _floats
 from ._contact import Contact
 from ._control import Control, native_control
 from ._results import Array, State
+from ._values import set_numbers
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -31,7 +31,7 @@ class Hysteresis:
     receding: float
 
     def __post_init__(self) -> None:
-        _floats(self)
+        set_numbers(self, "advancing", "receding")
         _core.check_law(self._numbers())
 
     def _numbers(self) -> tuple[Any, ...]:
@@ -70,8 +70,7 @@ class RateDependent:
     def __post_init__(self) -> None:
         if not isinstance(self.slow, Hysteresis):
             object.__setattr__(self, "slow", number("slow", self.slow))
-        object.__setattr__(self, "v0", number("v0", self.v0))
-        object.__setattr__(self, "n", number("n", self.n))
+        set_numbers(self, "v0", "n")
         _core.check_law(self._numbers())
 
     def energy_release_rate(self, speed: float) -> float:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -10,6 +11,7 @@ from numpy.typing import ArrayLike
 
 from . import _core
 from ._arrays import Errors, evaluate, real, scalar_or_array
+from ._stack import Stack
 
 if TYPE_CHECKING:
     import xarray
@@ -151,6 +153,66 @@ def solve(
         "tolerance": tolerance,
     }
     found = evaluate(_core.solve, errors, **parameters)
+    del parameters["tolerance"]
+    pi0, eeq, gamma, delta0, error = map(scalar_or_array, found)
+    return Solution(pi0, eeq, gamma, delta0, error, parameters)
+
+
+def solve_stack(
+    a_over_t: ArrayLike,
+    stack: Stack,
+    sphere_modulus: ArrayLike,
+    tolerance: ArrayLike = 1e-8,
+    *,
+    errors: Errors = "raise",
+) -> Solution:
+    """Solve contacts of a sphere with a stack of layers, on all cores.
+
+    Parameters
+    ----------
+    a_over_t : array_like
+        Contact radius over the thickness of the whole stack. The contact radius is at most 1000
+        times the thickness of the top layer.
+    stack : Stack
+        The layers and their base.
+    sphere_modulus : array_like
+        Reduced modulus E2* of the sphere, Pa; infinity is a rigid sphere: then the quantities are
+        in units of the reduced modulus of the solid that the sphere touches.
+    tolerance : array_like
+        The largest relative error allowed, 1e-13 to 1e-2.
+    errors : {"raise", "nan"}
+        What a point with an error gives: an exception, or NaN.
+
+    Returns
+    -------
+    Solution
+        The four quantities in units of E2*, and their estimated error.
+
+    Raises
+    ------
+    DomainError
+        For an ``a_over_t``, a ``tolerance`` or a ratio of moduli outside the domain.
+    NotConvergedError
+        Where double precision does not allow the tolerance.
+
+    Examples
+    --------
+    >>> from coated_contact import Elastic, Layer
+    >>> primer = Elastic(young_modulus=0.5e6, poisson_ratio=0.5)
+    >>> elastomer = Elastic(young_modulus=3.5e6, poisson_ratio=0.5)
+    >>> stack = Stack(base=Elastic(young_modulus=2e11, poisson_ratio=0.25),
+    ...               layers=[Layer(material=primer, thickness=2.5e-6),
+    ...                       Layer(material=elastomer, thickness=7.5e-6)])
+    >>> solve_stack([0.1, 1.0, 6.5], stack, 2e6).eeq.round(4)
+    array([0.7123, 0.8471, 0.9748])
+    """
+    parameters: dict[str, ArrayLike] = {
+        "a_over_t": a_over_t,
+        "sphere_modulus": sphere_modulus,
+        "tolerance": tolerance,
+    }
+    native = partial(_core.solve_stack, stack._native)
+    found = evaluate(native, errors, **parameters)
     del parameters["tolerance"]
     pi0, eeq, gamma, delta0, error = map(scalar_or_array, found)
     return Solution(pi0, eeq, gamma, delta0, error, parameters)

@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
+
+from ._arrays import scalar_or_array
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -17,23 +21,49 @@ class Validity:
     Attributes
     ----------
     a_over_r : float or numpy.ndarray
-        Contact radius over sphere radius. The model replaces the sphere by a paraboloid. The
-        adhesionless penetration of a true rigid sphere is larger by the part ``(a/R)^2 / 3`` and
-        more (Sneddon, Int. J. Eng. Sci. 3, 47, 1965).
+        Contact radius over sphere radius; for a shape without a radius of curvature the slope of
+        the shape at the edge, which under a paraboloid is a/R, and 0 under a flat punch. A
+        paraboloid in place of a rigid sphere has an adhesionless penetration that is too small by
+        the part ``(a/R)^2 / 3`` and more (Sneddon, Int. J. Eng. Sci. 3, 47, 1965).
+    shape : float or numpy.ndarray
+        The part by which the load at a given penetration falls if a sphere stands for its
+        paraboloid; 0 without a radius of curvature. ``Sphere`` adds this effect.
+    sideways : float or numpy.ndarray
+        The part by which the load at a given penetration rises because the surface moves sideways
+        under the sloping probe, which the model neglects: ``(3/4 pi) (1 - 2 nu)/(1 - nu) a/R``. It
+        follows from the displacements of Hertz's contact; on a thin film it is an order of
+        magnitude.
+    probe_share : float or numpy.ndarray
+        The share of the probe in the compliance of probe and film, or half-space.
     a_over_t : float, numpy.ndarray or None
         Contact radius over film thickness, the degree of confinement; None on a half-space.
     compressibility : float, numpy.ndarray or None
         ``(3/16) (1 - 2 nu1)/(1 - nu1) (a/t)^2``: the stiffness of a thin film whose volume is fixed
         over that of one that cannot move sideways (Johnson, *Contact Mechanics*, 5.8). Above 1 a
-        thin film deforms by a change of its volume; below 1 it behaves as incompressible.
+        thin film deforms by a change of its volume; below 1 it behaves as incompressible. Of a
+        stack it is that of all layers together. None on a half-space.
+    strain : float, numpy.ndarray or None
+        The penetration without adhesion over the film thickness: the size of the strain of the
+        film. The model is linear. None on a half-space.
     in_range : bool, numpy.ndarray or None
-        Whether a/t is between the nodes of the table. Beyond them an expansion is used.
+        Whether a/t is between the nodes of the table or curve. Beyond them an expansion is used, or
+        there is an error. None on a half-space.
+    neglected : dict of str to bool or numpy.ndarray
+        Which neglected effects are larger than the difference between a sphere and its paraboloid:
+        ``sideways`` (the displacement sideways), ``elastic_probe`` (an elastic probe is no
+        half-space; above an a/R and a share of 0.1) and ``strain`` (above 0.1). While there is one,
+        ``Sphere`` in place of ``Paraboloid`` gains nothing for loads at given penetrations.
     """
 
     a_over_r: Any
+    shape: Any
+    sideways: Any
+    probe_share: Any
     a_over_t: Any
     compressibility: Any
+    strain: Any
     in_range: Any
+    neglected: dict[str, Any]
 
     @property
     def is_large_contact(self) -> Any:
@@ -77,6 +107,27 @@ class AdhesionRange:
     def is_short_beside(self, length: float) -> Any:
         """Return whether the cohesive zone is at most a tenth of a length (m)."""
         return _plain(np.less_equal(self.cohesive_zone, 0.1 * length))
+
+
+def validity(arrays: Sequence[NDArray[np.float64]], *, film: bool) -> Validity:
+    """Return the numbers of the native part, which gives 1 for yes."""
+    a_over_r, shape, sideways, probe_share, *of_film = map(scalar_or_array, arrays[:7])
+    in_range, *neglected = (_plain(np.equal(answer, 1.0)) for answer in arrays[7:])
+    a_over_t, compressibility, strain, in_range = (
+        [*of_film, in_range] if film else [None, None, None, None]
+    )
+    effects = dict(zip(("sideways", "elastic_probe", "strain"), neglected, strict=True))
+    return Validity(
+        a_over_r=a_over_r,
+        shape=shape,
+        sideways=sideways,
+        probe_share=probe_share,
+        a_over_t=a_over_t,
+        compressibility=compressibility,
+        strain=strain,
+        in_range=in_range,
+        neglected=effects,
+    )
 
 
 def _plain(array: Any) -> Any:

@@ -7,6 +7,7 @@ use clap::{Args, Subcommand, ValueHint};
 use super::cost;
 use super::default_table;
 use super::output::Output;
+use super::probe::SizedProbeArguments;
 use super::progress::progress_bar;
 use super::table_name::{self, TableName};
 use crate::Error;
@@ -43,9 +44,18 @@ enum Figure {
     /// the substrate alone and for the film alone
     #[command(after_help = super::examples!("tabulate plot fig4 -o fig4.png"))]
     Fig4(Picture),
-    /// Load against penetration of the paper's system for several films, with the jumps
-    #[command(after_help = super::examples!("tabulate plot force-displacement -o curves.svg"))]
-    ForceDisplacement(Picture),
+    /// Load against penetration of the paper's system for several films, with the jumps, under any
+    /// probe
+    #[command(after_help = super::examples!(
+        "tabulate plot force-displacement -o curves.svg",
+        "tabulate plot force-displacement --probe cone --half-angle 70 -o cone.svg",
+    ))]
+    ForceDisplacement {
+        #[command(flatten)]
+        probe: SizedProbeArguments,
+        #[command(flatten)]
+        output: Picture,
+    },
     /// Pull-off load against Tabor's parameter, from DMT to JKR, on a half-space and on two films
     #[command(after_help = super::examples!("tabulate plot pull-off -o pull-off.svg"))]
     PullOff(Picture),
@@ -155,9 +165,13 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         Figure::Fig2(output) => output.write(None, || Ok(fig2::figure(&fig2::data()?))),
         Figure::Fig3(output) => output.write(None, || Ok(fig3::figure(&fig3::data()?))),
         Figure::Fig4(output) => output.write(None, || Ok(fig4::figure(&fig4::data()?))),
-        Figure::ForceDisplacement(output) => output.write(None, || {
-            Ok(force_displacement::figure(&force_displacement::data()?))
-        }),
+        Figure::ForceDisplacement { probe, output } => {
+            output.write(probe.shape.profile.as_deref(), || {
+                let probe = probe.probe()?;
+                let films = force_displacement::data(&probe)?;
+                Ok(force_displacement::figure(&films, &probe))
+            })
+        }
         Figure::PullOff(output) => output.write(None, || Ok(pull_off::figure(&pull_off::data()?))),
         Figure::ErrorMap { table, output } => {
             output.write(table.as_ref().and_then(TableName::path), || {

@@ -108,6 +108,24 @@ impl ProbeArguments {
     }
 }
 
+/// The flags of the shape and of its size, for commands that set nothing else of a system.
+#[derive(clap::Args, Clone)]
+#[group(skip)]
+pub struct SizedProbeArguments {
+    #[command(flatten)]
+    pub shape: ProbeArguments,
+    /// Radius of the sphere, of the paraboloid, of the end of a cone or of the punch, m
+    #[arg(long, default_value = "1e-3", allow_negative_numbers = true)]
+    pub sphere_radius: f64,
+}
+
+impl SizedProbeArguments {
+    /// Returns the shape.
+    pub fn probe(&self) -> anyhow::Result<Probe> {
+        self.shape.probe(self.sphere_radius)
+    }
+}
+
 /// Reads a measured shape: two columns, r and z, with or without a line of headings. Lines that
 /// begin with # are comments.
 fn profile(path: &Path) -> anyhow::Result<Profile> {

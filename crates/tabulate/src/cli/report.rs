@@ -6,6 +6,7 @@ use anyhow::Context;
 use clap::ValueHint;
 
 use super::output::Output;
+use super::probe::SizedProbeArguments;
 use super::progress::progress_bar;
 use super::table_name::{self, TableName};
 use crate::report::{figures, report, steps};
@@ -15,25 +16,37 @@ use crate::report::{figures, report, steps};
 /// The page shows the range of the table, its certificate, a map of its errors, and the force curve
 /// of any system in the table, which is computed in the page. It is one file, which fetches
 /// nothing.
+///
+/// The page opens with --probe: the paraboloid, the sphere or the flat punch.
 #[derive(clap::Args)]
 #[command(after_help = super::examples!(
     "tabulate report tables/paper.h5 -o paper.html",
     "tabulate report embedded -o report.html",
+    "tabulate report embedded --probe flat-punch --sphere-radius 1e-5 -o punch.html",
 ))]
 pub struct Arguments {
     #[arg(help = table_name::HELP, value_hint = ValueHint::FilePath)]
     table: TableName,
+    #[command(flatten)]
+    probe: SizedProbeArguments,
     /// The page to write
     #[arg(short, long, value_name = "REPORT.html")]
     output: PathBuf,
 }
 
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
-    let output = Output::new(Some(&arguments.output), [arguments.table.path()])?;
+    let output = Output::new(
+        Some(&arguments.output),
+        [
+            arguments.table.path(),
+            arguments.probe.shape.profile.as_deref(),
+        ],
+    )?;
+    let probe = arguments.probe.probe()?;
     let table = arguments.table.read()?;
     let bar = progress_bar(steps(&table), "drawing");
     let page = figures(&table, &|count| bar.inc(count as u64))
-        .and_then(|figures| report(&table, &figures));
+        .and_then(|figures| report(&table, &figures, &probe));
     bar.finish_and_clear();
     output.write(
         page.with_context(|| arguments.table.to_string())?

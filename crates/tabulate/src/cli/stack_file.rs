@@ -108,6 +108,7 @@ fn parse(text: &str) -> anyhow::Result<NamedStack> {
         Err(error) => Err(error.into()),
     }
 }
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -1,10 +1,13 @@
 //! What a solution must also fulfil: the contact does not open inside, and the gap is within the
 //! range of the attraction in the annulus and beyond it outside.
 
+use std::array::from_fn;
 use std::f64::consts::{FRAC_2_PI, FRAC_PI_2, PI};
 
 use crate::cohesive::annulus::{Annulus, rule};
 use crate::cohesive::fixed_radius::Part;
+use crate::cohesive::waves::{Group, cosine_sum};
+use crate::solve::bessel::LANES;
 
 /// A solution at one contact radius, in the units of
 /// [`fixed_radius`](crate::cohesive::fixed_radius).
@@ -19,7 +22,7 @@ pub struct Solution<'a> {
     pub modulus: f64,
     /// The fields.
     pub part: Part,
-    /// The wave numbers of its spectrum.
+    /// The wave numbers of its spectrum, a multiple of the lanes.
     pub q: &'a [f64],
 }
 
@@ -37,14 +40,17 @@ impl Solution<'_> {
         // s^2 = r^2 + (a^2 - r^2) v^2, which leaves sqrt(a^2-r^2) int_0^1 g'(s)/s dv.
         let square = (a - r) * (a + r);
         let rule = rule(POINTS);
-        let inside: f64 = rule
-            .abscissae
-            .iter()
-            .zip(&rule.weights)
+        let part = |t: &f64| {
+            let v = 0.5 * (1.0 + t);
+            (r * r + square * v * v).sqrt() / a
+        };
+        let groups = rule.abscissae.chunks_exact(LANES);
+        let inside: f64 = groups
+            .zip(rule.weights.chunks_exact(LANES))
             .map(|(t, w)| {
-                let v = 0.5 * (1.0 + t);
-                let s = (r * r + square * v * v).sqrt();
-                0.5 * w * slope_over_radius(&self.part.field, s / a) / (a * a)
+                let slopes = slopes_over_radius(&self.part.field, &from_fn(|l| part(&t[l])));
+                let terms = slopes.iter().zip(w).map(|(slope, w)| w * slope);
+                0.5 * terms.sum::<f64>() / (a * a)
             })
             .sum();
         // pi/2 - arcsin(y) of y = 2 (a^2-r^2)/(c^2-r^2) - 1.
@@ -81,14 +87,14 @@ impl Solution<'_> {
         let rest: Vec<f64> = nodes
             .iter()
             .map(|s| {
-                let waves = self.part.spectrum.iter().zip(self.q);
-                let wave: f64 = waves.map(|(g, q)| g * (q * s).cos()).sum();
+                let wave = cosine_sum(&self.part.spectrum, self.q, *s);
                 wave / self.modulus - self.part.penetration + s * s * self.curvature
             })
             .collect();
+        let weights = barycentric_weights(count);
         let phi = |s: f64| {
             let height = ((c - s) * (c + s)).max(0.0).sqrt();
-            barycentric(&nodes, &rest, s) - self.traction * height / self.modulus
+            barycentric(&nodes, &weights, &rest, s) - self.traction * height / self.modulus
         };
         radii
             .iter()
@@ -117,16 +123,23 @@ fn abel(a: f64, r: f64, kink: f64, phi: impl Fn(f64) -> f64) -> f64 {
     piece(bend, start, 1.0) + piece(bend, 0.0, -1.0)
 }
 
-/// Returns the value at `s` of the polynomial through `values` at Chebyshev `nodes` of the first
-/// kind, by the barycentric formula (Berrut and Trefethen, SIAM Review 46, 501, 2004).
-fn barycentric(nodes: &[f64], values: &[f64], s: f64) -> f64 {
+/// Returns the weights of [`barycentric`] for Chebyshev nodes of the first kind.
+fn barycentric_weights(count: usize) -> Vec<f64> {
+    let sign = |i: usize| if i.is_multiple_of(2) { 1.0 } else { -1.0 };
+    (0..count)
+        .map(|i| sign(i) * (PI * (i as f64 + 0.5) / count as f64).sin())
+        .collect()
+}
+
+/// Returns the value at `s` of the polynomial through `values` at `nodes`, by the barycentric
+/// formula (Berrut and Trefethen, SIAM Review 46, 501, 2004).
+fn barycentric(nodes: &[f64], weights: &[f64], values: &[f64], s: f64) -> f64 {
     let (mut numerator, mut denominator) = (0.0, 0.0);
-    for (i, (node, value)) in nodes.iter().zip(values).enumerate() {
+    for ((node, weight), value) in nodes.iter().zip(weights).zip(values) {
         if s == *node {
             return *value;
         }
-        let sign = if i % 2 == 0 { 1.0 } else { -1.0 };
-        let weight = sign * (PI * (i as f64 + 0.5) / nodes.len() as f64).sin() / (s - node);
+        let weight = weight / (s - node);
         numerator += weight * value;
         denominator += weight;
     }
@@ -137,14 +150,21 @@ fn barycentric(nodes: &[f64], values: &[f64], s: f64) -> f64 {
 ///
 /// `(k+1) P_{k+1} = (2k+1) rho P_k - k P_{k-1}` and `P_{k+1}' = P_{k-1}' + (2k+1) P_k`, the odd ones
 /// divided by `rho`.
-fn slope_over_radius(coefficients: &[f64], rho: f64) -> f64 {
-    let (mut even, mut odd, mut slope, mut sum) = (1.0, 1.0, 0.0, 0.0);
+fn slopes_over_radius(coefficients: &[f64], rho: &Group) -> Group {
+    let square: Group = rho.map(|rho| rho * rho);
+    let [mut even, mut odd] = [[1.0; LANES]; 2];
+    let [mut slope, mut sum] = [[0.0; LANES]; 2];
     for (n, coefficient) in coefficients.iter().enumerate().skip(1) {
         let k = (2 * n - 1) as f64;
-        slope += (2.0 * k + 1.0) * odd;
-        sum += coefficient * ((4 * n + 1) as f64).sqrt() * slope;
-        even = ((2.0 * k + 1.0) * rho * rho * odd - k * even) / (k + 1.0);
-        odd = ((2.0 * k + 3.0) * even - (k + 1.0) * odd) / (k + 2.0);
+        let factor = coefficient * ((4 * n + 1) as f64).sqrt();
+        let [first, second] = [(2.0 * k + 1.0) / (k + 1.0), k / (k + 1.0)];
+        let [third, fourth] = [(2.0 * k + 3.0) / (k + 2.0), (k + 1.0) / (k + 2.0)];
+        for l in 0..LANES {
+            slope[l] += (2.0 * k + 1.0) * odd[l];
+            sum[l] += factor * slope[l];
+            even[l] = first * square[l] * odd[l] - second * even[l];
+            odd[l] = third * even[l] - fourth * odd[l];
+        }
     }
     sum
 }

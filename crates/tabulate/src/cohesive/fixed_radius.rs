@@ -29,6 +29,7 @@ use faer::{Mat, Side};
 
 use crate::cohesive::annulus::{Annulus, TERMS};
 use crate::cohesive::surface::Surface;
+use crate::cohesive::waves::product;
 use crate::solve::abscissae::Abscissae;
 use crate::solve::operator::add_products;
 use crate::solve::power_law::coefficients;
@@ -153,12 +154,10 @@ impl<'a> FixedRadius<'a> {
         let rows = waves.q.len();
         let (h, p) = annulus.transforms(&waves.q, |n| &waves.bessel[n * rows..(n + 1) * rows]);
 
-        let modes = self.fields[0].len();
-        let mut right = vec![0.0; modes];
-        for (n, right) in right.iter_mut().enumerate() {
-            let column = &waves.bessel[n * rows..(n + 1) * rows];
-            *right = (0..rows).map(|i| waves.weights[i] * column[i] * h[i]).sum();
-        }
+        let weighted: Vec<f64> = waves.weights.iter().zip(&h).map(|(w, h)| w * h).collect();
+        let right: Vec<f64> = (0..self.fields[0].len())
+            .map(|n| product(&waves.bessel[n * rows..(n + 1) * rows], &weighted))
+            .collect();
         let traction = solved(&self.factor, &right);
         let transform = waves.transform(radius, &traction);
         let edge: f64 = (0..rows)
@@ -197,7 +196,7 @@ impl<'a> FixedRadius<'a> {
         let outside = [0.0, -annulus.area()];
         let parts = [0, 1].map(|i| {
             let (field, spectrum) = (field(i), spectrum(i));
-            let waves: f64 = spectrum.iter().zip(&p).map(|(g, p)| g * p).sum();
+            let waves = product(&spectrum, &p);
             Part {
                 penetration: penetrations[i],
                 load: 2.0 * (radius * field[0] + outside[i]),
@@ -211,12 +210,14 @@ impl<'a> FixedRadius<'a> {
 
     /// Returns the index of the wave numbers for an outer radius, and makes them if there are none.
     fn waves_for(&mut self, outer: f64) -> usize {
-        /// The reach of wave numbers over that of those before.
+        /// The first reach over the contact radius, and every other over that before.
+        const FIRST: f64 = 1.15;
         const STEP: f64 = 1.6;
         if let Some(index) = self.waves.iter().position(|waves| outer <= waves.reach) {
             return index;
         }
-        let mut reach = self.waves.last().map_or(self.radius, |waves| waves.reach);
+        let first = FIRST * self.radius;
+        let mut reach = self.waves.last().map_or(first, |waves| waves.reach);
         while reach < outer {
             reach *= STEP;
         }

@@ -33,9 +33,9 @@
 //!
 //! # Accuracy
 //!
-//! Measured (`tests/truth/cohesive.rs`): load and penetration of 12 contacts within 1e-11 of values by
-//! two other programs, Maugis' closed form on a half-space within 1e-12, and the energy balance
-//! `dU/d(delta) = F`.
+//! Measured (`tests/truth/cohesive.rs`): load, penetration and outer radius of 24 contacts and 17
+//! pull-offs within 4.4e-14 of values by two other programs, Maugis' closed form on a half-space
+//! within 1.2e-14, and the energy balance `dU/d(delta) = F` within 2e-10.
 
 mod annulus;
 mod before_contact;
@@ -43,24 +43,33 @@ mod checks;
 mod fixed_radius;
 mod search;
 mod surface;
+mod waves;
 
-use std::cell::RefCell;
 use std::f64::consts::PI;
 
-use interp::{Control, Material, Normalisation, Probe, System, root};
+use interp::{Control, Normalisation, Probe, System, root};
 
 use crate::Error;
 use crate::cohesive::annulus::Annulus;
 use crate::cohesive::checks::Solution;
 use crate::cohesive::fixed_radius::{FixedRadius, Part};
+use crate::cohesive::search::Point;
 use crate::cohesive::surface::Surface;
 use crate::solve::compliance::Compliance;
 use crate::solve::layered::LayeredCompliance;
 use crate::solve::symbol::Symbol;
 use crate::stack::Stack;
 
+pub use interp::CohesiveState;
+
 /// The radii, over the thickness of the top layer, of contacts and of annuli that are solved.
 pub const REACH: f64 = 120.0;
+
+/// The step of `ln a` in the search of the pull-off.
+const STEP: f64 = 0.25;
+
+/// The smallest radius of a contact, over the thickness of the top layer, that is solved.
+pub const SMALLEST: f64 = 1e-12;
 
 /// A sphere on a coated substrate with an attraction of finite range.
 #[derive(Clone, Debug)]
@@ -79,19 +88,6 @@ pub struct Cohesive {
     range: f64,
 }
 
-/// A state with an annulus of attraction.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct CohesiveState {
-    /// Contact radius `a`, m; 0 before the contact.
-    pub contact_radius: f64,
-    /// Outer radius `c` of the attraction, m.
-    pub outer_radius: f64,
-    /// Load `F`, N, positive in compression.
-    pub load: f64,
-    /// Penetration `delta`, m, positive when the sphere has moved in.
-    pub penetration: f64,
-}
-
 impl Cohesive {
     /// Takes a film on a substrate, the work of adhesion `w` (J/m^2) and the range `h0` (m) of the
     /// attraction, whose traction is `sigma0 = w/h0`. The probe is a paraboloid.
@@ -100,19 +96,8 @@ impl Cohesive {
     /// As [`System::material`]; [`Error::Domain`] unless `w` and `h0` are positive, and for a range
     /// that is not below the radius of the sphere; [`Error::OnlyParaboloid`] for another probe.
     pub fn new(system: &System, work_of_adhesion: f64, range: f64) -> Result<Self, Error> {
-        let material = system.material()?;
-        let surface = Surface::Film(Compliance::new(&material));
-        let unit = match material.normalisation() {
-            Normalisation::Sphere => system.sphere_modulus,
-            Normalisation::Film => system.film.reduced(),
-        };
-        let bodies = (surface, &material, unit, system.film_thickness);
-        let Probe::Paraboloid { radius } = system.probe else {
-            return Err(Error::OnlyParaboloid {
-                probe: system.probe.name(),
-            });
-        };
-        Self::of_surface(bodies, radius, work_of_adhesion, range)
+        let surface = Surface::Film(Compliance::new(&system.material()?));
+        Self::of_surface(surface, system, work_of_adhesion, range)
     }
 
     /// Takes a stack of layers under a sphere of the radius `sphere_radius` (m) and the reduced
@@ -128,30 +113,38 @@ impl Cohesive {
         range: f64,
     ) -> Result<Self, Error> {
         let merged = stack.merged().of_top_layer();
-        let system = merged.system(sphere_radius, sphere_modulus);
-        if let [layer] = merged.layers() {
-            let system = System {
-                film_thickness: layer.thickness,
-                ..system
-            };
-            return Self::new(&system, work_of_adhesion, range);
-        }
-        let material = system.material()?;
-        let unit = match material.normalisation() {
-            Normalisation::Sphere => sphere_modulus,
-            Normalisation::Film => system.film.reduced(),
+        let system = System {
+            film_thickness: merged.top().thickness,
+            ..merged.system(sphere_radius, sphere_modulus)
         };
-        let surface = Surface::Layers(LayeredCompliance::new(&merged));
-        let bodies = (surface, &material, unit, merged.top().thickness);
-        Self::of_surface(bodies, sphere_radius, work_of_adhesion, range)
+        let surface = match merged.layers() {
+            [_] => Surface::Film(Compliance::new(&system.material()?)),
+            _ => Surface::Layers(LayeredCompliance::new(&merged)),
+        };
+        Self::of_surface(surface, &system, work_of_adhesion, range)
     }
 
+    /// Takes the surface of a system whose film is the top layer.
     fn of_surface(
-        (surface, material, modulus, thickness): (Surface, &Material, f64, f64),
-        sphere_radius: f64,
+        surface: Surface,
+        system: &System,
         work_of_adhesion: f64,
         range: f64,
     ) -> Result<Self, Error> {
+        let material = system.material()?;
+        let modulus = match material.normalisation() {
+            Normalisation::Sphere => system.sphere_modulus,
+            Normalisation::Film => system.film.reduced(),
+        };
+        let Probe::Paraboloid {
+            radius: sphere_radius,
+        } = system.probe
+        else {
+            return Err(Error::OnlyParaboloid {
+                probe: system.probe.name(),
+            });
+        };
+        let thickness = system.film_thickness;
         let positive = [f64::MIN_POSITIVE, f64::MAX];
         Error::check("work of adhesion", work_of_adhesion, positive)?;
         Error::check(
@@ -160,7 +153,7 @@ impl Cohesive {
             [f64::MIN_POSITIVE, sphere_radius],
         )?;
         Ok(Self {
-            symbol: Symbol::with_compliance(surface, material),
+            symbol: Symbol::with_compliance(surface, &material),
             sphere_radius,
             thickness,
             modulus,
@@ -175,12 +168,13 @@ impl Cohesive {
     /// Of several outer radii at which the gap is `h0`, it is the smallest.
     ///
     /// # Errors
-    /// [`Error::Domain`] for a radius that is not positive or beyond [`REACH`], or whose annulus is;
+    /// [`Error::Domain`] for a radius below [`SMALLEST`] or beyond [`REACH`];
+    /// [`Error::AnnulusReach`] for one whose annulus is beyond it;
     /// [`Error::NotAContact`] where the contact would open inside, or the gap in the annulus is not
     /// between 0 and `h0`.
     pub fn state(&self, contact_radius: f64) -> Result<CohesiveState, Error> {
         let mut contact = self.fixed(contact_radius)?;
-        let solution = self.solution(&mut contact, contact_radius)?;
+        let solution = self.solution(&mut contact, contact_radius, None)?;
         self.check(&solution)?;
         Ok(self.in_si(&solution.annulus, &solution.part))
     }
@@ -195,7 +189,7 @@ impl Cohesive {
             Error::check("radius", r, [0.0, contact_radius])?;
         }
         let mut contact = self.fixed(contact_radius)?;
-        let solution = self.solution(&mut contact, contact_radius)?;
+        let solution = self.solution(&mut contact, contact_radius, None)?;
         let stress = 0.5 * self.traction * self.modulus;
         let pressure = |r: &f64| stress * solution.pressure(r / self.thickness);
         Ok(radii.iter().map(pressure).collect())
@@ -208,7 +202,7 @@ impl Cohesive {
     /// the outer radius of the attraction.
     pub fn gap(&self, contact_radius: f64, radii: &[f64]) -> Result<Vec<f64>, Error> {
         let mut contact = self.fixed(contact_radius)?;
-        let solution = self.solution(&mut contact, contact_radius)?;
+        let solution = self.solution(&mut contact, contact_radius, None)?;
         let farthest = 2.0 * solution.annulus.outer * self.thickness;
         for &r in radii {
             Error::check("radius", r, [contact_radius, farthest])?;
@@ -263,48 +257,39 @@ impl Cohesive {
     /// As [`Cohesive::state`], and [`Error::Domain`] for a pull-off beyond [`REACH`] or a spring that
     /// is not positive.
     pub fn pull_off(&self, control: Control) -> Result<CohesiveState, Error> {
-        /// The step of `ln a`.
-        const STEP: f64 = 0.25;
         /// The smallest contact radius over that of JKR.
         const SMALLEST: f64 = 1e-3;
-        let imposed: fn(f64, &CohesiveState) -> f64 = match control {
-            Control::Load => |_, state| state.load,
-            Control::Displacement => |_, state| state.penetration,
-            Control::Spring { stiffness } => {
-                Error::check("stiffness of the spring", stiffness, [1e-100, 1e100])?;
-                |stiffness, state| state.penetration + state.load / stiffness
-            }
-        };
-        let stiffness = if let Control::Spring { stiffness } = control {
-            stiffness
-        } else {
-            f64::INFINITY
-        };
+        if let Control::Spring { stiffness } = control {
+            Error::check("stiffness of the spring", stiffness, [1e-100, 1e100])?;
+        }
+        let imposed = |state: &CohesiveState| control.imposed(state.load, state.penetration);
         // The contact radius of JKR without load on a half-space like the surface, in its units.
         let es = self.symbol.modulus();
         let scale =
             (4.5 * PI * 0.5 * self.traction * self.range / (es * self.curvature.powi(2))).cbrt();
         let largest = (0.9 * REACH).min(8.0 * scale);
+        // The width of the last annulus, near which the next one is sought.
+        let mut width = None;
         let mut value = |log: f64| {
             let radius = log.exp();
             let mut contact = FixedRadius::new(radius, &self.symbol)
                 .ok_or_else(|| self.no_contact(radius, "rounding has left no digits"))?;
-            let solution = self.solution(&mut contact, radius * self.thickness)?;
-            Ok(imposed(
-                stiffness,
-                &self.in_si(&solution.annulus, &solution.part),
-            ))
+            let solution = self.solution(&mut contact, radius * self.thickness, width)?;
+            width = Some(solution.annulus.outer - solution.annulus.inner);
+            Ok(imposed(&self.in_si(&solution.annulus, &solution.part)))
         };
         let end = (SMALLEST * scale).ln();
         let start = self.start(&mut value, (0.8 * scale).ln(), largest.ln())?;
-        if let Some(bracket) = search::bracket(&mut value, start, -STEP, end)? {
+        if let Some(bracket) = search::bracket(&mut value, start, end)? {
             let (log, _) = search::minimum(&mut value, bracket)?;
             return self.state(log.exp() * self.thickness);
         }
         // The imposed value falls until the contact has closed.
         let first = self.first_contact()?;
-        let mut value = |log: f64| Ok(imposed(stiffness, &self.before_contact(log.exp()).0));
-        match search::bracket(&mut value, first.ln(), -STEP, (1e-3 * first).ln())? {
+        let mut value = |log: f64| Ok(imposed(&self.before_contact(log.exp()).0));
+        let start = [first.ln(), first.ln() - STEP];
+        let start = [(start[0], value(start[0])?), (start[1], value(start[1])?)];
+        match search::bracket(&mut value, start, (1e-3 * first).ln())? {
             Some(bracket) => {
                 let (log, _) = search::minimum(&mut value, bracket)?;
                 Ok(self.before_contact(log.exp()).0)
@@ -313,27 +298,25 @@ impl Cohesive {
         }
     }
 
-    /// Returns a `ln a` from which the imposed value falls towards smaller contacts, looking from
-    /// `from` up to `largest`.
+    /// Returns two values of `ln a`, the larger one first, between which the imposed value falls,
+    /// looking from `from` up to `largest`.
     fn start(
         &self,
         value: &mut impl FnMut(f64) -> Result<f64, Error>,
         from: f64,
         largest: f64,
-    ) -> Result<f64, Error> {
-        const STEP: f64 = 0.25;
-        let mut log = from.min(largest - STEP);
-        let mut here = value(log)?;
-        while log < largest {
-            log += STEP;
-            let next = value(log)?;
-            if next > here {
-                return Ok(log);
+    ) -> Result<[Point; 2], Error> {
+        let log = from.min(largest - STEP);
+        let mut here = (log, value(log)?);
+        while here.0 < largest {
+            let next = (here.0 + STEP, value(here.0 + STEP)?);
+            if next.1 > here.1 {
+                return Ok([next, here]);
             }
             here = next;
         }
         Err(self.no_contact(
-            log.exp(),
+            here.0.exp(),
             "the pull-off is at a larger contact than is solved",
         ))
     }
@@ -346,19 +329,21 @@ impl Cohesive {
         } else {
             reach
         };
-        Error::check("contact radius", contact_radius, [f64::MIN_POSITIVE, reach])?;
+        let smallest = SMALLEST * self.thickness;
+        Error::check("contact radius", contact_radius, [smallest, reach])?;
         let radius = contact_radius / self.thickness;
         FixedRadius::new(radius, &self.symbol)
             .ok_or_else(|| self.no_contact(radius, "rounding has left no digits"))
     }
 
-    /// Solves a contact radius, m.
+    /// Solves a contact radius, m, with an annulus near a `width` if one is given.
     fn solution<'a>(
         &self,
         contact: &'a mut FixedRadius<'_>,
         contact_radius: f64,
+        width: Option<f64>,
     ) -> Result<Solution<'a>, Error> {
-        let annulus = self.annulus(contact, contact_radius)?;
+        let annulus = self.annulus(contact, contact_radius, width)?;
         let (parts, q) = contact.parts(&annulus);
         Ok(Solution {
             annulus,
@@ -375,49 +360,69 @@ impl Cohesive {
         &self,
         contact: &mut FixedRadius<'_>,
         contact_radius: f64,
+        width: Option<f64>,
     ) -> Result<Annulus, Error> {
-        /// The growth of `tan(phi)` from one trial to the next.
-        const STEP: f64 = 1.6;
+        /// The largest growth of `tan(phi)^2` from one trial to the next.
+        const GROWTH: f64 = 2.5;
+        /// The first growth near a known width.
+        const NEAR: f64 = 1.2;
         let radius = contact_radius / self.thickness;
         let reach = if self.symbol.contrast() == 0.0 {
             self.sphere_radius / self.thickness
         } else {
             REACH
         };
-        // The annulus of a short range, (pi/4) es w/sigma0^2 beside a long crack, and of a long
-        // one, in which the bodies keep their shapes.
-        let length = 0.5 * PI * self.symbol.modulus() * self.range / self.traction;
-        let short = (length * (length + 2.0 * radius)).sqrt();
-        let long = (2.0 * self.range / self.curvature).sqrt();
-        let mut low = 0.4 * short.min(long) / radius;
+        // The square of tan(phi), with which the gap grows almost linearly: for a known width, or
+        // for a short range, (pi/4) es w/sigma0^2 beside a long crack, and a long one, in which the
+        // bodies keep their shapes. Either alone would open the gap, and the inverse squares add.
+        let square = |width: f64| width * (width + 2.0 * radius) / (radius * radius);
+        let farthest = ((reach / radius).powi(2) - 1.0).max(0.0);
+        let (first, mut growth) = if let Some(width) = width {
+            (square(width) / NEAR.sqrt(), NEAR)
+        } else {
+            let short = square(0.5 * PI * self.symbol.modulus() * self.range / self.traction);
+            let long = 2.0 * self.range / (self.curvature * radius * radius);
+            (short * long / (short + long) / GROWTH, GROWTH)
+        };
+        let mut low = first.min(farthest);
         let weights = [self.curvature, self.traction];
-        let contact = RefCell::new(contact);
-        let excess = |tangent: f64| {
-            let annulus = Annulus::new(radius, tangent);
-            let mut contact = contact.borrow_mut();
-            let (parts, _) = contact.parts(&annulus);
+        let mut excess = |square: f64| {
+            let (parts, _) = contact.parts(&Annulus::new(radius, square.sqrt()));
             weights[0] * parts[0].opening + weights[1] * parts[1].opening - self.range
         };
         let mut value = excess(low);
-        while value > 0.0 {
-            low *= 0.25;
+        let mut high = None;
+        while value > 0.0 && low >= f64::MIN_POSITIVE {
+            high = Some((low, value));
+            low /= growth;
+            growth = GROWTH;
             value = excess(low);
         }
-        let farthest = ((reach / radius).powi(2) - 1.0).max(0.0).sqrt();
-        let mut high = low;
-        while value < 0.0 {
-            if high >= farthest {
+        if low < f64::MIN_POSITIVE {
+            let what = "its annulus is so narrow that rounding has left no digits";
+            return Err(self.no_contact(radius, what));
+        }
+        let high = loop {
+            if let Some(high) = high {
+                break high;
+            }
+            if low >= farthest {
                 return Err(Error::AnnulusReach {
                     contact_radius,
                     reach: reach * self.thickness,
                 });
             }
-            low = high;
-            high = (STEP * high).min(farthest);
-            value = excess(high);
-        }
-        let tangent = root(|tangent| Ok::<f64, Error>(excess(tangent)), low, high)?;
-        Ok(Annulus::new(radius, tangent))
+            let next = (growth * low).min(farthest);
+            growth = GROWTH;
+            let there = excess(next);
+            if there < 0.0 {
+                (low, value) = (next, there);
+            } else {
+                high = Some((next, there));
+            }
+        };
+        let square = search::crossing(excess, (low, value), high);
+        Ok(Annulus::new(radius, square.sqrt()))
     }
 
     /// Refuses a solution that is not a contact.

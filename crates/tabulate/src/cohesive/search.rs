@@ -3,23 +3,22 @@
 use crate::Error;
 
 /// A point and the value there.
-type Point = (f64, f64);
+pub type Point = (f64, f64);
 
-/// Goes downhill from `start` in steps of `step` until the values rise again, and returns three
-/// points with the lowest value in the middle; none if there is no minimum before `end`.
+/// Goes downhill from two points, in steps of their distance, until the values rise again, and
+/// returns three points with the lowest value in the middle; none if there is no minimum before
+/// `end`.
 pub fn bracket(
     f: &mut impl FnMut(f64) -> Result<f64, Error>,
-    start: f64,
-    step: f64,
+    [mut before, mut middle]: [Point; 2],
     end: f64,
 ) -> Result<Option<[Point; 3]>, Error> {
-    let mut point = |x: f64| Ok::<Point, Error>((x, f(x)?));
-    let (mut before, mut middle) = (point(start)?, point(start + step)?);
     if middle.1 > before.1 {
         return Ok(None);
     }
+    let step = middle.0 - before.0;
     while (middle.0 - end) * step < 0.0 {
-        let next = point(middle.0 + step)?;
+        let next = (middle.0 + step, f(middle.0 + step)?);
         if next.1 > middle.1 {
             return Ok(Some([before, middle, next]));
         }
@@ -31,8 +30,9 @@ pub fn bracket(
 /// Finds the minimum between the outer of three points to about 1e-7 of their distance; the value
 /// there is accurate to rounding.
 ///
-/// Each step goes to the lowest point of the parabola through the three, or divides the wider side by
-/// the golden section where that does not shrink the interval.
+/// Each step goes to the lowest point of the parabola through the three. It divides the wider side
+/// by the golden section where that point is outside or the step is more than half of the one
+/// before the last (Brent, Algorithms for Minimization without Derivatives, 1973, chapter 5).
 pub fn minimum(
     f: &mut impl FnMut(f64) -> Result<f64, Error>,
     [mut low, mut middle, mut high]: [Point; 3],
@@ -40,8 +40,9 @@ pub fn minimum(
     const GOLDEN: f64 = 0.381_966_011_250_105;
     const MOST_STEPS: usize = 60;
     let width = (high.0 - low.0).abs();
-    let mut last = width;
-    for step in 0..MOST_STEPS {
+    // The last step and the one before it.
+    let mut steps = [width; 2];
+    for _ in 0..MOST_STEPS {
         let (left, right) = (middle.0 - low.0, middle.0 - high.0);
         let (fall, rise) = (middle.1 - high.1, middle.1 - low.1);
         let parabola = middle.0
@@ -52,15 +53,15 @@ pub fn minimum(
             high.0
         };
         let inside = (parabola - low.0) * (parabola - high.0) < 0.0;
-        let golden = step % 3 == 2 || !inside || (parabola - middle.0).abs() > 0.5 * last;
+        let golden = !inside || (parabola - middle.0).abs() > 0.5 * steps[1];
         let mut x = if golden {
             middle.0 + GOLDEN * (wider - middle.0)
         } else {
             parabola
         };
-        last = (x - middle.0).abs();
-        let least = 1e-8 * width;
-        if last < least {
+        steps = [(x - middle.0).abs(), steps[0]];
+        let least = 1e-7 * width;
+        if steps[0] < least {
             if !golden {
                 return Ok(middle);
             }
@@ -78,6 +79,39 @@ pub fn minimum(
     Ok(middle)
 }
 
+/// Finds the point between `low` and `high` at which `f` passes from negative to positive values,
+/// for an almost linear `f` of positive arguments.
+///
+/// Each step is that of the secant through the last two points, or halves the interval where that
+/// leaves it. The error of a secant is of the order of the product of the last two steps.
+pub fn crossing(mut f: impl FnMut(f64) -> f64, mut low: Point, mut high: Point) -> f64 {
+    const MOST_STEPS: usize = 100;
+    /// The largest relative error.
+    const ACCURACY: f64 = 1e-16;
+    let (mut old, mut new) = (low, high);
+    for step in 0..MOST_STEPS {
+        let secant = new.0 - new.1 * (new.0 - old.0) / (new.1 - old.1);
+        let inside = secant > low.0 && secant < high.0;
+        let change = (secant - new.0) * (new.0 - old.0);
+        if inside && change.abs() <= ACCURACY * secant * secant {
+            return secant;
+        }
+        let halve = !inside || step % 8 == 7;
+        let x = if halve {
+            0.5 * (low.0 + high.0)
+        } else {
+            secant
+        };
+        let next = (x, f(x));
+        if next.1 == 0.0 || high.0 - low.0 <= 2.0 * f64::EPSILON * x {
+            return x;
+        }
+        *if next.1 < 0.0 { &mut low } else { &mut high } = next;
+        (old, new) = (new, next);
+    }
+    new.0
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -91,13 +125,35 @@ mod tests {
                 calls += 1;
                 Ok((x - at).powi(power) + 0.3 * (x - at).powi(3 * power / 2 + 1) + 1.0)
             };
-            let bracket = bracket(&mut f, at - 0.7, 0.4, 10.0)
+            let start = [at - 0.7, at - 0.3];
+            let start = start.map(|x| (x, f(x).expect("no failure")));
+            let bracket = bracket(&mut f, start, 10.0)
                 .expect("no failure")
                 .expect("a minimum");
             let (x, value) = minimum(&mut f, bracket).expect("no failure");
             println!("{power}: {x}, {value}, {calls} calls");
             assert!((value - 1.0).abs() < 1e-14, "{value}");
             assert!(calls < most, "{calls}");
+        }
+    }
+
+    #[test]
+    fn crossings_are_found_in_few_steps() {
+        type Function = fn(f64) -> f64;
+        let functions: [(Function, f64, usize); 3] = [
+            (|x| x * (1.0 + 0.3 * x) - 1.3, 1.0, 7),
+            (|x| x.powi(5) - 32.0, 2.0, 12),
+            (|x| (x - 0.5).max(0.0) - 1.5, 2.0, 12),
+        ];
+        for (f, at, most) in functions {
+            let mut calls = 0;
+            let count = |x: f64| {
+                calls += 1;
+                f(x)
+            };
+            let x = crossing(count, (0.4, f(0.4)), (2.6, f(2.6)));
+            println!("{x}, {calls} calls");
+            assert!((x / at - 1.0).abs() < 1e-15 && calls < most, "{x}, {calls}");
         }
     }
 }

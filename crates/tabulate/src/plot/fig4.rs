@@ -42,7 +42,7 @@ pub fn data() -> Result<Data, Error> {
     Ok(Data {
         films: THICKNESSES
             .iter()
-            .map(|&t| jkr_plot(&paper::contact(t)?))
+            .map(|&t| jkr_plot(&paper::contact(&paper::PROBE, t)?))
             .collect::<Result<_, Error>>()?,
         sphere: jkr_plot(&half_space(system.substrate)?)?,
         sphere_film: jkr_plot(&half_space(system.film)?)?,

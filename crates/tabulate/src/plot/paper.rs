@@ -9,8 +9,14 @@ use crate::solve::curve;
 /// The work of adhesion, J/m^2 (Table 2).
 pub const WORK_OF_ADHESION: f64 = 0.04;
 
+/// The paper's sphere (Table 2).
+pub const PROBE: Probe = Probe::Paraboloid { radius: 1e-3 };
+
 /// The range of `a/t` in Figs. 2 and 3.
 pub const A_OVER_T: [f64; 2] = [1e-3, 1e3];
+
+/// The range of `a/t` of a contact, in which a sharp tip on a thick film has its pull-off.
+const WIDE: [f64; 2] = [1e-5, 1e3];
 
 /// The relative tolerance of the curves, far below the width of a line.
 const TOLERANCE: f64 = 1e-8;
@@ -22,7 +28,7 @@ const TOLERANCE: f64 = 1e-8;
 pub fn system(film_thickness: f64) -> Result<System, Error> {
     let [film, substrate] = [Elastic::new(3.5e6, 0.5)?, Elastic::new(2e11, 0.25)?];
     Ok(System {
-        probe: Probe::Paraboloid { radius: 1e-3 },
+        probe: PROBE,
         sphere_modulus: 2e6,
         film,
         film_thickness,
@@ -38,13 +44,19 @@ pub fn quantities() -> Result<Curve, Error> {
     curve(&system(1e-6)?.material()?, A_OVER_T, TOLERANCE)
 }
 
-/// Computes the contact with a film of `film_thickness` (m), from direct solves.
+/// Computes the contact of a `probe` with a film of `film_thickness` (m), from direct solves.
 ///
 /// # Errors
-/// Those of [`curve`]; [`interp::Error::Unphysical`] for a thickness that is not positive and
-/// finite.
-pub fn contact(film_thickness: f64) -> Result<Contact, Error> {
-    Ok(Contact::new(&system(film_thickness)?, quantities()?)?)
+/// Those of [`curve`] and of [`Contact::new`].
+pub fn contact(probe: &Probe, film_thickness: f64) -> Result<Contact, Error> {
+    let system = System {
+        probe: probe.clone(),
+        ..system(film_thickness)?
+    };
+    Ok(Contact::new(
+        &system,
+        curve(&system.material()?, WIDE, TOLERANCE)?,
+    )?)
 }
 
 /// Returns `count` values of `a/t`, evenly spaced in its logarithm, with both ends of [`A_OVER_T`].

@@ -16,13 +16,16 @@ function root(f, low, high) {
     return 0.5 * (low + high);
 }
 
-/** The contact of a sphere with a film on a substrate, with a work of adhesion. */
+/** The contact of a sphere, or of its paraboloid, with a film on a substrate, with a work of adhesion. */
 class Contact {
-    /** `curve` holds the quantities; `system` radius, thickness, workOfAdhesion, and modulus: Es*, the unit of the quantities. */
+    /**
+     * `curve` holds the quantities; `system` radius, thickness, workOfAdhesion, modulus: Es*, the unit of the quantities, and
+     * largest: the largest contact radius over that of the sphere.
+     */
     constructor(table, curve, system) {
         Object.assign(this, system, { curve });
-        /** The contact radii that the table covers, below the radius of the sphere. */
-        this.range = table.range("a_over_t").map((x) => Math.min(x * this.thickness, BELOW_SPHERE * this.radius));
+        /** The contact radii that the table covers, up to the largest one. */
+        this.range = table.range("a_over_t").map((x) => Math.min(x * this.thickness, this.largest * this.radius));
         this.sections = { load: this.sectionsOf("load"), penetration: this.sectionsOf("penetration") };
     }
 
@@ -98,5 +101,10 @@ class Contact {
         else if (this.state(last).load < 0) to = last;
         to = Math.min(Math.max(to, 10 * first), last);
         return [Math.max(first, 1e-6 * to), to];
+    }
+
+    /** Returns the part of a drawn range of which points are printed. */
+    printed([from, to]) {
+        return [Math.max(from, rounded(0.1 * to, 4)), to];
     }
 }

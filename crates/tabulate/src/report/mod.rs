@@ -4,8 +4,8 @@
 //! largest error at sampled points), the figures of [`figures()`], and the packed low-rank form of
 //! the table. In the browser `table.js` reads this form and evaluates its splines, `derived.js`
 //! integrates the other quantities from `Gamma` alone, `material.js` finds the place of a material
-//! in the table, `contact.js` computes eqs. 2 to 9, `chart.js` draws, and `page.js` connects the
-//! sliders and fields with them.
+//! in the table, `contact.js` computes eqs. 2 to 9, `shape.js` the sphere itself and the flat punch,
+//! `chart.js` draws, and `page.js` connects the sliders and fields with them.
 
 mod figures;
 
@@ -13,7 +13,7 @@ use std::fmt::Write;
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
-use interp::{Description, Parameter, Quantity, SubstratePoissonRatio, Table, Validity};
+use interp::{Description, Parameter, Probe, Quantity, SubstratePoissonRatio, Table, Validity};
 
 pub use figures::{Illustration, figures, steps};
 
@@ -39,14 +39,23 @@ const SEED: u64 = 1;
 /// Returns the HTML page of a table: its range, its certificate, force curves that the page
 /// computes, and the `illustrations`, which are those of [`figures()`].
 ///
+/// The page opens with the `probe`, a paraboloid, a sphere or a flat punch, between which its user
+/// chooses if the table answers all quantities.
+///
 /// A dense table is embedded in low-rank form. Its quantities differ from those of the table by at
 /// most 1e-6, relative (`tests/report` measures it). The page states the largest difference at
 /// random points. A table in low-rank form is embedded unchanged. Equal tables give equal pages,
 /// byte for byte.
 ///
 /// # Errors
-/// Those of [`compress`], of [`Table::to_packed`], of the lookup and of the drawing.
-pub fn report(table: &Table, illustrations: &[Illustration]) -> Result<String, Error> {
+/// [`Error::PageProbe`] for a probe that the page does not compute; those of [`compress`], of
+/// [`Table::to_packed`], of the lookup and of the drawing.
+pub fn report(
+    table: &Table,
+    illustrations: &[Illustration],
+    probe: &Probe,
+) -> Result<String, Error> {
+    let opening = opening(table, probe)?;
     let embedded = embedded(table)?;
     let packed = embedded.to_packed()?;
     let description = table.description();
@@ -56,7 +65,7 @@ pub fn report(table: &Table, illustrations: &[Illustration]) -> Result<String, E
         _ => "Es*, the compound modulus of sphere and film, 1/Es* = 1/E₁* + 1/E₂*",
     };
     let constants = format!(
-        "const WARNING_A_OVER_R = {:?}, LARGE_CONTACT = {LARGE_CONTACT:?};\n",
+        "const WARNING_A_OVER_R = {:?}, LARGE_CONTACT = {LARGE_CONTACT:?}, OPENING = {opening};\n",
         Validity::WARNING_A_OVER_R
     );
     let script = [
@@ -65,6 +74,7 @@ pub fn report(table: &Table, illustrations: &[Illustration]) -> Result<String, E
         include_str!("derived.js"),
         include_str!("material.js"),
         include_str!("contact.js"),
+        include_str!("shape.js"),
         include_str!("chart.js"),
         include_str!("page.js"),
     ];
@@ -109,6 +119,29 @@ pub fn report(table: &Table, illustrations: &[Illustration]) -> Result<String, E
         ("script", script.concat()),
     ];
     Ok(fill(include_str!("page.html"), &parts))
+}
+
+/// Returns the probe with which the page opens, as a value of JavaScript.
+fn opening(table: &Table, probe: &Probe) -> Result<String, Error> {
+    let refused = |reason| Error::PageProbe {
+        probe: probe.name(),
+        reason,
+    };
+    let (name, radius) = match *probe {
+        Probe::Paraboloid { radius } => ("paraboloid", radius),
+        Probe::Sphere { radius } => ("sphere", radius),
+        Probe::FlatPunch { radius } => ("flat-punch", radius),
+        _ => {
+            return Err(refused(
+                "it has the paraboloid, the sphere and the flat punch",
+            ));
+        }
+    };
+    let all = Quantity::ALL.iter().all(|&quantity| table.holds(quantity));
+    if name != "paraboloid" && !all && table.quantities() != [Quantity::Gamma] {
+        return Err(refused("it needs pi0, eeq, gamma and delta0"));
+    }
+    Ok(format!("{{ probe: {name:?}, radius: {radius:?} }}"))
 }
 
 /// Returns the low-rank form that goes into the page.

@@ -11,6 +11,12 @@ const SETTINGS = {
     sphere_radius: { name: "sphere radius", symbol: "R", unit: "µm", scale: 1e-6, usual: 1e-3, sensible: [1e-8, 0.1] },
     work_of_adhesion: { name: "work of adhesion", symbol: "w", unit: "mJ/m²", scale: 1e-3, usual: 0.04, sensible: [1e-4, 10] },
 };
+/** The probes, by the names of the option --probe: each with its text, and the name of its radius. */
+const PROBES = {
+    paraboloid: { text: "paraboloid r²/(2R), the sphere of the model", radius: "sphere radius" },
+    sphere: { text: "sphere itself", radius: "sphere radius" },
+    "flat-punch": { text: "flat punch", radius: "punch radius" },
+};
 /** The number of steps of a slider. */
 const STEPS = 1000;
 /** The Poisson ratios of the materials of a table with paired Poisson ratios. */
@@ -39,10 +45,14 @@ class Page {
         this.table = table;
         this.adhesive = ["eeq", "gamma"].every((quantity) => table.answers(quantity));
         this.penetrates = table.answers("delta0");
+        /** The probes other than the paraboloid need all quantities. */
+        this.probes = Object.keys(PROBES).slice(0, this.adhesive && this.penetrates ? undefined : 1);
+        this.probe = OPENING.probe;
         /** A film and a substrate are replaced by their equivalent with paired Poisson ratios. */
         this.paired = table.nu0 === null && !table.fixes("nu1");
         this.unit = table.rigidSphere ? "film_modulus" : "sphere_modulus";
         this.values = Object.fromEntries(Object.entries(SETTINGS).map(([key, setting]) => [key, setting.usual]));
+        this.values.sphere_radius = OPENING.radius;
         this.rows = new Map();
         this.settle();
         // The paper's system, or the nearest one in the box.
@@ -56,6 +66,11 @@ class Page {
         addEventListener("hashchange", () => this.readAddress());
         new ResizeObserver(() => this.draw()).observe(byId("charts"));
         byId("download").addEventListener("click", () => this.download());
+    }
+
+    /** The name of a setting. That of the radius depends on the probe. */
+    name(key) {
+        return key === "sphere_radius" ? PROBES[this.probe].radius : SETTINGS[key].name;
     }
 
     within(value, [from, to]) {
@@ -126,6 +141,16 @@ class Page {
     }
 
     makeControls() {
+        if (this.probes.length > 1) {
+            const options = this.probes.map((probe) => element("option", { value: probe }, PROBES[probe].text));
+            this.choice = element("select", { id: "probe" }, ...options);
+            this.choice.addEventListener("change", () => {
+                this.probe = this.choice.value;
+                this.show();
+                this.writeAddress();
+            });
+            byId("controls").append(element("div", { class: "control" }, element("label", { for: "probe" }, "probe"), this.choice));
+        }
         for (const [key, { name, symbol, unit, scale }] of Object.entries(SETTINGS)) {
             if (!this.sliding(key)) {
                 const text = element("output");
@@ -135,7 +160,6 @@ class Page {
             }
             const slider = element("input", { type: "range", id: key, min: 0, max: STEPS, step: 1 });
             const number = element("input", { type: "text", inputmode: "decimal", id: `${key}-number`, spellcheck: "false" });
-            number.setAttribute("aria-label", unit ? `${name} in ${unit}` : name);
             slider.addEventListener("input", () => {
                 const { ends: [from, to], logarithmic } = this.range(key), part = slider.value / STEPS;
                 const inside = logarithmic ? from * (to / from) ** part : from + (to - from) * part;
@@ -147,11 +171,11 @@ class Page {
             });
             // Written when a slider is let go: browsers limit how often the address may change.
             [slider, number].forEach((input) => input.addEventListener("change", () => this.writeAddress()));
-            const label = element("label", { for: key }, `${name} `, element("i", {}, symbol));
+            const title = element("span", {}, name), label = element("label", { for: key }, title, " ", element("i", {}, symbol));
             if (mayBeRigid(this.table, key)) label.append(", or rigid");
             const field = element("span", { class: "field" }, number, element("span", {}, unit));
             byId("controls").append(element("div", { class: "control" }, label, slider, field));
-            this.rows.set(key, { slider, number });
+            this.rows.set(key, { slider, number, title });
         }
         byId("controls").addEventListener("submit", (event) => event.preventDefault());
     }
@@ -165,23 +189,27 @@ class Page {
     readAddress() {
         this.unknown = [];
         Object.assign(this.values, this.usual);
+        this.probe = OPENING.probe;
         for (const [key, text] of new URLSearchParams(location.hash.slice(1))) {
-            if (key in SETTINGS && this.sliding(key)) this.values[key] = parsed(text);
+            if (key === "probe" && this.probes.includes(text)) this.probe = text;
+            else if (key in SETTINGS && this.sliding(key)) this.values[key] = parsed(text);
             else this.unknown.push(key);
         }
         this.show();
     }
 
     writeAddress() {
-        const free = Object.keys(SETTINGS).filter((key) => this.sliding(key));
+        const free = Object.keys(SETTINGS).filter((key) => this.sliding(key)).map((key) => `${key}=${this.values[key]}`);
+        if (this.probe !== OPENING.probe) free.unshift(`probe=${this.probe}`);
         this.unknown = [];
-        history.replaceState(null, "", `#${free.map((key) => `${key}=${this.values[key]}`).join("&")}`);
+        history.replaceState(null, "", `#${free.join("&")}`);
     }
 
     /** Shows the settings and the results. Leaves the text of the field `typing` alone, in which the user types. */
     show(typing) {
         this.settle();
-        for (const [key, { slider, number, text }] of this.rows) {
+        if (this.choice) this.choice.value = this.probe;
+        for (const [key, { slider, number, title, text }] of this.rows) {
             const value = this.values[key], { unit, scale } = SETTINGS[key];
             if (text) {
                 text.textContent = this.fixed(key);
@@ -189,6 +217,8 @@ class Page {
             }
             const rigid = value === Infinity, amount = Number.isNaN(value) ? "" : rigid ? "rigid" : String(rounded(value / scale));
             if (number !== typing) number.value = amount;
+            title.textContent = this.name(key);
+            number.setAttribute("aria-label", unit ? `${this.name(key)} in ${unit}` : this.name(key));
             const { ends: [from, to], logarithmic } = this.range(key);
             const part = logarithmic ? Math.log(value / from) / Math.log(to / from) : (value - from) / (to - from);
             slider.value = Number.isNaN(part) ? 0 : Math.round(STEPS * this.within(part, [0, 1]));
@@ -227,9 +257,9 @@ class Page {
     wrong() {
         const unknown = (key) => ({ text: `The address sets “${key}”, which is not a setting of this table.`, keys: [] });
         const wrong = this.unknown.map(unknown);
-        for (const [key, { name }] of Object.entries(SETTINGS)) {
+        for (const key of Object.keys(SETTINGS)) {
             if (!this.sliding(key)) continue;
-            const value = this.values[key], zero = key === "work_of_adhesion", rigid = mayBeRigid(this.table, key);
+            const name = this.name(key), value = this.values[key], zero = key === "work_of_adhesion", rigid = mayBeRigid(this.table, key);
             if (key.endsWith("poisson_ratio")) {
                 const [from, to] = POISSON_RATIOS, text = `The ${name} must be a number from ${from} to ${to}.`;
                 if (this.paired && !(value >= from && value <= to)) wrong.push({ text, keys: [key] });
@@ -239,11 +269,18 @@ class Page {
             }
         }
         if (wrong.length) return wrong;
-        const { film_thickness: t, sphere_radius: R } = this.values, least = this.table.range("a_over_t")[0] * t;
-        if (least >= BELOW_SPHERE * R) {
-            const radius = `${shown(least, "m").textContent}, where the table’s a/t begins`;
-            const text = `A contact of ${radius}, is not smaller than the sphere. Change the sphere radius or the film thickness.`;
-            wrong.push({ text, keys: ["sphere_radius", "film_thickness"] });
+        const { film_thickness: t, sphere_radius: R } = this.values, [first, last] = this.table.range("a_over_t");
+        const lengths = ["sphere_radius", "film_thickness"];
+        if (this.probe === "flat-punch") {
+            if (!this.table.covers("a_over_t", R / t)) {
+                const text = `The radius of the punch over the film thickness is ${rounded(R / t, 6)}; the table holds ${first} to ${last}. Change the punch radius or the film thickness.`;
+                wrong.push({ text, keys: lengths });
+            }
+        } else if (first * t >= this.largest() * R) {
+            const radius = `${shown(first * t, "m").textContent}, where the table’s a/t begins`;
+            const sphere = this.probe === "sphere" ? `${LARGEST_UNDER_SPHERE} times the sphere` : "the sphere";
+            const text = `A contact of ${radius}, is not smaller than ${sphere}. Change the sphere radius or the film thickness.`;
+            wrong.push({ text, keys: lengths });
         }
         const unit = this.table.rigidSphere ? "E₁" : "E₂*", moduli = ["film_modulus", "substrate_modulus", "sphere_modulus"];
         const ratios = {
@@ -260,26 +297,37 @@ class Page {
             if (this.table.covers(parameter, value)) continue;
             const [from, to] = this.table.range(parameter), { symbol, keys } = ratios[parameter];
             const amount = Number.isNaN(value) ? "not a number" : plain(value);
-            const names = keys.map((key) => `the ${SETTINGS[key].name}`).join(" or ");
+            const names = keys.map((key) => `the ${this.name(key)}`).join(" or ");
             wrong.push({ text: `${symbol} is ${amount}; the table holds ${plain(from)} to ${plain(to)}. Change ${names}.`, keys });
         }
         if (wrong.length) return wrong;
         this.curve = this.table.curve(material);
-        if (this.curve.error > this.table.tolerance) {
-            const text = `At a/t = ${this.table.range("a_over_t")[0]}, where the table begins, this film is not thick enough for the start of the integrals that give load and penetration. Change the film modulus.`;
+        // The fifth order of a thick film (thick_film.rs).
+        const thick = first <= LARGEST_FIRST ? (4 * first ** 5 * sphereFilmModulus(this.values)) / reducedModuli(this.values).film : Infinity;
+        if (this.curve.error > this.table.tolerance || (this.probe === "sphere" && thick > this.table.tolerance)) {
+            const text = `At a/t = ${first}, where the table begins, this film is not thick enough for the start of the integrals that give load and penetration. Change the film modulus.`;
             wrong.push({ text, keys: ["film_modulus"] });
         }
         return wrong;
     }
 
+    /** The largest contact radius over that of the sphere. */
+    largest() {
+        return this.probe === "sphere" ? LARGEST_UNDER_SPHERE : BELOW_SPHERE;
+    }
+
     makeContact() {
-        const { values } = this;
-        return new Contact(this.table, this.curve, {
+        const { table, values, probe } = this;
+        const system = {
             radius: values.sphere_radius,
             thickness: values.film_thickness,
             workOfAdhesion: values.work_of_adhesion,
             modulus: sphereFilmModulus(values),
-        });
+            largest: this.largest(),
+        };
+        if (probe === "flat-punch") return new Punch(this.curve, system);
+        const curve = probe === "sphere" ? new SphereCurve(this.curve, table.range("a_over_t"), system.radius / system.thickness) : this.curve;
+        return new Contact(table, curve, system);
     }
 
     /** Fills the tables of numbers. Returns notes on them. */
@@ -312,43 +360,45 @@ class Page {
         }));
         byId("states").parentElement.hidden = states.length === 0;
         byId("points").tHead.replaceChildren(head());
-        byId("points").tBodies[0].replaceChildren(...this.radii(10).map((a) => element("tr", {}, ...cells(contact.state(a)))));
+        byId("points").tBodies[0].replaceChildren(...this.points(10).map((state) => element("tr", {}, ...cells(state))));
+        byId("command").textContent = this.command();
+        const punch = this.probe === "flat-punch";
+        byId("prints").textContent = punch ? "the state in which the punch separates" : "the same curve";
+        if (punch) return notes;
 
         const [x0, x1] = this.table.range("a_over_t"), [least, most] = contact.range;
         const limit = (verb, a, x) => {
             notes.push(`The curve ${verb} at a = ${shown(a, "m").textContent}, where the table’s a/t ${verb}: ${x}.`);
         };
         if (least > 0.1 * to) limit("begins", least, x0);
-        if (to === most && most < x1 * contact.thickness) notes.push("The curve ends at the sphere’s radius R.");
-        else if (to === most) limit("ends", most, x1);
-        if (to > WARNING_A_OVER_R * contact.radius) notes.push(LARGE_CONTACT);
-        byId("command").textContent = this.command();
+        if (to === most && most < x1 * contact.thickness) {
+            notes.push(this.probe === "sphere" ? `The curve ends at a = ${LARGEST_UNDER_SPHERE} R.` : "The curve ends at the sphere’s radius R.");
+        } else if (to === most) limit("ends", most, x1);
+        if (this.probe === "paraboloid" && to > WARNING_A_OVER_R * contact.radius) notes.push(LARGE_CONTACT);
         return notes;
     }
 
-    /** Equally spaced contact radii along the curve, as `tabulate curve` spaces them. */
-    radii(points) {
-        const [from, to] = this.ends();
-        return Array.from({ length: points }, (_, i) => from + (to - from) * (i / (points - 1)));
-    }
-
-    ends() {
-        const [from, to] = this.drawn;
-        return [Math.max(from, rounded(0.1 * to, 4)), to];
+    /** States along the curve: equally spaced in the contact radius, as `tabulate curve` spaces them, or in the penetration of a punch. */
+    points(count) {
+        const [from, to] = this.contact.printed(this.drawn);
+        return Array.from({ length: count }, (_, i) => this.contact.state(from + (to - from) * (i / (count - 1))));
     }
 
     command() {
-        const [from, to] = this.ends();
-        const settings = { ...this.values, from, to, points: 150 };
+        const [from, to] = this.contact.printed(this.drawn);
+        const other = this.probe === "paraboloid" ? {} : { probe: this.probe };
+        const settings = { ...other, ...this.values, ...(this.probe === "flat-punch" ? {} : { from, to, points: 150 }) };
         const number = (value) => (value === Infinity ? "inf" : value);
         const options = Object.entries(settings).map(([key, value]) => `--${key.replaceAll("_", "-")} ${number(value)}`);
         return ["tabulate curve TABLE", ...options].join(" ");
     }
 
     download() {
-        const rows = this.radii(150).map((a) => {
-            const { load, penetration } = this.contact.state(a), power = a * Math.sqrt(a);
-            const jkr = [power / (Math.sqrt(Math.PI) * this.contact.radius), load / (Math.sqrt(6 * Math.PI) * power)];
+        // The end of a punch has no radius of curvature.
+        const curvature = this.probe === "flat-punch" ? NaN : this.contact.radius;
+        const rows = this.points(150).map(({ contact_radius: a, load, penetration }) => {
+            const power = a * Math.sqrt(a);
+            const jkr = [power / (Math.sqrt(Math.PI) * curvature), load / (Math.sqrt(6 * Math.PI) * power)];
             return [a, load, this.penetrates ? penetration : "", ...jkr].join(",");
         });
         const link = element("a", { download: "curve.csv" });
@@ -365,7 +415,7 @@ class Page {
         const states = Array.from({ length: 301 }, (_, i) => contact.state(from + (to - from) * (i / 300) ** 2));
         const stable = (state) => state.slopes[this.penetrates ? "penetration" : "load"] >= 0;
         const load = { key: "load", label: "load F", unit: "N" };
-        const abscissae = [{ key: "contact_radius", label: "contact radius a", unit: "m" }];
+        const abscissae = this.probe === "flat-punch" ? [] : [{ key: "contact_radius", label: "contact radius a", unit: "m" }];
         if (this.penetrates) abscissae.unshift({ key: "penetration", label: "penetration δ", unit: "m" });
         const columns = charts.clientWidth < 700 ? 1 : abscissae.length, width = Math.floor(charts.clientWidth / columns) - 12;
         const legend = [];

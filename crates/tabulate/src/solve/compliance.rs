@@ -306,8 +306,7 @@ mod tests {
     use rand_pcg::Pcg64Mcg;
 
     use super::*;
-    use crate::solve::estimate::larger;
-    use crate::solve::surface::cut_off;
+    use crate::solve::surface::tests::assert_that_the_cut_off_bounds_the_rest;
 
     /// Returns how often a function winds around 0 along the boundary of the sector
     /// `arg q <= angle`, `inner <= |q| <= outer`.
@@ -422,19 +421,8 @@ mod tests {
     #[test]
     fn the_cut_off_bounds_the_rest() {
         let mut random = Pcg64Mcg::seed_from_u64(3);
-        let mut worst: f64 = 0.0;
-        for _ in 0..1000 {
-            let compliance = Sum::random(&mut random).compliance;
-            for tolerance in [1e-3, 1e-6, 1e-12] {
-                let from = cut_off(tolerance, |_| 1.0);
-                for q in (0..40).map(|i| from + 0.1 * f64::from(i)) {
-                    let Sample { excess, slope } = compliance.sample(q);
-                    worst = larger(worst, excess.abs() / tolerance);
-                    worst = larger(worst, slope.abs() / tolerance);
-                }
-            }
-        }
-        println!("at most {worst:.2} of the tolerance is left beyond the cut-off");
-        assert!(worst <= 1.0);
+        assert_that_the_cut_off_bounds_the_rest(
+            (0..1000).map(|_| Sum::random(&mut random).compliance),
+        );
     }
 }

@@ -226,7 +226,7 @@ pub(super) mod tests {
 
     use super::*;
     use crate::solve::estimate::larger;
-    use crate::solve::surface::cut_off;
+    use crate::solve::surface::tests::assert_that_the_cut_off_bounds_the_rest;
     use crate::stack::Layer;
 
     /// Draws a stack of two to ten layers, with moduli over nine decades and thicknesses over four.
@@ -260,20 +260,9 @@ pub(super) mod tests {
     /// Measured: at most 0.27 of the tolerance.
     #[test]
     fn the_cut_off_bounds_the_rest() {
-        let mut worst: f64 = 0.0;
-        for seed in 0..2000 {
-            let compliance = LayeredCompliance::new(&random_stack(seed));
-            for tolerance in [1e-3, 1e-6, 1e-12] {
-                let from = cut_off(tolerance, |_| 1.0);
-                for q in (0..40).map(|i| from + 0.1 * f64::from(i)) {
-                    let Sample { excess, slope } = compliance.sample(q);
-                    worst = larger(worst, excess.abs() / tolerance);
-                    worst = larger(worst, slope.abs() / tolerance);
-                }
-            }
-        }
-        println!("at most {worst:.2} of the tolerance is left beyond the cut-off");
-        assert!(worst <= 1.0);
+        assert_that_the_cut_off_bounds_the_rest(
+            (0..2000).map(|seed| LayeredCompliance::new(&random_stack(seed))),
+        );
     }
 
     /// Groups of wave numbers, on both sides of the switch of every layer.

@@ -63,7 +63,8 @@ pub(crate) use estimate::larger;
 pub use layered::LayeredCompliance;
 pub use method::Method;
 pub use power_law::{EXPONENTS, PowerLaw};
+#[cfg(feature = "cli")]
 pub(crate) use quadrature::{GaussLegendre, Panels};
 pub use solution::{Solution, solve, solve_power_laws};
-pub use stacked::{MOST_A_OVER_TOP, solve_stack, solve_stack_power_laws, stack_curve};
+pub use stacked::{solve_stack, solve_stack_power_laws, stack_curve};
 pub use surface::{PanelRule, Sample, SurfaceCompliance};

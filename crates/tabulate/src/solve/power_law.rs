@@ -14,8 +14,9 @@
 //! linear in `f`.
 //!
 //! For even `n` the right-hand sides are finite sums of Legendre polynomials. Any other `n` has a
-//! kink in some derivative at the centre, and its sum has no end; it costs Galerkin's method a third
-//! more modes for a cone.
+//! kink in some derivative at the centre, and its sum has no end. For a cone Galerkin's method takes
+//! up to 1.8 times as many modes as for a paraboloid: 8, 15 and 25 instead of 8, 11 and 14 for
+//! tolerances of 1e-4, 1e-6 and 1e-8 on the film of Barthel's Table 1 at `a/t = 10`.
 
 use crate::Error;
 

@@ -1,7 +1,7 @@
 //! A stack of layers under a sphere: solves it as a film where it is one, by Galerkin's method
 //! otherwise.
 
-use interp::{Curve, Material, Normalisation, Quantities};
+use interp::{Curve, Material, Normalisation, Quantities, StackShape};
 
 use crate::Error;
 use crate::solve::adaptive_curve::{check_range, curve_of};
@@ -14,11 +14,7 @@ use crate::solve::sampled::SampledCompliance;
 use crate::solve::solution::{Solution, solve_power_laws};
 use crate::solve::surface::SurfaceCompliance;
 use crate::solve::symbol::Symbol;
-use crate::stack::Stack;
-
-/// The largest contact radius over the thickness of the top layer for which a stack is solved.
-/// Neighbouring layers of one material count as one.
-pub const MOST_A_OVER_TOP: f64 = 1000.0;
+use crate::stack::{MOST_A_OVER_TOP, Stack};
 
 /// The number of layers from which on a curve samples the compliance instead of evaluating it at
 /// every wave number of every solve.
@@ -92,7 +88,10 @@ pub fn stack_curve(
             reached,
         },
     )?;
-    Ok(curve.of_stack(stack.compressibility()))
+    Ok(curve.of_stack(StackShape {
+        compressibility: stack.compressibility(),
+        top: stack.merged().top().thickness / stack.thickness(),
+    }))
 }
 
 /// The way in which the compliance of a stack is evaluated.

@@ -64,3 +64,29 @@ pub fn cut_off(tolerance: f64, weight: impl Fn(f64) -> f64) -> f64 {
     }
     q
 }
+
+#[cfg(test)]
+pub mod tests {
+    use super::*;
+    use crate::solve::estimate::larger;
+
+    /// Asserts that beyond the cut-off `X - 1` and `q X'` of all compliances are below the
+    /// tolerance.
+    pub fn assert_that_the_cut_off_bounds_the_rest<C: SurfaceCompliance>(
+        compliances: impl Iterator<Item = C>,
+    ) {
+        let mut worst: f64 = 0.0;
+        for compliance in compliances {
+            for tolerance in [1e-3, 1e-6, 1e-12] {
+                let from = cut_off(tolerance, |_| 1.0);
+                for q in (0..40).map(|i| from + 0.1 * f64::from(i)) {
+                    let Sample { excess, slope } = compliance.sample(q);
+                    worst = larger(worst, excess.abs() / tolerance);
+                    worst = larger(worst, slope.abs() / tolerance);
+                }
+            }
+        }
+        println!("at most {worst:.2} of the tolerance is left beyond the cut-off");
+        assert!(worst > 0.0 && worst <= 1.0);
+    }
+}

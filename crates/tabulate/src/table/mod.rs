@@ -23,6 +23,7 @@ mod sweep;
 
 pub use budget::{Budget, Clock};
 pub use build::name as build_name;
+#[cfg(feature = "cli")]
 pub(crate) use certify::Axis as SampledAxis;
 pub use certify::{Sample, certificate, certify, default_points, measure, points_for, sample};
 pub use compress::{compress, low_rank};
@@ -31,5 +32,6 @@ pub use lines::{lines, logarithms};
 pub use placement::{EVENNESS, Placement, places};
 pub use plan::Plan;
 pub use scene::{DEFAULT_NU0, Extent, Scene};
+#[cfg(feature = "cli")]
 pub(crate) use scene::{material, random_points};
 pub use sweep::{Sweep, Values, solve_tolerance, sweep};

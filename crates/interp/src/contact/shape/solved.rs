@@ -6,7 +6,7 @@
 //! delta0' = (es/Gamma) [b'(a) - int_0^a b'(s) (dg1/ds)/Gamma ds]
 //! ```
 //!
-//! (the form of `curve/even_powers.rs`, integrated by parts). The results are stored as
+//! (the form of `curve/even_powers/mod.rs`, integrated by parts). The results are stored as
 //!
 //! ```text
 //! delta0 = (es/Gamma) b + J          J' = (es/Gamma) [W b - int_0^a b' (dg1/ds)/Gamma ds]

@@ -23,17 +23,21 @@ pub enum Effect {
     Adhesion,
     /// The penetration. Without it the table does not hold `delta0`; the load does not change.
     Penetration,
+    /// The shape of the sphere itself. Without it the sphere is a paraboloid. It needs no other
+    /// table.
+    Shape,
 }
 
 impl Effect {
     /// All effects.
-    pub const ALL: [Self; 6] = [
+    pub const ALL: [Self; 7] = [
         Self::Film,
         Self::SphereCompliance,
         Self::SubstrateCompliance,
         Self::FilmCompressibility,
         Self::Adhesion,
         Self::Penetration,
+        Self::Shape,
     ];
 
     /// Returns the name in words.
@@ -45,6 +49,7 @@ impl Effect {
             Self::FilmCompressibility => "film compressibility",
             Self::Adhesion => "adhesion",
             Self::Penetration => "penetration",
+            Self::Shape => "shape",
         }
     }
 
@@ -57,6 +62,7 @@ impl Effect {
             Self::FilmCompressibility => "nu1 = 0.5",
             Self::Adhesion => "w = 0",
             Self::Penetration => "no delta0",
+            Self::Shape => "paraboloid for the sphere, a = 0.3 R",
         }
     }
 
@@ -72,6 +78,8 @@ impl Effect {
             Self::FilmCompressibility => nu1 != Extent::Fixed(0.5),
             Self::Adhesion => held(Quantity::Eeq) && held(Quantity::Gamma),
             Self::Penetration => held(Quantity::Delta0),
+            // The curve of a shape needs all quantities.
+            Self::Shape => Quantity::ALL.into_iter().all(held),
         }
     }
 
@@ -100,6 +108,7 @@ impl Effect {
             Self::Penetration => variant
                 .quantities
                 .retain(|&quantity| quantity != Quantity::Delta0),
+            Self::Shape => {}
         }
         Some(variant)
     }

@@ -3,6 +3,7 @@
 use interp::{Material, Normalisation};
 
 use super::Effect;
+use super::shape::error_of_paraboloid;
 use crate::Error;
 use crate::solve::solve;
 
@@ -17,6 +18,7 @@ pub const STRENGTHS: [f64; 2] = [0.01, 2.0];
 /// `|F' - F|/F0`, from direct solves to 1e-8.
 ///
 /// `F` is the load and `F'` that without the effect. The adhesionless load `F0` never vanishes. The
+/// For [`Effect::Shape`], `F` and `F0` are those under the sphere itself at `a` = [`A_OVER_R`](super::A_OVER_R) `R`. The
 /// `strength` of adhesion is the adhesive part of the load over `F0`, see [`STRENGTHS`]. Contact
 /// radius, sphere and work of adhesion are those of the whole scene.
 ///
@@ -30,6 +32,9 @@ pub fn errors(
 ) -> Result<Vec<f64>, Error> {
     let truth = Load::new(a_over_t, material, film_modulus(material))?;
     let error = |&effect: &Effect| {
+        if effect == Effect::Shape {
+            return error_of_paraboloid(a_over_t, material, Load::TOLERANCE);
+        }
         let without = truth.without(effect, a_over_t, material)?;
         let (pressed, adhesion) = (
             without.pressed / truth.pressed - 1.0,
@@ -89,7 +94,7 @@ impl Load {
                 adhesion: 0.0,
                 ..self
             }),
-            Effect::Penetration => Ok(self),
+            Effect::Penetration | Effect::Shape => Ok(self),
         }
     }
 }

@@ -1,10 +1,12 @@
 //! The effects of a scene: the cost of each, and the error of the load without it.
 //!
 //! `effect` names the effects and makes the scene without one, `load` computes the error of the
-//! load, `summary` prints the rows.
+//! load, `shape` that of the paraboloid and the time that the sphere itself takes, `summary` prints
+//! the rows.
 
 mod effect;
 mod load;
+mod shape;
 mod summary;
 
 use interp::Quantity;
@@ -14,6 +16,7 @@ use serde::{Deserialize, Serialize};
 
 pub use self::effect::Effect;
 pub use self::load::{STRENGTHS, errors};
+pub use self::shape::A_OVER_R;
 pub use self::summary::markdown;
 use super::clock::{Times, Timing};
 use super::deviation::median_and_largest;
@@ -52,6 +55,10 @@ pub struct Row {
     pub median_error: f64,
     /// Largest error of the load over the scene.
     pub worst_error: f64,
+    /// Time to make the contact of a new material with the effect, over that without it; none for
+    /// the effects that make the table larger instead.
+    #[serde(default)]
+    pub time_ratio: Option<f64>,
 }
 
 impl Measurement for Row {
@@ -67,6 +74,7 @@ impl Measurement for Row {
         ("saved_bytes", [-1e15, 1e15]),
         ("median_error", ERROR),
         ("worst_error", ERROR),
+        ("time_ratio", [0.0, 1e9]),
     ];
 }
 
@@ -101,14 +109,19 @@ pub fn measure(
         .filter(|effect| effect.is_in(scene))
         .collect();
     let errors = errors_over(scene, &effects, points, observer)?;
+    let others = effects.iter().filter(|&&effect| effect != Effect::Shape);
     let scenes: Vec<Option<Scene>> = [Some(scene.clone())]
         .into_iter()
-        .chain(effects.iter().map(|effect| effect.scene_without(scene)))
+        .chain(others.map(|effect| effect.scene_without(scene)))
         .collect();
     let costs = costs(&scenes, timing, observer)?;
     let whole = &costs[0];
+    let shape = effects.contains(&Effect::Shape);
+    let ratio = shape.then(|| shape::time_ratio(timing)).transpose()?;
     let without = [None].into_iter().chain(effects.into_iter().map(Some));
     let errors = [[0.0; 2]].into_iter().chain(errors);
+    // The shape is the last of the effects. Its table is that of the whole scene.
+    let costs = costs.iter().chain(shape.then_some(whole));
     let row = |((cost, without), [median_error, worst_error]): ((&Cost, _), [f64; 2])| Row {
         without,
         tolerance: scene.tolerance,
@@ -119,15 +132,16 @@ pub fn measure(
         bytes: cost.bytes,
         saved_solves: whole.solves.cast_signed() - cost.solves.cast_signed(),
         saved_seconds: match without {
-            None => Some(0.0),
+            None | Some(Effect::Shape) => Some(0.0),
             Some(_) if cost.bytes == 0 => Some(whole.times.fastest()),
             Some(_) => whole.times.longer_than(&cost.times),
         },
         saved_bytes: whole.bytes.cast_signed() - cost.bytes.cast_signed(),
         median_error,
         worst_error,
+        time_ratio: ratio.filter(|_| without == Some(Effect::Shape)),
     };
-    Ok(costs.iter().zip(without).zip(errors).map(row).collect())
+    Ok(costs.zip(without).zip(errors).map(row).collect())
 }
 
 /// The cost of a table.

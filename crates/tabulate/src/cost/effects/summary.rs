@@ -1,6 +1,6 @@
 //! The effects summed up as Markdown.
 
-use super::{Effect, Row, STRENGTHS};
+use super::{A_OVER_R, Effect, Row, STRENGTHS};
 use crate::cost::clock::human;
 use crate::cost::numbers::{grouped, human_bytes};
 
@@ -15,10 +15,11 @@ impl Row {
                 self.saved_solves < 0,
                 grouped(self.saved_solves.unsigned_abs()),
             ),
-            match self.saved_seconds {
-                None => "not measurable".into(),
-                Some(seconds) if seconds < 0.0 => "no time".into(),
-                Some(seconds) => human(seconds),
+            match (self.time_ratio, self.saved_seconds) {
+                (Some(ratio), _) => format!("a new material takes {ratio:.1} times as long"),
+                (None, None) => "not measurable".into(),
+                (None, Some(seconds)) if seconds < 0.0 => "no time".into(),
+                (None, Some(seconds)) => human(seconds),
             },
             signed(
                 self.saved_bytes < 0,
@@ -92,6 +93,13 @@ pub fn markdown(rows: &[Row]) -> String {
          the same contact radius, over random points of the scene where the adhesive part of the load is {weak} to {strong} \
          times that load.\n"
     );
+    if rows.iter().any(|row| row.without == Some(Effect::Shape)) {
+        text += &format!(
+            "The shape needs no other table. Its errors are those of the adhesionless load under the paraboloid, relative to that \
+             under the sphere itself, at a = {A_OVER_R} R. Its time is that in which the embedded table makes the contact of a \
+             new material.\n"
+        );
+    }
     let missing: Vec<&str> = Effect::ALL
         .into_iter()
         .filter(|&effect| rows.iter().all(|row| row.without != Some(effect)))

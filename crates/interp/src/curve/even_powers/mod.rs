@@ -1,0 +1,297 @@
+//! Other shapes than the paraboloid from `Gamma` and `Eeq` of a curve: even powers of `r`, and the
+//! sphere as a sum of them.
+//!
+//! `weights` holds the sum, `beginning` the thick film with which the integrals begin, and `ladder`
+//! the integrals over the pieces of the curve.
+//!
+//! # The ladder
+//!
+//! For the shape `f = c r^n` with `b = c kappa_n s^n` (see the page `contact/shape/transform.rs` of
+//! the source) let `delta0 = c kappa_n a^n Delta_n`, and let `mu_n` be the moment of order `n` of
+//! the transform `g1` of the flat punch's stress on the unit interval, so that `mu_0 = Eeq`. With
+//! `x = a/t`, for even `n`,
+//!
+//! ```text
+//! (x^n Delta_n)'     = n (n - 1) es x^(n-1) mu_(n-2)/Gamma^2
+//! (x^(n+1) mu_n)'    = x^n Gamma^2 Delta_n/es
+//! ```
+//!
+//! The proof goes on from that of `curve/derived.rs`, in its notation. Without adhesion
+//! `dg/da = delta0' g1` for every shape. Two derivatives with respect to `r` commute with `A` but
+//! for terms of the edges, `A d2g/dr2 = -b'' + edges`. As there, the equation at the edge gives
+//! `(delta0' g1(a)^2)'` of a shape with a constant `b''`; for any other it gives
+//!
+//! ```text
+//! delta0' = (es/Gamma^2) [b'(0) g1(0) + int_0^a b''(s) g1(s; a) ds]
+//! ```
+//!
+//! because `b''` takes the place of the right-hand side 1, and the flux `Gamma^2 delta0'/es`
+//! through the edge is the product of both right-hand sides, `int b'' g1`. With `b'' ~ s^(n-2)` it
+//! is the first line. The second line is step 1 of `derived.rs` for the right-hand sides 1 and
+//! `r^n`. As `Delta_2 = Delta0`, both lines in turn give `mu_2`, `Delta_4`, `mu_4`, and so on. All
+//! integrands are positive: nothing cancels.
+//!
+//! # The sphere
+//!
+//! With `b'' = sum_k beta_k s^(2k)` the first line is `delta0' = (es/Gamma^2) sum_k beta_k a^(2k+1)
+//! mu_2k`, and `F0' = S delta0'`. So only these two sums are integrated, and `delta0` and `F0` are
+//! continuous although the `beta_k` are others on every piece. For small `a/R` they are the
+//! first terms of the series of `b = s artanh(s/R)`; above, those of the polynomial in `s^2` that
+//! equals `b'/s` at six Chebyshev points of the contact.
+//!
+//! The results are stored as `Pi0` and `Delta0` of the paraboloid that would have this load and this
+//! penetration, so that a lookup takes the same time.
+
+mod beginning;
+mod ladder;
+mod weights;
+
+use std::sync::Arc;
+
+use fearless_simd::prelude::*;
+use fearless_simd::{Level, dispatch, f64x4};
+
+use self::beginning::{Beginning, Kernel};
+use self::ladder::{Group, Running};
+use self::weights::{Weights, dilated};
+use crate::curve::grid::{Grid, Position};
+use crate::curve::piecewise::{VALUE, Values, evaluate_all};
+use crate::curve::series::economised;
+use crate::{Error, Quantities, Quantity};
+
+pub(crate) use self::weights::{EvenShape, LARGEST_A_OVER_R};
+
+/// What a curve of even powers has besides its pieces.
+#[derive(Clone, Debug)]
+pub(crate) struct EvenPowers {
+    shape: EvenShape,
+    /// The units of the grid per film thickness.
+    unit: f64,
+    beginning: Beginning,
+    /// The sphere-film modulus in the unit of the quantities.
+    es: f64,
+    /// The derivatives of the logarithms of load and penetration with respect to that of all lengths
+    /// of the shape, at a fixed contact radius, in the places of `Pi0` and `Delta0`; none without
+    /// derivatives.
+    by_size: Option<Arc<[Values]>>,
+}
+
+impl EvenPowers {
+    /// Returns the quantities, and their slopes, at an `a/t` up to the first node, in which only
+    /// `Pi0` and `Delta0` are those of the shape.
+    pub(crate) fn below(
+        &self,
+        x: f64,
+        mut values: Quantities,
+        mut slopes: Quantities,
+    ) -> (Quantities, Quantities) {
+        let y = x * self.unit;
+        let weights = self.shape.weights(y, self.unit);
+        let kernel = self.beginning.at(y);
+        let (of, by) = (kernel.sums(&weights), kernel.slopes(&weights));
+        let radius = self.shape.unit_radius() * self.unit;
+        let [load, penetration] = [self.es * radius / (y * y * y), radius / (y * y)];
+        values.pi0 = load * of.load;
+        values.delta0 = penetration * of.penetration;
+        slopes.pi0 = load * by.load - 3.0 * values.pi0;
+        slopes.delta0 = penetration * by.penetration - 2.0 * values.delta0;
+        (values, slopes)
+    }
+
+    /// Returns the departure of `Delta0` from that on a half-space, relative to that, at an `a/t` up
+    /// to the first node, over the departure at the first node.
+    pub(crate) fn share_below(&self, x: f64) -> f64 {
+        let share = |y: f64| {
+            let weights = self.shape.weights(y, self.unit);
+            self.beginning.at(y).share(&weights)
+        };
+        let y = x * self.unit;
+        y / self.beginning.first * share(y) / share(self.beginning.first)
+    }
+
+    /// Returns `Delta0` of the shape on a half-space, at an `a/t` up to the first node.
+    pub(crate) fn on_half_space(&self, x: f64) -> f64 {
+        let y = x * self.unit;
+        let weights = self.shape.weights(y, self.unit);
+        let kernel = Kernel {
+            alpha: 0.0,
+            beta: 0.0,
+            y,
+        };
+        self.shape.unit_radius() * self.unit / (y * y) * kernel.sums(&weights).penetration
+    }
+
+    /// Returns the derivatives of the logarithms of load and penetration with respect to that of all
+    /// lengths of the shape, at a fixed contact radius.
+    pub(crate) fn by_size(&self, x: f64, position: Option<Position>) -> Result<[f64; 2], Error> {
+        let pieces = self.by_size.as_ref().ok_or(Error::NoGradient)?;
+        if let Some(position) = position {
+            let [load, _, _, penetration] = evaluate_all(&pieces[position.piece], position);
+            return Ok([load, penetration]);
+        }
+        let y = x * self.unit;
+        let weights = self.shape.weights(y, self.unit);
+        let kernel = self.beginning.at(y);
+        let (of, by) = (kernel.sums(&weights), kernel.sums(&dilated(weights)));
+        Ok([by.load / of.load, by.penetration / of.penetration])
+    }
+}
+
+/// The pieces of a curve, from which those of other shapes follow.
+#[derive(Clone, Copy)]
+pub(crate) struct Source<'a> {
+    pub(crate) grid: &'a Grid,
+    pub(crate) pieces: &'a [Values],
+    /// The first and the last node in `a/t`.
+    pub(crate) range: [f64; 2],
+    /// The sphere-film modulus in the unit of the quantities.
+    pub(crate) es: f64,
+}
+
+impl Source<'_> {
+    /// Returns the pieces of the curve of a shape, with `Pi0` and `Delta0` of the shape, and what
+    /// else its curve has.
+    pub(crate) fn of_shape(&self, shape: EvenShape) -> (Arc<[Values]>, EvenPowers) {
+        let beginning = self.beginning();
+        let pieces = self.integrated(shape, &beginning, |weights| weights);
+        let even = EvenPowers {
+            shape,
+            unit: self.grid.factor,
+            beginning,
+            es: self.es,
+            by_size: None,
+        };
+        (pieces, even)
+    }
+
+    /// Adds the derivatives with respect to the size of the shape.
+    pub(crate) fn with_derivatives(&self, of_shape: &[Values], even: EvenPowers) -> EvenPowers {
+        let by_size = self.integrated(even.shape, &even.beginning, dilated);
+        let relative = by_size.iter().zip(of_shape).map(|(by, of)| ratio(by, of));
+        EvenPowers {
+            by_size: Some(relative.collect()),
+            ..even
+        }
+    }
+
+    /// Returns the pieces of the derivatives of the logarithms of `Pi0` and `Delta0` of a shape with
+    /// respect to a parameter of the material. `by` holds those of the curve's own quantities over
+    /// `es`.
+    pub(crate) fn by_parameter<const N: usize>(
+        &self,
+        shape: EvenShape,
+        of_shape: &[Values],
+        by: &[[[f64; 4]; N]],
+    ) -> Arc<[[[f64; 4]; N]]> {
+        /// The step of the differences. Their error is of the order of its square.
+        const STEP: f64 = 1e-4;
+        let [more, less] = [STEP, -STEP].map(|step| {
+            let changed: Vec<Values> = self
+                .pieces
+                .iter()
+                .zip(by)
+                .map(|(piece, by)| scaled(piece, by, step))
+                .collect();
+            let changed = Source {
+                pieces: &changed,
+                ..*self
+            };
+            changed.integrated(shape, &changed.beginning(), |weights| weights)
+        });
+        let mut relative: Vec<[[f64; 4]; N]> = by.to_vec();
+        for (i, relative) in relative.iter_mut().enumerate() {
+            let difference: Values = std::array::from_fn(|k| {
+                std::array::from_fn(|q| (more[i][k][q] - less[i][k][q]) / (2.0 * STEP))
+            });
+            let quotient = ratio(&difference, &of_shape[i]);
+            let quotient: [[f64; 4]; N] = dispatch!(Level::new(), simd => {
+                let series = quotient.map(|row| f64x4::simd_from(simd, row));
+                economised::<_, VALUE, N>(simd, &series).map(|row| *row.as_array())
+            });
+            for (own, new) in relative.iter_mut().zip(quotient) {
+                for quantity in [Quantity::Pi0, Quantity::Delta0] {
+                    own[quantity as usize] = new[quantity as usize];
+                }
+            }
+        }
+        relative.into()
+    }
+
+    /// Returns the thick film with which the ladder begins.
+    fn beginning(&self) -> Beginning {
+        let position = self.grid.locate(self.range[0]);
+        let [pi0, eeq, ..] = evaluate_all(&self.pieces[position.piece], position);
+        Beginning::new(
+            [pi0 / self.es, eeq / self.es],
+            self.range[0] * self.grid.factor,
+        )
+    }
+
+    /// Integrates the ladder of a shape, with changed weights, and returns the pieces. Those beyond
+    /// the largest contact of the shape keep the values of the paraboloid.
+    fn integrated(
+        &self,
+        shape: EvenShape,
+        beginning: &Beginning,
+        change: impl Fn(Weights) -> Weights,
+    ) -> Arc<[Values]> {
+        let unit = self.grid.factor;
+        let most = shape.largest() * unit;
+        let ends: Vec<[f64; 2]> = self
+            .grid
+            .pieces(self.range[1])
+            .map(|(_, ends)| ends)
+            .take_while(|[from, _]| *from < most)
+            .collect();
+        let mut pieces: Arc<[Values]> = self.pieces.into();
+        let own = Arc::make_mut(&mut pieces);
+        let first = change(shape.weights(beginning.first, unit));
+        let mut running = Running::new(&beginning.at(beginning.first), &first);
+        let radius = shape.unit_radius() * unit;
+        for (group, ends) in ends.chunks(4).enumerate() {
+            let lanes = std::array::from_fn(|lane| lane.min(ends.len() - 1));
+            let group = Group {
+                ends: lanes.map(|lane: usize| ends[lane]),
+                weights: lanes.map(|lane| change(shape.weights(ends[lane][1], unit))),
+                pieces: lanes.map(|lane| &self.pieces[4 * group + lane]),
+                start: (group == 0).then(|| self.grid.locate(self.range[0]).t),
+                number: group,
+            };
+            let new = dispatch!(Level::new(), simd => {
+                group.integrated(simd, self.es, radius, &mut running)
+            });
+            let group = own[4 * group.number..].iter_mut().zip(new);
+            for (own, new) in group.take(ends.len()) {
+                for (row, [load, penetration]) in own.iter_mut().zip(new) {
+                    row[Quantity::Pi0 as usize] = load;
+                    row[Quantity::Delta0 as usize] = penetration;
+                }
+            }
+        }
+        pieces
+    }
+}
+
+/// Returns the quotients of `Pi0` and `Delta0`, as polynomials on a piece.
+fn ratio(numerator: &Values, denominator: &Values) -> Values {
+    let mut terms = *numerator;
+    for k in 0..VALUE {
+        for quantity in [Quantity::Pi0 as usize, Quantity::Delta0 as usize] {
+            let sum: f64 = (1..=k)
+                .map(|i| denominator[i][quantity] * terms[k - i][quantity])
+                .sum();
+            terms[k][quantity] = (numerator[k][quantity] - sum) / denominator[0][quantity];
+        }
+    }
+    terms
+}
+
+/// Returns the quantities times `1 + step by`, as polynomials on a piece.
+fn scaled<const N: usize>(piece: &Values, by: &[[f64; 4]; N], step: f64) -> Values {
+    std::array::from_fn(|k| {
+        std::array::from_fn(|q| {
+            let change: f64 = (0..=k.min(N - 1)).map(|i| by[i][q] * piece[k - i][q]).sum();
+            piece[k][q] + step * change
+        })
+    })
+}

@@ -1,0 +1,149 @@
+//! The weights of the even powers in a shape: the coefficients of `b''` on a piece.
+
+/// The largest number of even powers in `b''`.
+pub(super) const MOST_TERMS: usize = 6;
+
+/// The largest ratio of contact radius and sphere radius for which the economised polynomial is
+/// accurate.
+pub(crate) const LARGEST_A_OVER_R: f64 = 0.8;
+
+/// The largest `a/R` of a piece for which so many terms of the series of the sphere suffice, to
+/// 1e-10.
+const FEW_TERMS: [(f64, usize); 5] = [(3e-3, 2), (0.02, 3), (0.05, 4), (0.1, 5), (0.15, 6)];
+
+/// The Chebyshev points of the second kind on `[0, 1]`, `(1 - cos(pi j/5))/2`, and their roots.
+const POINTS: [f64; MOST_TERMS] = [
+    0.0,
+    0.095_491_502_812_526_27,
+    0.345_491_502_812_526_3,
+    0.654_508_497_187_473_7,
+    0.904_508_497_187_473_7,
+    1.0,
+];
+const ROOTS: [f64; MOST_TERMS] = [
+    0.0,
+    0.309_016_994_374_947_45,
+    0.587_785_252_292_473_1,
+    0.809_016_994_374_947_5,
+    0.951_056_516_295_153_5,
+    1.0,
+];
+
+/// A shape whose `b` consists of even powers. Lengths are in units of the film's thickness.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum EvenShape {
+    /// A sphere of this radius.
+    Sphere(f64),
+    /// `b = factor s^(2k + 2)`.
+    Power { factor: f64, k: usize },
+}
+
+/// The coefficients of `b'' = sum_k beta_k s^(2k)` on a piece.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Weights {
+    pub(super) terms: usize,
+    pub(super) beta: [f64; MOST_TERMS],
+}
+
+impl EvenShape {
+    /// Returns the radius of the paraboloid whose `Pi0` and `Delta0` stand for the results.
+    pub(super) const fn unit_radius(self) -> f64 {
+        match self {
+            Self::Sphere(radius) => radius,
+            Self::Power { .. } => 1.0,
+        }
+    }
+
+    /// Returns the largest contact radius.
+    pub(super) const fn largest(self) -> f64 {
+        match self {
+            Self::Sphere(radius) => LARGEST_A_OVER_R * radius,
+            Self::Power { .. } => f64::INFINITY,
+        }
+    }
+
+    /// Returns the coefficients for contact radii up to `end`, in units of `1/unit` of the
+    /// thickness.
+    pub(super) fn weights(self, end: f64, unit: f64) -> Weights {
+        let mut beta = [0.0; MOST_TERMS];
+        match self {
+            Self::Power { factor, k } => {
+                let n = (2 * k + 2) as f64;
+                beta[k] = factor * n * (n - 1.0) / unit.powi(2 * k as i32 + 1);
+                Weights { terms: k + 1, beta }
+            }
+            Self::Sphere(radius) => {
+                let radius = radius * unit;
+                let alpha = end / radius;
+                let few = FEW_TERMS.into_iter().find(|(largest, _)| alpha <= *largest);
+                // The coefficients of `R b'/s` as a polynomial in `(s/end)^2`, or `(s/R)^2`.
+                let (scale, terms) = if let Some((_, terms)) = few {
+                    for (k, beta) in beta.iter_mut().enumerate().take(terms) {
+                        *beta = (2 * k + 2) as f64 / (2 * k + 1) as f64;
+                    }
+                    (radius, terms)
+                } else {
+                    let end = end.min(Self::Sphere(radius).largest());
+                    beta = interpolated(end / radius);
+                    (end, MOST_TERMS)
+                };
+                let (mut power, square) = (1.0 / radius, scale * scale);
+                for (k, beta) in beta.iter_mut().enumerate() {
+                    *beta *= (2 * k + 1) as f64 * power;
+                    power /= square;
+                }
+                Weights { terms, beta }
+            }
+        }
+    }
+}
+
+/// The coefficients of the polynomials that are 1 at one of [`POINTS`] and 0 at the others.
+const LAGRANGE: [[f64; MOST_TERMS]; MOST_TERMS] = {
+    let mut all = [[0.0; MOST_TERMS]; MOST_TERMS];
+    let mut j = 0;
+    while j < MOST_TERMS {
+        let own = &mut all[j];
+        own[0] = 1.0;
+        let mut i = 0;
+        while i < MOST_TERMS {
+            if i != j {
+                // Times `(u - POINTS[i])/(POINTS[j] - POINTS[i])`.
+                let scale = 1.0 / (POINTS[j] - POINTS[i]);
+                let mut k = MOST_TERMS - 1;
+                while k > 0 {
+                    own[k] = scale * (own[k - 1] - POINTS[i] * own[k]);
+                    k -= 1;
+                }
+                own[0] *= -scale * POINTS[i];
+            }
+            i += 1;
+        }
+        j += 1;
+    }
+    all
+};
+
+/// Returns the coefficients of the polynomial in `u` that equals `R b'/s = artanh(v)/v + 1/(1 -
+/// v^2)`, `v = alpha sqrt(u)`, at the Chebyshev points of the second kind on `0 <= u <= 1`.
+fn interpolated(alpha: f64) -> [f64; MOST_TERMS] {
+    // The value at 0 is 2.
+    let mut coefficients = LAGRANGE[0].map(|coefficient| 2.0 * coefficient);
+    for j in 1..MOST_TERMS {
+        let v = alpha * ROOTS[j];
+        let value = v.atanh() / v + 1.0 / ((1.0 - v) * (1.0 + v));
+        for (sum, coefficient) in coefficients.iter_mut().zip(LAGRANGE[j]) {
+            *sum += value * coefficient;
+        }
+    }
+    coefficients
+}
+
+/// Returns the weights of the derivative of a shape with respect to the logarithm of all its
+/// lengths, `b - s b'`.
+pub(super) fn dilated(mut weights: Weights) -> Weights {
+    for (k, beta) in weights.beta.iter_mut().enumerate() {
+        *beta *= -((2 * k + 1) as f64);
+    }
+    weights
+}

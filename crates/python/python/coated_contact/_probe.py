@@ -1,0 +1,286 @@
+"""The shape of the probe."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any, ClassVar, final
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _core
+from ._arrays import real
+from ._values import Remade, set_field, set_numbers
+
+
+class Probe(Remade):
+    """The shape of a probe: the height f(r) of its surface above its lowest point.
+
+    Here r is the distance from the axis. The shapes are :class:`Paraboloid`, :class:`Sphere`,
+    :class:`PowerLaw`, :class:`Cone`, :class:`RoundedCone`, :class:`FlatPunch`,
+    :class:`FlatEndedCone` and :class:`Profile`. Only the contact without adhesion depends on the
+    shape; film, substrate and the elasticity of the probe enter as for a sphere. All shapes are
+    convex, such that a contact is one disc.
+
+    A shape whose lengths or angle cannot be raises an UnphysicalError.
+    """
+
+    __slots__ = ()
+    #: The name in words.
+    name: ClassVar[str]
+    _native: Any
+
+    def __init__(self) -> None:
+        """Refuse a probe without a shape."""
+        raise TypeError("choose a shape, such as Sphere(radius=1e-3)")
+
+    def height(self, r: ArrayLike) -> NDArray[np.float64]:
+        """Return the heights f (m) at the distances ``r`` (m) from the axis.
+
+        They are infinite where the probe has no surface: beyond the radius of a sphere or a punch
+        and beyond the last point of a profile.
+        """
+        return self._height(np.abs(real("r", r)))
+
+    def _height(self, r: NDArray[np.float64]) -> NDArray[np.float64]:
+        raise NotImplementedError
+
+    def _make(self, *names: str) -> None:
+        """Make the native shape of the numbers of these names."""
+        set_numbers(self, *names)
+        numbers = np.array([getattr(self, name) for name in names])
+        set_field(self, "_native", _core.Probe(self.name, numbers))
+
+
+@final
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Paraboloid(Probe):
+    """The paraboloid ``f = r^2/(2 R)``, which JKR and Barthel's model put in place of a sphere.
+
+    Parameters
+    ----------
+    radius : float
+        The radius of curvature R, m.
+    """
+
+    name = "paraboloid"
+    radius: float
+    _native: Any = field(init=False, repr=False, compare=False)
+
+    def __post_init__(self) -> None:
+        self._make("radius")
+
+    def _height(self, r: NDArray[np.float64]) -> NDArray[np.float64]:
+        return r * r / (2 * self.radius)
+
+
+@final
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Sphere(Probe):
+    """The sphere itself, ``f = R - sqrt(R^2 - r^2)``.
+
+    Parameters
+    ----------
+    radius : float
+        The radius R, m.
+    """
+
+    name = "sphere"
+    radius: float
+    _native: Any = field(init=False, repr=False, compare=False)
+
+    def __post_init__(self) -> None:
+        self._make("radius")
+
+    def _height(self, r: NDArray[np.float64]) -> NDArray[np.float64]:
+        s = np.minimum(r / self.radius, 1.0)
+        # 1 - sqrt(1 - s^2) without cancellation.
+        height = self.radius * s * s / (1 + np.sqrt((1 - s) * (1 + s)))
+        return np.where(r <= self.radius, height, np.inf)
+
+
+@final
+@dataclass(frozen=True, kw_only=True, slots=True)
+class PowerLaw(Probe):
+    """The power law ``f = c r^n``.
+
+    Parameters
+    ----------
+    coefficient : float
+        The coefficient c, in m to the power 1 - n.
+    exponent : float
+        The exponent n, any number from 1 to 20.
+    """
+
+    name = "power law"
+    coefficient: float
+    exponent: float
+    _native: Any = field(init=False, repr=False, compare=False)
+
+    def __post_init__(self) -> None:
+        self._make("coefficient", "exponent")
+
+    def _height(self, r: NDArray[np.float64]) -> NDArray[np.float64]:
+        return self.coefficient * r**self.exponent
+
+
+@final
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Cone(Probe):
+    """The cone ``f = r cot(half_angle)``.
+
+    Parameters
+    ----------
+    half_angle : float
+        The angle between the axis and the flank, RADIANS, between 0 and pi/2.
+    """
+
+    name = "cone"
+    half_angle: float
+    _native: Any = field(init=False, repr=False, compare=False)
+
+    def __post_init__(self) -> None:
+        self._make("half_angle")
+
+    def _height(self, r: NDArray[np.float64]) -> NDArray[np.float64]:
+        return r / np.tan(self.half_angle)
+
+
+@final
+@dataclass(frozen=True, kw_only=True, slots=True)
+class RoundedCone(Probe):
+    """A cone with a round end.
+
+    ``f = r^2/(2 R)`` up to ``r = R cot(half_angle)``, where the flank of the cone continues it with
+    the same slope.
+
+    Parameters
+    ----------
+    radius : float
+        The radius of curvature R of the end, m.
+    half_angle : float
+        The angle between the axis and the flank, RADIANS, between 0 and pi/2.
+    """
+
+    name = "rounded cone"
+    radius: float
+    half_angle: float
+    _native: Any = field(init=False, repr=False, compare=False)
+
+    def __post_init__(self) -> None:
+        self._make("radius", "half_angle")
+
+    def _height(self, r: NDArray[np.float64]) -> NDArray[np.float64]:
+        slope = 1 / np.tan(self.half_angle)
+        end = np.minimum(r, self.radius * slope)
+        return end * end / (2 * self.radius) + (r - end) * slope
+
+
+@final
+@dataclass(frozen=True, kw_only=True, slots=True)
+class FlatPunch(Probe):
+    """A flat cylindrical punch, whose contact has one radius: that of the punch.
+
+    Parameters
+    ----------
+    radius : float
+        The radius of the punch, m.
+    """
+
+    name = "flat punch"
+    radius: float
+    _native: Any = field(init=False, repr=False, compare=False)
+
+    def __post_init__(self) -> None:
+        self._make("radius")
+
+    def _height(self, r: NDArray[np.float64]) -> NDArray[np.float64]:
+        return np.where(r <= self.radius, 0.0, np.inf)
+
+
+@final
+@dataclass(frozen=True, kw_only=True, slots=True)
+class FlatEndedCone(Probe):
+    """A cone with a flat end: ``f = 0`` up to its radius, ``(r - radius) cot(half_angle)`` beyond.
+
+    Parameters
+    ----------
+    radius : float
+        The radius of the flat end, m. A contact is at least as large.
+    half_angle : float
+        The angle between the axis and the flank, RADIANS, between 0 and pi/2.
+    """
+
+    name = "flat-ended cone"
+    radius: float
+    half_angle: float
+    _native: Any = field(init=False, repr=False, compare=False)
+
+    def __post_init__(self) -> None:
+        self._make("radius", "half_angle")
+
+    def _height(self, r: NDArray[np.float64]) -> NDArray[np.float64]:
+        return np.maximum(r - self.radius, 0.0) / np.tan(self.half_angle)
+
+
+@final
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Profile(Probe):
+    """A measured shape with rotational symmetry.
+
+    The slope of the shape is 0 on the axis, that of the straight line between two points midway
+    between them, and a linear function of the distance in between. Evenly spaced points of a
+    paraboloid give the paraboloid.
+
+    Parameters
+    ----------
+    points : array_like
+        Rows of the distance from the axis, ascending, and of the height above the lowest point, m:
+        2 to 200 points of a convex shape. It becomes a tuple of pairs.
+
+    Raises
+    ------
+    ProfileError
+        For points that are no convex shape, with the number of the row, from 1.
+    """
+
+    name = "profile"
+    points: tuple[tuple[float, float], ...]
+    _native: Any = field(init=False, repr=False, compare=False)
+
+    def __post_init__(self) -> None:
+        points = real("points", self.points)
+        if points.ndim != 2 or points.shape[1] != 2:
+            raise TypeError(f"points must have two columns, r and z, not the shape {points.shape}")
+        set_field(self, "points", tuple((float(r), float(z)) for r, z in points))
+        set_field(self, "_native", _core.Probe(self.name, np.ravel(points)))
+
+    def _height(self, r: NDArray[np.float64]) -> NDArray[np.float64]:
+        points = np.array(self.points)
+        if points[0, 0] > 0:
+            points = np.vstack([np.zeros(2), points])
+        height = np.interp(r, points[:, 0], points[:, 1] - points[0, 1])
+        return np.where(r <= points[-1, 0], height, np.inf)
+
+
+def probe_of(probe: Probe | None, sphere_radius: float | None) -> Probe:
+    """Return the probe of an instance that is given by it or by the radius of a sphere."""
+    if sphere_radius is not None:
+        if probe is not None:
+            raise TypeError(
+                "probe and sphere_radius are both given: give one of them; sphere_radius=R is "
+                "short for probe=Paraboloid(radius=R)"
+            )
+        return Paraboloid(radius=sphere_radius)
+    if not isinstance(probe, Probe):
+        given = "nothing" if probe is None else type(probe).__name__
+        raise TypeError(
+            f"probe must be a Probe, such as Sphere(radius=1e-3), not {given}; sphere_radius=R is "
+            "short for probe=Paraboloid(radius=R)"
+        )
+    return probe
+
+
+def radius_of(probe: Probe) -> float | None:
+    """Return the radius of a sphere or of its paraboloid."""
+    return probe.radius if isinstance(probe, Paraboloid | Sphere) else None

@@ -1,0 +1,126 @@
+//! An attraction of finite range: states at contact radii, fields in one contact, and the pull-off.
+
+use interp::Probe;
+use numpy::PyArray1;
+use pyo3::prelude::*;
+use tabulate::Error;
+use tabulate::cohesive::{self, CohesiveState};
+
+use crate::arrays::{Input, Output, Points};
+use crate::bodies::{NativeStackSystem, NativeSystem};
+use crate::contact::{Imposed, control};
+use crate::error::Failure;
+
+/// A probe with an attraction of finite range.
+#[pyclass(frozen, module = "coated_contact._core")]
+pub struct Cohesive(cohesive::Cohesive);
+
+/// The bodies under a probe.
+#[derive(FromPyObject)]
+pub enum Bodies<'py> {
+    #[pyo3(transparent)]
+    Film(Bound<'py, NativeSystem>),
+    #[pyo3(transparent)]
+    Layers(Bound<'py, NativeStackSystem>),
+}
+
+/// Returns contact radius, outer radius, load and penetration.
+fn numbers(state: CohesiveState) -> [f64; 4] {
+    [
+        state.contact_radius,
+        state.outer_radius,
+        state.load,
+        state.penetration,
+    ]
+}
+
+impl Bodies<'_> {
+    /// Adds an attraction.
+    fn with(&self, work_of_adhesion: f64, range: f64) -> Result<cohesive::Cohesive, Error> {
+        match self {
+            Self::Film(film) => cohesive::Cohesive::new(&film.get().0, work_of_adhesion, range),
+            Self::Layers(layers) => {
+                let NativeStackSystem { stack, system } = layers.get();
+                let Probe::Paraboloid { radius } = system.probe else {
+                    return Err(Error::OnlyParaboloid {
+                        probe: system.probe.name(),
+                    });
+                };
+                let modulus = system.sphere_modulus;
+                cohesive::Cohesive::on_stack(stack, radius, modulus, work_of_adhesion, range)
+            }
+        }
+    }
+}
+
+impl Cohesive {
+    /// Returns a field of the contact of radius `a` at radii.
+    fn field<'py>(
+        py: Python<'py>,
+        evaluate: impl FnOnce() -> Result<Vec<f64>, Error> + Send,
+    ) -> PyResult<Output<'py>> {
+        match py.detach(evaluate) {
+            Ok(values) => Ok(PyArray1::from_vec(py, values)),
+            Err(error) => Err(Failure::from(error).raise(py)),
+        }
+    }
+}
+
+#[pymethods]
+impl Cohesive {
+    #[new]
+    fn new(py: Python<'_>, bodies: Bodies<'_>, w: f64, range: f64) -> PyResult<Self> {
+        let made = bodies.with(w, range);
+        made.map(Self)
+            .map_err(|error| Failure::from(error).raise(py))
+    }
+
+    fn state<'py>(
+        &self,
+        py: Python<'py>,
+        points: Points,
+        a: Input<'_>,
+    ) -> PyResult<[Output<'py>; 4]> {
+        points.evaluate_on_all_cores(py, [&a], |[a]| self.0.state(a).map(numbers))
+    }
+
+    fn without_contact<'py>(
+        &self,
+        py: Python<'py>,
+        points: Points,
+        c: Input<'_>,
+    ) -> PyResult<[Output<'py>; 4]> {
+        points.evaluate_on_all_cores(py, [&c], |[c]| self.0.without_contact(c).map(numbers))
+    }
+
+    fn pressure<'py>(&self, py: Python<'py>, a: f64, radii: Input<'_>) -> PyResult<Output<'py>> {
+        let radii = radii.as_slice()?;
+        Self::field(py, || self.0.pressure(a, radii))
+    }
+
+    fn gap<'py>(&self, py: Python<'py>, a: f64, radii: Input<'_>) -> PyResult<Output<'py>> {
+        let radii = radii.as_slice()?;
+        Self::field(py, || self.0.gap(a, radii))
+    }
+
+    /// Returns the states of a branch, one array for each of their numbers.
+    fn branch<'py>(
+        &self,
+        py: Python<'py>,
+        contact_radii: [f64; 2],
+        count: usize,
+    ) -> PyResult<[Output<'py>; 4]> {
+        let states = py
+            .detach(|| self.0.branch(contact_radii, count))
+            .map_err(|error| Failure::from(error).raise(py))?;
+        let rows: Vec<_> = states.into_iter().map(numbers).collect();
+        Ok([0, 1, 2, 3].map(|i| PyArray1::from_iter(py, rows.iter().map(|row| row[i]))))
+    }
+
+    fn pull_off(&self, py: Python<'_>, imposed: Imposed<'_>) -> PyResult<[f64; 4]> {
+        let control = control(imposed)?;
+        py.detach(|| self.0.pull_off(control))
+            .map(numbers)
+            .map_err(|error| Failure::from(error).raise(py))
+    }
+}

@@ -1,0 +1,172 @@
+"""An attraction of finite range: independent values, limits, and Rust bit for bit."""
+
+from dataclasses import replace
+from math import inf, pi
+
+import numpy as np
+import pytest
+
+from coated_contact import (
+    Cohesive,
+    Cone,
+    ContactError,
+    DomainError,
+    Elastic,
+    NotAContactError,
+    OtherProbeError,
+    Paraboloid,
+    Spring,
+    StackSystem,
+    System,
+    Table,
+)
+from conftest import ROOT, make_system, rows
+from test_stack import stack_of
+
+THICKNESS, MODULUS = 1e-6, 1e6
+
+
+def test_states_and_pull_offs_agree_with_two_other_programs():
+    checked = 0
+    for row in rows("cohesive"):
+        stack = stack_of(row, MODULUS, THICKNESS)
+        top = stack.layers[-1].material
+        rigid = row["sphere"] == "rigid"
+        unit = top.reduced_modulus if rigid else MODULUS
+        radius, w = float(row["r_over_t"]) * THICKNESS, float(row["w"]) * unit * THICKNESS
+        system = StackSystem(
+            stack=stack, sphere_radius=radius, sphere_modulus=inf if rigid else MODULUS
+        )
+        cohesive = Cohesive(
+            system=system,
+            work_of_adhesion=w,
+            interaction_range=w / (float(row["sigma0"]) * unit),
+        )
+        if row["kind"] == "state":
+            state = cohesive.state(float(row["a_over_t"]) * THICKNESS)
+        else:
+            state = cohesive.pull_off(control=row["kind"].removeprefix("pull_off_"))
+        scale = pi * w * radius
+        if row["kind"] != "pull_off_displacement":
+            assert abs(state.load / scale - float(row["load_over_piwR"])) <= 1e-9, row
+        if row["kind"] != "pull_off_load":
+            expected = float(row["penetration_over_t"]) * THICKNESS
+            assert state.penetration == pytest.approx(expected, rel=1e-9), row
+        checked += 1
+    assert checked > 20
+
+
+@pytest.fixture(scope="module")
+def cohesive():
+    probe = Paraboloid(radius=1e-5)
+    system = replace(make_system(film_thickness=1e-6), probe=probe, sphere_modulus=7.5e10)
+    return Cohesive(system=system, work_of_adhesion=0.05, interaction_range=1e-8)
+
+
+def test_a_long_range_is_dmt_and_a_short_one_jkr(cohesive):
+    unit = pi * 0.05 * 1e-5
+    long = replace(cohesive, interaction_range=2e-6).pull_off()
+    assert long.load / unit == pytest.approx(-2, rel=0.01)
+    short = replace(cohesive, interaction_range=1e-10).pull_off()
+    jkr = Table.embedded().contact(cohesive.system).pull_off(0.05)
+    assert short.load == pytest.approx(jkr.load, rel=0.01)
+
+
+def test_states_broadcast_and_are_those_of_a_branch(cohesive):
+    branch = cohesive.branch((1e-6, 4e-6), 5)
+    assert len(branch) == 5
+    found = cohesive.state(branch.contact_radius)
+    for name in ("contact_radius", "outer_radius", "load", "penetration"):
+        assert getattr(found, name) == pytest.approx(getattr(branch, name), rel=1e-12)
+    one = cohesive.state(branch.contact_radius[2])
+    assert list(found)[2] == one
+    assert one.outer_radius > one.contact_radius
+    assert cohesive.state(branch.contact_radius.reshape(5, 1)).load.shape == (5, 1)
+
+
+def test_the_energy_balance(cohesive):
+    """Along a branch F d(delta) is the change of an energy: the pull-off is where dF/da = 0."""
+    pulled = cohesive.pull_off()
+    around = cohesive.state(pulled.contact_radius * np.array([0.99, 1.0, 1.01]))
+    assert np.argmin(around.load) == 1
+    spring = cohesive.pull_off(control=Spring(stiffness=1e12))
+    rigid = cohesive.pull_off(control="displacement")
+    assert spring.penetration == pytest.approx(rigid.penetration, rel=1e-3)
+    assert rigid.load > pulled.load
+
+
+def test_pressure_and_gap(cohesive):
+    a = 3e-6
+    state = cohesive.state(a)
+    sigma = 0.05 / 1e-8
+    r = np.linspace(0, a, 2001)
+    pressure = cohesive.pressure(a, r)
+    assert pressure[-1] == pytest.approx(-sigma, rel=1e-6)
+    # The load is the integral of the pressure inside and of the traction in the annulus.
+    inside = np.sum(pi * np.diff(r**2) * 0.5 * (pressure[1:] + pressure[:-1]))
+    outside = -sigma * pi * (state.outer_radius**2 - a**2)
+    assert inside + outside == pytest.approx(state.load, rel=1e-3, abs=1e-3 * abs(outside))
+    gap = cohesive.gap(a, np.array([[a, state.outer_radius]]))
+    assert gap.shape == (1, 2)
+    assert gap[0] == pytest.approx([0.0, 1e-8], abs=1e-13)
+
+
+def test_the_attraction_acts_before_the_contact(cohesive):
+    far = replace(cohesive, interaction_range=1e-6)
+    state = far.without_contact(1e-6)
+    assert (state.contact_radius, state.outer_radius) == (0.0, pytest.approx(1e-6))
+    assert state.load == pytest.approx(-pi * 1e-12 * 0.05 / 1e-6, rel=1e-12)
+    states = far.without_contact([1e-7, 1e-6, 1.0], errors="nan")
+    assert np.isnan(states.load).tolist() == [False, False, True]
+
+
+def test_numbers_are_those_of_rust_bit_for_bit(printed, stack):
+    primer = ROOT / "tables" / "stacks" / "primer.toml"
+    flags = ("--sphere-radius=1e-4", "--sphere-modulus=2e6", "--work-of-adhesion=0.04")
+    expected = printed("pull-off", "--stack", primer, "--interaction-range=1e-8", *flags)
+    system = StackSystem(stack=stack, sphere_radius=1e-4, sphere_modulus=2e6)
+    found = Cohesive(system=system, work_of_adhesion=0.04, interaction_range=1e-8).pull_off()
+    for name, value in expected.items():
+        assert getattr(found, name) == value
+    assert len(expected) == 4
+
+
+def test_what_is_not_solved_is_named(cohesive, stack):
+    with pytest.raises(DomainError, match="work of adhesion") as caught:
+        replace(cohesive, work_of_adhesion=0.0)
+    assert caught.value.value == 0.0
+    with pytest.raises(DomainError, match="interaction range"):
+        replace(cohesive, interaction_range=1.0)
+    cone = replace(cohesive.system, probe=Cone(half_angle=1.2))
+    with pytest.raises(OtherProbeError, match="paraboloid only, not for a cone"):
+        replace(cohesive, system=cone)
+    on_stack = StackSystem(stack=stack, probe=Cone(half_angle=1.2), sphere_modulus=2e6)
+    with pytest.raises(OtherProbeError, match="paraboloid only, not for a cone"):
+        replace(cohesive, system=on_stack)
+    with pytest.raises(TypeError, match="a System or a StackSystem"):
+        replace(cohesive, system=3)
+    with pytest.raises(DomainError, match="contact radius") as caught:
+        cohesive.state([1e-6, -1.0])
+    assert caught.value.index == (1,)
+    wide = replace(cohesive, system=replace(cohesive.system, film_thickness=1e-9))
+    with pytest.raises(DomainError, match=r"attraction acts beyond|contact radius"):
+        wide.state(1.199e-7)
+    with pytest.raises(ContactError, match="from 2 to 1000000"):
+        cohesive.branch((1e-6, 2e-6), 1)
+    with pytest.raises(DomainError, match="outer radius"):
+        cohesive.without_contact(1e-3)
+
+
+def test_a_contact_that_opens_inside_is_refused():
+    """On a thin incompressible film a strong attraction holds the edge down and not the middle."""
+    film = Elastic(young_modulus=1.2e4, poisson_ratio=0.5)
+    base = Elastic(young_modulus=9.4e5, poisson_ratio=0.3)
+    system = System(
+        sphere_radius=1.2e-6, sphere_modulus=inf, film=film, film_thickness=1.2e-8, substrate=base
+    )
+    cohesive = Cohesive(system=system, work_of_adhesion=0.15, interaction_range=1.5e-7)
+    with pytest.raises(NotAContactError, match="would open there") as caught:
+        cohesive.state([[5.3e-7]])
+    error = caught.value
+    assert (error.axis, error.index) == ("contact radius", (0, 0))
+    assert error.value == pytest.approx(5.3e-7)

@@ -1,0 +1,364 @@
+"""Probes of every shape: closed forms, independent values, Rust bit for bit, and every function."""
+
+import warnings
+from dataclasses import replace
+from math import acos, gamma, inf, log, pi, sqrt, tan
+
+import numpy as np
+import pytest
+
+from coated_contact import (
+    BeyondProbeError,
+    BeyondSphereError,
+    Cone,
+    Contact,
+    Elastic,
+    Experiment,
+    FixedParameterError,
+    FlatEndedCone,
+    FlatPunch,
+    HalfSpace,
+    OtherProbeError,
+    Paraboloid,
+    PowerLaw,
+    Probe,
+    Profile,
+    ProfileError,
+    RoundedCone,
+    Sphere,
+    Spring,
+    System,
+    Table,
+    UnphysicalError,
+    fit,
+    fit_map,
+    simulate,
+)
+from conftest import PROBES, make_system, rows
+
+W = 0.04
+MODULUS = 4e6
+by_name = pytest.mark.parametrize("probe", PROBES, ids=lambda probe: probe.name)
+
+
+def on_half_space(probe):
+    """A rigid probe on a half-space with E* = 4 MPa."""
+    solid = Elastic(young_modulus=3e6, poisson_ratio=0.5)
+    return Contact.half_space(HalfSpace(probe=probe, sphere_modulus=inf, solid=solid))
+
+
+def on_film(probe):
+    return Table.embedded().contact(replace(make_system(film_thickness=2e-6), probe=probe))
+
+
+def radii(probe):
+    """Contact radii that the probe can have."""
+    if isinstance(probe, FlatPunch):
+        return np.array([probe.radius])
+    return np.linspace(1.2e-6, 4e-6, 5)
+
+
+# Load without adhesion over E*, and penetration, of a rigid probe on a half-space.
+CLOSED_FORMS = [
+    # Sneddon, Int. J. Eng. Sci. 3, 47 (1965).
+    (
+        Sphere(radius=1e-5),
+        lambda a, r=1e-5: (
+            0.5 * (a * a + r * r) * log((r + a) / (r - a)) - a * r,
+            0.5 * a * log((r + a) / (r - a)),
+        ),
+    ),
+    (Cone(half_angle=1.2), lambda a: (0.5 * pi * a * a / tan(1.2), 0.5 * pi * a / tan(1.2))),
+    (
+        PowerLaw(coefficient=2e9, exponent=3),
+        lambda a: tuple(
+            part * 2e9 * a**3 * sqrt(pi) * gamma(2.5) / gamma(2) for part in (2 * a * 0.75, 1)
+        ),
+    ),
+    # Maugis and Barquins, J. Phys. D 16, 1843 (1983): the flank begins at the radius of the end.
+    (
+        FlatEndedCone(radius=1e-6, half_angle=1.1),
+        lambda a, b=1e-6: (
+            (acos(b / a) + b / a * sqrt(1 - (b / a) ** 2)) * a * a / tan(1.1),
+            a * acos(b / a) / tan(1.1),
+        ),
+    ),
+]
+
+
+@pytest.mark.parametrize(
+    ("probe", "expected"), CLOSED_FORMS, ids=lambda case: getattr(case, "name", "")
+)
+def test_rigid_probes_on_a_half_space_have_closed_forms(probe, expected):
+    contact = on_half_space(probe)
+    for a in radii(probe):
+        load, penetration = contact.load_and_penetration(a, 0.0)
+        assert load == pytest.approx(expected(a)[0] * MODULUS, rel=1e-11)
+        assert penetration == pytest.approx(expected(a)[1], rel=1e-11)
+
+
+def test_a_flat_punch_comes_off_at_once():
+    """Kendall, J. Phys. D 4, 1186 (1971): F = -sqrt(8 pi w E* a^3)."""
+    pull_off = on_half_space(FlatPunch(radius=3e-6)).pull_off(W)
+    assert pull_off.load == pytest.approx(-sqrt(8 * pi * W * MODULUS * 3e-6**3), rel=1e-13)
+    assert pull_off.penetration == pytest.approx(pull_off.load / (2 * 3e-6 * MODULUS), rel=1e-13)
+
+
+def test_a_rounded_cone_begins_as_a_paraboloid_and_ends_as_a_cone():
+    rounded = RoundedCone(radius=2e-6, half_angle=1.0)
+    small, large = 1e-7, 1e-3
+    paraboloid = on_half_space(Paraboloid(radius=2e-6)).load(small, 0.0)
+    assert on_half_space(rounded).load(small, 0.0) == pytest.approx(paraboloid, rel=1e-12)
+    # The end is the cone less the part between its tip and the round end, a part of order R/a.
+    cone = on_half_space(Cone(half_angle=1.0)).load(large, 0.0)
+    assert on_half_space(rounded).load(large, 0.0) == pytest.approx(cone, rel=1e-3)
+
+
+def test_power_laws_on_films_agree_with_independent_values():
+    modulus, thickness, coefficient = 2e6, 1e-6, 0.5
+    checked = 0
+    for row in rows("shapes"):
+        x, e1, nu1, e0, nu0, n, pi_n, delta_n = (
+            float(row[name])
+            for name in (
+                *("a_over_t", "e1_over_e2", "nu1", "e0_over_e2", "nu0"),
+                *("n", "pi_n", "delta_n"),
+            )
+        )
+        system = System(
+            probe=PowerLaw(coefficient=coefficient, exponent=n),
+            sphere_modulus=modulus,
+            film=Elastic(young_modulus=e1 * modulus, poisson_ratio=nu1),
+            film_thickness=thickness,
+            substrate=Elastic(young_modulus=e0 * modulus, poisson_ratio=nu0),
+        )
+        a = x * thickness
+        kappa = sqrt(pi) * gamma(n / 2 + 1) / gamma((n + 1) / 2)
+        size = coefficient * kappa * a**n
+        expected = size * a * modulus / 2 * pi_n, size * delta_n
+        found = Table.embedded().contact(system).load_and_penetration(a, 0.0)
+        assert found == pytest.approx(expected, rel=2e-6), row
+        checked += 1
+    assert checked > 60
+
+
+@by_name
+def test_heights_are_those_of_the_contact(probe):
+    """Without adhesion delta0 = int_0^a f'(r) a / sqrt(a^2 - r^2) dr on a half-space."""
+    if isinstance(probe, FlatPunch | Profile):
+        # A punch has no other height than 0; the slope of a profile is smoothed.
+        assert probe.height(2e-6) == pytest.approx(0.0 if probe.name == "flat punch" else 2e-7)
+        assert probe.height(1e-5) == inf
+        return
+    a = 4e-6
+    # With r = a sin(theta) the integral is that of f'(a sin theta) a, whose bends need many points.
+    theta = np.linspace(0, pi / 2, 20_001)
+    middles = 0.5 * (theta[1:] + theta[:-1])
+    rise = np.diff(probe.height(a * np.sin(theta)))
+    delta = np.sum(rise / np.cos(middles))
+    assert on_half_space(probe).load_and_penetration(a, 0.0)[1] == pytest.approx(delta, rel=1e-3)
+
+
+@by_name
+def test_every_function_takes_every_shape(probe):
+    contact, a = on_film(probe), radii(probe)
+    load, penetration = contact.load_and_penetration(a, W)
+    assert np.array_equal(contact.load(a, W), load)
+    assert np.array_equal(contact.penetration(a, W), penetration)
+    assert np.all(contact.stiffness(a) > 0)
+    pulled = contact.pull_off(W)
+    assert pulled.load < 0
+    equilibria = contact.equilibria(W)
+    for state in (pulled, equilibria.unloading(0.5 * pulled.load)):
+        expected = contact.load_and_penetration(state.contact_radius, W)
+        if not isinstance(probe, FlatPunch):
+            assert (state.load, state.penetration) == pytest.approx(expected, rel=1e-6)
+    assert [one.stable for one in equilibria.at(0.5 * pulled.load)][-1]
+    most = equilibria.unloading(-pulled.load).penetration
+    spring = Spring(stiffness=5.0)
+    most += -pulled.load / 5.0
+    curve = contact.force_displacement(W, control=spring, most=most, points=20)
+    assert curve.unloading[-1].load.min() < 0
+    gradient = contact.gradient(a, W)
+    assert gradient.load == pytest.approx(load, rel=1e-12, abs=1e-9 * np.abs(load).max())
+    step = 1e-5
+    film = contact.system.film
+    either = [
+        on_film_of(contact.system, film.young_modulus * (1 + sign * step)).load(a, W)
+        for sign in (1, -1)
+    ]
+    slope = (either[0] - either[1]) / (2 * step * film.young_modulus)
+    scale = np.abs(load).max() / film.young_modulus
+    assert gradient.by("film_modulus").load == pytest.approx(slope, rel=1e-4, abs=1e-4 * scale)
+    validity = contact.validity(a)
+    assert validity.strain.shape == a.shape
+    assert set(validity.neglected) == {"sideways", "elastic_probe", "strain"}
+
+
+def on_film_of(system, film_modulus):
+    film = replace(system.film, young_modulus=film_modulus)
+    return Table.embedded().contact(replace(system, film=film))
+
+
+@by_name
+def test_fits_find_the_truth_under_every_shape(probe):
+    """Noise of the loads: the estimates lie within five standard errors of the truth."""
+    system = on_film(probe).system
+    contact = on_film(probe)
+    top = contact.equilibria(W).unloading(3 * -contact.pull_off(W).load)
+    bottom = contact.pull_off(W, control="displacement").penetration
+    penetrations = np.linspace(top.penetration, bottom + 0.05 * abs(bottom), 60)
+    plan = Experiment(
+        kind="load-penetration",
+        abscissa=penetrations,
+        retract=np.full(60, True),
+        system=system,
+        work_of_adhesion=W,
+    )
+    noise = 1e-3 * top.load
+    curves = [simulate(plan, noise=noise, seed=seed) for seed in (1, 2)]
+    unknown = replace(system, film=replace(system.film, young_modulus=2e6))
+    curves = [replace(curve, system=unknown, noise=noise) for curve in curves]
+    truth = {"film_modulus": 3.5e6, "work_of_adhesion": W}
+    if isinstance(probe, FlatPunch):
+        # Until it comes off, the load of a punch does not depend on the work of adhesion.
+        del truth["work_of_adhesion"]
+    free = list(truth)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        found, many = fit(curves[0], free), fit_map(curves, free)
+    for name, value in truth.items():
+        assert abs(found.params[name] - value) <= 5 * found.stderr[name]
+        assert many.params[name][0] == found.params[name]
+        assert abs(many.params[name][1] - value) <= 5 * many.stderr[name][1]
+
+
+def test_sphere_radius_is_the_paraboloid():
+    system = make_system()
+    assert system.probe == Paraboloid(radius=1e-3)
+    assert system == replace(system, probe=Paraboloid(radius=1e-3))
+    assert system.sphere_radius == 1e-3
+    assert replace(system, probe=Sphere(radius=2e-3)).sphere_radius == 2e-3
+    assert replace(system, probe=Cone(half_angle=1.0)).sphere_radius is None
+    assert replace(system, probe=Cone(half_angle=1.0)).without_film().probe == Cone(half_angle=1.0)
+    with pytest.raises(TypeError, match="both given"):
+        replace(system, sphere_radius=2e-3)
+    known = {"sphere_modulus": 2e6, "solid": system.film}
+    with pytest.raises(TypeError, match="not nothing; sphere_radius=R is short"):
+        HalfSpace(**known)
+    with pytest.raises(TypeError, match="must be a Probe, such as"):
+        HalfSpace(probe=1e-3, **known)
+    with pytest.raises(TypeError, match="radius must be real"):
+        Sphere(radius="1e-3")
+
+
+def test_shapes_that_cannot_be_are_refused():
+    cases = [
+        (lambda: Paraboloid(radius=0.0), "sphere_radius = 0"),
+        (lambda: Sphere(radius=-1.0), "sphere_radius = -1"),
+        (lambda: PowerLaw(coefficient=0.0, exponent=2), "coefficient of the power law"),
+        (lambda: PowerLaw(coefficient=1.0, exponent=0.9), "from 1 to 20"),
+        (lambda: Cone(half_angle=70.0), "between 0 and pi/2 rad"),
+        (lambda: RoundedCone(radius=inf, half_angle=1.0), "radius of the round end"),
+        (lambda: FlatPunch(radius=float("nan")), "radius of the punch"),
+        (lambda: FlatEndedCone(radius=0.0, half_angle=1.0), "radius of the flat end"),
+    ]
+    for make, words in cases:
+        with pytest.raises(UnphysicalError, match=words):
+            make()
+    with pytest.raises(TypeError, match="two columns"):
+        Profile(points=[1.0, 2.0])
+    with pytest.raises(TypeError):
+        Probe()
+
+
+def test_points_that_are_no_convex_shape_are_named():
+    with pytest.raises(ProfileError, match=r"row 3 .* convex") as caught:
+        Profile(points=[(0, 0), (1e-6, 1e-6), (2e-6, 1.5e-6)])
+    assert caught.value.value == 3.0
+    for points in ([(0, 0)], [(0, 0), (1e-6, -1e-9)], [(0, 0), (1e-6, np.nan)]):
+        with pytest.raises(ProfileError):
+            Profile(points=points)
+
+
+def test_questions_about_the_wrong_shape_are_errors():
+    punch, cone, end = (on_film(PROBES[i]) for i in (5, 3, 6))
+    with pytest.raises(BeyondProbeError, match="under a flat punch") as caught:
+        punch.load([3e-6, 2e-6], W)
+    error = caught.value
+    assert (error.axis, error.value, error.index) == ("contact radius", 2e-6, (1,))
+    assert "3e-6 m" in error.allowed
+    with pytest.raises(BeyondProbeError, match="flat-ended cone"):
+        end.load(0.5e-6, W)
+    with pytest.raises(BeyondProbeError, match="profile"):
+        on_film(PROBES[7]).load(9e-6, W)
+    with pytest.raises(BeyondProbeError, match="under a sphere"):
+        on_film(PROBES[1]).load(2e-5, W)
+    with pytest.raises(BeyondSphereError):
+        on_film(PROBES[0]).load(2e-5, W)
+    with pytest.raises(OtherProbeError, match="contact line"):
+        punch.line(W, 3e-6)
+    with pytest.raises(OtherProbeError, match="Tabor's parameter makes no sense for a cone"):
+        cone.adhesion_range(W)
+    with pytest.raises(FixedParameterError, match="sphere radius"):
+        cone.gradient(2e-6, W).by("sphere_radius")
+
+
+def test_a_profile_of_a_paraboloid_is_the_paraboloid():
+    r = np.linspace(0, 8e-6, 100)
+    profile = Profile(points=np.column_stack([r, r * r / 2e-5]))
+    assert len(profile.points) == 100
+    a = radii(profile)
+    found, expected = on_film(profile).load(a, 0.0), on_film(PROBES[0]).load(a, 0.0)
+    assert found == pytest.approx(expected, rel=1e-5)
+
+
+def test_validity_tells_when_the_exact_sphere_gains_nothing():
+    """Against the formulas of the documentation."""
+    a, radius = 2e-6, 1e-5
+    validity = on_film(Sphere(radius=radius)).validity(a)
+    assert validity.a_over_r == pytest.approx(a / radius)
+    assert validity.sideways == 0.0  # incompressible
+    assert validity.neglected["strain"] == (validity.strain > 0.1)
+    film = Elastic(young_modulus=3.5e6, poisson_ratio=0.2)
+    system = replace(make_system(), film=film, probe=Sphere(radius=radius))
+    compressible = Table.embedded().contact(system).validity(a)
+    expected = 0.75 / pi * (1 - 0.4) / (1 - 0.2) * a / radius
+    assert compressible.sideways == pytest.approx(expected, rel=1e-12)
+    assert compressible.neglected["sideways"]
+    # Es*/E2*, with 1/Es* = 1/E1* + 1/E2*.
+    share = 1 / (1 + 2e6 / film.reduced_modulus)
+    assert compressible.probe_share == pytest.approx(share, rel=1e-12)
+    many = Table.embedded().contact(system).validity([a, 1.0], errors="nan")
+    assert many.neglected["sideways"].tolist() == [True, False]
+    half_space = on_half_space(Sphere(radius=radius)).validity(a)
+    assert half_space.strain is None
+    assert half_space.neglected == {"sideways": False, "elastic_probe": False, "strain": False}
+
+
+FLAGS = {
+    "cone": {"half-angle": 60.0},
+    "sphere": {"sphere-radius": 1e-5},
+    "rounded-cone": {"sphere-radius": 2e-6, "half-angle": 45.0},
+    "power-law": {"coefficient": 2e9, "exponent": 3.0},
+}
+
+
+@pytest.mark.parametrize("name", FLAGS)
+def test_numbers_are_those_of_rust_bit_for_bit(tabulate, name):
+    probe = {
+        "cone": Cone(half_angle=np.radians(60.0)),
+        "sphere": PROBES[1],
+        "rounded-cone": RoundedCone(radius=2e-6, half_angle=np.radians(45.0)),
+        "power-law": PROBES[2],
+    }[name]
+    flags = {"film-thickness": 2e-6, "from": 1e-6, "to": 4e-6, "points": 10} | FLAGS[name]
+    arguments = [f"--{flag}={value!r}" for flag, value in flags.items()]
+    printed = tabulate("curve", "embedded", "--probe", name, *arguments)
+    a, load, penetration = (
+        np.array([point[column] for point in printed])
+        for column in ("contact_radius", "load", "penetration")
+    )
+    found = on_film(probe).load_and_penetration(a, 0.04)
+    assert np.array_equal(found[0], load)
+    assert np.array_equal(found[1], penetration)

@@ -1,0 +1,244 @@
+"""Stacks of layers: independent values, Rust bit for bit, limits, files, and what is refused."""
+
+from dataclasses import replace
+from math import exp, inf, pi
+
+import numpy as np
+import pytest
+
+from coated_contact import (
+    Cone,
+    Contact,
+    ContactError,
+    DomainError,
+    Elastic,
+    FixedParameterError,
+    FlatPunch,
+    Layer,
+    NotConvergedError,
+    OtherProbeError,
+    OutsideTableError,
+    SolvedCurve,
+    Spring,
+    Stack,
+    StackError,
+    StackSystem,
+    Table,
+    UnphysicalError,
+    solve_stack,
+)
+from conftest import ROOT, make_system, rows
+
+PRIMER = ROOT / "tables" / "stacks" / "primer.toml"
+KNOWN = {"sphere_radius": 1e-3, "sphere_modulus": 2e6}
+
+
+def solid_of(text, unit):
+    """Read ``E:nu`` or ``rigid``."""
+    young, poisson = ("inf", "0.25") if text == "rigid" else text.split(":")
+    return Elastic(young_modulus=float(young) * unit, poisson_ratio=float(poisson))
+
+
+def stack_of(row, unit=1.0, length=1.0):
+    """The stack of a row of reference values."""
+    layers = [layer.rsplit(":", 1) for layer in row["layers"].split("|")]
+    return Stack(
+        base=solid_of(row["base"], unit),
+        layers=[
+            Layer(material=solid_of(solid, unit), thickness=float(thickness) * length)
+            for solid, thickness in layers
+        ],
+    )
+
+
+def test_solves_and_curves_agree_with_independent_values():
+    checked = 0
+    for row in rows("stacks_contacts"):
+        stack, x = stack_of(row), float(row["a_over_t"])
+        solution = solve_stack(x, stack, 1.0, 1e-12)
+        assert solution.error <= 1e-12
+        expected = {name: float(row[name]) for name in ("pi0", "eeq", "gamma", "delta0")}
+        for name, value in expected.items():
+            assert getattr(solution, name) == pytest.approx(value, rel=1e-13)
+        contact = stack.contact(
+            sphere_radius=10 * x, sphere_modulus=1.0, a_over_t=(0.5 * x, 2 * x), tolerance=1e-10
+        )
+        a = x * stack.thickness
+        load, penetration = contact.load_and_penetration(a, 0.0)
+        assert load == pytest.approx(a**3 * expected["pi0"] / (20 * x), rel=1e-10)
+        assert penetration == pytest.approx(a**2 * expected["delta0"] / (10 * x), rel=1e-10)
+        assert contact.stiffness(a) == pytest.approx(2 * a * expected["eeq"], rel=1e-10)
+        checked += 1
+    assert checked > 12
+
+
+def test_numbers_are_those_of_rust_bit_for_bit(tabulate, printed, stack):
+    assert Stack.read(PRIMER) == stack
+    expected = printed("solve", "--stack", PRIMER, "--a-over-t=6.5", "--sphere-modulus=2e6")
+    found = solve_stack(6.5, stack, 2e6, tolerance=1e-10)
+    assert {name: getattr(found, name) for name in expected} == expected
+    assert len(expected) == 5
+    a, t = [1e-5, 1e-4], stack.thickness
+    flags = ("--sphere-radius=1e-3", "--sphere-modulus=2e6", "--work-of-adhesion=0.04")
+    ends = (f"--from={a[0]}", f"--to={a[1]}", "--points=20", "--tolerance=1e-9")
+    curve = tabulate("curve", "--stack", PRIMER, *ends, *flags)
+    radii, load, penetration = (
+        np.array([point[name] for point in curve])
+        for name in ("contact_radius", "load", "penetration")
+    )
+    contact = stack.contact(**KNOWN, a_over_t=(a[0] / t, a[1] / t), tolerance=1e-9)
+    assert np.array_equal(contact.load(radii, 0.04), load)
+    assert np.array_equal(contact.penetration(radii, 0.04), penetration)
+
+
+def test_a_contact_answers_what_one_of_a_film_answers(stack):
+    contact, w = stack.contact(**KNOWN, a_over_t=(0.05, 20)), 0.04
+    pulled = contact.pull_off(w)
+    expected = contact.load_and_penetration(pulled.contact_radius, w)
+    assert (pulled.load, pulled.penetration) == pytest.approx(expected, rel=1e-9)
+    equilibria = contact.equilibria(w, control=Spring(stiffness=50.0))
+    assert equilibria.unloading(1e-6).contact_radius > pulled.contact_radius
+    curve = contact.force_displacement(w, most=1e-6, points=20)
+    assert curve.jumps
+    assert contact.adhesion_range(w).tabor > 5
+    line = contact.line(w, 65e-6)
+    assert line.impose("load", 1e-4).load == pytest.approx(1e-4, rel=1e-9)
+    validity = contact.validity(65e-6)
+    assert validity.a_over_t == pytest.approx(6.5)
+    assert validity.compressibility == stack.compressibility * 6.5**2
+    assert stack.compressibility == 0.0  # incompressible
+    with pytest.raises(FixedParameterError, match="no derivatives"):
+        contact.gradient(65e-6, w)
+    with pytest.raises(OutsideTableError):
+        contact.load(1e-3 * 0.9, w)
+
+
+def test_one_film_cut_into_layers_is_that_film():
+    system = make_system(film_poisson_ratio=0.3)
+    cut = Stack(
+        base=system.substrate,
+        layers=[Layer(material=system.film, thickness=t * 1e-5) for t in (0.2, 0.5, 0.3)],
+    )
+    assert cut.thickness == pytest.approx(1e-5, rel=1e-15)
+    assert cut.compressibility == pytest.approx(3 / 16 * 0.4 / 0.7, rel=1e-14)
+    ends = (0.1, 20)
+    film = SolvedCurve(a_over_t=ends, tolerance=1e-10).contact(system)
+    layers = cut.contact(**KNOWN, a_over_t=ends, tolerance=1e-10)
+    a = np.linspace(2e-6, 1.9e-4, 20)
+    assert layers.stiffness(a) == pytest.approx(film.stiffness(a), rel=1e-9)
+    looked_up = Table.embedded().contact(system)
+    assert film.stiffness(a) == pytest.approx(looked_up.stiffness(a), rel=1e-6)
+
+
+def test_a_punch_on_a_stack(stack):
+    """F = S delta, and the pull-off by the energy release rate of the stiffness."""
+    punch = FlatPunch(radius=2e-5)
+    contact = stack.contact(probe=punch, sphere_modulus=2e6, a_over_t=(1, 4))
+    sphere = stack.contact(**KNOWN, a_over_t=(1, 4))
+    assert contact.stiffness(2e-5) == sphere.stiffness(2e-5)
+    pulled = contact.pull_off(0.04)
+    assert pulled.load == pytest.approx(contact.stiffness(2e-5) * pulled.penetration, rel=1e-12)
+    # G = (delta^2/(4 pi a)) dS/da = w.
+    step = 1e-9
+    slope = (sphere.stiffness(2e-5 + step) - sphere.stiffness(2e-5 - step)) / (2 * step)
+    assert pulled.penetration**2 * slope / (4 * pi * 2e-5) == pytest.approx(0.04, rel=1e-5)
+    with pytest.raises(OtherProbeError, match="paraboloid or a flat punch only"):
+        stack.contact(probe=Cone(half_angle=1.2), sphere_modulus=2e6, a_over_t=(1, 4))
+
+
+def test_a_graded_film_converges_with_the_square_of_the_layers():
+    def material(height):
+        return Elastic(young_modulus=1e6 * exp(-3 * height), poisson_ratio=0.3)
+
+    found = []
+    for count in (10, 20, 40):
+        stack = Stack.graded(base=material(0.0), thickness=1.0, count=count, material=material)
+        assert stack.surface == material(1.0)
+        found.append(solve_stack(1.0, stack, inf).eeq)
+    ratio = (found[0] - found[1]) / (found[1] - found[2])
+    assert ratio == pytest.approx(4, rel=0.1)
+    with pytest.raises(StackError, match="Young's modulus is inf"):
+        replace(stack, surface=Elastic(young_modulus=inf, poisson_ratio=0.3))
+
+
+def test_solves_broadcast(stack):
+    x, moduli = np.array([0.1, 1.0, 6.5])[:, None], np.array([1e6, inf])
+    solution = solve_stack(x, stack, moduli)
+    assert solution.eeq.shape == (3, 2)
+    assert solution.eeq[2, 0] == solve_stack(6.5, stack, 1e6).eeq
+    xarray = pytest.importorskip("xarray")
+    data = solution.to_xarray()
+    assert isinstance(data, xarray.Dataset)
+    assert dict(data.sizes) == {"a_over_t": 3, "sphere_modulus": 2}
+    with pytest.raises(DomainError) as caught:
+        solve_stack([1.0, 1e5], stack, 2e6)
+    assert (caught.value.axis, caught.value.value) == ("a_over_t", 1e5)
+    assert caught.value.range == (0.0, pytest.approx(750.0))
+    assert caught.value.index == (1,)
+    found = solve_stack([1.0, 1e5], stack, 2e6, errors="nan")
+    assert np.isnan(found.eeq).tolist() == [False, True]
+
+
+def test_layers_that_cannot_be_are_named(stack):
+    soft = Layer(material=Elastic(young_modulus=1e5, poisson_ratio=0.3), thickness=1e-6)
+    with pytest.raises(StackError, match=r"layer 2 of 2.*thickness is 0") as caught:
+        replace(stack, layers=[soft, replace(soft, thickness=0.0)])
+    assert (caught.value.axis, caught.value.value) == ("layer", 2.0)
+    rigid = replace(soft, material=Elastic(young_modulus=inf, poisson_ratio=0.3))
+    with pytest.raises(StackError, match="give it as the base"):
+        replace(stack, layers=[rigid])
+    with pytest.raises(StackError, match="at least one layer"):
+        replace(stack, layers=[])
+    with pytest.raises(StackError, match="two layers have the name 'primer'"):
+        replace(stack, layers=[replace(soft, name="primer"), replace(soft, name="primer")])
+    with pytest.raises(TypeError, match="layers must be Layer"):
+        replace(stack, layers=[3.0])
+    with pytest.raises(TypeError, match="material must be an Elastic"):
+        Layer(material=1e6, thickness=1e-6)
+    with pytest.raises(UnphysicalError, match="sphere_modulus"):
+        StackSystem(stack=stack, sphere_radius=1e-3, sphere_modulus=0.0)
+    with pytest.raises(TypeError, match="stack must be a Stack"):
+        StackSystem(stack=3, sphere_radius=1e-3, sphere_modulus=1e6)
+    system = StackSystem(stack=stack, sphere_radius=1e-3, sphere_modulus=1e6)
+    assert system.sphere_radius == 1e-3
+    with pytest.raises(TypeError, match="a contact needs"):
+        Contact(system=system, table=Table.embedded())
+
+
+def test_ranges_that_cannot_be_are_refused(stack):
+    for ends in ((1.0, 0.1), (0.0, 1.0), (0.1, 1e4), (np.nan, 1.0)):
+        with pytest.raises(ContactError):
+            stack.contact(**KNOWN, a_over_t=ends)
+    with pytest.raises((DomainError, NotConvergedError), match="tolerance"):
+        stack.contact(**KNOWN, a_over_t=(0.1, 1), tolerance=1e-30)
+
+
+FILES = [
+    ("young_modulus = 5e5", "young_modulus = inf", "layer 1 of 2.*give it as the base"),
+    ("young_modulus = 5e5", "young_modulus = -1.0", "layer 1 from the base: Young's modulus"),
+    ("young_modulus = 5e5", 'young_modulus = "soft"', "layer 1 .*young_modulus must be real"),
+    ("young_modulus = 5e5\n", "", "layer 1 from the base: young_modulus is missing"),
+    ("thickness = 7.5e-6", "height = 7.5e-6", "layer 2 from the base: height is unknown"),
+    (", poisson_ratio = 0.25", "", "base: poisson_ratio is missing"),
+    ("base =", "[base", "Expected|Invalid|unclosed"),
+    ('name = "elastomer"', 'name = "primer"', "two layers have the name 'primer'"),
+]
+
+
+@pytest.mark.parametrize(("old", "new", "words"), FILES)
+def test_files_that_are_no_stack_are_named(tmp_path, old, new, words):
+    text = PRIMER.read_text()
+    assert old in text
+    path = tmp_path / "stack.toml"
+    path.write_text(text.replace(old, new, 1))
+    with pytest.raises(StackError, match=words) as caught:
+        Stack.read(path)
+    assert str(path) in str(caught.value)
+
+
+def test_a_rigid_base_in_a_file_needs_no_poisson_ratio(tmp_path):
+    path = tmp_path / "stack.toml"
+    path.write_text(PRIMER.read_text().replace("2e11, poisson_ratio = 0.25", "inf"))
+    assert Stack.read(path).base.young_modulus == inf
+    with pytest.raises(FileNotFoundError):
+        Stack.read(tmp_path / "missing.toml")

@@ -1,0 +1,121 @@
+//! `tabulate fit --probe`: files of measurements under probes of several shapes.
+
+use std::f64::consts::PI;
+use std::fmt::Write;
+
+use acceptance::{assert_names, workdir};
+use serde_json::Value;
+
+/// The reduced modulus of a solid of 1 MPa with a Poisson ratio of 0.5 under a rigid probe, Pa, the
+/// work of adhesion, J/m^2, and the reading of the penetration at first touch, m.
+const MODULUS: f64 = 1e6 / 0.75;
+const ADHESION: f64 = 0.02;
+const CONTACT_POINT: f64 = 3e-7;
+
+/// Load and penetration of a contact of radius `a` on a half-space, by `b` at its edge and the mean
+/// of `b` (Sneddon), with JKR's adhesion.
+fn state(a: f64, b: f64, mean: f64) -> [f64; 2] {
+    let pulled = (2.0 * PI * a * ADHESION / MODULUS).sqrt();
+    [2.0 * MODULUS * a * (b - mean - pulled), b - pulled]
+}
+
+/// Returns a file of measured points with columns in um and uN.
+fn file(states: impl Iterator<Item = [f64; 2]>) -> String {
+    let mut text = "penetration [um],load [uN]\n".to_owned();
+    for (i, [load, penetration]) in states.enumerate() {
+        // A disturbance of 1e-4 of a uN that has no trend.
+        let noise = 1e-4 * (2.4 * (i * i) as f64).sin();
+        let _ = writeln!(
+            text,
+            "{:?},{:?}",
+            1e6 * (penetration + CONTACT_POINT),
+            1e6 * load + noise
+        );
+    }
+    text
+}
+
+#[test]
+fn files_of_half_spaces_give_the_closed_forms() {
+    let workdir = workdir!();
+    let radii = || (0..50).map(|i| 6e-6 - 1e-7 * f64::from(i));
+    let slope = 70_f64.to_radians().tan().recip();
+    let radius = 1e-5_f64;
+    let cone = radii().map(|a| {
+        let b = 0.5 * PI * slope * a;
+        state(a, b, 0.5 * b)
+    });
+    let sphere = radii().map(|a| {
+        // b = a artanh(a/R), and its integral.
+        let arc = (a / radius).atanh();
+        let integral = 0.5 * ((a * a - radius * radius) * arc + a * radius);
+        state(a, a * arc, integral / a)
+    });
+    let punch = (0..50).map(|i| {
+        let penetration = 2e-8 * f64::from(40 - i);
+        [2.0 * radius * MODULUS * penetration, penetration]
+    });
+    workdir.write("cone.csv", file(cone));
+    workdir.write("sphere.csv", file(sphere));
+    workdir.write("punch.csv", file(punch));
+    let all = "film-modulus,work-of-adhesion,contact-point";
+    let cases: [(&str, &[&str], &str); 3] = [
+        ("cone.csv", &["--probe", "cone", "--half-angle", "70"], all),
+        (
+            "sphere.csv",
+            &["--probe", "sphere", "--sphere-radius", "1e-5"],
+            all,
+        ),
+        (
+            "punch.csv",
+            &["--probe", "flat-punch", "--sphere-radius", "1e-5"],
+            "film-modulus,contact-point",
+        ),
+    ];
+    let common = [
+        "--half-space",
+        "--sphere-modulus",
+        "inf",
+        "--film-poisson-ratio",
+        "0.5",
+        "--work-of-adhesion",
+        "0.02",
+        "--film-modulus",
+        "2e6",
+        "--json",
+    ];
+    let truths = [
+        ("film_modulus", 1e6),
+        ("work_of_adhesion", ADHESION),
+        ("contact_point", CONTACT_POINT),
+    ];
+    for (name, probe, free) in cases {
+        let arguments = [&["fit", name, "--free", free], probe, &common].concat();
+        let object: Value = serde_json::from_str(&workdir.succeed(&arguments)).expect("JSON");
+        assert_eq!(object["converged"], true, "{name}");
+        let found = object["parameters"].as_object().expect("an object");
+        assert_eq!(found.len(), free.split(',').count(), "{name}");
+        for (parameter, truth) in truths {
+            let Some(estimate) = found.get(parameter) else {
+                continue;
+            };
+            let value = estimate["value"].as_f64().expect("a number");
+            println!("{name}: {parameter} {:.1e}", value / truth - 1.0);
+            assert!((value / truth - 1.0).abs() < 1e-3, "{name}: {estimate}");
+        }
+    }
+    // The wrong shape is another modulus.
+    let wrong = [
+        &["fit", "sphere.csv", "--free", all, "--probe", "paraboloid"],
+        &["--sphere-radius", "1e-5"][..],
+        &common,
+    ];
+    let object: Value = serde_json::from_str(&workdir.succeed(&wrong.concat())).expect("JSON");
+    let modulus = object["parameters"]["film_modulus"]["value"].as_f64();
+    assert!((modulus.expect("a number") / 1e6 - 1.0).abs() > 0.01);
+    let missing = [&["fit", "cone.csv", "--probe", "cone"][..], &common].concat();
+    assert_names(
+        &workdir.fail(1, &missing),
+        &["--probe cone needs --half-angle"],
+    );
+}

@@ -1,0 +1,259 @@
+//! Fits under other probes than the paraboloid, of data from direct solves or closed forms.
+
+use std::f64::consts::PI;
+
+use fit::{Bodies, Direction, Kind, Measurement, Parameter, Point};
+use interp::{HalfSpace, Probe, System};
+use tabulate::solve::{PowerLaw, solve_power_laws};
+
+use crate::imagined::{Imagined, measurement, solid};
+
+/// The true work of adhesion, J/m^2.
+const ADHESION: f64 = 0.04;
+/// The true reading of the penetration at first touch, m.
+const CONTACT_POINT: f64 = 1e-7;
+/// The number of points of a measurement.
+const POINTS: i32 = 60;
+/// The largest number of standard errors between a value and the truth. The tests below compare
+/// some 40 values; one of them is farther off by chance once in 400 times.
+const FARTHEST: f64 = 4.0;
+
+/// Load (N) and penetration (m).
+type State = [f64; 2];
+
+/// The quantities at one contact radius `a`, by a direct solve, and the shape `c r^n` there.
+struct Solved {
+    a: f64,
+    /// `E2*`, Pa.
+    unit: f64,
+    es: f64,
+    eeq: f64,
+    gamma: f64,
+    paraboloid: PowerLaw,
+    powers: Vec<PowerLaw>,
+}
+
+impl Solved {
+    fn new(system: &System, a: f64, exponents: &[f64]) -> Self {
+        let material = system.material().expect("physical");
+        let x = a / system.film_thickness;
+        let (solution, powers) =
+            solve_power_laws(x, &material, exponents, 1e-9).expect("a moderate contact");
+        let quantities = solution.quantities;
+        Self {
+            a,
+            unit: system.sphere_modulus,
+            es: material.sphere_film_modulus(),
+            eeq: quantities.eeq,
+            gamma: quantities.gamma,
+            paraboloid: PowerLaw {
+                exponent: 2.0,
+                pi: quantities.pi0,
+                delta: quantities.delta0,
+            },
+            powers,
+        }
+    }
+
+    /// Load and penetration without adhesion if `b` of the shape is `b` at the contact's edge.
+    fn pressed(&self, law: PowerLaw, b: f64) -> State {
+        [0.5 * b * self.a * self.unit * law.pi, b * law.delta]
+    }
+
+    /// Adds adhesion, eqs. 5 to 8.
+    fn adhering(&self, [load, penetration]: State) -> State {
+        let edge = (0.5 * PI * self.a * ADHESION * self.es * self.unit).sqrt();
+        let pulled = 2.0 * edge / (self.unit * self.gamma);
+        [
+            load - 2.0 * self.a * self.unit * self.eeq * pulled,
+            penetration - pulled,
+        ]
+    }
+}
+
+/// `b` of the sphere is the sum of `a^2k/((2k-1) R^(2k-1))`; the last term stands for the others.
+fn sphere(system: &System, radius: f64, a: f64) -> State {
+    let exponents: Vec<f64> = (2..=8).map(|k| f64::from(2 * k)).collect();
+    let solved = Solved::new(system, a, &exponents);
+    let ratio = a / radius;
+    let mut rest = a * ratio.atanh();
+    let mut sum = [0.0; 2];
+    let laws = [solved.paraboloid].into_iter().chain(solved.powers.clone());
+    for law in laws {
+        let n = law.exponent;
+        let own = a * ratio.powf(n - 1.0) / (n - 1.0);
+        let b = if n == 16.0 { rest } else { own };
+        rest -= own;
+        let [load, penetration] = solved.pressed(law, b);
+        sum = [sum[0] + load, sum[1] + penetration];
+    }
+    solved.adhering(sum)
+}
+
+fn cone(system: &System, half_angle: f64, a: f64) -> State {
+    let solved = Solved::new(system, a, &[1.0]);
+    let b = 0.5 * PI * a / half_angle.tan();
+    solved.adhering(solved.pressed(solved.powers[0], b))
+}
+
+/// Makes a measurement of exact states.
+fn measured(states: impl Iterator<Item = State>) -> Measurement {
+    let point = |(i, [load, penetration]): (u64, State)| Point {
+        line: i + 1,
+        abscissa: penetration + CONTACT_POINT,
+        ordinate: load,
+        direction: Some(Direction::Retract),
+    };
+    measurement(
+        Kind::LoadPenetration,
+        (1..).zip(states).map(point).collect(),
+    )
+}
+
+/// The system of the paper with a film of 10 um, under another probe.
+fn on_film(probe: Probe) -> System {
+    System {
+        probe,
+        ..acceptance::paper_system(10e-6)
+    }
+}
+
+/// The numbers `i` of the points, as parts of 1 from 1 down to 0.
+fn parts() -> impl Iterator<Item = f64> {
+    (0..POINTS).map(|i| 1.0 - f64::from(i) / f64::from(POINTS - 1))
+}
+
+/// Fits measurements with the noise of each of some seeds, relative to the largest load, and asserts
+/// that the truth is within the stated errors. Returns how far it is off under a `wrong` probe, in
+/// standard errors.
+fn recover(
+    name: &str,
+    bodies: Bodies,
+    exact: &Measurement,
+    free: &[Parameter],
+    seeds: std::ops::Range<u64>,
+    wrong: Probe,
+) -> f64 {
+    let most = exact.points.iter().map(|point| point.ordinate.abs());
+    let noise = 2e-4 * most.fold(0.0, f64::max);
+    let mut imagined = Imagined::lens(Kind::LoadPenetration, 10e-6, noise, free);
+    imagined.truth.bodies = bodies;
+    imagined.truth.contact_point = CONTACT_POINT;
+    let truth = imagined.truth.clone();
+    let offs = |imagined: &Imagined, seed: u64| -> Vec<f64> {
+        let experiment = imagined.measured(exact, seed);
+        let fit = fit::fit(
+            interp::Table::embedded(),
+            &[experiment],
+            &imagined.free,
+            &fit::Options::default(),
+        );
+        let fit = fit.expect("sound data");
+        assert!(fit.converged, "{name}");
+        let off = |estimate: &fit::Estimate| {
+            let truth = truth.get(estimate.parameter).expect("a value");
+            let off = (estimate.value - truth) / estimate.standard_error;
+            println!(
+                "{name}: {} off by {off:.1} standard errors of {:.1e}",
+                estimate.parameter,
+                estimate.standard_error / truth
+            );
+            // A fit that says nothing would be right, too.
+            assert!(estimate.standard_error < 0.1 * truth.abs(), "{name}");
+            off.abs()
+        };
+        fit.estimates.iter().map(off).collect()
+    };
+    let (mut squares, mut count) = (0.0, 0.0);
+    let first = seeds.start;
+    for seed in seeds {
+        for off in offs(&imagined, seed) {
+            assert!(off < FARTHEST, "{name}, seed {seed}: {off}");
+            squares += off * off;
+            count += 1.0;
+        }
+    }
+    let mean = f64::sqrt(squares / count);
+    println!("{name}: root of the mean square {mean:.2} standard errors");
+    assert!(mean < 2.0, "{name}: {mean}");
+    match &mut imagined.truth.bodies {
+        Bodies::Coated(system) => system.probe = wrong,
+        Bodies::HalfSpace(half_space) => half_space.probe = wrong,
+        Bodies::Layered(layered) => layered.probe = wrong,
+    }
+    offs(&imagined, first).into_iter().fold(0.0, f64::max)
+}
+
+#[test]
+fn a_sphere_on_a_film_whose_contact_is_not_small() {
+    use Parameter::{ContactPoint, FilmModulus, WorkOfAdhesion};
+    let radius = 2e-5;
+    let system = on_film(Probe::Sphere { radius });
+    // a/R from 0.2 to 0.6.
+    let exact = measured(parts().map(|part| sphere(&system, radius, 4e-6 + 8e-6 * part)));
+    let free = [FilmModulus, WorkOfAdhesion, ContactPoint];
+    let wrong = Probe::Paraboloid { radius };
+    let off = recover("sphere", Bodies::Coated(system), &exact, &free, 1..9, wrong);
+    println!("a paraboloid in its place is off by {off:.0} standard errors");
+    assert!(off > 10.0, "{off}");
+}
+
+#[test]
+fn a_cone_on_a_film() {
+    use Parameter::{ContactPoint, FilmModulus, WorkOfAdhesion};
+    let half_angle = 1.2;
+    let system = on_film(Probe::Cone { half_angle });
+    let exact = measured(parts().map(|part| cone(&system, half_angle, 1e-6 + 9e-6 * part)));
+    let free = [FilmModulus, WorkOfAdhesion, ContactPoint];
+    let wrong = Probe::Cone {
+        half_angle: half_angle + 0.02,
+    };
+    let off = recover("cone", Bodies::Coated(system), &exact, &free, 1..3, wrong);
+    println!("another cone in its place is off by {off:.0} standard errors");
+    assert!(off > FARTHEST, "{off}");
+}
+
+#[test]
+fn a_flat_punch_on_a_film() {
+    use Parameter::{ContactPoint, FilmModulus};
+    let radius = 1e-5;
+    let system = on_film(Probe::FlatPunch { radius });
+    let solved = Solved::new(&system, radius, &[]);
+    // From a penetration of 1 um to the separation.
+    let [load, apart] = solved.adhering([0.0; 2]);
+    let exact = measured(parts().map(|part| {
+        let penetration = part * 1e-6 + (1.0 - part) * 0.99 * apart;
+        [load / apart * penetration, penetration]
+    }));
+    let wrong = Probe::FlatPunch {
+        radius: 0.95 * radius,
+    };
+    let free = [FilmModulus, ContactPoint];
+    let off = recover("punch", Bodies::Coated(system), &exact, &free, 1..9, wrong);
+    assert!(off > FARTHEST, "{off}");
+}
+
+#[test]
+fn a_sphere_on_a_half_space() {
+    use Parameter::{ContactPoint, FilmModulus, WorkOfAdhesion};
+    let radius = 2e-5;
+    let half_space = HalfSpace {
+        probe: Probe::Sphere { radius },
+        sphere_modulus: 2e6,
+        solid: solid(3.5e6, 0.5),
+    };
+    let modulus = 1.0 / (1.0 / 2e6 + 0.75 / 3.5e6);
+    // Sneddon's sphere, and JKR's adhesion.
+    let state = |a: f64| {
+        let arc = (a / radius).atanh();
+        let load = modulus * ((a * a + radius * radius) * arc - a * radius);
+        let pulled = (2.0 * PI * a * ADHESION / modulus).sqrt();
+        [load - 2.0 * a * modulus * pulled, a * arc - pulled]
+    };
+    let exact = measured(parts().map(|part| state(4e-6 + 8e-6 * part)));
+    let free = [FilmModulus, WorkOfAdhesion, ContactPoint];
+    let wrong = Probe::Paraboloid { radius };
+    let bodies = Bodies::HalfSpace(half_space);
+    let off = recover("half-space", bodies, &exact, &free, 1..9, wrong);
+    assert!(off > 10.0, "{off}");
+}
