@@ -13,5 +13,6 @@ mod lookup;
 mod lookup_errors;
 mod low_rank;
 mod scenes;
+mod stacks;
 mod tables;
 mod xarray;

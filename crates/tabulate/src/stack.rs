@@ -65,8 +65,9 @@
 
 #[cfg(feature = "fit")]
 mod in_fits;
+pub(crate) mod text;
 
-use interp::{Elastic, Material, Probe, System};
+use interp::{Elastic, Material, Probe, StackShape, System};
 
 #[cfg(feature = "fit")]
 pub use self::in_fits::solver;
@@ -233,6 +234,14 @@ impl Stack {
             once += h * compliance;
         }
         series / (16.0 * thrice)
+    }
+
+    /// Returns what a contact needs to know of this stack beside its curve.
+    pub fn shape(&self) -> StackShape {
+        StackShape {
+            compressibility: self.compressibility(),
+            top: self.merged().top().thickness / self.thickness(),
+        }
     }
 
     /// Returns the top layer.

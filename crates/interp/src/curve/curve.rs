@@ -511,8 +511,7 @@ impl Curve {
     fn expanded(&self, x: f64) -> Result<Expansion, Error> {
         let [from, to] = self.range;
         let known = self.accuracy.filter(|accuracy| accuracy.error.is_finite());
-        let is_expandable =
-            x > 0.0 && x < f64::INFINITY && self.stack.is_none();
+        let is_expandable = x > 0.0 && x < f64::INFINITY && self.stack.is_none();
         let (Some(Accuracy { error, tolerance }), true) = (known, is_expandable) else {
             return Err(self.outside(x));
         };

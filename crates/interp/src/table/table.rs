@@ -8,7 +8,9 @@ use crate::table::axes::Axes;
 use crate::table::lookup::Lookup;
 use crate::table::tensor_spline::TensorSpline;
 use crate::table::tiles;
-use crate::{Certificate, Curve, Description, Error, Material, Parameter, Quantity, StackShape, Tile};
+use crate::{
+    Certificate, Curve, Description, Error, Material, Parameter, Quantity, StackShape, Tile,
+};
 
 /// Values of the quantities on a grid of (`a_over_t`, `e1_over_e2`, `nu1`, `e0_over_e2`).
 ///

@@ -1,4 +1,5 @@
-//! Points as CSV: `a_over_t,e1_over_e2,nu1,e0_over_e2[,nu0]` in any order.
+//! Points as CSV: `a_over_t,e1_over_e2,nu1,e0_over_e2[,nu0]` in any order; for a table of one stack
+//! of layers `a_over_t,e1_over_e2`.
 
 use std::io::Write;
 use std::path::Path;
@@ -21,8 +22,31 @@ pub struct Point {
     pub material: Material,
 }
 
-/// The columns. The last, `nu0`, may be missing.
+/// The columns for films. The last, `nu0`, may be missing.
 pub const COLUMNS: [&str; 5] = ["a_over_t", "e1_over_e2", "nu1", "e0_over_e2", "nu0"];
+
+/// The number of columns for one stack of layers, the first of [`COLUMNS`].
+const OF_STACK: usize = 2;
+
+/// What completes the columns of a point.
+#[derive(Clone, Copy)]
+pub enum Given {
+    /// Films, on substrates with this Poisson ratio where there is no column `nu0`.
+    Films { nu0: f64 },
+    /// One stack of layers: the Poisson ratio of its top layer, and of its base, and the ratio of
+    /// their Young's moduli.
+    Stack { nu1: f64, e0_over_e1: f64, nu0: f64 },
+}
+
+impl Given {
+    /// Returns the columns.
+    fn columns(self) -> &'static [&'static str] {
+        match self {
+            Self::Films { .. } => &COLUMNS,
+            Self::Stack { .. } => &COLUMNS[..OF_STACK],
+        }
+    }
+}
 
 /// The largest number of points in memory.
 const BATCH: usize = 4096;
@@ -38,12 +62,12 @@ pub struct Points<'a> {
     /// The number of bytes that may be read until a row is complete.
     room: Room,
     columns: [Option<usize>; 5],
-    nu0: f64,
+    given: Given,
 }
 
 impl<'a> Points<'a> {
-    /// Opens a file and reads its header. A file without a column `nu0` gets the argument `nu0`.
-    pub fn open(path: &'a Path, nu0: f64) -> anyhow::Result<Self> {
+    /// Opens a file and reads its header. What it does not hold is `given`.
+    pub fn open(path: &'a Path, given: Given) -> anyhow::Result<Self> {
         let file = || printable::path(path);
         let (bytes, room) = input::open(path, LONGEST_ROW).with_context(file)?;
         let length = bytes.length();
@@ -51,14 +75,15 @@ impl<'a> Points<'a> {
             .trim(csv::Trim::All)
             .comment(Some(b'#'))
             .from_reader(bytes);
-        let columns = columns(reader.headers().with_context(file)?).with_context(file)?;
+        let columns =
+            columns(reader.headers().with_context(file)?, given.columns()).with_context(file)?;
         Ok(Self {
             path,
             length,
             reader,
             room,
             columns,
-            nu0,
+            given,
         })
     }
 
@@ -135,23 +160,28 @@ impl<'a> Points<'a> {
             return Ok(None);
         }
         let line = record.position().map_or(0, csv::Position::line);
-        point(&record, self.columns, line, self.nu0)
+        point(&record, self.columns, line, self.given)
             .with_context(|| place(self.path, line))
             .map(Some)
     }
 }
 
-/// Returns the position in the file of each of [`COLUMNS`].
-fn columns(headers: &csv::StringRecord) -> anyhow::Result<[Option<usize>; 5]> {
-    let known = |name: &&str| !COLUMNS.contains(name);
-    if let Some(name) = headers.iter().find(known) {
+/// Returns the position in the file of each of [`COLUMNS`], of which `names` are known.
+fn columns(headers: &csv::StringRecord, names: &[&str]) -> anyhow::Result<[Option<usize>; 5]> {
+    let unknown = |name: &&str| !names.contains(name);
+    if let Some(name) = headers.iter().find(unknown) {
+        let of_stack = if names.len() == OF_STACK && COLUMNS.contains(&name) {
+            " for a table of one stack of layers"
+        } else {
+            ""
+        };
         bail!(
-            "the header has an unknown column {name:?}; the columns are {}",
-            COLUMNS.join(", ")
+            "the header has an unknown column {name:?}; the columns{of_stack} are {}",
+            names.join(", ")
         );
     }
     let mut columns = [None; 5];
-    for (column, name) in columns.iter_mut().zip(COLUMNS) {
+    for (column, &name) in columns.iter_mut().zip(names) {
         let mut places = headers
             .iter()
             .enumerate()
@@ -174,9 +204,12 @@ fn point(
     record: &csv::StringRecord,
     columns: [Option<usize>; 5],
     line: u64,
-    nu0: f64,
+    given: Given,
 ) -> anyhow::Result<Point> {
-    let mut values = [0.0, 0.0, 0.0, 0.0, nu0];
+    let mut values = match given {
+        Given::Films { nu0 } => [0.0, 0.0, 0.0, 0.0, nu0],
+        Given::Stack { nu1, nu0, .. } => [0.0, 0.0, nu1, 0.0, nu0],
+    };
     for ((value, column), name) in values.iter_mut().zip(columns).zip(COLUMNS) {
         let Some(field) = column.and_then(|column| record.get(column)) else {
             continue;
@@ -185,7 +218,12 @@ fn point(
             .parse()
             .with_context(|| format!("{name} = {field:?}"))?;
     }
-    let [a_over_t, e1_over_e2, nu1, e0_over_e2, nu0] = values;
+    let [a_over_t, e1_over_e2, nu1, mut e0_over_e2, nu0] = values;
+    if let Given::Stack { e0_over_e1, .. } = given {
+        // Under a rigid sphere it is `E0/E1` itself.
+        let unit = if e1_over_e2 == 0.0 { 1.0 } else { e1_over_e2 };
+        e0_over_e2 = e0_over_e1 * unit;
+    }
     Ok(Point {
         line,
         a_over_t,
@@ -290,7 +328,7 @@ mod tests {
         let (mut refused, mut accepted) = (0, 0);
         each_damaged(SOUND.as_bytes(), &WORDS, 4, |_, bytes| {
             std::fs::write(&path, bytes).expect("written");
-            let Ok(mut points) = Points::open(&path, 0.25) else {
+            let Ok(mut points) = Points::open(&path, Given::Films { nu0: 0.25 }) else {
                 refused += 1;
                 return;
             };

@@ -2,13 +2,15 @@
 
 use std::path::PathBuf;
 
+use anyhow::ensure;
 use clap::ValueHint;
 use interp::{Parameter, Quantity, SubstratePoissonRatio, Table};
 
 use super::output::Output;
-use super::points::{Answer, COLUMNS, Point, Points};
+use super::points::{Answer, COLUMNS, Given, Point, Points};
 use super::table_name::{self, TableName};
-use crate::table::DEFAULT_NU0;
+use crate::Error;
+use crate::table::{DEFAULT_NU0, StackTable};
 
 /// Look up every point of a CSV file in a table
 ///
@@ -16,7 +18,8 @@ use crate::table::DEFAULT_NU0;
 /// certified relative error of the table: the largest at sampled points. At an a/t outside the
 /// table, the values and the error are those of the expansion about the limit of a thin or a thick
 /// film, where that keeps the tolerance of the table. Any other point outside the table is an
-/// error. Points are answered in batches: at an error, those before the batch are printed already,
+/// error. A table of one stack of layers has no answers beyond its a/t, and needs the columns a_over_t
+/// and e1_over_e2 alone, those of the top layer. Points are answered in batches: at an error, those before the batch are printed already,
 /// and a file is not written. The moduli are Young's moduli over the sphere's reduced modulus E2*, see
 /// `tabulate --help`.
 #[derive(clap::Args)]
@@ -52,25 +55,47 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         SubstratePoissonRatio::Fixed(nu0) => nu0,
         SubstratePoissonRatio::Paired => DEFAULT_NU0,
     };
-    let points = Points::open(&arguments.points, nu0)?;
+    let stack = table
+        .is_of_stack()
+        .then(|| StackTable::new(&table))
+        .transpose()?;
+    ensure!(
+        stack.is_none() || !arguments.gradient,
+        "{} is of one stack of layers, which has no derivatives: leave out --gradient",
+        arguments.table
+    );
+    let given = match &stack {
+        None => Given::Films { nu0 },
+        Some(_) => Given::Stack {
+            nu1: table.axis(Parameter::Nu1)[0],
+            e0_over_e1: table.axis(Parameter::E0OverE1)[0],
+            nu0,
+        },
+    };
+    let points = Points::open(&arguments.points, given)?;
     let derivatives: Vec<String> = Quantity::ALL
         .iter()
         .flat_map(|quantity| COLUMNS.map(|column| format!("d_{}_d_{column}", quantity.name())))
         .filter(|_| arguments.gradient)
         .collect();
     points.answer("looking up", &output, &derivatives, |point| {
-        Ok(look_up(&table, point, arguments.gradient)?)
+        Ok(look_up(&table, stack.as_ref(), point, arguments.gradient)?)
     })
 }
 
 /// Looks up the quantities that `table` holds at one point.
-fn look_up(table: &Table, point: &Point, gradient: bool) -> Result<Answer, interp::Error> {
+fn look_up(
+    table: &Table,
+    stack: Option<&StackTable<'_>>,
+    point: &Point,
+    gradient: bool,
+) -> Result<Answer, Error> {
     let x = point.a_over_t;
-    let curve = if gradient {
-        table.curve_with_gradient(&point.material)
-    } else {
-        table.curve(&point.material)
-    }?;
+    let curve = match stack {
+        Some(stack) => table.stack_curve(point.material.e1_over_e2(), stack.stack().shape())?,
+        None if gradient => table.curve_with_gradient(&point.material)?,
+        None => table.curve(&point.material)?,
+    };
     let mut values = [None; 4];
     for quantity in table.quantities() {
         values[quantity as usize] = Some(curve.quantity(quantity, x)?);

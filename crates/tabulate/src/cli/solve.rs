@@ -8,7 +8,7 @@ use interp::Material;
 
 use super::json::Number;
 use super::output::Output;
-use super::points::{Answer, Points, number};
+use super::points::{Answer, Given, Points, number};
 use super::print;
 use super::stack_file;
 use crate::solve::{PowerLaw, Solution, solve_power_laws, solve_stack_power_laws};
@@ -208,7 +208,7 @@ fn print_solution(
 
 fn solve_file(arguments: &Arguments, path: &Path) -> anyhow::Result<()> {
     let output = Output::new(arguments.output.as_deref(), [Some(path)])?;
-    let points = Points::open(path, arguments.nu0)?;
+    let points = Points::open(path, Given::Films { nu0: arguments.nu0 })?;
     let exponents = &arguments.exponents;
     points.answer("solving", &output, &further_columns(exponents), |point| {
         let (solution, power_laws) = solve_power_laws(

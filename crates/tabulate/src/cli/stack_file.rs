@@ -3,11 +3,10 @@
 use std::io::Read;
 use std::path::Path;
 
-use anyhow::{Context, anyhow, bail};
-use interp::Elastic;
-use serde::Deserialize;
+use anyhow::{Context, anyhow};
 
-use crate::stack::{Layer, Stack};
+pub use crate::stack::text::NamedStack;
+use crate::stack::text::Text;
 use crate::{Error, input, printable};
 
 /// The help of an argument that names a stack file. Clap shows it as it stands.
@@ -17,39 +16,6 @@ pub const HELP: &str = "Stack of layers, as a TOML file in SI units: base = { yo
 
 /// The largest number of bytes of a stack file. A larger one is taken for a mistake.
 const LONGEST: u64 = 1 << 20;
-
-/// The keys of a stack file, before they are checked.
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct Text {
-    base: Base,
-    #[serde(default)]
-    layers: Vec<TextLayer>,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct Base {
-    young_modulus: f64,
-    poisson_ratio: Option<f64>,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct TextLayer {
-    name: Option<String>,
-    young_modulus: f64,
-    poisson_ratio: f64,
-    thickness: f64,
-}
-
-/// A stack as a file gives it.
-#[derive(Debug)]
-pub struct NamedStack {
-    pub stack: Stack,
-    /// The names of the layers, from the base up.
-    pub names: Vec<Option<String>>,
-}
 
 /// Reads a stack file. An error names the file, and the layer if it is about one.
 pub fn read(path: &Path) -> anyhow::Result<NamedStack> {
@@ -65,52 +31,15 @@ pub fn read(path: &Path) -> anyhow::Result<NamedStack> {
 
 /// Parses the text of a stack file.
 fn parse(text: &str) -> anyhow::Result<NamedStack> {
-    let Text { base, layers } =
+    let text: Text =
         toml::from_str(text).map_err(|error| anyhow!("{}", error.to_string().trim_end()))?;
-    let names: Vec<Option<String>> = layers.iter().map(|layer| layer.name.clone()).collect();
-    let of_layer = |i: usize| match &names[i] {
-        Some(name) => format!("layer {name:?}, {} of {} from the base", i + 1, names.len()),
-        None => format!("layer {} of {} from the base", i + 1, names.len()),
-    };
-    for (i, name) in names.iter().enumerate() {
-        let first = names.iter().position(|other| other == name);
-        if let (Some(_), Some(first)) = (name, first)
-            && first < i
-        {
-            bail!(
-                "{}: layer {} has this name, too; give another",
-                of_layer(i),
-                first + 1
-            );
-        }
-    }
-    let base = match base.poisson_ratio {
-        Some(poisson) => Elastic::new(base.young_modulus, poisson).context("base")?,
-        // A rigid body has none; any one serves.
-        None if base.young_modulus == f64::INFINITY => Elastic::new(f64::INFINITY, 0.0)?,
-        None => bail!(
-            "base: poisson_ratio is missing; give one in (-1, 0.5], or young_modulus = inf for a rigid base"
-        ),
-    };
-    let solids = layers.iter().enumerate().map(|(i, layer)| {
-        Ok(Layer {
-            solid: Elastic::new(layer.young_modulus, layer.poisson_ratio)
-                .with_context(|| of_layer(i))?,
-            thickness: layer.thickness,
-        })
-    });
-    match Stack::new(base, solids.collect::<anyhow::Result<Vec<_>>>()?) {
-        Ok(stack) => Ok(NamedStack { stack, names }),
-        Err(Error::Layer { layer, what, .. }) => bail!("{}: {what}", of_layer(layer - 1)),
-        Err(Error::NoLayers) => bail!(
-            "there is no [[layers]]: a stack needs at least one, with young_modulus, poisson_ratio and thickness"
-        ),
-        Err(error) => Err(error.into()),
-    }
+    text.stack().map_err(|what| anyhow!(what))
 }
 
 #[cfg(test)]
 mod tests {
+    use interp::Elastic;
+
     use super::*;
     use crate::hostile::each_damaged;
 

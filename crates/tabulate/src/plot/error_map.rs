@@ -55,7 +55,7 @@ pub fn fixed(table: &Table) -> Option<(&'static str, f64)> {
 /// # Errors
 /// [`Error::Picture`] for a table that fixes `a/t` or `E1/E2*`; those of the solve.
 pub fn data(table: &Table, progress: &(dyn Fn(usize) + Sync)) -> Result<Data, Error> {
-    if table.parameters() != Parameter::ALL {
+    if table.parameters()[1] != Parameter::E1OverE2 {
         return Err(Error::Picture(
             "the map is over a/t and E1/E2*, and the table has other axes; give a table with \
              e1_over_e2, or none for that of the default scene"

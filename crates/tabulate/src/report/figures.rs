@@ -32,11 +32,15 @@ pub fn steps(table: &Table) -> usize {
 /// number of cells done.
 ///
 /// # Errors
-/// Those of the solve.
+/// Those of the solve; [`interp::Error::OfStack`] for a table of a stack of layers, of which there is
+/// no page.
 pub fn figures(
     table: &Table,
     progress: &(dyn Fn(usize) + Sync),
 ) -> Result<Vec<Illustration>, Error> {
+    if table.is_of_stack() {
+        return Err(interp::Error::OfStack.into());
+    }
     let mut figures = Vec::new();
     if error_map::fixed(table).is_none() {
         let figure = error_map::figure(&error_map::data(table, progress)?);

@@ -48,13 +48,17 @@ const SEED: u64 = 1;
 /// byte for byte.
 ///
 /// # Errors
-/// [`Error::PageProbe`] for a probe that the page does not compute; those of [`compress`], of
-/// [`Table::to_packed`], of the lookup and of the drawing.
+/// [`Error::PageProbe`] for a probe that the page does not compute; [`interp::Error::OfStack`] for a
+/// table of a stack of layers; those of [`compress`], of [`Table::to_packed`], of the lookup and of
+/// the drawing.
 pub fn report(
     table: &Table,
     illustrations: &[Illustration],
     probe: &Probe,
 ) -> Result<String, Error> {
+    if table.is_of_stack() {
+        return Err(interp::Error::OfStack.into());
+    }
     let opening = opening(table, probe)?;
     let embedded = embedded(table)?;
     let packed = embedded.to_packed()?;
@@ -247,6 +251,7 @@ fn symbol(parameter: Parameter, table: &Table) -> (&'static str, &'static str) {
             "E₀*/E₂*",
             "substrate’s reduced modulus over the sphere’s reduced modulus",
         ),
+        Parameter::E0OverE1 => ("E₀/E₁", "base’s Young’s modulus over that of the top layer"),
     }
 }
 

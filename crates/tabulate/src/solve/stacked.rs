@@ -1,7 +1,7 @@
 //! A stack of layers under a sphere: solves it as a film where it is one, by Galerkin's method
 //! otherwise.
 
-use interp::{Curve, Material, Normalisation, Quantities, StackShape};
+use interp::{Curve, Material, Normalisation, Quantities};
 
 use crate::Error;
 use crate::solve::adaptive_curve::{check_range, curve_of};
@@ -88,10 +88,28 @@ pub fn stack_curve(
             reached,
         },
     )?;
-    Ok(curve.of_stack(StackShape {
-        compressibility: stack.compressibility(),
-        top: stack.merged().top().thickness / stack.thickness(),
-    }))
+    Ok(curve.of_stack(stack.shape()))
+}
+
+/// Accepts contacts with a stack up to `a_over_t`, which are not too wide beside its top layer.
+///
+/// # Errors
+/// [`Error::StackReach`]
+pub fn check_reach(stack: &Stack, a_over_t: f64) -> Result<(), Error> {
+    let merged = stack.merged();
+    let layers = merged.layers().len();
+    let thickness_over_top = stack.thickness() / merged.top().thickness;
+    let reach = MOST_A_OVER_TOP / thickness_over_top;
+    // One layer is solved as a film.
+    if layers == 1 || a_over_t <= reach {
+        return Ok(());
+    }
+    Err(Error::StackReach {
+        a_over_t,
+        reach,
+        thickness_over_top,
+        layers,
+    })
 }
 
 /// The way in which the compliance of a stack is evaluated.
@@ -145,17 +163,10 @@ impl StackContact {
                 [f64::MIN_POSITIVE, f64::MAX],
             )?;
         }
+        check_reach(stack, a_over_t)?;
         let thickness_over_top = stack.thickness() / merged.top().thickness;
-        let reach = MOST_A_OVER_TOP / thickness_over_top;
         let form = if layers == 1 {
             Form::Film(of_top)
-        } else if a_over_t > reach {
-            return Err(Error::StackReach {
-                a_over_t,
-                reach,
-                thickness_over_top,
-                layers,
-            });
         } else {
             let compliance = LayeredCompliance::new(&merged);
             if evaluation == Evaluation::Sampled && layers >= MANY_LAYERS {

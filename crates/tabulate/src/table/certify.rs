@@ -7,6 +7,7 @@ use rand_pcg::Pcg64Mcg;
 
 use crate::Error;
 use crate::parallel::try_map;
+use crate::table::of_stack::StackTable;
 use crate::table::scene::material;
 use crate::table::sweep::solve_for_table;
 
@@ -100,8 +101,9 @@ pub fn measure(
     seed: u64,
     progress: &(dyn Fn(usize) + Sync),
 ) -> Result<Vec<Sample>, Error> {
+    let stack = stack_of(table)?;
     try_map(places(table, points, seed), |point| {
-        let sample = sample(table, point)?;
+        let sample = sample_of(table, stack.as_ref(), point)?;
         progress(1);
         Ok(sample)
     })
@@ -218,11 +220,32 @@ impl<'a> Axis<'a> {
 /// # Errors
 /// Those of the solve; [`Error::Table`] for a point outside the table.
 pub fn sample(table: &Table, point: [f64; 4]) -> Result<Sample, Error> {
+    sample_of(table, stack_of(table)?.as_ref(), point)
+}
+
+/// Returns a table of a stack of layers with its stack; none for a table of films.
+fn stack_of(table: &Table) -> Result<Option<StackTable<'_>>, Error> {
+    table
+        .is_of_stack()
+        .then(|| StackTable::new(table))
+        .transpose()
+}
+
+/// Compares a table, which is that of a `stack` if one is given, with the direct solve at one point.
+fn sample_of(
+    table: &Table,
+    stack: Option<&StackTable<'_>>,
+    point: [f64; 4],
+) -> Result<Sample, Error> {
     let [a_over_t, values @ ..] = point;
     let description = table.description();
     let material = material(table.parameters(), description.nu0, values)?;
-    let solved = solve_for_table(a_over_t, &material, description.tolerance)?;
-    let curve = table.curve(&material)?;
+    let layers = stack.map(StackTable::stack);
+    let solved = solve_for_table(a_over_t, &material, layers, description.tolerance)?;
+    let curve = match stack {
+        None => table.curve(&material)?,
+        Some(stack) => stack.curve(stack.stack().surface().young() / material.e1_over_e2())?,
+    };
     let (mut error, mut quantity) = (-1.0, Quantity::Pi0);
     for candidate in Quantity::ALL {
         let value = match curve.quantity(candidate, a_over_t) {

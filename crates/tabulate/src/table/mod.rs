@@ -5,7 +5,8 @@
 //! the nodes, into the `journal`, from which an interrupted run goes on. `certify` measures the
 //! certificate: the largest error at sampled points. `file` writes the file, packed or by
 //! `archive` as HDF5. `generate` runs all of these within a `budget`; `build` names the program
-//! whose pieces a journal holds. `compress` makes the low-rank form of a finished table.
+//! whose pieces a journal holds. `compress` makes the low-rank form of a finished table. `of_stack`
+//! looks up a table of one stack of layers.
 
 pub mod archive;
 mod budget;
@@ -16,6 +17,7 @@ mod file;
 mod generate;
 mod journal;
 mod lines;
+mod of_stack;
 mod placement;
 mod plan;
 pub(crate) mod scene;
@@ -29,6 +31,7 @@ pub use certify::{Sample, certificate, certify, default_points, measure, points_
 pub use compress::{compress, low_rank};
 pub use generate::{Generated, Here, Keep, Observer, Options, Solver, generate, generate_with};
 pub use lines::{lines, logarithms};
+pub use of_stack::StackTable;
 pub use placement::{EVENNESS, Placement, places};
 pub use plan::Plan;
 pub use scene::{DEFAULT_NU0, Extent, Scene};

@@ -17,7 +17,7 @@ use crate::table::scene::{Extent, MOST_NODES, Scene};
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Plan {
-    /// The parameters of the table: [`Parameter::ALL`] or [`Parameter::REDUCED`].
+    /// The parameters of the table: those of the scene.
     pub parameters: [Parameter; 4],
     /// The rule of each parameter.
     pub placements: [Placement; 4],

@@ -1,7 +1,8 @@
 //! Scenes: the box of parameters to tabulate, as a TOML file of data.
 //!
 //! A range of a parameter becomes an axis of the table. A single number is held fixed and adds no
-//! cost.
+//! cost. A scene with a `[stack]` is of these layers under spheres of any modulus: its axes are
+//! `a_over_t`, over the thickness of all layers, and `e1_over_e2` of the top layer.
 
 use std::fmt;
 use std::io::Read;
@@ -13,7 +14,8 @@ use rand_pcg::Pcg64Mcg;
 use serde::de::{Error as _, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer};
 
-use crate::solve::A_OVER_T;
+use crate::solve::{A_OVER_T, check_reach};
+use crate::stack::{Stack, text};
 use crate::{Error, input};
 
 /// The keys of a scene, before they are checked.
@@ -28,11 +30,11 @@ struct Text {
     a_over_t: Values,
     e1_over_e2: Option<Values>,
     e1s_over_einfs: Option<Values>,
-    nu1: Values,
+    nu1: Option<Values>,
     e0_over_e2: Option<Values>,
     e0s_over_e2s: Option<Values>,
-    #[serde(default)]
-    nu0: Nu0,
+    nu0: Option<Nu0>,
+    stack: Option<text::Text>,
 }
 
 fn default_tolerance() -> f64 {
@@ -156,14 +158,109 @@ pub struct Scene {
     pub tolerance: f64,
     /// The quantities of the table, in the order of [`Quantity::ALL`].
     pub quantities: Vec<Quantity>,
-    /// The parameters of the table: [`Parameter::ALL`] or [`Parameter::REDUCED`].
+    /// The parameters of the table: [`Parameter::ALL`], [`Parameter::REDUCED`] or
+    /// [`Parameter::STACK`].
     pub parameters: [Parameter; 4],
     /// The values of the parameters, in their order.
     pub extents: [Extent; 4],
     /// The substrate's Poisson ratio.
     pub nu0: SubstratePoissonRatio,
+    /// The stack of layers, if the parameters are those of a stack.
+    pub stack: Option<Stack>,
     /// The TOML text.
     pub text: String,
+}
+
+/// The box of a scene, and what it is of.
+struct Bounds {
+    parameters: [Parameter; 4],
+    extents: [Extent; 4],
+    nu0: SubstratePoissonRatio,
+    stack: Option<Stack>,
+}
+
+impl Bounds {
+    /// Returns the box of films on substrates.
+    fn of_films(scene: &Text) -> Result<Self, String> {
+        let (parameters, [film, substrate]) = match (
+            [&scene.e1_over_e2, &scene.e0_over_e2],
+            [&scene.e1s_over_einfs, &scene.e0s_over_e2s],
+        ) {
+            ([Some(film), Some(substrate)], [None, None]) => (Parameter::ALL, [film, substrate]),
+            ([None, None], [Some(film), Some(substrate)]) => {
+                (Parameter::REDUCED, [film, substrate])
+            }
+            _ => {
+                return Err(
+                    "the moduli must be given by e1_over_e2 and e0_over_e2 (Young's moduli over \
+                     E2*), or by e1s_over_einfs and e0s_over_e2s (ratios of reduced moduli)"
+                        .into(),
+                );
+            }
+        };
+        let Some(nu1) = &scene.nu1 else {
+            return Err("nu1 is missing: give a number or a range in (-1, 0.5]".into());
+        };
+        let mut extents = [Extent::Fixed(0.0); 4];
+        let given = [&scene.a_over_t, film, nu1, substrate];
+        for ((extent, parameter), values) in extents.iter_mut().zip(parameters).zip(given) {
+            *extent = checked(parameter, values)?;
+        }
+        let nu0 = scene.nu0.clone().unwrap_or_default().into();
+        // The pairs of Poisson ratios are those of film and substrate with 0 to 0.5.
+        if nu0 == SubstratePoissonRatio::Paired && extents[2].ends()[0] < 0.0 {
+            return Err(format!(
+                "nu1 = {:?} has no pair: with nu0 = \"paired\", nu1 must be in 0 to 0.5",
+                extents[2].ends()[0]
+            ));
+        }
+        Ok(Self {
+            parameters,
+            extents,
+            nu0,
+            stack: None,
+        })
+    }
+
+    /// Returns the box of a stack of layers.
+    fn of_stack(scene: &Text, stack: text::Text) -> Result<Self, String> {
+        let settled = [
+            ("nu1", scene.nu1.is_some()),
+            ("nu0", scene.nu0.is_some()),
+            ("e0_over_e2", scene.e0_over_e2.is_some()),
+            ("e1s_over_einfs", scene.e1s_over_einfs.is_some()),
+            ("e0s_over_e2s", scene.e0s_over_e2s.is_some()),
+        ];
+        if let Some((key, _)) = settled.iter().find(|(_, given)| *given) {
+            return Err(format!(
+                "{key} does not go with [stack], whose layers and base have their moduli and Poisson \
+                 ratios: leave it out"
+            ));
+        }
+        let Some(spheres) = &scene.e1_over_e2 else {
+            return Err(
+                "e1_over_e2 is missing: give a number or a range, Young's modulus of the top \
+                 layer over the sphere's reduced modulus E2* (0: rigid sphere)"
+                    .into(),
+            );
+        };
+        let stack = stack
+            .stack()
+            .map_err(|what| format!("stack: {what}"))?
+            .stack;
+        let (top, base) = (stack.surface(), stack.base());
+        Ok(Self {
+            parameters: Parameter::STACK,
+            extents: [
+                checked(Parameter::AOverT, &scene.a_over_t)?,
+                checked(Parameter::E1OverE2, spheres)?,
+                Extent::Fixed(top.poisson()),
+                Extent::Fixed(base.young() / top.young()),
+            ],
+            nu0: SubstratePoissonRatio::Fixed(base.poisson()),
+            stack: Some(stack),
+        })
+    }
 }
 
 /// The Poisson ratio of the substrate where none is stated.
@@ -208,7 +305,7 @@ impl Scene {
         }
         let tolerance = tolerance.unwrap_or(scene.tolerance);
         within("tolerance", tolerance, TOLERANCE)?;
-        let mut quantities = scene.quantities;
+        let mut quantities = scene.quantities.clone();
         quantities.sort();
         if quantities.is_empty() || quantities.windows(2).any(|pair| pair[0] == pair[1]) {
             return Err(format!(
@@ -216,35 +313,15 @@ impl Scene {
                 Quantity::ALL.map(Quantity::name).join(", ")
             ));
         }
-        let (parameters, [film, substrate]) = match (
-            [scene.e1_over_e2, scene.e0_over_e2],
-            [scene.e1s_over_einfs, scene.e0s_over_e2s],
-        ) {
-            ([Some(film), Some(substrate)], [None, None]) => (Parameter::ALL, [film, substrate]),
-            ([None, None], [Some(film), Some(substrate)]) => {
-                (Parameter::REDUCED, [film, substrate])
-            }
-            _ => {
-                return Err(
-                    "the moduli must be given by e1_over_e2 and e0_over_e2 (Young's moduli over \
-                     E2*), or by e1s_over_einfs and e0s_over_e2s (ratios of reduced moduli)"
-                        .into(),
-                );
-            }
+        let Bounds {
+            parameters,
+            extents,
+            nu0,
+            stack,
+        } = match scene.stack.clone() {
+            Some(stack) => Bounds::of_stack(&scene, stack)?,
+            None => Bounds::of_films(&scene)?,
         };
-        let mut extents = [Extent::Fixed(0.0); 4];
-        let given = [scene.a_over_t, film, scene.nu1, substrate];
-        for ((extent, parameter), values) in extents.iter_mut().zip(parameters).zip(given) {
-            *extent = checked(parameter, &values)?;
-        }
-        let nu0 = scene.nu0.into();
-        // The pairs of Poisson ratios are those of film and substrate with 0 to 0.5.
-        if nu0 == SubstratePoissonRatio::Paired && extents[2].ends()[0] < 0.0 {
-            return Err(format!(
-                "nu1 = {:?} has no pair: with nu0 = \"paired\", nu1 must be in 0 to 0.5",
-                extents[2].ends()[0]
-            ));
-        }
         let scene = Self {
             title: scene.title,
             tolerance,
@@ -252,12 +329,26 @@ impl Scene {
             parameters,
             extents,
             nu0,
+            stack,
             text: text.to_owned(),
         };
         // Every bound is on one parameter alone, so that two corners stand for the whole box.
         for corner in [0, 1] {
             let [_, values @ ..] = extents.map(|extent| extent.ends()[corner]);
             scene.material(values).map_err(|e| e.to_string())?;
+        }
+        if let Some(stack) = &scene.stack {
+            check_reach(stack, extents[0].ends()[1]).map_err(|e| e.to_string())?;
+            let young = stack.surface().young();
+            let [softest, stiffest] = extents[1].ends();
+            if !(young / stiffest >= f64::MIN_POSITIVE && young / softest < f64::INFINITY)
+                && stiffest > 0.0
+            {
+                return Err(format!(
+                    "e1_over_e2 = {softest:?} to {stiffest:?} with a top layer of {young:?} Pa are spheres \
+                     beyond double precision: give the moduli of the stack in Pa"
+                ));
+            }
         }
         Ok(scene)
     }
@@ -312,10 +403,11 @@ pub(crate) fn material(
     [film, nu1, substrate]: [f64; 3],
 ) -> Result<Material, Error> {
     let nu0 = nu0.under(nu1);
-    Ok(if parameters == Parameter::REDUCED {
-        Material::of_reduced_moduli(film, nu1, substrate, nu0)?
-    } else {
-        Material::new(film, nu1, substrate, nu0)?
+    Ok(match parameters[3] {
+        Parameter::E0sOverE2s => Material::of_reduced_moduli(film, nu1, substrate, nu0)?,
+        // Under a rigid sphere a material holds `E0/E1` itself.
+        Parameter::E0OverE1 if film > 0.0 => Material::new(film, nu1, film * substrate, nu0)?,
+        _ => Material::new(film, nu1, substrate, nu0)?,
     })
 }
 
@@ -340,16 +432,13 @@ pub(crate) fn random_points(
     (0..count).map(|_| parameters.map(&mut value)).collect()
 }
 
-/// Returns the message of the TOML reader, or a better one for a stack of layers.
+/// Returns the message of the TOML reader, or a better one for layers outside of a stack.
 fn explained(text: &str, error: &toml::de::Error) -> String {
     let keys = text.parse::<toml::Table>().unwrap_or_default();
-    let is_of_stack = |key: &&String| key.starts_with("layer") || *key == "stack";
-    match keys.keys().find(is_of_stack) {
+    match keys.keys().find(|key| key.starts_with("layer")) {
         Some(key) => format!(
-            "{key}: stacks of layers are not tabulated; `tabulate solve`, `curve`, `pull-off`, `fit` and \
-             `simulate` take one with --stack and solve it directly. A scene is one film on a half-space, \
-             with the keys title, tolerance, quantities, a_over_t, e1_over_e2 (or e1s_over_einfs), nu1, \
-             e0_over_e2 (or e0s_over_e2s) and nu0"
+            "{key}: the layers of a scene are in its table [stack]: write [stack] with base = {{ .. }}, then a \
+             [[stack.layers]] for each layer, after the keys title, tolerance, quantities, a_over_t and e1_over_e2"
         ),
         None => error.to_string().trim_end().to_owned(),
     }

@@ -3,8 +3,10 @@
 use interp::{Material, Parameter, Quantities, Quantity};
 
 use crate::Error;
+use crate::parallel::try_map;
 use crate::solve::batch::Batch;
-use crate::solve::{TOLERANCE, solve};
+use crate::solve::{TOLERANCE, solve, solve_stack};
+use crate::stack::Stack;
 use crate::table::scene::Scene;
 
 /// Returns the relative tolerance of the solves for a table: a hundredth of the table's own, within
@@ -13,17 +15,25 @@ pub fn solve_tolerance(table_tolerance: f64) -> f64 {
     (0.01 * table_tolerance).clamp(TOLERANCE[0], 1e-6)
 }
 
-/// Solves one contact to [`solve_tolerance`]; to a fifth of the table's tolerance in the corners
-/// where double precision does not allow more.
+/// Solves one contact of a film, or of the `stack` under the sphere of the `material`, to
+/// [`solve_tolerance`]; to a fifth of the table's tolerance in the corners where double precision
+/// does not allow more.
 ///
 /// # Errors
-/// Those of [`solve`].
+/// Those of [`solve`] and [`solve_stack`].
 pub(crate) fn solve_for_table(
     a_over_t: f64,
     material: &Material,
+    stack: Option<&Stack>,
     table_tolerance: f64,
 ) -> Result<Quantities, Error> {
-    let solve = |tolerance| solve(a_over_t, material, tolerance);
+    let solve = |tolerance| match stack {
+        None => solve(a_over_t, material, tolerance),
+        Some(stack) => {
+            let sphere_modulus = stack.surface().young() / material.e1_over_e2();
+            solve_stack(a_over_t, stack, sphere_modulus, tolerance)
+        }
+    };
     Ok(solve(solve_tolerance(table_tolerance))
         .or_else(|_| solve((0.2 * table_tolerance).min(TOLERANCE[1])))?
         .quantities)
@@ -134,11 +144,20 @@ impl<'a> Sweep<'a> {
         progress: &(dyn Fn(usize) + Sync),
     ) -> Result<Vec<f64>, Error> {
         let (a_over_t, tolerance) = (self.axes[0].1[piece], self.scene.tolerance);
-        let alone = |material: &Material| solve_for_table(a_over_t, material, tolerance);
-        let solved = self
-            .batch
-            .solve(a_over_t, solve_tolerance(tolerance), &alone, progress)?;
+        let stack = self.scene.stack.as_ref();
+        let alone = |material: &Material| solve_for_table(a_over_t, material, stack, tolerance);
         let materials = self.batch.materials();
+        let solved = if stack.is_some() {
+            // The batch knows the compliance of films.
+            try_map(materials, |material| {
+                let solved = alone(material)?;
+                progress(1);
+                Ok::<_, Error>(solved)
+            })?
+        } else {
+            self.batch
+                .solve(a_over_t, solve_tolerance(tolerance), &alone, progress)?
+        };
         let of = |quantity: Quantity| {
             solved
                 .iter()

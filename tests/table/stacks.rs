@@ -1,0 +1,336 @@
+//! Tables of one stack of layers: their lookups are those of direct solves of the stack, in every
+//! form of the file, and lookups of films are refused.
+
+use acceptance::{
+    Workdir, assert_names, larger, layer, relative_error, solid, stack, table, workdir,
+};
+use interp::{Error, Material, Parameter, Quantity, Table};
+use tabulate::stack::Stack;
+use tabulate::table::{Scene, StackTable};
+use tabulate::{solve_stack, stack_curve};
+
+const AXES: &str = "\
+title = 'Layers'
+tolerance = 1e-6
+a_over_t = { from = 0.03, to = 30 }
+e1_over_e2 = { from = 1e-2, to = 1e2 }
+";
+const STACK: &str = "\
+[stack]
+base = { young_modulus = 2e11, poisson_ratio = 0.25 }
+[[stack.layers]]
+name = 'primer'
+young_modulus = 5e5
+poisson_ratio = 0.5
+thickness = 2.5e-6
+[[stack.layers]]
+young_modulus = 3.5e6
+poisson_ratio = 0.49
+thickness = 7.5e-6
+";
+
+fn scene() -> String {
+    format!("{AXES}{STACK}")
+}
+
+/// The stack of [`STACK`], apart from its text.
+fn layers() -> Stack {
+    stack(
+        solid(2e11, 0.25),
+        &[layer(5e5, 0.5, 2.5e-6), layer(3.5e6, 0.49, 7.5e-6)],
+    )
+}
+
+/// Returns places from 0 to 1 that are nodes of no axis.
+fn places(count: u32) -> impl Iterator<Item = [f64; 2]> {
+    (0..count).map(|i| [0.618_034, 0.754_878].map(|step| (f64::from(i) + 0.5) * step % 1.0))
+}
+
+/// Returns the largest relative error of the lookups in a table, against direct solves to 1e-11.
+fn largest_error(table: &Table) -> f64 {
+    let (found, stack) = (StackTable::new(table).expect("a stack"), layers());
+    assert_eq!(found.stack(), &stack);
+    let mut worst = 0.0;
+    for [x, sphere] in places(200) {
+        let a_over_t = 0.03 * 1000_f64.powf(x);
+        let sphere_modulus = 3.5e6 / (1e-2 * 1e4_f64.powf(sphere));
+        let curve = found.curve(sphere_modulus).expect("inside");
+        let truth = solve_stack(a_over_t, &stack, sphere_modulus, 1e-11).expect("in reach");
+        let found = curve.quantities(a_over_t).expect("inside");
+        worst = larger(worst, relative_error(&found, &truth.quantities));
+    }
+    worst
+}
+
+#[test]
+fn lookups_between_the_nodes_are_direct_solves() {
+    let dense = table(&scene());
+    assert_eq!(dense.parameters(), Parameter::STACK);
+    let certified = dense.description().certificate.max_error;
+    let error = largest_error(&dense);
+    println!(
+        "{:?}: {error:.1e}, certified {certified:.1e}",
+        dense.shape()
+    );
+    assert!(certified <= 1e-6 && error <= 1e-6);
+    let packed = Table::from_packed(&dense.to_packed().expect("small")).expect("sound");
+    assert_eq!(largest_error(&packed), error);
+}
+
+/// A contact of the table is that of the curve of the stack, with the same answers about its layers.
+#[test]
+fn a_contact_is_that_of_the_curve_of_the_stack() {
+    let (dense, stack) = (table(&scene()), layers());
+    let found = StackTable::new(&dense).expect("a stack");
+    for sphere_modulus in [1e5, 2e6, 1e8] {
+        let contact = found.contact(1e-3, sphere_modulus).expect("inside");
+        let curve = stack_curve(&stack, sphere_modulus, [0.03, 30.0], 1e-9).expect("in reach");
+        let system = stack.system(1e-3, sphere_modulus);
+        let solved = interp::Contact::new(&system, curve).expect("its curve");
+        for radius in [5e-6, 2e-5, 1e-4] {
+            let [found, solved] = [&contact, &solved]
+                .map(|contact| contact.load_and_penetration(radius, 0.0).expect("inside"));
+            assert!((found.0 / solved.0 - 1.0).abs() <= 1e-6);
+            assert!((found.1 / solved.1 - 1.0).abs() <= 1e-6);
+        }
+        let [found, solved] = [&contact, &solved].map(|contact| contact.curve().and_then(interp::Curve::stack));
+        assert_eq!(found, solved);
+        assert!(found.is_some());
+    }
+}
+
+/// A single layer is a film, whose solver and tables are others.
+#[test]
+fn one_layer_is_the_film() {
+    let film = "[stack]\nbase = { young_modulus = 1e8, poisson_ratio = 0.3 }\n[[stack.layers]]\n\
+        young_modulus = 2e6\npoisson_ratio = 0.4\nthickness = 1e-6\n";
+    let dense = table(&format!("{AXES}{film}"));
+    let mut worst = 0.0;
+    for [x, sphere] in places(50) {
+        let (a_over_t, e1) = (0.03 * 1000_f64.powf(x), 1e-2 * 1e4_f64.powf(sphere));
+        let material = Material::new(e1, 0.4, 50.0 * e1, 0.3).expect("physical");
+        let truth = tabulate::solve(a_over_t, &material, 1e-11).expect("in reach");
+        let table = StackTable::new(&dense).expect("a stack");
+        let curve = table.curve(2e6 / e1).expect("inside");
+        let found = curve.quantities(a_over_t).expect("inside");
+        worst = larger(worst, relative_error(&found, &truth.quantities));
+    }
+    println!("one layer: {worst:.1e}");
+    assert!(worst <= 1e-6);
+}
+
+/// Limits: a rigid sphere, and a rigid base, which needs no Poisson ratio.
+#[test]
+fn rigid_bodies_are_limits() {
+    let rigid = scene()
+        .replace("{ from = 1e-2, to = 1e2 }", "0")
+        .replace("2e11, poisson_ratio = 0.25", "inf");
+    let dense = table(&rigid);
+    assert_eq!(dense.unit(), "E1*");
+    let found = StackTable::new(&dense).expect("a stack");
+    let curve = found.curve(f64::INFINITY).expect("rigid");
+    let mut worst = 0.0;
+    for [x, _] in places(50) {
+        let a_over_t = 0.03 * 1000_f64.powf(x);
+        let truth = solve_stack(a_over_t, found.stack(), f64::INFINITY, 1e-11).expect("in reach");
+        let values = curve.quantities(a_over_t).expect("inside");
+        worst = larger(worst, relative_error(&values, &truth.quantities));
+    }
+    println!("rigid bodies: {worst:.1e}");
+    assert!(worst <= 1e-6);
+    assert!(matches!(
+        dense.stack_curve(1.0, found.stack().shape()),
+        Err(Error::Normalisation { .. })
+    ));
+}
+
+#[test]
+fn what_a_table_of_a_stack_does_not_answer_is_an_error() {
+    let dense = table(&scene());
+    let film = Material::new(1.75, 0.49, 1e5, 0.25).expect("physical");
+    assert!(matches!(dense.curve(&film), Err(Error::OfStack)));
+    assert!(matches!(
+        dense.curve_with_gradient(&film),
+        Err(Error::OfStack)
+    ));
+    let found = StackTable::new(&dense).expect("a stack");
+    let curve = found.curve(2e6).expect("inside");
+    // There is an estimate of the error between the nodes, and no expansion beyond them.
+    assert_eq!(
+        curve.error(1.0).expect("inside"),
+        dense.description().certificate.max_error
+    );
+    for beyond in [0.0299, 30.1] {
+        assert!(matches!(
+            curve.quantities(beyond),
+            Err(Error::OutsideTable {
+                from: 0.03,
+                to: 30.0,
+                ..
+            })
+        ));
+        assert!(curve.error(beyond).is_err());
+    }
+    assert!(matches!(curve.gradient(1.0), Err(Error::NoGradient)));
+    for sphere_modulus in [3.4e4, 3.6e8, f64::INFINITY] {
+        assert!(found.curve(sphere_modulus).is_err());
+    }
+    let shape = found.stack().shape();
+    for e1_over_e2 in [f64::NAN, -1.0, f64::INFINITY] {
+        assert!(matches!(
+            dense.stack_curve(e1_over_e2, shape),
+            Err(Error::Unphysical { .. })
+        ));
+    }
+    assert!(matches!(
+        Table::embedded().stack_curve(1.0, shape),
+        Err(Error::NotOfStack)
+    ));
+    assert!(StackTable::new(Table::embedded()).is_err());
+    // One quantity does not give the others, because the expansion that they begin with is a film's.
+    let gamma = table(&format!("quantities = ['gamma']\n{}", scene()));
+    let curve = gamma.stack_curve(1.0, shape).expect("inside");
+    assert!(curve.quantity(Quantity::Gamma, 1.0).is_ok());
+    assert!(matches!(
+        curve.quantity(Quantity::Eeq, 1.0),
+        Err(Error::MissingQuantity("eeq"))
+    ));
+}
+
+/// A forged file whose scene is that of another stack would look up another `t` and shape.
+#[test]
+fn a_scene_that_is_not_that_of_the_axes_is_refused() {
+    let dense = table(&scene());
+    for (from, to, part) in [
+        ("poisson_ratio = 0.49", "poisson_ratio = 0.48", "0.48"),
+        ("young_modulus = 3.5e6", "young_modulus = 3e6", "e0_over_e1"),
+        (STACK, "nu1 = 0.5\ne0_over_e2 = 1", "no [stack]"),
+        ("title", "name", "name"),
+    ] {
+        let mut description = dense.description().clone();
+        description.scene = description.scene.replace(from, to);
+        let values = Quantity::ALL.map(|quantity| dense.values(quantity).map(<[f64]>::to_vec));
+        let forged = Table::new(description, dense.axes(), values).expect("sound axes");
+        let message = StackTable::new(&forged).expect_err("refused").to_string();
+        assert_names(&message, &["malformed", part]);
+    }
+}
+
+#[test]
+fn a_mistake_in_a_scene_is_named() {
+    let refused = |text: String| Scene::parse(&text, None).expect_err("refused");
+    let scene = scene();
+    let cases = [
+        (format!("nu1 = 0.5\n{scene}"), ["nu1", "leave it out"]),
+        (format!("nu0 = 0.5\n{scene}"), ["nu0", "leave it out"]),
+        (
+            format!("e0_over_e2 = 1\n{scene}"),
+            ["e0_over_e2", "leave it out"],
+        ),
+        (
+            scene.replace("e1_over_e2 =", "e1s_over_einfs ="),
+            ["e1s_over_einfs", "leave it out"],
+        ),
+        (
+            scene.replace("e1_over_e2 = { from = 1e-2, to = 1e2 }", ""),
+            ["e1_over_e2 is missing", "sphere"],
+        ),
+        (scene.replace("to = 30", "to = 800"), ["800", "up to 750.0"]),
+        (
+            scene.replace("thickness = 2.5e-6", "thickness = 0"),
+            ["stack: layer \"primer\", 1 of 2", "> 0 and finite"],
+        ),
+        (
+            scene.replace("thickness = 2.5e-6", "height = 1"),
+            ["height", "thickness"],
+        ),
+        (
+            format!("{AXES}[stack]\nbase = {{ young_modulus = inf }}\n"),
+            ["stack: there is no", "[[layers]]"],
+        ),
+        (
+            scene.replace("[[stack.layers]]", "[[layers]]"),
+            ["layers: ", "[[stack.layers]]"],
+        ),
+        (
+            AXES.to_owned() + "e0_over_e2 = 1\n",
+            ["nu1 is missing", "(-1, 0.5]"],
+        ),
+    ];
+    for (text, parts) in cases {
+        assert_names(&refused(text), &parts);
+    }
+}
+
+fn generated() -> Workdir {
+    let workdir = workdir!();
+    workdir.write("scene.toml", scene());
+    workdir.succeed(&["generate", "scene.toml", "--certificate-points", "1000"]);
+    workdir
+}
+
+/// Every command either works with a table of a stack or says what to do.
+#[test]
+fn the_commands_take_it_or_refuse_it() {
+    let workdir = generated();
+    let error = largest_error(&Table::open(workdir.path("scene.h5")).expect("sound"));
+    println!("scene.h5: {error:.1e}");
+    assert!(error <= 1e-6);
+    let info = workdir.succeed(&["info", "scene.h5"]);
+    assert_names(
+        &info,
+        &[
+            "a_over_t",
+            "e1_over_e2",
+            "nu1             0.49",
+            "e0_over_e1",
+        ],
+    );
+    workdir.succeed(&["check", "scene.h5", "--points", "1000"]);
+
+    workdir.succeed(&["pack", "scene.h5", "-o", "dense.bin"]);
+    workdir.succeed(&["pack", "scene.h5", "-o", "small.bin", "--tolerance", "1e-5"]);
+    for (name, most) in [("dense.bin", 1e-6), ("small.bin", 1e-5)] {
+        let packed = Table::read(workdir.path(name)).expect("sound");
+        let error = largest_error(&packed);
+        println!("{name}: {error:.1e}");
+        assert!(error <= most);
+    }
+    workdir.succeed(&["unpack", "small.bin", "-o", "again.h5"]);
+    assert!(largest_error(&Table::open(workdir.path("again.h5")).expect("sound")) <= 1e-5);
+
+    workdir.write("points.csv", "a_over_t,e1_over_e2\n3,1.75\n");
+    let answer = workdir.succeed(&["query", "scene.h5", "--points", "points.csv"]);
+    let truth = solve_stack(3.0, &layers(), 2e6, 1e-11).expect("in reach");
+    let row = answer.lines().nth(1).expect("a row");
+    let numbers: Vec<f64> = row
+        .split(',')
+        .map(|number| number.parse().expect("a number"))
+        .collect();
+    for (value, truth) in numbers[5..].iter().zip(truth.quantities.to_array()) {
+        assert!((value / truth - 1.0).abs() <= 1e-6, "{row}");
+    }
+
+    workdir.write(
+        "films.csv",
+        "a_over_t,e1_over_e2,nu1,e0_over_e2\n3,1.75,0.5,1\n",
+    );
+    let refused = [
+        (
+            &["query", "scene.h5", "--points", "films.csv"][..],
+            "for a table of one stack of layers are a_over_t, e1_over_e2",
+        ),
+        (
+            &["query", "scene.h5", "--points", "points.csv", "--gradient"],
+            "leave out --gradient",
+        ),
+        (&["curve", "scene.h5"], "one stack of layers"),
+        (
+            &["report", "scene.h5", "-o", "page.html"],
+            "one stack of layers",
+        ),
+    ];
+    for (arguments, part) in refused {
+        assert_names(&workdir.fail(1, arguments), &[part]);
+    }
+}
