@@ -93,7 +93,8 @@ fn a_contact_is_that_of_the_curve_of_the_stack() {
             assert!((found.0 / solved.0 - 1.0).abs() <= 1e-6);
             assert!((found.1 / solved.1 - 1.0).abs() <= 1e-6);
         }
-        let [found, solved] = [&contact, &solved].map(|contact| contact.curve().and_then(interp::Curve::stack));
+        let [found, solved] =
+            [&contact, &solved].map(|contact| contact.curve().and_then(interp::Curve::stack));
         assert_eq!(found, solved);
         assert!(found.is_some());
     }
@@ -235,7 +236,7 @@ fn a_mistake_in_a_scene_is_named() {
             scene.replace("e1_over_e2 = { from = 1e-2, to = 1e2 }", ""),
             ["e1_over_e2 is missing", "sphere"],
         ),
-        (scene.replace("to = 30", "to = 800"), ["800", "up to 750.0"]),
+        (scene.replace("to = 30", "to = 800"), ["800", "up to 749.9"]),
         (
             scene.replace("thickness = 2.5e-6", "thickness = 0"),
             ["stack: layer \"primer\", 1 of 2", "> 0 and finite"],
@@ -328,6 +329,11 @@ fn the_commands_take_it_or_refuse_it() {
         (
             &["report", "scene.h5", "-o", "page.html"],
             "one stack of layers",
+        ),
+        (&["cost", "lookup", "scene.h5"], "this table has other axes"),
+        (
+            &["cost", "table", "scene.toml"],
+            "give a scene without [stack]",
         ),
     ];
     for (arguments, part) in refused {

@@ -48,7 +48,8 @@ impl Table {
     /// * if a modulus, an `a_over_t` or a quantity is not in `[1e-30, 1e30]`, or `nu1` or `nu0` not
     ///   in `(-1, 0.5]`. A rigid sphere, `e1_over_e2 = 0`, or a rigid substrate,
     ///   `e0_over_e2 = inf`, must be the only node of its axis; the ratios of reduced moduli may
-    ///   end at 0 and infinity;
+    ///   end at 0 and infinity; `nu1` and `e0_over_e1`, which may be infinite, have one node in a
+    ///   table of one stack;
     /// * if the number of values is not the product of the numbers of nodes, or all quantities are
     ///   `None`;
     /// * if the tolerance is not in `(0, 1]`, or the certificate has errors that are negative,

@@ -4,7 +4,7 @@ use interp::{Contact, Curve, Parameter, SubstratePoissonRatio, System, Table};
 
 use crate::Error;
 use crate::stack::Stack;
-use crate::table::scene::Scene;
+use crate::table::scene::{Scene, TOLERANCE};
 
 /// A table of one stack of layers under spheres of any modulus, with the stack, which is in the
 /// scene of the table.
@@ -36,7 +36,8 @@ impl<'a> StackTable<'a> {
         }
         let description = table.description();
         let malformed = |what: String| interp::Error::Malformed(format!("its scene: {what}"));
-        let scene = Scene::parse(&description.scene, None).map_err(malformed)?;
+        // The tolerance that was used may be another than that of the text.
+        let scene = Scene::parse(&description.scene, Some(TOLERANCE[1])).map_err(malformed)?;
         let Some(stack) = scene.stack else {
             return Err(malformed("it has no [stack]".into()).into());
         };

@@ -534,7 +534,11 @@ mod tests {
         const SOUND: &str = "title = \"x\"\ntolerance = 1e-2\nquantities = [\"pi0\", \"eeq\"]\n\
              a_over_t = { from = 1e-1, to = 10, nodes = 5 }\ne1_over_e2 = { from = 0.3, to = 3, nodes = 4 }\n\
              nu1 = 0.5\ne0_over_e2 = { from = 10, to = 100, nodes_per_decade = 3 }\nnu0 = 0.25\n";
-        const WORDS: [&str; 20] = [
+        const OF_STACK: &str = "title = \"x\"\na_over_t = { from = 1e-1, to = 10, nodes = 5 }\n\
+             e1_over_e2 = { from = 0.3, to = 3, nodes = 4 }\n[stack]\nbase = { young_modulus = inf }\n\
+             [[stack.layers]]\nyoung_modulus = 5e5\npoisson_ratio = 0.5\nthickness = 2e-6\n\
+             [[stack.layers]]\nyoung_modulus = 3e6\npoisson_ratio = 0.3\nthickness = 7e-6\n";
+        const WORDS: [&str; 21] = [
             "nan",
             "inf",
             "-inf",
@@ -554,10 +558,11 @@ mod tests {
             "\u{1b}",
             "\n",
             "nodes = 10000",
+            "[stack]",
             "1.0000000001",
         ];
         let (mut refused, mut accepted, mut planned) = (0, 0, 0);
-        each_damaged(SOUND.as_bytes(), &WORDS, 3, |_, bytes| {
+        let mut try_out = |_: usize, bytes: &[u8]| {
             let Ok(text) = std::str::from_utf8(bytes) else {
                 return;
             };
@@ -576,7 +581,10 @@ mod tests {
             if scene.extents.iter().all(is_stated) && scene.title.len() % 8 == 1 {
                 planned += usize::from(Plan::new(&scene).is_ok());
             }
-        });
+        };
+        for sound in [SOUND, OF_STACK] {
+            each_damaged(sound.as_bytes(), &WORDS, 3, &mut try_out);
+        }
         println!("{refused} refused, {accepted} accepted, {planned} planned");
         assert!(refused > 0 && planned > 0);
     }

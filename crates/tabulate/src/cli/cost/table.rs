@@ -66,6 +66,11 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         to >= tightest && to <= loosest,
         "--to = {to:?}: it must be from {loosest:e} to {tightest:e}"
     );
+    ensure!(
+        scene.stack.is_none(),
+        "the scene is of one stack of layers, and the cost is compared with that of solves of one film: give a \
+         scene without [stack]"
+    );
     arguments.rows.report(
         arguments.scene.as_deref(),
         |timing| measured(&scene, to, budget, timing),
