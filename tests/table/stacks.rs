@@ -6,7 +6,7 @@ use acceptance::{
 };
 use interp::{Error, Material, Parameter, Quantity, Table};
 use tabulate::stack::Stack;
-use tabulate::table::{Scene, StackTable};
+use tabulate::table::{Scene, StackTable, certify};
 use tabulate::{solve_stack, stack_curve};
 
 const AXES: &str = "\
@@ -215,6 +215,31 @@ fn a_scene_that_is_not_that_of_the_axes_is_refused() {
         let message = StackTable::new(&forged).expect_err("refused").to_string();
         assert_names(&message, &["malformed", part]);
     }
+}
+
+/// The certificate compares with solves of the layers in the scene: it finds wrong values, and a
+/// scene whose lower layers are not those of the values.
+#[test]
+fn the_certificate_finds_wrong_values_and_other_layers() {
+    let dense = table(&scene());
+    let certified = |factor: f64, primer: &str| {
+        let mut description = dense.description().clone();
+        description.scene = description.scene.replace("5e5", primer);
+        let values = Quantity::ALL.map(|quantity| {
+            let values = dense.values(quantity)?;
+            Some(values.iter().map(|value| factor * value).collect())
+        });
+        let forged = Table::new(description, dense.axes(), values).expect("sound axes");
+        certify(&forged, 200, 3, &|_| {})
+            .expect("in reach")
+            .max_error
+    };
+    assert!(certified(1.0, "5e5") <= 1e-6);
+    assert!((certified(1.001, "5e5") - 1e-3).abs() <= 2e-6);
+    // A primer that is 2 % stiffer changes wide contacts by about that.
+    let found = certified(1.0, "5.1e5");
+    println!("another primer: {found:.1e}");
+    assert!(found > 5e-3 && found < 5e-2);
 }
 
 #[test]
