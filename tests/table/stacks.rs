@@ -217,6 +217,25 @@ fn a_scene_that_is_not_that_of_the_axes_is_refused() {
     }
 }
 
+/// A stack has one top layer and one base.
+#[test]
+fn axes_of_several_stacks_are_refused() {
+    let dense = table(&scene());
+    for (parameter, nodes, part) in [
+        (Parameter::Nu1, vec![0.3, 0.4], "it must have 1"),
+        (Parameter::E0OverE1, vec![1.0, 2.0], "one number"),
+        (Parameter::E0OverE1, vec![-1.0], "one number"),
+        (Parameter::E0OverE1, vec![], "empty"),
+    ] {
+        let mut axes = dense.axes();
+        axes[parameter.dimension()].1 = nodes;
+        let count = axes.iter().map(|(_, nodes)| nodes.len()).product();
+        let values = [Some(vec![1.0; count]), None, None, None];
+        let error = Table::new(dense.description().clone(), axes, values).expect_err("refused");
+        assert_names(&error.to_string(), &["malformed", parameter.name(), part]);
+    }
+}
+
 /// The certificate compares with solves of the layers in the scene: it finds wrong values, and a
 /// scene whose lower layers are not those of the values.
 #[test]

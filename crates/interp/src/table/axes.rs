@@ -23,8 +23,8 @@ impl Axes {
     ///
     /// # Errors
     /// [`Error::Malformed`] for parameters that are none of [`Parameter::ALL`],
-    /// [`Parameter::REDUCED`] and [`Parameter::STACK`], or an axis that is empty, does not ascend, holds a value outside
-    /// physics, or has two nodes too close for a spline.
+    /// [`Parameter::REDUCED`] and [`Parameter::STACK`], or an axis that is empty, does not ascend,
+    /// holds a value outside physics, or has two nodes too close for a spline.
     pub(crate) fn new(axes: [(Parameter, Vec<f64>); 4]) -> Result<Self, Error> {
         let parameters = axes.each_ref().map(|(parameter, _)| *parameter);
         if ![Parameter::ALL, Parameter::REDUCED, Parameter::STACK].contains(&parameters) {

@@ -38,8 +38,8 @@ impl Table {
     /// Makes a table from its parts.
     ///
     /// `axes` holds the nodes of each of [`Parameter::ALL`], [`Parameter::REDUCED`] or
-    /// [`Parameter::STACK`], in their order. `values[quantity]` is row-major over the four axes, `a_over_t` slowest, or `None` if
-    /// the scene does not ask for the quantity.
+    /// [`Parameter::STACK`], in their order. `values[quantity]` is row-major over the four axes,
+    /// `a_over_t` slowest, or `None` if the scene does not ask for the quantity.
     ///
     /// # Errors
     /// [`Error::Malformed`]
@@ -290,11 +290,11 @@ impl Table {
     /// which allows for rounding.
     ///
     /// # Errors
-    /// [`Error::OfStack`] in a table of one stack of layers;
-    /// [`Error::Normalisation`] for a rigid sphere in a table for compliant spheres, or the
-    /// reverse; [`Error::OutsideTable`] for a material outside the box; [`Error::Equivalent`] if
-    /// the equivalent does not exist or is outside the box; [`Error::Malformed`] if a quantity
-    /// leaves `[1e-30, 1e30]`, which happens only in forged tables.
+    /// [`Error::OfStack`] in a table of one stack of layers; [`Error::Normalisation`] for a rigid
+    /// sphere in a table for compliant spheres, or the reverse; [`Error::OutsideTable`] for a
+    /// material outside the box; [`Error::Equivalent`] if the equivalent does not exist or is
+    /// outside the box; [`Error::Malformed`] if a quantity leaves `[1e-30, 1e30]`, which happens
+    /// only in forged tables.
     pub fn curve(&self, material: &Material) -> Result<Curve, Error> {
         self.accept_films()?;
         self.lookup().curve(&self.axes, &self.description, material)

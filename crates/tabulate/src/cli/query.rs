@@ -18,10 +18,12 @@ use crate::table::{DEFAULT_NU0, StackTable};
 /// certified relative error of the table: the largest at sampled points. At an a/t outside the
 /// table, the values and the error are those of the expansion about the limit of a thin or a thick
 /// film, where that keeps the tolerance of the table. Any other point outside the table is an
-/// error. A table of one stack of layers has no answers beyond its a/t, and needs the columns a_over_t
-/// and e1_over_e2 alone, those of the top layer. Points are answered in batches: at an error, those before the batch are printed already,
+/// error. Points are answered in batches: at an error, those before the batch are printed already,
 /// and a file is not written. The moduli are Young's moduli over the sphere's reduced modulus E2*, see
 /// `tabulate --help`.
+///
+/// A table of one stack of layers has no answers beyond its a/t. Its points have the columns
+/// a_over_t, with the thickness of all layers, and e1_over_e2, of the top layer, alone.
 #[derive(clap::Args)]
 #[command(after_help = super::examples!(
     "tabulate query embedded --points tables/points.csv",
