@@ -6,7 +6,7 @@ use std::f64::consts::PI;
 use acceptance::{Contacts, Workdir, assert_names, material, workdir};
 use interp::{Contact, Elastic, HalfSpace, Material, Probe};
 use tabulate::cost::clock::{Times, Timing};
-use tabulate::cost::effects::{A_OVER_R, Effect, Row, STRENGTHS, errors, markdown, measure};
+use tabulate::cost::effects::{A_OVER_R, Effect, Row, STRENGTHS, TABOR, errors, markdown, measure};
 use tabulate::cost::{read_csv, to_csv};
 use tabulate::solve;
 use tabulate::table::{Observer, Scene};
@@ -166,6 +166,8 @@ fn a_thick_film_is_a_half_space() {
         let ratio = A_OVER_R;
         let exact = (1.0 + ratio * ratio) * ratio.atanh() - ratio;
         let shape = 1.0 - 4.0 / 3.0 * ratio.powi(3) / exact;
+        // The zone is (pi/4) (w R^2/Es*)^(1/3)/mu^2, and JKR pulls off at a^3 = 9 pi w R^2/(8 Es*).
+        let range = PI / 24.0 * (8.0 / (9.0 * PI)).cbrt() / (TABOR * TABOR);
         let expected = [
             film,
             sphere,
@@ -174,6 +176,7 @@ fn a_thick_film_is_a_half_space() {
             strength,
             0.0,
             shape,
+            range,
         ];
         let found = errors(&Effect::ALL, 1e-6, &thick, strength).expect("solved");
         for ((effect, found), expected) in Effect::ALL.iter().zip(found).zip(expected) {
@@ -300,6 +303,14 @@ fn rows_say_what_generate_says_of_the_scene_without_an_effect() {
     assert_eq!((shape.saved_solves, shape.saved_bytes), (0, 0));
     assert!(shape.time_ratio.is_some_and(|ratio| ratio > 0.0));
     assert!(rows[..7].iter().all(|row| row.time_ratio.is_none()));
+    // So does the finite range, with each pull-off.
+    let range = &rows[8];
+    assert_eq!((range.saved_solves, range.saved_bytes), (0, 0));
+    assert!(range.time_ratio.is_some_and(|ratio| ratio > 0.0));
+    assert!(
+        (1e-3..1e-2).contains(&range.median_error) && range.worst_error < 2e-2,
+        "{range:?}"
+    );
     assert!(
         (0.01..0.05).contains(&shape.median_error) && shape.worst_error < 0.05,
         "{shape:?}"
@@ -401,7 +412,7 @@ fn effects_that_a_scene_does_not_have_are_named() {
     assert_names(
         &printed,
         &[
-            "Not in this scene: adhesion, penetration, shape.",
+            "Not in this scene: adhesion, penetration, shape, finite range.",
             "| film | JKR on the bare substrate | 1 |",
         ],
     );

@@ -274,9 +274,14 @@ fn settle<'a>(
                 *out = *near && round > 0;
             }
             let branches = whole.branches.iter().zip(near);
-            let branches: Vec<Branch> = branches
+            let mut branches: Vec<Branch> = branches
                 .map(|(branch, near)| if near { Branch::LeftOut } else { *branch })
                 .collect();
+            let counting = branches.iter().filter(|own| **own != Branch::LeftOut);
+            if counting.count() < problem.slots.len() {
+                // The values are so uncertain that the branch may end anywhere.
+                branches = hold_back(whole).branches;
+            }
             if branches != problem.assigned[e].branches {
                 problem.assigned[e].branches = branches;
                 branches_changed = true;

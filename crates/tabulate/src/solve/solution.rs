@@ -51,10 +51,10 @@ pub fn solve(a_over_t: f64, material: &Material, tolerance: f64) -> Result<Solut
 /// error and the tolerance are those of all numbers together, so that a power law that is difficult
 /// makes the whole solve more expensive.
 ///
-/// Up to `a/t = 300` tolerances of 1e-12 are reached (five materials, even exponents to 10). From 400
-/// on only the Wiener-Hopf method is left, which extrapolates, and loses digits with each further
-/// power. The smallest power of ten that it reaches, from `a/t = 400` to 1000, is 1e-11 for the
-/// exponents 1 to 4, 1e-10 for 5 and 6, 1e-9 for 8, 1e-7 for 10 and 1e-6 for 12.
+/// At `a/t = 300` a tolerance of 1e-12 is reached (five materials, exponents 4, 6, 8 and 10). On
+/// thinner films each further power loses digits. From `a/t = 400` to 1000, on the film of Barthel's
+/// Table 1, the smallest tolerance that is reached is 1e-11 for the exponents 1 to 4, 1e-10 for 5
+/// and 6, 1e-9 for 8, 1e-7 for 10 and 1e-6 for 12, in powers of ten.
 ///
 /// ```
 /// # fn main() -> Result<(), tabulate::Error> {

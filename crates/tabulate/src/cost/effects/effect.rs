@@ -26,11 +26,13 @@ pub enum Effect {
     /// The shape of the sphere itself. Without it the sphere is a paraboloid. It needs no other
     /// table.
     Shape,
+    /// The range of the attraction. Without it the contact is JKR's. It needs no other table.
+    FiniteRange,
 }
 
 impl Effect {
     /// All effects.
-    pub const ALL: [Self; 7] = [
+    pub const ALL: [Self; 8] = [
         Self::Film,
         Self::SphereCompliance,
         Self::SubstrateCompliance,
@@ -38,6 +40,7 @@ impl Effect {
         Self::Adhesion,
         Self::Penetration,
         Self::Shape,
+        Self::FiniteRange,
     ];
 
     /// Returns the name in words.
@@ -50,6 +53,7 @@ impl Effect {
             Self::Adhesion => "adhesion",
             Self::Penetration => "penetration",
             Self::Shape => "shape",
+            Self::FiniteRange => "finite range",
         }
     }
 
@@ -63,6 +67,7 @@ impl Effect {
             Self::Adhesion => "w = 0",
             Self::Penetration => "no delta0",
             Self::Shape => "paraboloid for the sphere, a = 0.3 R",
+            Self::FiniteRange => "JKR at a Tabor parameter of 5",
         }
     }
 
@@ -76,11 +81,18 @@ impl Effect {
             Self::SphereCompliance => e1 != Extent::Fixed(0.0),
             Self::SubstrateCompliance => e0 != Extent::Fixed(f64::INFINITY),
             Self::FilmCompressibility => nu1 != Extent::Fixed(0.5),
-            Self::Adhesion => held(Quantity::Eeq) && held(Quantity::Gamma),
+            // The range needs what adhesion needs.
+            Self::Adhesion | Self::FiniteRange => held(Quantity::Eeq) && held(Quantity::Gamma),
             Self::Penetration => held(Quantity::Delta0),
             // The curve of a shape needs all quantities.
             Self::Shape => Quantity::ALL.into_iter().all(held),
         }
+    }
+
+    /// Whether a contact with the effect takes the same table. The effect costs time at each lookup
+    /// instead.
+    pub const fn needs_no_table(self) -> bool {
+        matches!(self, Self::Shape | Self::FiniteRange)
     }
 
     /// Returns the scene without the effect; none if a closed form replaces the table.
@@ -108,7 +120,7 @@ impl Effect {
             Self::Penetration => variant
                 .quantities
                 .retain(|&quantity| quantity != Quantity::Delta0),
-            Self::Shape => {}
+            Self::Shape | Self::FiniteRange => {}
         }
         Some(variant)
     }

@@ -3,6 +3,7 @@
 use interp::{Material, Normalisation};
 
 use super::Effect;
+use super::finite_range::error_of_jkr;
 use super::shape::error_of_paraboloid;
 use crate::Error;
 use crate::solve::solve;
@@ -18,9 +19,13 @@ pub const STRENGTHS: [f64; 2] = [0.01, 2.0];
 /// `|F' - F|/F0`, from direct solves to 1e-8.
 ///
 /// `F` is the load and `F'` that without the effect. The adhesionless load `F0` never vanishes. The
-/// For [`Effect::Shape`], `F` and `F0` are those under the sphere itself at `a` = [`A_OVER_R`](super::A_OVER_R) `R`. The
 /// `strength` of adhesion is the adhesive part of the load over `F0`, see [`STRENGTHS`]. Contact
 /// radius, sphere and work of adhesion are those of the whole scene.
+///
+/// For [`Effect::Shape`], `F` and `F0` are those under the sphere itself at `a` =
+/// [`A_OVER_R`](super::A_OVER_R) `R`. For [`Effect::FiniteRange`] the error is that of JKR's pull-off
+/// load, relative to itself, under a sphere that pulls off at this contact radius, at Tabor's
+/// parameter [`TABOR`](super::TABOR).
 ///
 /// # Errors
 /// Those of the solve.
@@ -32,8 +37,10 @@ pub fn errors(
 ) -> Result<Vec<f64>, Error> {
     let truth = Load::new(a_over_t, material, film_modulus(material))?;
     let error = |&effect: &Effect| {
-        if effect == Effect::Shape {
-            return error_of_paraboloid(a_over_t, material, Load::TOLERANCE);
+        match effect {
+            Effect::Shape => return error_of_paraboloid(a_over_t, material, Load::TOLERANCE),
+            Effect::FiniteRange => return error_of_jkr(a_over_t, material, Load::TOLERANCE),
+            _ => {}
         }
         let without = truth.without(effect, a_over_t, material)?;
         let (pressed, adhesion) = (
@@ -94,7 +101,7 @@ impl Load {
                 adhesion: 0.0,
                 ..self
             }),
-            Effect::Penetration | Effect::Shape => Ok(self),
+            Effect::Penetration | Effect::Shape | Effect::FiniteRange => Ok(self),
         }
     }
 }

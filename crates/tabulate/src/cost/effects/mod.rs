@@ -1,13 +1,16 @@
 //! The effects of a scene: the cost of each, and the error of the load without it.
 //!
 //! `effect` names the effects and makes the scene without one, `load` computes the error of the
-//! load, `shape` that of the paraboloid and the time that the sphere itself takes, `summary` prints
-//! the rows.
+//! load, `shape` that of the paraboloid and the time that the sphere itself takes, `finite_range` that
+//! of JKR's pull-off and the time of its correction, `summary` prints the rows.
 
 mod effect;
+mod finite_range;
 mod load;
 mod shape;
 mod summary;
+
+use std::iter;
 
 use interp::Quantity;
 use rand::{RngExt, SeedableRng};
@@ -15,6 +18,7 @@ use rand_pcg::Pcg64Mcg;
 use serde::{Deserialize, Serialize};
 
 pub use self::effect::Effect;
+pub use self::finite_range::TABOR;
 pub use self::load::{STRENGTHS, errors};
 pub use self::shape::A_OVER_R;
 pub use self::summary::markdown;
@@ -55,8 +59,9 @@ pub struct Row {
     pub median_error: f64,
     /// Largest error of the load over the scene.
     pub worst_error: f64,
-    /// Time to make the contact of a new material with the effect, over that without it; none for
-    /// the effects that make the table larger instead.
+    /// Time of what the effect slows down, with it over without it: to make the contact of a new
+    /// material for the shape, to find a pull-off for the finite range. None for the effects that
+    /// make the table larger instead.
     #[serde(default)]
     pub time_ratio: Option<f64>,
 }
@@ -109,20 +114,33 @@ pub fn measure(
         .filter(|effect| effect.is_in(scene))
         .collect();
     let errors = errors_over(scene, &effects, points, observer)?;
-    let others = effects.iter().filter(|&&effect| effect != Effect::Shape);
+    let others = effects.iter().filter(|effect| !effect.needs_no_table());
     let scenes: Vec<Option<Scene>> = [Some(scene.clone())]
         .into_iter()
         .chain(others.map(|effect| effect.scene_without(scene)))
         .collect();
     let costs = costs(&scenes, timing, observer)?;
     let whole = &costs[0];
-    let shape = effects.contains(&Effect::Shape);
-    let ratio = shape.then(|| shape::time_ratio(timing)).transpose()?;
-    let without = [None].into_iter().chain(effects.into_iter().map(Some));
+    let ratio = |without: Option<Effect>| {
+        Ok(match without {
+            Some(Effect::Shape) => Some(shape::time_ratio(timing)?),
+            Some(Effect::FiniteRange) => Some(finite_range::time_ratio(timing)?),
+            _ => None,
+        })
+    };
+    let without: Vec<Option<Effect>> = [None]
+        .into_iter()
+        .chain(effects.into_iter().map(Some))
+        .collect();
+    let ratios: Vec<Option<f64>> = without
+        .iter()
+        .map(|&without| ratio(without))
+        .collect::<Result<_, Error>>()?;
     let errors = [[0.0; 2]].into_iter().chain(errors);
-    // The shape is the last of the effects. Its table is that of the whole scene.
-    let costs = costs.iter().chain(shape.then_some(whole));
-    let row = |((cost, without), [median_error, worst_error]): ((&Cost, _), [f64; 2])| Row {
+    // The effects that need no table are the last. Their table is that of the whole scene.
+    let costs = costs.iter().chain(iter::repeat(whole));
+    type Found<'a> = (((&'a Cost, Option<Effect>), [f64; 2]), Option<f64>);
+    let row = |(((cost, without), [median_error, worst_error]), time_ratio): Found<'_>| Row {
         without,
         tolerance: scene.tolerance,
         axes: cost.axes,
@@ -132,16 +150,22 @@ pub fn measure(
         bytes: cost.bytes,
         saved_solves: whole.solves.cast_signed() - cost.solves.cast_signed(),
         saved_seconds: match without {
-            None | Some(Effect::Shape) => Some(0.0),
+            None => Some(0.0),
+            Some(effect) if effect.needs_no_table() => Some(0.0),
             Some(_) if cost.bytes == 0 => Some(whole.times.fastest()),
             Some(_) => whole.times.longer_than(&cost.times),
         },
         saved_bytes: whole.bytes.cast_signed() - cost.bytes.cast_signed(),
         median_error,
         worst_error,
-        time_ratio: ratio.filter(|_| without == Some(Effect::Shape)),
+        time_ratio,
     };
-    Ok(costs.zip(without).zip(errors).map(row).collect())
+    Ok(costs
+        .zip(without)
+        .zip(errors)
+        .zip(ratios)
+        .map(row)
+        .collect())
 }
 
 /// The cost of a table.

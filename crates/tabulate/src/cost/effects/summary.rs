@@ -1,6 +1,6 @@
 //! The effects summed up as Markdown.
 
-use super::{A_OVER_R, Effect, Row, STRENGTHS};
+use super::{A_OVER_R, Effect, Row, STRENGTHS, TABOR};
 use crate::cost::clock::human;
 use crate::cost::numbers::{grouped, human_bytes};
 
@@ -16,7 +16,13 @@ impl Row {
                 grouped(self.saved_solves.unsigned_abs()),
             ),
             match (self.time_ratio, self.saved_seconds) {
-                (Some(ratio), _) => format!("a new material takes {ratio:.1} times as long"),
+                (Some(ratio), _) => {
+                    let what = match self.without {
+                        Some(Effect::FiniteRange) => "a pull-off",
+                        _ => "a new material",
+                    };
+                    format!("{what} takes {ratio:.1} times as long")
+                }
                 (None, None) => "not measurable".into(),
                 (None, Some(seconds)) if seconds < 0.0 => "no time".into(),
                 (None, Some(seconds)) => human(seconds),
@@ -98,6 +104,16 @@ pub fn markdown(rows: &[Row]) -> String {
             "The shape needs no other table. Its errors are those of the adhesionless load under the paraboloid, relative to that \
              under the sphere itself, at a = {A_OVER_R} R. Its time is that in which the embedded table makes the contact of a \
              new material.\n"
+        );
+    }
+    if rows
+        .iter()
+        .any(|row| row.without == Some(Effect::FiniteRange))
+    {
+        text += &format!(
+            "The finite range needs no other table. Its errors are those of JKR's pull-off load, relative to itself, under a \
+             sphere that pulls off at the contact radius, at a Tabor parameter of {TABOR}; they fall with its square. Its time \
+             is that of a pull-off load with the correction for the range.\n"
         );
     }
     let missing: Vec<&str> = Effect::ALL
