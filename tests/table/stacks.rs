@@ -77,7 +77,7 @@ fn lookups_between_the_nodes_are_direct_solves() {
     assert_eq!(largest_error(&packed), error);
 }
 
-/// A contact of the table is that of the curve of the stack, with the same answers about its layers.
+/// A contact of the table is that of the curve of the stack, and knows the same of its layers.
 #[test]
 fn a_contact_is_that_of_the_curve_of_the_stack() {
     let (dense, stack) = (table(&scene()), layers());
@@ -188,7 +188,7 @@ fn what_a_table_of_a_stack_does_not_answer_is_an_error() {
         Err(Error::NotOfStack)
     ));
     assert!(StackTable::new(Table::embedded()).is_err());
-    // One quantity does not give the others, because the expansion that they begin with is a film's.
+    // One quantity does not give the others: the expansion that they begin with is a film's.
     let gamma = table(&format!("quantities = ['gamma']\n{}", scene()));
     let curve = gamma.stack_curve(1.0, shape).expect("inside");
     assert!(curve.quantity(Quantity::Gamma, 1.0).is_ok());

@@ -32,8 +32,8 @@ pub fn steps(table: &Table) -> usize {
 /// number of cells done.
 ///
 /// # Errors
-/// Those of the solve; [`interp::Error::OfStack`] for a table of a stack of layers, of which there is
-/// no page.
+/// Those of the solve; [`interp::Error::OfStack`] for a table of a stack of layers, of which there
+/// is no page.
 pub fn figures(
     table: &Table,
     progress: &(dyn Fn(usize) + Sync),

@@ -48,8 +48,8 @@ const SEED: u64 = 1;
 /// byte for byte.
 ///
 /// # Errors
-/// [`Error::PageProbe`] for a probe that the page does not compute; [`interp::Error::OfStack`] for a
-/// table of a stack of layers; those of [`compress`], of [`Table::to_packed`], of the lookup and of
+/// [`Error::PageProbe`] for a probe that the page does not compute; [`interp::Error::OfStack`] for
+/// a table of a stack of layers; those of [`compress`], of [`Table::to_packed`], of the lookup and of
 /// the drawing.
 pub fn report(
     table: &Table,

@@ -231,7 +231,7 @@ fn stack_of(table: &Table) -> Result<Option<StackTable<'_>>, Error> {
         .transpose()
 }
 
-/// Compares a table, which is that of a `stack` if one is given, with the direct solve at one point.
+/// Compares a table, that of a `stack` if one is given, with the direct solve at one point.
 fn sample_of(
     table: &Table,
     stack: Option<&StackTable<'_>>,
