@@ -28,11 +28,10 @@ const WHEEL: &str = "coated-contact-python, coated-contact-python/hdf5";
 /// Contact lines that move at a finite speed.
 const DYNAMICS: &str = "coated-contact-python, coated-contact-python/hdf5, interp/dynamics";
 /// All packages that fit.
-const FITS: &str = "coated-contact-python, coated-contact-python/hdf5, fit, tabulate, tabulate/default, \
-     tabulate/hdf5, tabulate/hdf5-static";
+const FITS: &str = "coated-contact-python, coated-contact-python/hdf5, fit, tabulate/cli, tabulate/default, tabulate/fit";
 /// All packages that fit, and contact lines that move at a finite speed.
 const FITS_AND_DYNAMICS: &str = "coated-contact-python, coated-contact-python/hdf5, fit, interp/dynamics, \
-     tabulate, tabulate/default, tabulate/hdf5, tabulate/hdf5-static";
+     tabulate/cli, tabulate/default, tabulate/fit";
 
 /// Crates under other licences, their licences, and the features that need them.
 const OTHERS: [(&str, &str, &str); 11] = [
