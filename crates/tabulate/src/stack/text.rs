@@ -8,7 +8,10 @@ use crate::stack::{Layer, Stack};
 
 /// The keys of a stack, before they are checked.
 #[derive(Clone, Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(
+    deny_unknown_fields,
+    expecting = "a table with base = { .. } and layers: write them out, as in a stack file"
+)]
 pub struct Text {
     base: Base,
     #[serde(default)]
