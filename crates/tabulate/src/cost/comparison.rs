@@ -83,7 +83,7 @@ fn fields<R: Serialize>(row: &R) -> Map<String, Value> {
 
 /// Whether a column depends on the machine or is a difference or a ratio of times.
 fn is_derived(column: &str) -> bool {
-    ["threads", "saved_seconds"].contains(&column) || column.starts_with("break_even")
+    ["threads", "saved_seconds", "time_ratio"].contains(&column) || column.starts_with("break_even")
 }
 
 fn is_time(column: &str) -> bool {
