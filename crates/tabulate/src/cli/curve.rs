@@ -38,7 +38,6 @@ use crate::solve::{curve as adaptive, solve};
     "tabulate curve --sphere-modulus inf --film-modulus 1e9 --film-poisson-ratio 0.4",
     "tabulate curve embedded --work-of-adhesion 0.1 -o curve.csv",
     "tabulate curve --stack tables/stacks/primer.toml --from 1e-5 --to 1e-4 --points 20",
-    "tabulate curve --stack primer.h5 --sphere-modulus 2e6 --from 1e-5 --to 1e-4",
     "tabulate curve --probe rounded-cone --half-angle 70 --sphere-radius 1e-6 --to 5e-6",
 ))]
 pub struct Arguments {
