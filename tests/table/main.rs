@@ -6,6 +6,7 @@ mod beyond;
 mod certificate;
 mod curve;
 mod files;
+mod forged_forms;
 mod generate;
 mod h5py;
 mod hostile;

@@ -2,6 +2,7 @@
 
 use std::io::{Read, Take};
 use std::path::Path;
+use std::sync::Arc;
 
 use anyhow::{Context, anyhow};
 use interp::Curve;
@@ -40,7 +41,7 @@ pub enum Source {
     /// A TOML file, with the names that it gives to layers, from the base up. Contacts are solved.
     Text { names: Vec<Option<String>> },
     /// A table. Contacts are looked up.
-    Table(StackTable<'static>),
+    Table(Arc<StackTable<'static>>),
 }
 
 impl NamedLayers {
@@ -76,7 +77,7 @@ pub fn read(path: &Path) -> anyhow::Result<NamedLayers> {
             .into_owned();
         return Ok(NamedLayers {
             stack: table.stack().clone(),
-            source: Source::Table(table),
+            source: Source::Table(Arc::new(table)),
         });
     }
     // From where it stands: a pipe cannot be read again.

@@ -95,7 +95,7 @@ impl KnownArguments {
 fn layers(named: &NamedLayers) -> anyhow::Result<(Vec<Layer>, Arc<dyn LayeredSolver>)> {
     let (names, solver): (_, Arc<dyn LayeredSolver>) = match &named.source {
         Source::Text { names } => (names.as_slice(), Arc::new(DirectSolver)),
-        Source::Table(table) => (&[][..], Arc::new(table.clone())),
+        Source::Table(table) => (&[][..], table.clone()),
     };
     let names = names.iter().map(Option::as_deref).chain(iter::repeat(None));
     let layer = |(layer, name): (&stack::Layer, Option<&str>)| {
