@@ -6,7 +6,7 @@
 use std::io;
 use std::path::Path;
 
-use interp::Error;
+use interp::{Error, FiniteRange};
 use pyo3::exceptions::PyOSError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -41,9 +41,14 @@ impl Failure {
             message = format!("{message}: {error}");
             source = error.source();
         }
+        Self::of_words(class, &message)
+    }
+
+    /// An error of the class `class` with a message.
+    fn of_words(class: &'static str, message: &str) -> Self {
         Self {
             class,
-            message,
+            message: message.to_owned(),
             axis: None,
             value: None,
             range: None,
@@ -130,6 +135,21 @@ impl Failure {
     }
 }
 
+/// A result whose error becomes an exception.
+pub trait OrRaise<T> {
+    /// Makes the exception of an error.
+    fn or_raise(self, py: Python<'_>) -> PyResult<T>;
+}
+
+impl<T, E> OrRaise<T> for Result<T, E>
+where
+    Failure: From<E>,
+{
+    fn or_raise(self, py: Python<'_>) -> PyResult<T> {
+        self.map_err(|error| Failure::from(error).raise(py))
+    }
+}
+
 /// Returns the words of the operating system without the number that Rust adds.
 fn reason(source: &io::Error) -> String {
     let text = source.to_string();
@@ -137,6 +157,15 @@ fn reason(source: &io::Error) -> String {
         Some(end) => text[..end].to_owned(),
         None => text,
     }
+}
+
+/// The error of a stack that is not that of a table.
+pub fn other_stack() -> Failure {
+    Failure::of_words(
+        "OtherTableError",
+        "the table is of another stack of layers than the system: take that of the table, \
+         `table.stack`, make the table of this one with `generate`, or solve it with `Stack.contact`",
+    )
 }
 
 impl From<Error> for Failure {
@@ -171,6 +200,9 @@ impl From<Error> for Failure {
                 .about("contact radius", contact_radius)
                 .allowed(&format!("{allowed} {limit:?} m")),
             Error::OtherProbe { .. } | Error::StackProbe => of("OtherProbeError"),
+            Error::LongZone { zone, length, .. } => of("LongZoneError")
+                .about("zone", zone)
+                .range(0.0, FiniteRange::LONGEST * length),
             Error::Profile { row, .. } => of("ProfileError").about("row", row as f64),
             Error::OutsideTable {
                 axis,
@@ -202,6 +234,23 @@ impl From<Error> for Failure {
                 ..of("EquivalentError").about("nu0", nu0)
             },
             Error::Normalisation { .. } => of("NormalisationError"),
+            // In the words of this package.
+            Error::OfStack => Self {
+                message:
+                    "the table is of one stack of layers, and the system has one film: give a \
+                          StackSystem with the stack of the table, `table.stack`; for a film use a \
+                          table of films, such as `Table.embedded()`"
+                        .into(),
+                ..of("OtherTableError")
+            },
+            Error::NotOfStack => Self {
+                message:
+                    "the table is of films on substrates, and the system has a stack of layers: \
+                          make the table of a scene with a stack by `generate`, or solve the stack \
+                          with `Stack.contact`"
+                        .into(),
+                ..of("OtherTableError")
+            },
             Error::MissingQuantity(_) | Error::BeginsTooLate { .. } => of("MissingQuantityError"),
             Error::FixedParameter(name) => Self {
                 axis: Some(name.to_owned()),
@@ -249,6 +298,7 @@ impl From<tabulate::Error> for Failure {
                 .about("a_over_t", a_over_t)
                 .range(0.0, reach),
             Error::NoLayers => of("StackError"),
+            Error::StackFile { .. } => of("StackError"),
             Error::Layer { layer, .. } => of("StackError").about("layer", layer as f64),
             Error::NotAContact { contact_radius, .. } => {
                 of("NotAContactError").about("contact radius", contact_radius)
@@ -293,11 +343,26 @@ impl From<fit::Error> for Failure {
                 value,
                 allowed,
             } => of.about(&name, value).allowed(&allowed),
+            Error::Layers(cause) => cause.into(),
             Error::Start { cause, .. } => Self {
                 cause: Some(Box::new((*cause).into())),
                 ..of
             },
             _ => of,
+        }
+    }
+}
+
+impl From<fit::Cause> for Failure {
+    /// The error of `tabulate::stack::solver`, which tells the layer by its name.
+    fn from(cause: fit::Cause) -> Self {
+        let cause = match cause.downcast::<tabulate::Error>() {
+            Ok(error) => return (*error).into(),
+            Err(cause) => cause,
+        };
+        match cause.downcast::<Error>() {
+            Ok(error) => (*error).into(),
+            Err(cause) => Self::new("StackError", &*cause),
         }
     }
 }

@@ -11,9 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _html
+from ._columns import Array, axes
 from ._errors import ContactError
-from ._experiment import UNITS_OF
-from ._results import Array, axes
+from ._experiment import unit_of
 
 if TYPE_CHECKING:
     import pandas
@@ -336,7 +336,7 @@ class FitMap:
         name = next(iter(self.params)) if parameter is None else parameter
         if name not in self.params:
             raise ValueError(f"{name!r} was not fitted: give one of {', '.join(self.params)}")
-        values, label = self.params[name], f"{name} ({UNITS_OF[name]})"
+        values, label = self.params[name], f"{name} ({unit_of(name)})"
         ax = axes(ax)
         if shape is None:
             ax.errorbar(np.arange(len(self)), values, self.stderr[name], fmt=".", capsize=2)

@@ -11,10 +11,10 @@ from numpy.typing import NDArray
 
 from . import _core
 from ._arrays import integer, number
-from ._experiment import Experiment, Free, ParameterName, one_of
+from ._columns import Array
+from ._experiment import Experiment, Free, ParameterName, one_of, unit_of
 from ._fit import experiments_of, free_of
 from ._fit_results import Forecast, correlation_of, estimates_of, name_of
-from ._results import Array
 from ._table import Table
 
 BranchName = Literal["advancing", "receding", "pinned", "baseline", "left-out"]
@@ -225,5 +225,5 @@ def _names(parameters: Iterable[ParameterName]) -> list[str]:
         raise TypeError(f"the parameters must be a list: [{parameters!r}]")
     names = list(parameters)
     for name in names:
-        one_of("parameter", name, get_args(ParameterName))
-    return list(names)
+        unit_of(name)
+    return names

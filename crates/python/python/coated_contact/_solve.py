@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import partial
 from typing import TYPE_CHECKING, Any
@@ -150,12 +151,8 @@ def solve(
         "nu1": nu1,
         "e0_over_e2": e0_over_e2,
         "nu0": nu0,
-        "tolerance": tolerance,
     }
-    found = evaluate(_core.solve, errors, **parameters)
-    del parameters["tolerance"]
-    pi0, eeq, gamma, delta0, error = map(scalar_or_array, found)
-    return Solution(pi0, eeq, gamma, delta0, error, parameters)
+    return _solution(_core.solve, errors, tolerance, parameters)
 
 
 def solve_stack(
@@ -206,13 +203,17 @@ def solve_stack(
     >>> solve_stack([0.1, 1.0, 6.5], stack, 2e6).eeq.round(4)
     array([0.7123, 0.8471, 0.9748])
     """
-    parameters: dict[str, ArrayLike] = {
-        "a_over_t": a_over_t,
-        "sphere_modulus": sphere_modulus,
-        "tolerance": tolerance,
-    }
+    parameters: dict[str, ArrayLike] = {"a_over_t": a_over_t, "sphere_modulus": sphere_modulus}
     native = partial(_core.solve_stack, stack._native)
-    found = evaluate(native, errors, **parameters)
-    del parameters["tolerance"]
-    pi0, eeq, gamma, delta0, error = map(scalar_or_array, found)
-    return Solution(pi0, eeq, gamma, delta0, error, parameters)
+    return _solution(native, errors, tolerance, parameters)
+
+
+def _solution(
+    native: Callable[..., Any],
+    errors: Errors,
+    tolerance: ArrayLike,
+    parameters: dict[str, ArrayLike],
+) -> Solution:
+    """Solve the broadcast parameters."""
+    found = evaluate(native, errors, **parameters, tolerance=tolerance)
+    return Solution(*map(scalar_or_array, found), _parameters=parameters)

@@ -3,7 +3,7 @@
 use interp::{Contact, Curve, Parameter, SubstratePoissonRatio, System, Table};
 
 use crate::Error;
-use crate::stack::Stack;
+use crate::stack::{NamedStack, Stack};
 use crate::table::scene::{Scene, TOLERANCE};
 
 /// A table of one stack of layers under spheres of any modulus, with the stack, which is in the
@@ -21,7 +21,7 @@ use crate::table::scene::{Scene, TOLERANCE};
 #[derive(Clone, Debug)]
 pub struct StackTable<'a> {
     table: &'a Table,
-    stack: Stack,
+    named: NamedStack,
 }
 
 impl<'a> StackTable<'a> {
@@ -38,10 +38,10 @@ impl<'a> StackTable<'a> {
         let malformed = |what: String| interp::Error::Malformed(format!("its scene: {what}"));
         // The tolerance that was used may be another than that of the text.
         let scene = Scene::parse(&description.scene, Some(TOLERANCE[1])).map_err(malformed)?;
-        let Some(stack) = scene.stack else {
+        let Some(named) = scene.stack else {
             return Err(malformed("it has no [stack]".into()).into());
         };
-        let (top, base) = (stack.surface(), stack.base());
+        let (top, base) = (named.stack.surface(), named.stack.base());
         let of_scene = [top.poisson(), base.young() / top.young(), base.poisson()];
         let of_axes = [
             table.axis(Parameter::Nu1)[0],
@@ -57,7 +57,7 @@ impl<'a> StackTable<'a> {
             ))
             .into());
         }
-        Ok(Self { table, stack })
+        Ok(Self { table, named })
     }
 
     /// Returns the table.
@@ -67,7 +67,12 @@ impl<'a> StackTable<'a> {
 
     /// Returns the stack.
     pub const fn stack(&self) -> &Stack {
-        &self.stack
+        &self.named.stack
+    }
+
+    /// Returns the names of the layers, from the base up; `None` for a layer without one.
+    pub fn names(&self) -> &[Option<String>] {
+        &self.named.names
     }
 
     /// Looks up the curve of the stack under a sphere of reduced modulus `sphere_modulus` (Pa;
@@ -76,8 +81,8 @@ impl<'a> StackTable<'a> {
     /// # Errors
     /// Those of [`Stack::material`] and [`Table::stack_curve`].
     pub fn curve(&self, sphere_modulus: f64) -> Result<Curve, Error> {
-        let e1_over_e2 = self.stack.material(sphere_modulus)?.e1_over_e2();
-        Ok(self.table.stack_curve(e1_over_e2, self.stack.shape())?)
+        let e1_over_e2 = self.stack().material(sphere_modulus)?.e1_over_e2();
+        Ok(self.table.stack_curve(e1_over_e2, self.stack().shape())?)
     }
 
     /// Looks up the curve of the stack under a sphere of radius `sphere_radius` (m) and reduced
@@ -86,7 +91,7 @@ impl<'a> StackTable<'a> {
     /// # Errors
     /// Those of [`StackTable::curve`] and [`Contact::new`].
     pub fn contact(&self, sphere_radius: f64, sphere_modulus: f64) -> Result<Contact, Error> {
-        let system: System = self.stack.system(sphere_radius, sphere_modulus);
+        let system: System = self.stack().system(sphere_radius, sphere_modulus);
         Ok(Contact::new(&system, self.curve(sphere_modulus)?)?)
     }
 }
