@@ -397,8 +397,8 @@ class Contact(Remade):
         >>> gel = Elastic(young_modulus=1e7, poisson_ratio=0.5)
         >>> system = HalfSpace(sphere_radius=1e-6, sphere_modulus=float("inf"), solid=gel)
         >>> contact = Contact.half_space(system)
-        >>> jkr, corrected = contact.pull_off(0.05), contact.finite_range(0.05, stress=1e7).pull_off()
-        >>> f"{jkr.load:.4e} N, {corrected.load:.4e} N"
+        >>> corrected = contact.finite_range(0.05, stress=1e7).pull_off()
+        >>> f"{contact.pull_off(0.05).load:.4e} N, {corrected.load:.4e} N"
         '-2.3562e-07 N, -2.3848e-07 N'
         """
         return ShortRange(contact=self, work_of_adhesion=w, stress=stress)

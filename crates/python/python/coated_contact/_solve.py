@@ -216,4 +216,5 @@ def _solution(
 ) -> Solution:
     """Solve the broadcast parameters."""
     found = evaluate(native, errors, **parameters, tolerance=tolerance)
-    return Solution(*map(scalar_or_array, found), _parameters=parameters)
+    pi0, eeq, gamma, delta0, error = map(scalar_or_array, found)
+    return Solution(pi0, eeq, gamma, delta0, error, parameters)
