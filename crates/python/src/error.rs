@@ -200,9 +200,17 @@ impl From<Error> for Failure {
                 .about("contact radius", contact_radius)
                 .allowed(&format!("{allowed} {limit:?} m")),
             Error::OtherProbe { .. } | Error::StackProbe => of("OtherProbeError"),
-            Error::LongZone { zone, length, .. } => of("LongZoneError")
-                .about("zone", zone)
-                .range(0.0, FiniteRange::LONGEST * length),
+            Error::LongZone { zone, what, length } => Self {
+                message: format!(
+                    "the zone of attraction is {zone:?} m long, more than {} times the {what}, \
+                     {length:?} m, and the correction for a short zone does not hold: give a larger \
+                     stress of the attraction, or solve a zone of any length with `Cohesive`",
+                    FiniteRange::LONGEST
+                ),
+                ..of("LongZoneError")
+            }
+            .about("zone", zone)
+            .range(0.0, FiniteRange::LONGEST * length),
             Error::Profile { row, .. } => of("ProfileError").about("row", row as f64),
             Error::OutsideTable {
                 axis,
@@ -256,7 +264,13 @@ impl From<Error> for Failure {
                 axis: Some(name.to_owned()),
                 ..of("FixedParameterError")
             },
-            Error::NoGradient => of("FixedParameterError"),
+            Error::NoGradient => Self {
+                message: "the contact has no derivatives with respect to the material, as those of a \
+                          stack and of a SolvedCurve: take differences, or for a film the contact of \
+                          a table of films"
+                    .into(),
+                ..of("FixedParameterError")
+            },
             Error::Foreign(_)
             | Error::Version { .. }
             | Error::Length { .. }
