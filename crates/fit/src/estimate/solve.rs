@@ -75,7 +75,7 @@ pub(crate) fn prepare(
     let mut experiments = experiments.to_vec();
     let mut assignments = Vec::new();
     for experiment in &mut experiments {
-        experiment.accept_stiffness()?;
+        experiment.accept_instrument()?;
         accept_numbers(experiment)?;
         if is_free(Parameter::WorkOfAdhesionReceding) {
             let receding = experiment.work_of_adhesion_receding;

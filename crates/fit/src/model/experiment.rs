@@ -321,8 +321,23 @@ impl Experiment {
         Some(reason.into())
     }
 
-    /// Accepts the stiffness of the cantilever where one is needed.
-    pub(crate) fn accept_stiffness(&self) -> Result<(), Error> {
+    /// Accepts the zeros of the instrument, and the stiffness of the cantilever where one is needed.
+    pub(crate) fn accept_instrument(&self) -> Result<(), Error> {
+        for parameter in [
+            Parameter::LoadOffset,
+            Parameter::ContactPoint,
+            Parameter::Baseline,
+            Parameter::BaselineSlope,
+        ] {
+            let value = self.get(parameter).unwrap_or(0.0);
+            if !(value.abs() <= 1e100) {
+                return Err(Error::Setting {
+                    name: format!("{parameter} of {}", self.measurement.name),
+                    value,
+                    allowed: "finite, and at most 1e100: check the unit".into(),
+                });
+            }
+        }
         if self.measurement.kind != Kind::ForceHeight {
             return Ok(());
         }

@@ -216,7 +216,7 @@ impl Cohesive {
     ///
     /// # Errors
     /// [`Error::Domain`] for a radius that is not positive, beyond the one at which the contact
-    /// begins, or beyond [`REACH`].
+    /// begins, or beyond [`REACH`]; [`Error::NotAContact`] for a result that overflows an f64.
     pub fn without_contact(&self, outer_radius: f64) -> Result<CohesiveState, Error> {
         let last = self.first_contact()?.unwrap_or_else(|| self.reach());
         Error::check(
@@ -224,7 +224,12 @@ impl Cohesive {
             outer_radius,
             [f64::MIN_POSITIVE, last * self.thickness],
         )?;
-        Ok(self.before_contact(outer_radius / self.thickness).0)
+        let (state, _) = self.before_contact(outer_radius / self.thickness);
+        if state.load.is_finite() && state.penetration.is_finite() {
+            return Ok(state);
+        }
+        let what = "its load or penetration overflows an f64: check the units";
+        Err(self.no_contact(outer_radius / self.thickness, what))
     }
 
     /// Returns the states at `count` radii, evenly spaced in their logarithm between the ends of

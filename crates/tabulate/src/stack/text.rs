@@ -75,7 +75,8 @@ impl NamedStack {
     /// Parses the text of a stack file. An error is a sentence, which names the layer if it is
     /// about one.
     fn parse(text: &str) -> Result<Self, String> {
-        let text: Text = toml::from_str(text).map_err(|error| error.to_string().trim_end().to_owned())?;
+        let text: Text =
+            toml::from_str(text).map_err(|error| error.to_string().trim_end().to_owned())?;
         text.stack()
     }
 }
