@@ -28,9 +28,6 @@ UNITS = {
     "energy_release_rate": "J/m^2",
 }
 
-# The largest number of rows that a notebook shows.
-MOST_ROWS = 10
-
 
 class Columns:
     """An instance of a dataclass whose fields are arrays of one shape."""
@@ -89,12 +86,7 @@ class Columns:
 
     def _repr_html_(self) -> str:
         """Return what a notebook shows: the first states."""
-        columns, rows = self._columns(), list(self._rows())
-        shown = [[f"{value:.6g}" for value in row] for row in rows[:MOST_ROWS]]
-        if len(rows) > MOST_ROWS:
-            left_out = f"{len(rows) - MOST_ROWS} more"
-            shown.append([left_out] + [""] * (len(columns) - 1))
-        return _html.table([label(name) for name in columns], shown)
+        return _html.numbers({label(name): a.ravel() for name, a in self._columns().items()})
 
 
 def label(name: str) -> str:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
-from typing import Literal, get_args
+from typing import TYPE_CHECKING, Literal, get_args
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,6 +16,9 @@ from ._experiment import Experiment, Free, ParameterName, one_of, unit_of
 from ._fit import experiments_of, free_of
 from ._fit_results import Forecast, correlation_of, estimates_of, name_of
 from ._table import Table
+
+if TYPE_CHECKING:
+    import pandas
 
 BranchName = Literal["advancing", "receding", "pinned", "baseline", "left-out"]
 
@@ -44,6 +47,15 @@ class Prediction:
     branch: list[str]
     beyond: NDArray[np.bool_]
     derivatives: dict[str, Array]
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """Return a row for each point; a derivative is called ``by_film_modulus``; needs pandas."""
+        import pandas
+
+        names = ("ordinate", "contact_radius", "branch", "beyond")
+        columns = {name: getattr(self, name) for name in names}
+        by = {f"by_{name}": column for name, column in self.derivatives.items()}
+        return pandas.DataFrame(columns | by)
 
 
 def branches(experiment: Experiment, free: Iterable[ParameterName] = ()) -> list[str]:
