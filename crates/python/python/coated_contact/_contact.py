@@ -399,7 +399,7 @@ class Contact(Remade):
         >>> contact = Contact.half_space(system)
         >>> corrected = contact.finite_range(0.05, stress=1e7).pull_off()
         >>> f"{contact.pull_off(0.05).load:.4e} N, {corrected.load:.4e} N"
-        '-2.3562e-07 N, -2.3848e-07 N'
+        '-2.3562e-07 N, -2.3649e-07 N'
         """
         return ShortRange(contact=self, work_of_adhesion=w, stress=stress)
 

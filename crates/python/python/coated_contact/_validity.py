@@ -145,8 +145,8 @@ class AdhesionRange:
         >>> gel = Elastic(young_modulus=1e7, poisson_ratio=0.5)
         >>> system = HalfSpace(sphere_radius=1e-6, sphere_modulus=float("inf"), solid=gel)
         >>> attraction = Contact.half_space(system).adhesion_range(0.05, interaction_range=5e-9)
-        >>> f"{attraction.pull_off_error():.3f}", f"{0.0859 / attraction.tabor**2:.3f}"
-        ('0.012', '0.012')
+        >>> f"{attraction.pull_off_error():.2e}", f"{0.0859 / attraction.tabor**2:.2e}"
+        ('3.69e-03', '3.69e-03')
         """
         (found,) = evaluate(
             self._contact._native.pull_off_error,
