@@ -413,7 +413,8 @@ FUNCTIONS = {
 }
 
 # Where one evaluation takes more than a millisecond, fewer random numbers are tried.
-SLOW = ("Cohesive", "fit", "generate", "predict on", "Stack", "ContactLine.ramp")
+SLOW = ("Cohesive", "fit", "generate", "predict on", "Stack", "ContactLine.ramp", "Power", "Round")
+SLOW += ("Cone", "FlatEnded")
 
 
 def any_numbers(valid, random, count):

@@ -330,7 +330,7 @@ impl Experiment {
             Parameter::BaselineSlope,
         ] {
             let value = self.get(parameter).unwrap_or(0.0);
-            if !(value.abs() <= 1e100) {
+            if !(-1e100..=1e100).contains(&value) {
                 return Err(Error::Setting {
                     name: format!("{parameter} of {}", self.measurement.name),
                     value,
