@@ -170,6 +170,12 @@ def test_what_cannot_be_used_is_named(stack):
     with pytest.raises(ContactError, match="out of reach") as caught:
         predict(lens(replace(stack, layers=[stack.layers[0], thin])))
     assert caught.value.axis == "a_over_t"
+    data = replace(lens(stack), ordinate=np.linspace(-1e-4, 1e-3, len(A)))
+    system = replace(data.system, stack=replace(stack, layers=[stack.layers[0], thin]))
+    with pytest.raises(FitError, match="where the fit starts") as caught:
+        fit(replace(data, system=system), ["primer.modulus"])
+    assert type(caught.value.__cause__).__name__ == "DomainError"
+    assert caught.value.__cause__.value > caught.value.__cause__.range[1]
     # A contrast that the start leaves possible and a difference does not.
     stiff = replace(
         stack.layers[1], material=Elastic(young_modulus=5e5 * 0.9999e9, poisson_ratio=0.3)

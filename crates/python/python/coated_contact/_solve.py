@@ -117,16 +117,15 @@ class Solution:
             If no parameter varies.
         """
         columns = self._columns()
-        name = next((n for n in self._parameters if np.ptp(columns[n]) > 0), None)
-        if name is None:
+        varied = [name for name in self._parameters if len(np.unique(columns[name])) > 1]
+        if not varied:
             raise ValueError("all parameters are single numbers: solve for several, to draw them")
         ax = axes(ax)
-        order = np.argsort(columns[name], kind="stable")
-        several = sum(np.ptp(columns[n]) > 0 for n in self._parameters) > 1
+        x = columns[varied[0]]
+        order, line = np.argsort(x, kind="stable"), "-" if len(varied) == 1 else "."
         for quantity in [one for one in QUANTITIES if one != "error"]:
-            line = "." if several else "-"
-            ax.loglog(columns[name][order], columns[quantity][order], line, label=quantity)
-        ax.set_xlabel(name)
+            ax.loglog(x[order], columns[quantity][order], line, label=quantity)
+        ax.set_xlabel(varied[0])
         ax.legend()
         return ax
 

@@ -24,7 +24,7 @@ from ._bodies import Elastic, HalfSpace, System
 from ._columns import Array
 from ._experiment import Experiment, ParameterName
 from ._model import Prediction, branches, predict
-from ._stack import Layer, Stack, StackSystem
+from ._stack import Layer, StackSystem
 from ._table import Table
 
 __all__ = ["Model"]
@@ -200,12 +200,12 @@ def parameters_of(experiment: Experiment) -> dict[str, ParameterName]:
 def value_of(experiment: Experiment, name: ParameterName) -> float:
     """Return the value of a parameter of an experiment."""
     system = experiment.system
-    if name in OF_FILM:
-        return float(getattr(_film(system), OF_FILM[name]))
-    if "." in name:
+    if isinstance(system, StackSystem) and "." in name:
         layer, _, what = name.rpartition(".")
-        found = next(one for one in _stack(system).layers if one.name == layer)
+        found = next(one for one in system.stack.layers if one.name == layer)
         return found.thickness if what == "thickness" else found.material.young_modulus
+    if not isinstance(system, StackSystem) and name in OF_FILM:
+        return float(getattr(_film(system), OF_FILM[name]))
     owner = system if name in ("sphere_modulus", "film_thickness") else experiment
     return float(getattr(owner, name))
 
@@ -240,13 +240,5 @@ def _layer_with(layer: Layer, values: dict[ParameterName, float]) -> Layer:
     return replace(layer, material=material, thickness=thickness)
 
 
-def _film(system: System | HalfSpace | StackSystem) -> Elastic:
-    if isinstance(system, StackSystem):
-        raise TypeError("a stack has layers instead of one film")
+def _film(system: System | HalfSpace) -> Elastic:
     return system.solid if isinstance(system, HalfSpace) else system.film
-
-
-def _stack(system: System | HalfSpace | StackSystem) -> Stack:
-    if not isinstance(system, StackSystem):
-        raise TypeError("a film has no layers")
-    return system.stack
