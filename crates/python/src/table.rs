@@ -7,7 +7,6 @@ use interp::{Error, SubstratePoissonRatio};
 use numpy::{PyArray1, PyArrayMethods as _};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
-use tabulate::stack::NamedStack;
 use tabulate::table::StackTable;
 
 use crate::bodies::{GivenLayer, NativeStack, NativeStackSystem, NativeSystem, Solid, parts};
@@ -147,10 +146,7 @@ impl Table {
             return Ok(None);
         }
         let found = StackTable::new(table).or_raise(py)?;
-        Ok(Some(parts(&NamedStack {
-            stack: found.stack().clone(),
-            names: found.names().to_vec(),
-        })))
+        Ok(Some(parts(found.named_stack())))
     }
 
     /// Makes the contact of a system with the stack of the table, `own`.

@@ -113,8 +113,7 @@ impl Experiment {
         })
     }
 
-    /// Accepts the points.
-    /// Accepts points whose places are numbers.
+    /// Accepts points whose abscissae are finite.
     pub(crate) fn accept_abscissae(&self) -> Result<(), Error> {
         let [abscissa, _] = self.measurement.kind.names();
         let mut points = self.measurement.points.iter();
@@ -144,6 +143,7 @@ impl Experiment {
         }
     }
 
+    /// Accepts the points.
     fn accept_points(&self) -> Result<(), Error> {
         let measurement = &self.measurement;
         let points = &measurement.points;

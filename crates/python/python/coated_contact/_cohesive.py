@@ -115,7 +115,10 @@ class Cohesive(Remade):
         Raises
         ------
         DomainError
-            For a radius that is not positive, or beyond that at which the contact begins.
+            For a radius that is not positive, beyond that at which the contact begins, or beyond
+            120 times the thickness of the (top) layer.
+        NotAContactError
+            For a load or penetration that overflows a float.
         """
         return cohesive_states(evaluate(self._native.without_contact, errors, outer_radius=c))
 

@@ -70,9 +70,9 @@ impl<'a> StackTable<'a> {
         &self.named.stack
     }
 
-    /// Returns the names of the layers, from the base up; `None` for a layer without one.
-    pub fn names(&self) -> &[Option<String>] {
-        &self.named.names
+    /// Returns the stack with the names of its layers.
+    pub const fn named_stack(&self) -> &NamedStack {
+        &self.named
     }
 
     /// Looks up the curve of the stack under a sphere of reduced modulus `sphere_modulus` (Pa;
