@@ -59,6 +59,14 @@ impl Failure {
         }
     }
 
+    /// Replaces the message by one in the words of this package.
+    fn saying(self, message: &str) -> Self {
+        Self {
+            message: message.to_owned(),
+            ..self
+        }
+    }
+
     /// Adds the name and the value of what is refused.
     pub fn about(self, axis: &str, value: f64) -> Self {
         Self {
@@ -200,17 +208,15 @@ impl From<Error> for Failure {
                 .about("contact radius", contact_radius)
                 .allowed(&format!("{allowed} {limit:?} m")),
             Error::OtherProbe { .. } | Error::StackProbe => of("OtherProbeError"),
-            Error::LongZone { zone, what, length } => Self {
-                message: format!(
+            Error::LongZone { zone, what, length } => of("LongZoneError")
+                .about("zone", zone)
+                .range(0.0, FiniteRange::LONGEST * length)
+                .saying(&format!(
                     "the zone of attraction is {zone:?} m long, more than {} times the {what}, \
                      {length:?} m, and the correction for a short zone does not hold: give a larger \
                      stress of the attraction, or solve a zone of any length with `Cohesive`",
                     FiniteRange::LONGEST
-                ),
-                ..of("LongZoneError")
-            }
-            .about("zone", zone)
-            .range(0.0, FiniteRange::LONGEST * length),
+                )),
             Error::Profile { row, .. } => of("ProfileError").about("row", row as f64),
             Error::OutsideTable {
                 axis,
@@ -242,35 +248,26 @@ impl From<Error> for Failure {
                 ..of("EquivalentError").about("nu0", nu0)
             },
             Error::Normalisation { .. } => of("NormalisationError"),
-            // In the words of this package.
-            Error::OfStack => Self {
-                message:
-                    "the table is of one stack of layers, and the system has one film: give a \
-                          StackSystem with the stack of the table, `table.stack`; for a film use a \
-                          table of films, such as `Table.embedded()`"
-                        .into(),
-                ..of("OtherTableError")
-            },
-            Error::NotOfStack => Self {
-                message:
-                    "the table is of films on substrates, and the system has a stack of layers: \
-                          make the table of a scene with a stack by `generate`, or solve the stack \
-                          with `Stack.contact`"
-                        .into(),
-                ..of("OtherTableError")
-            },
+            Error::OfStack => of("OtherTableError").saying(
+                "the table is of one stack of layers, and the system has one film: give a \
+                 StackSystem with the stack of the table, `table.stack`; for a film use a table of \
+                 films, such as `Table.embedded()`",
+            ),
+            Error::NotOfStack => of("OtherTableError").saying(
+                "the table is of films on substrates, and the system has a stack of layers: make \
+                 the table of a scene with a stack by `generate`, or solve the stack with \
+                 `Stack.contact`",
+            ),
             Error::MissingQuantity(_) | Error::BeginsTooLate { .. } => of("MissingQuantityError"),
             Error::FixedParameter(name) => Self {
                 axis: Some(name.to_owned()),
                 ..of("FixedParameterError")
             },
-            Error::NoGradient => Self {
-                message: "the contact has no derivatives with respect to the material, as those of a \
-                          stack and of a SolvedCurve: take differences, or for a film the contact of \
-                          a table of films"
-                    .into(),
-                ..of("FixedParameterError")
-            },
+            Error::NoGradient => of("FixedParameterError").saying(
+                "the contact has no derivatives with respect to the material, as those of a stack \
+                 and of a SolvedCurve: take differences, or for a film the contact of a table of \
+                 films",
+            ),
             Error::Foreign(_)
             | Error::Version { .. }
             | Error::Length { .. }

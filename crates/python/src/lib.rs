@@ -3,8 +3,8 @@
 //! It is thin. The Python layer beside it checks types, broadcasts, documents and annotates; this
 //! module takes flat arrays of f64 and evaluates them with the interpreter's lock released. Data
 //! flows `contact → table → bodies`, all through `arrays`; `line`, `short_range`, `fit`, `model`,
-//! `generate`, `solve` and `cohesive` stand beside them; `error` makes Python's exceptions of all of
-//! them.
+//! `generate`, `solve` and `cohesive` stand beside them; `error` makes Python's exceptions of all
+//! of them.
 
 #![forbid(unsafe_code)]
 

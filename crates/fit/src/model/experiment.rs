@@ -321,7 +321,8 @@ impl Experiment {
         Some(reason.into())
     }
 
-    /// Accepts the zeros of the instrument, and the stiffness of the cantilever where one is needed.
+    /// Accepts the zeros of the instrument, and the stiffness of the cantilever where one is
+    /// needed.
     pub(crate) fn accept_instrument(&self) -> Result<(), Error> {
         for parameter in [
             Parameter::LoadOffset,

@@ -237,8 +237,8 @@ mod tests {
     use super::*;
     use crate::{Elastic, HalfSpace};
 
-    /// Under an imposed penetration the smallest contacts, far below the zone, are unstable, and the
-    /// pull-off is not beside them.
+    /// Under an imposed penetration the smallest contacts, far below the zone, are unstable: the
+    /// pull-off is a larger one.
     #[test]
     fn every_control_has_its_pull_off() {
         let contact = Contact::half_space(&HalfSpace {

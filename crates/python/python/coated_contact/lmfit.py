@@ -44,7 +44,7 @@ class Model(LmfitModel):  # type: ignore[misc]
 
     With a stack the parameters of a layer of the name ``primer`` are ``primer_modulus`` and
     ``primer_thickness`` in lmfit, and ``"primer.modulus"`` and ``"primer.thickness"`` in ``free``.
-    Layers whose names lmfit cannot take are fixed.
+    Layers whose names lmfit cannot take are fixed, and so is the modulus of one called ``sphere``.
 
     At the abscissae of the experiment the branch of each point is read from its data, as
     :func:`coated_contact.branches` does, and points in a jump do not count. At other abscissae the
@@ -192,7 +192,7 @@ def parameters_of(experiment: Experiment) -> dict[str, ParameterName]:
         for layer in system.stack.layers:
             for what in ("modulus", "thickness"):
                 name = f"{layer.name}_{what}"
-                if layer.name is not None and valid_symbol_name(name):
+                if layer.name is not None and name not in named and valid_symbol_name(name):
                     named[name] = f"{layer.name}.{what}"
     return named
 
@@ -234,6 +234,8 @@ def with_values(experiment: Experiment, values: dict[ParameterName, float]) -> E
 
 def _layer_with(layer: Layer, values: dict[ParameterName, float]) -> Layer:
     """Return a layer with the values of its parameters."""
+    if layer.name is None:
+        return layer
     young = values.get(f"{layer.name}.modulus", layer.material.young_modulus)
     thickness = values.get(f"{layer.name}.thickness", layer.thickness)
     material = replace(layer.material, young_modulus=young)

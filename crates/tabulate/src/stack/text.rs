@@ -50,10 +50,11 @@ pub struct NamedStack {
 }
 
 impl NamedStack {
-    /// Reads a stack file: TOML in SI units, with `base = { young_modulus = .., poisson_ratio = .. }`
-    /// and, from the base up, a `[[layers]]` with `young_modulus`, `poisson_ratio`, `thickness` and
-    /// perhaps a `name` for each layer. A base with `young_modulus = inf` is rigid and needs no
-    /// Poisson ratio.
+    /// Reads a stack file: TOML in SI units.
+    ///
+    /// It has `base = { young_modulus = .., poisson_ratio = .. }` and, from the base up, a
+    /// `[[layers]]` with `young_modulus`, `poisson_ratio`, `thickness` and perhaps a `name` for each
+    /// layer. A base with `young_modulus = inf` is rigid and needs no Poisson ratio.
     ///
     /// # Errors
     /// [`Error::Read`] if the file cannot be read, or has more than a megabyte;
