@@ -2,7 +2,7 @@
 
 use acceptance::{Contacts, assert_names};
 use fit::{Bodies, Direction, Error, Experiment, Fit, Free, Kind, Loss, Options, Parameter, Point};
-use fit::{Scope, fit};
+use fit::{Scope, fit, simulate};
 use interp::Table;
 
 use crate::imagined::{Course, Imagined, gel, measurement};
@@ -301,4 +301,25 @@ fn data_without_sense_give_an_error_or_a_result() {
     }
     println!("{fitted} fitted with doubts, {refused} refused");
     assert!(fitted > 0 && refused > 0);
+}
+
+#[test]
+fn predictions_and_simulations_refuse_what_is_not_finite() {
+    let lens = Imagined::lens(Kind::LoadRadius, 10e-6, 5e-6, &LENS);
+    let sound = lens.measured(&lens.exact(), 1);
+    let refused = |experiment: &Experiment, words: &[&str]| {
+        let table = Table::embedded();
+        let predicted = experiment.predictions(table, None, &[]);
+        assert_names(&predicted.expect_err("unusable").to_string(), words);
+        let simulated = simulate(table, experiment, 0.0, 1);
+        assert_names(&simulated.expect_err("unusable").to_string(), words);
+    };
+    for value in [f64::NAN, f64::INFINITY, -1e101] {
+        let mut offset = sound.clone();
+        offset.load_offset = value;
+        refused(&offset, &["load-offset of imagined.csv", "finite"]);
+        let mut far = sound.clone();
+        far.measurement.points[3].abscissa = value;
+        refused(&far, &["imagined.csv, line 5", "contact radius"]);
+    }
 }

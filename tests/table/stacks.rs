@@ -396,7 +396,7 @@ fn the_commands_take_it_or_refuse_it() {
                 "--noise",
                 "0",
             ],
-            "those of a table of a stack are fixed",
+            "name a stack file instead of the table",
         ),
         (
             &["report", "scene.h5", "-o", "page.html"],

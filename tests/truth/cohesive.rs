@@ -4,7 +4,7 @@
 use acceptance::{Case, Data, larger};
 use interp::{Contact, Control, Elastic, Probe, System};
 use std::f64::consts::PI;
-use tabulate::cohesive::{Cohesive, CohesiveState};
+use tabulate::cohesive::{Cohesive, CohesiveState, REACH};
 use tabulate::stack::{Layer, Stack};
 
 /// The thickness of the films, m, and the modulus of the sphere, Pa: units of the file.
@@ -427,5 +427,25 @@ fn values_outside_the_domain_are_named() {
     ] {
         let error = stack(w, range).expect_err("outside").to_string();
         assert!(error.contains(name), "{error}");
+    }
+}
+
+/// The attraction before the contact is solved up to the reach; its cost grows with the radius.
+#[test]
+fn an_attraction_beyond_the_reach_is_refused() {
+    let film = Elastic::new(MODULUS, 0.5).expect("physical");
+    let base = Elastic::new(1e5 * MODULUS, 0.25).expect("physical");
+    let layer = Layer {
+        solid: film,
+        thickness: THICKNESS,
+    };
+    let stack = Stack::new(base, [layer]).expect("physical");
+    let reach = REACH * THICKNESS;
+    for radius in [1.0, 1e30] {
+        // The bodies would touch at sqrt(2 h0 R), 1.4 mm and more.
+        let far = Cohesive::on_stack(&stack, radius, MODULUS, 1e-9, 1e-6).expect("physical");
+        far.without_contact(0.999 * reach).expect("within reach");
+        let error = far.without_contact(1.001 * reach).expect_err("beyond");
+        assert!(error.to_string().contains("outer radius"), "{error}");
     }
 }

@@ -11,7 +11,7 @@ from pathlib import Path
 import matplotlib.pyplot as plt
 import numpy as np
 
-from coated_contact import Elastic, System, Table, generate, solve
+from coated_contact import Elastic, Layer, Stack, StackSystem, System, Table, generate, solve
 
 # %% [markdown]
 # ## Scene and table
@@ -68,3 +68,32 @@ for name, used in {"own": Table.read(path), "embedded": Table.embedded()}.items(
     stiffness = used.contact(system).stiffness(a)
     print(name, f"{stiffness / (2 * a * 2e6 * exact.eeq) - 1:.1e}")
 folder.cleanup()
+
+# %% [markdown]
+# ## Of a stack of layers
+#
+# A table of one stack serves spheres of any modulus. The stack goes with the table.
+
+# %%
+primer = Elastic(young_modulus=5e5, poisson_ratio=0.5)
+stack = Stack(
+    base=system.substrate,
+    layers=[
+        Layer(name="primer", material=primer, thickness=2.5e-6),
+        Layer(name="elastomer", material=system.film, thickness=7.5e-6),
+    ],
+)
+on_stack = generate(
+    {
+        "title": "An elastomer on a primer",
+        "tolerance": 1e-5,
+        "a_over_t": {"from": 0.1, "to": 20},
+        "e1_over_e2": {"from": 0.1, "to": 10},
+        "stack": stack,
+    },
+    progress=False,
+)
+for modulus in (1e6, 2e6, 2e7):
+    lens = StackSystem(stack=on_stack.stack, sphere_radius=1e-3, sphere_modulus=modulus)
+    load = on_stack.contact(lens).pull_off(0.04).load
+    print(f"E2* = {modulus:.0e} Pa: pull-off at {load:.3e} N")

@@ -2,16 +2,20 @@
 //!
 //! Each Python object makes its native one once, when it is made itself, which is also its check.
 
+use std::path::PathBuf;
+
 use interp::{Elastic, Error, HalfSpace, Probe, Profile, System};
 use numpy::PyReadonlyArray1;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
-use tabulate::stack::{Layer, Stack};
+use tabulate::stack::{Layer, NamedStack, Stack};
 
-use crate::error::Failure;
+use crate::error::OrRaise as _;
 
 /// Young's modulus and Poisson ratio.
 pub type Solid = (f64, f64);
+/// A layer: its solid, its thickness, and its name if it has one.
+pub type GivenLayer = (Solid, f64, Option<String>);
 
 /// The shape of a probe.
 #[pyclass(frozen, module = "coated_contact._core", name = "Probe")]
@@ -25,14 +29,14 @@ pub struct NativeSystem(pub System);
 #[pyclass(frozen, module = "coated_contact._core", name = "HalfSpace")]
 pub struct NativeHalfSpace(pub HalfSpace);
 
-/// Layers on a base.
+/// Layers on a base, with the names of those that have one.
 #[pyclass(frozen, module = "coated_contact._core", name = "Stack")]
-pub struct NativeStack(pub Stack);
+pub struct NativeStack(pub NamedStack);
 
 /// A probe on a stack, with the system whose film is the solid that the probe touches.
 #[pyclass(frozen, module = "coated_contact._core", name = "StackSystem")]
 pub struct NativeStackSystem {
-    pub stack: Stack,
+    pub named: NamedStack,
     pub system: System,
 }
 
@@ -77,7 +81,7 @@ impl NativeProbe {
             touched.compound_modulus()?;
             Ok(Self(touched.probe))
         });
-        made.map_err(|error| Failure::from(error).raise(py))
+        made.or_raise(py)
     }
 }
 
@@ -103,7 +107,7 @@ impl NativeSystem {
             system.material()?;
             Ok::<_, Error>(Self(system))
         };
-        make().map_err(|error| Failure::from(error).raise(py))
+        make().or_raise(py)
     }
 }
 
@@ -125,51 +129,51 @@ impl NativeHalfSpace {
             half_space.compound_modulus()?;
             Ok::<_, Error>(Self(half_space))
         };
-        make().map_err(|error| Failure::from(error).raise(py))
+        make().or_raise(py)
     }
 
     fn compound_modulus(&self, py: Python<'_>) -> PyResult<f64> {
         let modulus = self.0.compound_modulus();
-        modulus.map_err(|error| Failure::from(error).raise(py))
+        modulus.or_raise(py)
     }
 }
 
 #[pymethods]
 impl NativeStack {
-    /// Takes the base, the layers from the base up, each with its thickness, and the solid at the
-    /// surface if it is not that of the top layer.
+    /// Takes the base, the layers from the base up, and the solid at the surface if it is not that
+    /// of the top layer.
     #[new]
     fn new(
         py: Python<'_>,
         base: Solid,
-        layers: Vec<(Solid, f64)>,
+        layers: Vec<GivenLayer>,
         surface: Option<Solid>,
     ) -> PyResult<Self> {
         let make = || {
-            let layer = |(layer, thickness)| {
+            let mut names = Vec::with_capacity(layers.len());
+            let layer = |(given, thickness, name)| {
+                names.push(name);
                 Ok(Layer {
-                    solid: solid(layer)?,
+                    solid: solid(given)?,
                     thickness,
                 })
             };
             let layers: Result<Vec<Layer>, Error> = layers.into_iter().map(layer).collect();
-            let stack = Stack::new(solid(base)?, layers?)?;
-            match surface {
-                Some(surface) => stack.with_surface(solid(surface)?),
-                None => Ok(stack),
+            let mut stack = Stack::new(solid(base)?, layers?)?;
+            if let Some(surface) = surface {
+                stack = stack.with_surface(solid(surface)?)?;
             }
+            Ok::<_, tabulate::Error>(Self(NamedStack { stack, names }))
         };
-        make()
-            .map(Self)
-            .map_err(|error: tabulate::Error| Failure::from(error).raise(py))
+        make().or_raise(py)
     }
 
     fn thickness(&self) -> f64 {
-        self.0.thickness()
+        self.0.stack.thickness()
     }
 
     fn compressibility(&self) -> f64 {
-        self.0.compressibility()
+        self.0.stack.compressibility()
     }
 }
 
@@ -182,17 +186,30 @@ impl NativeStackSystem {
         sphere_modulus: f64,
         stack: &Bound<'_, NativeStack>,
     ) -> PyResult<Self> {
-        let stack = stack.get().0.clone();
+        let named = stack.get().0.clone();
         let system = System {
             probe: probe.get().0.clone(),
             // The radius is that of the probe.
-            ..stack.system(1.0, sphere_modulus)
+            ..named.stack.system(1.0, sphere_modulus)
         };
-        match system.material() {
-            Ok(_) => Ok(Self { stack, system }),
-            Err(error) => Err(Failure::from(error).raise(py)),
-        }
+        system.material().or_raise(py)?;
+        Ok(Self { named, system })
     }
+}
+
+/// Returns the base and the layers of a stack.
+pub fn parts(NamedStack { stack, names }: &NamedStack) -> (Solid, Vec<GivenLayer>) {
+    let solid = |solid: Elastic| (solid.young(), solid.poisson());
+    let layers = stack.layers().iter().zip(names);
+    let layers = layers.map(|(layer, name)| (solid(layer.solid), layer.thickness, name.clone()));
+    (solid(stack.base()), layers.collect())
+}
+
+/// Reads a stack file, and returns the base and the layers.
+#[pyfunction]
+pub fn read_stack(py: Python<'_>, path: PathBuf) -> PyResult<(Solid, Vec<GivenLayer>)> {
+    let named = py.detach(|| NamedStack::read(&path)).or_raise(py)?;
+    Ok(parts(&named))
 }
 
 /// Accepts Young's modulus and Poisson ratio; returns the reduced modulus.
@@ -200,5 +217,5 @@ impl NativeStackSystem {
 pub fn check_elastic(py: Python<'_>, young: f64, poisson: f64) -> PyResult<f64> {
     Elastic::new(young, poisson)
         .map(|solid| solid.reduced())
-        .map_err(|error| Failure::from(error).raise(py))
+        .or_raise(py)
 }

@@ -1,15 +1,14 @@
 //! An attraction of finite range: states at contact radii, fields in one contact, and the pull-off.
 
-use interp::Probe;
+use interp::{CohesiveState, Probe};
 use numpy::PyArray1;
 use pyo3::prelude::*;
-use tabulate::Error;
-use tabulate::cohesive::{self, CohesiveState};
+use tabulate::{Error, cohesive};
 
 use crate::arrays::{Input, Output, Points};
 use crate::bodies::{NativeStackSystem, NativeSystem};
 use crate::contact::{Imposed, control};
-use crate::error::Failure;
+use crate::error::OrRaise as _;
 
 /// A probe with an attraction of finite range.
 #[pyclass(frozen, module = "coated_contact._core")]
@@ -24,8 +23,11 @@ pub enum Bodies<'py> {
     Layers(Bound<'py, NativeStackSystem>),
 }
 
-/// Returns contact radius, outer radius, load and penetration.
-fn numbers(state: CohesiveState) -> [f64; 4] {
+/// Contact radius, outer radius, load and penetration.
+pub type CohesiveNumbers = [f64; 4];
+
+/// Returns the four numbers of a state.
+pub fn numbers(state: CohesiveState) -> CohesiveNumbers {
     [
         state.contact_radius,
         state.outer_radius,
@@ -40,14 +42,14 @@ impl Bodies<'_> {
         match self {
             Self::Film(film) => cohesive::Cohesive::new(&film.get().0, work_of_adhesion, range),
             Self::Layers(layers) => {
-                let NativeStackSystem { stack, system } = layers.get();
+                let NativeStackSystem { named, system } = layers.get();
                 let Probe::Paraboloid { radius } = system.probe else {
                     return Err(Error::OnlyParaboloid {
                         probe: system.probe.name(),
                     });
                 };
                 let modulus = system.sphere_modulus;
-                cohesive::Cohesive::on_stack(stack, radius, modulus, work_of_adhesion, range)
+                cohesive::Cohesive::on_stack(&named.stack, radius, modulus, work_of_adhesion, range)
             }
         }
     }
@@ -59,10 +61,8 @@ impl Cohesive {
         py: Python<'py>,
         evaluate: impl FnOnce() -> Result<Vec<f64>, Error> + Send,
     ) -> PyResult<Output<'py>> {
-        match py.detach(evaluate) {
-            Ok(values) => Ok(PyArray1::from_vec(py, values)),
-            Err(error) => Err(Failure::from(error).raise(py)),
-        }
+        let values = py.detach(evaluate).or_raise(py)?;
+        Ok(PyArray1::from_vec(py, values))
     }
 }
 
@@ -71,8 +71,7 @@ impl Cohesive {
     #[new]
     fn new(py: Python<'_>, bodies: Bodies<'_>, w: f64, range: f64) -> PyResult<Self> {
         let made = bodies.with(w, range);
-        made.map(Self)
-            .map_err(|error| Failure::from(error).raise(py))
+        made.map(Self).or_raise(py)
     }
 
     fn state<'py>(
@@ -112,15 +111,15 @@ impl Cohesive {
     ) -> PyResult<[Output<'py>; 4]> {
         let states = py
             .detach(|| self.0.branch(contact_radii, count))
-            .map_err(|error| Failure::from(error).raise(py))?;
+            .or_raise(py)?;
         let rows: Vec<_> = states.into_iter().map(numbers).collect();
         Ok([0, 1, 2, 3].map(|i| PyArray1::from_iter(py, rows.iter().map(|row| row[i]))))
     }
 
-    fn pull_off(&self, py: Python<'_>, imposed: Imposed<'_>) -> PyResult<[f64; 4]> {
+    fn pull_off(&self, py: Python<'_>, imposed: Imposed<'_>) -> PyResult<CohesiveNumbers> {
         let control = control(imposed)?;
         py.detach(|| self.0.pull_off(control))
             .map(numbers)
-            .map_err(|error| Failure::from(error).raise(py))
+            .or_raise(py)
     }
 }

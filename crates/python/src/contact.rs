@@ -3,7 +3,7 @@
 use std::sync::OnceLock;
 
 use interp::{
-    Branch, Control, Error, ForceDisplacement, Input as Parameter, Neglected, State, System,
+    Branch, Control, Curve, Error, ForceDisplacement, Input as Parameter, Neglected, State, System,
 };
 use numpy::PyArray1;
 use pyo3::exceptions::PyValueError;
@@ -11,7 +11,7 @@ use pyo3::prelude::*;
 
 use crate::arrays::{Input, Output, Points};
 use crate::bodies::{NativeHalfSpace, NativeStackSystem, NativeSystem};
-use crate::error::Failure;
+use crate::error::OrRaise as _;
 use crate::table::Table;
 
 /// A contact, with the table that makes its derivatives when they are first asked for.
@@ -52,6 +52,17 @@ impl Contact {
             origin: None,
             with_gradient: OnceLock::new(),
         }
+    }
+
+    /// Makes the contact of a system on a curve of its own.
+    pub fn of_curve(
+        py: Python<'_>,
+        system: &System,
+        curve: impl FnOnce() -> Result<Curve, tabulate::Error> + Send,
+    ) -> PyResult<Self> {
+        py.detach(|| Ok::<_, tabulate::Error>(interp::Contact::new(system, curve()?)?))
+            .map(Self::alone)
+            .or_raise(py)
     }
 
     /// Returns the contact with derivatives, made at the first call.
@@ -102,7 +113,7 @@ impl Contact {
     fn half_space(py: Python<'_>, system: &Bound<'_, NativeHalfSpace>) -> PyResult<Self> {
         interp::Contact::half_space(&system.get().0)
             .map(Self::alone)
-            .map_err(|error| Failure::from(error).raise(py))
+            .or_raise(py)
     }
 
     /// Solves the contact of a system along `a/t`.
@@ -114,13 +125,9 @@ impl Contact {
         tolerance: f64,
     ) -> PyResult<Self> {
         let system = &system.get().0;
-        let solve = || {
-            let curve = tabulate::curve(&system.material()?, a_over_t, tolerance)?;
-            Ok::<_, tabulate::Error>(interp::Contact::new(system, curve)?)
-        };
-        py.detach(solve)
-            .map(Self::alone)
-            .map_err(|error| Failure::from(error).raise(py))
+        Self::of_curve(py, system, || {
+            tabulate::curve(&system.material()?, a_over_t, tolerance)
+        })
     }
 
     /// Solves the contact of a stack of layers along `a/t`.
@@ -131,14 +138,10 @@ impl Contact {
         a_over_t: [f64; 2],
         tolerance: f64,
     ) -> PyResult<Self> {
-        let NativeStackSystem { stack, system } = system.get();
-        let solve = || {
-            let curve = tabulate::stack_curve(stack, system.sphere_modulus, a_over_t, tolerance)?;
-            Ok::<_, tabulate::Error>(interp::Contact::new(system, curve)?)
-        };
-        py.detach(solve)
-            .map(Self::alone)
-            .map_err(|error| Failure::from(error).raise(py))
+        let NativeStackSystem { named, system } = system.get();
+        Self::of_curve(py, system, || {
+            tabulate::stack_curve(&named.stack, system.sphere_modulus, a_over_t, tolerance)
+        })
     }
 
     /// Returns the smallest and the largest contact radius of searches.
@@ -237,6 +240,20 @@ impl Contact {
         })
     }
 
+    /// Returns the part by which the pull-off load of JKR is too small.
+    fn pull_off_error<'py>(
+        &self,
+        py: Python<'py>,
+        points: Points,
+        w: Input<'_>,
+        z0: Input<'_>,
+    ) -> PyResult<[Output<'py>; 1]> {
+        points.evaluate(py, [&w, &z0], |[w, z0]| {
+            let range = self.contact.adhesion_range(w, z0)?;
+            range.pull_off_error().map(|error| [error])
+        })
+    }
+
     /// Returns load and penetration, and then the derivatives of both with respect to each of
     /// `interp::Input::ALL`; NaN where one is not known.
     fn gradient<'py>(
@@ -246,9 +263,7 @@ impl Contact {
         a: Input<'_>,
         w: Input<'_>,
     ) -> PyResult<[Output<'py>; 20]> {
-        let contact = py
-            .detach(|| self.gradient_contact())
-            .map_err(|error| Failure::from(error).raise(py))?;
+        let contact = py.detach(|| self.gradient_contact()).or_raise(py)?;
         points.evaluate(py, [&a, &w], |[a, w]| {
             let gradient = contact.gradient(a, w)?;
             let mut values = [f64::NAN; 20];
@@ -279,7 +294,7 @@ impl Contact {
     fn check_equilibria(&self, py: Python<'_>, w: f64, imposed: Imposed<'_>) -> PyResult<()> {
         let control = control(imposed)?;
         py.detach(|| self.contact.equilibria(w, control).map(drop))
-            .map_err(|error| Failure::from(error).raise(py))
+            .or_raise(py)
     }
 
     /// Returns all equilibria at one imposed value, each with its stability.
@@ -298,7 +313,7 @@ impl Contact {
                     .map(|one| (numbers(one.state), one.stable))
                     .collect()
             })
-            .map_err(|error| Failure::from(error).raise(py))
+            .or_raise(py)
     }
 
     /// Returns the stable state of a branch at each imposed value.
@@ -314,7 +329,7 @@ impl Contact {
         let (control, branch) = (control(imposed)?, branch(branch_name)?);
         let equilibria = py
             .detach(|| self.contact.equilibria(w, control))
-            .map_err(|error| Failure::from(error).raise(py))?;
+            .or_raise(py)?;
         points.evaluate(py, [&values], |[value]| {
             let state = match branch {
                 Branch::Loading => equilibria.loading(value),
@@ -347,7 +362,7 @@ impl Contact {
             loading,
             unloading,
             jumps,
-        } = computed.map_err(|error| Failure::from(error).raise(py))?;
+        } = computed.or_raise(py)?;
         let [loading, unloading] = [loading, unloading]
             .map(|branches| branches.iter().map(|branch| arrays(py, branch)).collect());
         let jumps = jumps

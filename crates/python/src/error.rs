@@ -6,7 +6,7 @@
 use std::io;
 use std::path::Path;
 
-use interp::Error;
+use interp::{Error, FiniteRange};
 use pyo3::exceptions::PyOSError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -41,9 +41,14 @@ impl Failure {
             message = format!("{message}: {error}");
             source = error.source();
         }
+        Self::of_words(class, &message)
+    }
+
+    /// An error of the class `class` with a message.
+    fn of_words(class: &'static str, message: &str) -> Self {
         Self {
             class,
-            message,
+            message: message.to_owned(),
             axis: None,
             value: None,
             range: None,
@@ -51,6 +56,14 @@ impl Failure {
             index: None,
             cause: None,
             file: None,
+        }
+    }
+
+    /// Replaces the message by one in the words of this package.
+    fn saying(self, message: &str) -> Self {
+        Self {
+            message: message.to_owned(),
+            ..self
         }
     }
 
@@ -130,6 +143,21 @@ impl Failure {
     }
 }
 
+/// A result whose error becomes an exception.
+pub trait OrRaise<T> {
+    /// Makes the exception of an error.
+    fn or_raise(self, py: Python<'_>) -> PyResult<T>;
+}
+
+impl<T, E> OrRaise<T> for Result<T, E>
+where
+    Failure: From<E>,
+{
+    fn or_raise(self, py: Python<'_>) -> PyResult<T> {
+        self.map_err(|error| Failure::from(error).raise(py))
+    }
+}
+
 /// Returns the words of the operating system without the number that Rust adds.
 fn reason(source: &io::Error) -> String {
     let text = source.to_string();
@@ -137,6 +165,15 @@ fn reason(source: &io::Error) -> String {
         Some(end) => text[..end].to_owned(),
         None => text,
     }
+}
+
+/// The error of a stack that is not that of a table.
+pub fn other_stack() -> Failure {
+    Failure::of_words(
+        "OtherTableError",
+        "the table is of another stack of layers than the system: take that of the table, \
+         `table.stack`, make the table of this one with `generate`, or solve it with `Stack.contact`",
+    )
 }
 
 impl From<Error> for Failure {
@@ -171,6 +208,15 @@ impl From<Error> for Failure {
                 .about("contact radius", contact_radius)
                 .allowed(&format!("{allowed} {limit:?} m")),
             Error::OtherProbe { .. } | Error::StackProbe => of("OtherProbeError"),
+            Error::LongZone { zone, what, length } => of("LongZoneError")
+                .about("zone", zone)
+                .range(0.0, FiniteRange::LONGEST * length)
+                .saying(&format!(
+                    "the zone of attraction is {zone:?} m long, more than {} times the {what}, \
+                     {length:?} m, and the correction for a short zone does not hold: give a larger \
+                     stress of the attraction, or solve a zone of any length with `Cohesive`",
+                    FiniteRange::LONGEST
+                )),
             Error::Profile { row, .. } => of("ProfileError").about("row", row as f64),
             Error::OutsideTable {
                 axis,
@@ -202,12 +248,26 @@ impl From<Error> for Failure {
                 ..of("EquivalentError").about("nu0", nu0)
             },
             Error::Normalisation { .. } => of("NormalisationError"),
+            Error::OfStack => of("OtherTableError").saying(
+                "the table is of one stack of layers, and the system has one film: give a \
+                 StackSystem with the stack of the table, `table.stack`; for a film use a table of \
+                 films, such as `Table.embedded()`",
+            ),
+            Error::NotOfStack => of("OtherTableError").saying(
+                "the table is of films on substrates, and the system has a stack of layers: make \
+                 the table of a scene with a stack by `generate`, or solve the stack with \
+                 `Stack.contact`",
+            ),
             Error::MissingQuantity(_) | Error::BeginsTooLate { .. } => of("MissingQuantityError"),
             Error::FixedParameter(name) => Self {
                 axis: Some(name.to_owned()),
                 ..of("FixedParameterError")
             },
-            Error::NoGradient => of("FixedParameterError"),
+            Error::NoGradient => of("FixedParameterError").saying(
+                "the contact has no derivatives with respect to the material, as those of a stack \
+                 and of a SolvedCurve: take differences, or for a film the contact of a table of \
+                 films",
+            ),
             Error::Foreign(_)
             | Error::Version { .. }
             | Error::Length { .. }
@@ -249,6 +309,7 @@ impl From<tabulate::Error> for Failure {
                 .about("a_over_t", a_over_t)
                 .range(0.0, reach),
             Error::NoLayers => of("StackError"),
+            Error::StackFile { .. } => of("StackError"),
             Error::Layer { layer, .. } => of("StackError").about("layer", layer as f64),
             Error::NotAContact { contact_radius, .. } => {
                 of("NotAContactError").about("contact radius", contact_radius)
@@ -293,11 +354,26 @@ impl From<fit::Error> for Failure {
                 value,
                 allowed,
             } => of.about(&name, value).allowed(&allowed),
+            Error::Layers(cause) => cause.into(),
             Error::Start { cause, .. } => Self {
                 cause: Some(Box::new((*cause).into())),
                 ..of
             },
             _ => of,
+        }
+    }
+}
+
+impl From<fit::Cause> for Failure {
+    /// The error of `tabulate::stack::DirectSolver`, which tells the layer by its name.
+    fn from(cause: fit::Cause) -> Self {
+        let cause = match cause.downcast::<tabulate::Error>() {
+            Ok(error) => return (*error).into(),
+            Err(cause) => cause,
+        };
+        match cause.downcast::<Error>() {
+            Ok(error) => (*error).into(),
+            Err(cause) => Self::new("StackError", &*cause),
         }
     }
 }

@@ -1,17 +1,20 @@
 //! Fits of measured contacts: one fit of one or several experiments, and a map of separate fits.
 
+use std::sync::Arc;
+
 use fit::{
-    Bodies, Direction, Estimate, Experiment, Fit, FittedExperiment, Free, Kind, Loss, Measurement,
-    Options, Parameter, Point, Scope, WithoutFilm,
+    Bodies, Direction, Estimate, Experiment, Fit, FittedExperiment, Free, Kind, Layer, Layered,
+    Loss, Measurement, Options, Parameter, Point, Reach, Scope, WithoutFilm,
 };
 use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 use rayon::prelude::*;
+use tabulate::stack::DirectSolver;
 
-use crate::bodies::{NativeHalfSpace, NativeSystem};
-use crate::error::Failure;
+use crate::bodies::{NativeHalfSpace, NativeStackSystem, NativeSystem};
+use crate::error::{Failure, OrRaise as _};
 use crate::table::Table;
 
 /// An experiment, as the attributes of the Python class.
@@ -40,6 +43,8 @@ enum GivenBodies<'py> {
     Coated(Bound<'py, NativeSystem>),
     #[pyo3(transparent)]
     HalfSpace(Bound<'py, NativeHalfSpace>),
+    #[pyo3(transparent)]
+    Layered(Bound<'py, NativeStackSystem>),
 }
 
 /// A free parameter, as the attributes of the Python class.
@@ -66,12 +71,12 @@ pub fn fit_together<'py>(
     given_options: GivenOptions,
 ) -> PyResult<Bound<'py, PyDict>> {
     let (table, options) = (table.get(), options(given_options)?);
-    let experiments = experiments.iter().map(experiment);
+    let experiments = experiments.iter().map(|given| experiment(py, given));
     let experiments: Vec<Experiment> = experiments.collect::<PyResult<_>>()?;
     let free = frees(py, free)?;
     let found = py
         .detach(|| fit::fit(table.get(), &experiments, &free, &options))
-        .map_err(|error| Failure::from(error).raise(py))?;
+        .or_raise(py)?;
     let result = summary(py, &found)?;
     let fitted = found.experiments.iter().map(|one| points(py, one));
     result.set_item("experiments", fitted.collect::<PyResult<Vec<_>>>()?)?;
@@ -99,7 +104,7 @@ pub fn fit_map<'py>(
     let free = frees(py, free)?;
     let results = PyList::empty(py);
     for (block, curves) in experiments.chunks(BLOCK).enumerate() {
-        let curves = curves.iter().map(experiment);
+        let curves = curves.iter().map(|given| experiment(py, given));
         let curves: Vec<Experiment> = curves.collect::<PyResult<_>>()?;
         let one = |curve: &Experiment| {
             fit::fit(table.get(), std::slice::from_ref(curve), &free, &options)
@@ -120,7 +125,7 @@ pub fn fit_map<'py>(
 }
 
 /// Makes an experiment.
-pub fn experiment(given: &Given<'_>) -> PyResult<Experiment> {
+pub fn experiment(py: Python<'_>, given: &Given<'_>) -> PyResult<Experiment> {
     let kind = match given.kind.as_str() {
         "load-radius" => Kind::LoadRadius,
         "penetration-radius" => Kind::PenetrationRadius,
@@ -156,6 +161,9 @@ pub fn experiment(given: &Given<'_>) -> PyResult<Experiment> {
     let bodies = match &given.bodies {
         GivenBodies::Coated(system) => Bodies::Coated(system.get().0.clone()),
         GivenBodies::HalfSpace(half_space) => Bodies::HalfSpace(half_space.get().0.clone()),
+        GivenBodies::Layered(layers) => {
+            Bodies::Layered(layered(layers.get(), &measurement).or_raise(py)?)
+        }
     };
     Ok(Experiment {
         work_of_adhesion: given.work_of_adhesion,
@@ -167,6 +175,29 @@ pub fn experiment(given: &Given<'_>) -> PyResult<Experiment> {
         stiffness: given.stiffness,
         noise: given.noise,
         ..Experiment::new(measurement, bodies)
+    })
+}
+
+/// Makes the layers of an experiment, whose contacts are solved.
+fn layered(
+    NativeStackSystem { named, system }: &NativeStackSystem,
+    measurement: &Measurement,
+) -> Result<Layered, fit::Error> {
+    let layers = named.stack.layers().iter().zip(&named.names);
+    let layers = layers.map(|(layer, name)| {
+        Ok(Layer {
+            name: name.as_deref().map(str::parse).transpose()?,
+            solid: layer.solid,
+            thickness: layer.thickness,
+        })
+    });
+    Ok(Layered {
+        reach: Reach::of(measurement, &system.probe),
+        probe: system.probe.clone(),
+        sphere_modulus: system.sphere_modulus,
+        base: system.substrate,
+        layers: layers.collect::<Result<_, fit::Error>>()?,
+        solver: Arc::new(DirectSolver),
     })
 }
 
@@ -188,7 +219,7 @@ pub fn frees(py: Python<'_>, given: Vec<GivenFree>) -> PyResult<Vec<Free>> {
         Ok(free)
     };
     let all: Result<_, fit::Error> = given.into_iter().map(one).collect();
-    all.map_err(|error| Failure::from(error).raise(py))
+    all.or_raise(py)
 }
 
 /// Makes the options.
@@ -211,14 +242,29 @@ pub fn unknown(name: &str, word: &str) -> PyErr {
     PyValueError::new_err(format!("{word:?} is not a {name}"))
 }
 
-/// Returns the parameter of a name in Python.
+/// Returns the parameter of a name in Python. That of a layer has the name of the layer as it is.
 pub fn parameter(name: &str) -> Result<Parameter, fit::Error> {
-    name.replace('_', "-").parse()
+    let plain = name.replace('_', "-").parse();
+    if matches!(plain, Ok(parameter) if !is_of_layer(parameter)) {
+        return plain;
+    }
+    name.parse()
 }
 
 /// Returns the name of a parameter in Python.
 fn name(parameter: Parameter) -> String {
+    if is_of_layer(parameter) {
+        return parameter.name().into_owned();
+    }
     parameter.name().replace('-', "_")
+}
+
+/// Tells whether a parameter is that of a layer of a stack.
+fn is_of_layer(parameter: Parameter) -> bool {
+    matches!(
+        parameter,
+        Parameter::LayerModulus(_) | Parameter::LayerThickness(_)
+    )
 }
 
 /// Returns parameter, experiment, value, standard error and profile of each estimate.

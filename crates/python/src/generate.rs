@@ -20,7 +20,7 @@ use tabulate::table::{
 };
 
 use crate::arrays::Output;
-use crate::error::Failure;
+use crate::error::OrRaise as _;
 use crate::table::Table;
 
 /// The time between two looks at signals.
@@ -290,10 +290,7 @@ pub fn generate(
     pieces: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<Table> {
     let given: Given = given.extract()?;
-    let scene = given
-        .scene
-        .read()
-        .map_err(|error| Failure::from(error).raise(py))?;
+    let scene = given.scene.read().or_raise(py)?;
     let options = Options {
         certificate_points: given
             .certificate_points
@@ -333,10 +330,7 @@ pub fn generate(
                 .unwrap_or_else(|panic| resume_unwind(panic)),
         )
     })?;
-    match outcome {
-        Ok(generated) => Ok(Table::of(generated.table)),
-        Err(error) => Err(Failure::from(error).raise(py)),
-    }
+    Ok(Table::of(outcome.or_raise(py)?.table))
 }
 
 /// Solves a piece of the sweep of a scene on the given axes, on all cores. Returns the name of this
@@ -356,10 +350,8 @@ pub fn solve_piece<'py>(
             .map(|parameter| (parameter, nodes.next().unwrap_or_default()));
         Sweep::new(&scene, &axes)?.solve(piece, &|_| ())
     });
-    match solved {
-        Ok(values) => Ok((build_name(), PyArray1::from_vec(py, values))),
-        Err(error) => Err(Failure::from(error).raise(py)),
-    }
+    let values = solved.or_raise(py)?;
+    Ok((build_name(), PyArray1::from_vec(py, values)))
 }
 
 /// Returns the name of this build, on which the last digits of solves depend.

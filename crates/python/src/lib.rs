@@ -2,8 +2,9 @@
 //!
 //! It is thin. The Python layer beside it checks types, broadcasts, documents and annotates; this
 //! module takes flat arrays of f64 and evaluates them with the interpreter's lock released. Data
-//! flows `contact → table → bodies`, all through `arrays`; `line`, `fit`, `model`, `generate`,
-//! `solve` and `cohesive` stand beside them; `error` makes Python's exceptions of all of them.
+//! flows `contact → table → bodies`, all through `arrays`; `line`, `short_range`, `fit`, `model`,
+//! `generate`, `solve` and `cohesive` stand beside them; `error` makes Python's exceptions of all
+//! of them.
 
 #![forbid(unsafe_code)]
 
@@ -16,6 +17,7 @@ mod fit;
 mod generate;
 mod line;
 mod model;
+mod short_range;
 mod solve;
 mod table;
 
@@ -27,6 +29,7 @@ mod _core {
     #[pymodule_export]
     use super::bodies::{
         NativeHalfSpace, NativeProbe, NativeStack, NativeStackSystem, NativeSystem, check_elastic,
+        read_stack,
     };
     #[pymodule_export]
     use super::cohesive::Cohesive;
@@ -43,6 +46,10 @@ mod _core {
     #[pymodule_export]
     use super::model::{branches, forecast, predict, simulate};
     #[pymodule_export]
+    use super::short_range::{
+        short_range_equilibria, short_range_pull_off, short_range_states, short_range_zone,
+    };
+    #[pymodule_export]
     use super::solve::{solve, solve_stack};
     #[pymodule_export]
     use super::table::Table;
@@ -52,6 +59,7 @@ mod _core {
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
         module.add("__version__", env!("CARGO_PKG_VERSION"))?;
+        module.add("LONGEST_ZONE", interp::FiniteRange::LONGEST)?;
         module.add("writes_hdf5", cfg!(feature = "hdf5"))
     }
 }

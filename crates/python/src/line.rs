@@ -9,7 +9,7 @@ use pyo3::prelude::*;
 
 use crate::arrays::Output;
 use crate::contact::{Contact, Imposed, StateNumbers, control, numbers};
-use crate::error::Failure;
+use crate::error::OrRaise as _;
 
 /// The energies of an advancing and of a receding line at rest, and the speed and the exponent of a
 /// law that depends on the speed.
@@ -38,9 +38,7 @@ fn state([contact_radius, load, penetration]: StateNumbers) -> State {
 /// Accepts a law.
 #[pyfunction]
 pub fn check_law(py: Python<'_>, law_numbers: LawNumbers) -> PyResult<()> {
-    law(law_numbers)
-        .map(drop)
-        .map_err(|error| Failure::from(error).raise(py))
+    law(law_numbers).map(drop).or_raise(py)
 }
 
 /// Returns the energy release rate of a law at a speed.
@@ -54,7 +52,7 @@ pub fn energy_of_speed(
     let ([advancing, receding], [v0, n]) = (energies, rate);
     Hysteresis::new(advancing, receding)
         .and_then(|slow| RateDependent::new(slow, v0, n)?.energy_release_rate(speed))
-        .map_err(|error| Failure::from(error).raise(py))
+        .or_raise(py)
 }
 
 /// Returns the state of a line that has slowly grown to a contact radius.
@@ -67,10 +65,8 @@ pub fn line(
 ) -> PyResult<StateNumbers> {
     let contact = &contact.get().contact;
     let made = || Ok::<_, Error>(contact.line(law(law_numbers)?, a)?.state());
-    match made() {
-        Ok(state) => Ok(state.map_or([f64::NAN; 3], numbers)),
-        Err(error) => Err(Failure::from(error).raise(py)),
-    }
+    let state = made().or_raise(py)?;
+    Ok(state.map_or([f64::NAN; 3], numbers))
 }
 
 /// Returns the state after an imposed value has been reached slowly.
@@ -89,9 +85,7 @@ pub fn impose(
             .line_in(law(law_numbers)?, from.map(state))?
             .impose(control, value)
     });
-    moved
-        .map(|state| state.map(numbers))
-        .map_err(|error| Failure::from(error).raise(py))
+    moved.map(|state| state.map(numbers)).or_raise(py)
 }
 
 /// Returns the states of a ramp, and the state after it.
@@ -117,7 +111,7 @@ pub fn ramp<'py>(
         let states = line.ramp(control, value, duration, tolerance)?;
         Ok::<_, Error>((states, line.state()))
     });
-    let (states, last) = moved.map_err(|error| Failure::from(error).raise(py))?;
+    let (states, last) = moved.or_raise(py)?;
     let rows = states.iter().map(|one| {
         let [a, load, penetration] = numbers(one.state);
         [one.time, a, load, penetration, one.energy_release_rate]

@@ -7,7 +7,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::arrays::Output;
-use crate::error::Failure;
+use crate::error::OrRaise as _;
 use crate::fit::{Given, GivenFree, estimates, experiment, frees, parameter, unknown};
 use crate::table::Table;
 
@@ -19,11 +19,6 @@ const BRANCHES: [Branch; 5] = [
     Branch::Baseline,
     Branch::LeftOut,
 ];
-
-/// Raises an error of the crate `fit`.
-fn raised<T>(py: Python<'_>, result: Result<T, Error>) -> PyResult<T> {
-    result.map_err(|error| Failure::from(error).raise(py))
-}
 
 /// Returns the names of branches.
 fn names(branches: &[Branch]) -> Vec<&'static str> {
@@ -37,10 +32,11 @@ pub fn branches(
     given: Given<'_>,
     free: Vec<String>,
 ) -> PyResult<Vec<&'static str>> {
-    let experiment = experiment(&given)?;
+    let experiment = experiment(py, &given)?;
     let free: Result<Vec<_>, Error> = free.iter().map(|name| parameter(name)).collect();
-    let free = raised(py, free)?;
-    raised(py, experiment.branches(&free)).map(|branches| names(&branches))
+    let free = free.or_raise(py)?;
+    let branches = experiment.branches(&free).or_raise(py)?;
+    Ok(names(&branches))
 }
 
 /// Evaluates the model at every point: ordinates, contact radii, branches, whether each point is
@@ -53,9 +49,9 @@ pub fn predict<'py>(
     branches: Option<Vec<String>>,
     parameters: Vec<String>,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let (table, experiment) = (table.get(), experiment(&given)?);
+    let (table, experiment) = (table.get(), experiment(py, &given)?);
     let parameters: Result<Vec<_>, Error> = parameters.iter().map(|name| parameter(name)).collect();
-    let parameters = raised(py, parameters)?;
+    let parameters = parameters.or_raise(py)?;
     let branch = |name: String| {
         let found = BRANCHES.into_iter().find(|branch| branch.name() == name);
         found.ok_or_else(|| unknown("branch", &name))
@@ -65,7 +61,7 @@ pub fn predict<'py>(
         .transpose()?;
     let predicted =
         py.detach(|| experiment.predictions(table.get(), branches.as_deref(), &parameters));
-    let predicted = raised(py, predicted)?;
+    let predicted = predicted.or_raise(py)?;
     let fields = PyDict::new(py);
     fields.set_item("branch", names(&predicted.branches))?;
     let shape = [predicted.ordinates.len(), parameters.len()];
@@ -87,9 +83,9 @@ pub fn simulate<'py>(
     noise: f64,
     seed: u64,
 ) -> PyResult<Output<'py>> {
-    let (table, experiment) = (table.get(), experiment(&given)?);
+    let (table, experiment) = (table.get(), experiment(py, &given)?);
     let made = py.detach(|| fit::simulate(table.get(), &experiment, noise, seed));
-    let points = raised(py, made)?.points;
+    let points = made.or_raise(py)?.points;
     Ok(PyArray1::from_iter(
         py,
         points.iter().map(|point| point.ordinate),
@@ -106,11 +102,11 @@ pub fn forecast<'py>(
     free: Vec<GivenFree>,
 ) -> PyResult<Bound<'py, PyDict>> {
     let table = table.get();
-    let experiments = experiments.iter().map(experiment);
+    let experiments = experiments.iter().map(|given| experiment(py, given));
     let experiments: Vec<Experiment> = experiments.collect::<PyResult<_>>()?;
     let free = frees(py, free)?;
     let found = py.detach(|| fit::forecast(table.get(), &experiments, &free));
-    let found = raised(py, found)?;
+    let found = found.or_raise(py)?;
     let fields = PyDict::new(py);
     fields.set_item("estimates", estimates(py, &found.estimates)?)?;
     fields.set_item("correlation", found.correlation)?;

@@ -34,7 +34,7 @@ pub fn solve_stack<'py>(
     sphere_modulus: Input<'_>,
     tolerance: Input<'_>,
 ) -> PyResult<[Output<'py>; 5]> {
-    let stack = &stack.get().0;
+    let stack = &stack.get().0.stack;
     let one = |[a_over_t, sphere_modulus, tolerance]: [f64; 3]| {
         tabulate::solve_stack(a_over_t, stack, sphere_modulus, tolerance).map(numbers)
     };

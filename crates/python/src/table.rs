@@ -7,10 +7,11 @@ use interp::{Error, SubstratePoissonRatio};
 use numpy::{PyArray1, PyArrayMethods as _};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
+use tabulate::table::StackTable;
 
-use crate::bodies::NativeSystem;
+use crate::bodies::{GivenLayer, NativeStack, NativeStackSystem, NativeSystem, Solid, parts};
 use crate::contact::Contact;
-use crate::error::Failure;
+use crate::error::{OrRaise as _, other_stack};
 
 /// A table, shared with the contacts made from it.
 #[pyclass(frozen, module = "coated_contact._core")]
@@ -39,10 +40,7 @@ impl Table {
 
     /// Takes a table that was read, or raises.
     fn own(py: Python<'_>, read: Result<interp::Table, Error>) -> PyResult<Self> {
-        match read {
-            Ok(table) => Ok(Self::of(table)),
-            Err(error) => Err(Failure::from(error).raise(py)),
-        }
+        read.map(Self::of).or_raise(py)
     }
 }
 
@@ -71,7 +69,7 @@ impl Table {
     fn to_packed<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyBytes>> {
         py.detach(|| self.get().to_packed())
             .map(|bytes| PyBytes::new(py, &bytes))
-            .map_err(|error| Failure::from(error).raise(py))
+            .or_raise(py)
     }
 
     #[getter]
@@ -111,9 +109,7 @@ impl Table {
 
     /// Returns the values of each quantity at the nodes, row-major, by its name.
     fn values<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let expanded = py
-            .detach(|| self.get().expand())
-            .map_err(|error| Failure::from(error).raise(py))?;
+        let expanded = py.detach(|| self.get().expand()).or_raise(py)?;
         let values = PyDict::new(py);
         for quantity in expanded.quantities() {
             if let Some(held) = expanded.values(quantity) {
@@ -140,6 +136,34 @@ impl Table {
         let system = &system.get().0;
         py.detach(|| self.get().contact(system))
             .map(|contact| Contact::coated(self.clone(), system.clone(), contact))
-            .map_err(|error| Failure::from(error).raise(py))
+            .or_raise(py)
+    }
+
+    /// Returns the base and the layers of the stack that the table is of, if it is of one.
+    fn stack(&self, py: Python<'_>) -> PyResult<Option<(Solid, Vec<GivenLayer>)>> {
+        let table = self.get();
+        if !table.is_of_stack() {
+            return Ok(None);
+        }
+        let found = StackTable::new(table).or_raise(py)?;
+        Ok(Some(parts(found.named_stack())))
+    }
+
+    /// Makes the contact of a system with the stack of the table, `own`.
+    fn contact_on_stack(
+        &self,
+        py: Python<'_>,
+        system: &Bound<'_, NativeStackSystem>,
+        own: Option<&Bound<'_, NativeStack>>,
+    ) -> PyResult<Contact> {
+        let NativeStackSystem { named, system } = system.get();
+        let stack = &named.stack;
+        if own.is_some_and(|own| own.get().0.stack != *stack) {
+            return Err(other_stack().raise(py));
+        }
+        Contact::of_curve(py, system, || {
+            let e1_over_e2 = stack.material(system.sphere_modulus)?.e1_over_e2();
+            Ok(self.get().stack_curve(e1_over_e2, stack.shape())?)
+        })
     }
 }

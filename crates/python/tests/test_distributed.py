@@ -6,11 +6,13 @@ import signal
 import numpy as np
 import pytest
 
-from coated_contact import ContactError, Experiment, Table, fit_map, generate
+from coated_contact import ContactError, Experiment, Table, fit_map, generate, simulate
 from coated_contact import _fit as fitting
 from conftest import ROOT
 from test_fit import WANTED, lens
 from test_generate import SCENE, StoppedHereError
+from test_stack_fit import lens as lens_on
+from test_stack_table import scene as stack_scene
 
 distributed = pytest.importorskip("distributed")
 
@@ -86,6 +88,12 @@ def test_curves_without_a_result_keep_their_numbers(client, small_blocks):
         assert caught.value.index == (12,)
 
 
+def test_curves_on_a_stack(client, stack):
+    curves = [simulate(lens_on(stack), noise=2e-6, seed=seed) for seed in range(3)]
+    found = fit_map(curves, WANTED, client=client)
+    assert_equal(found, fit_map(curves, WANTED))
+
+
 def test_a_table_of_ones_own_goes_to_the_workers(client, small_blocks):
     table = Table.read(ROOT / "tables" / "paper.bin")
     curves = [lens(seed=seed) for seed in range(25)]
@@ -93,11 +101,13 @@ def test_a_table_of_ones_own_goes_to_the_workers(client, small_blocks):
     assert_equal(found, fit_map(curves, WANTED, table=table))
 
 
-def test_a_table_is_the_same_to_the_byte(client, tmp_path):
+@pytest.mark.parametrize("of_stack", [False, True])
+def test_a_table_is_the_same_to_the_byte(client, tmp_path, stack, of_stack):
     paths = [tmp_path / "here.bin", tmp_path / "there.bin"]
-    generate(SCENE, paths[0], progress=False)
+    scene = stack_scene(stack, 1e-3) if of_stack else SCENE
+    generate(scene, paths[0], progress=False)
     told = []
-    generate(SCENE, paths[1], progress=lambda *event: told.append(event), client=client)
+    generate(scene, paths[1], progress=lambda *event: told.append(event), client=client)
     assert paths[0].read_bytes() == paths[1].read_bytes()
     assert told[0][0] == "solving"
     assert [event for event in told if event[0] == "solving"][-1][2] == told[0][1]

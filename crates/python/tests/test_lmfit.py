@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from coated_contact import Experiment, fit, simulate
+from coated_contact import Experiment, StackSystem, fit, simulate
 from conftest import make_system
 from test_fit import WANTED, lens
 from test_model import retract
@@ -90,6 +90,26 @@ def test_expressions_and_fixed_parameters(model_class):
         "film_modulus",
         "work_of_adhesion",
     ]
+
+
+def test_layers_of_a_stack_are_fitted_like_by_fit(model_class, stack):
+    system = StackSystem(stack=stack, sphere_radius=1e-3, sphere_modulus=2e6)
+    plan = Experiment(
+        kind="load-radius",
+        abscissa=np.linspace(4e-5, 1.3e-4, 25),
+        system=system,
+        work_of_adhesion=0.04,
+    )
+    made = simulate(plan, noise=2e-6, seed=1)
+    free = ["primer.modulus", "work_of_adhesion"]
+    expected = fit(made, free)
+    model = model_class(made, free)
+    assert "elastomer_thickness" in model.param_names
+    assert "film_modulus" not in model.param_names
+    found = model.fit(made.ordinate, x=made.abscissa, weights=1 / 2e-6, primer_modulus=6e5)
+    for name, parameter in {"primer_modulus": free[0], "work_of_adhesion": free[1]}.items():
+        assert found.best_values[name] == pytest.approx(expected.params[parameter], rel=1e-3)
+        assert found.params[name].stderr == pytest.approx(expected.stderr[parameter], rel=1e-2)
 
 
 def test_unknown_parameters_are_named(model_class):

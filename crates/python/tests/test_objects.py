@@ -54,6 +54,7 @@ def objects(system, contact, stack):
         SolvedCurve(a_over_t=(0.1, 2)),
         stack.contact(sphere_radius=1e-4, sphere_modulus=2e6, a_over_t=(0.1, 2)),
         Cohesive(system=system, work_of_adhesion=0.04, interaction_range=1e-8),
+        contact.finite_range(0.04, stress=1e8),
     ]
 
 

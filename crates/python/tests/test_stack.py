@@ -1,5 +1,6 @@
 """Stacks of layers: independent values, Rust bit for bit, limits, files, and what is refused."""
 
+import subprocess
 from dataclasses import replace
 from math import exp, inf, pi
 
@@ -17,6 +18,7 @@ from coated_contact import (
     Layer,
     NotConvergedError,
     OtherProbeError,
+    OtherTableError,
     OutsideTableError,
     SolvedCurve,
     Spring,
@@ -201,8 +203,12 @@ def test_layers_that_cannot_be_are_named(stack):
         StackSystem(stack=3, sphere_radius=1e-3, sphere_modulus=1e6)
     system = StackSystem(stack=stack, sphere_radius=1e-3, sphere_modulus=1e6)
     assert system.sphere_radius == 1e-3
-    with pytest.raises(TypeError, match="a contact needs"):
+    with pytest.raises(OtherTableError, match="of films on substrates"):
         Contact(system=system, table=Table.embedded())
+    with pytest.raises(TypeError, match="a contact needs"):
+        Contact(system=system, table=None)
+    with pytest.raises(TypeError, match="name must be a str"):
+        replace(soft, name=3)
 
 
 def test_ranges_that_cannot_be_are_refused(stack):
@@ -214,14 +220,14 @@ def test_ranges_that_cannot_be_are_refused(stack):
 
 
 FILES = [
-    ("young_modulus = 5e5", "young_modulus = inf", "layer 1 of 2.*give it as the base"),
-    ("young_modulus = 5e5", "young_modulus = -1.0", "layer 1 from the base: Young's modulus"),
-    ("young_modulus = 5e5", 'young_modulus = "soft"', "layer 1 .*young_modulus must be real"),
-    ("young_modulus = 5e5\n", "", "layer 1 from the base: young_modulus is missing"),
-    ("thickness = 7.5e-6", "height = 7.5e-6", "layer 2 from the base: height is unknown"),
+    ("young_modulus = 5e5", "young_modulus = inf", '"primer", 1 of 2 .*give it as the base'),
+    ("young_modulus = 5e5", "young_modulus = -1.0", '"primer", 1 of 2 .*: Young\'s modulus'),
+    ("young_modulus = 5e5", 'young_modulus = "soft"', 'invalid type: string "soft"'),
+    ("young_modulus = 5e5\n", "", "missing field `young_modulus`"),
+    ("thickness = 7.5e-6", "height = 7.5e-6", "unknown field `height`"),
     (", poisson_ratio = 0.25", "", "base: poisson_ratio is missing"),
-    ("base =", "[base", "Expected|Invalid|unclosed"),
-    ('name = "elastomer"', 'name = "primer"', "two layers have the name 'primer'"),
+    ("base =", "[base", "expected|unclosed"),
+    ('name = "elastomer"', 'name = "primer"', "layer 1 has this name, too"),
 ]
 
 
@@ -234,6 +240,18 @@ def test_files_that_are_no_stack_are_named(tmp_path, old, new, words):
     with pytest.raises(StackError, match=words) as caught:
         Stack.read(path)
     assert str(path) in str(caught.value)
+
+
+def test_a_stack_file_has_the_errors_of_rust(tmp_path, program):
+    path = tmp_path / "stack.toml"
+    for old, new, _ in FILES:
+        path.write_text(PRIMER.read_text().replace(old, new, 1))
+        with pytest.raises(StackError) as caught:
+            Stack.read(path)
+        command = [program, "solve", "--stack", path, "--a-over-t=1", "--sphere-modulus=2e6"]
+        printed = subprocess.run(command, check=False, capture_output=True, text=True)
+        assert printed.returncode != 0
+        assert str(caught.value) in printed.stderr
 
 
 def test_a_rigid_base_in_a_file_needs_no_poisson_ratio(tmp_path):

@@ -6,7 +6,22 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 
-from coated_contact import Contact, Elastic, Experiment, Free, Stack, Table, fit, fit_map
+from coated_contact import (
+    Cohesive,
+    Contact,
+    Elastic,
+    Experiment,
+    Free,
+    Paraboloid,
+    RateDependent,
+    Stack,
+    Table,
+    fit,
+    fit_map,
+    forecast,
+    predict,
+    solve,
+)
 from conftest import PROBES, make_system
 from test_fit import WANTED, lens
 
@@ -45,6 +60,88 @@ def test_states_are_a_table(contact):
     assert np.array_equal(states.to_pandas().load, states.load.ravel())
     pytest.importorskip("xarray")
     assert dict(states.to_xarray().sizes) == {"dim_0": 1, "dim_1": 2}
+
+
+@pytest.fixture(scope="module")
+def many(contact):
+    """Results that are columns of one shape, and what is drawn of them."""
+    timed = contact.line(RateDependent(slow=0.04, v0=1e-6, n=0.6), 65e-6)
+    system = replace(contact.system, probe=Paraboloid(radius=1e-5))
+    cohesive = Cohesive(system=system, work_of_adhesion=0.04, interaction_range=1e-8)
+    return [
+        (contact.pull_off(np.linspace(0.01, 0.1, 20)), "penetration"),
+        (contact.finite_range(0.04, stress=1e8).state([[5e-5, 6e-5, 7e-5]]), "penetration"),
+        (cohesive.branch((1e-6, 2e-6), 3), "penetration"),
+        (timed.ramp("load", 1e-3, duration=1.0, tolerance=1e-3), "time"),
+    ]
+
+
+def test_columns_are_tables(many):
+    pytest.importorskip("pandas")
+    pytest.importorskip("xarray")
+    for found, _ in many:
+        table, data = found.to_pandas(), found.to_xarray()
+        for name in table.columns:
+            assert np.array_equal(table[name], getattr(found, name).ravel())
+            assert np.array_equal(data[name], getattr(found, name))
+        assert data["load"].attrs["units"] == "N"
+        shown = found._repr_html_()
+        assert "<th>load (N)</th>" in shown
+        assert f"<td>{found.load.ravel()[0]:.6g}</td>" in shown
+    assert "8 more" in many[0][0]._repr_html_()
+    assert many[3][0].to_xarray()["load"].dims == ("time",)
+
+
+def test_columns_are_drawn(many, axes):
+    for found, abscissa in many:
+        axes.clear()
+        assert found.plot(axes) is axes
+        (line,) = axes.get_lines()
+        assert np.array_equal(line.get_xdata(), getattr(found, abscissa).ravel())
+        assert np.array_equal(line.get_ydata(), found.load.ravel())
+        assert axes.get_xlabel().startswith(abscissa)
+
+
+def test_a_solution_is_a_table_and_drawn(axes):
+    pytest.importorskip("pandas")
+    x, nu1 = np.geomspace(0.1, 10, 5)[:, None], np.array([0.3, 0.5])
+    solution = solve(x, 1.75, nu1, 1e5)
+    table = solution.to_pandas()
+    assert np.array_equal(table.eeq, solution.eeq.ravel())
+    assert table.nu1.tolist() == [0.3, 0.5] * 5
+    solution.plot(axes)
+    lines = axes.get_lines()
+    assert [line.get_label() for line in lines] == ["pi0", "eeq", "gamma", "delta0"]
+    assert np.array_equal(lines[1].get_ydata(), solution.eeq.ravel())
+    assert axes.get_xlabel() == "a_over_t"
+    assert f"<td>{solution.eeq[0, 0]:.6g}</td>" in solution._repr_html_()
+    with pytest.raises(ValueError, match="single numbers"):
+        solve(1.0, 1.75, 0.5, 1e5).plot(axes)
+
+
+def test_fits_are_tables():
+    pytest.importorskip("pandas")
+    one = lens(seed=1)
+    found = fit(one, WANTED)
+    table = found.experiments[0].to_pandas()
+    assert np.array_equal(table.residual, one.ordinate - table.fit)
+    predicted = predict(one, WANTED)
+    table = predicted.to_pandas()
+    assert np.array_equal(table.by_sphere_modulus, predicted.derivatives["sphere_modulus"])
+    pytest.importorskip("xarray")
+    several = fit_map([lens(seed=seed) for seed in range(3)], WANTED)
+    data = several.to_xarray()
+    assert np.array_equal(data["work_of_adhesion_stderr"], several.stderr["work_of_adhesion"])
+    assert data["sphere_modulus"].attrs["units"] == "Pa"
+    shown = forecast(replace(one, noise=1e-6), WANTED)._repr_html_()
+    assert "expected error" in shown
+    assert "work_of_adhesion" in shown
+
+
+def test_notebooks_show_a_force_curve(curve):
+    shown = curve._repr_html_()
+    assert shown.count("<tr>") == 1 + len(curve.loading) + len(curve.unloading)
+    assert f"<td>{curve.unloading[0].load[-1]:.6g}</td>" in shown
 
 
 def test_a_force_curve_is_drawn(curve, axes):

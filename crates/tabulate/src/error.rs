@@ -190,6 +190,14 @@ pub enum Error {
         /// A sentence with key, value and range.
         what: String,
     },
+    /// A stack file with a wrong key or value.
+    #[error("{}: {what}", printable::path(path))]
+    StackFile {
+        /// The stack file.
+        path: PathBuf,
+        /// A sentence with layer, value and range.
+        what: String,
+    },
     /// A table that would need too many nodes.
     #[error(
         "the table would have {} nodes and {values} values, where at most {} nodes on an axis and {most} values are allowed; ask for a larger \

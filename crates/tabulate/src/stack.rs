@@ -71,6 +71,7 @@ use interp::{Elastic, Material, Probe, StackShape, System};
 
 #[cfg(feature = "fit")]
 pub use self::in_fits::DirectSolver;
+pub use self::text::NamedStack;
 use crate::Error;
 
 /// The largest contact radius over the thickness of the top layer for which a stack is solved.

@@ -44,7 +44,7 @@ pub fn forecast(
     let is_free = |parameter| free.iter().any(|one| one.parameter == parameter);
     let mut assigned = Vec::new();
     for experiment in experiments {
-        experiment.accept_stiffness()?;
+        experiment.accept_instrument()?;
         let noise = experiment.noise.unwrap_or(f64::NAN);
         if !(noise > 0.0 && noise.is_finite()) {
             return Err(Error::Setting {

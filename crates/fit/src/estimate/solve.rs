@@ -75,7 +75,7 @@ pub(crate) fn prepare(
     let mut experiments = experiments.to_vec();
     let mut assignments = Vec::new();
     for experiment in &mut experiments {
-        experiment.accept_stiffness()?;
+        experiment.accept_instrument()?;
         accept_numbers(experiment)?;
         if is_free(Parameter::WorkOfAdhesionReceding) {
             let receding = experiment.work_of_adhesion_receding;
@@ -97,7 +97,7 @@ pub(crate) fn prepare(
     Ok((Data::new(&experiments, assignments), slots))
 }
 
-/// Accepts noise, works of adhesion and the zeros of the instrument.
+/// Accepts noise and works of adhesion.
 fn accept_numbers(experiment: &Experiment) -> Result<(), Error> {
     let name = &experiment.measurement.name;
     if experiment.measurement.points.is_empty() {
@@ -118,17 +118,6 @@ fn accept_numbers(experiment: &Experiment) -> Result<(), Error> {
         let value = experiment.get(parameter);
         if let Some(value) = value.filter(|value| !(0.0..f64::INFINITY).contains(value)) {
             return Err(setting(&parameter.name(), value, ">= 0 and finite"));
-        }
-    }
-    for parameter in [
-        Parameter::LoadOffset,
-        Parameter::ContactPoint,
-        Parameter::Baseline,
-        Parameter::BaselineSlope,
-    ] {
-        let value = experiment.get(parameter);
-        if let Some(value) = value.filter(|value| !value.is_finite()) {
-            return Err(setting(&parameter.name(), value, "finite"));
         }
     }
     Ok(())

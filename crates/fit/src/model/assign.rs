@@ -113,33 +113,46 @@ impl Experiment {
         })
     }
 
+    /// Accepts points whose abscissae are finite.
+    pub(crate) fn accept_abscissae(&self) -> Result<(), Error> {
+        let [abscissa, _] = self.measurement.kind.names();
+        let mut points = self.measurement.points.iter();
+        points.try_for_each(|point| self.accept_number(point.line, abscissa, point.abscissa))
+    }
+
+    /// Accepts a number of a point.
+    fn accept_number(&self, line: u64, name: &'static str, value: f64) -> Result<(), Error> {
+        if !value.is_finite() {
+            return Err(self.refused(line, name, value, "finite"));
+        }
+        if value.abs() > 1e100 {
+            let allowed = "below 1e100: check the unit";
+            return Err(self.refused(line, name, value, allowed));
+        }
+        Ok(())
+    }
+
+    /// The error of a number of a point.
+    fn refused(&self, line: u64, name: &'static str, value: f64, allowed: &'static str) -> Error {
+        Error::Point {
+            measurement: self.measurement.name.clone(),
+            line,
+            name,
+            value,
+            allowed,
+        }
+    }
+
     /// Accepts the points.
     fn accept_points(&self) -> Result<(), Error> {
         let measurement = &self.measurement;
         let points = &measurement.points;
         let at_radii = matches!(measurement.kind, Kind::LoadRadius | Kind::PenetrationRadius);
         let [abscissa, ordinate] = measurement.kind.names();
-        let refuse = |line: u64, name, value, allowed| Error::Point {
-            measurement: measurement.name.clone(),
-            line,
-            name,
-            value,
-            allowed,
-        };
+        let refuse = |line, name, value, allowed| self.refused(line, name, value, allowed);
+        self.accept_abscissae()?;
         for point in points {
-            for (name, value) in [(abscissa, point.abscissa), (ordinate, point.ordinate)] {
-                if !value.is_finite() {
-                    return Err(refuse(point.line, name, value, "finite"));
-                }
-                if value.abs() > 1e100 {
-                    return Err(refuse(
-                        point.line,
-                        name,
-                        value,
-                        "below 1e100: check the unit",
-                    ));
-                }
-            }
+            self.accept_number(point.line, ordinate, point.ordinate)?;
             if at_radii && point.abscissa < 0.0 {
                 let allowed = "0 (no contact) or positive";
                 return Err(refuse(point.line, abscissa, point.abscissa, allowed));

@@ -321,8 +321,24 @@ impl Experiment {
         Some(reason.into())
     }
 
-    /// Accepts the stiffness of the cantilever where one is needed.
-    pub(crate) fn accept_stiffness(&self) -> Result<(), Error> {
+    /// Accepts the zeros of the instrument, and the stiffness of the cantilever where one is
+    /// needed.
+    pub(crate) fn accept_instrument(&self) -> Result<(), Error> {
+        for parameter in [
+            Parameter::LoadOffset,
+            Parameter::ContactPoint,
+            Parameter::Baseline,
+            Parameter::BaselineSlope,
+        ] {
+            let value = self.get(parameter).unwrap_or(0.0);
+            if !(-1e100..=1e100).contains(&value) {
+                return Err(Error::Setting {
+                    name: format!("{parameter} of {}", self.measurement.name),
+                    value,
+                    allowed: "finite, and at most 1e100: check the unit".into(),
+                });
+            }
+        }
         if self.measurement.kind != Kind::ForceHeight {
             return Ok(());
         }
@@ -348,9 +364,7 @@ fn names(layered: &Layered) -> String {
         .map(Parameter::name)
         .collect();
     if names.is_empty() {
-        "give a layer a name to fit its modulus or thickness; those of a table of a stack are fixed, \
-         and only a stack file names layers"
-            .into()
+        "give a layer a name to fit its modulus or thickness".into()
     } else {
         format!("its layers have {}", names.join(", "))
     }

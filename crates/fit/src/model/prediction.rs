@@ -53,7 +53,9 @@ impl Experiment {
     /// the points, as [`simulate`](crate::simulate) does. The ordinates of the points are not used.
     ///
     /// # Errors
-    /// [`Error::Setting`] for another number of branches than points, or a missing stiffness;
+    /// [`Error::Point`] for an abscissa that is not finite; [`Error::Setting`] for another number
+    /// of branches than points, a zero of the instrument that is not finite, or a missing
+    /// stiffness;
     /// [`Error::NotApplicable`] for a parameter without an effect on this experiment;
     /// [`Error::Contact`] outside the table.
     pub fn predictions(
@@ -62,7 +64,8 @@ impl Experiment {
         branches: Option<&[Branch]>,
         parameters: &[Parameter],
     ) -> Result<Prediction, Error> {
-        self.accept_stiffness()?;
+        self.accept_instrument()?;
+        self.accept_abscissae()?;
         for &parameter in parameters {
             if let Some(reason) = self.why_without_effect(parameter) {
                 return Err(Error::NotApplicable {

@@ -19,7 +19,8 @@ use crate::Error;
 /// normal noise that is added to each ordinate; one `seed` always gives one measurement.
 ///
 /// # Errors
-/// [`Error::Setting`] for a noise that is negative or not finite, or a missing stiffness;
+/// [`Error::Point`] for an abscissa that is not finite; [`Error::Setting`] for a noise that is
+/// negative or not finite, a zero of the instrument that is not finite, or a missing stiffness;
 /// [`Error::Contact`] outside the table.
 pub fn simulate(
     table: &Table,
@@ -34,7 +35,8 @@ pub fn simulate(
             allowed: ">= 0 and finite".into(),
         });
     }
-    experiment.accept_stiffness()?;
+    experiment.accept_instrument()?;
+    experiment.accept_abscissae()?;
     let contact = experiment.bodies.contact(table, true)?;
     let (branches, order) = experiment.branches_of_model(&contact)?;
     let predicted = experiment.predict(&contact, &branches, &order, None)?;

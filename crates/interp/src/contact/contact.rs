@@ -291,7 +291,7 @@ impl Contact {
             load: without.load - lowered.load,
             penetration: without.penetration - lowered.penetration,
         };
-        let of_edge = 0.5 * (1.0 + energy.slope(a));
+        let of_edge = energy.slope_of_edge(a);
         let slopes = [
             slopes.load - lowered.load * (1.0 + of_edge + relative.eeq - relative.gamma),
             slopes.penetration - lowered.penetration * (of_edge - relative.gamma),

@@ -231,3 +231,43 @@ pub(super) fn short(zone: f64, length: f64, what: &'static str) -> Result<(), Er
     }
     Err(Error::LongZone { zone, what, length })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Elastic, HalfSpace};
+
+    /// Under an imposed penetration the smallest contacts, far below the zone, are unstable: the
+    /// pull-off is a larger one.
+    #[test]
+    fn every_control_has_its_pull_off() {
+        let contact = Contact::half_space(&HalfSpace {
+            probe: Probe::Paraboloid { radius: 1e-5 },
+            sphere_modulus: f64::INFINITY,
+            solid: Elastic::new(1e7, 0.5).expect("physical"),
+        })
+        .expect("physical");
+        for control in [
+            Control::Load,
+            Control::Displacement,
+            Control::Spring { stiffness: 10.0 },
+        ] {
+            let jkr = contact.pull_off(0.05, control).expect("a pull-off");
+            for stress in [1e7, 1e9, 1e12] {
+                let corrected = contact
+                    .finite_range(0.05, FiniteRange { stress })
+                    .expect("a short zone");
+                let found = corrected.pull_off(control).expect("a pull-off");
+                let part = corrected.zone() / jkr.contact_radius;
+                let error = found.load / jkr.load - 1.0;
+                assert!(
+                    error.abs() < part + 1e-10,
+                    "{control:?}: {error:e}, {part:e}"
+                );
+                assert!(
+                    (found.contact_radius / jkr.contact_radius - 1.0).abs() < 2.0 * part + 1e-7
+                );
+            }
+        }
+    }
+}

@@ -35,8 +35,22 @@ impl LineEnergy {
         self.work_of_adhesion * (1.0 + self.zone / (6.0 * a))
     }
 
-    /// Returns `d ln G/d ln a`.
-    pub(super) fn slope(self, a: f64) -> f64 {
-        -self.zone / (6.0 * a + self.zone)
+    /// Returns `d ln sqrt(a G)/d ln a = 3a/(6a + l)`, without the cancellation of
+    /// `(1 + d ln G/d ln a)/2`: at radii far below the zone its sign is that of the slope of the
+    /// penetration.
+    pub(super) fn slope_of_edge(self, a: f64) -> f64 {
+        3.0 * a / (6.0 * a + self.zone)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_slope_has_all_digits_at_every_radius() {
+        assert_eq!(LineEnergy::of_jkr(0.04).slope_of_edge(1e-60), 0.5);
+        let slope = LineEnergy::with_zone(0.04, 1e-9).slope_of_edge(1e-60);
+        assert!((slope / 3e-51 - 1.0).abs() < 1e-15, "{slope:e}");
     }
 }

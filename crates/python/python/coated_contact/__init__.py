@@ -27,7 +27,7 @@ The names are those of the Rust crate ``interp``, and so are the numbers, bit fo
 """
 
 from ._bodies import Elastic, HalfSpace, System
-from ._cohesive import Cohesive, CohesiveState, CohesiveStates
+from ._cohesive import Cohesive
 from ._contact import Contact, SolvedCurve
 from ._control import Spring
 from ._core import __version__
@@ -43,12 +43,14 @@ from ._errors import (
     FixedParameterError,
     GenerationError,
     InvalidArgumentError,
+    LongZoneError,
     MissingQuantityError,
     NoContactError,
     NormalisationError,
     NotAContactError,
     NotConvergedError,
     OtherProbeError,
+    OtherTableError,
     OutsideRadiiError,
     OutsideTableError,
     ProfileError,
@@ -82,6 +84,9 @@ from ._probe import (
     Sphere,
 )
 from ._results import (
+    CohesiveEquilibrium,
+    CohesiveState,
+    CohesiveStates,
     Derivatives,
     Equilibrium,
     ForceDisplacement,
@@ -90,6 +95,7 @@ from ._results import (
     State,
     States,
 )
+from ._short_range import ShortRange
 from ._solve import Solution, solve, solve_stack
 from ._stack import Layer, Stack, StackSystem
 from ._table import Table
@@ -100,6 +106,7 @@ __all__ = [
     "BeyondProbeError",
     "BeyondSphereError",
     "Cohesive",
+    "CohesiveEquilibrium",
     "CohesiveState",
     "CohesiveStates",
     "Cone",
@@ -133,12 +140,14 @@ __all__ = [
     "InvalidArgumentError",
     "Jump",
     "Layer",
+    "LongZoneError",
     "MissingQuantityError",
     "NoContactError",
     "NormalisationError",
     "NotAContactError",
     "NotConvergedError",
     "OtherProbeError",
+    "OtherTableError",
     "OutsideRadiiError",
     "OutsideTableError",
     "Paraboloid",
@@ -149,6 +158,7 @@ __all__ = [
     "ProfileError",
     "RateDependent",
     "RoundedCone",
+    "ShortRange",
     "Solution",
     "SolvedCurve",
     "Sphere",

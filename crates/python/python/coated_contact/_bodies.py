@@ -56,9 +56,31 @@ class Elastic:
         return self.young_modulus, self.poisson_ratio
 
 
+@dataclass(frozen=True, init=False, slots=True)
+class UnderProbe(Remade):
+    """What ``System``, ``HalfSpace`` and ``StackSystem`` have in common: the probe."""
+
+    probe: Probe
+    sphere_modulus: float
+    _native: Any = field(init=False, repr=False, compare=False)
+
+    @property
+    def sphere_radius(self) -> float | None:
+        """The radius R of the sphere or of its paraboloid, m; None for another probe."""
+        return radius_of(self.probe)
+
+    def _set_probe(
+        self, probe: Probe | None, sphere_radius: float | None, sphere_modulus: float
+    ) -> tuple[Any, float]:
+        """Set the probe and its modulus, and return them as the native part takes them."""
+        chosen = probe_of(probe, sphere_radius)
+        set_field(self, "probe", chosen)
+        return chosen._native, set_number(self, "sphere_modulus", sphere_modulus)
+
+
 @final
 @dataclass(frozen=True, init=False, slots=True)
-class System(Remade):
+class System(UnderProbe):
     """Probe, film and substrate.
 
     Parameters
@@ -95,12 +117,9 @@ class System(Remade):
     -1.21e-11 N
     """
 
-    probe: Probe
-    sphere_modulus: float
     film: Elastic
     film_thickness: float
     substrate: Elastic
-    _native: Any = field(init=False, repr=False, compare=False)
 
     def __init__(
         self,
@@ -114,21 +133,12 @@ class System(Remade):
     ) -> None:
         check_solid("film", film)
         check_solid("substrate", substrate)
-        probe = probe_of(probe, sphere_radius)
-        set_field(self, "probe", probe)
-        sphere_modulus = set_number(self, "sphere_modulus", sphere_modulus)
+        touching = self._set_probe(probe, sphere_radius, sphere_modulus)
         set_field(self, "film", film)
         film_thickness = set_number(self, "film_thickness", film_thickness)
         set_field(self, "substrate", substrate)
-        native = _core.System(
-            probe._native, sphere_modulus, film._numbers(), film_thickness, substrate._numbers()
-        )
+        native = _core.System(*touching, film._numbers(), film_thickness, substrate._numbers())
         set_field(self, "_native", native)
-
-    @property
-    def sphere_radius(self) -> float | None:
-        """The radius R of the sphere or of its paraboloid, m; None for another probe."""
-        return radius_of(self.probe)
 
     def without_film(self) -> HalfSpace:
         """Return the probe of this system on the bare substrate."""
@@ -137,7 +147,7 @@ class System(Remade):
 
 @final
 @dataclass(frozen=True, init=False, slots=True)
-class HalfSpace(Remade):
+class HalfSpace(UnderProbe):
     """A probe on a half-space without a film: the system of JKR, which needs no table.
 
     Parameters
@@ -158,10 +168,7 @@ class HalfSpace(Remade):
         For a length or modulus that is not positive, or a rigid sphere on a rigid solid.
     """
 
-    probe: Probe
-    sphere_modulus: float
     solid: Elastic
-    _native: Any = field(init=False, repr=False, compare=False)
 
     def __init__(
         self,
@@ -172,17 +179,9 @@ class HalfSpace(Remade):
         solid: Elastic,
     ) -> None:
         check_solid("solid", solid)
-        probe = probe_of(probe, sphere_radius)
-        set_field(self, "probe", probe)
-        sphere_modulus = set_number(self, "sphere_modulus", sphere_modulus)
+        touching = self._set_probe(probe, sphere_radius, sphere_modulus)
         set_field(self, "solid", solid)
-        native = _core.HalfSpace(probe._native, sphere_modulus, solid._numbers())
-        set_field(self, "_native", native)
-
-    @property
-    def sphere_radius(self) -> float | None:
-        """The radius R of the sphere or of its paraboloid, m; None for another probe."""
-        return radius_of(self.probe)
+        set_field(self, "_native", _core.HalfSpace(*touching, solid._numbers()))
 
     @property
     def compound_modulus(self) -> float:

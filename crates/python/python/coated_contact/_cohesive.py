@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any, final, overload
 
@@ -12,63 +12,11 @@ from numpy.typing import ArrayLike
 from . import _core
 from ._arrays import Errors, evaluate, integer, number, real
 from ._bodies import System
+from ._columns import Array
 from ._control import Control, native_control
-from ._results import Array
+from ._results import CohesiveState, CohesiveStates, cohesive_states
 from ._stack import StackSystem
 from ._values import Remade, set_field, set_numbers
-
-
-@dataclass(frozen=True, slots=True)
-class CohesiveState:
-    """A state with an annulus of attraction.
-
-    Attributes
-    ----------
-    contact_radius : float
-        Contact radius a, m; 0 before the contact.
-    outer_radius : float
-        Outer radius c of the attraction, m.
-    load : float
-        Load F, N, positive in compression.
-    penetration : float
-        Penetration delta, m, positive when the sphere has moved in.
-    """
-
-    contact_radius: float
-    outer_radius: float
-    load: float
-    penetration: float
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class CohesiveStates:
-    """Many states with an annulus of attraction, as arrays of one shape.
-
-    Attributes
-    ----------
-    contact_radius : numpy.ndarray
-        Contact radii a, m; 0 before the contact.
-    outer_radius : numpy.ndarray
-        Outer radii c of the attraction, m.
-    load : numpy.ndarray
-        Loads F, N, positive in compression.
-    penetration : numpy.ndarray
-        Penetrations delta, m, positive when the sphere has moved in.
-    """
-
-    contact_radius: Array
-    outer_radius: Array
-    load: Array
-    penetration: Array
-
-    def __len__(self) -> int:
-        return len(self.load)
-
-    def __iter__(self) -> Iterator[CohesiveState]:
-        """Iterate over the states in the order of the flattened arrays."""
-        columns = (self.contact_radius, self.outer_radius, self.load, self.penetration)
-        rows = zip(*(column.flat for column in columns), strict=True)
-        return (CohesiveState(*map(float, row)) for row in rows)
 
 
 @final
@@ -146,7 +94,7 @@ class Cohesive(Remade):
         NotAContactError
             Where the contact would open inside, or the gap in the annulus is not between 0 and h0.
         """
-        return _states(evaluate(self._native.state, errors, contact_radius=a))
+        return cohesive_states(evaluate(self._native.state, errors, contact_radius=a))
 
     @overload
     def without_contact(self, c: float, *, errors: Errors = "raise") -> CohesiveState: ...
@@ -167,9 +115,12 @@ class Cohesive(Remade):
         Raises
         ------
         DomainError
-            For a radius that is not positive, or beyond that at which the contact begins.
+            For a radius that is not positive, beyond that at which the contact begins, or beyond
+            120 times the thickness of the (top) layer.
+        NotAContactError
+            For a load or penetration that overflows a float.
         """
-        return _states(evaluate(self._native.without_contact, errors, outer_radius=c))
+        return cohesive_states(evaluate(self._native.without_contact, errors, outer_radius=c))
 
     def branch(self, contact_radii: tuple[float, float], count: int = 50) -> CohesiveStates:
         """Return the states at radii that are evenly spaced in their logarithm.
@@ -214,9 +165,7 @@ class Cohesive(Remade):
         r : array_like
             Distances from the axis, m, from 0 to ``a``, where the pressure is -w/h0.
         """
-        radii = real("r", r)
-        flat = np.ascontiguousarray(radii).reshape(-1)
-        return self._native.pressure(number("a", a), flat).reshape(radii.shape)
+        return _field(self._native.pressure, a, r)
 
     def gap(self, a: float, r: ArrayLike) -> Array:
         """Return the gap outside a contact, m.
@@ -228,13 +177,11 @@ class Cohesive(Remade):
         r : array_like
             Distances from the axis, m, from ``a`` to twice the outer radius of the attraction.
         """
-        radii = real("r", r)
-        flat = np.ascontiguousarray(radii).reshape(-1)
-        return self._native.gap(number("a", a), flat).reshape(radii.shape)
+        return _field(self._native.gap, a, r)
 
 
-def _states(arrays: list[Array]) -> CohesiveState | CohesiveStates:
-    """Return one state for arrays without dimensions, else many."""
-    if arrays[0].ndim == 0:
-        return CohesiveState(*map(float, arrays))
-    return CohesiveStates(*arrays)
+def _field(native: Callable[..., Array], a: float, r: ArrayLike) -> Array:
+    """Return a field of the contact of radius ``a`` at distances from the axis."""
+    radii = real("r", r)
+    flat = np.ascontiguousarray(radii).reshape(-1)
+    return native(number("a", a), flat).reshape(radii.shape)

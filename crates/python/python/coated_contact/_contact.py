@@ -10,9 +10,11 @@ from numpy.typing import ArrayLike
 from . import _core, _html
 from ._arrays import Errors, evaluate, number, scalar_or_array
 from ._bodies import HalfSpace, System
+from ._columns import Array
 from ._control import Control, native_control
 from ._equilibria import Equilibria
-from ._results import INPUTS, Array, ForceDisplacement, Gradient, State, States, states
+from ._results import INPUTS, ForceDisplacement, Gradient, State, States, states
+from ._short_range import ShortRange
 from ._stack import StackSystem
 from ._validity import AdhesionRange, Validity, validity
 from ._values import Remade, set_field, set_numbers
@@ -40,7 +42,7 @@ class Contact(Remade):
     system : System, HalfSpace or StackSystem
         The bodies in contact.
     table : Table, SolvedCurve or None
-        The table; a solved curve, which a stack needs; None on a half-space.
+        The table, of films or of the stack of the system; a solved curve; None on a half-space.
 
     Examples
     --------
@@ -361,7 +363,45 @@ class Contact(Remade):
             work_of_adhesion=w,
             interaction_range=interaction_range,
         )
-        return AdhesionRange(*map(scalar_or_array, found))
+        tabor, zone = map(scalar_or_array, found)
+        return AdhesionRange(tabor, zone, self, w, interaction_range)
+
+    def finite_range(self, w: float, *, stress: float) -> ShortRange:
+        """Correct the contact for an attraction of short, finite range, to first order.
+
+        Parameters
+        ----------
+        w : float
+            Work of adhesion, J/m^2, above 0.
+        stress : float
+            The traction (Pa) of the attraction, which acts where the gap is below ``w / stress``.
+
+        Returns
+        -------
+        ShortRange
+            The contact with its zone of attraction: states, equilibria and pull-off.
+
+        Raises
+        ------
+        UnphysicalError
+            For a work of adhesion or a stress that is not positive and finite.
+        LongZoneError
+            For a zone that is not short beside the film, or top layer, or the largest contact:
+            :class:`Cohesive` solves it.
+        OtherProbeError
+            For a shape with an edge or a bend.
+
+        Examples
+        --------
+        >>> from coated_contact import Contact, Elastic, HalfSpace
+        >>> gel = Elastic(young_modulus=1e7, poisson_ratio=0.5)
+        >>> system = HalfSpace(sphere_radius=1e-6, sphere_modulus=float("inf"), solid=gel)
+        >>> contact = Contact.half_space(system)
+        >>> corrected = contact.finite_range(0.05, stress=1e7).pull_off()
+        >>> f"{contact.pull_off(0.05).load:.4e} N, {corrected.load:.4e} N"
+        '-2.3562e-07 N, -2.3649e-07 N'
+        """
+        return ShortRange(contact=self, work_of_adhesion=w, stress=stress)
 
     def _repr_html_(self) -> str:
         """Return what a notebook shows: the bodies, drawn to scale, and their moduli."""
@@ -419,9 +459,13 @@ class SolvedCurve:
 
 def _native(system: object, table: object) -> Any:
     """Make the native contact."""
-    native = getattr(table, "_native", None)
-    if isinstance(system, System) and isinstance(native, _core.Table):
-        return native.contact(system._native)
+    native: Any = getattr(table, "_native", None)
+    if isinstance(native, _core.Table):
+        if isinstance(system, System):
+            return native.contact(system._native)
+        if isinstance(system, StackSystem):
+            own: Any = getattr(table, "stack", None)
+            return native.contact_on_stack(system._native, own and own._native)
     if isinstance(system, HalfSpace) and table is None:
         return _core.Contact.half_space(system._native)
     if isinstance(table, SolvedCurve):
@@ -430,6 +474,6 @@ def _native(system: object, table: object) -> Any:
         if isinstance(system, StackSystem):
             return _core.Contact.solved_on_stack(system._native, table.a_over_t, table.tolerance)
     raise TypeError(
-        "a contact needs a System and a Table or SolvedCurve, a StackSystem and a SolvedCurve, "
+        "a contact needs a System or a StackSystem and a Table or SolvedCurve, "
         "or a HalfSpace and no table"
     )

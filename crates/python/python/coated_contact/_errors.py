@@ -97,6 +97,10 @@ class FixedParameterError(ContactError):
     """A derivative that is not known."""
 
 
+class OtherTableError(ContactError):
+    """A table of other bodies: of a stack for one film, of films for a stack, of another stack."""
+
+
 class TableError(ContactError):
     """A file that is no table, a damaged one, or one of another version."""
 
@@ -111,6 +115,10 @@ class NotConvergedError(ContactError):
 
 class StackError(ContactError):
     """A layer that a stack cannot have; ``value`` is its number, from 1 at the base."""
+
+
+class LongZoneError(ContactError):
+    """A zone of attraction that is not short beside the contact radius or the film."""
 
 
 class NotAContactError(ContactError):

@@ -11,22 +11,13 @@ from numpy.typing import NDArray
 from ._arrays import number, real
 from ._bodies import HalfSpace, System
 from ._errors import FitError
+from ._stack import StackSystem
 from ._values import Remade
 
 Kind = Literal["load-radius", "penetration-radius", "load-penetration", "force-height"]
-ParameterName = Literal[
-    "sphere_modulus",
-    "film_modulus",
-    "film_poisson_ratio",
-    "film_thickness",
-    "work_of_adhesion",
-    "work_of_adhesion_receding",
-    "load_offset",
-    "contact_point",
-    "baseline",
-    "baseline_slope",
-    "stiffness",
-]
+# The name of a parameter: one of UNITS_OF, or LAYER.modulus or LAYER.thickness of the layer of a
+# stack that has the name LAYER.
+ParameterName = str
 
 UNITS_OF: dict[str, str] = {
     "sphere_modulus": "Pa",
@@ -41,6 +32,24 @@ UNITS_OF: dict[str, str] = {
     "baseline_slope": "N/m",
     "stiffness": "N/m",
 }
+
+
+UNITS_OF_LAYERS = {"modulus": "Pa", "thickness": "m"}
+
+
+def unit_of(parameter: object) -> str:
+    """Return the SI unit of a parameter; refuse other words."""
+    if isinstance(parameter, str):
+        layer, _, what = parameter.rpartition(".")
+        unit = UNITS_OF_LAYERS.get(what) if layer else UNITS_OF.get(parameter)
+        if unit is not None:
+            return unit
+    words = ", ".join(f'"{word}"' for word in UNITS_OF)
+    raise FitError(
+        f"parameter = {parameter!r} cannot be used: give one of {words}, or with a stack "
+        '"LAYER.modulus" or "LAYER.thickness" of a layer by its name',
+        axis="parameter",
+    )
 
 
 def one_of(name: str, value: object, allowed: tuple[str, ...]) -> None:
@@ -67,8 +76,10 @@ class Experiment(Remade):
     ordinate : array_like, optional
         Loads or forces, N, positive in compression; or penetrations, m. None where they are not
         measured yet: then they are NaN, which :func:`simulate` and :func:`forecast` accept.
-    system : System or HalfSpace
-        The bodies. On a half-space the parameters of the film are those of the solid.
+    system : System, HalfSpace or StackSystem
+        The bodies. On a half-space the parameters of the film are those of the solid. On a stack
+        those of the layers take their place, and every contact is solved directly, in some
+        milliseconds.
     retract : array_like of bool, optional
         Whether each point was measured on retract; None where that is not known.
     work_of_adhesion : float
@@ -94,7 +105,7 @@ class Experiment(Remade):
     kind: Kind
     abscissa: Any
     ordinate: Any = None
-    system: System | HalfSpace
+    system: System | HalfSpace | StackSystem
     retract: Any = None
     work_of_adhesion: float = 0.0
     work_of_adhesion_receding: float | None = None
@@ -108,8 +119,16 @@ class Experiment(Remade):
 
     def __post_init__(self) -> None:
         one_of("kind", self.kind, get_args(Kind))
-        if not isinstance(self.system, System | HalfSpace):
-            raise TypeError(f"system must be a System or a HalfSpace, not {self.system!r}")
+        if not isinstance(self.system, System | HalfSpace | StackSystem):
+            raise TypeError(
+                f"system must be a System, a HalfSpace or a StackSystem, not {self.system!r}"
+            )
+        if isinstance(self.system, StackSystem) and self.system.stack.surface is not None:
+            raise FitError(
+                "the stack has a surface of its own, which fits do not take: leave it out with "
+                "dataclasses.replace(stack, surface=None)",
+                axis="surface",
+            )
         if self.ordinate is None:
             object.__setattr__(self, "ordinate", np.full(np.shape(self.abscissa), np.nan))
         points = [real(name, getattr(self, name)) for name in ("abscissa", "ordinate")]
@@ -161,11 +180,12 @@ class Free:
     Parameters
     ----------
     parameter : str
-        Its name, such as ``"film_modulus"``.
+        Its name, such as ``"film_modulus"``, or with a stack ``"LAYER.modulus"`` or
+        ``"LAYER.thickness"`` of a layer by its name, such as ``"primer.modulus"``.
     start : float, optional
         Where the fit starts. By default moduli, works of adhesion, offsets, contact points and
-        baselines start from the data themselves; Poisson ratio, thickness and stiffness from the
-        value of the experiment.
+        baselines start from the data themselves; Poisson ratio, thicknesses, stiffness and the
+        moduli of layers from the value of the experiment.
     bounds : tuple of float, optional
         The smallest and the largest value allowed. A Poisson ratio has the bounds 0 and 0.5.
     prior : tuple of float, optional
@@ -182,7 +202,7 @@ class Free:
     own: bool | None = None
 
     def __post_init__(self) -> None:
-        one_of("parameter", self.parameter, get_args(ParameterName))
+        unit_of(self.parameter)
         if self.start is not None:
             object.__setattr__(self, "start", number("start", self.start))
         for name in ("bounds", "prior"):

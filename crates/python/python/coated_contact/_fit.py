@@ -41,8 +41,8 @@ def fit(
 ) -> Fit:
     """Find the free parameters of one or several experiments together.
 
-    Levenberg and Marquardt's method with exact derivatives minimises the loss. The start comes from
-    the data. The fit is deterministic.
+    Levenberg and Marquardt's method with exact derivatives, on a stack with central differences,
+    minimises the loss. The start comes from the data. The fit is deterministic.
 
     Parameters
     ----------
@@ -51,7 +51,7 @@ def fit(
     free : iterable of str or Free
         The parameters to be found.
     table : Table, optional
-        The table; by default the embedded one.
+        The table of films; by default the embedded one. Contacts on a stack are solved without it.
     loss : {"squares", "huber", "soft-l1"}
         What a residual adds to the sum. The last two forgive outliers.
     profile_level : float, optional

@@ -11,12 +11,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _html
+from ._columns import Array, axes
 from ._errors import ContactError
-from ._experiment import UNITS_OF
-from ._results import Array, axes
+from ._experiment import unit_of
 
 if TYPE_CHECKING:
     import pandas
+    import xarray
     from matplotlib.axes import Axes
 
 
@@ -102,6 +103,14 @@ class FittedExperiment:
     def residual(self) -> Array:
         """The ordinates measured less those of the fit."""
         return self.ordinate - self.fit
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """Return a row for each point, in the order measured; needs pandas."""
+        import pandas
+
+        names = ("abscissa", "ordinate", "fit", "residual", "contact_radius", "without_film")
+        columns = {name: getattr(self, name) for name in names}
+        return pandas.DataFrame({**columns, "branch": self.branch, "outlier": self.outlier})
 
 
 @dataclass(frozen=True, slots=True)
@@ -255,6 +264,16 @@ class Forecast:
     undetermined: tuple[str, ...]
     stderr: dict[str, float]
 
+    def _repr_html_(self) -> str:
+        """Return what a notebook shows: values with the errors expected, and what is not told."""
+        rows = [
+            (name, f"{estimate.value:.6g}", f"{error:.2g}")
+            for estimate, (name, error) in zip(self.estimates, self.stderr.items(), strict=True)
+        ]
+        found = _html.table(("parameter (SI)", "value", "expected error"), rows)
+        doubts = [(words,) for words in self.undetermined]
+        return found + (_html.table(("not determined",), doubts) if doubts else "")
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class FitMap:
@@ -336,7 +355,7 @@ class FitMap:
         name = next(iter(self.params)) if parameter is None else parameter
         if name not in self.params:
             raise ValueError(f"{name!r} was not fitted: give one of {', '.join(self.params)}")
-        values, label = self.params[name], f"{name} ({UNITS_OF[name]})"
+        values, label = self.params[name], f"{name} ({unit_of(name)})"
         ax = axes(ax)
         if shape is None:
             ax.errorbar(np.arange(len(self)), values, self.stderr[name], fmt=".", capsize=2)
@@ -364,6 +383,26 @@ class FitMap:
             " ".join(warning.kind for warning in warnings) for warnings in self.warnings
         ]
         return pandas.DataFrame(columns).rename_axis("curve")
+
+    def to_xarray(self) -> xarray.Dataset:
+        """Return the values and the standard errors over ``curve``; needs xarray.
+
+        Examples
+        --------
+        >>> from coated_contact import fit_map
+        >>> fit_map([], ["film_modulus"]).to_xarray()["film_modulus"].attrs["units"]
+        'Pa'
+        """
+        import xarray
+
+        variables: dict[str, Any] = {}
+        for name, values in self.params.items():
+            units = {"units": unit_of(name)}
+            variables[name] = ("curve", values, units)
+            variables[f"{name}_stderr"] = ("curve", self.stderr[name], units)
+        variables["converged"] = ("curve", self.converged)
+        variables["chi_squared"] = ("curve", self.chi_squared)
+        return xarray.Dataset(variables)
 
 
 def estimates_of(found: Mapping[str, Any]) -> tuple[Estimate, ...]:

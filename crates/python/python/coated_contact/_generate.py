@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any
 from . import _core
 from ._arrays import integer, number
 from ._distributed import solved_pieces
+from ._stack import Stack
 from ._table import Table
 
 if TYPE_CHECKING:
@@ -75,7 +76,10 @@ def generate(
         The scene: a mapping of its keys, the path of a TOML file (a ``pathlib.Path``), or TOML text
         (a ``str``). The keys are ``title``, ``a_over_t``, ``e1_over_e2``, ``nu1``, ``e0_over_e2``
         (each a number, or a mapping with ``from``, ``to`` and, if wanted, ``nodes``), and
-        optionally ``nu0``, ``quantities`` and ``tolerance``.
+        optionally ``nu0``, ``quantities`` and ``tolerance``. With ``stack``, a :class:`Stack` or
+        the mapping of its file, the table is of these layers under spheres of any modulus:
+        ``a_over_t`` is over the thickness of all layers, ``e1_over_e2`` of the top layer, and
+        ``nu1``, ``e0_over_e2`` and ``nu0`` are left out.
     path : path, optional
         The file to write: packed to a name that ends in ``.bin``, which :meth:`Table.read` reads;
         to other names HDF5, which needs a package that was built with the feature ``hdf5``. By
@@ -180,6 +184,8 @@ def toml(scene: Mapping[str, Any]) -> str:
 
 def _value(value: Any) -> str:
     """Return a value as TOML."""
+    if isinstance(value, Stack):
+        return _value(value._scene())
     if isinstance(value, Mapping):
         pairs = (f"{json.dumps(str(key))} = {_value(one)}" for key, one in value.items())
         return "{ " + ", ".join(pairs) + " }"

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from html import escape
 from math import inf
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ._bodies import Elastic, HalfSpace, System
 from ._probe import FlatPunch, Paraboloid, Probe, Profile, Sphere
@@ -18,7 +19,7 @@ WIDTH, HEIGHT, SURFACE = 320, 140, 90
 POINTS = 60
 # The colours of neighbouring layers.
 FILMS = ("#fc8", "#fe9", "#da8")
-# The largest number of bodies that are listed.
+# The largest number of rows that are listed.
 MOST_ROWS = 12
 
 
@@ -29,6 +30,16 @@ def table(header: Sequence[str], rows: Iterable[Sequence[object]]) -> str:
         return "<tr>" + "".join(f"<{tag}>{escape(str(c))}</{tag}>" for c in cells) + "</tr>"
 
     return "<table>" + line("th", header) + "".join(line("td", row) for row in rows) + "</table>"
+
+
+def numbers(columns: Mapping[str, NDArray[np.float64]]) -> str:
+    """Return the first rows of flat arrays."""
+    count = len(next(iter(columns.values())))
+    rows = zip(*(column[:MOST_ROWS] for column in columns.values()), strict=True)
+    shown: list[list[str]] = [[f"{value:.6g}" for value in row] for row in rows]
+    if count > MOST_ROWS:
+        shown.append([f"{count - MOST_ROWS} more", *[""] * (len(columns) - 1)])
+    return table(list(columns), shown)
 
 
 def contact(system: System | HalfSpace | StackSystem) -> str:

@@ -3,14 +3,18 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from . import _core
 from ._arrays import number
+from ._columns import Array, Columns
 from ._contact import Contact
 from ._control import Control, native_control
-from ._results import Array, State
+from ._results import State
 from ._values import set_numbers
+
+if TYPE_CHECKING:
+    import xarray
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -95,7 +99,7 @@ def law_numbers(law: Law) -> tuple[Any, ...]:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class TimedStates:
+class TimedStates(Columns):
     """The states of a contact at many times.
 
     Attributes
@@ -118,8 +122,11 @@ class TimedStates:
     penetration: Array
     energy_release_rate: Array
 
-    def __len__(self) -> int:
-        return len(self.time)
+    _drawn = ("time", "load")
+
+    def to_xarray(self) -> xarray.Dataset:
+        """Return a Dataset over ``time``; needs xarray."""
+        return super(TimedStates, self).to_xarray().swap_dims(dim_0="time").set_coords("time")
 
 
 class ContactLine:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 from typing import Any, ClassVar, final
 
 import numpy as np
@@ -13,6 +13,7 @@ from ._arrays import real
 from ._values import Remade, set_field, set_numbers
 
 
+@dataclass(frozen=True, kw_only=True, slots=True)
 class Probe(Remade):
     """The shape of a probe: the height f(r) of its surface above its lowest point.
 
@@ -25,14 +26,17 @@ class Probe(Remade):
     A shape whose lengths or angle cannot be raises an UnphysicalError.
     """
 
-    __slots__ = ()
     #: The name in words.
     name: ClassVar[str]
-    _native: Any
+    _native: Any = field(init=False, repr=False, compare=False)
 
-    def __init__(self) -> None:
-        """Refuse a probe without a shape."""
-        raise TypeError("choose a shape, such as Sphere(radius=1e-3)")
+    def __post_init__(self) -> None:
+        if type(self) is Probe:
+            raise TypeError("choose a shape, such as Sphere(radius=1e-3)")
+        names = [one.name for one in fields(self) if one.init]
+        set_numbers(self, *names)
+        numbers = np.array([getattr(self, name) for name in names])
+        set_field(self, "_native", _core.Probe(self.name, numbers))
 
     def height(self, r: ArrayLike) -> NDArray[np.float64]:
         """Return the heights f (m) at the distances ``r`` (m) from the axis.
@@ -44,12 +48,6 @@ class Probe(Remade):
 
     def _height(self, r: NDArray[np.float64]) -> NDArray[np.float64]:
         raise NotImplementedError
-
-    def _make(self, *names: str) -> None:
-        """Make the native shape of the numbers of these names."""
-        set_numbers(self, *names)
-        numbers = np.array([getattr(self, name) for name in names])
-        set_field(self, "_native", _core.Probe(self.name, numbers))
 
 
 @final
@@ -65,10 +63,6 @@ class Paraboloid(Probe):
 
     name = "paraboloid"
     radius: float
-    _native: Any = field(init=False, repr=False, compare=False)
-
-    def __post_init__(self) -> None:
-        self._make("radius")
 
     def _height(self, r: NDArray[np.float64]) -> NDArray[np.float64]:
         return r * r / (2 * self.radius)
@@ -87,10 +81,6 @@ class Sphere(Probe):
 
     name = "sphere"
     radius: float
-    _native: Any = field(init=False, repr=False, compare=False)
-
-    def __post_init__(self) -> None:
-        self._make("radius")
 
     def _height(self, r: NDArray[np.float64]) -> NDArray[np.float64]:
         s = np.minimum(r / self.radius, 1.0)
@@ -115,10 +105,6 @@ class PowerLaw(Probe):
     name = "power law"
     coefficient: float
     exponent: float
-    _native: Any = field(init=False, repr=False, compare=False)
-
-    def __post_init__(self) -> None:
-        self._make("coefficient", "exponent")
 
     def _height(self, r: NDArray[np.float64]) -> NDArray[np.float64]:
         return self.coefficient * r**self.exponent
@@ -137,10 +123,6 @@ class Cone(Probe):
 
     name = "cone"
     half_angle: float
-    _native: Any = field(init=False, repr=False, compare=False)
-
-    def __post_init__(self) -> None:
-        self._make("half_angle")
 
     def _height(self, r: NDArray[np.float64]) -> NDArray[np.float64]:
         return r / np.tan(self.half_angle)
@@ -165,10 +147,6 @@ class RoundedCone(Probe):
     name = "rounded cone"
     radius: float
     half_angle: float
-    _native: Any = field(init=False, repr=False, compare=False)
-
-    def __post_init__(self) -> None:
-        self._make("radius", "half_angle")
 
     def _height(self, r: NDArray[np.float64]) -> NDArray[np.float64]:
         slope = 1 / np.tan(self.half_angle)
@@ -189,10 +167,6 @@ class FlatPunch(Probe):
 
     name = "flat punch"
     radius: float
-    _native: Any = field(init=False, repr=False, compare=False)
-
-    def __post_init__(self) -> None:
-        self._make("radius")
 
     def _height(self, r: NDArray[np.float64]) -> NDArray[np.float64]:
         return np.where(r <= self.radius, 0.0, np.inf)
@@ -214,10 +188,6 @@ class FlatEndedCone(Probe):
     name = "flat-ended cone"
     radius: float
     half_angle: float
-    _native: Any = field(init=False, repr=False, compare=False)
-
-    def __post_init__(self) -> None:
-        self._make("radius", "half_angle")
 
     def _height(self, r: NDArray[np.float64]) -> NDArray[np.float64]:
         return np.maximum(r - self.radius, 0.0) / np.tan(self.half_angle)
@@ -246,7 +216,6 @@ class Profile(Probe):
 
     name = "profile"
     points: tuple[tuple[float, float], ...]
-    _native: Any = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
         points = real("points", self.points)

@@ -7,17 +7,15 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
-from . import _core
+from . import _core, _html
 from ._arrays import Errors, scalar_or_array
+from ._columns import UNITS, Array, Columns, axes, label
 
 if TYPE_CHECKING:
     import pandas
     import xarray
     from matplotlib.axes import Axes
-
-Array = NDArray[np.float64]
 
 InputName = Literal[
     "contact_radius",
@@ -45,10 +43,6 @@ INPUTS: tuple[InputName, ...] = (
 )
 
 
-# The numbers of a state.
-UNITS = {"contact_radius": "m", "load": "N", "penetration": "m"}
-
-
 @dataclass(frozen=True, slots=True)
 class State:
     """A state of a contact.
@@ -69,7 +63,7 @@ class State:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class States:
+class States(Columns):
     """Many states, as arrays of one shape.
 
     Attributes
@@ -86,29 +80,9 @@ class States:
     load: Array
     penetration: Array
 
-    def __len__(self) -> int:
-        return len(self.load)
-
     def __iter__(self) -> Iterator[State]:
         """Iterate over the states in the order of the flattened arrays."""
-        flat = (self.contact_radius.flat, self.load.flat, self.penetration.flat)
-        return (State(*map(float, values)) for values in zip(*flat, strict=True))
-
-    def to_pandas(self) -> pandas.DataFrame:
-        """Return a row for each state, in the order of the flattened arrays; needs pandas."""
-        import pandas
-
-        return pandas.DataFrame({name: getattr(self, name).ravel() for name in UNITS})
-
-    def to_xarray(self) -> xarray.Dataset:
-        """Return a Dataset with the dimensions of the arrays, ``dim_0`` and so on; needs xarray."""
-        import xarray
-
-        dimensions = [f"dim_{axis}" for axis in range(self.load.ndim)]
-        variables = {
-            name: (dimensions, getattr(self, name), {"units": unit}) for name, unit in UNITS.items()
-        }
-        return xarray.Dataset(variables)
+        return (State(*row) for row in self._rows())
 
 
 @dataclass(frozen=True, slots=True)
@@ -124,6 +98,70 @@ class Equilibrium:
     """
 
     state: State
+    stable: bool
+
+
+@dataclass(frozen=True, slots=True)
+class CohesiveState:
+    """A state with an annulus of attraction.
+
+    Attributes
+    ----------
+    contact_radius : float
+        Contact radius a, m; 0 before the contact.
+    outer_radius : float
+        Outer radius c of the attraction, m.
+    load : float
+        Load F, N, positive in compression.
+    penetration : float
+        Penetration delta, m, positive when the sphere has moved in.
+    """
+
+    contact_radius: float
+    outer_radius: float
+    load: float
+    penetration: float
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class CohesiveStates(Columns):
+    """Many states with an annulus of attraction, as arrays of one shape.
+
+    Attributes
+    ----------
+    contact_radius : numpy.ndarray
+        Contact radii a, m; 0 before the contact.
+    outer_radius : numpy.ndarray
+        Outer radii c of the attraction, m.
+    load : numpy.ndarray
+        Loads F, N, positive in compression.
+    penetration : numpy.ndarray
+        Penetrations delta, m, positive when the sphere has moved in.
+    """
+
+    contact_radius: Array
+    outer_radius: Array
+    load: Array
+    penetration: Array
+
+    def __iter__(self) -> Iterator[CohesiveState]:
+        """Iterate over the states in the order of the flattened arrays."""
+        return (CohesiveState(*row) for row in self._rows())
+
+
+@dataclass(frozen=True, slots=True)
+class CohesiveEquilibrium:
+    """An equilibrium at an imposed value, with an annulus of attraction.
+
+    Attributes
+    ----------
+    state : CohesiveState
+        The state of the contact.
+    stable : bool
+        Whether the contact returns to this state after a small change of its radius.
+    """
+
+    state: CohesiveState
     stable: bool
 
 
@@ -183,7 +221,8 @@ class ForceDisplacement:
         """Return :meth:`to_pandas` as a Dataset over ``state``; needs pandas and xarray."""
         data = self.to_pandas().rename_axis("state").to_xarray()
         for name, unit in UNITS.items():
-            data[name].attrs["units"] = unit
+            if name in data:
+                data[name].attrs["units"] = unit
         return data
 
     def plot(self, ax: Axes | None = None) -> Axes:
@@ -201,10 +240,10 @@ class ForceDisplacement:
         """
         ax = axes(ax)
         for colour, branches in (("C0", self.loading), ("C1", self.unloading)):
-            label = "loading" if branches is self.loading else "unloading"
+            name = "loading" if branches is self.loading else "unloading"
             for states in branches:
-                ax.plot(states.penetration, states.load, color=colour, label=label)
-                label = "_nolegend_"
+                ax.plot(states.penetration, states.load, color=colour, label=name)
+                name = "_nolegend_"
         for jump in self.jumps:
             if jump.to is not None:
                 ax.plot(
@@ -214,9 +253,28 @@ class ForceDisplacement:
                     linestyle="--",
                     linewidth=1,
                 )
-        ax.set_xlabel("penetration (m)")
-        ax.set_ylabel("load (N)")
+        ax.set_xlabel(label("penetration"))
+        ax.set_ylabel(label("load"))
         return ax
+
+    def _repr_html_(self) -> str:
+        """Return what a notebook shows: the ends of each branch."""
+        directions = {"loading": self.loading, "unloading": self.unloading}
+        rows = [
+            (direction, number, len(states), *(f"{end:.6g}" for end in _ends(states)))
+            for direction, branches in directions.items()
+            for number, states in enumerate(branches)
+        ]
+        ends = [f"{which} {label(name)}" for which in ("first", "last") for name in _ENDS]
+        return _html.table(("direction", "branch", "states", *ends), rows)
+
+
+_ENDS = ("penetration", "load")
+
+
+def _ends(states: States) -> list[float]:
+    """Return penetration and load of the first and of the last state."""
+    return [float(getattr(states, name)[i]) for i in (0, -1) for name in _ENDS]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -279,17 +337,15 @@ class Gradient:
         return Derivatives(scalar_or_array(load), scalar_or_array(penetration))
 
 
-def axes(given: Axes | None) -> Axes:
-    """Return the axes given, or the current ones of matplotlib."""
-    if given is not None:
-        return given
-    from matplotlib import pyplot
-
-    return pyplot.gca()
-
-
 def states(arrays: list[Array]) -> State | States:
     """Return one state for arrays without dimensions, else many."""
     if arrays[0].ndim == 0:
         return State(*map(float, arrays))
     return States(*arrays)
+
+
+def cohesive_states(arrays: list[Array]) -> CohesiveState | CohesiveStates:
+    """Return one state for arrays without dimensions, else many."""
+    if arrays[0].ndim == 0:
+        return CohesiveState(*map(float, arrays))
+    return CohesiveStates(*arrays)

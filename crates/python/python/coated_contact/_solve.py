@@ -2,19 +2,23 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
-from . import _core
+from . import _core, _html
 from ._arrays import Errors, evaluate, real, scalar_or_array
+from ._columns import axes
 from ._stack import Stack
 
 if TYPE_CHECKING:
+    import pandas
     import xarray
+    from matplotlib.axes import Axes
 
 QUANTITIES = {
     "pi0": "adhesionless load, F0 = a^3 E* pi0 / (2 R)",
@@ -69,17 +73,17 @@ class Solution:
         values = {name: np.asarray(getattr(self, name)) for name in QUANTITIES}
         ndim = values["pi0"].ndim
         given = {name: real(name, value) for name, value in self._parameters.items()}
-        axes = {
+        varied = {
             name: tuple(i + ndim - array.ndim for i, n in enumerate(array.shape) if n > 1)
             for name, array in given.items()
         }
         dimensions = [
             alone[0] if len(alone) == 1 else f"dim_{axis}"
             for axis in range(ndim)
-            for alone in [[name for name, varies in axes.items() if varies == (axis,)]]
+            for alone in [[name for name, along in varied.items() if along == (axis,)]]
         ]
         coordinates = {
-            name: ([dimensions[axis] for axis in axes[name]], array.squeeze())
+            name: ([dimensions[axis] for axis in varied[name]], array.squeeze())
             for name, array in given.items()
         }
         variables = {
@@ -87,6 +91,57 @@ class Solution:
             for name, value in values.items()
         }
         return xarray.Dataset(variables, coordinates)
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """Return a row for each point: the parameters and the quantities; needs pandas."""
+        import pandas
+
+        return pandas.DataFrame(self._columns())
+
+    def plot(self, ax: Axes | None = None) -> Axes:
+        """Draw the four quantities over the first parameter that varies; needs matplotlib.
+
+        Parameters
+        ----------
+        ax : matplotlib.axes.Axes, optional
+            Where to draw; by default the current axes.
+
+        Returns
+        -------
+        matplotlib.axes.Axes
+            The axes.
+
+        Raises
+        ------
+        ValueError
+            If no parameter varies.
+        """
+        columns = self._columns()
+        varied = [name for name in self._parameters if len(np.unique(columns[name])) > 1]
+        if not varied:
+            raise ValueError("all parameters are single numbers: solve for several, to draw them")
+        ax = axes(ax)
+        x = columns[varied[0]]
+        order, line = np.argsort(x, kind="stable"), "-" if len(varied) == 1 else "."
+        for quantity in [one for one in QUANTITIES if one != "error"]:
+            ax.loglog(x[order], columns[quantity][order], line, label=quantity)
+        ax.set_xlabel(varied[0])
+        ax.legend()
+        return ax
+
+    def _repr_html_(self) -> str:
+        """Return what a notebook shows: the first points."""
+        return _html.numbers(self._columns())
+
+    def _columns(self) -> dict[str, NDArray[np.float64]]:
+        """Return the parameters and the quantities, as flat arrays."""
+        values = {name: np.asarray(getattr(self, name)) for name in QUANTITIES}
+        shape = values["error"].shape
+        given = {
+            name: np.broadcast_to(real(name, value), shape)
+            for name, value in self._parameters.items()
+        }
+        return {name: array.ravel() for name, array in (given | values).items()}
 
 
 def solve(
@@ -150,12 +205,8 @@ def solve(
         "nu1": nu1,
         "e0_over_e2": e0_over_e2,
         "nu0": nu0,
-        "tolerance": tolerance,
     }
-    found = evaluate(_core.solve, errors, **parameters)
-    del parameters["tolerance"]
-    pi0, eeq, gamma, delta0, error = map(scalar_or_array, found)
-    return Solution(pi0, eeq, gamma, delta0, error, parameters)
+    return _solution(_core.solve, errors, tolerance, parameters)
 
 
 def solve_stack(
@@ -206,13 +257,18 @@ def solve_stack(
     >>> solve_stack([0.1, 1.0, 6.5], stack, 2e6).eeq.round(4)
     array([0.7123, 0.8471, 0.9748])
     """
-    parameters: dict[str, ArrayLike] = {
-        "a_over_t": a_over_t,
-        "sphere_modulus": sphere_modulus,
-        "tolerance": tolerance,
-    }
+    parameters: dict[str, ArrayLike] = {"a_over_t": a_over_t, "sphere_modulus": sphere_modulus}
     native = partial(_core.solve_stack, stack._native)
-    found = evaluate(native, errors, **parameters)
-    del parameters["tolerance"]
+    return _solution(native, errors, tolerance, parameters)
+
+
+def _solution(
+    native: Callable[..., Any],
+    errors: Errors,
+    tolerance: ArrayLike,
+    parameters: dict[str, ArrayLike],
+) -> Solution:
+    """Solve the broadcast parameters."""
+    found = evaluate(native, errors, **parameters, tolerance=tolerance)
     pi0, eeq, gamma, delta0, error = map(scalar_or_array, found)
     return Solution(pi0, eeq, gamma, delta0, error, parameters)

@@ -4,18 +4,15 @@ from __future__ import annotations
 
 import operator
 import os
-import tomllib
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
-from math import inf
-from pathlib import Path
 from typing import TYPE_CHECKING, Any, final
 
 from . import _core
-from ._bodies import Elastic, check_solid
+from ._bodies import Elastic, UnderProbe, check_solid
 from ._errors import StackError
-from ._probe import Probe, probe_of, radius_of
-from ._values import Remade, set_field, set_number, set_numbers
+from ._probe import Probe
+from ._values import Remade, set_field, set_numbers
 
 if TYPE_CHECKING:
     from ._contact import Contact
@@ -33,7 +30,8 @@ class Layer:
     thickness : float
         The thickness, m.
     name : str, optional
-        A name for messages.
+        A name for messages and for the parameters of fits, ``"NAME.modulus"`` and
+        ``"NAME.thickness"``.
     """
 
     material: Elastic
@@ -43,6 +41,8 @@ class Layer:
     def __post_init__(self) -> None:
         check_solid("material", self.material)
         set_numbers(self, "thickness")
+        if self.name is not None and not isinstance(self.name, str):
+            raise TypeError(f"name must be a str, not {type(self.name).__name__}")
 
 
 @final
@@ -52,7 +52,8 @@ class Stack(Remade):
 
     Layers are counted from the base up: the first one is bonded to the base, and the probe touches
     the last one. They enter through the compliance of the surface alone, and a/t of a stack is the
-    contact radius over the sum of all thicknesses. Stacks are solved directly: no table holds them.
+    contact radius over the sum of all thicknesses. Stacks are solved directly, in milliseconds
+    (:meth:`contact`), or looked up in a table of one stack (:func:`generate`, ``Table.contact``).
 
     Parameters
     ----------
@@ -103,7 +104,7 @@ class Stack(Remade):
             check_solid("surface", self.surface)
         native = _core.Stack(
             self.base._numbers(),
-            [(layer.material._numbers(), layer.thickness) for layer in self.layers],
+            [(one.material._numbers(), one.thickness, one.name) for one in self.layers],
             None if self.surface is None else self.surface._numbers(),
         )
         set_field(self, "_native", native)
@@ -150,7 +151,7 @@ class Stack(Remade):
 
     @classmethod
     def read(cls, path: str | os.PathLike[str]) -> Stack:
-        """Read a stack from a TOML file, as ``tabulate solve --stack`` does.
+        """Read a stack from a TOML file, by the reader of ``tabulate solve --stack``.
 
         ``base = { young_modulus = .., poisson_ratio = .. }`` and, from the base up, ``[[layers]]``
         with ``young_modulus``, ``poisson_ratio``, ``thickness`` and perhaps a ``name``, in SI
@@ -163,14 +164,44 @@ class Stack(Remade):
         StackError
             If it is no stack; the message names the file and the layer.
         """
-        path = Path(path)
-        try:
-            text = tomllib.loads(path.read_text(encoding="utf-8"))
-            _keys("the file", text, {"base", "layers"})
-            layers = [_layer(i + 1, layer) for i, layer in enumerate(text.get("layers", []))]
-            return cls(base=_base(text.get("base")), layers=tuple(layers))
-        except (ValueError, TypeError) as error:
-            raise StackError(f"{path}: {error}") from error
+        return cls._of_parts(*_core.read_stack(os.fspath(path)))
+
+    @classmethod
+    def _of_parts(
+        cls,
+        base: tuple[float, float],
+        layers: Iterable[tuple[tuple[float, float], float, str | None]],
+    ) -> Stack:
+        """Make a stack of what the native part returns."""
+
+        def solid(young: float, poisson: float) -> Elastic:
+            return Elastic(young_modulus=young, poisson_ratio=poisson)
+
+        made = (
+            Layer(material=solid(*material), thickness=thickness, name=name)
+            for material, thickness, name in layers
+        )
+        return cls(base=solid(*base), layers=tuple(made))
+
+    def _scene(self) -> dict[str, Any]:
+        """Return the stack as the mapping of its file."""
+        if self.surface is not None:
+            raise StackError(
+                "the stack has a surface of its own, which a scene cannot state: leave it out with "
+                "dataclasses.replace(stack, surface=None)",
+                axis="surface",
+            )
+
+        def solid(one: Elastic) -> dict[str, Any]:
+            return {"young_modulus": one.young_modulus, "poisson_ratio": one.poisson_ratio}
+
+        layers = [
+            ({} if one.name is None else {"name": one.name})
+            | solid(one.material)
+            | {"thickness": one.thickness}
+            for one in self.layers
+        ]
+        return {"base": solid(self.base), "layers": layers}
 
     @property
     def thickness(self) -> float:
@@ -233,7 +264,7 @@ class Stack(Remade):
 
 @final
 @dataclass(frozen=True, init=False, slots=True)
-class StackSystem(Remade):
+class StackSystem(UnderProbe):
     """A probe on a stack of layers.
 
     Parameters
@@ -248,10 +279,7 @@ class StackSystem(Remade):
         The layers and their base.
     """
 
-    probe: Probe
-    sphere_modulus: float
     stack: Stack
-    _native: Any = field(init=False, repr=False, compare=False)
 
     def __init__(
         self,
@@ -263,53 +291,6 @@ class StackSystem(Remade):
     ) -> None:
         if not isinstance(stack, Stack):
             raise TypeError(f"stack must be a Stack, not {type(stack).__name__}")
-        probe = probe_of(probe, sphere_radius)
-        set_field(self, "probe", probe)
-        sphere_modulus = set_number(self, "sphere_modulus", sphere_modulus)
+        touching = self._set_probe(probe, sphere_radius, sphere_modulus)
         set_field(self, "stack", stack)
-        native = _core.StackSystem(probe._native, sphere_modulus, stack._native)
-        set_field(self, "_native", native)
-
-    @property
-    def sphere_radius(self) -> float | None:
-        """The radius R of the sphere or of its paraboloid, m; None for another probe."""
-        return radius_of(self.probe)
-
-
-def _keys(where: str, found: object, allowed: Iterable[str]) -> Mapping[str, Any]:
-    """Return a table of TOML; refuse keys that it cannot have."""
-    if not isinstance(found, Mapping):
-        raise StackError(f"{where} is missing, or no table")
-    for key in found:
-        if key not in allowed:
-            words = ", ".join(sorted(allowed))
-            raise StackError(f"{where}: {key} is unknown; the keys are {words}", axis=key)
-    return found
-
-
-def _value(where: str, table: Mapping[str, Any], key: str) -> Any:
-    if key not in table:
-        raise StackError(f"{where}: {key} is missing", axis=key)
-    return table[key]
-
-
-def _base(found: object) -> Elastic:
-    base = _keys("base", found, {"young_modulus", "poisson_ratio"})
-    young = _value("base", base, "young_modulus")
-    # A rigid body has no Poisson ratio; any one serves.
-    poisson = base.get("poisson_ratio", 0.0) if young == inf else None
-    poisson = _value("base", base, "poisson_ratio") if poisson is None else poisson
-    return Elastic(young_modulus=young, poisson_ratio=poisson)
-
-
-def _layer(number: int, found: object) -> Layer:
-    where = f"layer {number} from the base"
-    layer = _keys(where, found, {"name", "young_modulus", "poisson_ratio", "thickness"})
-    young, poisson, thickness = (
-        _value(where, layer, key) for key in ("young_modulus", "poisson_ratio", "thickness")
-    )
-    try:
-        material = Elastic(young_modulus=young, poisson_ratio=poisson)
-        return Layer(material=material, thickness=thickness, name=layer.get("name"))
-    except (ValueError, TypeError) as error:
-        raise StackError(f"{where}: {error}") from error
+        set_field(self, "_native", _core.StackSystem(*touching, stack._native))

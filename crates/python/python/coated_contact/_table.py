@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from . import _core
 from ._bodies import System
 from ._contact import Contact
+from ._stack import Stack, StackSystem
 
 if TYPE_CHECKING:
     import xarray
@@ -22,6 +23,8 @@ if TYPE_CHECKING:
 @final
 class Table:
     """A table of the quantities, from which the contact of every system in its box is looked up.
+
+    A table is of films on substrates, or of one stack of layers: see ``stack``.
 
     Tables are made by :meth:`embedded`, :meth:`read` or :meth:`open`. They do not change. Two
     tables are equal if they hold the same bits.
@@ -94,15 +97,33 @@ class Table:
         """Return the packed form, from which :meth:`from_packed` makes this table bit for bit."""
         return self._native.to_packed()
 
-    def contact(self, system: System) -> Contact:
+    def contact(self, system: System | StackSystem) -> Contact:
         """Look up the material of a system, and return its contact.
+
+        In a table of one stack of layers the system is a StackSystem with the stack of the table.
+        Its probe is a paraboloid or a flat punch of any modulus in the table. Such a contact has no
+        derivatives, and nothing beyond the nodes in a/t.
 
         Raises
         ------
         OutsideTableError, EquivalentError, NormalisationError
             If the table does not hold the material.
+        OtherTableError
+            For a film in a table of a stack, a stack in a table of films, and for another stack.
         """
         return Contact(system=system, table=self)
+
+    @cached_property
+    def stack(self) -> Stack | None:
+        """The stack of layers that the table is of; None for a table of films on substrates.
+
+        Raises
+        ------
+        TableError
+            For a stack in the scene of the table that is not that of its axes.
+        """
+        found = self._native.stack()
+        return None if found is None else Stack._of_parts(*found)
 
     @property
     def title(self) -> str:

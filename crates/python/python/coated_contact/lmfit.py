@@ -16,13 +16,15 @@ import numpy as np
 from lmfit import Parameters
 from lmfit.model import Model as LmfitModel
 from lmfit.model import ModelResult
+from lmfit.parameter import valid_symbol_name
 from numpy.typing import ArrayLike
 
 from ._arrays import real
-from ._bodies import HalfSpace
+from ._bodies import Elastic, HalfSpace, System
+from ._columns import Array
 from ._experiment import Experiment, ParameterName
 from ._model import Prediction, branches, predict
-from ._results import Array
+from ._stack import Layer, StackSystem
 from ._table import Table
 
 __all__ = ["Model"]
@@ -39,6 +41,10 @@ class Model(LmfitModel):  # type: ignore[misc]
     those in ``free`` vary. With the methods ``"leastsq"`` and ``"least_squares"`` the fit uses the
     exact derivatives, unless a parameter has an expression. Give the weights 1/noise:
     ``"least_squares"`` stops by an absolute gradient, which is tiny in newtons.
+
+    With a stack the parameters of a layer of the name ``primer`` are ``primer_modulus`` and
+    ``primer_thickness`` in lmfit, and ``"primer.modulus"`` and ``"primer.thickness"`` in ``free``.
+    Layers whose names lmfit cannot take are fixed, and so is the modulus of one called ``sphere``.
 
     At the abscissae of the experiment the branch of each point is read from its data, as
     :func:`coated_contact.branches` does, and points in a jump do not count. At other abscissae the
@@ -80,10 +86,12 @@ class Model(LmfitModel):  # type: ignore[misc]
         self._experiment, self._table = experiment, table
         measured = not np.isnan(experiment.ordinate).any()
         self._branches = branches(experiment, varied) if measured else None
-        names = parameters_of(experiment)
-        unknown = [name for name in varied if name not in names]
+        self._known = parameters_of(experiment)
+        names = list(self._known)
+        unknown = [name for name in varied if name not in self._known.values()]
         if unknown:
-            raise ValueError(f"{unknown} are no parameters of this experiment: {', '.join(names)}")
+            known = ", ".join(self._known.values())
+            raise ValueError(f"{unknown} are no parameters of this experiment: {known}")
 
         def ordinate(x: ArrayLike, **values: float) -> Array:
             found = self._predict(x, values, []).ordinate
@@ -93,16 +101,17 @@ class Model(LmfitModel):  # type: ignore[misc]
         arguments = [Argument(name, Argument.POSITIONAL_OR_KEYWORD) for name in ("x", *names)]
         ordinate.__signature__ = Signature(arguments)  # type: ignore[attr-defined]
         super().__init__(ordinate, ["x"], names, name="coated_contact", **kwargs)
-        for name in names:
+        for name, parameter in self._known.items():
+            is_positive = parameter in POSITIVE or "." in parameter
             bounds = {"film_poisson_ratio": (0.0, 0.5)}.get(
-                name, (0.0 if name in POSITIVE else -np.inf, np.inf)
+                parameter, (0.0 if is_positive else -np.inf, np.inf)
             )
             self.set_param_hint(
                 name,
-                value=value_of(experiment, name),
+                value=value_of(experiment, parameter),
                 min=bounds[0],
                 max=bounds[1],
-                vary=name in varied,
+                vary=parameter in varied,
             )
 
     def fit(
@@ -132,7 +141,7 @@ class Model(LmfitModel):  # type: ignore[misc]
         varied = [name for name, parameter in params.items() if parameter.vary]
         values = {name: params[name].value for name in self.param_names}
         found = self._predict(kwargs["x"], values, varied)
-        columns = np.stack([found.derivatives[name] for name in varied], axis=1)
+        columns = np.stack([found.derivatives[self._known[name]] for name in varied], axis=1)
         columns = np.where(np.isnan(columns), 0.0, columns)
         return -columns if weights is None else -columns * np.reshape(weights, (-1, 1))
 
@@ -147,12 +156,9 @@ class Model(LmfitModel):  # type: ignore[misc]
                 replace(experiment, abscissa=abscissa, ordinate=None, retract=direction),
                 None,
             )
-        return predict(
-            with_values(experiment, values),
-            by,  # type: ignore[arg-type]
-            branches=words,
-            table=self._table,
-        )
+        changed = with_values(experiment, {self._known[name]: v for name, v in values.items()})
+        by = [self._known[name] for name in by]
+        return predict(changed, by, branches=words, table=self._table)
 
 
 POSITIVE = (
@@ -164,45 +170,77 @@ POSITIVE = (
     "stiffness",
 )
 
+# The parameters of the solid of a film or half-space, by the names of its attributes.
+OF_FILM = {"film_modulus": "young_modulus", "film_poisson_ratio": "poisson_ratio"}
 
-def parameters_of(experiment: Experiment) -> list[str]:
-    """Return the names of the parameters that have an effect and a finite value."""
-    kind, coated = experiment.kind, not isinstance(experiment.system, HalfSpace)
-    names = ["sphere_modulus", "film_modulus", "film_poisson_ratio"]
-    names += ["film_thickness"] if coated else []
+
+def parameters_of(experiment: Experiment) -> dict[str, ParameterName]:
+    """Return the parameters that have an effect and a finite value, by their names in lmfit."""
+    kind, system = experiment.kind, experiment.system
+    names = ["sphere_modulus"]
+    if not isinstance(system, StackSystem):
+        names += ["film_modulus", "film_poisson_ratio"]
+    names += ["film_thickness"] if isinstance(system, System) else []
     names += ["work_of_adhesion"]
     names += ["work_of_adhesion_receding"] if experiment.work_of_adhesion_receding else []
     names += ["load_offset"] if kind == "load-radius" else ["contact_point"]
     if kind in ("load-penetration", "force-height"):
         names += ["baseline", "baseline_slope"]
     names += ["stiffness"] if kind == "force-height" else []
-    return [name for name in names if np.isfinite(value_of(experiment, name))]
+    named = {name: name for name in names if np.isfinite(value_of(experiment, name))}
+    if isinstance(system, StackSystem):
+        for layer in system.stack.layers:
+            for what in ("modulus", "thickness"):
+                name = f"{layer.name}_{what}"
+                if layer.name is not None and name not in named and valid_symbol_name(name):
+                    named[name] = f"{layer.name}.{what}"
+    return named
 
 
-def value_of(experiment: Experiment, name: str) -> float:
+def value_of(experiment: Experiment, name: ParameterName) -> float:
     """Return the value of a parameter of an experiment."""
     system = experiment.system
-    film = system.solid if isinstance(system, HalfSpace) else system.film
-    owner = {
-        "sphere_modulus": (system, "sphere_modulus"),
-        "film_thickness": (system, "film_thickness"),
-        "film_modulus": (film, "young_modulus"),
-        "film_poisson_ratio": (film, "poisson_ratio"),
-    }.get(name, (experiment, name))
-    return float(getattr(*owner))
+    if isinstance(system, StackSystem) and "." in name:
+        layer, _, what = name.rpartition(".")
+        found = next(one for one in system.stack.layers if one.name == layer)
+        return found.thickness if what == "thickness" else found.material.young_modulus
+    if not isinstance(system, StackSystem) and name in OF_FILM:
+        return float(getattr(_film(system), OF_FILM[name]))
+    owner = system if name in ("sphere_modulus", "film_thickness") else experiment
+    return float(getattr(owner, name))
 
 
-def with_values(experiment: Experiment, values: dict[str, float]) -> Experiment:
+def with_values(experiment: Experiment, values: dict[ParameterName, float]) -> Experiment:
     """Return an experiment with other values of parameters."""
     system = experiment.system
-    is_half_space = isinstance(system, HalfSpace)
-    film = system.solid if isinstance(system, HalfSpace) else system.film
-    of_film = {"film_modulus": "young_modulus", "film_poisson_ratio": "poisson_ratio"}
-    of_system = ("sphere_modulus", "film_thickness")
-    film = replace(film, **{of_film[n]: v for n, v in values.items() if n in of_film})
-    changes: dict[str, Any] = {n: v for n, v in values.items() if n in of_system}
-    changes["solid" if is_half_space else "film"] = film
-    own: dict[str, Any] = {
-        n: v for n, v in values.items() if n not in of_film and n not in of_system
-    }
+    own: dict[str, Any] = {}
+    changes: dict[str, Any] = {}
+    of_film: dict[str, float] = {}
+    for name, value in values.items():
+        if name in OF_FILM:
+            of_film[OF_FILM[name]] = value
+        elif name in ("sphere_modulus", "film_thickness"):
+            changes[name] = value
+        elif "." not in name:
+            own[name] = value
+    if isinstance(system, StackSystem):
+        layers = tuple(_layer_with(one, values) for one in system.stack.layers)
+        changes["stack"] = replace(system.stack, layers=layers)
+    else:
+        film = "solid" if isinstance(system, HalfSpace) else "film"
+        changes[film] = replace(_film(system), **of_film)
     return replace(experiment, system=replace(system, **changes), **own)
+
+
+def _layer_with(layer: Layer, values: dict[ParameterName, float]) -> Layer:
+    """Return a layer with the values of its parameters."""
+    if layer.name is None:
+        return layer
+    young = values.get(f"{layer.name}.modulus", layer.material.young_modulus)
+    thickness = values.get(f"{layer.name}.thickness", layer.thickness)
+    material = replace(layer.material, young_modulus=young)
+    return replace(layer, material=material, thickness=thickness)
+
+
+def _film(system: System | HalfSpace) -> Elastic:
+    return system.solid if isinstance(system, HalfSpace) else system.film

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use clap::ValueHint;
 use interp::System;
 
-use super::stack_file::{self, NamedLayers};
+use super::stack_file::{self, Layers};
 use super::system::SystemArguments;
 use crate::cohesive::Cohesive;
 
@@ -51,7 +51,7 @@ pub struct Bodies {
     /// The probe on the film; of a stack, [`Stack::system`](crate::stack::Stack::system).
     pub system: System,
     /// The layers, if they are not one film.
-    pub stack: Option<NamedLayers>,
+    pub stack: Option<Layers>,
 }
 
 impl BodiesArguments {
@@ -68,15 +68,15 @@ impl BodiesArguments {
                 stack: None,
             });
         };
-        let named = stack_file::read(path)?;
+        let layers = stack_file::read(path)?;
         let SystemArguments {
             sphere_radius,
             sphere_modulus,
             ..
         } = self.system;
         Ok(Bodies {
-            system: named.stack.system(sphere_radius, sphere_modulus),
-            stack: Some(named),
+            system: layers.stack().system(sphere_radius, sphere_modulus),
+            stack: Some(layers),
         })
     }
 }
@@ -91,8 +91,8 @@ impl AttractingArguments {
             ..
         } = self.bodies.system;
         Ok(match &bodies.stack {
-            Some(NamedLayers { stack, .. }) => Cohesive::on_stack(
-                stack,
+            Some(layers) => Cohesive::on_stack(
+                layers.stack(),
                 sphere_radius,
                 sphere_modulus,
                 work_of_adhesion,

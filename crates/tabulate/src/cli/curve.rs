@@ -11,7 +11,7 @@ use super::note;
 use super::output::Output;
 use super::points::{evenly, number};
 use super::progress::progress_bar;
-use super::stack_file::Source as LayersFrom;
+use super::stack_file::Layers;
 use super::table_name::{self, TableName};
 use crate::cohesive::Cohesive;
 use crate::parallel::try_map;
@@ -159,7 +159,7 @@ impl<'a> States<'a> {
             Source::Curve(Box::new(name.read()?.contact(system)?))
         } else if let Some(layers) = &bodies.stack {
             ensure!(
-                arguments.tolerance.is_none() || matches!(layers.source, LayersFrom::Text { .. }),
+                arguments.tolerance.is_none() || matches!(layers, Layers::Text(_)),
                 "--tolerance is of direct solves, and --stack names a table, which is looked up: \
                  leave out --tolerance, or name a stack file"
             );

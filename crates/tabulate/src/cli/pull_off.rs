@@ -108,7 +108,8 @@ fn jkr(arguments: &Arguments, bodies: &Bodies, control: Control) -> anyhow::Resu
     let contact = match (&arguments.table, &bodies.stack) {
         (Some(name), _) => name.read()?.contact(system)?,
         (None, Some(layers)) => {
-            let top = layers.stack.top().thickness / layers.stack.thickness();
+            let stack = layers.stack();
+            let top = stack.top().thickness / stack.thickness();
             let range = [RANGE[0], RANGE[1].min(OVER_TOP * top)];
             Contact::new(system, layers.curve(sphere_modulus, range, TOLERANCE)?)?
         }

@@ -136,11 +136,12 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
 }
 
 fn solve_layers(arguments: &Arguments, path: &Path) -> anyhow::Result<()> {
-    let stack = stack_file::read(path)?.stack;
+    let layers = stack_file::read(path)?;
+    let stack = layers.stack();
     let (a_over_t, sphere_modulus) = (given(arguments.a_over_t), given(arguments.sphere_modulus));
     let solution = solve_stack_power_laws(
         a_over_t,
-        &stack,
+        stack,
         sphere_modulus,
         &arguments.exponents,
         arguments.tolerance,

@@ -215,16 +215,21 @@ impl Cohesive {
     /// Returns the state before the contact in which the attraction acts within the radius `c`, m.
     ///
     /// # Errors
-    /// [`Error::Domain`] for a radius that is not positive or beyond the one at which the contact
-    /// begins.
+    /// [`Error::Domain`] for a radius that is not positive, beyond the one at which the contact
+    /// begins, or beyond [`REACH`]; [`Error::NotAContact`] for a result that overflows an f64.
     pub fn without_contact(&self, outer_radius: f64) -> Result<CohesiveState, Error> {
-        let first = self.first_contact()?;
+        let last = self.first_contact()?.unwrap_or_else(|| self.reach());
         Error::check(
             "outer radius",
             outer_radius,
-            [f64::MIN_POSITIVE, first * self.thickness],
+            [f64::MIN_POSITIVE, last * self.thickness],
         )?;
-        Ok(self.before_contact(outer_radius / self.thickness).0)
+        let (state, _) = self.before_contact(outer_radius / self.thickness);
+        if state.load.is_finite() && state.penetration.is_finite() {
+            return Ok(state);
+        }
+        let what = "its load or penetration overflows an f64: check the units";
+        Err(self.no_contact(outer_radius / self.thickness, what))
     }
 
     /// Returns the states at `count` radii, evenly spaced in their logarithm between the ends of
@@ -285,7 +290,10 @@ impl Cohesive {
             return self.state(log.exp() * self.thickness);
         }
         // The imposed value falls until the contact has closed.
-        let first = self.first_contact()?;
+        let first = self.first_contact()?.ok_or_else(|| Error::AnnulusReach {
+            contact_radius: 0.0,
+            reach: self.reach() * self.thickness,
+        })?;
         let mut value = |log: f64| Ok(imposed(&self.before_contact(log.exp()).0));
         let start = [first.ln(), first.ln() - STEP];
         let start = [(start[0], value(start[0])?), (start[1], value(start[1])?)];
@@ -367,11 +375,7 @@ impl Cohesive {
         /// The first growth near a known width.
         const NEAR: f64 = 1.2;
         let radius = contact_radius / self.thickness;
-        let reach = if self.symbol.contrast() == 0.0 {
-            self.sphere_radius / self.thickness
-        } else {
-            REACH
-        };
+        let reach = self.reach();
         // The square of tan(phi), with which the gap grows almost linearly: for a known width, or
         // for a short range, (pi/4) es w/sigma0^2 beside a long crack, and a long one, in which the
         // bodies keep their shapes. Either alone would open the gap, and the inverse squares add.
@@ -471,14 +475,28 @@ impl Cohesive {
         )
     }
 
-    /// Returns the radius of the attraction at which the contact begins.
-    fn first_contact(&self) -> Result<f64, Error> {
+    /// Returns the radius of the attraction at which the contact begins; `None` if it is beyond the
+    /// reach.
+    fn first_contact(&self) -> Result<Option<f64>, Error> {
         let gap = |c: f64| self.before_contact(c).1;
-        let mut high = (2.0 * self.range / self.curvature).sqrt();
+        // Where nothing moves the gap in the middle is 0 at the first of these radii.
+        let mut high = (2.0 * self.range / self.curvature).sqrt().min(self.reach());
+        if high == self.reach() && gap(high) > 0.0 {
+            return Ok(None);
+        }
         while gap(high) < 0.0 && gap(0.5 * high) < 0.0 {
             high *= 0.5;
         }
-        root(|c| Ok::<f64, Error>(gap(c)), 0.25 * high, high)
+        root(|c| Ok::<f64, Error>(gap(c)), 0.25 * high, high).map(Some)
+    }
+
+    /// Returns the largest radius of an attraction that is solved.
+    fn reach(&self) -> f64 {
+        if self.symbol.contrast() == 0.0 {
+            self.sphere_radius / self.thickness
+        } else {
+            REACH
+        }
     }
 
     /// Returns a state in SI units.

@@ -1,10 +1,16 @@
 //! Stacks of layers as TOML gives them: a file of a stack, or the table `[stack]` of a scene.
 
+use std::io::Read;
+use std::path::Path;
+
 use interp::Elastic;
 use serde::Deserialize;
 
-use crate::Error;
 use crate::stack::{Layer, Stack};
+use crate::{Error, input};
+
+/// The largest number of bytes of a stack file. A larger one is taken for a mistake.
+const LONGEST: u64 = 1 << 20;
 
 /// The keys of a stack, before they are checked.
 #[derive(Clone, Debug, Deserialize)]
@@ -34,14 +40,46 @@ struct TextLayer {
     thickness: f64,
 }
 
-/// A stack with the names that its text gives to layers.
-#[derive(Debug)]
+/// A stack with the names of its layers, as a file or a scene gives them.
+#[derive(Clone, Debug, PartialEq)]
 pub struct NamedStack {
     /// The stack.
     pub stack: Stack,
-    /// The names of the layers, from the base up.
-    #[cfg(feature = "cli")]
+    /// The names of the layers, from the base up; `None` for a layer without one.
     pub names: Vec<Option<String>>,
+}
+
+impl NamedStack {
+    /// Reads a stack file: TOML in SI units.
+    ///
+    /// It has `base = { young_modulus = .., poisson_ratio = .. }` and, from the base up, a
+    /// `[[layers]]` with `young_modulus`, `poisson_ratio`, `thickness` and perhaps a `name` for each
+    /// layer. A base with `young_modulus = inf` is rigid and needs no Poisson ratio.
+    ///
+    /// # Errors
+    /// [`Error::Read`] if the file cannot be read, or has more than a megabyte;
+    /// [`Error::StackFile`] with the file, the layer, the value and the range.
+    pub fn read(path: &Path) -> Result<Self, Error> {
+        let mut text = String::new();
+        input::open(path, LONGEST)
+            .and_then(|(mut file, _)| file.read_to_string(&mut text))
+            .map_err(|source| Error::Read {
+                path: path.to_owned(),
+                source,
+            })?;
+        Self::parse(&text).map_err(|what| Error::StackFile {
+            path: path.to_owned(),
+            what,
+        })
+    }
+
+    /// Parses the text of a stack file. An error is a sentence, which names the layer if it is
+    /// about one.
+    fn parse(text: &str) -> Result<Self, String> {
+        let text: Text =
+            toml::from_str(text).map_err(|error| error.to_string().trim_end().to_owned())?;
+        text.stack()
+    }
 }
 
 impl Text {
@@ -87,11 +125,7 @@ impl Text {
             })
         });
         match Stack::new(base, solids.collect::<Result<Vec<_>, String>>()?) {
-            Ok(stack) => Ok(NamedStack {
-                stack,
-                #[cfg(feature = "cli")]
-                names,
-            }),
+            Ok(stack) => Ok(NamedStack { stack, names }),
             Err(Error::Layer { layer, what, .. }) => {
                 Err(format!("{}: {what}", of_layer(layer - 1)))
             }
@@ -102,5 +136,114 @@ impl Text {
             }
             Err(error) => Err(error.to_string()),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::hostile::each_damaged;
+
+    const SOUND: &str = "base = { young_modulus = 2e11, poisson_ratio = 0.25 }\n\
+         [[layers]]\nname = \"primer\"\nyoung_modulus = 5e5\npoisson_ratio = 0.5\nthickness = 2.5e-6\n\
+         [[layers]]\nyoung_modulus = 35e5\npoisson_ratio = 0.5\nthickness = 75e-7\n";
+
+    #[test]
+    fn a_stack_file_is_read_as_it_stands() {
+        let NamedStack { stack, names } = NamedStack::parse(SOUND).expect("sound");
+        assert_eq!(names, [Some("primer".to_owned()), None]);
+        let layers = stack.layers();
+        assert_eq!(stack.base(), Elastic::new(2e11, 0.25).expect("physical"));
+        assert_eq!(
+            layers
+                .iter()
+                .map(|layer| layer.thickness)
+                .collect::<Vec<_>>(),
+            [2.5e-6, 7.5e-6]
+        );
+        let rigid = SOUND.replace("2e11, poisson_ratio = 0.25", "inf");
+        let base = NamedStack::parse(&rigid).expect("sound").stack.base();
+        assert_eq!(base.young(), f64::INFINITY);
+    }
+
+    #[test]
+    fn a_mistake_is_named_with_its_layer() {
+        let cases = [
+            (
+                "5e5",
+                "inf",
+                ["layer \"primer\", 1 of 2", "give it as the base"],
+            ),
+            ("5e5", "-1", ["layer \"primer\", 1 of 2", "Young's modulus"]),
+            ("35e5", "1e300", ["layer 2 of 2", "1e9 times"]),
+            ("75e-7", "0", ["layer 2 of 2", "> 0 and finite"]),
+            (
+                "2e11, poisson_ratio = 0.25",
+                "1",
+                ["base", "poisson_ratio is missing"],
+            ),
+            (
+                "poisson_ratio = 0.25",
+                "poisson_ratio = 0.6",
+                ["base", "(-1, 0.5]"],
+            ),
+            ("name", "label", ["unknown field", "label"]),
+            ("name = \"primer\"", "name = \"\"", ["", ""]),
+        ];
+        for (from, to, parts) in cases {
+            let text = SOUND.replacen(from, to, 1);
+            if parts[0].is_empty() {
+                NamedStack::parse(&text).expect("sound");
+                continue;
+            }
+            let message = NamedStack::parse(&text).expect_err("refused");
+            for part in parts {
+                assert!(message.contains(part), "{message:?} lacks {part:?}");
+            }
+        }
+        let twice = SOUND.replace(
+            "young_modulus = 35e5",
+            "name = \"primer\"\nyoung_modulus = 35e5",
+        );
+        let message = NamedStack::parse(&twice).expect_err("refused");
+        assert!(
+            message.contains("layer \"primer\", 2 of 2") && message.contains("layer 1"),
+            "{message}"
+        );
+        let bare = NamedStack::parse(SOUND.lines().next().expect("the base")).expect_err("refused");
+        assert!(bare.contains("no [[layers]]"), "{bare}");
+    }
+
+    #[test]
+    fn a_damaged_stack_file_is_refused_or_sound() {
+        const WORDS: [&str; 12] = [
+            "nan",
+            "inf",
+            "-inf",
+            "-",
+            "0",
+            "1e-308",
+            "1e308",
+            "[[layers]]",
+            "name",
+            "{",
+            "\"",
+            "\n",
+        ];
+        let (mut refused, mut accepted) = (0, 0);
+        each_damaged(
+            SOUND.as_bytes(),
+            &WORDS,
+            3,
+            |_, bytes| match std::str::from_utf8(bytes).map(NamedStack::parse) {
+                Ok(Ok(named)) => {
+                    accepted += 1;
+                    assert!(named.stack.thickness().is_finite());
+                }
+                _ => refused += 1,
+            },
+        );
+        println!("{refused} refused, {accepted} accepted");
+        assert!(refused > 0 && accepted > 0);
     }
 }

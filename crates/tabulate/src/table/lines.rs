@@ -250,7 +250,8 @@ pub fn lines(scene: &Scene, along: Parameter) -> Vec<[f64; 4]> {
 /// Those of the solve.
 pub fn logarithms(scene: &Scene, [a_over_t, values @ ..]: [f64; 4]) -> Result<Vec<f64>, Error> {
     let material = scene.material(values)?;
-    let solved = solve_for_table(a_over_t, &material, scene.stack.as_ref(), scene.tolerance)?;
+    let stack = scene.stack.as_ref().map(|named| &named.stack);
+    let solved = solve_for_table(a_over_t, &material, stack, scene.tolerance)?;
     let es = material.sphere_film_modulus();
     Ok(scene
         .quantities

@@ -7,9 +7,9 @@ use fit::{Cause, Layered, LayeredSolver};
 use interp::{Contact, Curve, Parameter, SubstratePoissonRatio, System, Table};
 
 use crate::Error;
-use crate::stack::Stack;
 #[cfg(feature = "fit")]
 use crate::stack::in_fits;
+use crate::stack::{NamedStack, Stack};
 use crate::table::scene::{Scene, TOLERANCE};
 
 /// A table of one stack of layers under spheres of any modulus, with the stack, which is in the
@@ -27,7 +27,7 @@ use crate::table::scene::{Scene, TOLERANCE};
 #[derive(Clone, Debug)]
 pub struct StackTable<'a> {
     table: Cow<'a, Table>,
-    stack: Stack,
+    named: NamedStack,
 }
 
 impl<'a> StackTable<'a> {
@@ -44,10 +44,10 @@ impl<'a> StackTable<'a> {
         let malformed = |what: String| interp::Error::Malformed(format!("its scene: {what}"));
         // The tolerance that was used may be another than that of the text.
         let scene = Scene::parse(&description.scene, Some(TOLERANCE[1])).map_err(malformed)?;
-        let Some(stack) = scene.stack else {
+        let Some(named) = scene.stack else {
             return Err(malformed("it has no [stack]".into()).into());
         };
-        let (top, base) = (stack.surface(), stack.base());
+        let (top, base) = (named.stack.surface(), named.stack.base());
         let of_scene = [top.poisson(), base.young() / top.young(), base.poisson()];
         let of_axes = [
             table.axis(Parameter::Nu1)[0],
@@ -65,7 +65,7 @@ impl<'a> StackTable<'a> {
         }
         Ok(Self {
             table: Cow::Borrowed(table),
-            stack,
+            named,
         })
     }
 
@@ -73,7 +73,7 @@ impl<'a> StackTable<'a> {
     pub fn into_owned(self) -> StackTable<'static> {
         StackTable {
             table: Cow::Owned(self.table.into_owned()),
-            stack: self.stack,
+            named: self.named,
         }
     }
 
@@ -84,7 +84,12 @@ impl<'a> StackTable<'a> {
 
     /// Returns the stack.
     pub const fn stack(&self) -> &Stack {
-        &self.stack
+        &self.named.stack
+    }
+
+    /// Returns the stack with the names of its layers.
+    pub const fn named_stack(&self) -> &NamedStack {
+        &self.named
     }
 
     /// Looks up the curve of the stack under a sphere of reduced modulus `sphere_modulus` (Pa;
@@ -93,8 +98,8 @@ impl<'a> StackTable<'a> {
     /// # Errors
     /// Those of [`Stack::material`] and [`Table::stack_curve`].
     pub fn curve(&self, sphere_modulus: f64) -> Result<Curve, Error> {
-        let e1_over_e2 = self.stack.material(sphere_modulus)?.e1_over_e2();
-        Ok(self.table.stack_curve(e1_over_e2, self.stack.shape())?)
+        let e1_over_e2 = self.stack().material(sphere_modulus)?.e1_over_e2();
+        Ok(self.table.stack_curve(e1_over_e2, self.stack().shape())?)
     }
 
     /// Looks up the curve of the stack under a sphere of radius `sphere_radius` (m) and reduced
@@ -103,7 +108,7 @@ impl<'a> StackTable<'a> {
     /// # Errors
     /// Those of [`StackTable::curve`] and [`Contact::new`].
     pub fn contact(&self, sphere_radius: f64, sphere_modulus: f64) -> Result<Contact, Error> {
-        let system: System = self.stack.system(sphere_radius, sphere_modulus);
+        let system: System = self.stack().system(sphere_radius, sphere_modulus);
         Ok(Contact::new(&system, self.curve(sphere_modulus)?)?)
     }
 }
@@ -116,14 +121,15 @@ impl LayeredSolver for StackTable<'static> {
     /// A sentence for other layers than those of the table; the errors of [`StackTable::curve`] and
     /// of [`Contact::new`].
     fn contact(&self, layered: &Layered) -> Result<Contact, Cause> {
-        if in_fits::stack_of(layered)? != self.stack {
+        if in_fits::stack_of(layered)? != self.named.stack {
             return Err(
-                "the layers are not those of the table, which is of one stack: keep its \
-                 layers, or solve others directly (`tabulate::stack::DirectSolver`)"
+                "the layers are not those of the table, which is of one stack: keep them fixed, \
+                 or name a stack file instead of the table (in Rust: \
+                 `tabulate::stack::DirectSolver`)"
                     .into(),
             );
         }
-        let system = in_fits::system(layered, &self.stack);
+        let system = in_fits::system(layered, &self.named.stack);
         Ok(Contact::new(&system, self.curve(layered.sphere_modulus)?)?)
     }
 }

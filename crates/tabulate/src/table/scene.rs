@@ -15,7 +15,7 @@ use serde::de::{Error as _, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer};
 
 use crate::solve::{A_OVER_T, check_reach};
-use crate::stack::{Stack, text};
+use crate::stack::{NamedStack, text};
 use crate::{Error, input};
 
 /// The keys of a scene, before they are checked.
@@ -166,7 +166,7 @@ pub struct Scene {
     /// The substrate's Poisson ratio.
     pub nu0: SubstratePoissonRatio,
     /// The stack of layers, if the parameters are those of a stack.
-    pub stack: Option<Stack>,
+    pub stack: Option<NamedStack>,
     /// The TOML text.
     pub text: String,
 }
@@ -176,7 +176,7 @@ struct Bounds {
     parameters: [Parameter; 4],
     extents: [Extent; 4],
     nu0: SubstratePoissonRatio,
-    stack: Option<Stack>,
+    stack: Option<NamedStack>,
 }
 
 impl Bounds {
@@ -244,11 +244,8 @@ impl Bounds {
                     .into(),
             );
         };
-        let stack = stack
-            .stack()
-            .map_err(|what| format!("stack: {what}"))?
-            .stack;
-        let (top, base) = (stack.surface(), stack.base());
+        let named = stack.stack().map_err(|what| format!("stack: {what}"))?;
+        let (top, base) = (named.stack.surface(), named.stack.base());
         Ok(Self {
             parameters: Parameter::STACK,
             extents: [
@@ -258,7 +255,7 @@ impl Bounds {
                 Extent::Fixed(base.young() / top.young()),
             ],
             nu0: SubstratePoissonRatio::Fixed(base.poisson()),
-            stack: Some(stack),
+            stack: Some(named),
         })
     }
 }
@@ -337,7 +334,7 @@ impl Scene {
             let [_, values @ ..] = extents.map(|extent| extent.ends()[corner]);
             scene.material(values).map_err(|e| e.to_string())?;
         }
-        if let Some(stack) = &scene.stack {
+        if let Some(NamedStack { stack, .. }) = &scene.stack {
             check_reach(stack, extents[0].ends()[1]).map_err(|e| e.to_string())?;
             let young = stack.surface().young();
             let [softest, stiffest] = extents[1].ends();

@@ -144,7 +144,7 @@ impl<'a> Sweep<'a> {
         progress: &(dyn Fn(usize) + Sync),
     ) -> Result<Vec<f64>, Error> {
         let (a_over_t, tolerance) = (self.axes[0].1[piece], self.scene.tolerance);
-        let stack = self.scene.stack.as_ref();
+        let stack = self.scene.stack.as_ref().map(|named| &named.stack);
         let alone = |material: &Material| solve_for_table(a_over_t, material, stack, tolerance);
         let materials = self.batch.materials();
         let solved = if stack.is_some() {

@@ -18,10 +18,10 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .._bodies import Elastic, System
+from .._columns import Array
 from .._errors import ContactError, FitError
 from .._experiment import Experiment
 from .._model import branches, predict
-from .._results import Array
 from .._table import Table
 
 if TYPE_CHECKING:
@@ -106,7 +106,7 @@ class Plugin:
         experiment = self._experiment(delta, force, params.valuesdict())
         known = [key for key, parameter in params.items() if parameter.vary]
         free = [key for key in ("work_of_adhesion", "contact_point", "baseline") if key in known]
-        words = branches(experiment, free)  # type: ignore[arg-type]
+        words = branches(experiment, free)
         if self.retract and params["work_of_adhesion"].value > 0:
             closest = experiment.abscissa[experiment.ordinate.argmin()]
             words = [

@@ -1,6 +1,5 @@
 //! The experiments and the free parameters, from the arguments and the measurements.
 
-use std::iter;
 use std::sync::Arc;
 
 use ::fit::{
@@ -12,7 +11,7 @@ use interp::HalfSpace;
 
 use super::setting::{Bounds, Known, Values};
 use crate::cli::bodies::{self, BodiesArguments};
-use crate::cli::stack_file::{NamedLayers, Source};
+use crate::cli::stack_file::Layers;
 use crate::stack::{self, DirectSolver};
 
 /// The flags of known values.
@@ -90,23 +89,21 @@ impl KnownArguments {
 }
 
 /// Returns the layers of a stack for fits, with what makes their contacts.
-///
-/// The layers of a table have no names, because none of them can be free.
-fn layers(named: &NamedLayers) -> anyhow::Result<(Vec<Layer>, Arc<dyn LayeredSolver>)> {
-    let (names, solver): (_, Arc<dyn LayeredSolver>) = match &named.source {
-        Source::Text { names } => (names.as_slice(), Arc::new(DirectSolver)),
-        Source::Table(table) => (&[][..], table.clone()),
+fn layers(layers: &Layers) -> anyhow::Result<(Vec<Layer>, Arc<dyn LayeredSolver>)> {
+    let solver: Arc<dyn LayeredSolver> = match layers {
+        Layers::Text(_) => Arc::new(DirectSolver),
+        Layers::Table(table) => table.clone(),
     };
-    let names = names.iter().map(Option::as_deref).chain(iter::repeat(None));
-    let layer = |(layer, name): (&stack::Layer, Option<&str>)| {
-        let name = name.map(str::parse::<LayerName>).transpose();
+    let layer = |(layer, name): (&stack::Layer, &Option<String>)| {
+        let name = name.as_deref().map(str::parse::<LayerName>).transpose();
         Ok(Layer {
             name: name.context("--stack")?,
             solid: layer.solid,
             thickness: layer.thickness,
         })
     };
-    let layers = named.stack.layers().iter().zip(names).map(layer);
+    let named = layers.named();
+    let layers = named.stack.layers().iter().zip(&named.names).map(layer);
     Ok((layers.collect::<anyhow::Result<_>>()?, solver))
 }
 

@@ -1,0 +1,161 @@
+"""The correction for an attraction of short range: the full solution, JKR, and what is refused."""
+
+import pickle
+from dataclasses import replace
+from math import inf, pi
+
+import numpy as np
+import pytest
+
+from coated_contact import (
+    Cohesive,
+    Contact,
+    ContactError,
+    Elastic,
+    FlatPunch,
+    HalfSpace,
+    LongZoneError,
+    OtherProbeError,
+    OutsideRadiiError,
+    Paraboloid,
+    ShortRange,
+    Spring,
+    StackSystem,
+    Table,
+    UnphysicalError,
+)
+from conftest import make_system
+
+W = 0.05
+
+
+@pytest.fixture(scope="module")
+def contact():
+    """A hard sphere of 10 um on a film of 1 um."""
+    system = replace(make_system(film_thickness=1e-6), probe=Paraboloid(radius=1e-5))
+    return Table.embedded().contact(replace(system, sphere_modulus=7.5e10))
+
+
+@pytest.fixture(scope="module")
+def gel():
+    """A rigid sphere of 1 um on a half-space."""
+    solid = Elastic(young_modulus=1e7, poisson_ratio=0.5)
+    return Contact.half_space(HalfSpace(sphere_radius=1e-6, sphere_modulus=inf, solid=solid))
+
+
+def full(contact, stress):
+    """The pull-off load without an approximation."""
+    cohesive = Cohesive(system=contact.system, work_of_adhesion=W, interaction_range=W / stress)
+    return cohesive.pull_off().load
+
+
+def test_the_remainder_is_of_second_order(contact):
+    """The zone is proportional to 1/stress^2: twice the stress leaves a sixteenth of the error."""
+    errors = [
+        contact.finite_range(W, stress=stress).pull_off().load / full(contact, stress) - 1
+        for stress in (1.5e6, 3e6)
+    ]
+    assert 1e-5 < abs(errors[0]) < 6e-3
+    assert errors[0] / errors[1] == pytest.approx(16, rel=0.3)
+
+
+def test_a_stack_is_corrected_with_its_top_layer(stack):
+    system = StackSystem(stack=stack, sphere_radius=1e-4, sphere_modulus=2e6)
+    contact = stack.contact(sphere_radius=1e-4, sphere_modulus=2e6, a_over_t=(0.05, 5))
+    stress = 3e5
+    corrected = contact.finite_range(W, stress=stress)
+    modulus = 1 / (1 / 2e6 + 0.75 / 3.5e6)
+    assert corrected.zone == pytest.approx(pi * modulus * W / (4 * stress**2), rel=1e-12)
+    jkr = contact.pull_off(W).load
+    exact = Cohesive(system=system, work_of_adhesion=W, interaction_range=W / stress).pull_off()
+    effect = exact.load / jkr - 1
+    assert corrected.pull_off().load / jkr - 1 == pytest.approx(effect, rel=0.1)
+    assert effect > 0.005
+
+
+def test_a_state_is_that_of_jkr_at_the_tip_of_the_crack(contact):
+    corrected = contact.finite_range(W, stress=1e8)
+    a = np.array([[2e-6, 3e-6, 4e-6]])
+    states = corrected.state(a)
+    tip = a + 2 / 3 * corrected.zone
+    energy = W * (1 + corrected.zone / (6 * tip))
+    assert states.load == pytest.approx(contact.load(tip, energy), rel=1e-12)
+    assert states.penetration == pytest.approx(contact.penetration(tip, energy), rel=1e-12)
+    assert np.array_equal(states.outer_radius, a + corrected.zone)
+    assert states.load.shape == (1, 3)
+    assert corrected.state(3e-6) == list(states)[1]
+
+
+CONTROLS = {
+    "load": lambda state: state.load,
+    "displacement": lambda state: state.penetration,
+    Spring(stiffness=10.0): lambda state: state.penetration + state.load / 10.0,
+}
+
+
+@pytest.mark.parametrize("name", ["contact", "gel"])
+def test_equilibria_end_at_the_pull_off(name, request):
+    contact = request.getfixturevalue(name)
+    corrected = contact.finite_range(W, stress=1e8)
+    for control, imposed_at in CONTROLS.items():
+        pulled = corrected.pull_off(control=control)
+        imposed = imposed_at(pulled)
+        step = 1e-6 * abs(imposed)
+        unstable, stable = corrected.equilibria(imposed + step, control=control)
+        assert (unstable.stable, stable.stable) == (False, True)
+        assert unstable.state.contact_radius < pulled.contact_radius
+        assert pulled.contact_radius < stable.state.contact_radius
+        assert corrected.equilibria(imposed - step, control=control) == []
+    # Under a high stress the state is that of JKR.
+    jkr = contact.pull_off(W)
+    short = contact.finite_range(W, stress=1e12).pull_off()
+    assert (short.load, short.contact_radius) == pytest.approx(
+        (jkr.load, jkr.contact_radius), rel=1e-6
+    )
+
+
+def test_the_error_of_jkr_on_a_half_space(gel):
+    """Maugis' equations expanded about JKR: 0.1092/lambda^2, lambda = 2 s (R/(pi w K^2))^(1/3)."""
+    ranges = np.array([1e-9, 2e-9])
+    attraction = gel.adhesion_range(W, interaction_range=ranges)
+    k = 4 / 3 * gel.system.compound_modulus
+    lam = 2 * W / ranges * (1e-6 / (pi * W * k**2)) ** (1 / 3)
+    assert attraction.pull_off_error() == pytest.approx(0.1092 / lam**2, rel=1e-3)
+    one = gel.adhesion_range(W, interaction_range=1e-9)
+    assert one.pull_off_error() == attraction.pull_off_error()[0]
+    load = gel.finite_range(W, stress=W / 1e-9).pull_off().load
+    assert load / gel.pull_off(W).load - 1 == pytest.approx(one.pull_off_error(), rel=0.03)
+    again = pickle.loads(pickle.dumps(attraction))
+    assert np.array_equal(again.pull_off_error(), attraction.pull_off_error())
+    long = gel.adhesion_range(W, interaction_range=[1e-9, 1e-7])
+    with pytest.raises(LongZoneError) as caught:
+        long.pull_off_error()
+    assert caught.value.index == (1,)
+    assert np.isnan(long.pull_off_error(errors="nan")).tolist() == [False, True]
+
+
+def test_what_is_not_short_is_named(contact, gel):
+    with pytest.raises(LongZoneError, match=r"more than 0\.25 times the thickness of") as caught:
+        contact.finite_range(W, stress=5e5)
+    error = caught.value
+    assert (error.axis, error.range) == ("zone", (0.0, 0.25e-6))
+    assert error.value > 0.25e-6
+    corrected = contact.finite_range(W, stress=2e6)
+    least = corrected.zone / ShortRange.LONGEST
+    corrected.state(least * 1.001)
+    with pytest.raises(LongZoneError, match="contact radius") as caught:
+        corrected.state([2e-6, least * 0.999])
+    assert caught.value.index == (1,)
+    assert np.isnan(corrected.state([2e-6, least / 2], errors="nan").load).tolist() == [False, True]
+    for numbers in ({"w": 0.0, "stress": 1e8}, {"w": W, "stress": -1.0}, {"w": W, "stress": inf}):
+        with pytest.raises(UnphysicalError):
+            contact.finite_range(**numbers)
+    punch = Table.embedded().contact(replace(contact.system, probe=FlatPunch(radius=1e-6)))
+    with pytest.raises(OtherProbeError, match="finite range"):
+        punch.finite_range(W, stress=1e8)
+    with pytest.raises(OutsideRadiiError):
+        corrected.equilibria(1.0)
+    with pytest.raises(ContactError, match="control"):
+        corrected.pull_off(control="weight")
+    with pytest.raises(TypeError, match="positional"):
+        contact.finite_range(W, 1e8)

@@ -1,0 +1,185 @@
+"""Fits on stacks of layers: one film cut into layers, the command line, and what is refused."""
+
+import csv
+import json
+import subprocess
+from dataclasses import replace
+from math import inf
+
+import numpy as np
+import pytest
+
+from coated_contact import (
+    ContactError,
+    Elastic,
+    Experiment,
+    FitError,
+    FlatPunch,
+    Layer,
+    Stack,
+    StackError,
+    StackSystem,
+    fit,
+    fit_map,
+    forecast,
+    predict,
+    simulate,
+)
+from conftest import ROOT, make_system
+
+PRIMER = ROOT / "tables" / "stacks" / "primer.toml"
+A = [float(a) for a in np.linspace(4e-5, 1.3e-4, 25)]
+
+
+def lens(stack, **known):
+    system = StackSystem(stack=stack, sphere_radius=1e-3, sphere_modulus=2e6)
+    known = {"work_of_adhesion": 0.04, "noise": 2e-6} | known
+    return Experiment(kind="load-radius", abscissa=A, system=system, **known)
+
+
+@pytest.fixture(scope="module")
+def film():
+    """A film, and the same film cut into two layers."""
+    system = make_system(film_modulus=5e5, film_poisson_ratio=0.45)
+    halves = [
+        Layer(name=name, material=system.film, thickness=0.5e-5)
+        for name in ("lower_half", "upper-half")
+    ]
+    cut = Stack(base=system.substrate, layers=halves)
+    return system, cut
+
+
+def test_one_film_cut_into_layers_is_that_film(film):
+    """The sum of the derivatives by the layers is that by the film."""
+    system, cut = film
+    of_film = replace(lens(cut), system=system)
+    by = ["sphere_modulus", "work_of_adhesion"]
+    layers = ["lower_half.modulus", "upper-half.modulus"]
+    thicknesses = [name.replace("modulus", "thickness") for name in layers]
+    expected = predict(of_film, [*by, "film_modulus", "film_thickness"])
+    found = predict(lens(cut), [*by, *layers, *thicknesses])
+    assert found.ordinate == pytest.approx(expected.ordinate, rel=1e-6, abs=1e-12)
+    sums = {
+        **{name: found.derivatives[name] for name in by},
+        "film_modulus": sum(found.derivatives[name] for name in layers),
+        # Each half has half the thickness.
+        "film_thickness": sum(0.5 * found.derivatives[name] for name in thicknesses),
+    }
+    for name, derivative in sums.items():
+        scale = np.abs(expected.derivatives[name]).max()
+        assert derivative == pytest.approx(expected.derivatives[name], abs=1e-4 * scale), name
+
+
+def test_a_fit_on_one_layer_is_that_on_a_film(film):
+    system, cut = film
+    layer = replace(cut.layers[0], name="film", thickness=1e-5)
+    one = simulate(lens(replace(cut, layers=[layer])), noise=2e-6, seed=3)
+    found = fit(one, ["film.modulus", "work_of_adhesion"])
+    expected = fit(replace(one, system=system), ["film_modulus", "work_of_adhesion"])
+    assert found.converged
+    assert found.names == ("film.modulus", "work_of_adhesion")
+    assert found.covariance == pytest.approx(expected.covariance, rel=1e-3)
+    for name, other in zip(found.params, expected.params, strict=True):
+        assert found.params[name] == pytest.approx(expected.params[other], rel=1e-5)
+    planned = forecast(lens(replace(cut, layers=[layer])), ["film.modulus", "work_of_adhesion"])
+    assert planned.stderr["film.modulus"] == pytest.approx(found.stderr["film.modulus"], rel=0.1)
+
+
+def test_a_layer_is_found_within_its_errors(stack):
+    curves = [simulate(lens(stack), noise=2e-6, seed=seed) for seed in range(4)]
+    wrong = replace(stack.layers[0], material=Elastic(young_modulus=1.5e6, poisson_ratio=0.5))
+    guess = StackSystem(
+        stack=replace(stack, layers=[wrong, stack.layers[1]]),
+        sphere_radius=1e-3,
+        sphere_modulus=2e6,
+    )
+    found = fit_map(
+        [replace(curve, system=guess) for curve in curves], ["primer.modulus", "work_of_adhesion"]
+    )
+    assert found.converged.all()
+    for name, truth in {"primer.modulus": 5e5, "work_of_adhesion": 0.04}.items():
+        assert np.all(np.abs(found.params[name] - truth) < 4 * found.stderr[name])
+        assert np.all(found.stderr[name] < 0.2 * truth)
+
+
+def test_numbers_are_those_of_the_command_line(program, tmp_path, stack):
+    flags = ["--kind=load-radius", "--stack", PRIMER, "--sphere-radius=1e-3"]
+    flags += ["--sphere-modulus=2e6", "--work-of-adhesion=0.04"]
+    ends = ["--from=4e-5", "--to=1.3e-4", "--points=25", "--noise=2e-6", "--seed=3"]
+
+    def run(*arguments):
+        command = [program, *map(str, arguments)]
+        return subprocess.run(command, check=True, capture_output=True, text=True).stdout
+
+    printed = run("simulate", *flags, *ends)
+    table = csv.DictReader(line for line in printed.splitlines() if line[:1] != "#")
+    radii, loads = zip(*([float(v) for v in row.values()][:2] for row in table), strict=True)
+    plan = replace(lens(stack), abscissa=radii, ordinate=None)
+    made = simulate(plan, noise=2e-6, seed=3)
+    assert made.ordinate.tolist() == list(loads)
+    data = tmp_path / "lens.csv"
+    data.write_text(printed)
+    free = ["--free=sphere-modulus,primer.modulus", "--json"]
+    expected = json.loads(run("fit", data, *flags, *free))["parameters"]
+    found = fit(replace(made, noise=None), ["sphere_modulus", "primer.modulus"])
+    for name in found.params:
+        assert found.params[name] == expected[name]["value"]
+        assert found.stderr[name] == expected[name]["stderr"]
+
+
+def test_a_cantilever_on_a_stack(stack):
+    system = StackSystem(stack=stack, sphere_radius=1e-5, sphere_modulus=inf)
+    truth = Experiment(
+        kind="force-height",
+        abscissa=np.linspace(-1e-6, 1e-6, 120),
+        retract=np.full(120, True),
+        system=system,
+        work_of_adhesion=0.02,
+        stiffness=1.0,
+        noise=1e-9,
+    )
+    made = simulate(truth, noise=1e-9, seed=2)
+    free = ["elastomer.modulus", "work_of_adhesion", "contact_point"]
+    found = fit(made, free)
+    assert found.converged
+    assert abs(found.params["elastomer.modulus"] - 3.5e6) < 4 * found.stderr["elastomer.modulus"]
+    assert found.stderr["elastomer.modulus"] < 0.05 * 3.5e6
+    punch = replace(truth, system=replace(system, probe=FlatPunch(radius=1e-6)))
+    assert np.isfinite(predict(punch, ["elastomer.modulus"]).derivatives["elastomer.modulus"]).all()
+
+
+def test_what_cannot_be_used_is_named(stack):
+    plan = lens(stack)
+    with pytest.raises(FitError, match="it has layers instead of one film"):
+        predict(plan, ["film_modulus"])
+    with pytest.raises(FitError, match=r"no such layer; its layers have primer\.modulus"):
+        predict(plan, ["oxide.modulus"])
+    with pytest.raises(FitError, match=r"LAYER\.modulus"):
+        predict(plan, ["primer.colour"])
+    with pytest.raises(FitError, match="no stack of layers"):
+        predict(replace(plan, system=make_system()), ["primer.modulus"])
+    with pytest.raises(FitError, match="surface of its own"):
+        lens(replace(stack, surface=stack.layers[0].material))
+    layers = [replace(layer, name=f"{layer.name}, soft") for layer in stack.layers]
+    with pytest.raises(FitError, match="cannot name a layer"):
+        predict(lens(replace(stack, layers=layers)))
+    with pytest.raises(TypeError, match="a StackSystem"):
+        replace(plan, system=stack)
+    # The radii reach beyond 1000 times the thickness of the top layer.
+    thin = replace(stack.layers[1], thickness=1e-8)
+    with pytest.raises(ContactError, match="out of reach") as caught:
+        predict(lens(replace(stack, layers=[stack.layers[0], thin])))
+    assert caught.value.axis == "a_over_t"
+    data = replace(lens(stack), ordinate=np.linspace(-1e-4, 1e-3, len(A)))
+    system = replace(data.system, stack=replace(stack, layers=[stack.layers[0], thin]))
+    with pytest.raises(FitError, match="where the fit starts") as caught:
+        fit(replace(data, system=system), ["primer.modulus"])
+    assert type(caught.value.__cause__).__name__ == "DomainError"
+    assert caught.value.__cause__.value > caught.value.__cause__.range[1]
+    # A contrast that the start leaves possible and a difference does not.
+    stiff = replace(
+        stack.layers[1], material=Elastic(young_modulus=5e5 * 0.9999e9, poisson_ratio=0.3)
+    )
+    edge = replace(stack, layers=[stack.layers[0], stiff])
+    with pytest.raises(StackError, match="layer elastomer: its Young's modulus"):
+        predict(lens(edge), ["elastomer.modulus"])

@@ -1,0 +1,136 @@
+"""Tables of one stack of layers: direct solves, one film cut into layers, files, and refusals."""
+
+import pickle
+import subprocess
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from coated_contact import (
+    Cone,
+    Elastic,
+    FixedParameterError,
+    FlatPunch,
+    GenerationError,
+    Layer,
+    OtherProbeError,
+    OtherTableError,
+    OutsideTableError,
+    Stack,
+    StackError,
+    StackSystem,
+    Table,
+    generate,
+    solve_stack,
+)
+from conftest import ROOT, make_system
+
+RANGES = {"a_over_t": {"from": 0.05, "to": 20}, "e1_over_e2": {"from": 0.1, "to": 10}}
+
+
+def scene(stack, tolerance=1e-5):
+    return {"title": "A stack", "tolerance": tolerance, **RANGES, "stack": stack}
+
+
+@pytest.fixture(scope="module")
+def table(stack):
+    return generate(scene(stack), progress=False)
+
+
+def on(stack, sphere_modulus=2e6):
+    return StackSystem(stack=stack, sphere_radius=1e-3, sphere_modulus=sphere_modulus)
+
+
+def test_a_table_has_its_stack(table, stack):
+    assert table.stack == stack
+    assert [layer.name for layer in table.stack.layers] == ["primer", "elastomer"]
+    assert Table.embedded().stack is None
+    assert list(table.axes) == ["a_over_t", "e1_over_e2", "nu1", "e0_over_e1"]
+    again = pickle.loads(pickle.dumps(table))
+    assert (again, again.stack) == (table, stack)
+    nameless = [replace(layer, name=None) for layer in stack.layers]
+    table.contact(on(replace(stack, layers=nameless)))
+
+
+def test_lookups_agree_with_direct_solves(table, stack):
+    assert table.max_error <= table.tolerance
+    x = np.geomspace(0.06, 19, 30)
+    for modulus in (4e5, 2e6, 3e7):
+        exact = solve_stack(x, stack, modulus, 1e-10)
+        a = x * stack.thickness
+        contact = table.contact(on(stack, modulus))
+        assert contact.stiffness(a) == pytest.approx(2 * a * modulus * exact.eeq, rel=1e-5)
+        expected = a**3 * modulus * exact.pi0 / 2e-3
+        assert contact.load(a, 0.0) == pytest.approx(expected, rel=1e-5)
+
+
+def test_one_film_cut_into_layers_is_that_film():
+    system = make_system(film_poisson_ratio=0.3)
+    layers = [Layer(material=system.film, thickness=t * 1e-5) for t in (0.4, 0.6)]
+    cut = Stack(base=system.substrate, layers=layers)
+    contact = generate(scene(cut), progress=False).contact(on(cut))
+    film = Table.embedded().contact(system)
+    a = np.geomspace(1e-6, 1.5e-4, 20)
+    assert contact.load(a, 0.0) == pytest.approx(film.load(a, 0.0), rel=2e-5)
+    assert contact.pull_off(0.04).load == pytest.approx(film.pull_off(0.04).load, rel=2e-5)
+
+
+def test_a_contact_answers_what_a_solved_one_does(table, stack):
+    contact = table.contact(on(stack))
+    solved = stack.contact(sphere_radius=1e-3, sphere_modulus=2e6, a_over_t=(0.05, 20))
+    assert contact.validity(65e-6).compressibility == stack.compressibility * 6.5**2
+    found, expected = contact.finite_range(0.04, stress=1e8), solved.finite_range(0.04, stress=1e8)
+    assert found.zone == expected.zone
+    assert found.pull_off().load == pytest.approx(expected.pull_off().load, rel=1e-4)
+    assert pickle.loads(pickle.dumps(contact)) == contact
+    assert "primer" in contact._repr_html_()
+    punch = table.contact(
+        StackSystem(stack=stack, probe=FlatPunch(radius=2e-5), sphere_modulus=2e6)
+    )
+    assert punch.stiffness(2e-5) == contact.stiffness(2e-5)
+    with pytest.raises(FixedParameterError, match="no derivatives"):
+        contact.gradient(65e-6, 0.04)
+
+
+def test_files_of_both_forms_hold_one_table(tmp_path, program, stack):
+    scene_file, hdf5 = tmp_path / "scene.toml", tmp_path / "stack.h5"
+    text = (ROOT / "tables" / "stacks" / "primer-scene.toml").read_text()
+    scene_file.write_text(text.replace("1e-7", "1e-4"))
+    command = [program, "generate", scene_file, "-o", hdf5]
+    subprocess.run(command, check=True, capture_output=True)
+    opened = Table.open(hdf5)
+    assert opened.stack == stack
+    packed = tmp_path / "stack.bin"
+    made = generate(scene_file, packed, progress=False)
+    assert Table.read(packed) == made
+    a = np.geomspace(1e-6, 5e-4, 20)
+    numbers = [one.contact(on(stack)).load(a, 0.04) for one in (opened, made)]
+    assert np.allclose(*numbers, rtol=1e-13, atol=0)
+
+
+def test_other_bodies_are_refused(table, stack):
+    with pytest.raises(OtherTableError, match="of one stack of layers"):
+        table.contact(make_system())
+    with pytest.raises(OtherTableError, match="of another stack"):
+        table.contact(on(replace(stack, layers=stack.layers[:1])))
+    with pytest.raises(OtherTableError, match="of films on substrates"):
+        Table.embedded().contact(on(stack))
+    with pytest.raises(OutsideTableError, match="e1_over_e2"):
+        table.contact(on(stack, 2e8))
+    with pytest.raises(OtherProbeError, match="paraboloid or a flat punch only"):
+        table.contact(StackSystem(stack=stack, probe=Cone(half_angle=1.2), sphere_modulus=2e6))
+
+
+def test_scenes_that_cannot_be_used_are_named(stack):
+    with pytest.raises(GenerationError, match="nu1 does not go with"):
+        generate({**scene(stack), "nu1": 0.3}, progress=False)
+    rigid = Elastic(young_modulus=float("inf"), poisson_ratio=0.3)
+    on_rigid = scene(replace(stack, base=rigid), 1e-2)
+    assert generate(on_rigid, progress=False).stack.base.young_modulus == float("inf")
+    surface = replace(stack, surface=stack.layers[0].material)
+    with pytest.raises(StackError, match="surface of its own"):
+        generate(scene(surface), progress=False)
+    given = {"base": {"young_modulus": 1e9, "poisson_ratio": 0.3}, "layers": []}
+    with pytest.raises(GenerationError, match="needs at least one"):
+        generate(scene(given), progress=False)
