@@ -27,9 +27,7 @@ use fearless_simd::{Level, dispatch, f64x4};
 use super::even_powers::ladder::{continued, divide_by_linear, scale, times_linear};
 use super::even_powers::{Source, ratio, scaled};
 use super::grid::Position;
-use super::piecewise::{
-    LOGARITHM, Logarithms, Polynomial, VALUE, Values, evaluate_one, is_within,
-};
+use super::piecewise::{LOGARITHM, Logarithms, Polynomial, VALUE, Values, evaluate_one, is_within};
 use super::series::{Series, difference, economised, integral, product, quotient, transposed};
 use crate::{Curve, Error, Quantity};
 
@@ -69,7 +67,10 @@ impl Cone {
         };
         let leaving =
             |polynomial: &&Polynomial| !stays(polynomial) && !is_within(range, polynomial);
-        self.pieces.iter().find(leaving).map(|polynomial| polynomial[0])
+        self.pieces
+            .iter()
+            .find(leaving)
+            .map(|polynomial| polynomial[0])
     }
 }
 

@@ -62,7 +62,10 @@ pub(crate) fn evaluate_fused<S: Simd, const N: usize>(
 /// Evaluates a single polynomial.
 #[inline]
 pub(crate) fn evaluate_one<const N: usize>(polynomial: &[f64; N], t: f64) -> f64 {
-    polynomial.iter().rev().fold(0.0, |sum, term| sum * t + term)
+    polynomial
+        .iter()
+        .rev()
+        .fold(0.0, |sum, term| sum * t + term)
 }
 
 /// Evaluates the polynomials of all four quantities.

@@ -98,8 +98,9 @@ impl Resampler {
                 }
             }
         }
-        let (cone, held): (Vec<_>, Vec<_>) =
-            held.iter().partition(|&&quantity| quantity == Quantity::Delta1);
+        let (cone, held): (Vec<_>, Vec<_>) = held
+            .iter()
+            .partition(|&&quantity| quantity == Quantity::Delta1);
         let derivation = (held == [Quantity::Gamma]).then(|| Derivation::new(&grid, range));
         Self {
             grid: Arc::new(grid),

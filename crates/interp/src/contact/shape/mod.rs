@@ -227,10 +227,7 @@ impl Contact {
             return self.with_slopes(a, &values, &slopes);
         }
         let eeq = self.quantity(Quantity::Eeq, a)?;
-        let values = Quantities {
-            eeq,
-            ..HOMOGENEOUS
-        };
+        let values = Quantities { eeq, ..HOMOGENEOUS };
         self.with_slopes(a, &values, &Quantities::from_array([0.0; 4]))
     }
 

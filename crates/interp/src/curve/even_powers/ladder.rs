@@ -108,7 +108,12 @@ impl Group<'_> {
                 let rate = product(&moment, &inverse);
                 let factor = half * f64x4::splat(simd, n * (n - 1.0));
                 penetration = integral(simd, &rate, factor);
-                continued(simd, self.start, &mut penetration, &mut running.penetrations[k]);
+                continued(
+                    simd,
+                    self.start,
+                    &mut penetration,
+                    &mut running.penetrations[k],
+                );
             }
             moment = integral(simd, &product(&square, &penetration), half);
             continued(simd, self.start, &mut moment, &mut running.moments[k]);
@@ -180,7 +185,11 @@ fn lanes_of([a, b, c, d]: &[Weights; 4], k: usize) -> [f64; 4] {
 
 /// Multiplies a series by `middle + half t`.
 #[inline(always)]
-pub(in crate::curve) fn times_linear<S: Simd>(series: &mut Series<S, TERMS>, middle: f64x4<S>, half: f64x4<S>) {
+pub(in crate::curve) fn times_linear<S: Simd>(
+    series: &mut Series<S, TERMS>,
+    middle: f64x4<S>,
+    half: f64x4<S>,
+) {
     for k in (1..TERMS).rev() {
         series[k] = half.mul_add(series[k - 1], middle * series[k]);
     }
@@ -189,7 +198,11 @@ pub(in crate::curve) fn times_linear<S: Simd>(series: &mut Series<S, TERMS>, mid
 
 /// Divides a series by `(1 + slope t)/inverse`.
 #[inline(always)]
-pub(in crate::curve) fn divide_by_linear<S: Simd>(series: &mut Series<S, TERMS>, inverse: f64x4<S>, slope: f64x4<S>) {
+pub(in crate::curve) fn divide_by_linear<S: Simd>(
+    series: &mut Series<S, TERMS>,
+    inverse: f64x4<S>,
+    slope: f64x4<S>,
+) {
     series[0] *= inverse;
     for k in 1..TERMS {
         series[k] = (-slope).mul_add(series[k - 1], series[k] * inverse);
