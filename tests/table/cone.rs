@@ -255,7 +255,7 @@ fn limits_are_exact() {
     }
     // `Pi_1 = 2 einf (1 - 2 L_0/x)` with `Eeq = einf (1 - L_0/x)`, up to the second order in
     // `ln(x)/x`, which falls by 8.7 from 50 to 200.
-    for of in [[1.0, 0.3, 10.0, 0.3], [1.75, 0.5, 1e5, 0.25]] {
+    for of in [[1.0, 0.3, 10.0, 0.3], [0.3, 0.4, 5.0, 0.2]] {
         let [e1, nu1, e0, nu0] = of;
         let material = Material::new(e1, nu1, e0, nu0).expect("physical");
         let curve = of_one_material(of, GAMMA).curve(&material);
@@ -268,7 +268,7 @@ fn limits_are_exact() {
             (cone.pi(x).expect("in range") / pi - 1.0).abs()
         });
         println!("departures from the limit of thin films: {far:.1e}, {farther:.1e}");
-        assert!(far < 0.02 && farther < far / 6.0);
+        assert!(far < 1e-2 && farther < far / 6.0);
     }
 }
 
