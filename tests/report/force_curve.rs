@@ -233,6 +233,7 @@ fn a_page_of_a_table_with_delta1_has_a_cone() {
         workdir.write("cones.bin", table.to_packed().expect("packed"));
         let cone = Setting {
             probe: "cone",
+            half_angle: 60.0,
             substrate: [1e9, 0.2],
             ..PAPER
         };
