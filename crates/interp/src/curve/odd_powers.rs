@@ -139,7 +139,8 @@ impl Curve {
     /// [`Error::InvalidArgument`] for any other `n`; [`Error::MissingQuantity`] unless the curve
     /// holds `delta1` and knows the four quantities of a sphere; [`Error::BeginsTooLate`] if it
     /// begins at so large an `a/t` that the contact is not that of a thick film there;
-    /// [`Error::StackProbe`] on a stack of layers.
+    /// [`Error::StackProbe`] on a stack of layers; [`Error::Malformed`] if a result leaves
+    /// `[1e-30, 1e30]`, which happens only in forged tables.
     pub fn odd_power(&self, n: u32) -> Result<OddPowerCurve, Error> {
         Error::argument(
             EXPONENTS.contains(&n),
@@ -166,10 +167,18 @@ impl Curve {
             }
             _ => None,
         };
-        Ok(OddPowerCurve {
-            curve: self.with_odd_power(pieces, sensitivities),
-            exponent: n,
-        })
+        let curve = self.with_odd_power(pieces, sensitivities);
+        if let Some((quantity, value)) = curve.unreasonable() {
+            let name = if quantity == Quantity::Pi0 {
+                "Pi"
+            } else {
+                "Delta"
+            };
+            return Err(Error::Malformed(format!(
+                "{name}_{n} of delta1 reaches {value:?}, outside [1e-30, 1e30]"
+            )));
+        }
+        Ok(OddPowerCurve { curve, exponent: n })
     }
 }
 
