@@ -33,6 +33,9 @@ use crate::{Error, Material, Parameter, Quantities, Quantity};
 /// `Eeq`, `Delta0` and `Pi0`. The table must begin at a small `a/t` (0.01 for a tolerance of 1e-8,
 /// 0.03 for 1e-6); otherwise the others are an [`Error::BeginsTooLate`].
 ///
+/// A curve of a table that holds `delta1` also has [`Quantity::Delta1`], from which
+/// [`Curve::odd_power`] makes the contact of a cone.
+///
 /// A curve of a table continues beyond the `a/t` of its nodes by the first terms of the expansions
 /// about the exact limits, as far as their estimated error ([`Curve::error`]) is within the table's
 /// tolerance. This needs a table that begins at an `a/t` of 1 at most, or ends at 2 at least and
