@@ -8,6 +8,7 @@ mod crack_tip;
 mod equilibria;
 mod gradient;
 mod half_space;
+mod hostile;
 mod rings;
 mod shapes;
 mod sphere_radius;

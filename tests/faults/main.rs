@@ -3,5 +3,6 @@
 #![forbid(unsafe_code)]
 #![cfg(unix)]
 
+mod disks;
 mod generation;
 mod journal;

@@ -1,5 +1,7 @@
 //! Fits of contacts on stacks of layers.
 
+use std::sync::Arc;
+
 use acceptance::{assert_names, larger};
 use fit::{
     Bodies, Experiment, Fit, Free, Kind, Layer, LayerName, Layered, Loss, Options, Parameter,
@@ -33,7 +35,7 @@ fn on_layers(system: &System, layers: &[Layer]) -> Bodies {
             needed: 0.0,
             expected: 0.0,
         },
-        solver: tabulate::stack::solver,
+        solver: Arc::new(tabulate::stack::DirectSolver),
     })
 }
 

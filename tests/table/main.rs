@@ -7,6 +7,7 @@ mod certificate;
 mod cone;
 mod curve;
 mod files;
+mod forged_forms;
 mod generate;
 mod h5py;
 mod hostile;

@@ -5,6 +5,7 @@ use acceptance::{
     Workdir, assert_names, larger, layer, relative_error, solid, stack, table, workdir,
 };
 use interp::{Error, Material, Parameter, Quantity, Table};
+use serde_json::Value;
 use tabulate::stack::Stack;
 use tabulate::table::{Scene, StackTable, certify};
 use tabulate::{solve_stack, stack_curve};
@@ -31,6 +32,11 @@ thickness = 7.5e-6
 
 fn scene() -> String {
     format!("{AXES}{STACK}")
+}
+
+/// The text of [`STACK`] as a file of a stack.
+fn stack_file() -> String {
+    STACK.replace("[stack]\n", "").replace("[[stack.", "[[")
 }
 
 /// The stack of [`STACK`], apart from its text.
@@ -369,7 +375,29 @@ fn the_commands_take_it_or_refuse_it() {
             &["query", "scene.h5", "--points", "points.csv", "--gradient"],
             "leave out --gradient",
         ),
-        (&["curve", "scene.h5"], "one stack of layers"),
+        (&["curve", "scene.h5"], "`pull-off` or `fit` as --stack"),
+        (
+            &["curve", "--stack", "scene.h5", "--tolerance", "1e-6"],
+            "leave out --tolerance",
+        ),
+        (
+            &[
+                "simulate",
+                "--stack",
+                "scene.h5",
+                "--value",
+                "primer.modulus=1e6",
+                "--kind",
+                "load-radius",
+                "--from",
+                "5e-5",
+                "--to",
+                "1e-4",
+                "--noise",
+                "0",
+            ],
+            "those of a table of a stack are fixed",
+        ),
         (
             &["report", "scene.h5", "-o", "page.html"],
             "one stack of layers",
@@ -383,4 +411,77 @@ fn the_commands_take_it_or_refuse_it() {
     for (arguments, part) in refused {
         assert_names(&workdir.fail(1, arguments), &[part]);
     }
+}
+
+/// The flag `--stack` with a table prints what it prints with the file of the same stack.
+#[test]
+fn a_table_takes_the_place_of_a_stack_file() {
+    let workdir = generated();
+    workdir.succeed(&["pack", "scene.h5", "-o", "scene.bin"]);
+    workdir.write("stack.toml", stack_file());
+    let commands: [&[&str]; 4] = [
+        &["curve", "--from", "5e-5", "--to", "2e-4", "--points", "9"],
+        &["pull-off", "--json"],
+        &["pull-off", "--json", "--interaction-range", "1e-9"],
+        &[
+            "simulate",
+            "--kind",
+            "load-radius",
+            "--from",
+            "8e-5",
+            "--to",
+            "1e-4",
+            "--noise",
+            "0",
+        ],
+    ];
+    for command in commands {
+        let of = |file: &str| numbers(&workdir.succeed(&[command, &["--stack", file]].concat()));
+        let truth = of("stack.toml");
+        assert!(truth.len() >= 4, "{command:?}");
+        for file in ["scene.h5", "scene.bin"] {
+            let found = of(file);
+            assert_eq!(found.len(), truth.len());
+            for (found, truth) in found.iter().zip(&truth) {
+                // The table is certified to 1e-6. The place of a pull-off has some times the error
+                // of the quantities, and so has a load, which is a difference of larger terms.
+                let error = (found / truth - 1.0).abs();
+                assert!(error <= 1e-5, "{command:?}: {found}, {truth}");
+            }
+        }
+    }
+}
+
+/// A fit whose layers are known finds the same values with a table as with direct solves.
+#[test]
+fn a_fit_with_a_table_is_that_with_the_stack_file() {
+    let workdir = generated();
+    workdir.write("stack.toml", stack_file());
+    let flags = "simulate --kind load-radius --from 4e-5 --to 1.3e-4 --noise 5e-6 --seed 3 \
+                 --stack stack.toml -o data.csv";
+    workdir.succeed(&flags.split_whitespace().collect::<Vec<_>>());
+    let fit = |file: &str| {
+        let free = "sphere-modulus,work-of-adhesion";
+        let flags = ["fit", "data.csv", "--json", "--free", free, "--stack", file];
+        let object: Value = serde_json::from_str(&workdir.succeed(&flags)).expect("JSON");
+        ["sphere_modulus", "work_of_adhesion"].map(|name| {
+            let parameter = &object["parameters"][name];
+            ["value", "stderr"].map(|key| parameter[key].as_f64().expect("a number"))
+        })
+    };
+    let solved = fit("stack.toml");
+    for (found, [truth, stderr]) in fit("scene.h5").into_iter().zip(solved) {
+        let errors = [(found[0] - truth) / stderr, found[1] / stderr - 1.0];
+        println!("{errors:?}");
+        assert!(errors.iter().all(|error| error.abs() <= 1e-4), "{errors:?}");
+    }
+}
+
+/// Returns the numbers in a text without its comments, in their order.
+fn numbers(text: &str) -> Vec<f64> {
+    text.lines()
+        .filter(|line| !line.starts_with('#'))
+        .flat_map(|line| line.split(|c: char| !(c.is_ascii_digit() || "+-.e".contains(c))))
+        .filter_map(|word| word.parse().ok())
+        .collect()
 }

@@ -196,9 +196,9 @@ pub enum Error {
     /// A lookup of one film in a table of one stack of layers.
     #[error(
         "the table is of one stack of layers under spheres of any modulus, and the question is about one \
-         film on a substrate: look the stack up with `tabulate query`, or in Rust with \
-         `tabulate::table::StackTable` or `Table::stack_curve`; `tabulate curve --stack` solves a stack \
-         without a table; for a film use a table of films, such as the embedded one"
+         film on a substrate: give the table to `tabulate curve`, `pull-off` or `fit` as --stack, look \
+         points up with `tabulate query`, or use `tabulate::table::StackTable` in Rust; for a film use \
+         a table of films, such as the embedded one"
     )]
     OfStack,
     /// A lookup of a stack of layers in a table of films.

@@ -64,13 +64,13 @@
 //! core: the compliance of many layers is sampled once.
 
 #[cfg(feature = "fit")]
-mod in_fits;
+pub(crate) mod in_fits;
 pub(crate) mod text;
 
 use interp::{Elastic, Material, Probe, StackShape, System};
 
 #[cfg(feature = "fit")]
-pub use self::in_fits::solver;
+pub use self::in_fits::DirectSolver;
 use crate::Error;
 
 /// The largest contact radius over the thickness of the top layer for which a stack is solved.

@@ -139,7 +139,7 @@ impl Bodies {
             Self::Coated(system) if gradient => table.contact_with_gradient(system)?,
             Self::Coated(system) => table.contact(system)?,
             Self::HalfSpace(half_space) => Contact::half_space(half_space)?,
-            Self::Layered(layered) => (layered.solver)(layered).map_err(Error::Layers)?,
+            Self::Layered(layered) => layered.solver.contact(layered).map_err(Error::Layers)?,
         })
     }
 }
@@ -348,7 +348,9 @@ fn names(layered: &Layered) -> String {
         .map(Parameter::name)
         .collect();
     if names.is_empty() {
-        "give a layer a name to fit its modulus or thickness".into()
+        "give a layer a name to fit its modulus or thickness; those of a table of a stack are fixed, \
+         and only a stack file names layers"
+            .into()
     } else {
         format!("its layers have {}", names.join(", "))
     }

@@ -2,6 +2,7 @@
 
 use std::fmt;
 use std::str::FromStr;
+use std::sync::Arc;
 
 use arrayvec::ArrayString;
 use interp::{Contact, Elastic, Probe};
@@ -114,14 +115,21 @@ impl Reach {
 /// Why a contact on layers cannot be computed.
 pub type Cause = Box<dyn std::error::Error + Send + Sync>;
 
+/// Makes contacts on layers, which this crate cannot: `tabulate::stack::DirectSolver` by solves,
+/// `tabulate::table::StackTable` by lookups.
+pub trait LayeredSolver: fmt::Debug + Send + Sync {
+    /// Makes the contact of a probe on layers. It needs no derivatives, because those of a fit are
+    /// differences of contacts.
+    ///
+    /// # Errors
+    /// Why there is no such contact, as a sentence for the user.
+    fn contact(&self, bodies: &Layered) -> Result<Contact, Cause>;
+}
+
 /// A probe on a stack of layers on a base.
-///
-/// This crate has no solver for layers: `solver` makes the contact of these bodies, such as
-/// `tabulate::stack::solver`. The contact needs no derivatives, because those of a fit are
-/// differences of contacts.
 #[derive(Clone, Debug)]
 pub struct Layered {
-    /// The shape of the probe. `tabulate::stack::solver` takes [`Probe::Paraboloid`] and
+    /// The shape of the probe. The solvers of `tabulate` take [`Probe::Paraboloid`] and
     /// [`Probe::FlatPunch`].
     pub probe: Probe,
     /// The reduced modulus `E2*` of the probe, Pa; infinity is rigid.
@@ -133,7 +141,7 @@ pub struct Layered {
     /// Up to which contact radii contacts are needed.
     pub reach: Reach,
     /// Makes the contact.
-    pub solver: fn(&Layered) -> Result<Contact, Cause>,
+    pub solver: Arc<dyn LayeredSolver>,
 }
 
 impl PartialEq for Layered {

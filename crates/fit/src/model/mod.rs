@@ -26,7 +26,7 @@ pub(crate) use assign::{Assignment, Freedom};
 pub use branch::Branch;
 pub use experiment::{Bodies, Experiment};
 pub use free::{Free, Loss, Options, Prior, Scope};
-pub use layered::{Cause, Layer, LayerName, Layered, Reach};
+pub use layered::{Cause, Layer, LayerName, Layered, LayeredSolver, Reach};
 pub use measurement::{Direction, Kind, Measurement, Point};
 pub use parameter::Parameter;
 pub(crate) use predict::Predicted;

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use clap::ValueHint;
 use interp::System;
 
-use super::stack_file::{self, NamedStack};
+use super::stack_file::{self, NamedLayers};
 use super::system::SystemArguments;
 use crate::cohesive::Cohesive;
 
@@ -16,7 +16,7 @@ use crate::cohesive::Cohesive;
 pub struct BodiesArguments {
     #[arg(
         long,
-        value_name = "STACK.toml",
+        value_name = "STACK.toml|TABLE",
         help = format!("{}. It replaces film and substrate", stack_file::HELP),
         value_hint = ValueHint::FilePath,
         conflicts_with_all = [
@@ -51,7 +51,7 @@ pub struct Bodies {
     /// The probe on the film; of a stack, [`Stack::system`](crate::stack::Stack::system).
     pub system: System,
     /// The layers, if they are not one film.
-    pub stack: Option<NamedStack>,
+    pub stack: Option<NamedLayers>,
 }
 
 impl BodiesArguments {
@@ -91,7 +91,7 @@ impl AttractingArguments {
             ..
         } = self.bodies.system;
         Ok(match &bodies.stack {
-            Some(NamedStack { stack, .. }) => Cohesive::on_stack(
+            Some(NamedLayers { stack, .. }) => Cohesive::on_stack(
                 stack,
                 sphere_radius,
                 sphere_modulus,

@@ -11,12 +11,12 @@ use super::note;
 use super::output::Output;
 use super::points::{evenly, number};
 use super::progress::progress_bar;
-use super::stack_file::NamedStack;
+use super::stack_file::Source as LayersFrom;
 use super::table_name::{self, TableName};
 use crate::cohesive::Cohesive;
 use crate::parallel::try_map;
 use crate::report::LARGE_CONTACT;
-use crate::solve::{curve as adaptive, solve, stack_curve};
+use crate::solve::{curve as adaptive, solve};
 
 /// Print the force curve of one system as CSV, in SI units
 ///
@@ -58,14 +58,9 @@ pub struct Arguments {
     /// Number of contact radii, equally spaced
     #[arg(long, default_value_t = 150, value_parser = value_parser!(u32).range(2..=super::MOST_POINTS))]
     points: u32,
-    /// Relative tolerance of direct solves
-    #[arg(
-        long,
-        default_value = "1e-8",
-        conflicts_with = "table",
-        allow_negative_numbers = true
-    )]
-    tolerance: f64,
+    /// Relative tolerance of direct solves [default: 1e-8]
+    #[arg(long, conflicts_with_all = ["table", "interaction_range"], allow_negative_numbers = true)]
+    tolerance: Option<f64>,
     /// Write the CSV here instead of to standard output
     #[arg(short, long, value_name = "OUT.csv")]
     output: Option<PathBuf>,
@@ -148,21 +143,28 @@ struct States<'a> {
 
 impl<'a> States<'a> {
     fn new(arguments: &Arguments, bodies: &'a Bodies) -> anyhow::Result<Self> {
+        /// The relative tolerance of solves where none is given.
+        const TOLERANCE: f64 = 1e-8;
         let Arguments {
             from,
             to,
-            tolerance,
             ref attracting,
             ..
         } = *arguments;
+        let tolerance = arguments.tolerance.unwrap_or(TOLERANCE);
         let system = &bodies.system;
         let source = if let Some(range) = attracting.interaction_range {
             Source::Range(Box::new(attracting.cohesive(bodies, range)?))
         } else if let Some(name) = &arguments.table {
             Source::Curve(Box::new(name.read()?.contact(system)?))
-        } else if let Some(NamedStack { stack, .. }) = &bodies.stack {
+        } else if let Some(layers) = &bodies.stack {
+            ensure!(
+                arguments.tolerance.is_none() || matches!(layers.source, LayersFrom::Text { .. }),
+                "--tolerance is of direct solves, and --stack names a table, which is looked up: \
+                 leave out --tolerance, or name a stack file"
+            );
             let range = [from, to].map(|a| a / system.film_thickness);
-            let curve = stack_curve(stack, system.sphere_modulus, range, tolerance)?;
+            let curve = layers.curve(system.sphere_modulus, range, tolerance)?;
             Source::Curve(Box::new(Contact::new(system, curve)?))
         } else {
             match system.probe {

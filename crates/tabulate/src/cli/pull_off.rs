@@ -6,11 +6,10 @@ use interp::{Contact, Control};
 use super::bodies::{AttractingArguments, Bodies};
 use super::points::number;
 use super::print;
-use super::stack_file::NamedStack;
 use super::system::SystemArguments;
 use super::table_name::{self, TableName};
 use crate::cohesive::CohesiveState;
-use crate::solve::{curve, stack_curve};
+use crate::solve::curve;
 
 /// Print the last stable state of a separation: load (N), contact radius (m), outer radius of the
 /// attraction (m) and penetration (m)
@@ -108,11 +107,10 @@ fn jkr(arguments: &Arguments, bodies: &Bodies, control: Control) -> anyhow::Resu
     let system = &bodies.system;
     let contact = match (&arguments.table, &bodies.stack) {
         (Some(name), _) => name.read()?.contact(system)?,
-        (None, Some(NamedStack { stack, .. })) => {
-            let top = stack.top().thickness / stack.thickness();
+        (None, Some(layers)) => {
+            let top = layers.stack.top().thickness / layers.stack.thickness();
             let range = [RANGE[0], RANGE[1].min(OVER_TOP * top)];
-            let curve = stack_curve(stack, sphere_modulus, range, TOLERANCE)?;
-            Contact::new(system, curve)?
+            Contact::new(system, layers.curve(sphere_modulus, range, TOLERANCE)?)?
         }
         (None, None) => Contact::new(system, curve(&system.material()?, RANGE, TOLERANCE)?)?,
     };

@@ -1,32 +1,96 @@
-//! Stacks of layers, as TOML files give them.
+//! Stacks of layers, as TOML files give them, or tables of a stack.
 
-use std::io::Read;
+use std::io::{Read, Take};
 use std::path::Path;
+use std::sync::Arc;
 
 use anyhow::{Context, anyhow};
+use interp::Curve;
 
-pub use crate::stack::text::NamedStack;
-use crate::stack::text::Text;
+use super::table_name::TableName;
+use crate::input::Limited;
+use crate::solve::stack_curve;
+use crate::stack::Stack;
+use crate::stack::text::{NamedStack, Text};
+use crate::table::StackTable;
 use crate::{Error, input, printable};
 
 /// The help of an argument that names a stack file. Clap shows it as it stands.
 pub const HELP: &str = "Stack of layers, as a TOML file in SI units: base = { young_modulus = .., poisson_ratio = .. } and, \
     from the base up, a [[layers]] with young_modulus, poisson_ratio, thickness and perhaps a name, by which messages and fits call it, for each. A base with \
-    young_modulus = inf is rigid and needs no Poisson ratio";
+    young_modulus = inf is rigid and needs no Poisson ratio. A table of a stack, made of a scene with a [stack], stands for its stack";
 
 /// The largest number of bytes of a stack file. A larger one is taken for a mistake.
 const LONGEST: u64 = 1 << 20;
 
-/// Reads a stack file. An error names the file, and the layer if it is about one.
-pub fn read(path: &Path) -> anyhow::Result<NamedStack> {
-    let mut text = String::new();
-    input::open(path, LONGEST)
-        .and_then(|(mut file, _)| file.read_to_string(&mut text))
-        .map_err(|source| Error::Read {
-            path: path.to_owned(),
-            source,
-        })?;
-    parse(&text).with_context(|| printable::path(path))
+/// The first bytes of an HDF5 file.
+const HDF5: &[u8] = b"\x89HDF\r\n\x1a\n";
+
+/// A stack of layers that the command line names.
+#[derive(Debug)]
+pub struct NamedLayers {
+    /// The stack.
+    pub stack: Stack,
+    /// What is known besides the layers.
+    pub source: Source,
+}
+
+/// Where a stack is from.
+#[derive(Debug)]
+pub enum Source {
+    /// A TOML file, with the names that it gives to layers, from the base up. Contacts are solved.
+    Text { names: Vec<Option<String>> },
+    /// A table. Contacts are looked up.
+    Table(Arc<StackTable<'static>>),
+}
+
+impl NamedLayers {
+    /// Makes the curve under a sphere of reduced modulus `sphere_modulus` (Pa): looks it up, or
+    /// solves for it in the `range` of `a/t` to a relative `tolerance`.
+    pub fn curve(
+        &self,
+        sphere_modulus: f64,
+        range: [f64; 2],
+        tolerance: f64,
+    ) -> Result<Curve, Error> {
+        match &self.source {
+            Source::Text { .. } => stack_curve(&self.stack, sphere_modulus, range, tolerance),
+            Source::Table(table) => table.curve(sphere_modulus),
+        }
+    }
+}
+
+/// Reads a stack file or a table. An error names the file, and the layer if it is about one.
+pub fn read(path: &Path) -> anyhow::Result<NamedLayers> {
+    let failed = |source| Error::Read {
+        path: path.to_owned(),
+        source,
+    };
+    let (file, _) = input::open(path, LONGEST).map_err(failed)?;
+    let mut start: Take<Limited> = file.take(HDF5.len() as u64);
+    let mut bytes = Vec::new();
+    start.read_to_end(&mut bytes).map_err(failed)?;
+    if bytes == HDF5 || interp::is_packed(&bytes) {
+        let table = TableName::File(path.to_owned()).read()?;
+        let table = StackTable::new(&table)
+            .with_context(|| printable::path(path))?
+            .into_owned();
+        return Ok(NamedLayers {
+            stack: table.stack().clone(),
+            source: Source::Table(Arc::new(table)),
+        });
+    }
+    // From where it stands: a pipe cannot be read again.
+    let mut file = start.into_inner();
+    file.read_to_end(&mut bytes).map_err(failed)?;
+    let named = String::from_utf8(bytes)
+        .map_err(anyhow::Error::from)
+        .and_then(|text| parse(&text));
+    let NamedStack { stack, names } = named.with_context(|| printable::path(path))?;
+    Ok(NamedLayers {
+        stack,
+        source: Source::Text { names },
+    })
 }
 
 /// Parses the text of a stack file.

@@ -1,37 +1,23 @@
 //! Times: how they are measured and how they are printed.
 
 use std::hint::black_box;
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 /// How carefully times are measured.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Timing {
     /// For publication: medians of many calls, and several rounds.
     Thorough,
-    /// For a comparison by [`compare`](super::compare): a few calls, and one round.
+    /// For a comparison by [`compare`](super::compare), which leaves times out: one call.
     Brief,
 }
 
 impl Timing {
-    /// Returns the time of a call in seconds: [`seconds`] if thorough, otherwise the fastest of a
-    /// few samples. An interruption by another program spoils a sample, and seldom all of them.
-    pub fn seconds<T>(self, budget: f64, mut call: impl FnMut() -> T) -> f64 {
-        const SAMPLES: usize = 5;
-        /// No further sample is taken after this time.
-        const ENOUGH: Duration = Duration::from_millis(100);
+    /// Returns the time of a call in seconds: [`seconds`] if thorough.
+    pub fn seconds<T>(self, budget: f64, call: impl FnMut() -> T) -> f64 {
         match self {
             Self::Thorough => seconds(budget, call),
-            Self::Brief => {
-                let began = Instant::now();
-                let mut fastest = f64::INFINITY;
-                for _ in 0..SAMPLES {
-                    fastest = seconds(0.0, &mut call).min(fastest);
-                    if began.elapsed() > ENOUGH {
-                        break;
-                    }
-                }
-                fastest
-            }
+            Self::Brief => seconds(0.0, call),
         }
     }
 

@@ -3,11 +3,7 @@
 use serde::Serialize;
 use serde_json::{Map, Value};
 
-use super::clock::median;
 use crate::Error;
-
-/// The largest factor by which a time may have changed more than the other times of its column.
-pub const TIME_FACTOR: f64 = 10.0;
 
 /// Errors that differ by at most this part of them are equal: rounding differs between processors.
 const RELATIVE: f64 = 1e-2;
@@ -18,11 +14,8 @@ const ABSOLUTE: f64 = 1e-13;
 ///
 /// - Texts and counts must be equal.
 /// - Errors must agree to a hundredth or to 1e-13.
-/// - Times must agree within [`TIME_FACTOR`] after division by the median ratio of their column. So
-///   the result does not depend on the speed of the machine or on its number of threads. A time
-///   that was 0 was not measured, and is not compared.
-/// - The columns `threads`, `saved_seconds` and `break_even_*` are not compared: the latter are
-///   differences and ratios of times.
+/// - Times, their differences and ratios, and numbers of threads are not compared. They depend on
+///   the machine and on what else it does.
 /// - If there are fewer rows `now`, the last rows of `before` are not compared.
 ///
 /// # Errors
@@ -40,35 +33,18 @@ pub fn compare<R: Serialize>(before: &[R], now: &[R]) -> Result<(), Error> {
             now,
         });
     }
-    let pairs: Vec<[Map<String, Value>; 2]> = before
-        .iter()
-        .zip(now)
-        .map(|(before, now)| [fields(before), fields(now)])
-        .collect();
-    for (i, [before, now]) in pairs.iter().enumerate() {
-        for (column, before) in before {
+    for (i, pair) in before.iter().zip(now).enumerate() {
+        let [before, now] = [pair.0, pair.1].map(fields);
+        for (column, before) in &before {
             let now = &now[column];
-            let remark = if is_derived(column) {
-                continue;
-            } else if is_time(column) {
-                let pace = pace(&pairs, column);
-                match ratio(before, now) {
-                    Some(ratio) if !within(TIME_FACTOR, ratio / pace) => {
-                        format!(", and the column takes {pace:.2} times as long")
-                    }
-                    _ => continue,
-                }
-            } else if agree(before, now) {
-                continue;
-            } else {
-                String::new()
-            };
-            return Err(Error::Changed {
-                row: i + 1,
-                column: column.clone(),
-                before: before.to_string(),
-                now: format!("{now}{remark}"),
-            });
+            if !depends_on_the_machine(column) && !agree(before, now) {
+                return Err(Error::Changed {
+                    row: i + 1,
+                    column: column.clone(),
+                    before: before.to_string(),
+                    now: now.to_string(),
+                });
+            }
         }
     }
     Ok(())
@@ -81,37 +57,12 @@ fn fields<R: Serialize>(row: &R) -> Map<String, Value> {
     }
 }
 
-/// Whether a column depends on the machine or is a difference or a ratio of times.
-fn is_derived(column: &str) -> bool {
-    ["threads", "saved_seconds", "time_ratio"].contains(&column) || column.starts_with("break_even")
-}
-
-fn is_time(column: &str) -> bool {
-    column.ends_with("seconds")
-}
-
-/// The median ratio of the times of a column: that of the two machines. 1 where no time is
-/// compared.
-fn pace(pairs: &[[Map<String, Value>; 2]], column: &str) -> f64 {
-    let ratios: Vec<f64> = pairs
-        .iter()
-        .filter_map(|[before, now]| ratio(&before[column], &now[column]))
-        .collect();
-    if ratios.is_empty() {
-        1.0
-    } else {
-        median(ratios)
-    }
-}
-
-/// The second time over the first; none if the first is 0.
-fn ratio(before: &Value, now: &Value) -> Option<f64> {
-    let (before, now) = before.as_f64().zip(now.as_f64())?;
-    (before != 0.0).then_some(now / before)
-}
-
-fn within(factor: f64, ratio: f64) -> bool {
-    (1.0 / factor..=factor).contains(&ratio)
+/// Whether a column is a time, comes from times, or is the number of threads.
+fn depends_on_the_machine(column: &str) -> bool {
+    column == "threads"
+        || column == "time_ratio"
+        || column.ends_with("seconds")
+        || column.starts_with("break_even")
 }
 
 /// Whether two texts or counts are equal, or two errors but for rounding.

@@ -21,7 +21,7 @@ mod rows;
 pub mod solve;
 pub mod table;
 
-pub use comparison::{TIME_FACTOR, compare};
+pub use comparison::compare;
 pub(crate) use lookup::random_points;
 pub use rows::{Measurement, read_csv, read_earlier, to_csv};
 

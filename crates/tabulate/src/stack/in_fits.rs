@@ -1,6 +1,6 @@
 //! The contacts that the crate `fit` asks for on layers.
 
-use fit::{Cause, Layered};
+use fit::{Cause, Layered, LayeredSolver};
 use interp::{Contact, System};
 
 use super::{Layer, Stack};
@@ -19,7 +19,7 @@ const BEGIN: f64 = 1e-4;
 /// earlier. Wider contacts take much longer.
 const OVER_TOP: f64 = 300.0;
 
-/// Makes the contact of a probe on layers from direct solves: the `solver` of [`fit::Layered`].
+/// Makes the contact of a probe on layers from direct solves: a `solver` of [`fit::Layered`].
 ///
 /// The quantities are within 1e-8, from contact radii of 1e-4 of the thickness of the top layer to
 /// the expected reach of the contacts, or to 300 times the thickness of the top layer where that is
@@ -29,6 +29,8 @@ const OVER_TOP: f64 = 300.0;
 ///
 /// ```
 /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+/// use std::sync::Arc;
+///
 /// use fit::{Bodies, Experiment, Free, Kind, Layer, Layered, Measurement, Parameter, Point, Reach};
 /// use interp::{Elastic, Probe, Table};
 ///
@@ -52,7 +54,7 @@ const OVER_TOP: f64 = 300.0;
 ///     sphere_modulus: 2e6,
 ///     base: Elastic::new(2e11, 0.25)?,
 ///     layers: vec![layer("primer", 5e5, 2.5e-6)?, layer("film", 3.5e6, 7.5e-6)?],
-///     solver: tabulate::stack::solver,
+///     solver: Arc::new(tabulate::stack::DirectSolver),
 /// });
 /// let free: [Parameter; 2] = ["sphere-modulus".parse()?, "work-of-adhesion".parse()?];
 /// let found = fit::fit(
@@ -69,7 +71,29 @@ const OVER_TOP: f64 = 300.0;
 /// # Errors
 /// Those of [`Stack::new`], with the name of the layer, of [`stack_curve`] and of
 /// [`Contact::new`](interp::Contact::new).
-pub fn solver(layered: &Layered) -> Result<Contact, Cause> {
+#[derive(Clone, Copy, Debug)]
+pub struct DirectSolver;
+
+impl LayeredSolver for DirectSolver {
+    fn contact(&self, layered: &Layered) -> Result<Contact, Cause> {
+        let stack = stack_of(layered)?;
+        let (thickness, top) = (stack.thickness(), stack.top().thickness);
+        let end = layered
+            .reach
+            .needed
+            .max(layered.reach.expected.min(OVER_TOP * top));
+        let begin = (BEGIN * top / thickness).max(A_OVER_T[0]);
+        let range = [begin, end / thickness];
+        let curve = stack_curve(&stack, layered.sphere_modulus, range, TOLERANCE)?;
+        Ok(Contact::new(&system(layered, &stack), curve)?)
+    }
+}
+
+/// Returns the layers as a stack.
+///
+/// # Errors
+/// Those of [`Stack::new`], with the name of the layer.
+pub fn stack_of(layered: &Layered) -> Result<Stack, Cause> {
     let layers: Vec<Layer> = layered
         .layers
         .iter()
@@ -78,23 +102,15 @@ pub fn solver(layered: &Layered) -> Result<Contact, Cause> {
             thickness: layer.thickness,
         })
         .collect();
-    let stack = Stack::new(layered.base, layers).map_err(|error| named(layered, error))?;
-    let (thickness, top) = (stack.thickness(), stack.top().thickness);
-    let end = layered
-        .reach
-        .needed
-        .max(layered.reach.expected.min(OVER_TOP * top));
-    let begin = (BEGIN * top / thickness).max(A_OVER_T[0]);
-    let range = [begin, end / thickness];
-    let curve = stack_curve(&stack, layered.sphere_modulus, range, TOLERANCE)?;
-    let system = System {
+    Stack::new(layered.base, layers).map_err(|error| named(layered, error))
+}
+
+/// Returns the probe on the layers as a system.
+pub fn system(layered: &Layered, stack: &Stack) -> System {
+    System {
         probe: layered.probe.clone(),
-        sphere_modulus: layered.sphere_modulus,
-        film: stack.surface(),
-        film_thickness: thickness,
-        substrate: layered.base,
-    };
-    Ok(Contact::new(&system, curve)?)
+        ..stack.system(1.0, layered.sphere_modulus)
+    }
 }
 
 /// Adds the name of the layer to the error of a layer.

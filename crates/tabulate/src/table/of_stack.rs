@@ -1,9 +1,15 @@
 //! Lookups in a table of one stack of layers.
 
+use std::borrow::Cow;
+
+#[cfg(feature = "fit")]
+use fit::{Cause, Layered, LayeredSolver};
 use interp::{Contact, Curve, Parameter, SubstratePoissonRatio, System, Table};
 
 use crate::Error;
 use crate::stack::Stack;
+#[cfg(feature = "fit")]
+use crate::stack::in_fits;
 use crate::table::scene::{Scene, TOLERANCE};
 
 /// A table of one stack of layers under spheres of any modulus, with the stack, which is in the
@@ -20,7 +26,7 @@ use crate::table::scene::{Scene, TOLERANCE};
 /// ```
 #[derive(Clone, Debug)]
 pub struct StackTable<'a> {
-    table: &'a Table,
+    table: Cow<'a, Table>,
     stack: Stack,
 }
 
@@ -57,12 +63,23 @@ impl<'a> StackTable<'a> {
             ))
             .into());
         }
-        Ok(Self { table, stack })
+        Ok(Self {
+            table: Cow::Borrowed(table),
+            stack,
+        })
+    }
+
+    /// Takes the table into this value, so that both live as long as is needed.
+    pub fn into_owned(self) -> StackTable<'static> {
+        StackTable {
+            table: Cow::Owned(self.table.into_owned()),
+            stack: self.stack,
+        }
     }
 
     /// Returns the table.
-    pub const fn table(&self) -> &'a Table {
-        self.table
+    pub fn table(&self) -> &Table {
+        &self.table
     }
 
     /// Returns the stack.
@@ -88,5 +105,25 @@ impl<'a> StackTable<'a> {
     pub fn contact(&self, sphere_radius: f64, sphere_modulus: f64) -> Result<Contact, Error> {
         let system: System = self.stack.system(sphere_radius, sphere_modulus);
         Ok(Contact::new(&system, self.curve(sphere_modulus)?)?)
+    }
+}
+
+#[cfg(feature = "fit")]
+impl LayeredSolver for StackTable<'static> {
+    /// Looks the contact up.
+    ///
+    /// # Errors
+    /// A sentence for other layers than those of the table; the errors of [`StackTable::curve`] and
+    /// of [`Contact::new`].
+    fn contact(&self, layered: &Layered) -> Result<Contact, Cause> {
+        if in_fits::stack_of(layered)? != self.stack {
+            return Err(
+                "the layers are not those of the table, which is of one stack: keep its \
+                 layers, or solve others directly (`tabulate::stack::DirectSolver`)"
+                    .into(),
+            );
+        }
+        let system = in_fits::system(layered, &self.stack);
+        Ok(Contact::new(&system, self.curve(layered.sphere_modulus)?)?)
     }
 }

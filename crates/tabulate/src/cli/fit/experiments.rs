@@ -1,15 +1,19 @@
 //! The experiments and the free parameters, from the arguments and the measurements.
 
+use std::iter;
+use std::sync::Arc;
+
 use ::fit::{
-    Bodies, Experiment, Free, Kind, Layer, LayerName, Layered, Measurement, Parameter, Reach, Scope,
+    Bodies, Experiment, Free, Kind, Layer, LayerName, Layered, LayeredSolver, Measurement,
+    Parameter, Reach, Scope,
 };
 use anyhow::{Context, bail, ensure};
 use interp::HalfSpace;
 
 use super::setting::{Bounds, Known, Values};
 use crate::cli::bodies::{self, BodiesArguments};
-use crate::cli::stack_file::NamedStack;
-use crate::stack;
+use crate::cli::stack_file::{NamedLayers, Source};
+use crate::stack::{self, DirectSolver};
 
 /// The flags of known values.
 #[derive(clap::Args)]
@@ -34,20 +38,17 @@ impl KnownArguments {
     /// Joins measurements with what is known about them.
     pub fn experiments(&self, measurements: Vec<Measurement>) -> anyhow::Result<Vec<Experiment>> {
         let bodies::Bodies { system, stack } = self.bodies.read()?;
-        let layers = match &stack {
-            Some(named) => layers(named)?,
-            None => Vec::new(),
-        };
+        let layers = stack.as_ref().map(layers).transpose()?;
         let bodies = |measurement: &Measurement| {
             let system = system.clone();
-            if stack.is_some() {
+            if let Some((layers, solver)) = &layers {
                 Bodies::Layered(Layered {
                     reach: Reach::of(measurement, &system.probe),
                     probe: system.probe,
                     sphere_modulus: system.sphere_modulus,
                     base: system.substrate,
                     layers: layers.clone(),
-                    solver: stack::solver,
+                    solver: Arc::clone(solver),
                 })
             } else if self.half_space {
                 Bodies::HalfSpace(HalfSpace {
@@ -88,18 +89,25 @@ impl KnownArguments {
     }
 }
 
-/// Returns the layers of a stack for fits.
-fn layers(named: &NamedStack) -> anyhow::Result<Vec<Layer>> {
-    let layer = |(layer, name): (&stack::Layer, &Option<String>)| {
-        let name = name.as_deref().map(str::parse::<LayerName>).transpose();
+/// Returns the layers of a stack for fits, with what makes their contacts.
+///
+/// The layers of a table have no names, because none of them can be free.
+fn layers(named: &NamedLayers) -> anyhow::Result<(Vec<Layer>, Arc<dyn LayeredSolver>)> {
+    let (names, solver): (_, Arc<dyn LayeredSolver>) = match &named.source {
+        Source::Text { names } => (names.as_slice(), Arc::new(DirectSolver)),
+        Source::Table(table) => (&[][..], table.clone()),
+    };
+    let names = names.iter().map(Option::as_deref).chain(iter::repeat(None));
+    let layer = |(layer, name): (&stack::Layer, Option<&str>)| {
+        let name = name.map(str::parse::<LayerName>).transpose();
         Ok(Layer {
             name: name.context("--stack")?,
             solid: layer.solid,
             thickness: layer.thickness,
         })
     };
-    let layers = named.stack.layers().iter().zip(&named.names);
-    layers.map(layer).collect()
+    let layers = named.stack.layers().iter().zip(names).map(layer);
+    Ok((layers.collect::<anyhow::Result<_>>()?, solver))
 }
 
 /// The flags of free parameters.

@@ -41,8 +41,9 @@ use crate::printable;
 /// Loads are positive in compression; heights are smaller when the cantilever is closer to the
 /// sample: contact point - height = penetration + force/stiffness.
 ///
-/// A stack of layers (--stack) is solved directly, which takes some tenths of a second; all else is
-/// looked up in the table. The modulus and the thickness of its layers can be free.
+/// A film is looked up in the table. A stack of layers (--stack) is solved directly, which takes
+/// some tenths of a second, and the modulus and the thickness of its layers can be free; or it is
+/// looked up where --stack names a table of the stack.
 ///
 /// Which points are in contact is read from the data: points up to the jump of pull-off are in
 /// contact, those after it are the baseline. With several files, the parameters are common to all
