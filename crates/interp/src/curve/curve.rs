@@ -55,7 +55,7 @@ pub struct Curve {
     start_error: Option<f64>,
     pub(super) sensitivities: Option<Arc<Sensitivities>>,
     /// `Delta1`, if it is held.
-    pub(super) cone: Option<Cone>,
+    pub(super) cone: Option<Arc<Cone>>,
     /// Whether `Pi0` and `Delta0` are those of an odd power of the radius.
     of_odd_power: bool,
     /// What belongs to the shape, if `Pi0` and `Delta0` are those of another one than a paraboloid.
@@ -107,10 +107,7 @@ impl Curve {
             known,
             start_error: start_error.map(|error| error + fifth_order(&material, range[0])),
             sensitivities: None,
-            cone: cone.map(|pieces| Cone {
-                pieces,
-                by_table: None,
-            }),
+            cone: cone.map(|pieces| Arc::new(Cone::new(pieces))),
             of_odd_power: false,
             even: None,
             accuracy: None,
@@ -142,7 +139,7 @@ impl Curve {
         by_table: Option<[Arc<[[f64; LOGARITHM]]>; 3]>,
     ) -> Self {
         if let Some(cone) = &mut self.cone {
-            cone.by_table = by_table;
+            Arc::make_mut(cone).by_table = by_table;
         }
         self
     }

@@ -48,6 +48,14 @@ pub(crate) struct Cone {
 }
 
 impl Cone {
+    /// Takes the polynomials of `Delta1`, without derivatives.
+    pub(super) const fn new(pieces: Arc<[Polynomial]>) -> Self {
+        Self {
+            pieces,
+            by_table: None,
+        }
+    }
+
     /// Returns `Delta1` at a position, and its derivative with respect to the place on the piece.
     pub(super) fn at(&self, Position { piece, t }: Position) -> [f64; 2] {
         let polynomial = &self.pieces[piece];
