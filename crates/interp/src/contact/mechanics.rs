@@ -249,8 +249,8 @@ impl Mechanics {
         }
     }
 
-    /// Returns load (N) and penetration (m) without adhesion under an odd power of the radius, whose
-    /// `values` are given.
+    /// Returns load (N) and penetration (m) without adhesion under an odd power of the radius, from
+    /// its `values`.
     pub(super) fn odd_power(&self, a: f64, power: &OddPower, values: &Quantities) -> Pair {
         power.pair(a, self.modulus, values)
     }

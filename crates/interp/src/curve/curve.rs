@@ -295,8 +295,8 @@ impl Curve {
         self.range
     }
 
-    /// Returns the value of `quantity` at `a_over_t`. [`Quantity::Delta1`] ends at the largest `a/t`
-    /// of the nodes.
+    /// Returns the value of `quantity` at `a_over_t`. [`Quantity::Delta1`] ends at the largest
+    /// `a/t` of the nodes.
     ///
     /// # Errors
     /// [`Error::OutsideTable`] for an `a_over_t` outside the curve, NaN included;

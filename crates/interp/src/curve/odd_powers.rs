@@ -122,8 +122,8 @@ impl OddPowerCurve {
         self.curve.quantity(Quantity::Delta0, a_over_t)
     }
 
-    /// Returns the curve that holds `Delta_n` and `Pi_n` times [`over_pi0`] in the places of `Delta0`
-    /// and `Pi0`.
+    /// Returns the curve that holds `Delta_n` and `Pi_n` times [`over_pi0`] in the places of
+    /// `Delta0` and `Pi0`.
     pub(crate) const fn curve(&self) -> &Curve {
         &self.curve
     }
@@ -140,8 +140,8 @@ impl Curve {
     /// 3 or 5, from `Delta1`. They have derivatives with respect to the material if this curve has
     /// them.
     ///
-    /// Their errors are about that of the table: its certificate is measured with `Delta1`, and with
-    /// the `Pi_1` and the `mu_1 = Delta_1 Eeq - Pi_1/4` that follow from it.
+    /// Their errors are about that of the table: its certificate is measured with `Delta1`, and
+    /// with the `Pi_1` and the `mu_1 = Delta_1 Eeq - Pi_1/4` that follow from it.
     ///
     /// # Errors
     /// [`Error::InvalidArgument`] for any other `n`; [`Error::MissingQuantity`] unless the curve

@@ -74,8 +74,8 @@ impl LowRank {
     /// # Errors
     /// [`Error::Malformed`]
     ///
-    /// * if no quantity of a sphere ([`Quantity::ALL`]) is given, one is given twice, or they are not
-    ///   in order;
+    /// * if no quantity of a sphere ([`Quantity::ALL`]) is given, one is given twice, or they are
+    ///   not in order;
     /// * if `order` does not hold 1, 2 and 3;
     /// * if a bond or a core is empty, the lengths contradict each other, or a bond is longer than
     ///   the product of the bond before and the terms between;

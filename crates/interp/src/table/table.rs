@@ -220,7 +220,7 @@ impl Table {
         Some(tiles.iter().map(|tile| tile.form.ranks()).collect())
     }
 
-    /// Returns the logarithms that the splines interpolate, `ln(Q/es)` (`ln Delta0` and `ln Delta1`),
+    /// Returns the logarithms that the splines interpolate, `ln(Q/es)` (`ln Delta0`, `ln Delta1`),
     /// at all nodes with node `e1` of the film's modulus.
     ///
     /// They are row-major over `nu1`, `e0_over_e2`, `a_over_t` and the quantities held.

@@ -16,8 +16,8 @@ use crate::table::{DEFAULT_NU0, StackTable};
 ///
 /// Prints the points with the interpolated pi0, eeq, gamma and delta0. The column error is the
 /// certified relative error of the table: the largest at sampled points. A table that holds delta1,
-/// the penetration of a cone, has this column too, after the error; above the a/t of the table it is
-/// empty. At an a/t outside the
+/// the penetration of a cone, has this column too, after the error; above the a/t of the table it
+/// is empty. At an a/t outside the
 /// table, the values and the error are those of the expansion about the limit of a thin or a thick
 /// film, where that keeps the tolerance of the table. Any other point outside the table is an
 /// error. Points are answered in batches: at an error, those before the batch are printed already,

@@ -35,8 +35,8 @@ const TRUNCATION: f64 = 2e-7;
 const COMPARED: usize = 2000;
 /// The seed of these points.
 const SEED: u64 = 1;
-/// The radius, m, and the half angle, degrees, that a page shows first of a probe with which it does
-/// not open.
+/// The radius, m, and the half angle, degrees, that a page shows first of a probe with which it
+/// does not open.
 const RADIUS: f64 = 1e-3;
 const HALF_ANGLE: f64 = 70.0;
 

@@ -2,8 +2,8 @@
 //!
 //! A range of a parameter becomes an axis of the table. A single number is held fixed and adds no
 //! cost. A scene with a `[stack]` is of these layers under spheres of any modulus: its axes are
-//! `a_over_t`, over the thickness of all layers, and `e1_over_e2` of the top layer. `scene_text` has
-//! the keys of a scene, and `stack_scene` reads the `[stack]`.
+//! `a_over_t`, over the thickness of all layers, and `e1_over_e2` of the top layer. `scene_text`
+//! has the keys of a scene, and `stack_scene` reads the `[stack]`.
 
 use std::io::Read;
 use std::path::Path;

@@ -41,8 +41,8 @@ pub(crate) fn solve_for_table(
     Ok(Tabulated::new(solution.quantities, &cones))
 }
 
-/// The values of each of [`Quantity::TABULATED`], row-major, with `a_over_t` the slowest index; none
-/// for those that the scene does not ask for.
+/// The values of each of [`Quantity::TABULATED`], row-major, with `a_over_t` the slowest index;
+/// none for those that the scene does not ask for.
 pub type Values = [Option<Vec<f64>>; 5];
 
 /// Solves every node of the scene on the given axes.

@@ -152,8 +152,8 @@ impl Group<'_> {
     }
 }
 
-/// Adds the constants with which an integral goes on from piece to piece, from `at` on. In the first
-/// group the first node is at the place `start` on the first piece.
+/// Adds the constants with which an integral goes on from piece to piece, from `at` on. In the
+/// first group the first node is at the place `start` on the first piece.
 #[inline(always)]
 pub(in crate::curve) fn continued<S: Simd, const N: usize>(
     simd: S,
