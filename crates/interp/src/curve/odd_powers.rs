@@ -141,7 +141,7 @@ impl Curve {
     /// them.
     ///
     /// Their errors are about that of the table: its certificate is measured with `Delta1`, and
-    /// with the `Pi_1` and the `mu_1 = Delta_1 Eeq - Pi_1/4` that follow from it.
+    /// with the `Pi_1` that follows from it.
     ///
     /// # Errors
     /// [`Error::InvalidArgument`] for any other `n`; [`Error::MissingQuantity`] unless the curve

@@ -7,8 +7,8 @@ use crate::{Error, Quantity};
 /// The certificate of a table: the largest error at sampled points, with its statistics.
 ///
 /// The errors are those of the interpolated quantities at points off the nodes, relative to direct
-/// solves. In a table that holds `Delta1`, the `Pi_1` and the `mu_1 = Delta_1 Eeq - Pi_1/4` of a
-/// cone that follow from it ([`Curve::odd_power`](crate::Curve::odd_power)) are among them.
+/// solves. In a table that holds `Delta1`, the `Pi_1` of a cone that follows from it
+/// ([`Curve::odd_power`](crate::Curve::odd_power)) is among them.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Certificate {
     /// The largest relative error of all quantities at all points.

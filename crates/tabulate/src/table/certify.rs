@@ -19,9 +19,9 @@ pub struct Sample {
     pub point: [f64; 4],
     /// The largest relative error of the quantities that the table answers: those that it holds, or
     /// all four of a sphere if it holds `Gamma` alone of them and begins at a small `a/t`. With
-    /// `Delta1`, the `Pi_1` and `mu_1` of a cone that follow from it are among them.
+    /// `Delta1`, the `Pi_1` of a cone that follows from it is among them.
     pub error: f64,
-    /// The quantity that has it, `Delta1` for all three numbers of a cone.
+    /// The quantity that has it, `Delta1` also for `Pi_1`.
     pub quantity: Quantity,
     /// The relative errors of the interpolant in the four exact identities, see
     /// [`Certificate::identity_errors`]; none where a quantity is missing or `a/t` is fixed.
@@ -266,12 +266,7 @@ fn sample_of(
     if let Some(cone) = solved.cone
         && let Some(found) = answered(curve.odd_power(1))?
     {
-        let (pi, delta) = (found.pi(a_over_t)?, found.delta(a_over_t)?);
-        let eeq = curve.quantity(Quantity::Eeq, a_over_t)?;
-        let moment = |pi: f64, delta: f64, eeq: f64| delta * eeq - 0.25 * pi;
-        let exact = moment(cone.pi, cone.delta, solved.quantities.eeq);
-        compare(pi, cone.pi, Quantity::Delta1);
-        compare(moment(pi, delta, eeq), exact, Quantity::Delta1);
+        compare(found.pi(a_over_t)?, cone.pi, Quantity::Delta1);
     }
     Ok(Sample {
         point,
