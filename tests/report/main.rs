@@ -3,7 +3,8 @@
 //! The tests in `file` read the HTML. The tests in `damage`, `force_curve`, `inputs` and
 //! `layout` need
 //! Chromium, which the environment variable `CHROMIUM` names. Without it each of them prints a line
-//! that says that it is skipped. `browser` runs Chromium.
+//! that says that it is skipped. `browser` runs Chromium. `setting` has the settings of a page, and
+//! `shown` compares what it shows with the program and the library.
 
 #![forbid(unsafe_code)]
 
@@ -13,6 +14,8 @@ mod file;
 mod force_curve;
 mod inputs;
 mod layout;
+mod setting;
+mod shown;
 
 use std::path::{Path, PathBuf};
 
@@ -45,6 +48,17 @@ const GAMMA_ALONE: &str = "
     nu1            = { from = 0.3, to = 0.5, nodes = 11 }
     e0s_over_e2s   = { from = 0, to = inf, nodes = 18 }
     nu0            = 'paired'
+";
+/// A table for cones, too.
+const CONES: &str = "
+    title      = 'Cones'
+    tolerance  = 1e-6
+    quantities = ['gamma', 'delta1']
+    a_over_t   = { from = 1e-2, to = 1e2 }
+    e1_over_e2 = { from = 0.3, to = 3 }
+    nu1        = { from = 0.45, to = 0.5 }
+    e0_over_e2 = { from = 100, to = 1000 }
+    nu0        = 0.2
 ";
 /// A rigid sphere without adhesion.
 const RIGID_SPHERE: &str = "

@@ -50,9 +50,10 @@ function enter(input, text) {
     input.dispatchEvent(new Event("input", { bubbles: true }));
 }
 
-/** Moves each slider some steps towards its middle and back: which curves, and which number, follow. */
+/** Moves each slider of the present probe some steps towards its middle and back: which curves, and which number, follow. */
 function slide() {
-    return [...document.querySelectorAll("input[type=range]")].map((slider) => {
+    const shown = (slider) => !slider.closest(".control").hidden;
+    return [...document.querySelectorAll("input[type=range]")].filter(shown).map((slider) => {
         const number = document.getElementById(`${slider.id}-number`), before = [...paths(), number.value], start = slider.value;
         enter(slider, Number(start) + (start < 500 ? 20 : -20));
         const after = [...paths(), number.value];

@@ -4,6 +4,7 @@
 
 mod beyond;
 mod certificate;
+mod cone;
 mod curve;
 mod files;
 mod forged_forms;

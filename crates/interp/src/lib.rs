@@ -114,7 +114,7 @@ pub use contact::{CohesiveEquilibrium, CohesiveState, FiniteRange, ShortRange};
 pub use contact::{Contact, ContactGradient, Derivatives, Input, State};
 pub use contact::{ContactLine, CrackTip, Hysteresis, RateDependent};
 pub use contact::{FilmBias, JkrFit, JkrPoint, Mechanics};
-pub use curve::{Curve, QuantityGradient, StackShape, bspline};
+pub use curve::{Curve, OddPowerCurve, QuantityGradient, StackShape, bspline};
 pub use error::Error;
 pub use material::{
     Elastic, HalfSpace, Material, Normalisation, Parameter, Probe, Profile, Quantities, Quantity,

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use super::checks::{finite_result, work_of_adhesion};
-use super::shape::Pair;
+use super::shape::{OddPower, Pair};
 use crate::material::ROUNDING;
 use crate::material::system::positive;
 use crate::{Error, HalfSpace, Normalisation, Probe, Quantities, System};
@@ -247,6 +247,12 @@ impl Mechanics {
             load: self.adhesionless_load(a, radius, pi0),
             penetration: a * a * delta0 / radius,
         }
+    }
+
+    /// Returns load (N) and penetration (m) without adhesion under an odd power of the radius, from
+    /// its `values`.
+    pub(super) fn odd_power(&self, a: f64, power: &OddPower, values: &Quantities) -> Pair {
+        power.pair(a, self.modulus, values)
     }
 
     /// Returns the load `4 a g Eeq/Gamma` (N) and the penetration `2 g/(E* Gamma)` (m) by which the

@@ -8,8 +8,10 @@ use crate::curve::asymptotics::{Edge, Expansion};
 use crate::curve::even_powers::{EvenPowers, EvenShape, Source};
 use crate::curve::grid::Grid;
 use crate::curve::nodes::REASONABLE;
+use crate::curve::odd_powers::Cone;
 use crate::curve::piecewise::{
-    Values, evaluate, evaluate_all, evaluate_derivatives, evaluate_fused, first_piece_outside,
+    LOGARITHM, Values, evaluate, evaluate_all, evaluate_derivatives, evaluate_fused,
+    first_piece_outside,
 };
 use crate::curve::resampler::{Pieces, Resampler};
 use crate::curve::sensitivity::{QuantityGradient, Sensitivities};
@@ -31,6 +33,9 @@ use crate::{Error, Material, Parameter, Quantities, Quantity};
 /// `Eeq`, `Delta0` and `Pi0`. The table must begin at a small `a/t` (0.01 for a tolerance of 1e-8,
 /// 0.03 for 1e-6); otherwise the others are an [`Error::BeginsTooLate`].
 ///
+/// A curve of a table that holds `delta1` also has [`Quantity::Delta1`], from which
+/// [`Curve::odd_power`] makes the contact of a cone.
+///
 /// A curve of a table continues beyond the `a/t` of its nodes by the first terms of the expansions
 /// about the exact limits, as far as their estimated error ([`Curve::error`]) is within the table's
 /// tolerance. This needs a table that begins at an `a/t` of 1 at most, or ends at 2 at least and
@@ -48,7 +53,11 @@ pub struct Curve {
     known: [bool; 4],
     /// The estimated error with which the quantities derived from `Gamma` begin, if any are.
     start_error: Option<f64>,
-    sensitivities: Option<Arc<Sensitivities>>,
+    pub(super) sensitivities: Option<Arc<Sensitivities>>,
+    /// `Delta1`, if it is held.
+    pub(super) cone: Option<Arc<Cone>>,
+    /// Whether `Pi0` and `Delta0` are those of an odd power of the radius.
+    of_odd_power: bool,
     /// What belongs to the shape, if `Pi0` and `Delta0` are those of another one than a paraboloid.
     even: Option<Arc<EvenPowers>>,
     accuracy: Option<Accuracy>,
@@ -86,6 +95,7 @@ impl Curve {
     ) -> Self {
         let Pieces {
             values,
+            cone,
             start_error,
         } = resampler.values(coefficients, material.sphere_film_modulus());
         let known = Quantity::ALL.map(|quantity| resampler.held.contains(&quantity));
@@ -97,6 +107,8 @@ impl Curve {
             known,
             start_error: start_error.map(|error| error + fifth_order(&material, range[0])),
             sensitivities: None,
+            cone: cone.map(|pieces| Arc::new(Cone::new(pieces))),
+            of_odd_power: false,
             even: None,
             accuracy: None,
             stack: None,
@@ -107,7 +119,10 @@ impl Curve {
     /// middle of that piece.
     pub(crate) fn unreasonable(&self) -> Option<(Quantity, f64)> {
         let outside = first_piece_outside(&REASONABLE, &self.pieces, self.known);
-        outside.map(|(piece, quantity)| (quantity, piece[0][quantity as usize]))
+        let cone = || self.cone.as_ref()?.first_outside(&REASONABLE);
+        outside
+            .map(|(piece, quantity)| (quantity, piece[0][quantity as usize]))
+            .or_else(|| Some((Quantity::Delta1, cone()?)))
     }
 
     /// Adds the derivatives with respect to the material.
@@ -116,6 +131,47 @@ impl Curve {
             sensitivities: Some(Arc::new(sensitivities)),
             ..self
         }
+    }
+
+    /// Adds the derivatives of `ln Delta1` with respect to three parameters of the table.
+    pub(crate) fn with_derivatives_of_cone(
+        mut self,
+        by_table: Option<[Arc<[[f64; LOGARITHM]]>; 3]>,
+    ) -> Self {
+        if let Some(cone) = &mut self.cone {
+            Arc::make_mut(cone).by_table = by_table;
+        }
+        self
+    }
+
+    /// Returns this curve with the pieces and the derivatives of an odd power of the radius.
+    pub(super) fn with_odd_power(
+        &self,
+        pieces: Arc<[Values]>,
+        sensitivities: Option<Arc<Sensitivities>>,
+    ) -> Self {
+        Self {
+            pieces,
+            sensitivities,
+            cone: None,
+            of_odd_power: true,
+            ..self.clone()
+        }
+    }
+
+    /// Returns the pieces, from which those of other shapes follow.
+    pub(super) fn source(&self) -> Source<'_> {
+        Source {
+            grid: &self.grid,
+            pieces: &self.pieces,
+            range: self.range,
+            es: self.material.sphere_film_modulus(),
+        }
+    }
+
+    /// Returns whether the curve holds `Delta1`, from which [`Curve::odd_power`] follows.
+    pub(crate) const fn holds_cone(&self) -> bool {
+        self.cone.is_some()
     }
 
     /// Adds the expansions beyond the nodes. `error` is the largest error of the table's
@@ -160,12 +216,7 @@ impl Curve {
     /// if it begins at so large an `a/t` that the contact is not that of a thick film there.
     pub(crate) fn of_even_shape(&self, shape: EvenShape) -> Result<Self, Error> {
         self.accept_integrals("the contact of this probe")?;
-        let source = Source {
-            grid: &self.grid,
-            pieces: &self.pieces,
-            range: self.range,
-            es: self.material.sphere_film_modulus(),
-        };
+        let source = self.source();
         let (pieces, even) = source.of_shape(shape);
         let (sensitivities, even) = match &self.sensitivities {
             None => (None, even),
@@ -244,7 +295,8 @@ impl Curve {
         self.range
     }
 
-    /// Returns the value of `quantity` at `a_over_t`.
+    /// Returns the value of `quantity` at `a_over_t`. [`Quantity::Delta1`] ends at the largest
+    /// `a/t` of the nodes.
     ///
     /// # Errors
     /// [`Error::OutsideTable`] for an `a_over_t` outside the curve, NaN included;
@@ -253,6 +305,9 @@ impl Curve {
     /// if it holds `gamma` alone and begins at too large an `a/t`.
     #[inline]
     pub fn quantity(&self, quantity: Quantity, a_over_t: f64) -> Result<f64, Error> {
+        if quantity == Quantity::Delta1 {
+            return Ok(self.value_and_slope_of_cone(a_over_t)?[0]);
+        }
         self.require(quantity)?;
         match self.inside(a_over_t) {
             Some(x) => {
@@ -280,8 +335,14 @@ impl Curve {
         a_over_t: &[f64],
         values: &mut [f64],
     ) -> Result<(), Error> {
-        self.require(quantity)?;
         Error::same_length(a_over_t, values)?;
+        if quantity == Quantity::Delta1 {
+            for (value, &x) in values.iter_mut().zip(a_over_t) {
+                *value = self.quantity(quantity, x)?;
+            }
+            return Ok(());
+        }
+        self.require(quantity)?;
         let (grid, pieces, [from, to]) = (&*self.grid, &*self.pieces, self.range);
         dispatch!(Level::new(), simd => {
             for (value, &x) in values.iter_mut().zip(a_over_t) {
@@ -306,6 +367,9 @@ impl Curve {
     /// # Errors
     /// As [`Curve::quantity`].
     pub fn slope(&self, quantity: Quantity, a_over_t: f64) -> Result<f64, Error> {
+        if quantity == Quantity::Delta1 {
+            return Ok(self.value_and_slope_of_cone(a_over_t)?[1]);
+        }
         self.require(quantity)?;
         Ok(self.values_and_slopes(a_over_t)?.1.get(quantity))
     }
@@ -433,7 +497,28 @@ impl Curve {
         Ok((pi0, eeq / gamma))
     }
 
-    /// Accepts a quantity that the curve knows.
+    /// Returns `Delta1` and its slope, below the nodes by the expansion for thick films.
+    #[cold]
+    fn value_and_slope_of_cone(&self, a_over_t: f64) -> Result<[f64; 2], Error> {
+        let Some(cone) = &self.cone else {
+            return Err(Error::MissingQuantity(Quantity::Delta1.name()));
+        };
+        if let Some(x) = self.inside(a_over_t) {
+            let [value, rate] = cone.at(self.grid.locate(x));
+            return Ok([value, self.grid.logarithmic_speed(x) * rate]);
+        }
+        let first = self.range[0];
+        if a_over_t > first {
+            return Err(self.outside(a_over_t));
+        }
+        // It departs from 1 like `Delta0`, and its error of the third order is smaller.
+        self.expanded(a_over_t)?;
+        let [at_first, _] = cone.at(self.grid.locate(first));
+        let departure = a_over_t / first * (at_first - 1.0);
+        Ok([1.0 + departure, departure])
+    }
+
+    /// Accepts a quantity of a sphere that the curve knows.
     #[inline]
     fn require(&self, quantity: Quantity) -> Result<(), Error> {
         if self.known[quantity as usize] {
@@ -519,9 +604,10 @@ impl Curve {
             Ok(Edge {
                 a_over_t,
                 quantities: self.values_and_slopes(a_over_t)?.0,
-                known: match self.even {
-                    Some(_) => [false, true, true, false],
-                    None => self.known,
+                known: if self.is_of_other_shape() {
+                    [false, true, true, false]
+                } else {
+                    self.known
                 },
                 error,
             })
@@ -529,7 +615,7 @@ impl Curve {
         let expansion = if x < from {
             let expansion = edge(from)?.continue_to_thicker_films(&self.material, x);
             expansion.map(|expansion| self.with_shape(x, expansion))
-        } else if self.even.is_some() {
+        } else if self.is_of_other_shape() {
             None
         } else if 0.5 * to >= from {
             let (at_half, _) = self.values_and_slopes(0.5 * to)?;
@@ -549,6 +635,11 @@ impl Curve {
             estimate,
             tolerance,
         })
+    }
+
+    /// Returns whether `Pi0` and `Delta0` are those of another shape than a paraboloid.
+    fn is_of_other_shape(&self) -> bool {
+        self.of_odd_power || self.even.is_some()
     }
 
     /// Returns an expansion below the nodes with `Pi0` and `Delta0` of the shape.

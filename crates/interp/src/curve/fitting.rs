@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::curve::bspline::Basis;
 use crate::curve::grid::{Grid, Position};
-use crate::curve::piecewise::{Values, evaluate, evaluate_all};
+use crate::curve::piecewise::{Polynomial, Values, evaluate, evaluate_all, evaluate_one};
 use crate::curve::resampler::{Pieces, Resampler, chebyshev_points};
 use crate::{Parameter, Quantity};
 
@@ -104,8 +104,10 @@ impl Resampler {
                 let mut too_long = vec![false; bits.len()];
                 for (piece, (octave, ends)) in resampler.grid.pieces(range[1]).enumerate() {
                     if bits[octave] < finest && !too_long[octave] {
+                        let cone = pieces.cone.as_ref().map(|cone| &cone[piece]);
+                        let found = (&pieces.values[piece], cone);
                         too_long[octave] =
-                            target.error(&resampler.grid, piece, ends, &pieces[piece]) > error;
+                            target.error(&resampler.grid, piece, ends, found) > error;
                     }
                 }
                 drop(pieces);
@@ -152,6 +154,7 @@ impl<'a> Target<'a> {
             let Pieces {
                 values,
                 start_error,
+                ..
             } = fine.values(coefficients, 1.0);
             // An error of the size of the quantities, or NaN, belongs to no thick film. Then
             // nothing is derived, and integrals that begin there need not be accurate.
@@ -168,10 +171,10 @@ impl<'a> Target<'a> {
 
     /// Returns the polynomials on the pieces of `resampler`. The integrals of derived quantities
     /// begin anew on each piece, because the errors of a piece are to be its own.
-    fn followed_by(&self, resampler: &Resampler) -> Arc<[Values]> {
+    fn followed_by(&self, resampler: &Resampler) -> Pieces {
         let (Some((fine, derived)), Some(derivation)) = (&self.derived, &resampler.derivation)
         else {
-            return resampler.values(self.coefficients, 1.0).values;
+            return resampler.values(self.coefficients, 1.0);
         };
         let grid = &resampler.grid;
         let beginnings = grid.pieces(self.range[1]).map(|(_, [from, _])| {
@@ -182,13 +185,23 @@ impl<'a> Target<'a> {
             [eeq * y, delta0 * y.powi(2), pi0 * y.powi(3)]
         });
         let beginnings: Vec<[f64; 3]> = beginnings.collect();
-        resampler.derived_from(derivation, self.coefficients, &beginnings)
+        Pieces {
+            values: resampler.derived_from(derivation, self.coefficients, &beginnings),
+            cone: resampler.cone(self.coefficients),
+            start_error: None,
+        }
     }
 
-    /// Returns the largest relative difference between the polynomials on a piece and the target,
-    /// midway between the samples and,
+    /// Returns the largest relative difference between the polynomials on a piece, those of the
+    /// quantities of a sphere and that of `Delta1`, and the target, midway between the samples and,
     /// if quantities are derived, at the ends; infinity if a difference is NaN.
-    fn error(&self, grid: &Grid, piece: usize, ends: [f64; 2], values: &Values) -> f64 {
+    fn error(
+        &self,
+        grid: &Grid,
+        piece: usize,
+        ends: [f64; 2],
+        (values, cone): (&Values, Option<&Polynomial>),
+    ) -> f64 {
         let [from, to] = self.range;
         let samples = chebyshev_points(ends, [from, to].map(|x| x * grid.factor));
         let middles = samples
@@ -207,7 +220,11 @@ impl<'a> Target<'a> {
         let points = middles.chain(ends);
         let errors = points.flat_map(|(x, position)| {
             let difference = move |(quantity, expected): (Quantity, f64)| {
-                (evaluate(values, position, quantity as usize) / expected - 1.0).abs()
+                let found = match (quantity, cone) {
+                    (Quantity::Delta1, Some(cone)) => evaluate_one(cone, position.t),
+                    _ => evaluate(values, position, quantity as usize),
+                };
+                (found / expected - 1.0).abs()
             };
             self.of_splines(x).chain(self.of_derived(x)).map(difference)
         });

@@ -6,7 +6,8 @@
 //! `Gamma` alone, `derived` integrates the other quantities as `series` on the pieces, beginning
 //! with those of a `thick_film`. [`Curve`] holds the pieces; `through` makes one from values at
 //! nodes, and `exchange` converts one for the crate `splines`.
-//! `even_powers` turns the curve into that of a sphere or of an even power of the radius.
+//! `even_powers` turns the curve into that of a sphere or of an even power of the radius,
+//! `odd_powers` one with `Delta1` into that of a cone or of another odd power.
 //! `asymptotics` continues a curve beyond its nodes; `sensitivity` holds its derivatives with
 //! respect to the material.
 
@@ -19,6 +20,7 @@ mod exchange;
 mod fitting;
 mod grid;
 pub(crate) mod nodes;
+mod odd_powers;
 mod piecewise;
 pub(crate) mod resampler;
 pub(crate) mod sensitivity;
@@ -30,4 +32,6 @@ mod through;
 
 pub use curve::{Curve, StackShape};
 pub(crate) use even_powers::{EvenShape, LARGEST_A_OVER_R};
+pub use odd_powers::OddPowerCurve;
+pub(crate) use odd_powers::over_pi0;
 pub use sensitivity::QuantityGradient;

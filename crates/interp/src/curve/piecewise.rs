@@ -22,6 +22,8 @@ pub(crate) const VALUE: usize = 10;
 pub(crate) type Logarithms = [[f64; 4]; LOGARITHM];
 /// The polynomials of the quantities on one piece.
 pub(crate) type Values = [[f64; 4]; VALUE];
+/// The polynomial of `Delta1` on one piece.
+pub(crate) type Polynomial = [f64; VALUE];
 
 /// Evaluates the polynomial of one quantity.
 #[inline]
@@ -57,6 +59,15 @@ pub(crate) fn evaluate_fused<S: Simd, const N: usize>(
     sum[0]
 }
 
+/// Evaluates a single polynomial.
+#[inline]
+pub(crate) fn evaluate_one<const N: usize>(polynomial: &[f64; N], t: f64) -> f64 {
+    polynomial
+        .iter()
+        .rev()
+        .fold(0.0, |sum, term| sum * t + term)
+}
+
 /// Evaluates the polynomials of all four quantities.
 #[inline]
 pub(crate) fn evaluate_all<const N: usize>(piece: &[[f64; 4]; N], position: Position) -> [f64; 4] {
@@ -87,7 +98,8 @@ pub(crate) fn first_piece_outside<'a>(
         for piece in pieces {
             if !are_surely_within(simd, range, piece) {
                 let leaving = |&quantity: &Quantity| {
-                    known[quantity as usize] && !is_within(range, piece, quantity as usize)
+                    known[quantity as usize]
+                        && !is_within(range, &piece.map(|row| row[quantity as usize]))
                 };
                 if let Some(quantity) = Quantity::ALL.into_iter().find(leaving) {
                     return Some((piece, quantity));
@@ -115,10 +127,10 @@ fn are_surely_within<S: Simd>(simd: S, range: &RangeInclusive<f64>, piece: &Valu
     ((middle - size).simd_ge(least) & (middle + size).simd_le(most)).all_true()
 }
 
-/// Returns whether the Bernstein coefficients of a quantity on a piece are within `range`.
+/// Returns whether the Bernstein coefficients of a polynomial on a piece are within `range`.
 ///
 /// The polynomial is a weighted mean of them and is then within the range, too.
-fn is_within(range: &RangeInclusive<f64>, piece: &Values, quantity: usize) -> bool {
+pub(crate) fn is_within(range: &RangeInclusive<f64>, polynomial: &Polynomial) -> bool {
     let choose = |n: usize, k: usize| {
         (0..k).fold(1.0, |product, i| product * (n - i) as f64 / (i + 1) as f64)
     };
@@ -126,7 +138,7 @@ fn is_within(range: &RangeInclusive<f64>, piece: &Values, quantity: usize) -> bo
     let power = |m: usize| {
         let terms = (m..VALUE).map(|k| {
             let sign = if (k - m).is_multiple_of(2) { 1.0 } else { -1.0 };
-            sign * choose(k, m) * piece[k][quantity]
+            sign * choose(k, m) * polynomial[k]
         });
         terms.sum::<f64>() * (1_u64 << m) as f64
     };

@@ -12,7 +12,7 @@ use fearless_simd::{Level, dispatch, f64x4};
 use crate::curve::bspline::Basis;
 use crate::curve::derived::{Derivation, running};
 use crate::curve::grid::{Grid, Position};
-use crate::curve::piecewise::{LOGARITHM, Logarithms, VALUE, Values};
+use crate::curve::piecewise::{LOGARITHM, Logarithms, Polynomial, VALUE, Values};
 use crate::curve::series::{exponential, transposed};
 use crate::curve::thick_film::ThickFilm;
 use crate::{Parameter, Quantity};
@@ -27,9 +27,11 @@ pub(crate) struct Resampler {
     spans: Vec<Span>,
     /// The polynomial of each B-spline on each piece where it does not vanish.
     weights: Vec<[f64; LOGARITHM]>,
-    /// The quantities whose splines are given.
+    /// The quantities of a sphere whose splines are given.
     pub(crate) held: Vec<Quantity>,
-    /// What follows from `Gamma`, if it is the only quantity held.
+    /// Whether the spline of `Delta1` is given after them.
+    holds_cone: bool,
+    /// What follows from `Gamma`, if it is the only quantity of a sphere that is held.
     pub(super) derivation: Option<Derivation>,
 }
 
@@ -37,6 +39,8 @@ pub(crate) struct Resampler {
 #[derive(Clone, Debug)]
 pub(crate) struct Pieces {
     pub(crate) values: Arc<[Values]>,
+    /// The polynomials of `Delta1`, if it is held.
+    pub(crate) cone: Option<Arc<[Polynomial]>>,
     /// The estimated relative error that the quantities derived from `Gamma` have where their
     /// integrals begin; none if no quantity is derived.
     pub(crate) start_error: Option<f64>,
@@ -94,14 +98,31 @@ impl Resampler {
                 }
             }
         }
+        let (cone, held): (Vec<_>, Vec<_>) = held
+            .iter()
+            .partition(|&&quantity| quantity == Quantity::Delta1);
         let derivation = (held == [Quantity::Gamma]).then(|| Derivation::new(&grid, range));
         Self {
             grid: Arc::new(grid),
             spans,
             weights: all_weights,
-            held: held.to_vec(),
+            held,
+            holds_cone: !cone.is_empty(),
             derivation: derivation.flatten(),
         }
+    }
+
+    /// Splits coefficients into those of the quantities of a sphere and, if it is held, those of
+    /// `Delta1`.
+    fn split<'a>(&self, coefficients: &'a [f64]) -> (Cow<'a, [f64]>, Option<Vec<f64>>) {
+        if !self.holds_cone {
+            return (Cow::Borrowed(coefficients), None);
+        }
+        let count = self.held.len();
+        let groups = coefficients.chunks_exact(count + 1);
+        let cone = groups.clone().map(|group| group[count]).collect();
+        let sphere = groups.flat_map(|group| &group[..count]).copied().collect();
+        (sphere, Some(cone))
     }
 
     /// Returns the number of pieces.
@@ -203,13 +224,16 @@ impl Resampler {
         derivatives: [&[f64]; 3],
     ) -> [Arc<[Logarithms]>; 3] {
         let mut pieces = [(); 3].map(|()| zeros(self.spans.len()));
+        let derivatives = derivatives.map(|coefficients| self.split(coefficients).0);
         if let Some(derivation) = &self.derivation {
+            let (coefficients, _) = self.split(coefficients);
+            let derivatives = derivatives.each_ref().map(|coefficients| &**coefficients);
             dispatch!(Level::new(), simd => {
-                self.derived_derivatives(simd, derivation, coefficients, derivatives, &mut pieces);
+                self.derived_derivatives(simd, derivation, &coefficients, derivatives, &mut pieces);
             });
             return pieces;
         }
-        for (coefficients, pieces) in derivatives.into_iter().zip(&mut pieces) {
+        for (coefficients, pieces) in derivatives.iter().zip(&mut pieces) {
             let rows = rows_of_four(coefficients, &self.held);
             dispatch!(Level::new(), simd => {
                 for (i, piece) in Arc::make_mut(pieces).iter_mut().enumerate() {
@@ -222,21 +246,61 @@ impl Resampler {
         pieces
     }
 
+    /// Returns the polynomials of the derivatives of `ln Delta1` with respect to three parameters,
+    /// from the derivatives of the coefficients; none if it is not held.
+    pub(crate) fn derivatives_of_cone(
+        &self,
+        derivatives: [&[f64]; 3],
+    ) -> Option<[Arc<[[f64; LOGARITHM]]>; 3]> {
+        self.holds_cone.then(|| {
+            derivatives.map(|coefficients| {
+                let cone = self.split(coefficients).1.unwrap_or_default();
+                let mut pieces = Vec::with_capacity(self.spans.len());
+                dispatch!(Level::new(), simd => {
+                    for group in 0..self.spans.len().div_ceil(4) {
+                        pieces.extend(by_lane(self.logarithms_on_four(simd, group, &cone)));
+                    }
+                });
+                pieces.truncate(self.spans.len());
+                pieces.into()
+            })
+        })
+    }
+
+    /// Returns the polynomials of `Delta1`; none if it is not held.
+    pub(super) fn cone(&self, coefficients: &[f64]) -> Option<Arc<[Polynomial]>> {
+        let (_, cone) = self.split(coefficients);
+        let cone = cone?;
+        let mut pieces = Vec::with_capacity(self.spans.len());
+        dispatch!(Level::new(), simd => {
+            for group in 0..self.spans.len().div_ceil(4) {
+                let logarithms = self.logarithms_on_four(simd, group, &cone);
+                let middle = f64x4::simd_from(simd, logarithms[0].as_array().map(f64::exp));
+                pieces.extend(by_lane(exponential(simd, middle, 1.0, &logarithms)));
+            }
+        });
+        pieces.truncate(self.spans.len());
+        Some(pieces.into())
+    }
+
     /// Returns the polynomials of the quantities themselves; `es` is the sphere-film modulus of
     /// their [scales](Quantity::scale).
     pub(crate) fn values(&self, coefficients: &[f64], es: f64) -> Pieces {
+        let cone = self.cone(coefficients);
+        let (coefficients, _) = self.split(coefficients);
         if let Some(derivation) = &self.derivation {
             return dispatch!(Level::new(), simd => {
-                let start = self.thick_film(simd, derivation, coefficients);
+                let start = self.thick_film(simd, derivation, &coefficients);
                 let constants = running(derivation.at_start(start.values()));
                 Pieces {
-                    values: self.derived(simd, derivation, coefficients, es, constants),
+                    values: self.derived(simd, derivation, &coefficients, es, constants),
+                    cone,
                     start_error: Some(start.error),
                 }
             });
         }
         let scales = Quantity::ALL.map(|quantity| quantity.scale(es));
-        let rows = rows_of_four(coefficients, &self.held);
+        let rows = rows_of_four(&coefficients, &self.held);
         let mut pieces = zeros(self.spans.len());
         dispatch!(Level::new(), simd => {
             for (i, piece) in Arc::make_mut(&mut pieces).iter_mut().enumerate() {
@@ -246,6 +310,7 @@ impl Resampler {
         let begins_nowhere = self.held == [Quantity::Gamma];
         Pieces {
             values: pieces,
+            cone,
             start_error: begins_nowhere.then_some(f64::INFINITY),
         }
     }
@@ -329,11 +394,12 @@ impl Resampler {
         coefficients: &[f64],
         beginnings: &[[f64; 3]],
     ) -> Arc<[Values]> {
+        let (coefficients, _) = self.split(coefficients);
         dispatch!(Level::new(), simd => {
             let constants = |order: usize, piece: usize, [from, _]: [f64; 2]| {
                 beginnings[piece.min(beginnings.len() - 1)][order] - from
             };
-            self.derived(simd, derivation, coefficients, 1.0, constants)
+            self.derived(simd, derivation, &coefficients, 1.0, constants)
         })
     }
 }
@@ -411,6 +477,12 @@ fn exponentials<S: Simd>(
     for (value, term) in values.iter_mut().zip(terms) {
         term.store_slice(value);
     }
+}
+
+/// Returns the coefficients of a series on four pieces, piece by piece.
+#[inline(always)]
+fn by_lane<S: Simd, const N: usize>(series: [f64x4<S>; N]) -> [[f64; N]; 4] {
+    std::array::from_fn(|lane| std::array::from_fn(|k| series[k].as_array()[lane]))
 }
 
 /// Returns polynomials of zero on `pieces` pieces.

@@ -85,7 +85,10 @@ impl Sensitivities {
 
     /// Returns the derivatives of another curve of the material, whose pieces follow from those of
     /// this one.
-    pub(crate) fn of_other(&self, other: impl Fn(&[Logarithms]) -> Arc<[Logarithms]>) -> Self {
+    pub(crate) fn of_other(
+        &self,
+        mut other: impl FnMut(&[Logarithms]) -> Arc<[Logarithms]>,
+    ) -> Self {
         Self {
             by_table: self.by_table.each_ref().map(|by| other(by)),
             ..self.clone()
@@ -162,7 +165,7 @@ impl QuantityGradient {
         let shares = Quantity::ALL.map(|quantity| match (quantity, delta0) {
             (Quantity::Delta0, Some([share, half_space])) => share / change(quantity) * half_space,
             (Quantity::Pi0 | Quantity::Delta0, _) => ratio / change(quantity),
-            (Quantity::Eeq | Quantity::Gamma, _) => ratio * change(quantity),
+            _ => ratio * change(quantity),
         });
         let mut relative = self.relative;
         for (relative, scale) in relative.iter_mut().zip(self.scale) {

@@ -136,15 +136,16 @@ impl Lookup {
             &values,
             &mut slopes[1],
         );
-        let pieces = self
-            .resampler
-            .derivatives(&values, slopes.each_ref().map(Vec::as_slice));
+        let slopes = slopes.each_ref().map(Vec::as_slice);
+        let pieces = self.resampler.derivatives(&values, slopes);
+        let of_cone = self.resampler.derivatives_of_cone(slopes);
         let known = parameters.map(|parameter| !axes.fixes(parameter));
         let jacobian = equivalence.jacobian(parameters);
         let sensitivities = Sensitivities::new(pieces, known, *material, jacobian);
         Ok(self
             .of_splines(description, &values, equivalent, None)?
-            .with_sensitivities(sensitivities))
+            .with_sensitivities(sensitivities)
+            .with_derivatives_of_cone(of_cone))
     }
 
     /// Makes the curve of the equivalent material from the coefficients over `ln(a/t)`; of a stack

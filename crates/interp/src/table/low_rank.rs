@@ -14,8 +14,8 @@ const LARGEST_WEIGHT: u8 = 99;
 /// The logarithms of a table's quantities in a box of its parameters, as a tensor train (I. V.
 /// Oseledets, SIAM J. Sci. Comput. 33 (2011) 2295) of polynomials.
 ///
-/// With the scale `s = es`, or 1 for `Delta0`, and at the coordinates `y`, `u1`, `u2`, `u3` of
-/// `a/t` and of the parameters of the material, in an order of their own,
+/// With the scale `s = es`, or 1 for `Delta0` and `Delta1`, and at the coordinates `y`, `u1`, `u2`,
+/// `u3` of `a/t` and of the parameters of the material, in an order of their own,
 ///
 /// ```text
 /// ln(Q_q / s) = sum_{abc}  C1(u1)[a] / w1[a]  C2(u2)[a,b] / w2[b]  C3(u3)[b,c] / w3[c]  C4(y)[c,q]
@@ -74,7 +74,8 @@ impl LowRank {
     /// # Errors
     /// [`Error::Malformed`]
     ///
-    /// * if no quantity is given, one is given twice, or they are not in order;
+    /// * if no quantity of a sphere ([`Quantity::ALL`]) is given, one is given twice, or they are
+    ///   not in order;
     /// * if `order` does not hold 1, 2 and 3;
     /// * if a bond or a core is empty, the lengths contradict each other, or a bond is longer than
     ///   the product of the bond before and the terms between;
@@ -89,9 +90,11 @@ impl LowRank {
         cores: [Vec<i64>; 4],
     ) -> Result<Self, Error> {
         let malformed = |what: String| Err(Error::Malformed(what));
-        if quantities.is_empty() || !quantities.is_sorted_by(|a, b| a < b) {
+        let of_sphere = |quantity: &Quantity| Quantity::ALL.contains(quantity);
+        if !quantities.iter().any(of_sphere) || !quantities.is_sorted_by(|a, b| a < b) {
             return malformed(format!(
-                "a low-rank form holds {quantities:?}: it must hold one quantity at least, in order"
+                "a low-rank form holds {quantities:?}: it must hold one quantity of a sphere at least, \
+                 in order"
             ));
         }
         if !(1..=3).all(|dimension| order.contains(&dimension)) {
@@ -150,7 +153,7 @@ impl LowRank {
         })
     }
 
-    /// Returns the quantities held, in the order of [`Quantity::ALL`].
+    /// Returns the quantities held, in the order of [`Quantity::TABULATED`].
     pub fn quantities(&self) -> &[Quantity] {
         &self.quantities
     }

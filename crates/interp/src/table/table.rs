@@ -30,7 +30,7 @@ pub struct Table {
 #[derive(Clone, Debug)]
 enum Content {
     /// Row-major over the four axes, `a_over_t` slowest.
-    Dense([Option<Vec<f64>>; 4]),
+    Dense([Option<Vec<f64>>; 5]),
     LowRank(Vec<Tile>),
 }
 
@@ -38,8 +38,9 @@ impl Table {
     /// Makes a table from its parts.
     ///
     /// `axes` holds the nodes of each of [`Parameter::ALL`], [`Parameter::REDUCED`] or
-    /// [`Parameter::STACK`], in their order. `values[quantity]` is row-major over the four axes,
-    /// `a_over_t` slowest, or `None` if the scene does not ask for the quantity.
+    /// [`Parameter::STACK`], in their order. `values[quantity]`, in the order of
+    /// [`Quantity::TABULATED`], is row-major over the four axes, `a_over_t` slowest, or `None` if
+    /// the scene does not ask for the quantity. The last entries may be left out.
     ///
     /// # Errors
     /// [`Error::Malformed`]
@@ -50,23 +51,28 @@ impl Table {
     ///   `e0_over_e2 = inf`, must be the only node of its axis; the ratios of reduced moduli may
     ///   end at 0 and infinity; `nu1` and `e0_over_e1`, which may be infinite, have one node in a
     ///   table of one stack;
-    /// * if the number of values is not the product of the numbers of nodes, or all quantities are
-    ///   `None`;
+    /// * if the number of values is not the product of the numbers of nodes, if all of
+    ///   [`Quantity::ALL`] are `None`, or if there are more than five entries;
     /// * if the tolerance is not in `(0, 1]`, or the certificate has errors that are negative,
     ///   infinite, not in order, or NaN in other than [`Certificate::UNMEASURED`].
-    pub fn new(
+    pub fn new<const N: usize>(
         description: Description,
         axes: [(Parameter, Vec<f64>); 4],
-        values: [Option<Vec<f64>>; 4],
+        values: [Option<Vec<f64>>; N],
     ) -> Result<Self, Error> {
         let axes = Axes::new(axes)?;
         description.check()?;
         let malformed = |what: String| Err(Error::Malformed(what));
+        if N > Quantity::TABULATED.len() {
+            return malformed(format!("it has {N} quantities, at most 5 are known"));
+        }
+        let mut values = values.into_iter();
+        let values = Quantity::TABULATED.map(|_| values.next().flatten());
         let count = axes
             .shape()
             .into_iter()
             .try_fold(1_usize, usize::checked_mul);
-        for (quantity, values) in Quantity::ALL.into_iter().zip(&values) {
+        for (quantity, values) in Quantity::TABULATED.into_iter().zip(&values) {
             let Some(values) = values else { continue };
             if Some(values.len()) != count {
                 return malformed(format!(
@@ -83,8 +89,11 @@ impl Table {
                 ));
             }
         }
-        if values.iter().all(Option::is_none) {
-            return malformed("it holds no quantity, it must hold one at least".into());
+        if Quantity::ALL.iter().all(|&q| values[q as usize].is_none()) {
+            return malformed(
+                "it holds no quantity of a sphere, it must hold one at least: pi0, eeq, gamma or delta0"
+                    .into(),
+            );
         }
         Ok(Self {
             description,
@@ -170,7 +179,7 @@ impl Table {
     /// Returns whether the table holds `quantity`, which depends on its scene.
     ///
     /// A table that holds [`Quantity::Gamma`] alone answers all four quantities, because the others
-    /// are integrals of it, see [`Curve`].
+    /// are integrals of it, see [`Curve`]; [`Quantity::Delta1`] beside it makes no difference.
     pub fn holds(&self, quantity: Quantity) -> bool {
         match &self.content {
             Content::Dense(values) => values[quantity as usize].is_some(),
@@ -178,9 +187,9 @@ impl Table {
         }
     }
 
-    /// Returns the quantities held, in the order of [`Quantity::ALL`].
+    /// Returns the quantities held, in the order of [`Quantity::TABULATED`].
     pub fn quantities(&self) -> Vec<Quantity> {
-        Quantity::ALL
+        Quantity::TABULATED
             .into_iter()
             .filter(|&quantity| self.holds(quantity))
             .collect()
@@ -211,8 +220,8 @@ impl Table {
         Some(tiles.iter().map(|tile| tile.form.ranks()).collect())
     }
 
-    /// Returns the logarithms that the splines interpolate, `ln(Q/es)` (`ln Delta0`), at all nodes
-    /// with node `e1` of the film's modulus.
+    /// Returns the logarithms that the splines interpolate, `ln(Q/es)` (`ln Delta0`, `ln Delta1`),
+    /// at all nodes with node `e1` of the film's modulus.
     ///
     /// They are row-major over `nu1`, `e0_over_e2`, `a_over_t` and the quantities held.
     ///
@@ -260,7 +269,7 @@ impl Table {
         }
         let [n_a, n_e1, n_nu, n_e0] = self.shape();
         let held = self.quantities();
-        let mut values = [const { None }; 4];
+        let mut values = [const { None }; 5];
         for &quantity in &held {
             values[quantity as usize] = Some(vec![0.0; n_a * n_e1 * n_nu * n_e0]);
         }

@@ -55,6 +55,17 @@ pub const FUNCTIONS: &[Function] = &[
     ("Table::curve", &[1.75, 0.5, 1e5, 0.25, 2.0], |x| {
         quantities(&Table::embedded().curve(&material(x)?)?, x[4])
     }),
+    ("Curve::odd_power", &[1.0, 2.0], |x| {
+        let curve = tables::of_cones().curve(&tables::material())?;
+        let cone = curve.odd_power(x[0] as u32)?;
+        let values = vec![
+            cone.pi(x[1])?,
+            cone.delta(x[1])?,
+            curve.quantity(Quantity::Delta1, x[1])?,
+        ];
+        assert!(values.iter().all(|&value| value > 0.0), "{values:?}");
+        Ok([values, vec![curve.slope(Quantity::Delta1, x[1])?]].concat())
+    }),
     (
         "Table::contact",
         &[1e-3, 2e6, 3.5e6, 0.5, 1e-6, 2e11, 0.25, 6e-5, 0.04],
@@ -460,7 +471,7 @@ pub const FUNCTIONS: &[Function] = &[
             ..description.certificate
         };
         let count = AXES.iter().map(|nodes| nodes.len()).product();
-        let values = from_fn(|_| Some(vec![0.7; count]));
+        let values: [_; 5] = from_fn(|_| Some(vec![0.7; count]));
         let table = Table::new(description, tables::axes(), values)?;
         let curve = table.curve(&tables::material())?;
         Ok(vec![curve.error(x[5]).unwrap_or(0.0), curve.error(0.7)?])

@@ -15,7 +15,9 @@ use crate::table::{DEFAULT_NU0, StackTable};
 /// Look up every point of a CSV file in a table
 ///
 /// Prints the points with the interpolated pi0, eeq, gamma and delta0. The column error is the
-/// certified relative error of the table: the largest at sampled points. At an a/t outside the
+/// certified relative error of the table: the largest at sampled points. A table that holds delta1,
+/// the penetration of a cone, has this column too, after the error; above the a/t of the table it
+/// is empty. At an a/t outside the
 /// table, the values and the error are those of the expansion about the limit of a thin or a thick
 /// film, where that keeps the tolerance of the table. Any other point outside the table is an
 /// error. Points are answered in batches: at an error, those before the batch are printed already,
@@ -75,12 +77,14 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         },
     };
     let points = Points::open(&arguments.points, given)?;
-    let derivatives: Vec<String> = Quantity::ALL
+    let derivatives = Quantity::ALL
         .iter()
         .flat_map(|quantity| COLUMNS.map(|column| format!("d_{}_d_{column}", quantity.name())))
-        .filter(|_| arguments.gradient)
-        .collect();
-    points.answer("looking up", &output, &derivatives, |point| {
+        .filter(|_| arguments.gradient);
+    let cone = table.holds(Quantity::Delta1);
+    let cone = cone.then(|| Quantity::Delta1.name().to_owned());
+    let further: Vec<String> = cone.into_iter().chain(derivatives).collect();
+    points.answer("looking up", &output, &further, |point| {
         Ok(look_up(&table, stack.as_ref(), point, arguments.gradient)?)
     })
 }
@@ -98,14 +102,22 @@ fn look_up(
         None if gradient => table.curve_with_gradient(&point.material)?,
         None => table.curve(&point.material)?,
     };
+    let held = |quantity| {
+        let value = table.holds(quantity).then(|| curve.quantity(quantity, x));
+        value.transpose()
+    };
     let mut values = [None; 4];
-    for quantity in table.quantities() {
-        values[quantity as usize] = Some(curve.quantity(quantity, x)?);
+    for (quantity, value) in Quantity::ALL.into_iter().zip(&mut values) {
+        *value = held(quantity)?;
     }
     let mut answer = Answer {
         values,
         error: curve.error(x)?,
-        further: Vec::new(),
+        further: match held(Quantity::Delta1) {
+            // The others go on beyond the table.
+            Err(interp::Error::OutsideTable { .. }) => vec![None],
+            delta1 => delta1?.map(Some).into_iter().collect(),
+        },
     };
     if gradient {
         let gradient = curve.gradient(x)?;
@@ -116,7 +128,9 @@ fn look_up(
             let [e1, nu1, e0, nu0] = by.map(|derivatives| Some(derivatives?.get(quantity)));
             [Some(gradient.slopes().get(quantity) / x), e1, nu1, e0, nu0]
         };
-        answer.further = Quantity::ALL.into_iter().flat_map(derivatives).collect();
+        answer
+            .further
+            .extend(Quantity::ALL.into_iter().flat_map(derivatives));
     }
     Ok(answer)
 }

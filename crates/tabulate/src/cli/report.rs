@@ -17,7 +17,8 @@ use crate::report::{figures, report, steps};
 /// of any system in the table, which is computed in the page. It is one file, which fetches
 /// nothing.
 ///
-/// The page opens with --probe: the paraboloid, the sphere or the flat punch.
+/// The page opens with --probe: the paraboloid, the sphere or the flat punch, or the cone if the
+/// table holds delta1.
 #[derive(clap::Args)]
 #[command(after_help = super::examples!(
     "tabulate report tables/paper.h5 -o paper.html",

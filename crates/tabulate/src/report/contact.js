@@ -16,16 +16,17 @@ function root(f, low, high) {
     return 0.5 * (low + high);
 }
 
-/** The contact of a sphere, or of its paraboloid, with a film on a substrate, with a work of adhesion. */
+/** The contact of a sphere, of its paraboloid or of a cone with a film on a substrate, with a work of adhesion. */
 class Contact {
     /**
-     * `curve` holds the quantities; `system` radius, thickness, workOfAdhesion, modulus: Es*, the unit of the quantities, and
-     * largest: the largest contact radius over that of the sphere.
+     * `curve` holds the quantities; `system` thickness, workOfAdhesion, modulus: Es*, the unit of the quantities, order and
+     * factor: on a half-space the penetration without adhesion is factor a^order, largest: the largest contact radius of the
+     * probe, and extent: the contact radius up to which a curve without adhesion is drawn.
      */
     constructor(table, curve, system) {
         Object.assign(this, system, { curve });
         /** The contact radii that the table covers, up to the largest one. */
-        this.range = table.range("a_over_t").map((x) => Math.min(x * this.thickness, this.largest * this.radius));
+        this.range = table.range("a_over_t").map((x) => Math.min(x * this.thickness, this.largest));
         this.sections = { load: this.sectionsOf("load"), penetration: this.sectionsOf("penetration") };
     }
 
@@ -34,10 +35,8 @@ class Contact {
         const { pi0, eeq, gamma, delta0 } = this.curve.at(a / this.thickness);
         const edge = Math.sqrt(0.5 * Math.PI * a * this.workOfAdhesion * this.modulus);
         // The parts without adhesion, and the parts that adhesion subtracts.
-        const pressed = {
-            load: (a ** 3 * this.modulus * pi0.value) / (2 * this.radius),
-            penetration: (a * a * delta0.value) / this.radius,
-        };
+        const power = this.factor * a ** this.order;
+        const pressed = { load: 0.5 * power * a * this.modulus * pi0.value, penetration: power * delta0.value };
         const pulled = {
             load: (4 * a * edge * eeq.value) / gamma.value,
             penetration: (2 * edge) / (this.modulus * gamma.value),
@@ -47,8 +46,8 @@ class Contact {
             load: pressed.load - pulled.load,
             penetration: pressed.penetration - pulled.penetration,
             slopes: {
-                load: pressed.load * (3 + pi0.slope) - pulled.load * (1.5 + eeq.slope - gamma.slope),
-                penetration: pressed.penetration * (2 + delta0.slope) - pulled.penetration * (0.5 - gamma.slope),
+                load: pressed.load * (this.order + 1 + pi0.slope) - pulled.load * (1.5 + eeq.slope - gamma.slope),
+                penetration: pressed.penetration * (this.order + delta0.slope) - pulled.penetration * (0.5 - gamma.slope),
             },
         };
     }
@@ -92,12 +91,12 @@ class Contact {
         return { ...this.state(Math.exp(root((u) => this.state(Math.exp(u)).load, ...rest.u))), load: 0 };
     }
 
-    /** Returns the range of contact radii to draw: up to 1.3 times the one at zero load; without adhesion, up to a tenth of the sphere's radius. */
+    /** Returns the range of contact radii to draw: up to 1.3 times the one at zero load; without adhesion, up to the extent. */
     drawn() {
         const [first, last] = this.range, rest = this.zeroLoad();
         let to = first;
         if (rest) to = Number((1.3 * rest.contact_radius).toPrecision(3));
-        else if (this.workOfAdhesion === 0) to = 0.1 * this.radius;
+        else if (this.workOfAdhesion === 0) to = this.extent;
         else if (this.state(last).load < 0) to = last;
         to = Math.min(Math.max(to, 10 * first), last);
         return [Math.max(first, 1e-6 * to), to];

@@ -16,6 +16,7 @@ use crate::solve::method::has_closed_form;
 use crate::solve::operator::Operator;
 use crate::solve::quadrature::Panels;
 use crate::solve::symbol::Symbol;
+use crate::solve::tabulated::Tabulated;
 
 /// Materials, grouped by film and substrate.
 pub(crate) struct Batch {
@@ -70,8 +71,8 @@ impl Batch {
         &self.materials
     }
 
-    /// Solves every material at `x = a/t`, on all cores, and returns the quantities in the order of
-    /// the materials.
+    /// Solves every material at `x = a/t`, on all cores, and returns the quantities, and the power
+    /// laws with the `exponents` of [`Tabulated`], in the order of the materials.
     ///
     /// Shared matrices are used where they reach `tolerance`; every other material is solved with
     /// `solve_one`. `progress` is called with the number of materials finished since the last call,
@@ -82,30 +83,33 @@ impl Batch {
     pub(crate) fn solve(
         &self,
         x: f64,
+        exponents: &'static [f64],
         tolerance: f64,
-        solve_one: &(dyn Fn(&Material) -> Result<Quantities, Error> + Sync),
+        solve_one: &(dyn Fn(&Material) -> Result<Tabulated, Error> + Sync),
         progress: &(dyn Fn(usize) + Sync),
-    ) -> Result<Vec<Quantities>, Error> {
-        let shared = Shared::new(x, &self.groups, tolerance);
+    ) -> Result<Vec<Tabulated>, Error> {
+        let shared = Shared::new(x, exponents, &self.groups, tolerance);
         let solve_group = |group: &Group| -> Result<_, Error> {
             let solved = shared.solve(group, &self.materials, solve_one)?;
             progress(solved.len());
             Ok(solved)
         };
         let solved = try_map(&self.groups, solve_group)?;
-        let mut quantities = vec![Quantities::from_array([f64::NAN; 4]); self.materials.len()];
+        let missing = Tabulated::new(Quantities::from_array([f64::NAN; 4]), &[]);
+        let mut all = vec![missing; self.materials.len()];
         for (group, solved) in self.groups.iter().zip(solved) {
             for (&member, solved) in group.members.iter().zip(solved) {
-                quantities[member] = solved;
+                all[member] = solved;
             }
         }
-        Ok(quantities)
+        Ok(all)
     }
 }
 
 /// The values that all materials share at one `a/t`.
 struct Shared {
     x: f64,
+    exponents: &'static [f64],
     tolerance: f64,
     /// The abscissae and Bessel values of Galerkin's method; none where no group shares matrices.
     galerkin: Option<(Abscissae, Vec<Block>)>,
@@ -113,7 +117,7 @@ struct Shared {
 
 impl Shared {
     /// Evaluates the Bessel functions at `x = a/t`, on panels that serve every group.
-    fn new(x: f64, groups: &[Group], tolerance: f64) -> Self {
+    fn new(x: f64, exponents: &'static [f64], groups: &[Group], tolerance: f64) -> Self {
         let mut sharing = groups
             .iter()
             .filter(|group| group.shares_matrices(x, tolerance))
@@ -123,12 +127,15 @@ impl Shared {
             let panels = Panels::new(x, sharing, tolerance);
             // A few modes more than most members need cost less than one member solved alone.
             let modes = galerkin::modes(x, 0.1 * tolerance);
+            // The kink of a cone at its tip takes half as many more.
+            let modes = modes + exponents.len() * modes / 2;
             let abscissae = Abscissae::new(x, modes, panels);
             let blocks = abscissae.blocks().collect();
             (abscissae, blocks)
         });
         Self {
             x,
+            exponents,
             tolerance,
             galerkin,
         }
@@ -139,8 +146,8 @@ impl Shared {
         &self,
         group: &Group,
         materials: &[Material],
-        solve_one: &(dyn Fn(&Material) -> Result<Quantities, Error> + Sync),
-    ) -> Result<Vec<Quantities>, Error> {
+        solve_one: &(dyn Fn(&Material) -> Result<Tabulated, Error> + Sync),
+    ) -> Result<Vec<Tabulated>, Error> {
         let members = group.members.iter().map(|&member| &materials[member]);
         let shares_matrices = group.shares_matrices(self.x, self.tolerance);
         let mut operator = None;
@@ -154,10 +161,10 @@ impl Shared {
                     Operator::assemble(&group.compliance, abscissae, blocks)
                 });
                 if let Some(solved) = operator
-                    .solve(&symbol, &[])
+                    .solve(&symbol, self.exponents)
                     .filter(|solved| solved.error() <= self.tolerance)
                 {
-                    return Ok(solved.quantities);
+                    return Ok(Tabulated::new(solved.quantities, &solved.power_laws));
                 }
             }
             // Thin films, and the rare material that needs more modes or panels of its own.
@@ -169,9 +176,11 @@ impl Shared {
 
 #[cfg(test)]
 mod tests {
+    use interp::Quantity;
+
     use super::*;
     use crate::solve::estimate::{difference, larger};
-    use crate::solve::solve;
+    use crate::solve::solve_power_laws;
 
     /// Every sphere on films and substrates of which some differ by `nu0` alone.
     #[test]
@@ -186,19 +195,30 @@ mod tests {
                 }
             }
         }
-        let alone = |x| {
-            move |material: &Material| solve(x, material, TOLERANCE).map(|solved| solved.quantities)
+        let alone = |x, exponents| {
+            move |material: &Material| {
+                let (solved, cones) = solve_power_laws(x, material, exponents, TOLERANCE)?;
+                Ok(Tabulated::new(solved.quantities, &cones))
+            }
         };
         let batch = Batch::new(materials);
         assert_eq!(batch.groups.len(), 4 * 4);
         let mut worst = 0.0;
-        for x in [1e-3, 1.0, 30.0] {
+        let sphere = Tabulated::exponents(&[Quantity::Gamma]);
+        let cone = Tabulated::exponents(&[Quantity::Gamma, Quantity::Delta1]);
+        for (x, exponents) in [(1e-3, cone), (1.0, cone), (30.0, cone), (1.0, sphere)] {
             let solved = batch
-                .solve(x, TOLERANCE, &alone(x), &|_| ())
+                .solve(x, exponents, TOLERANCE, &alone(x, exponents), &|_| ())
                 .expect("within reach");
             for (material, solved) in batch.materials().iter().zip(&solved) {
-                let single = alone(x)(material).expect("within reach");
-                worst = larger(worst, difference(solved, &single));
+                let single: Result<_, Error> = alone(x, exponents)(material);
+                let single = single.expect("within reach");
+                worst = larger(worst, difference(&solved.quantities, &single.quantities));
+                assert_eq!(solved.cone.is_some(), exponents == cone);
+                if let (Some(solved), Some(single)) = (solved.cone, single.cone) {
+                    worst = larger(worst, (solved.delta / single.delta - 1.0).abs());
+                    worst = larger(worst, (solved.pi / single.pi - 1.0).abs());
+                }
             }
         }
         println!("shared matrices: {worst:.1e}");

@@ -6,8 +6,8 @@
 //! `abscissae` and `operator`) for thick films, `wiener_hopf` (with `contour`, `krylov` and
 //! `read_out`) for thin ones. Both return an `estimate`. `stacked` does so for a stack. A probe with the profile `r^n`
 //! (`power_law`) is one more column of Galerkin's method, and one more functional of the result
-//! (`moment`, `turned_line`) of the Wiener-Hopf method. `batch` solves many materials at one `a/t`,
-//! `adaptive_curve` one material along `a/t`.
+//! (`moment`, `turned_line`) of the Wiener-Hopf method. `batch` solves many materials at one `a/t`
+//! for the numbers of a table (`tabulated`), `adaptive_curve` one material along `a/t`.
 //!
 //! # The face of what the sphere touches
 //!
@@ -53,6 +53,7 @@ mod solution;
 mod stacked;
 pub(crate) mod surface;
 pub(crate) mod symbol;
+pub(crate) mod tabulated;
 mod turned_line;
 mod wiener_hopf;
 

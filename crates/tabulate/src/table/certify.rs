@@ -7,6 +7,7 @@ use rand_pcg::Pcg64Mcg;
 
 use crate::Error;
 use crate::parallel::try_map;
+use crate::solve::tabulated::Tabulated;
 use crate::table::of_stack::StackTable;
 use crate::table::scene::material;
 use crate::table::sweep::solve_for_table;
@@ -17,9 +18,10 @@ pub struct Sample {
     /// The values of the table's parameters.
     pub point: [f64; 4],
     /// The largest relative error of the quantities that the table answers: those that it holds, or
-    /// all four if it holds `Gamma` alone and begins at a small `a/t`.
+    /// all four of a sphere if it holds `Gamma` alone of them and begins at a small `a/t`. With
+    /// `Delta1`, the `Pi_1` of a cone that follows from it is among them.
     pub error: f64,
-    /// The quantity that has it.
+    /// The quantity that has it, `Delta1` also for `Pi_1`.
     pub quantity: Quantity,
     /// The relative errors of the interpolant in the four exact identities, see
     /// [`Certificate::identity_errors`]; none where a quantity is missing or `a/t` is fixed.
@@ -241,24 +243,30 @@ fn sample_of(
     let description = table.description();
     let material = material(table.parameters(), description.nu0, values)?;
     let layers = stack.map(StackTable::stack);
-    let solved = solve_for_table(a_over_t, &material, layers, description.tolerance)?;
+    let exponents = Tabulated::exponents(&table.quantities());
+    let tolerance = description.tolerance;
+    let solved = solve_for_table(a_over_t, &material, layers, exponents, tolerance)?;
     let curve = match stack {
         None => table.curve(&material)?,
         Some(stack) => stack.curve(stack.stack().surface().young() / material.e1_over_e2())?,
     };
     let (mut error, mut quantity) = (-1.0, Quantity::Pi0);
-    for candidate in Quantity::ALL {
-        let value = match curve.quantity(candidate, a_over_t) {
-            Err(interp::Error::MissingQuantity(_) | interp::Error::BeginsTooLate { .. }) => {
-                continue;
-            }
-            value => value?,
-        };
-        let found = (value / solved.get(candidate) - 1.0).abs();
+    let mut compare = |value: f64, solved: f64, of: Quantity| {
+        let found = (value / solved - 1.0).abs();
         // NaN counts as the largest error.
         if found > error || found.is_nan() {
-            (error, quantity) = (found, candidate);
+            (error, quantity) = (found, of);
         }
+    };
+    for candidate in Quantity::TABULATED {
+        if let Some(value) = answered(curve.quantity(candidate, a_over_t))? {
+            compare(value, solved.get(candidate), candidate);
+        }
+    }
+    if let Some(cone) = solved.cone
+        && let Some(found) = answered(curve.odd_power(1))?
+    {
+        compare(found.pi(a_over_t)?, cone.pi, Quantity::Delta1);
     }
     Ok(Sample {
         point,
@@ -266,6 +274,15 @@ fn sample_of(
         quantity,
         identity_errors: identity_errors(&curve, a_over_t),
     })
+}
+
+/// Returns what a curve answers; none where the table does not hold what it needs, or begins at too
+/// large an `a/t`.
+fn answered<T>(answer: Result<T, interp::Error>) -> Result<Option<T>, interp::Error> {
+    match answer {
+        Err(interp::Error::MissingQuantity(_) | interp::Error::BeginsTooLate { .. }) => Ok(None),
+        answer => answer.map(Some),
+    }
 }
 
 /// Returns the errors of the four [identities](Certificate::identity_errors) on a curve, relative

@@ -13,6 +13,7 @@ use rayon::prelude::*;
 use crate::Error;
 use crate::parallel::try_map;
 use crate::solve::larger;
+use crate::solve::tabulated::Tabulated;
 use crate::table::budget::Budget;
 use crate::table::placement::{EVENNESS, places};
 use crate::table::scene::{Extent, Scene};
@@ -250,8 +251,9 @@ pub fn lines(scene: &Scene, along: Parameter) -> Vec<[f64; 4]> {
 /// Those of the solve.
 pub fn logarithms(scene: &Scene, [a_over_t, values @ ..]: [f64; 4]) -> Result<Vec<f64>, Error> {
     let material = scene.material(values)?;
+    let exponents = Tabulated::exponents(&scene.quantities);
     let stack = scene.stack.as_ref().map(|named| &named.stack);
-    let solved = solve_for_table(a_over_t, &material, stack, scene.tolerance)?;
+    let solved = solve_for_table(a_over_t, &material, stack, exponents, scene.tolerance)?;
     let es = material.sphere_film_modulus();
     Ok(scene
         .quantities

@@ -1,6 +1,7 @@
 //! From a scene to the file of its certified table.
 //!
-//! A `scene` states the box of parameters. `plan` places the nodes of each axis by a rule of
+//! A `scene` states the box of parameters (`scene_text` has its keys, `stack_scene` those of a
+//! stack of layers). `plan` places the nodes of each axis by a rule of
 //! `placement`, with as few nodes as the splines on `lines` through the box need. `sweep` solves
 //! the nodes, into the `journal`, from which an interrupted run goes on. `certify` measures the
 //! certificate: the largest error at sampled points. `file` writes the file, packed or by
@@ -21,6 +22,8 @@ mod of_stack;
 mod placement;
 mod plan;
 pub(crate) mod scene;
+mod scene_text;
+mod stack_scene;
 mod sweep;
 
 pub use budget::{Budget, Clock};

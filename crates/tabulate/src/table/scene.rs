@@ -2,119 +2,20 @@
 //!
 //! A range of a parameter becomes an axis of the table. A single number is held fixed and adds no
 //! cost. A scene with a `[stack]` is of these layers under spheres of any modulus: its axes are
-//! `a_over_t`, over the thickness of all layers, and `e1_over_e2` of the top layer.
+//! `a_over_t`, over the thickness of all layers, and `e1_over_e2` of the top layer. `scene_text`
+//! has the keys of a scene, and `stack_scene` reads the `[stack]`.
 
-use std::fmt;
 use std::io::Read;
 use std::path::Path;
 
 use interp::{Certificate, Description, Material, Parameter, Quantity, SubstratePoissonRatio};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
-use serde::de::{Error as _, MapAccess, Visitor};
-use serde::{Deserialize, Deserializer};
 
-use crate::solve::{A_OVER_T, check_reach};
-use crate::stack::{NamedStack, text};
+use crate::stack::NamedStack;
+use crate::table::scene_text::{Text, checked, within};
+use crate::table::stack_scene;
 use crate::{Error, input};
-
-/// The keys of a scene, before they are checked.
-#[derive(Clone, Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct Text {
-    title: String,
-    #[serde(default = "default_tolerance")]
-    tolerance: f64,
-    #[serde(default = "all_quantities")]
-    quantities: Vec<Quantity>,
-    a_over_t: Values,
-    e1_over_e2: Option<Values>,
-    e1s_over_einfs: Option<Values>,
-    nu1: Option<Values>,
-    e0_over_e2: Option<Values>,
-    e0s_over_e2s: Option<Values>,
-    nu0: Option<Nu0>,
-    stack: Option<text::Text>,
-}
-
-fn default_tolerance() -> f64 {
-    1e-5
-}
-
-fn all_quantities() -> Vec<Quantity> {
-    Quantity::ALL.to_vec()
-}
-
-/// The value of the key `nu0`.
-#[derive(Clone, Debug, Deserialize)]
-#[serde(untagged, expecting = "nu0 must be a number or \"paired\"")]
-enum Nu0 {
-    Number(f64),
-    Word(Word),
-}
-
-/// The only word that `nu0` may be.
-#[derive(Clone, Debug, Deserialize)]
-#[serde(rename_all = "lowercase")]
-enum Word {
-    Paired,
-}
-
-impl Default for Nu0 {
-    fn default() -> Self {
-        Self::Number(DEFAULT_NU0)
-    }
-}
-
-impl From<Nu0> for SubstratePoissonRatio {
-    fn from(nu0: Nu0) -> Self {
-        match nu0 {
-            Nu0::Number(nu0) => Self::Fixed(nu0),
-            Nu0::Word(Word::Paired) => Self::Paired,
-        }
-    }
-}
-
-/// The value of one parameter's key.
-#[derive(Clone, Debug)]
-enum Values {
-    Fixed(f64),
-    Range(Range),
-}
-
-/// A range, with the number of its nodes if the scene states it.
-#[derive(Clone, Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct Range {
-    from: f64,
-    to: f64,
-    nodes: Option<usize>,
-    nodes_per_decade: Option<f64>,
-}
-
-impl<'de> Deserialize<'de> for Values {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct Either;
-        impl<'de> Visitor<'de> for Either {
-            type Value = Values;
-            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                f.write_str("a number or a range { from = .., to = .. }")
-            }
-            fn visit_f64<E>(self, value: f64) -> Result<Values, E> {
-                Ok(Values::Fixed(value))
-            }
-            fn visit_i64<E>(self, value: i64) -> Result<Values, E> {
-                Ok(Values::Fixed(value as f64))
-            }
-            fn visit_map<M: MapAccess<'de>>(self, map: M) -> Result<Values, M::Error> {
-                Range::deserialize(serde::de::value::MapAccessDeserializer::new(map))
-                    .map(Values::Range)
-                    .map_err(M::Error::custom)
-            }
-        }
-        deserializer.deserialize_any(Either)
-    }
-}
 
 /// The values of one parameter in a checked scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -156,7 +57,7 @@ pub struct Scene {
     pub title: String,
     /// The largest relative error that is allowed between the nodes of the table.
     pub tolerance: f64,
-    /// The quantities of the table, in the order of [`Quantity::ALL`].
+    /// The quantities of the table, in the order of [`Quantity::TABULATED`].
     pub quantities: Vec<Quantity>,
     /// The parameters of the table: [`Parameter::ALL`], [`Parameter::REDUCED`] or
     /// [`Parameter::STACK`].
@@ -172,11 +73,11 @@ pub struct Scene {
 }
 
 /// The box of a scene, and what it is of.
-struct Bounds {
-    parameters: [Parameter; 4],
-    extents: [Extent; 4],
-    nu0: SubstratePoissonRatio,
-    stack: Option<NamedStack>,
+pub(super) struct Bounds {
+    pub(super) parameters: [Parameter; 4],
+    pub(super) extents: [Extent; 4],
+    pub(super) nu0: SubstratePoissonRatio,
+    pub(super) stack: Option<NamedStack>,
 }
 
 impl Bounds {
@@ -221,51 +122,12 @@ impl Bounds {
             stack: None,
         })
     }
-
-    /// Returns the box of a stack of layers.
-    fn of_stack(scene: &Text, stack: text::Text) -> Result<Self, String> {
-        let settled = [
-            ("nu1", scene.nu1.is_some()),
-            ("nu0", scene.nu0.is_some()),
-            ("e0_over_e2", scene.e0_over_e2.is_some()),
-            ("e1s_over_einfs", scene.e1s_over_einfs.is_some()),
-            ("e0s_over_e2s", scene.e0s_over_e2s.is_some()),
-        ];
-        if let Some((key, _)) = settled.iter().find(|(_, given)| *given) {
-            return Err(format!(
-                "{key} does not go with [stack], whose layers and base have their moduli and Poisson \
-                 ratios: leave it out"
-            ));
-        }
-        let Some(spheres) = &scene.e1_over_e2 else {
-            return Err(
-                "e1_over_e2 is missing: give a number or a range, Young's modulus of the top \
-                 layer over the sphere's reduced modulus E2* (0: rigid sphere)"
-                    .into(),
-            );
-        };
-        let named = stack.stack().map_err(|what| format!("stack: {what}"))?;
-        let (top, base) = (named.stack.surface(), named.stack.base());
-        Ok(Self {
-            parameters: Parameter::STACK,
-            extents: [
-                checked(Parameter::AOverT, &scene.a_over_t)?,
-                checked(Parameter::E1OverE2, spheres)?,
-                Extent::Fixed(top.poisson()),
-                Extent::Fixed(base.young() / top.young()),
-            ],
-            nu0: SubstratePoissonRatio::Fixed(base.poisson()),
-            stack: Some(named),
-        })
-    }
 }
 
 /// The Poisson ratio of the substrate where none is stated.
 pub const DEFAULT_NU0: f64 = 0.25;
 /// The smallest and the largest tolerance of a table.
 pub(crate) const TOLERANCE: [f64; 2] = [1e-10, 1e-1];
-/// The ratios of moduli of a table, besides 0 and infinity.
-const MODULI: [f64; 2] = [1e-30, 1e30];
 /// The largest number of bytes of a scene file. A larger one is taken for a mistake.
 const LONGEST: u64 = 1 << 20;
 /// The largest number of nodes on an axis. A larger one is taken for a mistake.
@@ -296,7 +158,8 @@ impl Scene {
     /// # Errors
     /// A sentence with key, value and range.
     pub fn parse(text: &str, tolerance: Option<f64>) -> Result<Self, String> {
-        let scene: Text = toml::from_str(text).map_err(|error| explained(text, &error))?;
+        let scene: Text =
+            toml::from_str(text).map_err(|error| stack_scene::explained(text, &error))?;
         if scene.title.contains('\0') {
             return Err("title holds the character U+0000, which HDF5 cannot store".into());
         }
@@ -306,9 +169,17 @@ impl Scene {
         quantities.sort();
         if quantities.is_empty() || quantities.windows(2).any(|pair| pair[0] == pair[1]) {
             return Err(format!(
-                "quantities must name one to four of {}, each once",
-                Quantity::ALL.map(Quantity::name).join(", ")
+                "quantities must name one or more of {}, each once",
+                Quantity::TABULATED.map(Quantity::name).join(", ")
             ));
+        }
+        let of_sphere = quantities.strip_suffix(&[Quantity::Delta1]);
+        if of_sphere.is_some_and(|held| held != [Quantity::Gamma] && held != Quantity::ALL) {
+            return Err(
+                "quantities: delta1 goes with gamma alone, or with pi0, eeq, gamma and delta0, \
+                 because the load of a cone needs eeq and gamma: name these, too"
+                    .into(),
+            );
         }
         let Bounds {
             parameters,
@@ -316,7 +187,7 @@ impl Scene {
             nu0,
             stack,
         } = match scene.stack.clone() {
-            Some(stack) => Bounds::of_stack(&scene, stack)?,
+            Some(stack) => stack_scene::bounds(&scene, stack)?,
             None => Bounds::of_films(&scene)?,
         };
         let scene = Self {
@@ -334,18 +205,8 @@ impl Scene {
             let [_, values @ ..] = extents.map(|extent| extent.ends()[corner]);
             scene.material(values).map_err(|e| e.to_string())?;
         }
-        if let Some(NamedStack { stack, .. }) = &scene.stack {
-            check_reach(stack, extents[0].ends()[1]).map_err(|e| e.to_string())?;
-            let young = stack.surface().young();
-            let [softest, stiffest] = extents[1].ends();
-            if !(young / stiffest >= f64::MIN_POSITIVE && young / softest < f64::INFINITY)
-                && stiffest > 0.0
-            {
-                return Err(format!(
-                    "e1_over_e2 = {softest:?} to {stiffest:?} with a top layer of {young:?} Pa are spheres \
-                     beyond double precision: give the moduli of the stack in Pa"
-                ));
-            }
+        if let Some(named) = &scene.stack {
+            stack_scene::check(&named.stack, &scene.extents)?;
         }
         Ok(scene)
     }
@@ -427,97 +288,6 @@ pub(crate) fn random_points(
             .clamp(from, to)
     };
     (0..count).map(|_| parameters.map(&mut value)).collect()
-}
-
-/// Returns the message of the TOML reader, or a better one for layers outside of a stack.
-fn explained(text: &str, error: &toml::de::Error) -> String {
-    let keys = text.parse::<toml::Table>().unwrap_or_default();
-    match keys.keys().find(|key| key.starts_with("layer")) {
-        Some(key) => format!(
-            "{key}: the layers of a scene are in its table [stack]: write [stack] with base = {{ .. }}, then a \
-             [[stack.layers]] for each layer, after the keys title, tolerance, quantities, a_over_t and e1_over_e2"
-        ),
-        None => error.to_string().trim_end().to_owned(),
-    }
-}
-
-/// Returns the values of one parameter, if they can be solved.
-fn checked(parameter: Parameter, values: &Values) -> Result<Extent, String> {
-    let name = parameter.name();
-    let range = match values {
-        Values::Fixed(value) => {
-            let is_limit = match parameter {
-                Parameter::E1OverE2 => *value == 0.0,
-                Parameter::E0OverE2 => *value == f64::INFINITY,
-                _ => false,
-            };
-            if !is_limit {
-                in_domain(parameter, name, *value)?;
-            }
-            return Ok(Extent::Fixed(*value));
-        }
-        Values::Range(range) => range,
-    };
-    in_domain(parameter, &format!("{name}.from"), range.from)?;
-    in_domain(parameter, &format!("{name}.to"), range.to)?;
-    if range.from >= range.to {
-        return Err(format!(
-            "{name} is an empty range: from = {} is not below to = {}",
-            range.from, range.to
-        ));
-    }
-    let (from, to) = (range.from, range.to);
-    let intervals = match (range.nodes, range.nodes_per_decade) {
-        (Some(_), Some(_)) => return Err(format!("{name} has both nodes and nodes_per_decade")),
-        (Some(nodes), None) => nodes as f64 - 1.0,
-        (None, Some(_)) if parameter.scale() != "logarithmic" => {
-            return Err(format!(
-                "{name} is not logarithmic: give nodes, not nodes_per_decade"
-            ));
-        }
-        (None, Some(per_decade)) => {
-            within(
-                &format!("{name}.nodes_per_decade"),
-                per_decade,
-                [1.0, 1000.0],
-            )?;
-            // A hair below, so that a whole number of decades has a whole number of intervals.
-            (per_decade * (to / from).log10() - 1e-9).ceil()
-        }
-        (None, None) => return Ok(Extent::Range { from, to }),
-    };
-    if !(1.0..MOST_NODES as f64).contains(&intervals) {
-        return Err(format!(
-            "{name} has {} nodes; 2 to {MOST_NODES} are allowed",
-            intervals + 1.0
-        ));
-    }
-    Ok(Extent::Even {
-        from,
-        to,
-        nodes: intervals as usize + 1,
-    })
-}
-
-/// Accepts the value of a key if it can be solved.
-fn in_domain(parameter: Parameter, key: &str, value: f64) -> Result<(), String> {
-    match parameter {
-        Parameter::AOverT => within(key, value, A_OVER_T),
-        Parameter::Nu1 if value > -1.0 && value <= 0.5 => Ok(()),
-        Parameter::Nu1 => Err(format!("{key} = {value:?} is outside (-1, 0.5]")),
-        Parameter::E1sOverEinfs if value == 0.0 => Ok(()),
-        Parameter::E0sOverE2s if value == 0.0 || value == f64::INFINITY => Ok(()),
-        _ => within(key, value, MODULI),
-    }
-}
-
-/// Accepts the value of a key if it is in a range.
-fn within(key: &str, value: f64, [from, to]: [f64; 2]) -> Result<(), String> {
-    if value >= from && value <= to {
-        Ok(())
-    } else {
-        Err(format!("{key} = {value:?} is outside {from:e} to {to:e}"))
-    }
 }
 
 #[cfg(test)]

@@ -1,11 +1,12 @@
 //! The solves of all nodes of a scene, on all cores, one `a_over_t` at a time.
 
-use interp::{Material, Parameter, Quantities, Quantity};
+use interp::{Material, Parameter, Quantity};
 
 use crate::Error;
 use crate::parallel::try_map;
 use crate::solve::batch::Batch;
-use crate::solve::{TOLERANCE, solve, solve_stack};
+use crate::solve::tabulated::Tabulated;
+use crate::solve::{TOLERANCE, solve_power_laws, solve_stack_power_laws};
 use crate::stack::Stack;
 use crate::table::scene::Scene;
 
@@ -15,33 +16,34 @@ pub fn solve_tolerance(table_tolerance: f64) -> f64 {
     (0.01 * table_tolerance).clamp(TOLERANCE[0], 1e-6)
 }
 
-/// Solves one contact of a film, or of the `stack` under the sphere of the `material`, to
-/// [`solve_tolerance`]; to a fifth of the table's tolerance in the corners where double precision
-/// does not allow more.
+/// Solves one contact of a film, or of the `stack` under the sphere of the `material`, with the
+/// power laws of the [`exponents`](Tabulated::exponents), to [`solve_tolerance`]; to a fifth of the
+/// table's tolerance in the corners where double precision does not allow more.
 ///
 /// # Errors
-/// Those of [`solve`] and [`solve_stack`].
+/// Those of [`solve_power_laws`] and [`solve_stack_power_laws`].
 pub(crate) fn solve_for_table(
     a_over_t: f64,
     material: &Material,
     stack: Option<&Stack>,
+    exponents: &'static [f64],
     table_tolerance: f64,
-) -> Result<Quantities, Error> {
+) -> Result<Tabulated, Error> {
     let solve = |tolerance| match stack {
-        None => solve(a_over_t, material, tolerance),
+        None => solve_power_laws(a_over_t, material, exponents, tolerance),
         Some(stack) => {
             let sphere_modulus = stack.surface().young() / material.e1_over_e2();
-            solve_stack(a_over_t, stack, sphere_modulus, tolerance)
+            solve_stack_power_laws(a_over_t, stack, sphere_modulus, exponents, tolerance)
         }
     };
-    Ok(solve(solve_tolerance(table_tolerance))
-        .or_else(|_| solve((0.2 * table_tolerance).min(TOLERANCE[1])))?
-        .quantities)
+    let (solution, cones) = solve(solve_tolerance(table_tolerance))
+        .or_else(|_| solve((0.2 * table_tolerance).min(TOLERANCE[1])))?;
+    Ok(Tabulated::new(solution.quantities, &cones))
 }
 
-/// The values of each quantity of a scene, row-major, with `a_over_t` the slowest index; none for
-/// the other quantities.
-pub type Values = [Option<Vec<f64>>; 4];
+/// The values of each of [`Quantity::TABULATED`], row-major, with `a_over_t` the slowest index;
+/// none for those that the scene does not ask for.
+pub type Values = [Option<Vec<f64>>; 5];
 
 /// Solves every node of the scene on the given axes.
 ///
@@ -118,7 +120,7 @@ impl<'a> Sweep<'a> {
 
     /// Returns room for the values of the whole table.
     pub fn blank(&self) -> Values {
-        let mut values = [const { None }; 4];
+        let mut values = [const { None }; 5];
         for &quantity in &self.scene.quantities {
             values[quantity as usize] = Some(vec![0.0; self.pieces() * self.points()]);
         }
@@ -145,7 +147,9 @@ impl<'a> Sweep<'a> {
     ) -> Result<Vec<f64>, Error> {
         let (a_over_t, tolerance) = (self.axes[0].1[piece], self.scene.tolerance);
         let stack = self.scene.stack.as_ref().map(|named| &named.stack);
-        let alone = |material: &Material| solve_for_table(a_over_t, material, stack, tolerance);
+        let exponents = Tabulated::exponents(&self.scene.quantities);
+        let alone =
+            |material: &Material| solve_for_table(a_over_t, material, stack, exponents, tolerance);
         let materials = self.batch.materials();
         let solved = if stack.is_some() {
             // The batch knows the compliance of films.
@@ -155,21 +159,19 @@ impl<'a> Sweep<'a> {
                 Ok::<_, Error>(solved)
             })?
         } else {
+            let tolerance = solve_tolerance(tolerance);
             self.batch
-                .solve(a_over_t, solve_tolerance(tolerance), &alone, progress)?
+                .solve(a_over_t, exponents, tolerance, &alone, progress)?
         };
         let of = |quantity: Quantity| {
-            solved
-                .iter()
-                .zip(materials)
-                .map(move |(quantities, material)| {
-                    let value = quantities.get(quantity);
-                    if self.reduced {
-                        value / quantity.scale(material.sphere_film_modulus())
-                    } else {
-                        value
-                    }
-                })
+            solved.iter().zip(materials).map(move |(solved, material)| {
+                let value = solved.get(quantity);
+                if self.reduced {
+                    value / quantity.scale(material.sphere_film_modulus())
+                } else {
+                    value
+                }
+            })
         };
         Ok(self
             .scene

@@ -19,11 +19,12 @@ impl Contact {
                 (gradient.values(), Some(gradient))
             }
         };
-        let without = match self.shape {
+        let without = match &self.shape {
             Shape::Paraboloid { radius, .. } => {
                 self.mechanics
-                    .adhesionless(a, radius, values.pi0, values.delta0)
+                    .adhesionless(a, *radius, values.pi0, values.delta0)
             }
+            Shape::OddPower(power) => self.mechanics.odd_power(a, power, &values),
             _ => self.adhesionless(a)?,
         };
         let lowered = self.mechanics.lowered_by(a, edge, values.eeq, values.gamma);
@@ -132,6 +133,15 @@ impl Terms<'_> {
                     load: load * (3.0 * by.contact_radius + by.modulus + pi0 - by.sphere_radius),
                     penetration: penetration
                         * (2.0 * by.contact_radius + delta0 - by.sphere_radius),
+                })
+            }
+            // Its size, an angle or a coefficient, is none of the inputs.
+            Shape::OddPower(power) => {
+                let [pi0, _, _, delta0] = by.quantities;
+                let n = power.exponent();
+                Some(Pair {
+                    load: load * ((n + 1.0) * by.contact_radius + by.modulus + pi0),
+                    penetration: penetration * (n * by.contact_radius + delta0),
                 })
             }
             Shape::HalfSpace(transform) => Some(match input {

@@ -5,18 +5,21 @@
 //! is needed on a half-space.
 //!
 //! On a film, even powers of the radius and the sphere follow from the curve of the material by
-//! integrals, see the page `curve/even_powers/mod.rs` of the source. For all other shapes `field`
+//! integrals, see the page `curve/even_powers/mod.rs` of the source. So do a cone and odd powers
+//! (`odd_power`) if the table holds `Delta1`. For all other shapes `field`
 //! computes the stress of the flat punch at all smaller radii from the `Gamma` of a `medium`, and
 //! `solved` integrates the shape over it; `polynomial` serves both.
 
 mod field;
 mod medium;
+mod odd_power;
 mod polynomial;
 mod solved;
 pub(super) mod transform;
 
 use std::sync::Arc;
 
+pub(super) use self::odd_power::OddPower;
 use self::solved::{SIZE, Solved};
 use self::transform::{Transform, kappa};
 use crate::curve::{EvenShape, LARGEST_A_OVER_R};
@@ -34,6 +37,8 @@ pub(super) enum Shape {
         /// of the material.
         curve: Option<Curve>,
     },
+    /// From `Pi_n` and `Delta_n` of a curve that holds `Delta1`.
+    OddPower(OddPower),
     /// From the field of the flat punch, on a film.
     Solved(Arc<Solved>),
     /// In closed form, on a half-space.
@@ -64,6 +69,8 @@ impl Pair {
     }
 }
 
+/// The quantities on a half-space in units of its compound modulus.
+const HOMOGENEOUS: Quantities = Quantities::homogeneous(1.0);
 /// The exponents of power laws that follow from even powers.
 const EVEN: [f64; 3] = [4.0, 6.0, 8.0];
 
@@ -90,6 +97,7 @@ impl Shape {
     pub(super) const fn curve(&self) -> Option<&Curve> {
         match self {
             Self::Paraboloid { curve, .. } => curve.as_ref(),
+            Self::OddPower(power) => Some(power.curve()),
             _ => None,
         }
     }
@@ -118,6 +126,9 @@ impl Shape {
                 even(EvenShape::Power { factor, k }, t)
             }
             _ => {
+                if let Some(power) = OddPower::new(probe, curve)? {
+                    return Ok(Self::OddPower(power));
+                }
                 let Some(transform) = Transform::of(probe) else {
                     return Ok(Self::Punch);
                 };
@@ -150,6 +161,10 @@ impl Contact {
                 let pi0 = self.quantity(Quantity::Pi0, a)?;
                 let delta0 = self.quantity(Quantity::Delta0, a)?;
                 Ok(self.mechanics.adhesionless(a, *radius, pi0, delta0))
+            }
+            Shape::OddPower(power) => {
+                let values = self.evaluate(a, Curve::quantities, HOMOGENEOUS)?;
+                Ok(self.mechanics.odd_power(a, power, &values))
             }
             Shape::HalfSpace(transform) => Ok(self.on_half_space(transform, a)),
             Shape::Solved(solved) => Ok(self.on_film(solved, a)?.0),
@@ -191,12 +206,13 @@ impl Contact {
     /// Returns load and penetration at contact radius `a` (m) without adhesion, and the quantities
     /// there, of which only `Eeq` and `Gamma` do not depend on the shape.
     pub(super) fn adhesionless_and_quantities(&self, a: f64) -> Result<(Pair, Quantities), Error> {
-        let values = self.evaluate(a, Curve::quantities, Quantities::homogeneous(1.0))?;
-        let without = match self.shape {
+        let values = self.evaluate(a, Curve::quantities, HOMOGENEOUS)?;
+        let without = match &self.shape {
             Shape::Paraboloid { radius, .. } => {
                 self.mechanics
-                    .adhesionless(a, radius, values.pi0, values.delta0)
+                    .adhesionless(a, *radius, values.pi0, values.delta0)
             }
+            Shape::OddPower(power) => self.mechanics.odd_power(a, power, &values),
             _ => self.adhesionless(a)?,
         };
         Ok((without, values))
@@ -205,19 +221,13 @@ impl Contact {
     /// Returns load and penetration at contact radius `a` (m) without adhesion, and their
     /// derivatives with respect to `ln a`.
     pub(super) fn adhesionless_and_slopes(&self, a: f64) -> Result<(Pair, Pair), Error> {
-        if let Shape::Paraboloid { .. } = self.shape {
-            let homogeneous = (
-                Quantities::homogeneous(1.0),
-                Quantities::from_array([0.0; 4]),
-            );
+        if let Shape::Paraboloid { .. } | Shape::OddPower(_) = self.shape {
+            let homogeneous = (HOMOGENEOUS, Quantities::from_array([0.0; 4]));
             let (values, slopes) = self.evaluate(a, Curve::adhesionless_and_slopes, homogeneous)?;
             return self.with_slopes(a, &values, &slopes);
         }
         let eeq = self.quantity(Quantity::Eeq, a)?;
-        let values = Quantities {
-            eeq,
-            ..Quantities::homogeneous(1.0)
-        };
+        let values = Quantities { eeq, ..HOMOGENEOUS };
         self.with_slopes(a, &values, &Quantities::from_array([0.0; 4]))
     }
 
@@ -227,10 +237,7 @@ impl Contact {
         &self,
         a: f64,
     ) -> Result<(Pair, Pair, Quantities, Quantities), Error> {
-        let homogeneous = (
-            Quantities::homogeneous(1.0),
-            Quantities::from_array([0.0; 4]),
-        );
+        let homogeneous = (HOMOGENEOUS, Quantities::from_array([0.0; 4]));
         let (values, slopes) = self.evaluate(a, Curve::quantities_and_slopes, homogeneous)?;
         let (without, by_radius) = self.with_slopes(a, &values, &slopes)?;
         let relative = std::array::from_fn(|i| slopes.to_array()[i] / values.to_array()[i]);
@@ -238,8 +245,8 @@ impl Contact {
     }
 
     /// Returns load and penetration without adhesion and their derivatives with respect to `ln a`
-    /// from the quantities and their slopes. Of these, a paraboloid needs `Pi0` and `Delta0`, and
-    /// every other shape `Eeq`, because `F0' = S delta0'`.
+    /// from the quantities and their slopes. Of these, a paraboloid and an odd power need `Pi0` and
+    /// `Delta0`, and every other shape `Eeq`, because `F0' = S delta0'`.
     fn with_slopes(
         &self,
         a: f64,
@@ -256,6 +263,10 @@ impl Contact {
                     penetration: value.penetration * (2.0 + slopes.delta0 / values.delta0),
                 };
                 return Ok((value, by_radius));
+            }
+            Shape::OddPower(power) => {
+                let value = self.mechanics.odd_power(a, power, values);
+                return Ok((value, power.by_radius(value, values, slopes)));
             }
             Shape::HalfSpace(transform) => {
                 (self.on_half_space(transform, a), a * transform.slope(a))

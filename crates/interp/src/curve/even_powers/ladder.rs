@@ -108,10 +108,15 @@ impl Group<'_> {
                 let rate = product(&moment, &inverse);
                 let factor = half * f64x4::splat(simd, n * (n - 1.0));
                 penetration = integral(simd, &rate, factor);
-                self.continued(simd, &mut penetration, &mut running.penetrations[k]);
+                continued(
+                    simd,
+                    self.start,
+                    &mut penetration,
+                    &mut running.penetrations[k],
+                );
             }
             moment = integral(simd, &product(&square, &penetration), half);
-            self.continued(simd, &mut moment, &mut running.moments[k]);
+            continued(simd, self.start, &mut moment, &mut running.moments[k]);
             let beta = vector(lanes_of(&self.weights, k));
             for i in 0..TERMS {
                 flux[i] = beta.mul_add(moment[i], flux[i]);
@@ -119,10 +124,10 @@ impl Group<'_> {
         }
         let rate = product(&flux, &inverse);
         let mut penetration = integral(simd, &rate, half);
-        self.continued(simd, &mut penetration, &mut running.sums[1]);
+        continued(simd, self.start, &mut penetration, &mut running.sums[1]);
         let work = product(&stiffness, &rate);
         let mut load = integral(simd, &work, half * f64x4::splat(simd, 4.0));
-        self.continued(simd, &mut load, &mut running.sums[0]);
+        continued(simd, self.start, &mut load, &mut running.sums[0]);
 
         let inverse = f64x4::splat(simd, 1.0) / middle;
         let slope = half * inverse;
@@ -145,25 +150,31 @@ impl Group<'_> {
         }
         pieces
     }
+}
 
-    /// Adds the constants with which an integral goes on from piece to piece.
-    #[inline(always)]
-    fn continued<S: Simd>(&self, simd: S, integral: &mut Series<S, TERMS>, at: &mut f64) {
-        let [from, to] = ends(integral);
-        let (mut from, to) = (*from.as_array(), *to.as_array());
-        if let Some(t) = self.start {
-            from[0] = integral
-                .iter()
-                .rev()
-                .fold(0.0, |sum, term| sum * t + term[0]);
-        }
-        let constants: [f64; 4] = std::array::from_fn(|lane| {
-            let constant = *at - from[lane];
-            *at = constant + to[lane];
-            constant
-        });
-        integral[0] = f64x4::simd_from(simd, constants);
+/// Adds the constants with which an integral goes on from piece to piece, from `at` on. In the
+/// first group the first node is at the place `start` on the first piece.
+#[inline(always)]
+pub(in crate::curve) fn continued<S: Simd, const N: usize>(
+    simd: S,
+    start: Option<f64>,
+    integral: &mut Series<S, N>,
+    at: &mut f64,
+) {
+    let [from, to] = ends(integral);
+    let (mut from, to) = (*from.as_array(), *to.as_array());
+    if let Some(t) = start {
+        from[0] = integral
+            .iter()
+            .rev()
+            .fold(0.0, |sum, term| sum * t + term[0]);
     }
+    let constants: [f64; 4] = std::array::from_fn(|lane| {
+        let constant = *at - from[lane];
+        *at = constant + to[lane];
+        constant
+    });
+    integral[0] = f64x4::simd_from(simd, constants);
 }
 
 /// Returns the coefficients of a term on the four pieces.
@@ -174,7 +185,11 @@ fn lanes_of([a, b, c, d]: &[Weights; 4], k: usize) -> [f64; 4] {
 
 /// Multiplies a series by `middle + half t`.
 #[inline(always)]
-fn times_linear<S: Simd>(series: &mut Series<S, TERMS>, middle: f64x4<S>, half: f64x4<S>) {
+pub(in crate::curve) fn times_linear<S: Simd>(
+    series: &mut Series<S, TERMS>,
+    middle: f64x4<S>,
+    half: f64x4<S>,
+) {
     for k in (1..TERMS).rev() {
         series[k] = half.mul_add(series[k - 1], middle * series[k]);
     }
@@ -183,7 +198,11 @@ fn times_linear<S: Simd>(series: &mut Series<S, TERMS>, middle: f64x4<S>, half: 
 
 /// Divides a series by `(1 + slope t)/inverse`.
 #[inline(always)]
-fn divide_by_linear<S: Simd>(series: &mut Series<S, TERMS>, inverse: f64x4<S>, slope: f64x4<S>) {
+pub(in crate::curve) fn divide_by_linear<S: Simd>(
+    series: &mut Series<S, TERMS>,
+    inverse: f64x4<S>,
+    slope: f64x4<S>,
+) {
     series[0] *= inverse;
     for k in 1..TERMS {
         series[k] = (-slope).mul_add(series[k - 1], series[k] * inverse);
@@ -192,7 +211,7 @@ fn divide_by_linear<S: Simd>(series: &mut Series<S, TERMS>, inverse: f64x4<S>, s
 
 /// Multiplies a series by a number.
 #[inline(always)]
-fn scale<S: Simd>(series: &mut Series<S, TERMS>, factor: f64x4<S>) {
+pub(in crate::curve) fn scale<S: Simd>(series: &mut Series<S, TERMS>, factor: f64x4<S>) {
     for term in series {
         *term *= factor;
     }

@@ -43,7 +43,7 @@
 //! penetration, so that a lookup takes the same time.
 
 mod beginning;
-mod ladder;
+pub(super) mod ladder;
 mod weights;
 
 use std::sync::Arc;
@@ -218,7 +218,7 @@ impl Source<'_> {
     }
 
     /// Returns the thick film with which the ladder begins.
-    fn beginning(&self) -> Beginning {
+    pub(super) fn beginning(&self) -> Beginning {
         let position = self.grid.locate(self.range[0]);
         let [pi0, eeq, ..] = evaluate_all(&self.pieces[position.piece], position);
         Beginning::new(
@@ -273,7 +273,7 @@ impl Source<'_> {
 }
 
 /// Returns the quotients of `Pi0` and `Delta0`, as polynomials on a piece.
-fn ratio(numerator: &Values, denominator: &Values) -> Values {
+pub(super) fn ratio(numerator: &Values, denominator: &Values) -> Values {
     let mut terms = *numerator;
     for k in 0..VALUE {
         for quantity in [Quantity::Pi0 as usize, Quantity::Delta0 as usize] {
@@ -287,7 +287,7 @@ fn ratio(numerator: &Values, denominator: &Values) -> Values {
 }
 
 /// Returns the quantities times `1 + step by`, as polynomials on a piece.
-fn scaled<const N: usize>(piece: &Values, by: &[[f64; 4]; N], step: f64) -> Values {
+pub(super) fn scaled<const N: usize>(piece: &Values, by: &[[f64; 4]; N], step: f64) -> Values {
     std::array::from_fn(|k| {
         std::array::from_fn(|q| {
             let change: f64 = (0..=k.min(N - 1)).map(|i| by[i][q] * piece[k - i][q]).sum();

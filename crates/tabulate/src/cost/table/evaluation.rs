@@ -57,14 +57,17 @@ impl Evaluation {
     }
 }
 
-/// Returns the quantities of a scene on a curve of its table. The others are NaN.
+/// Returns the quantities of a sphere, of those of a scene, on a curve of its table. The others are
+/// NaN.
 fn look_up(curve: &Curve, quantities: &[Quantity], a_over_t: f64) -> Result<Quantities, Error> {
     if quantities == Quantity::ALL {
         return Ok(curve.quantities(a_over_t)?);
     }
     let mut values = [f64::NAN; 4];
-    for &quantity in quantities {
-        values[quantity as usize] = curve.quantity(quantity, a_over_t)?;
+    for (quantity, value) in Quantity::ALL.into_iter().zip(&mut values) {
+        if quantities.contains(&quantity) {
+            *value = curve.quantity(quantity, a_over_t)?;
+        }
     }
     Ok(Quantities::from_array(values))
 }

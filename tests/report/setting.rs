@@ -1,0 +1,104 @@
+//! The settings of a page: its address, and the contact that they describe.
+
+use interp::{Contact, Elastic, Probe, Quantity, SubstratePoissonRatio, System, Table};
+
+/// The settings of a page, in SI units. `film` and `substrate` are Young's modulus and Poisson
+/// ratio.
+#[derive(Clone, Copy)]
+pub struct Setting {
+    /// The value of --probe.
+    pub probe: &'static str,
+    pub thickness: f64,
+    pub film: [f64; 2],
+    pub substrate: [f64; 2],
+    pub radius: f64,
+    /// That of a cone, degrees.
+    pub half_angle: f64,
+    pub sphere: f64,
+    pub adhesion: f64,
+}
+
+/// A probe of an atomic force microscope on a thin polymer film.
+pub const FORCE_MICROSCOPE: Setting = Setting {
+    thickness: 5e-8,
+    film: [2e9, 0.35],
+    substrate: [1.3e11, 0.25],
+    radius: 2e-6,
+    sphere: 7e10,
+    adhesion: 0.1,
+    ..PAPER
+};
+
+/// The settings of the paper, with a film of 1 um.
+pub const PAPER: Setting = Setting {
+    probe: "paraboloid",
+    thickness: 1e-6,
+    film: [3.5e6, 0.5],
+    substrate: [2e11, 0.25],
+    radius: 1e-3,
+    half_angle: 70.0,
+    sphere: 2e6,
+    adhesion: 0.04,
+};
+
+impl Setting {
+    /// Returns the address that sets the parameters that the table leaves free.
+    pub fn address(&self, table: &Table) -> String {
+        let [_, film, nu1, substrate] = table.parameters();
+        let free = |parameter| table.axis(parameter).len() > 1;
+        let rigid_sphere = table.unit() == "E1*";
+        let settings = [
+            (true, "film_thickness", self.thickness),
+            (rigid_sphere || free(film), "film_modulus", self.film[0]),
+            (free(nu1), "film_poisson_ratio", self.film[1]),
+            (free(substrate), "substrate_modulus", self.substrate[0]),
+            (
+                table.description().nu0 == SubstratePoissonRatio::Paired,
+                "substrate_poisson_ratio",
+                self.substrate[1],
+            ),
+            (self.probe != "cone", "sphere_radius", self.radius),
+            (self.probe == "cone", "half_angle", self.half_angle),
+            (!rigid_sphere, "sphere_modulus", self.sphere),
+            (
+                answers(table, Quantity::Gamma),
+                "work_of_adhesion",
+                self.adhesion,
+            ),
+        ];
+        let free = settings
+            .iter()
+            .filter(|(free, ..)| *free)
+            .map(|(_, name, value)| format!("{name}={value:e}"));
+        let probe = (self.probe != "paraboloid").then(|| format!("probe={}", self.probe));
+        probe.into_iter().chain(free).collect::<Vec<_>>().join("&")
+    }
+
+    pub fn contact(&self, table: &Table) -> Contact {
+        let solid = |[young, poisson]: [f64; 2]| Elastic::new(young, poisson).expect("physical");
+        let radius = self.radius;
+        let system = System {
+            probe: match self.probe {
+                "paraboloid" => Probe::Paraboloid { radius },
+                "sphere" => Probe::Sphere { radius },
+                "flat-punch" => Probe::FlatPunch { radius },
+                "cone" => Probe::Cone {
+                    half_angle: self.half_angle.to_radians(),
+                },
+                other => panic!("{other}"),
+            },
+            sphere_modulus: self.sphere,
+            film: solid(self.film),
+            film_thickness: self.thickness,
+            substrate: solid(self.substrate),
+        };
+        table.contact(&system).expect("in the table")
+    }
+}
+
+/// Returns whether a table holds a quantity of a sphere, or derives it from `Gamma` alone.
+pub fn answers(table: &Table, quantity: Quantity) -> bool {
+    let of_sphere = |quantity: &Quantity| table.holds(*quantity);
+    let held = Quantity::ALL.into_iter().filter(of_sphere);
+    table.holds(quantity) || held.eq([Quantity::Gamma])
+}
