@@ -38,6 +38,7 @@ pub(crate) mod compliance;
 mod contour;
 mod domain;
 pub(crate) mod estimate;
+mod exponential;
 pub(crate) mod galerkin;
 mod krylov;
 pub(crate) mod layered;
