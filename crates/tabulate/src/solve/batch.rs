@@ -14,7 +14,6 @@ use crate::solve::compliance::Compliance;
 use crate::solve::galerkin;
 use crate::solve::method::has_closed_form;
 use crate::solve::operator::Operator;
-use crate::solve::quadrature::Panels;
 use crate::solve::symbol::Symbol;
 
 /// Materials, grouped by film and substrate.
@@ -120,10 +119,7 @@ impl Shared {
             .map(|group| &group.compliance)
             .peekable();
         let galerkin = sharing.peek().is_some().then(|| {
-            let panels = Panels::new(x, sharing, tolerance);
-            // A few modes more than most members need cost less than one member solved alone.
-            let modes = galerkin::modes(x, 0.1 * tolerance);
-            let abscissae = Abscissae::new(x, modes, panels);
+            let abscissae = galerkin::shared_abscissae(x, sharing, tolerance);
             let blocks = abscissae.blocks().collect();
             (abscissae, blocks)
         });
@@ -153,11 +149,8 @@ impl Shared {
                 let operator = operator.get_or_insert_with(|| {
                     Operator::assemble(&group.compliance, abscissae, blocks)
                 });
-                if let Some(solved) = operator
-                    .solve(&symbol, &[])
-                    .filter(|solved| solved.error() <= self.tolerance)
-                {
-                    return Ok(solved.quantities);
+                if let Some(quantities) = operator.solve_to(&symbol, self.tolerance) {
+                    return Ok(quantities);
                 }
             }
             // Thin films, and the rare material that needs more modes or panels of its own.

@@ -67,6 +67,6 @@ pub use power_law::{EXPONENTS, PowerLaw};
 #[cfg(feature = "cli")]
 pub(crate) use quadrature::{GaussLegendre, Panels};
 pub use solution::{Solution, solve, solve_power_laws};
-pub(crate) use stacked::check_reach;
+pub(crate) use stacked::{check_reach, solve_stack_under_spheres};
 pub use stacked::{solve_stack, solve_stack_power_laws, stack_curve};
 pub use surface::{PanelRule, Sample, SurfaceCompliance};

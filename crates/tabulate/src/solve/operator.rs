@@ -138,6 +138,17 @@ impl Operator {
         operator
     }
 
+    /// Solves the contact of one sphere, as [`Operator::solve`], and returns the quantities if their
+    /// estimated error is at most `tolerance`.
+    pub fn solve_to<C: SurfaceCompliance>(
+        &self,
+        symbol: &Symbol<C>,
+        tolerance: f64,
+    ) -> Option<Quantities> {
+        let solved = self.solve(symbol, &[])?;
+        (solved.error() <= tolerance).then_some(solved.quantities)
+    }
+
     /// Solves the contact of one sphere with the film and substrate of this operator, and of the
     /// probes `c r^n` with the `exponents` n. `symbol` holds all three bodies.
     ///

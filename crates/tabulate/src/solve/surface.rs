@@ -50,6 +50,28 @@ pub trait SurfaceCompliance {
     fn largest_excess(&self) -> f64;
 }
 
+impl<C: SurfaceCompliance> SurfaceCompliance for &C {
+    fn rule(tolerance: f64, oscillates: bool) -> PanelRule {
+        C::rule(tolerance, oscillates)
+    }
+
+    fn sample(&self, q: f64) -> Sample {
+        C::sample(self, q)
+    }
+
+    fn sample_all(&self, q: &[f64]) -> Vec<Sample> {
+        C::sample_all(self, q)
+    }
+
+    fn smallest_scale(&self) -> f64 {
+        C::smallest_scale(self)
+    }
+
+    fn largest_excess(&self) -> f64 {
+        C::largest_excess(self)
+    }
+}
+
 /// Returns a wave number beyond which `weight(q)` times `|X - 1|`, and `weight(q)` times `|q X'|`,
 /// are at most `tolerance`, for every film on every substrate and every stack of layers. `weight`
 /// must not grow with `q`.

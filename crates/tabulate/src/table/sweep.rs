@@ -3,9 +3,8 @@
 use interp::{Material, Parameter, Quantities, Quantity};
 
 use crate::Error;
-use crate::parallel::try_map;
 use crate::solve::batch::Batch;
-use crate::solve::{TOLERANCE, solve, solve_stack};
+use crate::solve::{TOLERANCE, solve, solve_stack, solve_stack_under_spheres};
 use crate::stack::Stack;
 use crate::table::scene::Scene;
 
@@ -29,14 +28,39 @@ pub(crate) fn solve_for_table(
 ) -> Result<Quantities, Error> {
     let solve = |tolerance| match stack {
         None => solve(a_over_t, material, tolerance),
-        Some(stack) => {
-            let sphere_modulus = stack.surface().young() / material.e1_over_e2();
-            solve_stack(a_over_t, stack, sphere_modulus, tolerance)
-        }
+        Some(stack) => solve_stack(a_over_t, stack, sphere_modulus(stack, material), tolerance),
     };
     Ok(solve(solve_tolerance(table_tolerance))
         .or_else(|_| solve((0.2 * table_tolerance).min(TOLERANCE[1])))?
         .quantities)
+}
+
+/// Solves the contacts of a `stack` at one `a_over_t` under the spheres of the `materials`, each as
+/// [`solve_for_table`], with matrices that the spheres share. Returns the quantities in the order
+/// of the materials.
+///
+/// # Errors
+/// Those of [`solve_stack`].
+pub(crate) fn solve_stack_for_table(
+    a_over_t: f64,
+    materials: &[Material],
+    stack: &Stack,
+    table_tolerance: f64,
+) -> Result<Vec<Quantities>, Error> {
+    let modulus = |material| sphere_modulus(stack, material);
+    let moduli: Vec<f64> = materials.iter().map(modulus).collect();
+    solve_stack_under_spheres(
+        a_over_t,
+        stack,
+        &moduli,
+        solve_tolerance(table_tolerance),
+        &|i| solve_for_table(a_over_t, &materials[i], Some(stack), table_tolerance),
+    )
+}
+
+/// Returns the reduced modulus of the sphere of a `material` on a `stack`, Pa.
+fn sphere_modulus(stack: &Stack, material: &Material) -> f64 {
+    stack.surface().young() / material.e1_over_e2()
 }
 
 /// The values of each quantity of a scene, row-major, with `a_over_t` the slowest index; none for
@@ -144,17 +168,14 @@ impl<'a> Sweep<'a> {
         progress: &(dyn Fn(usize) + Sync),
     ) -> Result<Vec<f64>, Error> {
         let (a_over_t, tolerance) = (self.axes[0].1[piece], self.scene.tolerance);
-        let stack = self.scene.stack.as_ref();
-        let alone = |material: &Material| solve_for_table(a_over_t, material, stack, tolerance);
         let materials = self.batch.materials();
-        let solved = if stack.is_some() {
+        let solved = if let Some(stack) = &self.scene.stack {
             // The batch knows the compliance of films.
-            try_map(materials, |material| {
-                let solved = alone(material)?;
-                progress(1);
-                Ok::<_, Error>(solved)
-            })?
+            let solved = solve_stack_for_table(a_over_t, materials, stack, tolerance)?;
+            progress(materials.len());
+            solved
         } else {
+            let alone = |material: &Material| solve_for_table(a_over_t, material, None, tolerance);
             self.batch
                 .solve(a_over_t, solve_tolerance(tolerance), &alone, progress)?
         };
