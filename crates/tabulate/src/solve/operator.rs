@@ -35,6 +35,8 @@ use faer::linalg::triangular_solve::{
     solve_lower_triangular_in_place, solve_upper_triangular_in_place,
 };
 use faer::{Accum, Mat, MatRef, Par, Spec};
+use fearless_simd::prelude::*;
+use fearless_simd::{Level, dispatch, f64x8};
 use interp::Quantities;
 
 use crate::solve::abscissae::{Abscissae, Block};
@@ -295,11 +297,7 @@ pub(crate) fn add_products(target: &mut Mat<f64>, bessel: &[f64], factors: &[f64
         );
     }
     if modes < LIBRARY {
-        for (j, scaled) in scaled.chunks_exact(rows).enumerate() {
-            for (i, column) in bessel.chunks_exact(rows).enumerate().skip(j) {
-                target[(i, j)] += product(column, scaled);
-            }
-        }
+        dispatch!(Level::new(), simd => add_small(simd, target, bessel, &scaled, rows));
         return;
     }
     matmul(
@@ -323,15 +321,25 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
-/// Returns `a.b` for a number of elements that is a multiple of [`LANES`].
-fn product(a: &[f64], b: &[f64]) -> f64 {
-    let mut sums = [0.0; LANES];
-    for (a, b) in a.chunks_exact(LANES).zip(b.chunks_exact(LANES)) {
-        for l in 0..LANES {
-            sums[l] += a[l] * b[l];
+/// Adds the products of the columns of `left` and `right`, of `rows` elements each, to the lower
+/// triangle of `target`. `rows` is a multiple of [`LANES`].
+#[inline(always)]
+fn add_small<S: Simd>(
+    simd: S,
+    target: &mut Mat<f64>,
+    left: &[f64],
+    right: &[f64],
+    rows: usize,
+) {
+    for (j, right) in right.chunks_exact(rows).enumerate() {
+        for (i, left) in left.chunks_exact(rows).enumerate().skip(j) {
+            let mut sums = f64x8::splat(simd, 0.0);
+            for (a, b) in left.chunks_exact(LANES).zip(right.chunks_exact(LANES)) {
+                sums += f64x8::from_slice(simd, a) * f64x8::from_slice(simd, b);
+            }
+            target[(i, j)] += sums.iter().sum::<f64>();
         }
     }
-    sums.iter().sum()
 }
 
 /// Returns `u.C.v` without the first row and column of `C`, whose lower triangle `matrix` holds.
