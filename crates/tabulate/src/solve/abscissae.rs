@@ -53,6 +53,7 @@ impl LongWaves {
 }
 
 /// The Bessel values at up to [`BLOCK`] consecutive abscissae.
+#[derive(Clone, Debug)]
 pub struct Block {
     /// Index of the first abscissa.
     pub first: usize,

@@ -49,7 +49,7 @@ pub fn solve<C: SurfaceCompliance>(
     let mut quadrature_tolerance = tolerance;
     loop {
         let abscissae = Abscissae::new(x, modes, panels.clone());
-        let operator = Operator::assemble(compliance, &abscissae, abscissae.blocks());
+        let operator = Operator::for_one_sphere(compliance, &abscissae);
         let Some(solved) = operator.solve(symbol, exponents) else {
             // Too few modes, or too much rounding.
             if modes >= ample {

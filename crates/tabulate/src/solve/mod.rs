@@ -50,6 +50,7 @@ pub(crate) mod quadrature;
 mod read_out;
 mod sampled;
 mod slab;
+mod slope;
 mod solution;
 mod stacked;
 pub(crate) mod surface;

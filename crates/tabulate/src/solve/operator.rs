@@ -43,6 +43,7 @@ use crate::solve::abscissae::{Abscissae, Block};
 use crate::solve::bessel::LANES;
 use crate::solve::estimate::larger;
 use crate::solve::power_law::{PowerLaw, coefficients};
+use crate::solve::slope::{Slope, dot};
 use crate::solve::surface::{Sample, SurfaceCompliance};
 use crate::solve::symbol::Symbol;
 
@@ -50,14 +51,13 @@ const SQRT_5: f64 = 2.236_067_977_499_79;
 /// The second entry of `rho^2` in the basis.
 const PARABOLA: f64 = 2.0 / (3.0 * SQRT_5);
 
-/// The matrices `M` and `C` of one film on one substrate at one `a/t`. Only their lower triangles
-/// are stored.
+/// The matrices `M`, as its lower triangle, and `C` of one surface at one `a/t`.
 #[derive(Clone, Debug)]
 pub struct Operator {
     /// `M`.
     kernel: Mat<f64>,
     /// `C`.
-    slope: Mat<f64>,
+    slope: Slope,
     /// `M_00 + C_00`, in which the compliance of long waves cancels.
     translation: f64,
     /// The error of `v.M.v` where the panels do not resolve `X` and `q X'`.
@@ -94,50 +94,76 @@ impl Solved {
 }
 
 impl Operator {
-    /// Sums `M` and `C` over the abscissae. `blocks` are those of `abscissae`, evaluated one by one
-    /// or kept for many materials.
+    /// Sums `M` and `C` over the abscissae, for many spheres. `blocks` are those of `abscissae`,
+    /// evaluated one by one or kept for many surfaces.
     pub fn assemble<B: Borrow<Block>>(
         compliance: &impl SurfaceCompliance,
         abscissae: &Abscissae,
         blocks: impl IntoIterator<Item = B>,
     ) -> Self {
+        let (mut operator, samples) = Self::begin(compliance, abscissae);
+        let mut slope = Mat::zeros(abscissae.modes, abscissae.modes);
+        for block in blocks {
+            let factors = operator.add(abscissae, &samples, block.borrow());
+            add_products(&mut slope, &block.borrow().values, &factors);
+        }
+        operator.slope = Slope::Matrix(slope);
+        operator
+    }
+
+    /// Sums `M` over the abscissae, and keeps what one sphere needs of `C`.
+    pub fn for_one_sphere(compliance: &impl SurfaceCompliance, abscissae: &Abscissae) -> Self {
+        let (mut operator, samples) = Self::begin(compliance, abscissae);
+        let mut values = Vec::new();
+        for block in abscissae.blocks() {
+            let factors = operator.add(abscissae, &samples, &block);
+            values.push((block, factors));
+        }
+        operator.slope = Slope::Values(values);
+        operator
+    }
+
+    /// Returns the operator without any block, and the samples of the compliance.
+    fn begin(compliance: &impl SurfaceCompliance, abscissae: &Abscissae) -> (Self, Vec<Sample>) {
         let n = abscissae.modes;
         let samples = compliance.sample_all(&abscissae.q);
-        let long = abscissae.long_waves();
         let [resolution_error, shape_error] = resolution_errors(abscissae, &samples);
-        let mut operator = Self {
+        let operator = Self {
             kernel: Mat::zeros(n, n),
-            slope: Mat::zeros(n, n),
-            translation: long.boundary(abscissae.x, compliance),
+            slope: Slope::Values(Vec::new()),
+            translation: abscissae.long_waves().boundary(abscissae.x, compliance),
             resolution_error,
             shape_error,
             design_error: abscissae.panels.design_error,
             rounding: ROUNDING * (1.0 - 0.05 * compliance.smallest_scale().ln()),
         };
-        for block in blocks {
-            let Block {
-                first,
-                rows,
-                values,
-            } = block.borrow();
-            let samples = &samples[*first..first + rows];
-            let weights = &abscissae.weights[*first..first + rows];
-            let terms = || samples.iter().zip(weights);
-            let excess: Vec<f64> = terms().map(|(sample, w)| w * sample.excess).collect();
-            let slope: Vec<f64> = terms().map(|(sample, w)| w * sample.slope).collect();
-            add_products(&mut operator.kernel, values, &excess);
-            add_products(&mut operator.slope, values, &slope);
-            for i in 0..*rows {
-                let [j0, j1] = [values[i], values[rows + i]];
-                operator.translation += if first + i < long.count {
-                    let z = abscissae.q[first + i] * abscissae.x;
-                    2.0 / 3.0 * excess[i] * z * z * j0 * (j0 - j1 / SQRT_5)
-                } else {
-                    (excess[i] + slope[i]) * j0 * j0
-                };
-            }
+        (operator, samples)
+    }
+
+    /// Adds a block to `M` and to `M_00 + C_00`. Returns the factors of the Bessel products in `C`.
+    fn add(&mut self, abscissae: &Abscissae, samples: &[Sample], block: &Block) -> Vec<f64> {
+        let Block {
+            first,
+            rows,
+            values,
+        } = block;
+        let samples = &samples[*first..first + rows];
+        let weights = &abscissae.weights[*first..first + rows];
+        let terms = || samples.iter().zip(weights);
+        let excess: Vec<f64> = terms().map(|(sample, w)| w * sample.excess).collect();
+        let slope: Vec<f64> = terms().map(|(sample, w)| w * sample.slope).collect();
+        add_products(&mut self.kernel, values, &excess);
+        let long = abscissae.long_waves();
+        for i in 0..*rows {
+            let [j0, j1] = [values[i], values[rows + i]];
+            self.translation += if first + i < long.count {
+                let z = abscissae.q[first + i] * abscissae.x;
+                2.0 / 3.0 * excess[i] * z * z * j0 * (j0 - j1 / SQRT_5)
+            } else {
+                (excess[i] + slope[i]) * j0 * j0
+            };
         }
-        operator
+        slope
     }
 
     /// Solves the contact of one sphere, as [`Operator::solve`], and returns the quantities if their
@@ -220,9 +246,8 @@ impl Operator {
         solve_upper_triangular_in_place(factor.transpose(), solutions.as_mut(), Par::Seq);
         let h = solutions.col_as_slice(0);
         let squares = 1.0 + dot(h, h);
-        let chh = film * form(&self.slope, h, h);
-        let c = &self.slope.col_as_slice(0)[1..];
-        let ch = film * dot(c, h);
+        let forms = self.slope.forms(&solutions);
+        let [ch, chh] = forms[0].map(|form| film * form);
 
         let softness = 1.0 + film * self.kernel[(0, 0)] - yielding;
         let edge = 1.0 + film * self.translation - yielding - 2.0 * ch + chh;
@@ -239,8 +264,7 @@ impl Operator {
         let mut solve_profile = |((exponent, column), half): ((f64, usize), Half)| {
             let w = solutions.col_as_slice(column);
             let share = 1.0 / (exponent + 1.0) - half.tilt;
-            let chw = film * form(&self.slope, h, w);
-            let cw = film * dot(c, w);
+            let [cw, chw] = forms[column].map(|form| film * form);
             let sum = exponent * share + cw - chw;
             let terms = (squares * dot(w, w)).sqrt()
                 + 1.0
@@ -316,11 +340,6 @@ pub(crate) fn add_products(target: &mut Mat<f64>, bessel: &[f64], factors: &[f64
 /// The number of modes from which on the products of a matrix library are faster.
 const LIBRARY: usize = 16;
 
-/// Returns `a.b`.
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
-}
-
 /// Adds the products of the columns of `left` and `right`, of `rows` elements each, to the lower
 /// triangle of `target`. `rows` is a multiple of [`LANES`].
 #[inline(always)]
@@ -340,20 +359,6 @@ fn add_small<S: Simd>(
             target[(i, j)] += sums.iter().sum::<f64>();
         }
     }
-}
-
-/// Returns `u.C.v` without the first row and column of `C`, whose lower triangle `matrix` holds.
-fn form(matrix: &Mat<f64>, u: &[f64], v: &[f64]) -> f64 {
-    let mut form = 0.0;
-    for j in 0..u.len() {
-        let column = &matrix.col_as_slice(j + 1)[j + 1..];
-        let (u_j, v_j) = (u[j], v[j]);
-        form += column[0] * u_j * v_j;
-        for ((c, u), v) in column.iter().zip(&u[j..]).zip(&v[j..]).skip(1) {
-            form += c * (u * v_j + u_j * v);
-        }
-    }
-    form
 }
 
 /// Extrapolates `sum_{i >= n} y_i^2`, the contribution of the modes left out to a form, from the
