@@ -9,7 +9,7 @@ use interp::{Material, Quantities};
 
 use crate::Error;
 use crate::parallel::try_map;
-use crate::solve::abscissae::{Abscissae, Block};
+use crate::solve::abscissae::{Abscissae, BesselValues};
 use crate::solve::compliance::Compliance;
 use crate::solve::galerkin;
 use crate::solve::method::has_closed_form;
@@ -107,7 +107,7 @@ struct Shared {
     x: f64,
     tolerance: f64,
     /// The abscissae and Bessel values of Galerkin's method; none where no group shares matrices.
-    galerkin: Option<(Abscissae, Vec<Block>)>,
+    galerkin: Option<(Abscissae, BesselValues)>,
 }
 
 impl Shared {
@@ -120,8 +120,8 @@ impl Shared {
             .peekable();
         let galerkin = sharing.peek().is_some().then(|| {
             let abscissae = galerkin::shared_abscissae(x, sharing, tolerance);
-            let blocks = abscissae.blocks().collect();
-            (abscissae, blocks)
+            let bessel = abscissae.bessel_values();
+            (abscissae, bessel)
         });
         Self {
             x,
@@ -142,12 +142,12 @@ impl Shared {
         let mut operator = None;
         let solve_member = |material: &Material| {
             let symbol = Symbol::with_compliance(group.compliance, material);
-            if let Some((abscissae, blocks)) = &self.galerkin
+            if let Some((abscissae, bessel)) = &self.galerkin
                 && shares_matrices
                 && !has_closed_form(&symbol, self.tolerance)
             {
                 let operator = operator.get_or_insert_with(|| {
-                    Operator::assemble(&group.compliance, abscissae, blocks)
+                    Operator::for_many_spheres(&group.compliance, abscissae, bessel)
                 });
                 if let Some(quantities) = operator.solve_to(&symbol, self.tolerance) {
                     return Ok(quantities);

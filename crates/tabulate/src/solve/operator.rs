@@ -23,7 +23,6 @@
 //! integrated by parts ([`LongWaves`](crate::solve::abscissae::LongWaves)). Each term is then
 //! accurate for every contrast of the moduli.
 
-use std::borrow::Borrow;
 use std::iter;
 
 use faer::dyn_stack::{MemBuffer, MemStack};
@@ -39,7 +38,7 @@ use fearless_simd::prelude::*;
 use fearless_simd::{Level, dispatch, f64x8};
 use interp::Quantities;
 
-use crate::solve::abscissae::{Abscissae, Block};
+use crate::solve::abscissae::{Abscissae, BesselValues};
 use crate::solve::bessel::LANES;
 use crate::solve::estimate::larger;
 use crate::solve::power_law::{PowerLaw, coefficients};
@@ -94,18 +93,17 @@ impl Solved {
 }
 
 impl Operator {
-    /// Sums `M` and `C` over the abscissae, for many spheres. `blocks` are those of `abscissae`,
-    /// evaluated one by one or kept for many surfaces.
-    pub fn assemble<B: Borrow<Block>>(
+    /// Sums `M` and `C` over the abscissae, for many spheres. `bessel` holds the values at
+    /// `abscissae`, which may serve many surfaces.
+    pub fn for_many_spheres(
         compliance: &impl SurfaceCompliance,
         abscissae: &Abscissae,
-        blocks: impl IntoIterator<Item = B>,
+        bessel: &BesselValues,
     ) -> Self {
-        let (mut operator, samples) = Self::begin(compliance, abscissae);
+        let (mut operator, factors) = Self::assemble(compliance, abscissae, bessel);
         let mut slope = Mat::zeros(abscissae.modes, abscissae.modes);
-        for block in blocks {
-            let factors = operator.add(abscissae, &samples, block.borrow());
-            add_products(&mut slope, &block.borrow().values, &factors);
+        for block in bessel.blocks() {
+            add_products(&mut slope, block.values, &factors[block.range()]);
         }
         operator.slope = Slope::Matrix(slope);
         operator
@@ -113,57 +111,48 @@ impl Operator {
 
     /// Sums `M` over the abscissae, and keeps what one sphere needs of `C`.
     pub fn for_one_sphere(compliance: &impl SurfaceCompliance, abscissae: &Abscissae) -> Self {
-        let (mut operator, samples) = Self::begin(compliance, abscissae);
-        let mut values = Vec::new();
-        for block in abscissae.blocks() {
-            let factors = operator.add(abscissae, &samples, &block);
-            values.push((block, factors));
-        }
-        operator.slope = Slope::Values(values);
+        let bessel = abscissae.bessel_values();
+        let (mut operator, factors) = Self::assemble(compliance, abscissae, &bessel);
+        operator.slope = Slope::Values(bessel, factors);
         operator
     }
 
-    /// Returns the operator without any block, and the samples of the compliance.
-    fn begin(compliance: &impl SurfaceCompliance, abscissae: &Abscissae) -> (Self, Vec<Sample>) {
+    /// Sums `M` and `M_00 + C_00`. Returns the operator without `C`, and the factor of the Bessel
+    /// products of `C` at every abscissa.
+    fn assemble(
+        compliance: &impl SurfaceCompliance,
+        abscissae: &Abscissae,
+        bessel: &BesselValues,
+    ) -> (Self, Vec<f64>) {
         let n = abscissae.modes;
         let samples = compliance.sample_all(&abscissae.q);
+        let long = abscissae.long_waves();
         let [resolution_error, shape_error] = resolution_errors(abscissae, &samples);
-        let operator = Self {
+        let mut operator = Self {
             kernel: Mat::zeros(n, n),
-            slope: Slope::Values(Vec::new()),
-            translation: abscissae.long_waves().boundary(abscissae.x, compliance),
+            slope: Slope::Matrix(Mat::new()),
+            translation: long.boundary(abscissae.x, compliance),
             resolution_error,
             shape_error,
             design_error: abscissae.panels.design_error,
             rounding: ROUNDING * (1.0 - 0.05 * compliance.smallest_scale().ln()),
         };
-        (operator, samples)
-    }
-
-    /// Adds a block to `M` and to `M_00 + C_00`. Returns the factors of the Bessel products in `C`.
-    fn add(&mut self, abscissae: &Abscissae, samples: &[Sample], block: &Block) -> Vec<f64> {
-        let Block {
-            first,
-            rows,
-            values,
-        } = block;
-        let samples = &samples[*first..first + rows];
-        let weights = &abscissae.weights[*first..first + rows];
-        let terms = || samples.iter().zip(weights);
+        let terms = || samples.iter().zip(&abscissae.weights);
         let excess: Vec<f64> = terms().map(|(sample, w)| w * sample.excess).collect();
         let slope: Vec<f64> = terms().map(|(sample, w)| w * sample.slope).collect();
-        add_products(&mut self.kernel, values, &excess);
-        let long = abscissae.long_waves();
-        for i in 0..*rows {
-            let [j0, j1] = [values[i], values[rows + i]];
-            self.translation += if first + i < long.count {
-                let z = abscissae.q[first + i] * abscissae.x;
-                2.0 / 3.0 * excess[i] * z * z * j0 * (j0 - j1 / SQRT_5)
-            } else {
-                (excess[i] + slope[i]) * j0 * j0
-            };
+        for block in bessel.blocks() {
+            add_products(&mut operator.kernel, block.values, &excess[block.range()]);
+            let (j0, rest) = block.values.split_at(block.rows);
+            for ((i, j0), j1) in block.range().zip(j0).zip(rest) {
+                operator.translation += if i < long.count {
+                    let z = abscissae.q[i] * abscissae.x;
+                    2.0 / 3.0 * excess[i] * z * z * j0 * (j0 - j1 / SQRT_5)
+                } else {
+                    (excess[i] + slope[i]) * j0 * j0
+                };
+            }
         }
-        slope
+        (operator, slope)
     }
 
     /// Solves the contact of one sphere, as [`Operator::solve`], and returns the quantities if their

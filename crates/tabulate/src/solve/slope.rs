@@ -7,7 +7,7 @@ use faer::Mat;
 use fearless_simd::prelude::*;
 use fearless_simd::{Level, dispatch, f64x8};
 
-use crate::solve::abscissae::Block;
+use crate::solve::abscissae::{BesselValues, Block};
 use crate::solve::bessel::LANES;
 
 /// The matrix `C`, in the form in which its use costs least.
@@ -15,9 +15,9 @@ use crate::solve::bessel::LANES;
 pub enum Slope {
     /// Its lower triangle, for many contacts.
     Matrix(Mat<f64>),
-    /// Blocks of Bessel values with the factors `(2/pi) q X'` times the weights. For one contact,
-    /// the forms are sums over the abscissae of the products of `sum_n J_n v_n`.
-    Values(Vec<(Block, Vec<f64>)>),
+    /// The Bessel values, and the factor of their products at every abscissa, for one contact: its
+    /// forms are sums over the abscissae of products of `sum_n J_n v_n`.
+    Values(BesselValues, Vec<f64>),
 }
 
 impl Slope {
@@ -32,9 +32,9 @@ impl Slope {
                     .map(|j| forms(vectors.col_as_slice(j)))
                     .collect()
             }
-            Self::Values(blocks) => {
+            Self::Values(bessel, factors) => {
                 let mut sums = vec![[0.0; 2]; vectors.ncols()];
-                for (block, factors) in blocks {
+                for block in bessel.blocks() {
                     dispatch!(Level::new(), simd => add_forms(simd, block, factors, vectors, &mut sums));
                 }
                 sums
@@ -43,11 +43,11 @@ impl Slope {
     }
 }
 
-/// Adds the parts of the forms at the abscissae of one block.
+/// Adds the parts of the forms at the abscissae of one block. `factors` are those of all abscissae.
 #[inline(always)]
 fn add_forms<S: Simd>(
     simd: S,
-    block: &Block,
+    block: Block<'_>,
     factors: &[f64],
     vectors: &Mat<f64>,
     forms: &mut [[f64; 2]],
@@ -69,7 +69,7 @@ fn add_forms<S: Simd>(
     let of_h = &amplitudes[..block.rows];
     for (form, of_v) in forms.iter_mut().zip(amplitudes.chunks_exact(block.rows)) {
         let mut sums = [f64x8::splat(simd, 0.0); 2];
-        for (i, factors) in lanes(factors).enumerate() {
+        for (i, factors) in lanes(&factors[block.range()]).enumerate() {
             let group = |values: &[f64]| f64x8::from_slice(simd, &values[i * LANES..][..LANES]);
             let part = f64x8::from_slice(simd, factors) * group(of_v);
             sums[0] = part.mul_add(group(first), sums[0]);

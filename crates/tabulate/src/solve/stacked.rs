@@ -87,7 +87,7 @@ pub fn solve_stack_under_spheres(
     let operator = OnceLock::new();
     let assemble = || {
         let abscissae = galerkin::shared_abscissae(x, [compliance], tolerance);
-        Operator::assemble(compliance, &abscissae, abscissae.blocks())
+        Operator::for_many_spheres(compliance, &abscissae, &abscissae.bessel_values())
     };
     try_map(0..sphere_moduli.len(), |i| {
         let contact = layers.under(sphere_moduli[i])?;
