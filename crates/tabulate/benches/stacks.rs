@@ -1,6 +1,6 @@
-//! The time of a solve of one film and of three layers, of a curve of 200 layers, and of the table of
-//! a stack: what each sphere adds to a sweep, and what a lookup takes. Compare times within one run
-//! only.
+//! The time of a solve of one film and of three layers, of a curve of 200 layers, and of the table
+//! of a stack: what each sphere adds to a sweep, and what a lookup takes. Compare times within one
+//! run only.
 
 use std::hint::black_box;
 
@@ -89,7 +89,9 @@ fn lookups(criterion: &mut Criterion) {
     let table = Table::new(description, axes, values).expect("a whole table");
     let table = StackTable::new(&table).expect("a stack");
     let mut group = criterion.benchmark_group("two layers, a sphere of 2 MPa");
-    group.bench_function("curve by the table", |b| b.iter(|| table.curve(black_box(2e6))));
+    group.bench_function("curve by the table", |b| {
+        b.iter(|| table.curve(black_box(2e6)))
+    });
     group.bench_function("curve by solves to 1e-6", |b| {
         b.iter(|| stack_curve(black_box(table.stack()), 2e6, [1e-2, 1e2], 1e-6))
     });

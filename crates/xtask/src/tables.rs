@@ -99,7 +99,8 @@ fn row(name: &str, scenes: &Path, made: &Path) -> Result<String, String> {
     let pack = ["pack", &file, "-o", &packed, "--tolerance", &tolerance];
     let packed = Object(tabulate::json(&pack)?);
 
-    let has = |(parameter, _): &(&str, &str)| table.0.pointer(&format!("/axes/{parameter}")).is_some();
+    let has =
+        |(parameter, _): &(&str, &str)| table.0.pointer(&format!("/axes/{parameter}")).is_some();
     let parameters = PARAMETERS
         .into_iter()
         .find(|parameters| parameters.iter().all(has))
@@ -155,8 +156,8 @@ impl Object {
         number.ok_or_else(|| format!("tabulate prints no number {field}: {}", self.0))
     }
 
-    /// Returns a number in its short form: powers of ten and at most four digits far from 1; "inf" for
-    /// a rigid substrate.
+    /// Returns a number in its short form: powers of ten and at most four digits far from 1; "inf"
+    /// for a rigid substrate.
     fn text(&self, field: &str) -> Result<String, String> {
         if let Some(text) = self.0.pointer(field).and_then(Value::as_str) {
             return Ok(text.to_owned());
@@ -166,7 +167,11 @@ impl Object {
             value.to_string()
         } else {
             let (exact, rounded) = (format!("{value:e}"), format!("{value:.3e}"));
-            if exact.len() > rounded.len() { rounded } else { exact }
+            if exact.len() > rounded.len() {
+                rounded
+            } else {
+                exact
+            }
         })
     }
 }

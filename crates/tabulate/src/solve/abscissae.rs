@@ -83,15 +83,14 @@ impl Block<'_> {
 impl BesselValues {
     /// Returns the blocks.
     pub fn blocks(&self) -> impl Iterator<Item = Block<'_>> {
-        let block = |(i, values): (usize, _)| Block {
-            first: i * BLOCK,
-            rows: <[f64]>::len(values) / self.modes,
-            values,
-        };
         self.values
             .chunks(BLOCK * self.modes)
             .enumerate()
-            .map(block)
+            .map(|(i, values)| Block {
+                first: i * BLOCK,
+                rows: values.len() / self.modes,
+                values,
+            })
     }
 }
 

@@ -60,14 +60,7 @@ impl EvenBessel {
     /// [`EvenBessel::fill`] with vector instructions. Products and sums are not fused, so that all
     /// processors give the same values.
     #[inline(always)]
-    fn fill_with<S: Simd>(
-        &self,
-        simd: S,
-        z: &Group,
-        values: &mut [f64],
-        stride: usize,
-        at: usize,
-    ) {
+    fn fill_with<S: Simd>(&self, simd: S, z: &Group, values: &mut [f64], stride: usize, at: usize) {
         let splat = |value: f64| f64x8::splat(simd, value);
         let one = splat(1.0);
         let mut store = |n: usize, group: f64x8<S>, factor: f64x8<S>| {

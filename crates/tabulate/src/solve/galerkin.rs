@@ -24,8 +24,8 @@
 //! itself.
 //!
 //! `M` and `C` do not depend on the sphere: one pair serves every `E1/E2*` at fixed `a/t`, `nu1`,
-//! `nu0` and `E0/E1` (`operator.rs`). The Bessel values do not depend on the material
-//! (`abscissae.rs`).
+//! `nu0` and `E0/E1`, or on one stack of layers (`operator.rs`). The Bessel values do not depend
+//! on the material (`abscissae.rs`).
 
 use crate::solve::abscissae::Abscissae;
 use crate::solve::estimate::Estimate;

@@ -171,9 +171,9 @@ impl LayeredCompliance {
 
 impl SurfaceCompliance for LayeredCompliance {
     /// Poles were found as near to the real axis as 26.8 degrees; a plate on a thin incompressible
-    /// layer has them at 30 degrees. With poles at 26 degrees, the ellipse of convergence of a panel
-    /// `[c, 4c]` is 1.8: 16, 20, 24 and 32 points leave `1.8^{-32}`, `1.8^{-40}`, `1.8^{-48}` and
-    /// `1.8^{-64}`.
+    /// layer has them at 30 degrees. With poles at 26 degrees, the ellipse of convergence of a
+    /// panel `[c, 4c]` is 1.8: 16, 20, 24 and 32 points leave `1.8^{-32}`, `1.8^{-40}`,
+    /// `1.8^{-48}` and `1.8^{-64}`.
     fn rule(tolerance: f64, oscillates: bool) -> PanelRule {
         let points = match tolerance {
             _ if oscillates => 32,

@@ -1,5 +1,5 @@
-//! The matrices of Galerkin's method for one film on one substrate, and the contact of a sphere
-//! with them.
+//! The matrices of Galerkin's method for one film on one substrate, or for one stack of layers, and
+//! the contact of a sphere with them. Of `C` a contact needs a few forms only (`slope.rs`).
 //!
 //! # The motion of the contact as a whole
 //!
@@ -155,8 +155,8 @@ impl Operator {
         (operator, slope)
     }
 
-    /// Solves the contact of one sphere, as [`Operator::solve`], and returns the quantities if their
-    /// estimated error is at most `tolerance`.
+    /// Solves the contact of one sphere, as [`Operator::solve`], and returns the quantities if
+    /// their estimated error is at most `tolerance`.
     pub fn solve_to<C: SurfaceCompliance>(
         &self,
         symbol: &Symbol<C>,
@@ -332,13 +332,7 @@ const LIBRARY: usize = 16;
 /// Adds the products of the columns of `left` and `right`, of `rows` elements each, to the lower
 /// triangle of `target`. `rows` is a multiple of [`LANES`].
 #[inline(always)]
-fn add_small<S: Simd>(
-    simd: S,
-    target: &mut Mat<f64>,
-    left: &[f64],
-    right: &[f64],
-    rows: usize,
-) {
+fn add_small<S: Simd>(simd: S, target: &mut Mat<f64>, left: &[f64], right: &[f64], rows: usize) {
     for (j, right) in right.chunks_exact(rows).enumerate() {
         for (i, left) in left.chunks_exact(rows).enumerate().skip(j) {
             let mut sums = f64x8::splat(simd, 0.0);

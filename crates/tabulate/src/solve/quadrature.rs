@@ -7,7 +7,7 @@
 //!   ([`SINE_OF_FREE_ANGLE`](crate::solve::compliance::SINE_OF_FREE_ANGLE)), the nearest at
 //!   `|q| ~ s` ([`SurfaceCompliance::smallest_scale`]). On a panel `[c, 4c]` an `n`-point rule
 //!   therefore converges like `2.5^{-2n}`, and panels grow geometrically from `[0, s]`. The poles
-//!   of a stack of layers come nearer to the axis, and its panels are shorter
+//!   of a stack of layers come nearer to the axis, and its panels have more points
 //!   ([`SurfaceCompliance::rule`]).
 //! * The Bessel product oscillates like `cos 2z`. An `n`-point rule on a panel `w` long in `z` has
 //!   an error of about `(e w / (4 n))^{2n}`, which bounds the width.

@@ -1,7 +1,7 @@
 //! The forms of the matrix `C_mn = (2/pi) int q X' J_m J_n dz` that a contact needs.
 //!
-//! With `c` the first column of `C` without its first element and `C'` the rest, these are `c.v` and
-//! `h.C'.v` of the vectors `v` of a contact, of which `h` is the first (`operator.rs`).
+//! With `c` the first column of `C` without its first element and `C'` the rest, these are `c.v`
+//! and `h.C'.v` of the vectors `v` of a contact, of which `h` is the first (`operator.rs`).
 
 use faer::Mat;
 use fearless_simd::prelude::*;
