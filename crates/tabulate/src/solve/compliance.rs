@@ -34,7 +34,7 @@ use std::ops::{Add, Mul};
 use interp::Material;
 use num_complex::ComplexFloat;
 
-use crate::solve::surface::{PanelRule, Sample, SurfaceCompliance};
+use crate::solve::surface::{Sample, SurfaceCompliance};
 
 /// A real or complex wave number: `f64` or [`Complex64`](num_complex::Complex64).
 pub trait WaveNumber:
@@ -234,16 +234,12 @@ impl Compliance {
 impl SurfaceCompliance for Compliance {
     /// No zero and no pole of a film is nearer to the real axis than 53 degrees: the
     /// ellipse of convergence of a panel `[c, 4c]` is 2.5.
-    fn rule(tolerance: f64, oscillates: bool) -> PanelRule {
-        let points = match tolerance {
+    fn points(tolerance: f64, oscillates: bool) -> usize {
+        match tolerance {
             _ if oscillates => 32,
             1e-6.. => 16,
             3e-11.. => 20,
             _ => 24,
-        };
-        PanelRule {
-            points,
-            growth: 3.0,
         }
     }
 

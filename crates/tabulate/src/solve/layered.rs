@@ -15,7 +15,7 @@ use fearless_simd::{Level, dispatch};
 use interp::Elastic;
 
 use crate::solve::slab::{Minors, Samples, Slab, scaled, sum};
-use crate::solve::surface::{PanelRule, Sample, SurfaceCompliance};
+use crate::solve::surface::{Sample, SurfaceCompliance};
 use crate::stack::Stack;
 
 /// The surface compliance of a stack of layers on its base. Wave numbers are in units of one over
@@ -174,17 +174,13 @@ impl SurfaceCompliance for LayeredCompliance {
     /// layer has them at 30 degrees. With poles at 26 degrees, the ellipse of convergence of a
     /// panel `[c, 4c]` is 1.8: 16, 20, 24 and 32 points leave `1.8^{-32}`, `1.8^{-40}`,
     /// `1.8^{-48}` and `1.8^{-64}`.
-    fn rule(tolerance: f64, oscillates: bool) -> PanelRule {
-        let points = match tolerance {
+    fn points(tolerance: f64, oscillates: bool) -> usize {
+        match tolerance {
             _ if oscillates => 32,
             1e-6.. => 16,
             1e-9.. => 20,
             1e-11.. => 24,
             _ => 32,
-        };
-        PanelRule {
-            points,
-            growth: 3.0,
         }
     }
 

@@ -18,7 +18,7 @@
 //! |---|---|
 //! | `sample(q)`, `sample_all(q)` | the excess `X - 1` and the slope `q X'`, without cancellation |
 //! | `smallest_scale()` | the wave number of the nearest pole of `X`: the first panel |
-//! | `rule(tolerance, oscillates)` | points and growth of panels, away from the poles |
+//! | `points(tolerance, oscillates)` | points on a panel, more of them where poles are near |
 //! | `largest_excess()` | a bound of `|X - 1|`; 0 where `X = 1` everywhere |
 //!
 //! The cut-off of `surface`, beyond which `X` is 1, serves all of them. The Wiener-Hopf method asks
@@ -71,4 +71,4 @@ pub(crate) use quadrature::{GaussLegendre, Panels};
 pub use solution::{Solution, solve, solve_power_laws};
 pub(crate) use stacked::{check_reach, solve_stack_under_spheres};
 pub use stacked::{solve_stack, solve_stack_power_laws, stack_curve};
-pub use surface::{PanelRule, Sample, SurfaceCompliance};
+pub use surface::{Sample, SurfaceCompliance};

@@ -8,7 +8,7 @@ use fearless_simd::{Level, dispatch};
 
 use crate::solve::compliance::FLAT;
 use crate::solve::layered::LayeredCompliance;
-use crate::solve::surface::{PanelRule, Sample, SurfaceCompliance};
+use crate::solve::surface::{Sample, SurfaceCompliance};
 
 /// The samples of a panel. With poles at 26 degrees from the real axis, the ellipse of convergence
 /// of a panel `[c, 1.4c]` is 5.5, and that of the first panel, whose length is half the distance of
@@ -68,8 +68,8 @@ impl SampledCompliance {
 }
 
 impl SurfaceCompliance for SampledCompliance {
-    fn rule(tolerance: f64, oscillates: bool) -> PanelRule {
-        LayeredCompliance::rule(tolerance, oscillates)
+    fn points(tolerance: f64, oscillates: bool) -> usize {
+        LayeredCompliance::points(tolerance, oscillates)
     }
 
     fn sample(&self, q: f64) -> Sample {
