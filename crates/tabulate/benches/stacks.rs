@@ -1,15 +1,20 @@
-//! The time of a solve of one film and of three layers, and of a curve of 200 layers. Compare times
-//! within one run only.
+//! The time of a solve of one film and of three layers, of a curve of 200 layers, and of the table
+//! of a stack: what each sphere adds to a sweep, and what a lookup takes. Compare times within one
+//! run only.
 
 use std::hint::black_box;
 
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
-use interp::{Elastic, Material};
+use interp::{Certificate, Description, Elastic, Material, Table};
 use tabulate::stack::{Layer, Stack};
+use tabulate::table::{Plan, Scene, StackTable, sweep};
 use tabulate::{solve, solve_stack, stack_curve};
 
 /// The tolerance of the solves.
 const TOLERANCE: f64 = 1e-8;
+
+/// The scene of the table: two layers.
+const SCENE: &str = include_str!("../../../tables/stacks/primer-scene.toml");
 
 fn solid(young: f64, poisson: f64) -> Elastic {
     Elastic::new(young, poisson).expect("physical")
@@ -25,11 +30,12 @@ fn three_layers() -> Stack {
     Stack::new(solid(1e11, 0.25), layers).expect("physical")
 }
 
-/// Both at the same contact radius over the thickness of the top layer.
+/// Both at the same contact radius over the thickness of the top layer. Beyond `a/h` of some 20 one
+/// film takes the Wiener-Hopf method, which layers do not have.
 fn solves(criterion: &mut Criterion) {
     let material = Material::new(1.75, 0.5, 1e5, 0.25).expect("physical");
     let stack = three_layers();
-    for a_over_top in [0.3, 1.0, 3.0, 10.0] {
+    for a_over_top in [0.3, 1.0, 3.0, 10.0, 30.0] {
         let mut group = criterion.benchmark_group(format!("solve at a/h = {a_over_top}"));
         group.bench_function(BenchmarkId::from_parameter("one film"), |b| {
             b.iter(|| solve(black_box(a_over_top), &material, TOLERANCE))
@@ -49,5 +55,50 @@ fn curves(criterion: &mut Criterion) {
     });
 }
 
-criterion_group!(benches, solves, curves);
+/// The nodes of one `a/t` under one sphere and under 29.
+fn sweeps(criterion: &mut Criterion) {
+    let scene = Scene::parse(SCENE, None).expect("a sound scene");
+    let planned = Plan::new(&scene).expect("within reach").axes();
+    let (from, to) = (planned[1].1[0], planned[1].1[planned[1].1.len() - 1]);
+    let mut group = criterion.benchmark_group("nodes of the table at a/t = 6.5");
+    for spheres in [1, 29] {
+        let ratio = |i| from * (to / from).powf((f64::from(i) + 0.5) / f64::from(spheres));
+        let mut axes = planned.clone();
+        axes[0].1 = vec![6.5];
+        axes[1].1 = (0..spheres).map(ratio).collect();
+        group.bench_function(BenchmarkId::new("spheres", spheres), |b| {
+            b.iter(|| sweep(black_box(&scene), &axes, &|_| ()))
+        });
+    }
+    group.finish();
+}
+
+/// The curve and a load of a sphere of 2 MPa, by the table and by direct solves.
+fn lookups(criterion: &mut Criterion) {
+    let scene = Scene::parse(SCENE, None).expect("a sound scene");
+    let axes = Plan::new(&scene).expect("within reach").axes();
+    let values = sweep(&scene, &axes, &|_| ()).expect("within reach");
+    let description = Description {
+        title: scene.title,
+        scene: scene.text,
+        nu0: scene.nu0,
+        tolerance: scene.tolerance,
+        created_by: "the bench stacks".into(),
+        certificate: Certificate::UNMEASURED,
+    };
+    let table = Table::new(description, axes, values).expect("a whole table");
+    let table = StackTable::new(&table).expect("a stack");
+    let mut group = criterion.benchmark_group("two layers, a sphere of 2 MPa");
+    group.bench_function("curve by the table", |b| {
+        b.iter(|| table.curve(black_box(2e6)))
+    });
+    group.bench_function("curve by solves to 1e-6", |b| {
+        b.iter(|| stack_curve(black_box(table.stack()), 2e6, [1e-2, 1e2], 1e-6))
+    });
+    let contact = table.contact(1e-3, 2e6).expect("within the table");
+    group.bench_function("load", |b| b.iter(|| contact.load(black_box(65e-6), 0.04)));
+    group.finish();
+}
+
+criterion_group!(benches, solves, curves, sweeps, lookups);
 criterion_main!(benches);

@@ -29,7 +29,7 @@ usage: cargo xtask COMMAND
   tabulate ARGS  run the program `tabulate`, built optimised: `cargo xtask tabulate curve`
   table [SCENE] [ARGS]
                  make a table: `tabulate generate SCENE ARGS`; without SCENE, the default scene into tables/default.h5
-  tables         make and pack the table of every scene in tables/, in target/tables/, and print the rows of tables/README.md
+  tables         make and pack the table of every scene in tables/ and tables/stacks/, in target/tables/, and print the rows of tables/README.md
   figures        measure the cost of accuracy, draw all figures, and quote the numbers in crates/tabulate/COST.md and
                  tables/README.md
   figures --check

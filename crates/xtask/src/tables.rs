@@ -1,4 +1,5 @@
-//! The tables of the scenes in `tables/`, and the rows of `tables/README.md` about them.
+//! The tables of the scenes in `tables/` and `tables/stacks/`, and the rows of `tables/README.md`
+//! about them.
 
 use std::fs;
 use std::io::{Write, stdout};
@@ -9,9 +10,9 @@ use serde_json::Value;
 use crate::tabulate;
 use crate::workspace;
 
-/// The names of the axes of a table, and those of a table over ratios of reduced moduli with the
-/// symbols that their ranges need.
-const PARAMETERS: [[(&str, &str); 4]; 2] = [
+/// The names of the axes of a table, those of a table over ratios of reduced moduli, and those of a
+/// stack of layers, with the symbols that their ranges need.
+const PARAMETERS: [[(&str, &str); 4]; 3] = [
     [
         ("a_over_t", ""),
         ("e1_over_e2", ""),
@@ -23,6 +24,12 @@ const PARAMETERS: [[(&str, &str); 4]; 2] = [
         ("e1s_over_einfs", "E1\\*/E∞\\*: "),
         ("nu1", ""),
         ("e0s_over_e2s", "E0\\*/E2\\*: "),
+    ],
+    [
+        ("a_over_t", ""),
+        ("e1_over_e2", ""),
+        ("nu1", ""),
+        ("e0_over_e1", "E0/E1: "),
     ],
 ];
 
@@ -37,19 +44,37 @@ pub fn tables() -> Result<(), String> {
         workspace::root().join("tables"),
         workspace::target()?.join("tables"),
     );
-    fs::create_dir_all(&made).map_err(|e| format!("cannot make {}: {e}", made.display()))?;
-    let entries =
-        fs::read_dir(&scenes).map_err(|e| format!("cannot read {}: {e}", scenes.display()))?;
-    let files = entries.filter_map(|entry| entry.ok()?.file_name().into_string().ok());
-    let mut names: Vec<String> = files
-        .filter_map(|file| Some(file.strip_suffix(".toml")?.to_owned()))
-        .collect();
-    names.sort();
     print(HEADER)?;
     print(&format!("|{}", "---|".repeat(16)))?;
-    names
-        .iter()
-        .try_for_each(|name| print(&row(name, &scenes, &made)?))
+    for folder in ["", "stacks/"] {
+        for name in scene_names(&scenes, folder)? {
+            print(&row(&name, &scenes, &made)?)?;
+        }
+    }
+    Ok(())
+}
+
+/// Returns the names of the scenes in a folder of `scenes`, in alphabetical order: its TOML files
+/// that state an `a_over_t`, which a file of a stack does not. A name begins with the folder.
+fn scene_names(scenes: &Path, folder: &str) -> Result<Vec<String>, String> {
+    let path = scenes.join(folder);
+    let entries =
+        fs::read_dir(&path).map_err(|e| format!("cannot read {}: {e}", path.display()))?;
+    let files = entries.filter_map(|entry| entry.ok()?.file_name().into_string().ok());
+    let mut names = Vec::new();
+    for file in files {
+        let Some(name) = file.strip_suffix(".toml") else {
+            continue;
+        };
+        let path = path.join(&file);
+        let text = fs::read_to_string(&path)
+            .map_err(|e| format!("cannot read {}: {e}", path.display()))?;
+        if text.lines().any(|line| line.starts_with("a_over_t")) {
+            names.push(format!("{folder}{name}"));
+        }
+    }
+    names.sort();
+    Ok(names)
 }
 
 /// Prints a line; a closed standard output is an error, not a panic.
@@ -66,17 +91,25 @@ fn row(name: &str, scenes: &Path, made: &Path) -> Result<String, String> {
             .to_string()
     };
     let (scene, file, packed) = (path(scenes, "toml"), path(made, "h5"), path(made, "bin"));
+    if let Some(folder) = Path::new(&file).parent() {
+        fs::create_dir_all(folder).map_err(|e| format!("cannot make {}: {e}", folder.display()))?;
+    }
     let table = Object(tabulate::json(&["generate", &scene, "-o", &file])?);
-    let tolerance = table.text("/tolerance")?;
+    let tolerance = table.number("/tolerance")?.to_string();
     let pack = ["pack", &file, "-o", &packed, "--tolerance", &tolerance];
     let packed = Object(tabulate::json(&pack)?);
 
-    let parameters = PARAMETERS[usize::from(table.0.pointer("/axes/e1_over_e2").is_none())];
+    let has =
+        |(parameter, _): &(&str, &str)| table.0.pointer(&format!("/axes/{parameter}")).is_some();
+    let parameters = PARAMETERS
+        .into_iter()
+        .find(|parameters| parameters.iter().all(has))
+        .ok_or_else(|| format!("the axes of {file} have names that no row is made for"))?;
     let ranges = parameters.map(|(parameter, symbol)| {
         let [from, to] = ["from", "to"].map(|end| table.text(&format!("/axes/{parameter}/{end}")));
         let (from, to) = (from?, to?);
         Ok(if from == to {
-            from
+            format!("{symbol}{from}")
         } else {
             format!("{symbol}{from} … {to}")
         })
@@ -95,7 +128,7 @@ fn row(name: &str, scenes: &Path, made: &Path) -> Result<String, String> {
             .collect::<Result<Vec<_>, String>>()?
             .join(" | "),
         table.text("/nu0")?,
-        tolerance,
+        table.text("/tolerance")?,
         axes.join(" × "),
         thousands(&table.number("/points_solved")?.to_string()),
         format!("{:.1}", table.number("/seconds")?),
@@ -123,7 +156,8 @@ impl Object {
         number.ok_or_else(|| format!("tabulate prints no number {field}: {}", self.0))
     }
 
-    /// Returns a number in its short form: powers of ten far from 1; "inf" for a rigid substrate.
+    /// Returns a number in its short form: powers of ten and at most four digits far from 1; "inf"
+    /// for a rigid substrate.
     fn text(&self, field: &str) -> Result<String, String> {
         if let Some(text) = self.0.pointer(field).and_then(Value::as_str) {
             return Ok(text.to_owned());
@@ -132,7 +166,12 @@ impl Object {
         Ok(if value == 0.0 || (0.1..100.0).contains(&value) {
             value.to_string()
         } else {
-            format!("{value:e}")
+            let (exact, rounded) = (format!("{value:e}"), format!("{value:.3e}"));
+            if exact.len() > rounded.len() {
+                rounded
+            } else {
+                exact
+            }
         })
     }
 }

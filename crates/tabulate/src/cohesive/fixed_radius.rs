@@ -115,14 +115,14 @@ impl<'a> FixedRadius<'a> {
         let mut matrix = Mat::zeros(modes, modes);
         if let Some(abscissae) = &abscissae {
             let excesses = symbol.compliance().excesses(&abscissae.q);
-            for block in abscissae.blocks() {
-                let range = block.first..block.first + block.rows;
+            for block in abscissae.bessel_values().blocks() {
+                let range = block.range();
                 let weights: Vec<f64> = excesses[range.clone()]
                     .iter()
                     .zip(&abscissae.weights[range])
                     .map(|(excess, w)| symbol.film() * w * excess)
                     .collect();
-                add_products(&mut matrix, &block.values, &weights);
+                add_products(&mut matrix, block.values, &weights);
             }
         }
         for i in 0..modes {
@@ -234,7 +234,7 @@ impl Waves {
         if let Some(abscissae) = abscissae(radius, reach, modes, symbol) {
             let rows = abscissae.q.len();
             bessel.resize(rows * modes, 0.0);
-            for block in abscissae.blocks() {
+            for block in abscissae.bessel_values().blocks() {
                 for (n, column) in block.values.chunks_exact(block.rows).enumerate() {
                     bessel[n * rows + block.first..][..block.rows].copy_from_slice(column);
                 }

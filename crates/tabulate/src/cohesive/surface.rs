@@ -2,7 +2,7 @@
 
 use crate::solve::compliance::Compliance;
 use crate::solve::layered::LayeredCompliance;
-use crate::solve::surface::{PanelRule, Sample, SurfaceCompliance};
+use crate::solve::surface::{Sample, SurfaceCompliance};
 
 /// The compliance of a film or of a stack.
 #[derive(Clone, Debug)]
@@ -22,9 +22,9 @@ impl Surface {
 }
 
 impl SurfaceCompliance for Surface {
-    /// The rule for layers serves films, too.
-    fn rule(tolerance: f64, oscillates: bool) -> PanelRule {
-        LayeredCompliance::rule(tolerance, oscillates)
+    /// The number for layers serves films, too.
+    fn points(tolerance: f64, oscillates: bool) -> usize {
+        LayeredCompliance::points(tolerance, oscillates)
     }
 
     fn sample(&self, q: f64) -> Sample {

@@ -2,6 +2,7 @@
 //! material.
 
 use std::f64::consts::FRAC_2_PI;
+use std::ops::Range;
 
 use crate::solve::bessel::{EvenBessel, LANES};
 use crate::solve::quadrature::Panels;
@@ -52,14 +53,45 @@ impl LongWaves {
     }
 }
 
+/// The Bessel values at all abscissae. They are one piece of memory, so that the allocator keeps it
+/// from one contact to the next.
+#[derive(Clone, Debug)]
+pub struct BesselValues {
+    modes: usize,
+    /// Block after block.
+    values: Vec<f64>,
+}
+
 /// The Bessel values at up to [`BLOCK`] consecutive abscissae.
-pub struct Block {
+#[derive(Clone, Copy, Debug)]
+pub struct Block<'a> {
     /// Index of the first abscissa.
     pub first: usize,
     /// The number of abscissae.
     pub rows: usize,
     /// `rows x modes`, one column after the other.
-    pub values: Vec<f64>,
+    pub values: &'a [f64],
+}
+
+impl Block<'_> {
+    /// Returns the indices of the abscissae.
+    pub fn range(&self) -> Range<usize> {
+        self.first..self.first + self.rows
+    }
+}
+
+impl BesselValues {
+    /// Returns the blocks.
+    pub fn blocks(&self) -> impl Iterator<Item = Block<'_>> {
+        self.values
+            .chunks(BLOCK * self.modes)
+            .enumerate()
+            .map(|(i, values)| Block {
+                first: i * BLOCK,
+                rows: values.len() / self.modes,
+                values,
+            })
+    }
 }
 
 impl Abscissae {
@@ -93,21 +125,23 @@ impl Abscissae {
         }
     }
 
-    /// Evaluates the Bessel functions, a block at a time.
-    pub fn blocks(&self) -> impl Iterator<Item = Block> {
+    /// Evaluates the Bessel functions.
+    pub fn bessel_values(&self) -> BesselValues {
         let bessel = EvenBessel::new(self.modes);
-        self.q.chunks(BLOCK).enumerate().map(move |(i, q)| {
-            let rows = q.len();
-            let mut values = vec![0.0; rows * self.modes];
-            for (j, q) in q.chunks_exact(LANES).enumerate() {
-                let z = std::array::from_fn(|l| q[l] * self.x);
-                bessel.fill(&z, &mut values, rows, j * LANES);
+        let mut values = vec![0.0; self.q.len() * self.modes];
+        for (q, values) in self
+            .q
+            .chunks(BLOCK)
+            .zip(values.chunks_mut(BLOCK * self.modes))
+        {
+            for (j, group) in q.chunks_exact(LANES).enumerate() {
+                let z = std::array::from_fn(|l| group[l] * self.x);
+                bessel.fill(&z, values, q.len(), j * LANES);
             }
-            Block {
-                first: i * BLOCK,
-                rows,
-                values,
-            }
-        })
+        }
+        BesselValues {
+            modes: self.modes,
+            values,
+        }
     }
 }

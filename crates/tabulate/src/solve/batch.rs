@@ -9,12 +9,11 @@ use interp::{Material, Quantities};
 
 use crate::Error;
 use crate::parallel::try_map;
-use crate::solve::abscissae::{Abscissae, Block};
+use crate::solve::abscissae::{Abscissae, BesselValues};
 use crate::solve::compliance::Compliance;
 use crate::solve::galerkin;
 use crate::solve::method::has_closed_form;
 use crate::solve::operator::Operator;
-use crate::solve::quadrature::Panels;
 use crate::solve::symbol::Symbol;
 use crate::solve::tabulated::Tabulated;
 
@@ -112,7 +111,7 @@ struct Shared {
     exponents: &'static [f64],
     tolerance: f64,
     /// The abscissae and Bessel values of Galerkin's method; none where no group shares matrices.
-    galerkin: Option<(Abscissae, Vec<Block>)>,
+    galerkin: Option<(Abscissae, BesselValues)>,
 }
 
 impl Shared {
@@ -124,14 +123,9 @@ impl Shared {
             .map(|group| &group.compliance)
             .peekable();
         let galerkin = sharing.peek().is_some().then(|| {
-            let panels = Panels::new(x, sharing, tolerance);
-            // A few modes more than most members need cost less than one member solved alone.
-            let modes = galerkin::modes(x, 0.1 * tolerance);
-            // The kink of a cone at its tip takes half as many more.
-            let modes = modes + exponents.len() * modes / 2;
-            let abscissae = Abscissae::new(x, modes, panels);
-            let blocks = abscissae.blocks().collect();
-            (abscissae, blocks)
+            let abscissae = galerkin::shared_abscissae(x, sharing, exponents, tolerance);
+            let bessel = abscissae.bessel_values();
+            (abscissae, bessel)
         });
         Self {
             x,
@@ -153,17 +147,14 @@ impl Shared {
         let mut operator = None;
         let solve_member = |material: &Material| {
             let symbol = Symbol::with_compliance(group.compliance, material);
-            if let Some((abscissae, blocks)) = &self.galerkin
+            if let Some((abscissae, bessel)) = &self.galerkin
                 && shares_matrices
                 && !has_closed_form(&symbol, self.tolerance)
             {
                 let operator = operator.get_or_insert_with(|| {
-                    Operator::assemble(&group.compliance, abscissae, blocks)
+                    Operator::for_many_spheres(&group.compliance, abscissae, bessel)
                 });
-                if let Some(solved) = operator
-                    .solve(&symbol, self.exponents)
-                    .filter(|solved| solved.error() <= self.tolerance)
-                {
+                if let Some(solved) = operator.solve_to(&symbol, self.exponents, self.tolerance) {
                     return Ok(Tabulated::new(solved.quantities, &solved.power_laws));
                 }
             }

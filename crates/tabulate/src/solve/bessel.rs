@@ -14,6 +14,9 @@
 
 use std::sync::LazyLock;
 
+use fearless_simd::prelude::*;
+use fearless_simd::{Level, dispatch, f64x8};
+
 /// The number of arguments handled at once. The recurrences of a group are independent and fill the
 /// processor's vector registers.
 pub const LANES: usize = 8;
@@ -51,70 +54,72 @@ impl EvenBessel {
     /// hardly do. The absolute error is a few rounding units of `max_n |J_n(z)|`.
     pub fn fill(&self, z: &Group, values: &mut [f64], stride: usize, at: usize) {
         debug_assert!(z[0] > 0.0 && z[LANES - 1] <= z[0] + 64.0, "{z:?}");
+        dispatch!(Level::new(), simd => self.fill_with(simd, z, values, stride, at));
+    }
+
+    /// [`EvenBessel::fill`] with vector instructions. Products and sums are not fused, so that all
+    /// processors give the same values.
+    #[inline(always)]
+    fn fill_with<S: Simd>(&self, simd: S, z: &Group, values: &mut [f64], stride: usize, at: usize) {
+        let splat = |value: f64| f64x8::splat(simd, value);
+        let one = splat(1.0);
+        let mut store = |n: usize, group: f64x8<S>, factor: f64x8<S>| {
+            let column = &mut values[n * stride + at..][..LANES];
+            (factor * self.scale[n] * group).store_slice(column);
+        };
+        let arguments = f64x8::simd_from(simd, *z);
+        let square = arguments * arguments;
         if z[LANES - 1] <= SMALL {
             // J_n = (-1)^n sqrt(4n+1) z^2n/(4n+1)!!, where 1/z^2 might overflow.
-            let mut power: Group = [1.0; LANES];
-            for (n, scale) in self.scale.iter().enumerate() {
-                let column = &mut values[n * stride + at..][..LANES];
-                for l in 0..LANES {
-                    column[l] = scale * power[l];
-                    power[l] *= z[l] * z[l] / ((4 * n + 3) * (4 * n + 5)) as f64;
-                }
+            let mut power = one;
+            for n in 0..self.modes {
+                store(n, power, one);
+                power *= square / ((4 * n + 3) * (4 * n + 5)) as f64;
             }
             return;
         }
         let steps = steps();
-        let inverse_square: Group = z.map(|z| 1.0 / (z * z));
-        let mut store = |n: usize, group: &Group, factor: &Group| {
-            let scale = self.scale[n];
-            let column = &mut values[n * stride + at..][..LANES];
-            for l in 0..LANES {
-                column[l] = scale * factor[l] * group[l];
-            }
-        };
+        let inverse_square = one / square;
 
         if z[0] >= 2.0 * self.modes as f64 {
-            const ONE: Group = [1.0; LANES];
-            let (sines, cosines) = (z.map(f64::sin), z.map(f64::cos));
-            let j0: Group = std::array::from_fn(|l| sines[l] / z[l]);
-            let j2: Group = std::array::from_fn(|l| {
-                (3.0 * inverse_square[l] - 1.0) * j0[l] - 3.0 * cosines[l] * inverse_square[l]
-            });
-            store(0, &j0, &ONE);
+            let (mut sines, mut cosines) = (arguments, arguments);
+            for l in 0..LANES {
+                (sines[l], cosines[l]) = z[l].sin_cos();
+            }
+            let j0 = sines / arguments;
+            let j2 = (inverse_square * 3.0 - 1.0) * j0 - cosines * 3.0 * inverse_square;
+            store(0, j0, one);
             let (mut before, mut now) = (j0, j2);
             for (n, step) in steps.iter().enumerate().take(self.modes).skip(1) {
-                store(n, &now, &ONE);
+                store(n, now, one);
                 let Step { alpha, gamma, .. } = *step;
-                let next = std::array::from_fn(|l| {
-                    (alpha * inverse_square[l] - (1.0 + gamma)) * now[l] - gamma * before[l]
-                });
+                let next = (inverse_square * alpha - (1.0 + gamma)) * now - before * gamma;
                 (before, now) = (now, next);
             }
             return;
         }
 
         let top = start(z[LANES - 1]);
-        let mut orders = vec![[0.0; LANES]; self.modes.max(top) + 1];
-        let mut sums = [0.0; LANES];
+        let mut orders = vec![splat(0.0); self.modes.max(top) + 1];
+        let mut sums = splat(0.0);
         // Nothing overflows from here: within the span of a group, lanes with `z > 2` grow by less
         // than 1e170, the others by less than 1e200.
-        orders[top - 1] = [1e-100; LANES];
+        let (mut after, mut now) = (splat(0.0), splat(1e-100));
+        orders[top - 1] = now;
         for n in (1..top).rev() {
             let Step {
                 down: [a, b, c],
                 at_zero,
                 ..
             } = steps[n];
-            let (now, after) = (orders[n], orders[n + 1]);
-            orders[n - 1] =
-                std::array::from_fn(|l| (a * inverse_square[l] - b) * now[l] - c * after[l]);
-            for l in 0..LANES {
-                sums[l] += at_zero * now[l];
-            }
+            sums += now * at_zero;
+            let next = (inverse_square * a - b) * now - after * c;
+            orders[n - 1] = next;
+            (after, now) = (now, next);
         }
-        let factor: Group = std::array::from_fn(|l| 1.0 / (sums[l] + orders[0][l]));
+        let factor = one / (sums + now);
         for (n, order) in orders[..self.modes].iter().enumerate() {
-            store(n, order, &factor);
+            store(n, *order, factor);
         }
     }
 }

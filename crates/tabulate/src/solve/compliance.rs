@@ -34,7 +34,7 @@ use std::ops::{Add, Mul};
 use interp::Material;
 use num_complex::ComplexFloat;
 
-use crate::solve::surface::{PanelRule, Sample, SurfaceCompliance};
+use crate::solve::surface::{Sample, SurfaceCompliance};
 
 /// A real or complex wave number: `f64` or [`Complex64`](num_complex::Complex64).
 pub trait WaveNumber:
@@ -234,16 +234,12 @@ impl Compliance {
 impl SurfaceCompliance for Compliance {
     /// No zero and no pole of a film is nearer to the real axis than 53 degrees: the
     /// ellipse of convergence of a panel `[c, 4c]` is 2.5.
-    fn rule(tolerance: f64, oscillates: bool) -> PanelRule {
-        let points = match tolerance {
+    fn points(tolerance: f64, oscillates: bool) -> usize {
+        match tolerance {
             _ if oscillates => 32,
             1e-6.. => 16,
             3e-11.. => 20,
             _ => 24,
-        };
-        PanelRule {
-            points,
-            growth: 3.0,
         }
     }
 
@@ -273,29 +269,40 @@ impl SurfaceCompliance for Compliance {
 
 /// Returns `sinh s - s` and `cosh s - 1 - s^2/2` for `|s| <= 2`, to rounding, by their power
 /// series.
-#[inline]
+// Without closures, which are compiled without the vector instructions of their function.
+#[inline(always)]
 pub fn hyperbolic_rests<T>(s: T) -> [T; 2]
 where
     T: Copy + Mul<Output = T> + Add<f64, Output = T> + Mul<f64, Output = T>,
 {
-    /// The first neglected term at `s = 2` is below 1e-18 of the sum.
-    const TERMS: u32 = 11;
     let square = s * s;
-    let factors = |k: u32| {
-        let k = f64::from(2 * k);
-        [1.0 / (k * (k + 1.0)), 1.0 / ((k + 1.0) * (k + 2.0))]
-    };
-    let [mut sinh, mut cosh] = factors(TERMS).map(|factor| square * factor + 1.0);
-    for k in (2..TERMS).rev() {
-        let [of_sinh, of_cosh] = factors(k);
-        sinh = sinh * square * of_sinh + 1.0;
-        cosh = cosh * square * of_cosh + 1.0;
+    let [of_sinh, of_cosh] = REST_FACTORS[TERMS - 1];
+    let (mut sinh, mut cosh) = (square * of_sinh + 1.0, square * of_cosh + 1.0);
+    for [of_sinh, of_cosh] in REST_FACTORS[1..TERMS - 1].iter().rev() {
+        sinh = sinh * square * *of_sinh + 1.0;
+        cosh = cosh * square * *of_cosh + 1.0;
     }
     [
         s * square * sinh * (1.0 / 6.0),
         square * square * cosh * (1.0 / 24.0),
     ]
 }
+
+/// The number of terms of both power series. The first neglected one at `s = 2` is below 1e-18 of
+/// the sum.
+const TERMS: usize = 11;
+
+/// The ratios of neighbouring terms of both power series over `s^2`.
+const REST_FACTORS: [[f64; 2]; TERMS] = {
+    let mut factors = [[0.0; 2]; TERMS];
+    let mut i = 0;
+    while i < TERMS {
+        let k = 2.0 * (i + 1) as f64;
+        factors[i] = [1.0 / (k * (k + 1.0)), 1.0 / ((k + 1.0) * (k + 2.0))];
+        i += 1;
+    }
+    factors
+};
 
 #[cfg(test)]
 mod tests {

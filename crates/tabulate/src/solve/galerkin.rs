@@ -24,8 +24,8 @@
 //! itself.
 //!
 //! `M` and `C` do not depend on the sphere: one pair serves every `E1/E2*` at fixed `a/t`, `nu1`,
-//! `nu0` and `E0/E1` (`operator.rs`). The Bessel values do not depend on the material
-//! (`abscissae.rs`).
+//! `nu0` and `E0/E1`, or on one stack of layers (`operator.rs`). The Bessel values do not depend
+//! on the material (`abscissae.rs`).
 
 use crate::solve::abscissae::Abscissae;
 use crate::solve::estimate::Estimate;
@@ -49,7 +49,7 @@ pub fn solve<C: SurfaceCompliance>(
     let mut quadrature_tolerance = tolerance;
     loop {
         let abscissae = Abscissae::new(x, modes, panels.clone());
-        let operator = Operator::assemble(compliance, &abscissae, abscissae.blocks());
+        let operator = Operator::for_one_sphere(compliance, &abscissae);
         let Some(solved) = operator.solve(symbol, exponents) else {
             // Too few modes, or too much rounding.
             if modes >= ample {
@@ -82,6 +82,21 @@ pub fn solve<C: SurfaceCompliance>(
             };
         }
     }
+}
+
+/// Returns abscissae for the operators of all `compliances` at `x = a/t`, which serve nearly every
+/// sphere, and the power laws with the `exponents`, to `tolerance`. A few modes more than most
+/// spheres need cost less than one contact solved alone.
+pub fn shared_abscissae<'a, C: SurfaceCompliance + 'a>(
+    x: f64,
+    compliances: impl IntoIterator<Item = &'a C>,
+    exponents: &[f64],
+    tolerance: f64,
+) -> Abscissae {
+    let panels = Panels::new(x, compliances, tolerance);
+    let modes = modes(x, 0.1 * tolerance);
+    // The kink of a cone at its tip takes half as many more.
+    Abscissae::new(x, modes + exponents.len() * modes / 2, panels)
 }
 
 /// Estimates the time for one contact roughly, in microseconds, to choose between methods: a fit to

@@ -10,16 +10,13 @@
 //! 1` and of the slope are at most 2.6e-15 and 6.0e-15 of `max(X, 1)`, that of `X` at most 2.7e-15
 //! of `X`.
 
-use std::array::from_fn;
-
+use fearless_simd::prelude::*;
+use fearless_simd::{Level, dispatch};
 use interp::Elastic;
 
-use crate::solve::slab::{Lanes, Minors, Slab, scaled, sum};
-use crate::solve::surface::{PanelRule, Sample, SurfaceCompliance};
+use crate::solve::slab::{Minors, Samples, Slab, scaled, sum};
+use crate::solve::surface::{Sample, SurfaceCompliance};
 use crate::stack::Stack;
-
-/// The number of wave numbers that are evaluated at once.
-const LANES: usize = 4;
 
 /// The surface compliance of a stack of layers on its base. Wave numbers are in units of one over
 /// the thickness of the top layer.
@@ -66,45 +63,70 @@ impl LayeredCompliance {
             largest_excess: largest_excess(stack),
         };
         // Below 1e-40 lies nothing of the integral of `X`, which is at most some 1e9.
-        compliance.smallest_scale = compliance.nearest_pole().clamp(1e-40, 1.0);
+        let nearest_pole = dispatch!(Level::new(), simd => compliance.nearest_pole(simd));
+        compliance.smallest_scale = nearest_pole.clamp(1e-40, 1.0);
         compliance
     }
 
     /// Returns `X(q)` for a finite `q >= 0`, with a relative error of a few rounding units, however
     /// small it is.
     pub fn x(&self, q: f64) -> f64 {
-        let q = Lanes([q]);
-        let [y, z] = self.below_top(q);
-        let [y_top, _] = self.top.cross(q, y, z);
-        0.5 * self.top.e * y_top[3].0[0] / y_top[0].0[0]
+        dispatch!(Level::new(), simd => self.at(simd, q).x)
     }
 
-    /// Returns the minors and `k` times their derivatives at the bottom of the top layer, in the
-    /// unit of that layer.
-    #[inline]
-    fn below_top<const L: usize>(&self, k: Lanes<L>) -> [Minors<L>; 2] {
-        let (mut y, mut z) = (self.base.map(Lanes::all), [Lanes::all(0.0); 5]);
-        for slab in &self.buried {
-            [y, z] = slab.cross(k, slab.enter(y), slab.enter(z));
-            // A factor of `y` is free, and so is its slope: `d` becomes 1 and its slope 0.
-            let unit = y[0].map(f64::recip);
-            y = scaled(unit, y);
-            z = scaled(unit, z);
-            z = sum(z, z[0] * -1.0, y);
+    /// Returns the samples at one wave number.
+    #[inline(always)]
+    fn at<S: Simd>(&self, simd: S, q: f64) -> Samples<f64> {
+        let Samples { x, excess, slope } = self.samples(simd, S::f64s::splat(simd, q));
+        Samples {
+            x: x[0],
+            excess: excess[0],
+            slope: slope[0],
         }
-        [self.top.enter(y), self.top.enter(z)]
     }
 
-    /// Returns the samples at several wave numbers.
-    #[inline]
-    fn samples<const L: usize>(&self, q: [f64; L]) -> [Sample; L] {
-        let q = Lanes(q);
-        let [y, z] = self.below_top(q);
-        let [excess, slope] = self.top.sample(q, y, z);
-        from_fn(|i| Sample {
-            excess: excess.0[i],
-            slope: slope.0[i],
-        })
+    /// Appends the samples at all wave numbers `q`.
+    #[inline(always)]
+    fn extend<S: Simd>(&self, simd: S, q: &[f64], samples: &mut Vec<Sample>) {
+        for group in q.chunks(S::f64s::LEN) {
+            // The last group is filled up with its last wave number.
+            let mut wave_numbers = S::f64s::splat(simd, group[group.len() - 1]);
+            wave_numbers.as_mut_slice()[..group.len()].copy_from_slice(group);
+            let of_group = self.samples(simd, wave_numbers);
+            for i in 0..group.len() {
+                samples.push(Sample {
+                    excess: of_group.excess[i],
+                    slope: of_group.slope[i],
+                });
+            }
+        }
+    }
+
+    /// Returns the samples at several wave numbers `k`.
+    #[inline(always)]
+    fn samples<S: Simd>(&self, simd: S, k: S::f64s) -> Samples<S::f64s> {
+        let zero = S::f64s::splat(simd, 0.0);
+        let (mut y, mut z) = (self.base(simd), [zero; 5]);
+        for slab in &self.buried {
+            [y, z] = slab.cross(simd, k, slab.enter::<S>(y), slab.enter::<S>(z));
+            // A factor of `y` is free, and so is its slope: `d` becomes 1 and its slope 0.
+            let unit = S::f64s::splat(simd, 1.0) / y[0];
+            y = scaled::<S>(unit, y);
+            z = scaled::<S>(unit, z);
+            z = sum::<S>(z, zero - z[0], y);
+        }
+        let top = &self.top;
+        top.sample(simd, k, top.enter::<S>(y), top.enter::<S>(z))
+    }
+
+    /// Returns the minors of the base's surface.
+    #[inline(always)]
+    fn base<S: Simd>(&self, simd: S) -> Minors<S> {
+        let mut y = [S::f64s::splat(simd, 0.0); 5];
+        for (y, base) in y.iter_mut().zip(self.base) {
+            *y = S::f64s::splat(simd, base);
+        }
+        y
     }
 
     /// Estimates from below how far the nearest pole of `X` is from wave number 0.
@@ -114,56 +136,62 @@ impl LayeredCompliance {
     /// with the coefficients `d_n` of its power series. Those up to degree 8 are taken: shear lag
     /// of a stiff layer is of degree 1, bending of degree 3, 4 or 6, and higher coefficients fall
     /// factorially.
-    fn nearest_pole(&self) -> f64 {
+    #[inline(always)]
+    fn nearest_pole<S: Simd>(&self, simd: S) -> f64 {
         const DEGREE: usize = 8;
+        let splat = |value: f64| S::f64s::splat(simd, value);
         // The coefficients of each minor.
-        let mut y: [Minors<1>; DEGREE + 1] = [[Lanes::all(0.0); 5]; DEGREE + 1];
-        y[0] = self.base.map(Lanes::all);
+        let mut y = [[splat(0.0); 5]; DEGREE + 1];
+        y[0] = self.base(simd);
         for slab in self.buried.iter().chain([&self.top]) {
-            y = y.map(|minors| slab.enter(minors));
+            for minors in &mut y {
+                *minors = slab.enter::<S>(*minors);
+            }
             // The exponential series: each term is `k h N/n` times the term before.
             let mut term = y;
             for n in 1..=DEGREE {
-                let factor = slab.thickness / n as f64;
+                let factor = splat(slab.thickness / n as f64);
                 for power in (n..=DEGREE).rev() {
-                    term[power] = scaled(Lanes::all(factor), slab.n_times(term[power - 1]));
-                    y[power] = sum(y[power], Lanes::all(1.0), term[power]);
+                    term[power] = scaled::<S>(factor, slab.n_times::<S>(term[power - 1]));
+                    y[power] = sum::<S>(y[power], splat(1.0), term[power]);
                 }
             }
-            let unit = y[0][0].map(f64::recip);
-            y = y.map(|minors| scaled(unit, minors));
+            let unit = splat(1.0) / y[0][0];
+            for minors in &mut y {
+                *minors = scaled::<S>(unit, *minors);
+            }
         }
-        (1..=DEGREE)
-            .map(|n| y[n][0].0[0].abs().powf(-1.0 / n as f64))
-            .fold(f64::INFINITY, f64::min)
+        let mut nearest = f64::INFINITY;
+        for (n, minors) in y.iter().enumerate().skip(1) {
+            nearest = nearest.min(minors[0][0].abs().powf(-1.0 / n as f64));
+        }
+        nearest
     }
 }
 
 impl SurfaceCompliance for LayeredCompliance {
     /// Poles were found as near to the real axis as 26.8 degrees; a plate on a thin incompressible
-    /// layer has them at 30 degrees. With poles at 26 degrees, 16 and 20 points on `[c, 2c]` leave
-    /// `2.9^{-32}` and `2.9^{-40}`, 32 points on `[c, 4c]` `1.8^{-64}`, all below 1e-14.
-    fn rule(tolerance: f64, oscillates: bool) -> PanelRule {
-        let (points, growth) = match tolerance {
-            _ if oscillates => (32, 3.0),
-            1e-7.. => (16, 1.0),
-            _ => (20, 1.0),
-        };
-        PanelRule { points, growth }
+    /// layer has them at 30 degrees. With poles at 26 degrees, the ellipse of convergence of a
+    /// panel `[c, 4c]` is 1.8: 16, 20, 24 and 32 points leave `1.8^{-32}`, `1.8^{-40}`,
+    /// `1.8^{-48}` and `1.8^{-64}`.
+    fn points(tolerance: f64, oscillates: bool) -> usize {
+        match tolerance {
+            _ if oscillates => 32,
+            1e-6.. => 16,
+            1e-9.. => 20,
+            1e-11.. => 24,
+            _ => 32,
+        }
     }
 
     fn sample(&self, q: f64) -> Sample {
-        let [sample] = self.samples([q]);
-        sample
+        let Samples { excess, slope, .. } = dispatch!(Level::new(), simd => self.at(simd, q));
+        Sample { excess, slope }
     }
 
     fn sample_all(&self, q: &[f64]) -> Vec<Sample> {
-        let (groups, rest) = q.as_chunks::<LANES>();
         let mut samples = Vec::with_capacity(q.len());
-        for &group in groups {
-            samples.extend_from_slice(&self.samples(group));
-        }
-        samples.extend(rest.iter().map(|&q| self.sample(q)));
+        dispatch!(Level::new(), simd => self.extend(simd, q, &mut samples));
         samples
     }
 

@@ -1,13 +1,14 @@
 //! The solver: from a material and `a/t` to the four quantities, with an estimate of their error.
 //!
-//! `compliance` is the film on its substrate, `layered` (with `slab`, one layer, and `sampled`, its
-//! interpolation) a stack of layers on its base; `symbol` adds the sphere. `solution` accepts a
-//! contact within the `domain` and lets `method` choose: `galerkin` (with `quadrature`, `bessel`,
-//! `abscissae` and `operator`) for thick films, `wiener_hopf` (with `contour`, `krylov` and
-//! `read_out`) for thin ones. Both return an `estimate`. `stacked` does so for a stack. A probe with the profile `r^n`
-//! (`power_law`) is one more column of Galerkin's method, and one more functional of the result
-//! (`moment`, `turned_line`) of the Wiener-Hopf method. `batch` solves many materials at one `a/t`
-//! for the numbers of a table (`tabulated`), `adaptive_curve` one material along `a/t`.
+//! `compliance` is the film on its substrate, `layered` (with `slab`, one layer, `exponential`,
+//! and `sampled`, its interpolation) a stack of layers on its base; `symbol` adds the sphere.
+//! `solution` accepts a contact within the `domain` and lets `method` choose: `galerkin` (with
+//! `quadrature`, `bessel`, `abscissae`, `operator` and `slope`) for thick films, `wiener_hopf`
+//! (with `contour`, `krylov` and `read_out`) for thin ones. Both return an `estimate`. `stacked`
+//! does so for a stack, under one sphere or many. A probe with the profile `r^n` (`power_law`) is
+//! one more column of Galerkin's method, and one more functional of the result (`moment`,
+//! `turned_line`) of the Wiener-Hopf method. `batch` solves many materials at one `a/t` for the
+//! numbers of a table (`tabulated`), `adaptive_curve` one material along `a/t`.
 //!
 //! # The face of what the sphere touches
 //!
@@ -17,7 +18,7 @@
 //! |---|---|
 //! | `sample(q)`, `sample_all(q)` | the excess `X - 1` and the slope `q X'`, without cancellation |
 //! | `smallest_scale()` | the wave number of the nearest pole of `X`: the first panel |
-//! | `rule(tolerance, oscillates)` | points and growth of panels, away from the poles |
+//! | `points(tolerance, oscillates)` | points on a panel, more of them where poles are near |
 //! | `largest_excess()` | a bound of `|X - 1|`; 0 where `X = 1` everywhere |
 //!
 //! The cut-off of `surface`, beyond which `X` is 1, serves all of them. The Wiener-Hopf method asks
@@ -38,6 +39,7 @@ pub(crate) mod compliance;
 mod contour;
 mod domain;
 pub(crate) mod estimate;
+mod exponential;
 pub(crate) mod galerkin;
 mod krylov;
 pub(crate) mod layered;
@@ -49,6 +51,7 @@ pub(crate) mod quadrature;
 mod read_out;
 mod sampled;
 mod slab;
+mod slope;
 mod solution;
 mod stacked;
 pub(crate) mod surface;
@@ -67,6 +70,6 @@ pub use power_law::{EXPONENTS, PowerLaw};
 #[cfg(feature = "cli")]
 pub(crate) use quadrature::{GaussLegendre, Panels};
 pub use solution::{Solution, solve, solve_power_laws};
-pub(crate) use stacked::check_reach;
+pub(crate) use stacked::{check_reach, solve_stack_under_spheres};
 pub use stacked::{solve_stack, solve_stack_power_laws, stack_curve};
-pub use surface::{PanelRule, Sample, SurfaceCompliance};
+pub use surface::{Sample, SurfaceCompliance};

@@ -1,5 +1,5 @@
-//! The matrices of Galerkin's method for one film on one substrate, and the contact of a sphere
-//! with them.
+//! The matrices of Galerkin's method for one film on one substrate, or for one stack of layers, and
+//! the contact of a sphere with them. Of `C` a contact needs a few forms only (`slope.rs`).
 //!
 //! # The motion of the contact as a whole
 //!
@@ -23,7 +23,6 @@
 //! integrated by parts ([`LongWaves`](crate::solve::abscissae::LongWaves)). Each term is then
 //! accurate for every contrast of the moduli.
 
-use std::borrow::Borrow;
 use std::iter;
 
 use faer::dyn_stack::{MemBuffer, MemStack};
@@ -35,12 +34,15 @@ use faer::linalg::triangular_solve::{
     solve_lower_triangular_in_place, solve_upper_triangular_in_place,
 };
 use faer::{Accum, Mat, MatRef, Par, Spec};
+use fearless_simd::prelude::*;
+use fearless_simd::{Level, dispatch, f64x8};
 use interp::Quantities;
 
-use crate::solve::abscissae::{Abscissae, Block};
+use crate::solve::abscissae::{Abscissae, BesselValues};
 use crate::solve::bessel::LANES;
 use crate::solve::estimate::larger;
 use crate::solve::power_law::{PowerLaw, coefficients};
+use crate::solve::slope::{Slope, dot};
 use crate::solve::surface::{Sample, SurfaceCompliance};
 use crate::solve::symbol::Symbol;
 
@@ -48,14 +50,13 @@ const SQRT_5: f64 = 2.236_067_977_499_79;
 /// The second entry of `rho^2` in the basis.
 const PARABOLA: f64 = 2.0 / (3.0 * SQRT_5);
 
-/// The matrices `M` and `C` of one film on one substrate at one `a/t`. Only their lower triangles
-/// are stored.
+/// The matrices `M`, as its lower triangle, and `C` of one surface at one `a/t`.
 #[derive(Clone, Debug)]
 pub struct Operator {
     /// `M`.
     kernel: Mat<f64>,
     /// `C`.
-    slope: Mat<f64>,
+    slope: Slope,
     /// `M_00 + C_00`, in which the compliance of long waves cancels.
     translation: f64,
     /// The error of `v.M.v` where the panels do not resolve `X` and `q X'`.
@@ -92,50 +93,78 @@ impl Solved {
 }
 
 impl Operator {
-    /// Sums `M` and `C` over the abscissae. `blocks` are those of `abscissae`, evaluated one by one
-    /// or kept for many materials.
-    pub fn assemble<B: Borrow<Block>>(
+    /// Sums `M` and `C` over the abscissae, for many spheres. `bessel` holds the values at
+    /// `abscissae`, which may serve many surfaces.
+    pub fn for_many_spheres(
         compliance: &impl SurfaceCompliance,
         abscissae: &Abscissae,
-        blocks: impl IntoIterator<Item = B>,
+        bessel: &BesselValues,
     ) -> Self {
+        let (mut operator, factors) = Self::assemble(compliance, abscissae, bessel);
+        let mut slope = Mat::zeros(abscissae.modes, abscissae.modes);
+        for block in bessel.blocks() {
+            add_products(&mut slope, block.values, &factors[block.range()]);
+        }
+        operator.slope = Slope::Matrix(slope);
+        operator
+    }
+
+    /// Sums `M` over the abscissae, and keeps what one sphere needs of `C`.
+    pub fn for_one_sphere(compliance: &impl SurfaceCompliance, abscissae: &Abscissae) -> Self {
+        let bessel = abscissae.bessel_values();
+        let (mut operator, factors) = Self::assemble(compliance, abscissae, &bessel);
+        operator.slope = Slope::Values(bessel, factors);
+        operator
+    }
+
+    /// Sums `M` and `M_00 + C_00`. Returns the operator without `C`, and the factor of the Bessel
+    /// products of `C` at every abscissa.
+    fn assemble(
+        compliance: &impl SurfaceCompliance,
+        abscissae: &Abscissae,
+        bessel: &BesselValues,
+    ) -> (Self, Vec<f64>) {
         let n = abscissae.modes;
         let samples = compliance.sample_all(&abscissae.q);
         let long = abscissae.long_waves();
         let [resolution_error, shape_error] = resolution_errors(abscissae, &samples);
         let mut operator = Self {
             kernel: Mat::zeros(n, n),
-            slope: Mat::zeros(n, n),
+            slope: Slope::Matrix(Mat::new()),
             translation: long.boundary(abscissae.x, compliance),
             resolution_error,
             shape_error,
             design_error: abscissae.panels.design_error,
             rounding: ROUNDING * (1.0 - 0.05 * compliance.smallest_scale().ln()),
         };
-        for block in blocks {
-            let Block {
-                first,
-                rows,
-                values,
-            } = block.borrow();
-            let samples = &samples[*first..first + rows];
-            let weights = &abscissae.weights[*first..first + rows];
-            let terms = || samples.iter().zip(weights);
-            let excess: Vec<f64> = terms().map(|(sample, w)| w * sample.excess).collect();
-            let slope: Vec<f64> = terms().map(|(sample, w)| w * sample.slope).collect();
-            add_products(&mut operator.kernel, values, &excess);
-            add_products(&mut operator.slope, values, &slope);
-            for i in 0..*rows {
-                let [j0, j1] = [values[i], values[rows + i]];
-                operator.translation += if first + i < long.count {
-                    let z = abscissae.q[first + i] * abscissae.x;
+        let terms = || samples.iter().zip(&abscissae.weights);
+        let excess: Vec<f64> = terms().map(|(sample, w)| w * sample.excess).collect();
+        let slope: Vec<f64> = terms().map(|(sample, w)| w * sample.slope).collect();
+        for block in bessel.blocks() {
+            add_products(&mut operator.kernel, block.values, &excess[block.range()]);
+            let (j0, rest) = block.values.split_at(block.rows);
+            for ((i, j0), j1) in block.range().zip(j0).zip(rest) {
+                operator.translation += if i < long.count {
+                    let z = abscissae.q[i] * abscissae.x;
                     2.0 / 3.0 * excess[i] * z * z * j0 * (j0 - j1 / SQRT_5)
                 } else {
                     (excess[i] + slope[i]) * j0 * j0
                 };
             }
         }
-        operator
+        (operator, slope)
+    }
+
+    /// Solves the contact of one sphere, as [`Operator::solve`], if its estimated error is at most
+    /// `tolerance`.
+    pub fn solve_to<C: SurfaceCompliance>(
+        &self,
+        symbol: &Symbol<C>,
+        exponents: &[f64],
+        tolerance: f64,
+    ) -> Option<Solved> {
+        self.solve(symbol, exponents)
+            .filter(|solved| solved.error() <= tolerance)
     }
 
     /// Solves the contact of one sphere with the film and substrate of this operator, and of the
@@ -207,9 +236,8 @@ impl Operator {
         solve_upper_triangular_in_place(factor.transpose(), solutions.as_mut(), Par::Seq);
         let h = solutions.col_as_slice(0);
         let squares = 1.0 + dot(h, h);
-        let chh = film * form(&self.slope, h, h);
-        let c = &self.slope.col_as_slice(0)[1..];
-        let ch = film * dot(c, h);
+        let forms = self.slope.forms(&solutions);
+        let [ch, chh] = forms[0].map(|form| film * form);
 
         let softness = 1.0 + film * self.kernel[(0, 0)] - yielding;
         let edge = 1.0 + film * self.translation - yielding - 2.0 * ch + chh;
@@ -226,8 +254,7 @@ impl Operator {
         let mut solve_profile = |((exponent, column), half): ((f64, usize), Half)| {
             let w = solutions.col_as_slice(column);
             let share = 1.0 / (exponent + 1.0) - half.tilt;
-            let chw = film * form(&self.slope, h, w);
-            let cw = film * dot(c, w);
+            let [cw, chw] = forms[column].map(|form| film * form);
             let sum = exponent * share + cw - chw;
             let terms = (squares * dot(w, w)).sqrt()
                 + 1.0
@@ -284,11 +311,7 @@ pub(crate) fn add_products(target: &mut Mat<f64>, bessel: &[f64], factors: &[f64
         );
     }
     if modes < LIBRARY {
-        for (j, scaled) in scaled.chunks_exact(rows).enumerate() {
-            for (i, column) in bessel.chunks_exact(rows).enumerate().skip(j) {
-                target[(i, j)] += product(column, scaled);
-            }
-        }
+        dispatch!(Level::new(), simd => add_small(simd, target, bessel, &scaled, rows));
         return;
     }
     matmul(
@@ -307,34 +330,19 @@ pub(crate) fn add_products(target: &mut Mat<f64>, bessel: &[f64], factors: &[f64
 /// The number of modes from which on the products of a matrix library are faster.
 const LIBRARY: usize = 16;
 
-/// Returns `a.b`.
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
-}
-
-/// Returns `a.b` for a number of elements that is a multiple of [`LANES`].
-fn product(a: &[f64], b: &[f64]) -> f64 {
-    let mut sums = [0.0; LANES];
-    for (a, b) in a.chunks_exact(LANES).zip(b.chunks_exact(LANES)) {
-        for l in 0..LANES {
-            sums[l] += a[l] * b[l];
+/// Adds the products of the columns of `left` and `right`, of `rows` elements each, to the lower
+/// triangle of `target`. `rows` is a multiple of [`LANES`].
+#[inline(always)]
+fn add_small<S: Simd>(simd: S, target: &mut Mat<f64>, left: &[f64], right: &[f64], rows: usize) {
+    for (j, right) in right.chunks_exact(rows).enumerate() {
+        for (i, left) in left.chunks_exact(rows).enumerate().skip(j) {
+            let mut sums = f64x8::splat(simd, 0.0);
+            for (a, b) in left.chunks_exact(LANES).zip(right.chunks_exact(LANES)) {
+                sums += f64x8::from_slice(simd, a) * f64x8::from_slice(simd, b);
+            }
+            target[(i, j)] += sums.iter().sum::<f64>();
         }
     }
-    sums.iter().sum()
-}
-
-/// Returns `u.C.v` without the first row and column of `C`, whose lower triangle `matrix` holds.
-fn form(matrix: &Mat<f64>, u: &[f64], v: &[f64]) -> f64 {
-    let mut form = 0.0;
-    for j in 0..u.len() {
-        let column = &matrix.col_as_slice(j + 1)[j + 1..];
-        let (u_j, v_j) = (u[j], v[j]);
-        form += column[0] * u_j * v_j;
-        for ((c, u), v) in column.iter().zip(&u[j..]).zip(&v[j..]).skip(1) {
-            form += c * (u * v_j + u_j * v);
-        }
-    }
-    form
 }
 
 /// Extrapolates `sum_{i >= n} y_i^2`, the contribution of the modes left out to a form, from the

@@ -7,8 +7,8 @@
 //!   ([`SINE_OF_FREE_ANGLE`](crate::solve::compliance::SINE_OF_FREE_ANGLE)), the nearest at
 //!   `|q| ~ s` ([`SurfaceCompliance::smallest_scale`]). On a panel `[c, 4c]` an `n`-point rule
 //!   therefore converges like `2.5^{-2n}`, and panels grow geometrically from `[0, s]`. The poles
-//!   of a stack of layers come nearer to the axis, and its panels are shorter
-//!   ([`SurfaceCompliance::rule`]).
+//!   of a stack of layers come nearer to the axis, and its panels have more points
+//!   ([`SurfaceCompliance::points`]).
 //! * The Bessel product oscillates like `cos 2z`. An `n`-point rule on a panel `w` long in `z` has
 //!   an error of about `(e w / (4 n))^{2n}`, which bounds the width.
 //! * `X - 1` dies out like `q^2 e^{-2q}`. The last panel ends where the rest of the integral is
@@ -17,7 +17,7 @@
 use std::f64::consts::{E, PI};
 use std::sync::LazyLock;
 
-use crate::solve::surface::{PanelRule, SurfaceCompliance, cut_off};
+use crate::solve::surface::{SurfaceCompliance, cut_off};
 
 /// An `n`-point Gauss-Legendre rule on `[-1, 1]`, exact to degree `2n - 1`.
 #[derive(Clone, Debug)]
@@ -98,6 +98,9 @@ pub struct Panels {
 static RULES: LazyLock<[GaussLegendre; 4]> =
     LazyLock::new(|| [16, 20, 24, 32].map(GaussLegendre::new));
 
+/// The largest length of a panel over its lower end.
+const GROWTH: f64 = 3.0;
+
 /// The factor by which the last panel may be longer.
 const STRETCH: f64 = 1.1;
 
@@ -118,7 +121,7 @@ impl Panels {
             .fold(1.0, f64::min);
         // Many points a panel are economical where oscillation limits the panels, few where poles
         // and decay do.
-        let PanelRule { points, growth } = C::rule(tolerance, x > 5.0);
+        let points = C::points(tolerance, x > 5.0);
         let rule = RULES
             .iter()
             .find(|rule| rule.abscissae.len() == points)
@@ -134,7 +137,7 @@ impl Panels {
             let length = if last == 0.0 {
                 smallest_scale
             } else {
-                growth * last
+                GROWTH * last
             };
             // A little more range is not worth the points of one more panel.
             let length = if last + STRETCH * length >= end {

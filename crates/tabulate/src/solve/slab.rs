@@ -61,98 +61,16 @@
 //! is free: with `q (N - 2) y(top)` instead, and with `d = 1` after every layer, `z` stays of the
 //! size of `y` in thick layers, too.
 
-use std::array::from_fn;
-use std::ops::{Add, Mul, Sub};
+use fearless_simd::prelude::*;
 
 use crate::solve::compliance::hyperbolic_rests;
+use crate::solve::exponential::exponential;
 
 /// The largest `q` of a layer for which the power series of (1) are used; (2) is used beyond.
 const SWITCH: f64 = 1.0;
 
-/// One value at each of `L` wave numbers. The operations are independent of each other and fill the
-/// processor's vector registers.
-#[derive(Clone, Copy, Debug)]
-pub struct Lanes<const L: usize>(pub [f64; L]);
-
-impl<const L: usize> Lanes<L> {
-    /// Returns one value everywhere.
-    #[inline]
-    pub fn all(value: f64) -> Self {
-        Self([value; L])
-    }
-
-    /// Applies a function to every value.
-    #[inline]
-    pub fn map(mut self, f: impl Fn(f64) -> f64) -> Self {
-        for value in &mut self.0 {
-            *value = f(*value);
-        }
-        self
-    }
-
-    /// Returns the values of `first` where `choose` holds for that of `self`, elsewhere those of
-    /// `second`.
-    fn choose(self, choose: impl Fn(f64) -> bool, first: Self, mut second: Self) -> Self {
-        for i in 0..L {
-            if choose(self.0[i]) {
-                second.0[i] = first.0[i];
-            }
-        }
-        second
-    }
-}
-
-impl<const L: usize> Add for Lanes<L> {
-    type Output = Self;
-    #[inline]
-    fn add(mut self, other: Self) -> Self {
-        for (value, other) in self.0.iter_mut().zip(other.0) {
-            *value += other;
-        }
-        self
-    }
-}
-
-impl<const L: usize> Add<f64> for Lanes<L> {
-    type Output = Self;
-    #[inline]
-    fn add(self, other: f64) -> Self {
-        self + Self::all(other)
-    }
-}
-
-impl<const L: usize> Sub for Lanes<L> {
-    type Output = Self;
-    #[inline]
-    fn sub(mut self, other: Self) -> Self {
-        for (value, other) in self.0.iter_mut().zip(other.0) {
-            *value -= other;
-        }
-        self
-    }
-}
-
-impl<const L: usize> Mul for Lanes<L> {
-    type Output = Self;
-    #[inline]
-    fn mul(mut self, other: Self) -> Self {
-        for (value, other) in self.0.iter_mut().zip(other.0) {
-            *value *= other;
-        }
-        self
-    }
-}
-
-impl<const L: usize> Mul<f64> for Lanes<L> {
-    type Output = Self;
-    #[inline]
-    fn mul(self, other: f64) -> Self {
-        self * Self::all(other)
-    }
-}
-
-/// The minors `(d, c11, c12, c22, D)`, or their derivatives.
-pub type Minors<const L: usize> = [Lanes<L>; 5];
+/// The minors `(d, c11, c12, c22, D)` at several wave numbers, or their derivatives.
+pub type Minors<S> = [<S as Simd>::f64s; 5];
 
 /// The numbers of one layer.
 #[derive(Clone, Copy, Debug)]
@@ -164,7 +82,17 @@ pub struct Slab {
     b: f64,
     l: f64,
     /// `2/(1 - nu)`, the reduced modulus over half the shear modulus.
-    pub e: f64,
+    e: f64,
+}
+
+/// The compliance at the top of a layer, at several wave numbers.
+pub struct Samples<V> {
+    /// `X`.
+    pub x: V,
+    /// `X - 1`.
+    pub excess: V,
+    /// `k dX/dk`.
+    pub slope: V,
 }
 
 impl Slab {
@@ -180,205 +108,207 @@ impl Slab {
     }
 
     /// Changes minors in the unit of the body below into the unit of this layer.
-    #[inline]
-    pub fn enter<const L: usize>(&self, [d, c11, c12, c22, det]: Minors<L>) -> Minors<L> {
+    #[inline(always)]
+    pub fn enter<S: Simd>(&self, [d, c11, c12, c22, det]: Minors<S>) -> Minors<S> {
         let m = self.contrast;
         [d, c11 * m, c12 * m, c22 * m, det * (m * m)]
     }
 
     /// Returns `N y`.
-    #[inline]
-    pub fn n_times<const L: usize>(&self, [d, c11, c12, c22, det]: Minors<L>) -> Minors<L> {
+    #[inline(always)]
+    pub fn n_times<S: Simd>(&self, [d, c11, c12, c22, det]: Minors<S>) -> Minors<S> {
         [
             c11 * self.e,
-            d + c12 * 2.0,
-            c22 - c11 * self.l,
-            d * self.b - c12 * (2.0 * self.l) + det * self.e,
-            c22 + c11 * self.b,
+            c12.mul_add(2.0, d),
+            c11.mul_add(-self.l, c22),
+            det.mul_add(self.e, c12.mul_add(-2.0 * self.l, d * self.b)),
+            c11.mul_add(self.b, c22),
         ]
     }
 
     /// Carries minors `y` and `z = k dy/dk` from the bottom to the top of the layer, at wave
     /// numbers `k`. The result is divided by a function of `k`, whose slope is part of the result.
-    #[inline]
-    pub fn cross<const L: usize>(&self, k: Lanes<L>, y: Minors<L>, z: Minors<L>) -> [Minors<L>; 2] {
+    #[inline(always)]
+    pub fn cross<S: Simd>(
+        &self,
+        simd: S,
+        k: S::f64s,
+        y: Minors<S>,
+        z: Minors<S>,
+    ) -> [Minors<S>; 2] {
         let q = k * self.thickness;
-        let is_thin = |q: f64| q <= SWITCH;
-        let thin = q.0.iter().filter(|&&q| is_thin(q)).count();
-        if thin == L {
-            return self.cross_thin(q, y, z);
+        let thin = q.simd_le(SWITCH);
+        if thin.all_true() {
+            return self.cross_thin::<S>(q, y, z);
         }
-        let thick = self.cross_thick(q, y, z);
-        if thin == 0 {
-            return thick;
+        let mut crossed = self.cross_thick::<S>(q, exponential(simd, q * -2.0), y, z);
+        if thin.any_true() {
+            let of_thin = self.cross_thin::<S>(q, y, z);
+            for (crossed, of_thin) in crossed.iter_mut().zip(of_thin) {
+                for i in 0..5 {
+                    crossed[i] = thin.select(of_thin[i], crossed[i]);
+                }
+            }
         }
-        let thin = self.cross_thin(q, y, z);
-        from_fn(|j| from_fn(|i| q.choose(is_thin, thin[j][i], thick[j][i])))
+        crossed
     }
 
     /// Equation (1).
-    #[inline]
-    fn cross_thin<const L: usize>(
-        &self,
-        q: Lanes<L>,
-        y: Minors<L>,
-        z: Minors<L>,
-    ) -> [Minors<L>; 2] {
+    #[inline(always)]
+    fn cross_thin<S: Simd>(&self, q: S::f64s, y: Minors<S>, z: Minors<S>) -> [Minors<S>; 2] {
         let [sinh, cosh] = hyperbolic_rests(q * 2.0);
         let factors = [q, q * q * 0.5, sinh * 0.125, cosh * 0.0625];
-        let y_top = self.thin_step(factors, y);
-        let z_top = self.thin_step(factors, z);
-        [y_top, sum(z_top, q, self.n_times(y_top))]
+        let y_top = self.thin_step::<S>(factors, y);
+        let z_top = self.thin_step::<S>(factors, z);
+        [y_top, sum::<S>(z_top, q, self.n_times::<S>(y_top))]
     }
 
     /// The sum of (1), with the factors of `N y` to `N^4 y`.
-    fn thin_step<const L: usize>(&self, factors: [Lanes<L>; 4], y: Minors<L>) -> Minors<L> {
+    #[inline(always)]
+    fn thin_step<S: Simd>(&self, factors: [S::f64s; 4], y: Minors<S>) -> Minors<S> {
         let (mut total, mut power) = (y, y);
         for factor in factors {
-            power = self.n_times(power);
-            total = sum(total, factor, power);
+            power = self.n_times::<S>(power);
+            total = sum::<S>(total, factor, power);
         }
         total
     }
 
-    /// Equation (2), divided by `e^{2q}`.
-    #[inline]
-    fn cross_thick<const L: usize>(
+    /// Equation (2), divided by `e^{2q}`. `e` is `E`.
+    #[inline(always)]
+    fn cross_thick<S: Simd>(
         &self,
-        q: Lanes<L>,
-        y: Minors<L>,
-        z: Minors<L>,
-    ) -> [Minors<L>; 2] {
-        let e = (q * -2.0).map(f64::exp);
-        let (y_up, y_rest) = self.thick_step(q, e, y);
-        let (z_up, z_rest) = self.thick_step(q, e, z);
+        q: S::f64s,
+        e: S::f64s,
+        y: Minors<S>,
+        z: Minors<S>,
+    ) -> [Minors<S>; 2] {
+        let (y_up, y_rest) = self.thick_step::<S>(q, e, y);
+        let (z_up, z_rest) = self.thick_step::<S>(q, e, z);
         // `N - 2` is 0 on what grows: no digits are lost, however large `q` is.
-        let change = sum(self.n_times(y_rest), Lanes::all(-2.0), y_rest);
+        let mut change = self.n_times::<S>(y_rest);
+        for (change, rest) in change.iter_mut().zip(y_rest) {
+            *change = rest.mul_add(-2.0, *change);
+        }
         [
-            sum(y_up, e, y_rest),
-            sum(sum(z_up, e, z_rest), q * e, change),
+            sum::<S>(y_up, e, y_rest),
+            sum::<S>(sum::<S>(z_up, e, z_rest), q * e, change),
         ]
     }
 
     /// The two parts of (2): `P+`, and what is multiplied with `E`.
-    fn thick_step<const L: usize>(
-        &self,
-        q: Lanes<L>,
-        e: Lanes<L>,
-        y: Minors<L>,
-    ) -> (Minors<L>, Minors<L>) {
+    #[inline(always)]
+    fn thick_step<S: Simd>(&self, q: S::f64s, e: S::f64s, y: Minors<S>) -> (Minors<S>, Minors<S>) {
         let half_square = q * q * 0.5;
-        let [grow, fall] = self.exponential_parts(y);
-        let once = self.n_times(y);
-        let twice = self.n_times(once);
+        let [grow, fall] = self.exponential_parts::<S>(y);
+        let once = self.n_times::<S>(y);
+        let twice = self.n_times::<S>(once);
         let shape = [self.e, 2.0, 2.0 * self.b, 2.0, 1.0 + self.b];
         let (mut all_up, mut rest) = (y, y);
         for i in 0..5 {
             let sign = if i % 2 == 0 { 1.0 } else { -1.0 };
             let (up, down) = (grow * shape[i], fall * (sign * shape[i]));
             all_up[i] = up;
-            rest[i] = e * down
-                + (y[i] - up - down)
-                + q * (once[i] - (up - down) * 2.0)
-                + half_square * (twice[i] - (up + down) * 4.0);
+            let flat = y[i] - up - down;
+            let linear = (up - down).mul_add(-2.0, once[i]);
+            let square = (up + down).mul_add(-4.0, twice[i]);
+            rest[i] = e.mul_add(down, half_square.mul_add(square, q.mul_add(linear, flat)));
         }
         (all_up, rest)
     }
 
     /// Returns `l+` and `l-`.
-    #[inline]
-    fn exponential_parts<const L: usize>(
-        &self,
-        [d, c11, c12, c22, det]: Minors<L>,
-    ) -> [Lanes<L>; 2] {
-        let even = d * (1.0 + self.b) + c12 * (4.0 * self.b) + det * self.e;
+    #[inline(always)]
+    fn exponential_parts<S: Simd>(&self, [d, c11, c12, c22, det]: Minors<S>) -> [S::f64s; 2] {
+        let even = det.mul_add(self.e, c12.mul_add(4.0 * self.b, d * (1.0 + self.b)));
         let odd = (c11 + c22) * 2.0;
         [(even + odd) * 0.0625, (even - odd) * 0.0625]
     }
 
-    /// Returns `X - 1` and `k dX/dk` at the top of this layer, at wave numbers `k`, from minors `y`
-    /// and `z = k dy/dk` at its bottom.
-    #[inline]
-    pub fn sample<const L: usize>(&self, k: Lanes<L>, y: Minors<L>, z: Minors<L>) -> [Lanes<L>; 2] {
+    /// Returns the compliance at the top of this layer, at wave numbers `k`, from minors `y` and
+    /// `z = k dy/dk` at its bottom.
+    #[inline(always)]
+    pub fn sample<S: Simd>(
+        &self,
+        simd: S,
+        k: S::f64s,
+        y: Minors<S>,
+        z: Minors<S>,
+    ) -> Samples<S::f64s> {
         let q = k * self.thickness;
-        let [y_top, z_top] = self.cross(k, y, z);
-        let per_d = y_top[0].map(f64::recip);
+        let [y_top, z_top] = self.cross(simd, k, y, z);
         let half = 0.5 * self.e;
-        let is_thin = |q: f64| q <= SWITCH;
-        let thin = q.0.iter().filter(|&&q| is_thin(q)).count();
-        let small = || {
-            let x = y_top[3] * half * per_d;
-            [
-                (y_top[3] * half - y_top[0]) * per_d,
-                (z_top[3] * half - x * z_top[0]) * per_d,
-            ]
+        let per_d = S::f64s::splat(simd, 1.0) / y_top[0];
+        let x = y_top[3] * half * per_d;
+        let mut samples = Samples {
+            x,
+            excess: (y_top[3] * half - y_top[0]) * per_d,
+            slope: (z_top[3] * half - x * z_top[0]) * per_d,
         };
-        if thin == L {
-            return small();
+        let thick = q.simd_gt(SWITCH);
+        if thick.any_true() {
+            let e = exponential(simd, q * -2.0);
+            let [value, slope] = self.departure::<S>(q, e, y, z);
+            let factor = e * half * per_d;
+            let rate = z_top[0].mul_add(per_d, q * 2.0);
+            let excess = factor * value;
+            let slope = factor * (slope - value * rate);
+            samples.excess = thick.select(excess, samples.excess);
+            samples.slope = thick.select(slope, samples.slope);
         }
-        let e = (q * -2.0).map(f64::exp);
-        let [value, slope] = self.departure(q, e, y, z);
-        let factor = e * half * per_d;
-        let large = [
-            factor * value,
-            factor * (slope - value * (q * 2.0 + z_top[0] * per_d)),
-        ];
-        if thin == 0 {
-            return large;
-        }
-        let small = small();
-        from_fn(|i| q.choose(is_thin, small[i], large[i]))
+        samples
     }
 
-    /// Returns `F` of equation (3) and `k dF/dk`.
-    #[inline]
-    fn departure<const L: usize>(
+    /// Returns `F` of equation (3) and `k dF/dk`. `e` is `E`.
+    #[inline(always)]
+    fn departure<S: Simd>(
         &self,
-        q: Lanes<L>,
-        e: Lanes<L>,
-        y: Minors<L>,
-        z: Minors<L>,
-    ) -> [Lanes<L>; 2] {
+        q: S::f64s,
+        e: S::f64s,
+        y: Minors<S>,
+        z: Minors<S>,
+    ) -> [S::f64s; 2] {
         let square = q * q;
+        let half_square = square * 0.5;
         let of_fall = square * 2.0 - q * 2.0 - e + 1.0;
-        let [of_y, once, twice, fall] = self.functionals(y);
-        let value = of_y + q * once + square * twice * 0.5 + fall * of_fall;
-        let explicit =
-            q * once + square * twice + fall * (square * 4.0 + q * (e - Lanes::all(1.0)) * 2.0);
-        let [of_z, once, twice, fall] = self.functionals(z);
-        let slope = of_z + q * once + square * twice * 0.5 + fall * of_fall + explicit;
-        [value, slope]
+        let [of_y, once, twice, fall] = self.functionals::<S>(y);
+        let value = fall.mul_add(of_fall, half_square.mul_add(twice, q.mul_add(once, of_y)));
+        let explicit = q * once + square * twice + fall * (square * 4.0 + q * (e - 1.0) * 2.0);
+        let [of_z, once, twice, fall] = self.functionals::<S>(z);
+        let slope = fall.mul_add(of_fall, half_square.mul_add(twice, q.mul_add(once, of_z)));
+        [value, slope + explicit]
     }
 
     /// Returns `f(y)`, `f(N y)`, `f(N^2 y)` and `4 l-`.
-    fn functionals<const L: usize>(&self, y: Minors<L>) -> [Lanes<L>; 4] {
-        let factor = 2.0 / self.e;
-        let once = self.n_times(y);
-        let twice = self.n_times(once);
-        let [_, fall] = self.exponential_parts(y);
+    #[inline(always)]
+    fn functionals<S: Simd>(&self, y: Minors<S>) -> [S::f64s; 4] {
+        let factor = -2.0 / self.e;
+        let once = self.n_times::<S>(y);
+        let twice = self.n_times::<S>(once);
+        let [_, fall] = self.exponential_parts::<S>(y);
         [
-            y[3] - y[0] * factor,
-            once[3] - once[0] * factor,
-            twice[3] - twice[0] * factor,
+            y[0].mul_add(factor, y[3]),
+            once[0].mul_add(factor, once[3]),
+            twice[0].mul_add(factor, twice[3]),
             fall * 4.0,
         ]
     }
 }
 
 /// Returns `a + factor b`.
-#[inline]
-pub fn sum<const L: usize>(mut a: Minors<L>, factor: Lanes<L>, b: Minors<L>) -> Minors<L> {
+#[inline(always)]
+pub fn sum<S: Simd>(mut a: Minors<S>, factor: S::f64s, b: Minors<S>) -> Minors<S> {
     for (a, b) in a.iter_mut().zip(b) {
-        *a = *a + factor * b;
+        *a = factor.mul_add(b, *a);
     }
     a
 }
 
 /// Returns `factor a`.
-#[inline]
-pub fn scaled<const L: usize>(factor: Lanes<L>, mut a: Minors<L>) -> Minors<L> {
+#[inline(always)]
+pub fn scaled<S: Simd>(factor: S::f64s, mut a: Minors<S>) -> Minors<S> {
     for a in &mut a {
-        *a = *a * factor;
+        *a *= factor;
     }
     a
 }

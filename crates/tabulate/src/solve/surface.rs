@@ -17,21 +17,13 @@ pub struct Sample {
     pub slope: f64,
 }
 
-/// A rule of quadrature on panels that grow with the wave number.
-#[derive(Clone, Copy, Debug)]
-pub struct PanelRule {
-    /// The number of points on a panel: 16, 20, 24 or 32.
-    pub points: usize,
-    /// The largest length of a panel over its lower end.
-    pub growth: f64,
-}
-
 /// The surface compliance `X(q)` of a coated half-space, without the sphere.
 pub trait SurfaceCompliance {
-    /// Returns the rule of quadrature that keeps the poles of `X` outside the ellipse on which it
-    /// converges to a relative `tolerance`. `oscillates` tells that panels are short beside their
-    /// wave numbers for another reason, so that many points a panel are economical.
-    fn rule(tolerance: f64, oscillates: bool) -> PanelRule;
+    /// Returns the number of points on a panel `[c, 4c]`, 16, 20, 24 or 32, with which Gauss's rule
+    /// integrates `X` to a relative `tolerance` in spite of its poles. `oscillates` tells that
+    /// panels are short beside their wave numbers for another reason, so that many points a panel
+    /// are economical.
+    fn points(tolerance: f64, oscillates: bool) -> usize;
 
     /// Returns `X(q) - 1` and `q X'(q)` for a finite `q >= 0`, with an absolute error of a few
     /// rounding units of `max(X, 1)`.
@@ -48,6 +40,28 @@ pub trait SurfaceCompliance {
 
     /// Returns a bound of `|X - 1|`; 0 where `X = 1` everywhere.
     fn largest_excess(&self) -> f64;
+}
+
+impl<C: SurfaceCompliance> SurfaceCompliance for &C {
+    fn points(tolerance: f64, oscillates: bool) -> usize {
+        C::points(tolerance, oscillates)
+    }
+
+    fn sample(&self, q: f64) -> Sample {
+        C::sample(self, q)
+    }
+
+    fn sample_all(&self, q: &[f64]) -> Vec<Sample> {
+        C::sample_all(self, q)
+    }
+
+    fn smallest_scale(&self) -> f64 {
+        C::smallest_scale(self)
+    }
+
+    fn largest_excess(&self) -> f64 {
+        C::largest_excess(self)
+    }
 }
 
 /// Returns a wave number beyond which `weight(q)` times `|X - 1|`, and `weight(q)` times `|q X'|`,

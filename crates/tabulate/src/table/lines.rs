@@ -4,8 +4,8 @@
 //! smallest number of nodes is sought with which the splines of the table follow those interpolants
 //! everywhere.
 
-use interp::Parameter;
 use interp::bspline::Basis;
+use interp::{Material, Parameter};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 use rayon::prelude::*;
@@ -14,10 +14,11 @@ use crate::Error;
 use crate::parallel::try_map;
 use crate::solve::larger;
 use crate::solve::tabulated::Tabulated;
+use crate::stack::NamedStack;
 use crate::table::budget::Budget;
 use crate::table::placement::{EVENNESS, places};
 use crate::table::scene::{Extent, Scene};
-use crate::table::sweep::solve_for_table;
+use crate::table::sweep::{solve_for_table, solve_stack_for_table};
 
 /// The logarithms that a table splines, solved on lines along one of its axes.
 pub(super) struct Lines {
@@ -66,7 +67,7 @@ impl Lines {
                     point
                 })
                 .collect();
-            Ok(try_map(points, |point| logarithms(scene, point))?.concat())
+            logarithms_of_all(scene, &points)
         };
         let mut intervals = Self::FIRST;
         let mut lines = Self {
@@ -244,6 +245,42 @@ pub fn lines(scene: &Scene, along: Parameter) -> Vec<[f64; 4]> {
     (0..edges + RANDOM * across.len()).map(line).collect()
 }
 
+/// Solves points on all cores, and returns the logarithms of one after the other. The spheres on a
+/// stack share their matrices at each `a_over_t`.
+///
+/// # Errors
+/// Those of [`logarithms`].
+fn logarithms_of_all(scene: &Scene, points: &[[f64; 4]]) -> Result<Vec<f64>, Error> {
+    let Some(NamedStack { stack, .. }) = &scene.stack else {
+        return Ok(try_map(points, |point| logarithms(scene, *point))?.concat());
+    };
+    let mut order: Vec<usize> = (0..points.len()).collect();
+    order.sort_by(|&i, &j| points[i][0].total_cmp(&points[j][0]));
+    let groups: Vec<&[usize]> = order
+        .chunk_by(|&i, &j| points[i][0] == points[j][0])
+        .collect();
+    let solve_group = |group: &&[usize]| -> Result<Vec<Vec<f64>>, Error> {
+        let material = |&i: &usize| {
+            let [_, values @ ..] = points[i];
+            scene.material(values)
+        };
+        let materials = group.iter().map(material).collect::<Result<Vec<_>, _>>()?;
+        let a_over_t = points[group[0]][0];
+        let solved = solve_stack_for_table(a_over_t, &materials, stack, scene.tolerance)?;
+        Ok(materials
+            .iter()
+            .zip(&solved)
+            .map(|(material, solved)| logarithms_of(scene, material, solved))
+            .collect())
+    };
+    let mut logarithms = vec![Vec::new(); points.len()];
+    let solved = try_map(&groups, solve_group)?;
+    for (i, solved) in order.iter().zip(solved.into_iter().flatten()) {
+        logarithms[*i] = solved;
+    }
+    Ok(logarithms.concat())
+}
+
 /// Solves one point, the values of the scene's parameters, and returns the logarithms that the
 /// table splines, of the quantities of the scene.
 ///
@@ -254,10 +291,15 @@ pub fn logarithms(scene: &Scene, [a_over_t, values @ ..]: [f64; 4]) -> Result<Ve
     let exponents = Tabulated::exponents(&scene.quantities);
     let stack = scene.stack.as_ref().map(|named| &named.stack);
     let solved = solve_for_table(a_over_t, &material, stack, exponents, scene.tolerance)?;
+    Ok(logarithms_of(scene, &material, &solved))
+}
+
+/// Returns the logarithms of the quantities of a scene.
+fn logarithms_of(scene: &Scene, material: &Material, solved: &Tabulated) -> Vec<f64> {
     let es = material.sphere_film_modulus();
-    Ok(scene
+    scene
         .quantities
         .iter()
         .map(|&quantity| quantity.logarithm(solved.get(quantity), es))
-        .collect())
+        .collect()
 }

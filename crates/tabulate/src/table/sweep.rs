@@ -3,11 +3,12 @@
 use interp::{Material, Parameter, Quantity};
 
 use crate::Error;
-use crate::parallel::try_map;
 use crate::solve::batch::Batch;
 use crate::solve::tabulated::Tabulated;
-use crate::solve::{TOLERANCE, solve_power_laws, solve_stack_power_laws};
-use crate::stack::Stack;
+use crate::solve::{
+    TOLERANCE, solve_power_laws, solve_stack_power_laws, solve_stack_under_spheres,
+};
+use crate::stack::{NamedStack, Stack};
 use crate::table::scene::Scene;
 
 /// Returns the relative tolerance of the solves for a table: a hundredth of the table's own, within
@@ -32,13 +33,47 @@ pub(crate) fn solve_for_table(
     let solve = |tolerance| match stack {
         None => solve_power_laws(a_over_t, material, exponents, tolerance),
         Some(stack) => {
-            let sphere_modulus = stack.surface().young() / material.e1_over_e2();
-            solve_stack_power_laws(a_over_t, stack, sphere_modulus, exponents, tolerance)
+            let modulus = sphere_modulus(stack, material);
+            solve_stack_power_laws(a_over_t, stack, modulus, exponents, tolerance)
         }
     };
     let (solution, cones) = solve(solve_tolerance(table_tolerance))
         .or_else(|_| solve((0.2 * table_tolerance).min(TOLERANCE[1])))?;
     Ok(Tabulated::new(solution.quantities, &cones))
+}
+
+/// Solves the contacts of a `stack` at one `a_over_t` under the spheres of the `materials`, each as
+/// [`solve_for_table`], with matrices that the spheres share. Returns the quantities in the order
+/// of the materials.
+///
+/// # Errors
+/// Those of [`solve_stack_power_laws`].
+pub(crate) fn solve_stack_for_table(
+    a_over_t: f64,
+    materials: &[Material],
+    stack: &Stack,
+    table_tolerance: f64,
+) -> Result<Vec<Tabulated>, Error> {
+    let modulus = |material| sphere_modulus(stack, material);
+    let moduli: Vec<f64> = materials.iter().map(modulus).collect();
+    let solved = solve_stack_under_spheres(
+        a_over_t,
+        stack,
+        &moduli,
+        solve_tolerance(table_tolerance),
+        &|i| {
+            let alone =
+                solve_for_table(a_over_t, &materials[i], Some(stack), &[], table_tolerance)?;
+            Ok(alone.quantities)
+        },
+    )?;
+    let tabulated = |quantities| Tabulated::new(quantities, &[]);
+    Ok(solved.into_iter().map(tabulated).collect())
+}
+
+/// Returns the reduced modulus of the sphere of a `material` on a `stack`, Pa.
+fn sphere_modulus(stack: &Stack, material: &Material) -> f64 {
+    stack.surface().young() / material.e1_over_e2()
 }
 
 /// The values of each of [`Quantity::TABULATED`], row-major, with `a_over_t` the slowest index;
@@ -146,19 +181,17 @@ impl<'a> Sweep<'a> {
         progress: &(dyn Fn(usize) + Sync),
     ) -> Result<Vec<f64>, Error> {
         let (a_over_t, tolerance) = (self.axes[0].1[piece], self.scene.tolerance);
-        let stack = self.scene.stack.as_ref().map(|named| &named.stack);
-        let exponents = Tabulated::exponents(&self.scene.quantities);
-        let alone =
-            |material: &Material| solve_for_table(a_over_t, material, stack, exponents, tolerance);
         let materials = self.batch.materials();
-        let solved = if stack.is_some() {
+        let solved = if let Some(NamedStack { stack, .. }) = &self.scene.stack {
             // The batch knows the compliance of films.
-            try_map(materials, |material| {
-                let solved = alone(material)?;
-                progress(1);
-                Ok::<_, Error>(solved)
-            })?
+            let solved = solve_stack_for_table(a_over_t, materials, stack, tolerance)?;
+            progress(materials.len());
+            solved
         } else {
+            let exponents = Tabulated::exponents(&self.scene.quantities);
+            let alone = |material: &Material| {
+                solve_for_table(a_over_t, material, None, exponents, tolerance)
+            };
             let tolerance = solve_tolerance(tolerance);
             self.batch
                 .solve(a_over_t, exponents, tolerance, &alone, progress)?
