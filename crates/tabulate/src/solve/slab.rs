@@ -198,12 +198,7 @@ impl Slab {
 
     /// The two parts of (2): `P+`, and what is multiplied with `E`.
     #[inline(always)]
-    fn thick_step<S: Simd>(
-        &self,
-        q: S::f64s,
-        e: S::f64s,
-        y: Minors<S>,
-    ) -> (Minors<S>, Minors<S>) {
+    fn thick_step<S: Simd>(&self, q: S::f64s, e: S::f64s, y: Minors<S>) -> (Minors<S>, Minors<S>) {
         let half_square = q * q * 0.5;
         let [grow, fall] = self.exponential_parts::<S>(y);
         let once = self.n_times::<S>(y);
@@ -217,10 +212,7 @@ impl Slab {
             let flat = y[i] - up - down;
             let linear = (up - down).mul_add(-2.0, once[i]);
             let square = (up + down).mul_add(-4.0, twice[i]);
-            rest[i] = e.mul_add(
-                down,
-                half_square.mul_add(square, q.mul_add(linear, flat)),
-            );
+            rest[i] = e.mul_add(down, half_square.mul_add(square, q.mul_add(linear, flat)));
         }
         (all_up, rest)
     }
@@ -228,10 +220,7 @@ impl Slab {
     /// Returns `l+` and `l-`.
     #[inline(always)]
     fn exponential_parts<S: Simd>(&self, [d, c11, c12, c22, det]: Minors<S>) -> [S::f64s; 2] {
-        let even = det.mul_add(
-            self.e,
-            c12.mul_add(4.0 * self.b, d * (1.0 + self.b)),
-        );
+        let even = det.mul_add(self.e, c12.mul_add(4.0 * self.b, d * (1.0 + self.b)));
         let odd = (c11 + c22) * 2.0;
         [(even + odd) * 0.0625, (even - odd) * 0.0625]
     }
@@ -283,16 +272,10 @@ impl Slab {
         let half_square = square * 0.5;
         let of_fall = square * 2.0 - q * 2.0 - e + 1.0;
         let [of_y, once, twice, fall] = self.functionals::<S>(y);
-        let value = fall.mul_add(
-            of_fall,
-            half_square.mul_add(twice, q.mul_add(once, of_y)),
-        );
+        let value = fall.mul_add(of_fall, half_square.mul_add(twice, q.mul_add(once, of_y)));
         let explicit = q * once + square * twice + fall * (square * 4.0 + q * (e - 1.0) * 2.0);
         let [of_z, once, twice, fall] = self.functionals::<S>(z);
-        let slope = fall.mul_add(
-            of_fall,
-            half_square.mul_add(twice, q.mul_add(once, of_z)),
-        );
+        let slope = fall.mul_add(of_fall, half_square.mul_add(twice, q.mul_add(once, of_z)));
         [value, slope + explicit]
     }
 
