@@ -31,10 +31,12 @@
 
 use std::ops::{Add, Mul};
 
+use fearless_simd::prelude::*;
 use interp::Material;
 use num_complex::ComplexFloat;
 
-use crate::solve::surface::{Sample, SurfaceCompliance};
+use crate::solve::exponential::exponential;
+use crate::solve::surface::{Sample, SurfaceCompliance, VectorCompliance, sample_all, sample_one};
 
 /// A real or complex wave number: `f64` or [`Complex64`](num_complex::Complex64).
 pub trait WaveNumber:
@@ -104,31 +106,37 @@ impl Compliance {
     /// Returns `X(q) - 1` and `q X'(q)` for a finite `q >= 0`, with an absolute error of a few
     /// rounding units of `max(X, 1)`.
     pub fn sample(&self, q: f64) -> Sample {
-        if q <= SWITCH {
-            let [n, d] = self.fraction(q);
-            let [n_prime, d_prime] = self.slopes(q);
-            let x = n / d;
-            Sample {
-                excess: (n - d) / d,
-                slope: q * (n_prime - x * d_prime) / d,
-            }
-        } else {
-            let (a, b) = (self.a, self.b);
-            let e = (-2.0 * q).exp();
-            let (sum, product) = (a + b, a * b);
-            let numerator = (sum + 4.0 * b * q * (1.0 + q)) * e - 2.0 * product * e * e;
-            let denominator = 1.0 - (sum + 4.0 * b * q * q) * e + product * e * e;
-            let numerator_prime =
-                (4.0 * b * (1.0 + 2.0 * q) - 2.0 * (sum + 4.0 * b * q * (1.0 + q))) * e
-                    + 8.0 * product * e * e;
-            let denominator_prime =
-                (2.0 * (sum + 4.0 * b * q * q) - 8.0 * b * q) * e - 4.0 * product * e * e;
-            let excess = numerator / denominator;
-            Sample {
-                excess,
-                slope: q * (numerator_prime - excess * denominator_prime) / denominator,
-            }
-        }
+        sample_one(self, q)
+    }
+
+    /// Returns `X - 1` and `q X'` at several `q` by the series, for `q <= 1`.
+    #[inline(always)]
+    fn series_samples<S: Simd>(&self, q: S::f64s) -> [S::f64s; 2] {
+        let [n, d] = self.fraction(q);
+        let [n_prime, d_prime] = self.slopes(q);
+        let x = n / d;
+        [(n - d) / d, q * (n_prime - x * d_prime) / d]
+    }
+
+    /// Returns `X - 1` and `q X'` at several `q` by exponential functions, for `q > 1`. `e` is
+    /// `e^{-2q}`.
+    #[inline(always)]
+    fn exponential_samples<S: Simd>(&self, q: S::f64s, e: S::f64s) -> [S::f64s; 2] {
+        let (sum, product, b) = (self.a + self.b, self.a * self.b, self.b);
+        let (square, e_square) = (q * q, e * e);
+        let of_numerator = (square + q) * (4.0 * b) + sum;
+        let of_denominator = square * (4.0 * b) + sum;
+        let numerator = of_numerator * e - e_square * (2.0 * product);
+        let denominator = e_square * product - of_denominator * e + 1.0;
+        let numerator_prime =
+            (q * (8.0 * b) + 4.0 * b - of_numerator * 2.0) * e + e_square * (8.0 * product);
+        let denominator_prime =
+            (of_denominator * 2.0 - q * (8.0 * b)) * e - e_square * (4.0 * product);
+        let excess = numerator / denominator;
+        [
+            excess,
+            q * (numerator_prime - excess * denominator_prime) / denominator,
+        ]
     }
 
     /// Returns a wave number, at most 1, below which `S = sphere + film X` hardly varies: there its
@@ -207,7 +215,11 @@ impl Compliance {
     }
 
     /// Returns `N` and `D` for `|q| <= 1`.
-    fn fraction<T: WaveNumber>(&self, q: T) -> [T; 2] {
+    #[inline(always)]
+    fn fraction<T>(&self, q: T) -> [T; 2]
+    where
+        T: Copy + Add<Output = T> + Mul<Output = T> + Add<f64, Output = T> + Mul<f64, Output = T>,
+    {
         let [c0, c1, c2, c3, c4] = self.c;
         let [sinh_rest, cosh_rest] = hyperbolic_rests(q * 2.0);
         let square = q * q;
@@ -220,14 +232,37 @@ impl Compliance {
     }
 
     /// Returns `N'` and `D'` for `0 <= q <= 1`.
-    fn slopes(&self, q: f64) -> [f64; 2] {
+    #[inline(always)]
+    fn slopes<T>(&self, q: T) -> [T; 2]
+    where
+        T: Copy + Add<Output = T> + Mul<Output = T> + Add<f64, Output = T> + Mul<f64, Output = T>,
+    {
         let [c0, c1, c2, _, c4] = self.c;
-        let [sinh_rest, cosh_rest] = hyperbolic_rests(2.0 * q);
-        let (sinh, cosh_less_one) = (sinh_rest + 2.0 * q, cosh_rest + 2.0 * q * q);
+        let [sinh_rest, cosh_rest] = hyperbolic_rests(q * 2.0);
+        let (sinh, cosh_less_one) = (sinh_rest + q * 2.0, cosh_rest + q * q * 2.0);
         [
-            c0 * sinh + c1 * cosh_less_one + c2,
-            c1 * sinh_rest + c0 * (cosh_less_one + 1.0) + 2.0 * c4 * q,
+            sinh * c0 + cosh_less_one * c1 + c2,
+            sinh_rest * c1 + (cosh_less_one + 1.0) * c0 + q * (2.0 * c4),
         ]
+    }
+}
+
+impl VectorCompliance for Compliance {
+    #[inline(always)]
+    fn samples<S: Simd>(&self, simd: S, q: S::f64s) -> [S::f64s; 2] {
+        let thin = q.simd_le(SWITCH);
+        if thin.all_true() {
+            return self.series_samples::<S>(q);
+        }
+        let mut samples = self.exponential_samples::<S>(q, exponential(simd, q * -2.0));
+        if thin.any_true() {
+            let [excess, slope] = self.series_samples::<S>(q);
+            samples = [
+                thin.select(excess, samples[0]),
+                thin.select(slope, samples[1]),
+            ];
+        }
+        samples
     }
 }
 
@@ -245,6 +280,10 @@ impl SurfaceCompliance for Compliance {
 
     fn sample(&self, q: f64) -> Sample {
         self.sample(q)
+    }
+
+    fn sample_all(&self, q: &[f64]) -> Vec<Sample> {
+        sample_all(self, q)
     }
 
     /// A film much stiffer than its substrate has poles of `X` as low as `q ~ G0/G1` (shear lag)

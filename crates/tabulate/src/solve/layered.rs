@@ -15,7 +15,7 @@ use fearless_simd::{Level, dispatch};
 use interp::Elastic;
 
 use crate::solve::slab::{Minors, Samples, Slab, scaled, sum};
-use crate::solve::surface::{Sample, SurfaceCompliance};
+use crate::solve::surface::{Sample, SurfaceCompliance, VectorCompliance, sample_all, sample_one};
 use crate::stack::Stack;
 
 /// The surface compliance of a stack of layers on its base. Wave numbers are in units of one over
@@ -71,40 +71,17 @@ impl LayeredCompliance {
     /// Returns `X(q)` for a finite `q >= 0`, with a relative error of a few rounding units, however
     /// small it is.
     pub fn x(&self, q: f64) -> f64 {
-        dispatch!(Level::new(), simd => self.at(simd, q).x)
+        dispatch!(Level::new(), simd => self.x_of_one(simd, q))
     }
 
-    /// Returns the samples at one wave number.
     #[inline(always)]
-    fn at<S: Simd>(&self, simd: S, q: f64) -> Samples<f64> {
-        let Samples { x, excess, slope } = self.samples(simd, S::f64s::splat(simd, q));
-        Samples {
-            x: x[0],
-            excess: excess[0],
-            slope: slope[0],
-        }
+    fn x_of_one<S: Simd>(&self, simd: S, q: f64) -> f64 {
+        self.evaluate(simd, S::f64s::splat(simd, q)).x[0]
     }
 
-    /// Appends the samples at all wave numbers `q`.
+    /// Returns the compliance at several wave numbers `k`.
     #[inline(always)]
-    fn extend<S: Simd>(&self, simd: S, q: &[f64], samples: &mut Vec<Sample>) {
-        for group in q.chunks(S::f64s::LEN) {
-            // The last group is filled up with its last wave number.
-            let mut wave_numbers = S::f64s::splat(simd, group[group.len() - 1]);
-            wave_numbers.as_mut_slice()[..group.len()].copy_from_slice(group);
-            let of_group = self.samples(simd, wave_numbers);
-            for i in 0..group.len() {
-                samples.push(Sample {
-                    excess: of_group.excess[i],
-                    slope: of_group.slope[i],
-                });
-            }
-        }
-    }
-
-    /// Returns the samples at several wave numbers `k`.
-    #[inline(always)]
-    fn samples<S: Simd>(&self, simd: S, k: S::f64s) -> Samples<S::f64s> {
+    fn evaluate<S: Simd>(&self, simd: S, k: S::f64s) -> Samples<S::f64s> {
         let zero = S::f64s::splat(simd, 0.0);
         let (mut y, mut z) = (self.base(simd), [zero; 5]);
         for slab in &self.buried {
@@ -169,6 +146,14 @@ impl LayeredCompliance {
     }
 }
 
+impl VectorCompliance for LayeredCompliance {
+    #[inline(always)]
+    fn samples<S: Simd>(&self, simd: S, q: S::f64s) -> [S::f64s; 2] {
+        let Samples { excess, slope, .. } = self.evaluate(simd, q);
+        [excess, slope]
+    }
+}
+
 impl SurfaceCompliance for LayeredCompliance {
     /// Poles were found as near to the real axis as 26.8 degrees; a plate on a thin incompressible
     /// layer has them at 30 degrees. With poles at 26 degrees, the ellipse of convergence of a
@@ -185,14 +170,11 @@ impl SurfaceCompliance for LayeredCompliance {
     }
 
     fn sample(&self, q: f64) -> Sample {
-        let Samples { excess, slope, .. } = dispatch!(Level::new(), simd => self.at(simd, q));
-        Sample { excess, slope }
+        sample_one(self, q)
     }
 
     fn sample_all(&self, q: &[f64]) -> Vec<Sample> {
-        let mut samples = Vec::with_capacity(q.len());
-        dispatch!(Level::new(), simd => self.extend(simd, q, &mut samples));
-        samples
+        sample_all(self, q)
     }
 
     fn smallest_scale(&self) -> f64 {

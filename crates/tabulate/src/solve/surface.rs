@@ -8,6 +8,9 @@
 //! [`SampledCompliance`](crate::solve::sampled::SampledCompliance) of it) answer the same
 //! questions.
 
+use fearless_simd::prelude::*;
+use fearless_simd::{Level, dispatch};
+
 /// `X - 1` and its slope at one wave number.
 #[derive(Clone, Copy, Debug)]
 pub struct Sample {
@@ -61,6 +64,54 @@ impl<C: SurfaceCompliance> SurfaceCompliance for &C {
 
     fn largest_excess(&self) -> f64 {
         C::largest_excess(self)
+    }
+}
+
+/// A compliance that vector instructions evaluate.
+pub trait VectorCompliance {
+    /// Returns `X - 1` and `q X'` at several finite `q >= 0`.
+    fn samples<S: Simd>(&self, simd: S, q: S::f64s) -> [S::f64s; 2];
+}
+
+/// Returns the sample at one wave number.
+pub fn sample_one(compliance: &impl VectorCompliance, q: f64) -> Sample {
+    dispatch!(Level::new(), simd => at(simd, compliance, q))
+}
+
+#[inline(always)]
+fn at<S: Simd>(simd: S, compliance: &impl VectorCompliance, q: f64) -> Sample {
+    let [excess, slope] = compliance.samples(simd, S::f64s::splat(simd, q));
+    Sample {
+        excess: excess[0],
+        slope: slope[0],
+    }
+}
+
+/// Returns the samples at all wave numbers, in their order.
+pub fn sample_all(compliance: &impl VectorCompliance, q: &[f64]) -> Vec<Sample> {
+    let mut samples = Vec::with_capacity(q.len());
+    dispatch!(Level::new(), simd => extend(simd, compliance, q, &mut samples));
+    samples
+}
+
+#[inline(always)]
+fn extend<S: Simd>(
+    simd: S,
+    compliance: &impl VectorCompliance,
+    q: &[f64],
+    samples: &mut Vec<Sample>,
+) {
+    for group in q.chunks(S::f64s::LEN) {
+        // The last group is filled up with its last wave number.
+        let mut wave_numbers = S::f64s::splat(simd, group[group.len() - 1]);
+        wave_numbers.as_mut_slice()[..group.len()].copy_from_slice(group);
+        let [excess, slope] = compliance.samples(simd, wave_numbers);
+        for i in 0..group.len() {
+            samples.push(Sample {
+                excess: excess[i],
+                slope: slope[i],
+            });
+        }
     }
 }
 
