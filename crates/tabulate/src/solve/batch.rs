@@ -33,7 +33,7 @@ impl Group {
     /// Returns whether shared matrices cost less than the Wiener-Hopf method for each member.
     fn shares_matrices(&self, x: f64, tolerance: f64) -> bool {
         /// The time of the Wiener-Hopf method, in the microseconds of [`galerkin::cost`].
-        const WIENER_HOPF: f64 = 100.0;
+        const WIENER_HOPF: f64 = 15.0;
         galerkin::cost(x, tolerance) <= WIENER_HOPF * self.members.len() as f64
     }
 }
