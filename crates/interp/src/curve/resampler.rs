@@ -7,13 +7,13 @@ use std::borrow::Cow;
 use std::sync::Arc;
 
 use fearless_simd::prelude::*;
-use fearless_simd::{Level, dispatch, f64x4};
+use fearless_simd::{Level, dispatch, f64x4, f64x8};
 
-use crate::curve::bspline::Basis;
-use crate::curve::derived::{Derivation, running};
+use crate::curve::bspline::{Basis, Weights};
+use crate::curve::derived::{Constants, Derivation};
 use crate::curve::grid::{Grid, Position};
 use crate::curve::piecewise::{LOGARITHM, Logarithms, VALUE, Values};
-use crate::curve::series::{exponential, transposed};
+use crate::curve::series::{LANES, Lanes, Series, exponential, transposed_lanes};
 use crate::curve::thick_film::ThickFilm;
 use crate::{Parameter, Quantity};
 
@@ -23,10 +23,16 @@ use crate::{Parameter, Quantity};
 pub(crate) struct Resampler {
     /// The pieces.
     pub(crate) grid: Arc<Grid>,
-    /// The B-splines of each piece.
-    spans: Vec<Span>,
-    /// The polynomial of each B-spline on each piece where it does not vanish.
-    weights: Vec<[f64; LOGARITHM]>,
+    /// The number of pieces.
+    pieces: usize,
+    /// The number of the first B-spline of each piece. The last piece is repeated until its group is
+    /// full, here and in `weights`.
+    first: Vec<[usize; LANES]>,
+    /// The number of B-splines of a piece. Some may vanish on it: with the same number for all
+    /// pieces, the processor foresees the end of the loop over them.
+    count: usize,
+    /// The polynomials of the B-splines on the pieces: a row of `count` for each group.
+    weights: Vec<[[f64; LOGARITHM]; LANES]>,
     /// The quantities whose splines are given.
     pub(crate) held: Vec<Quantity>,
     /// What follows from `Gamma`, if it is the only quantity held.
@@ -42,52 +48,54 @@ pub(crate) struct Pieces {
     pub(crate) start_error: Option<f64>,
 }
 
-/// The B-splines that do not vanish on one piece.
-#[derive(Clone, Copy, Debug)]
-struct Span {
-    /// The number of the first B-spline.
-    first: usize,
-    count: usize,
-    /// The index in `weights` of the polynomial of the first B-spline.
-    start: usize,
-}
-
 impl Resampler {
     /// Samples the B-splines of `basis` for the quantities `held` on `2^bits[i]` pieces in octave
     /// `i` of `range`.
     pub(super) fn new(basis: &Basis, range: [f64; 2], held: &[Quantity], bits: &[u32]) -> Self {
         let grid = Grid::over(range, bits);
-        let (mut spans, mut all_weights) = (Vec::new(), Vec::new());
-        for (_, ends) in grid.pieces(range[1]) {
+        let samples = |ends: [f64; 2]| {
             let samples = chebyshev_points(ends, range.map(|x| x * grid.factor));
             let x = |y: f64| (y / grid.factor).clamp(range[0], range[1]);
             let splines = samples.map(|y| basis.weights(Parameter::AOverT.coordinate(x(y))));
+            (samples, splines)
+        };
+        // The first B-spline that does not vanish on a piece, and the end of those.
+        let span = |splines: &[Weights]| {
+            let first = splines.iter().map(|splines| splines.first);
+            let end = splines.iter().map(|splines| splines.first + splines.count);
+            [first.min().unwrap_or(0), end.max().unwrap_or(0)]
+        };
+        let mut sampled: Vec<_> = grid
+            .pieces(range[1])
+            .map(|(_, ends)| (ends, samples(ends)))
+            .collect();
+        let pieces = sampled.len();
+        sampled.resize(pieces.next_multiple_of(LANES), sampled[pieces - 1]);
+        let spans: Vec<[usize; 2]> = sampled
+            .iter()
+            .map(|(_, (_, splines))| span(splines))
+            .collect();
+        let count = spans
+            .iter()
+            .map(|[first, end]| end - first)
+            .max()
+            .unwrap_or(0);
+        let first = spans.as_chunks::<LANES>().0;
+        let first: Vec<[usize; LANES]> = first
+            .iter()
+            .map(|spans| spans.map(|[first, _]| first.min(basis.len() - count)))
+            .collect();
+        let mut weights = vec![[[0.0; LOGARITHM]; LANES]; first.len() * count];
+        for (piece, (ends, (samples, splines))) in sampled.iter().enumerate() {
+            let (group, lane) = (piece / LANES, piece % LANES);
             let polynomials =
                 lagrange(samples.map(|y| (2.0 * y - ends[0] - ends[1]) / (ends[1] - ends[0])));
-            let first = splines
-                .iter()
-                .map(|splines| splines.first)
-                .min()
-                .unwrap_or(0);
-            let end = splines
-                .iter()
-                .map(|splines| splines.first + splines.count)
-                .max()
-                .unwrap_or(0);
-            let start = all_weights.len();
-            spans.push(Span {
-                first,
-                count: end - first,
-                start,
-            });
-            all_weights.resize(start + end - first, [0.0; LOGARITHM]);
+            let weights = &mut weights[group * count..][..count];
             for (splines, polynomial) in splines.iter().zip(polynomials) {
                 let values = &splines.values[..splines.count];
-                for (weights, value) in all_weights[start + splines.first - first..]
-                    .iter_mut()
-                    .zip(values)
-                {
-                    weights
+                let weights = &mut weights[splines.first - first[group][lane]..];
+                for (weights, value) in weights.iter_mut().zip(values) {
+                    weights[lane]
                         .iter_mut()
                         .zip(polynomial)
                         .for_each(|(weight, coefficient)| *weight += value * coefficient);
@@ -97,8 +105,10 @@ impl Resampler {
         let derivation = (held == [Quantity::Gamma]).then(|| Derivation::new(&grid, range));
         Self {
             grid: Arc::new(grid),
-            spans,
-            weights: all_weights,
+            pieces,
+            first,
+            count,
+            weights,
             held: held.to_vec(),
             derivation: derivation.flatten(),
         }
@@ -106,7 +116,7 @@ impl Resampler {
 
     /// Returns the number of pieces.
     pub(super) fn pieces(&self) -> usize {
-        self.spans.len()
+        self.pieces
     }
 
     /// Returns the polynomials of the logarithms on a piece, from the coefficients of their
@@ -118,16 +128,16 @@ impl Resampler {
         piece: usize,
         coefficients: &[[f64; 4]],
     ) -> [f64x4<S>; LOGARITHM] {
-        let span = self.spans[piece];
-        let coefficients = &coefficients[span.first..span.first + span.count];
-        let weights = &self.weights[span.start..span.start + span.count];
+        let (group, lane) = (piece / LANES, piece % LANES);
+        let coefficients = &coefficients[self.first[group][lane]..][..self.count];
+        let weights = &self.weights[group * self.count..][..self.count];
         // B-splines add up to one: a common part of the coefficients can be added at the end.
         // Without it the sums are small, and so is their rounding, which powers of `t` magnify.
-        let common = f64x4::from_slice(simd, &coefficients[span.count / 2]);
+        let common = f64x4::from_slice(simd, &coefficients[self.count / 2]);
         let mut logarithms = [f64x4::splat(simd, 0.0); LOGARITHM];
         for (weights, coefficients) in weights.iter().zip(coefficients) {
             let coefficients = f64x4::from_slice(simd, coefficients) - common;
-            for (sum, &weight) in logarithms.iter_mut().zip(weights) {
+            for (sum, &weight) in logarithms.iter_mut().zip(&weights[lane]) {
                 *sum = coefficients.mul_add(f64x4::splat(simd, weight), *sum);
             }
         }
@@ -135,46 +145,51 @@ impl Resampler {
         logarithms
     }
 
-    /// Returns the polynomials of the logarithm of a single quantity on four pieces side by side,
-    /// from the coefficients of its spline.
+    /// Returns the polynomials of the logarithm of a single quantity on a group of pieces, from the
+    /// coefficients of its spline.
     #[inline(always)]
-    fn logarithms_on_four<S: Simd>(
+    fn logarithms_on_group<S: Simd>(
         &self,
         simd: S,
         group: usize,
         coefficients: &[f64],
-    ) -> [f64x4<S>; LOGARITHM] {
-        let last = self.spans.len() - 1;
-        let [mut low, mut high] = [[f64x4::splat(simd, 0.0); 4]; 2];
-        for lane in 0..4 {
-            let piece = last.min(4 * group + lane);
-            [low[lane], high[lane]] = self.logarithm(simd, piece, coefficients);
+    ) -> Series<Lanes<S>, LOGARITHM> {
+        let first = &self.first[group];
+        let weights = &self.weights[group * self.count..][..self.count];
+        let mut own = [&coefficients[..0]; LANES];
+        let mut common = [0.0; LANES];
+        for lane in 0..LANES {
+            own[lane] = &coefficients[first[lane]..][..self.count];
+            common[lane] = own[lane][self.count / 2];
         }
-        let ([a, b, c, d], [e, f, g, h]) = (transposed(low), transposed(high));
-        [a, b, c, d, e, f, g, h]
+        // The pieces side by side, because a sum must wait for the addition before.
+        let mut rows = [f64x8::splat(simd, 0.0); LANES];
+        for (i, weights) in weights.iter().enumerate() {
+            for lane in 0..LANES {
+                let coefficient = f64x8::splat(simd, own[lane][i] - common[lane]);
+                let weights = f64x8::from_slice(simd, &weights[lane]);
+                rows[lane] = coefficient.mul_add(weights, rows[lane]);
+            }
+        }
+        let mut logarithms = transposed_lanes(rows);
+        logarithms[0] += Lanes::simd_from(simd, common);
+        logarithms
     }
 
     /// Returns the polynomial of the logarithm of a single quantity on a piece.
     #[inline(always)]
-    fn logarithm<S: Simd>(
-        &self,
-        simd: S,
-        piece: usize,
-        coefficients: &[f64],
-    ) -> [f64x4<S>; LOGARITHM / 4] {
-        let span = self.spans[piece];
-        let coefficients = &coefficients[span.first..span.first + span.count];
-        let weights = &self.weights[span.start..span.start + span.count];
+    fn logarithm<S: Simd>(&self, simd: S, piece: usize, coefficients: &[f64]) -> f64x8<S> {
+        let (group, lane) = (piece / LANES, piece % LANES);
+        let coefficients = &coefficients[self.first[group][lane]..][..self.count];
+        let weights = &self.weights[group * self.count..][..self.count];
         // As in `logarithms`.
-        let common = coefficients[span.count / 2];
-        let mut logarithm = [f64x4::splat(simd, 0.0); LOGARITHM / 4];
+        let common = coefficients[self.count / 2];
+        let mut logarithm = f64x8::splat(simd, 0.0);
         for (weights, coefficient) in weights.iter().zip(coefficients) {
-            let coefficient = f64x4::splat(simd, coefficient - common);
-            for (sum, weights) in logarithm.iter_mut().zip(weights.as_chunks::<4>().0) {
-                *sum = coefficient.mul_add(f64x4::from_slice(simd, weights), *sum);
-            }
+            let coefficient = f64x8::splat(simd, coefficient - common);
+            logarithm = coefficient.mul_add(f64x8::from_slice(simd, &weights[lane]), logarithm);
         }
-        logarithm[0] += f64x4::simd_from(simd, [common, 0.0, 0.0, 0.0]);
+        logarithm[0] += common;
         logarithm
     }
 
@@ -187,12 +202,14 @@ impl Resampler {
         derivation: &Derivation,
         coefficients: &[f64],
     ) -> [f64; 3] {
-        derivation.starts.map(|Position { piece, t }| {
-            let halves = self.logarithm(simd, piece, coefficients);
-            let [low, high] = halves.each_ref().map(SimdBase::as_array);
-            let sum = |half: &[f64; 4]| half.iter().rev().fold(0.0, |sum, term| sum * t + term);
-            sum(low) + t.powi(4) * sum(high)
-        })
+        let mut values = [0.0; 3];
+        for (value, &Position { piece, t }) in values.iter_mut().zip(&derivation.starts) {
+            let (low, high) = self.logarithm(simd, piece, coefficients).split();
+            let fourth = f64x4::splat(simd, t * t * t * t);
+            let [constant, linear, quadratic, cubic] = *high.mul_add(fourth, low).as_array();
+            *value = constant + t * (linear + t * (quadratic + t * cubic));
+        }
+        values
     }
 
     /// Returns the polynomials of the derivatives of the logarithms with respect to three
@@ -202,7 +219,7 @@ impl Resampler {
         coefficients: &[f64],
         derivatives: [&[f64]; 3],
     ) -> [Arc<[Logarithms]>; 3] {
-        let mut pieces = [(); 3].map(|()| zeros(self.spans.len()));
+        let mut pieces = [(); 3].map(|()| zeros(self.pieces));
         if let Some(derivation) = &self.derivation {
             dispatch!(Level::new(), simd => {
                 self.derived_derivatives(simd, derivation, coefficients, derivatives, &mut pieces);
@@ -228,7 +245,7 @@ impl Resampler {
         if let Some(derivation) = &self.derivation {
             return dispatch!(Level::new(), simd => {
                 let start = self.thick_film(simd, derivation, coefficients);
-                let constants = running(derivation.at_start(start.values()));
+                let constants = Constants::Running(derivation.at_start(start.values()));
                 Pieces {
                     values: self.derived(simd, derivation, coefficients, es, constants),
                     start_error: Some(start.error),
@@ -237,7 +254,7 @@ impl Resampler {
         }
         let scales = Quantity::ALL.map(|quantity| quantity.scale(es));
         let rows = rows_of_four(coefficients, &self.held);
-        let mut pieces = zeros(self.spans.len());
+        let mut pieces = zeros(self.pieces);
         dispatch!(Level::new(), simd => {
             for (i, piece) in Arc::make_mut(&mut pieces).iter_mut().enumerate() {
                 exponentials(simd, self.logarithms(simd, i, &rows), scales, piece);
@@ -259,16 +276,16 @@ impl Resampler {
         derivation: &Derivation,
         coefficients: &[f64],
         es: f64,
-        mut constants: impl FnMut(usize, usize, [f64; 2]) -> f64,
+        mut constants: Constants<'_>,
     ) -> Arc<[Values]> {
-        let mut pieces = zeros(self.spans.len());
-        let mut last = [[[0.0; 4]; VALUE]; 4];
+        let mut pieces = zeros(self.pieces);
+        let mut last = [[[0.0; 4]; VALUE]; LANES];
         let all = Arc::make_mut(&mut pieces);
         for group in 0..derivation.groups() {
-            let logarithms = self.logarithms_on_four(simd, group, coefficients);
+            let logarithms = self.logarithms_on_group(simd, group, coefficients);
             let integrals = derivation.integrals(simd, group, &logarithms, &mut constants);
-            let four = all[4 * group..].first_chunk_mut().unwrap_or(&mut last);
-            derivation.values(simd, group, integrals, es, four);
+            let own = all[LANES * group..].first_chunk_mut().unwrap_or(&mut last);
+            derivation.values(simd, group, &logarithms, integrals, es, own);
         }
         complete(all, &last);
         pieces
@@ -286,23 +303,25 @@ impl Resampler {
         pieces: &mut [Arc<[Logarithms]>; 3],
     ) {
         let start = self.thick_film(simd, derivation, coefficients);
-        let mut constants = running(derivation.at_start(start.values()));
-        let mut derivatives = derivatives.map(|coefficients| {
+        let mut constants = Constants::Running(derivation.at_start(start.values()));
+        let mut of_derivatives = [constants; 3];
+        for (constants, coefficients) in of_derivatives.iter_mut().zip(derivatives) {
             let [first, second, _] = self.at_starts(simd, derivation, coefficients);
-            let start = derivation.at_start(start.derivatives([first, second]));
-            (coefficients, running(start))
-        });
-        let mut last = [[[[0.0; 4]; LOGARITHM]; 4]; 3];
+            let start = start.derivatives([first, second]);
+            *constants = Constants::Running(derivation.at_start(start));
+        }
+        let mut last = [[[[0.0; 4]; LOGARITHM]; LANES]; 3];
         for group in 0..derivation.groups() {
-            let logarithms = self.logarithms_on_four(simd, group, coefficients);
+            let logarithms = self.logarithms_on_group(simd, group, coefficients);
             let integrals = derivation.integrals(simd, group, &logarithms, &mut constants);
-            for (((coefficients, constants), pieces), last) in
-                derivatives.iter_mut().zip(&mut *pieces).zip(&mut last)
-            {
-                let gamma = self.logarithms_on_four(simd, group, coefficients);
-                let all = Arc::make_mut(pieces);
-                let four = all[4 * group..].first_chunk_mut().unwrap_or(last);
-                derivation.sensitivities(simd, group, &integrals, &gamma, constants, four);
+            for i in 0..3 {
+                let gamma = self.logarithms_on_group(simd, group, derivatives[i]);
+                let all = Arc::make_mut(&mut pieces[i]);
+                let own = all[LANES * group..]
+                    .first_chunk_mut()
+                    .unwrap_or(&mut last[i]);
+                let constants = &mut of_derivatives[i];
+                derivation.sensitivities(simd, group, &integrals, &gamma, constants, own);
             }
         }
         for (pieces, last) in pieces.iter_mut().zip(&last) {
@@ -330,9 +349,7 @@ impl Resampler {
         beginnings: &[[f64; 3]],
     ) -> Arc<[Values]> {
         dispatch!(Level::new(), simd => {
-            let constants = |order: usize, piece: usize, [from, _]: [f64; 2]| {
-                beginnings[piece.min(beginnings.len() - 1)][order] - from
-            };
+            let constants = Constants::Given(beginnings);
             self.derived(simd, derivation, coefficients, 1.0, constants)
         })
     }
@@ -415,12 +432,12 @@ fn exponentials<S: Simd>(
 
 /// Returns polynomials of zero on `pieces` pieces.
 fn zeros<const N: usize>(pieces: usize) -> Arc<[[[f64; 4]; N]]> {
-    std::iter::repeat_n([[0.0; 4]; N], pieces).collect()
+    (0..pieces).map(|_| [[0.0; 4]; N]).collect()
 }
 
-/// Copies the pieces of the last group that are fewer than four.
-fn complete<const N: usize>(all: &mut [[[f64; 4]; N]], last: &[[[f64; 4]; N]; 4]) {
-    let (_, rest) = all.as_chunks_mut::<4>();
+/// Copies the pieces of the last group, if it is not full.
+fn complete<const N: usize>(all: &mut [[[f64; 4]; N]], last: &[[[f64; 4]; N]; LANES]) {
+    let (_, rest) = all.as_chunks_mut::<LANES>();
     rest.copy_from_slice(&last[..rest.len()]);
 }
 

@@ -162,7 +162,7 @@ impl<T: Copy + Default> Blocks<T> {
 
     /// Returns the weighted sum of a block, in as many vectors as a block fills.
     ///
-    /// The sums of even and of odd rows are independent, because an addition to a sum must wait for
+    /// Every fourth row is added to a sum of its own, because an addition to a sum must wait for
     /// the one before it.
     #[inline(always)]
     fn sum_of_block<S: Simd, V: SimdFloat<S, Element = T>, const VECTORS: usize>(
@@ -172,21 +172,22 @@ impl<T: Copy + Default> Blocks<T> {
         weights: &[T],
     ) -> [V; VECTORS] {
         let block = if block == 0 { 0 } else { self.ends[block - 1] }..self.ends[block];
-        let (pairs, last) = self.rows[block.clone()].as_chunks::<2>();
-        let (pairs_of_entries, last_entries) = self.entries[block].as_chunks::<2>();
-        let mut even = [V::splat(simd, T::default()); VECTORS];
-        let mut odd = even;
-        for (&[p, q], [of_p, of_q]) in pairs.iter().zip(pairs_of_entries) {
-            add(simd, &mut even, of_p, weights[p as usize]);
-            add(simd, &mut odd, of_q, weights[q as usize]);
+        let (fours, rest) = self.rows[block.clone()].as_chunks::<4>();
+        let (fours_of_entries, rest_of_entries) = self.entries[block].as_chunks::<4>();
+        let mut sums = [[V::splat(simd, T::default()); VECTORS]; 4];
+        for (rows, entries) in fours.iter().zip(fours_of_entries) {
+            for (sum, (&row, entries)) in sums.iter_mut().zip(rows.iter().zip(entries)) {
+                add(simd, sum, entries, weights[row as usize]);
+            }
         }
-        if let ([p], [of_p]) = (last, last_entries) {
-            add(simd, &mut even, of_p, weights[*p as usize]);
+        let [mut first, second, third, fourth] = sums;
+        for (&row, entries) in rest.iter().zip(rest_of_entries) {
+            add(simd, &mut first, entries, weights[row as usize]);
         }
-        for (even, odd) in even.iter_mut().zip(odd) {
-            *even += odd;
+        for i in 0..VECTORS {
+            first[i] += second[i] + (third[i] + fourth[i]);
         }
-        even
+        first
     }
 
     /// Returns `N` weighted sums of a block, which are independent.

@@ -87,10 +87,10 @@ impl EvenShape {
                     beta = interpolated(end / radius);
                     (end, MOST_TERMS)
                 };
-                let (mut power, square) = (1.0 / radius, scale * scale);
+                let (mut power, inverse_square) = (1.0 / radius, 1.0 / (scale * scale));
                 for (k, beta) in beta.iter_mut().enumerate() {
                     *beta *= (2 * k + 1) as f64 * power;
-                    power /= square;
+                    power *= inverse_square;
                 }
                 Weights { terms, beta }
             }
