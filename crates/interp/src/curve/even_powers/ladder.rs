@@ -79,11 +79,7 @@ impl Group<'_> {
         let half = vector(self.ends.map(|[from, to]| 0.5 * (to - from)));
         let middle = vector(self.ends.map(|[from, to]| 0.5 * (from + to)));
         let zero = Lanes::splat(simd, 0.0);
-        let (mut stiffness, mut gamma, mut penetration): (
-            Series<Lanes<S>, TERMS>,
-            Series<Lanes<S>, TERMS>,
-            Series<Lanes<S>, TERMS>,
-        ) = ([zero; TERMS], [zero; TERMS], [zero; TERMS]);
+        let [mut stiffness, mut gamma, mut penetration] = [[zero; TERMS]; 3];
         let inverse_es = Lanes::splat(simd, 1.0 / es);
         for k in 0..VALUE {
             let mut rows = [f64x4::splat(simd, 0.0); LANES];
