@@ -9,7 +9,7 @@ use std::sync::Arc;
 use fearless_simd::prelude::*;
 use fearless_simd::{Level, dispatch, f64x4, f64x8};
 
-use crate::curve::bspline::{Basis, Weights};
+use crate::curve::bspline::Basis;
 use crate::curve::derived::{Constants, Derivation};
 use crate::curve::grid::{Grid, Position};
 use crate::curve::piecewise::{LOGARITHM, Logarithms, VALUE, Values};
@@ -25,13 +25,9 @@ pub(crate) struct Resampler {
     pub(crate) grid: Arc<Grid>,
     /// The number of pieces.
     pieces: usize,
-    /// The number of the first B-spline of each piece. The last piece is repeated until its group is
-    /// full, here and in `weights`.
-    first: Vec<[usize; LANES]>,
-    /// The number of B-splines of a piece. Some may vanish on it: with the same number for all
-    /// pieces, the processor foresees the end of the loop over them.
-    count: usize,
-    /// The polynomials of the B-splines on the pieces: a row of `count` for each group.
+    /// The B-splines of the pieces, in groups. The last piece is repeated until its group is full.
+    spans: Vec<Span>,
+    /// The polynomials of the B-splines on the pieces: a row for each B-spline of a group.
     weights: Vec<[[f64; LOGARITHM]; LANES]>,
     /// The quantities whose splines are given.
     pub(crate) held: Vec<Quantity>,
@@ -48,6 +44,17 @@ pub(crate) struct Pieces {
     pub(crate) start_error: Option<f64>,
 }
 
+/// The B-splines that do not vanish on a group of pieces.
+#[derive(Clone, Copy, Debug)]
+struct Span {
+    /// The number of the first B-spline of each piece.
+    first: [usize; LANES],
+    /// The number of B-splines of a piece, as many as any piece of the group needs.
+    count: usize,
+    /// The index in `weights` of the first row.
+    start: usize,
+}
+
 impl Resampler {
     /// Samples the B-splines of `basis` for the quantities `held` on `2^bits[i]` pieces in octave
     /// `i` of `range`.
@@ -59,56 +66,49 @@ impl Resampler {
             let splines = samples.map(|y| basis.weights(Parameter::AOverT.coordinate(x(y))));
             (samples, splines)
         };
-        // The first B-spline that does not vanish on a piece, and the end of those.
-        let span = |splines: &[Weights]| {
-            let first = splines.iter().map(|splines| splines.first);
-            let end = splines.iter().map(|splines| splines.first + splines.count);
-            [first.min().unwrap_or(0), end.max().unwrap_or(0)]
-        };
         let mut sampled: Vec<_> = grid
             .pieces(range[1])
             .map(|(_, ends)| (ends, samples(ends)))
             .collect();
         let pieces = sampled.len();
         sampled.resize(pieces.next_multiple_of(LANES), sampled[pieces - 1]);
-        let spans: Vec<[usize; 2]> = sampled
-            .iter()
-            .map(|(_, (_, splines))| span(splines))
-            .collect();
-        let count = spans
-            .iter()
-            .map(|[first, end]| end - first)
-            .max()
-            .unwrap_or(0);
-        let first = spans.as_chunks::<LANES>().0;
-        let first: Vec<[usize; LANES]> = first
-            .iter()
-            .map(|spans| spans.map(|[first, _]| first.min(basis.len() - count)))
-            .collect();
-        let mut weights = vec![[[0.0; LOGARITHM]; LANES]; first.len() * count];
-        for (piece, (ends, (samples, splines))) in sampled.iter().enumerate() {
-            let (group, lane) = (piece / LANES, piece % LANES);
-            let polynomials =
-                lagrange(samples.map(|y| (2.0 * y - ends[0] - ends[1]) / (ends[1] - ends[0])));
-            let weights = &mut weights[group * count..][..count];
-            for (splines, polynomial) in splines.iter().zip(polynomials) {
-                let values = &splines.values[..splines.count];
-                let weights = &mut weights[splines.first - first[group][lane]..];
-                for (weights, value) in weights.iter_mut().zip(values) {
-                    weights[lane]
-                        .iter_mut()
-                        .zip(polynomial)
-                        .for_each(|(weight, coefficient)| *weight += value * coefficient);
+        let (mut spans, mut all_weights) = (Vec::new(), Vec::new());
+        for group in sampled.as_chunks::<LANES>().0 {
+            let ends = group.map(|(_, (_, splines))| {
+                let first = splines.iter().map(|splines| splines.first);
+                let end = splines.iter().map(|splines| splines.first + splines.count);
+                [first.min().unwrap_or(0), end.max().unwrap_or(0)]
+            });
+            let count = ends.iter().map(|[first, end]| end - first).max();
+            let count = count.unwrap_or(0);
+            let span = Span {
+                first: ends.map(|[first, _]| first.min(basis.len() - count)),
+                count,
+                start: all_weights.len(),
+            };
+            all_weights.resize(span.start + count, [[0.0; LOGARITHM]; LANES]);
+            for (lane, (ends, (samples, splines))) in group.iter().enumerate() {
+                let polynomials =
+                    lagrange(samples.map(|y| (2.0 * y - ends[0] - ends[1]) / (ends[1] - ends[0])));
+                for (splines, polynomial) in splines.iter().zip(polynomials) {
+                    let values = &splines.values[..splines.count];
+                    let rows = span.start + splines.first - span.first[lane]..;
+                    for (weights, value) in all_weights[rows].iter_mut().zip(values) {
+                        weights[lane]
+                            .iter_mut()
+                            .zip(polynomial)
+                            .for_each(|(weight, coefficient)| *weight += value * coefficient);
+                    }
                 }
             }
+            spans.push(span);
         }
         let derivation = (held == [Quantity::Gamma]).then(|| Derivation::new(&grid, range));
         Self {
             grid: Arc::new(grid),
             pieces,
-            first,
-            count,
-            weights,
+            spans,
+            weights: all_weights,
             held: held.to_vec(),
             derivation: derivation.flatten(),
         }
@@ -128,12 +128,12 @@ impl Resampler {
         piece: usize,
         coefficients: &[[f64; 4]],
     ) -> [f64x4<S>; LOGARITHM] {
-        let (group, lane) = (piece / LANES, piece % LANES);
-        let coefficients = &coefficients[self.first[group][lane]..][..self.count];
-        let weights = &self.weights[group * self.count..][..self.count];
+        let (span, lane) = (&self.spans[piece / LANES], piece % LANES);
+        let coefficients = &coefficients[span.first[lane]..][..span.count];
+        let weights = &self.weights[span.start..][..span.count];
         // B-splines add up to one: a common part of the coefficients can be added at the end.
         // Without it the sums are small, and so is their rounding, which powers of `t` magnify.
-        let common = f64x4::from_slice(simd, &coefficients[self.count / 2]);
+        let common = f64x4::from_slice(simd, &coefficients[span.count / 2]);
         let mut logarithms = [f64x4::splat(simd, 0.0); LOGARITHM];
         for (weights, coefficients) in weights.iter().zip(coefficients) {
             let coefficients = f64x4::from_slice(simd, coefficients) - common;
@@ -154,13 +154,13 @@ impl Resampler {
         group: usize,
         coefficients: &[f64],
     ) -> Series<Lanes<S>, LOGARITHM> {
-        let first = &self.first[group];
-        let weights = &self.weights[group * self.count..][..self.count];
+        let span = &self.spans[group];
+        let weights = &self.weights[span.start..][..span.count];
         let mut own = [&coefficients[..0]; LANES];
         let mut common = [0.0; LANES];
         for lane in 0..LANES {
-            own[lane] = &coefficients[first[lane]..][..self.count];
-            common[lane] = own[lane][self.count / 2];
+            own[lane] = &coefficients[span.first[lane]..][..span.count];
+            common[lane] = own[lane][span.count / 2];
         }
         // The pieces side by side, because a sum must wait for the addition before.
         let mut rows = [f64x8::splat(simd, 0.0); LANES];
@@ -179,11 +179,11 @@ impl Resampler {
     /// Returns the polynomial of the logarithm of a single quantity on a piece.
     #[inline(always)]
     fn logarithm<S: Simd>(&self, simd: S, piece: usize, coefficients: &[f64]) -> f64x8<S> {
-        let (group, lane) = (piece / LANES, piece % LANES);
-        let coefficients = &coefficients[self.first[group][lane]..][..self.count];
-        let weights = &self.weights[group * self.count..][..self.count];
+        let (span, lane) = (&self.spans[piece / LANES], piece % LANES);
+        let coefficients = &coefficients[span.first[lane]..][..span.count];
+        let weights = &self.weights[span.start..][..span.count];
         // As in `logarithms`.
-        let common = coefficients[self.count / 2];
+        let common = coefficients[span.count / 2];
         let mut logarithm = f64x8::splat(simd, 0.0);
         for (weights, coefficient) in weights.iter().zip(coefficients) {
             let coefficient = f64x8::splat(simd, coefficient - common);
