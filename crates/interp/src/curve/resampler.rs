@@ -66,28 +66,26 @@ impl Resampler {
             let splines = samples.map(|y| basis.weights(Parameter::AOverT.coordinate(x(y))));
             (samples, splines)
         };
-        let mut sampled: Vec<_> = grid
-            .pieces(range[1])
-            .map(|(_, ends)| (ends, samples(ends)))
-            .collect();
-        let pieces = sampled.len();
-        sampled.resize(pieces.next_multiple_of(LANES), sampled[pieces - 1]);
+        let mut ends: Vec<[f64; 2]> = grid.pieces(range[1]).map(|(_, ends)| ends).collect();
+        let pieces = ends.len();
+        ends.resize(pieces.next_multiple_of(LANES), ends[pieces - 1]);
         let (mut spans, mut all_weights) = (Vec::new(), Vec::new());
-        for group in sampled.as_chunks::<LANES>().0 {
-            let ends = group.map(|(_, (_, splines))| {
+        for ends in ends.as_chunks::<LANES>().0 {
+            let sampled = ends.map(samples);
+            let reach = sampled.map(|(_, splines)| {
                 let first = splines.iter().map(|splines| splines.first);
                 let end = splines.iter().map(|splines| splines.first + splines.count);
                 [first.min().unwrap_or(0), end.max().unwrap_or(0)]
             });
-            let count = ends.iter().map(|[first, end]| end - first).max();
+            let count = reach.iter().map(|[first, end]| end - first).max();
             let count = count.unwrap_or(0);
             let span = Span {
-                first: ends.map(|[first, _]| first.min(basis.len() - count)),
+                first: reach.map(|[first, _]| first.min(basis.len() - count)),
                 count,
                 start: all_weights.len(),
             };
             all_weights.resize(span.start + count, [[0.0; LOGARITHM]; LANES]);
-            for (lane, (ends, (samples, splines))) in group.iter().enumerate() {
+            for (lane, (ends, (samples, splines))) in ends.iter().zip(&sampled).enumerate() {
                 let polynomials =
                     lagrange(samples.map(|y| (2.0 * y - ends[0] - ends[1]) / (ends[1] - ends[0])));
                 for (splines, polynomial) in splines.iter().zip(polynomials) {
