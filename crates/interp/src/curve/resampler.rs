@@ -25,10 +25,10 @@ pub(crate) struct Resampler {
     pub(crate) grid: Arc<Grid>,
     /// The number of pieces.
     pieces: usize,
-    /// The B-splines of the pieces, in groups. The last piece is repeated until its group is full.
-    spans: Vec<Span>,
-    /// The polynomials of the B-splines on the pieces: a row for each B-spline of a group.
-    weights: Vec<[[f64; LOGARITHM]; LANES]>,
+    /// The B-splines of each piece, in groups. The last piece is repeated until its group is full.
+    spans: Vec<[Span; LANES]>,
+    /// The polynomial of each B-spline on each piece where it does not vanish.
+    weights: Vec<[f64; LOGARITHM]>,
     /// The quantities whose splines are given.
     pub(crate) held: Vec<Quantity>,
     /// What follows from `Gamma`, if it is the only quantity held.
@@ -44,14 +44,13 @@ pub(crate) struct Pieces {
     pub(crate) start_error: Option<f64>,
 }
 
-/// The B-splines that do not vanish on a group of pieces.
+/// The B-splines that do not vanish on one piece.
 #[derive(Clone, Copy, Debug)]
 struct Span {
-    /// The number of the first B-spline of each piece.
-    first: [usize; LANES],
-    /// The number of B-splines of a piece, as many as any piece of the group needs.
+    /// The number of the first B-spline.
+    first: usize,
     count: usize,
-    /// The index in `weights` of the first row.
+    /// The index in `weights` of the polynomial of the first B-spline.
     start: usize,
 }
 
@@ -60,52 +59,50 @@ impl Resampler {
     /// `i` of `range`.
     pub(super) fn new(basis: &Basis, range: [f64; 2], held: &[Quantity], bits: &[u32]) -> Self {
         let grid = Grid::over(range, bits);
-        let samples = |ends: [f64; 2]| {
+        let (mut spans, mut all_weights) = (Vec::new(), Vec::new());
+        for (_, ends) in grid.pieces(range[1]) {
             let samples = chebyshev_points(ends, range.map(|x| x * grid.factor));
             let x = |y: f64| (y / grid.factor).clamp(range[0], range[1]);
             let splines = samples.map(|y| basis.weights(Parameter::AOverT.coordinate(x(y))));
-            (samples, splines)
-        };
-        let mut ends: Vec<[f64; 2]> = grid.pieces(range[1]).map(|(_, ends)| ends).collect();
-        let pieces = ends.len();
-        ends.resize(pieces.next_multiple_of(LANES), ends[pieces - 1]);
-        let (mut spans, mut all_weights) = (Vec::new(), Vec::new());
-        for ends in ends.as_chunks::<LANES>().0 {
-            let sampled = ends.map(samples);
-            let reach = sampled.map(|(_, splines)| {
-                let first = splines.iter().map(|splines| splines.first);
-                let end = splines.iter().map(|splines| splines.first + splines.count);
-                [first.min().unwrap_or(0), end.max().unwrap_or(0)]
+            let polynomials =
+                lagrange(samples.map(|y| (2.0 * y - ends[0] - ends[1]) / (ends[1] - ends[0])));
+            let first = splines
+                .iter()
+                .map(|splines| splines.first)
+                .min()
+                .unwrap_or(0);
+            let end = splines
+                .iter()
+                .map(|splines| splines.first + splines.count)
+                .max()
+                .unwrap_or(0);
+            let start = all_weights.len();
+            spans.push(Span {
+                first,
+                count: end - first,
+                start,
             });
-            let count = reach.iter().map(|[first, end]| end - first).max();
-            let count = count.unwrap_or(0);
-            let span = Span {
-                first: reach.map(|[first, _]| first.min(basis.len() - count)),
-                count,
-                start: all_weights.len(),
-            };
-            all_weights.resize(span.start + count, [[0.0; LOGARITHM]; LANES]);
-            for (lane, (ends, (samples, splines))) in ends.iter().zip(&sampled).enumerate() {
-                let polynomials =
-                    lagrange(samples.map(|y| (2.0 * y - ends[0] - ends[1]) / (ends[1] - ends[0])));
-                for (splines, polynomial) in splines.iter().zip(polynomials) {
-                    let values = &splines.values[..splines.count];
-                    let rows = span.start + splines.first - span.first[lane]..;
-                    for (weights, value) in all_weights[rows].iter_mut().zip(values) {
-                        weights[lane]
-                            .iter_mut()
-                            .zip(polynomial)
-                            .for_each(|(weight, coefficient)| *weight += value * coefficient);
-                    }
+            all_weights.resize(start + end - first, [0.0; LOGARITHM]);
+            for (splines, polynomial) in splines.iter().zip(polynomials) {
+                let values = &splines.values[..splines.count];
+                for (weights, value) in all_weights[start + splines.first - first..]
+                    .iter_mut()
+                    .zip(values)
+                {
+                    weights
+                        .iter_mut()
+                        .zip(polynomial)
+                        .for_each(|(weight, coefficient)| *weight += value * coefficient);
                 }
             }
-            spans.push(span);
         }
+        let pieces = spans.len();
+        spans.resize(pieces.next_multiple_of(LANES), spans[pieces - 1]);
         let derivation = (held == [Quantity::Gamma]).then(|| Derivation::new(&grid, range));
         Self {
             grid: Arc::new(grid),
             pieces,
-            spans,
+            spans: spans.as_chunks().0.to_vec(),
             weights: all_weights,
             held: held.to_vec(),
             derivation: derivation.flatten(),
@@ -126,8 +123,8 @@ impl Resampler {
         piece: usize,
         coefficients: &[[f64; 4]],
     ) -> [f64x4<S>; LOGARITHM] {
-        let (span, lane) = (&self.spans[piece / LANES], piece % LANES);
-        let coefficients = &coefficients[span.first[lane]..][..span.count];
+        let span = self.spans[piece / LANES][piece % LANES];
+        let coefficients = &coefficients[span.first..][..span.count];
         let weights = &self.weights[span.start..][..span.count];
         // B-splines add up to one: a common part of the coefficients can be added at the end.
         // Without it the sums are small, and so is their rounding, which powers of `t` magnify.
@@ -135,7 +132,7 @@ impl Resampler {
         let mut logarithms = [f64x4::splat(simd, 0.0); LOGARITHM];
         for (weights, coefficients) in weights.iter().zip(coefficients) {
             let coefficients = f64x4::from_slice(simd, coefficients) - common;
-            for (sum, &weight) in logarithms.iter_mut().zip(&weights[lane]) {
+            for (sum, &weight) in logarithms.iter_mut().zip(weights) {
                 *sum = coefficients.mul_add(f64x4::splat(simd, weight), *sum);
             }
         }
@@ -152,20 +149,32 @@ impl Resampler {
         group: usize,
         coefficients: &[f64],
     ) -> Series<Lanes<S>, LOGARITHM> {
-        let span = &self.spans[group];
-        let weights = &self.weights[span.start..][..span.count];
+        let spans = &self.spans[group];
         let mut own = [&coefficients[..0]; LANES];
+        let mut weights = [&self.weights[..0]; LANES];
         let mut common = [0.0; LANES];
+        let mut least = usize::MAX;
         for lane in 0..LANES {
-            own[lane] = &coefficients[span.first[lane]..][..span.count];
+            let span = spans[lane];
+            own[lane] = &coefficients[span.first..][..span.count];
+            weights[lane] = &self.weights[span.start..][..span.count];
             common[lane] = own[lane][span.count / 2];
+            least = least.min(span.count);
         }
-        // The pieces side by side, because a sum must wait for the addition before.
+        // The pieces side by side, as far as all have B-splines, because a sum must wait for the
+        // addition before.
         let mut rows = [f64x8::splat(simd, 0.0); LANES];
-        for (i, weights) in weights.iter().enumerate() {
+        for i in 0..least {
             for lane in 0..LANES {
                 let coefficient = f64x8::splat(simd, own[lane][i] - common[lane]);
-                let weights = f64x8::from_slice(simd, &weights[lane]);
+                let weights = f64x8::from_slice(simd, &weights[lane][i]);
+                rows[lane] = coefficient.mul_add(weights, rows[lane]);
+            }
+        }
+        for lane in 0..LANES {
+            for (coefficient, weights) in own[lane].iter().zip(weights[lane]).skip(least) {
+                let coefficient = f64x8::splat(simd, coefficient - common[lane]);
+                let weights = f64x8::from_slice(simd, weights);
                 rows[lane] = coefficient.mul_add(weights, rows[lane]);
             }
         }
@@ -177,15 +186,15 @@ impl Resampler {
     /// Returns the polynomial of the logarithm of a single quantity on a piece.
     #[inline(always)]
     fn logarithm<S: Simd>(&self, simd: S, piece: usize, coefficients: &[f64]) -> f64x8<S> {
-        let (span, lane) = (&self.spans[piece / LANES], piece % LANES);
-        let coefficients = &coefficients[span.first[lane]..][..span.count];
+        let span = self.spans[piece / LANES][piece % LANES];
+        let coefficients = &coefficients[span.first..][..span.count];
         let weights = &self.weights[span.start..][..span.count];
         // As in `logarithms`.
         let common = coefficients[span.count / 2];
         let mut logarithm = f64x8::splat(simd, 0.0);
         for (weights, coefficient) in weights.iter().zip(coefficients) {
             let coefficient = f64x8::splat(simd, coefficient - common);
-            logarithm = coefficient.mul_add(f64x8::from_slice(simd, &weights[lane]), logarithm);
+            logarithm = coefficient.mul_add(f64x8::from_slice(simd, weights), logarithm);
         }
         logarithm[0] += common;
         logarithm
