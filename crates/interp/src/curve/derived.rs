@@ -42,8 +42,7 @@
 //! On a piece `x` is a linear function of `t`, and `ln(Gamma/es)` a polynomial in `t`. The squares,
 //! the quotients and the integrals are [series](crate::curve::series) in `t` to its 11th power. The
 //! divisions by `x` are recurrences of two terms. The last two terms of each result are
-//! [economised](economised). The operations are those of [several pieces](LANES) side by side; then
-//! the constants of integration go on from piece to piece. [`Resampler::fitting`] chooses the pieces
+//! [economised]. The operations are those of [several pieces](LANES) side by side; then the constants of integration go on from piece to piece. [`Resampler::fitting`] chooses the pieces
 //! such that this adds less than a tenth of the table's tolerance. The constants at the first `a/t`
 //! are those of a [thick film](crate::curve::thick_film).
 //!
@@ -97,8 +96,8 @@ struct Group {
     inverse_middles: [f64; LANES],
 }
 
-/// The integrals on a group of pieces, as functions of `t`. With half of the length of a piece, `h`,
-/// as a factor of the integrands they are integrals over `t`.
+/// The integrals on a group of pieces, as functions of `t`. With half of the length of a piece,
+/// `h`, as a factor of the integrands they are integrals over `t`.
 pub(crate) struct Integrals<S: Simd> {
     /// `Gamma/es` in the middle.
     middle: Lanes<S>,
@@ -169,7 +168,7 @@ impl Derivation {
         integral[0] = constants.on_group(simd, order, group, from, to);
     }
 
-    /// Integrates on a group of pieces, of which `logarithms` are the polynomials of `ln(Gamma/es)`.
+    /// Integrates on a group of pieces, where `logarithms` are the polynomials of `ln(Gamma/es)`.
     #[inline(always)]
     pub(crate) fn integrals<S: Simd>(
         &self,

@@ -25,10 +25,12 @@ pub(crate) struct Resampler {
     pub(crate) grid: Arc<Grid>,
     /// The number of pieces.
     pieces: usize,
-    /// The B-splines of each piece, in groups. The last piece is repeated until its group is full.
-    spans: Vec<[Span; LANES]>,
-    /// The polynomial of each B-spline on each piece where it does not vanish.
-    weights: Vec<[f64; LOGARITHM]>,
+    /// The B-splines of the pieces, in groups. The last piece is repeated until its group is full.
+    spans: Vec<Span>,
+    /// The polynomials of the first B-splines on the pieces: a row for each B-spline of a group.
+    weights: Vec<[[f64; LOGARITHM]; LANES]>,
+    /// The polynomials of the further B-splines of pieces that have many more than others.
+    rest: Vec<[f64; LOGARITHM]>,
     /// The quantities whose splines are given.
     pub(crate) held: Vec<Quantity>,
     /// What follows from `Gamma`, if it is the only quantity held.
@@ -44,66 +46,94 @@ pub(crate) struct Pieces {
     pub(crate) start_error: Option<f64>,
 }
 
-/// The B-splines that do not vanish on one piece.
+/// The B-splines that do not vanish on a group of pieces.
 #[derive(Clone, Copy, Debug)]
 struct Span {
-    /// The number of the first B-spline.
-    first: usize,
+    /// The number of the first B-spline of each piece.
+    first: [usize; LANES],
+    /// The number of B-splines of a piece in `weights`. Some may vanish on it.
     count: usize,
-    /// The index in `weights` of the polynomial of the first B-spline.
+    /// The index in `weights` of the first row.
     start: usize,
+    /// The indices in `rest` of the further B-splines of each piece, from the first to the end.
+    rest: [[usize; 2]; LANES],
 }
 
 impl Resampler {
+    /// The largest number of vanishing B-splines in [`Self::weights`] of a piece, which takes memory.
+    const MOST_VANISHING: usize = 4;
+
     /// Samples the B-splines of `basis` for the quantities `held` on `2^bits[i]` pieces in octave
     /// `i` of `range`.
     pub(super) fn new(basis: &Basis, range: [f64; 2], held: &[Quantity], bits: &[u32]) -> Self {
         let grid = Grid::over(range, bits);
-        let (mut spans, mut all_weights) = (Vec::new(), Vec::new());
-        for (_, ends) in grid.pieces(range[1]) {
+        let samples = |ends: [f64; 2]| {
             let samples = chebyshev_points(ends, range.map(|x| x * grid.factor));
             let x = |y: f64| (y / grid.factor).clamp(range[0], range[1]);
             let splines = samples.map(|y| basis.weights(Parameter::AOverT.coordinate(x(y))));
-            let polynomials =
-                lagrange(samples.map(|y| (2.0 * y - ends[0] - ends[1]) / (ends[1] - ends[0])));
-            let first = splines
-                .iter()
-                .map(|splines| splines.first)
-                .min()
-                .unwrap_or(0);
-            let end = splines
-                .iter()
-                .map(|splines| splines.first + splines.count)
-                .max()
-                .unwrap_or(0);
-            let start = all_weights.len();
-            spans.push(Span {
-                first,
-                count: end - first,
-                start,
+            (samples, splines)
+        };
+        let (mut spans, mut all_weights, mut rest) = (Vec::new(), Vec::new(), Vec::new());
+        let mut all_ends = grid.pieces(range[1]).map(|(_, ends)| ends).peekable();
+        let (mut pieces, mut last) = (0, range);
+        while all_ends.peek().is_some() {
+            let ends: [[f64; 2]; LANES] = std::array::from_fn(|_| {
+                if let Some(ends) = all_ends.next() {
+                    (pieces, last) = (pieces + 1, ends);
+                }
+                last
             });
-            all_weights.resize(start + end - first, [0.0; LOGARITHM]);
-            for (splines, polynomial) in splines.iter().zip(polynomials) {
-                let values = &splines.values[..splines.count];
-                for (weights, value) in all_weights[start + splines.first - first..]
-                    .iter_mut()
-                    .zip(values)
-                {
-                    weights
-                        .iter_mut()
-                        .zip(polynomial)
-                        .for_each(|(weight, coefficient)| *weight += value * coefficient);
+            let sampled = ends.map(samples);
+            let reach = sampled.map(|(_, splines)| {
+                let first = splines.iter().map(|splines| splines.first);
+                let end = splines.iter().map(|splines| splines.first + splines.count);
+                [first.min().unwrap_or(0), end.max().unwrap_or(0)]
+            });
+            let counts = reach.map(|[first, end]| end - first);
+            let [least, most] = [counts.iter().min(), counts.iter().max()];
+            let [least, most] = [least, most].map(|count| count.copied().unwrap_or(0));
+            let count = most.min(least + Self::MOST_VANISHING);
+            let mut span = Span {
+                first: reach.map(|[first, _]| first.min(basis.len() - count)),
+                count,
+                start: all_weights.len(),
+                rest: [[0; 2]; LANES],
+            };
+            all_weights.resize(span.start + count, [[0.0; LOGARITHM]; LANES]);
+            for (lane, (ends, (samples, splines))) in ends.iter().zip(&sampled).enumerate() {
+                let polynomials =
+                    lagrange(samples.map(|y| (2.0 * y - ends[0] - ends[1]) / (ends[1] - ends[0])));
+                let further = rest.len();
+                rest.resize(
+                    further + counts[lane].saturating_sub(count),
+                    [0.0; LOGARITHM],
+                );
+                span.rest[lane] = [further, rest.len()];
+                for (splines, polynomial) in splines.iter().zip(polynomials) {
+                    for (i, value) in splines.values[..splines.count].iter().enumerate() {
+                        let number = splines.first + i - span.first[lane];
+                        let weights = if number < count {
+                            &mut all_weights[span.start + number][lane]
+                        } else {
+                            &mut rest[further + number - count]
+                        };
+                        weights
+                            .iter_mut()
+                            .zip(polynomial)
+                            .for_each(|(weight, coefficient)| *weight += value * coefficient);
+                    }
                 }
             }
+            spans.push(span);
         }
-        let pieces = spans.len();
-        spans.resize(pieces.next_multiple_of(LANES), spans[pieces - 1]);
+        drop(all_ends);
         let derivation = (held == [Quantity::Gamma]).then(|| Derivation::new(&grid, range));
         Self {
             grid: Arc::new(grid),
             pieces,
-            spans: spans.as_chunks().0.to_vec(),
+            spans,
             weights: all_weights,
+            rest,
             held: held.to_vec(),
             derivation: derivation.flatten(),
         }
@@ -112,6 +142,15 @@ impl Resampler {
     /// Returns the number of pieces.
     pub(super) fn pieces(&self) -> usize {
         self.pieces
+    }
+
+    /// Returns the polynomials of the B-splines on a piece, from the first one on.
+    #[inline(always)]
+    fn weights_on(&self, piece: usize) -> impl Iterator<Item = &[f64; LOGARITHM]> {
+        let (span, lane) = (&self.spans[piece / LANES], piece % LANES);
+        let [from, to] = span.rest[lane];
+        let first = self.weights[span.start..][..span.count].iter();
+        first.map(move |row| &row[lane]).chain(&self.rest[from..to])
     }
 
     /// Returns the polynomials of the logarithms on a piece, from the coefficients of their
@@ -123,14 +162,13 @@ impl Resampler {
         piece: usize,
         coefficients: &[[f64; 4]],
     ) -> [f64x4<S>; LOGARITHM] {
-        let span = self.spans[piece / LANES][piece % LANES];
-        let coefficients = &coefficients[span.first..][..span.count];
-        let weights = &self.weights[span.start..][..span.count];
+        let (span, lane) = (&self.spans[piece / LANES], piece % LANES);
+        let coefficients = &coefficients[span.first[lane]..];
         // B-splines add up to one: a common part of the coefficients can be added at the end.
         // Without it the sums are small, and so is their rounding, which powers of `t` magnify.
         let common = f64x4::from_slice(simd, &coefficients[span.count / 2]);
         let mut logarithms = [f64x4::splat(simd, 0.0); LOGARITHM];
-        for (weights, coefficients) in weights.iter().zip(coefficients) {
+        for (weights, coefficients) in self.weights_on(piece).zip(coefficients) {
             let coefficients = f64x4::from_slice(simd, coefficients) - common;
             for (sum, &weight) in logarithms.iter_mut().zip(weights) {
                 *sum = coefficients.mul_add(f64x4::splat(simd, weight), *sum);
@@ -149,30 +187,27 @@ impl Resampler {
         group: usize,
         coefficients: &[f64],
     ) -> Series<Lanes<S>, LOGARITHM> {
-        let spans = &self.spans[group];
+        let span = &self.spans[group];
+        let weights = &self.weights[span.start..][..span.count];
         let mut own = [&coefficients[..0]; LANES];
-        let mut weights = [&self.weights[..0]; LANES];
         let mut common = [0.0; LANES];
-        let mut least = usize::MAX;
         for lane in 0..LANES {
-            let span = spans[lane];
-            own[lane] = &coefficients[span.first..][..span.count];
-            weights[lane] = &self.weights[span.start..][..span.count];
+            own[lane] = &coefficients[span.first[lane]..][..span.count];
             common[lane] = own[lane][span.count / 2];
-            least = least.min(span.count);
         }
-        // The pieces side by side, as far as all have B-splines, because a sum must wait for the
-        // addition before.
+        // The pieces side by side, because a sum must wait for the addition before.
         let mut rows = [f64x8::splat(simd, 0.0); LANES];
-        for i in 0..least {
+        for (i, weights) in weights.iter().enumerate() {
             for lane in 0..LANES {
                 let coefficient = f64x8::splat(simd, own[lane][i] - common[lane]);
-                let weights = f64x8::from_slice(simd, &weights[lane][i]);
+                let weights = f64x8::from_slice(simd, &weights[lane]);
                 rows[lane] = coefficient.mul_add(weights, rows[lane]);
             }
         }
         for lane in 0..LANES {
-            for (coefficient, weights) in own[lane].iter().zip(weights[lane]).skip(least) {
+            let [from, to] = span.rest[lane];
+            let coefficients = &coefficients[span.first[lane] + span.count..];
+            for (weights, coefficient) in self.rest[from..to].iter().zip(coefficients) {
                 let coefficient = f64x8::splat(simd, coefficient - common[lane]);
                 let weights = f64x8::from_slice(simd, weights);
                 rows[lane] = coefficient.mul_add(weights, rows[lane]);
@@ -186,13 +221,12 @@ impl Resampler {
     /// Returns the polynomial of the logarithm of a single quantity on a piece.
     #[inline(always)]
     fn logarithm<S: Simd>(&self, simd: S, piece: usize, coefficients: &[f64]) -> f64x8<S> {
-        let span = self.spans[piece / LANES][piece % LANES];
-        let coefficients = &coefficients[span.first..][..span.count];
-        let weights = &self.weights[span.start..][..span.count];
+        let (span, lane) = (&self.spans[piece / LANES], piece % LANES);
+        let coefficients = &coefficients[span.first[lane]..];
         // As in `logarithms`.
         let common = coefficients[span.count / 2];
         let mut logarithm = f64x8::splat(simd, 0.0);
-        for (weights, coefficient) in weights.iter().zip(coefficients) {
+        for (weights, coefficient) in self.weights_on(piece).zip(coefficients) {
             let coefficient = f64x8::splat(simd, coefficient - common);
             logarithm = coefficient.mul_add(f64x8::from_slice(simd, weights), logarithm);
         }

@@ -1,7 +1,7 @@
 //! Truncated power series in the position `t` on a piece, several side by side.
 //!
-//! They are the quantities on one piece, or one quantity on [`LANES`] pieces. Products, exponentials
-//! and integrals of truncated series need the terms before a term only.
+//! They are the quantities on one piece, or one quantity on [`LANES`] pieces. Products,
+//! exponentials and integrals of truncated series need the terms before a term only.
 //!
 //! Loops, not closures: a closure is compiled without the vector instructions of its function.
 

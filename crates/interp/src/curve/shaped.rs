@@ -1,5 +1,5 @@
-//! The curve under other probes than a paraboloid: load and penetration of shapes of even powers, and
-//! what the integrals over `a/t` of every shape need.
+//! The curve under other probes than a paraboloid: load and penetration of shapes of even powers,
+//! and what the integrals over `a/t` of every shape need.
 
 use std::sync::Arc;
 
@@ -70,7 +70,7 @@ impl Curve {
     }
 
     /// Returns the derivatives, with respect to a parameter by number as in
-    /// [`QuantityGradient::relative`], of the logarithms of `Pi0`, `Eeq` and `Gamma` over `es`
+    /// `QuantityGradient::relative`, of the logarithms of `Pi0`, `Eeq` and `Gamma` over `es`
     /// between the nodes, and of the last one also the derivative with respect to `a_over_t`.
     pub(crate) fn over_es_by(&self, parameter: usize, a_over_t: f64) -> Result<[f64; 4], Error> {
         let sensitivities = self.sensitivities.as_ref().ok_or(Error::NoGradient)?;

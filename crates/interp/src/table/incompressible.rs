@@ -31,14 +31,14 @@ const POINTS: usize = 4;
 const RATIO: f64 = 2.7;
 /// The largest distance in one difference, relative to `w + u`.
 const REACH: f64 = 0.7;
-/// The largest ratio of `w + u` of nodes that share a difference. A larger ratio needs fewer sums of
-/// lookups; with [`RATIO`] the largest error at 80 contacts is 67 tolerances, not 40.
+/// The largest ratio of `w + u` of nodes that share a difference. A larger ratio needs fewer sums
+/// of lookups; with [`RATIO`] the largest error at 80 contacts is 67 tolerances, not 40.
 const SHARED: f64 = 1.5;
 /// Replaces the derivatives `slopes` of the coefficients over `ln(a/t)` with respect to `nu1` where
 /// those of the spline are inaccurate.
 ///
-/// The coefficients are those of the material at `coordinates`: a group of the `quantities` held for
-/// each node of `a_over_t`. The axis of `nu1` begins at `least`.
+/// The coefficients are those of the material at `coordinates`: a group of the quantities held
+/// for each node of `a_over_t`. The axis of `nu1` begins at `least`.
 pub(crate) fn improve_slopes(
     spline: &TensorSpline,
     coordinates: [f64; 3],

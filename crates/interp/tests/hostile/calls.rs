@@ -1,5 +1,5 @@
-//! The calls of [`FUNCTIONS`](crate::functions::FUNCTIONS) that take more than a line, and the contacts
-//! that they are about.
+//! The calls of [`FUNCTIONS`](crate::functions::FUNCTIONS) that take more than a line, and the
+//! contacts that they are about.
 
 use std::sync::LazyLock;
 
