@@ -6,6 +6,8 @@ use std::{fs, io};
 use functions::FUNCTIONS;
 use tables::PREFIX;
 
+#[path = "../tests/hostile/calls.rs"]
+mod calls;
 #[path = "../tests/hostile/functions.rs"]
 mod functions;
 #[allow(dead_code, reason = "the test uses more of these tables")]

@@ -6,6 +6,8 @@
 use functions::FUNCTIONS;
 use libfuzzer_sys::fuzz_target;
 
+#[path = "../tests/hostile/calls.rs"]
+mod calls;
 #[path = "../tests/hostile/functions.rs"]
 mod functions;
 #[allow(dead_code, reason = "the test uses more of these tables")]

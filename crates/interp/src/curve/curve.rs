@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use fearless_simd::{Level, dispatch};
 
-use crate::curve::asymptotics::{Edge, Expansion};
-use crate::curve::even_powers::{EvenPowers, EvenShape, Source};
+use crate::curve::asymptotics::Expansion;
+use crate::curve::even_powers::EvenPowers;
 use crate::curve::grid::Grid;
 use crate::curve::nodes::REASONABLE;
 use crate::curve::odd_powers::Cone;
@@ -15,7 +15,7 @@ use crate::curve::piecewise::{
 };
 use crate::curve::resampler::{Pieces, Resampler};
 use crate::curve::sensitivity::{QuantityGradient, Sensitivities};
-use crate::curve::thick_film::{LARGEST, fifth_order};
+use crate::curve::thick_film::fifth_order;
 use crate::material::ROUNDING;
 use crate::{Error, Material, Parameter, Quantities, Quantity};
 
@@ -44,24 +44,24 @@ use crate::{Error, Material, Parameter, Quantities, Quantity};
 /// `tests/table/beyond.rs`, with 300 random boxes that end anywhere and 18,096 contacts.
 #[derive(Clone, Debug)]
 pub struct Curve {
-    grid: Arc<Grid>,
-    pieces: Arc<[Values]>,
+    pub(super) grid: Arc<Grid>,
+    pub(super) pieces: Arc<[Values]>,
     /// The first and the last node in `a/t`.
-    range: [f64; 2],
-    material: Material,
+    pub(super) range: [f64; 2],
+    pub(super) material: Material,
     /// Whether each quantity is held or derived, in the order of [`Quantity::ALL`].
-    known: [bool; 4],
+    pub(super) known: [bool; 4],
     /// The estimated error with which the quantities derived from `Gamma` begin, if any are.
-    start_error: Option<f64>,
+    pub(super) start_error: Option<f64>,
     pub(super) sensitivities: Option<Arc<Sensitivities>>,
     /// `Delta1`, if it is held.
     pub(super) cone: Option<Arc<Cone>>,
     /// Whether `Pi0` and `Delta0` are those of an odd power of the radius.
-    of_odd_power: bool,
+    pub(super) of_odd_power: bool,
     /// What belongs to the shape, if `Pi0` and `Delta0` are those of another one than a paraboloid.
-    even: Option<Arc<EvenPowers>>,
-    accuracy: Option<Accuracy>,
-    stack: Option<StackShape>,
+    pub(super) even: Option<Arc<EvenPowers>>,
+    pub(super) accuracy: Option<Accuracy>,
+    pub(super) stack: Option<StackShape>,
 }
 
 /// What a contact needs to know of a stack of layers beside its curve.
@@ -77,11 +77,11 @@ pub struct StackShape {
 
 /// The accuracy of the table that a curve was made from.
 #[derive(Clone, Copy, Debug)]
-struct Accuracy {
+pub(super) struct Accuracy {
     /// The largest error at the sampled points of the table's certificate.
-    error: f64,
+    pub(super) error: f64,
     /// The largest estimated error that an expansion beyond the nodes may have.
-    tolerance: f64,
+    pub(super) tolerance: f64,
 }
 
 impl Curve {
@@ -144,36 +144,6 @@ impl Curve {
         self
     }
 
-    /// Returns this curve with the pieces and the derivatives of an odd power of the radius.
-    pub(super) fn with_odd_power(
-        &self,
-        pieces: Arc<[Values]>,
-        sensitivities: Option<Arc<Sensitivities>>,
-    ) -> Self {
-        Self {
-            pieces,
-            sensitivities,
-            cone: None,
-            of_odd_power: true,
-            ..self.clone()
-        }
-    }
-
-    /// Returns the pieces, from which those of other shapes follow.
-    pub(super) fn source(&self) -> Source<'_> {
-        Source {
-            grid: &self.grid,
-            pieces: &self.pieces,
-            range: self.range,
-            es: self.material.sphere_film_modulus(),
-        }
-    }
-
-    /// Returns whether the curve holds `Delta1`, from which [`Curve::odd_power`] follows.
-    pub(crate) const fn holds_cone(&self) -> bool {
-        self.cone.is_some()
-    }
-
     /// Adds the expansions beyond the nodes. `error` is the largest error of the table's
     /// certificate, `tolerance` the tolerance of the table, with which the quantities derived from
     /// `Gamma` must begin.
@@ -206,82 +176,6 @@ impl Curve {
     /// Returns what a contact needs to know of a stack of layers; `None` for one film.
     pub const fn stack(&self) -> Option<StackShape> {
         self.stack
-    }
-
-    /// Returns the curve whose `Pi0` and `Delta0` are those of a paraboloid with the load and the
-    /// penetration of another shape, with derivatives if this curve has them.
-    ///
-    /// # Errors
-    /// [`Error::MissingQuantity`] unless the curve knows all quantities; [`Error::BeginsTooLate`]
-    /// if it begins at so large an `a/t` that the contact is not that of a thick film there.
-    pub(crate) fn of_even_shape(&self, shape: EvenShape) -> Result<Self, Error> {
-        self.accept_integrals("the contact of this probe")?;
-        let source = self.source();
-        let (pieces, even) = source.of_shape(shape);
-        let (sensitivities, even) = match &self.sensitivities {
-            None => (None, even),
-            Some(own) => {
-                let own = own.of_other(|by| source.by_parameter(shape, &pieces, by));
-                (Some(Arc::new(own)), source.with_derivatives(&pieces, even))
-            }
-        };
-        Ok(Self {
-            pieces,
-            sensitivities,
-            even: Some(Arc::new(even)),
-            ..self.clone()
-        })
-    }
-
-    /// Accepts a curve on which integrals over `a/t` can begin at the first node. `name` is what
-    /// they give. On a stack of layers the expansion before the first node is not known.
-    pub(crate) fn accept_integrals(&self, name: &'static str) -> Result<(), Error> {
-        /// The accuracy that is asked of a curve that does not state its own.
-        const TOLERANCE: f64 = 1e-6;
-        self.require_all()?;
-        if self.stack.is_some() {
-            return Err(Error::StackProbe);
-        }
-        let (from, tolerance) = (
-            self.range[0],
-            self.accuracy
-                .map_or(TOLERANCE, |accuracy| accuracy.tolerance),
-        );
-        let estimate = if from <= LARGEST {
-            fifth_order(&self.material, from)
-        } else {
-            f64::INFINITY
-        };
-        if estimate <= tolerance {
-            return Ok(());
-        }
-        Err(Error::BeginsTooLate {
-            quantity: name,
-            from,
-            estimate,
-            tolerance,
-        })
-    }
-
-    /// Returns the derivatives, with respect to a parameter by number as in
-    /// [`QuantityGradient::relative`], of the logarithms of `Pi0`, `Eeq` and `Gamma` over `es`
-    /// between the nodes, and of the last one also the derivative with respect to `a_over_t`.
-    pub(crate) fn over_es_by(&self, parameter: usize, a_over_t: f64) -> Result<[f64; 4], Error> {
-        let sensitivities = self.sensitivities.as_ref().ok_or(Error::NoGradient)?;
-        let x = self
-            .inside(a_over_t)
-            .ok_or_else(|| self.outside(a_over_t))?;
-        let by = sensitivities.over_es(self.grid.locate(x), parameter);
-        let [pi0, eeq, gamma, slope] = by.ok_or(Error::FixedParameter("the material"))?;
-        Ok([pi0, eeq, gamma, slope * self.grid.logarithmic_speed(x) / x])
-    }
-
-    /// Returns the derivatives of the logarithms of load and penetration without adhesion with
-    /// respect to that of all lengths of the shape, on a curve of [`Self::of_even_shape`].
-    pub(crate) fn by_size(&self, a_over_t: f64) -> Result<[f64; 2], Error> {
-        let even = self.even.as_ref().ok_or(Error::NoGradient)?;
-        let position = self.inside(a_over_t).map(|x| self.grid.locate(x));
-        even.by_size(a_over_t, position)
     }
 
     /// Returns the material. On a curve from a table it is the equivalent on a substrate with the
@@ -442,15 +336,7 @@ impl Curve {
         };
         match self.inside(a_over_t) {
             Some(x) => at(x),
-            None if a_over_t < self.range[0] => {
-                let Expansion { values, slopes, .. } = self.expanded(a_over_t)?;
-                let first = self.range[0];
-                let delta0 = self.even.as_ref().map(|even| {
-                    let change = even.on_half_space(a_over_t) / even.on_half_space(first);
-                    [even.share_below(a_over_t), change]
-                });
-                Ok(at(first)?.continued_to_thicker_films(a_over_t / first, values, slopes, delta0))
-            }
+            None if a_over_t < self.range[0] => self.gradient_below(a_over_t, &at(self.range[0])?),
             None => Err(self.outside(a_over_t)),
         }
     }
@@ -462,23 +348,6 @@ impl Curve {
     pub(crate) fn differentiated_for(&self) -> Result<&Material, Error> {
         let sensitivities = self.sensitivities.as_ref().ok_or(Error::NoGradient)?;
         Ok(sensitivities.material())
-    }
-
-    /// Returns an estimate of the largest relative error of the quantities at `a_over_t`.
-    ///
-    /// Between the nodes it is the largest error of the table's certificate, beyond them the
-    /// estimated error of the expansion about the limit.
-    ///
-    /// # Errors
-    /// As [`Curve::quantity`]; [`Error::OutsideTable`] everywhere on a curve whose error is
-    /// unknown: one that is not from a table, or from a table without a certificate.
-    pub fn error(&self, a_over_t: f64) -> Result<f64, Error> {
-        let known = self.accuracy.filter(|accuracy| accuracy.error.is_finite());
-        let accuracy = known.ok_or_else(|| self.outside(a_over_t))?;
-        if self.inside(a_over_t).is_some() {
-            return Ok(accuracy.error);
-        }
-        Ok(self.expanded(a_over_t)?.error)
     }
 
     /// Returns `Pi0` and `Eeq/Gamma`, the factors of the load in eq. 9.
@@ -495,27 +364,6 @@ impl Curve {
             None => self.expanded(a_over_t)?.values.to_array(),
         };
         Ok((pi0, eeq / gamma))
-    }
-
-    /// Returns `Delta1` and its slope, below the nodes by the expansion for thick films.
-    #[cold]
-    fn value_and_slope_of_cone(&self, a_over_t: f64) -> Result<[f64; 2], Error> {
-        let Some(cone) = &self.cone else {
-            return Err(Error::MissingQuantity(Quantity::Delta1.name()));
-        };
-        if let Some(x) = self.inside(a_over_t) {
-            let [value, rate] = cone.at(self.grid.locate(x));
-            return Ok([value, self.grid.logarithmic_speed(x) * rate]);
-        }
-        let first = self.range[0];
-        if a_over_t > first {
-            return Err(self.outside(a_over_t));
-        }
-        // It departs from 1 like `Delta0`, and its error of the third order is smaller.
-        self.expanded(a_over_t)?;
-        let [at_first, _] = cone.at(self.grid.locate(first));
-        let departure = a_over_t / first * (at_first - 1.0);
-        Ok([1.0 + departure, departure])
     }
 
     /// Accepts a quantity of a sphere that the curve knows.
@@ -544,7 +392,7 @@ impl Curve {
 
     /// Accepts a curve that knows all quantities.
     #[inline]
-    fn require_all(&self) -> Result<(), Error> {
+    pub(super) fn require_all(&self) -> Result<(), Error> {
         Quantity::ALL
             .into_iter()
             .try_for_each(|quantity| self.require(quantity))
@@ -553,7 +401,7 @@ impl Curve {
     /// Returns `a_over_t` if it is between the nodes; the nearest node if it misses them by the
     /// rounding of a ratio; `None` otherwise.
     #[inline]
-    fn inside(&self, a_over_t: f64) -> Option<f64> {
+    pub(super) fn inside(&self, a_over_t: f64) -> Option<f64> {
         let [from, to] = self.range;
         if a_over_t >= from && a_over_t <= to {
             return Some(a_over_t);
@@ -569,7 +417,10 @@ impl Curve {
     }
 
     /// Evaluates all quantities and their slopes, whether they are known or not.
-    fn values_and_slopes(&self, a_over_t: f64) -> Result<(Quantities, Quantities), Error> {
+    pub(super) fn values_and_slopes(
+        &self,
+        a_over_t: f64,
+    ) -> Result<(Quantities, Quantities), Error> {
         let Some(x) = self.inside(a_over_t) else {
             let Expansion { values, slopes, .. } = self.expanded(a_over_t)?;
             return Ok((values, slopes));
@@ -584,79 +435,8 @@ impl Curve {
         ))
     }
 
-    /// Returns whether the curve continues to `a/t` of 0: whether the expansion below the nodes is
-    /// accurate enough next to them, where it is least accurate.
-    pub(crate) fn goes_on_to_zero(&self) -> bool {
-        self.expanded(self.range[0] * (1.0 - 2.0 * ROUNDING))
-            .is_ok()
-    }
-
-    /// Evaluates the expansion beyond the nodes, if it is accurate enough.
-    #[cold]
-    fn expanded(&self, x: f64) -> Result<Expansion, Error> {
-        let [from, to] = self.range;
-        let known = self.accuracy.filter(|accuracy| accuracy.error.is_finite());
-        let is_expandable = x > 0.0 && x < f64::INFINITY && self.stack.is_none();
-        let (Some(Accuracy { error, tolerance }), true) = (known, is_expandable) else {
-            return Err(self.outside(x));
-        };
-        let edge = |a_over_t: f64| -> Result<Edge, Error> {
-            Ok(Edge {
-                a_over_t,
-                quantities: self.values_and_slopes(a_over_t)?.0,
-                known: if self.is_of_other_shape() {
-                    [false, true, true, false]
-                } else {
-                    self.known
-                },
-                error,
-            })
-        };
-        let expansion = if x < from {
-            let expansion = edge(from)?.continue_to_thicker_films(&self.material, x);
-            expansion.map(|expansion| self.with_shape(x, expansion))
-        } else if self.is_of_other_shape() {
-            None
-        } else if 0.5 * to >= from {
-            let (at_half, _) = self.values_and_slopes(0.5 * to)?;
-            edge(to)?.continue_to_thinner_films(&at_half, &self.material, x)
-        } else {
-            None
-        };
-        let expansion = expansion.ok_or_else(|| self.outside(x))?;
-        // Not `>`, which is false for NaN.
-        if expansion.error <= tolerance {
-            return Ok(expansion);
-        }
-        let (edge, estimate) = (if x < from { from } else { to }, expansion.error);
-        Err(Error::Extrapolation {
-            value: x,
-            edge,
-            estimate,
-            tolerance,
-        })
-    }
-
-    /// Returns whether `Pi0` and `Delta0` are those of another shape than a paraboloid.
-    fn is_of_other_shape(&self) -> bool {
-        self.of_odd_power || self.even.is_some()
-    }
-
-    /// Returns an expansion below the nodes with `Pi0` and `Delta0` of the shape.
-    fn with_shape(&self, x: f64, expansion: Expansion) -> Expansion {
-        let Some(even) = &self.even else {
-            return expansion;
-        };
-        let (values, slopes) = even.below(x, expansion.values, expansion.slopes);
-        Expansion {
-            values,
-            slopes,
-            ..expansion
-        }
-    }
-
     /// The error of an `a/t` outside the curve.
-    fn outside(&self, value: f64) -> Error {
+    pub(super) fn outside(&self, value: f64) -> Error {
         let [from, to] = self.range;
         Error::OutsideTable {
             axis: Parameter::AOverT.name(),

@@ -42,8 +42,7 @@
 //! On a piece `x` is a linear function of `t`, and `ln(Gamma/es)` a polynomial in `t`. The squares,
 //! the quotients and the integrals are [series](crate::curve::series) in `t` to its 11th power. The
 //! divisions by `x` are recurrences of two terms. The last two terms of each result are
-//! [economised](economised). The operations are those of four pieces side by side; then the
-//! constants of integration go on from piece to piece. [`Resampler::fitting`] chooses the pieces
+//! [economised]. The operations are those of [several pieces](LANES) side by side; then the constants of integration go on from piece to piece. [`Resampler::fitting`] chooses the pieces
 //! such that this adds less than a tenth of the table's tolerance. The constants at the first `a/t`
 //! are those of a [thick film](crate::curve::thick_film).
 //!
@@ -62,14 +61,13 @@
 //!
 //! [`Resampler::fitting`]: crate::curve::resampler::Resampler::fitting
 
-use fearless_simd::f64x4;
 use fearless_simd::prelude::*;
 
 use crate::curve::grid::{Grid, Position};
-use crate::curve::piecewise::{LOGARITHM, Logarithms, Values};
+use crate::curve::piecewise::{LOGARITHM, Logarithms, VALUE, Values};
 use crate::curve::series::{
-    Series, difference, economised, ends, exponential, first_terms, integral, product, quotient,
-    sum, transposed,
+    LANES, Lanes, Series, constants_of_integration, difference, economised, ends, exp, exponential,
+    first_terms, integral, product, quotient, rows_of_lanes, sum,
 };
 use crate::curve::thick_film::{LARGEST, MULTIPLES};
 
@@ -81,7 +79,7 @@ const RELATIVE_TERMS: usize = 10;
 /// What the integrals need to know about the pieces of a grid, made once for a table.
 #[derive(Clone, Debug)]
 pub(crate) struct Derivation {
-    /// The pieces four by four. The last one is repeated until its group is full.
+    /// The pieces in groups of [`LANES`]. The last one is repeated until its group is full.
     groups: Vec<Group>,
     /// The first `a/t`, in units of the grid.
     first: f64,
@@ -89,26 +87,28 @@ pub(crate) struct Derivation {
     pub(crate) starts: [Position; 3],
 }
 
-/// Four pieces.
+/// The pieces that are computed side by side.
 #[derive(Clone, Copy, Debug)]
 struct Group {
     /// Half of their lengths.
-    half_lengths: [f64; 4],
+    half_lengths: [f64; LANES],
     /// The inverses of their middles.
-    inverse_middles: [f64; 4],
+    inverse_middles: [f64; LANES],
 }
 
-/// The quantities on four pieces.
+/// The integrals on a group of pieces, as functions of `t`. With half of the length of a piece,
+/// `h`, as a factor of the integrands they are integrals over `t`.
 pub(crate) struct Integrals<S: Simd> {
-    /// `Gamma/es`.
-    gamma: Series<S, TERMS>,
-    /// `Gamma^2` and its inverse.
-    square: Series<S, TERMS>,
-    inverse: Series<S, TERMS>,
-    /// `x es Eeq/Gamma^2`.
-    rate: Series<S, TERMS>,
-    /// `x Eeq/es`, `x^2 Delta0` and `x^3 Pi0/es`.
-    integrals: [Series<S, TERMS>; 3],
+    /// `Gamma/es` in the middle.
+    middle: Lanes<S>,
+    /// `h (Gamma/es)^2` and `h/(Gamma/es)^2`.
+    square: Series<Lanes<S>, TERMS>,
+    inverse: Series<Lanes<S>, TERMS>,
+    /// The integrands of the last two integrals: `h x (Eeq/es)/(Gamma/es)^2`, and this times `x
+    /// Eeq/es`.
+    rates: [Series<Lanes<S>, TERMS>; 2],
+    /// `x Eeq/es`, `x^2 Delta0/2` and `x^3 Pi0/(8 es)`.
+    integrals: [Series<Lanes<S>, TERMS>; 3],
 }
 
 impl Derivation {
@@ -120,8 +120,8 @@ impl Derivation {
         }
         let mut ends: Vec<[f64; 2]> = grid.pieces(range[1]).map(|(_, ends)| ends).collect();
         let last = *ends.last()?;
-        ends.resize(ends.len().next_multiple_of(4), last);
-        let groups = ends.as_chunks::<4>().0.iter().map(|group| Group {
+        ends.resize(ends.len().next_multiple_of(LANES), last);
+        let groups = ends.as_chunks::<LANES>().0.iter().map(|group| Group {
             half_lengths: group.map(|[from, to]| 0.5 * (to - from)),
             inverse_middles: group.map(|[from, to]| 2.0 / (from + to)),
         });
@@ -136,10 +136,15 @@ impl Derivation {
         self.groups.len()
     }
 
-    /// Returns `x Eeq`, `x^2 Delta0` and `x^3 Pi0` at the first `a/t`, from the quantities there.
-    pub(crate) fn at_start(&self, [eeq, delta0, pi0]: [f64; 3]) -> [f64; 3] {
-        let y = self.first;
-        [eeq * y, delta0 * y * y, pi0 * y * y * y]
+    /// Returns the three integrals at the first `a/t`, from `Eeq/es`, `Delta0` and `Pi0/es` there.
+    pub(crate) fn at_start(&self, quantities: [f64; 3]) -> [f64; 3] {
+        Self::at(self.first, quantities)
+    }
+
+    /// Returns the three integrals at `y`, in units of the grid, from `Eeq/es`, `Delta0` and
+    /// `Pi0/es` there.
+    pub(crate) fn at(y: f64, [eeq, delta0, pi0]: [f64; 3]) -> [f64; 3] {
+        [eeq * y, 0.5 * delta0 * y * y, 0.125 * pi0 * y * y * y]
     }
 
     /// Adds the constants of integration to the integrals of order `order` on a group.
@@ -148,11 +153,11 @@ impl Derivation {
         &self,
         simd: S,
         group: usize,
-        integral: &mut Series<S, N>,
-        mut constants: impl FnMut(usize, [f64; 2]) -> f64,
+        integral: &mut Series<Lanes<S>, N>,
+        constants: &mut Constants<'_>,
+        order: usize,
     ) {
-        let [from, to] = ends(integral);
-        let (mut from, to) = (*from.as_array(), *to.as_array());
+        let [mut from, to] = ends(integral);
         if group == 0 {
             let Position { t, .. } = self.starts[0];
             from[0] = integral
@@ -160,48 +165,36 @@ impl Derivation {
                 .rev()
                 .fold(0.0, |sum, term| sum * t + term[0]);
         }
-        let constants: [f64; 4] =
-            std::array::from_fn(|lane| constants(4 * group + lane, [from[lane], to[lane]]));
-        integral[0] = f64x4::simd_from(simd, constants);
+        integral[0] = constants.on_group(simd, order, group, from, to);
     }
 
-    /// Integrates on a group of pieces. `constants(order, piece, [from, to])` returns the constant
-    /// of an integral on a piece, from its values without the constant at the beginning and at the
-    /// end of the piece.
+    /// Integrates on a group of pieces, where `logarithms` are the polynomials of `ln(Gamma/es)`.
     #[inline(always)]
     pub(crate) fn integrals<S: Simd>(
         &self,
         simd: S,
         group: usize,
-        logarithms: &Series<S, LOGARITHM>,
-        mut constants: impl FnMut(usize, usize, [f64; 2]) -> f64,
+        logarithms: &Series<Lanes<S>, LOGARITHM>,
+        constants: &mut Constants<'_>,
     ) -> Integrals<S> {
-        let half_lengths = f64x4::simd_from(simd, self.groups[group].half_lengths);
-        let middle = f64x4::simd_from(simd, logarithms[0].as_array().map(f64::exp));
-        let square = middle * middle;
-        let gamma = exponential(simd, middle, 1.0, logarithms);
-        let squares = exponential(simd, square, 2.0, logarithms);
-        let inverse = exponential(simd, f64x4::splat(simd, 1.0) / square, -2.0, logarithms);
-        let mut stiffness = integral(simd, &squares, half_lengths);
-        self.add_constants(simd, group, &mut stiffness, |piece, ends| {
-            constants(0, piece, ends)
-        });
-        // Half of the rate of `x^2 Delta0`, and a quarter of that of `x^3 Pi0`.
-        let rate = product(&stiffness, &inverse);
-        let mut penetration = integral(simd, &rate, half_lengths * 2.0);
-        self.add_constants(simd, group, &mut penetration, |piece, ends| {
-            constants(1, piece, ends)
-        });
-        let load = product(&stiffness, &rate);
-        let mut load = integral(simd, &load, half_lengths * 8.0);
-        self.add_constants(simd, group, &mut load, |piece, ends| {
-            constants(2, piece, ends)
-        });
+        let half_lengths = Lanes::simd_from(simd, self.groups[group].half_lengths);
+        let middle = exp(simd, logarithms[0]);
+        let of_square = middle * middle;
+        let square = exponential(simd, half_lengths * of_square, 2.0, logarithms);
+        let inverse = exponential(simd, half_lengths / of_square, -2.0, logarithms);
+        let mut stiffness = integral(simd, &square);
+        self.add_constants(simd, group, &mut stiffness, constants, 0);
+        let rate = product(simd, &stiffness, &inverse);
+        let mut penetration = integral(simd, &rate);
+        self.add_constants(simd, group, &mut penetration, constants, 1);
+        let rate_of_load = product(simd, &stiffness, &rate);
+        let mut load = integral(simd, &rate_of_load);
+        self.add_constants(simd, group, &mut load, constants, 2);
         Integrals {
-            gamma,
-            square: squares,
+            middle,
+            square,
             inverse,
-            rate,
+            rates: [rate, rate_of_load],
             integrals: [stiffness, penetration, load],
         }
     }
@@ -212,29 +205,25 @@ impl Derivation {
         &self,
         simd: S,
         group: usize,
+        logarithms: &Series<Lanes<S>, LOGARITHM>,
         integrals: Integrals<S>,
         es: f64,
-        pieces: &mut [Values; 4],
+        pieces: &mut [Values; LANES],
     ) {
         let Group {
             half_lengths,
             inverse_middles,
         } = self.groups[group];
-        let inverse = f64x4::simd_from(simd, inverse_middles);
-        let ratio = f64x4::simd_from(simd, half_lengths) * inverse;
-        let [mut eeq, mut delta0, mut pi0] = integrals.integrals;
-        divide_by_linear(&mut eeq, inverse, ratio);
-        for _ in 0..2 {
-            divide_by_linear(&mut delta0, inverse, ratio);
-        }
-        for _ in 0..3 {
-            divide_by_linear(&mut pi0, inverse, ratio);
-        }
-        let pi0 = economised(simd, &pi0);
-        let eeq = economised(simd, &eeq);
-        let gamma = economised(simd, &integrals.gamma);
-        let delta0 = economised(simd, &delta0);
-        write_by_piece([&pi0, &eeq, &gamma, &delta0], [es, es, es, 1.0], pieces);
+        // `x` is `(1 + ratio t)/inverse`.
+        let inverse = Lanes::simd_from(simd, inverse_middles);
+        let ratio = Lanes::simd_from(simd, half_lengths) * inverse;
+        let [eeq, delta0, pi0] = divided_by_powers(integrals.integrals, ratio);
+        let (square, es) = (inverse * inverse, Lanes::splat(simd, es));
+        let pi0 = scaled(&economised(simd, &pi0), square * inverse * es * 8.0);
+        let eeq = scaled(&economised(simd, &eeq), inverse * es);
+        let delta0 = scaled(&economised(simd, &delta0), square * 2.0);
+        let gamma: Series<_, TERMS> = exponential(simd, integrals.middle * es, 1.0, logarithms);
+        write_by_piece([&pi0, &eeq, &economised(simd, &gamma), &delta0], pieces);
     }
 
     /// Writes the polynomials of the derivatives of the logarithms of the four quantities on the
@@ -246,92 +235,129 @@ impl Derivation {
         simd: S,
         group: usize,
         integrals: &Integrals<S>,
-        gamma: &Series<S, LOGARITHM>,
-        mut constants: impl FnMut(usize, usize, [f64; 2]) -> f64,
-        pieces: &mut [Logarithms; 4],
+        gamma: &Series<Lanes<S>, LOGARITHM>,
+        constants: &mut Constants<'_>,
+        pieces: &mut [Logarithms; LANES],
     ) {
-        let half_lengths = f64x4::simd_from(simd, self.groups[group].half_lengths);
         let square = first_terms(&integrals.square);
         let inverse = first_terms(&integrals.inverse);
-        let rate = first_terms(&integrals.rate);
-        let stiffness = first_terms(&integrals.integrals[0]);
-        let penetration = first_terms(&integrals.integrals[1]);
-        let load = first_terms(&integrals.integrals[2]);
+        let [rate, rate_of_load] = integrals.rates.each_ref().map(first_terms);
+        let [stiffness, penetration, load] = integrals.integrals.each_ref().map(first_terms);
 
-        let mut by_stiffness = integral(simd, &product(gamma, &square), half_lengths * 2.0);
-        self.add_constants(simd, group, &mut by_stiffness, |piece, ends| {
-            constants(0, piece, ends)
-        });
-        let twice_gamma = sum(gamma, gamma);
-        let by_rate = difference(
-            &product(&by_stiffness, &inverse),
-            &product(&twice_gamma, &rate),
+        let twice = sum(gamma, gamma);
+        let mut by_stiffness = integral(simd, &product(simd, &twice, &square));
+        self.add_constants(simd, group, &mut by_stiffness, constants, 0);
+        let mut by_penetration = integral(
+            simd,
+            &difference(
+                &product(simd, &by_stiffness, &inverse),
+                &product(simd, &twice, &rate),
+            ),
         );
-        let mut by_penetration = integral(simd, &by_rate, half_lengths * 2.0);
-        self.add_constants(simd, group, &mut by_penetration, |piece, ends| {
-            constants(1, piece, ends)
-        });
-        let by_load = sum(
-            &product(&by_stiffness, &rate),
-            &product(&stiffness, &by_rate),
+        self.add_constants(simd, group, &mut by_penetration, constants, 1);
+        let mut by_load = integral(
+            simd,
+            &difference(
+                &product(simd, &sum(&by_stiffness, &by_stiffness), &rate),
+                &product(simd, &twice, &rate_of_load),
+            ),
         );
-        let mut by_load = integral(simd, &by_load, half_lengths * 8.0);
-        self.add_constants(simd, group, &mut by_load, |piece, ends| {
-            constants(2, piece, ends)
-        });
+        self.add_constants(simd, group, &mut by_load, constants, 2);
         let relative = [
             &relative(simd, &by_load, &load),
             &relative(simd, &by_stiffness, &stiffness),
             gamma,
             &relative(simd, &by_penetration, &penetration),
         ];
-        write_by_piece(relative, [1.0; 4], pieces);
+        write_by_piece(relative, pieces);
     }
 }
 
-/// The constants of integration of a whole curve: the integrals go on from piece to piece.
-pub(crate) fn running(mut at: [f64; 3]) -> impl FnMut(usize, usize, [f64; 2]) -> f64 {
-    move |order, _, [from, to]| {
-        let constant = at[order] - from;
-        at[order] = constant + to;
-        constant
+/// The constants of integration: the values of the three integrals at the beginnings of the pieces.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Constants<'a> {
+    /// The integrals go on from piece to piece. These are their values where the next group begins.
+    Running([f64; 3]),
+    /// The integrals have these values at the beginning of each piece.
+    Given(&'a [[f64; 3]]),
+}
+
+impl Constants<'_> {
+    /// Returns the constants of the integral of order `order` on the pieces of a group, from its
+    /// values without them at the beginnings and at the ends of the pieces.
+    #[inline(always)]
+    fn on_group<S: Simd>(
+        &mut self,
+        simd: S,
+        order: usize,
+        group: usize,
+        from: Lanes<S>,
+        to: Lanes<S>,
+    ) -> Lanes<S> {
+        match self {
+            Self::Running(at) => constants_of_integration(simd, &mut at[order], from, to),
+            Self::Given(beginnings) => {
+                let mut constants = -from;
+                for lane in 0..LANES {
+                    let piece = (LANES * group + lane).min(beginnings.len() - 1);
+                    constants[lane] += beginnings[piece][order];
+                }
+                constants
+            }
+        }
     }
 }
 
-/// Divides a series by `(1 + ratio t)/inverse`.
+/// Divides three series by `1 + ratio t` to the powers 1, 2 and 3.
+///
+/// A term of a quotient waits for the one before it. Therefore all divisions are made term by term
+/// together.
 #[inline(always)]
-fn divide_by_linear<S: Simd>(series: &mut Series<S, TERMS>, inverse: f64x4<S>, ratio: f64x4<S>) {
-    series[0] *= inverse;
-    for k in 1..TERMS {
-        series[k] = (-ratio).mul_add(series[k - 1], series[k] * inverse);
+pub(super) fn divided_by_powers<S: Simd, const N: usize>(
+    [mut first, mut second, mut third]: [Series<Lanes<S>, N>; 3],
+    ratio: Lanes<S>,
+) -> [Series<Lanes<S>, N>; 3] {
+    let minus = -ratio;
+    let (mut of_second, mut of_third) = (second[0], [third[0]; 2]);
+    for k in 1..N {
+        first[k] = minus.mul_add(first[k - 1], first[k]);
+        of_second = minus.mul_add(of_second, second[k]);
+        second[k] = minus.mul_add(second[k - 1], of_second);
+        of_third[0] = minus.mul_add(of_third[0], third[k]);
+        of_third[1] = minus.mul_add(of_third[1], of_third[0]);
+        third[k] = minus.mul_add(third[k - 1], of_third[1]);
     }
+    [first, second, third]
+}
+
+/// Multiplies a series by a number.
+#[inline(always)]
+fn scaled<S: Simd>(series: &Series<Lanes<S>, VALUE>, factor: Lanes<S>) -> Series<Lanes<S>, VALUE> {
+    let mut scaled = *series;
+    for term in &mut scaled {
+        *term *= factor;
+    }
+    scaled
 }
 
 /// Returns the series of a derivative over its value.
 #[inline(always)]
 fn relative<S: Simd>(
     simd: S,
-    derivative: &Series<S, RELATIVE_TERMS>,
-    value: &Series<S, RELATIVE_TERMS>,
-) -> Series<S, LOGARITHM> {
+    derivative: &Series<Lanes<S>, RELATIVE_TERMS>,
+    value: &Series<Lanes<S>, RELATIVE_TERMS>,
+) -> Series<Lanes<S>, LOGARITHM> {
     economised(simd, &quotient(simd, derivative, value))
 }
 
-/// Writes the coefficients of the quantities, each of them on four pieces, times its scale, to the
-/// `pieces`.
+/// Writes the coefficients of the quantities, each of them on a group of pieces, to the `pieces`.
 #[inline(always)]
 fn write_by_piece<S: Simd, const N: usize>(
-    [pi0, eeq, gamma, delta0]: [&Series<S, N>; 4],
-    scales: [f64; 4],
-    pieces: &mut [[[f64; 4]; N]; 4],
+    [pi0, eeq, gamma, delta0]: [&Series<Lanes<S>, N>; 4],
+    pieces: &mut [[[f64; 4]; N]; LANES],
 ) {
     for k in 0..N {
-        let rows = transposed([
-            pi0[k] * scales[0],
-            eeq[k] * scales[1],
-            gamma[k] * scales[2],
-            delta0[k] * scales[3],
-        ]);
+        let rows = rows_of_lanes([pi0[k], eeq[k], gamma[k], delta0[k]]);
         for (piece, row) in pieces.iter_mut().zip(rows) {
             row.store_slice(&mut piece[k]);
         }

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use crate::curve::bspline::Basis;
+use crate::curve::derived::Derivation;
 use crate::curve::grid::{Grid, Position};
 use crate::curve::piecewise::{Polynomial, Values, evaluate, evaluate_all, evaluate_one};
 use crate::curve::resampler::{Pieces, Resampler, chebyshev_points};
@@ -181,8 +182,7 @@ impl<'a> Target<'a> {
             let x = (from / grid.factor).max(self.range[0]);
             let position = fine.locate(x);
             let [pi0, eeq, _, delta0] = evaluate_all(&derived[position.piece], position);
-            let y = x * grid.factor;
-            [eeq * y, delta0 * y.powi(2), pi0 * y.powi(3)]
+            Derivation::at(x * grid.factor, [eeq, delta0, pi0])
         });
         let beginnings: Vec<[f64; 3]> = beginnings.collect();
         Pieces {

@@ -6,12 +6,14 @@
 //! `Gamma` alone, `derived` integrates the other quantities as `series` on the pieces, beginning
 //! with those of a `thick_film`. [`Curve`] holds the pieces; `through` makes one from values at
 //! nodes, and `exchange` converts one for the crate `splines`.
-//! `even_powers` turns the curve into that of a sphere or of an even power of the radius,
-//! `odd_powers` one with `Delta1` into that of a cone or of another odd power.
-//! `asymptotics` continues a curve beyond its nodes; `sensitivity` holds its derivatives with
+//! `even_powers` turns the curve into that of a sphere or of an even power of the radius, and
+//! `odd_powers` one with `Delta1` into that of a cone or of another odd power; `shaped` holds the
+//! functions of [`Curve`] for that. `asymptotics` continues a curve `beyond` its nodes;
+//! `sensitivity` holds its derivatives with
 //! respect to the material.
 
 mod asymptotics;
+mod beyond;
 pub mod bspline;
 mod curve;
 mod derived;
@@ -25,6 +27,7 @@ mod piecewise;
 pub(crate) mod resampler;
 pub(crate) mod sensitivity;
 mod series;
+mod shaped;
 #[cfg(test)]
 mod test_curve;
 mod thick_film;

@@ -24,11 +24,13 @@ use std::sync::Arc;
 use fearless_simd::prelude::*;
 use fearless_simd::{Level, dispatch, f64x4};
 
-use super::even_powers::ladder::{continued, divide_by_linear, scale, times_linear};
+use super::even_powers::ladder::{continued, scale, times_linear};
 use super::even_powers::{Source, ratio, scaled};
 use super::grid::Position;
 use super::piecewise::{LOGARITHM, Logarithms, Polynomial, VALUE, Values, evaluate_one, is_within};
-use super::series::{Series, difference, economised, integral, product, quotient, transposed};
+use super::series::{
+    LANES, Lanes, Series, difference, economised, integral, lanes_of_rows, product, quotient,
+};
 use crate::{Curve, Error, Quantity};
 
 /// The number of coefficients of a series on a piece.
@@ -207,12 +209,12 @@ struct Running {
     load: f64,
 }
 
-/// Four pieces.
+/// The pieces that are computed side by side.
 struct Group<'a> {
     /// Their ends, in units of the grid.
-    ends: [[f64; 2]; 4],
-    pieces: [&'a Values; 4],
-    cone: [&'a Polynomial; 4],
+    ends: [[f64; 2]; LANES],
+    pieces: [&'a Values; LANES],
+    cone: [&'a Polynomial; LANES],
     /// The place of the first node on the first piece, in the first group.
     start: Option<f64>,
 }
@@ -234,16 +236,16 @@ impl OddSource<'_> {
         let ends: Vec<[f64; 2]> = grid.pieces(range[1]).map(|(_, ends)| ends).collect();
         let mut pieces: Arc<[Values]> = self.source.pieces.into();
         let own = Arc::make_mut(&mut pieces);
-        for (number, ends) in ends.chunks(4).enumerate() {
-            let lanes: [usize; 4] = std::array::from_fn(|lane| lane.min(ends.len() - 1));
+        for (number, ends) in ends.chunks(LANES).enumerate() {
+            let lanes: [usize; LANES] = std::array::from_fn(|lane| lane.min(ends.len() - 1));
             let group = Group {
                 ends: lanes.map(|lane| ends[lane]),
-                pieces: lanes.map(|lane| &self.source.pieces[4 * number + lane]),
-                cone: lanes.map(|lane| &self.cone[4 * number + lane]),
+                pieces: lanes.map(|lane| &self.source.pieces[LANES * number + lane]),
+                cone: lanes.map(|lane| &self.cone[LANES * number + lane]),
                 start: (number == 0).then(|| grid.locate(range[0]).t),
             };
             let new = dispatch!(Level::new(), simd => group.integrated(simd, es, n, &mut running));
-            let places = own[4 * number..].iter_mut().zip(new);
+            let places = own[LANES * number..].iter_mut().zip(new);
             for (own, new) in places.take(ends.len()) {
                 for (row, [load, penetration]) in own.iter_mut().zip(new) {
                     row[Quantity::Pi0 as usize] = load;
@@ -287,7 +289,7 @@ impl OddSource<'_> {
             let quotient = ratio(&difference, &of_power[i]);
             let quotient: Logarithms = dispatch!(Level::new(), simd => {
                 let series = quotient.map(|row| f64x4::simd_from(simd, row));
-                economised::<_, VALUE, LOGARITHM>(simd, &series).map(|row| *row.as_array())
+                economised::<_, _, VALUE, LOGARITHM>(simd, &series).map(|row| *row.as_array())
             });
             for (own, new) in relative.iter_mut().zip(quotient) {
                 for quantity in [Quantity::Pi0, Quantity::Delta0] {
@@ -316,49 +318,56 @@ impl Group<'_> {
         es: f64,
         n: u32,
         running: &mut Running,
-    ) -> [[[f64; 2]; VALUE]; 4] {
-        let vector = |values: [f64; 4]| f64x4::simd_from(simd, values);
-        let number = |value: f64| f64x4::splat(simd, value);
+    ) -> [[[f64; 2]; VALUE]; LANES] {
+        let vector = |values: [f64; LANES]| Lanes::simd_from(simd, values);
+        let number = |value: f64| Lanes::splat(simd, value);
         let half = vector(self.ends.map(|[from, to]| 0.5 * (to - from)));
         let middle = vector(self.ends.map(|[from, to]| 0.5 * (from + to)));
-        let mut stiffness: Series<S, TERMS> = [number(0.0); TERMS];
+        let mut stiffness: Series<Lanes<S>, TERMS> = [number(0.0); TERMS];
         let (mut gamma, mut penetration) = (stiffness, stiffness);
         let inverse_es = number(1.0 / es);
         for k in 0..VALUE {
-            let rows = self.pieces.map(|piece| f64x4::from_slice(simd, &piece[k]));
-            let [_, eeq, own, _] = transposed(rows);
+            let mut rows = [f64x4::splat(simd, 0.0); LANES];
+            for (row, piece) in rows.iter_mut().zip(self.pieces) {
+                *row = f64x4::from_slice(simd, &piece[k]);
+            }
+            let [_, eeq, own, _] = lanes_of_rows(rows);
             stiffness[k] = eeq * inverse_es;
             gamma[k] = own * inverse_es;
             penetration[k] = vector(self.cone.map(|cone| cone[k]));
         }
         times_linear(&mut stiffness, middle, half);
         times_linear(&mut penetration, middle, half);
-        let square = product(&gamma, &gamma);
-        let mut moment = integral(simd, &product(&square, &penetration), half);
+        // Half of the length of a piece is a factor of the integrands: the integrals are those over
+        // the place on the piece.
+        let mut square = product(simd, &gamma, &gamma);
+        let mut numerator = [number(0.0); TERMS];
+        numerator[0] = half;
+        let inverse = quotient(simd, &numerator, &square);
+        scale(&mut square, half);
+        let mut moment = integral(simd, &product(simd, &square, &penetration));
         continued(simd, self.start, &mut moment, &mut running.moments[0]);
         let mut load;
         if n == 1 {
-            load = difference(&product(&stiffness, &penetration), &moment);
+            load = difference(&product(simd, &stiffness, &penetration), &moment);
             scale(&mut load, number(4.0));
         } else {
-            let mut one = [number(0.0); TERMS];
-            one[0] = number(1.0);
-            let inverse = quotient(simd, &one, &square);
             let mut step = 0;
             loop {
                 let order = (2 * step + 3) as f64;
-                let factor = half * number(order * (order - 1.0));
-                let rate = product(&moment, &inverse);
-                penetration = integral(simd, &rate, factor);
+                let mut rate = product(simd, &moment, &inverse);
+                scale(&mut rate, number(order * (order - 1.0)));
+                penetration = integral(simd, &rate);
                 let at = &mut running.penetrations[step];
                 continued(simd, self.start, &mut penetration, at);
                 if 2 * step + 3 == n as usize {
-                    load = integral(simd, &product(&stiffness, &rate), factor * number(4.0));
+                    load = integral(simd, &product(simd, &stiffness, &rate));
+                    scale(&mut load, number(4.0));
                     continued(simd, self.start, &mut load, &mut running.load);
                     break;
                 }
                 step += 1;
-                moment = integral(simd, &product(&square, &penetration), half);
+                moment = integral(simd, &product(simd, &square, &penetration));
                 continued(simd, self.start, &mut moment, &mut running.moments[step]);
             }
         }
@@ -370,10 +379,28 @@ impl Group<'_> {
         }
         divide_by_linear(&mut load, inverse, slope);
         scale(&mut load, number(es * over_pi0(n)));
-        let penetration: Series<S, VALUE> = economised(simd, &penetration);
-        let load: Series<S, VALUE> = economised(simd, &load);
-        std::array::from_fn(|lane| {
-            std::array::from_fn(|k| [load[k].as_array()[lane], penetration[k].as_array()[lane]])
-        })
+        let penetration: Series<Lanes<S>, VALUE> = economised(simd, &penetration);
+        let load: Series<Lanes<S>, VALUE> = economised(simd, &load);
+        let mut pieces = [[[0.0; 2]; VALUE]; LANES];
+        for k in 0..VALUE {
+            let (load, penetration) = (*load[k].as_array(), *penetration[k].as_array());
+            for lane in 0..LANES {
+                pieces[lane][k] = [load[lane], penetration[lane]];
+            }
+        }
+        pieces
+    }
+}
+
+/// Divides a series by `(1 + slope t)/inverse`.
+#[inline(always)]
+fn divide_by_linear<S: Simd>(
+    series: &mut Series<Lanes<S>, TERMS>,
+    inverse: Lanes<S>,
+    slope: Lanes<S>,
+) {
+    series[0] *= inverse;
+    for k in 1..TERMS {
+        series[k] = (-slope).mul_add(series[k - 1], series[k] * inverse);
     }
 }

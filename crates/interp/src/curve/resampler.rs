@@ -7,13 +7,13 @@ use std::borrow::Cow;
 use std::sync::Arc;
 
 use fearless_simd::prelude::*;
-use fearless_simd::{Level, dispatch, f64x4};
+use fearless_simd::{Level, dispatch, f64x4, f64x8};
 
 use crate::curve::bspline::Basis;
-use crate::curve::derived::{Derivation, running};
+use crate::curve::derived::{Constants, Derivation};
 use crate::curve::grid::{Grid, Position};
 use crate::curve::piecewise::{LOGARITHM, Logarithms, Polynomial, VALUE, Values};
-use crate::curve::series::{exponential, transposed};
+use crate::curve::series::{LANES, Lanes, Series, exp, exponential, transposed_lanes};
 use crate::curve::thick_film::ThickFilm;
 use crate::{Parameter, Quantity};
 
@@ -23,10 +23,14 @@ use crate::{Parameter, Quantity};
 pub(crate) struct Resampler {
     /// The pieces.
     pub(crate) grid: Arc<Grid>,
-    /// The B-splines of each piece.
+    /// The number of pieces.
+    pieces: usize,
+    /// The B-splines of the pieces, in groups. The last piece is repeated until its group is full.
     spans: Vec<Span>,
-    /// The polynomial of each B-spline on each piece where it does not vanish.
-    weights: Vec<[f64; LOGARITHM]>,
+    /// The polynomials of the first B-splines on the pieces: a row for each B-spline of a group.
+    weights: Vec<[[f64; LOGARITHM]; LANES]>,
+    /// The polynomials of the further B-splines of pieces that have many more than others.
+    rest: Vec<[f64; LOGARITHM]>,
     /// The quantities of a sphere whose splines are given.
     pub(crate) held: Vec<Quantity>,
     /// Whether the spline of `Delta1` is given after them.
@@ -46,66 +50,97 @@ pub(crate) struct Pieces {
     pub(crate) start_error: Option<f64>,
 }
 
-/// The B-splines that do not vanish on one piece.
+/// The B-splines that do not vanish on a group of pieces.
 #[derive(Clone, Copy, Debug)]
 struct Span {
-    /// The number of the first B-spline.
-    first: usize,
+    /// The number of the first B-spline of each piece.
+    first: [usize; LANES],
+    /// The number of B-splines of a piece in `weights`. Some may vanish on it.
     count: usize,
-    /// The index in `weights` of the polynomial of the first B-spline.
+    /// The index in `weights` of the first row.
     start: usize,
+    /// The indices in `rest` of the further B-splines of each piece, from the first to the end.
+    rest: [[usize; 2]; LANES],
 }
 
 impl Resampler {
+    /// The largest number of vanishing B-splines in [`Self::weights`] of a piece, which takes memory.
+    const MOST_VANISHING: usize = 4;
+
     /// Samples the B-splines of `basis` for the quantities `held` on `2^bits[i]` pieces in octave
     /// `i` of `range`.
     pub(super) fn new(basis: &Basis, range: [f64; 2], held: &[Quantity], bits: &[u32]) -> Self {
         let grid = Grid::over(range, bits);
-        let (mut spans, mut all_weights) = (Vec::new(), Vec::new());
-        for (_, ends) in grid.pieces(range[1]) {
+        let samples = |ends: [f64; 2]| {
             let samples = chebyshev_points(ends, range.map(|x| x * grid.factor));
             let x = |y: f64| (y / grid.factor).clamp(range[0], range[1]);
             let splines = samples.map(|y| basis.weights(Parameter::AOverT.coordinate(x(y))));
-            let polynomials =
-                lagrange(samples.map(|y| (2.0 * y - ends[0] - ends[1]) / (ends[1] - ends[0])));
-            let first = splines
-                .iter()
-                .map(|splines| splines.first)
-                .min()
-                .unwrap_or(0);
-            let end = splines
-                .iter()
-                .map(|splines| splines.first + splines.count)
-                .max()
-                .unwrap_or(0);
-            let start = all_weights.len();
-            spans.push(Span {
-                first,
-                count: end - first,
-                start,
+            (samples, splines)
+        };
+        let (mut spans, mut all_weights, mut rest) = (Vec::new(), Vec::new(), Vec::new());
+        let mut all_ends = grid.pieces(range[1]).map(|(_, ends)| ends).peekable();
+        let (mut pieces, mut last) = (0, range);
+        while all_ends.peek().is_some() {
+            let ends: [[f64; 2]; LANES] = std::array::from_fn(|_| {
+                if let Some(ends) = all_ends.next() {
+                    (pieces, last) = (pieces + 1, ends);
+                }
+                last
             });
-            all_weights.resize(start + end - first, [0.0; LOGARITHM]);
-            for (splines, polynomial) in splines.iter().zip(polynomials) {
-                let values = &splines.values[..splines.count];
-                for (weights, value) in all_weights[start + splines.first - first..]
-                    .iter_mut()
-                    .zip(values)
-                {
-                    weights
-                        .iter_mut()
-                        .zip(polynomial)
-                        .for_each(|(weight, coefficient)| *weight += value * coefficient);
+            let sampled = ends.map(samples);
+            let reach = sampled.map(|(_, splines)| {
+                let first = splines.iter().map(|splines| splines.first);
+                let end = splines.iter().map(|splines| splines.first + splines.count);
+                [first.min().unwrap_or(0), end.max().unwrap_or(0)]
+            });
+            let counts = reach.map(|[first, end]| end - first);
+            let [least, most] = [counts.iter().min(), counts.iter().max()];
+            let [least, most] = [least, most].map(|count| count.copied().unwrap_or(0));
+            let count = most.min(least + Self::MOST_VANISHING);
+            let mut span = Span {
+                first: reach.map(|[first, _]| first.min(basis.len() - count)),
+                count,
+                start: all_weights.len(),
+                rest: [[0; 2]; LANES],
+            };
+            all_weights.resize(span.start + count, [[0.0; LOGARITHM]; LANES]);
+            for (lane, (ends, (samples, splines))) in ends.iter().zip(&sampled).enumerate() {
+                let polynomials =
+                    lagrange(samples.map(|y| (2.0 * y - ends[0] - ends[1]) / (ends[1] - ends[0])));
+                let further = rest.len();
+                rest.resize(
+                    further + counts[lane].saturating_sub(count),
+                    [0.0; LOGARITHM],
+                );
+                span.rest[lane] = [further, rest.len()];
+                for (splines, polynomial) in splines.iter().zip(polynomials) {
+                    for (i, value) in splines.values[..splines.count].iter().enumerate() {
+                        let number = splines.first + i - span.first[lane];
+                        let weights = if number < count {
+                            &mut all_weights[span.start + number][lane]
+                        } else {
+                            &mut rest[further + number - count]
+                        };
+                        weights
+                            .iter_mut()
+                            .zip(polynomial)
+                            .for_each(|(weight, coefficient)| *weight += value * coefficient);
+                    }
                 }
             }
+            spans.push(span);
         }
+        drop(all_ends);
         let (cone, held): (Vec<_>, Vec<_>) = held
             .iter()
             .partition(|&&quantity| quantity == Quantity::Delta1);
         let derivation = (held == [Quantity::Gamma]).then(|| Derivation::new(&grid, range));
         Self {
             grid: Arc::new(grid),
+            pieces,
             spans,
             weights: all_weights,
+            rest,
             held,
             holds_cone: !cone.is_empty(),
             derivation: derivation.flatten(),
@@ -127,7 +162,16 @@ impl Resampler {
 
     /// Returns the number of pieces.
     pub(super) fn pieces(&self) -> usize {
-        self.spans.len()
+        self.pieces
+    }
+
+    /// Returns the polynomials of the B-splines on a piece, from the first one on.
+    #[inline(always)]
+    fn weights_on(&self, piece: usize) -> impl Iterator<Item = &[f64; LOGARITHM]> {
+        let (span, lane) = (&self.spans[piece / LANES], piece % LANES);
+        let [from, to] = span.rest[lane];
+        let first = self.weights[span.start..][..span.count].iter();
+        first.map(move |row| &row[lane]).chain(&self.rest[from..to])
     }
 
     /// Returns the polynomials of the logarithms on a piece, from the coefficients of their
@@ -139,14 +183,13 @@ impl Resampler {
         piece: usize,
         coefficients: &[[f64; 4]],
     ) -> [f64x4<S>; LOGARITHM] {
-        let span = self.spans[piece];
-        let coefficients = &coefficients[span.first..span.first + span.count];
-        let weights = &self.weights[span.start..span.start + span.count];
+        let (span, lane) = (&self.spans[piece / LANES], piece % LANES);
+        let coefficients = &coefficients[span.first[lane]..];
         // B-splines add up to one: a common part of the coefficients can be added at the end.
         // Without it the sums are small, and so is their rounding, which powers of `t` magnify.
         let common = f64x4::from_slice(simd, &coefficients[span.count / 2]);
         let mut logarithms = [f64x4::splat(simd, 0.0); LOGARITHM];
-        for (weights, coefficients) in weights.iter().zip(coefficients) {
+        for (weights, coefficients) in self.weights_on(piece).zip(coefficients) {
             let coefficients = f64x4::from_slice(simd, coefficients) - common;
             for (sum, &weight) in logarithms.iter_mut().zip(weights) {
                 *sum = coefficients.mul_add(f64x4::splat(simd, weight), *sum);
@@ -156,46 +199,59 @@ impl Resampler {
         logarithms
     }
 
-    /// Returns the polynomials of the logarithm of a single quantity on four pieces side by side,
-    /// from the coefficients of its spline.
+    /// Returns the polynomials of the logarithm of a single quantity on a group of pieces, from the
+    /// coefficients of its spline.
     #[inline(always)]
-    fn logarithms_on_four<S: Simd>(
+    fn logarithms_on_group<S: Simd>(
         &self,
         simd: S,
         group: usize,
         coefficients: &[f64],
-    ) -> [f64x4<S>; LOGARITHM] {
-        let last = self.spans.len() - 1;
-        let [mut low, mut high] = [[f64x4::splat(simd, 0.0); 4]; 2];
-        for lane in 0..4 {
-            let piece = last.min(4 * group + lane);
-            [low[lane], high[lane]] = self.logarithm(simd, piece, coefficients);
+    ) -> Series<Lanes<S>, LOGARITHM> {
+        let span = &self.spans[group];
+        let weights = &self.weights[span.start..][..span.count];
+        let mut own = [&coefficients[..0]; LANES];
+        let mut common = [0.0; LANES];
+        for lane in 0..LANES {
+            own[lane] = &coefficients[span.first[lane]..][..span.count];
+            common[lane] = own[lane][span.count / 2];
         }
-        let ([a, b, c, d], [e, f, g, h]) = (transposed(low), transposed(high));
-        [a, b, c, d, e, f, g, h]
+        // The pieces side by side, because a sum must wait for the addition before.
+        let mut rows = [f64x8::splat(simd, 0.0); LANES];
+        for (i, weights) in weights.iter().enumerate() {
+            for lane in 0..LANES {
+                let coefficient = f64x8::splat(simd, own[lane][i] - common[lane]);
+                let weights = f64x8::from_slice(simd, &weights[lane]);
+                rows[lane] = coefficient.mul_add(weights, rows[lane]);
+            }
+        }
+        for lane in 0..LANES {
+            let [from, to] = span.rest[lane];
+            let coefficients = &coefficients[span.first[lane] + span.count..];
+            for (weights, coefficient) in self.rest[from..to].iter().zip(coefficients) {
+                let coefficient = f64x8::splat(simd, coefficient - common[lane]);
+                let weights = f64x8::from_slice(simd, weights);
+                rows[lane] = coefficient.mul_add(weights, rows[lane]);
+            }
+        }
+        let mut logarithms = transposed_lanes(rows);
+        logarithms[0] += Lanes::simd_from(simd, common);
+        logarithms
     }
 
     /// Returns the polynomial of the logarithm of a single quantity on a piece.
     #[inline(always)]
-    fn logarithm<S: Simd>(
-        &self,
-        simd: S,
-        piece: usize,
-        coefficients: &[f64],
-    ) -> [f64x4<S>; LOGARITHM / 4] {
-        let span = self.spans[piece];
-        let coefficients = &coefficients[span.first..span.first + span.count];
-        let weights = &self.weights[span.start..span.start + span.count];
+    fn logarithm<S: Simd>(&self, simd: S, piece: usize, coefficients: &[f64]) -> f64x8<S> {
+        let (span, lane) = (&self.spans[piece / LANES], piece % LANES);
+        let coefficients = &coefficients[span.first[lane]..];
         // As in `logarithms`.
         let common = coefficients[span.count / 2];
-        let mut logarithm = [f64x4::splat(simd, 0.0); LOGARITHM / 4];
-        for (weights, coefficient) in weights.iter().zip(coefficients) {
-            let coefficient = f64x4::splat(simd, coefficient - common);
-            for (sum, weights) in logarithm.iter_mut().zip(weights.as_chunks::<4>().0) {
-                *sum = coefficient.mul_add(f64x4::from_slice(simd, weights), *sum);
-            }
+        let mut logarithm = f64x8::splat(simd, 0.0);
+        for (weights, coefficient) in self.weights_on(piece).zip(coefficients) {
+            let coefficient = f64x8::splat(simd, coefficient - common);
+            logarithm = coefficient.mul_add(f64x8::from_slice(simd, weights), logarithm);
         }
-        logarithm[0] += f64x4::simd_from(simd, [common, 0.0, 0.0, 0.0]);
+        logarithm[0] += common;
         logarithm
     }
 
@@ -208,12 +264,14 @@ impl Resampler {
         derivation: &Derivation,
         coefficients: &[f64],
     ) -> [f64; 3] {
-        derivation.starts.map(|Position { piece, t }| {
-            let halves = self.logarithm(simd, piece, coefficients);
-            let [low, high] = halves.each_ref().map(SimdBase::as_array);
-            let sum = |half: &[f64; 4]| half.iter().rev().fold(0.0, |sum, term| sum * t + term);
-            sum(low) + t.powi(4) * sum(high)
-        })
+        let mut values = [0.0; 3];
+        for (value, &Position { piece, t }) in values.iter_mut().zip(&derivation.starts) {
+            let (low, high) = self.logarithm(simd, piece, coefficients).split();
+            let fourth = f64x4::splat(simd, t * t * t * t);
+            let [constant, linear, quadratic, cubic] = *high.mul_add(fourth, low).as_array();
+            *value = constant + t * (linear + t * (quadratic + t * cubic));
+        }
+        values
     }
 
     /// Returns the polynomials of the derivatives of the logarithms with respect to three
@@ -223,7 +281,7 @@ impl Resampler {
         coefficients: &[f64],
         derivatives: [&[f64]; 3],
     ) -> [Arc<[Logarithms]>; 3] {
-        let mut pieces = [(); 3].map(|()| zeros(self.spans.len()));
+        let mut pieces = [(); 3].map(|()| zeros(self.pieces));
         let derivatives = derivatives.map(|coefficients| self.split(coefficients).0);
         if let Some(derivation) = &self.derivation {
             let (coefficients, _) = self.split(coefficients);
@@ -255,13 +313,13 @@ impl Resampler {
         self.holds_cone.then(|| {
             derivatives.map(|coefficients| {
                 let cone = self.split(coefficients).1.unwrap_or_default();
-                let mut pieces = Vec::with_capacity(self.spans.len());
+                let mut pieces = Vec::with_capacity(LANES * self.spans.len());
                 dispatch!(Level::new(), simd => {
-                    for group in 0..self.spans.len().div_ceil(4) {
-                        pieces.extend(by_lane(self.logarithms_on_four(simd, group, &cone)));
+                    for group in 0..self.spans.len() {
+                        pieces.extend(by_lane(self.logarithms_on_group(simd, group, &cone)));
                     }
                 });
-                pieces.truncate(self.spans.len());
+                pieces.truncate(self.pieces);
                 pieces.into()
             })
         })
@@ -271,15 +329,15 @@ impl Resampler {
     pub(super) fn cone(&self, coefficients: &[f64]) -> Option<Arc<[Polynomial]>> {
         let (_, cone) = self.split(coefficients);
         let cone = cone?;
-        let mut pieces = Vec::with_capacity(self.spans.len());
+        let mut pieces = Vec::with_capacity(LANES * self.spans.len());
         dispatch!(Level::new(), simd => {
-            for group in 0..self.spans.len().div_ceil(4) {
-                let logarithms = self.logarithms_on_four(simd, group, &cone);
-                let middle = f64x4::simd_from(simd, logarithms[0].as_array().map(f64::exp));
+            for group in 0..self.spans.len() {
+                let logarithms = self.logarithms_on_group(simd, group, &cone);
+                let middle = exp(simd, logarithms[0]);
                 pieces.extend(by_lane(exponential(simd, middle, 1.0, &logarithms)));
             }
         });
-        pieces.truncate(self.spans.len());
+        pieces.truncate(self.pieces);
         Some(pieces.into())
     }
 
@@ -291,7 +349,7 @@ impl Resampler {
         if let Some(derivation) = &self.derivation {
             return dispatch!(Level::new(), simd => {
                 let start = self.thick_film(simd, derivation, &coefficients);
-                let constants = running(derivation.at_start(start.values()));
+                let constants = Constants::Running(derivation.at_start(start.values()));
                 Pieces {
                     values: self.derived(simd, derivation, &coefficients, es, constants),
                     cone,
@@ -301,7 +359,7 @@ impl Resampler {
         }
         let scales = Quantity::ALL.map(|quantity| quantity.scale(es));
         let rows = rows_of_four(&coefficients, &self.held);
-        let mut pieces = zeros(self.spans.len());
+        let mut pieces = zeros(self.pieces);
         dispatch!(Level::new(), simd => {
             for (i, piece) in Arc::make_mut(&mut pieces).iter_mut().enumerate() {
                 exponentials(simd, self.logarithms(simd, i, &rows), scales, piece);
@@ -324,16 +382,16 @@ impl Resampler {
         derivation: &Derivation,
         coefficients: &[f64],
         es: f64,
-        mut constants: impl FnMut(usize, usize, [f64; 2]) -> f64,
+        mut constants: Constants<'_>,
     ) -> Arc<[Values]> {
-        let mut pieces = zeros(self.spans.len());
-        let mut last = [[[0.0; 4]; VALUE]; 4];
+        let mut pieces = zeros(self.pieces);
+        let mut last = [[[0.0; 4]; VALUE]; LANES];
         let all = Arc::make_mut(&mut pieces);
         for group in 0..derivation.groups() {
-            let logarithms = self.logarithms_on_four(simd, group, coefficients);
+            let logarithms = self.logarithms_on_group(simd, group, coefficients);
             let integrals = derivation.integrals(simd, group, &logarithms, &mut constants);
-            let four = all[4 * group..].first_chunk_mut().unwrap_or(&mut last);
-            derivation.values(simd, group, integrals, es, four);
+            let own = all[LANES * group..].first_chunk_mut().unwrap_or(&mut last);
+            derivation.values(simd, group, &logarithms, integrals, es, own);
         }
         complete(all, &last);
         pieces
@@ -351,23 +409,25 @@ impl Resampler {
         pieces: &mut [Arc<[Logarithms]>; 3],
     ) {
         let start = self.thick_film(simd, derivation, coefficients);
-        let mut constants = running(derivation.at_start(start.values()));
-        let mut derivatives = derivatives.map(|coefficients| {
+        let mut constants = Constants::Running(derivation.at_start(start.values()));
+        let mut of_derivatives = [constants; 3];
+        for (constants, coefficients) in of_derivatives.iter_mut().zip(derivatives) {
             let [first, second, _] = self.at_starts(simd, derivation, coefficients);
-            let start = derivation.at_start(start.derivatives([first, second]));
-            (coefficients, running(start))
-        });
-        let mut last = [[[[0.0; 4]; LOGARITHM]; 4]; 3];
+            let start = start.derivatives([first, second]);
+            *constants = Constants::Running(derivation.at_start(start));
+        }
+        let mut last = [[[[0.0; 4]; LOGARITHM]; LANES]; 3];
         for group in 0..derivation.groups() {
-            let logarithms = self.logarithms_on_four(simd, group, coefficients);
+            let logarithms = self.logarithms_on_group(simd, group, coefficients);
             let integrals = derivation.integrals(simd, group, &logarithms, &mut constants);
-            for (((coefficients, constants), pieces), last) in
-                derivatives.iter_mut().zip(&mut *pieces).zip(&mut last)
-            {
-                let gamma = self.logarithms_on_four(simd, group, coefficients);
-                let all = Arc::make_mut(pieces);
-                let four = all[4 * group..].first_chunk_mut().unwrap_or(last);
-                derivation.sensitivities(simd, group, &integrals, &gamma, constants, four);
+            for i in 0..3 {
+                let gamma = self.logarithms_on_group(simd, group, derivatives[i]);
+                let all = Arc::make_mut(&mut pieces[i]);
+                let own = all[LANES * group..]
+                    .first_chunk_mut()
+                    .unwrap_or(&mut last[i]);
+                let constants = &mut of_derivatives[i];
+                derivation.sensitivities(simd, group, &integrals, &gamma, constants, own);
             }
         }
         for (pieces, last) in pieces.iter_mut().zip(&last) {
@@ -396,9 +456,7 @@ impl Resampler {
     ) -> Arc<[Values]> {
         let (coefficients, _) = self.split(coefficients);
         dispatch!(Level::new(), simd => {
-            let constants = |order: usize, piece: usize, [from, _]: [f64; 2]| {
-                beginnings[piece.min(beginnings.len() - 1)][order] - from
-            };
+            let constants = Constants::Given(beginnings);
             self.derived(simd, derivation, &coefficients, 1.0, constants)
         })
     }
@@ -479,20 +537,26 @@ fn exponentials<S: Simd>(
     }
 }
 
-/// Returns the coefficients of a series on four pieces, piece by piece.
+/// Returns the coefficients of a series on several pieces, piece by piece.
 #[inline(always)]
-fn by_lane<S: Simd, const N: usize>(series: [f64x4<S>; N]) -> [[f64; N]; 4] {
-    std::array::from_fn(|lane| std::array::from_fn(|k| series[k].as_array()[lane]))
+fn by_lane<S: Simd, const N: usize>(series: Series<Lanes<S>, N>) -> [[f64; N]; LANES] {
+    let mut pieces = [[0.0; N]; LANES];
+    for (k, term) in series.iter().enumerate() {
+        for (piece, value) in pieces.iter_mut().zip(term.as_array()) {
+            piece[k] = *value;
+        }
+    }
+    pieces
 }
 
 /// Returns polynomials of zero on `pieces` pieces.
 fn zeros<const N: usize>(pieces: usize) -> Arc<[[[f64; 4]; N]]> {
-    std::iter::repeat_n([[0.0; 4]; N], pieces).collect()
+    (0..pieces).map(|_| [[0.0; 4]; N]).collect()
 }
 
-/// Copies the pieces of the last group that are fewer than four.
-fn complete<const N: usize>(all: &mut [[[f64; 4]; N]], last: &[[[f64; 4]; N]; 4]) {
-    let (_, rest) = all.as_chunks_mut::<4>();
+/// Copies the pieces of the last group, if it is not full.
+fn complete<const N: usize>(all: &mut [[[f64; 4]; N]], last: &[[[f64; 4]; N]; LANES]) {
+    let (_, rest) = all.as_chunks_mut::<LANES>();
     rest.copy_from_slice(&last[..rest.len()]);
 }
 

@@ -1,15 +1,26 @@
-//! Truncated power series in the position `t` on a piece, four side by side.
+//! Truncated power series in the position `t` on a piece, several side by side.
 //!
-//! The four are the quantities on one piece, or one quantity on four pieces. Products, exponentials
-//! and integrals of truncated series need the terms before a term only.
+//! They are the quantities on one piece, or one quantity on [`LANES`] pieces. Products,
+//! exponentials and integrals of truncated series need the terms before a term only.
 //!
 //! Loops, not closures: a closure is compiled without the vector instructions of its function.
 
-use fearless_simd::f64x4;
-use fearless_simd::prelude::*;
+use std::f64::consts::LOG2_E;
 
-/// The first `N` coefficients of four series, of `1, t, t^2, ...`
-pub(crate) type Series<S, const N: usize> = [f64x4<S>; N];
+use fearless_simd::prelude::*;
+use fearless_simd::{f64x4, f64x8};
+
+/// The number of pieces that are computed side by side.
+///
+/// A term of a series waits for the terms before it. With eight pieces a processor has enough to do
+/// in the meantime, even one whose vectors hold four numbers.
+pub(crate) const LANES: usize = 8;
+
+/// A number for each of [`LANES`] pieces.
+pub(crate) type Lanes<S> = f64x8<S>;
+
+/// The first `N` coefficients of several series, of `1, t, t^2, ...`
+pub(crate) type Series<V, const N: usize> = [V; N];
 
 /// The largest number of terms of a series.
 const MOST_TERMS: usize = 12;
@@ -31,18 +42,23 @@ macro_rules! for_each_term {
 /// Returns `constant` times the exponential of `factor` times a series. The constant term of the
 /// series is not used: `constant` includes its exponential.
 #[inline(always)]
-pub(crate) fn exponential<S: Simd, const M: usize, const N: usize>(
+pub(crate) fn exponential<
+    S: Simd,
+    V: SimdFloat<S, Element = f64>,
+    const M: usize,
+    const N: usize,
+>(
     simd: S,
-    constant: f64x4<S>,
+    constant: V,
     factor: f64,
-    exponent: &Series<S, M>,
-) -> Series<S, N> {
+    exponent: &Series<V, M>,
+) -> Series<V, N> {
     // By `v' = p' v`; `slopes[j]` is `j` times term `j` of `p`.
     let mut slopes = *exponent;
     for (j, slope) in slopes.iter_mut().enumerate() {
         *slope *= factor * j as f64;
     }
-    let mut terms = [f64x4::splat(simd, 0.0); N];
+    let mut terms = [V::splat(simd, 0.0); N];
     terms[0] = constant;
     for_each_term!(k below N {
         // The term just before this one is used last, because it is ready last.
@@ -60,10 +76,11 @@ pub(crate) fn exponential<S: Simd, const M: usize, const N: usize>(
 
 /// Returns the product of two series.
 #[inline(always)]
-pub(crate) fn product<S: Simd, const M: usize, const N: usize>(
-    left: &Series<S, M>,
-    right: &Series<S, N>,
-) -> Series<S, N> {
+pub(crate) fn product<S: Simd, V: SimdFloat<S, Element = f64>, const M: usize, const N: usize>(
+    _: S,
+    left: &Series<V, M>,
+    right: &Series<V, N>,
+) -> Series<V, N> {
     let mut terms = *right;
     for_each_term!(k below N {
         let mut sum = left[0] * right[k];
@@ -78,9 +95,9 @@ pub(crate) fn product<S: Simd, const M: usize, const N: usize>(
 /// Returns the sum of two series.
 #[inline(always)]
 pub(crate) fn sum<S: Simd, const N: usize>(
-    left: &Series<S, N>,
-    right: &Series<S, N>,
-) -> Series<S, N> {
+    left: &Series<Lanes<S>, N>,
+    right: &Series<Lanes<S>, N>,
+) -> Series<Lanes<S>, N> {
     let mut terms = *left;
     for k in 0..N {
         terms[k] += right[k];
@@ -91,9 +108,9 @@ pub(crate) fn sum<S: Simd, const N: usize>(
 /// Returns the difference of two series.
 #[inline(always)]
 pub(crate) fn difference<S: Simd, const N: usize>(
-    left: &Series<S, N>,
-    right: &Series<S, N>,
-) -> Series<S, N> {
+    left: &Series<Lanes<S>, N>,
+    right: &Series<Lanes<S>, N>,
+) -> Series<Lanes<S>, N> {
     let mut terms = *left;
     for k in 0..N {
         terms[k] -= right[k];
@@ -103,9 +120,9 @@ pub(crate) fn difference<S: Simd, const N: usize>(
 
 /// Returns the first terms of a series.
 #[inline(always)]
-pub(crate) fn first_terms<S: Simd, const M: usize, const N: usize>(
-    series: &Series<S, M>,
-) -> Series<S, N> {
+pub(crate) fn first_terms<V: Copy, const M: usize, const N: usize>(
+    series: &Series<V, M>,
+) -> Series<V, N> {
     let mut terms = [series[0]; N];
     terms.copy_from_slice(&series[..N]);
     terms
@@ -113,12 +130,12 @@ pub(crate) fn first_terms<S: Simd, const M: usize, const N: usize>(
 
 /// Returns the quotient of two series.
 #[inline(always)]
-pub(crate) fn quotient<S: Simd, const N: usize>(
+pub(crate) fn quotient<S: Simd, V: SimdFloat<S, Element = f64>, const N: usize>(
     simd: S,
-    numerator: &Series<S, N>,
-    denominator: &Series<S, N>,
-) -> Series<S, N> {
-    let inverse = f64x4::splat(simd, 1.0) / denominator[0];
+    numerator: &Series<V, N>,
+    denominator: &Series<V, N>,
+) -> Series<V, N> {
+    let inverse = V::splat(simd, 1.0) / denominator[0];
     let mut terms = *numerator;
     for_each_term!(k below N {
         let mut sum = numerator[k];
@@ -131,23 +148,43 @@ pub(crate) fn quotient<S: Simd, const N: usize>(
     terms
 }
 
-/// Returns the integral of a series from 0, times a factor.
+/// Returns the integral of a series from 0.
 #[inline(always)]
 pub(crate) fn integral<S: Simd, const N: usize>(
     simd: S,
-    series: &Series<S, N>,
-    factor: f64x4<S>,
-) -> Series<S, N> {
-    let mut terms = [f64x4::splat(simd, 0.0); N];
+    series: &Series<Lanes<S>, N>,
+) -> Series<Lanes<S>, N> {
+    let mut terms = [Lanes::splat(simd, 0.0); N];
     for k in 1..N {
-        terms[k] = series[k - 1] * factor * (1.0 / k as f64);
+        terms[k] = series[k - 1] * (1.0 / k as f64);
     }
     terms
 }
 
+/// Returns the constants with which an integral goes on from piece to piece, and changes `at`, its
+/// value at the beginning of the first piece, to its value at the end of the last one. `from` and
+/// `to` are its values without the constants at the beginnings and at the ends of the pieces.
+#[inline(always)]
+pub(crate) fn constants_of_integration<S: Simd>(
+    simd: S,
+    at: &mut f64,
+    from: Lanes<S>,
+    to: Lanes<S>,
+) -> Lanes<S> {
+    let zero = Lanes::splat(simd, 0.0);
+    // The sums over the pieces up to each one.
+    let mut sums = to - from;
+    sums += zero.slide::<7>(sums);
+    sums += zero.slide::<6>(sums);
+    sums += zero.slide::<4>(sums);
+    let constants = zero.slide::<7>(sums) - from + *at;
+    *at += sums[LANES - 1];
+    constants
+}
+
 /// Returns the values of a series at -1 and at 1.
 #[inline(always)]
-pub(crate) fn ends<S: Simd, const N: usize>(series: &Series<S, N>) -> [f64x4<S>; 2] {
+pub(crate) fn ends<S: Simd, const N: usize>(series: &Series<Lanes<S>, N>) -> [Lanes<S>; 2] {
     let (mut even, mut odd) = (series[N - 2], series[N - 1]);
     for k in (0..N / 2 - 1).rev() {
         even += series[2 * k];
@@ -161,16 +198,21 @@ pub(crate) fn ends<S: Simd, const N: usize>(series: &Series<S, N>) -> [f64x4<S>;
 /// The highest term `t^n` is replaced by `t^n - T_n(t)/2^(n-1)`, with Chebyshev's polynomial `T_n`.
 /// This changes the sum by `2^(1-n)` of the coefficient, not by all of it as leaving it out does.
 #[inline(always)]
-pub(crate) fn economised<S: Simd, const M: usize, const N: usize>(
+pub(crate) fn economised<
+    S: Simd,
+    V: SimdFloat<S, Element = f64>,
+    const M: usize,
+    const N: usize,
+>(
     simd: S,
-    series: &Series<S, M>,
-) -> Series<S, N> {
+    series: &Series<V, M>,
+) -> Series<V, N> {
     let mut series = *series;
     let left = M - N;
     for_each_term!(i below left {
         let n = M - 1 - i;
         for j in 1..=n / 2 {
-            let share = f64x4::splat(simd, ECONOMY[n][j]);
+            let share = V::splat(simd, ECONOMY[n][j]);
             series[n - 2 * j] = series[n].mul_add(share, series[n - 2 * j]);
         }
     });
@@ -195,12 +237,77 @@ const ECONOMY: [[f64; MOST_TERMS]; MOST_TERMS] = {
     table
 };
 
-/// Transposes four rows of four numbers.
+/// Returns the exponential function of each number, to about two units in the last place.
+///
+/// It is exact to rounding for numbers from -700 to 700. A smaller or larger one gives a result that
+/// is not in `[1e-300, 1e300]`, and NaN gives NaN.
 #[inline(always)]
-pub(crate) fn transposed<S: Simd>([a, b, c, d]: [f64x4<S>; 4]) -> [f64x4<S>; 4] {
+pub(crate) fn exp<S: Simd>(simd: S, x: Lanes<S>) -> Lanes<S> {
+    /// The logarithm of 2 as a sum; the first part has few digits, so that its multiples are exact.
+    const LN_2: [f64; 2] = [0.693_147_180_369_123_8, 1.908_214_929_270_587_7e-10];
+    /// A number whose last digit counts whole numbers.
+    const WHOLE: f64 = (3_u64 << 51) as f64;
+    /// One over the factorials from `13!` down to `0!`.
+    const INVERSE_FACTORIALS: [f64; 14] = {
+        let mut inverses = [1.0; 14];
+        let (mut k, mut factorial) = (1, 1.0);
+        while k < 14 {
+            factorial *= k as f64;
+            inverses[13 - k] = 1.0 / factorial;
+            k += 1;
+        }
+        inverses
+    };
+    let number = |value: f64| Lanes::splat(simd, value);
+    let within = x.max(number(-700.0)).min(number(700.0));
+    // `x = n ln 2 + r` with a whole number `n`, and `r` at most half of `ln 2`.
+    let shifted = within.mul_add(number(LOG2_E), number(WHOLE));
+    let n = shifted - WHOLE;
+    let r = n.mul_add(number(-LN_2[1]), n.mul_add(number(-LN_2[0]), x));
+    // Horner's scheme in `r^2` for the even and for the odd powers, which do not wait for each other.
+    let square = r * r;
+    let [mut odd, mut even] = [0, 1].map(|i| number(INVERSE_FACTORIALS[i]));
+    for inverses in INVERSE_FACTORIALS[2..].as_chunks::<2>().0 {
+        odd = odd.mul_add(square, number(inverses[0]));
+        even = even.mul_add(square, number(inverses[1]));
+    }
+    let sum = odd.mul_add(r, even);
+    // The bits of `2^n`: those of the whole number, as the exponent.
+    let power = Lanes::from_bits((shifted.to_bits() + 1023) << 52);
+    sum * power
+}
+
+/// Transposes eight rows of eight numbers.
+#[inline(always)]
+pub(crate) fn transposed_lanes<S: Simd>(mut rows: [Lanes<S>; LANES]) -> [Lanes<S>; LANES] {
+    // Each step is a perfect shuffle of all numbers. Three of them exchange rows and columns.
+    for _ in 0..3 {
+        let before = rows;
+        for i in 0..LANES / 2 {
+            (rows[2 * i], rows[2 * i + 1]) = before[i].interleave(before[i + LANES / 2]);
+        }
+    }
+    rows
+}
+
+/// Returns the row of four numbers of each piece.
+#[inline(always)]
+pub(crate) fn rows_of_lanes<S: Simd>([a, b, c, d]: [Lanes<S>; 4]) -> [f64x4<S>; LANES] {
     let ((ac, ac_high), (bd, bd_high)) = (a.interleave(c), b.interleave(d));
-    let ((first, second), (third, fourth)) = (ac.interleave(bd), ac_high.interleave(bd_high));
-    [first, second, third, fourth]
+    let (first, second) = ac.interleave(bd);
+    let (third, fourth) = ac_high.interleave(bd_high);
+    let ((p, q), (r, s)) = (first.split(), second.split());
+    let ((t, u), (v, w)) = (third.split(), fourth.split());
+    [p, q, r, s, t, u, v, w]
+}
+
+/// Returns four numbers for each piece from a row of them for each piece.
+#[inline(always)]
+pub(crate) fn lanes_of_rows<S: Simd>([p, q, r, s, t, u, v, w]: [f64x4<S>; LANES]) -> [Lanes<S>; 4] {
+    let (ac, bd) = p.combine(q).deinterleave(r.combine(s));
+    let (ac_high, bd_high) = t.combine(u).deinterleave(v.combine(w));
+    let ((a, c), (b, d)) = (ac.deinterleave(ac_high), bd.deinterleave(bd_high));
+    [a, b, c, d]
 }
 
 #[cfg(test)]
@@ -211,8 +318,8 @@ mod tests {
 
     const N: usize = 12;
 
-    /// Four polynomials whose coefficients fall by three.
-    fn coefficients(shift: f64) -> [[f64; 4]; N] {
+    /// Polynomials whose coefficients fall by three.
+    fn coefficients(shift: f64) -> [[f64; LANES]; N] {
         std::array::from_fn(|k| {
             std::array::from_fn(|lane| {
                 (1.0 + (k + lane) as f64 + shift).sin() / 3_f64.powi(k as i32)
@@ -221,9 +328,13 @@ mod tests {
     }
 
     /// Returns the largest difference of the value of a series at `t` from a function of the lane.
-    fn miss<const M: usize>(series: [[f64; 4]; M], t: f64, exact: impl Fn(usize) -> f64) -> f64 {
+    fn miss<const M: usize>(
+        series: [[f64; LANES]; M],
+        t: f64,
+        exact: impl Fn(usize) -> f64,
+    ) -> f64 {
         let value = |lane| (0..M).rev().fold(0.0, |sum, k| sum * t + series[k][lane]);
-        (0..4)
+        (0..LANES)
             .map(|lane| (value(lane) - exact(lane)).abs())
             .fold(0.0, f64::max)
     }
@@ -231,47 +342,83 @@ mod tests {
     #[test]
     fn operations_are_those_of_the_functions() {
         let (left, mut right) = (coefficients(0.0), coefficients(0.3));
-        right[0] = [2.0, -3.0, 2.5, 4.0];
-        let value = |terms: &[[f64; 4]; N], lane: usize, t: f64| {
+        right[0] = [2.0, -3.0, 2.5, 4.0, -2.0, 3.0, -2.5, 5.0];
+        let value = |terms: &[[f64; LANES]; N], lane: usize, t: f64| {
             terms
                 .iter()
                 .rev()
                 .fold(0.0, |sum, term| sum * t + term[lane])
         };
         dispatch!(Level::new(), simd => {
-            let [a, b] = [left, right].map(|terms| terms.map(|term| f64x4::simd_from(simd, term)));
-            let out = |series: Series<_, N>| series.map(|term| *term.as_array());
+            let [a, b] = [left, right].map(|terms| terms.map(|term| Lanes::simd_from(simd, term)));
+            let out = |series: Series<Lanes<_>, N>| series.map(|term| *term.as_array());
             // What is left out is of order `t^12`.
             for t in [-0.02, 0.03] {
                 let (of_a, of_b) = (|lane| value(&left, lane, t), |lane| value(&right, lane, t));
-                assert!(miss(out(product(&a, &b)), t, |lane| of_a(lane) * of_b(lane)) < 1e-15);
+                assert!(miss(out(product(simd, &a, &b)), t, |lane| of_a(lane) * of_b(lane)) < 1e-15);
                 assert!(miss(out(quotient(simd, &a, &b)), t, |lane| of_a(lane) / of_b(lane)) < 1e-15);
-                let constant = f64x4::simd_from(simd, left[0].map(|term| (-2.0 * term).exp()));
-                let exponential: Series<_, N> = exponential(simd, constant, -2.0, &a);
+                let constant = Lanes::simd_from(simd, left[0].map(|term| (-2.0 * term).exp()));
+                let exponential: Series<Lanes<_>, N> = exponential(simd, constant, -2.0, &a);
                 assert!(miss(out(exponential), t, |lane| (-2.0 * of_a(lane)).exp()) < 1e-14);
             }
-            let integral = out(integral(simd, &a, f64x4::splat(simd, 2.0)));
+            let integral = out(integral(simd, &a));
             let expected = |lane| {
-                let terms = (0..N - 1).map(|k| 2.0 * left[k][lane] * 0.5_f64.powi(k as i32 + 1) / (k + 1) as f64);
+                let terms = (0..N - 1).map(|k| left[k][lane] * 0.5_f64.powi(k as i32 + 1) / (k + 1) as f64);
                 terms.sum()
             };
             assert!(miss(integral, 0.5, expected) < 1e-15);
             let [low, high] = ends(&a).map(|end| *end.as_array());
             assert!(miss([low], 0.0, |lane| value(&left, lane, -1.0)) < 1e-15);
             assert!(miss([high], 0.0, |lane| value(&left, lane, 1.0)) < 1e-15);
-            let rows = transposed([a[0], a[1], a[2], a[3]]).map(|row| *row.as_array());
-            assert_eq!(rows, std::array::from_fn(|i| std::array::from_fn(|k| left[k][i])));
+            let mut at = 0.7;
+            let constants = constants_of_integration(simd, &mut at, a[0], b[0]);
+            let mut expected = 0.7;
+            for lane in 0..LANES {
+                let constant = constants.as_array()[lane];
+                assert!((constant - (expected - left[0][lane])).abs() < 1e-14);
+                expected += right[0][lane] - left[0][lane];
+            }
+            assert!((at - expected).abs() < 1e-14);
+            let rows = std::array::from_fn(|i| a[i]);
+            let columns = transposed_lanes(rows).map(|row| *row.as_array());
+            assert_eq!(columns, std::array::from_fn(|i| std::array::from_fn(|k| left[k][i])));
+            let rows = rows_of_lanes([a[0], a[1], a[2], a[3]]).map(|row| *row.as_array());
+            let row = |lane: usize| std::array::from_fn(|k| left[k][lane]);
+            assert_eq!(rows, std::array::from_fn(row));
+            assert_eq!(lanes_of_rows(rows.map(|row| f64x4::simd_from(simd, row))).map(|lanes| *lanes.as_array()), std::array::from_fn(|k| left[k]));
         });
+    }
+
+    #[test]
+    fn the_exponential_function_is_that_of_the_standard_library() {
+        let of = |x: f64| {
+            let result: [f64; LANES] =
+                dispatch!(Level::new(), simd => *exp(simd, Lanes::splat(simd, x)).as_array());
+            result[0]
+        };
+        for i in -100_000..=100_000 {
+            let x = 0.007 * f64::from(i);
+            let miss = (of(x) / x.exp() - 1.0).abs();
+            assert!(miss <= 2.0 * f64::EPSILON, "{x}: wrong by {miss:e}");
+        }
+        assert_eq!(of(0.0), 1.0);
+        assert!(of(f64::NAN).is_nan());
+        for x in [701.0, 1e5, 1e300, f64::INFINITY] {
+            for x in [x, -x] {
+                let value = of(x);
+                assert!(!(1e-300..=1e300).contains(&value), "{x}: {value}");
+            }
+        }
     }
 
     /// The highest terms, `t^11` and `t^10`, change by `T_n/2^(n-1)`.
     #[test]
     fn economising_changes_little() {
         let mut terms = coefficients(0.0);
-        (terms[10], terms[11]) = ([1.0; 4], [-1.0; 4]);
-        let economised: [[f64; 4]; 10] = dispatch!(Level::new(), simd => {
-            let series = terms.map(|term| f64x4::simd_from(simd, term));
-            economised::<_, N, 10>(simd, &series).map(|term| *term.as_array())
+        (terms[10], terms[11]) = ([1.0; LANES], [-1.0; LANES]);
+        let economised: [[f64; LANES]; 10] = dispatch!(Level::new(), simd => {
+            let series = terms.map(|term| Lanes::simd_from(simd, term));
+            economised::<_, _, N, 10>(simd, &series).map(|term| *term.as_array())
         });
         for i in 0..=100 {
             let t = f64::from(i) / 50.0 - 1.0;

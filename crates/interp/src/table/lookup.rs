@@ -133,7 +133,6 @@ impl Lookup {
             coordinates,
             axes.nodes(Parameter::AOverT),
             axes.ends(Parameter::Nu1)[0],
-            &values,
             &mut slopes[1],
         );
         let slopes = slopes.each_ref().map(Vec::as_slice);

@@ -6,7 +6,7 @@ use std::array;
 use crate::Parameter;
 use crate::curve::bspline::{Basis, LARGEST_DEGREE, Weights};
 use crate::table::axes::Axes;
-use crate::table::tensor_train::TensorTrain;
+use crate::table::tensor_train::{SumAlong, TensorTrain};
 use crate::table::tiles::{self, Tile};
 use crate::table::weighted_sum::add_rows;
 
@@ -104,17 +104,18 @@ impl TensorSpline {
         }
     }
 
-    /// Returns the coefficients of materials that differ in one coordinate, the number `axis`,
-    /// which has the values `places`.
-    pub(crate) fn coefficients_along(
+    /// Returns sums of the coefficients of materials that differ in one coordinate, the number
+    /// `axis`, which has the values `places`.
+    pub(crate) fn sums_along(
         &self,
         coordinates: [f64; 3],
         axis: usize,
         places: &[f64],
+        sums: &[SumAlong],
     ) -> Vec<Vec<f64>> {
         match &self.form {
             Form::Tiles { trains, boxes } => {
-                train(trains, boxes, coordinates).coefficients_along(coordinates, axis, places)
+                train(trains, boxes, coordinates).sums_along(coordinates, axis, places, sums)
             }
             Form::Dense(_) => {
                 let at = |&place: &f64| {
@@ -122,7 +123,10 @@ impl TensorSpline {
                     coordinates[axis] = place;
                     self.coefficients(coordinates)
                 };
-                places.iter().map(at).collect()
+                let at_places: Vec<Vec<f64>> = places.iter().map(at).collect();
+                sums.iter()
+                    .map(|sum| sum.of(&at_places)[sum.columns.clone()].to_vec())
+                    .collect()
             }
         }
     }

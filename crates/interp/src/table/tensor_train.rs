@@ -14,6 +14,7 @@
 //! for these instructions.
 
 use std::f64::consts::PI;
+use std::ops::Range;
 
 use fearless_simd::prelude::*;
 use fearless_simd::{Level, dispatch};
@@ -21,7 +22,7 @@ use fearless_simd::{Level, dispatch};
 use crate::curve::bspline::Basis;
 use crate::table::chebyshev::polynomials;
 use crate::table::low_rank::LowRank;
-use crate::table::mixed_precision::{BLOCK, MixedPrecision};
+use crate::table::mixed_precision::{BLOCK, Contraction, MixedPrecision, RowWeights};
 use crate::table::weighted_sum::add_rows;
 
 /// The largest norm of a block that is dropped, relative to the table's tolerance.
@@ -78,6 +79,17 @@ struct Core {
 struct Interval {
     functions: Functions,
     rows: MixedPrecision,
+    /// The rows of the functions add up to the core at one coordinate.
+    contraction: Contraction,
+}
+
+/// A weighted sum of the coefficients of materials that differ in one coordinate.
+#[derive(Clone, Debug)]
+pub(crate) struct SumAlong {
+    /// The numbers of the places of the coordinate, with their weights.
+    pub(crate) weights: Vec<(usize, f64)>,
+    /// The coefficients of which the sum is asked for.
+    pub(crate) columns: Range<usize>,
 }
 
 /// The functions whose sum is a core on an interval.
@@ -162,26 +174,26 @@ impl TensorTrain {
         dispatch!(Level::new(), simd => self.value_and_slopes(simd, coordinates))
     }
 
-    /// Returns the coefficients of materials that differ in one coordinate, the number `axis`,
-    /// which has the values `places`.
-    pub(crate) fn coefficients_along(
+    /// Returns sums of the coefficients of materials that differ in one coordinate, the number
+    /// `axis`, which has the values `places`.
+    pub(crate) fn sums_along(
         &self,
         coordinates: [f64; 3],
         axis: usize,
         places: &[f64],
+        sums: &[SumAlong],
     ) -> Vec<Vec<f64>> {
-        dispatch!(Level::new(), simd => self.values_along(simd, coordinates, axis, places))
+        dispatch!(Level::new(), simd => self.values_along(simd, coordinates, axis, places, sums))
     }
 
     #[inline(always)]
     fn value<S: Simd>(&self, simd: S, coordinates: [f64; 3]) -> Vec<f64> {
-        let mut vector = vec![1.0];
+        let (mut vector, mut weights) = (vec![1.0], RowWeights::EMPTY);
         for core in &self.cores {
-            let u = coordinates[core.axis];
-            let interval = core.interval(u);
-            vector = core.multiply(simd, interval, &vector, &interval.functions.evaluate(u).0);
+            vector = core.multiply(simd, coordinates[core.axis], &vector, &mut weights);
         }
-        self.last.sum(simd, &vector)
+        weights.set(&[1.0], &vector);
+        self.last.sum(simd, &weights)
     }
 
     #[inline(always)]
@@ -194,8 +206,12 @@ impl TensorTrain {
             second.products(simd, at(second), [&value, &by_first], &value);
         let [value, by_first, by_second, by_third] =
             third.products(simd, at(third), [&value, &by_first, &by_second], &value);
-        let vectors = [&value, &by_first, &by_second, &by_third].map(Vec::as_slice);
-        let [value, slopes @ ..] = self.last.sums(simd, vectors);
+        let vectors = [value, by_first, by_second, by_third];
+        let mut weights = [const { RowWeights::EMPTY }; 4];
+        for (weights, vector) in weights.iter_mut().zip(&vectors) {
+            weights.set(&[1.0], vector);
+        }
+        let [value, slopes @ ..] = self.last.sums(simd, weights.each_ref());
         let mut sums = [value, Vec::new(), Vec::new(), Vec::new()];
         for (core, by_axis) in self.cores.iter().zip(slopes) {
             sums[1 + core.axis] = by_axis;
@@ -210,26 +226,31 @@ impl TensorTrain {
         coordinates: [f64; 3],
         axis: usize,
         places: &[f64],
+        sums: &[SumAlong],
     ) -> Vec<Vec<f64>> {
-        // One vector until the core of this axis, one for each place from there on.
+        // One vector until the core of this axis, one for each sum from there on.
         let mut vectors = vec![vec![1.0]];
+        let mut weights = RowWeights::EMPTY;
         for core in &self.cores {
-            vectors = if core.axis == axis {
-                let [vector] = &vectors[..] else {
-                    unreachable!("one axis has this number")
-                };
-                let mut after = Vec::with_capacity(places.len());
-                for &u in places {
-                    let interval = core.interval(u);
-                    let functions = interval.functions.evaluate(u).0;
-                    after.push(core.multiply(simd, interval, vector, &functions));
-                }
-                after
-            } else {
-                core.multiply_all(simd, coordinates[core.axis], &vectors)
-            };
+            if core.axis != axis {
+                vectors = core.multiply_all(simd, coordinates[core.axis], &vectors);
+                continue;
+            }
+            let mut at_places = Vec::with_capacity(places.len());
+            for &u in places {
+                at_places.push(core.multiply(simd, u, &vectors[0], &mut weights));
+            }
+            vectors = sums.iter().map(|sum| sum.of(&at_places)).collect();
         }
-        self.last.sum_all(simd, &vectors)
+        let mut columns = Vec::with_capacity(sums.len());
+        for (sum, vector) in sums.iter().zip(&vectors) {
+            weights.set(&[1.0], vector);
+            columns.push(
+                self.last
+                    .sum_of_columns(simd, &weights, sum.columns.clone()),
+            );
+        }
+        columns
     }
 }
 
@@ -239,33 +260,38 @@ impl Core {
         &self.intervals[self.breaks.partition_point(|&end| end <= u)]
     }
 
-    /// Multiplies the vector over the bond before by the core; returns the vector over the next
-    /// bond.
+    /// Multiplies the vector over the bond before by the core at `u`; returns the vector over the
+    /// next bond. What `weights` held is lost.
     #[inline(always)]
     fn multiply<S: Simd>(
         &self,
         simd: S,
-        interval: &Interval,
+        u: f64,
         before: &[f64],
-        functions: &[f64; MOST_FUNCTIONS],
+        weights: &mut RowWeights,
     ) -> Vec<f64> {
-        let mut after = interval
-            .rows
-            .sum(simd, &interval.weights(before, functions));
+        let interval = self.interval(u);
+        let (functions, _) = interval.functions.evaluate(u);
+        weights.set(&functions[..interval.functions.count], before);
+        let mut after = interval.rows.sum(simd, weights);
         self.scale(&mut after);
         after
     }
 
-    /// Multiplies several vectors over the bond before by the core at `u`.
+    /// Multiplies several vectors over the bond before by the core at `u`, which is computed once.
     #[inline(always)]
     fn multiply_all<S: Simd>(&self, simd: S, u: f64, before: &[Vec<f64>]) -> Vec<Vec<f64>> {
         let interval = self.interval(u);
-        let functions = interval.functions.evaluate(u).0;
+        let (functions, _) = interval.functions.evaluate(u);
+        let functions = RowWeights::of(&functions[..interval.functions.count]);
+        let core = interval
+            .rows
+            .contracted(simd, &interval.contraction, &functions);
         let mut weights = Vec::with_capacity(before.len());
         for before in before {
-            weights.push(interval.weights(before, &functions));
+            weights.push(RowWeights::of(before));
         }
-        let mut after = interval.rows.sum_all(simd, &weights);
+        let mut after = core.sum_all(simd, &weights);
         after.iter_mut().for_each(|after| self.scale(after));
         after
     }
@@ -282,13 +308,13 @@ impl Core {
     ) -> [Vec<f64>; M] {
         let interval = self.interval(u);
         let (values, slopes) = interval.functions.evaluate(u);
-        let weights: [Vec<f64>; M] = std::array::from_fn(|i| match before.get(i) {
-            Some(before) => interval.weights(before, &values),
-            None => interval.weights(slope_of, &slopes),
-        });
-        let mut after = interval
-            .rows
-            .sums(simd, weights.each_ref().map(Vec::as_slice));
+        let count = interval.functions.count;
+        let mut weights = [const { RowWeights::EMPTY }; M];
+        for (weights, before) in weights.iter_mut().zip(before) {
+            weights.set(&values[..count], before);
+        }
+        weights[N].set(&slopes[..count], slope_of);
+        let mut after = interval.rows.sums(simd, weights.each_ref());
         after.iter_mut().for_each(|after| self.scale(after));
         after
     }
@@ -299,6 +325,19 @@ impl Core {
             .iter_mut()
             .zip(&self.scales)
             .for_each(|(entry, scale)| *entry *= scale);
+    }
+}
+
+impl SumAlong {
+    /// Returns the sum of vectors, one for each place.
+    pub(crate) fn of(&self, at_places: &[Vec<f64>]) -> Vec<f64> {
+        let mut sum = vec![0.0; at_places[0].len()];
+        for (place, weight) in &self.weights {
+            for (sum, entry) in sum.iter_mut().zip(&at_places[*place]) {
+                *sum += weight * entry;
+            }
+        }
+        sum
     }
 }
 
@@ -325,22 +364,13 @@ impl Interval {
         }
         let jumps = Functions::AT_ENDS * before;
         let negligible = |row| tolerance * if row < jumps { ROUNDING } else { NEGLIGIBLE };
+        let rows = MixedPrecision::new(&rows, length, negligible, ROUNDING * tolerance);
+        let contraction = rows.contraction(before);
         Self {
             functions,
-            rows: MixedPrecision::new(&rows, length, negligible, ROUNDING * tolerance),
+            rows,
+            contraction,
         }
-    }
-}
-
-impl Interval {
-    /// Returns the weight of each row: a function times an entry of the vector over the bond
-    /// before.
-    fn weights(&self, before: &[f64], functions: &[f64; MOST_FUNCTIONS]) -> Vec<f64> {
-        let mut weights = Vec::with_capacity(before.len() * self.functions.count);
-        for function in &functions[..self.functions.count] {
-            weights.extend(before.iter().map(|entry| function * entry));
-        }
-        weights
     }
 }
 

@@ -1,8 +1,10 @@
 //! Tests of the library with hostile bytes and arbitrary numbers.
 //!
-//! `packed` forges packed tables by hand and `forged` at random, `numbers` gives any f64 to the public functions that `functions`
-//! lists, `physics` tests properties of the results, and `tables` makes the small tables for them.
+//! `packed` forges packed tables by hand and `forged` at random, `numbers` gives any f64 to the
+//! public functions that `functions` lists, with the longer `calls` apart, `physics` tests
+//! properties of the results, and `tables` makes the small tables for them.
 
+mod calls;
 mod forged;
 mod functions;
 mod numbers;

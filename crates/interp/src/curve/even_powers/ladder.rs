@@ -1,23 +1,27 @@
-//! The ladder over the curve, four pieces at a time.
+//! The ladder over the curve, [several pieces](LANES) at a time.
 
 use fearless_simd::f64x4;
 use fearless_simd::prelude::*;
 
 use super::beginning::Kernel;
 use super::weights::{MOST_TERMS, Weights};
+use crate::curve::derived::divided_by_powers;
 use crate::curve::piecewise::{VALUE, Values};
-use crate::curve::series::{Series, economised, ends, integral, product, quotient, transposed};
+use crate::curve::series::{
+    LANES, Lanes, Series, constants_of_integration, economised, ends, integral, lanes_of_rows,
+    product, quotient,
+};
 
 /// The number of coefficients of a series on a piece.
 const TERMS: usize = 12;
 
 /// The values of the integrals at the end of the last piece.
 pub(super) struct Running {
-    /// Those of `y^(2k+1) mu_2k/es`.
+    /// Those of `y^(2k+1) mu_2k/(es (2k)!)`.
     moments: [f64; MOST_TERMS],
-    /// Those of `y^2k Delta_2k`.
+    /// Those of `y^2k Delta_2k/(2k)!`. With these factors no integral needs one.
     penetrations: [f64; MOST_TERMS],
-    /// Those of load and penetration of the shape.
+    /// Those of a quarter of the load, and of the penetration of the shape.
     sums: [f64; 2],
     /// The number of terms that are known.
     terms: usize,
@@ -26,10 +30,14 @@ pub(super) struct Running {
 impl Running {
     pub(super) fn new(kernel: &Kernel, weights: &Weights) -> Self {
         let sums = kernel.sums(weights);
+        let mut factorials = [1.0; MOST_TERMS];
+        for k in 1..MOST_TERMS {
+            factorials[k] = factorials[k - 1] * (2 * k * (2 * k - 1)) as f64;
+        }
         Self {
-            moments: std::array::from_fn(|k| kernel.moment(2 * k)),
-            penetrations: std::array::from_fn(|k| kernel.penetration(2 * k)),
-            sums: [sums.load, sums.penetration],
+            moments: std::array::from_fn(|k| kernel.moment(2 * k) / factorials[k]),
+            penetrations: std::array::from_fn(|k| kernel.penetration(2 * k) / factorials[k]),
+            sums: [0.25 * sums.load, sums.penetration],
             terms: MOST_TERMS,
         }
     }
@@ -39,19 +47,19 @@ impl Running {
     fn extend(&mut self, terms: usize, y: f64) {
         for k in self.terms..terms {
             let n = (2 * k) as f64;
-            self.moments[k] = self.moments[k - 1] * y * y * (n - 1.0) / (n + 1.0);
-            self.penetrations[k] = self.moments[k - 1] * y * (n - 1.0);
+            self.moments[k] = self.moments[k - 1] * y * y / (n * (n + 1.0));
+            self.penetrations[k] = self.moments[k - 1] * y / n;
         }
         self.terms = terms;
     }
 }
 
-/// Four pieces.
+/// The pieces that are computed side by side.
 pub(super) struct Group<'a> {
     /// Their ends, in units of the grid.
-    pub(super) ends: [[f64; 2]; 4],
-    pub(super) weights: [Weights; 4],
-    pub(super) pieces: [&'a Values; 4],
+    pub(super) ends: [[f64; 2]; LANES],
+    pub(super) weights: [Weights; LANES],
+    pub(super) pieces: [&'a Values; LANES],
     /// The place of the first node on the first piece, in the first group.
     pub(super) start: Option<f64>,
     pub(super) number: usize,
@@ -66,31 +74,33 @@ impl Group<'_> {
         es: f64,
         radius: f64,
         running: &mut Running,
-    ) -> [[[f64; 2]; VALUE]; 4] {
-        let vector = |values: [f64; 4]| f64x4::simd_from(simd, values);
+    ) -> [[[f64; 2]; VALUE]; LANES] {
+        let vector = |values: [f64; LANES]| Lanes::simd_from(simd, values);
         let half = vector(self.ends.map(|[from, to]| 0.5 * (to - from)));
         let middle = vector(self.ends.map(|[from, to]| 0.5 * (from + to)));
-        let zero = f64x4::splat(simd, 0.0);
-        let (mut stiffness, mut gamma, mut penetration): (
-            Series<S, TERMS>,
-            Series<S, TERMS>,
-            Series<S, TERMS>,
-        ) = ([zero; TERMS], [zero; TERMS], [zero; TERMS]);
-        let inverse_es = f64x4::splat(simd, 1.0 / es);
+        let zero = Lanes::splat(simd, 0.0);
+        let [mut stiffness, mut gamma, mut penetration] = [[zero; TERMS]; 3];
+        let inverse_es = Lanes::splat(simd, 1.0 / es);
         for k in 0..VALUE {
-            let rows = self.pieces.map(|piece| f64x4::from_slice(simd, &piece[k]));
-            let [_, eeq, own, delta0] = transposed(rows);
+            let mut rows = [f64x4::splat(simd, 0.0); LANES];
+            for (row, piece) in rows.iter_mut().zip(self.pieces) {
+                *row = f64x4::from_slice(simd, &piece[k]);
+            }
+            let [_, eeq, own, delta0] = lanes_of_rows(rows);
             stiffness[k] = eeq * inverse_es;
             gamma[k] = own * inverse_es;
-            penetration[k] = delta0;
+            penetration[k] = delta0 * 0.5;
         }
         times_linear(&mut stiffness, middle, half);
         times_linear(&mut penetration, middle, half);
         times_linear(&mut penetration, middle, half);
-        let square = product(&gamma, &gamma);
-        let mut one = [zero; TERMS];
-        one[0] = f64x4::splat(simd, 1.0);
-        let inverse = quotient(simd, &one, &square);
+        // Half of the length of a piece is a factor of the integrands: the integrals are those over
+        // `t`.
+        let mut square = product(simd, &gamma, &gamma);
+        let mut numerator = [zero; TERMS];
+        numerator[0] = half;
+        let inverse = quotient(simd, &numerator, &square);
+        scale(&mut square, half);
 
         let terms = self.weights.iter().map(|weights| weights.terms);
         let terms = terms.max().unwrap_or(1);
@@ -101,50 +111,39 @@ impl Group<'_> {
         // The sum of the weighted moments. The moment of order 0 is that of the stiffness.
         let mut flux = stiffness;
         scale(&mut flux, vector(lanes_of(&self.weights, 0)));
-        let mut moment = stiffness;
+        let (mut moment, mut factorial) = (stiffness, 1.0);
         for k in 1..terms {
             if k > 1 {
-                let n = (2 * k) as f64;
-                let rate = product(&moment, &inverse);
-                let factor = half * f64x4::splat(simd, n * (n - 1.0));
-                penetration = integral(simd, &rate, factor);
-                continued(
-                    simd,
-                    self.start,
-                    &mut penetration,
-                    &mut running.penetrations[k],
-                );
+                penetration = integral(simd, &product(simd, &moment, &inverse));
+                let at = &mut running.penetrations[k];
+                continued(simd, self.start, &mut penetration, at);
             }
-            moment = integral(simd, &product(&square, &penetration), half);
+            moment = integral(simd, &product(simd, &square, &penetration));
             continued(simd, self.start, &mut moment, &mut running.moments[k]);
-            let beta = vector(lanes_of(&self.weights, k));
+            factorial *= (2 * k * (2 * k - 1)) as f64;
+            let beta = vector(lanes_of(&self.weights, k)) * factorial;
             for i in 0..TERMS {
                 flux[i] = beta.mul_add(moment[i], flux[i]);
             }
         }
-        let rate = product(&flux, &inverse);
-        let mut penetration = integral(simd, &rate, half);
+        let rate = product(simd, &flux, &inverse);
+        let mut penetration = integral(simd, &rate);
         continued(simd, self.start, &mut penetration, &mut running.sums[1]);
-        let work = product(&stiffness, &rate);
-        let mut load = integral(simd, &work, half * f64x4::splat(simd, 4.0));
+        let mut load = integral(simd, &product(simd, &stiffness, &rate));
         continued(simd, self.start, &mut load, &mut running.sums[0]);
 
-        let inverse = f64x4::splat(simd, 1.0) / middle;
-        let slope = half * inverse;
-        for _ in 0..2 {
-            divide_by_linear(&mut penetration, inverse, slope);
-        }
-        for _ in 0..3 {
-            divide_by_linear(&mut load, inverse, slope);
-        }
-        scale(&mut penetration, f64x4::splat(simd, radius));
-        scale(&mut load, f64x4::splat(simd, es * radius));
-        let penetration: Series<S, VALUE> = economised(simd, &penetration);
-        let load: Series<S, VALUE> = economised(simd, &load);
-        let mut pieces = [[[0.0; 2]; VALUE]; 4];
+        let inverse = Lanes::splat(simd, 1.0) / middle;
+        let [_, penetration, load] =
+            divided_by_powers([stiffness, penetration, load], half * inverse);
+        let mut penetration: Series<Lanes<S>, VALUE> = economised(simd, &penetration);
+        let mut load: Series<Lanes<S>, VALUE> = economised(simd, &load);
+        let factor = inverse * inverse * radius;
+        scale(&mut penetration, factor);
+        scale(&mut load, factor * inverse * (4.0 * es));
+        let mut pieces = [[[0.0; 2]; VALUE]; LANES];
         for k in 0..VALUE {
             let (load, penetration) = (*load[k].as_array(), *penetration[k].as_array());
-            for lane in 0..4 {
+            for lane in 0..LANES {
                 pieces[lane][k] = [load[lane], penetration[lane]];
             }
         }
@@ -158,37 +157,35 @@ impl Group<'_> {
 pub(in crate::curve) fn continued<S: Simd, const N: usize>(
     simd: S,
     start: Option<f64>,
-    integral: &mut Series<S, N>,
+    integral: &mut Series<Lanes<S>, N>,
     at: &mut f64,
 ) {
-    let [from, to] = ends(integral);
-    let (mut from, to) = (*from.as_array(), *to.as_array());
+    let [mut from, to] = ends(integral);
     if let Some(t) = start {
         from[0] = integral
             .iter()
             .rev()
             .fold(0.0, |sum, term| sum * t + term[0]);
     }
-    let constants: [f64; 4] = std::array::from_fn(|lane| {
-        let constant = *at - from[lane];
-        *at = constant + to[lane];
-        constant
-    });
-    integral[0] = f64x4::simd_from(simd, constants);
+    integral[0] = constants_of_integration(simd, at, from, to);
 }
 
-/// Returns the coefficients of a term on the four pieces.
+/// Returns the coefficients of a term on the pieces.
 #[inline(always)]
-fn lanes_of([a, b, c, d]: &[Weights; 4], k: usize) -> [f64; 4] {
-    [a.beta[k], b.beta[k], c.beta[k], d.beta[k]]
+fn lanes_of(weights: &[Weights; LANES], k: usize) -> [f64; LANES] {
+    let mut lanes = [0.0; LANES];
+    for (lane, weights) in lanes.iter_mut().zip(weights) {
+        *lane = weights.beta[k];
+    }
+    lanes
 }
 
 /// Multiplies a series by `middle + half t`.
 #[inline(always)]
 pub(in crate::curve) fn times_linear<S: Simd>(
-    series: &mut Series<S, TERMS>,
-    middle: f64x4<S>,
-    half: f64x4<S>,
+    series: &mut Series<Lanes<S>, TERMS>,
+    middle: Lanes<S>,
+    half: Lanes<S>,
 ) {
     for k in (1..TERMS).rev() {
         series[k] = half.mul_add(series[k - 1], middle * series[k]);
@@ -196,22 +193,12 @@ pub(in crate::curve) fn times_linear<S: Simd>(
     series[0] *= middle;
 }
 
-/// Divides a series by `(1 + slope t)/inverse`.
-#[inline(always)]
-pub(in crate::curve) fn divide_by_linear<S: Simd>(
-    series: &mut Series<S, TERMS>,
-    inverse: f64x4<S>,
-    slope: f64x4<S>,
-) {
-    series[0] *= inverse;
-    for k in 1..TERMS {
-        series[k] = (-slope).mul_add(series[k - 1], series[k] * inverse);
-    }
-}
-
 /// Multiplies a series by a number.
 #[inline(always)]
-pub(in crate::curve) fn scale<S: Simd>(series: &mut Series<S, TERMS>, factor: f64x4<S>) {
+pub(in crate::curve) fn scale<S: Simd, const N: usize>(
+    series: &mut Series<Lanes<S>, N>,
+    factor: Lanes<S>,
+) {
     for term in series {
         *term *= factor;
     }

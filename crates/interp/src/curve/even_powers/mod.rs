@@ -56,7 +56,7 @@ use self::ladder::{Group, Running};
 use self::weights::{Weights, dilated};
 use crate::curve::grid::{Grid, Position};
 use crate::curve::piecewise::{VALUE, Values, evaluate_all};
-use crate::curve::series::economised;
+use crate::curve::series::{LANES, economised, product, quotient};
 use crate::{Error, Quantities, Quantity};
 
 pub(crate) use self::weights::{EvenShape, LARGEST_A_OVER_R};
@@ -206,7 +206,7 @@ impl Source<'_> {
             let quotient = ratio(&difference, &of_shape[i]);
             let quotient: [[f64; 4]; N] = dispatch!(Level::new(), simd => {
                 let series = quotient.map(|row| f64x4::simd_from(simd, row));
-                economised::<_, VALUE, N>(simd, &series).map(|row| *row.as_array())
+                economised::<_, _, VALUE, N>(simd, &series).map(|row| *row.as_array())
             });
             for (own, new) in relative.iter_mut().zip(quotient) {
                 for quantity in [Quantity::Pi0, Quantity::Delta0] {
@@ -248,19 +248,19 @@ impl Source<'_> {
         let first = change(shape.weights(beginning.first, unit));
         let mut running = Running::new(&beginning.at(beginning.first), &first);
         let radius = shape.unit_radius() * unit;
-        for (group, ends) in ends.chunks(4).enumerate() {
+        for (group, ends) in ends.chunks(LANES).enumerate() {
             let lanes = std::array::from_fn(|lane| lane.min(ends.len() - 1));
             let group = Group {
                 ends: lanes.map(|lane: usize| ends[lane]),
                 weights: lanes.map(|lane| change(shape.weights(ends[lane][1], unit))),
-                pieces: lanes.map(|lane| &self.pieces[4 * group + lane]),
+                pieces: lanes.map(|lane| &self.pieces[LANES * group + lane]),
                 start: (group == 0).then(|| self.grid.locate(self.range[0]).t),
                 number: group,
             };
             let new = dispatch!(Level::new(), simd => {
                 group.integrated(simd, self.es, radius, &mut running)
             });
-            let group = own[4 * group.number..].iter_mut().zip(new);
+            let group = own[LANES * group.number..].iter_mut().zip(new);
             for (own, new) in group.take(ends.len()) {
                 for (row, [load, penetration]) in own.iter_mut().zip(new) {
                     row[Quantity::Pi0 as usize] = load;
@@ -272,26 +272,24 @@ impl Source<'_> {
     }
 }
 
-/// Returns the quotients of `Pi0` and `Delta0`, as polynomials on a piece.
+/// Returns the quotients of the quantities, as polynomials on a piece.
 pub(super) fn ratio(numerator: &Values, denominator: &Values) -> Values {
-    let mut terms = *numerator;
-    for k in 0..VALUE {
-        for quantity in [Quantity::Pi0 as usize, Quantity::Delta0 as usize] {
-            let sum: f64 = (1..=k)
-                .map(|i| denominator[i][quantity] * terms[k - i][quantity])
-                .sum();
-            terms[k][quantity] = (numerator[k][quantity] - sum) / denominator[0][quantity];
-        }
-    }
-    terms
+    dispatch!(Level::new(), simd => {
+        let series = |piece: &Values| piece.map(|row| f64x4::simd_from(simd, row));
+        quotient(simd, &series(numerator), &series(denominator)).map(|row| *row.as_array())
+    })
 }
 
 /// Returns the quantities times `1 + step by`, as polynomials on a piece.
 pub(super) fn scaled<const N: usize>(piece: &Values, by: &[[f64; 4]; N], step: f64) -> Values {
-    std::array::from_fn(|k| {
-        std::array::from_fn(|q| {
-            let change: f64 = (0..=k.min(N - 1)).map(|i| by[i][q] * piece[k - i][q]).sum();
-            piece[k][q] + step * change
-        })
+    dispatch!(Level::new(), simd => {
+        let by = by.map(|row| f64x4::simd_from(simd, row));
+        let piece = piece.map(|row| f64x4::simd_from(simd, row));
+        let mut changed = product(simd, &by, &piece);
+        let step = f64x4::splat(simd, step);
+        for (changed, piece) in changed.iter_mut().zip(piece) {
+            *changed = step.mul_add(*changed, piece);
+        }
+        changed.map(|row| *row.as_array())
     })
 }

@@ -87,10 +87,10 @@ impl EvenShape {
                     beta = interpolated(end / radius);
                     (end, MOST_TERMS)
                 };
-                let (mut power, square) = (1.0 / radius, scale * scale);
+                let (mut power, inverse_square) = (1.0 / radius, 1.0 / (scale * scale));
                 for (k, beta) in beta.iter_mut().enumerate() {
                     *beta *= (2 * k + 1) as f64 * power;
-                    power /= square;
+                    power *= inverse_square;
                 }
                 Weights { terms, beta }
             }
@@ -99,7 +99,7 @@ impl EvenShape {
 }
 
 /// The coefficients of the polynomials that are 1 at one of [`POINTS`] and 0 at the others.
-const LAGRANGE: [[f64; MOST_TERMS]; MOST_TERMS] = {
+static LAGRANGE: [[f64; MOST_TERMS]; MOST_TERMS] = {
     let mut all = [[0.0; MOST_TERMS]; MOST_TERMS];
     let mut j = 0;
     while j < MOST_TERMS {
@@ -131,8 +131,10 @@ fn interpolated(alpha: f64) -> [f64; MOST_TERMS] {
     let mut coefficients = LAGRANGE[0].map(|coefficient| 2.0 * coefficient);
     for j in 1..MOST_TERMS {
         let v = alpha * ROOTS[j];
-        let value = v.atanh() / v + 1.0 / ((1.0 - v) * (1.0 + v));
-        for (sum, coefficient) in coefficients.iter_mut().zip(LAGRANGE[j]) {
+        // Faster than `atanh`, and as accurate, because `v` is not small.
+        let artanh = 0.5 * ((1.0 + v) / (1.0 - v)).ln();
+        let value = artanh / v + 1.0 / ((1.0 - v) * (1.0 + v));
+        for (sum, coefficient) in coefficients.iter_mut().zip(&LAGRANGE[j]) {
             *sum += value * coefficient;
         }
     }
