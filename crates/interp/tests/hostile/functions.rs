@@ -317,7 +317,7 @@ pub const FUNCTIONS: &[Function] = &[
                     RateDependent::new(Hysteresis::new(x[0], x[1])?, x[2], x[3])?,
                     x[4],
                 )?;
-                let states = line.ramp(Control::Load, x[5], x[6], x[7])?;
+                let states = line.ramp(interp::Control::Load, x[5], x[6], x[7])?;
                 Ok(states
                     .into_iter()
                     .flat_map(|at| [vec![at.time], numbers(at.state).to_vec()].concat())
