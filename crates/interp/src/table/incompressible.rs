@@ -32,8 +32,10 @@ const RATIO: f64 = 2.7;
 /// The largest distance in one difference, relative to `w + u`.
 const REACH: f64 = 0.7;
 /// The largest ratio of `w + u` of nodes that share a difference. A larger ratio needs fewer sums
-/// of lookups; with [`RATIO`] the largest error at 80 contacts is 67 tolerances, not 40.
+/// of lookups, and is less accurate: with 1.2 the largest error at 2000 contacts is 49 tolerances,
+/// with 1.5 it is 56, and an incompressible film takes a tenth less time.
 const SHARED: f64 = 1.5;
+
 /// Replaces the derivatives `slopes` of the coefficients over `ln(a/t)` with respect to `nu1` where
 /// those of the spline are inaccurate.
 ///
