@@ -23,9 +23,7 @@ const OVER_TOP: f64 = 300.0;
 ///
 /// The quantities are within 1e-8, from contact radii of 1e-4 of the thickness of the top layer to
 /// the expected reach of the contacts, or to 300 times the thickness of the top layer where that is
-/// less, but at least to the reach that is needed. Two or three layers take 2 to 10 ms on two cores
-/// up to 30 times the thickness of the top layer, 15 to 35 ms up to 100 times, and 0.1 s up to 300
-/// times.
+/// less, but at least to the reach that is needed.
 ///
 /// ```
 /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
