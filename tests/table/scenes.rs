@@ -96,9 +96,10 @@ fn what_is_settled_costs_nothing_and_changes_nothing() {
         }
     }
     println!("settled parameters: largest difference {worst:.1e}");
-    // Panels are chosen for all materials of a sweep together. Measured: 3.2e-13, where solves to
-    // 1e-8 are asked for.
-    assert!(worst <= 1e-11);
+    // Panels are chosen for all materials of a sweep together, and at a/t above 10 one sphere on a
+    // film is solved by the Wiener-Hopf method, many by Galerkin's. Measured: 9.6e-11, where solves
+    // to 1e-8 are asked for.
+    assert!(worst <= 1e-9);
 }
 
 #[test]
