@@ -42,8 +42,9 @@
 //! On a piece `x` is a linear function of `t`, and `ln(Gamma/es)` a polynomial in `t`. The squares,
 //! the quotients and the integrals are [series](crate::curve::series) in `t` to its 11th power. The
 //! divisions by `x` are recurrences of two terms. The last two terms of each result are
-//! [economised]. The operations are those of [several pieces](LANES) side by side; then the constants of integration go on from piece to piece. [`Resampler::fitting`] chooses the pieces
-//! such that this adds less than a tenth of the table's tolerance. The constants at the first `a/t`
+//! [economised]. The operations are those of [several pieces](LANES) side by side; then the constants
+//! of integration go on from piece to piece. [`Resampler::fitting`] chooses the pieces such that this
+//! adds less than a tenth of the table's tolerance. The constants at the first `a/t`
 //! are those of a [thick film](crate::curve::thick_film).
 //!
 //! # Derivatives with respect to the material

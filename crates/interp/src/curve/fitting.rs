@@ -6,7 +6,8 @@ use crate::curve::bspline::Basis;
 use crate::curve::derived::Derivation;
 use crate::curve::grid::{Grid, Position};
 use crate::curve::piecewise::{Polynomial, Values, evaluate, evaluate_all, evaluate_one};
-use crate::curve::resampler::{Pieces, Resampler, chebyshev_points};
+use crate::curve::resampler::{Pieces, Resampler};
+use crate::curve::spans::chebyshev_points;
 use crate::{Parameter, Quantity};
 
 /// What the choice of the pieces may still take. Curves that ask for new pieces one after another,

@@ -2,15 +2,16 @@
 //!
 //! A table, or a solve, gives values at `nodes`. `bspline` interpolates them by splines.
 //! `resampler` turns the splines into polynomials on the pieces of a `grid`, which finds a piece
-//! without a search; `fitting` chooses the pieces, `piecewise` evaluates the polynomials. From
-//! `Gamma` alone, `derived` integrates the other quantities as `series` on the pieces, beginning
-//! with those of a `thick_film`. [`Curve`] holds the pieces; `through` makes one from values at
-//! nodes, and `exchange` converts one for the crate `splines`.
+//! without a search; `spans` holds the B-splines of each piece. `fitting` chooses the pieces,
+//! `piecewise` evaluates the polynomials. From `Gamma` alone, `derived` integrates the other
+//! quantities as `series` on the pieces, beginning with those of a `thick_film`. [`Curve`] holds
+//! the pieces; `through` makes one from values at nodes, and `exchange` converts one for the crate
+//! `splines`.
+//!
 //! `even_powers` turns the curve into that of a sphere or of an even power of the radius, and
 //! `odd_powers` one with `Delta1` into that of a cone or of another odd power; `shaped` holds the
 //! functions of [`Curve`] for that. `asymptotics` continues a curve `beyond` its nodes;
-//! `sensitivity` holds its derivatives with
-//! respect to the material.
+//! `sensitivity` holds its derivatives with respect to the material.
 
 mod asymptotics;
 mod beyond;
@@ -28,6 +29,7 @@ pub(crate) mod resampler;
 pub(crate) mod sensitivity;
 mod series;
 mod shaped;
+mod spans;
 #[cfg(test)]
 mod test_curve;
 mod thick_film;

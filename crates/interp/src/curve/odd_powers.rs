@@ -29,7 +29,8 @@ use super::even_powers::{Source, ratio, scaled};
 use super::grid::Position;
 use super::piecewise::{LOGARITHM, Logarithms, Polynomial, VALUE, Values, evaluate_one, is_within};
 use super::series::{
-    LANES, Lanes, Series, difference, economised, integral, lanes_of_rows, product, quotient,
+    LANES, Lanes, Series, difference, economised, integral, lanes_of_rows, pairs_by_lane, product,
+    quotient,
 };
 use crate::{Curve, Error, Quantity};
 
@@ -381,14 +382,7 @@ impl Group<'_> {
         scale(&mut load, number(es * over_pi0(n)));
         let penetration: Series<Lanes<S>, VALUE> = economised(simd, &penetration);
         let load: Series<Lanes<S>, VALUE> = economised(simd, &load);
-        let mut pieces = [[[0.0; 2]; VALUE]; LANES];
-        for k in 0..VALUE {
-            let (load, penetration) = (*load[k].as_array(), *penetration[k].as_array());
-            for lane in 0..LANES {
-                pieces[lane][k] = [load[lane], penetration[lane]];
-            }
-        }
-        pieces
+        pairs_by_lane(&load, &penetration)
     }
 }
 

@@ -310,6 +310,22 @@ pub(crate) fn lanes_of_rows<S: Simd>([p, q, r, s, t, u, v, w]: [f64x4<S>; LANES]
     [a, b, c, d]
 }
 
+/// Returns the coefficients of two series on each piece, in pairs.
+#[inline(always)]
+pub(crate) fn pairs_by_lane<S: Simd, const N: usize>(
+    first: &Series<Lanes<S>, N>,
+    second: &Series<Lanes<S>, N>,
+) -> [[[f64; 2]; N]; LANES] {
+    let mut pieces = [[[0.0; 2]; N]; LANES];
+    for k in 0..N {
+        let (first, second) = (*first[k].as_array(), *second[k].as_array());
+        for lane in 0..LANES {
+            pieces[lane][k] = [first[lane], second[lane]];
+        }
+    }
+    pieces
+}
+
 #[cfg(test)]
 mod tests {
     use fearless_simd::{Level, dispatch};

@@ -9,7 +9,7 @@ use crate::curve::derived::divided_by_powers;
 use crate::curve::piecewise::{VALUE, Values};
 use crate::curve::series::{
     LANES, Lanes, Series, constants_of_integration, economised, ends, integral, lanes_of_rows,
-    product, quotient,
+    pairs_by_lane, product, quotient,
 };
 
 /// The number of coefficients of a series on a piece.
@@ -140,14 +140,7 @@ impl Group<'_> {
         let factor = inverse * inverse * radius;
         scale(&mut penetration, factor);
         scale(&mut load, factor * inverse * (4.0 * es));
-        let mut pieces = [[[0.0; 2]; VALUE]; LANES];
-        for k in 0..VALUE {
-            let (load, penetration) = (*load[k].as_array(), *penetration[k].as_array());
-            for lane in 0..LANES {
-                pieces[lane][k] = [load[lane], penetration[lane]];
-            }
-        }
-        pieces
+        pairs_by_lane(&load, &penetration)
     }
 }
 

@@ -1,0 +1,259 @@
+//! The B-splines on the pieces of a grid: from the coefficients of splines over `ln(a/t)` to the
+//! polynomials of logarithms on the pieces.
+
+use fearless_simd::prelude::*;
+use fearless_simd::{f64x4, f64x8};
+
+use crate::Parameter;
+use crate::curve::bspline::Basis;
+use crate::curve::grid::Grid;
+use crate::curve::piecewise::LOGARITHM;
+use crate::curve::series::{LANES, Lanes, Series, transposed_lanes};
+
+/// The B-splines on all pieces of a grid, as polynomials.
+#[derive(Clone, Debug)]
+pub(super) struct Spans {
+    /// The number of pieces.
+    pieces: usize,
+    /// The B-splines of the pieces, in groups. The last piece is repeated until its group is full.
+    spans: Vec<Span>,
+    /// The polynomials of the first B-splines on the pieces: a row for each B-spline of a group.
+    weights: Vec<[[f64; LOGARITHM]; LANES]>,
+    /// The polynomials of the further B-splines of pieces that have many more than others.
+    rest: Vec<[f64; LOGARITHM]>,
+}
+
+/// The B-splines that do not vanish on a group of pieces.
+#[derive(Clone, Copy, Debug)]
+struct Span {
+    /// The number of the first B-spline of each piece.
+    first: [usize; LANES],
+    /// The number of B-splines of a piece in `weights`. Some may vanish on it.
+    count: usize,
+    /// The index in `weights` of the first row.
+    start: usize,
+    /// The indices in `rest` of the further B-splines of each piece, from the first to the end.
+    rest: [[usize; 2]; LANES],
+}
+
+impl Spans {
+    /// The largest number of vanishing B-splines of a piece in [`Self::weights`], which take
+    /// memory.
+    const MOST_VANISHING: usize = 4;
+
+    /// Samples the B-splines of `basis` on the pieces of a `grid` over `range`.
+    pub(super) fn new(basis: &Basis, grid: &Grid, range: [f64; 2]) -> Self {
+        let samples = |ends: [f64; 2]| {
+            let samples = chebyshev_points(ends, range.map(|x| x * grid.factor));
+            let x = |y: f64| (y / grid.factor).clamp(range[0], range[1]);
+            let splines = samples.map(|y| basis.weights(Parameter::AOverT.coordinate(x(y))));
+            (samples, splines)
+        };
+        let (mut spans, mut all_weights, mut rest) = (Vec::new(), Vec::new(), Vec::new());
+        let mut all_ends = grid.pieces(range[1]).map(|(_, ends)| ends).peekable();
+        let (mut pieces, mut last) = (0, range);
+        while all_ends.peek().is_some() {
+            let ends: [[f64; 2]; LANES] = std::array::from_fn(|_| {
+                if let Some(ends) = all_ends.next() {
+                    (pieces, last) = (pieces + 1, ends);
+                }
+                last
+            });
+            let sampled = ends.map(samples);
+            let reach = sampled.map(|(_, splines)| {
+                let first = splines.iter().map(|splines| splines.first);
+                let end = splines.iter().map(|splines| splines.first + splines.count);
+                [first.min().unwrap_or(0), end.max().unwrap_or(0)]
+            });
+            let counts = reach.map(|[first, end]| end - first);
+            let [least, most] = [counts.iter().min(), counts.iter().max()];
+            let [least, most] = [least, most].map(|count| count.copied().unwrap_or(0));
+            let count = most.min(least + Self::MOST_VANISHING);
+            let mut span = Span {
+                first: reach.map(|[first, _]| first.min(basis.len() - count)),
+                count,
+                start: all_weights.len(),
+                rest: [[0; 2]; LANES],
+            };
+            all_weights.resize(span.start + count, [[0.0; LOGARITHM]; LANES]);
+            for (lane, (ends, (samples, splines))) in ends.iter().zip(&sampled).enumerate() {
+                let polynomials =
+                    lagrange(samples.map(|y| (2.0 * y - ends[0] - ends[1]) / (ends[1] - ends[0])));
+                let further = rest.len();
+                rest.resize(
+                    further + counts[lane].saturating_sub(count),
+                    [0.0; LOGARITHM],
+                );
+                span.rest[lane] = [further, rest.len()];
+                for (splines, polynomial) in splines.iter().zip(polynomials) {
+                    for (i, value) in splines.values[..splines.count].iter().enumerate() {
+                        let number = splines.first + i - span.first[lane];
+                        let weights = if number < count {
+                            &mut all_weights[span.start + number][lane]
+                        } else {
+                            &mut rest[further + number - count]
+                        };
+                        weights
+                            .iter_mut()
+                            .zip(polynomial)
+                            .for_each(|(weight, coefficient)| *weight += value * coefficient);
+                    }
+                }
+            }
+            spans.push(span);
+        }
+        Self {
+            pieces,
+            spans,
+            weights: all_weights,
+            rest,
+        }
+    }
+
+    /// Returns the number of pieces.
+    pub(super) fn pieces(&self) -> usize {
+        self.pieces
+    }
+
+    /// Returns the number of groups of pieces.
+    pub(super) fn groups(&self) -> usize {
+        self.spans.len()
+    }
+
+    /// Returns the polynomials of the B-splines on a piece, from the first one on.
+    #[inline(always)]
+    fn weights_on(&self, piece: usize) -> impl Iterator<Item = &[f64; LOGARITHM]> {
+        let (span, lane) = (&self.spans[piece / LANES], piece % LANES);
+        let [from, to] = span.rest[lane];
+        let first = self.weights[span.start..][..span.count].iter();
+        first.map(move |row| &row[lane]).chain(&self.rest[from..to])
+    }
+
+    /// Returns the polynomials of the logarithms on a piece, from the coefficients of their
+    /// splines.
+    #[inline(always)]
+    pub(super) fn logarithms<S: Simd>(
+        &self,
+        simd: S,
+        piece: usize,
+        coefficients: &[[f64; 4]],
+    ) -> [f64x4<S>; LOGARITHM] {
+        let (span, lane) = (&self.spans[piece / LANES], piece % LANES);
+        let coefficients = &coefficients[span.first[lane]..];
+        // B-splines add up to one: a common part of the coefficients can be added at the end.
+        // Without it the sums are small, and so is their rounding, which powers of `t` magnify.
+        let common = f64x4::from_slice(simd, &coefficients[span.count / 2]);
+        let mut logarithms = [f64x4::splat(simd, 0.0); LOGARITHM];
+        for (weights, coefficients) in self.weights_on(piece).zip(coefficients) {
+            let coefficients = f64x4::from_slice(simd, coefficients) - common;
+            for (sum, &weight) in logarithms.iter_mut().zip(weights) {
+                *sum = coefficients.mul_add(f64x4::splat(simd, weight), *sum);
+            }
+        }
+        logarithms[0] += common;
+        logarithms
+    }
+
+    /// Returns the polynomials of the logarithm of a single quantity on a group of pieces, from the
+    /// coefficients of its spline.
+    #[inline(always)]
+    pub(super) fn logarithms_on_group<S: Simd>(
+        &self,
+        simd: S,
+        group: usize,
+        coefficients: &[f64],
+    ) -> Series<Lanes<S>, LOGARITHM> {
+        let span = &self.spans[group];
+        let weights = &self.weights[span.start..][..span.count];
+        let mut own = [&coefficients[..0]; LANES];
+        let mut common = [0.0; LANES];
+        for lane in 0..LANES {
+            own[lane] = &coefficients[span.first[lane]..][..span.count];
+            common[lane] = own[lane][span.count / 2];
+        }
+        // The pieces side by side, because a sum must wait for the addition before.
+        let mut rows = [f64x8::splat(simd, 0.0); LANES];
+        for (i, weights) in weights.iter().enumerate() {
+            for lane in 0..LANES {
+                let coefficient = f64x8::splat(simd, own[lane][i] - common[lane]);
+                let weights = f64x8::from_slice(simd, &weights[lane]);
+                rows[lane] = coefficient.mul_add(weights, rows[lane]);
+            }
+        }
+        for lane in 0..LANES {
+            let [from, to] = span.rest[lane];
+            let coefficients = &coefficients[span.first[lane] + span.count..];
+            for (weights, coefficient) in self.rest[from..to].iter().zip(coefficients) {
+                let coefficient = f64x8::splat(simd, coefficient - common[lane]);
+                let weights = f64x8::from_slice(simd, weights);
+                rows[lane] = coefficient.mul_add(weights, rows[lane]);
+            }
+        }
+        let mut logarithms = transposed_lanes(rows);
+        logarithms[0] += Lanes::simd_from(simd, common);
+        logarithms
+    }
+
+    /// Returns the polynomial of the logarithm of a single quantity on a piece.
+    #[inline(always)]
+    pub(super) fn logarithm<S: Simd>(
+        &self,
+        simd: S,
+        piece: usize,
+        coefficients: &[f64],
+    ) -> f64x8<S> {
+        let (span, lane) = (&self.spans[piece / LANES], piece % LANES);
+        let coefficients = &coefficients[span.first[lane]..];
+        // As in `logarithms`.
+        let common = coefficients[span.count / 2];
+        let mut logarithm = f64x8::splat(simd, 0.0);
+        for (weights, coefficient) in self.weights_on(piece).zip(coefficients) {
+            let coefficient = f64x8::splat(simd, coefficient - common);
+            logarithm = coefficient.mul_add(f64x8::from_slice(simd, weights), logarithm);
+        }
+        logarithm[0] += common;
+        logarithm
+    }
+}
+
+/// Returns the Chebyshev points of the second kind on a piece. The points of a piece that extends
+/// out of the range are shifted into it together, because the splines are not sampled beyond the
+/// range.
+pub(super) fn chebyshev_points([from, to]: [f64; 2], range: [f64; 2]) -> [f64; LOGARITHM] {
+    let length = to - from;
+    let from = from.min(range[1] - length).max(range[0]);
+    let to = (from + length).min(range[1]);
+    std::array::from_fn(|i| {
+        let share = 0.5 - 0.5 * (std::f64::consts::PI * i as f64 / (LOGARITHM - 1) as f64).cos();
+        (from + (to - from) * share).clamp(range[0], range[1])
+    })
+}
+
+/// Returns the Lagrange polynomials of the points, as coefficients of powers: each is 1 at its own
+/// point and 0 at the others. If all points coincide, the first polynomial is 1 and the others are
+/// 0.
+fn lagrange(points: [f64; LOGARITHM]) -> [[f64; LOGARITHM]; LOGARITHM] {
+    if points[0] == points[LOGARITHM - 1] {
+        return std::array::from_fn(|i| {
+            std::array::from_fn(|k| if i == 0 && k == 0 { 1.0 } else { 0.0 })
+        });
+    }
+    std::array::from_fn(|i| {
+        let mut polynomial = [0.0; LOGARITHM];
+        polynomial[0] = 1.0;
+        for other in points
+            .iter()
+            .enumerate()
+            .filter(|&(j, _)| j != i)
+            .map(|(_, &point)| point)
+        {
+            // Times (t - other) / (points[i] - other).
+            let distance = points[i] - other;
+            for k in (0..LOGARITHM).rev() {
+                let lower = if k > 0 { polynomial[k - 1] } else { 0.0 };
+                polynomial[k] = (lower - other * polynomial[k]) / distance;
+            }
+        }
+        polynomial
+    })
+}
