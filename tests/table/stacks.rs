@@ -396,7 +396,7 @@ fn the_commands_take_it_or_refuse_it() {
                 "--noise",
                 "0",
             ],
-            "name a stack file instead of the table",
+            "do without the table: name a stack file",
         ),
         (
             &["report", "scene.h5", "-o", "page.html"],
@@ -475,6 +475,12 @@ fn a_fit_with_a_table_is_that_with_the_stack_file() {
         println!("{errors:?}");
         assert!(errors.iter().all(|error| error.abs() <= 1e-4), "{errors:?}");
     }
+    let flags = ["fit", "data.csv", "--free", "primer.modulus", "--stack"];
+    let message = workdir.fail(1, &[&flags[..], &["scene.h5"]].concat());
+    assert_names(
+        &message,
+        &["primer.modulus cannot be found", "name a stack file"],
+    );
 }
 
 /// Returns the numbers in a text without its comments, in their order.

@@ -4,14 +4,13 @@ use std::sync::Arc;
 
 use fit::{
     Bodies, Direction, Estimate, Experiment, Fit, FittedExperiment, Free, Kind, Layer, Layered,
-    Loss, Measurement, Options, Parameter, Point, Reach, Scope, WithoutFilm,
+    LayeredSolver, Loss, Measurement, Options, Parameter, Point, Reach, Scope, WithoutFilm,
 };
 use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 use rayon::prelude::*;
-use tabulate::stack::DirectSolver;
 
 use crate::bodies::{NativeHalfSpace, NativeStackSystem, NativeSystem};
 use crate::error::{Failure, OrRaise as _};
@@ -71,7 +70,10 @@ pub fn fit_together<'py>(
     given_options: GivenOptions,
 ) -> PyResult<Bound<'py, PyDict>> {
     let (table, options) = (table.get(), options(given_options)?);
-    let experiments = experiments.iter().map(|given| experiment(py, given));
+    let solver = table.layered_solver(py)?;
+    let experiments = experiments
+        .iter()
+        .map(|given| experiment(py, given, &solver));
     let experiments: Vec<Experiment> = experiments.collect::<PyResult<_>>()?;
     let free = frees(py, free)?;
     let found = py
@@ -101,10 +103,10 @@ pub fn fit_map<'py>(
     /// The fits between two looks at signals.
     const BLOCK: usize = 64;
     let (table, options) = (table.get(), options(given_options)?);
-    let free = frees(py, free)?;
+    let (solver, free) = (table.layered_solver(py)?, frees(py, free)?);
     let results = PyList::empty(py);
     for (block, curves) in experiments.chunks(BLOCK).enumerate() {
-        let curves = curves.iter().map(|given| experiment(py, given));
+        let curves = curves.iter().map(|given| experiment(py, given, &solver));
         let curves: Vec<Experiment> = curves.collect::<PyResult<_>>()?;
         let one = |curve: &Experiment| {
             fit::fit(table.get(), std::slice::from_ref(curve), &free, &options)
@@ -124,8 +126,12 @@ pub fn fit_map<'py>(
     Ok(results)
 }
 
-/// Makes an experiment.
-pub fn experiment(py: Python<'_>, given: &Given<'_>) -> PyResult<Experiment> {
+/// Makes an experiment; `solver` makes its contacts if they are on layers.
+pub fn experiment(
+    py: Python<'_>,
+    given: &Given<'_>,
+    solver: &Arc<dyn LayeredSolver>,
+) -> PyResult<Experiment> {
     let kind = match given.kind.as_str() {
         "load-radius" => Kind::LoadRadius,
         "penetration-radius" => Kind::PenetrationRadius,
@@ -162,7 +168,7 @@ pub fn experiment(py: Python<'_>, given: &Given<'_>) -> PyResult<Experiment> {
         GivenBodies::Coated(system) => Bodies::Coated(system.get().0.clone()),
         GivenBodies::HalfSpace(half_space) => Bodies::HalfSpace(half_space.get().0.clone()),
         GivenBodies::Layered(layers) => {
-            Bodies::Layered(layered(layers.get(), &measurement).or_raise(py)?)
+            Bodies::Layered(layered(layers.get(), &measurement, solver).or_raise(py)?)
         }
     };
     Ok(Experiment {
@@ -178,10 +184,11 @@ pub fn experiment(py: Python<'_>, given: &Given<'_>) -> PyResult<Experiment> {
     })
 }
 
-/// Makes the layers of an experiment, whose contacts are solved.
+/// Makes the layers of an experiment.
 fn layered(
     NativeStackSystem { named, system }: &NativeStackSystem,
     measurement: &Measurement,
+    solver: &Arc<dyn LayeredSolver>,
 ) -> Result<Layered, fit::Error> {
     let layers = named.stack.layers().iter().zip(&named.names);
     let layers = layers.map(|(layer, name)| {
@@ -197,7 +204,7 @@ fn layered(
         sphere_modulus: system.sphere_modulus,
         base: system.substrate,
         layers: layers.collect::<Result<_, fit::Error>>()?,
-        solver: Arc::new(DirectSolver),
+        solver: Arc::clone(solver),
     })
 }
 

@@ -1,10 +1,13 @@
 //! The model of measured contacts: branches read from data, predictions, synthetic data, and the
 //! errors of planned experiments.
 
-use fit::{Branch, Error, Experiment};
+use std::sync::Arc;
+
+use fit::{Branch, Error, Experiment, LayeredSolver};
 use numpy::{PyArray1, PyArrayMethods as _};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
+use tabulate::stack::DirectSolver;
 
 use crate::arrays::Output;
 use crate::error::OrRaise as _;
@@ -32,7 +35,9 @@ pub fn branches(
     given: Given<'_>,
     free: Vec<String>,
 ) -> PyResult<Vec<&'static str>> {
-    let experiment = experiment(py, &given)?;
+    // No contact is made.
+    let solver: Arc<dyn LayeredSolver> = Arc::new(DirectSolver);
+    let experiment = experiment(py, &given, &solver)?;
     let free: Result<Vec<_>, Error> = free.iter().map(|name| parameter(name)).collect();
     let free = free.or_raise(py)?;
     let branches = experiment.branches(&free).or_raise(py)?;
@@ -49,7 +54,8 @@ pub fn predict<'py>(
     branches: Option<Vec<String>>,
     parameters: Vec<String>,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let (table, experiment) = (table.get(), experiment(py, &given)?);
+    let table = table.get();
+    let experiment = experiment(py, &given, &table.layered_solver(py)?)?;
     let parameters: Result<Vec<_>, Error> = parameters.iter().map(|name| parameter(name)).collect();
     let parameters = parameters.or_raise(py)?;
     let branch = |name: String| {
@@ -83,7 +89,8 @@ pub fn simulate<'py>(
     noise: f64,
     seed: u64,
 ) -> PyResult<Output<'py>> {
-    let (table, experiment) = (table.get(), experiment(py, &given)?);
+    let table = table.get();
+    let experiment = experiment(py, &given, &table.layered_solver(py)?)?;
     let made = py.detach(|| fit::simulate(table.get(), &experiment, noise, seed));
     let points = made.or_raise(py)?.points;
     Ok(PyArray1::from_iter(
@@ -102,7 +109,10 @@ pub fn forecast<'py>(
     free: Vec<GivenFree>,
 ) -> PyResult<Bound<'py, PyDict>> {
     let table = table.get();
-    let experiments = experiments.iter().map(|given| experiment(py, given));
+    let solver = table.layered_solver(py)?;
+    let experiments = experiments
+        .iter()
+        .map(|given| experiment(py, given, &solver));
     let experiments: Vec<Experiment> = experiments.collect::<PyResult<_>>()?;
     let free = frees(py, free)?;
     let found = py.detach(|| fit::forecast(table.get(), &experiments, &free));

@@ -3,10 +3,12 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use fit::LayeredSolver;
 use interp::{Error, SubstratePoissonRatio};
 use numpy::{PyArray1, PyArrayMethods as _};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
+use tabulate::stack::DirectSolver;
 use tabulate::table::StackTable;
 
 use crate::bodies::{GivenLayer, NativeStack, NativeStackSystem, NativeSystem, Solid, parts};
@@ -31,6 +33,17 @@ impl Table {
             Source::Embedded => interp::Table::embedded(),
             Source::Own(table) => table,
         }
+    }
+
+    /// Returns what makes contacts on layers: lookups in a table of a stack, solves beside a table of
+    /// films.
+    pub fn layered_solver(&self, py: Python<'_>) -> PyResult<Arc<dyn LayeredSolver>> {
+        let table = self.get();
+        if !table.is_of_stack() {
+            return Ok(Arc::new(DirectSolver));
+        }
+        let table = StackTable::new(table).or_raise(py)?;
+        Ok(Arc::new(table.into_owned()))
     }
 
     /// Takes a table.

@@ -22,6 +22,7 @@ from coated_contact import (
     fit,
     fit_map,
     forecast,
+    generate,
     predict,
     simulate,
 )
@@ -100,6 +101,29 @@ def test_a_layer_is_found_within_its_errors(stack):
     for name, truth in {"primer.modulus": 5e5, "work_of_adhesion": 0.04}.items():
         assert np.all(np.abs(found.params[name] - truth) < 4 * found.stderr[name])
         assert np.all(found.stderr[name] < 0.2 * truth)
+
+
+def test_a_table_of_the_stack_is_looked_up(stack):
+    scene = {
+        "title": "The stack",
+        "tolerance": 1e-6,
+        "a_over_t": {"from": 0.05, "to": 20},
+        "e1_over_e2": {"from": 0.1, "to": 10},
+        "stack": stack,
+    }
+    table = generate(scene, progress=False)
+    plan = lens(stack)
+    solved, found = (simulate(plan, noise=0, seed=1, table=one) for one in (None, table))
+    error = np.max(np.abs(found.ordinate - solved.ordinate)) / np.max(np.abs(solved.ordinate))
+    assert 0 < error < 1e-6, "equal numbers would be those of the same method"
+    curve = simulate(plan, noise=2e-6, seed=1)
+    free = ["sphere_modulus", "work_of_adhesion"]
+    by_solves, by_lookups = (fit(curve, free, table=one) for one in (None, table))
+    for name in free:
+        difference = by_lookups.params[name] - by_solves.params[name]
+        assert abs(difference) < 1e-4 * by_solves.stderr[name]
+    with pytest.raises(ContactError, match="do without the table"):
+        fit(curve, ["primer.modulus"], table=table)
 
 
 def test_numbers_are_those_of_the_command_line(program, tmp_path, stack):

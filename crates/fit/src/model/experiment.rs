@@ -316,6 +316,12 @@ impl Experiment {
             Parameter::Stiffness if kind != Kind::ForceHeight => {
                 "no height of a cantilever is measured"
             }
+            Parameter::LayerModulus(_) | Parameter::LayerThickness(_) => {
+                let Bodies::Layered(layered) = &self.bodies else {
+                    return None;
+                };
+                layered.solver.why_layers_are_fixed()?
+            }
             _ => return None,
         };
         Some(reason.into())

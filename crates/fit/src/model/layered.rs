@@ -124,6 +124,11 @@ pub trait LayeredSolver: fmt::Debug + Send + Sync {
     /// # Errors
     /// Why there is no such contact, as a sentence for the user.
     fn contact(&self, bodies: &Layered) -> Result<Contact, Cause>;
+
+    /// Returns why no modulus or thickness of a layer can be free, if none can, in words for the user.
+    fn why_layers_are_fixed(&self) -> Option<&'static str> {
+        None
+    }
 }
 
 /// A probe on a stack of layers on a base.

@@ -78,8 +78,8 @@ class Experiment(Remade):
         measured yet: then they are NaN, which :func:`simulate` and :func:`forecast` accept.
     system : System, HalfSpace or StackSystem
         The bodies. On a half-space the parameters of the film are those of the solid. On a stack
-        those of the layers take their place, and every contact is solved directly, in some
-        milliseconds.
+        those of the layers take their place; contacts are looked up in a table of this stack,
+        whose layers are fixed, and beside a table of films solved directly, in some milliseconds.
     retract : array_like of bool, optional
         Whether each point was measured on retract; None where that is not known.
     work_of_adhesion : float

@@ -51,7 +51,8 @@ def fit(
     free : iterable of str or Free
         The parameters to be found.
     table : Table, optional
-        The table of films; by default the embedded one. Contacts on a stack are solved without it.
+        The table; by default the embedded one, of films. Contacts on a stack are looked up in the
+        table of this stack, and solved beside a table of films.
     loss : {"squares", "huber", "soft-l1"}
         What a residual adds to the sum. The last two forgive outliers.
     profile_level : float, optional

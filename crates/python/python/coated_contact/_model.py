@@ -110,7 +110,8 @@ def predict(
         The branch of each point, such as :func:`branches` reads from data. By default the model
         decides: points beyond the end of the stable branch are on the baseline.
     table : Table, optional
-        The table of films; by default the embedded one. Contacts on a stack are solved without it.
+        The table; by default the embedded one, of films. Contacts on a stack are looked up in the
+        table of this stack, and solved beside a table of films.
 
     Raises
     ------
@@ -157,7 +158,8 @@ def simulate(
     seed : int
         One seed always gives one measurement, that of ``tabulate simulate``.
     table : Table, optional
-        The table of films; by default the embedded one. Contacts on a stack are solved without it.
+        The table; by default the embedded one, of films. Contacts on a stack are looked up in the
+        table of this stack, and solved beside a table of films.
 
     Returns
     -------
@@ -197,7 +199,8 @@ def forecast(
     free : iterable of str or Free
         The parameters to be found. Priors count; starts and bounds are not used.
     table : Table, optional
-        The table of films; by default the embedded one. Contacts on a stack are solved without it.
+        The table; by default the embedded one, of films. Contacts on a stack are looked up in the
+        table of this stack, and solved beside a table of films.
 
     Returns
     -------

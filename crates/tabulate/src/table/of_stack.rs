@@ -113,6 +113,11 @@ impl<'a> StackTable<'a> {
     }
 }
 
+/// Why the layers of a fit cannot vary.
+#[cfg(feature = "fit")]
+const ONE_STACK: &str = "its table is of one stack. To vary a layer, do without the table: name a stack \
+    file on the command line, leave out `table` in Python, take `tabulate::stack::DirectSolver` in Rust";
+
 #[cfg(feature = "fit")]
 impl LayeredSolver for StackTable<'static> {
     /// Looks the contact up.
@@ -122,14 +127,13 @@ impl LayeredSolver for StackTable<'static> {
     /// of [`Contact::new`].
     fn contact(&self, layered: &Layered) -> Result<Contact, Cause> {
         if in_fits::stack_of(layered)? != self.named.stack {
-            return Err(
-                "the layers are not those of the table, which is of one stack: keep them fixed, \
-                 or name a stack file instead of the table (in Rust: \
-                 `tabulate::stack::DirectSolver`)"
-                    .into(),
-            );
+            return Err(format!("the layers are not those of the table: {ONE_STACK}").into());
         }
         let system = in_fits::system(layered, &self.named.stack);
         Ok(Contact::new(&system, self.curve(layered.sphere_modulus)?)?)
+    }
+
+    fn why_layers_are_fixed(&self) -> Option<&'static str> {
+        Some(ONE_STACK)
     }
 }
