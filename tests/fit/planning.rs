@@ -138,6 +138,38 @@ fn a_forecast_tells_the_errors_of_the_fit() {
 }
 
 #[test]
+fn the_errors_of_many_fits_are_those_of_a_forecast() {
+    /// Fits. The mean square of as many normal numbers is between 0.62 and 1.5 in 999 of 1000 cases.
+    const FITS: u32 = 100;
+    let free = [
+        Parameter::SphereModulus,
+        Parameter::FilmModulus,
+        Parameter::WorkOfAdhesion,
+    ];
+    // Noise so small that the model is linear over the errors.
+    let lens = Imagined::lens(Kind::LoadRadius, 10e-6, 5e-7, &free);
+    let mut experiment = planned(&lens);
+    experiment.noise = Some(lens.noise);
+    let expected = forecast(Table::embedded(), &[experiment], &lens.free).expect("sound");
+    let mut squares = [0.0; 3];
+    for seed in 0..FITS {
+        let found = lens.fit(seed.into());
+        for (square, (found, expected)) in squares
+            .iter_mut()
+            .zip(found.estimates.iter().zip(&expected.estimates))
+        {
+            let off = (found.value - expected.value) / expected.standard_error;
+            *square += off * off / f64::from(FITS);
+        }
+    }
+    println!("mean squares in expected variances: {squares:.2?}");
+    assert!(
+        squares.iter().all(|square| (0.62..1.5).contains(square)),
+        "{squares:?}"
+    );
+}
+
+#[test]
 fn free_parameters_are_made_with_the_scope_they_need() {
     let own = Parameter::ALL.map(|parameter| Free::new(parameter).scope == fit::Scope::Own);
     let names: Vec<_> = Parameter::ALL

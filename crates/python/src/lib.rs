@@ -60,6 +60,6 @@ mod _core {
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
         module.add("__version__", env!("CARGO_PKG_VERSION"))?;
         module.add("LONGEST_ZONE", interp::FiniteRange::LONGEST)?;
-        module.add("writes_hdf5", cfg!(feature = "hdf5"))
+        module.add("writes_hdf5", tabulate::table::archive::WRITES_HDF5)
     }
 }

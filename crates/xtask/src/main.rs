@@ -13,8 +13,10 @@ mod figures;
 mod hdf5;
 mod licences;
 mod python;
+mod python_tests;
 mod tables;
 mod tabulate;
+mod venv;
 mod wheel;
 mod workspace;
 
@@ -39,7 +41,8 @@ usage: cargo xtask COMMAND
   wheel          build the Python package: wheel and source distribution in target/wheels/
   wheel --release
                  build them for a release: the wheel runs on every Linux since 2014
-  wheel --test   build the wheel, and run the tests of the Python package
+  wheel --test   build the wheel, and run the tests of the Python package with it; `test` runs them with the compiled
+                 module of the workspace
   compare        time the solve against numpy and scipy on the same equation, and the lookup against interpn and scipy on
                  the same nodes
   licences       check the licences of all crates of the lock file, and print those that have more conditions than MIT
@@ -129,7 +132,7 @@ fn test(args: &[String]) -> Result<(), String> {
     }
     succeed(&mut cargo)?;
     if args.is_empty() {
-        wheel::test()
+        python_tests::in_place()
     } else {
         Ok(())
     }

@@ -15,6 +15,9 @@ mod bindings;
 #[cfg(feature = "hdf5")]
 mod datasets;
 
+/// Whether this program writes HDF5: it was built with the feature `hdf5`.
+pub const WRITES_HDF5: bool = cfg!(feature = "hdf5");
+
 /// Accepts a path that an HDF5 file can be written to, before any work is done for it.
 ///
 /// # Errors
@@ -27,7 +30,7 @@ pub(crate) fn check(path: &Path) -> Result<(), Error> {
             source: io::Error::other(why),
         })
     };
-    if cfg!(not(feature = "hdf5")) {
+    if !WRITES_HDF5 {
         return refused(
             "this program was built without HDF5; write the packed form, to a name that ends in .bin, or build it with the \
              feature `hdf5`",

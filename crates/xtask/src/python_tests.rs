@@ -1,0 +1,122 @@
+//! The tests and checks of the Python package.
+
+use std::env;
+use std::ffi::OsString;
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use crate::{hdf5, python, succeed, venv, wheel, workspace};
+
+/// The version of nanite whose source holds the measured curve of a test.
+const NANITE: &str = "4.2.3";
+
+/// Tests the package as it stands in the workspace, with the compiled module that the tests in Rust
+/// were built with: that of a wheel has all its dependencies compiled again, with fewer features.
+/// Without a python3 that can make a virtual environment, it says so.
+pub fn in_place() -> Result<(), String> {
+    if !venv::can_be_made() {
+        eprintln!(
+            "xtask: the tests of the Python package are skipped: there is no python3 >= 3.11 with venv"
+        );
+        return Ok(());
+    }
+    if !cfg!(target_os = "linux") {
+        // Modules are linked in another way there, which maturin knows.
+        return wheel::test();
+    }
+    // With the tests, whose dependencies have more features.
+    succeed(&mut hdf5::cargo(&[
+        "build",
+        "--release",
+        "--workspace",
+        "--lib",
+        "--tests",
+    ])?)?;
+    let folder = workspace::target()?.join("python");
+    let package = folder.join("coated_contact");
+    if package.exists() {
+        fs::remove_dir_all(&package)
+            .map_err(|e| format!("cannot remove {}: {e}", package.display()))?;
+    }
+    copy(&sources().join("python/coated_contact"), &package)?;
+    let module = workspace::target()?.join("release/lib_core.so");
+    copy(&module, &package.join("_core.abi3.so"))?;
+    run(&venv::interpreter()?, Some(&folder))
+}
+
+/// Runs tests and checks with an interpreter, on the package that it has or that of a folder.
+pub fn run(python: &Path, folder: Option<&Path>) -> Result<(), String> {
+    let measured = match python::source("nanite", NANITE) {
+        Ok(folder) => Some(folder),
+        Err(message) => {
+            eprintln!("xtask: {message}\nxtask: the tests with a measured curve are skipped");
+            None
+        }
+    };
+    let cache = |name: &str| Ok::<_, String>(workspace::target()?.join("tools").join(name));
+    let run = |module: &str, arguments: &[&str]| -> Result<(), String> {
+        let mut command = Command::new(python);
+        command
+            .args(["-m", module])
+            .args(arguments)
+            .current_dir(sources())
+            .env("PYTHONDONTWRITEBYTECODE", "1")
+            .env("RUFF_CACHE_DIR", cache("ruff")?)
+            .env("MYPY_CACHE_DIR", cache("mypy")?);
+        if let Some(folder) = folder {
+            command.env("PYTHONPATH", folder);
+        }
+        if let Some(folder) = &measured {
+            command.env("NANITE_SOURCE", folder);
+        }
+        if let Some(program) = program()? {
+            command.env("TABULATE", program);
+        }
+        succeed(&mut command)
+    };
+    run("ruff", &["format", "--quiet", "--check", "."])?;
+    run("ruff", &["check", "--quiet", "."])?;
+    run("mypy", &["python/coated_contact"])?;
+    let pytest = ["-q", "-p", "no:cacheprovider"];
+    run("pytest", &[&pytest[..], &["tests"]].concat())?;
+    run(
+        "pytest",
+        &[
+            &pytest[..],
+            &["--doctest-modules", "--pyargs", "coated_contact"],
+        ]
+        .concat(),
+    )?;
+    run(
+        "pytest",
+        &[&pytest[..], &["--doctest-glob=*.md", "README.md"]].concat(),
+    )
+}
+
+/// Returns the folder of the package's sources.
+fn sources() -> PathBuf {
+    workspace::root().join("crates/python")
+}
+
+/// Copies a file, or a folder with all that is in it.
+fn copy(from: &Path, to: &Path) -> Result<(), String> {
+    let failed = |e: io::Error| format!("cannot copy {} to {}: {e}", from.display(), to.display());
+    if !from.is_dir() {
+        return fs::copy(from, to).map(|_| ()).map_err(failed);
+    }
+    fs::create_dir_all(to).map_err(failed)?;
+    for entry in fs::read_dir(from).map_err(failed)? {
+        let entry = entry.map_err(failed)?;
+        copy(&entry.path(), &to.join(entry.file_name()))?;
+    }
+    Ok(())
+}
+
+/// Returns the program `tabulate` with whose numbers those of the package are compared: that of the
+/// environment variable `TABULATE`, or the one that the acceptance tests were run with.
+fn program() -> Result<Option<OsString>, String> {
+    let tested = workspace::target()?.join("release/tabulate-under-test");
+    Ok(env::var_os("TABULATE").or_else(|| tested.exists().then(|| tested.into_os_string())))
+}

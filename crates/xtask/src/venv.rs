@@ -1,0 +1,89 @@
+//! The virtual environment in which the Python package is built and tested.
+
+use std::fs;
+use std::hash::{DefaultHasher, Hash, Hasher};
+use std::path::PathBuf;
+use std::process::{Command, Stdio};
+
+use crate::{succeed, workspace};
+
+/// The packages that build and test the Python package.
+const PACKAGES: [&str; 12] = [
+    "distributed==2026.8.0",
+    "lmfit==1.3.4",
+    "matplotlib==3.11.2",
+    "maturin==1.16.0",
+    "mypy==2.4.1",
+    "numpy==2.4.6",
+    "pandas==3.1.1",
+    "pytest==9.2.0",
+    "ruff==0.17.6",
+    "scipy==1.17.1",
+    "tqdm==4.70.1",
+    "xarray==2026.9.0",
+];
+/// The packages with whose numbers those of the package are compared. Without them the tests that
+/// need them are skipped.
+const PEERS: [&str; 2] = ["ContactMechanics==1.8.3", "nanite==4.2.3"];
+
+/// Returns whether there is a python3 that the package supports, with which an environment can be
+/// made.
+pub fn can_be_made() -> bool {
+    let needs = "import sys, venv, ensurepip; assert sys.version_info >= (3, 11)";
+    let mut command = Command::new("python3");
+    command
+        .args(["-c", needs])
+        .stdout(Stdio::null())
+        .stderr(Stdio::null());
+    command.status().is_ok_and(|status| status.success())
+}
+
+/// Returns the interpreter of a virtual environment with [`PACKAGES`]. The first call makes it.
+pub fn interpreter() -> Result<PathBuf, String> {
+    let mut hasher = DefaultHasher::new();
+    (PACKAGES, PEERS).hash(&mut hasher);
+    let name = format!("venv-{:016x}", hasher.finish());
+    let folder = workspace::target()?.join("tools").join(name);
+    let python = folder.join("bin/python");
+    if folder.exists() {
+        return Ok(python);
+    }
+    eprintln!(
+        "xtask: fetching {} from PyPI into {}",
+        PACKAGES.join(" "),
+        folder.display()
+    );
+    // The folder is renamed when it is complete: an interrupted download is not used later.
+    let unfinished = folder.with_extension(format!("partial-{}", std::process::id()));
+    succeed(
+        Command::new("python3")
+            .args(["-m", "venv"])
+            .arg(&unfinished),
+    )?;
+    let pip = [
+        "-m",
+        "pip",
+        "install",
+        "--quiet",
+        "--disable-pip-version-check",
+    ];
+    succeed(
+        Command::new(unfinished.join("bin/python"))
+            .args(pip)
+            .args(PACKAGES),
+    )?;
+    for peer in PEERS {
+        let fetched = Command::new(unfinished.join("bin/python"))
+            .args(pip)
+            .arg(peer)
+            // Lest the peer replaces a version.
+            .args(PACKAGES)
+            .status();
+        if !fetched.is_ok_and(|status| status.success()) {
+            eprintln!("xtask: {peer} cannot be fetched: the tests that need it are skipped");
+        }
+    }
+    fs::rename(&unfinished, &folder)
+        .map_err(|e| format!("cannot rename {}: {e}", unfinished.display()))?;
+    Ok(python)
+}
