@@ -1,5 +1,6 @@
-//! The lookup beside interpolation in all four parameters at once on the same nodes, and beside the
-//! direct solve, in one run on one thread.
+//! The lookup, in the embedded table and in one of the default box, beside interpolation in all four
+//! parameters at once on the nodes of the latter, and beside the direct solve, in one run on one
+//! thread.
 //!
 //! Prints a table of times and errors. Times are of contacts of a new material each time. Errors
 //! are those at random points off the nodes: the largest of the four relative deviations from the
@@ -70,12 +71,13 @@ fn main() {
         .each_ref()
         .map(|values| MultiBsplineRectilinear::new(&axes, values, false).expect("a grid"));
 
-    let own = Own(table);
+    let (embedded, own) = (Own(Table::embedded()), Own(table));
     let cubic = Rival(|quantity: usize, place| cubic[quantity].interp_one(place).expect("inside"));
     let spline =
         Rival(|quantity: usize, place| spline[quantity].interp_one(place).expect("inside"));
-    let methods: [(&str, &dyn Method); 3] = [
-        ("this table (interp)", &own),
+    let methods: [(&str, &dyn Method); 4] = [
+        ("the embedded table (interp)", &embedded),
+        ("a table with these nodes (interp)", &own),
         ("tri-cubic in 4-D (interpn)", &cubic),
         ("cubic B-spline in 4-D (interpn)", &spline),
     ];

@@ -108,14 +108,7 @@ fn table(args: &[String]) -> Result<(), String> {
 
 /// Runs every test of every member, documentation examples included.
 fn test(args: &[String]) -> Result<(), String> {
-    // The Python package has no tests in Rust, and is linked for an interpreter.
-    let mut command = vec![
-        "test",
-        "--release",
-        "--workspace",
-        "--exclude",
-        "coated-contact-python",
-    ];
+    let mut command = vec!["test", "--release", "--workspace"];
     command.extend(args.iter().map(String::as_str));
     let mut cargo = hdf5::cargo(&command)?;
     cargo
