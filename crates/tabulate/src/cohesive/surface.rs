@@ -2,7 +2,7 @@
 
 use crate::solve::compliance::Compliance;
 use crate::solve::layered::LayeredCompliance;
-use crate::solve::surface::{Sample, SurfaceCompliance};
+use crate::solve::surface::{AllSamples, Sample, SurfaceCompliance};
 
 /// The compliance of a film or of a stack.
 #[derive(Clone, Debug)]
@@ -16,8 +16,7 @@ pub enum Surface {
 impl Surface {
     /// Returns `X(q) - 1` at all `q`.
     pub fn excesses(&self, q: &[f64]) -> Vec<f64> {
-        let samples = self.sample_all(q);
-        samples.into_iter().map(|sample| sample.excess).collect()
+        self.sample_all(q).excess
     }
 }
 
@@ -34,7 +33,7 @@ impl SurfaceCompliance for Surface {
         }
     }
 
-    fn sample_all(&self, q: &[f64]) -> Vec<Sample> {
+    fn sample_all(&self, q: &[f64]) -> AllSamples {
         match self {
             Self::Film(film) => film.sample_all(q),
             Self::Layers(layers) => layers.sample_all(q),

@@ -12,6 +12,9 @@ use crate::solve::surface::SurfaceCompliance;
 /// cache.
 const BLOCK: usize = 512;
 
+/// The root of 5.
+pub const SQRT_5: f64 = 2.236_067_977_499_79;
+
 /// The abscissae and weights for one `a/t`, and the number of modes. They do not depend on the
 /// material.
 #[derive(Clone, Debug)]
@@ -38,7 +41,7 @@ pub struct LongWaves {
     /// The upper end in `q`.
     end: f64,
     /// The number of abscissae.
-    pub count: usize,
+    count: usize,
 }
 
 impl LongWaves {
@@ -60,6 +63,8 @@ pub struct BesselValues {
     modes: usize,
     /// Block after block.
     values: Vec<f64>,
+    /// The factors of `X - 1` and of `q X'` in `M_00 + C_00`.
+    pub translation: [Vec<f64>; 2],
 }
 
 /// The Bessel values at up to [`BLOCK`] consecutive abscissae.
@@ -139,9 +144,32 @@ impl Abscissae {
                 bessel.fill(&z, values, q.len(), j * LANES);
             }
         }
-        BesselValues {
+        let mut bessel = BesselValues {
             modes: self.modes,
             values,
+            translation: [Vec::new(), Vec::new()],
+        };
+        bessel.translation = self.translation(&bessel);
+        bessel
+    }
+
+    /// Returns the factors of `X - 1` and of `q X'` in `M_00 + C_00`, see [`LongWaves`].
+    fn translation(&self, bessel: &BesselValues) -> [Vec<f64>; 2] {
+        let long = self.long_waves().count;
+        let (mut of_excess, mut of_slope) = (Vec::new(), Vec::new());
+        for block in bessel.blocks() {
+            let (j0, rest) = block.values.split_at(block.rows);
+            for ((i, j0), j1) in block.range().zip(j0).zip(rest) {
+                let z = self.q[i] * self.x;
+                let [excess, slope] = if i < long {
+                    [2.0 / 3.0 * z * z * j0 * (j0 - j1 / SQRT_5), 0.0]
+                } else {
+                    [j0 * j0; 2]
+                };
+                of_excess.push(excess);
+                of_slope.push(slope);
+            }
         }
+        [of_excess, of_slope]
     }
 }

@@ -1,9 +1,11 @@
 //! Many materials at one `a/t`, with the values and matrices that they share.
 //!
-//! The Bessel values of one `a/t` serve every material, and the matrices of one (`a/t`, `nu1`,
-//! `nu0`, `E0/E1`) serve every sphere. Where `E1/E2*` and `E0/E2*` are even grids with a common
-//! spacing, the ratios `E0/E1` repeat along diagonals, and a grid of `n x n` materials has only `2n
-//! - 1` pairs of matrices.
+//! The Bessel values of one `a/t` serve every material whose compliance varies on scales of the same
+//! size, and the matrices of one (`a/t`, `nu1`, `nu0`, `E0/E1`) serve every sphere. Where `E1/E2*`
+//! and `E0/E2*` are even grids with a common spacing, the ratios `E0/E1` repeat along diagonals, and
+//! a grid of `n x n` materials has only `2n - 1` pairs of matrices.
+
+use std::collections::BTreeMap;
 
 use interp::{Material, Quantities};
 
@@ -14,6 +16,7 @@ use crate::solve::compliance::Compliance;
 use crate::solve::galerkin;
 use crate::solve::method::has_closed_form;
 use crate::solve::operator::Operator;
+use crate::solve::surface::SurfaceCompliance;
 use crate::solve::symbol::Symbol;
 use crate::solve::tabulated::Tabulated;
 
@@ -30,11 +33,18 @@ struct Group {
 }
 
 impl Group {
-    /// Returns whether shared matrices cost less than the Wiener-Hopf method for each member.
-    fn shares_matrices(&self, x: f64, tolerance: f64) -> bool {
+    /// Returns whether Galerkin's method, whose matrices the members share, costs less than the
+    /// Wiener-Hopf method for each member.
+    fn prefers_galerkin(&self, x: f64, tolerance: f64) -> bool {
         /// The time of the Wiener-Hopf method, in the microseconds of [`galerkin::cost`].
-        const WIENER_HOPF: f64 = 15.0;
+        const WIENER_HOPF: f64 = 25.0;
         galerkin::cost(x, tolerance) <= WIENER_HOPF * self.members.len() as f64
+    }
+
+    /// Returns the power of 4 below the scale on which the compliance varies. Panels grow by 4 from
+    /// there on: of two groups with the same power, neither has many more than it needs.
+    fn scale(&self) -> i32 {
+        (0.5 * self.compliance.smallest_scale().log2()).floor() as i32
     }
 }
 
@@ -110,28 +120,31 @@ struct Shared {
     x: f64,
     exponents: &'static [f64],
     tolerance: f64,
-    /// The abscissae and Bessel values of Galerkin's method; none where no group shares matrices.
-    galerkin: Option<(Abscissae, BesselValues)>,
+    /// The abscissae and Bessel values of Galerkin's method for the groups that prefer it, by their
+    /// [scales](Group::scale).
+    galerkin: BTreeMap<i32, (Abscissae, BesselValues)>,
 }
 
 impl Shared {
-    /// Evaluates the Bessel functions at `x = a/t`, on panels that serve every group.
+    /// Evaluates the Bessel functions at `x = a/t`, on panels that serve every group of one scale.
     fn new(x: f64, exponents: &'static [f64], groups: &[Group], tolerance: f64) -> Self {
-        let mut sharing = groups
-            .iter()
-            .filter(|group| group.shares_matrices(x, tolerance))
-            .map(|group| &group.compliance)
-            .peekable();
-        let galerkin = sharing.peek().is_some().then(|| {
-            let abscissae = galerkin::shared_abscissae(x, sharing, exponents, tolerance);
+        let mut scales: BTreeMap<i32, Vec<&Compliance>> = BTreeMap::new();
+        for group in groups {
+            if group.prefers_galerkin(x, tolerance) {
+                let of_scale = scales.entry(group.scale()).or_default();
+                of_scale.push(&group.compliance);
+            }
+        }
+        let prepare = |(scale, compliances)| {
+            let abscissae = galerkin::shared_abscissae(x, compliances, exponents, tolerance);
             let bessel = abscissae.bessel_values();
-            (abscissae, bessel)
-        });
+            (scale, (abscissae, bessel))
+        };
         Self {
             x,
             exponents,
             tolerance,
-            galerkin,
+            galerkin: scales.into_iter().map(prepare).collect(),
         }
     }
 
@@ -143,17 +156,19 @@ impl Shared {
         solve_one: &(dyn Fn(&Material) -> Result<Tabulated, Error> + Sync),
     ) -> Result<Vec<Tabulated>, Error> {
         let members = group.members.iter().map(|&member| &materials[member]);
-        let shares_matrices = group.shares_matrices(self.x, self.tolerance);
+        let prefers_galerkin = group.prefers_galerkin(self.x, self.tolerance);
+        let galerkin = prefers_galerkin.then(|| &self.galerkin[&group.scale()]);
+        let assemble = |abscissae, bessel| match group.members.len() {
+            1 => Operator::for_one_sphere(&group.compliance, abscissae, bessel),
+            _ => Operator::for_many_spheres(&group.compliance, abscissae, bessel),
+        };
         let mut operator = None;
         let solve_member = |material: &Material| {
             let symbol = Symbol::with_compliance(group.compliance, material);
-            if let Some((abscissae, bessel)) = &self.galerkin
-                && shares_matrices
+            if let Some((abscissae, bessel)) = galerkin
                 && !has_closed_form(&symbol, self.tolerance)
             {
-                let operator = operator.get_or_insert_with(|| {
-                    Operator::for_many_spheres(&group.compliance, abscissae, bessel)
-                });
+                let operator = operator.get_or_insert_with(|| assemble(abscissae, bessel));
                 if let Some(solved) = operator.solve_to(&symbol, self.exponents, self.tolerance) {
                     return Ok(Tabulated::new(solved.quantities, &solved.power_laws));
                 }
@@ -173,7 +188,8 @@ mod tests {
     use crate::solve::estimate::{difference, larger};
     use crate::solve::solve_power_laws;
 
-    /// Every sphere on films and substrates of which some differ by `nu0` alone.
+    /// Every sphere on films and substrates of which some differ by `nu0` alone, and films on
+    /// substrates under one sphere each.
     #[test]
     fn shared_matrices_give_the_quantities_of_single_solves() {
         const TOLERANCE: f64 = 1e-9;
@@ -186,6 +202,10 @@ mod tests {
                 }
             }
         }
+        for digits in -11..=11 {
+            let e0 = 10_f64.powi(digits);
+            materials.push(Material::new(1.0, 0.3, e0, 0.2).expect("physical"));
+        }
         let alone = |x, exponents| {
             move |material: &Material| {
                 let (solved, cones) = solve_power_laws(x, material, exponents, TOLERANCE)?;
@@ -193,7 +213,7 @@ mod tests {
             }
         };
         let batch = Batch::new(materials);
-        assert_eq!(batch.groups.len(), 4 * 4);
+        assert_eq!(batch.groups.len(), 4 * 4 + 23);
         let mut worst = 0.0;
         let sphere = Tabulated::exponents(&[Quantity::Gamma]);
         let cone = Tabulated::exponents(&[Quantity::Gamma, Quantity::Delta1]);

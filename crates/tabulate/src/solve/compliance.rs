@@ -36,7 +36,9 @@ use interp::Material;
 use num_complex::ComplexFloat;
 
 use crate::solve::exponential::exponential;
-use crate::solve::surface::{Sample, SurfaceCompliance, VectorCompliance, sample_all, sample_one};
+use crate::solve::surface::{
+    AllSamples, Sample, SurfaceCompliance, VectorCompliance, sample_all, sample_one,
+};
 
 /// A real or complex wave number: `f64` or [`Complex64`](num_complex::Complex64).
 pub trait WaveNumber:
@@ -282,7 +284,7 @@ impl SurfaceCompliance for Compliance {
         self.sample(q)
     }
 
-    fn sample_all(&self, q: &[f64]) -> Vec<Sample> {
+    fn sample_all(&self, q: &[f64]) -> AllSamples {
         sample_all(self, q)
     }
 

@@ -21,12 +21,11 @@
 use std::f64::consts::PI;
 use std::sync::OnceLock;
 
-use faer::linalg::matmul::matmul;
-use faer::{Accum, ColMut, ColRef, MatRef, Par};
 use num_complex::Complex64;
 
 use crate::solve::compliance::FLAT;
 use crate::solve::domain::A_OVER_T;
+use crate::solve::matrix::Matrix;
 use crate::solve::turned_line::TurnedLine;
 
 /// The lines that the edges' coupling is integrated along.
@@ -118,16 +117,14 @@ pub struct Contour {
     /// `e^{2 i zeta} d zeta / (2 pi i)`.
     pub weights: Vec<Complex64>,
     /// The matrix from the strengths `y` of the nodes to `V` at the nodes,
-    /// `y/(q + zeta) - conj(y)/(q - conj(zeta))`, column by column. Both sides have the length
-    /// [`Self::unknowns`].
-    pub kernel: Vec<f64>,
+    /// `y/(q + zeta) - conj(y)/(q - conj(zeta))`. Both sides have the length [`Self::unknowns`].
+    pub kernel: Matrix,
     /// The abscissae of the readouts.
     pub readouts: Readouts,
     /// The matrix from the strengths to `V` at the readouts: one element for each unknown.
     pub readout: Vec<[Complex64; READOUTS]>,
-    /// The matrix from `ln S` at the abscissae to `ln S_+`: a column of length [`Self::rows`] for
-    /// each abscissa.
-    pub factor: Vec<f64>,
+    /// The matrix from `ln S` at the abscissae to `ln S_+`, with [`Self::rows`] rows.
+    pub factor: Matrix,
     /// The factor from `ln S` at a point to `ln S_+` at that point: nodes, then readouts.
     pub own: Vec<Complex64>,
     /// The abscissae and steps of the whole integral of `ln S`.
@@ -234,14 +231,15 @@ impl Contour {
                 readout.push(z.map(influence));
             }
         }
+        let unknowns = nodes.len() * path.units().len();
         Self {
             path,
             nodes,
             weights,
-            kernel,
+            kernel: Matrix::from_columns(unknowns, &kernel),
             readouts,
             readout,
-            factor,
+            factor: Matrix::from_columns(unknowns + READOUTS, &factor),
             own,
             logarithm,
             turned_line: OnceLock::new(),
@@ -271,20 +269,6 @@ impl Contour {
     pub fn rows(&self) -> usize {
         self.unknowns() + READOUTS
     }
-}
-
-/// Adds the product of a matrix, given by columns, and a vector to `out`. The matrix may have more
-/// columns than the vector has elements.
-pub fn add_product(matrix: &[f64], vector: &[f64], out: &mut [f64]) {
-    let rows = out.len();
-    matmul(
-        ColMut::from_slice_mut(out),
-        Accum::Add,
-        MatRef::from_column_major_slice(&matrix[..rows * vector.len()], rows, vector.len()),
-        ColRef::from_slice(vector),
-        1.0,
-        Par::Seq,
-    );
 }
 
 /// Returns the share of a strength `unit` at the node `zeta`, and of its mirror image, in `V(q)`.
@@ -402,15 +386,9 @@ mod tests {
             let contour = Contour::get(path, LEVELS.len() - 1, 1.0);
             let log = |t: Complex64| ((t * t + 4.0) / (t * t + 1.0)).ln();
             let mut sums = vec![0.0; contour.rows()];
-            for (t, column) in contour
-                .abscissae()
-                .iter()
-                .zip(contour.factor.chunks_exact(contour.rows()))
-            {
-                sums.iter_mut()
-                    .zip(column)
-                    .for_each(|(sum, share)| *sum += share * log(Complex64::from(*t)).re);
-            }
+            let logs = contour.abscissae().iter();
+            let logs: Vec<f64> = logs.map(|&t| log(Complex64::from(t)).re).collect();
+            contour.factor.multiply(&logs, &mut sums);
             let exact = |q: Complex64| ((q + 2.0 * Complex64::I) / (q + Complex64::I)).ln();
             let n = contour.nodes.len();
             for (j, &q) in contour.nodes.iter().enumerate() {

@@ -49,7 +49,8 @@ pub fn solve<C: SurfaceCompliance>(
     let mut quadrature_tolerance = tolerance;
     loop {
         let abscissae = Abscissae::new(x, modes, panels.clone());
-        let operator = Operator::for_one_sphere(compliance, &abscissae);
+        let bessel = abscissae.bessel_values();
+        let operator = Operator::for_one_sphere(compliance, &abscissae, &bessel);
         let Some(solved) = operator.solve(symbol, exponents) else {
             // Too few modes, or too much rounding.
             if modes >= ample {

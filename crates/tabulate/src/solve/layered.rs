@@ -15,7 +15,9 @@ use fearless_simd::{Level, dispatch};
 use interp::Elastic;
 
 use crate::solve::slab::{Minors, Samples, Slab, scaled, sum};
-use crate::solve::surface::{Sample, SurfaceCompliance, VectorCompliance, sample_all, sample_one};
+use crate::solve::surface::{
+    AllSamples, Sample, SurfaceCompliance, VectorCompliance, sample_all, sample_one,
+};
 use crate::stack::Stack;
 
 /// The surface compliance of a stack of layers on its base. Wave numbers are in units of one over
@@ -173,7 +175,7 @@ impl SurfaceCompliance for LayeredCompliance {
         sample_one(self, q)
     }
 
-    fn sample_all(&self, q: &[f64]) -> Vec<Sample> {
+    fn sample_all(&self, q: &[f64]) -> AllSamples {
         sample_all(self, q)
     }
 
@@ -283,9 +285,11 @@ pub(super) mod tests {
             let q: Vec<f64> = (0..61)
                 .map(|i| 10_f64.powf(-4.0 + 0.09 * f64::from(i)))
                 .collect();
-            for (q, Sample { excess, slope }) in q.iter().zip(compliance.sample_all(&q)) {
-                let one = compliance.sample(*q);
-                assert_eq!((excess, slope), (one.excess, one.slope), "{q}");
+            let all = compliance.sample_all(&q);
+            assert_eq!([all.excess.len(), all.slope.len()], [q.len(); 2]);
+            for (i, &q) in q.iter().enumerate() {
+                let Sample { excess, slope } = compliance.sample(q);
+                assert_eq!([all.excess[i], all.slope[i]], [excess, slope], "{q}");
             }
         }
     }

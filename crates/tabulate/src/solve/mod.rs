@@ -4,7 +4,7 @@
 //! and `sampled`, its interpolation) a stack of layers on its base; `symbol` adds the sphere.
 //! `solution` accepts a contact within the `domain` and lets `method` choose: `galerkin` (with
 //! `quadrature`, `bessel`, `abscissae`, `operator` and `slope`) for thick films, `wiener_hopf`
-//! (with `contour`, `krylov` and `read_out`) for thin ones. Both return an `estimate`. `stacked`
+//! (with `contour`, `matrix`, `krylov` and `read_out`) for thin ones. Both return an `estimate`. `stacked`
 //! does so for a stack, under one sphere or many. A probe with the profile `r^n` (`power_law`) is
 //! one more column of Galerkin's method, and one more functional of the result (`moment`,
 //! `turned_line`) of the Wiener-Hopf method. `batch` solves many materials at one `a/t` for the
@@ -43,6 +43,7 @@ mod exponential;
 pub(crate) mod galerkin;
 mod krylov;
 pub(crate) mod layered;
+mod matrix;
 mod method;
 mod moment;
 pub(crate) mod operator;

@@ -38,25 +38,24 @@ use fearless_simd::prelude::*;
 use fearless_simd::{Level, dispatch, f64x8};
 use interp::Quantities;
 
-use crate::solve::abscissae::{Abscissae, BesselValues};
+use crate::solve::abscissae::{Abscissae, BesselValues, SQRT_5};
 use crate::solve::bessel::LANES;
 use crate::solve::estimate::larger;
 use crate::solve::power_law::{PowerLaw, coefficients};
 use crate::solve::slope::{Slope, dot};
-use crate::solve::surface::{Sample, SurfaceCompliance};
+use crate::solve::surface::{AllSamples, SurfaceCompliance};
 use crate::solve::symbol::Symbol;
 
-const SQRT_5: f64 = 2.236_067_977_499_79;
 /// The second entry of `rho^2` in the basis.
 const PARABOLA: f64 = 2.0 / (3.0 * SQRT_5);
 
 /// The matrices `M`, as its lower triangle, and `C` of one surface at one `a/t`.
 #[derive(Clone, Debug)]
-pub struct Operator {
+pub struct Operator<'a> {
     /// `M`.
     kernel: Mat<f64>,
     /// `C`.
-    slope: Slope,
+    slope: Slope<'a>,
     /// `M_00 + C_00`, in which the compliance of long waves cancels.
     translation: f64,
     /// The error of `v.M.v` where the panels do not resolve `X` and `q X'`.
@@ -92,7 +91,7 @@ impl Solved {
     }
 }
 
-impl Operator {
+impl Operator<'static> {
     /// Sums `M` and `C` over the abscissae, for many spheres. `bessel` holds the values at
     /// `abscissae`, which may serve many surfaces.
     pub fn for_many_spheres(
@@ -108,11 +107,16 @@ impl Operator {
         operator.slope = Slope::Matrix(slope);
         operator
     }
+}
 
+impl<'a> Operator<'a> {
     /// Sums `M` over the abscissae, and keeps what one sphere needs of `C`.
-    pub fn for_one_sphere(compliance: &impl SurfaceCompliance, abscissae: &Abscissae) -> Self {
-        let bessel = abscissae.bessel_values();
-        let (mut operator, factors) = Self::assemble(compliance, abscissae, &bessel);
+    pub fn for_one_sphere(
+        compliance: &impl SurfaceCompliance,
+        abscissae: &Abscissae,
+        bessel: &'a BesselValues,
+    ) -> Self {
+        let (mut operator, factors) = Self::assemble(compliance, abscissae, bessel);
         operator.slope = Slope::Values(bessel, factors);
         operator
     }
@@ -125,32 +129,30 @@ impl Operator {
         bessel: &BesselValues,
     ) -> (Self, Vec<f64>) {
         let n = abscissae.modes;
-        let samples = compliance.sample_all(&abscissae.q);
-        let long = abscissae.long_waves();
-        let [resolution_error, shape_error] = resolution_errors(abscissae, &samples);
+        let AllSamples {
+            mut excess,
+            mut slope,
+        } = compliance.sample_all(&abscissae.q);
+        let [resolution_error, shape_error] =
+            dispatch!(Level::new(), simd => resolution_errors(simd, abscissae, &slope));
+        for values in [&mut excess, &mut slope] {
+            let weigh = |(value, weight): (&mut f64, &f64)| *value *= weight;
+            values.iter_mut().zip(&abscissae.weights).for_each(weigh);
+        }
+        let [of_excess, of_slope] = &bessel.translation;
         let mut operator = Self {
             kernel: Mat::zeros(n, n),
             slope: Slope::Matrix(Mat::new()),
-            translation: long.boundary(abscissae.x, compliance),
+            translation: abscissae.long_waves().boundary(abscissae.x, compliance)
+                + dot(of_excess, &excess)
+                + dot(of_slope, &slope),
             resolution_error,
             shape_error,
             design_error: abscissae.panels.design_error,
             rounding: ROUNDING * (1.0 - 0.05 * compliance.smallest_scale().ln()),
         };
-        let terms = || samples.iter().zip(&abscissae.weights);
-        let excess: Vec<f64> = terms().map(|(sample, w)| w * sample.excess).collect();
-        let slope: Vec<f64> = terms().map(|(sample, w)| w * sample.slope).collect();
         for block in bessel.blocks() {
             add_products(&mut operator.kernel, block.values, &excess[block.range()]);
-            let (j0, rest) = block.values.split_at(block.rows);
-            for ((i, j0), j1) in block.range().zip(j0).zip(rest) {
-                operator.translation += if i < long.count {
-                    let z = abscissae.q[i] * abscissae.x;
-                    2.0 / 3.0 * excess[i] * z * z * j0 * (j0 - j1 / SQRT_5)
-                } else {
-                    (excess[i] + slope[i]) * j0 * j0
-                };
-            }
         }
         (operator, slope)
     }
@@ -297,22 +299,21 @@ struct Half {
     tilt: f64,
 }
 
+/// The number of modes from which on the products of a matrix library are faster.
+const LIBRARY: usize = 16;
+
 /// Adds the lower triangle of `J^T F J` to `target`. `bessel` holds `J` by columns, `factors` the
-/// diagonal of `F`.
+/// diagonal of `F`; their number is a multiple of [`LANES`].
 pub(crate) fn add_products(target: &mut Mat<f64>, bessel: &[f64], factors: &[f64]) {
     let (rows, modes) = (factors.len(), target.nrows());
+    if modes < LIBRARY {
+        dispatch!(Level::new(), simd => add_small(simd, target, bessel, factors));
+        return;
+    }
     let mut scaled = Vec::with_capacity(bessel.len());
     for column in bessel.chunks_exact(rows) {
-        scaled.extend(
-            column
-                .iter()
-                .zip(factors)
-                .map(|(value, factor)| value * factor),
-        );
-    }
-    if modes < LIBRARY {
-        dispatch!(Level::new(), simd => add_small(simd, target, bessel, &scaled, rows));
-        return;
+        let scale = |(value, factor): (&f64, &f64)| value * factor;
+        scaled.extend(column.iter().zip(factors).map(scale));
     }
     matmul(
         target.as_mut(),
@@ -327,21 +328,51 @@ pub(crate) fn add_products(target: &mut Mat<f64>, bessel: &[f64], factors: &[f64
     );
 }
 
-/// The number of modes from which on the products of a matrix library are faster.
-const LIBRARY: usize = 16;
-
-/// Adds the products of the columns of `left` and `right`, of `rows` elements each, to the lower
-/// triangle of `target`. `rows` is a multiple of [`LANES`].
+/// Adds the products of a few modes, as [`add_products`].
 #[inline(always)]
-fn add_small<S: Simd>(simd: S, target: &mut Mat<f64>, left: &[f64], right: &[f64], rows: usize) {
-    for (j, right) in right.chunks_exact(rows).enumerate() {
-        for (i, left) in left.chunks_exact(rows).enumerate().skip(j) {
-            let mut sums = f64x8::splat(simd, 0.0);
-            for (a, b) in left.chunks_exact(LANES).zip(right.chunks_exact(LANES)) {
-                sums += f64x8::from_slice(simd, a) * f64x8::from_slice(simd, b);
-            }
-            target[(i, j)] += sums.iter().sum::<f64>();
+fn add_small<S: Simd>(simd: S, target: &mut Mat<f64>, bessel: &[f64], factors: &[f64]) {
+    /// The number of columns that are multiplied at once, so that a sum need not wait for the
+    /// addition before.
+    const AT_ONCE: usize = 4;
+    let rows = factors.len();
+    let mut scaled = vec![0.0; rows];
+    for j in 0..target.ncols() {
+        let columns = &bessel[j * rows..];
+        for (i, scaled) in scaled.chunks_exact_mut(LANES).enumerate() {
+            let group = |values: &[f64]| f64x8::from_slice(simd, &values[i * LANES..][..LANES]);
+            (group(columns) * group(factors)).store_slice(scaled);
         }
+        let target = &mut target.col_as_slice_mut(j)[j..];
+        let (several, rest) = target.as_chunks_mut::<AT_ONCE>();
+        let (columns, columns_of_rest) = columns.split_at(several.len() * AT_ONCE * rows);
+        for (target, columns) in several.iter_mut().zip(columns.chunks_exact(AT_ONCE * rows)) {
+            add_dots(simd, target, columns, &scaled);
+        }
+        for (target, column) in rest.iter_mut().zip(columns_of_rest.chunks_exact(rows)) {
+            add_dots(simd, std::array::from_mut(target), column, &scaled);
+        }
+    }
+}
+
+/// Adds the scalar products of `N` columns with `right`.
+#[inline(always)]
+fn add_dots<S: Simd, const N: usize>(
+    simd: S,
+    target: &mut [f64; N],
+    columns: &[f64],
+    right: &[f64],
+) {
+    let rows = right.len();
+    let mut sums = [f64x8::splat(simd, 0.0); N];
+    for (i, right) in right.chunks_exact(LANES).enumerate() {
+        let right = f64x8::from_slice(simd, right);
+        for (k, sum) in sums.iter_mut().enumerate() {
+            let left = f64x8::from_slice(simd, &columns[k * rows + i * LANES..][..LANES]);
+            *sum = left.mul_add(right, *sum);
+        }
+    }
+    for (target, sum) in target.iter_mut().zip(sums) {
+        *target += sum.iter().sum::<f64>();
     }
 }
 
@@ -378,35 +409,30 @@ const ROUNDING: f64 = 12.0 * f64::EPSILON;
 /// The rate is the mean rate since degree 0, which poles prescribe, or the rate over the last eight
 /// degrees if that is faster, as for exponentials. The panel's width keeps the error of the Bessel
 /// product small.
-fn resolution_errors(abscissae: &Abscissae, samples: &[Sample]) -> [f64; 2] {
+#[inline(always)]
+fn resolution_errors<S: Simd>(simd: S, abscissae: &Abscissae, slope: &[f64]) -> [f64; 2] {
     let rule = abscissae.panels.rule;
     let n = rule.abscissae.len();
     let mut errors = [0.0; 2];
     let ends = abscissae.panels.edges.windows(2);
-    for ((samples, weights), ends) in samples
+    for ((slope, weights), ends) in slope
         .chunks_exact(n)
         .zip(abscissae.weights.chunks_exact(n))
         .zip(ends)
     {
         let length: f64 = weights.iter().sum();
-        let largest = samples
-            .iter()
-            .map(|s| s.slope.abs())
-            .fold(f64::MIN_POSITIVE, f64::max);
-        let coefficients = rule.coefficients.each_ref().map(|row| {
-            row.iter()
-                .zip(samples)
-                .map(|(c, s)| c * s.slope)
-                .sum::<f64>()
-                .abs()
-        });
-        let [before, last] = [0, 4].map(|from| {
-            coefficients[from..from + 4]
-                .iter()
-                .fold(f64::MIN_POSITIVE, |a, &b| a.max(b))
-        });
+        let mut coefficients = f64x8::splat(simd, 0.0);
+        for (factors, &slope) in rule.coefficients.iter().zip(slope) {
+            coefficients = f64x8::from_slice(simd, factors).mul_add(slope, coefficients);
+        }
+        let largest = |values: &[f64]| {
+            let larger = |largest: f64, value: &f64| largest.max(value.abs());
+            values.iter().fold(f64::MIN_POSITIVE, larger)
+        };
+        let (before, last) = coefficients.as_slice().split_at(4);
+        let (before, last, largest) = (largest(before), largest(last), largest(slope));
         let mean_rate = (last / largest).powf(n as f64 / (n as f64 - 2.5));
-        let present_rate = (last / before).powf(0.25 * n as f64);
+        let present_rate = (last / before).powi(n as i32 / 4);
         let error = length * last * mean_rate.min(present_rate).min(1.0);
         errors[0] += error;
         errors[1] += error * (abscissae.x * ends[1]).powi(2).min(1.0);

@@ -26,10 +26,10 @@ pub struct GaussLegendre {
     pub abscissae: Vec<f64>,
     /// The weights.
     pub weights: Vec<f64>,
-    /// Eight rows of factors. A function's values at the abscissae, multiplied with row `k` and
-    /// summed, give its Legendre coefficient of degree `n - 8 + k`, or of degree 0 where that is
-    /// negative.
-    pub coefficients: [Vec<f64>; 8],
+    /// Eight factors for each abscissa. A function's values at the abscissae, multiplied with their
+    /// factors number `k` and summed, give its Legendre coefficient of degree `n - 8 + k`, or of
+    /// degree 0 where that is negative.
+    pub coefficients: Vec<[f64; 8]>,
 }
 
 impl GaussLegendre {
@@ -39,7 +39,7 @@ impl GaussLegendre {
         let mut rule = Self {
             abscissae: vec![0.0; n],
             weights: vec![0.0; n],
-            coefficients: Default::default(),
+            coefficients: Vec::new(),
         };
         for i in 0..n.div_ceil(2) {
             let mut x = (PI * (i as f64 + 0.75) / (n as f64 + 0.5)).cos();
@@ -56,16 +56,14 @@ impl GaussLegendre {
             (rule.abscissae[i], rule.abscissae[n - 1 - i]) = (-x, x);
             (rule.weights[i], rule.weights[n - 1 - i]) = (weight, weight);
         }
-        rule.coefficients = std::array::from_fn(|k| {
-            let degree = (n + k).saturating_sub(8);
-            let coefficient =
-                |(&x, &w): (&f64, &f64)| (degree as f64 + 0.5) * w * legendre(degree, x).0;
-            rule.abscissae
-                .iter()
-                .zip(&rule.weights)
-                .map(coefficient)
-                .collect()
-        });
+        let factors = |(&x, &w): (&f64, &f64)| {
+            std::array::from_fn(|k| {
+                let degree = (n + k).saturating_sub(8);
+                (degree as f64 + 0.5) * w * legendre(degree, x).0
+            })
+        };
+        let points = rule.abscissae.iter().zip(&rule.weights);
+        rule.coefficients = points.map(factors).collect();
         rule
     }
 }

@@ -156,11 +156,10 @@ impl Fields<'_> {
         std::array::from_fn(|m| {
             let (z, [even, odd]) = (contour.readouts.z[m], v[m]);
             let s = self.symbol.at(z / self.x);
-            let wave = Complex64::from_polar(
-                1.0 / s.sqrt(),
-                z + self.phases[m] + contour.own[contour.nodes.len() + m].im * s.ln(),
-            );
-            let size = |v: Complex64| wave.norm() * (1.0 + v.norm());
+            let amplitude = 1.0 / s.sqrt();
+            let phase = z + self.phases[m] + contour.own[contour.nodes.len() + m].im * s.ln();
+            let wave = Complex64::from_polar(amplitude, phase);
+            let size = |v: Complex64| amplitude * (1.0 + v.norm());
             [
                 Sum {
                     value: (wave * even).re,

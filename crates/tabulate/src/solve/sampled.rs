@@ -8,7 +8,7 @@ use fearless_simd::{Level, dispatch};
 
 use crate::solve::compliance::FLAT;
 use crate::solve::layered::LayeredCompliance;
-use crate::solve::surface::{Sample, SurfaceCompliance};
+use crate::solve::surface::{AllSamples, Sample, SurfaceCompliance};
 
 /// The samples of a panel. With poles at 26 degrees from the real axis, the ellipse of convergence
 /// of a panel `[c, 1.4c]` is 5.5, and that of the first panel, whose length is half the distance of
@@ -33,7 +33,7 @@ pub struct SampledCompliance {
 type Panel = [[f64; 2]; POINTS];
 
 impl SampledCompliance {
-    /// Samples `compliance`.
+    /// AllSamples `compliance`.
     pub fn new(compliance: LayeredCompliance) -> Self {
         let mut edges = vec![0.0, 0.5 * compliance.smallest_scale()];
         while edges[edges.len() - 1] < FLAT {
@@ -50,12 +50,8 @@ impl SampledCompliance {
             let nodes: [f64; POINTS] = from_fn(|i| middle + half * cosine(i, 1));
             let samples = compliance.sample_all(&nodes);
             factors.map(|row| {
-                let mut sums = [0.0; 2];
-                for (factor, Sample { excess, slope }) in row.iter().zip(&samples) {
-                    sums[0] += factor * excess;
-                    sums[1] += factor * slope;
-                }
-                sums
+                let sum = |values: &[f64]| row.iter().zip(values).map(|(a, b)| a * b).sum();
+                [sum(&samples.excess), sum(&samples.slope)]
             })
         };
         let panels = edges.windows(2).map(panel).collect();
@@ -73,11 +69,15 @@ impl SurfaceCompliance for SampledCompliance {
     }
 
     fn sample(&self, q: f64) -> Sample {
-        self.sample_all(&[q])[0]
+        let AllSamples { excess, slope } = self.sample_all(&[q]);
+        Sample {
+            excess: excess[0],
+            slope: slope[0],
+        }
     }
 
-    fn sample_all(&self, q: &[f64]) -> Vec<Sample> {
-        let mut samples = Vec::with_capacity(q.len());
+    fn sample_all(&self, q: &[f64]) -> AllSamples {
+        let mut samples = AllSamples::with_capacity(q.len());
         let mut rest = q;
         while let Some(&first) = rest.first() {
             let above = self.edges.partition_point(|&edge| edge <= first);
@@ -89,7 +89,10 @@ impl SurfaceCompliance for SampledCompliance {
                 Some(panel) => {
                     dispatch!(Level::new(), simd => extend(simd, panel, [from, to], on_panel, &mut samples));
                 }
-                None => samples.extend(self.whole.sample_all(on_panel)),
+                None => {
+                    let AllSamples { excess, slope } = self.whole.sample_all(on_panel);
+                    samples.extend(&excess, &slope);
+                }
             }
             rest = others;
         }
@@ -113,7 +116,7 @@ fn extend<S: Simd>(
     [constant, rest @ ..]: &Panel,
     [from, to]: [f64; 2],
     q: &[f64],
-    samples: &mut Vec<Sample>,
+    samples: &mut AllSamples,
 ) {
     let zero = S::f64s::splat(simd, 0.0);
     for group in q.chunks(S::f64s::LEN) {
@@ -134,12 +137,8 @@ fn extend<S: Simd>(
             *sum = position.mul_add(next, S::f64s::splat(simd, constant[i]) - after);
         }
         let [excess, slope] = sums;
-        for i in 0..group.len() {
-            samples.push(Sample {
-                excess: excess[i],
-                slope: slope[i],
-            });
-        }
+        let count = group.len();
+        samples.extend(&excess.as_slice()[..count], &slope.as_slice()[..count]);
     }
 }
 

@@ -12,15 +12,15 @@ use crate::solve::bessel::LANES;
 
 /// The matrix `C`, in the form in which its use costs least.
 #[derive(Clone, Debug)]
-pub enum Slope {
+pub enum Slope<'a> {
     /// Its lower triangle, for many contacts.
     Matrix(Mat<f64>),
     /// The Bessel values, and the factor of their products at every abscissa, for one contact: its
     /// forms are sums over the abscissae of products of `sum_n J_n v_n`.
-    Values(BesselValues, Vec<f64>),
+    Values(&'a BesselValues, Vec<f64>),
 }
 
-impl Slope {
+impl Slope<'_> {
     /// Returns `c.v` and `h.C'.v` for every column `v` of `vectors`, the first of which is `h`.
     pub fn forms(&self, vectors: &Mat<f64>) -> Vec<[f64; 2]> {
         match self {
@@ -93,9 +93,19 @@ fn lanes_mut(values: &mut [f64]) -> std::slice::ChunksExactMut<'_, f64> {
     values.chunks_exact_mut(LANES)
 }
 
-/// Returns `a.b`.
+/// Returns `a.b`. Every eighth product is added to a sum of its own, because an addition to a sum must
+/// wait for the one before it.
 pub fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
+    let (groups, rest) = a.as_chunks::<LANES>();
+    let (groups_of_b, rest_of_b) = b.as_chunks::<LANES>();
+    let mut sums = [0.0; LANES];
+    for (a, b) in groups.iter().zip(groups_of_b) {
+        for ((sum, a), b) in sums.iter_mut().zip(a).zip(b) {
+            *sum += a * b;
+        }
+    }
+    let products = rest.iter().zip(rest_of_b).map(|(a, b)| a * b);
+    sums.iter().copied().chain(products).sum()
 }
 
 /// Returns `u.C.v` without the first row and column of `C`, whose lower triangle `matrix` holds.

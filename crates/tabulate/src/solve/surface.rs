@@ -20,6 +20,31 @@ pub struct Sample {
     pub slope: f64,
 }
 
+/// `X - 1` and its slope at many wave numbers, in their order.
+#[derive(Clone, Debug)]
+pub struct AllSamples {
+    /// `X(q) - 1`.
+    pub excess: Vec<f64>,
+    /// `q X'(q)`.
+    pub slope: Vec<f64>,
+}
+
+impl AllSamples {
+    /// Returns no samples, with memory for `count`.
+    pub fn with_capacity(count: usize) -> Self {
+        Self {
+            excess: Vec::with_capacity(count),
+            slope: Vec::with_capacity(count),
+        }
+    }
+
+    /// Appends the samples at a group of wave numbers.
+    pub fn extend(&mut self, excess: &[f64], slope: &[f64]) {
+        self.excess.extend_from_slice(excess);
+        self.slope.extend_from_slice(slope);
+    }
+}
+
 /// The surface compliance `X(q)` of a coated half-space, without the sphere.
 pub trait SurfaceCompliance {
     /// Returns the number of points on a panel `[c, 4c]`, 16, 20, 24 or 32, with which Gauss's rule
@@ -33,9 +58,7 @@ pub trait SurfaceCompliance {
     fn sample(&self, q: f64) -> Sample;
 
     /// Returns the samples at all `q`, in their order.
-    fn sample_all(&self, q: &[f64]) -> Vec<Sample> {
-        q.iter().map(|&q| self.sample(q)).collect()
-    }
+    fn sample_all(&self, q: &[f64]) -> AllSamples;
 
     /// Returns the smallest wave number on which `X` varies, at most 1: the length of the first
     /// panel.
@@ -54,7 +77,7 @@ impl<C: SurfaceCompliance> SurfaceCompliance for &C {
         C::sample(self, q)
     }
 
-    fn sample_all(&self, q: &[f64]) -> Vec<Sample> {
+    fn sample_all(&self, q: &[f64]) -> AllSamples {
         C::sample_all(self, q)
     }
 
@@ -88,8 +111,8 @@ fn at<S: Simd>(simd: S, compliance: &impl VectorCompliance, q: f64) -> Sample {
 }
 
 /// Returns the samples at all wave numbers, in their order.
-pub fn sample_all(compliance: &impl VectorCompliance, q: &[f64]) -> Vec<Sample> {
-    let mut samples = Vec::with_capacity(q.len());
+pub fn sample_all(compliance: &impl VectorCompliance, q: &[f64]) -> AllSamples {
+    let mut samples = AllSamples::with_capacity(q.len());
     dispatch!(Level::new(), simd => extend(simd, compliance, q, &mut samples));
     samples
 }
@@ -99,19 +122,15 @@ fn extend<S: Simd>(
     simd: S,
     compliance: &impl VectorCompliance,
     q: &[f64],
-    samples: &mut Vec<Sample>,
+    samples: &mut AllSamples,
 ) {
     for group in q.chunks(S::f64s::LEN) {
         // The last group is filled up with its last wave number.
         let mut wave_numbers = S::f64s::splat(simd, group[group.len() - 1]);
         wave_numbers.as_mut_slice()[..group.len()].copy_from_slice(group);
         let [excess, slope] = compliance.samples(simd, wave_numbers);
-        for i in 0..group.len() {
-            samples.push(Sample {
-                excess: excess[i],
-                slope: slope[i],
-            });
-        }
+        let count = group.len();
+        samples.extend(&excess.as_slice()[..count], &slope.as_slice()[..count]);
     }
 }
 

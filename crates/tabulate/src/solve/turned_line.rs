@@ -15,7 +15,8 @@
 
 use num_complex::Complex64;
 
-use crate::solve::contour::{Logarithm, Path, RAY, add_product, influence};
+use crate::solve::contour::{Logarithm, Path, RAY, influence};
+use crate::solve::matrix::Matrix;
 use crate::solve::quadrature::GaussLegendre;
 use crate::solve::symbol::Symbol;
 
@@ -37,11 +38,11 @@ pub struct TurnedLine {
     weights: Vec<Complex64>,
     /// The matrix from `ln S` at the abscissae of the contour to `ln S_+` at the nodes: real parts,
     /// then imaginary parts.
-    factor: Vec<f64>,
+    factor: Matrix,
     /// The factor from `ln S` at a node to `ln S_+` there.
     own: Vec<Complex64>,
     /// The matrix from the strengths of the contour's nodes to `V` here, in the same layout.
-    readout: Vec<f64>,
+    readout: Matrix,
 }
 
 /// The fields on the line times their weights: `int E z^{-p} dz = sum E_j z_j^{-p}`.
@@ -81,12 +82,13 @@ impl TurnedLine {
                 readout.extend(nodes.iter().map(|&z| influence(unit, zeta, z).im));
             }
         }
+        let rows = 2 * nodes.len();
         Self {
             own: nodes.iter().map(|&z| logarithm.own(z)).collect(),
             nodes,
             weights,
-            factor,
-            readout,
+            factor: Matrix::from_columns(rows, &factor),
+            readout: Matrix::from_columns(rows, &readout),
         }
     }
 
@@ -101,7 +103,7 @@ impl TurnedLine {
     ) -> LineFields {
         let n = self.nodes.len();
         let mut log_factors = vec![0.0; 2 * n];
-        add_product(&self.factor, logs, &mut log_factors);
+        self.factor.multiply(logs, &mut log_factors);
         let waves: Vec<Complex64> = (0..n)
             .map(|j| {
                 let s = symbol.at(self.nodes[j] / x);
@@ -112,7 +114,7 @@ impl TurnedLine {
             .collect();
         let [even, odd] = [(&strengths[0], 1.0), (&strengths[1], -1.0)].map(|(strengths, sign)| {
             let mut v = vec![0.0; 2 * n];
-            add_product(&self.readout, strengths, &mut v);
+            self.readout.multiply(strengths, &mut v);
             let field = |j: usize| waves[j] * (1.0 + sign * Complex64::new(v[j], v[n + j]));
             (0..n).map(field).collect()
         });

@@ -79,7 +79,7 @@
 use num_complex::Complex64;
 
 use crate::solve::compliance::{FLAT, SINE_OF_FREE_ANGLE};
-use crate::solve::contour::{Contour, LEVELS, Path, add_product};
+use crate::solve::contour::{Contour, LEVELS, Path};
 use crate::solve::estimate::Estimate;
 use crate::solve::krylov;
 use crate::solve::read_out::Fields;
@@ -203,7 +203,7 @@ fn logarithms(x: f64, symbol: &Symbol, contour: &Contour) -> Vec<f64> {
 /// `ln S` at the same point ([`Contour::own`]).
 fn log_factors(logs: &[f64], contour: &Contour) -> Vec<f64> {
     let mut sums = vec![0.0; contour.rows()];
-    add_product(&contour.factor, logs, &mut sums);
+    contour.factor.multiply(logs, &mut sums);
     sums
 }
 
@@ -219,14 +219,16 @@ fn couplings(x: f64, symbol: &Symbol, contour: &Contour, log_factors: &[f64]) ->
     };
     let coupling = |(j, (&zeta, weight)): (usize, (&Complex64, &Complex64))| {
         let s = symbol.at(zeta / x);
-        let log_factor = match contour.path {
-            Path::Axis => Complex64::from(log_factors[j]),
+        let square = match contour.path {
+            Path::Axis => Complex64::from((2.0 * log_factors[j]).exp()),
             Path::Ray => {
-                Complex64::new(log_factors[j], log_factors[contour.nodes.len() + j])
-                    + contour.own[j] * s.ln()
+                let log_factor =
+                    Complex64::new(log_factors[j], log_factors[contour.nodes.len() + j])
+                        + contour.own[j] * s.ln();
+                (2.0 * log_factor).exp()
             }
         };
-        weight * (2.0 * log_factor).exp() * (1.0 / s - constant)
+        weight * square * (1.0 / s - constant)
     };
     contour
         .nodes
@@ -264,8 +266,7 @@ fn solve_coupling(contour: &Contour, couplings: &[Complex64], accuracy: f64) -> 
     let mut work = Vec::with_capacity(unknowns);
     let solutions = krylov::solve(&one, (SHARE * accuracy).max(f64::EPSILON), |v, out| {
         strengths(contour.path, couplings, v, &mut work);
-        out.fill(0.0);
-        add_product(&contour.kernel, &work, out);
+        contour.kernel.multiply(&work, out);
     });
     solutions.map(|v| {
         let mut result = Vec::with_capacity(unknowns);

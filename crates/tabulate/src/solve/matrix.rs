@@ -1,0 +1,108 @@
+//! Products of a matrix that is made once with many short vectors.
+//!
+//! For the sizes of the Wiener-Hopf method, a hundred rows or fewer, the call of a matrix library
+//! takes as long as the product itself.
+
+use fearless_simd::prelude::*;
+use fearless_simd::{Level, dispatch, f64x8};
+
+/// The rows that are multiplied side by side.
+const LANES: usize = 8;
+
+/// A real matrix.
+#[derive(Debug)]
+pub struct Matrix {
+    rows: usize,
+    columns: usize,
+    /// Groups of [`LANES`] rows, padded with zeros; each group column by column.
+    groups: Vec<[f64; LANES]>,
+}
+
+impl Matrix {
+    /// Makes a matrix of its columns of `rows` elements, one after the other.
+    pub fn from_columns(rows: usize, elements: &[f64]) -> Self {
+        let columns = elements.chunks_exact(rows);
+        let count = columns.len();
+        let mut groups = vec![[0.0; LANES]; rows.div_ceil(LANES) * count];
+        for (j, column) in columns.enumerate() {
+            for (group, part) in column.chunks(LANES).enumerate() {
+                groups[group * count + j][..part.len()].copy_from_slice(part);
+            }
+        }
+        Self {
+            rows,
+            columns: count,
+            groups,
+        }
+    }
+
+    /// Overwrites `out` with the product with `vector`. The matrix may have more columns than the
+    /// vector has elements.
+    ///
+    /// # Panics
+    /// If `out` has not as many elements as the matrix has rows.
+    pub fn multiply(&self, vector: &[f64], out: &mut [f64]) {
+        assert_eq!(out.len(), self.rows);
+        dispatch!(Level::new(), simd => self.multiply_by(simd, vector, out));
+    }
+
+    #[inline(always)]
+    fn multiply_by<S: Simd>(&self, simd: S, vector: &[f64], out: &mut [f64]) {
+        /// The number of groups of rows at once, so that a sum need not wait for the addition
+        /// before.
+        const AT_ONCE: usize = 4;
+        let several = self.groups.chunks(AT_ONCE * self.columns);
+        for (groups, out) in several.zip(out.chunks_mut(AT_ONCE * LANES)) {
+            match groups.len() / self.columns {
+                1 => self.multiply_groups::<S, 1>(simd, groups, vector, out),
+                2 => self.multiply_groups::<S, 2>(simd, groups, vector, out),
+                3 => self.multiply_groups::<S, 3>(simd, groups, vector, out),
+                _ => self.multiply_groups::<S, AT_ONCE>(simd, groups, vector, out),
+            }
+        }
+    }
+
+    /// Multiplies `N` groups of rows.
+    #[inline(always)]
+    fn multiply_groups<S: Simd, const N: usize>(
+        &self,
+        simd: S,
+        groups: &[[f64; LANES]],
+        vector: &[f64],
+        out: &mut [f64],
+    ) {
+        let mut sums = [f64x8::splat(simd, 0.0); N];
+        for (j, &factor) in vector.iter().enumerate() {
+            for (i, sum) in sums.iter_mut().enumerate() {
+                let column = f64x8::simd_from(simd, groups[i * self.columns + j]);
+                *sum = column.mul_add(factor, *sum);
+            }
+        }
+        for (out, sum) in out.chunks_mut(LANES).zip(&sums) {
+            out.copy_from_slice(&sum.as_slice()[..out.len()]);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Every number of rows up to several groups, and a vector that is shorter than a row.
+    #[test]
+    fn products_are_those_of_the_definition() {
+        for rows in 1..100 {
+            let element = |i: usize, j: usize| ((i * 7 + j * 3) as f64).sin();
+            let elements: Vec<f64> = (0..9)
+                .flat_map(|j| (0..rows).map(move |i| element(i, j)))
+                .collect();
+            let vector: [f64; 8] = std::array::from_fn(|j| 1.0 / (1.0 + j as f64));
+            let mut out = vec![f64::NAN; rows];
+            Matrix::from_columns(rows, &elements).multiply(&vector, &mut out);
+            for (i, value) in out.iter().enumerate() {
+                let terms = vector.iter().enumerate().map(|(j, v)| element(i, j) * v);
+                assert!((value - terms.sum::<f64>()).abs() < 1e-14, "{rows} {i}");
+            }
+        }
+    }
+}
