@@ -93,11 +93,22 @@ impl Curve {
         coefficients: &[f64],
         material: Material,
     ) -> Self {
+        let pieces = resampler.values(coefficients, material.sphere_film_modulus());
+        Self::of_pieces(resampler, range, pieces, material)
+    }
+
+    /// Makes the curve of its polynomials on the pieces of `resampler`.
+    pub(crate) fn of_pieces(
+        resampler: &Resampler,
+        range: [f64; 2],
+        pieces: Pieces,
+        material: Material,
+    ) -> Self {
         let Pieces {
             values,
             cone,
             start_error,
-        } = resampler.values(coefficients, material.sphere_film_modulus());
+        } = pieces;
         let known = Quantity::ALL.map(|quantity| resampler.held.contains(&quantity));
         Self {
             grid: resampler.grid.clone(),

@@ -105,9 +105,8 @@ pub(crate) struct Integrals<S: Simd> {
     /// `h (Gamma/es)^2` and `h/(Gamma/es)^2`.
     square: Series<Lanes<S>, TERMS>,
     inverse: Series<Lanes<S>, TERMS>,
-    /// The integrands of the last two integrals: `h x (Eeq/es)/(Gamma/es)^2`, and this times `x
-    /// Eeq/es`.
-    rates: [Series<Lanes<S>, TERMS>; 2],
+    /// The integrand of the second integral: `h x (Eeq/es)/(Gamma/es)^2`.
+    rate: Series<Lanes<S>, TERMS>,
     /// `x Eeq/es`, `x^2 Delta0/2` and `x^3 Pi0/(8 es)`.
     integrals: [Series<Lanes<S>, TERMS>; 3],
 }
@@ -188,14 +187,13 @@ impl Derivation {
         let rate = product(simd, &stiffness, &inverse);
         let mut penetration = integral(simd, &rate);
         self.add_constants(simd, group, &mut penetration, constants, 1);
-        let rate_of_load = product(simd, &stiffness, &rate);
-        let mut load = integral(simd, &rate_of_load);
+        let mut load = integral(simd, &product(simd, &stiffness, &rate));
         self.add_constants(simd, group, &mut load, constants, 2);
         Integrals {
             middle,
             square,
             inverse,
-            rates: [rate, rate_of_load],
+            rate,
             integrals: [stiffness, penetration, load],
         }
     }
@@ -242,27 +240,17 @@ impl Derivation {
     ) {
         let square = first_terms(&integrals.square);
         let inverse = first_terms(&integrals.inverse);
-        let [rate, rate_of_load] = integrals.rates.each_ref().map(first_terms);
+        let rate = first_terms(&integrals.rate);
         let [stiffness, penetration, load] = integrals.integrals.each_ref().map(first_terms);
 
         let twice = sum(gamma, gamma);
         let mut by_stiffness = integral(simd, &product(simd, &twice, &square));
         self.add_constants(simd, group, &mut by_stiffness, constants, 0);
-        let mut by_penetration = integral(
-            simd,
-            &difference(
-                &product(simd, &by_stiffness, &inverse),
-                &product(simd, &twice, &rate),
-            ),
-        );
+        let change = difference(&by_stiffness, &product(simd, &twice, &stiffness));
+        let mut by_penetration = integral(simd, &product(simd, &change, &inverse));
         self.add_constants(simd, group, &mut by_penetration, constants, 1);
-        let mut by_load = integral(
-            simd,
-            &difference(
-                &product(simd, &sum(&by_stiffness, &by_stiffness), &rate),
-                &product(simd, &twice, &rate_of_load),
-            ),
-        );
+        let change = sum(&change, &by_stiffness);
+        let mut by_load = integral(simd, &product(simd, &change, &rate));
         self.add_constants(simd, group, &mut by_load, constants, 2);
         let relative = [
             &relative(simd, &by_load, &load),

@@ -45,6 +45,18 @@ pub(crate) struct Pieces {
     pub(crate) start_error: Option<f64>,
 }
 
+/// The derivatives of the derived quantities with respect to one parameter.
+struct OfParameter<'a> {
+    /// The derivatives of the coefficients.
+    coefficients: &'a [f64],
+    /// The derivatives of the integrals where the next group of pieces begins.
+    constants: Constants<'a>,
+    /// The result on all pieces.
+    all: &'a mut [Logarithms],
+    /// The result on the last group of pieces, if it is not full.
+    last: [Logarithms; LANES],
+}
+
 impl Resampler {
     /// Samples the B-splines of `basis` for the quantities `held` on `2^bits[i]` pieces in octave
     /// `i` of `range`.
@@ -101,36 +113,6 @@ impl Resampler {
         values
     }
 
-    /// Returns the polynomials of the derivatives of the logarithms with respect to three
-    /// parameters, from the coefficients and their derivatives.
-    pub(crate) fn derivatives(
-        &self,
-        coefficients: &[f64],
-        derivatives: [&[f64]; 3],
-    ) -> [Arc<[Logarithms]>; 3] {
-        let mut pieces = [(); 3].map(|()| zeros(self.pieces()));
-        let derivatives = derivatives.map(|coefficients| self.split(coefficients).0);
-        if let Some(derivation) = &self.derivation {
-            let (coefficients, _) = self.split(coefficients);
-            let derivatives = derivatives.each_ref().map(|coefficients| &**coefficients);
-            dispatch!(Level::new(), simd => {
-                self.derived_derivatives(simd, derivation, &coefficients, derivatives, &mut pieces);
-            });
-            return pieces;
-        }
-        for (coefficients, pieces) in derivatives.iter().zip(&mut pieces) {
-            let rows = rows_of_four(coefficients, &self.held);
-            dispatch!(Level::new(), simd => {
-                for (i, piece) in Arc::make_mut(pieces).iter_mut().enumerate() {
-                    for (row, logarithms) in piece.iter_mut().zip(self.spans.logarithms(simd, i, &rows)) {
-                        logarithms.store_slice(row);
-                    }
-                }
-            });
-        }
-        pieces
-    }
-
     /// Returns the polynomials of the derivatives of `ln Delta1` with respect to three parameters,
     /// from the derivatives of the coefficients; none if it is not held.
     pub(crate) fn derivatives_of_cone(
@@ -171,45 +153,115 @@ impl Resampler {
     /// Returns the polynomials of the quantities themselves; `es` is the sphere-film modulus of
     /// their [scales](Quantity::scale).
     pub(crate) fn values(&self, coefficients: &[f64], es: f64) -> Pieces {
+        let (pieces, []) = self.values_and_derivatives(coefficients, [], es);
+        pieces
+    }
+
+    /// Returns the polynomials of the quantities, and those of the derivatives of their logarithms
+    /// with respect to `N` parameters, from the coefficients and their derivatives.
+    pub(crate) fn values_and_derivatives<const N: usize>(
+        &self,
+        coefficients: &[f64],
+        derivatives: [&[f64]; N],
+        es: f64,
+    ) -> (Pieces, [Arc<[Logarithms]>; N]) {
         let cone = self.cone(coefficients);
         let (coefficients, _) = self.split(coefficients);
-        if let Some(derivation) = &self.derivation {
-            return dispatch!(Level::new(), simd => {
-                let start = self.thick_film(simd, derivation, &coefficients);
-                let constants = Constants::Running(derivation.at_start(start.values()));
-                Pieces {
-                    values: self.derived(simd, derivation, &coefficients, es, constants),
-                    cone,
-                    start_error: Some(start.error),
-                }
-            });
-        }
+        let derivatives = derivatives.map(|coefficients| self.split(coefficients).0);
+        let mut of_derivatives = [(); N].map(|()| zeros(self.pieces()));
+        let (values, start_error) = if let Some(derivation) = &self.derivation {
+            let derivatives = derivatives.each_ref().map(|coefficients| &**coefficients);
+            let of_derivatives = of_derivatives.each_mut().map(Arc::make_mut);
+            dispatch!(Level::new(), simd => {
+                self.derive(simd, derivation, &coefficients, derivatives, es, of_derivatives)
+            })
+        } else {
+            for (coefficients, pieces) in derivatives.iter().zip(&mut of_derivatives) {
+                let rows = rows_of_four(coefficients, &self.held);
+                dispatch!(Level::new(), simd => {
+                    for (i, piece) in Arc::make_mut(pieces).iter_mut().enumerate() {
+                        let logarithms = self.spans.logarithms(simd, i, &rows);
+                        for (row, term) in piece.iter_mut().zip(logarithms) {
+                            term.store_slice(row);
+                        }
+                    }
+                });
+            }
+            let begins_nowhere = self.held == [Quantity::Gamma];
+            let start_error = begins_nowhere.then_some(f64::INFINITY);
+            (self.exponentials_on_pieces(&coefficients, es), start_error)
+        };
+        let pieces = Pieces {
+            values,
+            cone,
+            start_error,
+        };
+        (pieces, of_derivatives)
+    }
+
+    /// Returns the polynomials of the quantities whose splines are given.
+    fn exponentials_on_pieces(&self, coefficients: &[f64], es: f64) -> Arc<[Values]> {
         let scales = Quantity::ALL.map(|quantity| quantity.scale(es));
-        let rows = rows_of_four(&coefficients, &self.held);
+        let rows = rows_of_four(coefficients, &self.held);
         let mut pieces = zeros(self.pieces());
         dispatch!(Level::new(), simd => {
             for (i, piece) in Arc::make_mut(&mut pieces).iter_mut().enumerate() {
                 exponentials(simd, self.spans.logarithms(simd, i, &rows), scales, piece);
             }
         });
-        let begins_nowhere = self.held == [Quantity::Gamma];
-        Pieces {
-            values: pieces,
-            cone,
-            start_error: begins_nowhere.then_some(f64::INFINITY),
+        pieces
+    }
+
+    /// Returns the polynomials of the quantities that follow from the spline of `Gamma`, with the
+    /// error of the integrals where they begin; writes those of the derivatives of their logarithms.
+    #[inline(always)]
+    fn derive<S: Simd, const N: usize>(
+        &self,
+        simd: S,
+        derivation: &Derivation,
+        coefficients: &[f64],
+        derivatives: [&[f64]; N],
+        es: f64,
+        of_derivatives: [&mut [Logarithms]; N],
+    ) -> (Arc<[Values]>, Option<f64>) {
+        let starts = self.at_starts(simd, derivation, coefficients);
+        let start = ThickFilm::new(starts.map(f64::exp));
+        let mut parameters = of_derivatives.map(|all| OfParameter {
+            coefficients: &[],
+            constants: Constants::Running([0.0; 3]),
+            all,
+            last: [[[0.0; 4]; LOGARITHM]; LANES],
+        });
+        for (parameter, coefficients) in parameters.iter_mut().zip(derivatives) {
+            let [first, second, _] = self.at_starts(simd, derivation, coefficients);
+            parameter.coefficients = coefficients;
+            let start = start.derivatives([first, second]);
+            parameter.constants = Constants::Running(derivation.at_start(start));
         }
+        let constants = Constants::Running(derivation.at_start(start.values()));
+        let pieces = self.derived(
+            simd,
+            derivation,
+            coefficients,
+            es,
+            constants,
+            &mut parameters,
+        );
+        (pieces, Some(start.error))
     }
 
     /// Returns the polynomials of the quantities that follow from the spline of `Gamma`, see
-    /// [`Derivation::integrals`].
+    /// [`Derivation::integrals`]; writes those of the derivatives of their logarithms, see
+    /// [`Derivation::sensitivities`].
     #[inline(always)]
-    fn derived<S: Simd>(
+    fn derived<S: Simd, const N: usize>(
         &self,
         simd: S,
         derivation: &Derivation,
         coefficients: &[f64],
         es: f64,
         mut constants: Constants<'_>,
+        parameters: &mut [OfParameter<'_>; N],
     ) -> Arc<[Values]> {
         let mut pieces = zeros(self.pieces());
         let mut last = [[[0.0; 4]; VALUE]; LANES];
@@ -217,60 +269,25 @@ impl Resampler {
         for group in 0..derivation.groups() {
             let logarithms = self.spans.logarithms_on_group(simd, group, coefficients);
             let integrals = derivation.integrals(simd, group, &logarithms, &mut constants);
+            for parameter in parameters.iter_mut() {
+                let OfParameter {
+                    coefficients,
+                    constants,
+                    all,
+                    last,
+                } = parameter;
+                let gamma = self.spans.logarithms_on_group(simd, group, coefficients);
+                let own = all[LANES * group..].first_chunk_mut().unwrap_or(last);
+                derivation.sensitivities(simd, group, &integrals, &gamma, constants, own);
+            }
             let own = all[LANES * group..].first_chunk_mut().unwrap_or(&mut last);
             derivation.values(simd, group, &logarithms, integrals, es, own);
         }
         complete(all, &last);
+        for parameter in parameters {
+            complete(parameter.all, &parameter.last);
+        }
         pieces
-    }
-
-    /// Writes the polynomials of the derivatives of the logarithms of the quantities that follow
-    /// from the spline of `Gamma`, see [`Derivation::sensitivities`].
-    #[inline(always)]
-    fn derived_derivatives<S: Simd>(
-        &self,
-        simd: S,
-        derivation: &Derivation,
-        coefficients: &[f64],
-        derivatives: [&[f64]; 3],
-        pieces: &mut [Arc<[Logarithms]>; 3],
-    ) {
-        let start = self.thick_film(simd, derivation, coefficients);
-        let mut constants = Constants::Running(derivation.at_start(start.values()));
-        let mut of_derivatives = [constants; 3];
-        for (constants, coefficients) in of_derivatives.iter_mut().zip(derivatives) {
-            let [first, second, _] = self.at_starts(simd, derivation, coefficients);
-            let start = start.derivatives([first, second]);
-            *constants = Constants::Running(derivation.at_start(start));
-        }
-        let mut last = [[[[0.0; 4]; LOGARITHM]; LANES]; 3];
-        for group in 0..derivation.groups() {
-            let logarithms = self.spans.logarithms_on_group(simd, group, coefficients);
-            let integrals = derivation.integrals(simd, group, &logarithms, &mut constants);
-            for i in 0..3 {
-                let gamma = self.spans.logarithms_on_group(simd, group, derivatives[i]);
-                let all = Arc::make_mut(&mut pieces[i]);
-                let own = all[LANES * group..]
-                    .first_chunk_mut()
-                    .unwrap_or(&mut last[i]);
-                let constants = &mut of_derivatives[i];
-                derivation.sensitivities(simd, group, &integrals, &gamma, constants, own);
-            }
-        }
-        for (pieces, last) in pieces.iter_mut().zip(&last) {
-            complete(Arc::make_mut(pieces), last);
-        }
-    }
-
-    /// Returns the quantities where the integrals begin.
-    #[inline(always)]
-    fn thick_film<S: Simd>(
-        &self,
-        simd: S,
-        derivation: &Derivation,
-        coefficients: &[f64],
-    ) -> ThickFilm {
-        ThickFilm::new(self.at_starts(simd, derivation, coefficients).map(f64::exp))
     }
 
     /// Returns the polynomials of the derived quantities over their scales. The integrals have the
@@ -284,7 +301,7 @@ impl Resampler {
         let (coefficients, _) = self.split(coefficients);
         dispatch!(Level::new(), simd => {
             let constants = Constants::Given(beginnings);
-            self.derived(simd, derivation, &coefficients, 1.0, constants)
+            self.derived(simd, derivation, &coefficients, 1.0, constants, &mut [])
         })
     }
 }

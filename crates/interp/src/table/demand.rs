@@ -2,8 +2,8 @@
 
 use crate::curve::resampler::Resampler;
 use crate::table::lookup::PARTS;
-use crate::table::mixed_precision::BLOCK;
 use crate::table::tensor_train::{MOST_FUNCTIONS, intervals};
+use crate::table::vectors::BLOCK;
 use crate::{Error, Tile};
 
 /// The largest number of f64 that a first lookup may keep, 0.8 GB: it protects the memory of a

@@ -21,7 +21,7 @@ use std::array;
 
 use crate::Parameter;
 use crate::table::tensor_spline::TensorSpline;
-use crate::table::tensor_train::SumAlong;
+use crate::table::vectors::WeightedSum;
 
 /// The largest `(w + u) |dv/dw|` with which the slope of the spline is used.
 const LARGEST_MAGNIFICATION: f64 = 0.5;
@@ -91,16 +91,17 @@ pub(crate) fn improve_slopes(
         let weights = weights(array::from_fn(|k| (distances[first + k] / unit).ln_1p()))
             .map(|weight| -2.0 / unit * weight);
         let own = (distances.len(), -weights.iter().sum::<f64>());
-        differences.push(SumAlong {
-            weights: (first..).zip(weights).chain([own]).collect(),
+        let mut all = [own; POINTS + 1];
+        for (k, weight) in weights.into_iter().enumerate() {
+            all[k] = (first + k, weight);
+        }
+        differences.push(WeightedSum {
+            weights: all,
             columns: quantities * start..quantities * end,
         });
         start = end;
     }
-    let sums = spline.sums_along(coordinates, 1, &places, &differences);
-    for (difference, sum) in differences.iter().zip(sums) {
-        slopes[difference.columns.clone()].copy_from_slice(&sum);
-    }
+    spline.sums_along(coordinates, 1, &places, &differences, slopes);
 }
 
 /// Returns the weights of `f(s) - f(0)` at the points `s` that sum to `f'(0)`, exactly for

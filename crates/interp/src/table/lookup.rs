@@ -1,7 +1,7 @@
 //! The lookup of the curve of one material: the preparation, once for a table, and the sums for
 //! each material.
 
-use crate::curve::resampler::Resampler;
+use crate::curve::resampler::{Pieces, Resampler};
 use crate::curve::sensitivity::Sensitivities;
 use crate::material::equivalence::{Equivalence, Invariants};
 use crate::table::axes::Axes;
@@ -85,7 +85,8 @@ impl Lookup {
             Ok((equivalent, axes.locate(&equivalent)?))
         })?;
         let coefficients = self.spline.coefficients(coordinates);
-        self.of_splines(description, &coefficients, equivalent, None)
+        let pieces = self.pieces(&coefficients, &equivalent);
+        self.of_pieces(description, pieces, equivalent, None)
     }
 
     /// Makes the curve of the table's stack of layers under a sphere.
@@ -99,7 +100,8 @@ impl Lookup {
         let nu0 = description.nu0.under(axes.ends(Parameter::Nu1)[0]);
         let (material, coordinates) = axes.locate_sphere(e1_over_e2, nu0)?;
         let coefficients = self.spline.coefficients(coordinates);
-        self.of_splines(description, &coefficients, material, Some(stack))
+        let pieces = self.pieces(&coefficients, &material);
+        self.of_pieces(description, pieces, material, Some(stack))
     }
 
     /// Makes the curve of `material` with its derivatives with respect to it.
@@ -136,27 +138,34 @@ impl Lookup {
             &mut slopes[1],
         );
         let slopes = slopes.each_ref().map(Vec::as_slice);
-        let pieces = self.resampler.derivatives(&values, slopes);
+        let es = equivalent.sphere_film_modulus();
+        let (pieces, derivatives) = self.resampler.values_and_derivatives(&values, slopes, es);
         let of_cone = self.resampler.derivatives_of_cone(slopes);
         let known = parameters.map(|parameter| !axes.fixes(parameter));
         let jacobian = equivalence.jacobian(parameters);
-        let sensitivities = Sensitivities::new(pieces, known, *material, jacobian);
+        let sensitivities = Sensitivities::new(derivatives, known, *material, jacobian);
         Ok(self
-            .of_splines(description, &values, equivalent, None)?
+            .of_pieces(description, pieces, equivalent, None)?
             .with_sensitivities(sensitivities)
             .with_derivatives_of_cone(of_cone))
     }
 
-    /// Makes the curve of the equivalent material from the coefficients over `ln(a/t)`; of a stack
-    /// of layers, if its shape is given.
-    fn of_splines(
+    /// Returns the polynomials of `material` from its coefficients over `ln(a/t)`.
+    fn pieces(&self, coefficients: &[f64], material: &Material) -> Pieces {
+        let es = material.sphere_film_modulus();
+        self.resampler.values(coefficients, es)
+    }
+
+    /// Makes the curve of the equivalent material from its polynomials; of a stack of layers, if
+    /// its shape is given.
+    fn of_pieces(
         &self,
         description: &Description,
-        coefficients: &[f64],
+        pieces: Pieces,
         equivalent: Material,
         stack: Option<StackShape>,
     ) -> Result<Curve, Error> {
-        let curve = Curve::of_splines(&self.resampler, self.range, coefficients, equivalent);
+        let curve = Curve::of_pieces(&self.resampler, self.range, pieces, equivalent);
         let curve = match stack {
             Some(stack) => curve.of_stack(stack),
             None => curve,

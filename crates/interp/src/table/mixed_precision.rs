@@ -8,8 +8,7 @@ use std::ops::Range;
 use fearless_simd::prelude::*;
 use fearless_simd::{f32x16, f64x8};
 
-/// The number of columns of a block, small enough that the sum of a block stays in registers.
-pub(crate) const BLOCK: usize = 16;
+use crate::table::vectors::{BLOCK, Vectors};
 
 /// A weight for each row of a [`MixedPrecision`], in both precisions.
 #[derive(Clone, Debug)]
@@ -79,18 +78,19 @@ impl RowWeights {
 
     /// Replaces the weights by the products of each of the `factors` with each of the `values`, one
     /// factor after the other.
+    #[inline(always)]
     pub(crate) fn set(&mut self, factors: &[f64], values: &[f64]) {
         let count = factors.len() * values.len();
-        self.double.clear();
-        self.double.reserve(count);
-        for factor in factors {
-            self.double
-                .extend(values.iter().map(|value| factor * value));
+        self.double.resize(count, 0.0);
+        self.single.resize(count, 0.0);
+        let double = self.double.chunks_exact_mut(values.len());
+        let single = self.single.chunks_exact_mut(values.len());
+        for ((factor, double), single) in factors.iter().zip(double).zip(single) {
+            for ((double, single), value) in double.iter_mut().zip(single).zip(values) {
+                *double = factor * value;
+                *single = *double as f32;
+            }
         }
-        self.single.clear();
-        self.single.reserve(count);
-        self.single
-            .extend(self.double.iter().map(|&weight| weight as f32));
     }
 }
 
@@ -169,57 +169,80 @@ impl MixedPrecision {
     #[inline(always)]
     pub(crate) fn sum<S: Simd>(&self, simd: S, weights: &RowWeights) -> Vec<f64> {
         let mut sum = vec![0.0; self.length.next_multiple_of(BLOCK)];
-        for (i, sum) in sum.chunks_exact_mut(BLOCK).enumerate() {
-            self.sum_block(simd, i, weights, sum);
-        }
+        self.sum_blocks(simd, 0, weights, &mut sum);
         sum.truncate(self.length);
         sum
     }
 
-    /// Returns the `columns` of the sum of the rows, each times its weight.
+    /// Returns `N` sums of the rows, each with its weights, as vectors of their own.
+    #[inline(always)]
+    pub(crate) fn separate_sums<S: Simd, const N: usize>(
+        &self,
+        simd: S,
+        weights: [&RowWeights; N],
+    ) -> [Vec<f64>; N] {
+        let mut sums = [(); N].map(|()| vec![0.0; self.length.next_multiple_of(BLOCK)]);
+        self.sums(simd, weights, sums.each_mut().map(Vec::as_mut_slice));
+        sums.iter_mut().for_each(|sum| sum.truncate(self.length));
+        sums
+    }
+
+    /// Writes the `columns` of the sum of the rows, each times its weight.
     #[inline(always)]
     pub(crate) fn sum_of_columns<S: Simd>(
         &self,
         simd: S,
         weights: &RowWeights,
         columns: Range<usize>,
-    ) -> Vec<f64> {
-        let blocks = columns.start / BLOCK..columns.end.div_ceil(BLOCK);
-        let before = columns.start - blocks.start * BLOCK;
-        let mut sum = vec![0.0; blocks.len() * BLOCK];
-        for (i, sum) in blocks.zip(sum.chunks_exact_mut(BLOCK)) {
-            self.sum_block(simd, i, weights, sum);
+        target: &mut [f64],
+    ) {
+        let mut start = columns.start;
+        let mut target = target;
+        while start < columns.end {
+            let (block, before) = (start / BLOCK, start % BLOCK);
+            let count = (BLOCK - before).min(columns.end - start);
+            let mut sum = [0.0; BLOCK];
+            self.sum_blocks(simd, block, weights, &mut sum);
+            let (own, rest) = target.split_at_mut(count);
+            own.copy_from_slice(&sum[before..][..count]);
+            (target, start) = (rest, start + count);
         }
-        sum.truncate(before + columns.len());
-        sum.drain(..before);
-        sum
     }
 
-    /// Writes the columns of a block of the sum of the rows, each times its weight.
+    /// Writes the blocks of the sum of the rows, each times its weight, from the block number
+    /// `first` on.
     #[inline(always)]
-    fn sum_block<S: Simd>(&self, simd: S, block: usize, weights: &RowWeights, sum: &mut [f64]) {
+    pub(crate) fn sum_blocks<S: Simd>(
+        &self,
+        simd: S,
+        first: usize,
+        weights: &RowWeights,
+        sum: &mut [f64],
+    ) {
         let RowWeights { double, single } = weights;
-        let double = self
-            .double
-            .sum_of_block::<S, f64x8<S>, 2>(simd, block, double);
-        let [single] = self
-            .single
-            .sum_of_block::<S, f32x16<S>, 1>(simd, block, single);
-        store(double, single, sum);
+        for (i, sum) in sum.chunks_exact_mut(BLOCK).enumerate() {
+            let double = self
+                .double
+                .sum_of_block::<S, f64x8<S>, 2>(simd, first + i, double);
+            let [single] = self
+                .single
+                .sum_of_block::<S, f32x16<S>, 1>(simd, first + i, single);
+            store(double, single, sum);
+        }
     }
 
-    /// Returns `N` sums of the rows, each with its weights. A row is read once for all of them.
+    /// Writes `N` sums of the rows, each with its weights, padded to whole blocks. A row is read once
+    /// for all of them.
     #[inline(always)]
     pub(crate) fn sums<S: Simd, const N: usize>(
         &self,
         simd: S,
         weights: [&RowWeights; N],
-    ) -> [Vec<f64>; N] {
+        sums: [&mut [f64]; N],
+    ) {
         let (mut double, mut single): ([&[f64]; N], [&[f32]; N]) = ([&[]; N], [&[]; N]);
-        let mut sums = [const { Vec::new() }; N];
         for n in 0..N {
             (double[n], single[n]) = (&weights[n].double, &weights[n].single);
-            sums[n] = vec![0.0; self.length.next_multiple_of(BLOCK)];
         }
         for i in 0..self.length.div_ceil(BLOCK) {
             let double = self
@@ -233,27 +256,24 @@ impl MixedPrecision {
                 store(double[n], single, &mut sums[n][i * BLOCK..][..BLOCK]);
             }
         }
-        for sum in &mut sums {
-            sum.truncate(self.length);
-        }
-        sums
     }
 
-    /// Returns the sums of the rows with each of several weights.
+    /// Returns the sums of the rows with each of several vectors of weights.
     #[inline(always)]
-    pub(crate) fn sum_all<S: Simd>(&self, simd: S, weights: &[RowWeights]) -> Vec<Vec<f64>> {
-        let mut sums = Vec::with_capacity(weights.len());
-        let (groups, rest) = weights.as_chunks::<4>();
-        for group in groups {
-            sums.extend(self.sums(simd, group.each_ref()));
-        }
-        match rest {
-            [first, second, third] => sums.extend(self.sums(simd, [first, second, third])),
-            [first, second] => sums.extend(self.sums(simd, [first, second])),
-            _ => {
-                for weights in rest {
-                    sums.push(self.sum(simd, weights));
-                }
+    pub(crate) fn sum_all<S: Simd>(&self, simd: S, vectors: &Vectors) -> Vectors {
+        let mut sums = Vectors::zeros(vectors.count(), self.length);
+        let mut weights = [const { RowWeights::EMPTY }; 4];
+        for first in (0..vectors.count()).step_by(weights.len()) {
+            let count = weights.len().min(vectors.count() - first);
+            for (i, weights) in weights.iter_mut().enumerate().take(count) {
+                weights.set(&[1.0], vectors.get(first + i));
+            }
+            let [a, b, c, d] = &weights;
+            match count {
+                1 => self.sum_blocks(simd, 0, a, sums.padded_mut(first)),
+                2 => self.sums(simd, [a, b], sums.several_mut(first)),
+                3 => self.sums(simd, [a, b, c], sums.several_mut(first)),
+                _ => self.sums(simd, [a, b, c, d], sums.several_mut(first)),
             }
         }
         sums
@@ -446,21 +466,27 @@ mod tests {
             weights[row] = 1.0 / 3.0;
             let sum =
                 dispatch!(Level::new(), simd => rows_in_two.sum(simd, &RowWeights::of(&weights)));
-            let columns = dispatch!(Level::new(), simd => {
-                rows_in_two.sum_of_columns(simd, &RowWeights::of(&weights), BLOCK - 2..LENGTH - 1)
+            let range = BLOCK - 2..LENGTH - 1;
+            let mut columns = vec![0.0; range.len()];
+            dispatch!(Level::new(), simd => {
+                let weights = RowWeights::of(&weights);
+                rows_in_two.sum_of_columns(simd, &weights, range.clone(), &mut columns);
             });
-            assert_eq!(columns, sum[BLOCK - 2..LENGTH - 1]);
+            assert_eq!(columns, sum[range]);
             assert_eq!(sum.len(), LENGTH);
             // Seven sums, of which four are made at a time.
-            let halved: Vec<f64> = weights.iter().map(|weight| 0.5 * weight).collect();
-            let all = [
-                &weights, &halved, &weights, &halved, &weights, &halved, &weights,
-            ];
-            let all = all.map(|weights| RowWeights::of(weights));
+            let factor = |i: usize| if i.is_multiple_of(2) { 1.0 } else { 0.5 };
+            let mut all = Vectors::zeros(7, count);
+            for i in 0..all.count() {
+                for (target, weight) in all.get_mut(i).iter_mut().zip(&weights) {
+                    *target = factor(i) * weight;
+                }
+            }
             let sums = dispatch!(Level::new(), simd => rows_in_two.sum_all(simd, &all));
-            for (i, found) in sums.iter().enumerate() {
-                let factor = if i % 2 == 0 { 1.0 } else { 0.5 };
-                for (found, sum) in found.iter().zip(&sum) {
+            for i in 0..sums.count() {
+                let factor = factor(i);
+                assert_eq!(sums.get(i).len(), LENGTH);
+                for (found, sum) in sums.get(i).iter().zip(&sum) {
                     assert_eq!(*found, factor * sum, "sum {i} of row {row}");
                 }
             }

@@ -35,6 +35,7 @@ mod table;
 mod tensor_spline;
 mod tensor_train;
 mod tiles;
+mod vectors;
 mod weighted_sum;
 
 pub use certificate::Certificate;

@@ -6,8 +6,9 @@ use std::array;
 use crate::Parameter;
 use crate::curve::bspline::{Basis, LARGEST_DEGREE, Weights};
 use crate::table::axes::Axes;
-use crate::table::tensor_train::{SumAlong, TensorTrain};
+use crate::table::tensor_train::TensorTrain;
 use crate::table::tiles::{self, Tile};
+use crate::table::vectors::{Vectors, WeightedSum};
 use crate::table::weighted_sum::add_rows;
 
 /// The tensor B-spline of a table.
@@ -104,29 +105,39 @@ impl TensorSpline {
         }
     }
 
-    /// Returns sums of the coefficients of materials that differ in one coordinate, the number
-    /// `axis`, which has the values `places`.
-    pub(crate) fn sums_along(
+    /// Replaces the columns of `coefficients` that `sums` name by weighted sums of the coefficients
+    /// of materials that differ in one coordinate, the number `axis`, which has the values `places`.
+    pub(crate) fn sums_along<const N: usize>(
         &self,
         coordinates: [f64; 3],
         axis: usize,
         places: &[f64],
-        sums: &[SumAlong],
-    ) -> Vec<Vec<f64>> {
+        sums: &[WeightedSum<N>],
+        coefficients: &mut [f64],
+    ) {
         match &self.form {
-            Form::Tiles { trains, boxes } => {
-                train(trains, boxes, coordinates).sums_along(coordinates, axis, places, sums)
-            }
+            Form::Tiles { trains, boxes } => train(trains, boxes, coordinates).sums_along(
+                coordinates,
+                axis,
+                places,
+                sums,
+                coefficients,
+            ),
             Form::Dense(_) => {
-                let at = |&place: &f64| {
+                let mut at_places = Vectors::zeros(places.len(), coefficients.len());
+                for (i, &place) in places.iter().enumerate() {
                     let mut coordinates = coordinates;
                     coordinates[axis] = place;
-                    self.coefficients(coordinates)
-                };
-                let at_places: Vec<Vec<f64>> = places.iter().map(at).collect();
-                sums.iter()
-                    .map(|sum| sum.of(&at_places)[sum.columns.clone()].to_vec())
-                    .collect()
+                    let own = self.coefficients(coordinates);
+                    at_places.get_mut(i).copy_from_slice(&own);
+                }
+                for sum in sums {
+                    for column in sum.columns.clone() {
+                        let term =
+                            |&(place, weight): &(usize, f64)| weight * at_places.get(place)[column];
+                        coefficients[column] = sum.weights.iter().map(term).sum();
+                    }
+                }
             }
         }
     }

@@ -14,7 +14,6 @@
 //! for these instructions.
 
 use std::f64::consts::PI;
-use std::ops::Range;
 
 use fearless_simd::prelude::*;
 use fearless_simd::{Level, dispatch};
@@ -22,7 +21,8 @@ use fearless_simd::{Level, dispatch};
 use crate::curve::bspline::Basis;
 use crate::table::chebyshev::polynomials;
 use crate::table::low_rank::LowRank;
-use crate::table::mixed_precision::{BLOCK, Contraction, MixedPrecision, RowWeights};
+use crate::table::mixed_precision::{Contraction, MixedPrecision, RowWeights};
+use crate::table::vectors::{BLOCK, Vectors, WeightedSum};
 use crate::table::weighted_sum::add_rows;
 
 /// The largest norm of a block that is dropped, relative to the table's tolerance.
@@ -81,15 +81,6 @@ struct Interval {
     rows: MixedPrecision,
     /// The rows of the functions add up to the core at one coordinate.
     contraction: Contraction,
-}
-
-/// A weighted sum of the coefficients of materials that differ in one coordinate.
-#[derive(Clone, Debug)]
-pub(crate) struct SumAlong {
-    /// The numbers of the places of the coordinate, with their weights.
-    pub(crate) weights: Vec<(usize, f64)>,
-    /// The coefficients of which the sum is asked for.
-    pub(crate) columns: Range<usize>,
 }
 
 /// The functions whose sum is a core on an interval.
@@ -174,16 +165,19 @@ impl TensorTrain {
         dispatch!(Level::new(), simd => self.value_and_slopes(simd, coordinates))
     }
 
-    /// Returns sums of the coefficients of materials that differ in one coordinate, the number
-    /// `axis`, which has the values `places`.
-    pub(crate) fn sums_along(
+    /// Replaces the columns of `coefficients` that `sums` name by weighted sums of the coefficients
+    /// of materials that differ in one coordinate, the number `axis`, which has the values `places`.
+    pub(crate) fn sums_along<const N: usize>(
         &self,
         coordinates: [f64; 3],
         axis: usize,
         places: &[f64],
-        sums: &[SumAlong],
-    ) -> Vec<Vec<f64>> {
-        dispatch!(Level::new(), simd => self.values_along(simd, coordinates, axis, places, sums))
+        sums: &[WeightedSum<N>],
+        coefficients: &mut [f64],
+    ) {
+        dispatch!(Level::new(), simd => {
+            self.values_along(simd, coordinates, axis, places, sums, coefficients);
+        });
     }
 
     #[inline(always)]
@@ -201,17 +195,14 @@ impl TensorTrain {
         let [first, second, third] = &self.cores;
         let at = |core: &Core| coordinates[core.axis];
         // The product of the cores so far, and its derivatives with respect to their coordinates.
-        let [value, by_first] = first.products(simd, at(first), [&[1.0]], &[1.0]);
-        let [value, by_first, by_second] =
-            second.products(simd, at(second), [&value, &by_first], &value);
-        let [value, by_first, by_second, by_third] =
-            third.products(simd, at(third), [&value, &by_first, &by_second], &value);
-        let vectors = [value, by_first, by_second, by_third];
+        let vectors = first.products::<S, 2>(simd, at(first), &Vectors::one());
+        let vectors = second.products::<S, 3>(simd, at(second), &vectors);
+        let vectors = third.products::<S, 4>(simd, at(third), &vectors);
         let mut weights = [const { RowWeights::EMPTY }; 4];
-        for (weights, vector) in weights.iter_mut().zip(&vectors) {
-            weights.set(&[1.0], vector);
+        for (i, weights) in weights.iter_mut().enumerate() {
+            weights.set(&[1.0], vectors.get(i));
         }
-        let [value, slopes @ ..] = self.last.sums(simd, weights.each_ref());
+        let [value, slopes @ ..] = self.last.separate_sums(simd, weights.each_ref());
         let mut sums = [value, Vec::new(), Vec::new(), Vec::new()];
         for (core, by_axis) in self.cores.iter().zip(slopes) {
             sums[1 + core.axis] = by_axis;
@@ -220,37 +211,31 @@ impl TensorTrain {
     }
 
     #[inline(always)]
-    fn values_along<S: Simd>(
+    fn values_along<S: Simd, const N: usize>(
         &self,
         simd: S,
         coordinates: [f64; 3],
         axis: usize,
         places: &[f64],
-        sums: &[SumAlong],
-    ) -> Vec<Vec<f64>> {
+        sums: &[WeightedSum<N>],
+        coefficients: &mut [f64],
+    ) {
         // One vector until the core of this axis, one for each sum from there on.
-        let mut vectors = vec![vec![1.0]];
-        let mut weights = RowWeights::EMPTY;
+        let mut vectors = Vectors::one();
         for core in &self.cores {
-            if core.axis != axis {
-                vectors = core.multiply_all(simd, coordinates[core.axis], &vectors);
-                continue;
-            }
-            let mut at_places = Vec::with_capacity(places.len());
-            for &u in places {
-                at_places.push(core.multiply(simd, u, &vectors[0], &mut weights));
-            }
-            vectors = sums.iter().map(|sum| sum.of(&at_places)).collect();
+            vectors = if core.axis == axis {
+                core.multiply_along(simd, places, vectors.get(0)).sums(sums)
+            } else {
+                core.multiply_all(simd, coordinates[core.axis], &vectors)
+            };
         }
-        let mut columns = Vec::with_capacity(sums.len());
-        for (sum, vector) in sums.iter().zip(&vectors) {
-            weights.set(&[1.0], vector);
-            columns.push(
-                self.last
-                    .sum_of_columns(simd, &weights, sum.columns.clone()),
-            );
+        let mut weights = RowWeights::EMPTY;
+        for (i, sum) in sums.iter().enumerate() {
+            weights.set(&[1.0], vectors.get(i));
+            let columns = sum.columns.clone();
+            let target = &mut coefficients[columns.clone()];
+            self.last.sum_of_columns(simd, &weights, columns, target);
         }
-        columns
     }
 }
 
@@ -274,70 +259,59 @@ impl Core {
         let (functions, _) = interval.functions.evaluate(u);
         weights.set(&functions[..interval.functions.count], before);
         let mut after = interval.rows.sum(simd, weights);
-        self.scale(&mut after);
+        let entries = after.iter_mut().zip(&self.scales);
+        entries.for_each(|(entry, scale)| *entry *= scale);
+        after
+    }
+
+    /// Multiplies the vector over the bond before by the core at each of several places.
+    #[inline(always)]
+    fn multiply_along<S: Simd>(&self, simd: S, places: &[f64], before: &[f64]) -> Vectors {
+        let mut after = Vectors::zeros(places.len(), self.scales.len());
+        let mut weights = RowWeights::EMPTY;
+        for (i, &u) in places.iter().enumerate() {
+            let interval = self.interval(u);
+            let (functions, _) = interval.functions.evaluate(u);
+            weights.set(&functions[..interval.functions.count], before);
+            let after = after.padded_mut(i);
+            interval.rows.sum_blocks(simd, 0, &weights, after);
+        }
+        after.scale(&self.scales);
         after
     }
 
     /// Multiplies several vectors over the bond before by the core at `u`, which is computed once.
     #[inline(always)]
-    fn multiply_all<S: Simd>(&self, simd: S, u: f64, before: &[Vec<f64>]) -> Vec<Vec<f64>> {
+    fn multiply_all<S: Simd>(&self, simd: S, u: f64, before: &Vectors) -> Vectors {
         let interval = self.interval(u);
         let (functions, _) = interval.functions.evaluate(u);
         let functions = RowWeights::of(&functions[..interval.functions.count]);
         let core = interval
             .rows
             .contracted(simd, &interval.contraction, &functions);
-        let mut weights = Vec::with_capacity(before.len());
-        for before in before {
-            weights.push(RowWeights::of(before));
-        }
-        let mut after = core.sum_all(simd, &weights);
-        after.iter_mut().for_each(|after| self.scale(after));
+        let mut after = core.sum_all(simd, before);
+        after.scale(&self.scales);
         after
     }
 
-    /// Multiplies vectors over the bond before by the core at `u`, and `slope_of` by its
-    /// derivative, which comes last. `M` must be `N + 1`.
+    /// Multiplies vectors over the bond before by the core at `u`, and the first of them by its
+    /// derivative, which comes last. `N` is the number of results.
     #[inline(always)]
-    fn products<S: Simd, const N: usize, const M: usize>(
-        &self,
-        simd: S,
-        u: f64,
-        before: [&[f64]; N],
-        slope_of: &[f64],
-    ) -> [Vec<f64>; M] {
+    fn products<S: Simd, const N: usize>(&self, simd: S, u: f64, before: &Vectors) -> Vectors {
         let interval = self.interval(u);
         let (values, slopes) = interval.functions.evaluate(u);
         let count = interval.functions.count;
-        let mut weights = [const { RowWeights::EMPTY }; M];
-        for (weights, before) in weights.iter_mut().zip(before) {
-            weights.set(&values[..count], before);
+        let mut weights = [const { RowWeights::EMPTY }; N];
+        let (of_slope, of_values) = weights.split_last_mut().expect("a value and a slope");
+        for (i, weights) in of_values.iter_mut().enumerate() {
+            weights.set(&values[..count], before.get(i));
         }
-        weights[N].set(&slopes[..count], slope_of);
-        let mut after = interval.rows.sums(simd, weights.each_ref());
-        after.iter_mut().for_each(|after| self.scale(after));
+        of_slope.set(&slopes[..count], before.get(0));
+        let mut after = Vectors::zeros(N, self.scales.len());
+        let target = after.several_mut(0);
+        interval.rows.sums(simd, weights.each_ref(), target);
+        after.scale(&self.scales);
         after
-    }
-
-    /// Divides a vector over the next bond by the weights of the bond.
-    fn scale(&self, after: &mut [f64]) {
-        after
-            .iter_mut()
-            .zip(&self.scales)
-            .for_each(|(entry, scale)| *entry *= scale);
-    }
-}
-
-impl SumAlong {
-    /// Returns the sum of vectors, one for each place.
-    pub(crate) fn of(&self, at_places: &[Vec<f64>]) -> Vec<f64> {
-        let mut sum = vec![0.0; at_places[0].len()];
-        for (place, weight) in &self.weights {
-            for (sum, entry) in sum.iter_mut().zip(&at_places[*place]) {
-                *sum += weight * entry;
-            }
-        }
-        sum
     }
 }
 
@@ -379,6 +353,7 @@ impl Functions {
     const AT_ENDS: usize = 2;
 
     /// Evaluates the functions and their slopes at `u`.
+    #[inline(always)]
     fn evaluate(&self, u: f64) -> ([f64; MOST_FUNCTIONS], [f64; MOST_FUNCTIONS]) {
         if self.count == 1 {
             // An axis of one node has no length: its only function is 1.
@@ -453,6 +428,7 @@ fn parts([from, to]: [f64; 2], count: usize) -> impl Iterator<Item = [f64; 2]> {
 }
 
 /// Evaluates `T0`, `T1`, `T2 - T0`, `T3 - T1`, `T4 - T0` and so on, and their derivatives, at `t`.
+#[inline(always)]
 fn chebyshev(t: f64) -> ([f64; MOST_FUNCTIONS], [f64; MOST_FUNCTIONS]) {
     let (mut values, mut slopes) = ([1.0; MOST_FUNCTIONS], [0.0; MOST_FUNCTIONS]);
     (values[1], slopes[1]) = (t, 1.0);
