@@ -17,7 +17,9 @@ pub fn package(name: &str, range: &str) -> Result<PathBuf, String> {
 /// first call fetches them with pip.
 pub fn packages(requirements: &[&str]) -> Result<PathBuf, String> {
     fetched(&requirements.join(" "), |folder| {
-        pip("install", "--target", folder, requirements)
+        // Python compiles what it imports. That is little of what pip would compile.
+        let arguments = [&["--no-compile"], requirements].concat();
+        pip("install", "--target", folder, &arguments)
     })
 }
 

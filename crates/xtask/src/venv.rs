@@ -66,6 +66,8 @@ pub fn interpreter() -> Result<PathBuf, String> {
         "install",
         "--quiet",
         "--disable-pip-version-check",
+        // Python compiles what it imports. That is little of what pip would compile.
+        "--no-compile",
     ];
     succeed(
         Command::new(unfinished.join("bin/python"))
