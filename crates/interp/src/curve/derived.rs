@@ -246,11 +246,12 @@ impl Derivation {
         let twice = sum(gamma, gamma);
         let mut by_stiffness = integral(simd, &product(simd, &twice, &square));
         self.add_constants(simd, group, &mut by_stiffness, constants, 0);
-        let change = difference(&by_stiffness, &product(simd, &twice, &stiffness));
-        let mut by_penetration = integral(simd, &product(simd, &change, &inverse));
+        // The two brackets of the formulas.
+        let in_penetration = difference(&by_stiffness, &product(simd, &twice, &stiffness));
+        let in_load = sum(&in_penetration, &by_stiffness);
+        let mut by_penetration = integral(simd, &product(simd, &in_penetration, &inverse));
         self.add_constants(simd, group, &mut by_penetration, constants, 1);
-        let change = sum(&change, &by_stiffness);
-        let mut by_load = integral(simd, &product(simd, &change, &rate));
+        let mut by_load = integral(simd, &product(simd, &in_load, &rate));
         self.add_constants(simd, group, &mut by_load, constants, 2);
         let relative = [
             &relative(simd, &by_load, &load),

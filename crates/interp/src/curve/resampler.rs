@@ -46,7 +46,7 @@ pub(crate) struct Pieces {
 }
 
 /// The derivatives of the derived quantities with respect to one parameter.
-struct OfParameter<'a> {
+struct ParameterDerivatives<'a> {
     /// The derivatives of the coefficients.
     coefficients: &'a [f64],
     /// The derivatives of the integrals where the next group of pieces begins.
@@ -173,7 +173,9 @@ impl Resampler {
             let derivatives = derivatives.each_ref().map(|coefficients| &**coefficients);
             let of_derivatives = of_derivatives.each_mut().map(Arc::make_mut);
             dispatch!(Level::new(), simd => {
-                self.derive(simd, derivation, &coefficients, derivatives, es, of_derivatives)
+                let (values, error) =
+                    self.derive(simd, derivation, &coefficients, derivatives, es, of_derivatives);
+                (values, Some(error))
             })
         } else {
             for (coefficients, pieces) in derivatives.iter().zip(&mut of_derivatives) {
@@ -223,10 +225,10 @@ impl Resampler {
         derivatives: [&[f64]; N],
         es: f64,
         of_derivatives: [&mut [Logarithms]; N],
-    ) -> (Arc<[Values]>, Option<f64>) {
+    ) -> (Arc<[Values]>, f64) {
         let starts = self.at_starts(simd, derivation, coefficients);
         let start = ThickFilm::new(starts.map(f64::exp));
-        let mut parameters = of_derivatives.map(|all| OfParameter {
+        let mut parameters = of_derivatives.map(|all| ParameterDerivatives {
             coefficients: &[],
             constants: Constants::Running([0.0; 3]),
             all,
@@ -247,7 +249,7 @@ impl Resampler {
             constants,
             &mut parameters,
         );
-        (pieces, Some(start.error))
+        (pieces, start.error)
     }
 
     /// Returns the polynomials of the quantities that follow from the spline of `Gamma`, see
@@ -261,7 +263,7 @@ impl Resampler {
         coefficients: &[f64],
         es: f64,
         mut constants: Constants<'_>,
-        parameters: &mut [OfParameter<'_>; N],
+        parameters: &mut [ParameterDerivatives<'_>; N],
     ) -> Arc<[Values]> {
         let mut pieces = zeros(self.pieces());
         let mut last = [[[0.0; 4]; VALUE]; LANES];
@@ -270,7 +272,7 @@ impl Resampler {
             let logarithms = self.spans.logarithms_on_group(simd, group, coefficients);
             let integrals = derivation.integrals(simd, group, &logarithms, &mut constants);
             for parameter in parameters.iter_mut() {
-                let OfParameter {
+                let ParameterDerivatives {
                     coefficients,
                     constants,
                     all,

@@ -33,7 +33,7 @@ const RATIO: f64 = 2.7;
 const REACH: f64 = 0.7;
 /// The largest ratio of `w + u` of nodes that share a difference. A larger ratio needs fewer sums
 /// of lookups, and is less accurate: with 1.2 the largest error at 2000 contacts is 49 tolerances,
-/// with 1.5 it is 56, and an incompressible film takes a tenth less time.
+/// with 1.5 it is 56, and an incompressible film took a tenth less time.
 const SHARED: f64 = 1.5;
 
 /// Replaces the derivatives `slopes` of the coefficients over `ln(a/t)` with respect to `nu1` where

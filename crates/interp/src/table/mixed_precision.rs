@@ -194,10 +194,9 @@ impl MixedPrecision {
         simd: S,
         weights: &RowWeights,
         columns: Range<usize>,
-        target: &mut [f64],
+        mut target: &mut [f64],
     ) {
         let mut start = columns.start;
-        let mut target = target;
         while start < columns.end {
             let (block, before) = (start / BLOCK, start % BLOCK);
             let count = (BLOCK - before).min(columns.end - start);
@@ -231,8 +230,8 @@ impl MixedPrecision {
         }
     }
 
-    /// Writes `N` sums of the rows, each with its weights, padded to whole blocks. A row is read once
-    /// for all of them.
+    /// Writes `N` sums of the rows, each with its weights, padded to whole blocks. A row is read
+    /// once for all of them.
     #[inline(always)]
     pub(crate) fn sums<S: Simd, const N: usize>(
         &self,

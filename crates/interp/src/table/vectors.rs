@@ -19,7 +19,7 @@ pub(crate) struct Vectors {
 pub(crate) struct WeightedSum<const N: usize> {
     /// The numbers of the vectors, with their weights.
     pub(crate) weights: [(usize, f64); N],
-    /// The entries of the final result.
+    /// The columns of the coefficients that the sum replaces.
     pub(crate) columns: Range<usize>,
 }
 
@@ -44,29 +44,33 @@ impl Vectors {
         self.entries.len() / self.stride()
     }
 
-    /// Returns a vector.
+    /// Returns the vector number `i`, without its padding.
     pub(crate) fn get(&self, i: usize) -> &[f64] {
         &self.entries[i * self.stride()..][..self.length]
     }
 
-    /// Returns a vector that may be changed.
+    /// Returns the vector number `i`, without its padding. It may be changed.
     pub(crate) fn get_mut(&mut self, i: usize) -> &mut [f64] {
         let start = i * self.stride();
         &mut self.entries[start..][..self.length]
     }
 
-    /// Returns a vector with its padding.
+    /// Returns the vector number `i` with its padding. It may be changed.
     pub(crate) fn padded_mut(&mut self, i: usize) -> &mut [f64] {
         let [vector] = self.several_mut(i);
         vector
     }
 
-    /// Returns `N` vectors from the number `first` on, with their padding.
+    /// Returns `N` vectors from the number `first` on, with their padding. They may be changed.
     #[inline(always)]
     pub(crate) fn several_mut<const N: usize>(&mut self, first: usize) -> [&mut [f64]; N] {
         let stride = self.stride();
         let mut vectors = self.entries[first * stride..].chunks_exact_mut(stride);
-        array::from_fn(|_| vectors.next().expect("there are so many vectors"))
+        array::from_fn(|_| {
+            vectors
+                .next()
+                .expect("there are `N` vectors from `first` on")
+        })
     }
 
     /// Multiplies the entries of each vector by `factors`.
@@ -80,7 +84,7 @@ impl Vectors {
         }
     }
 
-    /// Returns weighted sums of the vectors.
+    /// Returns weighted sums of the vectors, with all their entries.
     #[inline(always)]
     pub(crate) fn sums<const N: usize>(&self, sums: &[WeightedSum<N>]) -> Self {
         let mut result = Self::zeros(sums.len(), self.length);

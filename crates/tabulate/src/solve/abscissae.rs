@@ -56,12 +56,12 @@ impl LongWaves {
     }
 }
 
-/// The Bessel values at all abscissae. They are one piece of memory, so that the allocator keeps it
-/// from one contact to the next.
+/// The Bessel values at all abscissae, and what follows from them.
 #[derive(Clone, Debug)]
 pub struct BesselValues {
     modes: usize,
-    /// Block after block.
+    /// Block after block. They are one piece of memory, so that the allocator keeps it from one
+    /// contact to the next.
     values: Vec<f64>,
     /// The factors of `X - 1` and of `q X'` in `M_00 + C_00`.
     pub translation: [Vec<f64>; 2],
@@ -156,7 +156,7 @@ impl Abscissae {
     /// Returns the factors of `X - 1` and of `q X'` in `M_00 + C_00`, see [`LongWaves`].
     fn translation(&self, bessel: &BesselValues) -> [Vec<f64>; 2] {
         let long = self.long_waves().count;
-        let (mut of_excess, mut of_slope) = (Vec::new(), Vec::new());
+        let [mut of_excess, mut of_slope] = [0; 2].map(|_| Vec::with_capacity(self.q.len()));
         for block in bessel.blocks() {
             let (j0, rest) = block.values.split_at(block.rows);
             for ((i, j0), j1) in block.range().zip(j0).zip(rest) {

@@ -1,7 +1,7 @@
-//! Products of a matrix that is made once with many short vectors.
+//! Products of one matrix, prepared once, with many short vectors.
 //!
-//! For the sizes of the Wiener-Hopf method, a hundred rows or fewer, the call of a matrix library
-//! takes as long as the product itself.
+//! In most solves by the Wiener-Hopf method the matrices have a hundred rows or fewer. The call of
+//! a matrix library then takes as long as the product itself.
 
 use fearless_simd::prelude::*;
 use fearless_simd::{Level, dispatch, f64x8};
@@ -20,7 +20,11 @@ pub struct Matrix {
 
 impl Matrix {
     /// Makes a matrix of its columns of `rows` elements, one after the other.
+    ///
+    /// # Panics
+    /// If there is no row or no column, or if the last column is incomplete.
     pub fn from_columns(rows: usize, elements: &[f64]) -> Self {
+        assert!(rows > 0 && !elements.is_empty() && elements.len().is_multiple_of(rows));
         let columns = elements.chunks_exact(rows);
         let count = columns.len();
         let mut groups = vec![[0.0; LANES]; rows.div_ceil(LANES) * count];
@@ -40,16 +44,18 @@ impl Matrix {
     /// vector has elements.
     ///
     /// # Panics
-    /// If `out` has not as many elements as the matrix has rows.
+    /// If `out` has not as many elements as the matrix has rows, or `vector` has more elements than
+    /// the matrix has columns.
     pub fn multiply(&self, vector: &[f64], out: &mut [f64]) {
         assert_eq!(out.len(), self.rows);
+        assert!(vector.len() <= self.columns);
         dispatch!(Level::new(), simd => self.multiply_by(simd, vector, out));
     }
 
     #[inline(always)]
     fn multiply_by<S: Simd>(&self, simd: S, vector: &[f64], out: &mut [f64]) {
-        /// The number of groups of rows at once, so that a sum need not wait for the addition
-        /// before.
+        /// The number of groups of rows at once. Their sums are independent: the processor need not
+        /// wait for one addition before it begins the next.
         const AT_ONCE: usize = 4;
         let several = self.groups.chunks(AT_ONCE * self.columns);
         for (groups, out) in several.zip(out.chunks_mut(AT_ONCE * LANES)) {

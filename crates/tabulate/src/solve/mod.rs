@@ -4,10 +4,10 @@
 //! and `sampled`, its interpolation) a stack of layers on its base; `symbol` adds the sphere.
 //! `solution` accepts a contact within the `domain` and lets `method` choose: `galerkin` (with
 //! `quadrature`, `bessel`, `abscissae`, `operator` and `slope`) for thick films, `wiener_hopf`
-//! (with `contour`, `matrix`, `krylov` and `read_out`) for thin ones. Both return an `estimate`. `stacked`
-//! does so for a stack, under one sphere or many. A probe with the profile `r^n` (`power_law`) is
-//! one more column of Galerkin's method, and one more functional of the result (`moment`,
-//! `turned_line`) of the Wiener-Hopf method. `batch` solves many materials at one `a/t` for the
+//! (with `contour`, `matrix`, `krylov` and `read_out`) for thin ones. Both return an `estimate`.
+//! `stacked` does so for a stack, under one sphere or many. A probe with the profile `r^n`
+//! (`power_law`) is one more column of Galerkin's method, and one more functional of the result
+//! (`moment`, `turned_line`) of the Wiener-Hopf method. `batch` solves many materials at one `a/t` for the
 //! numbers of a table (`tabulated`), `adaptive_curve` one material along `a/t`.
 //!
 //! # The face of what the sphere touches

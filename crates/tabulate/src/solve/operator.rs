@@ -331,8 +331,8 @@ pub(crate) fn add_products(target: &mut Mat<f64>, bessel: &[f64], factors: &[f64
 /// Adds the products of a few modes, as [`add_products`].
 #[inline(always)]
 fn add_small<S: Simd>(simd: S, target: &mut Mat<f64>, bessel: &[f64], factors: &[f64]) {
-    /// The number of columns that are multiplied at once, so that a sum need not wait for the
-    /// addition before.
+    /// The number of columns that are multiplied at once. Their sums are independent: the processor
+    /// need not wait for one addition before it begins the next.
     const AT_ONCE: usize = 4;
     let rows = factors.len();
     let mut scaled = vec![0.0; rows];
@@ -432,6 +432,7 @@ fn resolution_errors<S: Simd>(simd: S, abscissae: &Abscissae, slope: &[f64]) -> 
         let (before, last) = coefficients.as_slice().split_at(4);
         let (before, last, largest) = (largest(before), largest(last), largest(slope));
         let mean_rate = (last / largest).powf(n as f64 / (n as f64 - 2.5));
+        // The numbers of points of all rules are multiples of 4.
         let present_rate = (last / before).powi(n as i32 / 4);
         let error = length * last * mean_rate.min(present_rate).min(1.0);
         errors[0] += error;

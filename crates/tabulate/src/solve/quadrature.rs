@@ -26,9 +26,9 @@ pub struct GaussLegendre {
     pub abscissae: Vec<f64>,
     /// The weights.
     pub weights: Vec<f64>,
-    /// Eight factors for each abscissa. A function's values at the abscissae, multiplied with their
-    /// factors number `k` and summed, give its Legendre coefficient of degree `n - 8 + k`, or of
-    /// degree 0 where that is negative.
+    /// Eight factors for each abscissa. The values of a function at the abscissae, each multiplied
+    /// by the factor number `k` of its abscissa and summed, give the Legendre coefficient of degree
+    /// `n - 8 + k`, or of degree 0 where that is negative.
     pub coefficients: Vec<[f64; 8]>,
 }
 

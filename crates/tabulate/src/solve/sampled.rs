@@ -33,7 +33,7 @@ pub struct SampledCompliance {
 type Panel = [[f64; 2]; POINTS];
 
 impl SampledCompliance {
-    /// AllSamples `compliance`.
+    /// Samples `compliance`.
     pub fn new(compliance: LayeredCompliance) -> Self {
         let mut edges = vec![0.0, 0.5 * compliance.smallest_scale()];
         while edges[edges.len() - 1] < FLAT {

@@ -93,9 +93,10 @@ fn lanes_mut(values: &mut [f64]) -> std::slice::ChunksExactMut<'_, f64> {
     values.chunks_exact_mut(LANES)
 }
 
-/// Returns `a.b`. Every eighth product is added to a sum of its own, because an addition to a sum must
-/// wait for the one before it.
+/// Returns `a.b` of two vectors of equal length. The products are added to eight sums in turn,
+/// because an addition to a sum must wait for the one before it.
 pub fn dot(a: &[f64], b: &[f64]) -> f64 {
+    debug_assert_eq!(a.len(), b.len());
     let (groups, rest) = a.as_chunks::<LANES>();
     let (groups_of_b, rest_of_b) = b.as_chunks::<LANES>();
     let mut sums = [0.0; LANES];
