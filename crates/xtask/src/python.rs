@@ -17,9 +17,10 @@ pub fn package(name: &str, range: &str) -> Result<PathBuf, String> {
 /// first call fetches them with pip.
 pub fn packages(requirements: &[&str]) -> Result<PathBuf, String> {
     fetched(&requirements.join(" "), |folder| {
-        // Python compiles what it imports. That is little of what pip would compile.
-        let arguments = [&["--no-compile"], requirements].concat();
-        pip("install", "--target", folder, &arguments)
+        run(install(Path::new("python3"))
+            .arg("--target")
+            .arg(folder)
+            .args(requirements))
     })
 }
 
@@ -29,8 +30,9 @@ pub fn source(name: &str, version: &str) -> Result<PathBuf, String> {
     let release = format!("{name}-{version}");
     let folder = fetched(&format!("source of {release}"), |folder| {
         let requirement = format!("{name}=={version}");
-        let only = ["--no-deps", "--no-binary", name, &requirement];
-        pip("download", "--dest", folder, &only)?;
+        run(pip(Path::new("python3"), "download")
+            .args(["--no-deps", "--no-binary", name, &requirement, "--dest"])
+            .arg(folder))?;
         let archive = folder.join(format!("{release}.tar.gz"));
         let mut unpack = Command::new("python3");
         unpack
@@ -66,21 +68,21 @@ fn fetched(what: &str, fill: impl FnOnce(&Path) -> Result<(), String>) -> Result
     Ok(folder)
 }
 
-/// Lets pip fetch requirements into a folder.
-fn pip(command: &str, into: &str, folder: &Path, arguments: &[&str]) -> Result<(), String> {
-    let mut pip = Command::new("python3");
-    pip.args([
-        "-m",
-        "pip",
-        command,
-        "--quiet",
-        "--disable-pip-version-check",
-    ])
-    .arg(into)
-    .arg(folder)
-    .args(arguments)
-    .env("PIP_ROOT_USER_ACTION", "ignore");
-    run(&mut pip)
+/// Returns the command with which pip installs what is added to it, for the interpreter `python`.
+pub fn install(python: &Path) -> Command {
+    let mut install = pip(python, "install");
+    // Python compiles what it imports. That is little of what pip would compile.
+    install.arg("--no-compile");
+    install
+}
+
+/// Returns a command of pip.
+fn pip(python: &Path, command: &str) -> Command {
+    let mut pip = Command::new(python);
+    pip.args(["-m", "pip", command])
+        .args(["--quiet", "--disable-pip-version-check"])
+        .env("PIP_ROOT_USER_ACTION", "ignore");
+    pip
 }
 
 /// Runs a command of Python. An error says what it needs.

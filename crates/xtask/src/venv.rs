@@ -5,7 +5,7 @@ use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::PathBuf;
 use std::process::{Command, Stdio};
 
-use crate::{succeed, workspace};
+use crate::{python, succeed, workspace};
 
 /// The packages that build and test the Python package.
 const PACKAGES: [&str; 12] = [
@@ -44,9 +44,9 @@ pub fn interpreter() -> Result<PathBuf, String> {
     (PACKAGES, PEERS).hash(&mut hasher);
     let name = format!("venv-{:016x}", hasher.finish());
     let folder = workspace::target()?.join("tools").join(name);
-    let python = folder.join("bin/python");
+    let interpreter = folder.join("bin/python");
     if folder.exists() {
-        return Ok(python);
+        return Ok(interpreter);
     }
     eprintln!(
         "xtask: fetching {} from PyPI into {}",
@@ -60,23 +60,10 @@ pub fn interpreter() -> Result<PathBuf, String> {
             .args(["-m", "venv"])
             .arg(&unfinished),
     )?;
-    let pip = [
-        "-m",
-        "pip",
-        "install",
-        "--quiet",
-        "--disable-pip-version-check",
-        // Python compiles what it imports. That is little of what pip would compile.
-        "--no-compile",
-    ];
-    succeed(
-        Command::new(unfinished.join("bin/python"))
-            .args(pip)
-            .args(PACKAGES),
-    )?;
+    let python_of_unfinished = unfinished.join("bin/python");
+    succeed(python::install(&python_of_unfinished).args(PACKAGES))?;
     for peer in PEERS {
-        let fetched = Command::new(unfinished.join("bin/python"))
-            .args(pip)
+        let fetched = python::install(&python_of_unfinished)
             .arg(peer)
             // Lest the peer replaces a version.
             .args(PACKAGES)
@@ -87,5 +74,5 @@ pub fn interpreter() -> Result<PathBuf, String> {
     }
     fs::rename(&unfinished, &folder)
         .map_err(|e| format!("cannot rename {}: {e}", unfinished.display()))?;
-    Ok(python)
+    Ok(interpreter)
 }

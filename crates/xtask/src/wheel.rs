@@ -36,16 +36,11 @@ fn distribute(options: &[&str], zig: Option<&Path>) -> Result<(), String> {
 pub fn test() -> Result<(), String> {
     let python = venv::interpreter()?;
     let wheel = wheel(&python, &[], None)?;
-    let pip = [
-        "-m",
-        "pip",
-        "install",
-        "--quiet",
-        "--disable-pip-version-check",
-        "--no-deps",
-        "--force-reinstall",
-    ];
-    succeed(Command::new(&python).args(pip).arg(wheel))?;
+    succeed(
+        python::install(&python)
+            .args(["--no-deps", "--force-reinstall"])
+            .arg(wheel),
+    )?;
     python_tests::run(&python, None)
 }
 

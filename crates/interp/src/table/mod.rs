@@ -8,10 +8,12 @@
 //! `hdf5` do, and `hdf5_chunks` reads the numbers; `entropy` codes the integers of packed low-rank
 //! forms), `embedded` from the program. For the first lookup
 //! it becomes a `tensor_spline`, either dense or a `tensor_train`; their sums are those of
-//! `weighted_sum` and `mixed_precision`. `lookup` makes the [`Curve`](crate::Curve) of a material
+//! `weighted_sum` and of `mixed_precision` (with `blocks`, the rows in one precision, and
+//! `vectors`). `lookup` makes the [`Curve`](crate::Curve) of a material
 //! from it, with the help of `incompressible` for its derivatives.
 
 mod axes;
+mod blocks;
 mod certificate;
 pub mod chebyshev;
 mod demand;
