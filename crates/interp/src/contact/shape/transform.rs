@@ -173,7 +173,7 @@ impl Transform {
                         let square = knot.radius / p;
                         bend += knot.bend;
                         rest += square * knot.radius / s
-                            * (knot.bend * p * ratio * ratio - knot.jump * square);
+                            * (knot.bend * ratio * ratio - knot.jump * square / p);
                     }
                 }
                 2.0 * bend + rest
@@ -411,6 +411,8 @@ mod tests {
                     |f: &dyn Fn(f64) -> f64| (f(s + step) - f(s - step)) / (2.0 * step);
                 let slope = difference(&|s| transform.value(s));
                 assert!((transform.slope(s) / slope - 1.0).abs() < 1e-8, "{probe:?}");
+                let curvature = difference(&|s| transform.slope(s));
+                assert!((transform.curvature(s) - curvature).abs() < 1e-6, "{probe:?} at {s}");
                 let value = difference(&|s| transform.integral(s));
                 assert!((value / found - 1.0).abs() < 1e-8, "{probe:?} at {s}");
             }
