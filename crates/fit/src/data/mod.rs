@@ -8,17 +8,23 @@
 //! `tabulate` and the Python package afmformats write. Two columns of one quantity, as in
 //! `Extend Force(nN)` and `Retract Force(nN)`, are the two directions.
 //!
-//! `lines` reads the lines, `layout` finds the rows and their headings, `cells` and `number` read a
-//! row, `heading` and `unit` read a heading, and `assignment` decides which column holds what.
-//! `segment` finds the directions.
+//! Below the first rows there may be further headings with columns of their own, as in exports of
+//! JPK, where each segment has them. What the head of a file names of the cantilever, `springConstant:
+//! 0.02`, is used where the [`Format`] leaves it open.
+//!
+//! `lines` reads the lines, `head` what they tell of the cantilever, `layout` finds the rows and
+//! their headings, `cells` and `number` read a row, `heading`, `names` and `unit` read a heading, and
+//! `assignment` decides which column holds what. `segment` finds the directions.
 
 mod assignment;
 mod cells;
 mod column;
 mod failure;
+mod head;
 mod heading;
 mod layout;
 mod lines;
+mod names;
 mod number;
 mod rows;
 mod segment;
@@ -31,7 +37,9 @@ use std::path::Path;
 
 pub use assignment::{Source, roles};
 pub use column::{Column, Role};
-pub use failure::{DataError, Problem};
+pub use failure::{DataError, Found, Missing, Problem};
+pub use head::{Head, HeadValue};
+pub use sign::Doubt;
 pub use unit::{Dimension, Unit, prefix};
 
 use crate::{Direction, Kind, Measurement};
@@ -43,7 +51,8 @@ pub struct Format {
     pub kind: Option<Kind>,
     /// Columns that the user names. Others are recognised.
     pub columns: Vec<Column>,
-    /// The cantilever, which turns a deflection into a force.
+    /// The cantilever, which turns a deflection into a force. What it leaves open, the head of the
+    /// file may name.
     pub cantilever: Cantilever,
     /// Where the directions come from.
     pub segments: Segments,
@@ -89,13 +98,21 @@ pub struct Notes {
     pub columns: Vec<Source>,
     /// The number of rows that were left out because their values are missing.
     pub missing: u64,
-    /// The number of rows that were left out because they belong to a pause or to the direction
-    /// that was not asked for.
+    /// The number of rows that were left out because the sphere rests in them.
+    pub pauses: u64,
+    /// The number of rows that were left out because they are of the direction that was not asked
+    /// for.
     pub other_segments: u64,
+    /// The number of times that headings with rows below them stand in the file.
+    pub blocks: u64,
     /// Whether the points were split at the largest load.
     pub split: bool,
+    /// What the head of the file tells of the cantilever.
+    pub head: Head,
+    /// The cantilever that was used: the one given, completed by the head.
+    pub cantilever: Cantilever,
     /// A doubt about a sign.
-    pub doubt: Option<String>,
+    pub doubt: Option<Doubt>,
 }
 
 /// Reads a file.
