@@ -14,6 +14,8 @@ pub struct Source {
     pub role: Role,
     /// The number of the column, from 0.
     pub index: usize,
+    /// The unit.
+    pub unit: Unit,
     /// The factor to SI units, with the sign.
     pub factor: f64,
     /// The heading.
@@ -361,6 +363,7 @@ impl Columns<'_> {
         Ok(Source {
             role,
             index,
+            unit,
             factor,
             heading,
             assumed_si,

@@ -163,7 +163,7 @@ fn is_row(delimiter: Delimiter, line: &str) -> bool {
     let mut numbers = 0;
     for cell in delimiter.split(line) {
         match mark.read(cell) {
-            Cell::Number(_) | Cell::Infinite | Cell::Thousands => numbers += 1,
+            Cell::Number(_) | Cell::Infinite | Cell::OtherMark | Cell::Thousands => numbers += 1,
             // Numbers that another delimiter separates.
             Cell::Text
                 if cell.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c))

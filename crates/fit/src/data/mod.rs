@@ -14,7 +14,8 @@
 //!
 //! `lines` reads the lines, `head` what they tell of the cantilever, `layout` finds the rows and
 //! their headings, `cells` and `number` read a row, `heading`, `names` and `unit` read a heading, and
-//! `assignment` decides which column holds what. `segment` finds the directions.
+//! `assignment` decides which column holds what. `segment` finds the directions, and
+//! `remedy` what a user can give where a file is not read.
 
 mod assignment;
 mod cells;
@@ -26,11 +27,13 @@ mod layout;
 mod lines;
 mod names;
 mod number;
+mod remedy;
 mod rows;
 mod segment;
 mod sign;
 mod unit;
 
+use std::fmt;
 use std::fs::File;
 use std::io::{BufRead, BufReader};
 use std::path::Path;
@@ -39,6 +42,7 @@ pub use assignment::{Source, roles};
 pub use column::{Column, Role};
 pub use failure::{DataError, Found, Missing, Problem};
 pub use head::{Head, HeadValue};
+pub use remedy::Remedy;
 pub use sign::Doubt;
 pub use unit::{Dimension, Unit, prefix};
 
@@ -113,6 +117,77 @@ pub struct Notes {
     pub cantilever: Cantilever,
     /// A doubt about a sign.
     pub doubt: Option<Doubt>,
+}
+
+impl fmt::Display for FromHead<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self {
+            quantity,
+            unit,
+            named,
+            used,
+        } = self;
+        let HeadValue { value, name, line } = named;
+        if used == value {
+            write!(f, "{quantity} {used} {unit} from line {line}, {name:?}")
+        } else {
+            write!(
+                f,
+                "{quantity} {used} {unit} as given, and line {line}, {name:?}, has {value}"
+            )
+        }
+    }
+}
+
+/// A value of the cantilever that the head of a file names, and the one that was used.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FromHead<'a> {
+    /// `stiffness` or `sensitivity`.
+    pub quantity: &'static str,
+    /// The SI unit.
+    pub unit: &'static str,
+    /// What the head names.
+    pub named: &'a HeadValue,
+    /// What was used: the same, or the value that was given.
+    pub used: f64,
+}
+
+impl Notes {
+    /// Returns the values of the head that the columns need.
+    pub fn from_head(&self) -> Vec<FromHead<'_>> {
+        let needs = |matches: fn(&Source) -> bool| self.columns.iter().any(matches);
+        let stiffness = needs(|one| matches!(one.role, Role::Deflection | Role::Height));
+        let sensitivity =
+            needs(|one| one.role == Role::Deflection && one.unit.dimension == Dimension::Voltage);
+        let (head, cantilever) = (&self.head, self.cantilever);
+        let values = [
+            (
+                stiffness,
+                "stiffness",
+                "N/m",
+                &head.stiffness,
+                cantilever.stiffness,
+            ),
+            (
+                sensitivity,
+                "sensitivity",
+                "m/V",
+                &head.sensitivity,
+                cantilever.sensitivity,
+            ),
+        ];
+        values
+            .into_iter()
+            .filter_map(|(needed, quantity, unit, named, used)| {
+                Some(FromHead {
+                    quantity,
+                    unit,
+                    named: named.as_ref().filter(|_| needed)?,
+                    used: used?,
+                })
+            })
+            .collect()
+    }
 }
 
 /// Reads a file.

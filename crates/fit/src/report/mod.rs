@@ -60,7 +60,7 @@ fn write_report(
 ) -> Result<String, fmt::Error> {
     let mut out = String::new();
     for (experiment, notes) in experiments.iter().zip(notes) {
-        writeln!(out, "{}", read(&experiment.measurement, notes))?;
+        writeln!(out, "{}", reading(&experiment.measurement, notes))?;
     }
     writeln!(out, "\nfixed")?;
     for (name, value) in fixed(fit, &experiments[0]) {
@@ -95,8 +95,8 @@ fn write_report(
     Ok(out)
 }
 
-/// Says how a file was read.
-fn read(measurement: &Measurement, notes: &Notes) -> String {
+/// Returns how a file was read, in one line.
+pub fn reading(measurement: &Measurement, notes: &Notes) -> String {
     let mut columns: Vec<String> = notes.columns.iter().map(column).collect();
     columns.dedup();
     let mut text = format!(
@@ -108,11 +108,18 @@ fn read(measurement: &Measurement, notes: &Notes) -> String {
     if !columns.is_empty() {
         text += &format!("; {}", columns.join(", "));
     }
+    if notes.blocks > 1 {
+        text += &format!("; {} times headings with rows below them", notes.blocks);
+    }
     if notes.split {
         text += "; split at the largest load";
     }
+    for value in notes.from_head() {
+        text += &format!("; {value}");
+    }
     for (count, what) in [
         (notes.missing, "without values"),
+        (notes.pauses, "of a pause"),
         (notes.other_segments, "of another segment"),
     ] {
         if count > 0 {
@@ -128,7 +135,16 @@ fn column(source: &Source) -> String {
     } else {
         ""
     };
-    format!("{} from {:?}{unit}", source.role.name(), source.heading)
+    let sign = if source.factor < 0.0 {
+        " with a minus"
+    } else {
+        ""
+    };
+    format!(
+        "{} from {:?}{unit}{sign}",
+        source.role.name(),
+        source.heading
+    )
 }
 
 /// Returns the values that are not fitted. Zeros of the instrument that are 0 are left out.

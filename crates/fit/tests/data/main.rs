@@ -3,6 +3,8 @@
 #![forbid(unsafe_code)]
 
 mod errors;
+mod habits;
+mod instruments;
 mod large;
 mod properties;
 mod tables;

@@ -6,12 +6,13 @@
 
 pub mod experiments;
 pub mod object;
+pub mod reading;
 pub mod setting;
 pub mod table;
 
 use std::path::{Path, PathBuf};
 
-use ::fit::data::{Cantilever, Column, Format, Role, Segments, read};
+use ::fit::data::{Cantilever, Column, Format, Role, Segments};
 use ::fit::report::{UnitOf, report};
 use ::fit::{Direction, Kind, Loss, Measurement, Options, Parameter};
 use anyhow::{bail, ensure};
@@ -20,6 +21,7 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use interp::Table;
 
 use self::experiments::{FreeArguments, KnownArguments};
+use self::reading::{measured, typed};
 use self::setting::unit_of;
 use super::json;
 use super::output::Output;
@@ -123,8 +125,8 @@ pub struct Arguments {
     ///
     /// {"converged": bool, "parameters": {"film_modulus": {"value", "stderr", "unit"}, ...},
     /// "correlation": [[...]], "reduced_chi_squared", "noise", "without_film": {...}, "warnings":
-    /// [{"kind", "text"}]}. A parameter of which each file has its own is a list. With --intervals
-    /// each parameter has an "interval".
+    /// [{"kind", "text"}], "read": [how each file was read]}. A parameter of which each file has its
+    /// own is a list. With --intervals each parameter has an "interval".
     #[arg(long)]
     json: bool,
     /// Write data, fit, residual and branch of every point here
@@ -193,13 +195,17 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let format = arguments.format();
     let (mut measurements, mut notes) = (Vec::new(), Vec::new());
     for path in &arguments.data {
-        let reading = read(path, &format)?;
+        let reading = measured(path, &format)?;
         measurements.push(reading.measurement);
         notes.push(reading.notes);
     }
     let mut experiments = arguments.known.experiments(measurements)?;
     for (i, experiment) in experiments.iter_mut().enumerate() {
         let Measurement { name, kind, .. } = &experiment.measurement;
+        if *kind == Kind::ForceHeight {
+            let of_file = notes[i].cantilever.stiffness;
+            experiment.stiffness = experiment.stiffness.or(of_file);
+        }
         ensure!(
             *kind != Kind::ForceHeight || experiment.stiffness.is_some(),
             "{name}: heights need the stiffness of the cantilever; give it: --stiffness N/m"
@@ -233,9 +239,12 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         plot.write(&picture.encode(PictureFormat::of(path)?)?)?;
     }
     if arguments.json {
-        json::print(&object::FitObject::new(&fit, &notes))?;
+        json::print(&object::FitObject::new(&fit, &experiments, &notes))?;
     } else {
-        let report = report(&fit, &experiments, &notes, &arguments.units);
+        let mut report = report(&fit, &experiments, &notes, &arguments.units);
+        for doubt in notes.iter().filter_map(|notes| notes.doubt.as_ref()) {
+            report += &format!("if the sign is wrong, {}\n", typed(&doubt.remedy()));
+        }
         print(printable::lines(&report).as_bytes())?;
     }
     ensure!(

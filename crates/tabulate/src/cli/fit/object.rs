@@ -1,14 +1,20 @@
 //! The JSON object of a fit.
 
+use std::borrow::Cow;
+
 use ::fit::data::Notes;
-use ::fit::{Estimate, Fit, Parameter, WithoutFilm};
+use ::fit::report::reading;
+use ::fit::{Estimate, Experiment, Fit, Parameter, WithoutFilm};
 use serde::{Serialize, Serializer};
 
+use super::reading::typed;
 use crate::cli::json::Number;
 
 /// A fit.
 #[derive(Serialize)]
 pub struct FitObject<'a> {
+    /// How each file was read, as the report says it.
+    read: Vec<String>,
     converged: bool,
     parameters: Estimates<'a>,
     /// In the order of `parameters`, the values of one parameter one after another.
@@ -40,7 +46,7 @@ struct ModulusObject {
 #[derive(Serialize)]
 struct WarningObject<'a> {
     kind: &'static str,
-    text: &'a str,
+    text: Cow<'a, str>,
 }
 
 /// The value itself if there is one, else the list.
@@ -105,13 +111,21 @@ pub fn matrix(rows: &[Vec<f64>]) -> Vec<Vec<Number>> {
 
 impl<'a> FitObject<'a> {
     /// Returns the object of a fit.
-    pub fn new(fit: &'a Fit, notes: &'a [Notes]) -> Self {
+    pub fn new(fit: &'a Fit, experiments: &[Experiment], notes: &'a [Notes]) -> Self {
         let doubts = notes.iter().filter_map(|notes| notes.doubt.as_ref());
+        let doubts = doubts.map(|doubt| WarningObject {
+            kind: "sign",
+            text: format!("{doubt}; if so, {}", typed(&doubt.remedy())).into(),
+        });
         let warnings = fit.warnings.iter().map(|warning| WarningObject {
             kind: warning.kind.name(),
-            text: &warning.text,
+            text: warning.text.as_str().into(),
         });
+        let read = experiments.iter().zip(notes);
         Self {
+            read: read
+                .map(|(experiment, notes)| reading(&experiment.measurement, notes))
+                .collect(),
             converged: fit.converged,
             parameters: Estimates(&fit.estimates),
             correlation: matrix(&fit.correlation),
@@ -123,9 +137,7 @@ impl<'a> FitObject<'a> {
                     .collect(),
             ),
             without_film: fit.without_film.as_ref().map(WithoutFilmObject::new),
-            warnings: warnings
-                .chain(doubts.map(|text| WarningObject { kind: "sign", text }))
-                .collect(),
+            warnings: warnings.chain(doubts).collect(),
         }
     }
 }
