@@ -2,6 +2,7 @@
 
 #![forbid(unsafe_code)]
 
+mod afm;
 mod errors;
 mod habits;
 mod instruments;
