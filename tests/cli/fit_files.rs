@@ -196,3 +196,63 @@ fn a_doubt_about_a_sign_says_what_to_type() {
         "{run:?}"
     );
 }
+
+/// The report says which modulus each number is, and Young's modulus of the sphere on request.
+#[test]
+fn a_report_says_which_modulus_is_young_s_and_which_is_reduced() {
+    let workdir = workdir!();
+    let simulate = [
+        "simulate",
+        "--kind",
+        "load-radius",
+        "--film-thickness",
+        "1e-5",
+        "--from",
+        "4.2e-5",
+        "--to",
+        "1.3e-4",
+        "--noise",
+        "2e-6",
+        "--seed",
+        "1",
+    ];
+    workdir.write("lens.csv", &workdir.succeed(&simulate));
+    let fit = ["fit", "lens.csv", "--film-thickness", "1e-5"];
+    let with = |more: &[&'static str]| [&fit[..], more].concat();
+    let report = workdir.succeed(&with(&[]));
+    assert_names(
+        &report,
+        &[
+            "Pa, reduced modulus E2*\n",
+            "200 GPa, Young's modulus E0\n",
+            "3.5 MPa, Young's modulus E1\n",
+        ],
+    );
+    assert!(!report.contains("nu2"), "{report}");
+    let sphere = ["--sphere-poisson-ratio", "0.5"];
+    let report = workdir.succeed(&with(&sphere));
+    assert_names(
+        &report,
+        &["MPa, Young's modulus E2 = E2* (1 - nu2^2), nu2 = 0.5\n"],
+    );
+    let text = workdir.succeed(&with(&["--sphere-poisson-ratio", "0.5", "--json"]));
+    let object: Value = serde_json::from_str(&text).expect("JSON");
+    let [young, reduced] = [
+        &object["sphere_young_modulus"],
+        &object["parameters"]["sphere_modulus"],
+    ];
+    for key in ["value", "stderr"] {
+        let [young, reduced] = [young, reduced].map(|one| one[key].as_f64().expect("a number"));
+        assert_eq!(young, 0.75 * reduced, "{key}");
+    }
+    let [value, error] = ["value", "stderr"].map(|key| young[key].as_f64().expect("a number"));
+    assert!(
+        (value - 0.75 * 2e6).abs() < 4.0 * error,
+        "{value} +- {error}"
+    );
+    let message = workdir.fail(2, &with(&["--sphere-poisson-ratio", "0.6"]));
+    assert_names(&message, &["0.6", "above -1 and up to 0.5"]);
+    let fixed = with(&["--sphere-poisson-ratio", "0.5", "--free", "film-modulus"]);
+    let message = workdir.fail(1, &fixed);
+    assert_names(&message, &["reduced modulus", "--free sphere-modulus"]);
+}

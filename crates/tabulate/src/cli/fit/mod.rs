@@ -88,6 +88,10 @@ pub struct Arguments {
     only: Option<Direction>,
     #[command(flatten)]
     known: KnownArguments,
+    /// Poisson ratio of the sphere, which a contact does not need: the report then tells Young's
+    /// modulus of the sphere, too, E2 = E2* (1 - nu2^2)
+    #[arg(long, value_name = "NU", value_parser = poisson_ratio, allow_negative_numbers = true)]
+    sphere_poisson_ratio: Option<f64>,
     #[command(flatten)]
     free: FreeArguments,
     /// Standard deviation of a load (N) or penetration (m), one or one for each file [default:
@@ -124,7 +128,7 @@ pub struct Arguments {
     /// Print a JSON object in SI units instead of the report
     ///
     /// {"converged": bool, "parameters": {"film_modulus": {"value", "stderr", "unit"}, ...},
-    /// "correlation": [[...]], "reduced_chi_squared", "noise", "without_film": {...}, "warnings":
+    /// "sphere_young_modulus" with --sphere-poisson-ratio, "correlation": [[...]], "reduced_chi_squared", "noise", "without_film": {...}, "warnings":
     /// [{"kind", "text"}], "read": [how each file was read]}. A parameter of which each file has its
     /// own is a list. With --intervals each parameter has an "interval".
     #[arg(long)]
@@ -135,6 +139,16 @@ pub struct Arguments {
     /// Draw data, fit, residuals and the curve without the film: SVG or PNG by the ending
     #[arg(long, value_name = "FILE.svg|FILE.png", value_parser = picture)]
     plot: Option<PathBuf>,
+}
+
+/// Parses the Poisson ratio of a solid.
+fn poisson_ratio(text: &str) -> Result<f64, String> {
+    let value: f64 = text
+        .parse()
+        .map_err(|_| format!("{text:?} is not a number"))?;
+    let allowed = value > -1.0 && value <= 0.5;
+    let refused = || format!("{value:?} is not a Poisson ratio: give one above -1 and up to 0.5");
+    allowed.then_some(value).ok_or_else(refused)
 }
 
 /// Parses the name of a kind.
@@ -210,6 +224,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
             *kind != Kind::ForceHeight || experiment.stiffness.is_some(),
             "{name}: heights need the stiffness of the cantilever; give it: --stiffness N/m"
         );
+        experiment.sphere_poisson_ratio = arguments.sphere_poisson_ratio;
         let noise = arguments.noise.get(i).or(arguments.noise.first());
         experiment.noise = noise.copied();
     }
@@ -223,6 +238,14 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     {
         bail!("the stiffness cannot be free where it turns a deflection into a force: fix it");
     }
+    ensure!(
+        arguments.sphere_poisson_ratio.is_none()
+            || free
+                .iter()
+                .any(|free| free.parameter == Parameter::SphereModulus),
+        "--sphere-poisson-ratio: Young's modulus of the sphere follows from its reduced modulus, \
+         which is not free; free it, --free sphere-modulus, or leave the Poisson ratio out"
+    );
     let table = arguments.table.read()?;
     let table: &Table = &table;
     let options = Options {

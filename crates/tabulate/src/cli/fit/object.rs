@@ -17,6 +17,9 @@ pub struct FitObject<'a> {
     read: Vec<String>,
     converged: bool,
     parameters: Estimates<'a>,
+    /// Young's modulus of the sphere, where its Poisson ratio is given.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    sphere_young_modulus: Option<OneOrAll<EstimateObject>>,
     /// In the order of `parameters`, the values of one parameter one after another.
     correlation: Vec<Vec<Number>>,
     /// Null where a noise was estimated from the residuals.
@@ -83,14 +86,20 @@ impl Serialize for Estimates<'_> {
         }
         serializer.collect_map(parameters.into_iter().map(|parameter| {
             let of = self.0.iter().filter(|found| found.parameter == parameter);
-            let objects = of.map(|found| EstimateObject {
-                value: Number(found.value),
-                stderr: Number(found.standard_error),
-                unit: parameter.unit(),
-                interval: found.profile.map(|ends| ends.map(Number)),
-            });
+            let objects = of.map(EstimateObject::new);
             (json_name(parameter), OneOrAll(objects.collect()))
         }))
+    }
+}
+
+impl EstimateObject {
+    fn new(found: &Estimate) -> Self {
+        Self {
+            value: Number(found.value),
+            stderr: Number(found.standard_error),
+            unit: found.parameter.unit(),
+            interval: found.profile.map(|ends| ends.map(Number)),
+        }
     }
 }
 
@@ -126,6 +135,7 @@ impl<'a> FitObject<'a> {
             read: read
                 .map(|(experiment, notes)| reading(&experiment.measurement, notes))
                 .collect(),
+            sphere_young_modulus: young_of_sphere(fit, experiments),
             converged: fit.converged,
             parameters: Estimates(&fit.estimates),
             correlation: matrix(&fit.correlation),
@@ -140,6 +150,18 @@ impl<'a> FitObject<'a> {
             warnings: warnings.chain(doubts).collect(),
         }
     }
+}
+
+/// Returns Young's modulus of the sphere, if its Poisson ratio is given and its reduced modulus was
+/// found.
+fn young_of_sphere(fit: &Fit, experiments: &[Experiment]) -> Option<OneOrAll<EstimateObject>> {
+    let poisson = experiments.first()?.sphere_poisson_ratio?;
+    let of_sphere = |found: &&Estimate| found.parameter == Parameter::SphereModulus;
+    let found = fit.estimates.iter().filter(of_sphere);
+    let objects: Vec<EstimateObject> = found
+        .map(|found| EstimateObject::new(&found.young_of_sphere(poisson)))
+        .collect();
+    (!objects.is_empty()).then_some(OneOrAll(objects))
 }
 
 impl<'a> WithoutFilmObject<'a> {
