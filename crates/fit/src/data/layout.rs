@@ -143,7 +143,9 @@ fn are_headings(line: &str) -> bool {
             heading.unit.is_some() && Role::ALL.into_iter().any(has_name)
                 || Role::ALL.into_iter().any(|role| role.is_si(cell))
         };
-        cells.len() >= 2 && is_words(delimiter, text) && cells.iter().any(is_known)
+        // A list of properties has names with an equals sign.
+        let is_list = text.contains('=');
+        cells.len() >= 2 && !is_list && is_words(delimiter, text) && cells.iter().any(is_known)
     })
 }
 
