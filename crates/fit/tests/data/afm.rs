@@ -130,8 +130,8 @@ const ROWS: [Row; 15] = [
     row(".properties", NONE, Refused(&["no line holds two numbers"])),
 ];
 
-/// Returns the files of text, which hold no control characters below the tab, those in archives, too,
-/// by their names.
+/// Returns the files of text, those in archives, too, by their names. The channels of JPK (`.dat`) are
+/// binary numbers, some without a zero byte.
 fn texts(folder: &Path) -> BTreeMap<String, PathBuf> {
     let mut found = BTreeMap::new();
     let entries = std::fs::read_dir(folder).expect("a folder");
@@ -157,7 +157,7 @@ fn texts(folder: &Path) -> BTreeMap<String, PathBuf> {
             assert!(status.expect("python3 runs").success(), "{name}");
             let inside = texts(&unpacked).into_iter();
             found.extend(inside.map(|(inner, path)| (format!("{name}/{inner}"), path)));
-        } else if !bytes.iter().any(|byte| *byte < b'\t') {
+        } else if !name.ends_with(".dat") && !bytes.contains(&0) {
             found.insert(name, path);
         }
     }
