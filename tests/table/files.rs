@@ -183,7 +183,7 @@ fn every_changed_byte_of_a_packed_table_is_noticed() {
             bytes[at] ^= change;
             match (at, Table::from_packed(&bytes)) {
                 (0..8, Err(Error::Foreign(_))) => {}
-                (8..12, Err(Error::Version { supported: 3, .. })) => {}
+                (8..12, Err(Error::Version { supported: 4, .. })) => {}
                 (12..20, Err(Error::Length { .. })) => {}
                 (20.., Err(Error::Checksum { stored, found })) => assert_ne!(stored, found),
                 (_, other) => panic!("byte {at} changed by {change:#x}: {other:?}"),
