@@ -131,15 +131,21 @@ fn power_laws_are_those_of_the_reference_to_the_accuracy_of_the_table() {
     assert!(data.cases().count() > 30);
 }
 
-/// Returns the factor `kappa_n` of `b = kappa_n c s^n`, by the integral `n int_0^1 u^(n-1)/sqrt(1 - u^2)`
-/// with `u = sin(v)`.
+/// Returns the factor `kappa_n` of `b = kappa_n c s^n`, `n int_0^1 u^(n-1)/sqrt(1 - u^2) du`. With `u
+/// = sin(v)` the midpoint rule is exact to rounding for an exponent that is not small; smaller ones
+/// follow from `kappa_n = kappa_(n+2) (n + 1)/(n + 2)`.
 fn kappa(n: f64) -> f64 {
-    let count = 100_000;
-    let step = 0.5 * PI / f64::from(count);
-    let sum: f64 = (0..count)
-        .map(|i| (step * (f64::from(i) + 0.5)).sin().powf(n - 1.0))
+    const COUNT: u32 = 1000;
+    let upper = n + 8.0;
+    let step = 0.5 * PI / f64::from(COUNT);
+    let sum: f64 = (0..COUNT)
+        .map(|i| (step * (f64::from(i) + 0.5)).sin().powf(upper - 1.0))
         .sum();
-    n * sum * step
+    let down: f64 = (0..4)
+        .map(|i| n + 2.0 * f64::from(i))
+        .map(|n| (n + 1.0) / (n + 2.0))
+        .product();
+    down * upper * sum * step
 }
 
 /// Returns the largest relative error of load and penetration without adhesion of a power law,
@@ -430,9 +436,15 @@ fn pull_off_of_the_sphere_is_that_of_maugis() {
         // A film of the material of the substrate takes the other way, through the table.
         let coated = contact(probe(), material, 3e-4, material);
         for contact in [&bare, &coated] {
-            let found = contact.pull_off(w, Control::Load).expect("in range");
-            let found = found.load / (PI * w * r);
-            assert!((found - pull_off).abs() < 6e-6, "{found}, not {pull_off}");
+            match contact.pull_off(w, Control::Load) {
+                Ok(found) => {
+                    let found = found.load / (PI * w * r);
+                    assert!((found - pull_off).abs() < 6e-6, "{found}, not {pull_off}");
+                }
+                // On a film contacts end at 0.55 R.
+                Err(Error::OutsideRadii { to, .. }) => assert!(at_rest > 0.8 && to < 0.55 * r),
+                Err(other) => panic!("{other}"),
+            }
             match contact.zero_load(w) {
                 Ok(found) => {
                     let found = found.contact_radius / r;
@@ -497,7 +509,8 @@ fn the_load_follows_the_penetration_by_the_stiffness() {
         for probe in shapes() {
             let contact = contact(probe.clone(), film, 2e-6, substrate);
             for a in [1e-7, 1e-6, 3.2e-6, 8e-6, 2e-5, 2.8e-5] {
-                if a < contact.contact_radius_range()[0] {
+                let [least, most] = contact.contact_radius_range();
+                if a < least || a > 0.999 * most {
                     continue;
                 }
                 let at = |a: f64| contact.load_and_penetration(a, 0.0).expect("in range");
