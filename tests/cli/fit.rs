@@ -197,6 +197,7 @@ fn the_object_has_the_keys_of_its_help() {
         "noise",
         "without_film",
         "warnings",
+        "read",
     ];
     sorted.sort_unstable();
     assert_eq!(keys(&object), sorted);

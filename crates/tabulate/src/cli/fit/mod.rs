@@ -21,7 +21,7 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use interp::Table;
 
 use self::experiments::{FreeArguments, KnownArguments};
-use self::reading::{measured, typed};
+use self::reading::{doubted, measured, typed};
 use self::setting::unit_of;
 use super::json;
 use super::output::Output;
@@ -39,7 +39,9 @@ use crate::printable;
 /// recognised by headings with a unit, such as `Force [mN]`, `Radius (um)`, `height_nm`,
 /// `Piezo/nm`; --column names others. Without a unit, the names contact_radius, penetration, load,
 /// force, height, `height (measured)` and `height (piezo)` are in SI units, all others an error.
-/// Loads are positive in compression; heights are smaller when the cantilever is closer to the
+/// Segments of a file may have headings of their own. The stiffness and the sensitivity of the
+/// cantilever are those that the head of the file names, unless flags give others. Loads are
+/// positive in compression; heights are smaller when the cantilever is closer to the
 /// sample: contact point - height = penetration + force/stiffness.
 ///
 /// A film is looked up in the table. A stack of layers (--stack) is solved directly, which takes
@@ -68,10 +70,11 @@ pub struct Arguments {
     kind: Option<Kind>,
     /// A column that is not recognised: NAME=HEADING [UNIT]. NAME is one of contact_radius, load,
     /// penetration, height, deflection and segment. The number of the column may stand for the
-    /// heading; a minus before it turns the sign
+    /// heading, with `extend` or `retract` after it for one direction; a minus before it turns the
+    /// sign
     #[arg(long = "column", value_name = "NAME=HEADING [UNIT]")]
     columns: Vec<Column>,
-    /// Sensitivity, m of deflection for each V, of a deflection in volts
+    /// Sensitivity, m of deflection for each V, of a deflection in volts [default: that of the file]
     #[arg(long, value_name = "m/V", allow_negative_numbers = true)]
     sensitivity: Option<f64>,
     /// Where the directions of points come from: a column segment, phase or direction, comments
@@ -253,7 +256,8 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         profile_level: arguments.intervals,
         ..Options::default()
     };
-    let fit = ::fit::fit(table, &experiments, &free, &options)?;
+    let fit =
+        ::fit::fit(table, &experiments, &free, &options).map_err(|error| doubted(error, &notes))?;
     if let Some(csv) = csv {
         csv.write(&table::csv(&fit, &experiments)?)?;
     }
