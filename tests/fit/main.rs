@@ -3,6 +3,7 @@
 
 #![forbid(unsafe_code)]
 
+mod abscissa_noise;
 mod doubts;
 mod hostile;
 mod imagined;

@@ -39,6 +39,31 @@ pub(crate) fn excess(chi_squared: f64, degrees_of_freedom: f64) -> f64 {
     ((chi_squared / degrees_of_freedom).cbrt() - (1.0 - spread)) / spread.sqrt()
 }
 
+/// Returns by how many standard deviations the median of the absolute values of `count` normal
+/// numbers exceeds its expectation, from its ratio to it. The variance of a median is
+/// `1/(4 n f^2)`, with the density `f = 0.6356` of the absolute value at the median 0.6745.
+pub(crate) fn excess_of_median(ratio: f64, count: f64) -> f64 {
+    (ratio - 1.0) * 0.674_49 * 2.0 * 0.635_55 * count.sqrt()
+}
+
+/// Returns the variance of a sum of values times weights, from the differences of neighbours: half
+/// the mean square of a difference is the variance of a value (von Neumann, Ann. Math. Stat. 12,
+/// 367, 1941), whatever smooth course the values have.
+pub(crate) fn scatter_of_differences(weighted: &[(f64, f64)]) -> f64 {
+    let count = weighted.len() as f64;
+    let part = |pair: &[(f64, f64)]| {
+        let [(one, weight), (other, next)] = [pair[0], pair[1]];
+        0.5 * weight * next * (one - other).powi(2)
+    };
+    count / (count - 1.0) * weighted.windows(2).map(part).sum::<f64>()
+}
+
+/// Returns the normal number that is exceeded as often as `t` by Student's distribution with
+/// `freedom` degrees of freedom (Wallace, Ann. Math. Stat. 30, 1124, 1959).
+pub(crate) fn normal_of_t(t: f64, freedom: f64) -> f64 {
+    (8.0 * freedom + 1.0) / (8.0 * freedom + 3.0) * (freedom * (t * t / freedom).ln_1p()).sqrt()
+}
+
 /// Returns how many standard deviations a normal number stays within with probability `level`, by
 /// the rational approximation of Abramowitz and Stegun (26.2.23, error below 4.5e-4) and one step
 /// of Newton's method on their 7.1.26 (1.5e-7).
@@ -82,6 +107,31 @@ mod tests {
         let found = missing_runs(&blocks).expect("enough of both");
         assert!((found - expected).abs() < 1e-12);
         assert_eq!(missing_runs(&[1.0; 30]), None);
+    }
+
+    #[test]
+    fn student_numbers_are_those_of_tables() {
+        // Two-sided 5 % and 0.1 %: 1.960 and 3.291 of a normal number.
+        for (freedom, t, normal) in [
+            (10.0, 2.228, 1.960),
+            (30.0, 2.042, 1.960),
+            (10.0, 4.587, 3.291),
+            (30.0, 3.646, 3.291),
+        ] {
+            assert!((normal_of_t(t, freedom) - normal).abs() < 0.01, "{freedom}");
+        }
+    }
+
+    #[test]
+    fn differences_show_the_noise_beside_a_smooth_course() {
+        // Signs that alternate: each difference is 2, half of its square 2.
+        let values: Vec<(f64, f64)> = (0..101_i32)
+            .map(|i| (f64::from(1 - 2 * (i % 2)), 0.1))
+            .collect();
+        let expected = 0.01 * 2.0 * 101.0;
+        assert!((scatter_of_differences(&values) / expected - 1.0).abs() < 1e-12);
+        let smooth: Vec<(f64, f64)> = (0..101_i32).map(|i| (f64::from(i), 1.0)).collect();
+        assert!(scatter_of_differences(&smooth) < 51.0);
     }
 
     #[test]

@@ -4,7 +4,8 @@ use std::sync::Arc;
 
 use fit::{
     Bodies, Direction, Estimate, Experiment, Fit, FittedExperiment, Free, Kind, Layer, Layered,
-    LayeredSolver, Loss, Measurement, Options, Parameter, Point, Reach, Scope, WithoutFilm,
+    LayeredSolver, Loss, Measurement, Options, Parameter, Point, PointErrors, Reach, Scope,
+    WithoutFilm,
 };
 use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::exceptions::PyValueError;
@@ -32,7 +33,27 @@ pub struct Given<'py> {
     baseline: f64,
     baseline_slope: f64,
     stiffness: Option<f64>,
-    noise: Option<f64>,
+    noise: Option<GivenNoise<'py>>,
+    abscissa_noise: GivenNoise<'py>,
+}
+
+/// A standard deviation, or one for each point.
+#[derive(FromPyObject)]
+enum GivenNoise<'py> {
+    #[pyo3(transparent)]
+    One(f64),
+    #[pyo3(transparent)]
+    Each(PyReadonlyArray1<'py, f64>),
+}
+
+impl GivenNoise<'_> {
+    /// Returns the number, or the list of those of the points.
+    fn read(&self) -> PyResult<(Option<f64>, Vec<f64>)> {
+        Ok(match self {
+            Self::One(noise) => (Some(*noise), Vec::new()),
+            Self::Each(noises) => (None, noises.as_slice()?.to_vec()),
+        })
+    }
 }
 
 /// The bodies of an experiment.
@@ -171,6 +192,9 @@ pub fn experiment(
             Bodies::Layered(layered(layers.get(), &measurement, solver).or_raise(py)?)
         }
     };
+    let given_noise = given.noise.as_ref().map(GivenNoise::read).transpose()?;
+    let (noise, of_ordinates) = given_noise.unwrap_or_default();
+    let (abscissa_noise, of_abscissae) = given.abscissa_noise.read()?;
     Ok(Experiment {
         work_of_adhesion: given.work_of_adhesion,
         work_of_adhesion_receding: given.work_of_adhesion_receding,
@@ -179,7 +203,12 @@ pub fn experiment(
         baseline: given.baseline,
         baseline_slope: given.baseline_slope,
         stiffness: given.stiffness,
-        noise: given.noise,
+        noise,
+        abscissa_noise: abscissa_noise.unwrap_or(0.0),
+        errors: PointErrors {
+            abscissa: of_abscissae,
+            ordinate: of_ordinates,
+        },
         ..Experiment::new(measurement, bodies)
     })
 }
@@ -324,9 +353,11 @@ fn points<'py>(py: Python<'py>, experiment: &FittedExperiment) -> PyResult<Bound
     fields.set_item("name", &experiment.name)?;
     fields.set_item("noise", experiment.noise)?;
     fields.set_item("noise_is_estimated", experiment.noise_is_estimated)?;
+    fields.set_item("abscissa_noise", experiment.abscissa_noise)?;
     fields.set_item("abscissa", column(|point| Some(point.abscissa)))?;
     fields.set_item("ordinate", column(|point| Some(point.ordinate)))?;
     fields.set_item("fit", column(|point| point.fit))?;
+    fields.set_item("deviation", column(|point| Some(point.deviation)))?;
     fields.set_item("contact_radius", column(|point| point.contact_radius))?;
     fields.set_item("without_film", column(|point| point.without_film))?;
     let branches = points.iter().map(|point| point.branch.name());

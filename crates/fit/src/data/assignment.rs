@@ -31,6 +31,8 @@ pub struct Pair {
     pub abscissa: Source,
     /// The ordinate.
     pub ordinate: Source,
+    /// The standard deviations of both, where there are columns of them.
+    pub errors: [Option<Source>; 2],
 }
 
 /// What the columns of a file hold.
@@ -45,7 +47,7 @@ pub struct Assignment {
 }
 
 /// A problem, and the column that has it.
-type Failure = (Option<usize>, Problem);
+pub(super) type Failure = (Option<usize>, Problem);
 
 /// Assigns the columns with these headings.
 pub fn assign(headings: &[Heading], format: &Format) -> Result<Assignment, Failure> {
@@ -53,26 +55,23 @@ pub fn assign(headings: &[Heading], format: &Format) -> Result<Assignment, Failu
     let kind = columns.kind()?;
     let roles = roles(kind);
     let mut pairs = Vec::new();
-    let whole = columns.pair(roles, None)?;
-    if let Some((abscissa, ordinate)) = whole {
-        pairs.push(Pair {
-            direction: None,
-            abscissa,
-            ordinate,
-        });
+    if let Some(pair) = columns.pair(roles, None)? {
+        pairs.push(pair);
     } else {
         for direction in [Direction::Approach, Direction::Retract] {
-            if let Some((abscissa, ordinate)) = columns.pair(roles, Some(direction))? {
-                pairs.push(Pair {
-                    direction: Some(direction),
-                    abscissa,
-                    ordinate,
-                });
-            }
+            pairs.extend(columns.pair(roles, Some(direction))?);
         }
     }
     if pairs.is_empty() {
         return Err(columns.missing(roles));
+    }
+    // A direction without deviations beside one that has them.
+    for (k, of) in roles.into_iter().enumerate() {
+        let mut has = pairs.iter().map(|pair| pair.errors[k].is_some());
+        if has.clone().any(|has| has) && !has.all(|has| has) {
+            let role = of.error().unwrap_or(of);
+            return Err((None, columns.absent(role, None)));
+        }
     }
     let segment = columns.find(Role::Segment, None)?;
     Ok(Assignment {
@@ -93,14 +92,14 @@ pub const fn roles(kind: Kind) -> [Role; 2] {
 }
 
 /// Tells whether a name of a load means a deflection unless its unit says otherwise.
-fn is_deflection(role: Role, name: &str) -> bool {
+pub(super) fn is_deflection(role: Role, name: &str) -> bool {
     role == Role::Load && Role::Deflection.headings().contains(&name)
 }
 
 /// The headings, and what the user says about them.
-struct Columns<'a> {
-    headings: &'a [Heading],
-    format: &'a Format,
+pub(super) struct Columns<'a> {
+    pub headings: &'a [Heading],
+    pub format: &'a Format,
 }
 
 impl Columns<'_> {
@@ -119,7 +118,10 @@ impl Columns<'_> {
         let fits = |kind: &Kind| {
             let [abscissa, ordinate] = roles(*kind);
             let named = |column: &Column| {
+                let of = |role: Role| role.error() == Some(column.role);
                 column.role == Role::Segment
+                    || of(abscissa)
+                    || of(ordinate)
                     || column.role == abscissa
                     || column.role == ordinate
                     || (column.role == Role::Deflection && *kind == Kind::ForceHeight)
@@ -147,7 +149,7 @@ impl Columns<'_> {
         &self,
         [abscissa, ordinate]: [Role; 2],
         direction: Option<Direction>,
-    ) -> Result<Option<(Source, Source)>, Failure> {
+    ) -> Result<Option<Pair>, Failure> {
         let of = |role: Role| -> Result<Option<Source>, Failure> {
             Ok(match self.force_or(role, direction)? {
                 None if direction.is_some() => self.force_or(role, None)?,
@@ -157,7 +159,16 @@ impl Columns<'_> {
         let (Some(abscissa), Some(ordinate)) = (of(abscissa)?, of(ordinate)?) else {
             return Ok(None);
         };
-        Ok(Some((abscissa, ordinate)))
+        let errors = [
+            self.deviation(&abscissa, false, direction)?,
+            self.deviation(&ordinate, true, direction)?,
+        ];
+        Ok(Some(Pair {
+            direction,
+            abscissa,
+            ordinate,
+            errors,
+        }))
     }
 
     /// Returns the column of a role; a deflection where there is no load.
@@ -216,7 +227,10 @@ impl Columns<'_> {
         Ok(None)
     }
 
-    fn positions(&self, matches: impl Fn(&Heading) -> bool) -> impl Iterator<Item = usize> {
+    pub(super) fn positions(
+        &self,
+        matches: impl Fn(&Heading) -> bool,
+    ) -> impl Iterator<Item = usize> {
         self.headings
             .iter()
             .enumerate()
@@ -225,7 +239,7 @@ impl Columns<'_> {
     }
 
     /// Returns the column that the user names, and its unit.
-    fn named(&self, column: &Column) -> Result<(usize, Option<Unit>), Failure> {
+    pub(super) fn named(&self, column: &Column) -> Result<(usize, Option<Unit>), Failure> {
         let wanted = Heading::parse(&column.heading);
         let exact = |heading: &Heading| heading.text == column.heading;
         let alike = |heading: &Heading| {
@@ -266,7 +280,7 @@ impl Columns<'_> {
     }
 
     /// Returns the source of a role in a column, with its factor to SI units.
-    fn source(
+    pub(super) fn source(
         &self,
         role: Role,
         index: usize,
@@ -279,15 +293,7 @@ impl Columns<'_> {
         let unit = match unit {
             Some(unit) if role.accepts(unit) => unit,
             Some(_) => {
-                return Err((
-                    None,
-                    Problem::MissingColumn {
-                        role: role.name(),
-                        dimension: role.dimension(),
-                        wrong: Some(heading),
-                        headings: self.texts(),
-                    },
-                ));
+                return Err((None, self.absent(role, Some(heading))));
             }
             None if role == Role::Segment || role.is_si(&heading) => Unit::si(role.dimension()),
             None => {
@@ -336,13 +342,20 @@ impl Columns<'_> {
                 && heading.unit.is_some_and(|unit| !role.accepts(unit))
         };
         let wrong = self.headings.iter().find(is_wrong);
-        let problem = Problem::MissingColumn {
+        (
+            None,
+            self.absent(role, wrong.map(|heading| heading.text.clone())),
+        )
+    }
+
+    /// Returns the problem of a column that is not there, or in a wrong unit.
+    fn absent(&self, role: Role, wrong: Option<String>) -> Problem {
+        Problem::MissingColumn {
             role: role.name(),
             dimension: role.dimension(),
-            wrong: wrong.map(|heading| heading.text.clone()),
+            wrong,
             headings: self.texts(),
-        };
-        (None, problem)
+        }
     }
 
     fn texts(&self) -> Vec<String> {

@@ -191,6 +191,12 @@ pub enum Problem {
     /// A contact radius that is negative.
     #[error("contact radius = {0:?} m must not be below 0; a row without contact has 0")]
     Radius(f64),
+    /// A standard deviation that cannot be.
+    #[error(
+        "standard deviation = {0:?} (SI) must be positive and finite, and may be 0 for a radius, \
+         penetration or height; correct it, or rename the column if it is something else"
+    )]
+    Deviation(f64),
     /// All values of a column are equal.
     #[error(
         "all {points} values are {value:?} (SI); choose the column that was measured: --column"

@@ -8,13 +8,19 @@
 //! `tabulate` and the Python package afmformats write. Two columns of one quantity, as in
 //! `Extend Force(nN)` and `Retract Force(nN)`, are the two directions.
 //!
+//! A column of standard deviations has the heading of its quantity and `error`, `std`, `sd`, `sigma`
+//! or `uncertainty`: `radius_error [um]`, `load error [mN]`, `sigma_F`; without a unit it has that of
+//! its quantity. A heading `std`, `sd`, `sigma`, `uncertainty`, `standard error` or
+//! `standard deviation` alone is that of the ordinate. Percentages are not read.
+//!
 //! `lines` reads the lines, `layout` finds the rows and their headings, `cells` and `number` read a
-//! row, `heading` and `unit` read a heading, and `assignment` decides which column holds what.
-//! `segment` finds the directions.
+//! row, `heading` and `unit` read a heading, and `assignment` decides which column holds what,
+//! with `deviation` those of standard deviations. `segment` finds the directions.
 
 mod assignment;
 mod cells;
 mod column;
+mod deviation;
 mod failure;
 mod heading;
 mod layout;
@@ -34,7 +40,7 @@ pub use column::{Column, Role};
 pub use failure::{DataError, Problem};
 pub use unit::{Dimension, Unit, prefix};
 
-use crate::{Direction, Kind, Measurement};
+use crate::{Direction, Kind, Measurement, PointErrors};
 
 /// What is known about a file before it is read.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -78,6 +84,8 @@ pub enum Segments {
 pub struct Reading {
     /// The measurement, in SI units.
     pub measurement: Measurement,
+    /// The standard deviations of the points, as far as the file has columns of them.
+    pub errors: PointErrors,
     /// How it was read.
     pub notes: Notes,
 }

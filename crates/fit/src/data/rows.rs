@@ -12,7 +12,7 @@ use super::lines::Lines;
 use super::number::{Cell, DecimalMark};
 use super::segment::{Segment, split};
 use super::{Format, Notes, Reading, Segments, sign};
-use crate::{Kind, Measurement, Point};
+use crate::{Kind, Measurement, Point, PointErrors};
 
 /// The number of lines that may stand before the rows of numbers.
 const LONGEST_HEAD: usize = 10_000;
@@ -55,6 +55,7 @@ pub fn read(source: impl BufRead, name: &str, format: &Format) -> Result<Reading
         mark: DecimalMark::default(),
         segment: None,
         points: vec![Vec::new(); assignment.pairs.len()],
+        errors: vec![PointErrors::default(); assignment.pairs.len()],
         count: 0,
         missing: 0,
         other_segments: 0,
@@ -127,6 +128,8 @@ struct Rows<'a> {
     segment: Option<Segment>,
     /// The points of each pair of columns.
     points: Vec<Vec<Point>>,
+    /// Their standard deviations.
+    errors: Vec<PointErrors>,
     count: u64,
     missing: u64,
     other_segments: u64,
@@ -198,6 +201,12 @@ impl Rows<'_> {
                 let problem = Problem::Radius(abscissa);
                 return Err(self.failure(number, pair.abscissa.index, problem));
             }
+            let [of_abscissa, of_ordinate] = [0, 1].map(|k| {
+                let source = pair.errors[k].as_ref()?;
+                Some(self.deviation(number, &cells, source, k == 0))
+            });
+            self.errors[i].abscissa.extend(of_abscissa.transpose()?);
+            self.errors[i].ordinate.extend(of_ordinate.transpose()?);
             let point = Point {
                 line: number,
                 abscissa,
@@ -227,6 +236,22 @@ impl Rows<'_> {
         Err(self.failure(line, source.index, problem))
     }
 
+    /// Returns the standard deviation of a point; one of 0 only if `may_be_exact`.
+    fn deviation(
+        &mut self,
+        line: u64,
+        cells: &[&str],
+        source: &Source,
+        may_be_exact: bool,
+    ) -> Result<f64, Failure> {
+        let problem = match self.value(line, cells, source)? {
+            Some(value) if value > 0.0 || may_be_exact && value == 0.0 => return Ok(value),
+            Some(value) => Problem::Deviation(value),
+            None => Problem::Missing,
+        };
+        Err(self.failure(line, source.index, problem))
+    }
+
     fn failure(&self, line: u64, index: usize, problem: Problem) -> Failure {
         Failure {
             line: Some(line),
@@ -242,6 +267,11 @@ impl Rows<'_> {
         for more in &mut self.points[1..] {
             points.append(more);
         }
+        let mut errors = PointErrors::default();
+        for more in &mut self.errors {
+            errors.abscissa.append(&mut more.abscissa);
+            errors.ordinate.append(&mut more.ordinate);
+        }
         let known = points.iter().any(|point| point.direction.is_some());
         let split_now = match self.format.segments {
             Segments::Auto => *kind == Kind::ForceHeight && !known,
@@ -253,6 +283,14 @@ impl Rows<'_> {
         }
         if let Some(only) = self.format.only {
             let before = points.len();
+            for list in [&mut errors.abscissa, &mut errors.ordinate] {
+                let mut of_points = points.iter();
+                list.retain(|_| {
+                    of_points
+                        .next()
+                        .is_some_and(|point| point.direction == Some(only))
+                });
+            }
             points.retain(|point| point.direction == Some(only));
             self.other_segments += (before - points.len()) as u64;
         }
@@ -260,9 +298,12 @@ impl Rows<'_> {
             return Err(Problem::NoPoints(self.count).into());
         }
         check_constant(&points, &pairs[0])?;
-        let columns = pairs
-            .iter()
-            .flat_map(|pair| [pair.abscissa.clone(), pair.ordinate.clone()]);
+        let columns = pairs.iter().flat_map(|pair| {
+            let values = [pair.abscissa.clone(), pair.ordinate.clone()];
+            values
+                .into_iter()
+                .chain(pair.errors.iter().flatten().cloned())
+        });
         let notes = Notes {
             columns: columns.collect(),
             missing: self.missing,
@@ -275,7 +316,11 @@ impl Rows<'_> {
             kind: *kind,
             points,
         };
-        Ok(Reading { measurement, notes })
+        Ok(Reading {
+            measurement,
+            errors,
+            notes,
+        })
     }
 }
 

@@ -7,6 +7,7 @@
 //! `warnings` the doubts. `forecast` tells the errors of a planned experiment. `result` holds what
 //! comes out.
 
+mod agreement;
 mod forecast;
 mod jkr;
 mod loss;

@@ -83,10 +83,13 @@ impl Estimate {
 pub struct FittedExperiment {
     /// The name of the measurement.
     pub name: String,
-    /// The standard deviation of an ordinate, in N or m.
+    /// The standard deviation of an ordinate, in N or m; the median of those given for each point.
     pub noise: f64,
     /// Whether the noise was estimated from the residuals.
     pub noise_is_estimated: bool,
+    /// The standard deviation of an abscissa, m; 0 if they are exact, and the median of those given
+    /// for each point.
+    pub abscissa_noise: f64,
     /// The points, in the order measured.
     pub points: Vec<FittedPoint>,
 }
@@ -102,13 +105,16 @@ pub struct FittedPoint {
     pub ordinate: f64,
     /// The ordinate of the fit; `None` for a point that was left out.
     pub fit: Option<f64>,
+    /// The standard deviation of the residual, in N or m: that of the ordinate, with what an error
+    /// of the abscissa adds.
+    pub deviation: f64,
     /// The contact radius of the fit (m); `None` without a contact.
     pub contact_radius: Option<f64>,
     /// The ordinate of the fit without the film; `None` where there is none.
     pub without_film: Option<f64>,
     /// The branch.
     pub branch: Branch,
-    /// Whether the residual is more than 5 times the noise.
+    /// Whether the residual is more than 5 times its standard deviation.
     pub outlier: bool,
 }
 

@@ -111,9 +111,7 @@ fn accept_numbers(experiment: &Experiment) -> Result<(), Error> {
         value,
         allowed: allowed.into(),
     };
-    if let Some(noise) = experiment.noise.filter(|n| !(*n > 0.0 && n.is_finite())) {
-        return Err(setting("the noise", noise, "positive and finite"));
-    }
+    experiment.accept_errors()?;
     for parameter in [Parameter::WorkOfAdhesion, Parameter::WorkOfAdhesionReceding] {
         let value = experiment.get(parameter);
         if let Some(value) = value.filter(|value| !(0.0..f64::INFINITY).contains(value)) {
@@ -197,7 +195,7 @@ fn result(
     let all_given = problem
         .assigned
         .iter()
-        .all(|assigned| assigned.experiment.noise.is_some());
+        .all(|assigned| assigned.experiment.usual_noise().is_some());
     let (without_film, predictions) = without.map_or((None, None), |found| {
         (Some(found.result), Some(found.predictions))
     });
@@ -241,6 +239,7 @@ fn experiment(
             abscissa: point.abscissa,
             ordinate: point.ordinate,
             fit,
+            deviation: assigned.deviation(i),
             contact_radius: predicted
                 .map(|predicted| predicted.radii[i])
                 .filter(|&radius| radius > 0.0),
@@ -250,13 +249,15 @@ fn experiment(
             } else {
                 assigned.branches[i]
             },
-            outlier: fit.is_some_and(|fit| (point.ordinate - fit).abs() > OUTLIER * assigned.noise),
+            outlier: fit
+                .is_some_and(|fit| (point.ordinate - fit).abs() > OUTLIER * assigned.deviation(i)),
         }
     };
     FittedExperiment {
         name: measurement.name.clone(),
         noise: assigned.noise,
-        noise_is_estimated: assigned.experiment.noise.is_none(),
+        noise_is_estimated: assigned.experiment.usual_noise().is_none(),
+        abscissa_noise: assigned.experiment.usual_abscissa_noise(),
         points: measurement.points.iter().enumerate().map(point).collect(),
     }
 }

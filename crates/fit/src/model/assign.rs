@@ -94,7 +94,7 @@ impl Experiment {
                 if !noises.is_empty() {
                     local_noise = Some(noises.iter().sum::<f64>() / noises.len() as f64);
                 }
-                let noise = self.noise.or(local_noise).unwrap_or(0.0);
+                let noise = self.usual_noise().or(local_noise).unwrap_or(0.0);
                 for segment in segments {
                     let [contact_ends, baseline_begins] = self.split(&segment, noise, freedom);
                     for &i in &segment[contact_ends..baseline_begins] {

@@ -1,7 +1,7 @@
 //! What is measured, what is known, and what the contact model predicts for it.
 //!
 //! `measurement` holds the points, `parameter` the numbers that can be fitted, `experiment` the
-//! points with all that is known about them, `free` what is to be found and how. `assign` reads the
+//! points with all that is known about them, `errors` their standard deviations, `free` what is to be found and how. `assign` reads the
 //! `branch` of each point from the data. `predict` compares the points with the contact of
 //! `interp`, through `readings` and, under adhesion hysteresis, `turn`; `layered` is a stack of
 //! layers, for which another crate computes contacts, and `differences` the derivatives on it.
@@ -11,6 +11,7 @@
 mod assign;
 mod branch;
 mod differences;
+mod errors;
 mod experiment;
 mod free;
 mod layered;
@@ -24,6 +25,7 @@ mod turn;
 
 pub(crate) use assign::{Assignment, Freedom};
 pub use branch::Branch;
+pub use errors::PointErrors;
 pub use experiment::{Bodies, Experiment};
 pub use free::{Free, Loss, Options, Prior, Scope};
 pub use layered::{Cause, Layer, LayerName, Layered, LayeredSolver, Reach};

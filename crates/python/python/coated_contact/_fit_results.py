@@ -74,10 +74,15 @@ class FittedExperiment:
         Standard deviation of an ordinate, N or m.
     noise_is_estimated : bool
         Whether the noise was estimated from the residuals.
+    abscissa_noise : float
+        Standard deviation of an abscissa, m; 0 if they are exact.
     abscissa, ordinate : numpy.ndarray
         The measured points.
     fit : numpy.ndarray
         The ordinates of the fit; NaN for a point that was left out.
+    deviation : numpy.ndarray
+        The standard deviations of the residuals: those of the ordinates, with what errors of the
+        abscissae add.
     contact_radius : numpy.ndarray
         The contact radii of the fit, m; NaN without a contact.
     without_film : numpy.ndarray
@@ -85,15 +90,17 @@ class FittedExperiment:
     branch : list of str
         ``"advancing"``, ``"receding"``, ``"pinned"``, ``"baseline"`` or ``"left-out"``.
     outlier : numpy.ndarray
-        Whether the residual is more than 4.5 times the noise.
+        Whether the residual is more than 5 times its standard deviation.
     """
 
     name: str
     noise: float
     noise_is_estimated: bool
+    abscissa_noise: float
     abscissa: Array
     ordinate: Array
     fit: Array
+    deviation: Array
     contact_radius: Array
     without_film: Array
     branch: list[str]

@@ -38,6 +38,8 @@ use crate::printable;
 /// recognised by headings with a unit, such as `Force [mN]`, `Radius (um)`, `height_nm`,
 /// `Piezo/nm`; --column names others. Without a unit, the names contact_radius, penetration, load,
 /// force, height, `height (measured)` and `height (piezo)` are in SI units, all others an error.
+/// A heading of one of these with error, std, sd, sigma or uncertainty, such as `load error [mN]`
+/// and `radius_std`, is the column of its standard deviations.
 /// Loads are positive in compression; heights are smaller when the cantilever is closer to the
 /// sample: contact point - height = penetration + force/stiffness.
 ///
@@ -66,8 +68,9 @@ pub struct Arguments {
     #[arg(long, value_parser = kinds())]
     kind: Option<Kind>,
     /// A column that is not recognised: NAME=HEADING [UNIT]. NAME is one of contact_radius, load,
-    /// penetration, height, deflection and segment. The number of the column may stand for the
-    /// heading; a minus before it turns the sign
+    /// penetration, height, deflection and segment, or with _error a column of standard deviations:
+    /// load_error. The number of the column may stand for the heading; a minus before it turns the
+    /// sign
     #[arg(long = "column", value_name = "NAME=HEADING [UNIT]")]
     columns: Vec<Column>,
     /// Sensitivity, m of deflection for each V, of a deflection in volts
@@ -89,8 +92,9 @@ pub struct Arguments {
     known: KnownArguments,
     #[command(flatten)]
     free: FreeArguments,
-    /// Standard deviation of a load (N) or penetration (m), one or one for each file [default:
-    /// estimated from the residuals]
+    /// Standard deviation of a load (N) or penetration (m), one or one for each file [default: that
+    /// of a column of standard deviations, such as `load error [mN]`, or estimated from the
+    /// residuals]
     #[arg(
         long,
         value_name = "S",
@@ -98,6 +102,17 @@ pub struct Arguments {
         allow_negative_numbers = true
     )]
     noise: Vec<f64>,
+    /// Standard deviation of a contact radius, penetration or height, m, one or one for each file
+    /// [default: that of a column such as `radius_error [um]`, or exact]. It counts by the slope of
+    /// the model: the variance of a point is that of its load plus (slope x S)^2
+    #[arg(
+        long,
+        visible_alias = "radius-noise",
+        value_name = "S",
+        value_delimiter = ',',
+        allow_negative_numbers = true
+    )]
+    abscissa_noise: Vec<f64>,
     /// Robust loss, for data with outliers: Huber's with the threshold 1.345, or the soft L1 loss
     #[arg(long, value_parser = one_of([("huber", Loss::HUBER), ("soft-l1", Loss::SOFT_L1)]))]
     robust: Option<Loss>,
@@ -122,7 +137,8 @@ pub struct Arguments {
     /// Print a JSON object in SI units instead of the report
     ///
     /// {"converged": bool, "parameters": {"film_modulus": {"value", "stderr", "unit"}, ...},
-    /// "correlation": [[...]], "reduced_chi_squared", "noise", "without_film": {...}, "warnings":
+    /// "correlation": [[...]], "reduced_chi_squared", "noise", "abscissa_noise",
+    /// "without_film": {...}, "warnings":
     /// [{"kind", "text"}]}. A parameter of which each file has its own is a list. With --intervals
     /// each parameter has an "interval".
     #[arg(long)]
@@ -185,27 +201,41 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let csv = output(arguments.csv.as_deref(), &inputs)?;
     let plot = output(arguments.plot.as_deref(), &inputs)?;
     let files = arguments.data.len();
-    let noises = arguments.noise.len();
-    ensure!(
-        noises <= 1 || noises == files,
-        "--noise: {noises} values for {files} files; give one, or one for each file"
-    );
+    for (flag, noises) in [
+        ("--noise", arguments.noise.len()),
+        ("--abscissa-noise", arguments.abscissa_noise.len()),
+    ] {
+        ensure!(
+            noises <= 1 || noises == files,
+            "{flag}: {noises} values for {files} files; give one, or one for each file"
+        );
+    }
     let format = arguments.format();
-    let (mut measurements, mut notes) = (Vec::new(), Vec::new());
+    let (mut measurements, mut errors, mut notes) = (Vec::new(), Vec::new(), Vec::new());
     for path in &arguments.data {
         let reading = read(path, &format)?;
         measurements.push(reading.measurement);
+        errors.push(reading.errors);
         notes.push(reading.notes);
     }
     let mut experiments = arguments.known.experiments(measurements)?;
-    for (i, experiment) in experiments.iter_mut().enumerate() {
+    for ((i, experiment), errors) in experiments.iter_mut().enumerate().zip(errors) {
         let Measurement { name, kind, .. } = &experiment.measurement;
         ensure!(
             *kind != Kind::ForceHeight || experiment.stiffness.is_some(),
             "{name}: heights need the stiffness of the cantilever; give it: --stiffness N/m"
         );
-        let noise = arguments.noise.get(i).or(arguments.noise.first());
-        experiment.noise = noise.copied();
+        // A flag stands for a column.
+        experiment.errors = errors;
+        let of_file = |noises: &[f64]| noises.get(i).or(noises.first()).copied();
+        if let Some(noise) = of_file(&arguments.noise) {
+            experiment.noise = Some(noise);
+            experiment.errors.ordinate.clear();
+        }
+        if let Some(noise) = of_file(&arguments.abscissa_noise) {
+            experiment.abscissa_noise = noise;
+            experiment.errors.abscissa.clear();
+        }
     }
     let free = arguments.free.of(&experiments, &arguments.known.values)?;
     let mut columns = notes.iter().flat_map(|notes| &notes.columns);

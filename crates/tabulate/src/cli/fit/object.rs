@@ -1,7 +1,7 @@
 //! The JSON object of a fit.
 
 use ::fit::data::Notes;
-use ::fit::{Estimate, Fit, Parameter, WithoutFilm};
+use ::fit::{Estimate, Fit, FittedExperiment, Parameter, WithoutFilm};
 use serde::{Serialize, Serializer};
 
 use crate::cli::json::Number;
@@ -16,6 +16,7 @@ pub struct FitObject<'a> {
     /// Null where a noise was estimated from the residuals.
     reduced_chi_squared: Option<Number>,
     noise: OneOrAll<Number>,
+    abscissa_noise: OneOrAll<Number>,
     without_film: Option<WithoutFilmObject<'a>>,
     warnings: Vec<WarningObject<'a>>,
 }
@@ -106,6 +107,10 @@ pub fn matrix(rows: &[Vec<f64>]) -> Vec<Vec<Number>> {
 impl<'a> FitObject<'a> {
     /// Returns the object of a fit.
     pub fn new(fit: &'a Fit, notes: &'a [Notes]) -> Self {
+        let of_files = |value: fn(&FittedExperiment) -> f64| {
+            let values = fit.experiments.iter().map(|one| Number(value(one)));
+            OneOrAll(values.collect())
+        };
         let doubts = notes.iter().filter_map(|notes| notes.doubt.as_ref());
         let warnings = fit.warnings.iter().map(|warning| WarningObject {
             kind: warning.kind.name(),
@@ -116,12 +121,8 @@ impl<'a> FitObject<'a> {
             parameters: Estimates(&fit.estimates),
             correlation: matrix(&fit.correlation),
             reduced_chi_squared: fit.reduced_chi_squared.map(Number),
-            noise: OneOrAll(
-                fit.experiments
-                    .iter()
-                    .map(|one| Number(one.noise))
-                    .collect(),
-            ),
+            noise: of_files(|one| one.noise),
+            abscissa_noise: of_files(|one| one.abscissa_noise),
             without_film: fit.without_film.as_ref().map(WithoutFilmObject::new),
             warnings: warnings
                 .chain(doubts.map(|text| WarningObject { kind: "sign", text }))

@@ -229,7 +229,11 @@ fn agreement(fit: &Fit) -> String {
         } else {
             ""
         };
-        format!("{:.2e}{ordinate}", experiment.noise)
+        let abscissa = match experiment.abscissa_noise {
+            0.0 => String::new(),
+            noise => format!(", of the abscissa {noise:.2e}"),
+        };
+        format!("{:.2e}{ordinate}{abscissa}", experiment.noise)
     });
     let noise = noises.collect::<Vec<_>>().join("; ");
     let freedom = fit.degrees_of_freedom;
