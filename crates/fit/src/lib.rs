@@ -64,6 +64,7 @@ pub mod data;
 mod error;
 mod estimate;
 mod model;
+pub mod report;
 mod statistics;
 
 pub use error::Error;
