@@ -4,7 +4,9 @@
 #![forbid(unsafe_code)]
 
 mod abscissa_noise;
+mod cycles;
 mod doubts;
+mod fixed_values;
 mod hostile;
 mod imagined;
 mod layers;

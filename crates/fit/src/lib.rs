@@ -69,11 +69,11 @@ mod statistics;
 
 pub use error::Error;
 pub use estimate::{
-    Combination, Estimate, Fit, FittedExperiment, FittedPoint, Forecast, ModulusBias, Warning,
-    WarningKind, WithoutFilm, fit, forecast,
+    Combination, Estimate, Fit, FittedExperiment, FittedPoint, FixedValue, Forecast, ModulusBias,
+    Warning, WarningKind, WithoutFilm, fit, forecast,
 };
 pub use model::{
-    Bodies, Branch, Cause, Direction, Experiment, Free, Kind, Layer, LayerName, Layered,
-    LayeredSolver, Loss, Measurement, Options, Parameter, Point, PointErrors, Prediction, Prior,
-    Reach, Scope, simulate,
+    Bodies, Branch, Cause, Direction, Experiment, Fixed, Free, Kind, Known, Layer, LayerName,
+    Layered, LayeredSolver, Loss, Measurement, Options, Parameter, Point, PointErrors, Prediction,
+    Prior, Reach, Scope, simulate,
 };

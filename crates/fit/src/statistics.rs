@@ -39,11 +39,24 @@ pub(crate) fn excess(chi_squared: f64, degrees_of_freedom: f64) -> f64 {
     ((chi_squared / degrees_of_freedom).cbrt() - (1.0 - spread)) / spread.sqrt()
 }
 
-/// Returns by how many standard deviations the median of the absolute values of `count` normal
-/// numbers exceeds its expectation, from its ratio to it. The variance of a median is
-/// `1/(4 n f^2)`, with the density `f = 0.6356` of the absolute value at the median 0.6745.
-pub(crate) fn excess_of_median(ratio: f64, count: f64) -> f64 {
-    (ratio - 1.0) * 0.674_49 * 2.0 * 0.635_55 * count.sqrt()
+/// The square from which on residuals count alike in [`clipped`].
+const CLIP: f64 = 4.0;
+/// The mean and the standard deviation of the smaller of `r^2` and 4, for a normal `r`.
+pub(crate) const CLIPPED: [f64; 2] = [0.920_5, 1.110_2];
+/// The part of points that may be outliers for [`clipped`].
+const OUTLIERS: f64 = 0.1;
+
+/// Returns the mean of the squares of residuals, of which none counts more than 4, and by how many
+/// standard deviations it exceeds what normal noise and one outlier in ten points can make of it.
+pub(crate) fn clipped(residuals: &[f64], degrees_of_freedom: f64) -> [f64; 2] {
+    let count = residuals.len() as f64;
+    let scale = count / degrees_of_freedom.max(1.0);
+    let squares = residuals.iter().map(|r| (r * r * scale).min(CLIP));
+    let mean = squares.sum::<f64>() / count;
+    let [expected, deviation] = CLIPPED;
+    let by_outliers = OUTLIERS * (CLIP - expected);
+    let excess = (mean - expected - by_outliers) * count.sqrt() / deviation;
+    [mean, excess]
 }
 
 /// Returns the variance of a sum of values times weights, from the differences of neighbours: half

@@ -3,9 +3,9 @@
 use std::sync::Arc;
 
 use fit::{
-    Bodies, Direction, Estimate, Experiment, Fit, FittedExperiment, Free, Kind, Layer, Layered,
-    LayeredSolver, Loss, Measurement, Options, Parameter, Point, PointErrors, Reach, Scope,
-    WithoutFilm,
+    Bodies, Direction, Estimate, Experiment, Fit, FittedExperiment, Fixed, Free, Kind, Known,
+    Layer, Layered, LayeredSolver, Loss, Measurement, Options, Parameter, Point, PointErrors,
+    Reach, Scope, WithoutFilm,
 };
 use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::exceptions::PyValueError;
@@ -89,8 +89,23 @@ pub fn fit_together<'py>(
     experiments: Vec<Given<'py>>,
     free: Vec<GivenFree>,
     given_options: GivenOptions,
+    known: Vec<(String, f64)>,
+    fixed_values: bool,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let (table, options) = (table.get(), options(given_options)?);
+    let known = known.iter().map(|(name, error)| {
+        let quantity = fixed(name)?;
+        Ok(Known {
+            quantity,
+            error: *error,
+        })
+    });
+    let known: Result<Vec<Known>, fit::Error> = known.collect();
+    let options = Options {
+        known: known.or_raise(py)?,
+        fixed_values,
+        ..options(given_options)?
+    };
+    let table = table.get();
     let solver = table.layered_solver(py)?;
     let experiments = experiments
         .iter()
@@ -107,6 +122,16 @@ pub fn fit_together<'py>(
         "without_film",
         without_film(py, found.without_film.as_ref())?,
     )?;
+    let fixed_values = found.fixed_values.iter().map(|one| {
+        (
+            fixed_name(one.quantity),
+            one.value,
+            one.step,
+            &one.changes,
+            one.error,
+        )
+    });
+    result.set_item("fixed_values", fixed_values.collect::<Vec<_>>())?;
     let undetermined = found.undetermined.into_iter().map(|one| one.text);
     result.set_item("undetermined", undetermined.collect::<Vec<_>>())?;
     Ok(result)
@@ -270,7 +295,22 @@ fn options((loss, profile_level, interaction_range): GivenOptions) -> PyResult<O
         loss,
         profile_level,
         interaction_range,
+        ..Options::default()
     })
+}
+
+/// Returns the value taken as given that has a name in Python. A layer keeps its name as it is.
+fn fixed(name: &str) -> Result<Fixed, fit::Error> {
+    let plain = Fixed::parse(&name.replace('_', "-")).or_else(|| Fixed::parse(name));
+    plain.map_or_else(|| parameter(name).map(Fixed::Parameter), Ok)
+}
+
+/// Returns the name in Python of a value taken as given.
+fn fixed_name(quantity: Fixed) -> String {
+    match quantity {
+        Fixed::Parameter(parameter) => name(parameter),
+        _ => quantity.name().replace('-', "_"),
+    }
 }
 
 /// Returns the exception of a word that the Python layer should have refused.

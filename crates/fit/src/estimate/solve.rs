@@ -6,7 +6,7 @@ use super::problem::{Ending, Problem};
 use super::search::{Data, Minimum, minimum};
 use super::slot::{Slot, slots};
 use super::uncertainty::Uncertainty;
-use super::{loss, profile, warnings, without_film};
+use super::{fixed_values, loss, profile, warnings, without_film};
 use crate::model::Freedom;
 use crate::statistics::deviations;
 use crate::{
@@ -54,6 +54,7 @@ pub fn fit(
             parameters: slots.len(),
         });
     }
+    fixed_values::accept(&data.assigned, &slots, &options.known)?;
     let found = minimum(table, &data, (free, &slots), options.loss)?;
     let without_film = without_film::without_film(table, &found, free, options.loss);
     Ok(result(&found, &data, options, without_film))
@@ -132,6 +133,15 @@ fn accept(options: &Options) -> Result<(), Error> {
             allowed: "positive and finite".into(),
         });
     }
+    if options.profile_level.is_some() && !options.known.is_empty() {
+        return Err(Error::Setting {
+            name: "the number of known errors beside profile-likelihood intervals".into(),
+            value: options.known.len() as f64,
+            allowed: "0: a profile keeps the known values and holds nothing of their errors; free \
+                      them with a prior instead"
+                .into(),
+        });
+    }
     if let Some(level) = options
         .profile_level
         .filter(|level| !(*level > 0.0 && *level < 1.0))
@@ -204,6 +214,7 @@ fn result(
         evaluations,
         estimates,
         correlation: uncertainty.map_or_else(Vec::new, Uncertainty::correlation),
+        fixed_values: Vec::new(),
         chi_squared,
         degrees_of_freedom,
         reduced_chi_squared: all_given.then(|| chi_squared / degrees_of_freedom as f64),
@@ -216,6 +227,15 @@ fn result(
         }),
         warnings: Vec::new(),
     };
+    if let Some(uncertainty) = uncertainty {
+        let Options {
+            known,
+            fixed_values: all,
+            ..
+        } = options;
+        fit.fixed_values = fixed_values::effects(problem, uncertainty, known, *all);
+        fixed_values::pass_on(&mut fit);
+    }
     fit.warnings = warnings::warnings(&fit, found, data, options);
     fit
 }

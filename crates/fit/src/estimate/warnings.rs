@@ -6,7 +6,7 @@ use nalgebra::DVector;
 use super::problem::{Assigned, Ending, Problem};
 use super::search::{Data, Minimum, SAME, SHORT, ends};
 use super::uncertainty::{UNDETERMINED, Uncertainty};
-use super::{agreement, wanted};
+use super::{agreement, cycle, wanted};
 use crate::statistics::missing_runs;
 use crate::{Bodies, Branch, Estimate, Fit, Options, Parameter, Warning, WarningKind};
 
@@ -55,6 +55,7 @@ pub(super) fn warnings(
     }
     for (e, assigned) in problem.assigned.iter().enumerate() {
         geometry(&mut warnings, problem, e, assigned, options);
+        cycle::add(&mut warnings, problem, e, data.local_noise[e]);
     }
     warnings.0
 }

@@ -215,7 +215,7 @@ impl Experiment {
     ///
     /// Points without a direction are two segments if they come in the order of a loading and an
     /// unloading.
-    fn segments(&self) -> Vec<Vec<usize>> {
+    pub(super) fn segments(&self) -> Vec<Vec<usize>> {
         let points = &self.measurement.points;
         let sense = self.sense();
         let key = |i: usize| sense * points[i].abscissa;

@@ -121,6 +121,32 @@ class FittedExperiment:
 
 
 @dataclass(frozen=True, slots=True)
+class FixedValue:
+    """What a value that is not free does to the values found.
+
+    Attributes
+    ----------
+    quantity : str
+        Its name, such as ``"film_thickness"`` or ``"sphere_radius"``.
+    value : float
+        The value, in SI units.
+    step : float
+        A change of it: 1 %, or 0.01 of a Poisson ratio; to the other side at the end of what is
+        possible, such as a Poisson ratio of 0.5.
+    changes : dict of str to float
+        The changes of the values found that follow, in SI units and to the first order, by name.
+    standard_error : float or None
+        The standard error of the value, if it is known.
+    """
+
+    quantity: str
+    value: float
+    step: float
+    changes: dict[str, float]
+    standard_error: float | None
+
+
+@dataclass(frozen=True, slots=True)
 class WithoutFilm:
     """The same data, fitted without the film by JKR, or by Hertz without adhesion.
 
@@ -176,6 +202,8 @@ class Fit:
         The same data without the film.
     undetermined : tuple of str
         The combinations of parameters that the data do not determine, in words.
+    fixed_values : tuple of FixedValue
+        What the values that are not free do to the result.
     """
 
     estimates: tuple[Estimate, ...]
@@ -189,6 +217,7 @@ class Fit:
     experiments: tuple[FittedExperiment, ...]
     without_film: WithoutFilm | None
     undetermined: tuple[str, ...]
+    fixed_values: tuple[FixedValue, ...] = ()
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -435,6 +464,16 @@ def name_of(estimate: Estimate, experiments: int) -> str:
     if estimate.experiment is None or experiments == 1:
         return estimate.parameter
     return f"{estimate.parameter}[{estimate.experiment}]"
+
+
+def fixed_values_of(found: Mapping[str, Any]) -> tuple[FixedValue, ...]:
+    """Return what the values that are not free do, in a native result."""
+    estimates, experiments = estimates_of(found), len(found["experiments"])
+    names = [name_of(estimate, experiments) for estimate in estimates]
+    return tuple(
+        FixedValue(quantity, value, step, dict(zip(names, changes, strict=True)), error)
+        for quantity, value, step, changes, error in found["fixed_values"]
+    )
 
 
 def without_film_of(found: Mapping[str, Any], experiments: int) -> WithoutFilm:

@@ -13,14 +13,14 @@ use std::path::{Path, PathBuf};
 
 use ::fit::data::{Cantilever, Column, Format, Role, Segments, read};
 use ::fit::report::{UnitOf, report};
-use ::fit::{Direction, Kind, Loss, Measurement, Options, Parameter};
-use anyhow::{bail, ensure};
+use ::fit::{Direction, Fit, Kind, Loss, Measurement, Options, Parameter, WarningKind};
+use anyhow::{Context, bail, ensure};
 use clap::ValueHint;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use interp::Table;
 
 use self::experiments::{FreeArguments, KnownArguments};
-use self::setting::unit_of;
+use self::setting::{Given, unit_of};
 use super::json;
 use super::output::Output;
 use super::plot::picture;
@@ -91,6 +91,13 @@ pub struct Arguments {
     known: KnownArguments,
     #[command(flatten)]
     free: FreeArguments,
+    /// Value and standard error of a quantity that is not free, in SI units:
+    /// film-thickness=2e-6+-1e-7, also sphere-radius, substrate-modulus, substrate-poisson-ratio. Can
+    /// be given several times. The fit keeps the value, and its error adds to the standard errors:
+    /// to the first order, as one of several independent errors. --prior instead lets the data move
+    /// a free value
+    #[arg(long = "known", value_name = "NAME=VALUE+-ERROR")]
+    given: Vec<Given>,
     /// Standard deviation of a load (N) or penetration (m), one or one for each file [default: that
     /// of a column of standard deviations, such as `load error [mN]`, or estimated from the
     /// residuals]
@@ -138,7 +145,8 @@ pub struct Arguments {
     ///
     /// {"converged": bool, "parameters": {"film_modulus": {"value", "stderr", "unit"}, ...},
     /// "correlation": [[...]], "reduced_chi_squared", "noise", "abscissa_noise",
-    /// "without_film": {...}, "warnings":
+    /// "without_film": {...}, "fixed_values": [{"name", "value", "unit", "step", "changes", "error"}],
+    /// "warnings":
     /// [{"kind", "text"}]}. A parameter of which each file has its own is a list. With --intervals
     /// each parameter has an "interval".
     #[arg(long)]
@@ -179,6 +187,24 @@ impl Arguments {
             only: self.only,
         }
     }
+}
+
+/// Returns the flags that follow from the warnings, a line each.
+fn next_steps(fit: &Fit) -> String {
+    let steps = [
+        (
+            WarningKind::Hysteresis,
+            "loops: --free ...,work-of-adhesion-receding, or --only approach, or --only retract \
+             (points without a direction: --segments split)",
+        ),
+        (
+            WarningKind::Plasticity,
+            "what remains after unloading: keep the rows of unloading above half of the largest \
+             load, and --only retract --free film-modulus,contact-point",
+        ),
+    ];
+    let steps = steps.iter().filter(|(kind, _)| fit.warns_of(*kind));
+    steps.map(|(_, step)| format!("{step}\n")).collect()
 }
 
 /// Accepts a file to write, if one is asked for.
@@ -225,6 +251,13 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
             *kind != Kind::ForceHeight || experiment.stiffness.is_some(),
             "{name}: heights need the stiffness of the cantilever; give it: --stiffness N/m"
         );
+        for Given {
+            quantity, value, ..
+        } in &arguments.given
+        {
+            let set = experiment.set_fixed(*quantity, *value);
+            set.with_context(|| format!("--known {}={value:?}", quantity.name()))?;
+        }
         // A flag stands for a column.
         experiment.errors = errors;
         let of_file = |noises: &[f64]| noises.get(i).or(noises.first()).copied();
@@ -252,6 +285,8 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let options = Options {
         loss: arguments.robust.unwrap_or(Loss::Squares),
         profile_level: arguments.intervals,
+        known: arguments.given.iter().map(Given::known).collect(),
+        fixed_values: true,
         ..Options::default()
     };
     let fit = ::fit::fit(table, &experiments, &free, &options)?;
@@ -266,7 +301,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         json::print(&object::FitObject::new(&fit, &notes))?;
     } else {
         let report = report(&fit, &experiments, &notes, &arguments.units);
-        print(printable::lines(&report).as_bytes())?;
+        print(printable::lines(&(report + &next_steps(&fit))).as_bytes())?;
     }
     ensure!(
         fit.converged,

@@ -1,7 +1,7 @@
 //! The JSON object of a fit.
 
 use ::fit::data::Notes;
-use ::fit::{Estimate, Fit, FittedExperiment, Parameter, WithoutFilm};
+use ::fit::{Estimate, Fit, FittedExperiment, FixedValue, Parameter, WithoutFilm};
 use serde::{Serialize, Serializer};
 
 use crate::cli::json::Number;
@@ -18,6 +18,7 @@ pub struct FitObject<'a> {
     noise: OneOrAll<Number>,
     abscissa_noise: OneOrAll<Number>,
     without_film: Option<WithoutFilmObject<'a>>,
+    fixed_values: Vec<FixedValueObject>,
     warnings: Vec<WarningObject<'a>>,
 }
 
@@ -28,6 +29,20 @@ struct WithoutFilmObject<'a> {
     chi_squared: Number,
     /// The modulus beside that with the film; null if no modulus is free.
     modulus: Option<ModulusObject>,
+}
+
+/// What a value taken as given does.
+#[derive(Serialize)]
+struct FixedValueObject {
+    name: String,
+    value: Number,
+    unit: &'static str,
+    /// The change of the value, and the changes of the parameters that follow, in the order of
+    /// `correlation`.
+    step: Number,
+    changes: Vec<Number>,
+    /// The standard error, if one is given.
+    error: Option<Number>,
 }
 
 #[derive(Serialize)]
@@ -124,9 +139,23 @@ impl<'a> FitObject<'a> {
             noise: of_files(|one| one.noise),
             abscissa_noise: of_files(|one| one.abscissa_noise),
             without_film: fit.without_film.as_ref().map(WithoutFilmObject::new),
+            fixed_values: fit.fixed_values.iter().map(FixedValueObject::new).collect(),
             warnings: warnings
                 .chain(doubts.map(|text| WarningObject { kind: "sign", text }))
                 .collect(),
+        }
+    }
+}
+
+impl FixedValueObject {
+    fn new(one: &FixedValue) -> Self {
+        Self {
+            name: one.quantity.name().replace('-', "_"),
+            value: Number(one.value),
+            unit: one.quantity.unit(),
+            step: Number(one.step),
+            changes: one.changes.iter().copied().map(Number).collect(),
+            error: one.error.map(Number),
         }
     }
 }
