@@ -305,7 +305,7 @@ fn a_depth_that_remains_is_named_and_the_upper_unloading_gives_the_modulus() {
     // An elastic cycle leaves nothing.
     for seed in 0..20 {
         let elastic = |x: f64| hertz(1e4, x);
-        let experiment = pressed(elastic, elastic, [1e-6, 1e-3 * elastic(1e-6)], seed);
+        let experiment = pressed(elastic, elastic, [5e-7, 1e-3 * elastic(5e-7)], seed);
         let found = fitted(&experiment, &[Parameter::FilmModulus]);
         assert!(found.warnings.is_empty(), "{:?}", found.warnings);
     }

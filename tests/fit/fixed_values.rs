@@ -108,7 +108,9 @@ fn changes_are_those_of_fits_with_other_values() {
         Parameter::ContactPoint,
         Parameter::Baseline,
     ];
-    let probe = Imagined::probe(Course::Retract, 1e-4, &free);
+    // With little noise: which points are too near to the jump depends on the errors of its place.
+    let mut probe = Imagined::probe(Course::Retract, 1e-4, &free);
+    probe.noise = 1.5e-11;
     let experiment = probe.measured(&probe.exact(), 1);
     let names = [
         "sphere-radius",
@@ -225,6 +227,7 @@ fn the_truth_is_within_the_intervals_with_a_thickness_that_is_known_with_an_erro
     // A film of another thickness is no doubt by itself: the fit may describe the data less well.
     let expected = [
         fit::WarningKind::PoorFit,
+        fit::WarningKind::Outliers,
         fit::WarningKind::OffsetWanted,
         fit::WarningKind::LargeStrain,
         fit::WarningKind::StructuredResiduals,

@@ -13,3 +13,4 @@ mod layers;
 mod planning;
 mod recovery;
 mod shapes;
+mod unknown_noise;

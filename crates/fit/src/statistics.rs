@@ -47,16 +47,19 @@ pub(crate) const CLIPPED: [f64; 2] = [0.920_5, 1.110_2];
 const OUTLIERS: f64 = 0.1;
 
 /// Returns the mean of the squares of residuals, of which none counts more than 4, and by how many
-/// standard deviations it exceeds what normal noise and one outlier in ten points can make of it.
-pub(crate) fn clipped(residuals: &[f64], degrees_of_freedom: f64) -> [f64; 2] {
+/// standard deviations it exceeds that of normal noise, and that of normal noise with one outlier
+/// in ten points.
+pub(crate) fn clipped(residuals: &[f64], degrees_of_freedom: f64) -> (f64, [f64; 2]) {
     let count = residuals.len() as f64;
     let scale = count / degrees_of_freedom.max(1.0);
     let squares = residuals.iter().map(|r| (r * r * scale).min(CLIP));
     let mean = squares.sum::<f64>() / count;
     let [expected, deviation] = CLIPPED;
-    let by_outliers = OUTLIERS * (CLIP - expected);
-    let excess = (mean - expected - by_outliers) * count.sqrt() / deviation;
-    [mean, excess]
+    let excess = |part: f64| {
+        let with_outliers = expected + part * (CLIP - expected);
+        (mean - with_outliers) * count.sqrt() / deviation
+    };
+    (mean, [excess(0.0), excess(OUTLIERS)])
 }
 
 /// Returns the variance of a sum of values times weights, from the differences of neighbours: half
@@ -69,6 +72,18 @@ pub(crate) fn scatter_of_differences(weighted: &[(f64, f64)]) -> f64 {
         0.5 * weight * next * (one - other).powi(2)
     };
     count / (count - 1.0) * weighted.windows(2).map(part).sum::<f64>()
+}
+
+/// Returns by how many standard deviations neighbours differ less than independent residuals do, and
+/// the mean square of the residuals over half that of the differences (von Neumann, Ann. Math. Stat.
+/// 12, 367, 1941); `None` below three.
+pub(crate) fn likeness_of_neighbours(residuals: &[f64]) -> Option<[f64; 2]> {
+    let n = residuals.len() as f64;
+    let squares: f64 = residuals.iter().map(|r| r * r).sum();
+    let differences = residuals.windows(2).map(|pair| (pair[1] - pair[0]).powi(2));
+    let halves = 0.5 * differences.sum::<f64>();
+    let deviations = (1.0 - halves / squares) * ((n * n - 1.0) / (n - 2.0)).sqrt();
+    (n >= 3.0 && squares > 0.0).then_some([deviations, (squares / n) / (halves / (n - 1.0))])
 }
 
 /// Returns the normal number that is exceeded as often as `t` by Student's distribution with
@@ -145,6 +160,18 @@ mod tests {
         assert!((scatter_of_differences(&values) / expected - 1.0).abs() < 1e-12);
         let smooth: Vec<(f64, f64)> = (0..101_i32).map(|i| (f64::from(i), 1.0)).collect();
         assert!(scatter_of_differences(&smooth) < 51.0);
+    }
+
+    #[test]
+    fn neighbours_that_are_alike_are_told_from_independent_ones() {
+        // Half the sum of squared differences of a saw of 1 and -1 is 2 per pair.
+        let saw: Vec<f64> = (0..100_i32).map(|i| f64::from(1 - 2 * (i % 2))).collect();
+        let [deviations, ratio] = likeness_of_neighbours(&saw).expect("many");
+        assert!(deviations < -9.0 && (ratio - 0.5).abs() < 1e-12);
+        let slope: Vec<f64> = (0..100_i32).map(|i| f64::from(2 * i - 99)).collect();
+        let [deviations, ratio] = likeness_of_neighbours(&slope).expect("many");
+        assert!(deviations > 9.0 && ratio > 1000.0, "{deviations}, {ratio}");
+        assert_eq!(likeness_of_neighbours(&[1.0, 2.0]), None);
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! Columns of standard deviations.
 
-use super::assignment::{Columns, Failure, Source, is_deflection};
+use super::assignment::{Columns, Failure, Source};
 use super::failure::Problem;
 use super::heading::Heading;
 use super::unit::Unit;
@@ -40,19 +40,17 @@ impl Columns<'_> {
         };
         let named = self.format.columns.iter().find(|one| one.role == role);
         let found: Option<(usize, Option<Unit>)> = match named {
-            Some(column) => Some(self.named(column)?),
+            Some(column) => self.named(column).map(|one| Some((one.index, one.unit)))?,
             None => {
                 let matches = |heading: &Heading| {
-                    let own = quantity(heading);
-                    let of_quantity = |name: &&str| {
-                        own.as_deref() == Some(*name) && !is_deflection(of.role, name)
-                    };
-                    (of.role.headings().iter().any(|name| of_quantity(&name))
-                        || alone && own.as_deref() == Some(""))
+                    let is_own = quantity(heading).is_some_and(|name| {
+                        of.role.headings().contains(&name.as_str()) || alone && name.is_empty()
+                    });
+                    is_own
                         && (heading.direction.is_none() || heading.direction == direction)
                         && heading.unit.is_none_or(|unit| role.accepts(unit))
                 };
-                let found: Vec<usize> = self.positions(matches).collect();
+                let found = self.positions(matches);
                 // Of several, that of this direction.
                 let own = |index: &&usize| self.headings[**index].direction == direction;
                 let own: Vec<usize> = found.iter().filter(own).copied().collect();
@@ -60,11 +58,8 @@ impl Columns<'_> {
                     ([], _) => None,
                     ([one], _) | (_, [one]) => Some((*one, self.headings[*one].unit)),
                     ([first, second, ..], _) => {
-                        let problem = Problem::Duplicate {
-                            role: role.name(),
-                            numbers: [first + 1, second + 1],
-                        };
-                        return Err((None, problem));
+                        let numbers = [first + 1, second + 1];
+                        return Err((None, Problem::Duplicate { role, numbers }));
                     }
                 }
             }
@@ -78,6 +73,7 @@ impl Columns<'_> {
         Ok(Some(Source {
             role,
             index,
+            unit: of.unit,
             factor: of.factor.abs(),
             heading: self.headings[index].text.clone(),
             assumed_si: of.assumed_si,

@@ -282,7 +282,7 @@ fn residuals_of(warnings: &mut Warnings, fit: &Fit, found: &Minimum<'_>, residua
 }
 
 /// Returns the residuals of a branch by descending imposed value.
-fn in_order(assigned: &Assigned, residuals: &[f64], branch: Branch) -> Vec<f64> {
+pub(super) fn in_order(assigned: &Assigned, residuals: &[f64], branch: Branch) -> Vec<f64> {
     let mut rows = vec![None; assigned.branches.len()];
     let counts = assigned
         .branches

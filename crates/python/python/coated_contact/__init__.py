@@ -84,6 +84,7 @@ from ._probe import (
     RoundedCone,
     Sphere,
 )
+from ._read import read_experiment
 from ._results import (
     CohesiveEquilibrium,
     CohesiveState,
@@ -184,6 +185,7 @@ __all__ = [
     "forecast",
     "generate",
     "predict",
+    "read_experiment",
     "simulate",
     "solve",
     "solve_stack",

@@ -104,6 +104,8 @@ class Experiment(Remade):
         slope of the model: a point has the variance ``noise**2 + (slope * abscissa_noise)**2``.
     name : str
         The name of the measurement in messages.
+    reading : str
+        How :func:`read_experiment` read the points, in one line; empty for other points.
     """
 
     kind: Kind
@@ -121,6 +123,7 @@ class Experiment(Remade):
     noise: Any = None
     abscissa_noise: Any = 0.0
     name: str = "experiment"
+    reading: str = ""
 
     def __post_init__(self) -> None:
         one_of("kind", self.kind, get_args(Kind))

@@ -1,16 +1,27 @@
 //! The JSON object of a fit.
 
+use std::borrow::Cow;
+
 use ::fit::data::Notes;
-use ::fit::{Estimate, Fit, FittedExperiment, FixedValue, Parameter, WithoutFilm};
+use ::fit::report::reading;
+use ::fit::{
+    Estimate, Experiment, Fit, FittedExperiment, Fixed, FixedValue, Parameter, WithoutFilm,
+};
 use serde::{Serialize, Serializer};
 
+use super::reading::typed;
 use crate::cli::json::Number;
 
 /// A fit.
 #[derive(Serialize)]
 pub struct FitObject<'a> {
+    /// How each file was read, as the report says it.
+    read: Vec<String>,
     converged: bool,
     parameters: Estimates<'a>,
+    /// Young's modulus of the sphere, where its Poisson ratio is given.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    sphere_young_modulus: Option<OneOrAll<EstimateObject>>,
     /// In the order of `parameters`, the values of one parameter one after another.
     correlation: Vec<Vec<Number>>,
     /// Null where a noise was estimated from the residuals.
@@ -56,7 +67,7 @@ struct ModulusObject {
 #[derive(Serialize)]
 struct WarningObject<'a> {
     kind: &'static str,
-    text: &'a str,
+    text: Cow<'a, str>,
 }
 
 /// The value itself if there is one, else the list.
@@ -93,14 +104,20 @@ impl Serialize for Estimates<'_> {
         }
         serializer.collect_map(parameters.into_iter().map(|parameter| {
             let of = self.0.iter().filter(|found| found.parameter == parameter);
-            let objects = of.map(|found| EstimateObject {
-                value: Number(found.value),
-                stderr: Number(found.standard_error),
-                unit: parameter.unit(),
-                interval: found.profile.map(|ends| ends.map(Number)),
-            });
+            let objects = of.map(EstimateObject::new);
             (json_name(parameter), OneOrAll(objects.collect()))
         }))
+    }
+}
+
+impl EstimateObject {
+    fn new(found: &Estimate) -> Self {
+        Self {
+            value: Number(found.value),
+            stderr: Number(found.standard_error),
+            unit: found.parameter.unit(),
+            interval: found.profile.map(|ends| ends.map(Number)),
+        }
     }
 }
 
@@ -121,17 +138,26 @@ pub fn matrix(rows: &[Vec<f64>]) -> Vec<Vec<Number>> {
 
 impl<'a> FitObject<'a> {
     /// Returns the object of a fit.
-    pub fn new(fit: &'a Fit, notes: &'a [Notes]) -> Self {
+    pub fn new(fit: &'a Fit, experiments: &[Experiment], notes: &'a [Notes]) -> Self {
         let of_files = |value: fn(&FittedExperiment) -> f64| {
             let values = fit.experiments.iter().map(|one| Number(value(one)));
             OneOrAll(values.collect())
         };
         let doubts = notes.iter().filter_map(|notes| notes.doubt.as_ref());
+        let doubts = doubts.map(|doubt| WarningObject {
+            kind: "sign",
+            text: format!("{doubt}; if so, {}", typed(&doubt.remedy())).into(),
+        });
         let warnings = fit.warnings.iter().map(|warning| WarningObject {
             kind: warning.kind.name(),
-            text: &warning.text,
+            text: warning.text.as_str().into(),
         });
+        let read = experiments.iter().zip(notes);
         Self {
+            read: read
+                .map(|(experiment, notes)| reading(&experiment.measurement, notes))
+                .collect(),
+            sphere_young_modulus: young_of_sphere(fit, experiments),
             converged: fit.converged,
             parameters: Estimates(&fit.estimates),
             correlation: matrix(&fit.correlation),
@@ -140,9 +166,7 @@ impl<'a> FitObject<'a> {
             abscissa_noise: of_files(|one| one.abscissa_noise),
             without_film: fit.without_film.as_ref().map(WithoutFilmObject::new),
             fixed_values: fit.fixed_values.iter().map(FixedValueObject::new).collect(),
-            warnings: warnings
-                .chain(doubts.map(|text| WarningObject { kind: "sign", text }))
-                .collect(),
+            warnings: warnings.chain(doubts).collect(),
         }
     }
 }
@@ -150,7 +174,10 @@ impl<'a> FitObject<'a> {
 impl FixedValueObject {
     fn new(one: &FixedValue) -> Self {
         Self {
-            name: one.quantity.name().replace('-', "_"),
+            name: match one.quantity {
+                Fixed::Parameter(parameter) => json_name(parameter),
+                other => other.name().replace('-', "_"),
+            },
             value: Number(one.value),
             unit: one.quantity.unit(),
             step: Number(one.step),
@@ -158,6 +185,18 @@ impl FixedValueObject {
             error: one.error.map(Number),
         }
     }
+}
+
+/// Returns Young's modulus of the sphere, if its Poisson ratio is given and its reduced modulus was
+/// found.
+fn young_of_sphere(fit: &Fit, experiments: &[Experiment]) -> Option<OneOrAll<EstimateObject>> {
+    let poisson = experiments.first()?.sphere_poisson_ratio?;
+    let of_sphere = |found: &&Estimate| found.parameter == Parameter::SphereModulus;
+    let found = fit.estimates.iter().filter(of_sphere);
+    let objects: Vec<EstimateObject> = found
+        .map(|found| EstimateObject::new(&found.young_of_sphere(poisson)))
+        .collect();
+    (!objects.is_empty()).then_some(OneOrAll(objects))
 }
 
 impl<'a> WithoutFilmObject<'a> {
