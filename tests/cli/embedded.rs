@@ -54,6 +54,23 @@ fn a_file_of_that_name_is_reached_with_its_folder() {
 }
 
 #[test]
+fn the_word_spelled_wrong_is_recognised() {
+    let workdir = workdir!();
+    for wrong in ["embeded", "Embedded", "embeddded", "emebdded"] {
+        for command in [
+            &["info", wrong][..],
+            &["query", wrong, "--points", "none.csv"],
+        ] {
+            let message = workdir.fail(1, command);
+            let words = [wrong, "did you mean `embedded`", "No such file"];
+            assert_names(&message, &words);
+        }
+    }
+    let message = workdir.fail(1, &["info", "table.bin"]);
+    assert!(!message.contains("did you mean"), "{message}");
+}
+
+#[test]
 fn every_help_with_a_table_says_so() {
     let workdir = workdir!();
     let commands: [&[&str]; 9] = [
