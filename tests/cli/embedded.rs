@@ -32,6 +32,17 @@ fn embedded_is_the_table_that_is_compiled_in() {
         };
         assert_eq!(of("embedded"), of(path), "{command:?}");
     }
+    // The commands of `report --help`.
+    workdir.succeed(&["report", "embedded", "-o", "report.html"]);
+    let punch = [
+        "report",
+        "embedded",
+        "--probe",
+        "flat-punch",
+        "--sphere-radius",
+        "1e-5",
+    ];
+    workdir.succeed(&[&punch[..], &["-o", "punch.html"]].concat());
     workdir.succeed(&["pack", "embedded", "-o", "packed.bin"]);
     assert!(workdir.read("packed.bin") == std::fs::read(&file).expect("it is there"));
     assert_eq!(

@@ -274,11 +274,8 @@ fn a_table_of_gamma_alone_answers_all_four_with_the_error_that_it_states() {
     assert_all_four(&answer, 3.0);
     let gradient = workdir.succeed(&[&command[..], &["--gradient"]].concat());
     assert_all_four(&gradient, 3.0);
-    for (with, without) in gradient.lines().zip(answer.lines()) {
-        assert!(
-            with.starts_with(without) && !with.split(',').any(str::is_empty),
-            "{with}"
-        );
+    for row in gradient.lines() {
+        assert!(!row.split(',').any(str::is_empty), "{row}");
     }
     // Beyond the nodes too, where the error is that of the expansion.
     workdir.write(

@@ -71,7 +71,7 @@ pub use estimate::{
     WarningKind, WithoutFilm, fit, forecast,
 };
 pub use model::{
-    Bodies, Branch, Cause, Direction, Experiment, Free, Kind, Layer, LayerName, Layered,
-    LayeredSolver, Loss, Measurement, Options, Parameter, Point, Prediction, Prior, Reach, Scope,
-    simulate,
+    Bodies, Branch, Cause, Direction, Experiment, Free, Interruptible, Kind, Layer, LayerName,
+    Layered, LayeredSolver, Loss, Measurement, Options, Parameter, Point, Prediction, Prior, Reach,
+    Scope, simulate,
 };
