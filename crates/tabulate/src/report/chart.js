@@ -29,8 +29,8 @@ function ticks(low, high, count) {
     return Array.from({ length: last - first + 1 }, (_, i) => rounded((first + i) * step, 10));
 }
 
-/** The width of a digit of a chart, in pixels. */
-const DIGIT = 8;
+/** The width of a digit of a chart in a wide font, in pixels. */
+const DIGIT = 9;
 /** The width of the label of the vertical axis with the space around it, in pixels. */
 const LABEL = 30;
 
