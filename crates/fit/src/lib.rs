@@ -73,7 +73,7 @@ pub use estimate::{
     Warning, WarningKind, WithoutFilm, fit, forecast,
 };
 pub use model::{
-    Bodies, Branch, Cause, Direction, Experiment, Fixed, Free, Kind, Known, Layer, LayerName,
-    Layered, LayeredSolver, Loss, Measurement, Options, Parameter, Point, PointErrors, Prediction,
-    Prior, Reach, Scope, simulate,
+    Bodies, Branch, Cause, Direction, Experiment, Fixed, Free, Interruptible, Kind, Known, Layer,
+    LayerName, Layered, LayeredSolver, Loss, Measurement, Options, Parameter, Point, PointErrors,
+    Prediction, Prior, Reach, Scope, simulate,
 };

@@ -1,11 +1,12 @@
 //! Fits of measured contacts: one fit of one or several experiments, and a map of separate fits.
 
 use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use fit::{
-    Bodies, Direction, Estimate, Experiment, Fit, FittedExperiment, Fixed, Free, Kind, Known,
-    Layer, Layered, LayeredSolver, Loss, Measurement, Options, Parameter, Point, PointErrors,
-    Reach, Scope, WithoutFilm,
+    Bodies, Direction, Estimate, Experiment, Fit, FittedExperiment, Fixed, Free, Interruptible,
+    Kind, Known, Layer, Layered, LayeredSolver, Loss, Measurement, Options, Parameter, Point,
+    PointErrors, Reach, Scope, WithoutFilm,
 };
 use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::exceptions::PyValueError;
@@ -15,6 +16,7 @@ use rayon::prelude::*;
 
 use crate::bodies::{NativeHalfSpace, NativeStackSystem, NativeSystem};
 use crate::error::{Failure, OrRaise as _};
+use crate::interruption::interruptible;
 use crate::table::Table;
 
 /// An experiment, as the attributes of the Python class.
@@ -106,15 +108,16 @@ pub fn fit_together<'py>(
         ..options(given_options)?
     };
     let table = table.get();
-    let solver = table.layered_solver(py)?;
+    let (solver, interrupted) = interruptible_solver(py, table)?;
     let experiments = experiments
         .iter()
         .map(|given| experiment(py, given, &solver));
     let experiments: Vec<Experiment> = experiments.collect::<PyResult<_>>()?;
     let free = frees(py, free)?;
-    let found = py
-        .detach(|| fit::fit(table.get(), &experiments, &free, &options))
-        .or_raise(py)?;
+    let found = interruptible(py, &interrupted, || {
+        fit::fit(table.get(), &experiments, &free, &options)
+    })?
+    .or_raise(py)?;
     let result = summary(py, &found)?;
     let fitted = found.experiments.iter().map(|one| points(py, one));
     result.set_item("experiments", fitted.collect::<PyResult<Vec<_>>>()?)?;
@@ -146,18 +149,22 @@ pub fn fit_map<'py>(
     free: Vec<GivenFree>,
     given_options: GivenOptions,
 ) -> PyResult<Bound<'py, PyList>> {
-    /// The fits between two looks at signals.
+    /// The fits whose results are in memory before they are made objects of Python.
     const BLOCK: usize = 64;
     let (table, options) = (table.get(), options(given_options)?);
-    let (solver, free) = (table.layered_solver(py)?, frees(py, free)?);
+    let (solver, interrupted) = interruptible_solver(py, table)?;
+    let free = frees(py, free)?;
     let results = PyList::empty(py);
     for (block, curves) in experiments.chunks(BLOCK).enumerate() {
         let curves = curves.iter().map(|given| experiment(py, given, &solver));
         let curves: Vec<Experiment> = curves.collect::<PyResult<_>>()?;
         let one = |curve: &Experiment| {
-            fit::fit(table.get(), std::slice::from_ref(curve), &free, &options)
+            let goes_on = !interrupted.load(Ordering::Relaxed);
+            goes_on.then(|| fit::fit(table.get(), std::slice::from_ref(curve), &free, &options))
         };
-        let found: Vec<_> = py.detach(|| curves.par_iter().map(one).collect());
+        let found: Vec<_> = interruptible(py, &interrupted, || {
+            curves.par_iter().map(one).while_some().collect()
+        })?;
         for (i, found) in found.into_iter().enumerate() {
             match found {
                 Ok(found) => results.append(summary(py, &found)?)?,
@@ -167,9 +174,21 @@ pub fn fit_map<'py>(
                 }
             }
         }
-        py.check_signals()?;
     }
     Ok(results)
+}
+
+/// Returns what makes the contacts on layers of a table until the flag beside it is set.
+fn interruptible_solver(
+    py: Python<'_>,
+    table: &Table,
+) -> PyResult<(Arc<dyn LayeredSolver>, Arc<AtomicBool>)> {
+    let interrupted = Arc::new(AtomicBool::new(false));
+    let solver = Interruptible {
+        solver: table.layered_solver(py)?,
+        interrupted: interrupted.clone(),
+    };
+    Ok((Arc::new(solver), interrupted))
 }
 
 /// Makes an experiment; `solver` makes its contacts if they are on layers.
