@@ -23,8 +23,10 @@ mod plot;
 mod points;
 mod readme;
 mod simulate;
+mod specimen;
 mod stacks;
 mod streams;
+mod units;
 
 use std::fs;
 use std::path::Path;

@@ -68,7 +68,7 @@ mod statistics;
 pub use error::Error;
 pub use estimate::{
     Combination, Estimate, Fit, FittedExperiment, FittedPoint, Forecast, ModulusBias, Warning,
-    WarningKind, WithoutFilm, fit, forecast,
+    WarningKind, WithoutFilm, fit, forecast, starts_from_data,
 };
 pub use model::{
     Bodies, Branch, Cause, Direction, Experiment, Free, Kind, Layer, LayerName, Layered,

@@ -9,7 +9,8 @@
 //! `Extend Force(nN)` and `Retract Force(nN)`, are the two directions.
 //!
 //! `lines` reads the lines, `layout` finds the rows and their headings, `cells` and `number` read a
-//! row, `heading` and `unit` read a heading, and `assignment` decides which column holds what.
+//! row, `heading` and `unit` read a heading, `quantity` reads a number with a unit, and `assignment`
+//! decides which column holds what.
 //! `segment` finds the directions.
 
 mod assignment;
@@ -20,6 +21,7 @@ mod heading;
 mod layout;
 mod lines;
 mod number;
+mod quantity;
 mod rows;
 mod segment;
 mod sign;
@@ -32,6 +34,7 @@ use std::path::Path;
 pub use assignment::{Source, roles};
 pub use column::{Column, Role};
 pub use failure::{DataError, Problem};
+pub use quantity::{Quantity, QuantityError};
 pub use unit::{Dimension, Unit, prefix};
 
 use crate::{Direction, Kind, Measurement};

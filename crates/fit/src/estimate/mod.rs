@@ -28,3 +28,4 @@ pub use result::{
     WarningKind, WithoutFilm,
 };
 pub use solve::fit;
+pub use start::starts_from_data;

@@ -13,9 +13,9 @@ pub mod units;
 
 use std::path::{Path, PathBuf};
 
-use ::fit::data::{Cantilever, Column, Format, Role, Segments, read};
-use ::fit::{Direction, Kind, Loss, Measurement, Options, Parameter};
-use anyhow::{bail, ensure};
+use ::fit::data::{Cantilever, Column, Format, Quantity, Role, Segments, read, roles};
+use ::fit::{Direction, Kind, Loss, Options, Parameter};
+use anyhow::{Context, bail, ensure};
 use clap::ValueHint;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use interp::Table;
@@ -26,6 +26,7 @@ use super::json;
 use super::output::Output;
 use super::plot::picture;
 use super::print;
+use super::quantity::{any, number, sensitivity};
 use super::table_name::{self, TableName};
 use crate::plot::fit::figure;
 use crate::plot::picture::Format as PictureFormat;
@@ -45,18 +46,21 @@ use crate::printable;
 /// some tenths of a second, and the modulus and the thickness of its layers can be free; or it is
 /// looked up where --stack names a table of the stack.
 ///
+/// What the fit needs and nobody gives is an error that lists it. A value of the bodies is fixed
+/// unless it is free (--free). A free modulus of sphere or film and a free work of adhesion need no
+/// value: the data tell where to start.
+///
 /// Which points are in contact is read from the data: points up to the jump of pull-off are in
 /// contact, those after it are the baseline. With several files, the parameters are common to all
 /// files unless they are the file's own: a global fit of films of several thicknesses is
-/// --value film-thickness=1e-6,1e-5.
+/// --value film-thickness=1um,10um.
 ///
 /// The exit status is 0 only if the fit has converged.
 #[derive(clap::Args)]
 #[command(after_help = super::examples!(
-    "tabulate fit crates/fit/data/lens.csv --film-thickness 3e-5",
-    "tabulate fit crates/fit/data/lens.csv --film-thickness 3e-5 --free sphere-modulus,load-offset",
-    "tabulate fit crates/fit/data/primer.csv --stack tables/stacks/primer.toml --free primer.modulus",
-    "tabulate fit crates/fit/data/gel.csv --stiffness 0.1 --half-space --sphere-radius 1e-5 --json",
+    "tabulate fit crates/fit/data/lens.csv --specimen paper --film-thickness 30um",
+    "tabulate fit crates/fit/data/lens.csv --specimen paper --film-thickness 30um --noise 2uN --json",
+    "tabulate fit crates/fit/data/primer.csv --specimen paper --stack tables/stacks/primer.toml",
 ))]
 pub struct Arguments {
     /// The measurements: tables of text
@@ -71,7 +75,7 @@ pub struct Arguments {
     #[arg(long = "column", value_name = "NAME=HEADING [UNIT]")]
     columns: Vec<Column>,
     /// Sensitivity, m of deflection for each V, of a deflection in volts
-    #[arg(long, value_name = "m/V", allow_negative_numbers = true)]
+    #[arg(long, value_name = "m/V", value_parser = sensitivity, allow_hyphen_values = true)]
     sensitivity: Option<f64>,
     /// Where the directions of points come from: a column segment, phase or direction, comments
     /// `segment: retract` or headings of the file (file), or the largest load (split). auto:
@@ -95,14 +99,15 @@ pub struct Arguments {
         long,
         value_name = "S",
         value_delimiter = ',',
-        allow_negative_numbers = true
+        value_parser = any,
+        allow_hyphen_values = true
     )]
-    noise: Vec<f64>,
+    noise: Vec<Quantity>,
     /// Robust loss, for data with outliers: Huber's with the threshold 1.345, or the soft L1 loss
     #[arg(long, value_parser = one_of([("huber", Loss::HUBER), ("soft-l1", Loss::SOFT_L1)]))]
     robust: Option<Loss>,
     /// Intervals from the profile of the likelihood, at a level such as 0.95
-    #[arg(long, value_name = "LEVEL", allow_negative_numbers = true)]
+    #[arg(long, value_name = "LEVEL", value_parser = number, allow_hyphen_values = true)]
     intervals: Option<f64>,
     #[arg(
         long,
@@ -165,6 +170,18 @@ impl Arguments {
     }
 }
 
+/// Returns the standard deviation of the ordinates of a kind, in SI units.
+pub fn standard_deviation(noise: &Quantity, kind: Kind) -> anyhow::Result<f64> {
+    let value = noise
+        .of(Some(roles(kind)[1].dimension()))
+        .context("--noise")?;
+    ensure!(
+        !(value < 0.0),
+        "--noise {value:?}: the standard deviation of a noise is not negative"
+    );
+    Ok(value)
+}
+
 /// Accepts a file to write, if one is asked for.
 fn output<'a>(path: Option<&'a Path>, inputs: &[&Path]) -> anyhow::Result<Option<Output<'a>>> {
     path.map(|_| Output::beside(path, inputs)).transpose()
@@ -199,13 +216,11 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     }
     let mut experiments = arguments.known.experiments(measurements)?;
     for (i, experiment) in experiments.iter_mut().enumerate() {
-        let Measurement { name, kind, .. } = &experiment.measurement;
-        ensure!(
-            *kind != Kind::ForceHeight || experiment.stiffness.is_some(),
-            "{name}: heights need the stiffness of the cantilever; give it: --stiffness N/m"
-        );
+        let kind = experiment.measurement.kind;
         let noise = arguments.noise.get(i).or(arguments.noise.first());
-        experiment.noise = noise.copied();
+        experiment.noise = noise
+            .map(|noise| standard_deviation(noise, kind))
+            .transpose()?;
     }
     let free = arguments.free.of(&experiments, &arguments.known.values)?;
     let mut columns = notes.iter().flat_map(|notes| &notes.columns);
@@ -217,6 +232,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     {
         bail!("the stiffness cannot be free where it turns a deflection into a force: fix it");
     }
+    arguments.known.ask(&experiments, &free)?;
     let table = arguments.table.read()?;
     let table: &Table = &table;
     let options = Options {

@@ -4,6 +4,8 @@ use std::str::FromStr;
 
 use ::fit::Parameter;
 
+use crate::cli::quantity::read;
+
 /// Values of a parameter, `NAME=VALUE` or `NAME=VALUE,VALUE,...` with one for each file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Values {
@@ -41,9 +43,10 @@ impl FromStr for Values {
 
     fn from_str(text: &str) -> Result<Self, String> {
         let (parameter, values) = split(text, "NAME=VALUE, such as load-offset=1e-6")?;
+        let value = |text| read(text, parameter.dimension());
         Ok(Self {
             parameter,
-            values: values.split(',').map(number).collect::<Result<_, _>>()?,
+            values: values.split(',').map(value).collect::<Result<_, _>>()?,
         })
     }
 }
@@ -58,7 +61,10 @@ impl FromStr for Bounds {
         let (least, most) = ends.ok_or_else(|| format!("{range:?} has no ..: write {how}"))?;
         Ok(Self {
             parameter,
-            range: [number(least)?, number(most)?],
+            range: [
+                read(least, parameter.dimension())?,
+                read(most, parameter.dimension())?,
+            ],
         })
     }
 }
@@ -73,8 +79,8 @@ impl FromStr for Known {
         let (mean, error) = ends.ok_or_else(|| format!("{known:?} has no +-: write {how}"))?;
         Ok(Self {
             parameter,
-            mean: number(mean)?,
-            error: number(error)?,
+            mean: read(mean, parameter.dimension())?,
+            error: read(error, parameter.dimension())?,
         })
     }
 }
@@ -107,12 +113,6 @@ fn split<'a>(text: &'a str, how: &str) -> Result<(Parameter, &'a str), String> {
     Ok((parameter.map_err(|error| error.to_string())?, rest.trim()))
 }
 
-fn number(text: &str) -> Result<f64, String> {
-    text.trim()
-        .parse()
-        .map_err(|_| format!("{text:?} is not a number"))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -125,6 +125,18 @@ mod tests {
                 parameter: Parameter::FilmThickness,
                 values: vec![1e-6, 1e-5]
             })
+        );
+        assert_eq!(
+            "film-thickness=1um, 1e-5".parse(),
+            "film-thickness=1e-6,1e-5".parse::<Values>()
+        );
+        assert_eq!(
+            "film-modulus=0.1MPa..100 MPa".parse(),
+            "film-modulus=1e5..1e8".parse::<Bounds>()
+        );
+        assert_eq!(
+            "film-thickness=1um+-50nm".parse(),
+            "film-thickness=1e-6+-5e-8".parse::<Known>()
         );
         assert_eq!(
             "film-modulus = 1e5..1e8".parse(),
@@ -159,6 +171,8 @@ mod tests {
         assert!(values("load-offset").contains("load-offset=1e-6"));
         assert!(values("offset=1").contains("load-offset"));
         assert!(values("load-offset=1;2").contains("\"1;2\""));
+        assert!(values("film-thickness=3GPa").contains("a length is wanted"));
+        assert!(values("film-poisson-ratio=0.3um").contains("without a unit"));
         let bounds = "film-modulus=1e5".parse::<Bounds>().unwrap_err();
         assert!(bounds.contains("1e5..1e8"));
         let known = "film-modulus=1e5".parse::<Known>().unwrap_err();
