@@ -16,6 +16,7 @@ mod help;
 mod hostile_text;
 mod info;
 mod limits;
+mod magnitudes;
 mod outputs;
 mod pipes;
 mod plan;

@@ -7,6 +7,7 @@ mod doubts;
 mod hostile;
 mod imagined;
 mod layers;
+mod magnitudes;
 mod planning;
 mod recovery;
 mod shapes;

@@ -62,6 +62,7 @@
 pub mod data;
 mod error;
 mod estimate;
+mod magnitude;
 mod model;
 pub mod report;
 mod statistics;
@@ -71,6 +72,7 @@ pub use estimate::{
     Combination, Estimate, Fit, FittedExperiment, FittedPoint, Forecast, ModulusBias, Warning,
     WarningKind, WithoutFilm, fit, forecast, starts_from_data,
 };
+pub use magnitude::Magnitude;
 pub use model::{
     Bodies, Branch, Cause, Direction, Experiment, Free, Kind, Layer, LayerName, Layered,
     LayeredSolver, Loss, Measurement, Options, Parameter, Point, Prediction, Prior, Reach, Scope,

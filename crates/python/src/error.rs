@@ -355,6 +355,17 @@ impl From<fit::Error> for Failure {
                 allowed,
             } => of.about(&name, value).allowed(&allowed),
             Error::Layers(cause) => cause.into(),
+            Error::Magnitudes { ref found, .. } => {
+                let message = format!(
+                    "{}; give SI units, or if these numbers are meant, allow=(\"magnitudes\",)",
+                    of.message
+                );
+                let of = of.saying(&message);
+                match found.first() {
+                    Some(first) => of.about(&first.what, first.value),
+                    None => of,
+                }
+            }
             Error::Start { cause, .. } => Self {
                 cause: Some(Box::new((*cause).into())),
                 ..of

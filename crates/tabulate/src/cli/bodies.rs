@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use clap::ValueHint;
 use interp::System;
 
+use super::allow::{self, Allowed};
 use super::quantity::length;
 use super::stack_file::{self, Layers};
 use super::system::{self, SystemArguments, Value};
@@ -28,6 +29,9 @@ pub struct BodiesArguments {
     stack: Option<PathBuf>,
     #[command(flatten)]
     pub system: SystemArguments,
+    /// Go on although these are doubtful
+    #[arg(long, value_enum, value_name = "NAME,...", value_delimiter = ',')]
+    pub allow: Vec<Allowed>,
 }
 
 /// The flags of the bodies, and the range of the attraction between them.
@@ -75,6 +79,8 @@ impl BodiesArguments {
     /// names. An error names the file and the body.
     pub fn read_or_example(&self) -> anyhow::Result<Bodies> {
         let bodies = self.read()?;
+        let touching = fit::Bodies::Coated(bodies.system.clone());
+        allow::magnitudes(&touching.magnitudes(bodies.work_of_adhesion), &self.allow)?;
         if self.system.specimen.is_none() {
             system::name_example(&self.missing(false));
         }

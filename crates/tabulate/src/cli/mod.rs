@@ -6,6 +6,7 @@
 //! (`stack_file`); results go to an `output`, which knows the inputs, or are printed, as text or as
 //! one object of `json`; notes go to standard error.
 
+mod allow;
 mod bodies;
 mod check;
 mod completions;

@@ -11,6 +11,7 @@ use clap::builder::TypedValueParser;
 use clap::{ValueHint, value_parser};
 use serde::Serialize;
 
+use super::allow;
 use super::fit::experiments::{FreeArguments, KnownArguments};
 use super::fit::object::{Estimates, matrix};
 use super::fit::setting::unit_of;
@@ -123,6 +124,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let measurement = plan(arguments);
     let mut experiments = arguments.known.experiments(vec![measurement])?;
     experiments[0].noise = Some(noise);
+    allow::magnitudes(&experiments[0].magnitudes(), &arguments.known.bodies.allow)?;
     arguments.known.name_example();
     let table = arguments.table.read()?;
     if arguments.expect {

@@ -21,6 +21,7 @@ use interp::Table;
 
 use self::experiments::{FreeArguments, KnownArguments};
 use self::setting::unit_of;
+use super::allow::{self, Allowed};
 use super::json;
 use super::output::Output;
 use super::plot::picture;
@@ -238,9 +239,13 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let options = Options {
         loss: arguments.robust.unwrap_or(Loss::Squares),
         profile_level: arguments.intervals,
+        allow_magnitudes: arguments.known.bodies.allow.contains(&Allowed::Magnitudes),
         ..Options::default()
     };
-    let fit = ::fit::fit(table, &experiments, &free, &options)?;
+    let fit = match ::fit::fit(table, &experiments, &free, &options) {
+        Err(error @ ::fit::Error::Magnitudes { .. }) => bail!("{error}; {}", allow::ADVICE),
+        found => found?,
+    };
     if let Some(csv) = csv {
         csv.write(&table::csv(&fit, &experiments)?)?;
     }
