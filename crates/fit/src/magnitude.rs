@@ -25,7 +25,7 @@ const LARGEST_LOAD: f64 = 1e5;
 const WIDE: f64 = 0.5;
 /// The largest `a/t` below which the substrate hardly shows, and the one if the film is thicker than
 /// the radius of the sphere.
-const UNSEEN: [f64; 2] = [1e-2, 0.2];
+const UNSEEN: [f64; 2] = [1e-2, 0.05];
 /// The smallest `a/t` above which the film hardly shows.
 const TOO_THIN: f64 = 1e3;
 
@@ -53,7 +53,7 @@ impl fmt::Display for Magnitude {
             unit,
             reason,
         } = self;
-        write!(f, "{what} = {value:?} {unit} {reason}")
+        write!(f, "{what} = {} {unit} {reason}", short(*value))
     }
 }
 
@@ -230,6 +230,16 @@ impl Experiment {
     }
 }
 
+/// Writes a number with at most six digits.
+fn short(value: f64) -> String {
+    let value: f64 = format!("{value:.5e}").parse().unwrap_or(value);
+    if (1e-3..1e5).contains(&value.abs()) {
+        format!("{value}")
+    } else {
+        format!("{value:e}")
+    }
+}
+
 /// Checks what a fit has found.
 pub(crate) fn of_estimate(estimate: &Estimate) -> Option<Magnitude> {
     let Estimate {
@@ -263,8 +273,8 @@ pub(crate) fn of_estimate(estimate: &Estimate) -> Option<Magnitude> {
 fn length(what: Cow<'static, str>, value: f64) -> Option<Magnitude> {
     let [least, most] = LENGTHS;
     let reason = if value > most {
-        let [mm, um] = [1e-3, 1e-6].map(|size| value * size);
-        format!("is above {most} m: was {mm:?} m or {um:?} m meant (mm or um in place of m)?")
+        let value = short(value);
+        format!("is above {most} m: {value} mm, {value} um or {value} nm was probably meant")
     } else if value < least && value > 0.0 {
         format!("is below {least:?} m, the size of an atom: check its unit")
     } else {
@@ -293,7 +303,7 @@ fn modulus(what: Cow<'static, str>, value: f64) -> Option<Magnitude> {
         value,
         unit: "Pa",
         reason: format!(
-            "is {side} the moduli of all solids, {least:?} Pa to {:?} GPa: check the units",
+            "is {side} the moduli of all solids, {least} Pa to {} GPa: check the units",
             most / 1e9
         )
         .into(),
