@@ -1,7 +1,7 @@
 //! Numbers that no contact experiment has: a wrong unit is an error before it is a result.
 
 use acceptance::assert_names;
-use fit::{Bodies, Error, Experiment, Fit, Free, Kind, Options, Parameter, WarningKind, fit};
+use fit::{Bodies, Error, Experiment, Fit, Kind, Options, Parameter, WarningKind, fit};
 use interp::{Elastic, HalfSpace, Probe, System, Table};
 
 use crate::imagined::{Course, Imagined, solid};

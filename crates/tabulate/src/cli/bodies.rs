@@ -75,16 +75,20 @@ impl BodiesArguments {
         self.system.missing(self.stack.is_some(), half_space)
     }
 
-    /// Returns the bodies, with the values of the paper where none are given, which a comment line
-    /// names. An error names the file and the body.
-    pub fn read_or_example(&self) -> anyhow::Result<Bodies> {
+    /// Returns the bodies, with the values of the paper where none are given, if their numbers are
+    /// those of a contact. An error names the file and the body.
+    pub fn read_checked(&self) -> anyhow::Result<Bodies> {
         let bodies = self.read()?;
         let touching = fit::Bodies::Coated(bodies.system.clone());
         allow::magnitudes(&touching.magnitudes(bodies.work_of_adhesion), &self.allow)?;
+        Ok(bodies)
+    }
+
+    /// Names the values that the paper's example stands in for, in a comment line.
+    pub fn name_example(&self) {
         if self.system.specimen.is_none() {
             system::name_example(&self.missing(false));
         }
-        Ok(bodies)
     }
 
     /// Returns the bodies, with the values of the paper where none are given. An error names the

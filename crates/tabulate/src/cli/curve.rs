@@ -78,7 +78,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         from > 0.0 && to > from && to < f64::INFINITY,
         "the contact radii must run from > 0 to more than that: from {from:?} to {to:?} m"
     );
-    let bodies = given.read_or_example()?;
+    let bodies = given.read_checked()?;
     let system = &bodies.system;
     let mechanics = Mechanics::new(system)?;
     let punch = matches!(system.probe, Probe::FlatPunch { .. });
@@ -101,6 +101,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         bar.finish_and_clear();
         rows
     };
+    given.name_example();
     let paraboloid = matches!(system.probe, Probe::Paraboloid { .. });
     if paraboloid && to > Validity::WARNING_A_OVER_R * bodies.sphere_radius {
         note(LARGE_CONTACT);

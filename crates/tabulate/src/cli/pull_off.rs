@@ -69,7 +69,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         },
     };
     let attracting = &arguments.attracting;
-    let bodies = attracting.bodies.read_or_example()?;
+    let bodies = attracting.bodies.read_checked()?;
     let state = match attracting.interaction_range {
         Some(range) => bodies.cohesive(range)?.pull_off(control)?,
         None => jkr(arguments, &bodies, control)?,
@@ -92,6 +92,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
             .map(|(name, value)| format!("{name:14} = {}\n", number(value)))
             .collect()
     };
+    attracting.bodies.name_example();
     print(text.as_bytes())
 }
 

@@ -125,11 +125,11 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let mut experiments = arguments.known.experiments(vec![measurement])?;
     experiments[0].noise = Some(noise);
     allow::magnitudes(&experiments[0].magnitudes(), &arguments.known.bodies.allow)?;
-    arguments.known.name_example();
     let table = arguments.table.read()?;
     if arguments.expect {
         let free = arguments.free.of(&experiments, &[])?;
         let expected = forecast(&table, &experiments, &free)?;
+        arguments.known.name_example();
         return if arguments.json {
             json::print(&ForecastObject::new(&expected))
         } else {
@@ -142,6 +142,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     );
     let measurement = simulate(&table, &experiments[0], noise, arguments.seed)?;
     let text = csv(&measurement, &experiments[0])?;
+    arguments.known.name_example();
     output.write(&text)
 }
 
