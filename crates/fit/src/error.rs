@@ -2,8 +2,8 @@
 
 use std::borrow::Cow;
 
+use crate::Parameter;
 use crate::model::Cause;
-use crate::{Magnitude, Parameter};
 
 /// A fit that cannot be made.
 #[derive(Debug, thiserror::Error)]
@@ -77,15 +77,6 @@ pub enum Error {
         all = names()
     )]
     UnknownParameter(String),
-    /// Numbers that no experiment has, given or found; the first is at least one.
-    /// [`Options::allow_magnitudes`](crate::Options::allow_magnitudes) goes on with them.
-    #[error("{experiment}: {}", list(found))]
-    Magnitudes {
-        /// The names of the measurements.
-        experiment: String,
-        /// The numbers.
-        found: Vec<Magnitude>,
-    },
     /// A model that cannot be evaluated where the fit starts.
     #[error("{experiment}, where the fit starts: {cause}; give another start")]
     Start {
@@ -115,12 +106,6 @@ pub enum Error {
     /// A contact that cannot be computed.
     #[error(transparent)]
     Contact(#[from] interp::Error),
-}
-
-/// Lists magnitudes as text.
-fn list(found: &[Magnitude]) -> String {
-    let texts: Vec<String> = found.iter().map(Magnitude::to_string).collect();
-    texts.join("; ")
 }
 
 /// Lists the names of all parameters.

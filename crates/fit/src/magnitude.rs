@@ -1,15 +1,15 @@
 //! Whether numbers have the magnitudes of a contact experiment.
 //!
 //! A wrong unit is wrong by a factor of a thousand or more. These checks name what no experiment has,
-//! and the likely mistake. They are wide: what may be, if seldom, is a doubt
-//! ([`WarningKind::Implausible`](crate::WarningKind::Implausible)) and no error.
+//! and the likely mistake. They are wide: what may be, if seldom, is only warned of
+//! ([`WarningKind::Implausible`](crate::WarningKind::Implausible)).
 
 use std::borrow::Cow;
 use std::fmt;
 
 use interp::Probe;
 
-use crate::{Bodies, Estimate, Experiment, Kind, Parameter};
+use crate::{Bodies, Estimate, Experiment, Fit, Kind, Parameter};
 
 /// The Young's moduli of solids, Pa: from the softest gels to beyond diamond (some 1200 GPa).
 pub const MODULI: [f64; 2] = [1.0, 2e12];
@@ -106,7 +106,8 @@ impl Bodies {
 
 impl Experiment {
     /// Names what no experiment has: of the bodies, the work of adhesion, the stiffness of the
-    /// cantilever, and the points.
+    /// cantilever, and the points. [`fit`](crate::fit) does not ask for it: whoever fits the data of
+    /// people does, before the fit, and refuses what it finds.
     pub fn magnitudes(&self) -> Vec<Magnitude> {
         let mut found = self.bodies.magnitudes(self.work_of_adhesion);
         let receding = self.work_of_adhesion_receding;
@@ -178,6 +179,10 @@ impl Experiment {
         };
         let points = self.measurement.points.iter().map(|point| point.abscissa);
         let touching: Vec<f64> = points.filter(|&a| a > 0.0 && at_radii).collect();
+        // A radius above that of the sphere is an error of the point.
+        if touching.iter().any(|&a| a >= radius) {
+            return None;
+        }
         let wide = touching.iter().filter(|&&a| a > WIDE * radius).count();
         (2 * wide > touching.len()).then(|| Magnitude {
             what: "the largest contact radius".into(),
@@ -227,6 +232,13 @@ impl Experiment {
             unit: "m",
             reason: reason.into(),
         })
+    }
+}
+
+impl Fit {
+    /// Names what no experiment has of the values found. Each is warned of, too.
+    pub fn magnitudes(&self) -> Vec<Magnitude> {
+        self.estimates.iter().filter_map(of_estimate).collect()
     }
 }
 

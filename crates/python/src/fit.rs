@@ -4,7 +4,8 @@ use std::sync::Arc;
 
 use fit::{
     Bodies, Direction, Estimate, Experiment, Fit, FittedExperiment, Free, Kind, Layer, Layered,
-    LayeredSolver, Loss, Measurement, Options, Parameter, Point, Reach, Scope, WithoutFilm,
+    LayeredSolver, Loss, Magnitude, Measurement, Options, Parameter, Point, Reach, Scope,
+    WithoutFilm,
 };
 use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::exceptions::PyValueError;
@@ -77,8 +78,8 @@ pub fn fit_together<'py>(
     let experiments: Vec<Experiment> = experiments.collect::<PyResult<_>>()?;
     let free = frees(py, free)?;
     let found = py
-        .detach(|| fit::fit(table.get(), &experiments, &free, &options))
-        .or_raise(py)?;
+        .detach(|| checked_fit(table.get(), &experiments, &free, options))
+        .map_err(|failure| failure.raise(py))?;
     let result = summary(py, &found)?;
     let fitted = found.experiments.iter().map(|one| points(py, one));
     result.set_item("experiments", fitted.collect::<PyResult<Vec<_>>>()?)?;
@@ -109,21 +110,41 @@ pub fn fit_map<'py>(
         let curves = curves.iter().map(|given| experiment(py, given, &solver));
         let curves: Vec<Experiment> = curves.collect::<PyResult<_>>()?;
         let one = |curve: &Experiment| {
-            fit::fit(table.get(), std::slice::from_ref(curve), &free, &options)
+            checked_fit(table.get(), std::slice::from_ref(curve), &free, options)
         };
         let found: Vec<_> = py.detach(|| curves.par_iter().map(one).collect());
         for (i, found) in found.into_iter().enumerate() {
             match found {
                 Ok(found) => results.append(summary(py, &found)?)?,
-                Err(error) => {
-                    let failure = Failure::from(error).at(block * BLOCK + i);
-                    results.append(failure.raise(py))?;
+                Err(failure) => {
+                    results.append(failure.at(block * BLOCK + i).raise(py))?;
                 }
             }
         }
         py.check_signals()?;
     }
     Ok(results)
+}
+
+/// Fits, and refuses numbers that no experiment has unless they are allowed.
+fn checked_fit(
+    table: &interp::Table,
+    experiments: &[Experiment],
+    free: &[Free],
+    (options, allow_magnitudes): (Options, bool),
+) -> Result<Fit, Failure> {
+    let accept = |name: &str, found: &[Magnitude]| {
+        let failure = Failure::magnitudes(name, found).filter(|_| !allow_magnitudes);
+        failure.map_or(Ok(()), Err)
+    };
+    for experiment in experiments {
+        accept(&experiment.measurement.name, &experiment.magnitudes())?;
+    }
+    let found = fit::fit(table, experiments, free, &options)?;
+    if found.converged {
+        accept("the fit", &found.magnitudes())?;
+    }
+    Ok(found)
 }
 
 /// Makes an experiment; `solver` makes its contacts if they are on layers.
@@ -229,8 +250,8 @@ pub fn frees(py: Python<'_>, given: Vec<GivenFree>) -> PyResult<Vec<Free>> {
     all.or_raise(py)
 }
 
-/// Makes the options.
-fn options(given: GivenOptions) -> PyResult<Options> {
+/// Makes the options, and tells whether any magnitude is allowed.
+fn options(given: GivenOptions) -> PyResult<(Options, bool)> {
     let (loss, profile_level, interaction_range, allow_magnitudes) = given;
     let loss = match loss.as_str() {
         "squares" => Loss::Squares,
@@ -238,12 +259,12 @@ fn options(given: GivenOptions) -> PyResult<Options> {
         "soft-l1" => Loss::SOFT_L1,
         other => return Err(unknown("loss", other)),
     };
-    Ok(Options {
+    let options = Options {
         loss,
         profile_level,
         interaction_range,
-        allow_magnitudes,
-    })
+    };
+    Ok((options, allow_magnitudes))
 }
 
 /// Returns the exception of a word that the Python layer should have refused.

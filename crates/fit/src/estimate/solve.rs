@@ -7,12 +7,11 @@ use super::search::{Data, Minimum, minimum};
 use super::slot::{Slot, slots};
 use super::uncertainty::Uncertainty;
 use super::{loss, profile, warnings, without_film};
-use crate::magnitude;
 use crate::model::Freedom;
 use crate::statistics::deviations;
 use crate::{
-    Branch, Error, Estimate, Experiment, Fit, FittedExperiment, FittedPoint, Free, Magnitude,
-    Options, Parameter,
+    Branch, Error, Estimate, Experiment, Fit, FittedExperiment, FittedPoint, Free, Options,
+    Parameter,
 };
 
 /// The number of standard deviations beyond which a residual is an outlier.
@@ -33,8 +32,7 @@ const OUTLIER: f64 = 5.0;
 /// threads may share the `table`.
 ///
 /// # Errors
-/// [`Error`] for points, parameters or options that cannot be used, and for numbers, given or found,
-/// that no experiment has. A fit that does not converge is no error: see [`Fit::converged`].
+/// [`Error`] for points, parameters or options that cannot be used. A fit that does not converge is no error: see [`Fit::converged`].
 pub fn fit(
     table: &Table,
     experiments: &[Experiment],
@@ -55,35 +53,9 @@ pub fn fit(
             parameters: slots.len(),
         });
     }
-    if !options.allow_magnitudes {
-        for experiment in experiments {
-            refuse(&experiment.measurement.name, experiment.magnitudes())?;
-        }
-    }
     let found = minimum(table, &data, (free, &slots), options.loss)?;
     let without_film = without_film::without_film(table, &found, free, options.loss);
-    let fit = result(&found, &data, options, without_film);
-    if fit.converged && !options.allow_magnitudes {
-        let names: Vec<&str> = fit
-            .experiments
-            .iter()
-            .map(|one| one.name.as_str())
-            .collect();
-        let found = fit.estimates.iter().filter_map(magnitude::of_estimate);
-        refuse(&names.join(", "), found.collect())?;
-    }
-    Ok(fit)
-}
-
-/// Refuses numbers that no experiment has.
-fn refuse(experiment: &str, found: Vec<Magnitude>) -> Result<(), Error> {
-    if found.is_empty() {
-        return Ok(());
-    }
-    Err(Error::Magnitudes {
-        experiment: experiment.to_owned(),
-        found,
-    })
+    Ok(result(&found, &data, options, without_film))
 }
 
 /// Accepts the experiments, reads the branches of their points, and lists the values to be found.

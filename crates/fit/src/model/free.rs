@@ -133,19 +133,15 @@ pub struct Options {
     pub profile_level: Option<f64>,
     /// The range `z0` of the attraction (m), for Tabor's parameter.
     pub interaction_range: f64,
-    /// Whether numbers that no experiment has are only warned of. Otherwise they are an
-    /// [`Error::Magnitudes`](crate::Error::Magnitudes).
-    pub allow_magnitudes: bool,
 }
 
 impl Default for Options {
-    /// Least squares, no profiles, an attraction over 0.3 nm, and no number that no experiment has.
+    /// Least squares, no profiles, and an attraction over 0.3 nm.
     fn default() -> Self {
         Self {
             loss: Loss::Squares,
             profile_level: None,
             interaction_range: 3e-10,
-            allow_magnitudes: false,
         }
     }
 }

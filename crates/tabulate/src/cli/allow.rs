@@ -17,9 +17,9 @@ pub fn magnitudes(found: &[Magnitude], allowed: &[Allowed]) -> anyhow::Result<()
         return Ok(());
     }
     let texts: Vec<String> = found.iter().map(Magnitude::to_string).collect();
-    bail!("{}; {ADVICE}", texts.join("; "))
+    bail!(
+        "{}; numbers have units (30um, 5mN) or are in SI units; if these are meant, --allow \
+         magnitudes",
+        texts.join("; ")
+    )
 }
-
-/// What follows after numbers that no contact experiment has.
-pub const ADVICE: &str =
-    "numbers have units (30um, 5mN) or are in SI units; if these are meant, --allow magnitudes";

@@ -23,7 +23,7 @@ use interp::Table;
 use self::experiments::{FreeArguments, KnownArguments};
 use self::reading::{measured, typed};
 use self::setting::unit_of;
-use super::allow::{self, Allowed};
+use super::allow;
 use super::json;
 use super::output::Output;
 use super::plot::picture;
@@ -261,18 +261,22 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
          which is not free; free it, --free sphere-modulus, or leave the Poisson ratio out"
     );
     arguments.known.ask(&experiments, &free)?;
+    let allowed = &arguments.known.bodies.allow;
+    for experiment in &experiments {
+        allow::magnitudes(&experiment.magnitudes(), allowed)
+            .with_context(|| experiment.measurement.name.clone())?;
+    }
     let table = arguments.table.read()?;
     let table: &Table = &table;
     let options = Options {
         loss: arguments.robust.unwrap_or(Loss::Squares),
         profile_level: arguments.intervals,
-        allow_magnitudes: arguments.known.bodies.allow.contains(&Allowed::Magnitudes),
         ..Options::default()
     };
-    let fit = match ::fit::fit(table, &experiments, &free, &options) {
-        Err(error @ ::fit::Error::Magnitudes { .. }) => bail!("{error}; {}", allow::ADVICE),
-        found => found?,
-    };
+    let fit = ::fit::fit(table, &experiments, &free, &options)?;
+    if fit.converged {
+        allow::magnitudes(&fit.magnitudes(), allowed)?;
+    }
     if let Some(csv) = csv {
         csv.write(&table::csv(&fit, &experiments)?)?;
     }
