@@ -3,7 +3,10 @@
 
 #![forbid(unsafe_code)]
 
+mod abscissa_noise;
+mod cycles;
 mod doubts;
+mod fixed_values;
 mod hostile;
 mod imagined;
 mod layers;
@@ -11,3 +14,4 @@ mod magnitudes;
 mod planning;
 mod recovery;
 mod shapes;
+mod unknown_noise;

@@ -32,7 +32,11 @@ pub fn read_file<'py>(
     given: GivenFormat,
 ) -> PyResult<(Bound<'py, PyDict>, Option<String>)> {
     let format = format(given)?;
-    let Reading { measurement, notes } = py.detach(|| read(&path, &format)).or_raise(py)?;
+    let Reading {
+        measurement,
+        errors,
+        notes,
+    } = py.detach(|| read(&path, &format)).or_raise(py)?;
     let points = &measurement.points;
     let fields = PyDict::new(py);
     fields.set_item("name", &measurement.name)?;
@@ -47,6 +51,14 @@ pub fn read_file<'py>(
             .iter()
             .map(|point| point.direction == Some(Direction::Retract));
         fields.set_item("retract", PyArray1::from_iter(py, retract))?;
+    }
+    for (name, list) in [
+        ("abscissa_noise", errors.abscissa),
+        ("noise", errors.ordinate),
+    ] {
+        if !list.is_empty() {
+            fields.set_item(name, PyArray1::from_vec(py, list))?;
+        }
     }
     if measurement.kind == Kind::ForceHeight {
         fields.set_item("stiffness", notes.cantilever.stiffness)?;

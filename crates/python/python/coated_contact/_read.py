@@ -15,7 +15,18 @@ from ._errors import FitError
 from ._experiment import Experiment, Kind, one_of
 from ._stack import StackSystem
 
-Role = Literal["contact_radius", "load", "penetration", "height", "deflection", "segment"]
+Role = Literal[
+    "contact_radius",
+    "load",
+    "penetration",
+    "height",
+    "deflection",
+    "segment",
+    "contact_radius_error",
+    "load_error",
+    "penetration_error",
+    "height_error",
+]
 Segments = Literal["auto", "file", "split"]
 Direction = Literal["approach", "retract"]
 

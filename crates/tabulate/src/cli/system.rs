@@ -5,7 +5,7 @@
 
 use std::io::{self, Write};
 
-use ::fit::Parameter;
+use ::fit::{Fixed, Parameter};
 use anyhow::{Context, ensure};
 use clap::ValueEnum;
 use interp::{Elastic, System};
@@ -171,18 +171,26 @@ impl Value {
         Ok(given)
     }
 
+    /// Returns the value of a fit that this is.
+    pub const fn fixed(self) -> Fixed {
+        match self {
+            Self::SphereRadius => Fixed::SphereRadius,
+            Self::SphereModulus => Fixed::Parameter(Parameter::SphereModulus),
+            Self::FilmThickness => Fixed::Parameter(Parameter::FilmThickness),
+            Self::FilmModulus => Fixed::Parameter(Parameter::FilmModulus),
+            Self::FilmPoissonRatio => Fixed::Parameter(Parameter::FilmPoissonRatio),
+            Self::SubstrateModulus => Fixed::SubstrateModulus,
+            Self::SubstratePoissonRatio => Fixed::SubstratePoissonRatio,
+            Self::WorkOfAdhesion => Fixed::Parameter(Parameter::WorkOfAdhesion),
+        }
+    }
+
     /// Returns the parameter of a fit that is this value, if there is one.
     pub const fn parameter(self) -> Option<Parameter> {
-        Some(match self {
-            Self::SphereModulus => Parameter::SphereModulus,
-            Self::FilmThickness => Parameter::FilmThickness,
-            Self::FilmModulus => Parameter::FilmModulus,
-            Self::FilmPoissonRatio => Parameter::FilmPoissonRatio,
-            Self::WorkOfAdhesion => Parameter::WorkOfAdhesion,
-            Self::SphereRadius | Self::SubstrateModulus | Self::SubstratePoissonRatio => {
-                return None;
-            }
-        })
+        match self.fixed() {
+            Fixed::Parameter(parameter) => Some(parameter),
+            _ => None,
+        }
     }
 
     /// Tells whether the value is one of the film or of the substrate.

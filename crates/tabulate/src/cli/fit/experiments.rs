@@ -9,7 +9,7 @@ use ::fit::{
 use anyhow::{Context, bail, ensure};
 use interp::HalfSpace;
 
-use super::setting::{Bounds, Known, Values};
+use super::setting::{Bounds, Given, Known, Values};
 use crate::cli::bodies::{self, BodiesArguments};
 use crate::cli::quantity::force_per_length;
 use crate::cli::stack_file::Layers;
@@ -53,14 +53,21 @@ impl KnownArguments {
 
     /// Asks for all that a fit of experiments needs and nobody gives. The values of free parameters
     /// are needed only where the data do not tell where to start.
-    pub fn ask(&self, experiments: &[Experiment], free: &[Free]) -> anyhow::Result<()> {
+    pub fn ask(
+        &self,
+        experiments: &[Experiment],
+        free: &[Free],
+        given: &[Given],
+    ) -> anyhow::Result<()> {
         let is_free = |value: Value| {
             let free = |parameter| free.iter().any(|one| one.parameter == parameter);
             value.parameter().is_some_and(free)
         };
         let is_known = |value: &Value| {
             let starts = |parameter| starts_from_data(parameter, experiments, free);
-            self.bodies.system.specimen.is_some() || value.parameter().is_some_and(starts)
+            self.bodies.system.specimen.is_some()
+                || value.parameter().is_some_and(starts)
+                || given.iter().any(|one| one.quantity == value.fixed())
         };
         let mut missing = self.missing();
         missing.retain(|value| !is_known(value));
