@@ -51,7 +51,7 @@ pub use column::{Column, Role};
 pub use failure::{DataError, Found, Missing, Problem};
 pub use head::{Head, HeadValue};
 pub use quantity::{Quantity, QuantityError};
-pub use remedy::Remedy;
+pub use remedy::{Named, Remedy};
 pub use sign::Doubt;
 pub use unit::{Dimension, Unit, prefix};
 

@@ -15,13 +15,13 @@ use std::path::{Path, PathBuf};
 use ::fit::data::{Cantilever, Column, Format, Quantity, Role, Segments, roles};
 use ::fit::report::{UnitOf, report};
 use ::fit::{Direction, Fit, Kind, Loss, Options, Parameter, WarningKind};
-use anyhow::{Context, bail, ensure};
+use anyhow::{Context, anyhow, bail, ensure};
 use clap::ValueHint;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use interp::Table;
 
 use self::experiments::{FreeArguments, KnownArguments};
-use self::reading::{measured, typed};
+use self::reading::{doubted, measured, typed};
 use self::setting::{Given, unit_of};
 use super::allow;
 use super::json;
@@ -42,7 +42,10 @@ use crate::printable;
 /// `Piezo/nm`; --column names others. Without a unit, the names contact_radius, penetration, load,
 /// force, height, `height (measured)` and `height (piezo)` are in SI units, all others an error.
 /// A heading of one of these with error, std, sd, sigma or uncertainty, such as `load error [mN]`
-/// and `radius_std`, is the column of its standard deviations.
+/// and `radius_std`, is the column of its standard deviations. Segments of a file may have headings
+/// of their own. The stiffness and the sensitivity of the cantilever are those that the head of the
+/// file names, unless flags give others.
+///
 /// Loads are positive in compression; heights are smaller when the cantilever is closer to the
 /// sample: contact point - height = penetration + force/stiffness.
 ///
@@ -75,11 +78,11 @@ pub struct Arguments {
     kind: Option<Kind>,
     /// A column that is not recognised: NAME=HEADING [UNIT]. NAME is one of contact_radius, load,
     /// penetration, height, deflection and segment, or with _error a column of standard deviations:
-    /// load_error. The number of the column may stand for the heading; a minus before it turns the
-    /// sign
+    /// load_error. The number of the column may stand for the heading, with `extend` or `retract`
+    /// after it for one direction; a minus before it turns the sign
     #[arg(long = "column", value_name = "NAME=HEADING [UNIT]")]
     columns: Vec<Column>,
-    /// Sensitivity, m of deflection for each V, of a deflection in volts
+    /// Sensitivity, m of deflection for each V, of a deflection in volts [default: that of the file]
     #[arg(long, value_name = "m/V", value_parser = sensitivity, allow_hyphen_values = true)]
     sensitivity: Option<f64>,
     /// Where the directions of points come from: a column segment, phase or direction, comments
@@ -222,6 +225,18 @@ pub fn standard_deviation(noise: &Quantity, kind: Kind) -> anyhow::Result<f64> {
     Ok(value)
 }
 
+/// Returns the warnings that may tell why a value is impossible, and what follows, a line each.
+fn further_doubts(fit: &Fit) -> String {
+    let others = fit.warnings.iter();
+    let others = others.filter(|warning| warning.kind != WarningKind::Implausible);
+    let texts: String = others
+        .map(|warning| format!("\nwarning: {}", warning.text))
+        .collect();
+    format!("{texts}\n{}", next_steps(fit))
+        .trim_end()
+        .to_owned()
+}
+
 /// Returns the flags that follow from the warnings, a line each.
 fn next_steps(fit: &Fit) -> String {
     let steps = [
@@ -337,9 +352,11 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         fixed_values: true,
         ..Options::default()
     };
-    let fit = ::fit::fit(table, &experiments, &free, &options)?;
+    let fit =
+        ::fit::fit(table, &experiments, &free, &options).map_err(|error| doubted(error, &notes))?;
     if fit.converged {
-        allow::magnitudes(&fit.magnitudes(), allowed)?;
+        allow::magnitudes(&fit.magnitudes(), allowed)
+            .map_err(|error| anyhow!("{error}{}", further_doubts(&fit)))?;
     }
     if let Some(csv) = csv {
         csv.write(&table::csv(&fit, &experiments)?)?;
