@@ -6,8 +6,6 @@ use serde_json::Value;
 /// The flags of a sphere on a half-space.
 const GEL: [&str; 9] = [
     "--half-space",
-    "--film-poisson-ratio",
-    "0.5",
     "--sphere-modulus",
     "inf",
     "--sphere-radius",
