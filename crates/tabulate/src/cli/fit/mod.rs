@@ -219,8 +219,8 @@ pub fn standard_deviation(noise: &Quantity, kind: Kind) -> anyhow::Result<f64> {
         .of(Some(roles(kind)[1].dimension()))
         .context("--noise")?;
     ensure!(
-        !(value < 0.0),
-        "--noise {value:?}: the standard deviation of a noise is not negative"
+        value >= 0.0,
+        "--noise {value:?}: the standard deviation of a noise is a number of at least 0"
     );
     Ok(value)
 }
