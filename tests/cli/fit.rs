@@ -199,6 +199,7 @@ fn the_object_has_the_keys_of_its_help() {
         "without_film",
         "fixed_values",
         "warnings",
+        "read",
     ];
     sorted.sort_unstable();
     assert_eq!(keys(&object), sorted);

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use fit::data::{Cantilever, Column, Format, Reading, Remedy, Role, Segments, read};
+use fit::data::{Cantilever, Column, Format, Named, Reading, Remedy, Role, Segments, read};
 use fit::report::reading;
 use fit::{Direction, Kind};
 use numpy::PyArray1;
@@ -111,14 +111,15 @@ fn format(given: GivenFormat) -> PyResult<Format> {
 /// Returns what to give, in the words of the package.
 pub fn in_python(remedy: &Remedy) -> String {
     match remedy {
-        Remedy::Columns { kind, columns } => {
-            let kind = kind.map(|kind| format!("kind=\"{}\", ", kind.name()));
-            let columns: Vec<String> = columns.iter().map(entry).collect();
-            format!(
-                "give {}columns={{{}}}",
-                kind.unwrap_or_default(),
-                columns.join(", ")
-            )
+        Remedy::Columns(ways) => {
+            let way = |Named { kind, columns }: &Named| {
+                let kind = kind.map(|kind| format!("kind=\"{}\", ", kind.name()));
+                let columns: Vec<String> = columns.iter().map(entry).collect();
+                let columns = columns.join(", ");
+                format!("{}columns={{{columns}}}", kind.unwrap_or_default())
+            };
+            let ways: Vec<String> = ways.iter().map(way).collect();
+            format!("give {}", ways.join(", or "))
         }
         Remedy::Kind(kinds) => {
             let names: Vec<String> = kinds

@@ -48,7 +48,7 @@ pub use assignment::{Source, roles};
 pub use column::{Column, Role};
 pub use failure::{DataError, Found, Missing, Problem};
 pub use head::{Head, HeadValue};
-pub use remedy::Remedy;
+pub use remedy::{Named, Remedy};
 pub use sign::Doubt;
 pub use unit::{Dimension, Unit, prefix};
 

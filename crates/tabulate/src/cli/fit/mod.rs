@@ -21,7 +21,7 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use interp::Table;
 
 use self::experiments::{FreeArguments, KnownArguments};
-use self::reading::{measured, typed};
+use self::reading::{doubted, measured, typed};
 use self::setting::{Given, unit_of};
 use super::json;
 use super::output::Output;
@@ -40,7 +40,10 @@ use crate::printable;
 /// `Piezo/nm`; --column names others. Without a unit, the names contact_radius, penetration, load,
 /// force, height, `height (measured)` and `height (piezo)` are in SI units, all others an error.
 /// A heading of one of these with error, std, sd, sigma or uncertainty, such as `load error [mN]`
-/// and `radius_std`, is the column of its standard deviations.
+/// and `radius_std`, is the column of its standard deviations. Segments of a file may have headings
+/// of their own. The stiffness and the sensitivity of the cantilever are those that the head of the
+/// file names, unless flags give others.
+///
 /// Loads are positive in compression; heights are smaller when the cantilever is closer to the
 /// sample: contact point - height = penetration + force/stiffness.
 ///
@@ -70,11 +73,11 @@ pub struct Arguments {
     kind: Option<Kind>,
     /// A column that is not recognised: NAME=HEADING [UNIT]. NAME is one of contact_radius, load,
     /// penetration, height, deflection and segment, or with _error a column of standard deviations:
-    /// load_error. The number of the column may stand for the heading; a minus before it turns the
-    /// sign
+    /// load_error. The number of the column may stand for the heading, with `extend` or `retract`
+    /// after it for one direction; a minus before it turns the sign
     #[arg(long = "column", value_name = "NAME=HEADING [UNIT]")]
     columns: Vec<Column>,
-    /// Sensitivity, m of deflection for each V, of a deflection in volts
+    /// Sensitivity, m of deflection for each V, of a deflection in volts [default: that of the file]
     #[arg(long, value_name = "m/V", allow_negative_numbers = true)]
     sensitivity: Option<f64>,
     /// Where the directions of points come from: a column segment, phase or direction, comments
@@ -318,7 +321,8 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         fixed_values: true,
         ..Options::default()
     };
-    let fit = ::fit::fit(table, &experiments, &free, &options)?;
+    let fit =
+        ::fit::fit(table, &experiments, &free, &options).map_err(|error| doubted(error, &notes))?;
     if let Some(csv) = csv {
         csv.write(&table::csv(&fit, &experiments)?)?;
     }
