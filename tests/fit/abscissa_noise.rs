@@ -250,6 +250,10 @@ fn what_is_no_standard_deviation_is_refused() {
     assert_names(&text, &["errors of the load", "3", "40"]);
     let text = refused(&|experiment| experiment.errors.ordinate = vec![0.0; 40]);
     assert_names(&text, &["imagined.csv", "line 2", "positive"]);
-    let error = fit::forecast(Table::embedded(), &[lens.truth.clone()], &lens.free);
+    let error = fit::forecast(
+        Table::embedded(),
+        std::slice::from_ref(&lens.truth),
+        &lens.free,
+    );
     assert!(matches!(error, Err(Error::Setting { .. })), "{error:?}");
 }

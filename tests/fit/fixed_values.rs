@@ -167,7 +167,7 @@ fn a_poisson_ratio_at_its_end_moves_to_the_other_side() {
     let one = here.fixed_values.iter().find(|one| one.quantity == poisson);
     let one = one.expect("listed");
     assert_eq!((one.value, one.step), (0.5, -0.01));
-    let report = fit::report::report(&here, &[lens.truth.clone()], &[], &[]);
+    let report = fit::report::report(&here, std::slice::from_ref(&lens.truth), &[], &[]);
     assert_names(
         &report,
         &[
@@ -268,7 +268,7 @@ fn an_error_that_cannot_be_known_is_refused() {
         };
         let error = fit(
             Table::embedded(),
-            &[experiment.clone()],
+            std::slice::from_ref(&experiment),
             &lens.free,
             &options,
         );

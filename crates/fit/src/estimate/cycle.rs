@@ -268,8 +268,7 @@ impl Cycle {
         }
         let energy = energies[0] - energies[1];
         let deviations = normal_of_t(energy.abs() / variance.sqrt(), freedom);
-        // Not `<`, which is false for NaN.
-        if !(deviations > BEYOND_CHANCE) {
+        if deviations.is_nan() || deviations <= BEYOND_CHANCE {
             return None;
         }
         let loading = &ways[0];

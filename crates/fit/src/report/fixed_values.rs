@@ -81,7 +81,7 @@ fn cell(estimate: &Estimate, change: f64) -> String {
         return format!("{:+.2} %", 1e2 * change / estimate.value);
     }
     let (unit, size) = scaled(estimate.parameter.unit(), change);
-    format!("{:+.3} {unit}", change / size)
-        .trim_end()
-        .to_owned()
+    let number = change / size;
+    let decimals = (2.0 - number.abs().max(1e-3).log10().floor()).clamp(0.0, 5.0) as usize;
+    format!("{number:+.decimals$} {unit}").trim_end().to_owned()
 }
