@@ -545,7 +545,8 @@ impl LayeredSolver for Counted {
 
 #[test]
 fn an_interrupted_fit_makes_no_further_contact() {
-    let free = [Parameter::SphereModulus, Parameter::WorkOfAdhesion];
+    let primer = Parameter::LayerModulus(named("primer"));
+    let free = [primer, Parameter::WorkOfAdhesion];
     let lens = lens(&free);
     let experiment = lens.measured(&lens.exact(), 1);
     let contacts_until = |last: usize| {
