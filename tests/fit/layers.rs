@@ -547,7 +547,7 @@ impl LayeredSolver for Counted {
 fn an_interrupted_fit_makes_no_further_contact() {
     let primer = Parameter::LayerModulus(named("primer"));
     let lens = lens(&[primer, Parameter::WorkOfAdhesion]);
-    let experiment = lens.measured(&lens.exact(), 1);
+    let experiment = with_reach(lens.measured(&lens.exact(), 1));
     let contacts_until = |last: usize| {
         let interrupted = Arc::new(AtomicBool::new(false));
         let counted = Arc::new(Counted {
