@@ -94,12 +94,13 @@ function chart(x, y, states, stable, marks, width) {
         const [u, v] = at(state), below = label === "load control";
         if (u > box.right + 1) continue;
         svg.append(element("circle", { cx: u, cy: v, r: 4.5 }));
-        // Below the mark at the least load. Otherwise right of the mark, in two lines on a narrow page; above it near zero load.
+        // Below the mark at the least load. Otherwise right of the mark, in two lines on a narrow page, the last one beside
+        // the mark; above it near zero load.
         const flat = v - vertical.place(0) < 20;
         const lines = below || flat || width > 420 ? [label] : label.split(" ");
         lines.forEach((line, i) => {
             const offset = below ? [2, 18] : [9, flat ? -8 : x.key === "penetration" ? 4 : -2];
-            svg.append(element("text", { class: "mark", x: u + offset[0], y: v + offset[1] + 14 * i }, line));
+            svg.append(element("text", { class: "mark", x: u + offset[0], y: v + offset[1] + 14 * (i + 1 - lines.length) }, line));
         });
     }
     return svg;
