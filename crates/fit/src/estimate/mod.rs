@@ -2,7 +2,8 @@
 //!
 //! `solve` leads from the data to the result. `slot` lists the values to be found and their
 //! coordinates, `jkr` and `start` find where the method starts, `problem` is the least-squares
-//! problem with its `loss`, `search` leads to the minimum. `uncertainty` gives the errors there,
+//! problem with its `loss`. `minima` compares the minima that several starts lead to, and `search`
+//! leads to each of them. `uncertainty` gives the errors there,
 //! `profile` intervals without linearisation, `without_film` the fit of JKR, `wanted` and
 //! `warnings` the doubts. `forecast` tells the errors of a planned experiment. `result` holds what
 //! comes out.
@@ -10,6 +11,7 @@
 mod forecast;
 mod jkr;
 mod loss;
+mod minima;
 mod problem;
 mod profile;
 mod result;
@@ -18,6 +20,7 @@ mod slot;
 mod solve;
 mod start;
 mod uncertainty;
+mod valley;
 mod wanted;
 mod warnings;
 mod without_film;

@@ -202,8 +202,12 @@ pub enum WarningKind {
     FilmNotSeen,
     /// The fit was stopped by the end of the table.
     EndOfTable,
-    /// Other parameters explain the data as well.
+    /// There is another minimum, whose sum of squares is larger by no more than chance explains.
     SeveralMinima,
+    /// A standard error that says too little, because the model is far from linear within it.
+    NonlinearError,
+    /// An interval of the profile likelihood without an end on one side.
+    OpenInterval,
 }
 
 impl WarningKind {
@@ -226,6 +230,8 @@ impl WarningKind {
             Self::FilmNotSeen => "film-not-seen",
             Self::EndOfTable => "end-of-table",
             Self::SeveralMinima => "several-minima",
+            Self::NonlinearError => "nonlinear-error",
+            Self::OpenInterval => "open-interval",
         }
     }
 }

@@ -2,8 +2,9 @@
 
 use interp::Table;
 
+use super::minima::{Minimum, minimum};
 use super::problem::{Ending, Problem};
-use super::search::{Data, Minimum, minimum};
+use super::search::Data;
 use super::slot::{Slot, slots};
 use super::uncertainty::Uncertainty;
 use super::{loss, profile, warnings, without_film};
@@ -16,6 +17,8 @@ use crate::{
 
 /// The number of standard deviations beyond which a residual is an outlier.
 const OUTLIER: f64 = 5.0;
+/// The most minima that intervals may replace by lower ones.
+const MOST_RESTARTS: usize = 8;
 
 /// Finds the free parameters of one or several experiments.
 ///
@@ -54,9 +57,35 @@ pub fn fit(
             parameters: slots.len(),
         });
     }
-    let found = minimum(table, &data, (free, &slots), options.loss)?;
+    let mut found = minimum(table, &data, (free, &slots), options.loss)?;
+    let intervals = intervals(&mut found, &data, options);
     let without_film = without_film::without_film(table, &found, free, options.loss);
-    Ok(result(&found, &data, options, without_film))
+    Ok(result(&found, &data, options, (intervals, without_film)))
+}
+
+/// Finds the intervals asked for. One that leads to a lower minimum starts the fit again from there.
+fn intervals<'a>(
+    found: &mut Minimum<'a>,
+    data: &Data,
+    options: &Options,
+) -> Option<Vec<[profile::End; 2]>> {
+    let deviations = deviations(options.profile_level?);
+    for _ in 0..MOST_RESTARTS {
+        let uncertainty = found.uncertainty.as_ref()?;
+        if found.ending != Ending::Converged {
+            return None;
+        }
+        match profile::intervals(&found.problem, uncertainty, deviations) {
+            Ok(intervals) => {
+                found.problem.evaluations += intervals.evaluations;
+                return Some(intervals.ends);
+            }
+            Err(lower) => found.replace_by(*lower, data),
+        }
+    }
+    // Each round has found a lower minimum: this one is none.
+    found.ending = Ending::OutOfPatience;
+    None
 }
 
 /// Accepts the experiments, reads the branches of their points, and lists the values to be found.
@@ -178,17 +207,19 @@ fn result(
     found: &Minimum<'_>,
     data: &Data,
     options: &Options,
-    without: Option<without_film::Found>,
+    (intervals, without): (Option<Vec<[profile::End; 2]>>, Option<without_film::Found>),
 ) -> Fit {
     let problem = &found.problem;
     let uncertainty = found.uncertainty.as_ref();
     let mut estimates = estimates(problem, uncertainty);
-    let mut evaluations = problem.evaluations;
-    if let Some(level) = options.profile_level
-        && found.ending == Ending::Converged
-        && let Some(uncertainty) = uncertainty
-    {
-        evaluations += profile::add(&mut estimates, problem, uncertainty, deviations(level));
+    for (estimate, ends) in estimates.iter_mut().zip(intervals.iter().flatten()) {
+        let [low, high] = *ends;
+        let unlimited = if estimate.parameter.is_positive() {
+            0.0
+        } else {
+            f64::NEG_INFINITY
+        };
+        estimate.profile = Some([low.or(unlimited), high.or(f64::INFINITY)]);
     }
     let residuals = problem.plain_residuals();
     let count = residuals.as_ref().map_or(0, nalgebra::Matrix::len);
@@ -203,7 +234,7 @@ fn result(
     });
     let mut fit = Fit {
         converged: found.ending == Ending::Converged,
-        evaluations,
+        evaluations: problem.evaluations,
         estimates,
         correlation: uncertainty.map_or_else(Vec::new, Uncertainty::correlation),
         chi_squared,
@@ -219,6 +250,8 @@ fn result(
         warnings: Vec::new(),
     };
     fit.warnings = warnings::warnings(&fit, found, data, options);
+    fit.warnings
+        .extend(warnings::intervals(&fit, intervals.as_deref()));
     fit
 }
 

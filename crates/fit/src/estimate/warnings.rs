@@ -3,9 +3,12 @@
 use interp::{AdhesionRange, Probe, Validity};
 use nalgebra::DVector;
 
+use super::minima::Minimum;
 use super::problem::{Assigned, Ending, Problem};
-use super::search::{Data, Minimum, SAME, SHORT, ends};
+use super::profile::End;
+use super::search::{Data, SHORT, ends};
 use super::uncertainty::{UNDETERMINED, Uncertainty};
+use super::valley::Bend;
 use super::wanted;
 use crate::statistics::{excess, missing_runs};
 use crate::{Bodies, Branch, Estimate, Fit, Loss, Options, Parameter, Warning, WarningKind};
@@ -30,6 +33,9 @@ pub(super) fn warnings(
     let mut warnings = Warnings::default();
     let problem = &found.problem;
     method(&mut warnings, fit, found);
+    if let Some(found) = &found.bend {
+        bend(&mut warnings, problem, found);
+    }
     for estimate in &fit.estimates {
         implausible(&mut warnings, estimate);
     }
@@ -55,6 +61,34 @@ pub(super) fn warnings(
     }
     for (e, assigned) in problem.assigned.iter().enumerate() {
         geometry(&mut warnings, problem, e, assigned, options);
+    }
+    warnings.0
+}
+
+/// Says why an interval has no end on a side, or two.
+pub(super) fn intervals(fit: &Fit, ends: Option<&[[End; 2]]>) -> Vec<Warning> {
+    let mut warnings = Warnings::default();
+    for (estimate, ends) in fit.estimates.iter().zip(ends.into_iter().flatten()) {
+        let (parameter, unit) = (estimate.parameter, estimate.parameter.unit());
+        for (side, end) in ["lower", "upper"].into_iter().zip(ends) {
+            let why = match end {
+                End::At(_) => continue,
+                End::Open(value) => format!(
+                    "the data do not rule out {value:.3e} {unit}, the farthest value that was \
+                     looked at"
+                ),
+                End::Failed(value) => {
+                    format!("at {value:.3e} {unit} the other parameters have no fit")
+                }
+            };
+            warnings.add(
+                WarningKind::OpenInterval,
+                format!(
+                    "the interval of {parameter} has no {side} end: {why}; fix a parameter, or \
+                     give it a prior"
+                ),
+            );
+        }
     }
     warnings.0
 }
@@ -86,22 +120,45 @@ fn method(warnings: &mut Warnings, fit: &Fit, found: &Minimum<'_>) {
             ),
         );
     }
-    if let Some(rival) = &found.rival {
-        let values: Vec<String> = fit
-            .estimates
-            .iter()
-            .zip(rival)
-            .map(|(estimate, value)| format!("{} = {value:.3e}", estimate.parameter))
+    for rival in &found.rivals {
+        let estimates = fit.estimates.iter().zip(&rival.values);
+        let values: Vec<String> = estimates
+            .map(|(estimate, value)| {
+                format!(
+                    "{} = {value:.3e} {}",
+                    estimate.parameter,
+                    estimate.parameter.unit()
+                )
+            })
             .collect();
         warnings.add(
             WarningKind::SeveralMinima,
             format!(
-                "other values fit the data as well, with a chi^2 that differs by less than {SAME}: \
-                 {}; give a prior or fix a parameter",
+                "there is another minimum, whose chi^2 is larger by {:.1}, which is within \
+                 chance: {}; fix a parameter, or give it a prior or bounds",
+                rival.excess,
                 values.join(", ")
             ),
         );
     }
+}
+
+/// Warns of a value that may be farther away than its standard error says.
+fn bend(warnings: &mut Warnings, problem: &Problem<'_>, bend: &Bend) {
+    let parameter = problem.slots[bend.slot].parameter;
+    warnings.add(
+        WarningKind::NonlinearError,
+        format!(
+            "the standard error of {parameter} is too small on one side: {:.3e} {}, {} standard \
+             errors away, would raise chi^2 by {:.1} only, not by {}; take the interval of the \
+             profile likelihood, or give a prior",
+            bend.value,
+            parameter.unit(),
+            Bend::DISTANCE,
+            bend.growth,
+            Bend::DISTANCE * Bend::DISTANCE
+        ),
+    );
 }
 
 /// Warns of values that no experiment has.
