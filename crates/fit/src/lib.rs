@@ -63,6 +63,7 @@ pub mod data;
 mod error;
 mod estimate;
 mod model;
+pub mod report;
 mod statistics;
 
 pub use error::Error;

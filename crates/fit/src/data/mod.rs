@@ -83,7 +83,7 @@ pub struct Reading {
 }
 
 /// How a measurement was read.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Notes {
     /// The columns used.
     pub columns: Vec<Source>,

@@ -4,6 +4,7 @@ use std::env;
 use std::path::PathBuf;
 
 use ::fit::data::{Role, roles};
+use ::fit::report::{self, UnitOf};
 use ::fit::{Direction, Experiment, Forecast, Kind, Measurement, Point, forecast, simulate};
 use anyhow::ensure;
 use clap::builder::TypedValueParser;
@@ -12,8 +13,8 @@ use serde::Serialize;
 
 use super::fit::experiments::{FreeArguments, KnownArguments};
 use super::fit::object::{Estimates, matrix};
-use super::fit::setting::Asked;
-use super::fit::{kinds, one_of, text};
+use super::fit::setting::unit_of;
+use super::fit::{kinds, one_of};
 use super::json::{self, Number};
 use super::output::Output;
 use super::points::{evenly, number};
@@ -76,10 +77,11 @@ pub struct Arguments {
     #[arg(
         long,
         value_name = "NAME=UNIT,...",
+        value_parser = unit_of,
         value_delimiter = ',',
         requires = "expect"
     )]
-    units: Vec<Asked>,
+    units: Vec<UnitOf>,
     /// Print the expected errors as a JSON object in SI units: {"parameters": {"film_modulus":
     /// {"value", "stderr", "unit"}, ...}, "correlation": [[...]]}
     #[arg(long, requires = "expect")]
@@ -123,8 +125,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         return if arguments.json {
             json::print(&ForecastObject::new(&expected))
         } else {
-            let text = expected_errors(&expected, &arguments.units)?;
-            output.write(text.as_bytes())
+            output.write(report::expected(&expected, &arguments.units).as_bytes())
         };
     }
     ensure!(
@@ -190,20 +191,6 @@ fn csv(measurement: &Measurement, experiment: &Experiment) -> anyhow::Result<Vec
     let mut bytes = note.into_bytes();
     bytes.extend(writer.into_inner()?);
     Ok(bytes)
-}
-
-/// Returns the expected errors for people.
-fn expected_errors(expected: &Forecast, units: &[Asked]) -> Result<String, std::fmt::Error> {
-    let mut out = String::from("expected\n");
-    text::estimates(
-        &mut out,
-        &expected.estimates,
-        &expected.correlation,
-        &[],
-        units,
-    )?;
-    text::undetermined(&mut out, &expected.undetermined)?;
-    Ok(out)
 }
 
 /// The JSON object of expected errors.

@@ -1,19 +1,18 @@
 //! `tabulate fit`
 //!
 //! `setting` reads settings of parameters, and `experiments` joins them with the measurements.
-//! `text`, with the numbers of `units`, `object` and `table` write the result as a report, as JSON
-//! and as CSV; `crate::plot::fit` draws it.
+//! `fit::report` writes the result as a report, `object` and `table` as JSON and as CSV;
+//! `crate::plot::fit` draws it.
 
 pub mod experiments;
 pub mod object;
 pub mod setting;
 pub mod table;
-pub mod text;
-pub mod units;
 
 use std::path::{Path, PathBuf};
 
 use ::fit::data::{Cantilever, Column, Format, Role, Segments, read};
+use ::fit::report::{UnitOf, report};
 use ::fit::{Direction, Kind, Loss, Measurement, Options, Parameter};
 use anyhow::{bail, ensure};
 use clap::ValueHint;
@@ -21,7 +20,7 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use interp::Table;
 
 use self::experiments::{FreeArguments, KnownArguments};
-use self::setting::Asked;
+use self::setting::unit_of;
 use super::json;
 use super::output::Output;
 use super::plot::picture;
@@ -115,10 +114,11 @@ pub struct Arguments {
     #[arg(
         long,
         value_name = "NAME=UNIT,...",
+        value_parser = unit_of,
         value_delimiter = ',',
         conflicts_with = "json"
     )]
-    units: Vec<Asked>,
+    units: Vec<UnitOf>,
     /// Print a JSON object in SI units instead of the report
     ///
     /// {"converged": bool, "parameters": {"film_modulus": {"value", "stderr", "unit"}, ...},
@@ -235,7 +235,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     if arguments.json {
         json::print(&object::FitObject::new(&fit, &notes))?;
     } else {
-        let report = text::report(&fit, &experiments, &notes, &arguments.units)?;
+        let report = report(&fit, &experiments, &notes, &arguments.units);
         print(printable::lines(&report).as_bytes())?;
     }
     ensure!(

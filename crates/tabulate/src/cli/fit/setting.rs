@@ -3,6 +3,7 @@
 use std::str::FromStr;
 
 use ::fit::Parameter;
+use ::fit::report::UnitOf;
 
 /// Values of a parameter, `NAME=VALUE` or `NAME=VALUE,VALUE,...` with one for each file.
 #[derive(Clone, Debug, PartialEq)]
@@ -24,16 +25,6 @@ pub struct Known {
     pub parameter: Parameter,
     pub mean: f64,
     pub error: f64,
-}
-
-/// A unit for the report, `NAME=UNIT`.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Asked {
-    pub parameter: Parameter,
-    /// The prefix before the SI unit.
-    pub prefix: String,
-    /// The size in SI units.
-    pub size: f64,
 }
 
 impl FromStr for Values {
@@ -79,23 +70,12 @@ impl FromStr for Known {
     }
 }
 
-impl FromStr for Asked {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let (parameter, unit) = split(text, "NAME=UNIT, such as film-modulus=MPa")?;
-        let si = parameter.unit();
-        let prefix = unit.strip_suffix(si);
-        let found = prefix.and_then(|prefix| Some((prefix, ::fit::data::prefix(prefix)?)));
-        let (prefix, size) = found.ok_or_else(|| {
-            format!("{unit:?} is not {si} with a prefix of the SI, such as m{si}")
-        })?;
-        Ok(Self {
-            parameter,
-            prefix: prefix.to_owned(),
-            size,
-        })
-    }
+/// Reads a unit for the report, `NAME=UNIT`.
+pub fn unit_of(text: &str) -> Result<UnitOf, String> {
+    let (parameter, unit) = split(text, "NAME=UNIT, such as film-modulus=MPa")?;
+    let si = parameter.unit();
+    UnitOf::new(parameter, unit)
+        .ok_or_else(|| format!("{unit:?} is not {si} with a prefix of the SI, such as m{si}"))
 }
 
 /// Splits `NAME=...`.
@@ -144,12 +124,8 @@ mod tests {
             );
         }
         assert_eq!(
-            "work-of-adhesion=mJ/m^2".parse(),
-            Ok(Asked {
-                parameter: Parameter::WorkOfAdhesion,
-                prefix: "m".into(),
-                size: 1e-3
-            })
+            unit_of("work-of-adhesion=mJ/m^2").ok(),
+            UnitOf::new(Parameter::WorkOfAdhesion, "mJ/m^2")
         );
     }
 
@@ -163,7 +139,7 @@ mod tests {
         assert!(bounds.contains("1e5..1e8"));
         let known = "film-modulus=1e5".parse::<Known>().unwrap_err();
         assert!(known.contains("+-"));
-        let unit = "film-modulus=mN".parse::<Asked>().unwrap_err();
+        let unit = unit_of("film-modulus=mN").unwrap_err();
         assert!(unit.contains("Pa"));
     }
 }

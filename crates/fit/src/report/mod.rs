@@ -1,14 +1,22 @@
-//! The report of a fit for people.
+//! The result of a fit for people, as text.
+//!
+//! [`report`] is what `tabulate fit` prints, and what Python's `print(fit(...))` shows;
+//! [`expected`] is the same for the errors of a planned experiment. `unit` chooses units and
+//! digits.
+
+mod unit;
 
 use std::borrow::Cow;
 use std::fmt::{self, Write};
 
-use ::fit::data::{Notes, Source};
-use ::fit::{Bodies, Combination, Estimate, Experiment, Fit, Measurement, ModulusBias, Parameter};
 use interp::Probe;
 
-use super::setting::Asked;
-use super::units::{decimals, scaled, unit, with_error};
+pub use self::unit::UnitOf;
+use self::unit::{decimals, scaled, unit, with_error};
+use crate::data::{Notes, Source};
+use crate::{
+    Bodies, Combination, Estimate, Experiment, Fit, Forecast, Measurement, ModulusBias, Parameter,
+};
 
 /// The width of the names of parameters.
 const NAME: usize = 25;
@@ -16,12 +24,39 @@ const NAME: usize = 25;
 /// The rise of chi^2 that tells a worse fit: five standard deviations.
 const WORSE: f64 = 25.0;
 
-/// Returns the report.
-pub fn report(
+/// Returns the report of a fit: how the data were read, what is fixed, what was found, whether the
+/// film matters, and the warnings.
+///
+/// `notes` are those of the `experiments`, in their order: [`Notes::default`] for points that come
+/// from no file. Parameters without a unit in `units` get a prefix with which their number is at
+/// least 1.
+pub fn report(fit: &Fit, experiments: &[Experiment], notes: &[Notes], units: &[UnitOf]) -> String {
+    write_report(fit, experiments, notes, units).expect("writing to memory does not fail")
+}
+
+/// Returns the errors expected of a planned experiment.
+pub fn expected(forecast: &Forecast, units: &[UnitOf]) -> String {
+    write_expected(forecast, units).expect("writing to memory does not fail")
+}
+
+fn write_expected(forecast: &Forecast, units: &[UnitOf]) -> Result<String, fmt::Error> {
+    let mut out = String::from("expected\n");
+    estimates(
+        &mut out,
+        &forecast.estimates,
+        &forecast.correlation,
+        &[],
+        units,
+    )?;
+    undetermined(&mut out, &forecast.undetermined)?;
+    Ok(out)
+}
+
+fn write_report(
     fit: &Fit,
     experiments: &[Experiment],
     notes: &[Notes],
-    asked: &[Asked],
+    asked: &[UnitOf],
 ) -> Result<String, fmt::Error> {
     let mut out = String::new();
     for (experiment, notes) in experiments.iter().zip(notes) {
@@ -65,12 +100,14 @@ fn read(measurement: &Measurement, notes: &Notes) -> String {
     let mut columns: Vec<String> = notes.columns.iter().map(column).collect();
     columns.dedup();
     let mut text = format!(
-        "{}: {} points, {}; {}",
+        "{}: {} points, {}",
         measurement.name,
         measurement.points.len(),
         measurement.kind.name(),
-        columns.join(", ")
     );
+    if !columns.is_empty() {
+        text += &format!("; {}", columns.join(", "));
+    }
     if notes.split {
         text += "; split at the largest load";
     }
@@ -160,12 +197,12 @@ fn fixed(fit: &Fit, experiment: &Experiment) -> Vec<(Cow<'static, str>, String)>
 }
 
 /// Writes estimates, each with its file if it is one file's own of several, and their correlation.
-pub fn estimates(
+fn estimates(
     out: &mut String,
     estimates: &[Estimate],
     correlation: &[Vec<f64>],
     files: &[&str],
-    asked: &[Asked],
+    asked: &[UnitOf],
 ) -> fmt::Result {
     let name = |estimate: &Estimate| match estimate.experiment {
         Some(i) if files.len() > 1 => format!("{} ({})", estimate.parameter, files[i]),
@@ -193,14 +230,14 @@ pub fn estimates(
 }
 
 /// Writes the combinations that data do not determine.
-pub fn undetermined(out: &mut String, combinations: &[Combination]) -> fmt::Result {
+fn undetermined(out: &mut String, combinations: &[Combination]) -> fmt::Result {
     combinations
         .iter()
         .try_for_each(|one| writeln!(out, "the data do not determine {}", one.text))
 }
 
 /// Returns value, error and unit of an estimate, and its interval.
-fn value(estimate: &Estimate, asked: &[Asked]) -> String {
+fn value(estimate: &Estimate, asked: &[UnitOf]) -> String {
     let (unit, size) = unit(
         estimate.parameter,
         estimate.value,
