@@ -68,8 +68,8 @@ mod statistics;
 
 pub use error::Error;
 pub use estimate::{
-    Combination, Estimate, Fit, FittedExperiment, FittedPoint, Forecast, ModulusBias, Warning,
-    WarningKind, WithoutFilm, fit, forecast,
+    Combination, Estimate, Fit, FittedExperiment, FittedPoint, Forecast, LeftOut, LeftOutReason,
+    ModulusBias, Warning, WarningKind, WithoutFilm, fit, forecast,
 };
 pub use model::{
     Bodies, Branch, Cause, Direction, Experiment, Free, Kind, Layer, LayerName, Layered,

@@ -56,8 +56,8 @@ pub struct GivenFree {
     own: Option<bool>,
 }
 
-/// Loss, level of profiles, range of the attraction.
-type GivenOptions = (String, Option<f64>, f64);
+/// Loss, level of profiles, range of the attraction, and whether points may be left out.
+type GivenOptions = (String, Option<f64>, f64, bool);
 
 /// Fits one or several experiments together.
 #[pyfunction]
@@ -230,7 +230,8 @@ pub fn frees(py: Python<'_>, given: Vec<GivenFree>) -> PyResult<Vec<Free>> {
 }
 
 /// Makes the options.
-fn options((loss, profile_level, interaction_range): GivenOptions) -> PyResult<Options> {
+fn options(given: GivenOptions) -> PyResult<Options> {
+    let (loss, profile_level, interaction_range, allow_left_out) = given;
     let loss = match loss.as_str() {
         "squares" => Loss::Squares,
         "huber" => Loss::HUBER,
@@ -241,6 +242,7 @@ fn options((loss, profile_level, interaction_range): GivenOptions) -> PyResult<O
         loss,
         profile_level,
         interaction_range,
+        allow_left_out,
     })
 }
 
@@ -333,6 +335,11 @@ fn points<'py>(py: Python<'py>, experiment: &FittedExperiment) -> PyResult<Bound
     fields.set_item("branch", branches.collect::<Vec<_>>())?;
     let outliers = points.iter().map(|point| point.outlier);
     fields.set_item("outlier", PyArray1::from_iter(py, outliers))?;
+    let left_out = PyDict::new(py);
+    for group in &experiment.left_out {
+        left_out.set_item(group.reason.name(), group.points)?;
+    }
+    fields.set_item("left_out", left_out)?;
     Ok(fields)
 }
 

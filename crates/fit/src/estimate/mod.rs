@@ -10,6 +10,7 @@
 
 mod forecast;
 mod jkr;
+mod left_out;
 mod loss;
 mod minima;
 mod problem;
@@ -26,8 +27,9 @@ mod warnings;
 mod without_film;
 
 pub use forecast::forecast;
+pub(crate) use left_out::text as left_out_text;
 pub use result::{
-    Combination, Estimate, Fit, FittedExperiment, FittedPoint, Forecast, ModulusBias, Warning,
-    WarningKind, WithoutFilm,
+    Combination, Estimate, Fit, FittedExperiment, FittedPoint, Forecast, LeftOut, LeftOutReason,
+    ModulusBias, Warning, WarningKind, WithoutFilm,
 };
 pub use solve::fit;

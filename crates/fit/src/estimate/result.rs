@@ -101,6 +101,64 @@ pub struct FittedExperiment {
     pub noise_is_estimated: bool,
     /// The points, in the order measured.
     pub points: Vec<FittedPoint>,
+    /// The points that were left out, by reason.
+    pub left_out: Vec<LeftOut>,
+}
+
+/// Points that were left out for one reason.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct LeftOut {
+    /// Why.
+    pub reason: LeftOutReason,
+    /// How many there are.
+    pub points: usize,
+    /// The first and the last of their lines.
+    pub lines: [u64; 2],
+}
+
+/// Why points are left out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[non_exhaustive]
+pub enum LeftOutReason {
+    /// They are between contact and baseline: in a jump, or where the data do not tell.
+    Jump,
+    /// They have a contact radius of 0, at which a penetration tells nothing.
+    NoContact,
+    /// They are near the largest radius of a cycle, where the line may not have moved yet.
+    Turn,
+    /// They are in contact, but within 4 standard errors of the end of the fitted branch.
+    NearEnd,
+    /// They are in contact, but the fitted branch ends before them.
+    BeyondEnd,
+}
+
+impl LeftOutReason {
+    /// Returns the name, as in JSON.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Jump => "jump",
+            Self::NoContact => "no-contact",
+            Self::Turn => "turn",
+            Self::NearEnd => "near-end",
+            Self::BeyondEnd => "beyond-end",
+        }
+    }
+
+    /// Returns the reason in words, as after "12 points".
+    pub const fn text(self) -> &'static str {
+        match self {
+            Self::Jump => "between contact and baseline",
+            Self::NoContact => "without a contact",
+            Self::Turn => "at the turn, where the contact line may not have moved",
+            Self::NearEnd => "within 4 standard errors of the end of the fitted branch",
+            Self::BeyondEnd => "in contact beyond the end of the fitted branch",
+        }
+    }
+
+    /// Tells whether such points are in contact according to the data.
+    pub const fn is_of_contact(self) -> bool {
+        matches!(self, Self::NearEnd | Self::BeyondEnd)
+    }
 }
 
 /// A measured point, as fitted.

@@ -7,12 +7,12 @@ use super::problem::{Ending, Problem};
 use super::search::Data;
 use super::slot::{Slot, slots};
 use super::uncertainty::Uncertainty;
-use super::{loss, profile, warnings, without_film};
+use super::{left_out, loss, profile, warnings, without_film};
 use crate::model::Freedom;
 use crate::statistics::deviations;
 use crate::{
-    Branch, Error, Estimate, Experiment, Fit, FittedExperiment, FittedPoint, Free, Options,
-    Parameter,
+    Branch, Error, Estimate, Experiment, Fit, FittedExperiment, FittedPoint, Free, LeftOut,
+    Options, Parameter,
 };
 
 /// The number of standard deviations beyond which a residual is an outlier.
@@ -59,8 +59,18 @@ pub fn fit(
     }
     let mut found = minimum(table, &data, (free, &slots), options.loss)?;
     let intervals = intervals(&mut found, &data, options);
+    let left_out = left_out::left_out(&found, &data);
+    if !options.allow_left_out {
+        left_out::accept(&data, &left_out)?;
+    }
+    accept_errors(&found)?;
     let without_film = without_film::without_film(table, &found, free, options.loss);
-    Ok(result(&found, &data, options, (intervals, without_film)))
+    Ok(result(
+        &found,
+        &data,
+        options,
+        (intervals, without_film, left_out),
+    ))
 }
 
 /// Finds the intervals asked for. One that leads to a lower minimum starts the fit again from there.
@@ -86,6 +96,25 @@ fn intervals<'a>(
     // Each round has found a lower minimum: this one is none.
     found.ending = Ending::OutOfPatience;
     None
+}
+
+/// Accepts a minimum whose values all have finite errors, or one that the result calls none.
+fn accept_errors(found: &Minimum<'_>) -> Result<(), Error> {
+    let Some(uncertainty) = found.uncertainty.as_ref() else {
+        return Ok(());
+    };
+    let names = slot_names(&found.problem);
+    let is_open = |&slot: &usize| !uncertainty.relative_error(slot).is_finite();
+    let open: Vec<&str> = (0..names.len())
+        .filter(is_open)
+        .map(|slot| names[slot].as_str())
+        .collect();
+    if found.ending != Ending::Converged || open.is_empty() {
+        return Ok(());
+    }
+    Err(Error::NotDetermined {
+        parameters: open.join(" and "),
+    })
 }
 
 /// Accepts the experiments, reads the branches of their points, and lists the values to be found.
@@ -207,7 +236,11 @@ fn result(
     found: &Minimum<'_>,
     data: &Data,
     options: &Options,
-    (intervals, without): (Option<Vec<[profile::End; 2]>>, Option<without_film::Found>),
+    (intervals, without, left_out): (
+        Option<Vec<[profile::End; 2]>>,
+        Option<without_film::Found>,
+        Vec<Vec<LeftOut>>,
+    ),
 ) -> Fit {
     let problem = &found.problem;
     let uncertainty = found.uncertainty.as_ref();
@@ -240,8 +273,13 @@ fn result(
         chi_squared,
         degrees_of_freedom,
         reduced_chi_squared: all_given.then(|| chi_squared / degrees_of_freedom as f64),
-        experiments: (0..problem.assigned.len())
-            .map(|e| experiment(problem, e, predictions.as_ref().map(|all| &all[e])))
+        experiments: left_out
+            .into_iter()
+            .enumerate()
+            .map(|(e, left_out)| FittedExperiment {
+                left_out,
+                ..experiment(problem, e, predictions.as_ref().map(|all| &all[e]))
+            })
             .collect(),
         without_film,
         undetermined: uncertainty.map_or_else(Vec::new, |uncertainty| {
@@ -291,5 +329,6 @@ fn experiment(
         noise: assigned.noise,
         noise_is_estimated: assigned.experiment.noise.is_none(),
         points: measurement.points.iter().enumerate().map(point).collect(),
+        left_out: Vec::new(),
     }
 }

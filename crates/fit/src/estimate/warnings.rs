@@ -3,15 +3,18 @@
 use interp::{AdhesionRange, Probe, Validity};
 use nalgebra::DVector;
 
+use super::left_out::{in_contact, text};
 use super::minima::Minimum;
 use super::problem::{Assigned, Ending, Problem};
 use super::profile::End;
-use super::search::{Data, SHORT, ends};
+use super::search::{Data, SHORT};
 use super::uncertainty::{UNDETERMINED, Uncertainty};
 use super::valley::Bend;
 use super::wanted;
 use crate::statistics::{excess, missing_runs};
-use crate::{Bodies, Branch, Estimate, Fit, Loss, Options, Parameter, Warning, WarningKind};
+use crate::{
+    Bodies, Branch, Estimate, Fit, LeftOutReason, Loss, Options, Parameter, Warning, WarningKind,
+};
 
 /// The largest excess of a sum of squares, or lack of runs, that chance explains, in standard
 /// deviations: one fit in 300,000 exceeds it.
@@ -53,7 +56,7 @@ pub(super) fn warnings(
             );
         }
         undetermined(&mut warnings, fit, problem, uncertainty);
-        left_out(&mut warnings, problem, uncertainty, data);
+        left_out(&mut warnings, fit, data);
         if let Some(residuals) = problem.plain_residuals() {
             residuals_of(&mut warnings, fit, found, &residuals);
             wanted::add(&mut warnings, problem, uncertainty, &residuals);
@@ -368,39 +371,22 @@ fn in_order(assigned: &Assigned, residuals: &[f64], branch: Branch) -> Vec<f64> 
 }
 
 /// Warns of points that are in contact in the data and clearly not in the fit.
-fn left_out(
-    warnings: &mut Warnings,
-    problem: &Problem<'_>,
-    uncertainty: &Uncertainty,
-    data: &Data,
-) {
-    for (e, whole) in data.assigned.iter().enumerate() {
-        let sense = whole.experiment.sense();
-        let measurement = &whole.experiment.measurement;
-        for end in ends(problem, e, uncertainty, whole) {
-            let lost: Vec<u64> = measurement
-                .points
-                .iter()
-                .zip(&whole.branches)
-                .filter(|(point, branch)| {
-                    **branch == end.branch && sense * point.abscissa < end.position - end.clear
-                })
-                .map(|(point, _)| point.line)
-                .collect();
-            let (Some(first), Some(last)) = (lost.iter().min(), lost.iter().max()) else {
-                continue;
-            };
-            if lost.len() > BEYOND_END {
-                warnings.add(
-                    WarningKind::LeftOut,
-                    format!(
-                        "{}: {} points that are in contact, in lines {first} to {last}, lie beyond \
-                         the end of the fitted branch and were left out",
-                        measurement.name,
-                        lost.len()
-                    ),
-                );
-            }
+fn left_out(warnings: &mut Warnings, fit: &Fit, data: &Data) {
+    for (fitted, whole) in fit.experiments.iter().zip(&data.assigned) {
+        let beyond = fitted.left_out.iter();
+        let beyond = beyond.filter(|group| group.reason == LeftOutReason::BeyondEnd);
+        let [contacts, lost] = in_contact(whole, &fitted.left_out);
+        let beyond: usize = beyond.map(|group| group.points).sum();
+        if beyond > BEYOND_END {
+            warnings.add(
+                WarningKind::LeftOut,
+                format!(
+                    "{}: {lost} of {contacts} points in contact do not count; of all points are left \
+                     out: {}",
+                    fitted.name,
+                    text(&fitted.left_out)
+                ),
+            );
         }
     }
 }

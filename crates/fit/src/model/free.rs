@@ -133,6 +133,8 @@ pub struct Options {
     pub profile_level: Option<f64>,
     /// The range `z0` of the attraction (m), for Tabor's parameter.
     pub interaction_range: f64,
+    /// Whether more than a third of the points in contact may be left out.
+    pub allow_left_out: bool,
 }
 
 impl Default for Options {
@@ -142,6 +144,7 @@ impl Default for Options {
             loss: Loss::Squares,
             profile_level: None,
             interaction_range: 3e-10,
+            allow_left_out: false,
         }
     }
 }

@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     from distributed import Client
 
 Loss = Literal["squares", "huber", "soft-l1"]
+Allowed = Literal["left-out"]
 
 
 def fit(
@@ -38,6 +39,7 @@ def fit(
     loss: Loss = "squares",
     profile_level: float | None = None,
     interaction_range: float = 3e-10,
+    allow: Iterable[Allowed] = (),
 ) -> Fit:
     """Find the free parameters of one or several experiments together.
 
@@ -60,6 +62,9 @@ def fit(
         further fits for each parameter.
     interaction_range : float
         The range of the attraction, m, for the warning about Tabor's parameter.
+    allow : iterable of str
+        What is accepted that is an error otherwise: ``"left-out"``, more than a third of the points
+        in contact does not count.
 
     Returns
     -------
@@ -70,7 +75,9 @@ def fit(
     Raises
     ------
     FitError
-        For points, parameters or options that cannot be used. Points are counted from 0.
+        For points, parameters or options that cannot be used. Points are counted from 0. For
+        parameters that the data do not determine, so that no standard error is finite, and for
+        more than a third of the points in contact left out.
     ContactError
         For a contact that cannot be computed.
 
@@ -87,7 +94,8 @@ def fit(
     >>> print(f"{found.params['sphere_modulus']:.2e} Pa")
     2.00e+06 Pa
     """
-    found = _native(_core.fit, experiments, free, table, loss, profile_level, interaction_range)
+    options = (loss, profile_level, interaction_range, tuple(allow))
+    found = _native(_core.fit, experiments, free, table, *options)
     film = found["without_film"]
     return Fit(
         estimates=estimates_of(found),
@@ -112,6 +120,7 @@ def fit_map(
     loss: Loss = "squares",
     profile_level: float | None = None,
     interaction_range: float = 3e-10,
+    allow: Iterable[Allowed] = (),
     errors: Errors = "raise",
     client: Client | None = None,
 ) -> FitMap:
@@ -124,7 +133,7 @@ def fit_map(
     ----------
     curves : iterable of Experiment
         The measurements, such as those of a force map.
-    free, table, loss, profile_level, interaction_range
+    free, table, loss, profile_level, interaction_range, allow
         As :func:`fit`.
     errors : {"raise", "nan"}
         What a curve without a result gives: the exception of the first one, or NaN and an entry in
@@ -142,7 +151,7 @@ def fit_map(
     if errors not in ("raise", "nan"):
         raise ValueError(f'errors = {errors!r} cannot be used: give "raise" or "nan"')
     free = free_of(free)
-    options = (loss, profile_level, interaction_range)
+    options = (loss, profile_level, interaction_range, tuple(allow))
     given = _batched(curves)
     done: dict[int, FitMap] = {}
     blocks: Iterator[tuple[int, FitMap]]
@@ -171,7 +180,7 @@ def fit_block(
     curves: Iterable[Experiment],
     free: list[Free],
     table: Table | None,
-    options: tuple[Loss, float | None, float],
+    options: tuple[Loss, float | None, float, tuple[Allowed, ...]],
 ) -> FitMap:
     """Fit some of the curves of a map."""
     results = _native(_core.fit_map, curves, free, table, *options)
@@ -240,12 +249,16 @@ def _native(
     loss: Loss,
     profile_level: float | None,
     interaction_range: float,
+    allow: tuple[Allowed, ...],
 ) -> Any:
     """Check the arguments and call the native part."""
     one_of("loss", loss, get_args(Loss))
     given = experiments_of(experiments)
     level = None if profile_level is None else number("profile_level", profile_level)
-    options = (loss, level, number("interaction_range", interaction_range))
+    for name in allow:
+        one_of("allow", name, get_args(Allowed))
+    reach = number("interaction_range", interaction_range)
+    options = (loss, level, reach, "left-out" in allow)
     return function((table or Table.embedded())._native, given, free_of(free), options)
 
 

@@ -86,7 +86,10 @@ class FittedExperiment:
     branch : list of str
         ``"advancing"``, ``"receding"``, ``"pinned"``, ``"baseline"`` or ``"left-out"``.
     outlier : numpy.ndarray
-        Whether the residual is more than 4.5 times the noise.
+        Whether the residual is more than 5 times the noise.
+    left_out : dict of str to int
+        The numbers of points left out, by reason: ``"jump"``, ``"no-contact"``, ``"turn"``,
+        ``"near-end"``, ``"beyond-end"``.
     """
 
     name: str
@@ -99,6 +102,7 @@ class FittedExperiment:
     without_film: Array
     branch: list[str]
     outlier: NDArray[np.bool_]
+    left_out: dict[str, int]
 
     @property
     def residual(self) -> Array:

@@ -51,7 +51,8 @@ use crate::printable;
 /// files unless they are the file's own: a global fit of films of several thicknesses is
 /// --value film-thickness=1e-6,1e-5.
 ///
-/// The exit status is 0 only if the fit has converged.
+/// The exit status is 0 only if the fit has converged, all values have finite errors, and at most a
+/// third of the points in contact is left out.
 #[derive(clap::Args)]
 #[command(after_help = super::examples!(
     "tabulate fit crates/fit/data/lens.csv --film-thickness 3e-5",
@@ -109,6 +110,10 @@ pub struct Arguments {
     /// Intervals from the profile of the likelihood, at a level such as 0.95
     #[arg(long, value_name = "LEVEL", allow_negative_numbers = true)]
     intervals: Option<f64>,
+    /// Accept what is an error otherwise: left-out (more than a third of the points in contact do
+    /// not count)
+    #[arg(long, value_name = "NAME,...", value_delimiter = ',')]
+    allow: Vec<Allowed>,
     #[arg(
         long,
         default_value = "embedded",
@@ -128,7 +133,7 @@ pub struct Arguments {
     /// Print a JSON object in SI units instead of the report
     ///
     /// {"converged": bool, "parameters": {"film_modulus": {"value", "stderr", "unit"}, ...},
-    /// "sphere_young_modulus" with --sphere-poisson-ratio, "correlation": [[...]], "reduced_chi_squared", "noise", "without_film": {...}, "warnings":
+    /// "sphere_young_modulus" with --sphere-poisson-ratio, "correlation": [[...]], "reduced_chi_squared", "noise", "left_out", "without_film": {...}, "warnings":
     /// [{"kind", "text"}], "read": [how each file was read]}. A parameter of which each file has its
     /// own is a list. With --intervals each parameter has an "interval".
     #[arg(long)]
@@ -149,6 +154,12 @@ fn poisson_ratio(text: &str) -> Result<f64, String> {
     let allowed = value > -1.0 && value <= 0.5;
     let refused = || format!("{value:?} is not a Poisson ratio: give one above -1 and up to 0.5");
     allowed.then_some(value).ok_or_else(refused)
+}
+
+/// What may be allowed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+enum Allowed {
+    LeftOut,
 }
 
 /// Parses the name of a kind.
@@ -251,9 +262,13 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let options = Options {
         loss: arguments.robust.unwrap_or(Loss::Squares),
         profile_level: arguments.intervals,
+        allow_left_out: arguments.allow.contains(&Allowed::LeftOut),
         ..Options::default()
     };
-    let fit = ::fit::fit(table, &experiments, &free, &options)?;
+    let fit = ::fit::fit(table, &experiments, &free, &options).map_err(|error| match error {
+        ::fit::Error::LeftOut { .. } => anyhow::anyhow!("{error}: --allow left-out"),
+        error => error.into(),
+    })?;
     if let Some(csv) = csv {
         csv.write(&table::csv(&fit, &experiments)?)?;
     }

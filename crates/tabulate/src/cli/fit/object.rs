@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use ::fit::data::Notes;
 use ::fit::report::reading;
-use ::fit::{Estimate, Experiment, Fit, Parameter, WithoutFilm};
+use ::fit::{Estimate, Experiment, Fit, FittedExperiment, LeftOut, Parameter, WithoutFilm};
 use serde::{Serialize, Serializer};
 
 use super::reading::typed;
@@ -25,6 +25,8 @@ pub struct FitObject<'a> {
     /// Null where a noise was estimated from the residuals.
     reduced_chi_squared: Option<Number>,
     noise: OneOrAll<Number>,
+    /// Of each file, the points that were left out, by reason.
+    left_out: OneOrAll<Vec<LeftOutObject>>,
     without_film: Option<WithoutFilmObject<'a>>,
     warnings: Vec<WarningObject<'a>>,
 }
@@ -36,6 +38,13 @@ struct WithoutFilmObject<'a> {
     chi_squared: Number,
     /// The modulus beside that with the film; null if no modulus is free.
     modulus: Option<ModulusObject>,
+}
+
+#[derive(Serialize)]
+struct LeftOutObject {
+    reason: &'static str,
+    points: usize,
+    lines: [u64; 2],
 }
 
 #[derive(Serialize)]
@@ -111,6 +120,16 @@ fn json_name(parameter: Parameter) -> String {
     }
 }
 
+fn left_out(fitted: &FittedExperiment) -> Vec<LeftOutObject> {
+    let groups = fitted.left_out.iter();
+    let object = |group: &LeftOut| LeftOutObject {
+        reason: group.reason.name(),
+        points: group.points,
+        lines: group.lines,
+    };
+    groups.map(object).collect()
+}
+
 /// Returns a matrix as JSON.
 pub fn matrix(rows: &[Vec<f64>]) -> Vec<Vec<Number>> {
     rows.iter()
@@ -146,6 +165,7 @@ impl<'a> FitObject<'a> {
                     .map(|one| Number(one.noise))
                     .collect(),
             ),
+            left_out: OneOrAll(fit.experiments.iter().map(left_out).collect()),
             without_film: fit.without_film.as_ref().map(WithoutFilmObject::new),
             warnings: warnings.chain(doubts).collect(),
         }
