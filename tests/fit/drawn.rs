@@ -74,9 +74,11 @@ fn draw(random: &mut Contacts, seed: u64) -> Option<Drawn> {
         [largest, largest * random.uniform(0.1, 0.6)]
     } else {
         let spring = truth.stiffness.unwrap_or(f64::INFINITY);
-        let control = truth.stiffness.map_or(interp::Control::Displacement, |stiffness| {
-            interp::Control::Spring { stiffness }
-        });
+        let control = truth
+            .stiffness
+            .map_or(interp::Control::Displacement, |stiffness| {
+                interp::Control::Spring { stiffness }
+            });
         let most = penetration + load / spring;
         let least = if w > 0.0 {
             let end = contact.equilibria(w, control).ok()?.pull_off().ok()?;
@@ -93,7 +95,11 @@ fn draw(random: &mut Contacts, seed: u64) -> Option<Drawn> {
     let [approach, retract] = Direction::ALL.map(Some);
     let directions = match kind {
         Kind::LoadRadius | Kind::PenetrationRadius => vec![None],
-        _ => pick(random, &[vec![approach], vec![retract], vec![approach, retract]]).clone(),
+        _ => pick(
+            random,
+            &[vec![approach], vec![retract], vec![approach, retract]],
+        )
+        .clone(),
     };
     let free = frees(random, &truth, count)?;
     let is_free = |parameter| free.contains(&parameter);
@@ -106,7 +112,14 @@ fn draw(random: &mut Contacts, seed: u64) -> Option<Drawn> {
     for (parameter, unit) in [
         (Parameter::LoadOffset, ordinates),
         (Parameter::Baseline, ordinates),
-        (Parameter::ContactPoint, if kind == Kind::PenetrationRadius { ordinates } else { most - least }),
+        (
+            Parameter::ContactPoint,
+            if kind == Kind::PenetrationRadius {
+                ordinates
+            } else {
+                most - least
+            },
+        ),
     ] {
         if is_free(parameter) {
             let value = unit * random.uniform(-0.3, 0.3);
@@ -162,10 +175,27 @@ fn frees(random: &mut Contacts, truth: &Experiment, count: usize) -> Option<Vec<
         (SphereModulus, if rigid { 0.0 } else { 0.5 }),
         (FilmModulus, if rigid { 0.8 } else { 0.5 }),
         (FilmThickness, 0.25),
-        (WorkOfAdhesion, if truth.work_of_adhesion > 0.0 { 0.7 } else { 0.0 }),
+        (
+            WorkOfAdhesion,
+            if truth.work_of_adhesion > 0.0 {
+                0.7
+            } else {
+                0.0
+            },
+        ),
         (LoadOffset, if kind == Kind::LoadRadius { 0.4 } else { 0.0 }),
-        (ContactPoint, if kind == Kind::LoadRadius { 0.0 } else { 0.6 }),
-        (Baseline, if matches!(kind, Kind::LoadPenetration | Kind::ForceHeight) { 0.5 } else { 0.0 }),
+        (
+            ContactPoint,
+            if kind == Kind::LoadRadius { 0.0 } else { 0.6 },
+        ),
+        (
+            Baseline,
+            if matches!(kind, Kind::LoadPenetration | Kind::ForceHeight) {
+                0.5
+            } else {
+                0.0
+            },
+        ),
     ] {
         if random.uniform(0.0, 1.0) < chance {
             chosen.push(parameter);

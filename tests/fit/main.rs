@@ -4,9 +4,13 @@
 #![forbid(unsafe_code)]
 
 mod doubts;
+mod drawn;
 mod hostile;
 mod imagined;
+mod intervals;
 mod layers;
+mod left_out;
+mod minima;
 mod planning;
 mod recovery;
 mod shapes;
