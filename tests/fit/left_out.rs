@@ -52,7 +52,7 @@ fn most_points_left_out_are_an_error_unless_allowed() {
         matches!(
             refused,
             fit::Error::LeftOut {
-                in_contact: 100,
+                in_contact: 101,
                 ..
             }
         ),
@@ -63,7 +63,7 @@ fn most_points_left_out_are_an_error_unless_allowed() {
         &text,
         &[
             "imagined.csv",
-            "of 100 points in contact are left out, more than a third",
+            "of 101 points in contact are left out, more than a third",
             "within 4 standard errors of the end",
             "beyond the end of the fitted branch",
             "check the units",
@@ -89,7 +89,7 @@ fn most_points_left_out_are_an_error_unless_allowed() {
     assert_names(
         &warning.expect("it is a doubt still").text,
         &[&format!(
-            "{of_contact} of 100 points in contact do not count"
+            "{of_contact} of 101 points in contact do not count"
         )],
     );
 }

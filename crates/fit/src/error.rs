@@ -81,7 +81,7 @@ pub enum Error {
     #[error(
         "{experiment}: {left_out} of {in_contact} points in contact are left out, more than a third: \
          {reasons}. The fit of the others says little about the data: check the units, the fixed \
-         values and the model, or allow points to be left out"
+         values (the zeros of the instrument, too) and the model, or allow points to be left out"
     )]
     LeftOut {
         /// The name of the measurement.

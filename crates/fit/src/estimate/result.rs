@@ -58,9 +58,11 @@ pub struct Estimate {
     pub value: f64,
     /// The standard error, in SI units, from the derivatives of the model at the minimum.
     pub standard_error: f64,
-    /// The interval at [`Options::profile_level`](crate::Options::profile_level), if asked for. An
-    /// end is infinite, or 0 for a positive parameter, where the data set no limit within 20 times
-    /// as many standard errors, and NaN where a fit of the other values failed on the way.
+    /// The interval at [`Options::profile_level`](crate::Options::profile_level), if asked for. It
+    /// contains the value, and that of a smaller level. An end is infinite, or 0 for a positive
+    /// parameter, where the data set no limit within 40 standard errors or, for a positive
+    /// parameter, a factor of 1e6; it is NaN where a fit of the other values failed on the way. A
+    /// warning gives the reason: [`WarningKind::OpenInterval`].
     pub profile: Option<[f64; 2]>,
 }
 

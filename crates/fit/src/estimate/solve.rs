@@ -25,7 +25,9 @@ const MOST_RESTARTS: usize = 8;
 /// Levenberg and Marquardt's method with the analytic Jacobian, on a stack of layers with central
 /// differences, minimises the loss. Moduli, works of
 /// adhesion, thickness and stiffness are varied by their logarithms. The start comes from straight
-/// lines through the data without the film; where it ends in a bad minimum, other starts are tried.
+/// lines through the data without the film. Where it ends in a bad minimum, or tells a modulus, a
+/// thickness or a work of adhesion to no better than 3 %, other starts are tried, and the best
+/// minimum counts.
 ///
 /// Points whose force lies within 4 standard errors of the end of their branch are left out,
 /// because there it depends on the parameters in no linear way, and standard errors would be too
@@ -35,8 +37,10 @@ const MOST_RESTARTS: usize = 8;
 /// threads may share the `table`.
 ///
 /// # Errors
-/// [`Error`] for points, parameters or options that cannot be used. A fit that does not converge is
-/// no error: see [`Fit::converged`].
+/// [`Error`] for points, parameters or options that cannot be used; [`Error::LeftOut`] if more than
+/// a third of the points in contact is left out, unless [`Options::allow_left_out`];
+/// [`Error::NotDetermined`] for a minimum at which a standard error is not finite. A fit that does
+/// not converge is no error: see [`Fit::converged`].
 pub fn fit(
     table: &Table,
     experiments: &[Experiment],
