@@ -215,7 +215,11 @@ fn best<'a>(mut ends: Vec<(Problem<'a>, Ending)>, data: &Data, evaluations: usiz
     // One after another, because the points in common differ from pair to pair.
     let is_better = |one: &Minimum<'_>, other: &Minimum<'_>| {
         let failed = [one, other].map(|minimum| minimum.ending != Ending::Converged);
-        failed[0] < failed[1] || failed[0] == failed[1] && excess(one, other) > 0.0
+        match failed {
+            [false, true] => true,
+            [true, false] => false,
+            _ => excess(one, other) > 0.0,
+        }
     };
     let first = (1..minima.len()).fold(0, |best, i| {
         if is_better(&minima[i], &minima[best]) {

@@ -235,16 +235,19 @@ pub(crate) fn slot_names(problem: &Problem<'_>) -> Vec<String> {
     problem.slots.iter().map(name).collect()
 }
 
+/// What is known beside the minimum: intervals, the fit without the film, and the points left out.
+type Added = (
+    Option<Vec<[profile::End; 2]>>,
+    Option<without_film::Found>,
+    Vec<Vec<LeftOut>>,
+);
+
 /// Puts the result together.
 fn result(
     found: &Minimum<'_>,
     data: &Data,
     options: &Options,
-    (intervals, without, left_out): (
-        Option<Vec<[profile::End; 2]>>,
-        Option<without_film::Found>,
-        Vec<Vec<LeftOut>>,
-    ),
+    (intervals, without, left_out): Added,
 ) -> Fit {
     let problem = &found.problem;
     let uncertainty = found.uncertainty.as_ref();
