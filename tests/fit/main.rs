@@ -3,8 +3,11 @@
 
 #![forbid(unsafe_code)]
 
+mod abscissa_noise;
+mod cycles;
 mod doubts;
 mod drawn;
+mod fixed_values;
 mod hostile;
 mod imagined;
 mod intervals;
@@ -14,3 +17,4 @@ mod minima;
 mod planning;
 mod recovery;
 mod shapes;
+mod unknown_noise;

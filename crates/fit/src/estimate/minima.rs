@@ -58,7 +58,9 @@ pub(crate) fn minimum<'a>(
 ) -> Result<Minimum<'a>, Error> {
     let few: Vec<Assigned> = data.assigned.iter().map(hold_back).map(thin).collect();
     let from = |free: &[Free], slots: &[Slot], variation| {
-        start::problem(table, &few, (free, slots), loss, variation)
+        let mut problem = start::problem(table, &few, (free, slots), loss, variation)?;
+        problem.weigh()?;
+        Ok::<_, Error>(problem)
     };
     let first = from(free, given, Variation::None);
     let first = first.map(|problem| problem.minimise(PATIENCE, COARSE));
@@ -257,7 +259,7 @@ fn farthest(best: &Problem<'_>) -> f64 {
 /// Tells whether the squares of an experiment are in units of a noise that does not follow from
 /// them.
 fn has_known_scale(problem: &Problem<'_>, e: usize) -> bool {
-    problem.loss != Loss::Squares || problem.assigned[e].experiment.noise.is_some()
+    problem.loss != Loss::Squares || problem.assigned[e].experiment.usual_noise().is_some()
 }
 
 impl<'a> Minimum<'a> {
@@ -308,6 +310,7 @@ fn excess(one: &Minimum<'_>, other: &Minimum<'_>) -> f64 {
     let mut other = other.problem.clone();
     for (other, one) in other.assigned.iter_mut().zip(&one.assigned) {
         other.noise = one.noise;
+        other.abscissa_parts.clone_from(&one.abscissa_parts);
     }
     let [Some(of_one), Some(of_other)] = [one, &other].map(squares) else {
         return f64::NAN;

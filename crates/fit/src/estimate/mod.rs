@@ -2,12 +2,17 @@
 //!
 //! `solve` leads from the data to the result. `slot` lists the values to be found and their
 //! coordinates, `jkr` and `start` find where the method starts, `problem` is the least-squares
-//! problem with its `loss`. `minima` compares the minima that several starts lead to, and `search`
-//! leads to each of them. `uncertainty` gives the errors there,
-//! `profile` intervals without linearisation, `without_film` the fit of JKR, `wanted` and
-//! `warnings` the doubts. `forecast` tells the errors of a planned experiment. `result` holds what
+//! problem with its `loss`. `minima` compares the minima that several starts lead to, `valley`
+//! looks for others, and `search` leads to each of them. `uncertainty` gives the errors there,
+//! `profile` intervals without linearisation, `without_film` the fit of JKR, `left_out` the points
+//! that do not count, `warnings` the doubts, with `agreement`, `wanted` and `cycle`. `fixed_values`
+//! tells what the values taken as given do. `forecast` tells the errors of a planned experiment.
+//! `result` holds what
 //! comes out.
 
+mod agreement;
+mod cycle;
+mod fixed_values;
 mod forecast;
 mod jkr;
 mod left_out;
@@ -29,7 +34,7 @@ mod without_film;
 pub use forecast::forecast;
 pub(crate) use left_out::text as left_out_text;
 pub use result::{
-    Combination, Estimate, Fit, FittedExperiment, FittedPoint, Forecast, LeftOut, LeftOutReason,
-    ModulusBias, Warning, WarningKind, WithoutFilm,
+    Combination, Estimate, Fit, FittedExperiment, FittedPoint, FixedValue, Forecast, LeftOut,
+    LeftOutReason, ModulusBias, Warning, WarningKind, WithoutFilm,
 };
 pub use solve::fit;

@@ -10,10 +10,10 @@ use super::profile::End;
 use super::search::{Data, SHORT};
 use super::uncertainty::{UNDETERMINED, Uncertainty};
 use super::valley::Bend;
-use super::wanted;
-use crate::statistics::{excess, missing_runs};
+use super::{agreement, cycle, wanted};
+use crate::statistics::missing_runs;
 use crate::{
-    Bodies, Branch, Estimate, Fit, LeftOutReason, Loss, Options, Parameter, Warning, WarningKind,
+    Bodies, Branch, Estimate, Fit, LeftOutReason, Options, Parameter, Warning, WarningKind,
 };
 
 /// The largest excess of a sum of squares, or lack of runs, that chance explains, in standard
@@ -64,6 +64,7 @@ pub(super) fn warnings(
     }
     for (e, assigned) in problem.assigned.iter().enumerate() {
         geometry(&mut warnings, problem, e, assigned, options);
+        cycle::add(&mut warnings, problem, e, data.local_noise[e]);
     }
     warnings.0
 }
@@ -301,18 +302,7 @@ fn film_not_seen(warnings: &mut Warnings, problem: &Problem<'_>, parameter: Para
 /// Doubts from the residuals.
 fn residuals_of(warnings: &mut Warnings, fit: &Fit, found: &Minimum<'_>, residuals: &DVector<f64>) {
     let problem = &found.problem;
-    let freedom = fit.degrees_of_freedom as f64;
-    if let Some(reduced) = fit.reduced_chi_squared
-        && problem.loss == Loss::Squares
-        && excess(fit.chi_squared, freedom) > BEYOND_CHANCE
-    {
-        warnings.add(
-            WarningKind::PoorFit,
-            format!(
-                "the model does not describe the data to their noise: reduced chi^2 is {reduced:.3}"
-            ),
-        );
-    }
+    agreement::add(warnings, fit, problem, residuals);
     let mut row = 0;
     for (e, assigned) in problem.assigned.iter().enumerate() {
         let count = assigned.counting();
@@ -352,7 +342,7 @@ fn residuals_of(warnings: &mut Warnings, fit: &Fit, found: &Minimum<'_>, residua
 }
 
 /// Returns the residuals of a branch by descending imposed value.
-fn in_order(assigned: &Assigned, residuals: &[f64], branch: Branch) -> Vec<f64> {
+pub(super) fn in_order(assigned: &Assigned, residuals: &[f64], branch: Branch) -> Vec<f64> {
     let mut rows = vec![None; assigned.branches.len()];
     let counts = assigned
         .branches
