@@ -199,6 +199,7 @@ fn the_object_has_the_keys_of_its_help() {
         "correlation",
         "reduced_chi_squared",
         "noise",
+        "left_out",
         "abscissa_noise",
         "without_film",
         "fixed_values",
@@ -504,4 +505,96 @@ fn a_fit_that_cannot_be_made_is_an_error_that_names_the_reason() {
         let message = workdir.fail(status, &[&["fit"], more, paper].concat());
         assert_names(&message, words);
     }
+}
+
+/// A retract whose tension grows in proportion to the height up to a jump, which no contact does.
+fn viscous() -> String {
+    let row = |i: u32| {
+        let height = -1e-6 + 3e-8 * f64::from(i);
+        let noise = f64::from((i * 7919 + 13) % 101) / 101.0 - 0.5;
+        let force = if height < 2e-6 { -5e-3 * height } else { 0.0 };
+        format!("{height:e},{:e}\n", force + 1e-11 * noise)
+    };
+    let rows: String = (0..200).map(row).collect();
+    format!("# segment: retract\nheight,force\n{rows}")
+}
+
+const VISCOUS: [&str; 17] = [
+    "fit",
+    "viscous.csv",
+    "--sphere-radius",
+    "2e-5",
+    "--sphere-modulus",
+    "inf",
+    "--film-modulus",
+    "2e4",
+    "--film-poisson-ratio",
+    "0.45",
+    "--film-thickness",
+    "1e-5",
+    "--substrate-modulus",
+    "7e10",
+    "--stiffness",
+    "0.2",
+    "--free=work-of-adhesion",
+];
+
+#[test]
+fn a_fit_of_a_third_of_the_points_is_an_error_unless_allowed() {
+    let workdir = workdir!();
+    workdir.write("viscous.csv", viscous());
+    let message = workdir.fail(1, &VISCOUS);
+    assert_names(
+        &message,
+        &[
+            "viscous.csv",
+            "points in contact are left out, more than a third",
+            "beyond the end of the fitted branch",
+            "--allow left-out",
+        ],
+    );
+    let message = workdir.fail(2, &[&VISCOUS[..], &["--allow", "leftout"]].concat());
+    assert_names(&message, &["leftout", "left-out"]);
+    let allowed = [&VISCOUS[..], &["--allow", "left-out"]].concat();
+    let report = workdir.succeed(&allowed);
+    assert_names(
+        &report,
+        &[
+            "viscous.csv: left out ",
+            "warning: viscous.csv: ",
+            "points in contact do not count",
+        ],
+    );
+    let text = workdir.succeed(&[&allowed[..], &["--json"]].concat());
+    let object: Value = serde_json::from_str(&text).expect("JSON");
+    let groups = object["left_out"].as_array().expect("a list");
+    let of = |reason: &str| {
+        let group = groups.iter().find(|group| group["reason"] == reason);
+        group.map_or(0, |group| group["points"].as_u64().expect("a number"))
+    };
+    assert!(of("beyond-end") > 33, "{object}");
+}
+
+#[test]
+fn a_value_without_a_finite_error_is_no_result() {
+    let workdir = workdir!();
+    simulate(&workdir, &INDENTER, "data.csv", 7);
+    let free = "film-modulus,contact-point,work-of-adhesion-receding";
+    let arguments = [&["fit", "data.csv"], INDENTER.system, &["--free", free]].concat();
+    let message = workdir.fail(
+        1,
+        &[
+            &arguments[..],
+            &["--value", "work-of-adhesion-receding=1e-3"],
+        ]
+        .concat(),
+    );
+    assert_names(
+        &message,
+        &["do not determine work-of-adhesion-receding", "Fix it"],
+    );
+    assert!(
+        !message.contains("inf") && !message.contains("NaN"),
+        "{message}"
+    );
 }

@@ -6,11 +6,15 @@
 mod abscissa_noise;
 mod cycles;
 mod doubts;
+mod drawn;
 mod fixed_values;
 mod hostile;
 mod imagined;
+mod intervals;
 mod layers;
+mod left_out;
 mod magnitudes;
+mod minima;
 mod planning;
 mod recovery;
 mod shapes;

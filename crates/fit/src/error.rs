@@ -77,6 +77,32 @@ pub enum Error {
         all = names()
     )]
     UnknownParameter(String),
+    /// A fit that leaves out most of what was measured.
+    #[error(
+        "{experiment}: {left_out} of {in_contact} points in contact are left out, more than a third: \
+         {reasons}. The fit of the others says little about the data: check the units, the fixed \
+         values (the zeros of the instrument, too) and the model, or allow points to be left out"
+    )]
+    LeftOut {
+        /// The name of the measurement.
+        experiment: String,
+        /// The number of points in contact that are left out.
+        left_out: usize,
+        /// The number of points in contact.
+        in_contact: usize,
+        /// How many points are left out for which reason.
+        reasons: String,
+    },
+    /// Parameters without a finite standard error.
+    #[error(
+        "the data do not determine {parameters}: no standard error is finite there. Fix {which}, \
+         give a prior, or measure where {which} changes the ordinates",
+        which = if parameters.contains(" and ") { "all but one of them" } else { "it" }
+    )]
+    NotDetermined {
+        /// The parameters, between "and".
+        parameters: String,
+    },
     /// A model that cannot be evaluated where the fit starts.
     #[error("{experiment}, where the fit starts: {cause}; give another start")]
     Start {

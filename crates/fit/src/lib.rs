@@ -70,8 +70,8 @@ mod statistics;
 
 pub use error::Error;
 pub use estimate::{
-    Combination, Estimate, Fit, FittedExperiment, FittedPoint, FixedValue, Forecast, ModulusBias,
-    Warning, WarningKind, WithoutFilm, fit, forecast, starts_from_data,
+    Combination, Estimate, Fit, FittedExperiment, FittedPoint, FixedValue, Forecast, LeftOut,
+    LeftOutReason, ModulusBias, Warning, WarningKind, WithoutFilm, fit, forecast, starts_from_data,
 };
 pub use magnitude::Magnitude;
 pub use model::{

@@ -79,8 +79,9 @@ pub struct GivenFree {
     own: Option<bool>,
 }
 
-/// Loss, level of profiles, range of the attraction, whether any magnitude is allowed.
-type GivenOptions = (String, Option<f64>, f64, bool);
+/// Loss, level of profiles, range of the attraction, whether any magnitude is allowed, and whether
+/// points may be left out.
+type GivenOptions = (String, Option<f64>, f64, bool, bool);
 
 /// Fits one or several experiments together.
 #[pyfunction]
@@ -328,7 +329,7 @@ pub fn frees(py: Python<'_>, given: Vec<GivenFree>) -> PyResult<Vec<Free>> {
 
 /// Makes the options, and tells whether any magnitude is allowed.
 fn options(given: GivenOptions) -> PyResult<(Options, bool)> {
-    let (loss, profile_level, interaction_range, allow_magnitudes) = given;
+    let (loss, profile_level, interaction_range, allow_magnitudes, allow_left_out) = given;
     let loss = match loss.as_str() {
         "squares" => Loss::Squares,
         "huber" => Loss::HUBER,
@@ -339,6 +340,7 @@ fn options(given: GivenOptions) -> PyResult<(Options, bool)> {
         loss,
         profile_level,
         interaction_range,
+        allow_left_out,
         ..Options::default()
     };
     Ok((options, allow_magnitudes))
@@ -449,6 +451,11 @@ fn points<'py>(py: Python<'py>, experiment: &FittedExperiment) -> PyResult<Bound
     fields.set_item("branch", branches.collect::<Vec<_>>())?;
     let outliers = points.iter().map(|point| point.outlier);
     fields.set_item("outlier", PyArray1::from_iter(py, outliers))?;
+    let left_out = PyDict::new(py);
+    for group in &experiment.left_out {
+        left_out.set_item(group.reason.name(), group.points)?;
+    }
+    fields.set_item("left_out", left_out)?;
     Ok(fields)
 }
 

@@ -2,9 +2,12 @@
 //!
 //! `solve` leads from the data to the result. `slot` lists the values to be found and their
 //! coordinates, `jkr` and `start` find where the method starts, `problem` is the least-squares
-//! problem with its `loss`, `search` leads to the minimum. `uncertainty` gives the errors there,
-//! `profile` intervals without linearisation, `without_film` the fit of JKR, `warnings` the doubts, with `agreement`,
-//! `wanted` and `cycle`. `fixed_values` tells what the values taken as given do. `forecast` tells the errors of a planned experiment. `result` holds what
+//! problem with its `loss`. `minima` compares the minima that several starts lead to, `valley`
+//! looks for others, and `search` leads to each of them. `uncertainty` gives the errors there,
+//! `profile` intervals without linearisation, `without_film` the fit of JKR, `left_out` the points
+//! that do not count, `warnings` the doubts, with `agreement`, `wanted` and `cycle`. `fixed_values`
+//! tells what the values taken as given do. `forecast` tells the errors of a planned experiment.
+//! `result` holds what
 //! comes out.
 
 mod agreement;
@@ -12,7 +15,9 @@ mod cycle;
 mod fixed_values;
 mod forecast;
 mod jkr;
+mod left_out;
 mod loss;
+mod minima;
 mod problem;
 mod profile;
 mod result;
@@ -21,14 +26,16 @@ mod slot;
 mod solve;
 mod start;
 mod uncertainty;
+mod valley;
 mod wanted;
 mod warnings;
 mod without_film;
 
 pub use forecast::forecast;
+pub(crate) use left_out::text as left_out_text;
 pub use result::{
-    Combination, Estimate, Fit, FittedExperiment, FittedPoint, FixedValue, Forecast, ModulusBias,
-    Warning, WarningKind, WithoutFilm,
+    Combination, Estimate, Fit, FittedExperiment, FittedPoint, FixedValue, Forecast, LeftOut,
+    LeftOutReason, ModulusBias, Warning, WarningKind, WithoutFilm,
 };
 pub use solve::fit;
 pub use start::starts_from_data;

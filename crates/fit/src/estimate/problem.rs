@@ -1,6 +1,7 @@
 //! The least-squares problem, for the crate `levenberg-marquardt`.
 
 use std::cell::RefCell;
+use std::rc::Rc;
 
 use interp::{Contact, Table};
 use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt, TerminationReason};
@@ -65,8 +66,38 @@ pub(crate) struct Problem<'a> {
     /// Whether the last minimisation met parameters without a contact, such as those outside the
     /// table.
     pub refused: bool,
+    /// Where a minimisation stops, because it leads to a minimum that is known.
+    pub known: Rc<[Basin]>,
+    /// Whether the last minimisation stopped there.
+    pub arrived: bool,
     /// The contacts made last, and whether they have derivatives.
     contacts: RefCell<Vec<(Bodies, bool, Contact)>>,
+}
+
+/// The neighbourhood of a minimum from which every start leads to it.
+#[derive(Clone, Debug)]
+pub(crate) struct Basin {
+    x: DVector<f64>,
+    jacobian: DMatrix<f64>,
+}
+
+impl Basin {
+    /// The change of the residuals, in units of the noise, up to which a point belongs to the
+    /// minimum.
+    const REACH: f64 = 2.0;
+
+    /// Returns the neighbourhood of the present values; `None` where there are no derivatives.
+    pub fn of(problem: &Problem<'_>) -> Option<Self> {
+        Some(Self {
+            x: problem.x.clone(),
+            jacobian: problem.jacobian()?,
+        })
+    }
+
+    /// Tells whether coordinates belong to the minimum.
+    fn holds(&self, x: &DVector<f64>) -> bool {
+        (&self.jacobian * (x - &self.x)).norm() < Self::REACH
+    }
 }
 
 /// How a fit ended.
@@ -100,6 +131,8 @@ impl<'a> Problem<'a> {
             predicted: None,
             evaluations: 0,
             refused: false,
+            known: Rc::new([]),
+            arrived: false,
             contacts: RefCell::new(Vec::new()),
         };
         problem.update()?;
@@ -109,6 +142,17 @@ impl<'a> Problem<'a> {
     /// Returns the present value of a slot.
     pub fn value(&self, slot: usize) -> f64 {
         self.slots[slot].coordinate.value(self.x[slot])
+    }
+
+    /// Takes over the coordinates of another problem, at the present values.
+    pub fn with_slots_of(mut self, other: &Self) -> Result<Self, Error> {
+        let values: Vec<f64> = (0..self.slots.len()).map(|slot| self.value(slot)).collect();
+        self.slots.clone_from(&other.slots);
+        for (i, value) in values.into_iter().enumerate() {
+            self.x[i] = self.slots[i].coordinate.of(value);
+        }
+        self.update()?;
+        Ok(self)
     }
 
     /// Returns the numbers of the slots that are of an experiment.
@@ -324,7 +368,7 @@ impl<'a> Problem<'a> {
         if self.slots.is_empty() {
             return (self, Ending::Converged);
         }
-        self.refused = false;
+        (self.refused, self.arrived) = (false, false);
         // The coordinates are scaled already, by a factor of e or by the range of the data.
         let method = LevenbergMarquardt::new()
             .with_scale_diag(false)
@@ -352,6 +396,10 @@ impl LeastSquaresProblem<f64, Dyn, Dyn> for Problem<'_> {
 
     fn set_params(&mut self, x: &DVector<f64>) {
         self.x.copy_from(x);
+        self.arrived |= self.known.iter().any(|basin| basin.holds(x));
+        if self.arrived {
+            return;
+        }
         if self.update().is_err() {
             self.predicted = None;
             self.refused = true;
@@ -363,6 +411,9 @@ impl LeastSquaresProblem<f64, Dyn, Dyn> for Problem<'_> {
     }
 
     fn residuals(&self) -> Option<DVector<f64>> {
+        if self.arrived {
+            return None;
+        }
         Some(match self.plain_residuals() {
             Some(residuals) => residuals.map(|residual| weighted(self.loss, residual).0),
             None => {

@@ -3,119 +3,224 @@
 use super::loss::weighted;
 use super::problem::{Ending, Problem};
 use super::uncertainty::Uncertainty;
-use crate::Estimate;
 
 /// The most evaluations over the number of parameters + 1 of one fit.
 const PATIENCE: usize = 30;
 /// The relative changes at which the method stops.
 const TOLERANCE: f64 = 1e-6;
-/// The most fits for one end of an interval.
-const MOST_FITS: usize = 24;
-/// The accuracy of `sqrt(chi^2 - chi^2_min)` at an end.
-const ACCURACY: f64 = 0.01;
-/// The farthest end sought, in standard errors times the deviations asked for.
-const FARTHEST: f64 = 20.0;
+/// The first step of the way to an end, in standard errors, and the factor from one step to the
+/// next. They are those of every level, so that intervals are nested.
+const STEP: f64 = 0.7;
+const GROWTH: f64 = 1.3;
+/// The largest standard error of a logarithm, or in units of the data, in which steps are measured.
+const LARGEST_ERROR: f64 = 5.0;
+/// The number of times that a step is halved, before a straight line gives the end.
+const HALVINGS: usize = 5;
+/// A minimum is lower if its sum of squares is smaller by more than the square of this part of the
+/// growth at one standard error.
+const LOWER: f64 = 0.1;
+/// The farthest end sought, in standard errors, and for a positive value the largest change of its
+/// logarithm, a factor of 1e6.
+const FARTHEST: f64 = 40.0;
+const FARTHEST_LOGARITHM: f64 = 14.0;
 
-/// Adds the interval of each estimate in which the sum of squares, minimised over all other values,
-/// exceeds its minimum by less than `deviations^2`. Returns the number of evaluations.
-pub(crate) fn add(
-    estimates: &mut [Estimate],
-    problem: &Problem<'_>,
-    uncertainty: &Uncertainty,
-    deviations: f64,
-) -> usize {
-    let least = problem.misfit();
-    let deviations = deviations * uncertainty.growth;
-    let mut evaluations = 0;
-    for (slot, estimate) in estimates.iter_mut().enumerate() {
-        let error = uncertainty.relative_error(slot) / uncertainty.growth;
-        let ends = [-1.0, 1.0].map(|side| {
-            end(
-                problem,
-                slot,
-                least,
-                (side, error, deviations),
-                &mut evaluations,
-            )
-        });
-        estimate.profile = Some(ends);
-    }
-    evaluations
+/// The intervals of all values.
+pub(crate) struct Intervals {
+    pub ends: Vec<[End; 2]>,
+    pub evaluations: usize,
 }
 
-/// Returns one end of an interval: 0 or infinity where the sum of squares does not grow enough, NaN
-/// where the other values have no fit.
-fn end(
-    problem: &Problem<'_>,
-    slot: usize,
-    least: f64,
-    (side, error, deviations): (f64, f64, f64),
-    evaluations: &mut usize,
-) -> f64 {
-    let positive = problem.slots[slot].parameter.is_positive();
-    let best = problem.value(slot);
-    let size = problem.slots[slot].coordinate.size(best);
-    let value = |distance: f64| {
-        if positive {
-            best * (side * distance).exp()
-        } else {
-            best + side * distance * size
-        }
-    };
-    let mut current = problem.clone();
-    let unlimited = match (positive, side < 0.0) {
-        (true, true) => 0.0,
-        (false, true) => f64::NEG_INFINITY,
-        _ => f64::INFINITY,
-    };
-    let farthest = FARTHEST * deviations * error.min(5.0);
-    let (mut near, mut far) = ([0.0, 0.0], None::<[f64; 2]>);
-    let mut distance = deviations * error.min(5.0);
-    for step in 0..MOST_FITS {
-        // Where the table ends, the data have set no limit.
-        let Some(fixed) = current.with_fixed(slot, value(distance)) else {
-            return unlimited;
-        };
-        let before = fixed.evaluations;
-        let (fitted, ending) = fixed.minimise(PATIENCE, TOLERANCE);
-        *evaluations += fitted.evaluations - before;
-        if ending == Ending::Failed {
-            return f64::NAN;
-        }
-        let of_prior = problem.slots[slot].prior.map_or(0.0, |prior| {
-            let residual = (value(distance) - prior.mean) / prior.width;
-            weighted(problem.loss, residual).0.powi(2)
-        });
-        current.take_others(slot, &fitted);
-        // How far the sum of squares has grown, as a number of standard deviations.
-        let grown = (fitted.misfit() + of_prior - least).max(0.0).sqrt();
-        if (grown - deviations).abs() < ACCURACY * deviations {
-            return value(distance);
-        }
-        if grown < deviations {
-            near = [distance, grown];
-        } else {
-            far = Some([distance, grown]);
-        }
-        distance = match far {
-            // The root of a parabola is a straight line, on which the secant converges quickly.
-            // Where the growth is no parabola, every second step halves.
-            Some(far) => {
-                let part = if step % 2 == 0 {
-                    (deviations - near[1]) / (far[1] - near[1])
-                } else {
-                    0.5
-                };
-                near[0] + part.clamp(0.05, 0.95) * (far[0] - near[0])
-            }
-            None => {
-                let ratio = if grown > 0.0 { deviations / grown } else { 4.0 };
-                distance * ratio.clamp(1.2, 4.0)
-            }
-        };
-        if distance > farthest {
-            return unlimited;
+/// One end of an interval.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum End {
+    /// The value at which the sum of squares has grown as far as asked.
+    At(f64),
+    /// The data set no limit as far as this value, the farthest one looked at.
+    Open(f64),
+    /// The other values have no fit at this value.
+    Failed(f64),
+}
+
+impl End {
+    /// Returns the value of the end: `unlimited` where the data set no limit, and NaN where the
+    /// other values have no fit.
+    pub const fn or(self, unlimited: f64) -> f64 {
+        match self {
+            Self::At(value) => value,
+            Self::Open(_) => unlimited,
+            Self::Failed(_) => f64::NAN,
         }
     }
-    value(distance)
+}
+
+/// Finds the interval of each value in which the sum of squares, minimised over all other values,
+/// exceeds its minimum by less than `deviations^2`.
+///
+/// # Errors
+/// The place with the lowest sum of squares, if one is found that is lower than the minimum.
+pub(crate) fn intervals<'a>(
+    problem: &Problem<'a>,
+    uncertainty: &Uncertainty,
+    deviations: f64,
+) -> Result<Intervals, Box<Problem<'a>>> {
+    let mut way = Way {
+        problem,
+        least: problem.misfit(),
+        unit: uncertainty.growth,
+        deviations,
+        evaluations: 0,
+    };
+    let mut ends = Vec::new();
+    for slot in 0..problem.slots.len() {
+        let error = uncertainty.relative_error(slot).min(LARGEST_ERROR);
+        ends.push([way.end(slot, -error)?, way.end(slot, error)?]);
+    }
+    Ok(Intervals {
+        ends,
+        evaluations: way.evaluations,
+    })
+}
+
+/// The minimum over all values but one.
+pub(super) struct Fixed {
+    pub misfit: f64,
+    pub ending: Ending,
+    pub evaluations: usize,
+}
+
+/// Minimises over all values but that of a slot, from the present ones, which it replaces; `None`
+/// where there is no contact.
+pub(super) fn with_fixed(
+    current: &mut Problem<'_>,
+    slot: usize,
+    value: f64,
+    patience: usize,
+) -> Option<Fixed> {
+    let fixed = current.with_fixed(slot, value)?;
+    let before = fixed.evaluations;
+    let (fitted, ending) = fixed.minimise(patience, TOLERANCE);
+    let of_prior = current.slots[slot].prior.map_or(0.0, |prior| {
+        let residual = (value - prior.mean) / prior.width;
+        weighted(current.loss, residual).0.powi(2)
+    });
+    current.take_others(slot, &fitted);
+    current.x[slot] = current.slots[slot].coordinate.of(value);
+    Some(Fixed {
+        misfit: fitted.misfit() + of_prior,
+        ending,
+        evaluations: fitted.evaluations - before,
+    })
+}
+
+/// The way from the minimum to the ends.
+struct Way<'p, 'a> {
+    problem: &'p Problem<'a>,
+    /// The sum of squares at the minimum.
+    least: f64,
+    /// Its growth at one standard error, as a number of standard deviations.
+    unit: f64,
+    /// The standard errors asked for.
+    deviations: f64,
+    evaluations: usize,
+}
+
+/// A place on the way: the distance, and how far the sum of squares has grown, as a number of
+/// standard errors.
+#[derive(Clone, Copy)]
+struct Place {
+    distance: f64,
+    grown: f64,
+}
+
+impl<'a> Way<'_, 'a> {
+    /// Returns one end of an interval. The sign of `error` is that of the side.
+    fn end(&mut self, slot: usize, error: f64) -> Result<End, Box<Problem<'a>>> {
+        let mut current = self.problem.clone();
+        let mut near = Place {
+            distance: 0.0,
+            grown: 0.0,
+        };
+        let farthest = if self.problem.slots[slot].parameter.is_positive() {
+            FARTHEST.min(FARTHEST_LOGARITHM / error.abs())
+        } else {
+            FARTHEST
+        };
+        let (mut distance, mut step) = (STEP, STEP);
+        while near.distance < farthest {
+            let before = current.clone();
+            let far = match self.grown(&mut current, slot, distance * error)? {
+                Ok(grown) => Place { distance, grown },
+                Err(end) => return Ok(end),
+            };
+            if far.grown >= self.deviations {
+                return self.between(before, slot, error, [near, far]);
+            }
+            near = far;
+            step *= GROWTH;
+            distance = (distance + step).min(farthest);
+        }
+        Ok(End::Open(self.value(slot, near.distance * error)))
+    }
+
+    /// Finds the end between two places. The middles that are tried, and the fits there, are those
+    /// of every level, so that intervals are nested even where the sum of squares has a jump. The
+    /// fits start from the nearer place, from which the other values change without a jump.
+    fn between(
+        &mut self,
+        mut nearer: Problem<'a>,
+        slot: usize,
+        error: f64,
+        [mut near, mut far]: [Place; 2],
+    ) -> Result<End, Box<Problem<'a>>> {
+        for _ in 0..HALVINGS {
+            let distance = 0.5 * (near.distance + far.distance);
+            let mut current = nearer.clone();
+            let Ok(grown) = self.grown(&mut current, slot, distance * error)? else {
+                break;
+            };
+            let place = Place { distance, grown };
+            if grown < self.deviations {
+                (near, nearer) = (place, current);
+            } else {
+                far = place;
+            }
+        }
+        // The root of a parabola is a straight line.
+        let part = (self.deviations - near.grown) / (far.grown - near.grown);
+        let distance = near.distance + part * (far.distance - near.distance);
+        Ok(End::At(self.value(slot, distance * error)))
+    }
+
+    /// Returns the value at a distance, which is that of the logarithm of a positive value.
+    fn value(&self, slot: usize, distance: f64) -> f64 {
+        let best = self.problem.value(slot);
+        if self.problem.slots[slot].parameter.is_positive() {
+            best * distance.exp()
+        } else {
+            best + distance * self.problem.slots[slot].coordinate.size(best)
+        }
+    }
+
+    /// Returns how far the sum of squares has grown at a distance, as a number of standard errors.
+    fn grown(
+        &mut self,
+        current: &mut Problem<'a>,
+        slot: usize,
+        distance: f64,
+    ) -> Result<Result<f64, End>, Box<Problem<'a>>> {
+        let value = self.value(slot, distance);
+        // Where the table ends, the data have set no limit.
+        let Some(at) = with_fixed(current, slot, value, PATIENCE) else {
+            return Ok(Err(End::Open(value)));
+        };
+        self.evaluations += at.evaluations;
+        if at.ending == Ending::Failed {
+            return Ok(Err(End::Failed(value)));
+        }
+        let growth = (at.misfit - self.least) / self.unit.powi(2);
+        if growth < -LOWER * LOWER && current.update().is_ok() {
+            return Err(Box::new(current.clone()));
+        }
+        Ok(Ok(growth.max(0.0).sqrt()))
+    }
 }

@@ -62,9 +62,11 @@ pub struct Estimate {
     /// The standard error, in SI units, from the derivatives of the model at the minimum, with what
     /// the errors of [`Known`](crate::Known) values add.
     pub standard_error: f64,
-    /// The interval at [`Options::profile_level`](crate::Options::profile_level), if asked for. An
-    /// end is infinite, or 0 for a positive parameter, where the data set no limit within 20 times
-    /// as many standard errors, and NaN where a fit of the other values failed on the way.
+    /// The interval at [`Options::profile_level`](crate::Options::profile_level), if asked for. It
+    /// contains the value, and that of a smaller level. An end is infinite, or 0 for a positive
+    /// parameter, where the data set no limit within 40 standard errors or, for a positive
+    /// parameter, a factor of 1e6; it is NaN where a fit of the other values failed on the way. A
+    /// warning gives the reason: [`WarningKind::OpenInterval`].
     pub profile: Option<[f64; 2]>,
 }
 
@@ -108,6 +110,64 @@ pub struct FittedExperiment {
     pub abscissa_noise: f64,
     /// The points, in the order measured.
     pub points: Vec<FittedPoint>,
+    /// The points that were left out, by reason.
+    pub left_out: Vec<LeftOut>,
+}
+
+/// Points that were left out for one reason.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct LeftOut {
+    /// Why.
+    pub reason: LeftOutReason,
+    /// How many there are.
+    pub points: usize,
+    /// The first and the last of their lines.
+    pub lines: [u64; 2],
+}
+
+/// Why points are left out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[non_exhaustive]
+pub enum LeftOutReason {
+    /// They are between contact and baseline: in a jump, or where the data do not tell.
+    Jump,
+    /// They have a contact radius of 0, at which a penetration tells nothing.
+    NoContact,
+    /// They are near the largest radius of a cycle, where the line may not have moved yet.
+    Turn,
+    /// They are in contact, but within 4 standard errors of the end of the fitted branch.
+    NearEnd,
+    /// They are in contact, but the fitted branch ends before them.
+    BeyondEnd,
+}
+
+impl LeftOutReason {
+    /// Returns the name, as in JSON.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Jump => "jump",
+            Self::NoContact => "no-contact",
+            Self::Turn => "turn",
+            Self::NearEnd => "near-end",
+            Self::BeyondEnd => "beyond-end",
+        }
+    }
+
+    /// Returns the reason in words, as after "12 points".
+    pub const fn text(self) -> &'static str {
+        match self {
+            Self::Jump => "between contact and baseline",
+            Self::NoContact => "without a contact",
+            Self::Turn => "at the turn, where the contact line may not have moved",
+            Self::NearEnd => "within 4 standard errors of the end of the fitted branch",
+            Self::BeyondEnd => "in contact beyond the end of the fitted branch",
+        }
+    }
+
+    /// Tells whether such points are in contact according to the data.
+    pub const fn is_of_contact(self) -> bool {
+        matches!(self, Self::NearEnd | Self::BeyondEnd)
+    }
 }
 
 /// A measured point, as fitted.
@@ -256,8 +316,12 @@ pub enum WarningKind {
     FilmNotSeen,
     /// The fit was stopped by the end of the table.
     EndOfTable,
-    /// Other parameters explain the data as well.
+    /// There is another minimum, whose sum of squares is larger by no more than chance explains.
     SeveralMinima,
+    /// A standard error that says too little, because the model is far from linear within it.
+    NonlinearError,
+    /// An interval of the profile likelihood without an end on one side.
+    OpenInterval,
 }
 
 impl WarningKind {
@@ -282,6 +346,8 @@ impl WarningKind {
             Self::FilmNotSeen => "film-not-seen",
             Self::EndOfTable => "end-of-table",
             Self::SeveralMinima => "several-minima",
+            Self::NonlinearError => "nonlinear-error",
+            Self::OpenInterval => "open-interval",
         }
     }
 }

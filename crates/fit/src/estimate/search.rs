@@ -1,23 +1,19 @@
-//! The way to the minimum: points near the end of a branch are held back, the noise is estimated,
-//! and other starts are tried where the first one ends badly.
-
-use interp::Table;
+//! The way from a minimum on few points to that on all: points near the end of a branch are held
+//! back, and the noise is estimated.
 
 use super::problem::{Assigned, Ending, Problem};
-use super::slot::Slot;
 use super::uncertainty::Uncertainty;
-use super::{slot, start};
 use crate::model::Assignment;
 use crate::statistics::{excess, median};
-use crate::{Bodies, Branch, Error, Experiment, Free, Kind, Loss, Parameter};
+use crate::{Bodies, Branch, Experiment, Kind, Loss, Parameter};
 
 /// The most evaluations over the number of parameters + 1.
-const PATIENCE: usize = 60;
+pub(super) const PATIENCE: usize = 60;
 /// The most points of each branch that count at first.
 const FEW: usize = 40;
 /// The relative changes of the sum of squares and of the values at which the method stops: on few
 /// points, where more points follow, and at last.
-const COARSE: f64 = 1e-4;
+pub(super) const COARSE: f64 = 1e-4;
 const FINE: f64 = 1e-8;
 /// The part of the imposed values of a branch, counted from its end, that is held back at first.
 const HELD_BACK: f64 = 0.03;
@@ -40,20 +36,6 @@ const BISECTIONS: usize = 40;
 const LEAST_NOISE: f64 = 1e-12;
 /// An excess of the sum of squares, in standard deviations, at which other starts are tried.
 const BAD: f64 = 4.5;
-/// The factors of other starts.
-const OTHER_STARTS: [f64; 2] = [0.05, 20.0];
-/// Minima whose sums of squares differ by less cannot be told apart.
-pub(crate) const SAME: f64 = 4.0;
-
-/// A minimum, and what is known about the way to it.
-pub(crate) struct Minimum<'a> {
-    pub problem: Problem<'a>,
-    pub ending: Ending,
-    /// The uncertainty there; `None` where there are no derivatives.
-    pub uncertainty: Option<Uncertainty>,
-    /// Another minimum that the data cannot tell from this one.
-    pub rival: Option<Vec<f64>>,
-}
 
 /// The data of a fit before any value is found.
 pub(crate) struct Data {
@@ -93,81 +75,6 @@ fn range(experiment: &Experiment) -> f64 {
     most - least
 }
 
-/// Finds the minimum.
-pub(crate) fn minimum<'a>(
-    table: &'a Table,
-    data: &Data,
-    (free, slots): (&[Free], &[Slot]),
-    loss: Loss,
-) -> Result<Minimum<'a>, Error> {
-    let few: Vec<Assigned> = data.assigned.iter().map(hold_back).map(thin).collect();
-    let from = |factor: f64, free: &[Free], slots: &[Slot]| {
-        let mut problem = start::problem(table, &few, (free, slots), loss, factor)?;
-        problem.weigh()?;
-        Ok::<_, Error>(problem.minimise(PATIENCE, COARSE))
-    };
-    let mut minima = Vec::new();
-    let failure = match from(1.0, free, slots) {
-        Ok(minimum) => {
-            minima.push(minimum);
-            None
-        }
-        Err(error) => Some(error),
-    };
-    let is_good = |(problem, ending): &(Problem<'_>, Ending)| {
-        *ending == Ending::Converged && !is_bad(problem, data)
-    };
-    if !minima.iter().any(is_good) {
-        // A start where the model has no contact is no start.
-        minima.extend(
-            OTHER_STARTS
-                .iter()
-                .flat_map(|&factor| from(factor, free, slots)),
-        );
-        if free.iter().any(|one| one.start.is_some()) {
-            let without_start = |one: &Free| Free {
-                start: None,
-                ..*one
-            };
-            let free: Vec<Free> = free.iter().map(without_start).collect();
-            let experiments: Vec<Experiment> = data
-                .assigned
-                .iter()
-                .map(|assigned| assigned.experiment.clone())
-                .collect();
-            let slots = slot::slots(&experiments, &free);
-            minima.extend(slots.and_then(|slots| from(1.0, &free, &slots)));
-        }
-    }
-    if let Some(error) = failure.filter(|_| minima.is_empty()) {
-        return Err(error);
-    }
-    let evaluations = minima.iter().map(|(problem, _)| problem.evaluations).sum();
-    let rank = |(problem, ending): &(Problem<'_>, Ending)| {
-        (*ending != Ending::Converged, problem.misfit())
-    };
-    let best = (0..minima.len())
-        .min_by(|&one, &other| {
-            let (one, other) = (rank(&minima[one]), rank(&minima[other]));
-            one.0.cmp(&other.0).then(one.1.total_cmp(&other.1))
-        })
-        .unwrap_or(0);
-    let (mut problem, ending) = minima.swap_remove(best);
-    problem.evaluations = evaluations;
-    let rival = minima
-        .iter()
-        .filter(|(_, other)| *other == Ending::Converged && ending == Ending::Converged)
-        .find(|(other, _)| is_rival(&problem, other))
-        .map(|(other, _)| (0..slots.len()).map(|slot| other.value(slot)).collect());
-    let (problem, ending, uncertainty) = settle(problem, ending, data);
-    Ok(Minimum {
-        problem,
-        ending,
-        uncertainty,
-        rival,
-    })
-}
-
 /// Leaves out the points near the end of a branch that ends within the data.
 pub(super) fn hold_back(assigned: &Assigned) -> Assigned {
     let mut assigned = assigned.clone();
@@ -201,7 +108,7 @@ pub(super) fn hold_back(assigned: &Assigned) -> Assigned {
 }
 
 /// Leaves out all but [`FEW`] points of each branch.
-fn thin(mut assigned: Assigned) -> Assigned {
+pub(super) fn thin(mut assigned: Assigned) -> Assigned {
     for branch in [Branch::Advancing, Branch::Receding, Branch::Baseline] {
         let of_branch = assigned.order.iter().copied();
         let own: Vec<usize> = of_branch
@@ -218,7 +125,7 @@ fn thin(mut assigned: Assigned) -> Assigned {
 }
 
 /// Tells whether the residuals are larger than the noise, given or seen in neighbouring ordinates.
-fn is_bad(problem: &Problem<'_>, data: &Data) -> bool {
+pub(super) fn is_bad(problem: &Problem<'_>, data: &Data) -> bool {
     let Some(residuals) = problem.plain_residuals() else {
         return true;
     };
@@ -243,21 +150,9 @@ fn is_bad(problem: &Problem<'_>, data: &Data) -> bool {
     })
 }
 
-/// Tells whether two minima are different but fit equally well.
-fn is_rival(one: &Problem<'_>, other: &Problem<'_>) -> bool {
-    let Some(uncertainty) = Uncertainty::of(one) else {
-        return false;
-    };
-    let far = (0..one.slots.len()).any(|slot| {
-        let size = uncertainty.sizes[slot] * uncertainty.relative_error(slot);
-        (one.value(slot) - other.value(slot)).abs() > 3.0 * size
-    });
-    far && (one.misfit() - other.misfit()).abs() < SAME
-}
-
 /// Estimates the noise where it is not known, and lets the points count that are clear of the end
 /// of their branch, until neither changes.
-fn settle<'a>(
+pub(super) fn settle<'a>(
     mut problem: Problem<'a>,
     mut ending: Ending,
     data: &Data,

@@ -73,16 +73,21 @@ impl Coordinate {
 
     /// Returns the coordinate of the start.
     pub fn first(&self) -> f64 {
-        let Some([least, most]) = self.bounds else {
-            return 0.0;
-        };
-        let scaled = if self.positive {
-            self.start.ln()
-        } else {
-            self.start
-        };
-        let part = ((scaled - least) / (most - least)).clamp(INSIDE, 1.0 - INSIDE);
-        (2.0 * part - 1.0).asin()
+        self.of(self.start)
+    }
+
+    /// Returns the coordinate of a value. One near a bound, or beyond it, is moved between the
+    /// bounds.
+    pub fn of(&self, value: f64) -> f64 {
+        match (self.bounds, self.positive) {
+            (Some([least, most]), positive) => {
+                let scaled = if positive { value.ln() } else { value };
+                let part = ((scaled - least) / (most - least)).clamp(INSIDE, 1.0 - INSIDE);
+                (2.0 * part - 1.0).asin()
+            }
+            (None, true) => (value / self.start).ln(),
+            (None, false) => (value - self.start) / self.unit,
+        }
     }
 
     /// Returns the value at a coordinate.

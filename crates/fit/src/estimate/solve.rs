@@ -2,27 +2,32 @@
 
 use interp::Table;
 
+use super::minima::{Minimum, minimum};
 use super::problem::{Ending, Problem};
-use super::search::{Data, Minimum, minimum};
+use super::search::Data;
 use super::slot::{Slot, slots};
 use super::uncertainty::Uncertainty;
-use super::{fixed_values, loss, profile, warnings, without_film};
+use super::{fixed_values, left_out, loss, profile, warnings, without_film};
 use crate::model::Freedom;
 use crate::statistics::deviations;
 use crate::{
-    Branch, Error, Estimate, Experiment, Fit, FittedExperiment, FittedPoint, Free, Options,
-    Parameter,
+    Branch, Error, Estimate, Experiment, Fit, FittedExperiment, FittedPoint, Free, LeftOut,
+    Options, Parameter,
 };
 
 /// The number of standard deviations beyond which a residual is an outlier.
 const OUTLIER: f64 = 5.0;
+/// The most minima that intervals may replace by lower ones.
+const MOST_RESTARTS: usize = 8;
 
 /// Finds the free parameters of one or several experiments.
 ///
 /// Levenberg and Marquardt's method with the analytic Jacobian, on a stack of layers with central
 /// differences, minimises the loss. Moduli, works of
 /// adhesion, thickness and stiffness are varied by their logarithms. The start comes from straight
-/// lines through the data without the film; where it ends in a bad minimum, other starts are tried.
+/// lines through the data without the film. Where it ends in a bad minimum, or tells a modulus, a
+/// thickness or a work of adhesion to no better than 3 %, other starts are tried, and the best
+/// minimum counts.
 ///
 /// Points whose force lies within 4 standard errors of the end of their branch are left out,
 /// because there it depends on the parameters in no linear way, and standard errors would be too
@@ -32,7 +37,10 @@ const OUTLIER: f64 = 5.0;
 /// threads may share the `table`.
 ///
 /// # Errors
-/// [`Error`] for points, parameters or options that cannot be used. A fit that does not converge is no error: see [`Fit::converged`].
+/// [`Error`] for points, parameters or options that cannot be used; [`Error::LeftOut`] if more than
+/// a third of the points in contact is left out, unless [`Options::allow_left_out`];
+/// [`Error::NotDetermined`] for a minimum at which a standard error is not finite. A fit that does
+/// not converge is no error: see [`Fit::converged`].
 pub fn fit(
     table: &Table,
     experiments: &[Experiment],
@@ -54,9 +62,64 @@ pub fn fit(
         });
     }
     fixed_values::accept(&data.assigned, &slots, &options.known)?;
-    let found = minimum(table, &data, (free, &slots), options.loss)?;
+    let mut found = minimum(table, &data, (free, &slots), options.loss)?;
+    let intervals = intervals(&mut found, &data, options);
+    let left_out = left_out::left_out(&found, &data);
+    if !options.allow_left_out {
+        left_out::accept(&data, &left_out)?;
+    }
+    accept_errors(&found)?;
     let without_film = without_film::without_film(table, &found, free, options.loss);
-    Ok(result(&found, &data, options, without_film))
+    Ok(result(
+        &found,
+        &data,
+        options,
+        (intervals, without_film, left_out),
+    ))
+}
+
+/// Finds the intervals asked for. One that leads to a lower minimum starts the fit again from there.
+fn intervals<'a>(
+    found: &mut Minimum<'a>,
+    data: &Data,
+    options: &Options,
+) -> Option<Vec<[profile::End; 2]>> {
+    let deviations = deviations(options.profile_level?);
+    for _ in 0..MOST_RESTARTS {
+        let uncertainty = found.uncertainty.as_ref()?;
+        if found.ending != Ending::Converged {
+            return None;
+        }
+        match profile::intervals(&found.problem, uncertainty, deviations) {
+            Ok(intervals) => {
+                found.problem.evaluations += intervals.evaluations;
+                return Some(intervals.ends);
+            }
+            Err(lower) => found.replace_by(*lower, data),
+        }
+    }
+    // Each round has found a lower minimum: this one is none.
+    found.ending = Ending::OutOfPatience;
+    None
+}
+
+/// Accepts a minimum whose values all have finite errors, or one that the result calls none.
+fn accept_errors(found: &Minimum<'_>) -> Result<(), Error> {
+    let Some(uncertainty) = found.uncertainty.as_ref() else {
+        return Ok(());
+    };
+    let names = slot_names(&found.problem);
+    let is_open = |&slot: &usize| !uncertainty.relative_error(slot).is_finite();
+    let open: Vec<&str> = (0..names.len())
+        .filter(is_open)
+        .map(|slot| names[slot].as_str())
+        .collect();
+    if found.ending != Ending::Converged || open.is_empty() {
+        return Ok(());
+    }
+    Err(Error::NotDetermined {
+        parameters: open.join(" and "),
+    })
 }
 
 /// Accepts the experiments, reads the branches of their points, and lists the values to be found.
@@ -180,22 +243,31 @@ pub(crate) fn slot_names(problem: &Problem<'_>) -> Vec<String> {
     problem.slots.iter().map(name).collect()
 }
 
+/// What is known beside the minimum: intervals, the fit without the film, and the points left out.
+type Added = (
+    Option<Vec<[profile::End; 2]>>,
+    Option<without_film::Found>,
+    Vec<Vec<LeftOut>>,
+);
+
 /// Puts the result together.
 fn result(
     found: &Minimum<'_>,
     data: &Data,
     options: &Options,
-    without: Option<without_film::Found>,
+    (intervals, without, left_out): Added,
 ) -> Fit {
     let problem = &found.problem;
     let uncertainty = found.uncertainty.as_ref();
     let mut estimates = estimates(problem, uncertainty);
-    let mut evaluations = problem.evaluations;
-    if let Some(level) = options.profile_level
-        && found.ending == Ending::Converged
-        && let Some(uncertainty) = uncertainty
-    {
-        evaluations += profile::add(&mut estimates, problem, uncertainty, deviations(level));
+    for (estimate, ends) in estimates.iter_mut().zip(intervals.iter().flatten()) {
+        let [low, high] = *ends;
+        let unlimited = if estimate.parameter.is_positive() {
+            0.0
+        } else {
+            f64::NEG_INFINITY
+        };
+        estimate.profile = Some([low.or(unlimited), high.or(f64::INFINITY)]);
     }
     let residuals = problem.plain_residuals();
     let count = residuals.as_ref().map_or(0, nalgebra::Matrix::len);
@@ -210,15 +282,20 @@ fn result(
     });
     let mut fit = Fit {
         converged: found.ending == Ending::Converged,
-        evaluations,
+        evaluations: problem.evaluations,
         estimates,
         correlation: uncertainty.map_or_else(Vec::new, Uncertainty::correlation),
         fixed_values: Vec::new(),
         chi_squared,
         degrees_of_freedom,
         reduced_chi_squared: all_given.then(|| chi_squared / degrees_of_freedom as f64),
-        experiments: (0..problem.assigned.len())
-            .map(|e| experiment(problem, e, predictions.as_ref().map(|all| &all[e])))
+        experiments: left_out
+            .into_iter()
+            .enumerate()
+            .map(|(e, left_out)| FittedExperiment {
+                left_out,
+                ..experiment(problem, e, predictions.as_ref().map(|all| &all[e]))
+            })
             .collect(),
         without_film,
         undetermined: uncertainty.map_or_else(Vec::new, |uncertainty| {
@@ -236,6 +313,8 @@ fn result(
         fixed_values::pass_on(&mut fit);
     }
     fit.warnings = warnings::warnings(&fit, found, data, options);
+    fit.warnings
+        .extend(warnings::intervals(&fit, intervals.as_deref()));
     fit
 }
 
@@ -278,5 +357,6 @@ fn experiment(
         noise_is_estimated: assigned.experiment.usual_noise().is_none(),
         abscissa_noise: assigned.experiment.usual_abscissa_noise(),
         points: measurement.points.iter().enumerate().map(point).collect(),
+        left_out: Vec::new(),
     }
 }

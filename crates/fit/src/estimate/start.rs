@@ -15,16 +15,24 @@ const ACCURACY: f64 = 0.02;
 /// the pull-off load.
 const SMALLEST_WORK: f64 = 1e-6;
 
+/// How a start differs from the one that the data show first.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Variation {
+    /// Not at all.
+    None,
+    /// The start of a parameter is multiplied by a factor.
+    Times(Parameter, f64),
+    /// The thickness of the film is a multiple of the largest contact radius.
+    Thickness(f64),
+}
+
 /// Gives the slots the starts that the data show, and returns the problem there.
-///
-/// `factor` multiplies the start of the film's modulus, of its thickness, of a layer's modulus or
-/// thickness, or of the sphere's modulus, whichever is the first to be free.
 pub(crate) fn problem<'a>(
     table: &'a Table,
     assigned: &[Assigned],
     (free, slots): (&[Free], &[Slot]),
     loss: Loss,
-    factor: f64,
+    variation: Variation,
 ) -> Result<Problem<'a>, Error> {
     let mut slots = slots.to_vec();
     let given: Vec<Parameter> = free
@@ -57,26 +65,38 @@ pub(crate) fn problem<'a>(
             slope: is_unknown(Parameter::BaselineSlope),
             contact_point: is_unknown(Parameter::ContactPoint),
         };
-        let multiplied = own
-            .iter()
-            .filter(|_| factor != 1.0)
-            .filter_map(|one| Some((rank(one.0)?, one.0)))
-            .min()
-            .map(|(_, parameter)| parameter);
+        let multiplied = match variation {
+            Variation::Times(parameter, factor) => Some((parameter, factor)),
+            _ => None,
+        };
+        let multiplied =
+            multiplied.filter(|(parameter, _)| own.iter().any(|one| one.0 == *parameter));
         let matched = matched(is_unknown);
         // The modulus that is matched to the data is multiplied after that.
-        let before = multiplied.filter(|_| multiplied != matched);
-        if let Some((parameter, value)) = before.and_then(|p| Some((p, at.experiment.get(p)?))) {
+        let before = multiplied.filter(|(parameter, _)| matched != Some(*parameter));
+        if let Some((parameter, factor)) = before
+            && let Some(value) = at.experiment.get(parameter)
+        {
             at.experiment.replace(parameter, factor * value)?;
         }
         let found = homogeneous(&at, unknown).ok_or_else(|| Error::NoStart {
             experiment: one.experiment.measurement.name.clone(),
         })?;
+        if let Variation::Thickness(part) = variation {
+            let thickness = part * found.largest[0];
+            at.experiment.replace(Parameter::FilmThickness, thickness)?;
+        }
         let mut starts = starts(table, &mut at, found, matched, is_unknown)?;
-        if let Some((parameter, value)) = multiplied.and_then(|p| Some((p, at.experiment.get(p)?)))
+        if let Some((parameter, factor)) = multiplied
+            && let Some(value) = at.experiment.get(parameter)
         {
             let factor = if before.is_some() { 1.0 } else { factor };
             starts.push((parameter, factor * value));
+        }
+        if matches!(variation, Variation::Thickness(_))
+            && let Some(thickness) = at.experiment.get(Parameter::FilmThickness)
+        {
+            starts.push((Parameter::FilmThickness, thickness));
         }
         for &(parameter, slot) in &own {
             let coordinate = slots[slot].coordinate.with_unit(unit(one, parameter));
@@ -126,19 +146,6 @@ pub fn starts_from_data(parameter: Parameter, experiments: &[Experiment], free: 
         | Parameter::LayerThickness(_) => false,
         _ => is_unknown(parameter),
     }
-}
-
-/// Returns the rank of a parameter among those whose start may be multiplied, the first to be
-/// multiplied first.
-const fn rank(parameter: Parameter) -> Option<usize> {
-    Some(match parameter {
-        Parameter::FilmModulus => 0,
-        Parameter::FilmThickness => 1,
-        Parameter::LayerModulus(_) => 2,
-        Parameter::LayerThickness(_) => 3,
-        Parameter::SphereModulus => 4,
-        _ => return None,
-    })
 }
 
 /// Returns the names of the measurements.

@@ -3,13 +3,19 @@
 use interp::{AdhesionRange, Probe, Validity};
 use nalgebra::DVector;
 
+use super::left_out::{in_contact, text};
+use super::minima::Minimum;
 use super::problem::{Assigned, Ending, Problem};
-use super::search::{Data, Minimum, SAME, SHORT, ends};
+use super::profile::End;
+use super::search::{Data, SHORT};
 use super::uncertainty::{UNDETERMINED, Uncertainty};
+use super::valley::Bend;
 use super::{agreement, cycle, wanted};
 use crate::magnitude::{self, LARGEST_WORK, STIFFNESSES};
 use crate::statistics::missing_runs;
-use crate::{Bodies, Branch, Estimate, Fit, Options, Parameter, Warning, WarningKind};
+use crate::{
+    Bodies, Branch, Estimate, Fit, LeftOutReason, Options, Parameter, Warning, WarningKind,
+};
 
 /// The largest excess of a sum of squares, or lack of runs, that chance explains, in standard
 /// deviations: one fit in 300,000 exceeds it.
@@ -31,6 +37,9 @@ pub(super) fn warnings(
     let mut warnings = Warnings::default();
     let problem = &found.problem;
     method(&mut warnings, fit, found);
+    if let Some(found) = &found.bend {
+        bend(&mut warnings, problem, found);
+    }
     for estimate in &fit.estimates {
         implausible(&mut warnings, estimate);
     }
@@ -48,7 +57,7 @@ pub(super) fn warnings(
             );
         }
         undetermined(&mut warnings, fit, problem, uncertainty);
-        left_out(&mut warnings, problem, uncertainty, data);
+        left_out(&mut warnings, fit, data);
         if let Some(residuals) = problem.plain_residuals() {
             residuals_of(&mut warnings, fit, found, &residuals);
             wanted::add(&mut warnings, problem, uncertainty, &residuals);
@@ -57,6 +66,34 @@ pub(super) fn warnings(
     for (e, assigned) in problem.assigned.iter().enumerate() {
         geometry(&mut warnings, problem, e, assigned, options);
         cycle::add(&mut warnings, problem, e, data.local_noise[e]);
+    }
+    warnings.0
+}
+
+/// Says why an interval has no end on a side, or two.
+pub(super) fn intervals(fit: &Fit, ends: Option<&[[End; 2]]>) -> Vec<Warning> {
+    let mut warnings = Warnings::default();
+    for (estimate, ends) in fit.estimates.iter().zip(ends.into_iter().flatten()) {
+        let (parameter, unit) = (estimate.parameter, estimate.parameter.unit());
+        for (side, end) in ["lower", "upper"].into_iter().zip(ends) {
+            let why = match end {
+                End::At(_) => continue,
+                End::Open(value) => format!(
+                    "the data do not rule out {value:.3e} {unit}, the farthest value that was \
+                     looked at"
+                ),
+                End::Failed(value) => {
+                    format!("at {value:.3e} {unit} the other parameters have no fit")
+                }
+            };
+            warnings.add(
+                WarningKind::OpenInterval,
+                format!(
+                    "the interval of {parameter} has no {side} end: {why}; fix a parameter, or \
+                     give it a prior"
+                ),
+            );
+        }
     }
     warnings.0
 }
@@ -88,22 +125,45 @@ fn method(warnings: &mut Warnings, fit: &Fit, found: &Minimum<'_>) {
             ),
         );
     }
-    if let Some(rival) = &found.rival {
-        let values: Vec<String> = fit
-            .estimates
-            .iter()
-            .zip(rival)
-            .map(|(estimate, value)| format!("{} = {value:.3e}", estimate.parameter))
+    for rival in &found.rivals {
+        let estimates = fit.estimates.iter().zip(&rival.values);
+        let values: Vec<String> = estimates
+            .map(|(estimate, value)| {
+                format!(
+                    "{} = {value:.3e} {}",
+                    estimate.parameter,
+                    estimate.parameter.unit()
+                )
+            })
             .collect();
         warnings.add(
             WarningKind::SeveralMinima,
             format!(
-                "other values fit the data as well, with a chi^2 that differs by less than {SAME}: \
-                 {}; give a prior or fix a parameter",
+                "there is another minimum, whose chi^2 is larger by {:.1}, which is within \
+                 chance: {}; fix a parameter, or give it a prior or bounds",
+                rival.excess,
                 values.join(", ")
             ),
         );
     }
+}
+
+/// Warns of a value that may be farther away than its standard error says.
+fn bend(warnings: &mut Warnings, problem: &Problem<'_>, bend: &Bend) {
+    let parameter = problem.slots[bend.slot].parameter;
+    warnings.add(
+        WarningKind::NonlinearError,
+        format!(
+            "the standard error of {parameter} is too small on one side: {:.3e} {}, {} standard \
+             errors away, would raise chi^2 by {:.1} only, not by {}; take the interval of the \
+             profile likelihood, or give a prior",
+            bend.value,
+            parameter.unit(),
+            Bend::DISTANCE,
+            bend.growth,
+            Bend::DISTANCE * Bend::DISTANCE
+        ),
+    );
 }
 
 /// Warns of values that no experiment has, and of works of adhesion and stiffnesses that none
@@ -303,39 +363,22 @@ pub(super) fn in_order(assigned: &Assigned, residuals: &[f64], branch: Branch) -
 }
 
 /// Warns of points that are in contact in the data and clearly not in the fit.
-fn left_out(
-    warnings: &mut Warnings,
-    problem: &Problem<'_>,
-    uncertainty: &Uncertainty,
-    data: &Data,
-) {
-    for (e, whole) in data.assigned.iter().enumerate() {
-        let sense = whole.experiment.sense();
-        let measurement = &whole.experiment.measurement;
-        for end in ends(problem, e, uncertainty, whole) {
-            let lost: Vec<u64> = measurement
-                .points
-                .iter()
-                .zip(&whole.branches)
-                .filter(|(point, branch)| {
-                    **branch == end.branch && sense * point.abscissa < end.position - end.clear
-                })
-                .map(|(point, _)| point.line)
-                .collect();
-            let (Some(first), Some(last)) = (lost.iter().min(), lost.iter().max()) else {
-                continue;
-            };
-            if lost.len() > BEYOND_END {
-                warnings.add(
-                    WarningKind::LeftOut,
-                    format!(
-                        "{}: {} points that are in contact, in lines {first} to {last}, lie beyond \
-                         the end of the fitted branch and were left out",
-                        measurement.name,
-                        lost.len()
-                    ),
-                );
-            }
+fn left_out(warnings: &mut Warnings, fit: &Fit, data: &Data) {
+    for (fitted, whole) in fit.experiments.iter().zip(&data.assigned) {
+        let beyond = fitted.left_out.iter();
+        let beyond = beyond.filter(|group| group.reason == LeftOutReason::BeyondEnd);
+        let [contacts, lost] = in_contact(whole, &fitted.left_out);
+        let beyond: usize = beyond.map(|group| group.points).sum();
+        if beyond > BEYOND_END {
+            warnings.add(
+                WarningKind::LeftOut,
+                format!(
+                    "{}: {lost} of {contacts} points in contact do not count; of all points are left \
+                     out: {}",
+                    fitted.name,
+                    text(&fitted.left_out)
+                ),
+            );
         }
     }
 }

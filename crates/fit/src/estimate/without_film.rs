@@ -2,10 +2,10 @@
 
 use interp::{HalfSpace, Table};
 
+use super::minima::Minimum;
 use super::problem::{Ending, Problem};
-use super::search::Minimum;
 use super::solve::estimates;
-use super::start;
+use super::start::{self, Variation};
 use super::uncertainty::Uncertainty;
 use crate::{Bodies, Branch, Free, Loss, ModulusBias, Parameter, WithoutFilm};
 
@@ -80,7 +80,7 @@ pub(crate) fn without_film(
     if slots.is_empty() {
         return None;
     }
-    let started = start::problem(table, &assigned, (&free, &slots), loss, 1.0).ok()?;
+    let started = start::problem(table, &assigned, (&free, &slots), loss, Variation::None).ok()?;
     let (fitted, ending) = started.minimise(PATIENCE, TOLERANCE);
     if ending == Ending::Failed {
         return None;

@@ -150,6 +150,8 @@ pub struct Options {
     pub known: Vec<Known>,
     /// Whether [`Fit::fixed_values`](crate::Fit::fixed_values) lists all values taken as given.
     pub fixed_values: bool,
+    /// Whether more than a third of the points in contact may be left out.
+    pub allow_left_out: bool,
 }
 
 impl Default for Options {
@@ -162,6 +164,7 @@ impl Default for Options {
             interaction_range: 3e-10,
             known: Vec::new(),
             fixed_values: false,
+            allow_left_out: false,
         }
     }
 }

@@ -15,6 +15,7 @@ use interp::Probe;
 pub use self::unit::UnitOf;
 use self::unit::{decimals, scaled, unit, with_error};
 use crate::data::{Notes, Source};
+use crate::estimate::left_out_text;
 use crate::{
     Bodies, Combination, Estimate, Experiment, Fit, Forecast, Measurement, ModulusBias, Parameter,
 };
@@ -86,6 +87,18 @@ fn write_report(
         writeln!(out, "\n{:<1$} {young}", "sphere", NAME + 2)?;
     }
     writeln!(out, "\n{}", agreement(fit))?;
+    for one in fit
+        .experiments
+        .iter()
+        .filter(|one| !one.left_out.is_empty())
+    {
+        writeln!(
+            out,
+            "{}: left out {}",
+            one.name,
+            left_out_text(&one.left_out)
+        )?;
+    }
     if let Some(text) = film(fit, &experiments[0].bodies) {
         writeln!(out, "{text}")?;
     }

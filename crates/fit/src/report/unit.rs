@@ -56,6 +56,9 @@ pub fn scaled(unit: &str, value: f64) -> (String, f64) {
 /// Returns a value and its error, in one unit, with two digits of the error.
 pub fn with_error(value: f64, error: f64) -> String {
     let decimals = decimals(value, error);
+    if !error.is_finite() {
+        return format!("{value:.decimals$} without an error");
+    }
     format!("{value:.decimals$} +- {error:.decimals$}")
 }
 
@@ -82,7 +85,7 @@ mod tests {
         assert_eq!(modulus(2.0134e6, 1.2e4), "2.013 +- 0.012 MPa");
         assert_eq!(modulus(999.0, 123.0), "999 +- 123 Pa");
         assert_eq!(modulus(999.9e3, 1e3), "999.9 +- 1.0 kPa");
-        assert_eq!(modulus(2e6, f64::INFINITY), "2.000 +- inf MPa");
+        assert_eq!(modulus(2e6, f64::INFINITY), "2.000 without an error MPa");
         let asked = [UnitOf::new(Parameter::FilmModulus, "kPa").expect("a unit")];
         let (unit_name, size) = unit(Parameter::FilmModulus, 2e6, 1e4, &asked);
         assert_eq!((unit_name.as_str(), size), ("kPa", 1e3));

@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from distributed import Client
 
 Loss = Literal["squares", "huber", "soft-l1"]
-Allowed = Literal["magnitudes"]
+Allowed = Literal["magnitudes", "left-out"]
 
 
 def fit(
@@ -73,9 +73,9 @@ def fit(
         :class:`Free` instead lets the data move a free value.
     fixed_values : bool
         Whether ``Fit.fixed_values`` tells what the values that are not free do to the result.
-    allow : iterable of {"magnitudes"}
+    allow : iterable of {"magnitudes", "left-out"}
         Doubts with which the fit goes on: numbers, given or found, that no experiment has, such as
-        a sphere of 2 m or a film of 3000 GPa.
+        a sphere of 2 m or a film of 3000 GPa; more than a third of the points in contact left out.
 
     Returns
     -------
@@ -87,7 +87,8 @@ def fit(
     ------
     FitError
         For points, parameters or options that cannot be used, and for numbers that no experiment
-        has. Points are counted from 0.
+        has. Points are counted from 0. For parameters that the data do not determine, so that no
+        standard error is finite, and for more than a third of the points in contact left out.
     ContactError
         For a contact that cannot be computed.
 
@@ -268,10 +269,11 @@ def _native(
     one_of("loss", loss, get_args(Loss))
     given = experiments_of(experiments)
     level = None if profile_level is None else number("profile_level", profile_level)
-    for one in allow:
+    allowed = set(allow)
+    for one in allowed:
         one_of("allow", one, get_args(Allowed))
     attraction = number("interaction_range", interaction_range)
-    options = (loss, level, attraction, "magnitudes" in allow)
+    options = (loss, level, attraction, "magnitudes" in allowed, "left-out" in allowed)
     return function((table or Table.embedded())._native, given, free_of(free), options, *further)
 
 

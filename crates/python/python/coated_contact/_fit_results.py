@@ -92,6 +92,9 @@ class FittedExperiment:
         ``"advancing"``, ``"receding"``, ``"pinned"``, ``"baseline"`` or ``"left-out"``.
     outlier : numpy.ndarray
         Whether the residual is more than 5 times its standard deviation.
+    left_out : dict of str to int
+        The numbers of points left out, by reason: ``"jump"``, ``"no-contact"``, ``"turn"``,
+        ``"near-end"``, ``"beyond-end"``.
     """
 
     name: str
@@ -106,6 +109,7 @@ class FittedExperiment:
     without_film: Array
     branch: list[str]
     outlier: NDArray[np.bool_]
+    left_out: dict[str, int]
 
     @property
     def residual(self) -> Array:

@@ -9,6 +9,8 @@ use clap::ValueEnum;
 pub enum Allowed {
     /// Numbers that no contact experiment has, such as a sphere of 2 m
     Magnitudes,
+    /// In a fit, that more than a third of the points in contact does not count
+    LeftOut,
 }
 
 /// Refuses numbers that no contact experiment has, unless they are allowed.

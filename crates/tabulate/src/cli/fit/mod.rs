@@ -23,7 +23,7 @@ use interp::Table;
 use self::experiments::{FreeArguments, KnownArguments};
 use self::reading::{doubted, measured, typed};
 use self::setting::{Given, unit_of};
-use super::allow;
+use super::allow::{self, Allowed};
 use super::json;
 use super::output::Output;
 use super::plot::picture;
@@ -62,7 +62,8 @@ use crate::printable;
 /// files unless they are the file's own: a global fit of films of several thicknesses is
 /// --value film-thickness=1um,10um.
 ///
-/// The exit status is 0 only if the fit has converged.
+/// The exit status is 0 only if the fit has converged, all values have finite errors, and at most a
+/// third of the points in contact is left out.
 #[derive(clap::Args)]
 #[command(after_help = super::examples!(
     "tabulate fit crates/fit/data/lens.csv --specimen paper --film-thickness 30um",
@@ -161,10 +162,10 @@ pub struct Arguments {
     ///
     /// {"converged": bool, "parameters": {"film_modulus": {"value", "stderr", "unit"}, ...},
     /// "sphere_young_modulus" with --sphere-poisson-ratio, "correlation": [[...]],
-    /// "reduced_chi_squared", "noise", "abscissa_noise", "without_film": {...}, "fixed_values":
-    /// [{"name", "value", "unit", "step", "changes", "error"}], "warnings": [{"kind", "text"}],
-    /// "read": [how each file was read]}. A parameter of which each file has its own is a list. With
-    /// --intervals each parameter has an "interval".
+    /// "reduced_chi_squared", "noise", "abscissa_noise", "left_out", "without_film": {...},
+    /// "fixed_values": [{"name", "value", "unit", "step", "changes", "error"}], "warnings":
+    /// [{"kind", "text"}], "read": [how each file was read]}. A parameter of which each file has its
+    /// own is a list. With --intervals each parameter has an "interval".
     #[arg(long)]
     json: bool,
     /// Write data, fit, residual and branch of every point here
@@ -350,6 +351,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         profile_level: arguments.intervals,
         known: arguments.given.iter().map(Given::known).collect(),
         fixed_values: true,
+        allow_left_out: allowed.contains(&Allowed::LeftOut),
         ..Options::default()
     };
     let fit =

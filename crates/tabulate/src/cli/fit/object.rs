@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use ::fit::data::Notes;
 use ::fit::report::reading;
 use ::fit::{
-    Estimate, Experiment, Fit, FittedExperiment, Fixed, FixedValue, Parameter, WithoutFilm,
+    Estimate, Experiment, Fit, FittedExperiment, Fixed, FixedValue, LeftOut, Parameter, WithoutFilm,
 };
 use serde::{Serialize, Serializer};
 
@@ -28,6 +28,8 @@ pub struct FitObject<'a> {
     reduced_chi_squared: Option<Number>,
     noise: OneOrAll<Number>,
     abscissa_noise: OneOrAll<Number>,
+    /// Of each file, the points that were left out, by reason.
+    left_out: OneOrAll<Vec<LeftOutObject>>,
     without_film: Option<WithoutFilmObject<'a>>,
     fixed_values: Vec<FixedValueObject>,
     warnings: Vec<WarningObject<'a>>,
@@ -54,6 +56,13 @@ struct FixedValueObject {
     changes: Vec<Number>,
     /// The standard error, if one is given.
     error: Option<Number>,
+}
+
+#[derive(Serialize)]
+struct LeftOutObject {
+    reason: &'static str,
+    points: usize,
+    lines: [u64; 2],
 }
 
 #[derive(Serialize)]
@@ -129,6 +138,16 @@ fn json_name(parameter: Parameter) -> String {
     }
 }
 
+fn left_out(fitted: &FittedExperiment) -> Vec<LeftOutObject> {
+    let groups = fitted.left_out.iter();
+    let object = |group: &LeftOut| LeftOutObject {
+        reason: group.reason.name(),
+        points: group.points,
+        lines: group.lines,
+    };
+    groups.map(object).collect()
+}
+
 /// Returns a matrix as JSON.
 pub fn matrix(rows: &[Vec<f64>]) -> Vec<Vec<Number>> {
     rows.iter()
@@ -164,6 +183,7 @@ impl<'a> FitObject<'a> {
             reduced_chi_squared: fit.reduced_chi_squared.map(Number),
             noise: of_files(|one| one.noise),
             abscissa_noise: of_files(|one| one.abscissa_noise),
+            left_out: OneOrAll(fit.experiments.iter().map(left_out).collect()),
             without_film: fit.without_film.as_ref().map(WithoutFilmObject::new),
             fixed_values: fit.fixed_values.iter().map(FixedValueObject::new).collect(),
             warnings: warnings.chain(doubts).collect(),

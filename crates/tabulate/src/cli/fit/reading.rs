@@ -15,7 +15,10 @@ pub fn measured(path: &Path, format: &Format) -> anyhow::Result<Reading> {
 
 /// Returns the error of a fit, with the doubts about signs that may explain it.
 pub fn doubted(error: ::fit::Error, notes: &[Notes]) -> anyhow::Error {
-    let error = anyhow::Error::from(error);
+    let error = match error {
+        ::fit::Error::LeftOut { .. } => anyhow!("{error}: --allow left-out"),
+        error => error.into(),
+    };
     let doubts: String = notes
         .iter()
         .filter_map(|notes| notes.doubt.as_ref())

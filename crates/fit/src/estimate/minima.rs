@@ -1,0 +1,349 @@
+//! The minima that several starts lead to: the best one, and those that chance may have made worse.
+
+use std::rc::Rc;
+
+use interp::Table;
+use levenberg_marquardt::LeastSquaresProblem;
+
+use super::problem::{Assigned, Basin, Ending, Problem};
+use super::search::{COARSE, Data, PATIENCE, hold_back, is_bad, settle, thin};
+use super::slot::{Slot, slots};
+use super::start::{self, Variation};
+use super::uncertainty::Uncertainty;
+use super::valley::{Bend, bend, doubtful, other_sides};
+use super::warnings::BEYOND_CHANCE;
+use crate::{Branch, Error, Experiment, Free, Loss, Parameter};
+
+/// The factors by which the start of a modulus, or of a quantity of a layer, is varied.
+const FACTORS: [f64; 2] = [0.05, 20.0];
+/// The thicknesses of a film, over the largest contact radius, from which a fit starts.
+const THICKNESSES: [f64; 2] = [0.1, 1.0];
+/// The most evaluations over the number of parameters + 1 of a fit from another start.
+const FEWER: usize = 12;
+/// The most by which the sum of squares on few points may exceed the smallest one at a start that
+/// is followed to all points.
+pub(super) const MARGIN: f64 = 60.0;
+/// Minima whose values differ by less than this number of standard errors are one.
+const APART: f64 = 3.0;
+
+/// A minimum, and what is known about the way to it.
+pub(crate) struct Minimum<'a> {
+    pub problem: Problem<'a>,
+    pub ending: Ending,
+    /// The uncertainty there; `None` where there are no derivatives.
+    pub uncertainty: Option<Uncertainty>,
+    /// Other minima that the data do not rule out.
+    pub rivals: Vec<Rival>,
+    /// A value whose standard error says too little.
+    pub bend: Option<Bend>,
+}
+
+/// A minimum that is worse, but not by more than chance explains.
+pub(crate) struct Rival {
+    pub values: Vec<f64>,
+    /// The excess of its sum of squares.
+    pub excess: f64,
+}
+
+/// Finds the best minimum, and its rivals.
+///
+/// The first start is enough where its end describes the data and tells all moduli, thicknesses and
+/// works of adhesion to [`super::valley`]'s small errors. Else other starts are tried, and the
+/// valley of the least known value is followed to both sides.
+pub(crate) fn minimum<'a>(
+    table: &'a Table,
+    data: &Data,
+    (free, given): (&[Free], &[Slot]),
+    loss: Loss,
+) -> Result<Minimum<'a>, Error> {
+    let few: Vec<Assigned> = data.assigned.iter().map(hold_back).map(thin).collect();
+    let from = |free: &[Free], slots: &[Slot], variation| {
+        let mut problem = start::problem(table, &few, (free, slots), loss, variation)?;
+        problem.weigh()?;
+        Ok::<_, Error>(problem)
+    };
+    let first = from(free, given, Variation::None);
+    let first = first.map(|problem| problem.minimise(PATIENCE, COARSE));
+    let is_good = |(problem, ending): &(Problem<'_>, Ending)| {
+        *ending == Ending::Converged && !is_bad(problem, data)
+    };
+    let is_bad = !first.as_ref().is_ok_and(is_good);
+    let doubtful = first.as_ref().ok().and_then(|(first, _)| {
+        let uncertainty = Uncertainty::of(first)?;
+        let slot = *doubtful(first, &uncertainty).first()?;
+        Some((slot, uncertainty.relative_error(slot)))
+    });
+    let from_data = without_starts(data, free);
+    let needs_others = is_bad || doubtful.is_some() || from_data.is_some() || is_film_free(free);
+    let (first, failure) = match first {
+        Ok(first) if !needs_others => {
+            let evaluations = first.0.evaluations;
+            return Ok(best(vec![first], data, evaluations));
+        }
+        Ok(first) => (Some(first), None),
+        Err(failure) => (None, Some(failure)),
+    };
+    let (free_from_data, slots) = match &from_data {
+        Some((free, slots)) => (&free[..], &slots[..]),
+        None => (free, given),
+    };
+    let mut variations = variations(free, &few, is_bad);
+    if from_data.is_some() {
+        variations.insert(0, Variation::None);
+    }
+    // A start where the model has no contact is no start.
+    let mut starts: Vec<Problem<'_>> = variations
+        .into_iter()
+        .filter_map(|variation| from(free_from_data, slots, variation).ok())
+        .collect();
+    let mut ends: Vec<(Problem<'_>, Ending)> = Vec::new();
+    let mut places = Vec::new();
+    let mut evaluations = 0;
+    if let Some((first, ending)) = first {
+        evaluations += first.evaluations;
+        let shared = starts.into_iter().map(|start| start.with_slots_of(&first));
+        starts = shared.flatten().collect();
+        if let Some((slot, error)) = doubtful {
+            let (found, count) = other_sides(&first, slot, error);
+            evaluations += count;
+            places = found;
+        }
+        ends.push((first, ending));
+    }
+    starts.extend(places.iter().cloned());
+    for mut start in starts {
+        let known = ends.iter().filter(|end| end.1 == Ending::Converged);
+        start.known = known.filter_map(|end| Basin::of(&end.0)).collect();
+        start.evaluations = 0;
+        let (mut end, ending) = start.minimise(FEWER, COARSE);
+        evaluations += end.evaluations;
+        end.known = Rc::new([]);
+        if !end.arrived {
+            ends.push((end, ending));
+        }
+    }
+    // All points together may have a minimum where few points have none.
+    ends.extend(places.into_iter().map(|place| (place, Ending::Converged)));
+    match failure.filter(|_| ends.is_empty()) {
+        Some(failure) => Err(failure),
+        None => Ok(best(ends, data, evaluations)),
+    }
+}
+
+/// Tells whether modulus and thickness of the film are both free. A thin and a stiff film may look
+/// like a thick and a soft one.
+fn is_film_free(free: &[Free]) -> bool {
+    let is_free = |parameter| free.iter().any(|one| one.parameter == parameter);
+    is_free(Parameter::FilmModulus) && is_free(Parameter::FilmThickness)
+}
+
+/// Lists the other starts: those of a film that is thinner or thicker, softer or stiffer, and if
+/// the first start led nowhere, of the modulus that is free.
+fn variations(free: &[Free], assigned: &[Assigned], is_bad: bool) -> Vec<Variation> {
+    let has_film = |parameter: Parameter| {
+        assigned.iter().any(|one| {
+            one.experiment.bodies.thickness().is_some()
+                && one.experiment.why_without_effect(parameter).is_none()
+        })
+    };
+    let mut variations = Vec::new();
+    let of_film =
+        |parameter: &Parameter| matches!(parameter, Parameter::FilmModulus) && has_film(*parameter);
+    let names: Vec<Parameter> = free.iter().map(|one| one.parameter).collect();
+    let first = names
+        .iter()
+        .filter_map(|one| Some((rank(*one)?, *one)))
+        .min();
+    let first = first.map(|(_, parameter)| parameter).filter(|_| is_bad);
+    let mut multiplied: Vec<Parameter> = names.iter().copied().filter(of_film).collect();
+    multiplied.extend(first.filter(|first| !multiplied.contains(first)));
+    for parameter in multiplied {
+        variations.extend(FACTORS.map(|factor| Variation::Times(parameter, factor)));
+    }
+    if names.contains(&Parameter::FilmThickness) {
+        variations.extend(THICKNESSES.map(Variation::Thickness));
+    }
+    variations
+}
+
+/// Returns the rank of a parameter among those whose start may be multiplied, the first to be
+/// multiplied first.
+const fn rank(parameter: Parameter) -> Option<usize> {
+    Some(match parameter {
+        Parameter::FilmModulus => 0,
+        Parameter::FilmThickness => 1,
+        Parameter::LayerModulus(_) => 2,
+        Parameter::LayerThickness(_) => 3,
+        Parameter::SphereModulus => 4,
+        _ => return None,
+    })
+}
+
+/// Returns what is free without the starts given, if any is given.
+fn without_starts(data: &Data, free: &[Free]) -> Option<(Vec<Free>, Vec<Slot>)> {
+    if free.iter().all(|one| one.start.is_none()) {
+        return None;
+    }
+    let without_start = |one: &Free| Free {
+        start: None,
+        ..*one
+    };
+    let free: Vec<Free> = free.iter().map(without_start).collect();
+    let experiments = data.assigned.iter().map(|one| one.experiment.clone());
+    let experiments: Vec<Experiment> = experiments.collect();
+    let slots = slots(&experiments, &free).ok()?;
+    Some((free, slots))
+}
+
+/// Follows the best ends on few points to all points, and compares what comes out.
+fn best<'a>(mut ends: Vec<(Problem<'a>, Ending)>, data: &Data, evaluations: usize) -> Minimum<'a> {
+    let has_converged = |end: &(Problem<'_>, Ending)| end.1 == Ending::Converged;
+    if ends.iter().any(has_converged) {
+        ends.retain(has_converged);
+    }
+    ends.sort_by(|one, other| one.0.misfit().total_cmp(&other.0.misfit()));
+    let nearly = farthest(&ends[0].0);
+    let mut evaluations = evaluations;
+    let mut minima: Vec<Minimum<'_>> = Vec::new();
+    for (i, (mut problem, ending)) in ends.into_iter().enumerate() {
+        if i > 0 && problem.misfit() > nearly {
+            break;
+        }
+        problem.evaluations = 0;
+        let found = Minimum::settled(problem, ending, data);
+        evaluations += found.problem.evaluations;
+        minima.push(found);
+    }
+    // One after another, because the points in common differ from pair to pair.
+    let is_better = |one: &Minimum<'_>, other: &Minimum<'_>| {
+        let failed = [one, other].map(|minimum| minimum.ending != Ending::Converged);
+        match failed {
+            [false, true] => true,
+            [true, false] => false,
+            _ => excess(one, other) > 0.0,
+        }
+    };
+    let first = (1..minima.len()).fold(0, |best, i| {
+        if is_better(&minima[i], &minima[best]) {
+            i
+        } else {
+            best
+        }
+    });
+    let mut best = minima.swap_remove(first);
+    best.rivals = minima
+        .iter()
+        .filter_map(|other| rival(&best, other))
+        .collect();
+    if let Some(uncertainty) = &best.uncertainty {
+        let (found, count) = bend(&best.problem, uncertainty);
+        best.bend = found;
+        evaluations += count;
+    }
+    best.problem.evaluations = evaluations;
+    best
+}
+
+/// Returns the sum of squares up to which an end on few points may be the best one on all.
+fn farthest(best: &Problem<'_>) -> f64 {
+    let least = best.misfit();
+    let known = (0..best.assigned.len()).all(|e| has_known_scale(best, e));
+    let unknown = if known {
+        0.0
+    } else {
+        least * (MARGIN / best.rows().count() as f64).exp_m1()
+    };
+    least + unknown.max(MARGIN)
+}
+
+/// Tells whether the squares of an experiment are in units of a noise that does not follow from
+/// them.
+fn has_known_scale(problem: &Problem<'_>, e: usize) -> bool {
+    problem.loss != Loss::Squares || problem.assigned[e].experiment.usual_noise().is_some()
+}
+
+impl<'a> Minimum<'a> {
+    /// Follows an end on few points to all points.
+    pub fn settled(problem: Problem<'a>, ending: Ending, data: &Data) -> Self {
+        let (problem, ending, uncertainty) = settle(problem, ending, data);
+        Self {
+            problem,
+            ending,
+            uncertainty,
+            rivals: Vec::new(),
+            bend: None,
+        }
+    }
+
+    /// Starts again from a place that is lower than this minimum, which becomes a rival of the new
+    /// one.
+    pub fn replace_by(&mut self, lower: Problem<'a>, data: &Data) {
+        let lower = Self::settled(lower, Ending::Converged, data);
+        let old = std::mem::replace(self, lower);
+        self.problem.evaluations += old.problem.evaluations;
+        self.rivals.extend(rival(self, &old));
+    }
+}
+
+/// Returns another minimum if chance may have made it worse.
+fn rival(best: &Minimum<'_>, other: &Minimum<'_>) -> Option<Rival> {
+    let uncertainty = best.uncertainty.as_ref()?;
+    let slots = best.problem.slots.len();
+    let values: Vec<f64> = (0..slots).map(|slot| other.problem.value(slot)).collect();
+    let is_apart = |slot: usize| {
+        let error = uncertainty.sizes[slot] * uncertainty.relative_error(slot);
+        (best.problem.value(slot) - values[slot]).abs() > APART * error
+    };
+    let both = best.ending == Ending::Converged && other.ending == Ending::Converged;
+    if !both || !(0..slots).any(is_apart) {
+        return None;
+    }
+    let excess = excess(best, other);
+    (excess < BEYOND_CHANCE * BEYOND_CHANCE).then_some(Rival { values, excess })
+}
+
+/// Returns by how much the sum of squares of `other` exceeds that of `one`, on the points that count
+/// in both. Where the noise is not known it is the excess of the same likelihood,
+/// `nu ln(S_other/S_one)` with the sums `S` and the degrees of freedom `nu`.
+fn excess(one: &Minimum<'_>, other: &Minimum<'_>) -> f64 {
+    let one = &one.problem;
+    let mut other = other.problem.clone();
+    for (other, one) in other.assigned.iter_mut().zip(&one.assigned) {
+        other.noise = one.noise;
+        other.abscissa_parts.clone_from(&one.abscissa_parts);
+    }
+    let [Some(of_one), Some(of_other)] = [one, &other].map(squares) else {
+        return f64::NAN;
+    };
+    let mut excess = of_other.1 - of_one.1;
+    for (e, (ours, theirs)) in of_one.0.iter().zip(&of_other.0).enumerate() {
+        let (mut sums, mut count) = ([0.0, 0.0], 0);
+        for (ours, theirs) in ours.iter().zip(theirs) {
+            if let (Some(ours), Some(theirs)) = (ours, theirs) {
+                sums = [sums[0] + ours, sums[1] + theirs];
+                count += 1;
+            }
+        }
+        excess += if has_known_scale(one, e) {
+            sums[1] - sums[0]
+        } else {
+            let freedom = usize::max(count, one.slots.len() + 1) - one.slots.len();
+            freedom as f64 * (sums[1] / sums[0]).ln()
+        };
+    }
+    excess
+}
+
+/// Returns the parts of the sum of squares of each point of each experiment, `None` where it does
+/// not count, and that of the priors.
+fn squares(problem: &Problem<'_>) -> Option<(Vec<Vec<Option<f64>>>, f64)> {
+    let residuals = problem.residuals()?;
+    let mut parts = residuals.iter().map(|residual| residual * residual);
+    let points = problem.assigned.iter().map(|assigned| {
+        let branches = assigned.branches.iter();
+        let part = |branch: &Branch| (*branch != Branch::LeftOut).then(|| parts.next())?;
+        branches.map(part).collect()
+    });
+    let points = points.collect();
+    Some((points, parts.sum()))
+}

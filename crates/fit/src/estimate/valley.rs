@@ -1,0 +1,159 @@
+//! The valley of the sum of squares along one value, away from a minimum.
+
+use super::minima::MARGIN;
+use super::problem::{Ending, Problem};
+use super::profile::with_fixed;
+use super::search::thin;
+use super::uncertainty::{UNDETERMINED, Uncertainty};
+use crate::{Bodies, Prior};
+
+/// The relative error of a positive value from which on its valley is looked at: below it the
+/// problem is linear as far as the data allow the value to move.
+const DOUBTFUL: f64 = 0.03;
+/// The first step of a logarithm, the factor from one step to the next, the largest step, and the
+/// farthest distance.
+const STEP: f64 = 0.3;
+const GROWTH: f64 = 1.6;
+const LARGEST_STEP: f64 = 1.2;
+const FARTHEST: f64 = 8.0;
+/// The most evaluations over the number of parameters + 1 of one fit.
+const PATIENCE: usize = 6;
+/// The sum of squares falls if it is below this part of that of the step before.
+const FALLS: f64 = 0.999;
+/// The distance, in standard errors, at which a standard error is tested, and the least growth of
+/// the sum of squares there. It is the square of the distance if the problem is linear.
+const TESTED: f64 = 5.0;
+const LEAST_GROWTH: f64 = 16.0;
+
+/// A value that may be farther away than its standard error says.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Bend {
+    /// The number of the slot.
+    pub slot: usize,
+    /// The value at [`Bend::DISTANCE`] standard errors.
+    pub value: f64,
+    /// The growth of the sum of squares there, instead of the square of the distance.
+    pub growth: f64,
+}
+
+impl Bend {
+    pub const DISTANCE: f64 = TESTED;
+}
+
+/// Lists the positive values with large errors, that of the largest error first. On a stack of
+/// layers each step would need further solves; none is listed.
+pub(super) fn doubtful(problem: &Problem<'_>, uncertainty: &Uncertainty) -> Vec<usize> {
+    let mut bodies = problem.assigned.iter().map(|one| &one.experiment.bodies);
+    if !bodies.all(Bodies::has_derivatives) {
+        return Vec::new();
+    }
+    let is_positive = |slot: &usize| problem.slots[*slot].parameter.is_positive();
+    let error = |slot: usize| uncertainty.relative_error(slot);
+    let mut slots: Vec<usize> = (0..problem.slots.len())
+        .filter(is_positive)
+        .filter(|&slot| error(slot) > DOUBTFUL)
+        .collect();
+    slots.sort_by(|&one, &other| error(other).total_cmp(&error(one)));
+    slots
+}
+
+/// Follows the valley of a value on both sides: the value moves away, and all others follow it.
+/// Returns the place on each side from which the sum of squares falls again, or else the lowest one
+/// beyond [`TESTED`] standard errors, if chance could explain its sum of squares; and the number of
+/// evaluations.
+pub(super) fn other_sides<'a>(
+    problem: &Problem<'a>,
+    slot: usize,
+    error: f64,
+) -> (Vec<Problem<'a>>, usize) {
+    let mut evaluations = 0;
+    let (start, least) = (problem.value(slot), problem.misfit());
+    let mut found = Vec::new();
+    for side in [-1.0, 1.0] {
+        let mut current = problem.clone();
+        let (mut last, mut lowest) = (least, None::<(f64, Problem<'a>)>);
+        let (mut distance, mut step) = (STEP, STEP);
+        while distance < FARTHEST {
+            let value = start * (side * distance).exp();
+            let Some(at) = with_fixed(&mut current, slot, value, PATIENCE) else {
+                break;
+            };
+            evaluations += at.evaluations;
+            let falls = at.misfit < FALLS * last;
+            let is_lowest = lowest
+                .as_ref()
+                .is_none_or(|(misfit, _)| at.misfit < *misfit);
+            if falls || (distance > TESTED * error && is_lowest && at.misfit < least + MARGIN) {
+                lowest = Some((at.misfit, current.clone()));
+            }
+            if falls {
+                break;
+            }
+            last = at.misfit;
+            step = (GROWTH * step).min(LARGEST_STEP);
+            distance += step;
+        }
+        if let Some((_, mut place)) = lowest
+            && place.update().is_ok()
+        {
+            found.push(place);
+        }
+    }
+    (found, evaluations)
+}
+
+/// Finds a value whose standard error says too little: at [`TESTED`] of them, with the best other
+/// values, the ordinates differ from those of the fit by too little. It takes few of the points.
+pub(super) fn bend(problem: &Problem<'_>, uncertainty: &Uncertainty) -> (Option<Bend>, usize) {
+    let (mut evaluations, mut worst) = (0, None::<Bend>);
+    let slots = doubtful(problem, uncertainty);
+    if slots.is_empty() {
+        return (None, 0);
+    }
+    let exact = exact(problem);
+    let part = exact.rows().count() as f64 / problem.rows().count() as f64;
+    for slot in slots {
+        let error = uncertainty.relative_error(slot);
+        if error > UNDETERMINED {
+            continue;
+        }
+        for side in [-1.0, 1.0] {
+            let mut current = exact.clone();
+            let value = problem.value(slot) * (side * TESTED * error).exp();
+            let at = with_fixed(&mut current, slot, value, PATIENCE);
+            let Some(at) = at.filter(|at| at.ending != Ending::Failed) else {
+                continue;
+            };
+            evaluations += at.evaluations;
+            let growth = at.misfit / part / uncertainty.growth.powi(2);
+            if growth < worst.map_or(LEAST_GROWTH, |worst| worst.growth) {
+                worst = Some(Bend {
+                    slot,
+                    value,
+                    growth,
+                });
+            }
+        }
+    }
+    (worst, evaluations)
+}
+
+/// Returns the problem on few points, with the ordinates and the priors that the fit predicts.
+fn exact<'a>(problem: &Problem<'a>) -> Problem<'a> {
+    let mut exact = problem.clone();
+    if let Some(predicted) = &problem.predicted {
+        for (assigned, predicted) in exact.assigned.iter_mut().zip(predicted) {
+            let points = &mut assigned.experiment.measurement.points;
+            for (point, value) in points.iter_mut().zip(&predicted.values) {
+                point.ordinate = *value;
+            }
+        }
+    }
+    exact.assigned = exact.assigned.into_iter().map(thin).collect();
+    for slot in 0..exact.slots.len() {
+        let mean = exact.value(slot);
+        let prior = exact.slots[slot].prior;
+        exact.slots[slot].prior = prior.map(|prior| Prior { mean, ..prior });
+    }
+    exact
+}

@@ -1,0 +1,170 @@
+//! Intervals of the profile likelihood are nested, contain the estimate, and say why they are open.
+
+use acceptance::assert_names;
+use fit::{
+    Bodies, Estimate, Experiment, Fit, Free, Kind, Loss, Options, Parameter, Point, WarningKind,
+    fit,
+};
+use interp::{Elastic, Probe, System, Table};
+use rayon::prelude::*;
+
+use crate::drawn::Drawn;
+use crate::imagined::measurement;
+
+/// The levels of the intervals.
+const LEVELS: [f64; 4] = [0.5, 0.68, 0.95, 0.99];
+
+/// Fits an experiment with intervals of each level.
+fn fits(experiment: &Experiment, free: &[Free], loss: Loss) -> Option<Vec<Fit>> {
+    let of_level = |level: f64| {
+        let options = Options {
+            loss,
+            profile_level: Some(level),
+            ..Options::default()
+        };
+        let experiment = std::slice::from_ref(experiment);
+        fit(Table::embedded(), experiment, free, &options).ok()
+    };
+    LEVELS.into_iter().map(of_level).collect()
+}
+
+/// Asserts that the intervals contain the estimates, that those of one minimum are nested, and that
+/// a missing end has a reason. Returns the number of estimates with four intervals of one minimum.
+fn assert_sound(name: &str, fits: &[Fit]) -> usize {
+    let mut compared = 0;
+    for i in 0..fits[0].estimates.len() {
+        let all: Vec<Estimate> = fits.iter().map(|fit| fit.estimates[i]).collect();
+        for (fit, estimate) in fits.iter().zip(&all) {
+            let Some([low, high]) = estimate.profile else {
+                assert!(
+                    !fit.converged,
+                    "{name}: {} has no interval",
+                    estimate.parameter
+                );
+                continue;
+            };
+            let is_open = [low, high].iter().any(|end| !end.is_finite())
+                || (estimate.parameter.is_positive() && low == 0.0);
+            assert_eq!(
+                is_open,
+                fit.warnings.iter().any(|warning| {
+                    warning.kind == WarningKind::OpenInterval
+                        && warning
+                            .text
+                            .contains(&format!("interval of {} ", estimate.parameter))
+                }),
+                "{name}: {estimate:?}"
+            );
+            for (end, is_outside) in [(low, low > estimate.value), (high, high < estimate.value)] {
+                assert!(end.is_nan() || !is_outside, "{name}: {estimate:?}");
+            }
+        }
+        let is_one = all.windows(2).all(|pair| pair[0].value == pair[1].value);
+        let ends: Option<Vec<[f64; 2]>> = all.iter().map(|estimate| estimate.profile).collect();
+        let Some(ends) = ends.filter(|_| is_one) else {
+            continue;
+        };
+        compared += 1;
+        for pair in ends.windows(2) {
+            let ([low, high], [lower, higher]) = (pair[0], pair[1]);
+            assert!(
+                !(lower > low || higher < high),
+                "{name}, {}: {ends:?}",
+                all[0].parameter
+            );
+        }
+    }
+    compared
+}
+
+/// The data of the example of the program, with the specimen of its comment.
+fn lens() -> Experiment {
+    let text = include_str!("../../crates/fit/data/lens.csv");
+    let rows = text.lines().skip(3).zip(4..);
+    let point = |(row, line): (&str, u64)| {
+        let (radius, load) = row.split_once(',').expect("two cells");
+        let [abscissa, ordinate] = [radius, load].map(|cell| cell.parse().expect("a number"));
+        Point {
+            line,
+            abscissa,
+            ordinate,
+            direction: None,
+        }
+    };
+    let solid = |young, poisson| Elastic::new(young, poisson).expect("physical");
+    let system = System {
+        probe: Probe::Paraboloid { radius: 1e-3 },
+        sphere_modulus: 2e6,
+        film: solid(3.5e6, 0.5),
+        film_thickness: 3e-5,
+        substrate: solid(1.6e11, 0.27),
+    };
+    let measurement = measurement(Kind::LoadRadius, rows.map(point).collect());
+    let mut experiment = Experiment::new(measurement, Bodies::Coated(system));
+    experiment.work_of_adhesion = 0.04;
+    // The noise is 2e-6 N: this one is far too large, so that only small parts of it matter.
+    experiment.noise = Some(1e-4);
+    experiment
+}
+
+#[test]
+fn four_values_of_a_lens_with_a_robust_loss_have_nested_intervals() {
+    let all = [
+        Parameter::SphereModulus,
+        Parameter::FilmModulus,
+        Parameter::FilmThickness,
+        Parameter::WorkOfAdhesion,
+        Parameter::LoadOffset,
+    ];
+    let mut compared = 0;
+    for fixed in all {
+        let free = all.iter().filter(|one| **one != fixed);
+        let free: Vec<Free> = free.copied().map(Free::new).collect();
+        let fits = fits(&lens(), &free, Loss::HUBER).expect("sound data");
+        compared += assert_sound(&format!("lens without {fixed}"), &fits);
+    }
+    println!("{compared} of 20 compared");
+    assert!(compared >= 12, "{compared}");
+}
+
+#[test]
+fn intervals_of_random_fits_are_nested() {
+    let one = |seed: u64| {
+        let mut drawn = Drawn::new(seed);
+        let loss = [Loss::Squares, Loss::HUBER, Loss::SOFT_L1][seed as usize % 3];
+        if seed % 4 == 0 {
+            drawn.experiment.noise = drawn.experiment.noise.map(|noise| 50.0 * noise);
+        }
+        let fits = fits(&drawn.experiment, &drawn.free, loss);
+        fits.map_or(0, |fits| assert_sound(&format!("seed {seed}"), &fits))
+    };
+    let compared: usize = (0..60).into_par_iter().map(one).sum();
+    println!("{compared} values compared");
+    assert!(compared > 90, "{compared}");
+}
+
+#[test]
+fn an_open_interval_gives_the_reason() {
+    let free = [
+        Parameter::FilmModulus,
+        Parameter::FilmThickness,
+        Parameter::WorkOfAdhesion,
+        Parameter::LoadOffset,
+    ]
+    .map(Free::new);
+    let fits = fits(&lens(), &free, Loss::HUBER).expect("sound data");
+    let warning = fits[3]
+        .warnings
+        .iter()
+        .find(|one| one.kind == WarningKind::OpenInterval);
+    assert_names(
+        &warning.expect("no lower limit").text,
+        &[
+            "interval of film-",
+            "has no ",
+            " end: ",
+            " Pa",
+            "give it a prior",
+        ],
+    );
+}

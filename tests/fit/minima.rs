@@ -1,0 +1,268 @@
+//! The verdict of a fit does not depend on where it starts, and a wrong one is never without a
+//! warning.
+
+use std::f64::consts::PI;
+
+use acceptance::assert_names;
+use fit::{Fit, Free, Options, Parameter, WarningKind, fit};
+use interp::Table;
+use rayon::prelude::*;
+
+use crate::drawn::Drawn;
+
+/// The probability of a normal number beyond 5 standard deviations.
+const CHANCE: f64 = 5.733e-7;
+/// Experiments of which the first start alone leads to a wrong minimum, or to a minimum whose
+/// standard errors do not reach the truth.
+const HARD: [u64; 22] = [
+    197, 971, 1394, 1889, 1967, 1974, 2185, 2200, 2266, 2888, 3280, 3381, 3466, 3469, 3505, 3589,
+    3645, 3707, 4043, 4075, 4157, 4871,
+];
+
+/// Tells whether a warning is a doubt about the minimum or its errors.
+fn is_doubt(kind: WarningKind) -> bool {
+    use WarningKind::{
+        AtBound, EndOfTable, LeftOut, NonlinearError, NotConverged, PoorFit, SeveralMinima,
+        StructuredResiduals, Undetermined,
+    };
+    [
+        AtBound,
+        EndOfTable,
+        LeftOut,
+        NonlinearError,
+        NotConverged,
+        PoorFit,
+        SeveralMinima,
+        StructuredResiduals,
+        Undetermined,
+    ]
+    .contains(&kind)
+}
+
+fn fit_of(drawn: &Drawn, free: &[Free]) -> Result<Fit, fit::Error> {
+    let experiment = std::slice::from_ref(&drawn.experiment);
+    fit(Table::embedded(), experiment, free, &Options::default())
+}
+
+/// Returns by how many standard errors the worst estimate is off.
+fn worst(drawn: &Drawn, found: &Fit) -> f64 {
+    let off = |estimate: &fit::Estimate| {
+        let truth = drawn.truth.get(estimate.parameter).expect("a value");
+        let (value, error) = (estimate.value, estimate.standard_error);
+        if estimate.parameter.is_positive() {
+            ((value / truth).ln() * value / error).abs()
+        } else {
+            ((value - truth) / error).abs()
+        }
+    };
+    found.estimates.iter().map(off).fold(0.0, f64::max)
+}
+
+/// Returns the number of standard errors that chance exceeds as rarely as 5 of a normal number: the
+/// quantile of Student's distribution where the noise is estimated.
+fn limit(drawn: &Drawn, found: &Fit) -> f64 {
+    if drawn.truth.noise.is_some() {
+        return 5.0;
+    }
+    let freedom = found.degrees_of_freedom.max(1) as f64;
+    let [mut low, mut high] = [1.0_f64, 1e7];
+    for _ in 0..60 {
+        let middle = (low * high).sqrt();
+        if tail(freedom, middle) > 0.5 * CHANCE {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    high
+}
+
+/// Returns the probability of Student's distribution above `t`, by the midpoint rule in `t/s`.
+fn tail(freedom: f64, t: f64) -> f64 {
+    const STEPS: usize = 2000;
+    let density = |s: f64| (1.0 + s * s / freedom).powf(-0.5 * (freedom + 1.0));
+    let scale =
+        (ln_gamma(0.5 * (freedom + 1.0)) - ln_gamma(0.5 * freedom)).exp() / (freedom * PI).sqrt();
+    let part = |i: usize| {
+        let u = (i as f64 + 0.5) / STEPS as f64;
+        density(t / u) * t / (u * u * STEPS as f64)
+    };
+    scale * (0..STEPS).map(part).sum::<f64>()
+}
+
+/// Stirling's series.
+fn ln_gamma(x: f64) -> f64 {
+    if x < 10.0 {
+        return ln_gamma(x + 1.0) - x.ln();
+    }
+    (x - 0.5) * x.ln() - x + 0.5 * (2.0 * PI).ln() + 1.0 / (12.0 * x) - 1.0 / (360.0 * x.powi(3))
+}
+
+#[test]
+fn students_distribution_is_that_of_tables() {
+    for (freedom, t, expected) in [
+        (1.0, 12.706, 0.025),
+        (5.0, 4.032, 0.005),
+        (30.0, 3.646, 5e-4),
+    ] {
+        let found = tail(freedom, t);
+        assert!((found / expected - 1.0).abs() < 1e-3, "{freedom}: {found}");
+    }
+}
+
+/// What became of some fits.
+#[derive(Default)]
+struct Count {
+    fits: usize,
+    refused: usize,
+    doubted: usize,
+    several: usize,
+    values: usize,
+    missed_with_doubt: usize,
+    missed: Vec<u64>,
+}
+
+/// Fits the experiments of some seeds.
+fn count(seeds: impl IntoParallelIterator<Item = u64>) -> Count {
+    let one = |seed: u64| {
+        let drawn = Drawn::new(seed);
+        let mut count = Count::default();
+        let Ok(found) = fit_of(&drawn, &drawn.free) else {
+            count.refused = 1;
+            return count;
+        };
+        let is_missed = worst(&drawn, &found) > limit(&drawn, &found);
+        let is_doubted = found.warnings.iter().any(|warning| is_doubt(warning.kind));
+        count.fits = 1;
+        count.values = found.estimates.len();
+        count.doubted = usize::from(is_doubted);
+        count.several = usize::from(found.warns_of(WarningKind::SeveralMinima));
+        count.missed_with_doubt = usize::from(is_missed && is_doubted);
+        if is_missed && !is_doubted {
+            count.missed.push(seed);
+        }
+        count
+    };
+    let sum = |mut a: Count, b: Count| {
+        a.fits += b.fits;
+        a.refused += b.refused;
+        a.doubted += b.doubted;
+        a.several += b.several;
+        a.values += b.values;
+        a.missed_with_doubt += b.missed_with_doubt;
+        a.missed.extend(b.missed);
+        a
+    };
+    seeds.into_par_iter().map(one).reduce(Count::default, sum)
+}
+
+/// Asserts that no more values are missed without a doubt than chance explains.
+fn assert_honest(name: &str, count: &Count) {
+    let expected = CHANCE * count.values as f64;
+    println!(
+        "{name}: {} fits, {} refused, {} with a doubt ({} several minima); of {} values {} are more \
+         than 5 standard errors off with a doubt, {:?} without; chance gives {expected:.3}",
+        count.fits,
+        count.refused,
+        count.doubted,
+        count.several,
+        count.values,
+        count.missed_with_doubt,
+        count.missed
+    );
+    assert!(
+        count.missed.is_empty() && expected < 0.1,
+        "{name}: {:?}",
+        count.missed
+    );
+}
+
+#[test]
+fn hard_fits_find_the_truth_or_are_doubted() {
+    assert_honest("hard", &count(HARD.to_vec()));
+}
+
+#[test]
+fn random_fits_find_the_truth_or_are_doubted() {
+    assert_honest("random", &count(10_000..10_150));
+}
+
+/// The full search, some minutes:
+/// `cargo xtask cargo test --release --workspace --test fit -- --ignored --nocapture five_thousand`.
+#[test]
+#[ignore = "takes minutes"]
+fn five_thousand_random_fits_find_the_truth_or_are_doubted() {
+    assert_honest("5000", &count(0..5000));
+}
+
+#[test]
+fn starts_do_not_decide() {
+    // The same data from the truth, and from the moduli and thicknesses of another sample.
+    for seed in HARD {
+        let drawn = Drawn::new(seed);
+        let from = |factor: f64| -> Vec<Free> {
+            let start = |one: &Free| match one.parameter {
+                parameter @ (Parameter::FilmModulus | Parameter::FilmThickness) => {
+                    one.starting_from(factor * drawn.truth.get(parameter).expect("a value"))
+                }
+                _ => *one,
+            };
+            drawn.free.iter().map(start).collect()
+        };
+        let Ok(found) = fit_of(&drawn, &drawn.free) else {
+            continue;
+        };
+        for factor in [0.2, 1.0, 5.0] {
+            let Ok(other) = fit_of(&drawn, &from(factor)) else {
+                continue;
+            };
+            let pairs = found.estimates.iter().zip(&other.estimates);
+            let same = pairs
+                .into_iter()
+                .all(|(one, other)| (one.value - other.value).abs() < 0.1 * one.standard_error);
+            let doubted = [&found, &other]
+                .map(|fit| fit.warnings.iter().any(|warning| is_doubt(warning.kind)));
+            assert!(
+                same || doubted == [true; 2],
+                "{seed}, {factor}: {:?} {:?}, {:?} {:?}",
+                found.estimates,
+                found.warnings,
+                other.estimates,
+                other.warnings
+            );
+        }
+    }
+}
+
+#[test]
+fn another_minimum_is_named_with_its_values() {
+    let drawn = Drawn::new(4043);
+    let found = fit_of(&drawn, &drawn.free).expect("sound");
+    let of_kind = |kind| {
+        let warnings = found.warnings.iter();
+        warnings
+            .clone()
+            .filter(move |warning| warning.kind == kind)
+            .count()
+    };
+    assert!(
+        of_kind(WarningKind::SeveralMinima) > 0,
+        "{:?}",
+        found.warnings
+    );
+    let warning = found
+        .warnings
+        .iter()
+        .find(|warning| warning.kind == WarningKind::SeveralMinima);
+    assert_names(
+        &warning.expect("just seen").text,
+        &[
+            "another minimum",
+            "chi^2",
+            "sphere-modulus",
+            "film-modulus",
+            "Pa",
+            "prior",
+        ],
+    );
+}
