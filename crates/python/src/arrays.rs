@@ -5,7 +5,7 @@ use std::ops::Range;
 use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::exceptions::{PyMemoryError, PyValueError};
 use pyo3::prelude::*;
-use rayon::prelude::*;
+use tabulate::parallel;
 
 use crate::error::Failure;
 
@@ -61,10 +61,7 @@ impl Points {
         Failure: From<E>,
     {
         self.in_blocks(py, inputs, 1 << 12, |values, block| {
-            let results = block
-                .into_par_iter()
-                .map(|index| function(values.at(index)));
-            results.collect::<Vec<_>>().into_iter()
+            parallel::map(block, |index| function(values.at(index))).into_iter()
         })
     }
 

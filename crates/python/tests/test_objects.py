@@ -133,7 +133,7 @@ def test_controls(contact):
 
 def test_tables_tell_what_they_are():
     table = Table.open(HDF5)
-    assert table.quantities == ("pi0", "eeq", "gamma", "delta0")
+    assert table.held == ("pi0", "eeq", "gamma", "delta0")
     assert list(table.axes) == ["a_over_t", "e1_over_e2", "nu1", "e0_over_e2"]
     assert table.axes["nu1"].tolist() == [0.5]
     assert 0 < table.median_error < table.max_error < table.tolerance

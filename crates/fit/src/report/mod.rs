@@ -2,8 +2,9 @@
 //!
 //! [`report`] is what `tabulate fit` prints, and what Python's `print(fit(...))` shows;
 //! [`expected`] is the same for the errors of a planned experiment. `unit` chooses units and
-//! digits.
+//! digits. [`jkr_plot`] returns the points of the reduced JKR plot.
 
+mod jkr_plot;
 mod unit;
 
 use std::borrow::Cow;
@@ -11,6 +12,7 @@ use std::fmt::{self, Write};
 
 use interp::Probe;
 
+pub use self::jkr_plot::{JkrPlotPoint, jkr_plot};
 pub use self::unit::UnitOf;
 use self::unit::{decimals, scaled, unit, with_error};
 use crate::data::{Notes, Source};

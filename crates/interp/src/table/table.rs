@@ -1,9 +1,9 @@
 //! The table: its axes, its values, their description, and their interpolation for one material.
 
 use std::borrow::Cow;
-use std::sync::OnceLock;
 
 use crate::curve::nodes::REASONABLE;
+use crate::once::Once;
 use crate::table::axes::Axes;
 use crate::table::lookup::Lookup;
 use crate::table::tensor_spline::TensorSpline;
@@ -23,7 +23,7 @@ pub struct Table {
     axes: Axes,
     content: Content,
     /// Made at the first interpolation, because some tables are read only to be written elsewhere.
-    lookup: OnceLock<Lookup>,
+    lookup: Once<Lookup>,
 }
 
 /// The values of a table in one of two forms.
@@ -99,7 +99,7 @@ impl Table {
             description,
             axes,
             content: Content::Dense(values),
-            lookup: OnceLock::new(),
+            lookup: Once::new(),
         })
     }
 
@@ -128,7 +128,7 @@ impl Table {
             description,
             axes,
             content: Content::LowRank(tiles),
-            lookup: OnceLock::new(),
+            lookup: Once::new(),
         })
     }
 

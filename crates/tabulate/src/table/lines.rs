@@ -11,7 +11,7 @@ use rand_pcg::Pcg64Mcg;
 use rayon::prelude::*;
 
 use crate::Error;
-use crate::parallel::try_map;
+use crate::parallel::{on_all_cores, try_map};
 use crate::solve::larger;
 use crate::solve::tabulated::Tabulated;
 use crate::stack::NamedStack;
@@ -196,7 +196,7 @@ impl Lines {
                 }
                 largest_difference(&splines, truth)
             });
-        errors.reduce(|| 0.0, larger)
+        on_all_cores(|| errors.reduce(|| 0.0, larger))
     }
 }
 
