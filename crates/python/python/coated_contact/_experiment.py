@@ -171,7 +171,9 @@ def _is_planned(abscissa: Any, ordinate: Any) -> bool:
 
     ``dataclasses.replace(plan, abscissa=...)`` gives these.
     """
-    return np.shape(abscissa) != np.shape(ordinate) and bool(np.isnan(real("ordinate", ordinate)).all())
+    return np.shape(abscissa) != np.shape(ordinate) and bool(
+        np.isnan(real("ordinate", ordinate)).all()
+    )
 
 
 def _fixed(array: NDArray[Any]) -> NDArray[Any]:

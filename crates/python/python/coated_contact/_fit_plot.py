@@ -25,7 +25,10 @@ QUANTITIES = {
     "load-penetration": (("penetration", "m"), ("load", "N")),
     "force-height": (("height", "m"), ("force", "N")),
 }
-JKR = (r"$a^{3/2} / (\sqrt{\pi}\, R)$  (m$^{1/2}$)", r"$F / (\sqrt{6\pi}\, a^{3/2})$  (N m$^{-3/2}$)")
+JKR = (
+    r"$a^{3/2} / (\sqrt{\pi}\, R)$  (m$^{1/2}$)",
+    r"$F / (\sqrt{6\pi}\, a^{3/2})$  (N m$^{-3/2}$)",
+)
 # The prefixes of units: powers of a thousand.
 PREFIXES = {9: "G", 6: "M", 3: "k", 0: "", -3: "m", -6: "µ", -9: "n", -12: "p", -15: "f"}
 
@@ -93,9 +96,9 @@ def draw(experiments: tuple[FittedExperiment, ...], kind: PlotKind, ax: Axes | N
         ax.set_xlabel(JKR[0])
         ax.set_ylabel(JKR[1])
     else:
-        x, y = QUANTITIES[experiments[0].kind]
-        _scale(ax, "x", *x, [curve.x for curve in curves])
-        _scale(ax, "y", *y, [curve.data for curve in curves])
+        abscissa, ordinate = QUANTITIES[experiments[0].kind]
+        _scale(ax, "x", *abscissa, [curve.x for curve in curves])
+        _scale(ax, "y", *ordinate, [curve.data for curve in curves])
     # Each name once.
     handles, labels = ax.get_legend_handles_labels()
     named = dict(zip(labels, handles, strict=True))
@@ -114,12 +117,12 @@ def _curve(one: FittedExperiment, kind: PlotKind) -> Curve:
     retract = branch == "receding" if one.retract is None else one.retract
     used = ~np.isnan(one.fit) & ~one.outlier
     if kind == "data":
-        columns = (one.abscissa, one.ordinate, one.fit, one.without_film)
-        return Curve(*columns, branch, retract, used)
+        x, data, fit, without = one.abscissa, one.ordinate, one.fit, one.without_film
+        return Curve(x, data, fit, without, branch, retract, used)
     plot = one.jkr()
     there = ~np.isnan(plot["jkr_abscissa"])
-    columns = tuple(column[there] for column in plot.values())
-    return Curve(*columns, branch[there], retract[there], used[there])
+    x, data, fit, without = (column[there] for column in plot.values())
+    return Curve(x, data, fit, without, branch[there], retract[there], used[there])
 
 
 def _scale(ax: Axes, axis: Literal["x", "y"], name: str, unit: str, values: list[Array]) -> None:

@@ -114,7 +114,7 @@ class FittedExperiment(OneLine):
         return self.ordinate - self.fit
 
     def jkr(self) -> dict[str, Array]:
-        """Return the points in the reduced JKR plot, where a contact without film is a straight line.
+        """Return the points in the reduced JKR plot, a straight line for a contact without film.
 
         Returns
         -------

@@ -59,7 +59,9 @@ pub fn jkr_figure(fit: &Fit, experiments: &[Experiment]) -> Result<Figure, ::fit
         marks.filter_map(value)
     };
     let x = Scale::power("a^{3/2} / (√π R)", "m^{1/2}", values(|mark| Some(mark.x)));
-    let ordinates = values(|mark| Some(mark.y)).chain(values(|mark| mark.fit));
+    let ordinates = values(|mark| Some(mark.y))
+        .chain(values(|mark| mark.fit))
+        .chain(values(|mark| mark.without_film));
     let y = Scale::power("F / (√6π a^{3/2})", "N m^{−3/2}", ordinates);
     let what = without_what(experiments);
     let panel = data_panel("Reduced JKR plot: data and fit", &x, &y, &members, what);
@@ -253,12 +255,16 @@ fn data_panel(title: &str, x: &Scale, y: &Scale, members: &[Drawn<'_>], without:
         let is = move |mark: &&Mark| mark.used && mark.retract == retract;
         first.marks.iter().any(|mark| is(&mark))
     });
-    if directions == [true, true] {
-        for (retract, text) in [(false, "approach"), (true, "retract")] {
-            let of = |mark: &&Mark| mark.used && mark.retract == retract;
-            let Some(mark) = first.marks.iter().find(of) else {
-                continue;
-            };
+    let texts = match directions {
+        [true, true] => ["approach", "retract"],
+        _ => ["data", "data"],
+    };
+    for (retract, text) in [false, true].into_iter().zip(texts) {
+        let of = |mark: &&Mark| mark.used && mark.retract == retract;
+        // Of several experiments each has its name.
+        if let Some(mark) = first.marks.iter().find(of)
+            && (members.len() == 1 || text != "data")
+        {
             let (colour, _) = style(first, mark, members.len());
             let is = |mark: &Mark| of(&mark).then_some(mark.y);
             name(&is, text, colour, Side::Below);
