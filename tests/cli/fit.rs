@@ -462,7 +462,7 @@ fn a_fit_that_cannot_be_made_is_an_error_that_names_the_reason() {
         ),
         (&["one.csv"], 1, &["point"]),
         (&["constant.csv"], 1, &["constant.csv, column 2", "-0.0002"]),
-        (&["empty.csv"], 1, &["empty.csv", "two numbers"]),
+        (&["empty.csv"], 1, &["empty.csv", "the file is empty"]),
         (
             &["gel.csv"],
             1,

@@ -252,10 +252,10 @@ fn the_report_lists_the_layers() {
     workdir.write("data.csv", simulated(&workdir, "1e-6", &["--points", "15"]));
     let report = workdir.succeed(&["fit", "data.csv", "--stack", "stack.toml"]);
     for line in [
-        "  base-modulus              200 GPa\n",
-        "  primer.modulus            500 kPa\n",
+        "  base-modulus              200 GPa, Young's modulus\n",
+        "  primer.modulus            500 kPa, Young's modulus\n",
         "  primer.thickness          2.5 um\n",
-        "  layer-2.modulus           3.5 MPa\n",
+        "  layer-2.modulus           3.5 MPa, Young's modulus\n",
         "  layer-2.thickness         7.5 um\n",
         "\n  sphere-modulus  ",
         "\nthe layers matter: sphere-modulus is off by -",

@@ -31,8 +31,21 @@ impl<T> Once<T> {
         }
     }
 
+    /// Returns the value if it is made.
+    #[inline]
+    pub fn get(&self) -> Option<&T> {
+        self.value.get()
+    }
+
     /// Returns the value. The first call makes it; calls in other threads of this process wait.
+    #[inline]
     pub fn get_or_init(&self, make: impl FnOnce() -> T) -> &T {
+        self.get().unwrap_or_else(|| self.make(make))
+    }
+
+    /// Makes the value, or waits for it.
+    #[cold]
+    fn make(&self, make: impl FnOnce() -> T) -> &T {
         loop {
             if let Some(value) = self.value.get() {
                 return value;
@@ -50,6 +63,15 @@ impl<T> Once<T> {
                 let made = make();
                 return self.value.get_or_init(|| made);
             }
+        }
+    }
+}
+
+impl<T> From<T> for Once<T> {
+    fn from(value: T) -> Self {
+        Self {
+            value: OnceLock::from(value),
+            maker: AtomicU32::new(0),
         }
     }
 }

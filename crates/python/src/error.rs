@@ -45,7 +45,7 @@ impl Failure {
     }
 
     /// An error of the class `class` with a message.
-    fn of_words(class: &'static str, message: &str) -> Self {
+    pub fn of_words(class: &'static str, message: &str) -> Self {
         Self {
             class,
             message: message.to_owned(),

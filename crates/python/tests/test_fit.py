@@ -228,3 +228,15 @@ def test_any_number_gives_a_fit_or_an_error(value):
         except ContactError:
             continue
         assert np.all(np.isfinite(list(found.params.values())))
+
+
+def test_young_s_modulus_of_the_sphere_follows_from_the_reduced_one():
+    found = fit(lens(1), WANTED)
+    (young,) = found.young_modulus_of_sphere(0.5)
+    assert young.parameter == "sphere_young_modulus"
+    assert young.value == 0.75 * found.params["sphere_modulus"]
+    assert young.standard_error == 0.75 * found.stderr["sphere_modulus"]
+    with pytest.raises(FitError, match="poisson_ratio = 0.6"):
+        found.young_modulus_of_sphere(0.6)
+    with pytest.raises(FitError, match='free "sphere_modulus"'):
+        fit(lens(1), ["work_of_adhesion"]).young_modulus_of_sphere(0.5)

@@ -67,66 +67,6 @@ impl Role {
         }
     }
 
-    /// Returns the headings that are recognised, in lower case without unit and direction, the
-    /// preferred one first.
-    pub(super) const fn headings(self) -> &'static [&'static str] {
-        match self {
-            Self::ContactRadius => &["contact radius", "radius of contact", "radius", "a"],
-            Self::Load => &[
-                "load",
-                "force",
-                "normal load",
-                "normal force",
-                "applied load",
-                "applied force",
-                "f",
-                "fn",
-                // A deflection in newtons is a force.
-                "vertical deflection",
-                "vdeflection",
-                "deflection",
-            ],
-            Self::Penetration => &[
-                "penetration",
-                "penetration depth",
-                "indentation",
-                "indentation depth",
-                "displacement",
-                "depth",
-                "delta",
-                "\u{3b4}",
-            ],
-            Self::Height => &[
-                "height measured",
-                "measured height",
-                "height sensor",
-                "capacitive sensor height",
-                "capacitivesensorheight",
-                "z sensor",
-                "z sense",
-                "zsnsr",
-                "height",
-                "z height",
-                "height piezo",
-                "piezo height",
-                "piezo position",
-                "piezo",
-                "z piezo",
-                "z",
-            ],
-            Self::Deflection => &[
-                "deflection",
-                "defl",
-                "calc defl",
-                "cantilever deflection",
-                "vertical deflection",
-                "vdeflection",
-                "cantilever",
-            ],
-            Self::Segment => &["segment", "phase", "direction"],
-        }
-    }
-
     /// Tells whether a heading without a unit is in SI units: the names that this program and the
     /// Python package afmformats write.
     pub(super) fn is_si(self, heading: &str) -> bool {

@@ -65,6 +65,18 @@ pub struct Estimate {
 }
 
 impl Estimate {
+    /// Returns Young's modulus of the sphere from this estimate of its reduced modulus, with its
+    /// errors: `E2 = E2* (1 - nu2^2)`, with the Poisson ratio `nu2` taken as exact.
+    pub fn young_of_sphere(&self, poisson_ratio: f64) -> Self {
+        let factor = 1.0 - poisson_ratio * poisson_ratio;
+        Self {
+            value: factor * self.value,
+            standard_error: factor * self.standard_error,
+            profile: self.profile.map(|ends| ends.map(|end| factor * end)),
+            ..*self
+        }
+    }
+
     /// Returns the interval of `deviations` standard errors on both sides: `value +- z error`, or
     /// for a positive parameter the same on its logarithm, `value exp(+- z error/value)`.
     pub fn interval(&self, deviations: f64) -> [f64; 2] {

@@ -154,6 +154,9 @@ pub struct Experiment {
     pub measurement: Measurement,
     /// Sphere, film and substrate.
     pub bodies: Bodies,
+    /// The Poisson ratio of the sphere, if it is known. Contacts need the reduced modulus only; a
+    /// report then tells Young's modulus of the sphere, too.
+    pub sphere_poisson_ratio: Option<f64>,
     /// The work of adhesion, J/m^2; 0 is a contact without adhesion.
     pub work_of_adhesion: f64,
     /// The work of adhesion on retract, J/m^2; `None` is that of approach. Points without a
@@ -181,6 +184,7 @@ impl Experiment {
         Self {
             measurement,
             bodies,
+            sphere_poisson_ratio: None,
             work_of_adhesion: 0.0,
             work_of_adhesion_receding: None,
             load_offset: 0.0,

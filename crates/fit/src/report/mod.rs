@@ -62,7 +62,7 @@ fn write_report(
 ) -> Result<String, fmt::Error> {
     let mut out = String::new();
     for (experiment, notes) in experiments.iter().zip(notes) {
-        writeln!(out, "{}", read(&experiment.measurement, notes))?;
+        writeln!(out, "{}", reading(&experiment.measurement, notes))?;
     }
     writeln!(out, "\nfixed")?;
     for (name, value) in fixed(fit, &experiments[0]) {
@@ -83,6 +83,9 @@ fn write_report(
         .map(|one| one.name.as_str())
         .collect();
     estimates(&mut out, &fit.estimates, &fit.correlation, &files, asked)?;
+    if let Some(young) = young_of_sphere(fit, &experiments[0], asked) {
+        writeln!(out, "\n{:<1$} {young}", "sphere", NAME + 2)?;
+    }
     writeln!(out, "\n{}", agreement(fit))?;
     if let Some(text) = film(fit, &experiments[0].bodies) {
         writeln!(out, "{text}")?;
@@ -97,8 +100,8 @@ fn write_report(
     Ok(out)
 }
 
-/// Says how a file was read.
-fn read(measurement: &Measurement, notes: &Notes) -> String {
+/// Returns how a file was read, in one line.
+pub fn reading(measurement: &Measurement, notes: &Notes) -> String {
     let mut columns: Vec<String> = notes.columns.iter().map(column).collect();
     columns.dedup();
     let mut text = format!(
@@ -110,11 +113,18 @@ fn read(measurement: &Measurement, notes: &Notes) -> String {
     if !columns.is_empty() {
         text += &format!("; {}", columns.join(", "));
     }
+    if notes.blocks > 1 {
+        text += &format!("; {} times headings with rows below them", notes.blocks);
+    }
     if notes.split {
         text += "; split at the largest load";
     }
+    for value in notes.from_head() {
+        text += &format!("; {value}");
+    }
     for (count, what) in [
         (notes.missing, "without values"),
+        (notes.pauses, "of a pause"),
         (notes.other_segments, "of another segment"),
     ] {
         if count > 0 {
@@ -130,7 +140,16 @@ fn column(source: &Source) -> String {
     } else {
         ""
     };
-    format!("{} from {:?}{unit}", source.role.name(), source.heading)
+    let sign = if source.factor < 0.0 {
+        " with a minus"
+    } else {
+        ""
+    };
+    format!(
+        "{} from {:?}{unit}{sign}",
+        source.role.name(),
+        source.heading
+    )
 }
 
 /// Returns the values that are not fitted. Zeros of the instrument that are 0 are left out.
@@ -149,10 +168,11 @@ fn fixed(fit: &Fit, experiment: &Experiment) -> Vec<(Cow<'static, str>, String)>
     if let Some(radius) = probe.radius() {
         rows.push(("sphere-radius".into(), text(radius, "m")));
     }
+    let young = |value: f64| format!("{}, Young's modulus", text(value, "Pa"));
     if let Bodies::Coated(system) = &experiment.bodies {
         rows.push((
             "substrate-modulus".into(),
-            text(system.substrate.young(), "Pa"),
+            format!("{} E0", young(system.substrate.young())),
         ));
         rows.push((
             "substrate-poisson-ratio".into(),
@@ -161,7 +181,7 @@ fn fixed(fit: &Fit, experiment: &Experiment) -> Vec<(Cow<'static, str>, String)>
     }
     let mut parameters = Parameter::ALL.to_vec();
     if let Bodies::Layered(layered) = &experiment.bodies {
-        rows.push(("base-modulus".into(), text(layered.base.young(), "Pa")));
+        rows.push(("base-modulus".into(), young(layered.base.young())));
         if layered.base.young() < f64::INFINITY {
             rows.push((
                 "base-poisson-ratio".into(),
@@ -175,7 +195,7 @@ fn fixed(fit: &Fit, experiment: &Experiment) -> Vec<(Cow<'static, str>, String)>
                 None => rows.extend([
                     (
                         format!("layer-{}.modulus", i + 1).into(),
-                        text(layer.solid.young(), "Pa"),
+                        young(layer.solid.young()),
                     ),
                     (
                         format!("layer-{}.thickness", i + 1).into(),
@@ -192,10 +212,34 @@ fn fixed(fit: &Fit, experiment: &Experiment) -> Vec<(Cow<'static, str>, String)>
             && fit.estimate(parameter).is_none()
             && (value != 0.0 || parameter.is_positive())
         {
-            rows.push((parameter.name(), text(value, parameter.unit())));
+            let label = which_modulus(parameter);
+            let value = format!("{}{label}", text(value, parameter.unit()));
+            rows.push((parameter.name(), value));
         }
     }
     rows
+}
+
+/// Says which modulus a parameter is.
+const fn which_modulus(parameter: Parameter) -> &'static str {
+    match parameter {
+        Parameter::SphereModulus => ", reduced modulus E2*",
+        Parameter::FilmModulus => ", Young's modulus E1",
+        Parameter::LayerModulus(_) => ", Young's modulus",
+        _ => "",
+    }
+}
+
+/// Returns Young's modulus of the sphere, if its Poisson ratio is known and its reduced modulus
+/// was found.
+fn young_of_sphere(fit: &Fit, experiment: &Experiment, asked: &[UnitOf]) -> Option<String> {
+    let poisson = experiment.sphere_poisson_ratio?;
+    let found = fit.estimate(Parameter::SphereModulus)?;
+    let young = found.young_of_sphere(poisson);
+    Some(format!(
+        "{}, Young's modulus E2 = E2* (1 - nu2^2), nu2 = {poisson}",
+        value(&young, asked)
+    ))
 }
 
 /// Writes estimates, each with its file if it is one file's own of several, and their correlation.
@@ -213,9 +257,10 @@ fn estimates(
     for estimate in estimates {
         writeln!(
             out,
-            "  {:<NAME$} {}",
+            "  {:<NAME$} {}{}",
             name(estimate),
-            value(estimate, asked)
+            value(estimate, asked),
+            which_modulus(estimate.parameter)
         )?;
     }
     if estimates.len() > 1 {

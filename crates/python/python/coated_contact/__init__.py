@@ -83,6 +83,7 @@ from ._probe import (
     RoundedCone,
     Sphere,
 )
+from ._read import read_experiment
 from ._results import (
     CohesiveEquilibrium,
     CohesiveState,
@@ -182,6 +183,7 @@ __all__ = [
     "forecast",
     "generate",
     "predict",
+    "read_experiment",
     "simulate",
     "solve",
     "solve_stack",

@@ -100,6 +100,8 @@ class Experiment(Remade, OneLine):
         Standard deviation of an ordinate, N or m; None estimates it from the residuals.
     name : str
         The name of the measurement in messages.
+    reading : str
+        How :func:`read_experiment` read the points, in one line; empty for other points.
     """
 
     kind: Kind
@@ -116,6 +118,7 @@ class Experiment(Remade, OneLine):
     stiffness: float | None = None
     noise: float | None = None
     name: str = "experiment"
+    reading: str = ""
 
     def __post_init__(self) -> None:
         one_of("kind", self.kind, get_args(Kind))

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from . import _html
+from ._arrays import number
 from ._columns import Array, axes
 from ._errors import ContactError, FitError
 from ._experiment import unit_of
@@ -230,6 +231,54 @@ class Fit(OneLine):
             shown[MOST_SHOWN:] = [f"... {len(shown)} in all"]
         shown += [f"converged={self.converged}", f"warnings={len(self.warnings)}"]
         return f"<Fit {', '.join(shown)}>"
+
+    def young_modulus_of_sphere(self, poisson_ratio: float) -> tuple[Estimate, ...]:
+        """Return Young's modulus of the sphere, which is not the ``sphere_modulus`` of a system.
+
+        ``E2 = E2* (1 - nu2^2)``, with ``sphere_modulus`` for E2*.
+
+        Parameters
+        ----------
+        poisson_ratio : float
+            The Poisson ratio of the sphere, above -1 and up to 0.5, taken as exact.
+
+        Returns
+        -------
+        tuple of Estimate
+            One modulus with its errors, or one for each experiment that has its own.
+
+        Raises
+        ------
+        FitError
+            For a Poisson ratio outside its range, or where the sphere's modulus was not free.
+        """
+        nu2 = number("poisson_ratio", poisson_ratio)
+        if not -1 < nu2 <= 0.5:
+            raise FitError(
+                f"poisson_ratio = {nu2!r} cannot be used: give one above -1 and up to 0.5",
+                axis="poisson_ratio",
+                value=nu2,
+                range=(-1.0, 0.5),
+            )
+        factor = 1 - nu2**2
+        found = tuple(
+            replace(
+                one,
+                parameter="sphere_young_modulus",
+                value=factor * one.value,
+                standard_error=factor * one.standard_error,
+                profile=one.profile and (factor * one.profile[0], factor * one.profile[1]),
+            )
+            for one in self.estimates
+            if one.parameter == "sphere_modulus"
+        )
+        if not found:
+            raise FitError(
+                "Young's modulus of the sphere follows from its reduced modulus, which was not "
+                'free: free "sphere_modulus"',
+                axis="sphere_modulus",
+            )
+        return found
 
     @property
     def names(self) -> tuple[str, ...]:

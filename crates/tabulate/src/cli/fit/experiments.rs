@@ -110,10 +110,10 @@ fn layers(layers: &Layers) -> anyhow::Result<(Vec<Layer>, Arc<dyn LayeredSolver>
 /// The flags of free parameters.
 #[derive(clap::Args)]
 pub struct FreeArguments {
-    /// The parameters to be found: sphere-modulus, film-modulus, film-poisson-ratio,
-    /// film-thickness, work-of-adhesion, work-of-adhesion-receding, load-offset, contact-point,
-    /// baseline, baseline-slope, stiffness; with --stack, LAYER.modulus and LAYER.thickness of a
-    /// layer by its name in the file take the place of those of the film
+    /// The parameters to be found: sphere-modulus (reduced, E2*), film-modulus (Young's, E1),
+    /// film-poisson-ratio, film-thickness, work-of-adhesion, work-of-adhesion-receding, load-offset,
+    /// contact-point, baseline, baseline-slope, stiffness; with --stack, LAYER.modulus (Young's) and
+    /// LAYER.thickness of a layer by its name in the file take the place of those of the film
     ///
     /// Default: the work of adhesion; the modulus of the sphere, or of the film or top layer under
     /// a rigid sphere, if loads are measured; the contact point with penetrations or heights; the

@@ -6,12 +6,13 @@
 
 pub mod experiments;
 pub mod object;
+pub mod reading;
 pub mod setting;
 pub mod table;
 
 use std::path::{Path, PathBuf};
 
-use ::fit::data::{Cantilever, Column, Format, Role, Segments, read};
+use ::fit::data::{Cantilever, Column, Format, Role, Segments};
 use ::fit::report::{UnitOf, report};
 use ::fit::{Direction, Kind, Loss, Measurement, Options, Parameter};
 use anyhow::{Context, bail, ensure};
@@ -20,6 +21,7 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use interp::Table;
 
 use self::experiments::{FreeArguments, KnownArguments};
+use self::reading::{measured, typed};
 use self::setting::unit_of;
 use super::json;
 use super::output::Output;
@@ -86,6 +88,10 @@ pub struct Arguments {
     only: Option<Direction>,
     #[command(flatten)]
     known: KnownArguments,
+    /// Poisson ratio of the sphere, which a contact does not need: the report then tells Young's
+    /// modulus of the sphere, too, E2 = E2* (1 - nu2^2)
+    #[arg(long, value_name = "NU", value_parser = poisson_ratio, allow_negative_numbers = true)]
+    sphere_poisson_ratio: Option<f64>,
     #[command(flatten)]
     free: FreeArguments,
     /// Standard deviation of a load (N) or penetration (m), one or one for each file [default:
@@ -122,9 +128,9 @@ pub struct Arguments {
     /// Print a JSON object in SI units instead of the report
     ///
     /// {"converged": bool, "parameters": {"film_modulus": {"value", "stderr", "unit"}, ...},
-    /// "correlation": [[...]], "reduced_chi_squared", "noise", "without_film": {...}, "warnings":
-    /// [{"kind", "text"}]}. A parameter of which each file has its own is a list. With --intervals
-    /// each parameter has an "interval".
+    /// "sphere_young_modulus" with --sphere-poisson-ratio, "correlation": [[...]], "reduced_chi_squared", "noise", "without_film": {...}, "warnings":
+    /// [{"kind", "text"}], "read": [how each file was read]}. A parameter of which each file has its
+    /// own is a list. With --intervals each parameter has an "interval".
     #[arg(long)]
     json: bool,
     /// Write data, fit, residual and branch of every point here
@@ -148,6 +154,16 @@ pub struct Arguments {
 enum PlotKind {
     Data,
     Jkr,
+}
+
+/// Parses the Poisson ratio of a solid.
+fn poisson_ratio(text: &str) -> Result<f64, String> {
+    let value: f64 = text
+        .parse()
+        .map_err(|_| format!("{text:?} is not a number"))?;
+    let allowed = value > -1.0 && value <= 0.5;
+    let refused = || format!("{value:?} is not a Poisson ratio: give one above -1 and up to 0.5");
+    allowed.then_some(value).ok_or_else(refused)
 }
 
 /// Parses the name of a kind.
@@ -208,17 +224,22 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let format = arguments.format();
     let (mut measurements, mut notes) = (Vec::new(), Vec::new());
     for path in &arguments.data {
-        let reading = read(path, &format)?;
+        let reading = measured(path, &format)?;
         measurements.push(reading.measurement);
         notes.push(reading.notes);
     }
     let mut experiments = arguments.known.experiments(measurements)?;
     for (i, experiment) in experiments.iter_mut().enumerate() {
         let Measurement { name, kind, .. } = &experiment.measurement;
+        if *kind == Kind::ForceHeight {
+            let of_file = notes[i].cantilever.stiffness;
+            experiment.stiffness = experiment.stiffness.or(of_file);
+        }
         ensure!(
             *kind != Kind::ForceHeight || experiment.stiffness.is_some(),
             "{name}: heights need the stiffness of the cantilever; give it: --stiffness N/m"
         );
+        experiment.sphere_poisson_ratio = arguments.sphere_poisson_ratio;
         let noise = arguments.noise.get(i).or(arguments.noise.first());
         experiment.noise = noise.copied();
     }
@@ -232,6 +253,14 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     {
         bail!("the stiffness cannot be free where it turns a deflection into a force: fix it");
     }
+    ensure!(
+        arguments.sphere_poisson_ratio.is_none()
+            || free
+                .iter()
+                .any(|free| free.parameter == Parameter::SphereModulus),
+        "--sphere-poisson-ratio: Young's modulus of the sphere follows from its reduced modulus, \
+         which is not free; free it, --free sphere-modulus, or leave the Poisson ratio out"
+    );
     let table = arguments.table.read()?;
     let table: &Table = &table;
     let options = Options {
@@ -252,9 +281,12 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         plot.write(&drawn.picture()?.encode(PictureFormat::of(path)?)?)?;
     }
     if arguments.json {
-        json::print(&object::FitObject::new(&fit, &notes))?;
+        json::print(&object::FitObject::new(&fit, &experiments, &notes))?;
     } else {
-        let report = report(&fit, &experiments, &notes, &arguments.units);
+        let mut report = report(&fit, &experiments, &notes, &arguments.units);
+        for doubt in notes.iter().filter_map(|notes| notes.doubt.as_ref()) {
+            report += &format!("if the sign is wrong, {}\n", typed(&doubt.remedy()));
+        }
         print(printable::lines(&report).as_bytes())?;
     }
     ensure!(

@@ -1,16 +1,25 @@
 //! The JSON object of a fit.
 
+use std::borrow::Cow;
+
 use ::fit::data::Notes;
-use ::fit::{Estimate, Fit, Parameter, WithoutFilm};
+use ::fit::report::reading;
+use ::fit::{Estimate, Experiment, Fit, Parameter, WithoutFilm};
 use serde::{Serialize, Serializer};
 
+use super::reading::typed;
 use crate::cli::json::Number;
 
 /// A fit.
 #[derive(Serialize)]
 pub struct FitObject<'a> {
+    /// How each file was read, as the report says it.
+    read: Vec<String>,
     converged: bool,
     parameters: Estimates<'a>,
+    /// Young's modulus of the sphere, where its Poisson ratio is given.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    sphere_young_modulus: Option<OneOrAll<EstimateObject>>,
     /// In the order of `parameters`, the values of one parameter one after another.
     correlation: Vec<Vec<Number>>,
     /// Null where a noise was estimated from the residuals.
@@ -40,7 +49,7 @@ struct ModulusObject {
 #[derive(Serialize)]
 struct WarningObject<'a> {
     kind: &'static str,
-    text: &'a str,
+    text: Cow<'a, str>,
 }
 
 /// The value itself if there is one, else the list.
@@ -77,14 +86,20 @@ impl Serialize for Estimates<'_> {
         }
         serializer.collect_map(parameters.into_iter().map(|parameter| {
             let of = self.0.iter().filter(|found| found.parameter == parameter);
-            let objects = of.map(|found| EstimateObject {
-                value: Number(found.value),
-                stderr: Number(found.standard_error),
-                unit: parameter.unit(),
-                interval: found.profile.map(|ends| ends.map(Number)),
-            });
+            let objects = of.map(EstimateObject::new);
             (json_name(parameter), OneOrAll(objects.collect()))
         }))
+    }
+}
+
+impl EstimateObject {
+    fn new(found: &Estimate) -> Self {
+        Self {
+            value: Number(found.value),
+            stderr: Number(found.standard_error),
+            unit: found.parameter.unit(),
+            interval: found.profile.map(|ends| ends.map(Number)),
+        }
     }
 }
 
@@ -105,13 +120,22 @@ pub fn matrix(rows: &[Vec<f64>]) -> Vec<Vec<Number>> {
 
 impl<'a> FitObject<'a> {
     /// Returns the object of a fit.
-    pub fn new(fit: &'a Fit, notes: &'a [Notes]) -> Self {
+    pub fn new(fit: &'a Fit, experiments: &[Experiment], notes: &'a [Notes]) -> Self {
         let doubts = notes.iter().filter_map(|notes| notes.doubt.as_ref());
+        let doubts = doubts.map(|doubt| WarningObject {
+            kind: "sign",
+            text: format!("{doubt}; if so, {}", typed(&doubt.remedy())).into(),
+        });
         let warnings = fit.warnings.iter().map(|warning| WarningObject {
             kind: warning.kind.name(),
-            text: &warning.text,
+            text: warning.text.as_str().into(),
         });
+        let read = experiments.iter().zip(notes);
         Self {
+            read: read
+                .map(|(experiment, notes)| reading(&experiment.measurement, notes))
+                .collect(),
+            sphere_young_modulus: young_of_sphere(fit, experiments),
             converged: fit.converged,
             parameters: Estimates(&fit.estimates),
             correlation: matrix(&fit.correlation),
@@ -123,11 +147,21 @@ impl<'a> FitObject<'a> {
                     .collect(),
             ),
             without_film: fit.without_film.as_ref().map(WithoutFilmObject::new),
-            warnings: warnings
-                .chain(doubts.map(|text| WarningObject { kind: "sign", text }))
-                .collect(),
+            warnings: warnings.chain(doubts).collect(),
         }
     }
+}
+
+/// Returns Young's modulus of the sphere, if its Poisson ratio is given and its reduced modulus was
+/// found.
+fn young_of_sphere(fit: &Fit, experiments: &[Experiment]) -> Option<OneOrAll<EstimateObject>> {
+    let poisson = experiments.first()?.sphere_poisson_ratio?;
+    let of_sphere = |found: &&Estimate| found.parameter == Parameter::SphereModulus;
+    let found = fit.estimates.iter().filter(of_sphere);
+    let objects: Vec<EstimateObject> = found
+        .map(|found| EstimateObject::new(&found.young_of_sphere(poisson)))
+        .collect();
+    (!objects.is_empty()).then_some(OneOrAll(objects))
 }
 
 impl<'a> WithoutFilmObject<'a> {
