@@ -12,6 +12,7 @@ mod curve;
 mod embedded;
 mod fit;
 mod fit_files;
+mod fit_plots;
 mod fit_shapes;
 mod help;
 mod hostile_text;
