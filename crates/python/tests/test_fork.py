@@ -26,7 +26,7 @@ pytestmark = [
     pytest.mark.filterwarnings("ignore:.*fork.*:DeprecationWarning"),
 ]
 
-LIMIT = 120
+LIMIT = 60
 SCENE = {
     "title": "Rubber on glass",
     "tolerance": 1e-2,
