@@ -195,8 +195,11 @@ fn the_object_has_the_keys_of_its_help() {
         "correlation",
         "reduced_chi_squared",
         "noise",
+        "abscissa_noise",
         "without_film",
+        "fixed_values",
         "warnings",
+        "read",
     ];
     sorted.sort_unstable();
     assert_eq!(keys(&object), sorted);

@@ -11,6 +11,7 @@ mod cost_table;
 mod curve;
 mod embedded;
 mod fit;
+mod fit_doubts;
 mod fit_files;
 mod fit_plots;
 mod fit_shapes;

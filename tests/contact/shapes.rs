@@ -622,3 +622,29 @@ fn neglected_effects_that_are_larger_than_the_shape_are_named() {
     let at = incompressible.validity(2e-5).expect("in range");
     assert!((part / at.shape - 1.0).abs() < 0.1, "{part}, {at:?}");
 }
+
+#[test]
+fn every_shape_is_made_of_its_name_and_numbers() {
+    let profile = [0.0, 0.0, 1e-6, 1e-7, 2e-6, 4e-7];
+    let shapes: [(&str, &[f64]); 8] = [
+        ("paraboloid", &[1e-6]),
+        ("sphere", &[1e-6]),
+        ("power law", &[1e6, 3.0]),
+        ("cone", &[1.2]),
+        ("rounded cone", &[1e-6, 1.2]),
+        ("flat punch", &[1e-6]),
+        ("flat-ended cone", &[1e-6, 1.2]),
+        ("profile", &profile),
+    ];
+    for (name, numbers) in shapes {
+        let made = Probe::of_numbers(name, numbers).expect("a name");
+        assert_eq!(made.expect("possible numbers").name(), name);
+        assert!(Probe::of_numbers(name, &[1.0; 3]).is_none(), "{name}");
+    }
+    assert!(Probe::of_numbers("pyramid", &[1e-6]).is_none());
+    // A profile says itself what is wrong with it.
+    assert!(matches!(
+        Probe::of_numbers("profile", &[1.0, 0.0]),
+        Some(Err(_))
+    ));
+}

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 use std::io;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use crate::SubstratePoissonRatio;
 
@@ -329,6 +329,14 @@ pub enum Error {
         /// The largest number allowed for a form of its size.
         most: u64,
     },
+    /// A file that is no table, or not a sound one.
+    #[error("{}: {error}", path.display())]
+    InFile {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with its content. It is part of the message, and therefore no source.
+        error: Box<Self>,
+    },
     /// A file that cannot be read.
     #[error("cannot read {}", path.display())]
     Io {
@@ -372,6 +380,27 @@ fn material([e1, nu1, e0, nu0]: &[f64; 4]) -> String {
 }
 
 impl Error {
+    /// Adds the file whose content is wrong.
+    pub(crate) fn in_file(self, path: &Path) -> Self {
+        match self {
+            Self::Io { .. } => self,
+            error => Self::InFile {
+                path: path.to_owned(),
+                error: Box::new(error),
+            },
+        }
+    }
+
+    /// Returns what is wrong with the content of a file, without the path of the file: the error
+    /// within [`Error::InFile`], and every other error as it is.
+    #[must_use]
+    pub fn without_file(self) -> Self {
+        match self {
+            Self::InFile { error, .. } => *error,
+            error => error,
+        }
+    }
+
     /// Returns [`Error::Unphysical`] unless `holds`. A condition that compares with NaN must be
     /// false.
     pub(crate) const fn unless(

@@ -308,6 +308,11 @@ impl From<Error> for Failure {
             | Error::Checksum { .. }
             | Error::Malformed(_)
             | Error::LowRankTooLarge { .. } => of("TableError"),
+            Error::InFile { path, error } => {
+                let failure = Self::from(*error);
+                let message = format!("{}: {}", path.display(), failure.message);
+                Self { message, ..failure }
+            }
             Error::Io { path, source } => of("OSError").about_file(&path, &source),
             _ => of("ContactError"),
         }
@@ -371,6 +376,7 @@ impl From<tabulate::Error> for Failure {
             | Error::TooLarge { .. }
             | Error::TooClose { .. }
             | Error::Unresolved { .. }
+            | Error::Kept { .. }
             | Error::Piece { .. } => of("GenerationError"),
             _ => of("ContactError"),
         }

@@ -2,7 +2,8 @@
 //!
 //! It is thin. The Python layer beside it checks types, broadcasts, documents and annotates; this
 //! module takes flat arrays of f64 and evaluates them with the interpreter's lock released. Data
-//! flows `contact → table → bodies`, all through `arrays`; `line`, `short_range`, `read`, `fit`, `model`,
+//! flows `contact → table → bodies`, all through `arrays`, and where it may take long through
+//! `interruption`; `line`, `short_range`, `read`, `fit`, `model`,
 //! `generate`, `solve` and `cohesive` stand beside them; `error` makes Python's exceptions of all
 //! of them.
 
@@ -15,6 +16,7 @@ mod contact;
 mod error;
 mod fit;
 mod generate;
+mod interruption;
 mod line;
 mod model;
 mod read;

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use fit::data::{Cantilever, Column, Format, Reading, Remedy, Role, Segments, read};
+use fit::data::{Cantilever, Column, Format, Named, Reading, Remedy, Role, Segments, read};
 use fit::report::reading;
 use fit::{Direction, Kind};
 use numpy::PyArray1;
@@ -32,7 +32,11 @@ pub fn read_file<'py>(
     given: GivenFormat,
 ) -> PyResult<(Bound<'py, PyDict>, Option<String>)> {
     let format = format(given)?;
-    let Reading { measurement, notes } = py.detach(|| read(&path, &format)).or_raise(py)?;
+    let Reading {
+        measurement,
+        errors,
+        notes,
+    } = py.detach(|| read(&path, &format)).or_raise(py)?;
     let points = &measurement.points;
     let fields = PyDict::new(py);
     fields.set_item("name", &measurement.name)?;
@@ -47,6 +51,14 @@ pub fn read_file<'py>(
             .iter()
             .map(|point| point.direction == Some(Direction::Retract));
         fields.set_item("retract", PyArray1::from_iter(py, retract))?;
+    }
+    for (name, list) in [
+        ("abscissa_noise", errors.abscissa),
+        ("noise", errors.ordinate),
+    ] {
+        if !list.is_empty() {
+            fields.set_item(name, PyArray1::from_vec(py, list))?;
+        }
     }
     if measurement.kind == Kind::ForceHeight {
         fields.set_item("stiffness", notes.cantilever.stiffness)?;
@@ -99,14 +111,15 @@ fn format(given: GivenFormat) -> PyResult<Format> {
 /// Returns what to give, in the words of the package.
 pub fn in_python(remedy: &Remedy) -> String {
     match remedy {
-        Remedy::Columns { kind, columns } => {
-            let kind = kind.map(|kind| format!("kind=\"{}\", ", kind.name()));
-            let columns: Vec<String> = columns.iter().map(entry).collect();
-            format!(
-                "give {}columns={{{}}}",
-                kind.unwrap_or_default(),
-                columns.join(", ")
-            )
+        Remedy::Columns(ways) => {
+            let way = |Named { kind, columns }: &Named| {
+                let kind = kind.map(|kind| format!("kind=\"{}\", ", kind.name()));
+                let columns: Vec<String> = columns.iter().map(entry).collect();
+                let columns = columns.join(", ");
+                format!("{}columns={{{columns}}}", kind.unwrap_or_default())
+            };
+            let ways: Vec<String> = ways.iter().map(way).collect();
+            format!("give {}", ways.join(", or "))
         }
         Remedy::Kind(kinds) => {
             let names: Vec<String> = kinds

@@ -69,7 +69,8 @@ def test_columns_segments_and_directions_can_be_given(write):
     path = write("Tiefe (nm);Kraft (mN)\n1;0\n2;1\n3;-4\n1;0,5\n")
     columns = {"penetration": "Tiefe (nm)", "load": "-Kraft (mN)"}
     found = read(path, columns=columns)
-    assert found.kind == "load-penetration" and found.retract is None
+    assert found.kind == "load-penetration"
+    assert found.retract is None
     np.testing.assert_allclose(found.ordinate, [0, -1e-3, 4e-3, -0.5e-3], rtol=1e-15)
     split = read(path, columns={"penetration": "1", "load": "-2"}, segments="split")
     assert split.retract.tolist() == [False, False, False, True]

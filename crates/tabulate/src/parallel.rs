@@ -73,13 +73,17 @@ fn of_child() -> Option<MutexGuard<'static, Option<(u32, Arc<ThreadPool>)>>> {
     None
 }
 
-/// Applies `function` to every item on all cores and returns the results in the order of the items.
-pub fn map<I, T>(items: I, function: impl Fn(I::Item) -> T + Send + Sync) -> Vec<T>
+/// Applies `function` to every item on all cores and returns the results in the order of the items,
+/// unless one is `None`: then some are left out.
+pub fn map_while_some<I, T>(
+    items: I,
+    function: impl Fn(I::Item) -> Option<T> + Send + Sync,
+) -> Vec<T>
 where
     I: IntoParallelIterator<Iter: IndexedParallelIterator> + Send,
     T: Send,
 {
-    on_all_cores(|| items.into_par_iter().map(function).collect())
+    on_all_cores(|| items.into_par_iter().map(function).while_some().collect())
 }
 
 /// Applies `function` to every item on all cores and returns the results in the order of the items.

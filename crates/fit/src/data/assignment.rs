@@ -33,6 +33,8 @@ pub struct Pair {
     pub abscissa: Source,
     /// The ordinate.
     pub ordinate: Source,
+    /// The standard deviations of both, where there are columns of them.
+    pub errors: [Option<Source>; 2],
 }
 
 /// What the columns of a file hold.
@@ -47,7 +49,7 @@ pub struct Assignment {
 }
 
 /// A problem, and the column that has it.
-type Failure = (Option<usize>, Problem);
+pub(super) type Failure = (Option<usize>, Problem);
 
 /// Assigns the columns with these headings. `uncalibrated` is a line that says that the cantilever is
 /// not calibrated.
@@ -69,13 +71,7 @@ pub fn assign(
         if direction.is_some() && pairs.iter().any(|pair: &Pair| pair.direction.is_none()) {
             break;
         }
-        if let Some((abscissa, ordinate)) = columns.pair(roles, direction)? {
-            pairs.push(Pair {
-                direction,
-                abscissa,
-                ordinate,
-            });
-        }
+        pairs.extend(columns.pair(roles, direction)?);
     }
     if pairs.is_empty() {
         let mut roles = columns.missing(kind);
@@ -125,9 +121,9 @@ fn is_named(heading: &Heading, role: Role, (name, needs_unit): (&str, bool)) -> 
 }
 
 /// The headings, and what the user says about them.
-struct Columns<'a> {
-    headings: &'a [Heading],
-    format: &'a Format,
+pub(super) struct Columns<'a> {
+    pub headings: &'a [Heading],
+    pub format: &'a Format,
     uncalibrated: Option<u64>,
 }
 
@@ -141,7 +137,10 @@ impl Columns<'_> {
         let is_meant = |kind: &Kind| {
             let [abscissa, ordinate] = roles(*kind);
             self.format.columns.iter().all(|column| {
+                let of = |role: Role| role.error() == Some(column.role);
                 column.role == Role::Segment
+                    || of(abscissa)
+                    || of(ordinate)
                     || column.role == abscissa
                     || column.role == ordinate
                     || (column.role == Role::Deflection && *kind == Kind::ForceHeight)
@@ -196,7 +195,7 @@ impl Columns<'_> {
         &self,
         [abscissa, ordinate]: [Role; 2],
         direction: Option<Direction>,
-    ) -> Result<Option<(Source, Source)>, Failure> {
+    ) -> Result<Option<Pair>, Failure> {
         let of = |role: Role| -> Result<Option<Source>, Failure> {
             Ok(match self.force_or(role, direction)? {
                 None if direction.is_some() => self.force_or(role, None)?,
@@ -206,7 +205,16 @@ impl Columns<'_> {
         let (Some(abscissa), Some(ordinate)) = (of(abscissa)?, of(ordinate)?) else {
             return Ok(None);
         };
-        Ok(Some((abscissa, ordinate)))
+        let errors = [
+            self.deviation(&abscissa, false, direction)?,
+            self.deviation(&ordinate, true, direction)?,
+        ];
+        Ok(Some(Pair {
+            direction,
+            abscissa,
+            ordinate,
+            errors,
+        }))
     }
 
     /// Returns the column of a role; a deflection where there is no load.
@@ -261,7 +269,7 @@ impl Columns<'_> {
         Ok(None)
     }
 
-    fn positions(&self, matches: impl Fn(&Heading) -> bool) -> Vec<usize> {
+    pub(super) fn positions(&self, matches: impl Fn(&Heading) -> bool) -> Vec<usize> {
         let headings = self.headings.iter().enumerate();
         headings
             .filter(|(_, heading)| matches(heading))
@@ -270,7 +278,7 @@ impl Columns<'_> {
     }
 
     /// Returns the column that the user names.
-    fn named(&self, column: &Column) -> Result<Named, Failure> {
+    pub(super) fn named(&self, column: &Column) -> Result<Named, Failure> {
         let wanted = Heading::parse(&column.heading);
         let index = match self.places(column, &wanted)[..] {
             [index] => index,
@@ -320,7 +328,7 @@ impl Columns<'_> {
     }
 
     /// Returns the source of a role in a column, with its factor to SI units.
-    fn source(
+    pub(super) fn source(
         &self,
         role: Role,
         index: usize,
@@ -402,9 +410,9 @@ impl Columns<'_> {
 }
 
 /// A column that the user names.
-struct Named {
-    index: usize,
-    unit: Option<Unit>,
+pub(super) struct Named {
+    pub index: usize,
+    pub unit: Option<Unit>,
     direction: Option<Direction>,
     negative: bool,
 }

@@ -276,6 +276,19 @@ pub enum Problem {
     /// A contact radius that is negative.
     #[error("contact radius = {0:?} m must not be below 0; a row without contact has 0")]
     Radius(f64),
+    /// A standard deviation that cannot be.
+    #[error(
+        "standard deviation = {0:?} (SI) must be positive and finite, and may be 0 for a radius, \
+         penetration or height; correct it, or rename the column if it is something else"
+    )]
+    Deviation(f64),
+    /// Some points have standard deviations of a quantity, and others have none.
+    #[error(
+        "some rows have standard deviations of {} and others have none; give all rows a column of \
+         them, or rename it",
+        .0.name()
+    )]
+    SomeDeviations(Role),
     /// All values of a column are equal.
     #[error("all {points} values are {value:?} (SI); choose the column that was measured")]
     Constant {

@@ -12,14 +12,20 @@
 //! JPK, where each segment has them. What the head of a file names of the cantilever, `springConstant:
 //! 0.02`, is used where the [`Format`] leaves it open.
 //!
+//! A column of standard deviations has the heading of its quantity and `error`, `std`, `sd`, `sigma`
+//! or `uncertainty`: `radius_error [um]`, `load error [mN]`, `sigma_F`; without a unit it has that of
+//! its quantity. A heading `std`, `sd`, `sigma`, `uncertainty`, `standard error` or
+//! `standard deviation` alone is that of the ordinate. Percentages are not read.
+//!
 //! `lines` reads the lines, `head` what they tell of the cantilever, `layout` finds the rows and
 //! their headings, `cells` and `number` read a row, `heading`, `names` and `unit` read a heading, and
-//! `assignment` decides which column holds what. `segment` finds the directions, and
+//! `assignment` decides which column holds what, with `deviation` those of standard deviations. `segment` finds the directions, and
 //! `remedy` what a user can give where a file is not read.
 
 mod assignment;
 mod cells;
 mod column;
+mod deviation;
 mod failure;
 mod head;
 mod heading;
@@ -42,11 +48,11 @@ pub use assignment::{Source, roles};
 pub use column::{Column, Role};
 pub use failure::{DataError, Found, Missing, Problem};
 pub use head::{Head, HeadValue};
-pub use remedy::Remedy;
+pub use remedy::{Named, Remedy};
 pub use sign::Doubt;
 pub use unit::{Dimension, Unit, prefix};
 
-use crate::{Direction, Kind, Measurement};
+use crate::{Direction, Kind, Measurement, PointErrors};
 
 /// What is known about a file before it is read.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -91,6 +97,8 @@ pub enum Segments {
 pub struct Reading {
     /// The measurement, in SI units.
     pub measurement: Measurement,
+    /// The standard deviations of the points, as far as the file has columns of them.
+    pub errors: PointErrors,
     /// How it was read.
     pub notes: Notes,
 }

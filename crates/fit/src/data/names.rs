@@ -89,6 +89,11 @@ impl Role {
                 "cantilever",
             ],
             Self::Segment => &["segment", "phase", "direction"],
+            // Recognised by the name of their quantity: see `deviation`.
+            Self::ContactRadiusError
+            | Self::LoadError
+            | Self::PenetrationError
+            | Self::HeightError => &[],
         }
     }
 

@@ -12,7 +12,7 @@ use super::lines::Lines;
 use super::number::{Cell, DecimalMark};
 use super::segment::{Segment, split};
 use super::{Format, Notes, Reading, Segments, sign};
-use crate::{Kind, Measurement, Point};
+use crate::{Kind, Measurement, Point, PointErrors};
 
 /// The number of lines that may stand before the rows of numbers.
 const LONGEST_HEAD: usize = 10_000;
@@ -62,6 +62,7 @@ pub fn read(source: impl BufRead, name: &str, format: &Format) -> Result<Reading
         columns: vec![Columns {
             headings: titles.headings,
             points: vec![Vec::new(); assignment.pairs.len()],
+            errors: vec![PointErrors::default(); assignment.pairs.len()],
             assignment,
         }],
         waiting: Waiting::default(),
@@ -156,6 +157,8 @@ struct Columns {
     assignment: Assignment,
     /// The points of each pair of columns.
     points: Vec<Vec<Point>>,
+    /// Their standard deviations.
+    errors: Vec<PointErrors>,
 }
 
 /// Lines below the first rows that may be the head of further rows.
@@ -247,6 +250,7 @@ impl Rows<'_> {
                     self.columns.push(Columns {
                         headings: titles.headings,
                         points: vec![Vec::new(); assignment.pairs.len()],
+                        errors: vec![PointErrors::default(); assignment.pairs.len()],
                         assignment,
                     });
                     self.waiting = Waiting::default();
@@ -283,6 +287,7 @@ impl Rows<'_> {
             headings,
             assignment,
             points,
+            errors,
         } = self
             .columns
             .last_mut()
@@ -342,17 +347,35 @@ impl Rows<'_> {
             if of_radius && abscissa < 0.0 {
                 return Err(failure(pair.abscissa.index, Problem::Radius(abscissa)));
             }
-            found.push(Some(Point {
+            let mut deviations = [None; 2];
+            for (k, source) in pair.errors.iter().enumerate() {
+                let Some(source) = source else { continue };
+                let problem = match value(source)? {
+                    Some(own) if own > 0.0 || k == 0 && own == 0.0 => {
+                        deviations[k] = Some(own);
+                        continue;
+                    }
+                    Some(own) => Problem::Deviation(own),
+                    None => Problem::MissingValue,
+                };
+                return Err(failure(source.index, problem));
+            }
+            let point = Point {
                 line: number,
                 abscissa,
                 ordinate,
                 direction: pair.direction.or(direction),
-            }));
+            };
+            found.push(Some((point, deviations)));
         }
         self.count += 1;
-        for (points, point) in points.iter_mut().zip(found) {
+        for ((points, errors), point) in points.iter_mut().zip(errors).zip(found) {
             match point {
-                Some(point) => points.push(point),
+                Some((point, [of_abscissa, of_ordinate])) => {
+                    points.push(point);
+                    errors.abscissa.extend(of_abscissa);
+                    errors.ordinate.extend(of_ordinate);
+                }
                 None => self.missing += 1,
             }
         }
@@ -373,6 +396,19 @@ impl Rows<'_> {
         for more in lists {
             points.append(more);
         }
+        let mut errors = PointErrors::default();
+        for more in self.columns.iter_mut().flat_map(|one| &mut one.errors) {
+            errors.abscissa.append(&mut more.abscissa);
+            errors.ordinate.append(&mut more.ordinate);
+        }
+        for (list, source) in [
+            (&errors.abscissa, &pair.abscissa),
+            (&errors.ordinate, &pair.ordinate),
+        ] {
+            if !list.is_empty() && list.len() != points.len() {
+                return Err(Problem::SomeDeviations(source.role).into());
+            }
+        }
         let known = points.iter().any(|point| point.direction.is_some());
         let split_now = match self.format.segments {
             Segments::Auto => kind == Kind::ForceHeight && !known,
@@ -384,6 +420,11 @@ impl Rows<'_> {
         }
         if let Some(only) = self.format.only {
             let before = points.len();
+            for list in [&mut errors.abscissa, &mut errors.ordinate] {
+                let mut of_points = points.iter();
+                let is_kept = |point: &Point| point.direction == Some(only);
+                list.retain(|_| of_points.next().is_some_and(is_kept));
+            }
             points.retain(|point| point.direction == Some(only));
             self.other_segments += (before - points.len()) as u64;
         }
@@ -393,7 +434,8 @@ impl Rows<'_> {
         check_constant(&points, &pair)?;
         let mut columns: Vec<Source> = Vec::new();
         for pair in self.columns.iter().flat_map(|one| &one.assignment.pairs) {
-            for source in [&pair.abscissa, &pair.ordinate] {
+            let errors = pair.errors.iter().flatten();
+            for source in [&pair.abscissa, &pair.ordinate].into_iter().chain(errors) {
                 if !columns.contains(source) {
                     columns.push(source.clone());
                 }
@@ -415,7 +457,11 @@ impl Rows<'_> {
             kind,
             points,
         };
-        Ok(Reading { measurement, notes })
+        Ok(Reading {
+            measurement,
+            errors,
+            notes,
+        })
     }
 
     /// Refuses heads that differ in a value that was used.

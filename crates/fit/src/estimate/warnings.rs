@@ -6,9 +6,9 @@ use nalgebra::DVector;
 use super::problem::{Assigned, Ending, Problem};
 use super::search::{Data, Minimum, SAME, SHORT, ends};
 use super::uncertainty::{UNDETERMINED, Uncertainty};
-use super::wanted;
-use crate::statistics::{excess, missing_runs};
-use crate::{Bodies, Branch, Estimate, Fit, Loss, Options, Parameter, Warning, WarningKind};
+use super::{agreement, cycle, wanted};
+use crate::statistics::missing_runs;
+use crate::{Bodies, Branch, Estimate, Fit, Options, Parameter, Warning, WarningKind};
 
 /// The largest excess of a sum of squares, or lack of runs, that chance explains, in standard
 /// deviations: one fit in 300,000 exceeds it.
@@ -55,6 +55,7 @@ pub(super) fn warnings(
     }
     for (e, assigned) in problem.assigned.iter().enumerate() {
         geometry(&mut warnings, problem, e, assigned, options);
+        cycle::add(&mut warnings, problem, e, data.local_noise[e]);
     }
     warnings.0
 }
@@ -241,18 +242,7 @@ fn film_not_seen(warnings: &mut Warnings, problem: &Problem<'_>, parameter: Para
 /// Doubts from the residuals.
 fn residuals_of(warnings: &mut Warnings, fit: &Fit, found: &Minimum<'_>, residuals: &DVector<f64>) {
     let problem = &found.problem;
-    let freedom = fit.degrees_of_freedom as f64;
-    if let Some(reduced) = fit.reduced_chi_squared
-        && problem.loss == Loss::Squares
-        && excess(fit.chi_squared, freedom) > BEYOND_CHANCE
-    {
-        warnings.add(
-            WarningKind::PoorFit,
-            format!(
-                "the model does not describe the data to their noise: reduced chi^2 is {reduced:.3}"
-            ),
-        );
-    }
+    agreement::add(warnings, fit, problem, residuals);
     let mut row = 0;
     for (e, assigned) in problem.assigned.iter().enumerate() {
         let count = assigned.counting();
@@ -292,7 +282,7 @@ fn residuals_of(warnings: &mut Warnings, fit: &Fit, found: &Minimum<'_>, residua
 }
 
 /// Returns the residuals of a branch by descending imposed value.
-fn in_order(assigned: &Assigned, residuals: &[f64], branch: Branch) -> Vec<f64> {
+pub(super) fn in_order(assigned: &Assigned, residuals: &[f64], branch: Branch) -> Vec<f64> {
     let mut rows = vec![None; assigned.branches.len()];
     let counts = assigned
         .branches

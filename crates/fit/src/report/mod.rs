@@ -2,8 +2,10 @@
 //!
 //! [`report`] is what `tabulate fit` prints, and what Python's `print(fit(...))` shows;
 //! [`expected`] is the same for the errors of a planned experiment. `unit` chooses units and
-//! digits. [`jkr_plot`] returns the points of the reduced JKR plot.
+//! digits, `fixed_values` writes what the values taken as given do, and [`jkr_plot`] returns the points
+//! of the reduced JKR plot.
 
+mod fixed_values;
 mod jkr_plot;
 mod unit;
 
@@ -90,6 +92,7 @@ fn write_report(
     if let Some(text) = film(fit, &experiments[0].bodies) {
         writeln!(out, "{text}")?;
     }
+    fixed_values::write(&mut out, fit, &files)?;
     undetermined(&mut out, &fit.undetermined)?;
     for warning in &fit.warnings {
         writeln!(out, "warning: {}", warning.text)?;
@@ -250,10 +253,7 @@ fn estimates(
     files: &[&str],
     asked: &[UnitOf],
 ) -> fmt::Result {
-    let name = |estimate: &Estimate| match estimate.experiment {
-        Some(i) if files.len() > 1 => format!("{} ({})", estimate.parameter, files[i]),
-        _ => estimate.parameter.to_string(),
-    };
+    let name = |estimate: &Estimate| name(estimate, files);
     for estimate in estimates {
         writeln!(
             out,
@@ -274,6 +274,14 @@ fn estimates(
         }
     }
     Ok(())
+}
+
+/// Returns the name of an estimate, with its file if it is one file's own of several.
+fn name(estimate: &Estimate, files: &[&str]) -> String {
+    match estimate.experiment {
+        Some(i) if files.len() > 1 => format!("{} ({})", estimate.parameter, files[i]),
+        _ => estimate.parameter.to_string(),
+    }
 }
 
 /// Writes the combinations that data do not determine.
@@ -313,7 +321,11 @@ fn agreement(fit: &Fit) -> String {
         } else {
             ""
         };
-        format!("{:.2e}{ordinate}", experiment.noise)
+        let abscissa = match experiment.abscissa_noise {
+            0.0 => String::new(),
+            noise => format!(", of the abscissa {noise:.2e}"),
+        };
+        format!("{:.2e}{ordinate}{abscissa}", experiment.noise)
     });
     let noise = noises.collect::<Vec<_>>().join("; ");
     let freedom = fit.degrees_of_freedom;

@@ -204,7 +204,12 @@ fn check(row: &Row, name: &str, path: &Path) {
         ..Format::default()
     };
     match (&row.outcome, read(path, &format)) {
-        (Read(counts, stiffness), Ok(Reading { measurement, notes })) => {
+        (
+            Read(counts, stiffness),
+            Ok(Reading {
+                measurement, notes, ..
+            }),
+        ) => {
             let count = |direction| {
                 let points = measurement.points.iter();
                 points.filter(|point| point.direction == direction).count()

@@ -82,13 +82,15 @@ impl Table {
     /// Reads a packed table from a file. An HDF5 table is read by `Table::open` (feature `hdf5`).
     ///
     /// # Errors
-    /// [`Error::Io`] if the file cannot be read; those of [`Table::from_packed`].
+    /// [`Error::Io`] if the file cannot be read; [`Error::InFile`] with the path and one of the errors
+    /// of [`Table::from_packed`].
     pub fn read(path: impl AsRef<Path>) -> Result<Self, Error> {
         let path = path.as_ref();
-        Self::from_packed(&fs::read(path).map_err(|source| Error::Io {
+        let bytes = fs::read(path).map_err(|source| Error::Io {
             path: path.to_owned(),
             source,
-        })?)
+        })?;
+        Self::from_packed(&bytes).map_err(|error| error.in_file(path))
     }
 
     /// Returns the packed form, from which [`Table::from_packed`] restores this table bit for bit.

@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 use std::sync::Arc;
 
+use crate::curve::derived::Derivation;
 use crate::curve::nodes::REASONABLE;
 use crate::curve::resampler::Resampler;
 use crate::once::Once;
@@ -234,6 +235,25 @@ impl Table {
             .into_iter()
             .filter(|&quantity| self.holds(quantity))
             .collect()
+    }
+
+    /// Returns the quantities that the curves of this table [answer](Curve::answers), in the order of
+    /// [`Quantity::TABULATED`].
+    ///
+    /// They are the quantities held and, in a table of films that holds [`Quantity::Gamma`] alone of
+    /// a sphere and begins at an `a/t` of 0.4 at most, all four of a sphere. A curve whose material
+    /// makes the others begin less accurately than the tolerance answers `Gamma` alone.
+    pub fn answers(&self) -> Vec<Quantity> {
+        let held = self.quantities();
+        let of_sphere = |quantity: &&Quantity| Quantity::ALL.contains(quantity);
+        let x = self.axis(Parameter::AOverT);
+        let derives = held.iter().filter(of_sphere).eq([&Quantity::Gamma])
+            && !self.is_of_stack()
+            && Derivation::begins([x[0], x[x.len() - 1]]);
+        let answered = |quantity: &Quantity| {
+            held.contains(quantity) || derives && Quantity::ALL.contains(quantity)
+        };
+        Quantity::TABULATED.into_iter().filter(answered).collect()
     }
 
     /// Returns the values of `quantity` at the nodes, row-major with `a_over_t` slowest.

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING, Any, Literal, get_args
 
 import numpy as np
@@ -19,6 +19,7 @@ from ._fit_results import (
     FittedExperiment,
     correlation_of,
     estimates_of,
+    fixed_values_of,
     warnings_of,
     without_film_of,
 )
@@ -38,6 +39,8 @@ def fit(
     loss: Loss = "squares",
     profile_level: float | None = None,
     interaction_range: float = 3e-10,
+    known: Mapping[str, float] | None = None,
+    fixed_values: bool = True,
 ) -> Fit:
     """Find the free parameters of one or several experiments together.
 
@@ -60,6 +63,14 @@ def fit(
         further fits for each parameter.
     interaction_range : float
         The range of the attraction, m, for the warning about Tabor's parameter.
+    known : mapping of str to float, optional
+        Standard errors of values that are not free, in SI units, such as
+        ``{"film_thickness": 1e-7}``; also ``sphere_radius``, ``substrate_modulus`` and
+        ``substrate_poisson_ratio``. The fit keeps the values, and their errors add to the standard
+        errors and the correlation: to the first order, independent of one another. A prior of a
+        :class:`Free` instead lets the data move a free value.
+    fixed_values : bool
+        Whether ``Fit.fixed_values`` tells what the values that are not free do to the result.
 
     Returns
     -------
@@ -90,7 +101,9 @@ def fit(
     ``print(found)`` prints the report of the program ``tabulate fit``, and ``found.plot()`` draws
     the data and the fit.
     """
-    found = _native(_core.fit, experiments, free, table, loss, profile_level, interaction_range)
+    errors = [(name, number(f"known[{name!r}]", error)) for name, error in (known or {}).items()]
+    options = (loss, profile_level, interaction_range)
+    found = _native(_core.fit, experiments, free, table, *options, errors, fixed_values)
     film = found["without_film"]
     return Fit(
         estimates=estimates_of(found),
@@ -105,6 +118,7 @@ def fit(
         report=found["report"],
         without_film=film and without_film_of(film, len(found["experiments"])),
         undetermined=tuple(found["undetermined"]),
+        fixed_values=fixed_values_of(found),
     )
 
 
@@ -244,13 +258,14 @@ def _native(
     loss: Loss,
     profile_level: float | None,
     interaction_range: float,
+    *further: Any,
 ) -> Any:
     """Check the arguments and call the native part."""
     one_of("loss", loss, get_args(Loss))
     given = experiments_of(experiments)
     level = None if profile_level is None else number("profile_level", profile_level)
     options = (loss, level, number("interaction_range", interaction_range))
-    return function((table or Table.embedded())._native, given, free_of(free), options)
+    return function((table or Table.embedded())._native, given, free_of(free), options, *further)
 
 
 def experiments_of(given: Experiment | Iterable[Experiment]) -> list[Experiment]:

@@ -79,10 +79,15 @@ class FittedExperiment(OneLine):
         Standard deviation of an ordinate, N or m.
     noise_is_estimated : bool
         Whether the noise was estimated from the residuals.
+    abscissa_noise : float
+        Standard deviation of an abscissa, m; 0 if they are exact.
     abscissa, ordinate : numpy.ndarray
         The measured points.
     fit : numpy.ndarray
         The ordinates of the fit; NaN for a point that was left out.
+    deviation : numpy.ndarray
+        The standard deviations of the residuals: those of the ordinates, with what errors of the
+        abscissae add.
     contact_radius : numpy.ndarray
         The contact radii of the fit, m; NaN without a contact.
     without_film : numpy.ndarray
@@ -90,7 +95,7 @@ class FittedExperiment(OneLine):
     branch : list of str
         ``"advancing"``, ``"receding"``, ``"pinned"``, ``"baseline"`` or ``"left-out"``.
     outlier : numpy.ndarray
-        Whether the residual is more than 5 times the noise.
+        Whether the residual is more than 5 times its standard deviation.
     retract : numpy.ndarray or None
         Whether each point was measured on retract; None where that is not known.
     """
@@ -99,9 +104,11 @@ class FittedExperiment(OneLine):
     kind: str
     noise: float
     noise_is_estimated: bool
+    abscissa_noise: float
     abscissa: Array
     ordinate: Array
     fit: Array
+    deviation: Array
     contact_radius: Array
     without_film: Array
     branch: list[str]
@@ -141,6 +148,32 @@ class FittedExperiment(OneLine):
         names = ("abscissa", "ordinate", "fit", "residual", "contact_radius", "without_film")
         columns = {name: getattr(self, name) for name in names}
         return pandas.DataFrame({**columns, "branch": self.branch, "outlier": self.outlier})
+
+
+@dataclass(frozen=True, slots=True)
+class FixedValue:
+    """What a value that is not free does to the values found.
+
+    Attributes
+    ----------
+    quantity : str
+        Its name, such as ``"film_thickness"`` or ``"sphere_radius"``.
+    value : float
+        The value, in SI units.
+    step : float
+        A change of it: 1 %, or 0.01 of a Poisson ratio; to the other side at the end of what is
+        possible, such as a Poisson ratio of 0.5.
+    changes : dict of str to float
+        The changes of the values found that follow, in SI units and to the first order, by name.
+    standard_error : float or None
+        The standard error of the value, if it is known.
+    """
+
+    quantity: str
+    value: float
+    step: float
+    changes: dict[str, float]
+    standard_error: float | None
 
 
 @dataclass(frozen=True, slots=True)
@@ -202,6 +235,8 @@ class Fit(OneLine):
     report : str
         The result for people, as the program ``tabulate fit`` prints it: what is fixed, what was
         found, whether the film matters, and the warnings. ``print(fit)`` prints it.
+    fixed_values : tuple of FixedValue
+        What the values that are not free do to the result.
     """
 
     estimates: tuple[Estimate, ...]
@@ -216,6 +251,7 @@ class Fit(OneLine):
     without_film: WithoutFilm | None
     undetermined: tuple[str, ...]
     report: str
+    fixed_values: tuple[FixedValue, ...] = ()
 
     def __str__(self) -> str:
         """Return the report."""
@@ -559,6 +595,16 @@ def name_of(estimate: Estimate, experiments: int) -> str:
     if estimate.experiment is None or experiments == 1:
         return estimate.parameter
     return f"{estimate.parameter}[{estimate.experiment}]"
+
+
+def fixed_values_of(found: Mapping[str, Any]) -> tuple[FixedValue, ...]:
+    """Return what the values that are not free do, in a native result."""
+    estimates, experiments = estimates_of(found), len(found["experiments"])
+    names = [name_of(estimate, experiments) for estimate in estimates]
+    return tuple(
+        FixedValue(quantity, value, step, dict(zip(names, changes, strict=True)), error)
+        for quantity, value, step, changes, error in found["fixed_values"]
+    )
 
 
 def without_film_of(found: Mapping[str, Any], experiments: int) -> WithoutFilm:

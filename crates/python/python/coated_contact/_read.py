@@ -15,7 +15,18 @@ from ._errors import FitError
 from ._experiment import Experiment, Kind, one_of
 from ._stack import StackSystem
 
-Role = Literal["contact_radius", "load", "penetration", "height", "deflection", "segment"]
+Role = Literal[
+    "contact_radius",
+    "load",
+    "penetration",
+    "height",
+    "deflection",
+    "segment",
+    "contact_radius_error",
+    "load_error",
+    "penetration_error",
+    "height_error",
+]
 Segments = Literal["auto", "file", "split"]
 Direction = Literal["approach", "retract"]
 
@@ -61,8 +72,8 @@ def read_experiment(
     system : System, HalfSpace or StackSystem
         The bodies.
     columns : mapping, optional
-        Columns that are not recognised: the heading, with a unit if the file has none, or the number
-        from 1, for ``"contact_radius"``, ``"load"``, ``"penetration"``, ``"height"``,
+        Columns that are not recognised: the heading, with a unit if the file has none, or the
+        number from 1, for ``"contact_radius"``, ``"load"``, ``"penetration"``, ``"height"``,
         ``"deflection"`` or ``"segment"``. A minus before it turns the sign. Where approach and
         retract have columns of their own, give both headings.
     segments : {"auto", "file", "split"}

@@ -34,7 +34,7 @@ mod system;
 mod table_name;
 mod unpack;
 
-use std::io::{self, Write};
+use std::io::{self, IsTerminal, Write};
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
@@ -107,7 +107,36 @@ enum Command {
 
 /// Runs the program on the process's arguments. Exit status 0, 1 (the work failed) or 2 (usage).
 pub fn run() -> ExitCode {
-    let outcome = match Arguments::parse().command {
+    let outcome =
+        Arguments::try_parse().map_or_else(explain, |arguments| run_command(arguments.command));
+    match outcome {
+        Ok(status) => status,
+        Err(error) => {
+            note(&format!("{error:#}"));
+            ExitCode::FAILURE
+        }
+    }
+}
+
+/// Prints what clap answers instead of a command: a help text, the version, or an error of usage.
+fn explain(answer: clap::Error) -> anyhow::Result<ExitCode> {
+    if answer.use_stderr() {
+        // There is nowhere else to say that standard error is closed.
+        let _ = answer.print();
+        return Ok(ExitCode::from(2));
+    }
+    let text = if io::stdout().is_terminal() {
+        answer.render().ansi().to_string()
+    } else {
+        answer.render().to_string()
+    };
+    print(text.as_bytes())?;
+    Ok(ExitCode::SUCCESS)
+}
+
+/// Runs a subcommand.
+fn run_command(command: Command) -> anyhow::Result<ExitCode> {
+    match command {
         Command::Curve(arguments) => curve::run(&arguments),
         Command::PullOff(arguments) => pull_off::run(&arguments),
         Command::Fit(arguments) => fit::run(&arguments),
@@ -124,14 +153,8 @@ pub fn run() -> ExitCode {
         Command::Cost(arguments) => cost::run(&arguments),
         Command::Completions(arguments) => completions::run(&arguments),
         Command::Man(arguments) => man::run(&arguments),
-    };
-    match outcome {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(error) => {
-            note(&format!("{error:#}"));
-            ExitCode::FAILURE
-        }
-    }
+    }?;
+    Ok(ExitCode::SUCCESS)
 }
 
 /// Prints a text on standard output.

@@ -82,7 +82,6 @@ fn without_what(experiments: &[Experiment]) -> &'static str {
 struct Drawn<'a> {
     number: usize,
     name: &'a str,
-    noise: f64,
     marks: Vec<Mark>,
 }
 
@@ -92,6 +91,7 @@ struct Mark {
     y: f64,
     fit: Option<f64>,
     without_film: Option<f64>,
+    deviation: f64,
     branch: Branch,
     retract: bool,
     used: bool,
@@ -105,6 +105,7 @@ impl<'a> Drawn<'a> {
             y: point.ordinate,
             fit: point.fit,
             without_film: point.without_film,
+            deviation: point.deviation,
             branch: point.branch,
             retract: is_retract(point, measured),
             used: point.fit.is_some() && !point.outlier,
@@ -113,7 +114,6 @@ impl<'a> Drawn<'a> {
         Self {
             number,
             name: &fitted.name,
-            noise: fitted.noise,
             marks: points.map(mark).collect(),
         }
     }
@@ -166,10 +166,8 @@ fn panels(kind: Kind, members: &[Drawn<'_>], without: &str) -> Vec<Panel> {
     let y = Scale::new(ordinate, unit, marks().flat_map(values));
     let data = data_panel("Data and fit", &x, &y, members, without);
 
-    let residual = |one: &Drawn<'_>, mark: &Mark| Some((mark.y - mark.fit?) / one.noise);
-    let residuals = members
-        .iter()
-        .flat_map(|one| one.marks.iter().filter_map(|mark| residual(one, mark)));
+    let residual = |mark: &Mark| Some((mark.y - mark.fit?) / mark.deviation);
+    let residuals = marks().filter_map(residual);
     let largest = residuals.fold(3.0_f64, |most, residual| most.max(residual.abs()));
     let rest = Axis::linear("residual / noise", [-1.1 * largest, 1.1 * largest]);
     let title = if marks().any(|mark| mark.without_film.is_some()) {
@@ -183,13 +181,16 @@ fn panels(kind: Kind, members: &[Drawn<'_>], without: &str) -> Vec<Panel> {
     for one in members {
         let every = one.marks.len().div_ceil(MOST);
         for mark in one.marks.iter().step_by(every) {
-            if let Some(residual) = residual(one, mark) {
+            if let Some(residual) = residual(mark) {
                 let (colour, marker) = style(one, mark, members.len());
                 left.markers([[x.at(mark.x), residual]], colour, marker);
             }
         }
         for curve in branches(&one.marks, every, |mark| {
-            Some([x.at(mark.x), (mark.without_film? - mark.fit?) / one.noise])
+            Some([
+                x.at(mark.x),
+                (mark.without_film? - mark.fit?) / mark.deviation,
+            ])
         }) {
             left.dashed(curve, GREY);
         }

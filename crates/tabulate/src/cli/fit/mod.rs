@@ -14,15 +14,15 @@ use std::path::{Path, PathBuf};
 
 use ::fit::data::{Cantilever, Column, Format, Role, Segments};
 use ::fit::report::{UnitOf, report};
-use ::fit::{Direction, Kind, Loss, Measurement, Options, Parameter};
+use ::fit::{Direction, Fit, Kind, Loss, Measurement, Options, Parameter, WarningKind};
 use anyhow::{Context, bail, ensure};
 use clap::ValueHint;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use interp::Table;
 
 use self::experiments::{FreeArguments, KnownArguments};
-use self::reading::{measured, typed};
-use self::setting::unit_of;
+use self::reading::{doubted, measured, typed};
+use self::setting::{Given, unit_of};
 use super::json;
 use super::output::Output;
 use super::plot::picture;
@@ -39,6 +39,11 @@ use crate::printable;
 /// recognised by headings with a unit, such as `Force [mN]`, `Radius (um)`, `height_nm`,
 /// `Piezo/nm`; --column names others. Without a unit, the names contact_radius, penetration, load,
 /// force, height, `height (measured)` and `height (piezo)` are in SI units, all others an error.
+/// A heading of one of these with error, std, sd, sigma or uncertainty, such as `load error [mN]`
+/// and `radius_std`, is the column of its standard deviations. Segments of a file may have headings
+/// of their own. The stiffness and the sensitivity of the cantilever are those that the head of the
+/// file names, unless flags give others.
+///
 /// Loads are positive in compression; heights are smaller when the cantilever is closer to the
 /// sample: contact point - height = penetration + force/stiffness.
 ///
@@ -67,11 +72,12 @@ pub struct Arguments {
     #[arg(long, value_parser = kinds())]
     kind: Option<Kind>,
     /// A column that is not recognised: NAME=HEADING [UNIT]. NAME is one of contact_radius, load,
-    /// penetration, height, deflection and segment. The number of the column may stand for the
-    /// heading; a minus before it turns the sign
+    /// penetration, height, deflection and segment, or with _error a column of standard deviations:
+    /// load_error. The number of the column may stand for the heading, with `extend` or `retract`
+    /// after it for one direction; a minus before it turns the sign
     #[arg(long = "column", value_name = "NAME=HEADING [UNIT]")]
     columns: Vec<Column>,
-    /// Sensitivity, m of deflection for each V, of a deflection in volts
+    /// Sensitivity, m of deflection for each V, of a deflection in volts [default: that of the file]
     #[arg(long, value_name = "m/V", allow_negative_numbers = true)]
     sensitivity: Option<f64>,
     /// Where the directions of points come from: a column segment, phase or direction, comments
@@ -94,8 +100,16 @@ pub struct Arguments {
     sphere_poisson_ratio: Option<f64>,
     #[command(flatten)]
     free: FreeArguments,
-    /// Standard deviation of a load (N) or penetration (m), one or one for each file [default:
-    /// estimated from the residuals]
+    /// Value and standard error of a quantity that is not free, in SI units:
+    /// film-thickness=2e-6+-1e-7, also sphere-radius, substrate-modulus, substrate-poisson-ratio. Can
+    /// be given several times. The fit keeps the value, and its error adds to the standard errors:
+    /// to the first order, as one of several independent errors. --prior instead lets the data move
+    /// a free value
+    #[arg(long = "known", value_name = "NAME=VALUE+-ERROR")]
+    given: Vec<Given>,
+    /// Standard deviation of a load (N) or penetration (m), one or one for each file [default: that
+    /// of a column of standard deviations, such as `load error [mN]`, or estimated from the
+    /// residuals]
     #[arg(
         long,
         value_name = "S",
@@ -103,6 +117,17 @@ pub struct Arguments {
         allow_negative_numbers = true
     )]
     noise: Vec<f64>,
+    /// Standard deviation of a contact radius, penetration or height, m, one or one for each file
+    /// [default: that of a column such as `radius_error [um]`, or exact]. It counts by the slope of
+    /// the model: the variance of a point is that of its load plus (slope x S)^2
+    #[arg(
+        long,
+        visible_alias = "radius-noise",
+        value_name = "S",
+        value_delimiter = ',',
+        allow_negative_numbers = true
+    )]
+    abscissa_noise: Vec<f64>,
     /// Robust loss, for data with outliers: Huber's with the threshold 1.345, or the soft L1 loss
     #[arg(long, value_parser = one_of([("huber", Loss::HUBER), ("soft-l1", Loss::SOFT_L1)]))]
     robust: Option<Loss>,
@@ -128,9 +153,11 @@ pub struct Arguments {
     /// Print a JSON object in SI units instead of the report
     ///
     /// {"converged": bool, "parameters": {"film_modulus": {"value", "stderr", "unit"}, ...},
-    /// "sphere_young_modulus" with --sphere-poisson-ratio, "correlation": [[...]], "reduced_chi_squared", "noise", "without_film": {...}, "warnings":
-    /// [{"kind", "text"}], "read": [how each file was read]}. A parameter of which each file has its
-    /// own is a list. With --intervals each parameter has an "interval".
+    /// "sphere_young_modulus" with --sphere-poisson-ratio, "correlation": [[...]],
+    /// "reduced_chi_squared", "noise", "abscissa_noise", "without_film": {...}, "fixed_values":
+    /// [{"name", "value", "unit", "step", "changes", "error"}], "warnings": [{"kind", "text"}],
+    /// "read": [how each file was read]}. A parameter of which each file has its own is a list. With
+    /// --intervals each parameter has an "interval".
     #[arg(long)]
     json: bool,
     /// Write data, fit, residual and branch of every point here
@@ -196,6 +223,24 @@ impl Arguments {
     }
 }
 
+/// Returns the flags that follow from the warnings, a line each.
+fn next_steps(fit: &Fit) -> String {
+    let steps = [
+        (
+            WarningKind::Hysteresis,
+            "loops: --free ...,work-of-adhesion-receding, or --only approach, or --only retract \
+             (points without a direction: --segments split)",
+        ),
+        (
+            WarningKind::Plasticity,
+            "what remains after unloading: keep the rows of unloading above half of the largest \
+             load, and --only retract --free film-modulus,contact-point",
+        ),
+    ];
+    let steps = steps.iter().filter(|(kind, _)| fit.warns_of(*kind));
+    steps.map(|(_, step)| format!("{step}\n")).collect()
+}
+
 /// Accepts a file to write, if one is asked for.
 fn output<'a>(path: Option<&'a Path>, inputs: &[&Path]) -> anyhow::Result<Option<Output<'a>>> {
     path.map(|_| Output::beside(path, inputs)).transpose()
@@ -216,20 +261,25 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let csv = output(arguments.csv.as_deref(), &inputs)?;
     let plot = output(arguments.plot.as_deref(), &inputs)?;
     let files = arguments.data.len();
-    let noises = arguments.noise.len();
-    ensure!(
-        noises <= 1 || noises == files,
-        "--noise: {noises} values for {files} files; give one, or one for each file"
-    );
+    for (flag, noises) in [
+        ("--noise", arguments.noise.len()),
+        ("--abscissa-noise", arguments.abscissa_noise.len()),
+    ] {
+        ensure!(
+            noises <= 1 || noises == files,
+            "{flag}: {noises} values for {files} files; give one, or one for each file"
+        );
+    }
     let format = arguments.format();
-    let (mut measurements, mut notes) = (Vec::new(), Vec::new());
+    let (mut measurements, mut errors, mut notes) = (Vec::new(), Vec::new(), Vec::new());
     for path in &arguments.data {
         let reading = measured(path, &format)?;
         measurements.push(reading.measurement);
+        errors.push(reading.errors);
         notes.push(reading.notes);
     }
     let mut experiments = arguments.known.experiments(measurements)?;
-    for (i, experiment) in experiments.iter_mut().enumerate() {
+    for ((i, experiment), errors) in experiments.iter_mut().enumerate().zip(errors) {
         let Measurement { name, kind, .. } = &experiment.measurement;
         if *kind == Kind::ForceHeight {
             let of_file = notes[i].cantilever.stiffness;
@@ -239,9 +289,25 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
             *kind != Kind::ForceHeight || experiment.stiffness.is_some(),
             "{name}: heights need the stiffness of the cantilever; give it: --stiffness N/m"
         );
+        for Given {
+            quantity, value, ..
+        } in &arguments.given
+        {
+            let set = experiment.set_fixed(*quantity, *value);
+            set.with_context(|| format!("--known {}={value:?}", quantity.name()))?;
+        }
+        // A flag stands for a column.
+        experiment.errors = errors;
+        let of_file = |noises: &[f64]| noises.get(i).or(noises.first()).copied();
+        if let Some(noise) = of_file(&arguments.noise) {
+            experiment.noise = Some(noise);
+            experiment.errors.ordinate.clear();
+        }
+        if let Some(noise) = of_file(&arguments.abscissa_noise) {
+            experiment.abscissa_noise = noise;
+            experiment.errors.abscissa.clear();
+        }
         experiment.sphere_poisson_ratio = arguments.sphere_poisson_ratio;
-        let noise = arguments.noise.get(i).or(arguments.noise.first());
-        experiment.noise = noise.copied();
     }
     let free = arguments.free.of(&experiments, &arguments.known.values)?;
     let mut columns = notes.iter().flat_map(|notes| &notes.columns);
@@ -266,9 +332,12 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let options = Options {
         loss: arguments.robust.unwrap_or(Loss::Squares),
         profile_level: arguments.intervals,
+        known: arguments.given.iter().map(Given::known).collect(),
+        fixed_values: true,
         ..Options::default()
     };
-    let fit = ::fit::fit(table, &experiments, &free, &options)?;
+    let fit =
+        ::fit::fit(table, &experiments, &free, &options).map_err(|error| doubted(error, &notes))?;
     // A picture that cannot be drawn is told before anything is written.
     let drawn = match arguments.plot_kind {
         PlotKind::Data => figure(&fit, &experiments),
@@ -287,6 +356,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         for doubt in notes.iter().filter_map(|notes| notes.doubt.as_ref()) {
             report += &format!("if the sign is wrong, {}\n", typed(&doubt.remedy()));
         }
+        report += &next_steps(&fit);
         print(printable::lines(&report).as_bytes())?;
     }
     ensure!(

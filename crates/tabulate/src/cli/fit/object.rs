@@ -4,7 +4,9 @@ use std::borrow::Cow;
 
 use ::fit::data::Notes;
 use ::fit::report::reading;
-use ::fit::{Estimate, Experiment, Fit, Parameter, WithoutFilm};
+use ::fit::{
+    Estimate, Experiment, Fit, FittedExperiment, Fixed, FixedValue, Parameter, WithoutFilm,
+};
 use serde::{Serialize, Serializer};
 
 use super::reading::typed;
@@ -25,7 +27,9 @@ pub struct FitObject<'a> {
     /// Null where a noise was estimated from the residuals.
     reduced_chi_squared: Option<Number>,
     noise: OneOrAll<Number>,
+    abscissa_noise: OneOrAll<Number>,
     without_film: Option<WithoutFilmObject<'a>>,
+    fixed_values: Vec<FixedValueObject>,
     warnings: Vec<WarningObject<'a>>,
 }
 
@@ -36,6 +40,20 @@ struct WithoutFilmObject<'a> {
     chi_squared: Number,
     /// The modulus beside that with the film; null if no modulus is free.
     modulus: Option<ModulusObject>,
+}
+
+/// What a value taken as given does.
+#[derive(Serialize)]
+struct FixedValueObject {
+    name: String,
+    value: Number,
+    unit: &'static str,
+    /// The change of the value, and the changes of the parameters that follow, in the order of
+    /// `correlation`.
+    step: Number,
+    changes: Vec<Number>,
+    /// The standard error, if one is given.
+    error: Option<Number>,
 }
 
 #[derive(Serialize)]
@@ -121,6 +139,10 @@ pub fn matrix(rows: &[Vec<f64>]) -> Vec<Vec<Number>> {
 impl<'a> FitObject<'a> {
     /// Returns the object of a fit.
     pub fn new(fit: &'a Fit, experiments: &[Experiment], notes: &'a [Notes]) -> Self {
+        let of_files = |value: fn(&FittedExperiment) -> f64| {
+            let values = fit.experiments.iter().map(|one| Number(value(one)));
+            OneOrAll(values.collect())
+        };
         let doubts = notes.iter().filter_map(|notes| notes.doubt.as_ref());
         let doubts = doubts.map(|doubt| WarningObject {
             kind: "sign",
@@ -140,14 +162,27 @@ impl<'a> FitObject<'a> {
             parameters: Estimates(&fit.estimates),
             correlation: matrix(&fit.correlation),
             reduced_chi_squared: fit.reduced_chi_squared.map(Number),
-            noise: OneOrAll(
-                fit.experiments
-                    .iter()
-                    .map(|one| Number(one.noise))
-                    .collect(),
-            ),
+            noise: of_files(|one| one.noise),
+            abscissa_noise: of_files(|one| one.abscissa_noise),
             without_film: fit.without_film.as_ref().map(WithoutFilmObject::new),
+            fixed_values: fit.fixed_values.iter().map(FixedValueObject::new).collect(),
             warnings: warnings.chain(doubts).collect(),
+        }
+    }
+}
+
+impl FixedValueObject {
+    fn new(one: &FixedValue) -> Self {
+        Self {
+            name: match one.quantity {
+                Fixed::Parameter(parameter) => json_name(parameter),
+                other => other.name().replace('-', "_"),
+            },
+            value: Number(one.value),
+            unit: one.quantity.unit(),
+            step: Number(one.step),
+            changes: one.changes.iter().copied().map(Number).collect(),
+            error: one.error.map(Number),
         }
     }
 }

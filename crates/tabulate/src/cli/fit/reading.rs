@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use ::fit::data::{Format, Reading, Remedy, read};
+use ::fit::data::{Format, Named, Notes, Reading, Remedy, read};
 use anyhow::anyhow;
 
 /// Reads a file. An error says which flag helps.
@@ -13,16 +13,33 @@ pub fn measured(path: &Path, format: &Format) -> anyhow::Result<Reading> {
     })
 }
 
+/// Returns the error of a fit, with the doubts about signs that may explain it.
+pub fn doubted(error: ::fit::Error, notes: &[Notes]) -> anyhow::Error {
+    let error = anyhow::Error::from(error);
+    let doubts: String = notes
+        .iter()
+        .filter_map(|notes| notes.doubt.as_ref())
+        .map(|doubt| format!("; {doubt}: if so, {}", typed(&doubt.remedy())))
+        .collect();
+    if doubts.is_empty() {
+        return error;
+    }
+    anyhow!("{error:#}{doubts}")
+}
+
 /// Returns what to type.
 pub fn typed(remedy: &Remedy) -> String {
     match remedy {
-        Remedy::Columns { kind, columns } => {
-            let kind = kind.map(|kind| format!(" --kind {}", kind.name()));
-            let columns: String = columns
-                .iter()
-                .map(|(role, heading)| format!(" --column \"{}={heading}\"", role.name()))
-                .collect();
-            format!("type{}{columns}", kind.unwrap_or_default())
+        Remedy::Columns(ways) => {
+            let way = |Named { kind, columns }: &Named| {
+                let kind = kind.map(|kind| format!(" --kind {}", kind.name()));
+                let columns = columns
+                    .iter()
+                    .map(|(role, heading)| format!(" --column \"{}={heading}\"", role.name()));
+                kind.into_iter().chain(columns).collect::<String>()
+            };
+            let ways: Vec<String> = ways.iter().map(way).collect();
+            format!("type{}", ways.join(", or"))
         }
         Remedy::Kind(kinds) => {
             let names: Vec<&str> = kinds.iter().map(|kind| kind.name()).collect();

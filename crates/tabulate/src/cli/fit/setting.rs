@@ -2,8 +2,8 @@
 
 use std::str::FromStr;
 
-use ::fit::Parameter;
 use ::fit::report::UnitOf;
+use ::fit::{Fixed, Parameter};
 
 /// Values of a parameter, `NAME=VALUE` or `NAME=VALUE,VALUE,...` with one for each file.
 #[derive(Clone, Debug, PartialEq)]
@@ -25,6 +25,47 @@ pub struct Known {
     pub parameter: Parameter,
     pub mean: f64,
     pub error: f64,
+}
+
+/// What is known of a value that the fit takes as given, `NAME=VALUE+-ERROR`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Given {
+    pub quantity: Fixed,
+    pub value: f64,
+    pub error: f64,
+}
+
+impl Given {
+    /// Returns the error for a fit.
+    pub const fn known(&self) -> ::fit::Known {
+        ::fit::Known {
+            quantity: self.quantity,
+            error: self.error,
+        }
+    }
+}
+
+impl FromStr for Given {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let how = "NAME=VALUE+-ERROR, such as film-thickness=2e-6+-1e-7";
+        let (name, known) = text
+            .split_once('=')
+            .ok_or_else(|| format!("{text:?} has no =: write {how}"))?;
+        let quantity = Fixed::parse(name.trim()).ok_or_else(|| {
+            format!(
+                "{name:?} is no value of a fit: give sphere-radius, substrate-modulus, \
+                 substrate-poisson-ratio or a parameter that is not free, such as film-thickness"
+            )
+        })?;
+        let [value, error] = with_error(known.trim(), how)?;
+        Ok(Self {
+            quantity,
+            value,
+            error,
+        })
+    }
 }
 
 impl FromStr for Values {
@@ -60,14 +101,20 @@ impl FromStr for Known {
     fn from_str(text: &str) -> Result<Self, String> {
         let how = "NAME=MEAN+-ERROR, such as film-thickness=1e-6+-5e-8";
         let (parameter, known) = split(text, how)?;
-        let ends = known.split_once("+-").or_else(|| known.split_once('±'));
-        let (mean, error) = ends.ok_or_else(|| format!("{known:?} has no +-: write {how}"))?;
+        let [mean, error] = with_error(known, how)?;
         Ok(Self {
             parameter,
-            mean: number(mean)?,
-            error: number(error)?,
+            mean,
+            error,
         })
     }
+}
+
+/// Reads `VALUE+-ERROR`.
+fn with_error(text: &str, how: &str) -> Result<[f64; 2], String> {
+    let ends = text.split_once("+-").or_else(|| text.split_once('±'));
+    let (value, error) = ends.ok_or_else(|| format!("{text:?} has no +-: write {how}"))?;
+    Ok([number(value)?, number(error)?])
 }
 
 /// Reads a unit for the report, `NAME=UNIT`.
@@ -139,6 +186,18 @@ mod tests {
         assert!(bounds.contains("1e5..1e8"));
         let known = "film-modulus=1e5".parse::<Known>().unwrap_err();
         assert!(known.contains("+-"));
+        let given = |text: &str| text.parse::<Given>().unwrap_err();
+        assert!(given("film-thickness=2e-6").contains("+-"));
+        assert!(given("thickness=2e-6+-1e-7").contains("film-thickness"));
+        assert!(given("sphere-radius").contains("has no ="));
+        assert_eq!(
+            "sphere-radius=1e-3+-1e-5".parse(),
+            Ok(Given {
+                quantity: Fixed::SphereRadius,
+                value: 1e-3,
+                error: 1e-5
+            })
+        );
         let unit = unit_of("film-modulus=mN").unwrap_err();
         assert!(unit.contains("Pa"));
     }
