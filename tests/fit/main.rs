@@ -10,6 +10,7 @@ mod fixed_values;
 mod hostile;
 mod imagined;
 mod layers;
+mod magnitudes;
 mod planning;
 mod recovery;
 mod shapes;

@@ -7,8 +7,8 @@ use fit::data::Notes;
 use fit::report::{JkrPlotPoint, jkr_plot, report};
 use fit::{
     Bodies, Direction, Estimate, Experiment, Fit, Fixed, Free, Interruptible, Kind, Known, Layer,
-    Layered, LayeredSolver, Loss, Measurement, Options, Parameter, Point, PointErrors, Reach,
-    Scope, WithoutFilm,
+    Layered, LayeredSolver, Loss, Magnitude, Measurement, Options, Parameter, Point, PointErrors,
+    Reach, Scope, WithoutFilm,
 };
 use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::exceptions::PyValueError;
@@ -81,8 +81,8 @@ pub struct GivenFree {
     own: Option<bool>,
 }
 
-/// Loss, level of profiles, range of the attraction.
-type GivenOptions = (String, Option<f64>, f64);
+/// Loss, level of profiles, range of the attraction, whether any magnitude is allowed.
+type GivenOptions = (String, Option<f64>, f64, bool);
 
 /// Fits one or several experiments together.
 #[pyfunction]
@@ -104,10 +104,11 @@ pub fn fit_together<'py>(
         })
     });
     let known: Result<Vec<Known>, fit::Error> = known.collect();
+    let (options, allow_magnitudes) = options(given_options)?;
     let options = Options {
         known: known.or_raise(py)?,
         fixed_values,
-        ..options(given_options)?
+        ..options
     };
     let table = table.get();
     let (solver, interrupted) = interruptible_solver(py, table)?;
@@ -117,9 +118,9 @@ pub fn fit_together<'py>(
     let experiments: Vec<Experiment> = experiments.collect::<PyResult<_>>()?;
     let free = frees(py, free)?;
     let found = interruptible(py, &interrupted, || {
-        fit::fit(table.get(), &experiments, &free, &options)
+        checked_fit(table.get(), &experiments, &free, &options, allow_magnitudes)
     })?
-    .or_raise(py)?;
+    .map_err(|failure| failure.raise(py))?;
     let result = summary(py, &found)?;
     // The points come from arrays, which have no headings.
     let notes = vec![Notes::default(); experiments.len()];
@@ -158,7 +159,8 @@ pub fn fit_map<'py>(
 ) -> PyResult<Bound<'py, PyList>> {
     /// The fits whose results are in memory before they are made objects of Python.
     const BLOCK: usize = 64;
-    let (table, options) = (table.get(), options(given_options)?);
+    let (options, allow_magnitudes) = options(given_options)?;
+    let table = table.get();
     let (solver, interrupted) = interruptible_solver(py, table)?;
     let free = frees(py, free)?;
     let results = PyList::empty(py);
@@ -167,20 +169,42 @@ pub fn fit_map<'py>(
         let curves: Vec<Experiment> = curves.collect::<PyResult<_>>()?;
         let one = |curve: &Experiment| {
             let goes_on = !interrupted.load(Ordering::Relaxed);
-            goes_on.then(|| fit::fit(table.get(), std::slice::from_ref(curve), &free, &options))
+            let curve = std::slice::from_ref(curve);
+            goes_on.then(|| checked_fit(table.get(), curve, &free, &options, allow_magnitudes))
         };
         let found = interruptible(py, &interrupted, || parallel::map_while_some(&curves, one))?;
         for (i, found) in found.into_iter().enumerate() {
             match found {
                 Ok(found) => results.append(summary(py, &found)?)?,
-                Err(error) => {
-                    let failure = Failure::from(error).at(block * BLOCK + i);
-                    results.append(failure.raise(py))?;
+                Err(failure) => {
+                    results.append(failure.at(block * BLOCK + i).raise(py))?;
                 }
             }
         }
     }
     Ok(results)
+}
+
+/// Fits, and refuses numbers that no experiment has unless they are allowed.
+fn checked_fit(
+    table: &interp::Table,
+    experiments: &[Experiment],
+    free: &[Free],
+    options: &Options,
+    allow_magnitudes: bool,
+) -> Result<Fit, Failure> {
+    let accept = |name: &str, found: &[Magnitude]| {
+        let failure = Failure::magnitudes(name, found).filter(|_| !allow_magnitudes);
+        failure.map_or(Ok(()), Err)
+    };
+    for experiment in experiments {
+        accept(&experiment.measurement.name, &experiment.magnitudes())?;
+    }
+    let found = fit::fit(table, experiments, free, options)?;
+    if found.converged {
+        accept("the fit", &found.magnitudes())?;
+    }
+    Ok(found)
 }
 
 /// Returns what makes the contacts on layers of a table until the flag beside it is set.
@@ -307,20 +331,22 @@ pub fn frees(py: Python<'_>, given: Vec<GivenFree>) -> PyResult<Vec<Free>> {
     all.or_raise(py)
 }
 
-/// Makes the options.
-fn options((loss, profile_level, interaction_range): GivenOptions) -> PyResult<Options> {
+/// Makes the options, and tells whether any magnitude is allowed.
+fn options(given: GivenOptions) -> PyResult<(Options, bool)> {
+    let (loss, profile_level, interaction_range, allow_magnitudes) = given;
     let loss = match loss.as_str() {
         "squares" => Loss::Squares,
         "huber" => Loss::HUBER,
         "soft-l1" => Loss::SOFT_L1,
         other => return Err(unknown("loss", other)),
     };
-    Ok(Options {
+    let options = Options {
         loss,
         profile_level,
         interaction_range,
         ..Options::default()
-    })
+    };
+    Ok((options, allow_magnitudes))
 }
 
 /// Returns the value taken as given that has a name in Python. A layer keeps its name as it is.

@@ -31,3 +31,4 @@ pub use result::{
     Warning, WarningKind, WithoutFilm,
 };
 pub use solve::fit;
+pub use start::starts_from_data;

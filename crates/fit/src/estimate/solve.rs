@@ -32,8 +32,7 @@ const OUTLIER: f64 = 5.0;
 /// threads may share the `table`.
 ///
 /// # Errors
-/// [`Error`] for points, parameters or options that cannot be used. A fit that does not converge is
-/// no error: see [`Fit::converged`].
+/// [`Error`] for points, parameters or options that cannot be used. A fit that does not converge is no error: see [`Fit::converged`].
 pub fn fit(
     table: &Table,
     experiments: &[Experiment],

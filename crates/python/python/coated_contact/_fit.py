@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     from distributed import Client
 
 Loss = Literal["squares", "huber", "soft-l1"]
+Allowed = Literal["magnitudes"]
 
 
 def fit(
@@ -41,6 +42,7 @@ def fit(
     interaction_range: float = 3e-10,
     known: Mapping[str, float] | None = None,
     fixed_values: bool = True,
+    allow: Iterable[Allowed] = (),
 ) -> Fit:
     """Find the free parameters of one or several experiments together.
 
@@ -71,6 +73,9 @@ def fit(
         :class:`Free` instead lets the data move a free value.
     fixed_values : bool
         Whether ``Fit.fixed_values`` tells what the values that are not free do to the result.
+    allow : iterable of {"magnitudes"}
+        Doubts with which the fit goes on: numbers, given or found, that no experiment has, such as
+        a sphere of 2 m or a film of 3000 GPa.
 
     Returns
     -------
@@ -81,7 +86,8 @@ def fit(
     Raises
     ------
     FitError
-        For points, parameters or options that cannot be used. Points are counted from 0.
+        For points, parameters or options that cannot be used, and for numbers that no experiment
+        has. Points are counted from 0.
     ContactError
         For a contact that cannot be computed.
 
@@ -102,7 +108,7 @@ def fit(
     the data and the fit.
     """
     errors = [(name, number(f"known[{name!r}]", error)) for name, error in (known or {}).items()]
-    options = (loss, profile_level, interaction_range)
+    options = (loss, profile_level, interaction_range, tuple(allow))
     found = _native(_core.fit, experiments, free, table, *options, errors, fixed_values)
     film = found["without_film"]
     return Fit(
@@ -130,6 +136,7 @@ def fit_map(
     loss: Loss = "squares",
     profile_level: float | None = None,
     interaction_range: float = 3e-10,
+    allow: Iterable[Allowed] = (),
     errors: Errors = "raise",
     client: Client | None = None,
 ) -> FitMap:
@@ -142,7 +149,7 @@ def fit_map(
     ----------
     curves : iterable of Experiment
         The measurements, such as those of a force map.
-    free, table, loss, profile_level, interaction_range
+    free, table, loss, profile_level, interaction_range, allow
         As :func:`fit`.
     errors : {"raise", "nan"}
         What a curve without a result gives: the exception of the first one, or NaN and an entry in
@@ -160,7 +167,7 @@ def fit_map(
     if errors not in ("raise", "nan"):
         raise ValueError(f'errors = {errors!r} cannot be used: give "raise" or "nan"')
     free = free_of(free)
-    options = (loss, profile_level, interaction_range)
+    options = (loss, profile_level, interaction_range, tuple(allow))
     given = _batched(curves)
     done: dict[int, FitMap] = {}
     blocks: Iterator[tuple[int, FitMap]]
@@ -189,7 +196,7 @@ def fit_block(
     curves: Iterable[Experiment],
     free: list[Free],
     table: Table | None,
-    options: tuple[Loss, float | None, float],
+    options: tuple[Loss, float | None, float, tuple[Allowed, ...]],
 ) -> FitMap:
     """Fit some of the curves of a map."""
     results = _native(_core.fit_map, curves, free, table, *options)
@@ -258,13 +265,17 @@ def _native(
     loss: Loss,
     profile_level: float | None,
     interaction_range: float,
+    allow: tuple[Allowed, ...],
     *further: Any,
 ) -> Any:
     """Check the arguments and call the native part."""
     one_of("loss", loss, get_args(Loss))
     given = experiments_of(experiments)
     level = None if profile_level is None else number("profile_level", profile_level)
-    options = (loss, level, number("interaction_range", interaction_range))
+    for one in allow:
+        one_of("allow", one, get_args(Allowed))
+    attraction = number("interaction_range", interaction_range)
+    options = (loss, level, attraction, "magnitudes" in allow)
     return function((table or Table.embedded())._native, given, free_of(free), options, *further)
 
 
