@@ -67,6 +67,7 @@ fn the_help_of_every_command_has_its_arguments_and_the_program_says_whose_modulu
                 "--json",
                 "--csv",
                 "--plot",
+                "--plot-kind",
                 "--column",
                 "--sphere-modulus",
                 "--film-thickness",

@@ -13,6 +13,7 @@ mod embedded;
 mod fit;
 mod fit_doubts;
 mod fit_files;
+mod fit_plots;
 mod fit_shapes;
 mod help;
 mod hostile_text;

@@ -126,6 +126,14 @@ pub enum Error {
          character, and no space at its ends; give the layer another name"
     )]
     LayerName(String),
+    /// A measurement that has no JKR plot.
+    #[error("{experiment} has no JKR plot: {reason}")]
+    NoJkrPlot {
+        /// The name of the measurement.
+        experiment: String,
+        /// What a JKR plot needs.
+        reason: &'static str,
+    },
     /// A contact on a stack of layers that cannot be computed.
     #[error(transparent)]
     Layers(Cause),

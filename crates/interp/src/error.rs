@@ -313,7 +313,7 @@ pub enum Error {
     #[error(
         "a low-rank form with the ranks {ranks:?} and {nodes:?} nodes is too large: its first lookup \
          would need {needed} {what}, and at most {most} are allowed; pack the table with a larger \
-         tolerance (`tabulate pack --tolerance`), make it for a smaller box or with fewer nodes, or \
+         tolerance, make it for a smaller box or with fewer nodes, or \
          use it as HDF5 or packed without a tolerance"
     )]
     LowRankTooLarge {

@@ -102,6 +102,7 @@ mod contact;
 mod curve;
 mod error;
 mod material;
+pub mod once;
 mod table;
 
 #[cfg(feature = "dynamics")]

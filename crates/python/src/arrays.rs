@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::exceptions::{PyMemoryError, PyValueError};
 use pyo3::prelude::*;
-use rayon::prelude::*;
+use tabulate::parallel;
 
 use crate::error::Failure;
 use crate::interruption::interruptible;
@@ -68,8 +68,7 @@ impl Points {
                 let goes_on = !interrupted.load(Ordering::Relaxed);
                 goes_on.then(|| function(values.at(index)))
             };
-            let results = block.into_par_iter().map(one).while_some();
-            results.collect::<Vec<_>>().into_iter()
+            parallel::map_while_some(block, one).into_iter()
         })
     }
 

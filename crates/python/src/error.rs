@@ -41,7 +41,7 @@ impl Failure {
             message = format!("{message}: {error}");
             source = error.source();
         }
-        Self::of_words(class, &message)
+        Self::of_words(class, &in_python(&message))
     }
 
     /// An error of the class `class` with a message.
@@ -98,7 +98,7 @@ impl Failure {
     /// Adds the values allowed in words.
     pub fn allowed(self, words: &str) -> Self {
         Self {
-            allowed: Some(words.to_owned()),
+            allowed: Some(in_python(words)),
             ..self
         }
     }
@@ -166,6 +166,40 @@ where
 {
     fn or_raise(self, py: Python<'_>) -> PyResult<T> {
         self.map_err(|error| Failure::from(error).raise(py))
+    }
+}
+
+/// Returns a message whose code, between backticks, is that of this package: `Contact.pull_off` for
+/// `Contact::pull_off`, and `generate` for `tabulate generate`.
+fn in_python(message: &str) -> String {
+    let message = message.replace(" (feature `hdf5`)", "");
+    let parts = message.split('`').enumerate();
+    let parts = parts.map(|(i, part)| {
+        if i % 2 == 1 {
+            code(part)
+        } else {
+            part.to_owned()
+        }
+    });
+    parts.collect::<Vec<_>>().join("`")
+}
+
+/// Returns a name of a Rust crate or a command of the program, as this package calls it.
+fn code(name: &str) -> String {
+    match name {
+        "tabulate generate" => return "generate".to_owned(),
+        "tabulate solve" => return "solve".to_owned(),
+        "tabulate pack TABLE.h5 -o TABLE.bin" => return "tabulate pack".to_owned(),
+        _ => {}
+    }
+    // The modules of Rust, and the enum of the shapes, are no names here.
+    let is_here = |part: &&str| part.starts_with(|c: char| c.is_uppercase()) && *part != "Probe";
+    match name.rsplit_once("::") {
+        Some((path, last)) => {
+            let classes = path.split("::").filter(is_here).chain([last]);
+            classes.collect::<Vec<_>>().join(".")
+        }
+        None => name.to_owned(),
     }
 }
 
@@ -300,6 +334,7 @@ impl From<tabulate::Error> for Failure {
     fn from(error: tabulate::Error) -> Self {
         use tabulate::Error;
         let failure = Self::new("ContactError", &error);
+        let words = failure.message.clone();
         let of = |class| Self { class, ..failure };
         match error {
             Error::Table(error) => error.into(),
@@ -341,11 +376,17 @@ impl From<tabulate::Error> for Failure {
                 of("OSError").about_file(&path, &source)
             }
             Error::Busy { .. } => of("OSError"),
+            Error::OtherRun { .. } => {
+                // The keywords of `generate` are the flags of the program.
+                let words = words.replace("--certificate-points ", "certificate_points=");
+                let words = words.replace("--seed ", "seed=");
+                let words = words.replace("--resume", "resume=True");
+                of("GenerationError").saying(&words)
+            }
             Error::Scene { .. }
             | Error::TooLarge { .. }
             | Error::TooClose { .. }
             | Error::Unresolved { .. }
-            | Error::OtherRun { .. }
             | Error::Kept { .. }
             | Error::Piece { .. } => of("GenerationError"),
             _ => of("ContactError"),
@@ -360,11 +401,14 @@ impl From<fit::Error> for Failure {
         match error {
             Error::Contact(error) => error.into(),
             Error::Point {
+                measurement,
+                line,
                 name,
                 value,
                 allowed,
-                ..
-            } => of.about(name, value).allowed(allowed),
+            } => of.about(name, value).allowed(allowed).saying(&format!(
+                "{measurement}, point {line}: {name} = {value:?} must be {allowed}"
+            )),
             Error::Constant { name, value, .. } => of.about(name, value),
             Error::Setting {
                 name,

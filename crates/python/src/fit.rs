@@ -3,16 +3,18 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
+use fit::data::Notes;
+use fit::report::{JkrPlotPoint, jkr_plot, report};
 use fit::{
-    Bodies, Direction, Estimate, Experiment, Fit, FittedExperiment, Fixed, Free, Interruptible,
-    Kind, Known, Layer, Layered, LayeredSolver, Loss, Magnitude, Measurement, Options, Parameter,
-    Point, PointErrors, Reach, Scope, WithoutFilm,
+    Bodies, Direction, Estimate, Experiment, Fit, Fixed, Free, Interruptible, Kind, Known, Layer,
+    Layered, LayeredSolver, Loss, Magnitude, Measurement, Options, Parameter, Point, PointErrors,
+    Reach, Scope, WithoutFilm,
 };
 use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyList};
-use rayon::prelude::*;
+use pyo3::types::{PyDict, PyList, PyString, PyTuple};
+use tabulate::parallel;
 
 use crate::bodies::{NativeHalfSpace, NativeStackSystem, NativeSystem};
 use crate::error::{Failure, OrRaise as _};
@@ -121,7 +123,12 @@ pub fn fit_together<'py>(
     })?
     .map_err(|failure| failure.raise(py))?;
     let result = summary(py, &found)?;
-    let fitted = found.experiments.iter().map(|one| points(py, one));
+    // The points come from arrays, which have no headings.
+    let notes = vec![Notes::default(); experiments.len()];
+    let report = report(&found, &experiments, &notes, &[]);
+    result.set_item("report", of_points(&report))?;
+    let fitted = experiments.iter().enumerate();
+    let fitted = fitted.map(|(i, experiment)| points(py, &found, i, experiment));
     result.set_item("experiments", fitted.collect::<PyResult<Vec<_>>>()?)?;
     result.set_item(
         "without_film",
@@ -166,9 +173,7 @@ pub fn fit_map<'py>(
             let curve = std::slice::from_ref(curve);
             goes_on.then(|| checked_fit(table.get(), curve, &free, &options, allow_magnitudes))
         };
-        let found: Vec<_> = interruptible(py, &interrupted, || {
-            curves.par_iter().map(one).while_some().collect()
-        })?;
+        let found = interruptible(py, &interrupted, || parallel::map_while_some(&curves, one))?;
         for (i, found) in found.into_iter().enumerate() {
             match found {
                 Ok(found) => results.append(summary(py, &found)?)?,
@@ -411,6 +416,12 @@ pub fn estimates<'py>(py: Python<'py>, estimates: &[Estimate]) -> PyResult<Bound
     PyList::new(py, estimates.iter().map(one))
 }
 
+/// Returns a text that speaks of the points of arrays, by their numbers, where that of the program
+/// speaks of the lines of a file.
+fn of_points(text: &str) -> String {
+    text.replace(", in lines ", ", in points ")
+}
+
 /// Returns what a fit of a map and a single one have in common.
 fn summary<'py>(py: Python<'py>, found: &Fit) -> PyResult<Bound<'py, PyDict>> {
     let fields = PyDict::new(py);
@@ -422,13 +433,19 @@ fn summary<'py>(py: Python<'py>, found: &Fit) -> PyResult<Bound<'py, PyDict>> {
     fields.set_item("degrees_of_freedom", found.degrees_of_freedom)?;
     fields.set_item("reduced_chi_squared", found.reduced_chi_squared)?;
     let warnings = found.warnings.iter();
-    let warnings = warnings.map(|warning| (warning.kind.name(), &warning.text));
+    let warnings = warnings.map(|warning| (warning.kind.name(), of_points(&warning.text)));
     fields.set_item("warnings", warnings.collect::<Vec<_>>())?;
     Ok(fields)
 }
 
-/// Returns the points of an experiment as arrays, NaN where there is no value.
-fn points<'py>(py: Python<'py>, experiment: &FittedExperiment) -> PyResult<Bound<'py, PyDict>> {
+/// Returns the points of the experiment `number` of a fit as arrays, NaN where there is no value.
+fn points<'py>(
+    py: Python<'py>,
+    found: &Fit,
+    number: usize,
+    given: &Experiment,
+) -> PyResult<Bound<'py, PyDict>> {
+    let experiment = &found.experiments[number];
     let points = &experiment.points;
     let column = |value: fn(&fit::FittedPoint) -> Option<f64>| {
         PyArray1::from_iter(
@@ -438,6 +455,14 @@ fn points<'py>(py: Python<'py>, experiment: &FittedExperiment) -> PyResult<Bound
     };
     let fields = PyDict::new(py);
     fields.set_item("name", &experiment.name)?;
+    fields.set_item("kind", given.measurement.kind.name())?;
+    let directions = given.measurement.points.iter().map(|point| point.direction);
+    let retract: Option<Vec<bool>> = directions
+        .map(|direction| direction.map(|one| one == Direction::Retract))
+        .collect();
+    let retract = retract.map(|retract| PyArray1::from_vec(py, retract));
+    fields.set_item("retract", retract)?;
+    fields.set_item("_jkr", jkr(py, jkr_plot(found, given, number))?)?;
     fields.set_item("noise", experiment.noise)?;
     fields.set_item("noise_is_estimated", experiment.noise_is_estimated)?;
     fields.set_item("abscissa_noise", experiment.abscissa_noise)?;
@@ -457,6 +482,30 @@ fn points<'py>(py: Python<'py>, experiment: &FittedExperiment) -> PyResult<Bound
     }
     fields.set_item("left_out", left_out)?;
     Ok(fields)
+}
+
+/// Returns the points of a JKR plot as arrays: abscissa, ordinate, that of the fit and that without
+/// the film, NaN where there is no value; or why there is no such plot.
+fn jkr<'py>(
+    py: Python<'py>,
+    plot: Result<Vec<Option<JkrPlotPoint>>, fit::Error>,
+) -> PyResult<Bound<'py, PyAny>> {
+    match plot {
+        Err(reason) => Ok(PyString::new(py, &reason.to_string()).into_any()),
+        Ok(points) => {
+            let column = |value: fn(&JkrPlotPoint) -> Option<f64>| {
+                let values = points.iter().map(|point| value(point.as_ref()?));
+                PyArray1::from_iter(py, values.map(|value| value.unwrap_or(f64::NAN)))
+            };
+            let columns: [fn(&JkrPlotPoint) -> Option<f64>; 4] = [
+                |point| Some(point.abscissa),
+                |point| Some(point.measured),
+                |point| point.fit,
+                |point| point.without_film,
+            ];
+            Ok(PyTuple::new(py, columns.map(column))?.into_any())
+        }
+    }
 }
 
 /// Returns the fit without the film.

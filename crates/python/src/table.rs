@@ -1,16 +1,17 @@
 //! Tables: the embedded one, packed ones and HDF5 ones.
 
 use std::path::PathBuf;
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
 
 use fit::LayeredSolver;
-use interp::{Error, SubstratePoissonRatio};
+use interp::{Curve, Error, Material, SubstratePoissonRatio};
 use numpy::{PyArray1, PyArrayMethods as _};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 use tabulate::stack::DirectSolver;
 use tabulate::table::StackTable;
 
+use crate::arrays::{Input, Output, Points};
 use crate::bodies::{GivenLayer, NativeStack, NativeStackSystem, NativeSystem, Solid, parts};
 use crate::contact::Contact;
 use crate::error::{OrRaise as _, other_stack};
@@ -142,6 +143,38 @@ impl Table {
     fn quantities(&self) -> Vec<&'static str> {
         let held = self.get().quantities();
         held.into_iter().map(interp::Quantity::name).collect()
+    }
+
+    /// Looks up every point: `a_over_t`, `e1_over_e2`, `nu1`, `e0_over_e2`, `nu0`. Returns `pi0`,
+    /// `eeq`, `gamma`, `delta0` and the relative error.
+    #[pyo3(signature = (points, *inputs))]
+    fn look_up<'py>(
+        &self,
+        py: Python<'py>,
+        points: Points,
+        inputs: [Input<'_>; 5],
+    ) -> PyResult<[Output<'py>; 5]> {
+        // Neighbouring points often have one material.
+        let last: Mutex<Option<([f64; 4], Arc<Curve>)>> = Mutex::new(None);
+        let kept = || last.lock().unwrap_or_else(PoisonError::into_inner);
+        let curve = |of: [f64; 4]| {
+            if let Some((material, curve)) = &*kept()
+                && *material == of
+            {
+                return Ok(Arc::clone(curve));
+            }
+            let [e1_over_e2, nu1, e0_over_e2, nu0] = of;
+            let material = Material::new(e1_over_e2, nu1, e0_over_e2, nu0)?;
+            let curve = Arc::new(self.get().curve(&material)?);
+            *kept() = Some((of, Arc::clone(&curve)));
+            Ok::<_, Error>(curve)
+        };
+        let one = |[x, material @ ..]: [f64; 5]| {
+            let curve = curve(material)?;
+            let [pi0, eeq, gamma, delta0] = curve.quantities(x)?.to_array();
+            Ok::<_, Error>([pi0, eeq, gamma, delta0, curve.error(x)?])
+        };
+        points.evaluate_on_all_cores(py, inputs.each_ref(), one)
     }
 
     /// Makes the contact of a system.

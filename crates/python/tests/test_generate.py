@@ -31,12 +31,12 @@ def whole(tmp_path_factory):
 def test_a_table_is_as_accurate_as_its_tolerance():
     table = generate(SCENE, progress=False)
     assert table.title == 'A rigid "base"'
-    assert table.quantities == ("eeq", "gamma")
+    assert table.held == ("eeq", "gamma")
     assert table.max_error <= table.tolerance == 1e-4
     values, axes = table.values, table.axes
     x, e1 = axes["a_over_t"][:, None], axes["e1_over_e2"]
     exact = solve(x, e1, 0.5, np.inf, tolerance=1e-9)
-    for name in table.quantities:
+    for name in table.held:
         assert values[name].shape == (len(x), len(e1), 1, 1)
         assert np.allclose(values[name][:, :, 0, 0], getattr(exact, name), rtol=1e-6, atol=0)
 

@@ -10,12 +10,20 @@ import pytest
 
 from coated_contact import (
     Cohesive,
+    Cone,
     Contact,
     ContactError,
     Elastic,
+    Experiment,
+    FitError,
+    Free,
     HalfSpace,
+    Hysteresis,
     OutsideTableError,
+    Paraboloid,
+    RateDependent,
     SolvedCurve,
+    Sphere,
     Spring,
     StackSystem,
     System,
@@ -55,6 +63,9 @@ def objects(system, contact, stack):
         stack.contact(sphere_radius=1e-4, sphere_modulus=2e6, a_over_t=(0.1, 2)),
         Cohesive(system=system, work_of_adhesion=0.04, interaction_range=1e-8),
         contact.finite_range(0.04, stress=1e8),
+        Hysteresis(advancing=0.04, receding=0.1),
+        RateDependent(slow=0.04, v0=1e-6, n=0.6),
+        Free(parameter="film_modulus", bounds=(1e5, 1e7)),
     ]
 
 
@@ -65,6 +76,49 @@ def test_objects_are_values(objects):
             assert hash(other) == hash(one)
             assert repr(other) == repr(one)
     assert len(set(objects)) == len(objects)
+
+
+def test_every_object_is_replaced_by_its_own_values(objects):
+    for one in filter(dataclasses.is_dataclass, objects):
+        assert replace(one) == one
+        given = [field.name for field in dataclasses.fields(one) if field.init]
+        for name in given:
+            assert replace(one, **{name: getattr(one, name)}) == one
+        if hasattr(copy, "replace"):
+            assert copy.replace(one) == one
+
+
+def test_the_radius_of_a_system_is_replaced(system, stack):
+    solid = Elastic(young_modulus=1e6, poisson_ratio=0.3)
+    of = {"sphere_radius": 1e-3, "sphere_modulus": 2e6}
+    for one in (system, HalfSpace(solid=solid, **of), StackSystem(stack=stack, **of)):
+        smaller = replace(one, sphere_radius=2e-5)
+        assert smaller.probe == Paraboloid(radius=2e-5)
+        assert replace(smaller, sphere_radius=1e-3) == one
+        both = replace(one, sphere_radius=2e-5, sphere_modulus=3e6)
+        assert (both.sphere_radius, both.sphere_modulus) == (2e-5, 3e6)
+        # The shape stays.
+        ball = replace(one, probe=Sphere(radius=1e-3))
+        assert replace(ball, sphere_radius=2e-5).probe == Sphere(radius=2e-5)
+        with pytest.raises(UnphysicalError, match="-1"):
+            replace(one, sphere_radius=-1.0)
+        with pytest.raises(TypeError, match="the probe is a Cone: replace the probe"):
+            replace(replace(one, probe=Cone(half_angle=1.2)), sphere_radius=2e-5)
+        with pytest.raises(TypeError, match="both given"):
+            replace(one, probe=Sphere(radius=1e-3), sphere_radius=2e-5)
+    with pytest.raises(TypeError, match="both given"):
+        HalfSpace(probe=Sphere(radius=1e-3), solid=solid, **of)
+
+
+def test_the_places_of_a_planned_experiment_are_replaced(system):
+    plan = Experiment(kind="load-radius", abscissa=np.linspace(4e-5, 9e-5, 10), system=system)
+    finer = replace(plan, abscissa=np.linspace(4e-5, 9e-5, 50), noise=1e-6)
+    assert finer.ordinate.shape == (50,)
+    assert np.isnan(finer.ordinate).all()
+    # What was measured is not given up.
+    measured = replace(plan, ordinate=np.zeros(10))
+    with pytest.raises(FitError, match="as long"):
+        replace(measured, abscissa=np.linspace(4e-5, 9e-5, 50))
 
 
 def test_objects_do_not_change(objects):
@@ -133,7 +187,7 @@ def test_controls(contact):
 
 def test_tables_tell_what_they_are():
     table = Table.open(HDF5)
-    assert table.quantities == ("pi0", "eeq", "gamma", "delta0")
+    assert table.held == ("pi0", "eeq", "gamma", "delta0")
     assert list(table.axes) == ["a_over_t", "e1_over_e2", "nu1", "e0_over_e2"]
     assert table.axes["nu1"].tolist() == [0.5]
     assert 0 < table.median_error < table.max_error < table.tolerance

@@ -11,6 +11,7 @@ from coated_contact import (
     Contact,
     Elastic,
     Experiment,
+    FitError,
     Free,
     Paraboloid,
     RateDependent,
@@ -20,6 +21,7 @@ from coated_contact import (
     fit_map,
     forecast,
     predict,
+    simulate,
     solve,
 )
 from conftest import PROBES, make_system
@@ -158,6 +160,99 @@ def test_a_fit_is_drawn(axes):
     points, line = axes.get_lines()
     assert np.array_equal(points.get_ydata(), found.experiments[0].ordinate)
     assert np.array_equal(line.get_ydata(), found.experiments[0].fit)
+    assert points.get_color() != line.get_color()
+    assert legend(axes) == ["data", "fit"]
+    assert axes.get_xlabel() == "contact radius (µm)"
+    assert axes.get_ylabel() == "load (mN)"
+    # The numbers along the axes are in these units, the coordinates in SI units.
+    assert axes.xaxis.get_major_formatter()(60e-6) == "60"
+    assert axes.yaxis.get_major_formatter()(-1.5e-4) == "-0.15"
+
+
+def legend(axes):
+    """The words of the legend."""
+    return [text.get_text() for text in axes.get_legend().get_texts()]
+
+
+@pytest.fixture(scope="module")
+def there_and_back():
+    """A force curve on a film: approach and retract, with a jump and a baseline."""
+    x = np.linspace(-1e-7, 4e-7, 60)
+    plan = Experiment(
+        kind="load-penetration",
+        abscissa=np.concatenate([x, x[::-1]]),
+        retract=np.arange(120) >= 60,
+        system=make_system(film_modulus=1e5),
+        work_of_adhesion=0.01,
+        work_of_adhesion_receding=0.03,
+    )
+    measured = simulate(plan, noise=1e-7, seed=1)
+    wanted = ["film_modulus", "work_of_adhesion", "work_of_adhesion_receding"]
+    return fit(measured, wanted)
+
+
+def test_approach_and_retract_are_told_apart(there_and_back, axes):
+    there_and_back.plot(axes)
+    named = {line.get_label(): line for line in axes.get_lines()}
+    words = {"data, approach", "data, retract", "fit, approach", "fit, retract"}
+    assert words <= set(named)
+    assert words <= set(legend(axes))
+    assert len(legend(axes)) == len(set(legend(axes)))
+    data = [named[f"data, {direction}"] for direction in ("approach", "retract")]
+    assert data[0].get_color() != data[1].get_color()
+    assert data[0].get_markerfacecolor() != data[1].get_markerfacecolor()
+    fits = [named[f"fit, {direction}"] for direction in ("approach", "retract")]
+    assert fits[0].get_linestyle() != fits[1].get_linestyle()
+    assert fits[0].get_color() not in {line.get_color() for line in data}
+    (points,) = there_and_back.experiments
+    drawn = sum(len(line.get_xdata()) for line in axes.get_lines() if line.get_marker() != "None")
+    assert drawn == len(points.abscissa)
+    assert axes.get_xlabel() == "penetration (nm)"
+
+
+def test_a_jkr_plot_is_drawn(axes):
+    """Without a film it is the straight line 4 E*/(3 sqrt 6) x - sqrt(4 w E*/3)."""
+    one = lens(seed=1)
+    found = fit(replace(one, ordinate=one.ordinate + 1e-5), [*WANTED, "load_offset"])
+    found.plot(axes, kind="jkr")
+    points, line = axes.get_lines()
+    modulus, w, offset = found.params.values()
+    assert np.allclose(points.get_xdata(), one.abscissa**1.5 / (np.sqrt(np.pi) * 1e-3), rtol=1e-12)
+    power = np.sqrt(6 * np.pi) * one.abscissa**1.5
+    assert np.allclose(points.get_ydata(), (one.ordinate + 1e-5 - offset) / power, rtol=1e-9)
+    straight = 4 * modulus / (3 * np.sqrt(6)) * line.get_xdata() - np.sqrt(4 * w * modulus / 3)
+    assert np.allclose(line.get_ydata(), straight, atol=1e-6 * np.abs(straight).max(), rtol=0)
+    assert "m$^{1/2}$" in axes.get_xlabel()
+    assert "N m$^{-3/2}$" in axes.get_ylabel()
+    assert legend(axes) == ["data", "fit"]
+
+
+def test_what_cannot_be_drawn_is_refused(there_and_back, axes):
+    with pytest.raises(FitError, match=r"no JKR plot: it needs loads .* contact radii"):
+        there_and_back.plot(axes, kind="jkr")
+    with pytest.raises(ValueError, match='give "data" or "jkr"'):
+        there_and_back.plot(axes, kind="line")
+    depth = Experiment(
+        kind="penetration-radius",
+        abscissa=np.linspace(5e-5, 1e-4, 20),
+        system=make_system(),
+        work_of_adhesion=0.04,
+    )
+    load = replace(depth, kind="load-radius")
+    both = [simulate(depth, noise=1e-9, seed=1), simulate(load, noise=1e-6, seed=1)]
+    found = fit(both, WANTED)
+    with pytest.raises(ValueError, match="experiment=0"):
+        found.plot(axes)
+    found.plot(axes, experiment=0)
+    assert axes.get_ylabel() == "penetration (µm)"
+
+
+def test_several_experiments_are_told_apart(axes):
+    found = fit([lens(seed=seed, name=f"curve {seed}") for seed in range(3)], WANTED)
+    found.plot(axes)
+    assert legend(axes) == ["curve 0", "curve 1", "curve 2", "fit"]
+    colours = [line.get_color() for line in axes.get_lines()]
+    assert len(set(colours)) == 4
 
 
 def test_a_map_is_a_table():

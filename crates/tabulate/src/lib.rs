@@ -18,6 +18,7 @@
 //! | [`solve`](mod@solve) | the solver: the film's compliance, the methods of solution, many contacts at once |
 //! | [`stack`] | stacks of layers on a base |
 //! | [`cohesive`] | an attraction of finite range |
+//! | [`parallel`] | work on all cores |
 //! | [`table`] | from a scene to a certified table, and its files |
 //! | [`cost`] | measurements of time and accuracy |
 //! | [`plot`] | the figures |
@@ -41,7 +42,7 @@ mod error;
 mod hostile;
 mod input;
 mod output;
-mod parallel;
+pub mod parallel;
 #[cfg(feature = "cli")]
 pub mod plot;
 mod printable;

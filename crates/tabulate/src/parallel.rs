@@ -1,8 +1,90 @@
-//! Work on all cores that may fail.
+//! Work on all cores, also in the child of a fork.
+//!
+//! A child of fork has one thread. The threads of rayon's global pool are those of its parent: work
+//! that a child gives them is never done. So a child makes threads of its own.
 
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::mem;
+use std::process;
+use std::sync::atomic::{AtomicU32, AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex, MutexGuard, TryLockError};
+use std::thread;
 
 use rayon::prelude::*;
+use rayon::{ThreadPool, ThreadPoolBuilder};
+
+/// The process that has the threads of rayon's global pool; 0 before their first use.
+static FIRST: AtomicU32 = AtomicU32::new(0);
+
+/// The threads of a child, with its process. Those of another process are never used nor dropped.
+static OF_CHILD: Mutex<Option<(u32, Arc<ThreadPool>)>> = Mutex::new(None);
+
+/// The number of times that a thread asks for the lock of [`OF_CHILD`], which is held for a copy of
+/// the `Arc` only. A lock that stays closed was held during a fork, by a thread that the child does
+/// not have.
+const MOST_ATTEMPTS: usize = 1000;
+
+/// Runs `work`, whose parallel iterators of rayon then have threads in this process: those of the
+/// caller's pool, those of rayon's global pool, or in the child of a fork its own.
+///
+/// # Panics
+/// In the child of a fork to which the operating system gives no thread.
+pub fn on_all_cores<R: Send>(work: impl FnOnce() -> R + Send) -> R {
+    let own = process::id();
+    let first = FIRST.compare_exchange(0, own, Ordering::Relaxed, Ordering::Relaxed);
+    if first.is_ok() || first == Err(own) || rayon::current_thread_index().is_some() {
+        return work();
+    }
+    threads_of_child(own).install(work)
+}
+
+/// Returns the threads of the process `own`, the child of a fork. The first call makes them.
+fn threads_of_child(own: u32) -> Arc<ThreadPool> {
+    if let Some(held) = of_child()
+        && let Some((process, threads)) = &*held
+        && *process == own
+    {
+        return Arc::clone(threads);
+    }
+    let made = ThreadPoolBuilder::new().build();
+    let made = Arc::new(made.expect("the operating system gives threads"));
+    let Some(mut held) = of_child() else {
+        return made;
+    };
+    match &*held {
+        // Another thread of this process was faster.
+        Some((process, threads)) if *process == own => Arc::clone(threads),
+        _ => {
+            // To drop the threads of the parent would be to wait for them.
+            mem::forget(held.replace((own, Arc::clone(&made))));
+            made
+        }
+    }
+}
+
+/// Locks [`OF_CHILD`]; `None` if the lock stays closed.
+fn of_child() -> Option<MutexGuard<'static, Option<(u32, Arc<ThreadPool>)>>> {
+    for _ in 0..MOST_ATTEMPTS {
+        match OF_CHILD.try_lock() {
+            Ok(held) => return Some(held),
+            Err(TryLockError::Poisoned(held)) => return Some(held.into_inner()),
+            Err(TryLockError::WouldBlock) => thread::yield_now(),
+        }
+    }
+    None
+}
+
+/// Applies `function` to every item on all cores and returns the results in the order of the items,
+/// unless one is `None`: then some are left out.
+pub fn map_while_some<I, T>(
+    items: I,
+    function: impl Fn(I::Item) -> Option<T> + Send + Sync,
+) -> Vec<T>
+where
+    I: IntoParallelIterator<Iter: IndexedParallelIterator> + Send,
+    T: Send,
+{
+    on_all_cores(|| items.into_par_iter().map(function).while_some().collect())
+}
 
 /// Applies `function` to every item on all cores and returns the results in the order of the items.
 ///
@@ -16,7 +98,7 @@ pub(crate) fn try_map<I, T, E>(
     function: impl Fn(I::Item) -> Result<T, E> + Send + Sync,
 ) -> Result<Vec<T>, E>
 where
-    I: IntoParallelIterator<Iter: IndexedParallelIterator>,
+    I: IntoParallelIterator<Iter: IndexedParallelIterator> + Send,
     T: Send,
     E: Send,
 {
@@ -32,7 +114,8 @@ where
         }
         Some(result)
     };
-    let results: Vec<Option<Result<T, E>>> = items.into_par_iter().enumerate().map(apply).collect();
+    let results: Vec<Option<Result<T, E>>> =
+        on_all_cores(|| items.into_par_iter().enumerate().map(apply).collect());
     results.into_iter().flatten().collect()
 }
 

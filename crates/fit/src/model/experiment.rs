@@ -297,8 +297,7 @@ impl Experiment {
                 (!is_there).then(|| format!("there is no such layer; {}", names(layered)).into())
             }
             (_, LayerModulus(_) | LayerThickness(_)) => Some(
-                "it has no stack of layers; give one (--stack), or free the parameters of the film"
-                    .into(),
+                "it has no stack of layers; give one, or free the parameters of the film".into(),
             ),
             _ => None,
         }

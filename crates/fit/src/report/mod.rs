@@ -2,9 +2,11 @@
 //!
 //! [`report`] is what `tabulate fit` prints, and what Python's `print(fit(...))` shows;
 //! [`expected`] is the same for the errors of a planned experiment. `unit` chooses units and
-//! digits, and `fixed_values` writes what the values taken as given do.
+//! digits, `fixed_values` writes what the values taken as given do, and [`jkr_plot`] returns the points
+//! of the reduced JKR plot.
 
 mod fixed_values;
+mod jkr_plot;
 mod unit;
 
 use std::borrow::Cow;
@@ -12,6 +14,7 @@ use std::fmt::{self, Write};
 
 use interp::Probe;
 
+pub use self::jkr_plot::{JkrPlotPoint, jkr_plot};
 pub use self::unit::UnitOf;
 use self::unit::{decimals, scaled, unit, with_error};
 use crate::data::{Notes, Source};

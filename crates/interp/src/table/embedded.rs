@@ -1,11 +1,10 @@
 //! The table that is compiled into the crate (feature `embedded`).
 
-use std::sync::LazyLock;
-
 use crate::Table;
+use crate::once::Lazy;
 
 /// The table of the scene `tables/universal.toml`, packed by `tabulate pack --tolerance`.
-static UNIVERSAL: LazyLock<Table> = LazyLock::new(|| {
+static UNIVERSAL: Lazy<Table> = Lazy::new(|| {
     let bytes = include_bytes!("../../embedded/universal.bin");
     Table::from_sound_code(bytes).expect("the bytes are compiled in, and tested")
 });

@@ -1,10 +1,10 @@
 //! The tiles of a table as a file holds them: in code, and decoded when they are needed.
 
 use std::borrow::Cow;
-use std::sync::OnceLock;
 
 use serde::{Deserialize, Serialize};
 
+use crate::once::Once;
 use crate::table::entropy;
 use crate::table::low_rank::shapes;
 use crate::table::tiles::{Place, Tile};
@@ -30,7 +30,7 @@ pub(crate) struct StoredTiles {
     quantities: Vec<Quantity>,
     /// The code of the tiles, which is sound; none if the table was made from tiles.
     coded: Vec<CodedTile>,
-    decoded: OnceLock<Vec<Tile>>,
+    decoded: Once<Vec<Tile>>,
 }
 
 impl CodedTile {
@@ -82,7 +82,7 @@ impl StoredTiles {
         Self {
             quantities: tiles[0].form.quantities().to_vec(),
             coded: Vec::new(),
-            decoded: OnceLock::from(tiles),
+            decoded: Once::from(tiles),
         }
     }
 
@@ -92,7 +92,7 @@ impl StoredTiles {
         Self {
             quantities,
             coded,
-            decoded: OnceLock::new(),
+            decoded: Once::new(),
         }
     }
 

@@ -1,11 +1,12 @@
 //! The table: its axes, its values, their description, and their interpolation for one material.
 
 use std::borrow::Cow;
-use std::sync::{Arc, OnceLock};
+use std::sync::Arc;
 
 use crate::curve::derived::Derivation;
 use crate::curve::nodes::REASONABLE;
 use crate::curve::resampler::Resampler;
+use crate::once::Once;
 use crate::table::axes::Axes;
 use crate::table::lookup::Lookup;
 use crate::table::stored_tiles::StoredTiles;
@@ -29,7 +30,7 @@ pub struct Table {
     /// known before the first lookup.
     pieces: Option<Vec<u32>>,
     /// Made at the first interpolation, because some tables are read only to be written elsewhere.
-    lookup: OnceLock<Lookup>,
+    lookup: Once<Lookup>,
 }
 
 /// The values of a table in one of two forms.
@@ -106,7 +107,7 @@ impl Table {
             axes,
             content: Content::Dense(values),
             pieces: None,
-            lookup: OnceLock::new(),
+            lookup: Once::new(),
         })
     }
 
@@ -145,7 +146,7 @@ impl Table {
             axes,
             content: Content::LowRank(Arc::new(tiles)),
             pieces: None,
-            lookup: OnceLock::new(),
+            lookup: Once::new(),
         })
     }
 

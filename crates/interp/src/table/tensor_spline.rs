@@ -2,10 +2,11 @@
 //! `ln(a/t)`.
 
 use std::array;
-use std::sync::{Arc, OnceLock};
+use std::sync::Arc;
 
 use crate::Parameter;
 use crate::curve::bspline::{Basis, LARGEST_DEGREE, Weights};
+use crate::once::Once;
 use crate::table::axes::Axes;
 use crate::table::stored_tiles::StoredTiles;
 use crate::table::tensor_train::TensorTrain;
@@ -39,7 +40,7 @@ enum Form {
 #[derive(Clone, Debug)]
 struct Trains {
     tiles: Arc<StoredTiles>,
-    prepared: Vec<OnceLock<TensorTrain>>,
+    prepared: Vec<Once<TensorTrain>>,
     /// The ends of each tile in the coordinates of the moduli of film and substrate.
     boxes: Vec<[[f64; 2]; 2]>,
     /// The ends of each tile in the coordinates of all axes.
@@ -58,7 +59,7 @@ impl TensorSpline {
         let a_over_t = axes.nodes(Parameter::AOverT).iter();
         let form = Form::Tiles(Trains {
             tiles: Arc::clone(tiles),
-            prepared: vec![OnceLock::new(); places.len()],
+            prepared: vec![Once::new(); places.len()],
             boxes: tiles::boxes(axes, &places),
             ends: places.iter().map(|place| place.ends(axes)).collect(),
             a_over_t: a_over_t

@@ -15,12 +15,12 @@
 //! for these instructions.
 
 use std::f64::consts::PI;
-use std::sync::OnceLock;
 
 use fearless_simd::prelude::*;
 use fearless_simd::{Level, dispatch};
 
 use crate::curve::bspline::Basis;
+use crate::once::Once;
 use crate::table::chebyshev::polynomials;
 use crate::table::low_rank::LowRank;
 use crate::table::mixed_precision::{Contraction, MixedPrecision, RowWeights};
@@ -76,7 +76,7 @@ struct Core {
     /// The ends of the intervals of the axis.
     parts: Vec<[f64; 2]>,
     /// The intervals, each expanded at its first use.
-    intervals: Vec<OnceLock<Interval>>,
+    intervals: Vec<Once<Interval>>,
     /// One over the weights of the next bond.
     scales: Vec<f64>,
     /// The tolerance of the table.
@@ -125,7 +125,7 @@ impl TensorTrain {
                 entries: entries.next().expect("three cores"),
                 terms,
                 ends: ends[dimension],
-                intervals: vec![OnceLock::new(); parts.len()],
+                intervals: vec![Once::new(); parts.len()],
                 parts,
                 scales: weights[i].iter().map(|weight| 1.0 / weight).collect(),
                 tolerance,

@@ -8,6 +8,9 @@ from math import prod
 from typing import Any, Literal
 
 import numpy as np
+
+# Imported here, because numpy imports it at its first use, which a fork may interrupt.
+from numpy import ma
 from numpy.typing import ArrayLike, NDArray
 
 from ._errors import ContactError, InvalidArgumentError
@@ -41,7 +44,7 @@ def real(name: str, value: ArrayLike) -> NDArray[np.float64]:
     array = np.asarray(value)
     if array.dtype.kind not in "fiu":
         raise TypeError(f"{name} must be real numbers, not of the type {array.dtype}")
-    if np.ma.is_masked(value):
+    if ma.is_masked(value):
         raise TypeError(f'{name} is masked: fill it with NaN, and pass errors="nan"')
     return np.asarray(array, dtype=np.float64)
 

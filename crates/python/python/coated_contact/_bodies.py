@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import InitVar, dataclass, field
 from typing import Any, final
 
 from . import _core
-from ._probe import Probe, probe_of, radius_of
+from ._probe import Probe, probe_of, radius_of, with_radius
 from ._values import Remade, set_field, set_number, set_numbers
 
 
@@ -58,11 +58,22 @@ class Elastic:
 
 @dataclass(frozen=True, init=False, slots=True)
 class UnderProbe(Remade):
-    """What ``System``, ``HalfSpace`` and ``StackSystem`` have in common: the probe."""
+    """What ``System``, ``HalfSpace`` and ``StackSystem`` have in common: the probe.
+
+    ``dataclasses.replace(system, sphere_radius=R)`` gives the sphere or the paraboloid of the
+    system another radius.
+    """
 
     probe: Probe
     sphere_modulus: float
     _native: Any = field(init=False, repr=False, compare=False)
+    # `dataclasses.replace` passes the value of this attribute to the new instance, which so knows
+    # the probe that was not asked for.
+    _replaced: InitVar[Probe | None]
+
+    @property
+    def _replaced(self) -> Probe:
+        return self.probe
 
     @property
     def sphere_radius(self) -> float | None:
@@ -70,9 +81,15 @@ class UnderProbe(Remade):
         return radius_of(self.probe)
 
     def _set_probe(
-        self, probe: Probe | None, sphere_radius: float | None, sphere_modulus: float
+        self,
+        probe: Probe | None,
+        sphere_radius: float | None,
+        sphere_modulus: float,
+        replaced: Probe | None,
     ) -> tuple[Any, float]:
         """Set the probe and its modulus, and return them as the native part takes them."""
+        if sphere_radius is not None and replaced is not None and probe is replaced:
+            probe, sphere_radius = with_radius(replaced, sphere_radius), None
         chosen = probe_of(probe, sphere_radius)
         set_field(self, "probe", chosen)
         return chosen._native, set_number(self, "sphere_modulus", sphere_modulus)
@@ -130,10 +147,11 @@ class System(UnderProbe):
         film: Elastic,
         film_thickness: float,
         substrate: Elastic,
+        _replaced: Probe | None = None,
     ) -> None:
         check_solid("film", film)
         check_solid("substrate", substrate)
-        touching = self._set_probe(probe, sphere_radius, sphere_modulus)
+        touching = self._set_probe(probe, sphere_radius, sphere_modulus, _replaced)
         set_field(self, "film", film)
         film_thickness = set_number(self, "film_thickness", film_thickness)
         set_field(self, "substrate", substrate)
@@ -177,9 +195,10 @@ class HalfSpace(UnderProbe):
         sphere_radius: float | None = None,
         sphere_modulus: float,
         solid: Elastic,
+        _replaced: Probe | None = None,
     ) -> None:
         check_solid("solid", solid)
-        touching = self._set_probe(probe, sphere_radius, sphere_modulus)
+        touching = self._set_probe(probe, sphere_radius, sphere_modulus, _replaced)
         set_field(self, "solid", solid)
         set_field(self, "_native", _core.HalfSpace(*touching, solid._numbers()))
 

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _html
+from ._values import OneLine
 
 if TYPE_CHECKING:
     import pandas
@@ -29,7 +30,7 @@ UNITS = {
 }
 
 
-class Columns:
+class Columns(OneLine):
     """An instance of a dataclass whose fields are arrays of one shape."""
 
     __slots__ = ()

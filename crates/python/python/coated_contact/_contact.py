@@ -364,7 +364,7 @@ class Contact(Remade):
             interaction_range=interaction_range,
         )
         tabor, zone = map(scalar_or_array, found)
-        return AdhesionRange(tabor, zone, self, w, interaction_range)
+        return AdhesionRange(tabor, zone, self, w, interaction_range, errors)
 
     def finite_range(self, w: float, *, stress: float) -> ShortRange:
         """Correct the contact for an attraction of short, finite range, to first order.

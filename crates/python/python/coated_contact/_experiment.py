@@ -12,7 +12,7 @@ from ._arrays import number, real
 from ._bodies import HalfSpace, System
 from ._errors import FitError
 from ._stack import StackSystem
-from ._values import Remade
+from ._values import OneLine, Remade
 
 Kind = Literal["load-radius", "penetration-radius", "load-penetration", "force-height"]
 # The name of a parameter: one of UNITS_OF, or LAYER.modulus or LAYER.thickness of the layer of a
@@ -59,8 +59,8 @@ def one_of(name: str, value: object, allowed: tuple[str, ...]) -> None:
         raise FitError(f"{name} = {value!r} cannot be used: give one of {words}", axis=name)
 
 
-@dataclass(frozen=True, kw_only=True, eq=False)
-class Experiment(Remade):
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
+class Experiment(Remade, OneLine):
     """A measurement with what is known about it, in SI units.
 
     Each value below is fixed, or the start of the fit where the parameter is free and its
@@ -137,7 +137,7 @@ class Experiment(Remade):
                 "dataclasses.replace(stack, surface=None)",
                 axis="surface",
             )
-        if self.ordinate is None:
+        if self.ordinate is None or _is_planned(self.abscissa, self.ordinate):
             object.__setattr__(self, "ordinate", np.full(np.shape(self.abscissa), np.nan))
         points = [real(name, getattr(self, name)) for name in ("abscissa", "ordinate")]
         for name, array in zip(("abscissa", "ordinate"), points, strict=True):
@@ -175,6 +175,16 @@ _NUMBERS = (
     "baseline_slope",
     "stiffness",
 )
+
+
+def _is_planned(abscissa: Any, ordinate: Any) -> bool:
+    """Tell whether ordinates are those of other abscissae, and not measured yet.
+
+    ``dataclasses.replace(plan, abscissa=...)`` gives these.
+    """
+    return np.shape(abscissa) != np.shape(ordinate) and bool(
+        np.isnan(real("ordinate", ordinate)).all()
+    )
 
 
 def _deviation(name: str, value: Any, shape: tuple[int, ...]) -> float | NDArray[np.float64]:

@@ -104,6 +104,9 @@ def fit(
     >>> found = fit(lens, ["sphere_modulus", "work_of_adhesion"])
     >>> print(f"{found.params['sphere_modulus']:.2e} Pa")
     2.00e+06 Pa
+
+    ``print(found)`` prints the report of the program ``tabulate fit``, and ``found.plot()`` draws
+    the data and the fit.
     """
     errors = [(name, number(f"known[{name!r}]", error)) for name, error in (known or {}).items()]
     options = (loss, profile_level, interaction_range, tuple(allow))
@@ -119,6 +122,7 @@ def fit(
         reduced_chi_squared=found["reduced_chi_squared"],
         warnings=warnings_of(found),
         experiments=tuple(FittedExperiment(**points) for points in found["experiments"]),
+        report=found["report"],
         without_film=film and without_film_of(film, len(found["experiments"])),
         undetermined=tuple(found["undetermined"]),
         fixed_values=fixed_values_of(found),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -15,6 +15,8 @@ from ._arrays import number
 from ._columns import Array, axes
 from ._errors import ContactError, FitError
 from ._experiment import unit_of
+from ._fit_plot import PlotKind, draw
+from ._values import MOST_SHOWN, OneLine
 
 if TYPE_CHECKING:
     import pandas
@@ -63,14 +65,16 @@ class Estimate:
     profile: tuple[float, float] | None
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class FittedExperiment:
+@dataclass(frozen=True, slots=True, eq=False, repr=False)
+class FittedExperiment(OneLine):
     """The points of an experiment, as fitted: arrays in the order measured.
 
     Attributes
     ----------
     name : str
         The name of the measurement.
+    kind : str
+        What was measured, such as ``"load-radius"``.
     noise : float
         Standard deviation of an ordinate, N or m.
     noise_is_estimated : bool
@@ -95,9 +99,12 @@ class FittedExperiment:
     left_out : dict of str to int
         The numbers of points left out, by reason: ``"jump"``, ``"no-contact"``, ``"turn"``,
         ``"near-end"``, ``"beyond-end"``.
+    retract : numpy.ndarray or None
+        Whether each point was measured on retract; None where that is not known.
     """
 
     name: str
+    kind: str
     noise: float
     noise_is_estimated: bool
     abscissa_noise: float
@@ -110,11 +117,33 @@ class FittedExperiment:
     branch: list[str]
     outlier: NDArray[np.bool_]
     left_out: dict[str, int]
+    retract: NDArray[np.bool_] | None
+    _jkr: tuple[Array, ...] | str = field(repr=False)
 
     @property
     def residual(self) -> Array:
         """The ordinates measured less those of the fit."""
         return self.ordinate - self.fit
+
+    def jkr(self) -> dict[str, Array]:
+        """Return the points in the reduced JKR plot, a straight line for a contact without film.
+
+        Returns
+        -------
+        dict of str to numpy.ndarray
+            ``jkr_abscissa``, a^(3/2) / (sqrt(pi) R) in m^(1/2); ``jkr_ordinate``,
+            F / (sqrt(6 pi) a^(3/2)) in N m^(-3/2), ``fit`` and ``without_film``, the same of the
+            fits. The load offset is taken from all loads. NaN for a point without contact.
+
+        Raises
+        ------
+        FitError
+            Unless loads were measured at contact radii, by a probe with a radius of curvature.
+        """
+        if isinstance(self._jkr, str):
+            raise FitError(self._jkr)
+        names = ("jkr_abscissa", "jkr_ordinate", "fit", "without_film")
+        return dict(zip(names, self._jkr, strict=True))
 
     def to_pandas(self) -> pandas.DataFrame:
         """Return a row for each point, in the order measured; needs pandas."""
@@ -179,8 +208,8 @@ class WithoutFilm:
     film_matters: bool
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Fit:
+@dataclass(frozen=True, slots=True, eq=False, repr=False)
+class Fit(OneLine):
     """The result of a fit.
 
     Attributes
@@ -207,6 +236,9 @@ class Fit:
         The same data without the film.
     undetermined : tuple of str
         The combinations of parameters that the data do not determine, in words.
+    report : str
+        The result for people, as the program ``tabulate fit`` prints it: what is fixed, what was
+        found, whether the film matters, and the warnings. ``print(fit)`` prints it.
     fixed_values : tuple of FixedValue
         What the values that are not free do to the result.
     """
@@ -222,7 +254,23 @@ class Fit:
     experiments: tuple[FittedExperiment, ...]
     without_film: WithoutFilm | None
     undetermined: tuple[str, ...]
+    report: str
     fixed_values: tuple[FixedValue, ...] = ()
+
+    def __str__(self) -> str:
+        """Return the report."""
+        return self.report
+
+    def __repr__(self) -> str:
+        """Return the values with their standard errors on one line."""
+        shown = [
+            f"{name}={one.value:.6g} +- {one.standard_error:.2g}"
+            for name, one in zip(self.names, self.estimates, strict=True)
+        ]
+        if len(shown) > MOST_SHOWN:
+            shown[MOST_SHOWN:] = [f"... {len(shown)} in all"]
+        shown += [f"converged={self.converged}", f"warnings={len(self.warnings)}"]
+        return f"<Fit {', '.join(shown)}>"
 
     def young_modulus_of_sphere(self, poisson_ratio: float) -> tuple[Estimate, ...]:
         """Return Young's modulus of the sphere, which is not the ``sphere_modulus`` of a system.
@@ -308,32 +356,43 @@ class Fit:
         found = _html.table(("parameter (SI)", "value", "standard error"), rows)
         return found + (_html.table(("warning", "text"), doubts) if doubts else "")
 
-    def plot(self, ax: Axes | None = None) -> Axes:
+    def plot(
+        self,
+        ax: Axes | None = None,
+        *,
+        kind: PlotKind = "data",
+        experiment: int | None = None,
+    ) -> Axes:
         """Draw the points, the fit, and the fit without the film; needs matplotlib.
 
         Parameters
         ----------
         ax : matplotlib.axes.Axes, optional
             Where to draw; by default the current axes.
+        kind : {"data", "jkr"}
+            The data as they were measured, or the reduced JKR plot of loads at contact radii, in
+            which a contact without a film is a straight line: see ``FittedExperiment.jkr``.
+        experiment : int, optional
+            The number of the only experiment to be drawn; by default all.
 
         Returns
         -------
         matplotlib.axes.Axes
-            The axes.
+            The axes. Its coordinates are in SI units; the numbers along them have a prefix.
+
+        Raises
+        ------
+        FitError
+            For a JKR plot of other quantities, or of a probe without a radius of curvature.
+        ValueError
+            For experiments that measure different quantities, where no ``experiment`` is given.
         """
-        ax = axes(ax)
-        for i, points in enumerate(self.experiments):
-            x, colour = points.abscissa, f"C{i % 10}"
-            ax.plot(x, points.ordinate, ".", color=colour, label=points.name)
-            ax.plot(x, points.fit, "-", color=colour)
-            if not np.isnan(points.without_film).all():
-                ax.plot(x, points.without_film, ":", color=colour)
-        ax.legend()
-        return ax
+        chosen = self.experiments if experiment is None else (self.experiments[experiment],)
+        return draw(chosen, kind, ax)
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Forecast:
+@dataclass(frozen=True, slots=True, eq=False, repr=False)
+class Forecast(OneLine):
     """What planned experiments would tell.
 
     Attributes
@@ -364,8 +423,8 @@ class Forecast:
         return found + (_html.table(("not determined",), doubts) if doubts else "")
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class FitMap:
+@dataclass(frozen=True, slots=True, eq=False, repr=False)
+class FitMap(OneLine):
     """The results of separate fits of many curves, as arrays over the curves.
 
     A curve without a result has NaN, and its error in ``failures``.
@@ -399,8 +458,23 @@ class FitMap:
     def __len__(self) -> int:
         return len(self.converged)
 
-    def _repr_html_(self) -> str:
-        """Return what a notebook shows: medians and quartiles, and how often there are doubts."""
+    def __repr__(self) -> str:
+        """Return the numbers of curves on one line."""
+        names = ", ".join(self.params)
+        return f"<FitMap of {len(self)} curves, {len(self.failures)} without a result: {names}>"
+
+    def __str__(self) -> str:
+        """Return medians and quartiles, and how often there are doubts."""
+        lines = [f"{len(self)} curves, {int(self.converged.sum())} converged"]
+        lines += [
+            f"  {name:<25} median {median} ({low} to {high} in the middle half), "
+            f"median standard error {error} {unit_of(name)}"
+            for name, low, median, high, error in self._medians()
+        ]
+        return "\n".join(lines + [f"{kind}: {count} curves" for kind, count in self._doubts()])
+
+    def _medians(self) -> list[tuple[str, ...]]:
+        """Return name, quartiles and median standard error of each parameter."""
         rows = []
         for name, values in self.params.items():
             found, errors = values[~np.isnan(values)], self.stderr[name]
@@ -408,11 +482,19 @@ class FitMap:
             known = errors[np.isfinite(errors)]
             error = np.median(known) if len(known) else np.nan
             rows.append((name, *(f"{value:.4g}" for value in quartiles), f"{error:.2g}"))
-        header = ("parameter (SI)", "first quartile", "median", "third quartile")
-        table = _html.table((*header, "median standard error"), rows)
+        return rows
+
+    def _doubts(self) -> list[tuple[str, int]]:
+        """Return each kind of warning with the number of curves that have it."""
         kinds = Counter(kind for doubts in self.warnings for kind in {one.kind for one in doubts})
-        doubts = [(kind, count) for kind, count in kinds.most_common()]
-        doubts += [("no result", len(self.failures))] if self.failures else []
+        failed = [("no result", len(self.failures))] if self.failures else []
+        return kinds.most_common() + failed
+
+    def _repr_html_(self) -> str:
+        """Return what a notebook shows: medians and quartiles, and how often there are doubts."""
+        header = ("parameter (SI)", "first quartile", "median", "third quartile")
+        table = _html.table((*header, "median standard error"), self._medians())
+        doubts = self._doubts()
         return table + (
             _html.table(("warning", f"of {len(self)} curves"), doubts) if doubts else ""
         )

@@ -98,7 +98,7 @@ def law_numbers(law: Law) -> tuple[Any, ...]:
     return (w, w, None)
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, repr=False)
 class TimedStates(Columns):
     """The states of a contact at many times.
 

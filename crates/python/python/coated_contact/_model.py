@@ -16,6 +16,7 @@ from ._experiment import Experiment, Free, ParameterName, one_of, unit_of
 from ._fit import experiments_of, free_of
 from ._fit_results import Forecast, correlation_of, estimates_of, name_of
 from ._table import Table
+from ._values import OneLine
 
 if TYPE_CHECKING:
     import pandas
@@ -23,8 +24,8 @@ if TYPE_CHECKING:
 BranchName = Literal["advancing", "receding", "pinned", "baseline", "left-out"]
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Prediction:
+@dataclass(frozen=True, slots=True, eq=False, repr=False)
+class Prediction(OneLine):
     """The ordinates that the values of an experiment give at its points.
 
     Attributes

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, field, fields, replace
 from typing import Any, ClassVar, final
 
 import numpy as np
@@ -248,6 +248,16 @@ def probe_of(probe: Probe | None, sphere_radius: float | None) -> Probe:
             "short for probe=Paraboloid(radius=R)"
         )
     return probe
+
+
+def with_radius(probe: Probe, sphere_radius: float) -> Probe:
+    """Return a sphere or a paraboloid with another radius; refuse other probes."""
+    if not isinstance(probe, Paraboloid | Sphere):
+        raise TypeError(
+            f"sphere_radius is the radius of a Paraboloid or a Sphere, and the probe is a "
+            f"{type(probe).__name__}: replace the probe, probe=..."
+        )
+    return replace(probe, radius=sphere_radius)
 
 
 def radius_of(probe: Probe) -> float | None:

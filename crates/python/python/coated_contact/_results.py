@@ -11,6 +11,7 @@ import numpy as np
 from . import _core, _html
 from ._arrays import Errors, scalar_or_array
 from ._columns import UNITS, Array, Columns, axes, label
+from ._values import OneLine
 
 if TYPE_CHECKING:
     import pandas
@@ -62,7 +63,7 @@ class State:
     penetration: float
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, repr=False)
 class States(Columns):
     """Many states, as arrays of one shape.
 
@@ -123,7 +124,7 @@ class CohesiveState:
     penetration: float
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, repr=False)
 class CohesiveStates(Columns):
     """Many states with an annulus of attraction, as arrays of one shape.
 
@@ -182,8 +183,8 @@ class Jump:
     to: State | None
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class ForceDisplacement:
+@dataclass(frozen=True, slots=True, eq=False, repr=False)
+class ForceDisplacement(OneLine):
     """Infinitely slow loading from the first touch, and unloading until separation.
 
     Attributes
@@ -277,8 +278,8 @@ def _ends(states: States) -> list[float]:
     return [float(getattr(states, name)[i]) for i in (0, -1) for name in _ENDS]
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Derivatives:
+@dataclass(frozen=True, slots=True, eq=False, repr=False)
+class Derivatives(OneLine):
     """The derivatives of load and penetration with respect to one input, at fixed other inputs.
 
     Attributes
@@ -293,8 +294,8 @@ class Derivatives:
     penetration: Any
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Gradient:
+@dataclass(frozen=True, slots=True, eq=False, repr=False)
+class Gradient(OneLine):
     """Load and penetration with their derivatives.
 
     Attributes

@@ -14,6 +14,7 @@ from . import _core, _html
 from ._arrays import Errors, evaluate, real, scalar_or_array
 from ._columns import axes
 from ._stack import Stack
+from ._values import OneLine
 
 if TYPE_CHECKING:
     import pandas
@@ -29,8 +30,8 @@ QUANTITIES = {
 }
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Solution:
+@dataclass(frozen=True, slots=True, eq=False, repr=False)
+class Solution(OneLine):
     """The four dimensionless quantities, each with the shape of the broadcast parameters.
 
     Attributes
@@ -44,7 +45,8 @@ class Solution:
     delta0 : float or numpy.ndarray
         Adhesionless penetration, a^2 delta0 / R.
     error : float or numpy.ndarray
-        The estimated largest relative error of the four: truncation, quadrature and rounding.
+        The estimated largest relative error of the four: truncation, quadrature and rounding; of
+        a lookup that of the table.
     """
 
     pi0: Any
@@ -206,7 +208,7 @@ def solve(
         "e0_over_e2": e0_over_e2,
         "nu0": nu0,
     }
-    return _solution(_core.solve, errors, tolerance, parameters)
+    return solution(_core.solve, errors, parameters, tolerance=tolerance)
 
 
 def solve_stack(
@@ -259,16 +261,16 @@ def solve_stack(
     """
     parameters: dict[str, ArrayLike] = {"a_over_t": a_over_t, "sphere_modulus": sphere_modulus}
     native = partial(_core.solve_stack, stack._native)
-    return _solution(native, errors, tolerance, parameters)
+    return solution(native, errors, parameters, tolerance=tolerance)
 
 
-def _solution(
+def solution(
     native: Callable[..., Any],
     errors: Errors,
-    tolerance: ArrayLike,
     parameters: dict[str, ArrayLike],
+    **further: ArrayLike,
 ) -> Solution:
-    """Solve the broadcast parameters."""
-    found = evaluate(native, errors, **parameters, tolerance=tolerance)
+    """Evaluate the broadcast parameters, and further numbers that are none of the solution's."""
+    found = evaluate(native, errors, **parameters, **further)
     pi0, eeq, gamma, delta0, error = map(scalar_or_array, found)
     return Solution(pi0, eeq, gamma, delta0, error, parameters)

@@ -288,9 +288,10 @@ class StackSystem(UnderProbe):
         sphere_radius: float | None = None,
         sphere_modulus: float,
         stack: Stack,
+        _replaced: Probe | None = None,
     ) -> None:
         if not isinstance(stack, Stack):
             raise TypeError(f"stack must be a Stack, not {type(stack).__name__}")
-        touching = self._set_probe(probe, sphere_radius, sphere_modulus)
+        touching = self._set_probe(probe, sphere_radius, sphere_modulus, _replaced)
         set_field(self, "stack", stack)
         set_field(self, "_native", _core.StackSystem(*touching, stack._native))

@@ -9,11 +9,13 @@ from functools import cache, cached_property
 from typing import TYPE_CHECKING, Any, NoReturn, final
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from . import _core
+from ._arrays import Errors
 from ._bodies import System
 from ._contact import Contact
+from ._solve import Solution, solution
 from ._stack import Stack, StackSystem
 
 if TYPE_CHECKING:
@@ -31,7 +33,7 @@ class Table:
 
     Examples
     --------
-    >>> Table.embedded().quantities
+    >>> Table.embedded().held
     ('gamma',)
     """
 
@@ -151,9 +153,80 @@ class Table:
         return self._description["median_error"]
 
     @property
-    def quantities(self) -> tuple[str, ...]:
+    def held(self) -> tuple[str, ...]:
         """The names of the quantities held. A table of ``gamma`` alone answers all four."""
         return tuple(self._native.quantities())
+
+    def quantities(
+        self,
+        a_over_t: ArrayLike,
+        e1_over_e2: ArrayLike,
+        nu1: ArrayLike,
+        e0_over_e2: ArrayLike,
+        nu0: ArrayLike | None = None,
+        *,
+        errors: Errors = "raise",
+    ) -> Solution:
+        """Look up the four dimensionless quantities, on all cores.
+
+        The parameters broadcast as numpy's functions do. A table of ``gamma`` alone, such as the
+        embedded one, answers all four: the others are integrals of it along a/t. At an a/t beyond
+        the nodes the values are those of the expansion about the limit of a thin or thick film.
+        Neighbouring points of one material share its curve, so arrays in which a/t varies last are
+        the fastest.
+
+        Parameters
+        ----------
+        a_over_t : array_like
+            Contact radius over film thickness.
+        e1_over_e2 : array_like
+            Young's modulus of the film over the sphere's reduced modulus E2*; 0 is a rigid sphere:
+            then the quantities are in units of the film's reduced modulus, and ``e0_over_e2`` is
+            E0/E1.
+        nu1 : array_like
+            Poisson ratio of the film.
+        e0_over_e2 : array_like
+            Young's modulus of the substrate over E2*; infinity is a rigid substrate.
+        nu0 : array_like, optional
+            Poisson ratio of the substrate; by default that of the table, or 0.25 in a table of
+            paired Poisson ratios, such as the embedded one.
+        errors : {"raise", "nan"}
+            What a point with an error gives: an exception, or NaN.
+
+        Returns
+        -------
+        Solution
+            The four quantities in units of E2*, and their relative error: that certified for the
+            table, or the estimate of the expansion.
+
+        Raises
+        ------
+        OutsideTableError, EquivalentError, NormalisationError
+            If the table does not hold the material.
+        ExtrapolationError
+            For an a/t so far beyond the nodes that the expansion is not accurate enough.
+        MissingQuantityError
+            If the table answers some of the quantities only.
+        OtherTableError
+            In a table of a stack of layers.
+
+        Examples
+        --------
+        >>> found = Table.embedded().quantities([0.1, 1.0, 10.0], 1.75, 0.5, 1e5)
+        >>> found.eeq.round(4)
+        array([0.7241, 0.8768, 0.9868])
+        """
+        if nu0 is None:
+            own = self._description["nu0"]
+            nu0 = 0.25 if own == "paired" else own
+        parameters = {
+            "a_over_t": a_over_t,
+            "e1_over_e2": e1_over_e2,
+            "nu1": nu1,
+            "e0_over_e2": e0_over_e2,
+            "nu0": nu0,
+        }
+        return solution(self._native.look_up, errors, parameters)
 
     @property
     def axes(self) -> Mapping[str, NDArray[np.float64]]:

@@ -10,13 +10,14 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ._arrays import Errors, evaluate, scalar_or_array
+from ._values import OneLine
 
 if TYPE_CHECKING:
     from ._contact import Contact
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Validity:
+@dataclass(frozen=True, slots=True, eq=False, repr=False)
+class Validity(OneLine):
     """The geometry of a contact, compared with the assumptions of the model.
 
     Each number has the shape of the contact radii given.
@@ -85,8 +86,8 @@ class Validity:
         return _plain(np.greater(self.a_over_t, 1.0) & np.less(self.compressibility, 1.0))
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class AdhesionRange:
+@dataclass(frozen=True, slots=True, eq=False, repr=False)
+class AdhesionRange(OneLine):
     """The range of the attraction, compared with the JKR limit, in which it is zero.
 
     Attributes
@@ -104,6 +105,7 @@ class AdhesionRange:
     _contact: Contact = field(repr=False)
     _work_of_adhesion: ArrayLike = field(repr=False)
     _interaction_range: ArrayLike = field(repr=False)
+    _errors: Errors = field(repr=False)
 
     @property
     def is_jkr(self) -> Any:
@@ -114,7 +116,7 @@ class AdhesionRange:
         """Return whether the cohesive zone is at most a tenth of a length (m)."""
         return _plain(np.less_equal(self.cohesive_zone, 0.1 * length))
 
-    def pull_off_error(self, *, errors: Errors = "raise") -> Any:
+    def pull_off_error(self, *, errors: Errors | None = None) -> Any:
         """Return the part by which the pull-off load of JKR is too small, under an imposed load.
 
         It is for Dugdale's law, and to first order in the length of the cohesive zone: on a
@@ -124,8 +126,9 @@ class AdhesionRange:
 
         Parameters
         ----------
-        errors : {"raise", "nan"}
-            What a point with an error gives.
+        errors : {"raise", "nan"}, optional
+            What a point with an error gives; by default what was given to
+            ``Contact.adhesion_range``.
 
         Returns
         -------
@@ -150,7 +153,7 @@ class AdhesionRange:
         """
         (found,) = evaluate(
             self._contact._native.pull_off_error,
-            errors,
+            self._errors if errors is None else errors,
             work_of_adhesion=self._work_of_adhesion,
             interaction_range=self._interaction_range,
         )

@@ -1,9 +1,11 @@
-"""Frozen objects that hold a native one: they are pickled by their values."""
+"""Frozen objects: how they are made, pickled and shown."""
 
 from __future__ import annotations
 
 from dataclasses import fields
 from typing import Any
+
+import numpy as np
 
 from ._arrays import number
 
@@ -17,6 +19,38 @@ class Remade:
         """Return the class and the values."""
         values = {one.name: getattr(self, one.name) for one in fields(self) if one.init}  # type: ignore[arg-type]
         return (_again, (type(self), values))
+
+
+class OneLine:
+    """An instance of a dataclass that shows itself on one line, arrays by their shape."""
+
+    __slots__ = ()
+
+    def __repr__(self) -> str:
+        """Return the class and the values, arrays by their shape."""
+        shown = (one.name for one in fields(self) if one.repr)  # type: ignore[arg-type]
+        values = ", ".join(f"{name}={short(getattr(self, name))}" for name in shown)
+        return f"{type(self).__name__}({values})"
+
+
+# The number of values of a list or a dictionary that are shown.
+MOST_SHOWN = 4
+
+
+def short(value: object) -> str:
+    """Return a value on one line."""
+    if isinstance(value, np.ndarray) and value.ndim > 0:
+        return f"<{' x '.join(map(str, value.shape))} values>"
+    if isinstance(value, tuple | list):
+        items = [short(one) for one in value[:MOST_SHOWN]]
+        more = [f"... {len(value)} in all"] if len(value) > MOST_SHOWN else []
+        ends = "()" if isinstance(value, tuple) else "[]"
+        return f"{ends[0]}{', '.join(items + more)}{ends[1]}"
+    if isinstance(value, dict):
+        items = [f"{key!r}: {short(one)}" for key, one in list(value.items())[:MOST_SHOWN]]
+        more = [f"... {len(value)} in all"] if len(value) > MOST_SHOWN else []
+        return "{" + ", ".join(items + more) + "}"
+    return repr(value)
 
 
 def _again(cls: Any, values: dict[str, Any]) -> Any:

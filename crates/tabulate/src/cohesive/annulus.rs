@@ -13,7 +13,8 @@
 //! contact, where the roots have rapidly converging series in Legendre polynomials.
 
 use std::f64::consts::FRAC_PI_2;
-use std::sync::{LazyLock, OnceLock};
+
+use interp::once::{Lazy, Once};
 
 use crate::cohesive::waves::{self, sine_and_versine};
 use crate::solve::bessel::LANES;
@@ -209,7 +210,7 @@ impl Annulus {
 
     /// Returns the Legendre coefficients of `sqrt(c^2 - s^2)` and of its inverse over the contact.
     fn roots_over_contact(&self) -> [[f64; 2]; TERMS] {
-        static BASIS: LazyLock<Vec<[f64; TERMS]>> = LazyLock::new(|| {
+        static BASIS: Lazy<Vec<[f64; TERMS]>> = Lazy::new(|| {
             let value = |n: usize, rho| ((4 * n + 1) as f64).sqrt() * legendre(2 * n, rho).0;
             let half = |t: &f64| 0.5 * (1.0 + t);
             rule(64)
@@ -237,7 +238,7 @@ const STEP: usize = 4;
 
 /// Returns a rule of at least `points` points.
 pub fn rule(points: usize) -> &'static GaussLegendre {
-    static RULES: [OnceLock<GaussLegendre>; 256] = [const { OnceLock::new() }; 256];
+    static RULES: [Once<GaussLegendre>; 256] = [const { Once::new() }; 256];
     let n = points.div_ceil(STEP).clamp(1, RULES.len());
     RULES[n - 1].get_or_init(|| GaussLegendre::new(STEP * n))
 }

@@ -1,6 +1,11 @@
-//! A fit: the data, the fit, the curve without the film, and the residuals.
+//! A fit: the data, the fit, the curve without the film, and the residuals, or the reduced JKR
+//! plot.
 
-use fit::{Bodies, Branch, Experiment, Fit, FittedExperiment, FittedPoint, Kind};
+use fit::report::{JkrPlotPoint, jkr_plot};
+use fit::{
+    Bodies, Branch, Direction, Experiment, Fit, FittedExperiment, FittedPoint, Kind,
+    Point as Measured,
+};
 
 use super::axis::Axis;
 use super::chart::{
@@ -10,6 +15,9 @@ use super::picture::legible;
 
 /// The colours of the experiments.
 const COLOURS: [Colour; 5] = [BLUE, VERMILION, GREEN, PURPLE, ORANGE];
+
+/// The colour of the retract of an experiment that is drawn alone.
+const RETRACT: Colour = VERMILION;
 
 /// The most points that are drawn of an experiment: more cannot be told apart.
 const MOST: usize = 1500;
@@ -22,51 +30,147 @@ const MOST_NAMES: usize = 5;
 
 /// Describes the figure of a fit: for each kind of measurement the data and the residuals.
 pub fn figure(fit: &Fit, experiments: &[Experiment]) -> Figure {
-    let kind = |i: usize| experiments[i].measurement.kind;
-    let has_layers = |one: &Experiment| matches!(one.bodies, Bodies::Layered(_));
-    let without = if experiments.iter().any(has_layers) {
-        "without layers"
-    } else {
-        "without film"
-    };
     let mut rows = Vec::new();
-    for one in Kind::ALL {
-        let members: Vec<(usize, &FittedExperiment)> = fit
-            .experiments
-            .iter()
-            .enumerate()
-            .filter(|(i, _)| kind(*i) == one)
+    for kind in Kind::ALL {
+        let members: Vec<Drawn<'_>> = (fit.experiments.iter().zip(experiments).enumerate())
+            .filter(|(_, (_, experiment))| experiment.measurement.kind == kind)
+            .map(|(i, (fitted, experiment))| Drawn::as_measured(i, fitted, experiment))
             .collect();
         if !members.is_empty() {
-            rows.push(panels(one, &members, without));
+            rows.push(panels(kind, &members, without_what(experiments)));
         }
     }
     Figure::grid(400 * rows.len() as u32, rows)
 }
 
-/// Describes the panels of the experiments of one kind, each with its number. `without` says
-/// without what the dashed curves are.
-fn panels(kind: Kind, members: &[(usize, &FittedExperiment)], without: &str) -> Vec<Panel> {
+/// Describes the reduced JKR plot of a fit, in which the contact without a film is a straight line.
+///
+/// # Errors
+/// Those of [`jkr_plot`].
+pub fn jkr_figure(fit: &Fit, experiments: &[Experiment]) -> Result<Figure, ::fit::Error> {
+    let members = (fit.experiments.iter().zip(experiments).enumerate())
+        .map(|(i, (fitted, experiment))| {
+            let places = jkr_plot(fit, experiment, i)?;
+            Ok(Drawn::of_jkr(i, fitted, experiment, &places))
+        })
+        .collect::<Result<Vec<_>, ::fit::Error>>()?;
+    let values = |value: fn(&Mark) -> Option<f64>| {
+        let marks = members.iter().flat_map(|one| &one.marks);
+        marks.filter_map(value)
+    };
+    let x = Scale::power("a^{3/2} / (√π R)", "m^{1/2}", values(|mark| Some(mark.x)));
+    let ordinates = values(|mark| Some(mark.y))
+        .chain(values(|mark| mark.fit))
+        .chain(values(|mark| mark.without_film));
+    let y = Scale::power("F / (√6π a^{3/2})", "N m^{−3/2}", ordinates);
+    let what = without_what(experiments);
+    let panel = data_panel("Reduced JKR plot: data and fit", &x, &y, &members, what);
+    Ok(Figure::new(440, [panel]))
+}
+
+/// Says without what the dashed curves are.
+fn without_what(experiments: &[Experiment]) -> &'static str {
+    let has_layers = |one: &Experiment| matches!(one.bodies, Bodies::Layered(_));
+    if experiments.iter().any(has_layers) {
+        "without layers"
+    } else {
+        "without film"
+    }
+}
+
+/// An experiment, as drawn.
+struct Drawn<'a> {
+    number: usize,
+    name: &'a str,
+    marks: Vec<Mark>,
+}
+
+/// A measured point, as drawn.
+struct Mark {
+    x: f64,
+    y: f64,
+    fit: Option<f64>,
+    without_film: Option<f64>,
+    deviation: f64,
+    branch: Branch,
+    retract: bool,
+    used: bool,
+}
+
+impl<'a> Drawn<'a> {
+    /// Takes the points as they were measured.
+    fn as_measured(number: usize, fitted: &'a FittedExperiment, experiment: &Experiment) -> Self {
+        let mark = |(point, measured): (&FittedPoint, &Measured)| Mark {
+            x: point.abscissa,
+            y: point.ordinate,
+            fit: point.fit,
+            without_film: point.without_film,
+            deviation: point.deviation,
+            branch: point.branch,
+            retract: is_retract(point, measured),
+            used: point.fit.is_some() && !point.outlier,
+        };
+        let points = fitted.points.iter().zip(&experiment.measurement.points);
+        Self {
+            number,
+            name: &fitted.name,
+            marks: points.map(mark).collect(),
+        }
+    }
+
+    /// Takes the points of the JKR plot.
+    fn of_jkr(
+        number: usize,
+        fitted: &'a FittedExperiment,
+        experiment: &Experiment,
+        places: &[Option<JkrPlotPoint>],
+    ) -> Self {
+        let mut drawn = Self::as_measured(number, fitted, experiment);
+        let marks = drawn.marks.into_iter().zip(places);
+        drawn.marks = marks
+            .filter_map(|(mark, place)| {
+                let place = (*place)?;
+                Some(Mark {
+                    x: place.abscissa,
+                    y: place.measured,
+                    fit: place.fit,
+                    without_film: place.without_film,
+                    ..mark
+                })
+            })
+            .collect();
+        drawn
+    }
+}
+
+/// Tells whether a point was measured on retract.
+fn is_retract(point: &FittedPoint, measured: &Measured) -> bool {
+    match measured.direction {
+        Some(direction) => direction == Direction::Retract,
+        None => point.branch == Branch::Receding,
+    }
+}
+
+/// Describes the panels of the experiments of one kind: data and residuals. `without` says without
+/// what the dashed curves are.
+fn panels(kind: Kind, members: &[Drawn<'_>], without: &str) -> Vec<Panel> {
     let [abscissa, ordinate] = kind.names();
     let unit = if kind == Kind::PenetrationRadius {
         'm'
     } else {
         'N'
     };
-    let points = || members.iter().flat_map(|(_, one)| &one.points);
-    let x = Scale::new(abscissa, 'm', points().map(|point| point.abscissa));
-    let values = |point: &FittedPoint| [Some(point.ordinate), point.fit].into_iter().flatten();
-    let y = Scale::new(ordinate, unit, points().flat_map(values));
-    let mut data = Panel::new("Data and fit", x.axis(), y.axis());
+    let marks = || members.iter().flat_map(|one| &one.marks);
+    let x = Scale::new(abscissa, 'm', marks().map(|mark| mark.x));
+    let values = |mark: &Mark| [Some(mark.y), mark.fit].into_iter().flatten();
+    let y = Scale::new(ordinate, unit, marks().flat_map(values));
+    let data = data_panel("Data and fit", &x, &y, members, without);
 
-    let residual = |point: &FittedPoint| Some(point.residual()? / point.deviation);
-    let residuals = members
-        .iter()
-        .flat_map(|(_, one)| one.points.iter().filter_map(residual));
+    let residual = |mark: &Mark| Some((mark.y - mark.fit?) / mark.deviation);
+    let residuals = marks().filter_map(residual);
     let largest = residuals.fold(3.0_f64, |most, residual| most.max(residual.abs()));
     let rest = Axis::linear("residual / noise", [-1.1 * largest, 1.1 * largest]);
-    let without_film = points().any(|point| point.without_film.is_some());
-    let title = if without_film {
+    let title = if marks().any(|mark| mark.without_film.is_some()) {
         format!("Residuals (dashed: {without})")
     } else {
         "Residuals".to_owned()
@@ -74,63 +178,102 @@ fn panels(kind: Kind, members: &[(usize, &FittedExperiment)], without: &str) -> 
     let mut left = Panel::new(title, x.axis(), rest);
     let [from, to] = x.axis().range();
     left.line([[from, 0.0], [to, 0.0]], GREY);
-
-    for (i, one) in members {
-        let colour = COLOURS[i % COLOURS.len()];
-        let every = one.points.len().div_ceil(MOST);
-        let drawn = || one.points.iter().step_by(every);
-        for point in drawn() {
-            let used = point.fit.is_some() && !point.outlier;
-            let shade = if used { colour } else { GREY };
-            let marker = match used {
-                true if one.points.len() > MOST_LARGE => Marker::Small,
-                true => Marker::Full,
-                false => Marker::Hollow,
-            };
-            data.markers(
-                [[x.at(point.abscissa), y.at(point.ordinate)]],
-                shade,
-                marker,
-            );
-            if let Some(residual) = residual(point) {
-                left.markers([[x.at(point.abscissa), residual]], shade, marker);
+    for one in members {
+        let every = one.marks.len().div_ceil(MOST);
+        for mark in one.marks.iter().step_by(every) {
+            if let Some(residual) = residual(mark) {
+                let (colour, marker) = style(one, mark, members.len());
+                left.markers([[x.at(mark.x), residual]], colour, marker);
             }
         }
-        let curves = |value: &dyn Fn(&FittedPoint) -> Option<f64>| {
-            branches(&one.points, every, |point| {
-                Some([x.at(point.abscissa), value(point)?])
-            })
-        };
-        for curve in curves(&|point| Some(y.at(point.without_film?))) {
-            data.dashed(curve, GREY);
-        }
-        for curve in curves(&|point| Some(y.at(point.fit?))) {
-            data.line(curve, BLACK);
-        }
-        for curve in curves(&|point| Some((point.without_film? - point.fit?) / point.deviation)) {
+        for curve in branches(&one.marks, every, |mark| {
+            Some([
+                x.at(mark.x),
+                (mark.without_film? - mark.fit?) / mark.deviation,
+            ])
+        }) {
             left.dashed(curve, GREY);
         }
-        if members.len() > 1 && *i < MOST_NAMES {
-            let place = drawn().map(|point| [x.at(point.abscissa), y.at(point.ordinate)]);
-            let file = one.name.rsplit(['/', '\\']).next().unwrap_or(&one.name);
+    }
+    vec![data.share(1.25), left]
+}
+
+/// Returns colour and marker of a point of one of several experiments.
+fn style(one: &Drawn<'_>, mark: &Mark, experiments: usize) -> (Colour, Marker) {
+    let own = COLOURS[one.number % COLOURS.len()];
+    let few = one.marks.len() <= MOST_LARGE;
+    match (mark.used, mark.retract) {
+        (false, _) => (GREY, Marker::Hollow),
+        (true, false) if few => (own, Marker::Full),
+        (true, false) => (own, Marker::Small),
+        (true, true) if experiments > 1 => (own, Marker::Hollow),
+        (true, true) if few => (RETRACT, Marker::Hollow),
+        (true, true) => (RETRACT, Marker::Small),
+    }
+}
+
+/// Describes the panel with the data, the fit, and the dashed fit `without` film or layers.
+fn data_panel(title: &str, x: &Scale, y: &Scale, members: &[Drawn<'_>], without: &str) -> Panel {
+    let mut data = Panel::new(title, x.axis(), y.axis());
+    let place = |mark: &Mark, value: f64| [x.at(mark.x), y.at(value)];
+    for one in members {
+        let every = one.marks.len().div_ceil(MOST);
+        for mark in one.marks.iter().step_by(every) {
+            let (colour, marker) = style(one, mark, members.len());
+            data.markers([place(mark, mark.y)], colour, marker);
+        }
+        let curves = |value: fn(&Mark) -> Option<f64>| {
+            branches(&one.marks, every, |mark| Some(place(mark, value(mark)?)))
+        };
+        for curve in curves(|mark| mark.without_film) {
+            data.dashed(curve, GREY);
+        }
+        for curve in curves(|mark| mark.fit) {
+            data.line(curve, BLACK);
+        }
+        if members.len() > 1 && one.number < MOST_NAMES {
+            let places = one.marks.iter().map(|mark| place(mark, mark.y));
+            let file = one.name.rsplit(['/', '\\']).next().unwrap_or(one.name);
+            let colour = COLOURS[one.number % COLOURS.len()];
             label(
                 &mut data,
-                place.collect(),
+                places.collect(),
                 &legible(file),
                 colour,
                 Side::Right,
             );
         }
     }
-    let first = || members[0].1.points.iter();
-    let place = |point: &FittedPoint, value: f64| [x.at(point.abscissa), y.at(value)];
-    if without_film {
-        let places = first().filter_map(|point| Some(place(point, point.without_film?)));
-        label(&mut data, places.collect(), without, GREY, Side::Right);
+    let first = &members[0];
+    let mut name = |is: &dyn Fn(&Mark) -> Option<f64>, text: &str, colour, side| {
+        let marks = first.marks.iter();
+        let places = marks.filter_map(|mark| Some(place(mark, is(mark)?)));
+        label(&mut data, places.collect(), text, colour, side);
+    };
+    name(&|mark| mark.without_film, without, GREY, Side::Right);
+    name(&|mark| mark.fit, "fit", BLACK, Side::Left);
+    let directions = [false, true].map(|retract| {
+        let is = move |mark: &&Mark| mark.used && mark.retract == retract;
+        first.marks.iter().any(|mark| is(&mark))
+    });
+    let texts = match directions {
+        [true, true] => ["approach", "retract"],
+        _ => ["data", "data"],
+    };
+    for (retract, text) in [false, true].into_iter().zip(texts) {
+        let of = |mark: &&Mark| mark.used && mark.retract == retract;
+        // Of several experiments each has its name.
+        if let Some(mark) = first.marks.iter().find(of)
+            && (members.len() == 1 || text != "data")
+        {
+            let (colour, _) = style(first, mark, members.len());
+            let is = |mark: &Mark| of(&mark).then_some(mark.y);
+            name(&is, text, colour, Side::Below);
+        }
     }
-    let fitted = first().filter_map(|point| Some(place(point, point.fit?)));
-    label(&mut data, fitted.collect(), "fit", BLACK, Side::Left);
-    vec![data.share(1.25), left]
+    let unused = |mark: &Mark| (!mark.used).then_some(mark.y);
+    name(&unused, "left out or far off", GREY, Side::Right);
+    data
 }
 
 /// Writes a text beside one of the points, if there are any. Of many points some are tried, because
@@ -144,23 +287,16 @@ fn label(panel: &mut Panel, points: Vec<Point>, text: &str, colour: Colour, side
 }
 
 /// Returns the curves through the points of each branch, along the abscissa.
-fn branches(
-    points: &[FittedPoint],
-    every: usize,
-    at: impl Fn(&FittedPoint) -> Option<Point>,
-) -> Vec<Vec<Point>> {
+fn branches(marks: &[Mark], every: usize, at: impl Fn(&Mark) -> Option<Point>) -> Vec<Vec<Point>> {
     let mut curves = Vec::new();
     let mut current: Option<(Branch, Vec<Point>)> = None;
-    for point in points
-        .iter()
-        .filter(|point| point.branch != Branch::LeftOut)
-    {
-        let Some(place) = at(point) else { continue };
+    for mark in marks.iter().filter(|mark| mark.branch != Branch::LeftOut) {
+        let Some(place) = at(mark) else { continue };
         match &mut current {
-            Some((branch, curve)) if *branch == point.branch => curve.push(place),
+            Some((branch, curve)) if *branch == mark.branch => curve.push(place),
             _ => curves.extend(
                 current
-                    .replace((point.branch, vec![place]))
+                    .replace((mark.branch, vec![place]))
                     .map(|(_, curve)| curve),
             ),
         }
@@ -189,10 +325,7 @@ struct Scale {
 impl Scale {
     /// Makes the axis that shows all values, with a margin.
     fn new(name: &str, unit: char, values: impl Iterator<Item = f64>) -> Self {
-        let [least, most] = values
-            .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| {
-                [low.min(value), high.max(value)]
-            });
+        let [least, most] = ends(values);
         let largest = least.abs().max(most.abs());
         const PREFIXES: [(&str, f64); 7] = [
             ("k", 1e3),
@@ -205,9 +338,28 @@ impl Scale {
         ];
         let found = PREFIXES.iter().find(|(_, size)| largest >= 2.0 * size);
         let (prefix, size) = *found.unwrap_or(&PREFIXES[PREFIXES.len() - 1]);
+        Self::of(format!("{name} ({prefix}{unit})"), size, [least, most])
+    }
+
+    /// Makes the axis that shows all values, with a margin, in a power of ten of the `unit`.
+    fn power(name: &str, unit: &str, values: impl Iterator<Item = f64>) -> Self {
+        let [least, most] = ends(values);
+        let exponent = least.abs().max(most.abs()).log10().floor();
+        // Numbers from 0.1 to 9999 are written as they are.
+        let (size, power) = if (-1.0..4.0).contains(&exponent) || !exponent.is_finite() {
+            (1.0, String::new())
+        } else {
+            let power = format!("10^{{{exponent}}} ").replace('-', "−");
+            (10_f64.powf(exponent), power)
+        };
+        Self::of(format!("{name}  ({power}{unit})"), size, [least, most])
+    }
+
+    /// Makes the axis of values between two, with a margin.
+    fn of(label: String, size: f64, [least, most]: [f64; 2]) -> Self {
         let margin = 0.04 * (most - least);
         Self {
-            label: format!("{name} ({prefix}{unit})"),
+            label,
             size,
             range: [(least - margin) / size, (most + margin) / size],
         }
@@ -220,4 +372,11 @@ impl Scale {
     fn at(&self, value: f64) -> f64 {
         value / self.size
     }
+}
+
+/// Returns the smallest and the largest value.
+fn ends(values: impl Iterator<Item = f64>) -> [f64; 2] {
+    values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| {
+        [low.min(value), high.max(value)]
+    })
 }

@@ -11,7 +11,7 @@ use interp::{Material, Quantities};
 use rayon::prelude::*;
 
 use crate::Error;
-use crate::parallel::try_map;
+use crate::parallel::{on_all_cores, try_map};
 use crate::solve::abscissae::{Abscissae, BesselValues};
 use crate::solve::compliance::Compliance;
 use crate::solve::galerkin;
@@ -150,7 +150,7 @@ impl Shared {
             x,
             exponents,
             tolerance,
-            galerkin: scales.into_par_iter().map(prepare).collect(),
+            galerkin: on_all_cores(|| scales.into_par_iter().map(prepare).collect()),
         }
     }
 

@@ -12,10 +12,9 @@
 //! scaled by the expansion of `cos(z rho)` at `rho = 0`, `sum_n (4n+1) |P_2n(0)| j_2n(z) = 1`. No
 //! sines and cosines are needed.
 
-use std::sync::LazyLock;
-
 use fearless_simd::prelude::*;
 use fearless_simd::{Level, dispatch, f64x8};
+use interp::once::Lazy;
 
 /// The number of arguments handled at once. The recurrences of a group are independent and fill the
 /// processor's vector registers.
@@ -142,7 +141,7 @@ const STEPS: usize = 2048;
 
 /// Returns the coefficients of all steps, computed once.
 fn steps() -> &'static [Step] {
-    static TABLE: LazyLock<Vec<Step>> = LazyLock::new(|| {
+    static TABLE: Lazy<Vec<Step>> = Lazy::new(|| {
         let mut legendre = 1.0;
         let step = |n: usize| {
             let v = 2.0 * n as f64;

@@ -19,8 +19,8 @@
 //! singularity. `digits` sets both ends of the line as well.
 
 use std::f64::consts::PI;
-use std::sync::OnceLock;
 
+use interp::once::Once;
 use num_complex::Complex64;
 
 use crate::solve::compliance::FLAT;
@@ -130,7 +130,7 @@ pub struct Contour {
     /// The abscissae and steps of the whole integral of `ln S`.
     logarithm: Logarithm,
     /// The line for profiles that are not even powers of the radius, made when it is needed.
-    turned_line: OnceLock<TurnedLine>,
+    turned_line: Once<TurnedLine>,
 }
 
 /// The readouts `z`, and the polynomial in `z^2` through the values of an even function there.
@@ -188,8 +188,8 @@ impl Contour {
     /// Each contour is made once and kept. An ordinary table needs a few megabytes of contours. All
     /// contours, for every corner of the domain, would take half a gigabyte.
     pub fn get(path: Path, level: usize, knee: f64) -> &'static Self {
-        static CONTOURS: [[[OnceLock<Contour>; KNEES]; LEVELS.len()]; 2] =
-            [const { [const { [const { OnceLock::new() }; KNEES] }; LEVELS.len()] }; 2];
+        static CONTOURS: [[[Once<Contour>; KNEES]; LEVELS.len()]; 2] =
+            [const { [const { [const { Once::new() }; KNEES] }; LEVELS.len()] }; 2];
         let n = ((-knee.ln() / KNEE_STEP).ceil().max(0.0) as usize).min(KNEES - 1);
         CONTOURS[path as usize][level][n]
             .get_or_init(|| Self::new(path, LEVELS[level], (-KNEE_STEP * n as f64).exp()))
@@ -242,7 +242,7 @@ impl Contour {
             factor: Matrix::from_columns(unknowns + READOUTS, &factor),
             own,
             logarithm,
-            turned_line: OnceLock::new(),
+            turned_line: Once::new(),
         }
     }
 

@@ -15,7 +15,8 @@
 //!   below the tolerance ([`cut_off`]).
 
 use std::f64::consts::{E, PI};
-use std::sync::LazyLock;
+
+use interp::once::Lazy;
 
 use crate::solve::surface::{SurfaceCompliance, cut_off};
 
@@ -93,8 +94,7 @@ pub struct Panels {
 }
 
 /// The rules of 16, 20, 24 and 32 points.
-static RULES: LazyLock<[GaussLegendre; 4]> =
-    LazyLock::new(|| [16, 20, 24, 32].map(GaussLegendre::new));
+static RULES: Lazy<[GaussLegendre; 4]> = Lazy::new(|| [16, 20, 24, 32].map(GaussLegendre::new));
 
 /// The largest length of a panel over its lower end.
 const GROWTH: f64 = 3.0;

@@ -11,7 +11,7 @@ use rand_pcg::Pcg64Mcg;
 use rayon::prelude::*;
 
 use crate::Error;
-use crate::parallel::try_map;
+use crate::parallel::{on_all_cores, try_map};
 use crate::solve::larger;
 use crate::solve::tabulated::Tabulated;
 use crate::stack::NamedStack;
@@ -111,9 +111,9 @@ impl Lines {
     fn interpolated(&self, at: &[f64]) -> Vec<f64> {
         let nodes = places(self.points, 0.0);
         let mut rows = vec![0.0; at.len() * self.width];
-        rows.par_chunks_exact_mut(self.width)
-            .zip(at)
-            .for_each(|(row, &place)| {
+        let rows_at = rows.par_chunks_exact_mut(self.width).zip(at);
+        on_all_cores(|| {
+            rows_at.for_each(|(row, &place)| {
                 let last = self.points - 1;
                 let weight = |i: usize| {
                     let size = if i == 0 || i == last { 0.5 } else { 1.0 };
@@ -133,6 +133,7 @@ impl Lines {
                         .for_each(|(row, value)| *row += weight * value);
                 }
             });
+        });
         rows
     }
 
@@ -196,7 +197,7 @@ impl Lines {
                 }
                 largest_difference(&splines, truth)
             });
-        errors.reduce(|| 0.0, larger)
+        on_all_cores(|| errors.reduce(|| 0.0, larger))
     }
 }
 

@@ -1,7 +1,8 @@
 //! Polynomials through twelve Chebyshev points on an interval, and Gauss's quadrature.
 
 use std::f64::consts::PI;
-use std::sync::LazyLock;
+
+use crate::once::Lazy;
 
 /// The number of points on an interval.
 pub(super) const POINTS: usize = 12;
@@ -25,11 +26,10 @@ pub(super) struct Points {
     pub whole: [f64; POINTS],
 }
 
-pub(super) static CHEBYSHEV: LazyLock<Points> = LazyLock::new(Points::new);
+pub(super) static CHEBYSHEV: Lazy<Points> = Lazy::new(Points::new);
 
 /// Gauss's points and weights on the interval from -1 to 1.
-pub(super) static GAUSS: LazyLock<[Vec<[f64; 2]>; 3]> =
-    LazyLock::new(|| [gauss(6), gauss(10), gauss(16)]);
+pub(super) static GAUSS: Lazy<[Vec<[f64; 2]>; 3]> = Lazy::new(|| [gauss(6), gauss(10), gauss(16)]);
 
 impl Points {
     fn new() -> Self {

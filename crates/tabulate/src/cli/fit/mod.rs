@@ -30,7 +30,7 @@ use super::plot::picture;
 use super::print;
 use super::quantity::{any, length, number, sensitivity};
 use super::table_name::{self, TableName};
-use crate::plot::fit::figure;
+use crate::plot::fit::{figure, jkr_figure};
 use crate::plot::picture::Format as PictureFormat;
 use crate::printable;
 
@@ -174,6 +174,21 @@ pub struct Arguments {
     /// Draw data, fit, residuals and the curve without the film: SVG or PNG by the ending
     #[arg(long, value_name = "FILE.svg|FILE.png", value_parser = picture)]
     plot: Option<PathBuf>,
+    /// What --plot draws: the data as they were measured with their residuals, or the reduced JKR
+    /// plot of loads at contact radii, load/(sqrt(6 pi) a^(3/2)) against a^(3/2)/(sqrt(pi) R), in
+    /// which a contact without a film is a straight line
+    #[arg(long, value_name = "KIND", default_value = "data", requires = "plot", value_parser = one_of([
+        ("data", PlotKind::Data),
+        ("jkr", PlotKind::Jkr),
+    ]))]
+    plot_kind: PlotKind,
+}
+
+/// What a picture of a fit shows.
+#[derive(Clone, Copy, Debug)]
+enum PlotKind {
+    Data,
+    Jkr,
 }
 
 /// Parses the Poisson ratio of a solid.
@@ -360,12 +375,16 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         allow::magnitudes(&fit.magnitudes(), allowed)
             .map_err(|error| anyhow!("{error}{}", further_doubts(&fit)))?;
     }
+    // A picture that cannot be drawn is told before anything is written.
+    let drawn = match arguments.plot_kind {
+        PlotKind::Data => figure(&fit, &experiments),
+        PlotKind::Jkr => jkr_figure(&fit, &experiments).context("--plot-kind jkr")?,
+    };
     if let Some(csv) = csv {
         csv.write(&table::csv(&fit, &experiments)?)?;
     }
     if let (Some(plot), Some(path)) = (plot, &arguments.plot) {
-        let picture = figure(&fit, &experiments).picture()?;
-        plot.write(&picture.encode(PictureFormat::of(path)?)?)?;
+        plot.write(&drawn.picture()?.encode(PictureFormat::of(path)?)?)?;
     }
     if arguments.json {
         json::print(&object::FitObject::new(&fit, &experiments, &notes))?;

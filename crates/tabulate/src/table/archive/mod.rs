@@ -32,8 +32,7 @@ pub(crate) fn check(path: &Path) -> Result<(), Error> {
     };
     if !WRITES_HDF5 {
         return refused(
-            "this program was built without HDF5; write the packed form, to a name that ends in .bin, or build it with the \
-             feature `hdf5`",
+            "this build cannot write HDF5; write the packed form, to a name that ends in .bin, or take a build with HDF5",
         );
     }
     let ending = path.extension();

@@ -16,7 +16,7 @@ use interp::{LowRank, Quantity, Table};
 use rayon::prelude::*;
 
 use crate::Error;
-use crate::parallel::try_map;
+use crate::parallel::{on_all_cores, try_map};
 use crate::solve::larger;
 use crate::table::compress::coefficients::{Axis, Coefficients};
 use crate::table::compress::matrices::{rank, row_major, singular_vectors};
@@ -106,7 +106,7 @@ impl Part {
                 .map(|(found, exact)| (found - exact).abs());
             differences.fold(0.0, larger)
         });
-        differences.reduce(|| 0.0, larger)
+        on_all_cores(|| differences.reduce(|| 0.0, larger))
     }
 }
 

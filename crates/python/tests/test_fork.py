@@ -1,0 +1,153 @@
+"""A child of fork computes what its parent computes.
+
+The limits of time end a child that hangs; nothing is asserted about time.
+"""
+
+import multiprocessing
+import os
+import pickle
+import select
+import signal
+import threading
+from concurrent.futures import ThreadPoolExecutor
+
+import pytest
+
+from coated_contact import Cohesive, SolvedCurve, Table, fit_map, generate, solve
+from conftest import make_system
+from test_fit import WANTED, lens
+
+pytestmark = [
+    pytest.mark.skipif(not hasattr(os, "fork"), reason="the system has no fork"),
+    # Python warns that a process with threads forks, which is what is tested.
+    pytest.mark.filterwarnings("ignore:.*fork.*:DeprecationWarning"),
+]
+
+LIMIT = 120
+SCENE = {
+    "title": "Rubber on glass",
+    "tolerance": 1e-2,
+    "a_over_t": {"from": 0.1, "to": 10},
+    "e1_over_e2": 1.75,
+    "nu1": 0.5,
+    "e0_over_e2": 1e5,
+}
+X = [0.5, 1.0, 2.0]
+
+
+def solved():
+    return solve(X, 1.75, 0.3, 1e5).eeq.tolist()
+
+
+def mapped():
+    found = fit_map([lens(seed=seed) for seed in range(4)], WANTED)
+    return found.params["sphere_modulus"].tolist()
+
+
+def generated():
+    return generate(SCENE, progress=False).to_packed()
+
+
+def looked_up():
+    return Table.embedded().quantities(X, 1.75, 0.3, 1e5).eeq.tolist()
+
+
+def of_a_curve():
+    return SolvedCurve(a_over_t=(0.1, 20)).contact(make_system()).pull_off(0.04).load
+
+
+def cohesive():
+    made = Cohesive(system=make_system(), work_of_adhesion=0.04, interaction_range=1e-6)
+    return made.state([3e-5, 4e-5]).load.tolist()
+
+
+WORK = [solved, mapped, generated, looked_up, of_a_curve, cohesive]
+
+
+def every():
+    return [work() for work in WORK]
+
+
+def in_child(work):
+    """Return what a child of a fork returns; fail if it hangs."""
+    reader, writer = os.pipe()
+    child = os.fork()
+    if child == 0:
+        try:
+            with os.fdopen(writer, "wb") as pipe:
+                pickle.dump(work(), pipe)
+        finally:
+            os._exit(0)
+    os.close(writer)
+    try:
+        with os.fdopen(reader, "rb") as pipe:
+            ready, _, _ = select.select([pipe], [], [], LIMIT)
+            assert ready, f"the child has not answered within {LIMIT} s"
+            return pickle.load(pipe)
+    finally:
+        os.kill(child, signal.SIGKILL)
+        os.waitpid(child, 0)
+
+
+@pytest.fixture(scope="module")
+def expected():
+    """What the parent computes, before any of the forks."""
+    return every()
+
+
+@pytest.mark.parametrize("number", range(len(WORK)), ids=lambda i: WORK[i].__name__)
+def test_a_child_computes_what_its_parent_computes(expected, number):
+    assert in_child(WORK[number]) == expected[number]
+
+
+def test_a_child_of_a_child_computes_too(expected):
+    def child():
+        own = every()
+        return own == in_child(every) == expected
+
+    assert in_child(child)
+
+
+def test_the_parent_goes_on(expected):
+    in_child(every)
+    assert every() == expected
+
+
+def test_processes_of_multiprocessing_compute(expected):
+    with multiprocessing.get_context("fork").Pool(2) as pool:
+        for found in pool.map_async(_every, range(4), chunksize=1).get(timeout=LIMIT):
+            assert found == expected
+
+
+def _every(_):
+    return every()
+
+
+def test_many_threads_of_a_child_compute_at_once(expected):
+    def child():
+        with ThreadPoolExecutor(64) as pool:
+            return all(found == expected[0] for found in pool.map(lambda _: solved(), range(256)))
+
+    assert child()
+    assert in_child(child)
+
+
+def test_a_child_of_a_parent_whose_threads_compute(expected):
+    """The other threads are at any place of their work when the process forks."""
+    stop = threading.Event()
+
+    def busy(work):
+        while not stop.is_set():
+            work()
+
+    threads = [threading.Thread(target=busy, args=(work,)) for work in (solved, mapped, looked_up)]
+    for thread in threads:
+        thread.start()
+    try:
+        for _ in range(20):
+            assert in_child(solved) == expected[0]
+            assert in_child(mapped) == expected[1]
+    finally:
+        stop.set()
+        for thread in threads:
+            thread.join()

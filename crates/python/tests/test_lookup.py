@@ -1,0 +1,103 @@
+"""Quantities looked up in a table: against direct solves, published values and other tables."""
+
+import numpy as np
+import pytest
+
+from coated_contact import (
+    MissingQuantityError,
+    OtherTableError,
+    OutsideTableError,
+    Table,
+    generate,
+    solve,
+)
+from conftest import ROOT
+
+NAMES = ("pi0", "eeq", "gamma", "delta0")
+
+
+def agree(found, exact, rel):
+    for name in NAMES:
+        assert np.allclose(getattr(found, name), getattr(exact, name), rtol=rel, atol=0), name
+
+
+def test_a_table_of_gamma_alone_answers_all_four():
+    table = Table.embedded()
+    assert table.held == ("gamma",)
+    x = np.geomspace(1e-3, 1e3, 13)[:, None, None]
+    nu1, e1 = np.array([0.0, 0.3, 0.5])[:, None], np.array([0.0, 1e-2, 1.75])
+    found = table.quantities(x, e1, nu1, 1e5)
+    assert found.pi0.shape == (13, 3, 3)
+    agree(found, solve(x, e1, nu1, 1e5), 2e-6)
+    assert np.all(found.error <= table.max_error)
+
+
+def test_a_film_like_its_substrate_is_a_half_space():
+    """Pi0 = 8/3 Eeq and Delta0 = 1 with the Eeq of Hertz and JKR, at every a/t."""
+    x = [1e-3, 0.1, 1.0, 10.0, 1e3]
+    found = Table.embedded().quantities(x, 1.75, 0.3, 1.75, 0.3)
+    modulus = 1 / (1 + (1 - 0.3**2) / 1.75)
+    for name, expected in {"pi0": 8 / 3 * modulus, "eeq": modulus, "delta0": 1.0}.items():
+        assert np.allclose(getattr(found, name), expected, rtol=2e-6, atol=0), name
+
+
+def test_a_table_that_holds_all_four_answers_the_same():
+    x = np.geomspace(0.1, 100, 7)
+    held = Table.read(ROOT / "tables" / "paper.bin").quantities(x, 1.75, 0.5, 1e5)
+    agree(held, Table.embedded().quantities(x, 1.75, 0.5, 1e5), 1e-4)
+
+
+def test_a_single_point_is_numbers():
+    found = Table.embedded().quantities(1.0, 1.75, 0.5, np.inf)
+    assert all(type(getattr(found, name)) is float for name in NAMES)
+
+
+def test_the_order_of_the_points_changes_nothing():
+    x, nu1 = np.geomspace(1e-2, 1e2, 40), np.linspace(0, 0.5, 30)
+    table = Table.embedded()
+    one = table.quantities(x, 1.75, nu1[:, None], 1e5)
+    other = table.quantities(x[:, None], 1.75, nu1, 1e5)
+    for name in NAMES:
+        assert np.array_equal(getattr(one, name), getattr(other, name).T)
+
+
+def test_the_default_substrate_is_that_of_the_table():
+    table = Table.embedded()
+    one, other = (table.quantities(1.0, 1.75, 0.4, 1e-1, *nu0) for nu0 in ((), (0.25,)))
+    assert one.eeq == other.eeq != table.quantities(1.0, 1.75, 0.4, 1e-1, 0.4).eeq
+
+
+def test_what_a_table_does_not_hold_is_refused():
+    table = Table.read(ROOT / "tables" / "paper.bin")
+    with pytest.raises(OutsideTableError) as caught:
+        table.quantities([1.0, 2.0], [1.75, 1e9], 0.5, 1e5)
+    assert (caught.value.axis, caught.value.index) == ("e1_over_e2", (1,))
+    found = table.quantities([1.0, 2.0], [1.75, 1e9], 0.5, 1e5, errors="nan")
+    assert np.isnan(found.eeq).tolist() == [False, True]
+    assert "nan" in found._repr_html_()
+    scene = {
+        "title": "Stiffness alone",
+        "tolerance": 1e-2,
+        "a_over_t": {"from": 0.1, "to": 10},
+        "e1_over_e2": 1.75,
+        "nu1": 0.5,
+        "e0_over_e2": 1e5,
+        "quantities": ["eeq", "gamma"],
+    }
+    with pytest.raises(MissingQuantityError, match="pi0"):
+        generate(scene, progress=False).quantities(1.0, 1.75, 0.5, 1e5)
+
+
+def test_a_table_of_a_stack_is_refused(stack):
+    table = generate(
+        {
+            "title": "Layers",
+            "tolerance": 1e-2,
+            "a_over_t": {"from": 0.1, "to": 10},
+            "e1_over_e2": {"from": 1, "to": 3},
+            "stack": stack,
+        },
+        progress=False,
+    )
+    with pytest.raises(OtherTableError, match="StackSystem"):
+        table.quantities(1.0, 1.75, 0.5, 1e5)

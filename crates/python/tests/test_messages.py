@@ -1,0 +1,176 @@
+"""Messages are in the words of this package: no names of Rust, no flags of the program."""
+
+import re
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from coated_contact import (
+    Cone,
+    Contact,
+    ContactError,
+    Elastic,
+    FlatPunch,
+    HalfSpace,
+    SolvedCurve,
+    Stack,
+    StackSystem,
+    Table,
+    fit,
+    fit_map,
+    generate,
+    solve,
+)
+from conftest import ROOT, make_system
+from test_fit import WANTED, lens
+
+PACKED, HDF5 = ROOT / "tables" / "paper.bin", ROOT / "tables" / "paper.h5"
+SCENE = {
+    "title": "Rubber on glass",
+    "tolerance": 1e-2,
+    "a_over_t": {"from": 0.1, "to": 10},
+    "e1_over_e2": 1.75,
+    "nu1": 0.5,
+    "e0_over_e2": 1e5,
+}
+FOREIGN = re.compile(r"::|(?<![\w-])--?[a-z]|feature|\bline 0|tabulate (generate|solve)|lines? \d")
+
+
+def in_python(words):
+    """Accept words that a user of Python can follow."""
+    assert not FOREIGN.search(words), words
+
+
+def rigid(system):
+    return replace(system, sphere_modulus=np.inf)
+
+
+def of_substrate(poisson_ratio):
+    """A system on a substrate of another Poisson ratio than that of the table."""
+    glass = Elastic(young_modulus=2e11, poisson_ratio=poisson_ratio)
+    return replace(make_system(), substrate=glass)
+
+
+def bare(**probe):
+    solid = Elastic(young_modulus=1e6, poisson_ratio=0.5)
+    return Contact.half_space(HalfSpace(sphere_modulus=2e6, solid=solid, **probe))
+
+
+def on(stack, **probe):
+    return stack.contact(sphere_modulus=2e6, a_over_t=(0.1, 2), **probe)
+
+
+def at_end(seed):
+    """A lens with a load that is no number."""
+    one = lens(seed=seed)
+    load = one.ordinate.copy()
+    load[3] = np.inf
+    return replace(one, ordinate=load)
+
+
+CASES = {
+    "an HDF5 table": (lambda _: Table.read(HDF5), "`Table.open`"),
+    "a packed table": (lambda _: Table.open(PACKED), "`Table.read`"),
+    "no table": (lambda _: Table.read(ROOT / "README.md"), "packed table"),
+    "bytes of HDF5": (lambda _: Table.from_packed(HDF5.read_bytes()), "`Table.open`"),
+    "a cone on a stack": (lambda stack: on(stack, probe=Cone(half_angle=1.2)), "`Paraboloid`"),
+    "a material outside": (
+        lambda _: Table.read(PACKED).contact(make_system(film_modulus=1e12)),
+        "`generate`",
+    ),
+    "an a/t outside": (
+        lambda _: SolvedCurve(a_over_t=(0.1, 2)).contact(make_system()).load(9e-5, 0.04),
+        "`solve`",
+    ),
+    "an a/t far beyond": (
+        lambda _: Table.embedded().quantities(1e5, 1e6, 0.3, 1e-3),
+        "`generate`",
+    ),
+    "no equivalent": (lambda _: Table.read(PACKED).contact(of_substrate(0.1)), "`generate`"),
+    "a rigid sphere": (
+        lambda _: Table.read(PACKED).contact(rigid(make_system())),
+        "`Table.embedded`",
+    ),
+    "a stack in a table of films": (
+        lambda stack: Table.embedded().contact(
+            StackSystem(stack=stack, sphere_radius=1e-4, sphere_modulus=2e6)
+        ),
+        "`generate`",
+    ),
+    "the line of a flat punch": (
+        lambda _: bare(probe=FlatPunch(radius=1e-6)).line(0.04, 1e-6),
+        "`Contact.pull_off`",
+    ),
+    "a motion without a speed": (
+        lambda _: bare(sphere_radius=1e-3).line(0.04, 6e-5).ramp("load", 1e-3, duration=1.0),
+        "`ContactLine.impose`",
+    ),
+    "a zone that is long": (
+        lambda _: bare(sphere_radius=1e-6).finite_range(0.04, stress=1e3),
+        "`Cohesive`",
+    ),
+    "a stack without layers": (
+        lambda stack: Stack(base=stack.base, layers=[]),
+        "`HalfSpace`",
+    ),
+    "a point that is no number": (lambda _: fit(at_end(1), WANTED), "experiment, point 3: load"),
+    "a curve of a map": (lambda _: fit_map([lens(seed=1), at_end(2)], WANTED), "point 3"),
+    "a layer of a film": (
+        lambda _: fit(replace(lens(seed=1), system=make_system()), ["primer.modulus"]),
+        "no stack of layers",
+    ),
+    "a tolerance out of reach": (
+        lambda _: solve(1.0, 1.75, 0.5, 1e5, tolerance=1e-20),
+        "tolerance",
+    ),
+    "a scene without a range": (
+        lambda _: generate(SCENE | {"a_over_t": {"from": 10, "to": 1}}, progress=False),
+        "a_over_t",
+    ),
+}
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_every_message_is_in_the_words_of_python(case, stack):
+    provoke, word = CASES[case]
+    with pytest.raises((ContactError, OSError)) as caught:
+        provoke(stack)
+    error = caught.value
+    assert word in str(error)
+    in_python(str(error))
+    in_python(getattr(error, "allowed", None) or "")
+
+
+def test_a_run_of_another_kind_is_not_resumed(tmp_path):
+    """What the program calls by flags, the keywords of generate name here."""
+    path = tmp_path / "table.bin"
+
+    def interrupt(*_):
+        raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        generate(SCENE, path, progress=interrupt)
+    with pytest.raises(ContactError, match="cannot resume") as caught:
+        generate(SCENE | {"e1_over_e2": 2.0}, path, progress=False, resume=True)
+    in_python(str(caught.value))
+
+
+def test_points_far_off_are_called_by_their_numbers():
+    one = lens(seed=1, noise=2e-6)
+    load = one.ordinate.copy()
+    load[[4, 20]] += 3e-5
+    found = fit(replace(one, ordinate=load, noise=2e-6), WANTED, loss="huber")
+    (words,) = [warning.text for warning in found.warnings if warning.kind == "outliers"]
+    assert "in points 4, 20" in words
+    for text in (words, found.report):
+        in_python(text)
+
+
+def test_the_words_of_a_user_stay(tmp_path):
+    """A name is shown as it was given, whatever it looks like."""
+    name = "a::b --c"
+    with pytest.raises(ContactError, match=re.escape(name)):
+        fit(replace(at_end(1), name=name), WANTED)
+    with pytest.raises(OSError, match=re.escape(name)):
+        Table.read(tmp_path / name)

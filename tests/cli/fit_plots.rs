@@ -1,0 +1,135 @@
+//! The pictures of `tabulate fit --plot`.
+
+use acceptance::{Workdir, assert_names, workdir};
+
+/// A lens on a half-space, which is a straight line in the reduced JKR plot.
+const BODIES: &[&str] = &[
+    "--half-space",
+    "--sphere-radius",
+    "1e-3",
+    "--sphere-modulus",
+    "inf",
+    "--film-modulus",
+    "1.5e6",
+    "--film-poisson-ratio",
+    "0.5",
+    "--work-of-adhesion",
+    "0.04",
+];
+/// The blue of the approach and the vermilion of the retract.
+const COLOURS: [&str; 2] = ["#0072b2", "#d55e00"];
+
+/// Writes `lens.csv` with both directions, whose loads are wrong by an offset.
+fn simulate(workdir: &Workdir) {
+    let plan = [
+        "simulate",
+        "--kind",
+        "load-radius",
+        "--from",
+        "4.2e-5",
+        "--to",
+        "1.3e-4",
+        "--segments",
+        "cycle",
+        "--points",
+        "30",
+        "--noise",
+        "1e-9",
+        "--value",
+        "load-offset=2e-5",
+        "-o",
+        "lens.csv",
+    ];
+    workdir.succeed(&[&plan, BODIES].concat());
+}
+
+fn fit(workdir: &Workdir, more: &[&str]) {
+    let free = ["--free", "film-modulus,work-of-adhesion,load-offset"];
+    workdir.succeed(&[&["fit", "lens.csv"], BODIES, &free, more].concat());
+}
+
+/// Returns where the outlines of the markers of a colour begin, at the right of each: a tenth of a
+/// pixel is 1.
+fn markers(svg: &str, colour: &str) -> Vec<[f64; 2]> {
+    let stroke = format!("stroke=\"{colour}\"");
+    svg.split("<path")
+        .filter(|path| path.contains(&stroke))
+        .map(|path| {
+            let (_, outline) = path.split_once(" d=\"M ").expect("an outline");
+            let mut numbers = outline.split(' ').map(|number| number.parse::<f64>());
+            [(); 2].map(|()| numbers.next().expect("two numbers").expect("a number"))
+        })
+        .collect()
+}
+
+#[test]
+fn a_half_space_is_a_straight_line_of_the_jkr_plot() {
+    let workdir = workdir!();
+    simulate(&workdir);
+    fit(&workdir, &["--plot", "jkr.svg", "--plot-kind", "jkr"]);
+    let svg = String::from_utf8(workdir.read("jkr.svg")).expect("text");
+    let points = COLOURS.map(|colour| markers(&svg, colour));
+    assert!(points.iter().all(|points| points.len() == 30), "{points:?}");
+    let mut all = points.concat();
+    all.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    let ([x0, y0], [x1, y1]) = (all[0], all[all.len() - 1]);
+    assert!(x1 - x0 > 3000.0 && y0 - y1 > 2000.0, "{all:?}");
+    for [x, y] in all {
+        let line = y0 + (y1 - y0) * (x - x0) / (x1 - x0);
+        assert!((y - line).abs() < 15.0, "{y} beside {line}");
+    }
+    // The measured data are curved.
+    fit(&workdir, &["--plot", "data.svg", "--plot-kind", "data"]);
+    fit(&workdir, &["--plot", "default.svg"]);
+    let data = workdir.read("data.svg");
+    assert!(data == workdir.read("default.svg") && data != svg.as_bytes());
+}
+
+#[test]
+fn approach_and_retract_have_two_colours() {
+    let workdir = workdir!();
+    simulate(&workdir);
+    fit(&workdir, &["--plot", "data.svg"]);
+    let svg = String::from_utf8(workdir.read("data.svg")).expect("text");
+    for colour in COLOURS {
+        // Each point is drawn beside the fit and among the residuals.
+        assert_eq!(markers(&svg, colour).len(), 60, "{colour}");
+    }
+}
+
+#[test]
+fn what_has_no_jkr_plot_is_refused_before_anything_is_written() {
+    let workdir = workdir!();
+    let plan = [
+        "simulate",
+        "--kind",
+        "penetration-radius",
+        "--from",
+        "4.2e-5",
+        "--to",
+        "1.3e-4",
+        "--noise",
+        "1e-9",
+        "-o",
+        "depth.csv",
+    ];
+    workdir.succeed(&[&plan, BODIES].concat());
+    let fit = [
+        "fit",
+        "depth.csv",
+        "--csv",
+        "points.csv",
+        "--plot",
+        "jkr.svg",
+    ];
+    let message = workdir.fail(1, &[&fit, BODIES, &["--plot-kind", "jkr"]].concat());
+    assert_names(&message, &["--plot-kind jkr", "depth.csv", "contact radii"]);
+    assert!(!workdir.path("points.csv").exists() && !workdir.path("jkr.svg").exists());
+    let message = workdir.fail(2, &["fit", "depth.csv", "--plot-kind", "jkr"]);
+    assert_names(&message, &["--plot"]);
+    let message = workdir.fail(
+        2,
+        &["fit", "depth.csv", "--plot", "a.svg", "--plot-kind", "line"],
+    );
+    assert_names(&message, &["data", "jkr"]);
+}
