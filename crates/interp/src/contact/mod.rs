@@ -15,13 +15,13 @@ mod checks;
 mod contact;
 mod contact_line;
 mod crack_tip;
-#[cfg(feature = "dynamics")]
 mod dynamics;
 mod energy_release;
 mod equilibria;
 mod finite_range;
 mod force_displacement;
 mod gradient;
+mod implicit_step;
 mod jkr_fit;
 mod line_energy;
 mod mechanics;
@@ -34,7 +34,6 @@ pub use branch::Branch;
 pub use contact::{Contact, State};
 pub use contact_line::ContactLine;
 pub use crack_tip::{CrackTip, Hysteresis, RateDependent};
-#[cfg(feature = "dynamics")]
 pub use dynamics::TimedState;
 pub use equilibria::{Control, Equilibria, Equilibrium};
 pub use finite_range::{CohesiveEquilibrium, CohesiveState, FiniteRange, ShortRange};
