@@ -1,15 +1,15 @@
 //! `tabulate pull-off`
 
+use anyhow::anyhow;
 use clap::{ValueEnum, ValueHint};
-use interp::{Contact, Control};
+use interp::{Contact, Control, Error, State};
 
 use super::bodies::{AttractingArguments, Bodies};
 use super::points::number;
 use super::print;
-use super::system::SystemArguments;
 use super::table_name::{self, TableName};
 use crate::cohesive::CohesiveState;
-use crate::solve::curve;
+use crate::solve::{A_OVER_T, curve};
 
 /// Print the last stable state of a separation: load (N), contact radius (m), outer radius of the
 /// attraction (m) and penetration (m)
@@ -93,33 +93,66 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
 
 /// Finds the pull-off of an attraction without range.
 fn jkr(arguments: &Arguments, bodies: &Bodies, control: Control) -> anyhow::Result<CohesiveState> {
-    /// The range of `a/t` that is solved, and the relative tolerance.
-    const RANGE: [f64; 2] = [1e-3, 1e3];
-    const TOLERANCE: f64 = 1e-9;
-    /// The contact radius over the thickness of the top layer up to which a stack is solved. Wider
-    /// contacts take much longer.
-    const OVER_TOP: f64 = 300.0;
-    let SystemArguments {
-        sphere_modulus,
-        work_of_adhesion,
-        ..
-    } = arguments.attracting.bodies.system;
-    let system = &bodies.system;
-    let contact = match (&arguments.table, &bodies.stack) {
-        (Some(name), _) => name.read()?.contact(system)?,
-        (None, Some(layers)) => {
-            let stack = layers.stack();
-            let top = stack.top().thickness / stack.thickness();
-            let range = [RANGE[0], RANGE[1].min(OVER_TOP * top)];
-            Contact::new(system, layers.curve(sphere_modulus, range, TOLERANCE)?)?
+    let work_of_adhesion = arguments.attracting.bodies.system.work_of_adhesion;
+    let state = match &arguments.table {
+        Some(name) => {
+            let contact = name.read()?.contact(&bodies.system)?;
+            contact.pull_off(work_of_adhesion, control)?
         }
-        (None, None) => Contact::new(system, curve(&system.material()?, RANGE, TOLERANCE)?)?,
+        None => solved(bodies, work_of_adhesion, control)?,
     };
-    let state = contact.pull_off(work_of_adhesion, control)?;
     Ok(CohesiveState {
         contact_radius: state.contact_radius,
         outer_radius: state.contact_radius,
         load: state.load,
         penetration: state.penetration,
     })
+}
+
+/// Finds the pull-off of an attraction without range by direct solves, in a range of contact radii
+/// that grows until the pull-off is inside.
+fn solved(bodies: &Bodies, work_of_adhesion: f64, control: Control) -> anyhow::Result<State> {
+    /// The ranges of `a/t` that are solved, one after the other, and the relative tolerance.
+    const RANGES: [[f64; 2]; 3] = [[1e-3, 1e3], [A_OVER_T[0], 1e3], A_OVER_T];
+    const TOLERANCE: f64 = 1e-9;
+    /// The contact radius over the thickness of the top layer up to which a stack is solved. Wider
+    /// contacts take much longer.
+    const OVER_TOP: f64 = 300.0;
+    let system = &bodies.system;
+    let mut refused = None;
+    for [from, to] in RANGES {
+        let curve = match &bodies.stack {
+            Some(layers) => {
+                let stack = layers.stack();
+                let top = stack.top().thickness / stack.thickness();
+                let range = [from.min(OVER_TOP * top * 1e-3), to.min(OVER_TOP * top)];
+                layers.curve(system.sphere_modulus, range, TOLERANCE)
+            }
+            None => curve(&system.material()?, [from, to], TOLERANCE),
+        };
+        // A wider range may be out of reach where a narrower one is not.
+        let curve = match (curve, refused) {
+            (Err(_), Some(refused)) => return Err(refused),
+            (curve, _) => curve?,
+        };
+        refused = match Contact::new(system, curve)?.pull_off(work_of_adhesion, control) {
+            Err(
+                error @ Error::OutsideRadii {
+                    at_sphere: true, ..
+                },
+            ) => Some(error.into()),
+            Err(Error::OutsideRadii { from, to, .. }) => Some(anyhow!(
+                "the pull-off has a contact radius outside {from:e} m to {to:e} m, which was solved; check the units of the lengths, \
+                 moduli and the work of adhesion"
+            )),
+            Err(Error::BeyondSphere { .. }) => Some(anyhow!(
+                "the film is more than {:e} times as thick as the radius of the sphere: a thinner one, of {:e} times the radius, \
+                 gives the same pull-off to six digits",
+                1.0 / from,
+                0.1 / from
+            )),
+            state => return Ok(state?),
+        };
+    }
+    Err(refused.expect("there are ranges"))
 }
