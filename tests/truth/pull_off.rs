@@ -161,7 +161,8 @@ fn the_pull_off_of_soft_confined_films_tends_to_that_of_jkr() {
 }
 
 /// Random films, spheres and controls with a short zone: the correction of first order in the zone,
-/// from curves of JKR, leaves an error of second order. Pull-offs wider than is solved are refused.
+/// from curves of JKR, leaves an error of second order. Pull-offs wider than is solved, or nearly as
+/// wide as the sphere, are refused.
 #[test]
 fn pull_offs_of_short_ranges_are_those_of_the_first_order() {
     let (mut compared, mut refused, mut worst) = (0, 0, 0.0);
@@ -179,7 +180,12 @@ fn pull_offs_of_short_ranges_are_those_of_the_first_order() {
             Err(tabulate::Error::PullOffReach { .. }) => {
                 refused += 1;
                 let wide = short_state.outer_radius / case.system.film_thickness;
-                assert!(wide > 80.0, "{seed}: a/t = {wide} is refused");
+                let of_sphere = short_state.contact_radius / case.sphere_radius();
+                println!("{seed}: refused at a/t = {wide:.3}, a/R = {of_sphere:.3}");
+                assert!(
+                    wide > 80.0 || of_sphere > 0.6,
+                    "{seed}: {wide}, {of_sphere}"
+                );
                 continue;
             }
             Err(error) => panic!("{seed}: {error}"),

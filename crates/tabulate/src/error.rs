@@ -54,9 +54,14 @@ pub enum Error {
     },
     /// A contact that is too wide beside the top layer of a stack.
     #[error(
-        "a_over_t = {a_over_t:?} is out of reach of this stack, {layers} of whose layers differ from their neighbours and its base: its thickness is {thickness_over_top:?} times that \
+        "a_over_t = {a_over_t:?} is out of reach of this stack of {}: its thickness is {thickness_over_top:?} times that \
          of its top layer, and the contact radius may be at most {most} times that of the top layer; use an a_over_t up to {reach:?}, or \
-         leave out a top layer that is too thin to matter"
+         leave out a top layer that is too thin to matter",
+        if *layers == 1 {
+            "one layer that is not like its base".to_owned()
+        } else {
+            format!("{layers} different layers")
+        }
     )]
     StackReach {
         /// The contact radius over the thickness of the stack.

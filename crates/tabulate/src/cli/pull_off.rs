@@ -118,6 +118,9 @@ fn solved(bodies: &Bodies, work_of_adhesion: f64, control: Control) -> anyhow::R
     /// The contact radius over the thickness of the top layer up to which a stack is solved. Wider
     /// contacts take much longer.
     const OVER_TOP: f64 = 300.0;
+    /// The smallest radius that is solved, over that of the sphere, from which on a pull-off may be
+    /// smaller.
+    const THICK: f64 = 1e-2;
     let system = &bodies.system;
     let mut refused = None;
     for [from, to] in RANGES {
@@ -135,22 +138,19 @@ fn solved(bodies: &Bodies, work_of_adhesion: f64, control: Control) -> anyhow::R
             (Err(_), Some(refused)) => return Err(refused),
             (curve, _) => curve?,
         };
+        let least = from * system.film_thickness;
         refused = match Contact::new(system, curve)?.pull_off(work_of_adhesion, control) {
-            Err(
-                error @ Error::OutsideRadii {
-                    at_sphere: true, ..
-                },
-            ) => Some(error.into()),
-            Err(Error::OutsideRadii { from, to, .. }) => Some(anyhow!(
-                "the pull-off has a contact radius outside {from:e} m to {to:e} m, which was solved; check the units of the lengths, \
-                 moduli and the work of adhesion"
-            )),
-            Err(Error::BeyondSphere { .. }) => Some(anyhow!(
-                "the film is more than {:e} times as thick as the radius of the sphere: a thinner one, of {:e} times the radius, \
-                 gives the same pull-off to six digits",
-                1.0 / from,
-                0.1 / from
-            )),
+            Err(Error::OutsideRadii { .. } | Error::BeyondSphere { .. })
+                if least > THICK * system.probe.radius().unwrap_or(f64::INFINITY) =>
+            {
+                Some(anyhow!(
+                    "the film is so thick beside the sphere that the pull-off has a contact radius below {least:e} m, the smallest that is \
+                     solved; a film of up to {:e} times the radius of the sphere is solved, and a thicker one has the same pull-off to three \
+                     digits",
+                    THICK / from
+                ))
+            }
+            Err(error @ Error::OutsideRadii { .. }) => Some(error.into()),
             state => return Ok(state?),
         };
     }

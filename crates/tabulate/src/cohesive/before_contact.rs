@@ -131,9 +131,11 @@ impl Cohesive {
         control: Control,
         last: f64,
     ) -> Result<Point, Error> {
-        /// The steps of the search in `ln c`, and the smallest radius over the last one.
+        /// The steps of the search in `ln c`, the smallest radius over the last one, and a step beside
+        /// which the value has no structure.
         const STEP: f64 = 0.35;
         const LEAST: f64 = 1e-8;
+        const CLOSE: f64 = 1e-3;
         let mut value = |log: f64| {
             let (state, _) = self.before_contact(log.exp());
             Ok(control.imposed(state.load, state.penetration))
@@ -151,6 +153,11 @@ impl Cohesive {
             .map(|i| end - STEP * i as f64)
             .map(|log| Ok((log, value(log)?)))
             .collect::<Result<Vec<Point>, Error>>()?;
+        // The minimum may be within the last step: a point close to the end tells.
+        let close = (end - CLOSE, value(end - CLOSE)?);
+        if close.1 < points[0].1 && close.1 <= points[1].1 {
+            return search::minimum(&mut value, [points[1], close, points[0]]);
+        }
         let lowest = (0..points.len()).min_by(|&i, &j| points[i].1.total_cmp(&points[j].1));
         match lowest {
             Some(i) if i > 0 && i < count => {

@@ -43,6 +43,8 @@ impl Cohesive {
         let points: Vec<Point> = (0..=count)
             .map(|i| largest.ln() - STEP * i as f64)
             .map(|log| (log, self.jkr(log.exp(), control)))
+            // Rounding leaves no digits of the widest contacts on some bases.
+            .filter(|point| point.1.is_finite())
             .collect();
         let mut minima: Vec<Point> = points
             .windows(3)
@@ -54,7 +56,8 @@ impl Cohesive {
             })
             .collect();
         minima.sort_by(|a, b| a.1.total_cmp(&b.1));
-        (minima, points[0].1 > points[1].1)
+        let ends = points.len() > 1 && points[0].1 > points[1].1;
+        (minima, ends)
     }
 
     /// Returns the imposed value of JKR's contact at a radius.

@@ -43,10 +43,16 @@ impl Cohesive {
         let smallest = CLOSED * last;
         let mut lowest: Option<Point> = None;
         for (log, _) in minima {
-            if log.exp() > largest {
-                return Err(self.beyond());
-            }
-            let found = self.lowest_contact(control, log, [smallest.ln(), largest.ln()])?;
+            let found = if log.exp() > largest {
+                Err(self.beyond())
+            } else {
+                self.lowest_contact(control, log, [smallest.ln(), largest.ln()], last)
+            };
+            let found = match found {
+                // The minima of JKR ascend: this one is higher than one that was found.
+                Err(Error::PullOffReach { .. }) if lowest.is_some() => None,
+                found => found?,
+            };
             let lower = found.filter(|found| lowest.is_none_or(|lowest| found.1 < lowest.1));
             lowest = lower.or(lowest);
         }
@@ -61,13 +67,15 @@ impl Cohesive {
         }
     }
 
-    /// Finds the minimum of the imposed value near that of JKR at a radius of the given logarithm;
-    /// `None` where the value falls until the contact has closed.
+    /// Finds the minimum of the imposed value near that of JKR at a radius of the given logarithm,
+    /// between the logarithms `smallest` and `largest`; `None` where the value falls down to the
+    /// smallest radius. `closed` is the radius of the attraction when the contact begins.
     fn lowest_contact(
         &self,
         control: Control,
         jkr: f64,
         [smallest, largest]: [f64; 2],
+        closed: f64,
     ) -> Result<Option<Point>, Error> {
         // The width of the last annulus, near which the next one is sought.
         let mut width = None;
@@ -85,23 +93,25 @@ impl Cohesive {
             let state = self.in_si(&solution.annulus, &solution.part);
             Ok(control.imposed(state.load, state.penetration))
         };
-        // The tip of JKR is two thirds into a short zone.
-        let zone = self.zone();
-        let radius = jkr.exp();
+        // The tip of JKR is two thirds into a short zone. Under a long one the search begins at a
+        // contact as wide as the attraction is when it closes.
+        let (zone, radius) = (self.zone(), jkr.exp());
         let (start, step) = if zone < 0.25 * radius.min(1.0) {
             ((radius - 2.0 / 3.0 * zone).ln(), SHORT_STEP)
         } else {
-            (
-                (radius - 2.0 / 3.0 * zone).max(0.5 * radius).ln(),
-                LONG_STEP,
-            )
+            (radius.max(closed).ln(), LONG_STEP)
         };
         if start <= smallest {
             return Ok(None);
         }
-        let start = start.min(largest - step);
-        let [here, above] = [start, start + step].map(|log| (log, value(log)));
-        let (here, above) = ((here.0, here.1?), (above.0, above.1?));
+        let mut start = start.min(largest - step);
+        let (here, above) = loop {
+            let mut point = |log: f64| value(log).map(|value| (log, value));
+            match point(start).and_then(|here| Ok((here, point(start + step)?))) {
+                Err(Error::PullOffReach { .. }) if start - step > smallest => start -= step,
+                pair => break pair?,
+            }
+        };
         let bracket = if above.1 >= here.1 {
             search::bracket(&mut value, [above, here], smallest)?
         } else {
