@@ -165,7 +165,7 @@ fn the_pull_off_of_soft_confined_films_tends_to_that_of_jkr() {
 /// wide as the sphere, are refused.
 #[test]
 fn pull_offs_of_short_ranges_are_those_of_the_first_order() {
-    let (mut compared, mut refused, mut worst) = (0, 0, 0.0);
+    let (mut compared, mut refused, mut opened, mut worst) = (0, 0, 0, 0.0);
     for seed in 0..250 {
         let case = random(seed, [1e-5, 0.1]);
         let jkr = case.jkr();
@@ -186,6 +186,11 @@ fn pull_offs_of_short_ranges_are_those_of_the_first_order() {
                     wide > 80.0 || of_sphere > 0.6,
                     "{seed}: {wide}, {of_sphere}"
                 );
+                continue;
+            }
+            // A confined film may pull harder inside than the attraction can.
+            Err(tabulate::Error::NotAContact { what, .. }) if what.contains("open there") => {
+                opened += 1;
                 continue;
             }
             Err(error) => panic!("{seed}: {error}"),

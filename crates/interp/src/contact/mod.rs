@@ -6,9 +6,9 @@
 //! a spring, `branch` those at many values, `radii` the contact radii among which they search.
 //! `energy_release` starts from measured values, `gradient` differentiates, `jkr_fit` fits a
 //! straight line, `validity` compares a contact with the limits of the model. `crack_tip`,
-//! `contact_line` and `dynamics` move the contact line by other laws than eq. 8. `finite_range`
-//! corrects for an attraction of short range by the `line_energy` of such a law. `checks` accepts
-//! numbers, `root` finds zeros for all of them.
+//! `contact_line` and `dynamics` move the contact line by other laws than eq. 8, the latter by the
+//! steps of `implicit_step`. `finite_range` corrects for an attraction of short range by the
+//! `line_energy` of such a law. `checks` accepts numbers, `root` finds zeros for all of them.
 
 mod branch;
 mod checks;
