@@ -32,6 +32,17 @@ fn embedded_is_the_table_that_is_compiled_in() {
         };
         assert_eq!(of("embedded"), of(path), "{command:?}");
     }
+    // The commands of `report --help`.
+    workdir.succeed(&["report", "embedded", "-o", "report.html"]);
+    let punch = [
+        "report",
+        "embedded",
+        "--probe",
+        "flat-punch",
+        "--sphere-radius",
+        "1e-5",
+    ];
+    workdir.succeed(&[&punch[..], &["-o", "punch.html"]].concat());
     workdir.succeed(&["pack", "embedded", "-o", "packed.bin"]);
     assert!(workdir.read("packed.bin") == std::fs::read(&file).expect("it is there"));
     assert_eq!(
@@ -51,6 +62,23 @@ fn a_file_of_that_name_is_reached_with_its_folder() {
     );
     let title = &Table::embedded().description().title;
     assert_names(&workdir.succeed(&["info", "embedded"]), &[title]);
+}
+
+#[test]
+fn the_word_spelled_wrong_is_recognised() {
+    let workdir = workdir!();
+    for wrong in ["embeded", "Embedded", "embeddded", "emebdded"] {
+        for command in [
+            &["info", wrong][..],
+            &["query", wrong, "--points", "none.csv"],
+        ] {
+            let message = workdir.fail(1, command);
+            let words = [wrong, "did you mean `embedded`", "No such file"];
+            assert_names(&message, &words);
+        }
+    }
+    let message = workdir.fail(1, &["info", "table.bin"]);
+    assert!(!message.contains("did you mean"), "{message}");
 }
 
 #[test]

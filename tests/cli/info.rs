@@ -1,7 +1,7 @@
 //! `tabulate info`, and the JSON objects of all commands.
 
 use acceptance::{assert_names, table, workdir};
-use interp::{Quantity, SubstratePoissonRatio, Table};
+use interp::{Parameter, Quantity, SubstratePoissonRatio, Table};
 use serde_json::Value;
 
 use crate::{TWO_QUANTITIES, paper_table};
@@ -62,14 +62,16 @@ fn info_prints_axes_quantities_and_certificate() {
                 .to_string(),
         ),
     ];
-    assert_eq!(text.lines().count(), lines.len(), "{text}");
-    for (line, (name, content)) in text.lines().zip(lines) {
+    let (rows, meanings) = text.split_once("\n\nThe rows mean:\n").expect("two parts");
+    assert_eq!(rows.lines().count(), lines.len(), "{text}");
+    for (line, (name, content)) in rows.lines().zip(lines) {
         assert!(
             line.strip_prefix(name)
                 .is_some_and(|rest| rest.trim_start().starts_with(&content)),
             "{line}: {name}: {content}"
         );
     }
+    assert_names(meanings, &Parameter::ALL.map(Parameter::long_name));
     assert_names(
         &text,
         &[&format!(
@@ -83,6 +85,59 @@ fn info_prints_axes_quantities_and_certificate() {
         &workdir.succeed(&["info", "small.bin"]),
         &["eeq, delta0 (normalised by E2*)", "inf"],
     );
+}
+
+#[test]
+fn the_embedded_table_states_what_it_answers_and_explains_its_rows() {
+    let workdir = workdir!();
+    let text = workdir.succeed(&["info", "embedded"]);
+    let (rows, meanings) = text.split_once("\n\nThe rows mean:\n").expect("two parts");
+    assert_names(
+        rows,
+        &["gamma; pi0, eeq, delta0 follow from gamma (normalised by Es*)"],
+    );
+    // Every name of a row has a meaning, except for those that explain themselves.
+    for row in rows.lines() {
+        let name = row[..15].trim_end();
+        let plain = ["title", "quantities", "created by", "size"].contains(&name);
+        let explained = |line: &str| line.starts_with(&format!("{name:15} "));
+        assert_eq!(
+            meanings.lines().filter(|line| explained(line)).count(),
+            usize::from(!plain),
+            "{name}"
+        );
+    }
+    for quantity in Quantity::ALL {
+        assert_names(meanings, &[quantity.name(), quantity.equation()]);
+    }
+    let object: Value =
+        serde_json::from_str(&workdir.succeed(&["info", "embedded", "--json"])).expect("JSON");
+    assert_eq!(object["quantities"], serde_json::json!(["gamma"]));
+    assert_eq!(
+        object["answers"],
+        serde_json::json!(["pi0", "eeq", "gamma", "delta0"])
+    );
+}
+
+#[test]
+fn a_check_states_the_errors_of_each_quantity_that_the_table_answers() {
+    let workdir = workdir!();
+    let text = workdir.succeed(&["check", "embedded", "--points", "40"]);
+    for quantity in Quantity::ALL {
+        let line = format!("\n{:9} max ", quantity.name());
+        assert!(text.contains(&line), "{text}");
+    }
+    let json = workdir.succeed(&["check", "embedded", "--points", "40", "--json"]);
+    let object: Value = serde_json::from_str(&json).expect("JSON");
+    let error = |of: &Value| of["max_error"].as_f64().expect("a number");
+    let each = Quantity::ALL.map(|quantity| error(&object["quantities"][quantity.name()]));
+    let largest = each.into_iter().fold(0.0, f64::max);
+    assert!(each.into_iter().all(|error| error > 0.0));
+    assert_eq!(largest, error(&object["measured"]));
+    let worst = object["measured"]["worst_quantity"]
+        .as_str()
+        .expect("a name");
+    assert_eq!(error(&object["quantities"][worst]), largest);
 }
 
 /// Asserts that `object` describes `table`, whose file has this many `bytes`.
@@ -115,6 +170,8 @@ fn assert_describes(object: &Value, table: &Table, bytes: u64) {
     }
     let names: Vec<&str> = table.quantities().into_iter().map(Quantity::name).collect();
     assert_eq!(object["quantities"], serde_json::json!(names));
+    let names: Vec<&str> = table.answers().into_iter().map(Quantity::name).collect();
+    assert_eq!(object["answers"], serde_json::json!(names));
     assert_eq!(object["normalised_by"], table.unit());
     close("/tolerance", description.tolerance);
     let ranks = table.ranks();
@@ -165,7 +222,7 @@ fn json_holds_what_the_table_holds() {
     let bytes = std::fs::metadata(paper_table()).expect("a file").len();
     let table = Table::read(paper_table()).expect("a sound table");
     assert_describes(&paper, &table, bytes);
-    assert_eq!(names(&paper).len(), 11);
+    assert_eq!(names(&paper).len(), 12);
     let embedded = Table::embedded();
     let bytes = embedded.to_packed().expect("it was packed").len() as u64;
     assert_describes(&object(&["info", "embedded"]), embedded, bytes);
@@ -184,7 +241,7 @@ fn json_holds_what_the_table_holds() {
     assert_eq!(made["refined"], serde_json::json!([]));
     let seconds = |name: &str| made[name].as_f64().expect("a number");
     assert!(seconds("seconds") >= seconds("seconds_solving"));
-    assert_eq!(names(&made).len(), 18);
+    assert_eq!(names(&made).len(), 19);
 
     let packed = object(&["pack", "scene.h5", "-o", "table.bin"]);
     let table = Table::read(workdir.path("table.bin")).expect("a sound table");

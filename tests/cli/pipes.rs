@@ -4,7 +4,7 @@ use std::io::pipe;
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
 
-use acceptance::{shipped, workdir};
+use acceptance::{assert_names, shipped, workdir};
 use interp::{Quantity, Table};
 
 /// Runs the program in a folder. The readers of standard output and, if `both`, of standard error
@@ -39,8 +39,8 @@ fn a_closed_reader_is_no_failure_of_any_command() {
         &["--version"],
         &["help", "plot"],
         &["curve", "--help"],
-        &["curve", "embedded"],
-        &["curve"],
+        &["curve", "embedded", "--specimen", "paper"],
+        &["curve", "--specimen", "paper"],
         &["solve", "--points", points],
         &["query", table, "--points", points],
         &["info", "embedded", "--json"],
@@ -86,5 +86,41 @@ fn work_that_fails_ends_with_1_whoever_reads() {
             assert!(!message.contains("panicked"), "{args:?}: {message}");
             assert_eq!(message.is_empty(), both, "{args:?}: {message}");
         }
+    }
+}
+
+#[test]
+fn output_that_cannot_be_written_ends_with_1() {
+    let workdir = workdir!();
+    let points = shipped("points.csv");
+    let points = points.to_str().expect("UTF-8");
+    let commands: [&[&str]; 9] = [
+        &["--help"],
+        &["-h"],
+        &["help", "plot"],
+        &["--version"],
+        &["curve", "--help"],
+        &["info", "embedded", "--json"],
+        &["query", "embedded", "--points", points],
+        &["completions", "zsh"],
+        &["man"],
+    ];
+    // A full disk, and standard output that is open for reading only.
+    let cases = [
+        (">/dev/full", "No space left"),
+        ("1</dev/null", "Bad file descriptor"),
+    ];
+    for args in commands {
+        for (redirection, why) in cases {
+            let run = workdir.script(&format!("\"$0\" {} {redirection}", args.join(" ")));
+            assert_eq!(run.status, 1, "{args:?} {redirection}: {run:?}");
+            assert_names(&run.stderr, &["cannot write to standard output", why]);
+        }
+        assert_eq!(
+            workdir
+                .script(&format!("\"$0\" {} >/dev/null", args.join(" ")))
+                .status,
+            0
+        );
     }
 }

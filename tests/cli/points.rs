@@ -191,7 +191,13 @@ fn query_prints_what_the_library_looks_up_and_the_certificate() {
         "points.csv",
         "e0_over_e2,nu1,a_over_t,e1_over_e2\ninf,0.5,0.1,1\ninf,0.5,3.3,1.9\n",
     );
-    let answer = workdir.succeed(&["query", "table.bin", "--points", "points.csv"]);
+    let run = workdir.run(&["query", "table.bin", "--points", "points.csv"]);
+    assert_eq!(run.status, 0);
+    // The empty fields are explained.
+    let why = ["points.csv, line 2: fields are empty", "does not hold pi0"];
+    assert_names(&run.stderr, &why);
+    assert_eq!(run.stderr.lines().count(), 1);
+    let answer = run.stdout;
     let mut lines = answer.lines();
     assert_eq!(
         lines
@@ -221,18 +227,100 @@ fn query_prints_what_the_library_looks_up_and_the_certificate() {
         assert_eq!(found, expected);
     }
     assert_eq!(lines.next(), None);
-    assert_eq!(
-        workdir.succeed(&[
-            "query",
-            "table.bin",
-            "--points",
-            "points.csv",
-            "-o",
-            "out.csv"
-        ]),
-        ""
-    );
+    let to_file = [
+        "query",
+        "table.bin",
+        "--points",
+        "points.csv",
+        "-o",
+        "out.csv",
+    ];
+    assert_eq!(workdir.run(&to_file).stdout, "");
     assert_eq!(workdir.read("out.csv"), answer.as_bytes());
+}
+
+/// Asserts that each row of a query holds all four quantities, within the error that the row states
+/// and `chance` times that, as the solve finds them.
+fn assert_all_four(answer: &str, chance: f64) {
+    let data = Data::parse("query", answer);
+    let mut rows = 0;
+    for case in data.cases() {
+        let [e1, nu1, e0, nu0] =
+            ["e1_over_e2", "nu1", "e0_over_e2", "nu0"].map(|name| case.get(name));
+        let x = case.get("a_over_t");
+        let expected = solved(x, &material([e1, nu1, e0, nu0]), 1e-9).quantities;
+        for quantity in interp::Quantity::ALL {
+            let found = case.get(quantity.name()) / expected.get(quantity) - 1.0;
+            assert!(
+                found.abs() <= chance * case.get("error"),
+                "{}: {found:e} at {x}",
+                quantity.name()
+            );
+        }
+        rows += 1;
+    }
+    assert!(rows > 0);
+}
+
+#[test]
+fn a_table_of_gamma_alone_answers_all_four_with_the_error_that_it_states() {
+    let workdir = workdir!();
+    let points = acceptance::shipped("points.csv");
+    let points = points.to_str().expect("a path in UTF-8");
+    // The command of the README.
+    let command = ["query", "embedded", "--points", points];
+    let answer = workdir.succeed(&command);
+    // The certificate holds at its own points; others exceed it by a few times at most.
+    assert_all_four(&answer, 3.0);
+    let gradient = workdir.succeed(&[&command[..], &["--gradient"]].concat());
+    assert_all_four(&gradient, 3.0);
+    for row in gradient.lines() {
+        assert!(!row.split(',').any(str::is_empty), "{row}");
+    }
+    // Beyond the nodes too, where the error is that of the expansion.
+    workdir.write(
+        "beyond.csv",
+        "a_over_t,e1_over_e2,nu1,e0_over_e2,nu0\n1e-4,1.75,0.5,1e5,0.25\n2e3,1.75,0.5,1e5,0.25\n",
+    );
+    assert_all_four(
+        &workdir.succeed(&["query", "embedded", "--points", "beyond.csv"]),
+        1.0,
+    );
+}
+
+#[test]
+fn a_table_of_gamma_that_begins_too_late_says_why_fields_are_empty() {
+    let workdir = workdir!();
+    let scene = TWO_QUANTITIES.replace("['delta0', 'eeq']", "['gamma']");
+    for (from, why) in [
+        ("0.3", "estimated error is"),
+        ("1", "estimated error is inf"),
+    ] {
+        let late = scene
+            .replace("from = 0.1", &format!("from = {from}"))
+            .replace("1e-2", "1e-4");
+        workdir.write("late.bin", table(&late).to_packed().expect("a small table"));
+        workdir.write(
+            "points.csv",
+            "a_over_t,e1_over_e2,nu1,e0_over_e2\n3.3,1.9,0.5,inf\n4,1,0.5,inf\n",
+        );
+        let run = workdir.run(&["query", "late.bin", "--points", "points.csv"]);
+        assert_eq!(run.status, 0);
+        let data = Data::parse("query", &run.stdout);
+        for case in data.cases() {
+            assert!(case.get("gamma") > 0.0);
+            assert_eq!(
+                (case.text("pi0"), case.text("eeq"), case.text("delta0")),
+                ("", "", "")
+            );
+        }
+        let words = [
+            "points.csv, line 2: fields are empty",
+            "pi0 does not follow from gamma alone",
+            why,
+        ];
+        assert_names(&run.stderr, &words);
+    }
 }
 
 #[test]

@@ -153,7 +153,7 @@ fn unfinished(pieces: usize) -> Workdir {
     let budget = pieces * piece_points();
     match generate_within(&workdir, &workdir.path("table.h5"), 300, Some(budget)) {
         Err(Error::Budget { spent }) => {
-            assert_names(&spent, &[&format!("with {budget} of "), "--resume"]);
+            assert_names(&spent, &[&format!("with {budget} of "), "are kept"]);
         }
         other => panic!("{other:?}"),
     }
@@ -368,11 +368,12 @@ fn a_header_that_is_damaged_or_of_other_nodes_is_an_error_and_nothing_is_lost() 
         workdir.write(JOURNAL, &forged);
         assert_names(
             &workdir.fail(1, &RESUME),
-            &["cannot resume", JOURNAL, words, "without --resume"],
+            &["cannot resume", JOURNAL, words, "remove this file"],
         );
         assert!(workdir.read(JOURNAL) == forged, "the journal has changed");
     }
-    assert_eq!(workdir.run(&GENERATE).status, 0);
+    fs::remove_file(workdir.path(JOURNAL)).expect("removed");
+    workdir.succeed(&GENERATE);
     assert_finished(&workdir);
 }
 
@@ -397,7 +398,7 @@ fn a_refined_run_is_resumed_with_its_own_certificate_only() {
         let message = workdir.fail(1, &[&generate[..], &other].concat());
         assert_names(
             &message,
-            &["cannot resume", "--certificate-points 10000 --seed 1"],
+            &["cannot resume", "certificate_points = 10000 and seed = 1"],
         );
     }
     assert!(refined());
@@ -428,12 +429,66 @@ fn a_file_in_the_place_of_the_journal_is_not_touched() {
 }
 
 #[test]
-fn without_resume_a_run_begins_anew_and_says_so() {
+fn without_resume_a_run_refuses_to_drop_kept_pieces() {
     let workdir = unfinished(8);
-    let run = workdir.run(&GENERATE);
-    assert_eq!(run.status, 0);
-    assert_names(&run.stderr, &["dropped", "--resume"]);
-    assert!(!run.stdout.contains("before"), "{}", run.stdout);
+    let journal = workdir.read(JOURNAL);
+    let unreadable = [&journal[..28], b"?", &journal[29..]].concat();
+    for (kept, what) in [(journal, "keeps 8 finished pieces"), (unreadable, "header")] {
+        workdir.write(JOURNAL, &kept);
+        let message = workdir.fail(1, &GENERATE);
+        assert_names(&message, &[JOURNAL, what, "--resume", "remove this file"]);
+        assert!(workdir.read(JOURNAL) == kept, "the journal has changed");
+        assert_eq!(workdir.files(), ["scene.toml", JOURNAL]);
+    }
+    fs::remove_file(workdir.path(JOURNAL)).expect("removed");
+    workdir.succeed(&GENERATE);
+    assert_finished(&workdir);
+}
+
+#[test]
+fn ctrl_c_says_what_is_kept_and_how_to_go_on() {
+    // A script in the background lets its processes ignore the signal.
+    let generate = |journal: usize| {
+        format!(
+            "env --default-signal=INT \"$0\" {} & child=$!
+             until [ $(stat -c %s {JOURNAL} 2>/dev/null || echo 0) -gt {journal} ]; do
+                 kill -0 $child 2>/dev/null || break; sleep 0.01
+             done
+             kill -INT $child; wait $child; echo status $?",
+            RESUME.join(" ")
+        )
+    };
+    // On a busy machine a signal may find the process finished.
+    let (workdir, run) = loop {
+        let workdir = workdir();
+        let run = workdir.script(&generate(bytes(8 * piece_points())));
+        if workdir.path(JOURNAL).exists() {
+            break (workdir, run);
+        }
+    };
+    assert_eq!(run.stdout, "status 130\n");
+    let total = pieces() * piece_points();
+    let kept = run
+        .stderr
+        .split(' ')
+        .find_map(|word| word.parse::<usize>().ok());
+    let kept = kept.expect("a number of points");
+    assert!(
+        kept >= 7 * piece_points() && kept.is_multiple_of(piece_points()),
+        "{kept}"
+    );
+    assert_names(
+        &run.stderr,
+        &[
+            &format!("{kept} of {total} points solved"),
+            "kept in table.h5.unfinished",
+            "--resume",
+        ],
+    );
+    // As many as it says are there. One more may have been finished while it spoke.
+    let text = workdir.succeed(&RESUME);
+    let resumed = [kept, kept + piece_points()].map(|kept| format!("({kept} before"));
+    assert!(resumed.iter().any(|words| text.contains(words)), "{text}");
     assert_finished(&workdir);
 }
 

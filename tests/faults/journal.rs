@@ -138,7 +138,7 @@ fn pieces_of_another_build_or_processor_are_not_resumed() {
                 "another build",
                 &other,
                 build,
-                "without --resume",
+                "remove this file",
             ],
         );
     }
@@ -153,7 +153,7 @@ fn what_a_killed_generation_leaves_is_removed_by_the_next() {
     let workdir = workdir();
     for _ in 0..3 {
         let run = workdir.script(&format!(
-            "ulimit -c 0; ulimit -f 12; \"$0\" {}; echo status $?",
+            "ulimit -c 0; ulimit -f 12; \"$0\" {} --resume; echo status $?",
             GENERATE.join(" ")
         ));
         assert!(

@@ -146,19 +146,22 @@ fn settings_that_cannot_be_used_are_named() {
     refused(
         one,
         &lens.free,
-        &Options { loss, ..options },
+        &Options {
+            loss,
+            ..options.clone()
+        },
         &["threshold", "0.0"],
     );
     let profile_level = Some(1.0);
     let level = Options {
         profile_level,
-        ..options
+        ..options.clone()
     };
     refused(one, &lens.free, &level, &["profile-likelihood", "1.0"]);
     let interaction_range = -3e-10;
     let range = Options {
         interaction_range,
-        ..options
+        ..options.clone()
     };
     refused(one, &lens.free, &range, &["interaction range", "-3e-10"]);
     for noise in [0.0, -1.0, f64::NAN, f64::INFINITY] {

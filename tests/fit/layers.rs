@@ -1,13 +1,14 @@
 //! Fits of contacts on stacks of layers.
 
 use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 use acceptance::{assert_names, larger};
 use fit::{
-    Bodies, Experiment, Fit, Free, Kind, Layer, LayerName, Layered, Loss, Options, Parameter,
-    Reach, WarningKind,
+    Bodies, Cause, Experiment, Fit, Free, Interruptible, Kind, Layer, LayerName, Layered,
+    LayeredSolver, Loss, Options, Parameter, Reach, WarningKind,
 };
-use interp::{Elastic, Probe, System, Table};
+use interp::{Contact, Elastic, Probe, System, Table};
 use rayon::prelude::*;
 
 use crate::imagined::{Course, Imagined, measurement, solid};
@@ -523,4 +524,56 @@ fn lenses_on_two_coatings_tell_the_modulus_of_their_primer() {
     let alone = alone.expect("sound data");
     let alone = alone.estimate(primer).expect("it is free");
     assert!(both.standard_error < alone.standard_error);
+}
+
+/// Counts the contacts that it makes, and is interrupted during one of them.
+#[derive(Debug)]
+struct Counted {
+    made: AtomicUsize,
+    last: usize,
+    interrupted: Arc<AtomicBool>,
+}
+
+impl LayeredSolver for Counted {
+    fn contact(&self, bodies: &Layered) -> Result<Contact, Cause> {
+        if self.made.fetch_add(1, Ordering::Relaxed) + 1 == self.last {
+            self.interrupted.store(true, Ordering::Relaxed);
+        }
+        tabulate::stack::DirectSolver.contact(bodies)
+    }
+}
+
+#[test]
+fn an_interrupted_fit_makes_no_further_contact() {
+    let free = [Parameter::SphereModulus, Parameter::WorkOfAdhesion];
+    let lens = lens(&free);
+    let experiment = lens.measured(&lens.exact(), 1);
+    let contacts_until = |last: usize| {
+        let interrupted = Arc::new(AtomicBool::new(false));
+        let counted = Arc::new(Counted {
+            made: AtomicUsize::new(0),
+            last,
+            interrupted: interrupted.clone(),
+        });
+        let mut experiment = experiment.clone();
+        let Bodies::Layered(layered) = &mut experiment.bodies else {
+            unreachable!("a lens is on layers")
+        };
+        layered.solver = Arc::new(Interruptible {
+            solver: counted.clone(),
+            interrupted,
+        });
+        let _ = fit::fit(
+            Table::embedded(),
+            &[experiment],
+            &free.map(Free::new),
+            &Options::default(),
+        );
+        counted.made.load(Ordering::Relaxed)
+    };
+    let all = contacts_until(usize::MAX);
+    assert!(all > 10, "{all}");
+    for last in [1, 2, all / 2, all] {
+        assert_eq!(contacts_until(last), last);
+    }
 }

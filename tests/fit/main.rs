@@ -3,10 +3,15 @@
 
 #![forbid(unsafe_code)]
 
+mod abscissa_noise;
+mod cycles;
 mod doubts;
+mod fixed_values;
 mod hostile;
 mod imagined;
 mod layers;
+mod magnitudes;
 mod planning;
 mod recovery;
 mod shapes;
+mod unknown_noise;

@@ -8,14 +8,14 @@ use rayon::prelude::*;
 use crate::imagined::{Course, Imagined, solid};
 
 /// The number of data sets of each kind.
-const SETS: u64 = 200;
+pub const SETS: u64 = 200;
 /// The numbers of 200 that a binomial distribution with 0.6827 and 0.95 exceeds on either side once
 /// in 20,000 times. The tests below make about 100 such comparisons.
 const BETWEEN: [[usize; 2]; 2] = [[110, 161], [176, 199]];
 
 /// Asserts that the intervals of 68 % and 95 % of each estimate hold the truth as often as they
 /// should, that all fits converge, and that none has another warning than those expected.
-fn assert_coverage(
+pub fn assert_coverage(
     name: &str,
     fits: &[Fit],
     truth: impl Fn(Parameter, Option<usize>) -> f64,

@@ -29,8 +29,16 @@ const OPTIONS: [&str; 12] = [
     "--dump-dom",
 ];
 
+/// The width of the window where a test does not choose one, in pixels.
+const USUAL: u32 = 800;
+
 /// Returns the text that a page in Chromium leaves in its element `seen`; none without Chromium.
 pub fn seen(page: &str) -> Option<String> {
+    seen_at(page, USUAL)
+}
+
+/// Returns what [`seen`] returns, in a window of a width.
+fn seen_at(page: &str, width: u32) -> Option<String> {
     let Some(chromium) = env::var_os("CHROMIUM").filter(|path| !path.is_empty()) else {
         // The macro `eprintln` would be captured, and not shown for a test that passes.
         let _ = writeln!(
@@ -45,6 +53,7 @@ pub fn seen(page: &str) -> Option<String> {
     std::fs::write(&path, page).expect("written");
     let output = Command::new(chromium)
         .args(OPTIONS)
+        .arg(format!("--window-size={width},900"))
         .arg(format!(
             "--user-data-dir={}",
             folder.path().join("profile").display()
@@ -68,6 +77,11 @@ pub fn seen(page: &str) -> Option<String> {
 /// Returns the value that a script, appended to a report, leaves in `seen` (see `report.js`). The
 /// page must have no complaints, and must fetch nothing. None without Chromium.
 fn run(page: &str, script: &str) -> Option<Value> {
+    run_at(page, script, USUAL)
+}
+
+/// Returns what [`run`] returns, in a window of a width.
+fn run_at(page: &str, script: &str, width: u32) -> Option<Value> {
     const COLLECT: &str = "<head><script>const complaints = [];
         addEventListener('error', (event) => complaints.push(String(event.message)));
         addEventListener('unhandledrejection', (event) => complaints.push(String(event.reason)));
@@ -78,7 +92,7 @@ fn run(page: &str, script: &str) -> Option<Value> {
         "</body>",
         &format!("<script type=\"module\">{harness}\nleave({script});</script></body>"),
     );
-    let bytes = STANDARD.decode(seen(&page)?).expect("base64");
+    let bytes = STANDARD.decode(seen_at(&page, width)?).expect("base64");
     let seen: Value = serde_json::from_slice(&bytes).expect("JSON");
     assert_eq!(seen["complaints"], Value::Array(Vec::new()));
     assert_eq!(seen["fetched"], 0);
@@ -95,6 +109,16 @@ pub fn browse(page: &str, addresses: &[String]) -> Option<Value> {
 pub fn choose(page: &str, probes: &[&str], thickness: f64) -> Option<Value> {
     let probes = serde_json::to_string(probes).expect("text");
     run(page, &format!("choose({probes}, {thickness})"))
+}
+
+/// Returns the texts of a report that collide or are cut off at each of the addresses, on a page of
+/// a width.
+pub fn crowded(page: &str, addresses: &[&str], width: u32) -> Option<Value> {
+    // No window of Chromium is narrower.
+    const NARROWEST: u32 = 500;
+    let addresses = serde_json::to_string(addresses).expect("text");
+    let script = format!("crowded({addresses}, {width})");
+    run_at(page, &script, width.max(NARROWEST))
 }
 
 /// Returns the messages of a report.

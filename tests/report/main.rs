@@ -16,6 +16,7 @@ mod inputs;
 mod layout;
 mod setting;
 mod shown;
+mod texts;
 
 use std::path::{Path, PathBuf};
 

@@ -114,6 +114,35 @@ function choose(probes, thickness) {
     });
 }
 
+/** The texts of the charts that collide or leave their chart, and the choices of probes that are cut off, at each address. */
+function crowded(addresses, width) {
+    document.body.style.width = `${width}px`;
+    const within = (inner, outer) => inner.left >= outer.left - 1 && inner.right <= outer.right + 1;
+    const apart = (a, b) => a.right <= b.left || b.right <= a.left || a.bottom <= b.top + 2 || b.bottom <= a.top + 2;
+    const charts = () => [...document.querySelectorAll("#charts svg")].flatMap((svg) => {
+        const texts = [...svg.querySelectorAll("text")].map((text) => [text.textContent, text.getBoundingClientRect()]);
+        const outside = texts.filter(([, box]) => !within(box, svg.getBoundingClientRect())).map(([text]) => `${text} is cut off`);
+        const pairs = texts.flatMap(([text, box], i) => texts.slice(0, i).filter(([, other]) => !apart(box, other))
+            .map(([other]) => `${text} meets ${other}`));
+        return [...outside, ...pairs];
+    });
+    const choices = () => {
+        const select = document.getElementById("probe");
+        if (!select) return [];
+        const context = document.createElement("canvas").getContext("2d");
+        context.font = getComputedStyle(select).font;
+        // The arrow of a list takes some 30 pixels.
+        const room = select.clientWidth - 30;
+        return [...select.options].map((option) => option.text).filter((text) => context.measureText(text).width > room)
+            .map((text) => `${text} is cut off`);
+    };
+    return addresses.map((address) => {
+        visit(address);
+        return { texts: [...charts(), ...choices()], charts: document.querySelectorAll("#charts svg").length,
+            scrolls: document.documentElement.scrollWidth > Math.max(width, innerWidth) };
+    });
+}
+
 /** The messages of the page. */
 function told() {
     return document.getElementById("message").innerText;

@@ -61,7 +61,7 @@ impl Setting {
             (self.probe == "cone", "half_angle", self.half_angle),
             (!rigid_sphere, "sphere_modulus", self.sphere),
             (
-                answers(table, Quantity::Gamma),
+                table.answers().contains(&Quantity::Gamma),
                 "work_of_adhesion",
                 self.adhesion,
             ),
@@ -94,11 +94,4 @@ impl Setting {
         };
         table.contact(&system).expect("in the table")
     }
-}
-
-/// Returns whether a table holds a quantity of a sphere, or derives it from `Gamma` alone.
-pub fn answers(table: &Table, quantity: Quantity) -> bool {
-    let of_sphere = |quantity: &Quantity| table.holds(*quantity);
-    let held = Quantity::ALL.into_iter().filter(of_sphere);
-    table.holds(quantity) || held.eq([Quantity::Gamma])
 }

@@ -8,7 +8,7 @@ use serde_json::Value;
 use tabulate::report::report;
 
 use crate::browser::browse;
-use crate::setting::{Setting, answers};
+use crate::setting::Setting;
 use crate::{DIFFERENCE, SPHERE};
 
 pub fn number(value: &Value) -> f64 {
@@ -70,7 +70,7 @@ pub fn assert_shows(
     {
         let (contact, what) = (setting.contact(table), setting.address(table));
         assert_eq!(look["hidden"], false, "{what}: {}", look["messages"]);
-        let penetrates = answers(table, Quantity::Delta0);
+        let penetrates = table.answers().contains(&Quantity::Delta0);
 
         // The command in the page prints the curve of the page's CSV file.
         let command = look["command"].as_str().expect("a command");
@@ -173,7 +173,7 @@ pub fn assert_shows(
             close("contact_radius", state.contact_radius, 1e-4);
         }
     }
-    let curves = if answers(table, Quantity::Delta0) {
+    let curves = if table.answers().contains(&Quantity::Delta0) {
         4
     } else {
         2

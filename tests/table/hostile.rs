@@ -45,7 +45,8 @@ fn open(path: &Path, case: &str) -> Result<Table, Error> {
         "{case}: {} bytes of memory",
         used.bytes_max
     );
-    result.unwrap_or_else(|| panic!("{case}: a panic"))
+    let result = result.unwrap_or_else(|| panic!("{case}: a panic"));
+    result.map_err(Error::without_file)
 }
 
 /// Returns the description without its texts, which have no checksum.

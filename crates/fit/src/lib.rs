@@ -42,7 +42,8 @@
 //!
 //! # What is measured and what is fitted
 //!
-//! The ordinates have the noise; the abscissae are taken as exact.
+//! The ordinates have the noise. Errors of the abscissae, where they are given, count by the slope
+//! of the model: each point has the effective variance `sigma_y^2 + (dy/dx)^2 sigma_x^2`.
 //!
 //! | [`Kind`] | ordinate |
 //! |---|---|
@@ -62,16 +63,19 @@
 pub mod data;
 mod error;
 mod estimate;
+mod magnitude;
 mod model;
+pub mod report;
 mod statistics;
 
 pub use error::Error;
 pub use estimate::{
-    Combination, Estimate, Fit, FittedExperiment, FittedPoint, Forecast, ModulusBias, Warning,
-    WarningKind, WithoutFilm, fit, forecast,
+    Combination, Estimate, Fit, FittedExperiment, FittedPoint, FixedValue, Forecast, ModulusBias,
+    Warning, WarningKind, WithoutFilm, fit, forecast, starts_from_data,
 };
+pub use magnitude::Magnitude;
 pub use model::{
-    Bodies, Branch, Cause, Direction, Experiment, Free, Kind, Layer, LayerName, Layered,
-    LayeredSolver, Loss, Measurement, Options, Parameter, Point, Prediction, Prior, Reach, Scope,
-    simulate,
+    Bodies, Branch, Cause, Direction, Experiment, Fixed, Free, Interruptible, Kind, Known, Layer,
+    LayerName, Layered, LayeredSolver, Loss, Measurement, Options, Parameter, Point, PointErrors,
+    Prediction, Prior, Reach, Scope, simulate,
 };

@@ -39,6 +39,59 @@ pub(crate) fn excess(chi_squared: f64, degrees_of_freedom: f64) -> f64 {
     ((chi_squared / degrees_of_freedom).cbrt() - (1.0 - spread)) / spread.sqrt()
 }
 
+/// The square from which on residuals count alike in [`clipped`].
+const CLIP: f64 = 4.0;
+/// The mean and the standard deviation of the smaller of `r^2` and 4, for a normal `r`.
+pub(crate) const CLIPPED: [f64; 2] = [0.920_5, 1.110_2];
+/// The part of points that may be outliers for [`clipped`].
+const OUTLIERS: f64 = 0.1;
+
+/// Returns the mean of the squares of residuals, of which none counts more than 4, and by how many
+/// standard deviations it exceeds that of normal noise, and that of normal noise with one outlier
+/// in ten points.
+pub(crate) fn clipped(residuals: &[f64], degrees_of_freedom: f64) -> (f64, [f64; 2]) {
+    let count = residuals.len() as f64;
+    let scale = count / degrees_of_freedom.max(1.0);
+    let squares = residuals.iter().map(|r| (r * r * scale).min(CLIP));
+    let mean = squares.sum::<f64>() / count;
+    let [expected, deviation] = CLIPPED;
+    let excess = |part: f64| {
+        let with_outliers = expected + part * (CLIP - expected);
+        (mean - with_outliers) * count.sqrt() / deviation
+    };
+    (mean, [excess(0.0), excess(OUTLIERS)])
+}
+
+/// Returns the variance of a sum of values times weights, from the differences of neighbours: half
+/// the mean square of a difference is the variance of a value (von Neumann, Ann. Math. Stat. 12,
+/// 367, 1941), whatever smooth course the values have.
+pub(crate) fn scatter_of_differences(weighted: &[(f64, f64)]) -> f64 {
+    let count = weighted.len() as f64;
+    let part = |pair: &[(f64, f64)]| {
+        let [(one, weight), (other, next)] = [pair[0], pair[1]];
+        0.5 * weight * next * (one - other).powi(2)
+    };
+    count / (count - 1.0) * weighted.windows(2).map(part).sum::<f64>()
+}
+
+/// Returns by how many standard deviations neighbours differ less than independent residuals do, and
+/// the mean square of the residuals over half that of the differences (von Neumann, Ann. Math. Stat.
+/// 12, 367, 1941); `None` below three.
+pub(crate) fn likeness_of_neighbours(residuals: &[f64]) -> Option<[f64; 2]> {
+    let n = residuals.len() as f64;
+    let squares: f64 = residuals.iter().map(|r| r * r).sum();
+    let differences = residuals.windows(2).map(|pair| (pair[1] - pair[0]).powi(2));
+    let halves = 0.5 * differences.sum::<f64>();
+    let deviations = (1.0 - halves / squares) * ((n * n - 1.0) / (n - 2.0)).sqrt();
+    (n >= 3.0 && squares > 0.0).then_some([deviations, (squares / n) / (halves / (n - 1.0))])
+}
+
+/// Returns the normal number that is exceeded as often as `t` by Student's distribution with
+/// `freedom` degrees of freedom (Wallace, Ann. Math. Stat. 30, 1124, 1959).
+pub(crate) fn normal_of_t(t: f64, freedom: f64) -> f64 {
+    (8.0 * freedom + 1.0) / (8.0 * freedom + 3.0) * (freedom * (t * t / freedom).ln_1p()).sqrt()
+}
+
 /// Returns how many standard deviations a normal number stays within with probability `level`, by
 /// the rational approximation of Abramowitz and Stegun (26.2.23, error below 4.5e-4) and one step
 /// of Newton's method on their 7.1.26 (1.5e-7).
@@ -82,6 +135,43 @@ mod tests {
         let found = missing_runs(&blocks).expect("enough of both");
         assert!((found - expected).abs() < 1e-12);
         assert_eq!(missing_runs(&[1.0; 30]), None);
+    }
+
+    #[test]
+    fn student_numbers_are_those_of_tables() {
+        // Two-sided 5 % and 0.1 %: 1.960 and 3.291 of a normal number.
+        for (freedom, t, normal) in [
+            (10.0, 2.228, 1.960),
+            (30.0, 2.042, 1.960),
+            (10.0, 4.587, 3.291),
+            (30.0, 3.646, 3.291),
+        ] {
+            assert!((normal_of_t(t, freedom) - normal).abs() < 0.01, "{freedom}");
+        }
+    }
+
+    #[test]
+    fn differences_show_the_noise_beside_a_smooth_course() {
+        // Signs that alternate: each difference is 2, half of its square 2.
+        let values: Vec<(f64, f64)> = (0..101_i32)
+            .map(|i| (f64::from(1 - 2 * (i % 2)), 0.1))
+            .collect();
+        let expected = 0.01 * 2.0 * 101.0;
+        assert!((scatter_of_differences(&values) / expected - 1.0).abs() < 1e-12);
+        let smooth: Vec<(f64, f64)> = (0..101_i32).map(|i| (f64::from(i), 1.0)).collect();
+        assert!(scatter_of_differences(&smooth) < 51.0);
+    }
+
+    #[test]
+    fn neighbours_that_are_alike_are_told_from_independent_ones() {
+        // Half the sum of squared differences of a saw of 1 and -1 is 2 per pair.
+        let saw: Vec<f64> = (0..100_i32).map(|i| f64::from(1 - 2 * (i % 2))).collect();
+        let [deviations, ratio] = likeness_of_neighbours(&saw).expect("many");
+        assert!(deviations < -9.0 && (ratio - 0.5).abs() < 1e-12);
+        let slope: Vec<f64> = (0..100_i32).map(|i| f64::from(2 * i - 99)).collect();
+        let [deviations, ratio] = likeness_of_neighbours(&slope).expect("many");
+        assert!(deviations > 9.0 && ratio > 1000.0, "{deviations}, {ratio}");
+        assert_eq!(likeness_of_neighbours(&[1.0, 2.0]), None);
     }
 
     #[test]

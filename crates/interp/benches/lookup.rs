@@ -1,9 +1,11 @@
 //! Measures the time to make a curve and to evaluate it. Only ratios within one run are meaningful:
 //! `cargo bench -p interp`.
 
+use std::env;
 use std::hint::black_box;
+use std::process::Command;
 
-use criterion::{Criterion, criterion_group, criterion_main};
+use criterion::{Criterion, criterion_group};
 use interp::{
     Branch, Control, Curve, Derivatives, Elastic, Input, Material, Parameter, Probe, Quantity,
     State, System, Table,
@@ -186,5 +188,38 @@ fn material_of_the_box(i: i32) -> Material {
     .expect("physical")
 }
 
-criterion_group!(benches, lookup);
-criterion_main!(benches);
+/// The variable of the environment with which this program is a process that looks one contact up
+/// (`lookup`), or that does nothing.
+const CHILD: &str = "FIRST_LOOKUP";
+
+/// Measures a process that looks one material up in the embedded table, beside one that does nothing.
+fn first_lookup(criterion: &mut Criterion) {
+    let program = env::current_exe().expect("this program");
+    for (name, task) in [
+        ("empty process", "nothing"),
+        ("process with its first lookup", "lookup"),
+    ] {
+        criterion.bench_function(name, |b| {
+            b.iter(|| {
+                let status = Command::new(&program).env(CHILD, task).status();
+                assert!(status.expect("this program runs").success());
+            });
+        });
+    }
+}
+
+criterion_group!(benches, lookup, first_lookup);
+
+fn main() {
+    match env::var(CHILD).as_deref() {
+        Ok("lookup") => {
+            let material = Material::new(1.75, 0.5, 1e5, 0.25).expect("physical");
+            black_box(Table::embedded().curve(&material)).expect("in the table");
+        }
+        Ok(_) => {}
+        Err(_) => {
+            benches();
+            Criterion::default().configure_from_args().final_summary();
+        }
+    }
+}

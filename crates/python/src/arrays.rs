@@ -1,6 +1,7 @@
 //! Flat arrays of f64, evaluated point by point with the interpreter's lock released.
 
 use std::ops::Range;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::exceptions::{PyMemoryError, PyValueError};
@@ -8,6 +9,7 @@ use pyo3::prelude::*;
 use rayon::prelude::*;
 
 use crate::error::Failure;
+use crate::interruption::interruptible;
 
 /// An input: one value for each point, or one value for all.
 pub type Input<'py> = PyReadonlyArray1<'py, f64>;
@@ -44,7 +46,7 @@ impl Points {
         Failure: From<E>,
     {
         let function = &function;
-        self.in_blocks(py, inputs, 1 << 16, |values, block| {
+        self.in_blocks(py, inputs, 1 << 16, None, |values, block| {
             block.map(move |index| function(values.at(index)))
         })
     }
@@ -60,21 +62,25 @@ impl Points {
         E: Send,
         Failure: From<E>,
     {
-        self.in_blocks(py, inputs, 1 << 12, |values, block| {
-            let results = block
-                .into_par_iter()
-                .map(|index| function(values.at(index)));
+        let interrupted = AtomicBool::new(false);
+        self.in_blocks(py, inputs, 1 << 12, Some(&interrupted), |values, block| {
+            let one = |index| {
+                let goes_on = !interrupted.load(Ordering::Relaxed);
+                goes_on.then(|| function(values.at(index)))
+            };
+            let results = block.into_par_iter().map(one).while_some();
             results.collect::<Vec<_>>().into_iter()
         })
     }
 
     /// Evaluates blocks of points one after the other. Between them a signal, such as Ctrl-C, ends
-    /// the evaluation.
+    /// the evaluation; within them, too, if `evaluate` reads that it is `interrupted`.
     fn in_blocks<'py, 'a, const K: usize, const N: usize, E, I>(
         &self,
         py: Python<'py>,
         inputs: [&'a Input<'_>; K],
         length: usize,
+        interrupted: Option<&AtomicBool>,
         evaluate: impl Fn(Values<'a, K>, Range<usize>) -> I + Sync,
     ) -> PyResult<[Output<'py>; N]>
     where
@@ -101,7 +107,7 @@ impl Points {
         }
         for start in (0..count).step_by(length) {
             let block = start..count.min(start + length);
-            py.detach(|| {
+            let work = || {
                 for (index, result) in block.clone().zip(evaluate(values, block)) {
                     let numbers = match result {
                         Ok(numbers) => numbers,
@@ -113,8 +119,12 @@ impl Points {
                     }
                 }
                 Ok(())
-            })
-            .map_err(|(index, error)| Failure::from(error).at(index).raise(py))?;
+            };
+            let done = match interrupted {
+                Some(interrupted) => interruptible(py, interrupted, work)?,
+                None => py.detach(work),
+            };
+            done.map_err(|(index, error)| Failure::from(error).at(index).raise(py))?;
             py.check_signals()?;
         }
         Ok(results.map(|result| PyArray1::from_vec(py, result)))

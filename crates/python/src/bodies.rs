@@ -4,7 +4,7 @@
 
 use std::path::PathBuf;
 
-use interp::{Elastic, Error, HalfSpace, Probe, Profile, System};
+use interp::{Elastic, Error, HalfSpace, Probe, System};
 use numpy::PyReadonlyArray1;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -45,33 +45,13 @@ fn solid((young, poisson): Solid) -> Result<Elastic, Error> {
     Elastic::new(young, poisson)
 }
 
-/// Makes the shape of a name from the numbers of its Python class, in the order of their
-/// attributes. Those of a profile are radius and height in turn.
-fn probe(name: &str, numbers: &[f64]) -> PyResult<Result<Probe, Error>> {
-    Ok(Ok(match (name, numbers) {
-        ("paraboloid", &[radius]) => Probe::Paraboloid { radius },
-        ("sphere", &[radius]) => Probe::Sphere { radius },
-        ("power law", &[coefficient, exponent]) => Probe::PowerLaw {
-            coefficient,
-            exponent,
-        },
-        ("cone", &[half_angle]) => Probe::Cone { half_angle },
-        ("rounded cone", &[radius, half_angle]) => Probe::RoundedCone { radius, half_angle },
-        ("flat punch", &[radius]) => Probe::FlatPunch { radius },
-        ("flat-ended cone", &[radius, half_angle]) => Probe::FlatEndedCone { radius, half_angle },
-        ("profile", numbers) => {
-            let (points, _) = numbers.as_chunks();
-            return Ok(Profile::new(points).map(Probe::Profile));
-        }
-        _ => return Err(PyValueError::new_err(format!("{name:?} is not a probe"))),
-    }))
-}
-
 #[pymethods]
 impl NativeProbe {
     #[new]
     fn new(py: Python<'_>, name: &str, numbers: PyReadonlyArray1<'_, f64>) -> PyResult<Self> {
-        let made = probe(name, numbers.as_slice()?)?.and_then(|probe| {
+        let made = Probe::of_numbers(name, numbers.as_slice()?);
+        let made = made.ok_or_else(|| PyValueError::new_err(format!("{name:?} is not a probe")))?;
+        let made = made.and_then(|probe| {
             // A half-space accepts a probe alone.
             let touched = HalfSpace {
                 probe,

@@ -45,7 +45,7 @@ impl Failure {
     }
 
     /// An error of the class `class` with a message.
-    fn of_words(class: &'static str, message: &str) -> Self {
+    pub fn of_words(class: &'static str, message: &str) -> Self {
         Self {
             class,
             message: message.to_owned(),
@@ -57,6 +57,17 @@ impl Failure {
             cause: None,
             file: None,
         }
+    }
+
+    /// The error of numbers that no experiment has; `None` without any.
+    pub fn magnitudes(name: &str, found: &[fit::Magnitude]) -> Option<Self> {
+        let first = found.first()?;
+        let texts: Vec<String> = found.iter().map(ToString::to_string).collect();
+        let message = format!(
+            "{name}: {}; give SI units, or if these numbers are meant, allow=(\"magnitudes\",)",
+            texts.join("; ")
+        );
+        Some(Self::of_words("FitError", &message).about(&first.what, first.value))
     }
 
     /// Replaces the message by one in the words of this package.
@@ -274,6 +285,11 @@ impl From<Error> for Failure {
             | Error::Checksum { .. }
             | Error::Malformed(_)
             | Error::LowRankTooLarge { .. } => of("TableError"),
+            Error::InFile { path, error } => {
+                let failure = Self::from(*error);
+                let message = format!("{}: {}", path.display(), failure.message);
+                Self { message, ..failure }
+            }
             Error::Io { path, source } => of("OSError").about_file(&path, &source),
             _ => of("ContactError"),
         }
@@ -331,6 +347,7 @@ impl From<tabulate::Error> for Failure {
             | Error::TooClose { .. }
             | Error::Unresolved { .. }
             | Error::OtherRun { .. }
+            | Error::Kept { .. }
             | Error::Piece { .. } => of("GenerationError"),
             _ => of("ContactError"),
         }

@@ -1,10 +1,12 @@
 //! Fits of measured contacts: one fit of one or several experiments, and a map of separate fits.
 
 use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use fit::{
-    Bodies, Direction, Estimate, Experiment, Fit, FittedExperiment, Free, Kind, Layer, Layered,
-    LayeredSolver, Loss, Measurement, Options, Parameter, Point, Reach, Scope, WithoutFilm,
+    Bodies, Direction, Estimate, Experiment, Fit, FittedExperiment, Fixed, Free, Interruptible,
+    Kind, Known, Layer, Layered, LayeredSolver, Loss, Magnitude, Measurement, Options, Parameter,
+    Point, PointErrors, Reach, Scope, WithoutFilm,
 };
 use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::exceptions::PyValueError;
@@ -14,6 +16,7 @@ use rayon::prelude::*;
 
 use crate::bodies::{NativeHalfSpace, NativeStackSystem, NativeSystem};
 use crate::error::{Failure, OrRaise as _};
+use crate::interruption::interruptible;
 use crate::table::Table;
 
 /// An experiment, as the attributes of the Python class.
@@ -32,7 +35,27 @@ pub struct Given<'py> {
     baseline: f64,
     baseline_slope: f64,
     stiffness: Option<f64>,
-    noise: Option<f64>,
+    noise: Option<GivenNoise<'py>>,
+    abscissa_noise: GivenNoise<'py>,
+}
+
+/// A standard deviation, or one for each point.
+#[derive(FromPyObject)]
+enum GivenNoise<'py> {
+    #[pyo3(transparent)]
+    One(f64),
+    #[pyo3(transparent)]
+    Each(PyReadonlyArray1<'py, f64>),
+}
+
+impl GivenNoise<'_> {
+    /// Returns the number, or the list of those of the points.
+    fn read(&self) -> PyResult<(Option<f64>, Vec<f64>)> {
+        Ok(match self {
+            Self::One(noise) => (Some(*noise), Vec::new()),
+            Self::Each(noises) => (None, noises.as_slice()?.to_vec()),
+        })
+    }
 }
 
 /// The bodies of an experiment.
@@ -56,8 +79,8 @@ pub struct GivenFree {
     own: Option<bool>,
 }
 
-/// Loss, level of profiles, range of the attraction.
-type GivenOptions = (String, Option<f64>, f64);
+/// Loss, level of profiles, range of the attraction, whether any magnitude is allowed.
+type GivenOptions = (String, Option<f64>, f64, bool);
 
 /// Fits one or several experiments together.
 #[pyfunction]
@@ -68,17 +91,34 @@ pub fn fit_together<'py>(
     experiments: Vec<Given<'py>>,
     free: Vec<GivenFree>,
     given_options: GivenOptions,
+    known: Vec<(String, f64)>,
+    fixed_values: bool,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let (table, options) = (table.get(), options(given_options)?);
-    let solver = table.layered_solver(py)?;
+    let known = known.iter().map(|(name, error)| {
+        let quantity = fixed(name)?;
+        Ok(Known {
+            quantity,
+            error: *error,
+        })
+    });
+    let known: Result<Vec<Known>, fit::Error> = known.collect();
+    let (options, allow_magnitudes) = options(given_options)?;
+    let options = Options {
+        known: known.or_raise(py)?,
+        fixed_values,
+        ..options
+    };
+    let table = table.get();
+    let (solver, interrupted) = interruptible_solver(py, table)?;
     let experiments = experiments
         .iter()
         .map(|given| experiment(py, given, &solver));
     let experiments: Vec<Experiment> = experiments.collect::<PyResult<_>>()?;
     let free = frees(py, free)?;
-    let found = py
-        .detach(|| fit::fit(table.get(), &experiments, &free, &options))
-        .or_raise(py)?;
+    let found = interruptible(py, &interrupted, || {
+        checked_fit(table.get(), &experiments, &free, &options, allow_magnitudes)
+    })?
+    .map_err(|failure| failure.raise(py))?;
     let result = summary(py, &found)?;
     let fitted = found.experiments.iter().map(|one| points(py, one));
     result.set_item("experiments", fitted.collect::<PyResult<Vec<_>>>()?)?;
@@ -86,6 +126,16 @@ pub fn fit_together<'py>(
         "without_film",
         without_film(py, found.without_film.as_ref())?,
     )?;
+    let fixed_values = found.fixed_values.iter().map(|one| {
+        (
+            fixed_name(one.quantity),
+            one.value,
+            one.step,
+            &one.changes,
+            one.error,
+        )
+    });
+    result.set_item("fixed_values", fixed_values.collect::<Vec<_>>())?;
     let undetermined = found.undetermined.into_iter().map(|one| one.text);
     result.set_item("undetermined", undetermined.collect::<Vec<_>>())?;
     Ok(result)
@@ -100,30 +150,69 @@ pub fn fit_map<'py>(
     free: Vec<GivenFree>,
     given_options: GivenOptions,
 ) -> PyResult<Bound<'py, PyList>> {
-    /// The fits between two looks at signals.
+    /// The fits whose results are in memory before they are made objects of Python.
     const BLOCK: usize = 64;
-    let (table, options) = (table.get(), options(given_options)?);
-    let (solver, free) = (table.layered_solver(py)?, frees(py, free)?);
+    let (options, allow_magnitudes) = options(given_options)?;
+    let table = table.get();
+    let (solver, interrupted) = interruptible_solver(py, table)?;
+    let free = frees(py, free)?;
     let results = PyList::empty(py);
     for (block, curves) in experiments.chunks(BLOCK).enumerate() {
         let curves = curves.iter().map(|given| experiment(py, given, &solver));
         let curves: Vec<Experiment> = curves.collect::<PyResult<_>>()?;
         let one = |curve: &Experiment| {
-            fit::fit(table.get(), std::slice::from_ref(curve), &free, &options)
+            let goes_on = !interrupted.load(Ordering::Relaxed);
+            let curve = std::slice::from_ref(curve);
+            goes_on.then(|| checked_fit(table.get(), curve, &free, &options, allow_magnitudes))
         };
-        let found: Vec<_> = py.detach(|| curves.par_iter().map(one).collect());
+        let found: Vec<_> = interruptible(py, &interrupted, || {
+            curves.par_iter().map(one).while_some().collect()
+        })?;
         for (i, found) in found.into_iter().enumerate() {
             match found {
                 Ok(found) => results.append(summary(py, &found)?)?,
-                Err(error) => {
-                    let failure = Failure::from(error).at(block * BLOCK + i);
-                    results.append(failure.raise(py))?;
+                Err(failure) => {
+                    results.append(failure.at(block * BLOCK + i).raise(py))?;
                 }
             }
         }
-        py.check_signals()?;
     }
     Ok(results)
+}
+
+/// Fits, and refuses numbers that no experiment has unless they are allowed.
+fn checked_fit(
+    table: &interp::Table,
+    experiments: &[Experiment],
+    free: &[Free],
+    options: &Options,
+    allow_magnitudes: bool,
+) -> Result<Fit, Failure> {
+    let accept = |name: &str, found: &[Magnitude]| {
+        let failure = Failure::magnitudes(name, found).filter(|_| !allow_magnitudes);
+        failure.map_or(Ok(()), Err)
+    };
+    for experiment in experiments {
+        accept(&experiment.measurement.name, &experiment.magnitudes())?;
+    }
+    let found = fit::fit(table, experiments, free, options)?;
+    if found.converged {
+        accept("the fit", &found.magnitudes())?;
+    }
+    Ok(found)
+}
+
+/// Returns what makes the contacts on layers of a table until the flag beside it is set.
+fn interruptible_solver(
+    py: Python<'_>,
+    table: &Table,
+) -> PyResult<(Arc<dyn LayeredSolver>, Arc<AtomicBool>)> {
+    let interrupted = Arc::new(AtomicBool::new(false));
+    let solver = Interruptible {
+        solver: table.layered_solver(py)?,
+        interrupted: interrupted.clone(),
+    };
+    Ok((Arc::new(solver), interrupted))
 }
 
 /// Makes an experiment; `solver` makes its contacts if they are on layers.
@@ -171,6 +260,9 @@ pub fn experiment(
             Bodies::Layered(layered(layers.get(), &measurement, solver).or_raise(py)?)
         }
     };
+    let given_noise = given.noise.as_ref().map(GivenNoise::read).transpose()?;
+    let (noise, of_ordinates) = given_noise.unwrap_or_default();
+    let (abscissa_noise, of_abscissae) = given.abscissa_noise.read()?;
     Ok(Experiment {
         work_of_adhesion: given.work_of_adhesion,
         work_of_adhesion_receding: given.work_of_adhesion_receding,
@@ -179,7 +271,12 @@ pub fn experiment(
         baseline: given.baseline,
         baseline_slope: given.baseline_slope,
         stiffness: given.stiffness,
-        noise: given.noise,
+        noise,
+        abscissa_noise: abscissa_noise.unwrap_or(0.0),
+        errors: PointErrors {
+            abscissa: of_abscissae,
+            ordinate: of_ordinates,
+        },
         ..Experiment::new(measurement, bodies)
     })
 }
@@ -229,19 +326,36 @@ pub fn frees(py: Python<'_>, given: Vec<GivenFree>) -> PyResult<Vec<Free>> {
     all.or_raise(py)
 }
 
-/// Makes the options.
-fn options((loss, profile_level, interaction_range): GivenOptions) -> PyResult<Options> {
+/// Makes the options, and tells whether any magnitude is allowed.
+fn options(given: GivenOptions) -> PyResult<(Options, bool)> {
+    let (loss, profile_level, interaction_range, allow_magnitudes) = given;
     let loss = match loss.as_str() {
         "squares" => Loss::Squares,
         "huber" => Loss::HUBER,
         "soft-l1" => Loss::SOFT_L1,
         other => return Err(unknown("loss", other)),
     };
-    Ok(Options {
+    let options = Options {
         loss,
         profile_level,
         interaction_range,
-    })
+        ..Options::default()
+    };
+    Ok((options, allow_magnitudes))
+}
+
+/// Returns the value taken as given that has a name in Python. A layer keeps its name as it is.
+fn fixed(name: &str) -> Result<Fixed, fit::Error> {
+    let plain = Fixed::parse(&name.replace('_', "-")).or_else(|| Fixed::parse(name));
+    plain.map_or_else(|| parameter(name).map(Fixed::Parameter), Ok)
+}
+
+/// Returns the name in Python of a value taken as given.
+fn fixed_name(quantity: Fixed) -> String {
+    match quantity {
+        Fixed::Parameter(parameter) => name(parameter),
+        _ => quantity.name().replace('-', "_"),
+    }
 }
 
 /// Returns the exception of a word that the Python layer should have refused.
@@ -324,9 +438,11 @@ fn points<'py>(py: Python<'py>, experiment: &FittedExperiment) -> PyResult<Bound
     fields.set_item("name", &experiment.name)?;
     fields.set_item("noise", experiment.noise)?;
     fields.set_item("noise_is_estimated", experiment.noise_is_estimated)?;
+    fields.set_item("abscissa_noise", experiment.abscissa_noise)?;
     fields.set_item("abscissa", column(|point| Some(point.abscissa)))?;
     fields.set_item("ordinate", column(|point| Some(point.ordinate)))?;
     fields.set_item("fit", column(|point| point.fit))?;
+    fields.set_item("deviation", column(|point| Some(point.deviation)))?;
     fields.set_item("contact_radius", column(|point| point.contact_radius))?;
     fields.set_item("without_film", column(|point| point.without_film))?;
     let branches = points.iter().map(|point| point.branch.name());

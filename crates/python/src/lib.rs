@@ -2,7 +2,8 @@
 //!
 //! It is thin. The Python layer beside it checks types, broadcasts, documents and annotates; this
 //! module takes flat arrays of f64 and evaluates them with the interpreter's lock released. Data
-//! flows `contact → table → bodies`, all through `arrays`; `line`, `short_range`, `fit`, `model`,
+//! flows `contact → table → bodies`, all through `arrays`, and where it may take long through
+//! `interruption`; `line`, `short_range`, `read`, `fit`, `model`,
 //! `generate`, `solve` and `cohesive` stand beside them; `error` makes Python's exceptions of all
 //! of them.
 
@@ -15,8 +16,10 @@ mod contact;
 mod error;
 mod fit;
 mod generate;
+mod interruption;
 mod line;
 mod model;
+mod read;
 mod short_range;
 mod solve;
 mod table;
@@ -45,6 +48,8 @@ mod _core {
     use super::line::{check_law, energy_of_speed, impose, line, ramp};
     #[pymodule_export]
     use super::model::{branches, forecast, predict, simulate};
+    #[pymodule_export]
+    use super::read::read_file;
     #[pymodule_export]
     use super::short_range::{
         short_range_equilibria, short_range_pull_off, short_range_states, short_range_zone,

@@ -1,6 +1,7 @@
 """Fits: JKR against linear least squares, a coated contact, maps, and what is refused."""
 
 import pickle
+from dataclasses import replace
 from math import pi, sqrt
 
 import numpy as np
@@ -14,6 +15,7 @@ from coated_contact import (
     FitMap,
     Free,
     HalfSpace,
+    Paraboloid,
     Table,
     fit,
     fit_map,
@@ -228,3 +230,102 @@ def test_any_number_gives_a_fit_or_an_error(value):
         except ContactError:
             continue
         assert np.all(np.isfinite(list(found.params.values())))
+
+
+def test_numbers_that_no_experiment_has_are_refused_unless_they_are_allowed():
+    one = lens(seed=1)
+    large = replace(one, system=replace(one.system, probe=Paraboloid(radius=2.0)))
+    with pytest.raises(FitError, match="radius of the sphere = 2 m is above 0.1 m") as caught:
+        fit(large, WANTED)
+    assert caught.value.value == 2.0
+    assert 'allow=("magnitudes",)' in str(caught.value)
+    assert "--" not in str(caught.value)
+    assert fit(large, WANTED, allow=["magnitudes"]).converged
+    # Loads in mN: a work of adhesion that no two solids have.
+    loads = replace(one, ordinate=1e3 * one.ordinate)
+    with pytest.raises(FitError, match="mN were probably taken for N|mN or uN taken for N"):
+        fit(loads, WANTED)
+    curves = fit_map([one, loads], WANTED, errors="nan")
+    assert list(curves.failures) == [1]
+    assert np.isnan(curves.params["sphere_modulus"][1])
+    with pytest.raises(FitError, match="magnitudes"):
+        fit(one, WANTED, allow=["everything"])
+
+
+def test_young_s_modulus_of_the_sphere_follows_from_the_reduced_one():
+    found = fit(lens(1), WANTED)
+    (young,) = found.young_modulus_of_sphere(0.5)
+    assert young.parameter == "sphere_young_modulus"
+    assert young.value == 0.75 * found.params["sphere_modulus"]
+    assert young.standard_error == 0.75 * found.stderr["sphere_modulus"]
+    with pytest.raises(FitError, match=r"poisson_ratio = 0\.6"):
+        found.young_modulus_of_sphere(0.6)
+    with pytest.raises(FitError, match='free "sphere_modulus"'):
+        fit(lens(1), ["work_of_adhesion"]).young_modulus_of_sphere(0.5)
+
+
+def test_noise_of_the_abscissae_counts_by_the_slope():
+    """The effective variance of JKR's load, whose slope is known in closed form."""
+    one = lens(seed=1, noise=2e-6, abscissa_noise=3e-7)
+    assert one.abscissa_noise == 3e-7
+    exact, radii = fit(lens(seed=1, noise=2e-6), WANTED), fit(one, WANTED)
+    points = radii.experiments[0]
+    modulus, w = (radii.params[name] for name in WANTED)
+    a = points.abscissa
+    slope = 4 * modulus * a**2 / RADIUS - 1.5 * np.sqrt(8 * pi * w * modulus * a)
+    expected = np.hypot(points.noise, slope * 3e-7)
+    np.testing.assert_allclose(points.deviation, expected, rtol=2e-3)
+    assert radii.stderr["sphere_modulus"] > exact.stderr["sphere_modulus"]
+    # One number for each point is the same as one for all.
+    count = len(one.abscissa)
+    each = Experiment(
+        kind="load-radius",
+        abscissa=one.abscissa,
+        ordinate=one.ordinate,
+        system=one.system,
+        noise=np.full(count, 2e-6),
+        abscissa_noise=np.full(count, 3e-7),
+    )
+    both = Experiment(
+        kind="load-radius",
+        abscissa=one.abscissa,
+        ordinate=one.ordinate,
+        system=one.system,
+        noise=2e-6,
+        abscissa_noise=3e-7,
+    )
+    assert fit(each, WANTED).params == fit(both, WANTED).params
+    with pytest.raises(FitError, match="abscissa_noise must be one number or one for each point"):
+        Experiment(
+            kind="load-radius",
+            abscissa=one.abscissa,
+            ordinate=one.ordinate,
+            system=one.system,
+            abscissa_noise=[1e-7, 1e-7],
+        )
+    with pytest.raises(FitError, match="contact radius"):
+        fit(lens(seed=1, abscissa_noise=-1e-7), WANTED)
+
+
+def test_fixed_values_and_their_errors():
+    """E* is proportional to the radius of the lens where the film and adhesion are none."""
+    found = fit(lens(seed=1), WANTED)
+    names = [one.quantity for one in found.fixed_values]
+    assert names == ["sphere_radius"]
+    radius = found.fixed_values[0]
+    assert radius.value == RADIUS
+    assert radius.step == pytest.approx(0.01 * RADIUS)
+    # The load depends on E*/R and w E*: E* goes with R, and w with 1/R.
+    assert radius.changes["sphere_modulus"] == pytest.approx(0.01 * found.params[WANTED[0]], rel=1e-3)
+    change = -0.01 * found.params["work_of_adhesion"]
+    assert radius.changes["work_of_adhesion"] == pytest.approx(change, rel=1e-3)
+    known = fit(lens(seed=1), WANTED, known={"sphere_radius": 2e-5})
+    expected = np.hypot(found.stderr[WANTED[0]], 2 * radius.changes["sphere_modulus"])
+    assert known.stderr[WANTED[0]] == pytest.approx(expected, rel=1e-9)
+    assert known.params == found.params
+    assert known.correlation[0, 1] < -0.9
+    assert fit(lens(seed=1), WANTED, fixed_values=False).fixed_values == ()
+    with pytest.raises(FitError, match="not free"):
+        fit(lens(seed=1), WANTED, known={"sphere_modulus": 1e4})
+    with pytest.raises(FitError, match="not a parameter"):
+        fit(lens(seed=1), WANTED, known={"sphere": 1e4})

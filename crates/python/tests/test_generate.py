@@ -122,6 +122,8 @@ def test_other_pieces_are_not_mixed_in(tmp_path):
 
     with pytest.raises(StoppedHereError):
         generate(SCENE, path, tolerance=1e-7, progress=stop)
+    with pytest.raises(GenerationError, match="finished pieces of an interrupted"):
+        generate(SCENE, path, tolerance=1e-7, progress=False)
     with pytest.raises(GenerationError, match="cannot resume"):
         generate(SCENE, path, tolerance=1e-6, resume=True, progress=False)
 

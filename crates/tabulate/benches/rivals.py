@@ -36,13 +36,9 @@ def interpolator(axes, file):
 
 
 def quantities(spline, points):
-    """Columns of a point: a/t, E1/E2*, nu1, E0/E2*."""
-    x, e1, nu1, e0 = points.T
-    e1_star = e1 / (1 - nu1**2)
-    es = 1 / (1 + 1 / e1_star)
-    places = np.column_stack((np.log(e1), 0.5 * (1 - np.cbrt(1 - 2 * nu1)), np.log(e0), np.log(x)))
-    values = np.exp(spline(places))
-    values[:, :3] *= es[:, None]
+    """Columns of a point: the coordinates in the order of the axes, then es, by which pi0, eeq and gamma were divided."""
+    values = np.exp(spline(points[:, :4]))
+    values[:, :3] *= points[:, 4:]
     return values
 
 

@@ -5,8 +5,11 @@
 //! Prints a table of times and errors. Times are of contacts of a new material each time. Errors
 //! are those at random points off the nodes: the largest of the four relative deviations from the
 //! solve at the tightest tolerance that converges. All methods interpolate the logarithms that
-//! `interp` splines, in the coordinates of `interp`. scipy takes part in `cargo xtask compare` if
-//! 10 GB of memory are free.
+//! `interp` splines, in the coordinates of `interp`; scipy is given these coordinates, and takes part
+//! in `cargo xtask compare` if 10 GB of memory are free.
+//!
+//! With `--small` the box has few nodes and every number of repetitions is small: that tests the
+//! comparison, and its numbers mean nothing.
 
 mod python;
 
@@ -27,23 +30,44 @@ use tabulate::cost::lookup::{Point, random_points};
 use tabulate::solve;
 use tabulate::table::{Plan, Scene, compress, sweep};
 
-/// Random points off the nodes, for errors and for the times of single points.
-const POINTS: usize = 1000;
-/// Random materials, for the times of curves.
-const CURVES: usize = 100;
-/// The number of rounds. The methods take turns, so that a machine that slows down affects all.
-const ROUNDS: usize = 9;
-/// The number of points at which the direct solve is timed. Each solve is repeated.
-const SOLVED: usize = 20;
+/// What sets how long the comparison takes.
+struct Sizes {
+    /// The tolerances of the nodes, of the low-rank form and of the table.
+    tolerances: [f64; 3],
+    /// Random points off the nodes, for errors and for the times of single points.
+    points: usize,
+    /// Random materials, for the times of curves.
+    curves: usize,
+    /// The number of rounds. The methods take turns, so that a machine that slows down affects all.
+    rounds: usize,
+    /// The number of points at which the direct solve is timed. Each solve is repeated.
+    solved: usize,
+}
+
+const FULL: Sizes = Sizes {
+    tolerances: [2e-7, 5e-7, 1e-6],
+    points: 1000,
+    curves: 100,
+    rounds: 9,
+    solved: 20,
+};
+const SMALL: Sizes = Sizes {
+    tolerances: [1e-2, 1e-2, 1e-1],
+    points: 20,
+    curves: 4,
+    rounds: 1,
+    solved: 2,
+};
 /// The seconds spent on timing a solve.
 const BUDGET: f64 = 0.01;
 
 fn main() {
-    let table = &default_box();
+    let sizes = if python::is_small() { SMALL } else { FULL };
+    let table = &default_box(sizes.tolerances);
     let grid = Grid::new(table);
-    let mut points = random_points(table, POINTS + CURVES, 1);
+    let mut points = random_points(table, sizes.points + sizes.curves, 1);
     let curves: Vec<[Point; 60]> = points
-        .split_off(POINTS)
+        .split_off(sizes.points)
         .into_iter()
         .map(|(_, material)| curve_of(material))
         .collect();
@@ -87,7 +111,7 @@ fn main() {
         .map(|(name, method)| Row::new(name, points.iter().map(|p| method.four(p)), &truth))
         .collect();
     let mut times = vec![[const { Vec::new() }; 3]; methods.len()];
-    for _ in 0..ROUNDS {
+    for _ in 0..sizes.rounds {
         for ((_, method), times) in methods.iter().zip(&mut times) {
             times[0].push(mean_seconds(&points, |point| method.one(point)));
             times[1].push(mean_seconds(&points, |point| method.four(point)));
@@ -118,13 +142,13 @@ fn main() {
         let time =
             |(x, material): &Point| clock::seconds(BUDGET, || solve(*x, material, tolerance));
         let seconds = |points: &[Point]| points.iter().map(time).sum::<f64>();
-        row.seconds[1] = Some(seconds(&points[..SOLVED]) / SOLVED as f64);
+        row.seconds[1] = Some(seconds(&points[..sizes.solved]) / sizes.solved as f64);
         row.seconds[2] = Some(
-            curves[..SOLVED]
+            curves[..sizes.solved]
                 .iter()
                 .map(|curve| seconds(curve))
                 .sum::<f64>()
-                / SOLVED as f64,
+                / sizes.solved as f64,
         );
         rows.push(row);
     }
@@ -165,22 +189,22 @@ const ORDER: [Parameter; 4] = [
     Parameter::AOverT,
 ];
 
-/// Makes the low-rank table of the default box, to 1e-6.
-fn default_box() -> Table {
+/// Makes the low-rank table of the default box.
+fn default_box([nodes, form, tolerance]: [f64; 3]) -> Table {
     let scene = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tables/default.toml");
-    let scene = Scene::read(Path::new(scene), Some(2e-7)).expect("a sound scene");
+    let scene = Scene::read(Path::new(scene), Some(nodes)).expect("a sound scene");
     let axes = Plan::new(&scene).expect("within reach").axes();
     let values = sweep(&scene, &axes, &|_| {}).expect("within reach");
     let description = Description {
         title: scene.title,
         scene: scene.text,
         nu0: scene.nu0,
-        tolerance: 1e-6,
+        tolerance,
         created_by: "benches/rivals.rs".into(),
         certificate: Certificate::UNMEASURED,
     };
     let dense = Table::new(description.clone(), axes, values).expect("a whole table");
-    let tiles = compress(&dense, 5e-7).expect("above rounding");
+    let tiles = compress(&dense, form).expect("above rounding");
     Table::from_low_rank(description, dense.axes(), tiles).expect("the form of this table")
 }
 
@@ -252,23 +276,24 @@ impl Method for Own<'_> {
     }
 }
 
+/// Returns the coordinates of a material, which are those of the [`Grid`], and its `es`.
+fn place(material: &Material) -> [f64; 4] {
+    [
+        Parameter::E1OverE2.coordinate(material.e1_over_e2()),
+        Parameter::Nu1.coordinate(material.nu1()),
+        Parameter::E0OverE2.coordinate(material.e0_over_e2()),
+        material.sphere_film_modulus(),
+    ]
+}
+
 /// Another library's interpolation of one of the logarithms in four dimensions.
 struct Rival<F: Fn(usize, [f64; 4]) -> f64>(F);
 
 impl<F: Fn(usize, [f64; 4]) -> f64> Rival<F> {
     fn value(&self, quantity: Quantity, material: &[f64; 4], x: f64) -> f64 {
         let &[e1, nu1, e0, es] = material;
-        quantity.scale(es) * (self.0)(quantity as usize, [e1, nu1, e0, x.ln()]).exp()
-    }
-
-    /// Returns the coordinates of a material, and its `es`.
-    fn place(material: &Material) -> [f64; 4] {
-        [
-            Parameter::E1OverE2.coordinate(material.e1_over_e2()),
-            Parameter::Nu1.coordinate(material.nu1()),
-            Parameter::E0OverE2.coordinate(material.e0_over_e2()),
-            material.sphere_film_modulus(),
-        ]
+        let place = [e1, nu1, e0, Parameter::AOverT.coordinate(x)];
+        quantity.scale(es) * (self.0)(quantity as usize, place).exp()
     }
 
     fn quantities(&self, material: &[f64; 4], x: f64) -> Quantities {
@@ -278,15 +303,15 @@ impl<F: Fn(usize, [f64; 4]) -> f64> Rival<F> {
 
 impl<F: Fn(usize, [f64; 4]) -> f64> Method for Rival<F> {
     fn one(&self, (x, material): &Point) -> f64 {
-        self.value(Quantity::Gamma, &Self::place(material), *x)
+        self.value(Quantity::Gamma, &place(material), *x)
     }
 
     fn four(&self, (x, material): &Point) -> Quantities {
-        self.quantities(&Self::place(material), *x)
+        self.quantities(&place(material), *x)
     }
 
     fn curve(&self, points: &[Point; 60]) -> f64 {
-        let material = Self::place(&points[0].1);
+        let material = place(&points[0].1);
         points
             .iter()
             .map(|(x, _)| sum(&self.quantities(&material, *x)))
@@ -391,14 +416,10 @@ fn scipy(
         python.versions
     );
     let row = |(x, material): &Point| {
-        [
-            *x,
-            material.e1_over_e2(),
-            material.nu1(),
-            material.e0_over_e2(),
-        ]
+        let [e1, nu1, e0, es] = place(material);
+        [e1, nu1, e0, Parameter::AOverT.coordinate(*x), es]
     };
-    let mut batches = |batches: Vec<Vec<[f64; 4]>>| -> Vec<Batch> { python.ask(&json!(batches)) };
+    let mut batches = |batches: Vec<Vec<[f64; 5]>>| -> Vec<Batch> { python.ask(&json!(batches)) };
     let singles = batches(points.iter().map(|point| vec![row(point)]).collect());
     let sixties = batches(
         curves

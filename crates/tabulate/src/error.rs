@@ -241,13 +241,24 @@ pub enum Error {
     },
     /// Finished pieces that belong to another generation than the one to be resumed.
     #[error(
-        "cannot resume: {} was begun {what}; without --resume everything begins anew",
+        "cannot resume: {} was begun {what}; remove this file to begin anew",
         printable::path(journal)
     )]
     OtherRun {
         /// The journal of the pieces.
         journal: PathBuf,
         /// The difference, as the end of a sentence.
+        what: String,
+    },
+    /// Finished pieces that a generation which is not resumed would drop.
+    #[error(
+        "{} keeps {what} of an interrupted generation: resume it, or remove this file to begin anew",
+        printable::path(journal)
+    )]
+    Kept {
+        /// The journal of the pieces.
+        journal: PathBuf,
+        /// What it keeps, in words.
         what: String,
     },
     /// A range along which the quantities are too steep to be tabulated.

@@ -8,19 +8,20 @@ use std::env;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
-use crate::{python, workspace};
+use crate::{python, selection, workspace};
 
 /// The oldest cmake, major and minor version, that can build libhdf5.
 const OLDEST_CMAKE: (u32, u32) = (3, 26);
 
-/// Returns a cargo command with the feature and the environment that HDF5 needs on this machine.
+/// Returns a cargo command with the feature and the environment that HDF5 needs on this machine, if
+/// it selects a member with HDF5.
 pub fn cargo(args: &[&str]) -> Result<Command, String> {
     let mut command = workspace::cargo();
     let Some((subcommand, rest)) = args.split_first() else {
         return Err("no cargo command given".into());
     };
     command.arg(subcommand);
-    if !system_library() {
+    if !system_library() && selection::has_tabulate(args)? {
         command
             .args(["--features", "tabulate/hdf5-static"])
             .env("CMAKE", cmake()?);

@@ -14,6 +14,7 @@ mod hdf5;
 mod licences;
 mod python;
 mod python_tests;
+mod selection;
 mod tables;
 mod tabulate;
 mod venv;
@@ -45,8 +46,10 @@ usage: cargo xtask COMMAND
                  module of the workspace
   compare        time the solve against numpy and scipy on the same equation, and the lookup against interpn and scipy on
                  the same nodes
+  compare --small
+                 run the same comparisons on small cases, whose numbers mean nothing
   licences       check the licences of all crates of the lock file, and print those that have more conditions than MIT
-  cargo ARGS     run a cargo command that builds tabulate, with HDF5 set up: `cargo xtask cargo bench -p tabulate`
+  cargo ARGS     run a cargo command, with HDF5 set up where it builds tabulate: `cargo xtask cargo bench -p tabulate`
 ";
 
 fn main() -> ExitCode {
@@ -63,7 +66,8 @@ fn main() -> ExitCode {
         Some("wheel") if rest.is_empty() => wheel::build(),
         Some("wheel") if rest == ["--release"] => wheel::release(),
         Some("wheel") if rest == ["--test"] => wheel::test(),
-        Some("compare") if rest.is_empty() => compare(),
+        Some("compare") if rest.is_empty() => compare(&[]),
+        Some("compare") if rest == ["--small"] => compare(&["--", "--small"]),
         Some("licences") if rest.is_empty() => licences::licences(),
         Some("cargo") if !rest.is_empty() => cargo(&rest),
         Some("help" | "--help" | "-h") => {
@@ -160,11 +164,18 @@ const XARRAY: [&str; 5] = [
     "scipy==1.17.1",
 ];
 
-/// Runs the benches that need scipy; pip fetches numpy with it.
-fn compare() -> Result<(), String> {
+/// Runs the benches that need scipy; pip fetches numpy with it. The selection is that of the tests,
+/// so that nothing is compiled twice.
+fn compare(args: &[&str]) -> Result<(), String> {
     let bench = [
-        "bench", "-p", "tabulate", "--bench", "nystrom", "--bench", "rivals",
+        "bench",
+        "--workspace",
+        "--bench",
+        "nystrom",
+        "--bench",
+        "rivals",
     ];
+    let bench = [&bench, args].concat();
     succeed(hdf5::cargo(&bench)?.env("PYTHONPATH", python::package("scipy", SCIPY)?))
 }
 

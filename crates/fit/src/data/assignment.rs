@@ -1,7 +1,7 @@
 //! Which column of a file holds what.
 
 use super::column::{Column, Role};
-use super::failure::Problem;
+use super::failure::{Found, Missing, Problem};
 use super::heading::Heading;
 use super::unit::{Dimension, Unit};
 use super::{Cantilever, Format};
@@ -14,6 +14,8 @@ pub struct Source {
     pub role: Role,
     /// The number of the column, from 0.
     pub index: usize,
+    /// The unit.
+    pub unit: Unit,
     /// The factor to SI units, with the sign.
     pub factor: f64,
     /// The heading.
@@ -31,6 +33,8 @@ pub struct Pair {
     pub abscissa: Source,
     /// The ordinate.
     pub ordinate: Source,
+    /// The standard deviations of both, where there are columns of them.
+    pub errors: [Option<Source>; 2],
 }
 
 /// What the columns of a file hold.
@@ -45,34 +49,37 @@ pub struct Assignment {
 }
 
 /// A problem, and the column that has it.
-type Failure = (Option<usize>, Problem);
+pub(super) type Failure = (Option<usize>, Problem);
 
-/// Assigns the columns with these headings.
-pub fn assign(headings: &[Heading], format: &Format) -> Result<Assignment, Failure> {
-    let columns = Columns { headings, format };
+/// Assigns the columns with these headings. `uncalibrated` is a line that says that the cantilever is
+/// not calibrated.
+pub fn assign(
+    headings: &[Heading],
+    format: &Format,
+    uncalibrated: Option<u64>,
+) -> Result<Assignment, Failure> {
+    let columns = Columns {
+        headings,
+        format,
+        uncalibrated,
+    };
     let kind = columns.kind()?;
     let roles = roles(kind);
     let mut pairs = Vec::new();
-    let whole = columns.pair(roles, None)?;
-    if let Some((abscissa, ordinate)) = whole {
-        pairs.push(Pair {
-            direction: None,
-            abscissa,
-            ordinate,
-        });
-    } else {
-        for direction in [Direction::Approach, Direction::Retract] {
-            if let Some((abscissa, ordinate)) = columns.pair(roles, Some(direction))? {
-                pairs.push(Pair {
-                    direction: Some(direction),
-                    abscissa,
-                    ordinate,
-                });
-            }
+    for direction in DIRECTIONS {
+        // Columns without a direction are all points; else each direction has its own.
+        if direction.is_some() && pairs.iter().any(|pair: &Pair| pair.direction.is_none()) {
+            break;
         }
+        pairs.extend(columns.pair(roles, direction)?);
     }
     if pairs.is_empty() {
-        return Err(columns.missing(roles));
+        let mut roles = columns.missing(kind);
+        if roles.is_empty() {
+            // Each is there for one direction, and no direction has both.
+            roles = self::roles(kind).to_vec();
+        }
+        return Err(columns.lack(vec![Missing { kind, roles }]));
     }
     let segment = columns.find(Role::Segment, None)?;
     Ok(Assignment {
@@ -81,6 +88,10 @@ pub fn assign(headings: &[Heading], format: &Format) -> Result<Assignment, Failu
         segment: segment.map(|source| source.index),
     })
 }
+
+/// What headings can say about directions.
+const DIRECTIONS: [Option<Direction>; 3] =
+    [None, Some(Direction::Approach), Some(Direction::Retract)];
 
 /// Returns what the two columns of a kind hold: the abscissa and the ordinate.
 pub const fn roles(kind: Kind) -> [Role; 2] {
@@ -92,15 +103,28 @@ pub const fn roles(kind: Kind) -> [Role; 2] {
     }
 }
 
-/// Tells whether a name of a load means a deflection unless its unit says otherwise.
-fn is_deflection(role: Role, name: &str) -> bool {
-    role == Role::Load && Role::Deflection.headings().contains(&name)
+/// Returns the names under which a role is recognised, and whether a name needs a unit: a
+/// deflection in newtons is a load.
+fn names(role: Role) -> impl Iterator<Item = (&'static str, bool)> {
+    let forces = (role == Role::Load).then(|| Role::Deflection.headings());
+    let own = role.headings().iter().map(|name| (*name, false));
+    own.chain(forces.into_iter().flatten().map(|name| (*name, true)))
+}
+
+/// Tells whether a heading is recognised as a role by one of its names.
+fn is_named(heading: &Heading, role: Role, (name, needs_unit): (&str, bool)) -> bool {
+    heading.name == name
+        && match heading.unit {
+            Some(unit) => role.accepts(unit),
+            None => !needs_unit,
+        }
 }
 
 /// The headings, and what the user says about them.
-struct Columns<'a> {
-    headings: &'a [Heading],
-    format: &'a Format,
+pub(super) struct Columns<'a> {
+    pub headings: &'a [Heading],
+    pub format: &'a Format,
+    uncalibrated: Option<u64>,
 }
 
 impl Columns<'_> {
@@ -109,36 +133,60 @@ impl Columns<'_> {
         if let Some(kind) = self.format.kind {
             return Ok(kind);
         }
-        let directions = [None, Some(Direction::Approach), Some(Direction::Retract)];
-        let has = |role| {
-            directions
-                .iter()
-                // Which of two columns it is, is asked later.
-                .any(|&direction| !matches!(self.find(role, direction), Ok(None)))
-        };
-        let fits = |kind: &Kind| {
+        // A kind without use for a column that the user names is not meant.
+        let is_meant = |kind: &Kind| {
             let [abscissa, ordinate] = roles(*kind);
-            let named = |column: &Column| {
+            self.format.columns.iter().all(|column| {
+                let of = |role: Role| role.error() == Some(column.role);
                 column.role == Role::Segment
+                    || of(abscissa)
+                    || of(ordinate)
                     || column.role == abscissa
                     || column.role == ordinate
                     || (column.role == Role::Deflection && *kind == Kind::ForceHeight)
-            };
-            has(abscissa)
-                && (has(ordinate) || (*kind == Kind::ForceHeight && has(Role::Deflection)))
-                && self.format.columns.iter().all(named)
+            })
         };
-        let fitting: Vec<Kind> = Kind::ALL.into_iter().filter(fits).collect();
-        match fitting[..] {
-            [kind] => Ok(kind),
-            _ => Err((
+        let mut meant: Vec<Kind> = Kind::ALL.into_iter().filter(is_meant).collect();
+        if meant.is_empty() {
+            meant = Kind::ALL.to_vec();
+        }
+        let mut kinds: Vec<Missing> = meant
+            .into_iter()
+            .map(|kind| Missing {
+                kind,
+                roles: self.missing(kind),
+            })
+            .collect();
+        let least = kinds.iter().map(|one| one.roles.len()).min().unwrap_or(0);
+        kinds.retain(|one| one.roles.len() == least);
+        match &kinds[..] {
+            [one] if least == 0 => Ok(one.kind),
+            _ if least == 0 => Err((
                 None,
-                Problem::UnknownKind {
-                    fitting,
-                    headings: self.texts(),
+                Problem::SeveralKinds {
+                    kinds: kinds.iter().map(|one| one.kind).collect(),
+                    columns: self.found(),
                 },
             )),
+            _ => Err(self.lack(kinds)),
         }
+    }
+
+    /// Returns the quantities of a kind that no column is recognised as, in any direction.
+    fn missing(&self, kind: Kind) -> Vec<Role> {
+        let is_there = |role| {
+            DIRECTIONS
+                .into_iter()
+                // Which of two columns it is, is asked later.
+                .any(|direction| !matches!(self.find(role, direction), Ok(None)))
+        };
+        let is_missing = |role: &Role| {
+            let by_deflection = *role == Role::Load
+                && (kind == Kind::ForceHeight || self.format.kind.is_some())
+                && is_there(Role::Deflection);
+            !is_there(*role) && !by_deflection
+        };
+        roles(kind).into_iter().filter(is_missing).collect()
     }
 
     /// Returns the columns of abscissa and ordinate in a direction. A column without a direction
@@ -147,7 +195,7 @@ impl Columns<'_> {
         &self,
         [abscissa, ordinate]: [Role; 2],
         direction: Option<Direction>,
-    ) -> Result<Option<(Source, Source)>, Failure> {
+    ) -> Result<Option<Pair>, Failure> {
         let of = |role: Role| -> Result<Option<Source>, Failure> {
             Ok(match self.force_or(role, direction)? {
                 None if direction.is_some() => self.force_or(role, None)?,
@@ -157,7 +205,16 @@ impl Columns<'_> {
         let (Some(abscissa), Some(ordinate)) = (of(abscissa)?, of(ordinate)?) else {
             return Ok(None);
         };
-        Ok(Some((abscissa, ordinate)))
+        let errors = [
+            self.deviation(&abscissa, false, direction)?,
+            self.deviation(&ordinate, true, direction)?,
+        ];
+        Ok(Some(Pair {
+            direction,
+            abscissa,
+            ordinate,
+            errors,
+        }))
     }
 
     /// Returns the column of a role; a deflection where there is no load.
@@ -174,99 +231,104 @@ impl Columns<'_> {
 
     /// Returns the column that the user names, or the one that is recognised.
     fn find(&self, role: Role, direction: Option<Direction>) -> Result<Option<Source>, Failure> {
-        let named = self
-            .format
-            .columns
-            .iter()
-            .filter(|column| column.role == role);
-        let mut any = false;
-        for column in named {
-            any = true;
-            let (index, unit) = self.named(column)?;
-            if self.headings[index].direction == direction || role == Role::Segment {
-                return self.source(role, index, unit, column.negative).map(Some);
-            }
-        }
-        if any {
-            return Ok(None);
-        }
-        for name in role.headings() {
-            let matches = |heading: &Heading| {
-                heading.name == *name
-                    && heading.direction == direction
-                    && heading
-                        .unit
-                        .map_or(!is_deflection(role, name), |unit| role.accepts(unit))
-            };
-            let mut indices = self.positions(matches);
-            let Some(first) = indices.next() else {
-                continue;
-            };
-            if let Some(second) = indices.next() {
-                let problem = Problem::Duplicate {
-                    role: role.name(),
-                    numbers: [first + 1, second + 1],
-                };
-                return Err((None, problem));
-            }
-            return self
-                .source(role, first, self.headings[first].unit, false)
-                .map(Some);
-        }
-        Ok(None)
-    }
-
-    fn positions(&self, matches: impl Fn(&Heading) -> bool) -> impl Iterator<Item = usize> {
-        self.headings
-            .iter()
-            .enumerate()
-            .filter(move |(_, heading)| matches(heading))
-            .map(|(index, _)| index)
-    }
-
-    /// Returns the column that the user names, and its unit.
-    fn named(&self, column: &Column) -> Result<(usize, Option<Unit>), Failure> {
-        let wanted = Heading::parse(&column.heading);
-        let exact = |heading: &Heading| heading.text == column.heading;
-        let alike = |heading: &Heading| {
-            heading.name == wanted.name
-                && heading.direction == wanted.direction
-                && (heading.unit.is_none() || wanted.unit.is_none() || heading.unit == wanted.unit)
-        };
-        let unique = |found: Vec<usize>| match found[..] {
+        let unique = |indices: &[usize]| match indices {
             [] => Ok(None),
-            [index] => Ok(Some(index)),
+            [index] => Ok(Some(*index)),
             [first, second, ..] => Err((
                 None,
                 Problem::Duplicate {
-                    role: column.role.name(),
+                    role,
                     numbers: [first + 1, second + 1],
                 },
             )),
         };
-        let by_name = match unique(self.positions(exact).collect())? {
-            None => unique(self.positions(alike).collect())?,
-            found => found,
+        let columns = self.format.columns.iter();
+        let named: Vec<Named> = columns
+            .filter(|column| column.role == role)
+            .map(|column| self.named(column))
+            .collect::<Result<_, _>>()?;
+        if !named.is_empty() {
+            let has = |one: &&Named| role == Role::Segment || one.direction == direction;
+            let of: Vec<&Named> = named.iter().filter(has).collect();
+            let indices: Vec<usize> = of.iter().map(|one| one.index).collect();
+            return unique(&indices)?
+                .map(|index| self.source(role, index, of[0].unit, of[0].negative))
+                .transpose();
+        }
+        for name in names(role) {
+            let matches =
+                |heading: &Heading| heading.direction == direction && is_named(heading, role, name);
+            if let Some(index) = unique(&self.positions(matches))? {
+                let others = |name: &str| self.headings.iter().any(|other| other.name == name);
+                let inverted = role.is_inverted(name.0, others);
+                return self
+                    .source(role, index, self.headings[index].unit, inverted)
+                    .map(Some);
+            }
+        }
+        Ok(None)
+    }
+
+    pub(super) fn positions(&self, matches: impl Fn(&Heading) -> bool) -> Vec<usize> {
+        let headings = self.headings.iter().enumerate();
+        headings
+            .filter(|(_, heading)| matches(heading))
+            .map(|(index, _)| index)
+            .collect()
+    }
+
+    /// Returns the column that the user names.
+    pub(super) fn named(&self, column: &Column) -> Result<Named, Failure> {
+        let wanted = Heading::parse(&column.heading);
+        let index = match self.places(column, &wanted)[..] {
+            [index] => index,
+            [] => {
+                let problem = Problem::UnknownHeading {
+                    role: column.role,
+                    wanted: column.heading.clone(),
+                    columns: self.found(),
+                };
+                return Err((None, problem));
+            }
+            [first, second, ..] => {
+                let problem = Problem::Duplicate {
+                    role: column.role,
+                    numbers: [first + 1, second + 1],
+                };
+                return Err((None, problem));
+            }
         };
-        let number = || {
-            let number: usize = wanted.name.parse().ok()?;
-            (1..=self.headings.len())
-                .contains(&number)
-                .then(|| number - 1)
-        };
-        let Some(index) = by_name.or_else(number) else {
-            let problem = Problem::UnknownHeading {
-                role: column.role.name(),
-                wanted: column.heading.clone(),
-                headings: self.texts(),
-            };
-            return Err((None, problem));
-        };
-        Ok((index, wanted.unit.or(self.headings[index].unit)))
+        let heading = &self.headings[index];
+        Ok(Named {
+            index,
+            unit: wanted.unit.or(heading.unit),
+            direction: wanted.direction.or(heading.direction),
+            negative: column.negative,
+        })
+    }
+
+    /// Returns the columns that the user can mean: those with this heading, else those with this
+    /// name, else the one with this number.
+    fn places(&self, column: &Column, wanted: &Heading) -> Vec<usize> {
+        let exact = self.positions(|heading| heading.text == column.heading);
+        if !exact.is_empty() {
+            return exact;
+        }
+        let alike = self.positions(|heading| {
+            heading.name == wanted.name
+                && heading.direction == wanted.direction
+                && (heading.unit.is_none() || wanted.unit.is_none() || heading.unit == wanted.unit)
+        });
+        if !alike.is_empty() {
+            return alike;
+        }
+        let number = wanted.name.parse().unwrap_or(0);
+        let is_there = (1..=self.headings.len()).contains(&number);
+        is_there.then(|| number - 1).into_iter().collect()
     }
 
     /// Returns the source of a role in a column, with its factor to SI units.
-    fn source(
+    pub(super) fn source(
         &self,
         role: Role,
         index: usize,
@@ -278,29 +340,15 @@ impl Columns<'_> {
         let assumed_si = role != Role::Segment && unit.is_none();
         let unit = match unit {
             Some(unit) if role.accepts(unit) => unit,
-            Some(_) => {
-                return Err((
-                    None,
-                    Problem::MissingColumn {
-                        role: role.name(),
-                        dimension: role.dimension(),
-                        wrong: Some(heading),
-                        headings: self.texts(),
-                    },
-                ));
-            }
+            Some(_) => return Err((None, Problem::WrongUnit { role, heading })),
             None if role == Role::Segment || role.is_si(&heading) => Unit::si(role.dimension()),
             None => {
-                let problem = Problem::NoUnit {
-                    role: role.name(),
-                    heading: if heading.is_empty() {
-                        (index + 1).to_string()
-                    } else {
-                        heading
-                    },
-                    example: role.example(),
+                let heading = if heading.is_empty() {
+                    (index + 1).to_string()
+                } else {
+                    heading
                 };
-                return Err(at(problem));
+                return Err(at(Problem::NoUnit { role, heading }));
             }
         };
         let Cantilever {
@@ -309,16 +357,21 @@ impl Columns<'_> {
         } = self.format.cantilever;
         let mut factor = if negative { -unit.size } else { unit.size };
         if role == Role::Deflection {
-            let missing = |what| at(Problem::NoCantilever(what));
-            factor *= stiffness.ok_or_else(|| missing("the stiffness: --stiffness N/m"))?;
-            if unit.dimension == Dimension::Voltage {
-                factor *= sensitivity
-                    .ok_or_else(|| missing("the sensitivity, too: --sensitivity m/V"))?;
-            }
+            let volts = unit.dimension == Dimension::Voltage;
+            let (Some(stiffness), Some(sensitivity)) =
+                (stiffness, if volts { sensitivity } else { Some(1.0) })
+            else {
+                return Err(at(Problem::NoCantilever {
+                    volts,
+                    uncalibrated: self.uncalibrated,
+                }));
+            };
+            factor *= stiffness * sensitivity;
         }
         Ok(Source {
             role,
             index,
+            unit,
             factor,
             heading,
             assumed_si,
@@ -326,29 +379,40 @@ impl Columns<'_> {
     }
 
     /// Returns the error of columns that are not there.
-    fn missing(&self, roles: [Role; 2]) -> Failure {
-        let role = roles
-            .into_iter()
-            .find(|&role| matches!(self.force_or(role, None), Ok(None)))
-            .unwrap_or(roles[0]);
-        let is_wrong = |heading: &&Heading| {
-            role.headings().contains(&heading.name.as_str())
-                && heading.unit.is_some_and(|unit| !role.accepts(unit))
-        };
-        let wrong = self.headings.iter().find(is_wrong);
-        let problem = Problem::MissingColumn {
-            role: role.name(),
-            dimension: role.dimension(),
-            wrong: wrong.map(|heading| heading.text.clone()),
-            headings: self.texts(),
-        };
-        (None, problem)
+    fn lack(&self, kinds: Vec<Missing>) -> Failure {
+        let columns = self.found();
+        (None, Problem::MissingColumns { kinds, columns })
     }
 
-    fn texts(&self) -> Vec<String> {
-        self.headings
-            .iter()
-            .map(|heading| heading.text.clone())
+    /// Returns the columns, as far as their headings and the user tell.
+    fn found(&self) -> Vec<Found> {
+        let is_given = |index: usize, role: Role| {
+            self.format.columns.iter().any(|column| {
+                column.role == role
+                    && self.places(column, &Heading::parse(&column.heading)) == [index]
+            })
+        };
+        let role = |(index, heading): (usize, &Heading)| {
+            let mut roles = Role::ALL.into_iter();
+            roles.find(|&role| {
+                is_given(index, role) || names(role).any(|name| is_named(heading, role, name))
+            })
+        };
+        let headings = self.headings.iter().enumerate();
+        headings
+            .map(|column| Found {
+                heading: column.1.text.clone(),
+                unit: column.1.unit,
+                role: role(column),
+            })
             .collect()
     }
+}
+
+/// A column that the user names.
+pub(super) struct Named {
+    pub index: usize,
+    pub unit: Option<Unit>,
+    direction: Option<Direction>,
+    negative: bool,
 }

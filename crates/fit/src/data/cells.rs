@@ -52,9 +52,17 @@ impl Delimiter {
     }
 }
 
+/// Errors of a spreadsheet, with which a row may begin.
+const ERRORS: [&str; 7] = [
+    "#N/A", "#DIV/0!", "#VALUE!", "#NUM!", "#REF!", "#NAME?", "#NULL!",
+];
+
 /// Returns the text of a comment line without its mark.
 pub fn comment(line: &str) -> Option<&str> {
     let line = line.trim();
+    if ERRORS.iter().any(|error| line.starts_with(error)) {
+        return None;
+    }
     ["#", "%", "//"]
         .iter()
         .find_map(|mark| line.strip_prefix(mark))
@@ -81,5 +89,6 @@ mod tests {
         );
         assert_eq!(comment("  ## a # b"), Some("a # b"));
         assert_eq!(comment("a # b"), None);
+        assert_eq!(comment("#N/A,1"), None);
     }
 }

@@ -19,17 +19,29 @@ pub enum Role {
     Deflection,
     /// The segment: approach, retract or pause.
     Segment,
+    /// The standard deviation of the contact radius.
+    ContactRadiusError,
+    /// The standard deviation of the load or force.
+    LoadError,
+    /// The standard deviation of the penetration.
+    PenetrationError,
+    /// The standard deviation of the height.
+    HeightError,
 }
 
 impl Role {
     /// All roles.
-    pub const ALL: [Self; 6] = [
+    pub const ALL: [Self; 10] = [
         Self::ContactRadius,
         Self::Load,
         Self::Penetration,
         Self::Height,
         Self::Deflection,
         Self::Segment,
+        Self::ContactRadiusError,
+        Self::LoadError,
+        Self::PenetrationError,
+        Self::HeightError,
     ];
 
     /// Returns the name on the command line and in messages.
@@ -41,13 +53,28 @@ impl Role {
             Self::Height => "height",
             Self::Deflection => "deflection",
             Self::Segment => "segment",
+            Self::ContactRadiusError => "contact_radius_error",
+            Self::LoadError => "load_error",
+            Self::PenetrationError => "penetration_error",
+            Self::HeightError => "height_error",
         }
+    }
+
+    /// Returns the role of the standard deviations of this quantity, if they can be given.
+    pub const fn error(self) -> Option<Self> {
+        Some(match self {
+            Self::ContactRadius => Self::ContactRadiusError,
+            Self::Load => Self::LoadError,
+            Self::Penetration => Self::PenetrationError,
+            Self::Height => Self::HeightError,
+            _ => return None,
+        })
     }
 
     /// Returns the dimension of the numbers, first the usual one.
     pub const fn dimension(self) -> Dimension {
         match self {
-            Self::Load => Dimension::Force,
+            Self::Load | Self::LoadError => Dimension::Force,
             _ => Dimension::Length,
         }
     }
@@ -61,69 +88,9 @@ impl Role {
     /// Returns a unit that is usual.
     pub const fn example(self) -> &'static str {
         match self {
-            Self::Load => "mN",
-            Self::ContactRadius => "um",
+            Self::Load | Self::LoadError => "mN",
+            Self::ContactRadius | Self::ContactRadiusError => "um",
             _ => "nm",
-        }
-    }
-
-    /// Returns the headings that are recognised, in lower case without unit and direction, the
-    /// preferred one first.
-    pub(super) const fn headings(self) -> &'static [&'static str] {
-        match self {
-            Self::ContactRadius => &["contact radius", "radius of contact", "radius", "a"],
-            Self::Load => &[
-                "load",
-                "force",
-                "normal load",
-                "normal force",
-                "applied load",
-                "applied force",
-                "f",
-                "fn",
-                // A deflection in newtons is a force.
-                "vertical deflection",
-                "vdeflection",
-                "deflection",
-            ],
-            Self::Penetration => &[
-                "penetration",
-                "penetration depth",
-                "indentation",
-                "indentation depth",
-                "displacement",
-                "depth",
-                "delta",
-                "\u{3b4}",
-            ],
-            Self::Height => &[
-                "height measured",
-                "measured height",
-                "height sensor",
-                "capacitive sensor height",
-                "capacitivesensorheight",
-                "z sensor",
-                "z sense",
-                "zsnsr",
-                "height",
-                "z height",
-                "height piezo",
-                "piezo height",
-                "piezo position",
-                "piezo",
-                "z piezo",
-                "z",
-            ],
-            Self::Deflection => &[
-                "deflection",
-                "defl",
-                "calc defl",
-                "cantilever deflection",
-                "vertical deflection",
-                "vdeflection",
-                "cantilever",
-            ],
-            Self::Segment => &["segment", "phase", "direction"],
         }
     }
 
@@ -135,7 +102,7 @@ impl Role {
             Self::Load => &["load", "force"],
             Self::Penetration => &["penetration"],
             Self::Height => &["height", "height (measured)", "height (piezo)"],
-            Self::Deflection | Self::Segment => &[],
+            _ => &[],
         };
         names.contains(&heading)
     }

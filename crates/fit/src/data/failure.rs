@@ -1,10 +1,12 @@
-//! The errors of reading. Each names the line, the column and the next step.
+//! The errors of reading. Each names the line, the column and what is wrong; what a user can do
+//! about it, a program adds in the words of its users.
 
 use std::fmt;
 use std::io;
 
+use super::column::Role;
 use super::lines::LONGEST;
-use super::unit::Dimension;
+use super::unit::Unit;
 use crate::Kind;
 
 /// Data that cannot be read.
@@ -17,7 +19,7 @@ pub struct DataError {
     pub line: Option<u64>,
     /// The column, if the problem is in one: its number from 1, and its heading.
     pub column: Option<(usize, String)>,
-    /// What is wrong, and what to do.
+    /// What is wrong.
     pub problem: Box<Problem>,
 }
 
@@ -39,7 +41,68 @@ impl fmt::Display for Place<'_> {
     }
 }
 
-/// What is wrong with data, and what to do.
+/// A column of a file, as far as its heading tells.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Found {
+    /// The heading.
+    pub heading: String,
+    /// The unit that it names.
+    pub unit: Option<Unit>,
+    /// What it is recognised as.
+    pub role: Option<Role>,
+}
+
+impl fmt::Display for Found {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{:?}", self.heading)?;
+        match (self.role, self.unit) {
+            (Some(role), _) => write!(f, " ({})", role.name()),
+            (None, Some(unit)) => write!(f, " ({})", unit.dimension),
+            (None, None) => Ok(()),
+        }
+    }
+}
+
+/// Quantities that a kind of measurement needs and no column is recognised as.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Missing {
+    /// The kind.
+    pub kind: Kind,
+    /// What is missing.
+    pub roles: Vec<Role>,
+}
+
+impl Missing {
+    /// Returns the column that could be each missing one: the first of its dimension that is
+    /// recognised as nothing else, each once.
+    pub fn candidates<'a>(&self, columns: &'a [Found]) -> Vec<Option<&'a Found>> {
+        let mut taken: Vec<&str> = Vec::new();
+        let mut candidate = |role: &Role| {
+            let is_free = |found: &&Found| {
+                found.role.is_none()
+                    && found.unit.is_some_and(|unit| role.accepts(unit))
+                    && !taken.contains(&found.heading.as_str())
+            };
+            let found = columns.iter().find(is_free)?;
+            taken.push(&found.heading);
+            Some(found)
+        };
+        self.roles.iter().map(&mut candidate).collect()
+    }
+}
+
+impl fmt::Display for Missing {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} lacks ", self.kind.name())?;
+        for (i, role) in self.roles.iter().enumerate() {
+            let and = if i > 0 { " and " } else { "" };
+            write!(f, "{and}{} ({})", role.name(), role.dimension())?;
+        }
+        Ok(())
+    }
+}
+
+/// What is wrong with data.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum Problem {
@@ -47,115 +110,134 @@ pub enum Problem {
     #[error(transparent)]
     Read(#[from] io::Error),
     /// The file is not text.
-    #[error(
-        "this is not text; export the curve as columns of text first, for example with the Python \
-         package afmformats"
-    )]
-    Binary,
-    /// The file is UTF-16.
-    #[error("this is text in UTF-16; save it as UTF-8")]
-    Utf16,
-    /// Lines end in a carriage return alone.
-    #[error("a line holds a carriage return; let lines end in LF or CR LF")]
-    CarriageReturn,
+    #[error("this is {0}, not text; save or export the measurement as columns of text first")]
+    Binary(&'static str),
     /// A line is too long.
     #[error("the line is longer than {LONGEST} bytes; save one row of numbers to a line")]
     LongLine,
+    /// There is no text.
+    #[error("the file is empty")]
+    Empty,
+    /// There are headings, and no rows of numbers.
+    #[error(
+        "{headings:?} are headings, but no row of numbers follows them; save the rows of the \
+         measurement, too"
+    )]
+    OnlyHeadings {
+        /// The line of headings.
+        headings: String,
+    },
     /// There are no rows of numbers.
     #[error(
-        "no line holds two numbers; rows must hold two columns at least, separated by tabs, \
-         semicolons, commas or spaces"
+        "no line holds two numbers, and the file begins with {start:?}; a measurement is a table of \
+         two columns at least, separated by tabs, semicolons, commas or spaces"
     )]
-    NoRows,
+    NoRows {
+        /// The start of the first line.
+        start: String,
+    },
     /// There are no points after those left out.
     #[error("{0} rows, but no point is left to fit: they are missing values or of another segment")]
     NoPoints(u64),
     /// The columns have no headings.
     #[error(
         "the rows of {columns} cells that begin here have no line of {columns} headings above \
-         them; add one, or name the columns by their numbers and units: --column \"{0}=1 [um]\" \
-         --column \"{1}=2 [mN]\"",
-        roles[0], roles[1]
+         them; add one, or name the columns by their numbers and units"
     )]
     NoHeadings {
         /// The number of columns.
         columns: usize,
         /// The columns that are needed.
-        roles: [&'static str; 2],
+        roles: [Role; 2],
     },
-    /// A column that is needed is not recognised.
+    /// Columns that are needed are not recognised.
     #[error(
-        "no column is recognised as {role} ({dimension}){}; the headings are {}; name the column: \
-         --column \"{role}=HEADING [UNIT]\"",
-        wrong
-            .as_ref()
-            .map(|heading| format!(": {heading:?} is not in a unit of {dimension}"))
-            .unwrap_or_default(),
-        list(headings)
+        "{}; the columns are {}",
+        if let [one] = &kinds[..] { one.to_string() }
+        else { format!("the headings fit no kind of measurement: {}", list(kinds, "; ")) },
+        list(columns, ", ")
     )]
-    MissingColumn {
-        /// The column.
-        role: &'static str,
-        /// What it must hold.
-        dimension: Dimension,
-        /// A heading that names it, with a unit of another dimension.
-        wrong: Option<String>,
-        /// The headings.
-        headings: Vec<String>,
+    MissingColumns {
+        /// The kinds that were tried, those that lack least first.
+        kinds: Vec<Missing>,
+        /// The columns of the file.
+        columns: Vec<Found>,
     },
     /// A heading that the user names does not exist.
-    #[error(
-        "no column is {wanted:?}, named as {role}; the headings are {}",
-        list(headings)
-    )]
+    #[error("no column is {wanted:?}, named as {}; the columns are {}", role.name(), list(columns, ", "))]
     UnknownHeading {
         /// The column.
-        role: &'static str,
+        role: Role,
         /// The heading or number given.
         wanted: String,
-        /// The headings.
-        headings: Vec<String>,
+        /// The columns of the file.
+        columns: Vec<Found>,
     },
-    /// The headings fit no kind of measurement, or several.
+    /// The column that the user names has a unit of another dimension.
+    #[error("{heading:?} is named as {}, and is not in a unit of {}", role.name(), role.dimension())]
+    WrongUnit {
+        /// What it is named as.
+        role: Role,
+        /// The heading.
+        heading: String,
+    },
+    /// The headings fit several kinds of measurement.
     #[error(
-        "{}; the headings are {}; give the kind, --kind {}, and name columns that are not \
-         recognised: --column \"load=HEADING [UNIT]\"",
-        if fitting.is_empty() { "the columns are recognised as no kind of measurement" }
-        else { "the columns can be read as more than one kind of measurement" },
-        list(headings),
-        if fitting.is_empty() { Kind::ALL.map(Kind::name).join("|") }
-        else { fitting.iter().map(|kind| kind.name()).collect::<Vec<_>>().join("|") }
+        "the columns can be read as more than one kind of measurement, {}; the columns are {}",
+        kinds.iter().map(|kind| kind.name()).collect::<Vec<_>>().join(", "),
+        list(columns, ", ")
     )]
-    UnknownKind {
+    SeveralKinds {
         /// The kinds that the headings fit.
-        fitting: Vec<Kind>,
-        /// The headings.
-        headings: Vec<String>,
+        kinds: Vec<Kind>,
+        /// The columns of the file.
+        columns: Vec<Found>,
     },
     /// Two columns have the same name.
-    #[error(
-        "columns {} and {} could both be {role}; choose one by its number: --column {role}={}",
-        numbers[0], numbers[1], numbers[0]
-    )]
+    #[error("columns {} and {} could both be {}; choose one by its number", numbers[0], numbers[1], role.name())]
     Duplicate {
         /// The column.
-        role: &'static str,
+        role: Role,
         /// The numbers of the two columns, from 1.
         numbers: [usize; 2],
     },
     /// A column has no unit.
-    #[error("the column has no unit; name it: --column \"{role}={heading} [{example}]\"")]
+    #[error("{heading:?}, read as {}, has no unit; name its unit, such as {:?}", role.name(), role.example())]
     NoUnit {
         /// The column.
-        role: &'static str,
-        /// Its heading.
+        role: Role,
+        /// Its heading, or its number.
         heading: String,
-        /// A unit.
-        example: &'static str,
     },
     /// A deflection needs the stiffness, and in volts the sensitivity.
-    #[error("a deflection is a force by the stiffness of the cantilever; give {0}")]
-    NoCantilever(&'static str),
+    #[error(
+        "a deflection is a force by the stiffness (N/m) of the cantilever{}, and the file does not \
+         name {}{}",
+        if *volts { " and, in volts, the sensitivity (m/V)" } else { "" },
+        if *volts { "both" } else { "it" },
+        uncalibrated.map(|line| format!(
+            ": line {line} has 1, the value of an instrument that is not calibrated"
+        )).unwrap_or_default(),
+    )]
+    NoCantilever {
+        /// Whether the deflection is in volts.
+        volts: bool,
+        /// The line that holds the value of an instrument that is not calibrated.
+        uncalibrated: Option<u64>,
+    },
+    /// Two heads of a file differ in a value that is used.
+    #[error(
+        "{name:?} is {} in line {} and {} in line {}; say which one holds",
+        values[0], lines[0], values[1], lines[1]
+    )]
+    TwoValues {
+        /// Its name in the file.
+        name: String,
+        /// The two values, in SI units.
+        values: [f64; 2],
+        /// Their lines.
+        lines: [u64; 2],
+    },
     /// A row has another number of cells.
     #[error(
         "the row has {found} cells, and the headings are {expected}; if a comma is the decimal \
@@ -175,27 +257,43 @@ pub enum Problem {
     Infinite(String),
     /// A cell is empty or NaN.
     #[error(
-        "the value is missing (empty or NaN), but the row has another; complete it, or let the \
-         line begin with # to leave it out"
+        "the value is missing (empty, NaN or above 1e300), but the row has another; complete it, \
+         or let the line begin with # to leave it out"
     )]
-    Missing,
+    MissingValue,
     /// A number with another decimal mark than those before it.
     #[error("{0:?} has another decimal mark than numbers before it; use one, point or comma")]
     DecimalMark(String),
+    /// A number with a separator of thousands.
+    #[error("{0:?} has a separator of thousands; save the numbers without it")]
+    Thousands(String),
     /// A segment that is not known.
     #[error(
         "{0:?} is not a segment; write approach (extend, loading, 0), retract (unloading, 1) or \
-         pause, or split at the largest load: --segments split"
+         pause, or split the points at the largest load"
     )]
     Segment(String),
     /// A contact radius that is negative.
     #[error("contact radius = {0:?} m must not be below 0; a row without contact has 0")]
     Radius(f64),
-    /// All values of a column are equal.
+    /// A standard deviation that cannot be.
     #[error(
-        "all {points} values are {value:?} (SI); choose the column that was measured: --column"
+        "standard deviation = {0:?} (SI) must be positive and finite, and may be 0 for a radius, \
+         penetration or height; correct it, or rename the column if it is something else"
     )]
+    Deviation(f64),
+    /// Some points have standard deviations of a quantity, and others have none.
+    #[error(
+        "some rows have standard deviations of {} and others have none; give all rows a column of \
+         them, or rename it",
+        .0.name()
+    )]
+    SomeDeviations(Role),
+    /// All values of a column are equal.
+    #[error("all {points} values are {value:?} (SI); choose the column that was measured")]
     Constant {
+        /// What the column is read as.
+        role: Role,
         /// The number of points.
         points: usize,
         /// The value, in the SI unit.
@@ -203,11 +301,8 @@ pub enum Problem {
     },
 }
 
-/// Returns headings as text.
-fn list(headings: &[String]) -> String {
-    headings
-        .iter()
-        .map(|heading| format!("{heading:?}"))
-        .collect::<Vec<_>>()
-        .join(", ")
+/// Returns items as text.
+fn list<T: fmt::Display>(items: &[T], separator: &str) -> String {
+    let texts: Vec<String> = items.iter().map(ToString::to_string).collect();
+    texts.join(separator)
 }

@@ -1,6 +1,10 @@
 //! Where the rows of numbers begin, what separates their cells, and which line names the columns.
 
+use std::ops::RangeInclusive;
+
 use super::cells::{Delimiter, comment};
+use super::column::Role;
+use super::failure::Problem;
 use super::heading::Heading;
 use super::number::{Cell, DecimalMark};
 use super::unit::Unit;
@@ -28,6 +32,10 @@ pub struct Titles {
     pub headings: Vec<Heading>,
     /// The number of lines up to them, and to the line of units below them.
     pub head: usize,
+    /// Whether the line says that it names the columns: `# columns: ...`.
+    pub labelled: bool,
+    /// A row on the same line, where the end of the line is lost.
+    pub row: Option<String>,
 }
 
 /// Lines with one number of cells for one delimiter.
@@ -74,11 +82,13 @@ impl Search {
         self.longest.iter().any(|run| run.rows >= ROWS)
     }
 
-    /// Returns the layout and the lines; `None` without rows of numbers.
-    pub fn finish(self) -> Option<(Layout, Vec<String>)> {
-        let most = self.longest.iter().map(|run| run.rows).max()?;
+    /// Returns the layout and the lines.
+    pub fn finish(self) -> Result<(Layout, Vec<String>), Problem> {
+        let most = self.longest.iter().map(|run| run.rows).max().unwrap_or(0);
         let mut runs = Delimiter::ALL.into_iter().zip(self.longest);
-        let (delimiter, run) = runs.find(|(_, run)| run.rows == most && most > 0)?;
+        let Some((delimiter, run)) = runs.find(|(_, run)| run.rows == most && most > 0) else {
+            return Err(self.without_rows());
+        };
         // The run may begin with the headings.
         let head = run.first + usize::from(is_words(delimiter, &self.lines[run.first]));
         let last_is_empty = delimiter
@@ -89,16 +99,58 @@ impl Search {
             delimiter,
             cells: run.cells,
             head,
-            titles: titles(&self.lines[..head], delimiter, |cells| {
-                cells == run.cells || (last_is_empty && cells + 1 == run.cells)
-            }),
+            titles: titles(
+                &self.lines[..head],
+                delimiter,
+                run.cells - usize::from(last_is_empty)..=run.cells,
+            ),
         };
-        Some((layout, self.lines))
+        Ok((layout, self.lines))
+    }
+
+    /// Returns why there is no layout.
+    fn without_rows(self) -> Problem {
+        /// The number of characters of the first line in a message.
+        const SHOWN: usize = 60;
+        let mut lines = self
+            .lines
+            .into_iter()
+            .filter(|line| !line.trim().is_empty());
+        let Some(first) = lines.next() else {
+            return Problem::Empty;
+        };
+        let shown = |line: &str| line.trim().chars().take(SHOWN).collect::<String>();
+        let mut all = std::iter::once(&first).cloned().chain(lines);
+        match all.find(|line| are_headings(line)) {
+            Some(headings) => Problem::OnlyHeadings {
+                headings: shown(&headings),
+            },
+            None => Problem::NoRows {
+                start: shown(&first),
+            },
+        }
     }
 }
 
+/// Tells whether a line names two columns, of which one at least is recognised.
+fn are_headings(line: &str) -> bool {
+    let text = comment(line).unwrap_or(line);
+    Delimiter::ALL.into_iter().any(|delimiter| {
+        let cells = delimiter.split_headings(text);
+        let is_known = |cell: &String| {
+            let heading = Heading::parse(cell);
+            let has_name = |role: Role| role.headings().contains(&heading.name.as_str());
+            heading.unit.is_some() && Role::ALL.into_iter().any(has_name)
+                || Role::ALL.into_iter().any(|role| role.is_si(cell))
+        };
+        // A list of properties has names with an equals sign.
+        let is_list = text.contains('=');
+        cells.len() >= 2 && !is_list && is_words(delimiter, text) && cells.iter().any(is_known)
+    })
+}
+
 /// Tells whether a line holds words and no number.
-fn is_words(delimiter: Delimiter, line: &str) -> bool {
+pub fn is_words(delimiter: Delimiter, line: &str) -> bool {
     let mut cells = delimiter
         .split(line)
         .map(|cell| DecimalMark::default().read(cell))
@@ -113,7 +165,7 @@ fn is_row(delimiter: Delimiter, line: &str) -> bool {
     let mut numbers = 0;
     for cell in delimiter.split(line) {
         match mark.read(cell) {
-            Cell::Number(_) | Cell::Infinite => numbers += 1,
+            Cell::Number(_) | Cell::Infinite | Cell::OtherMark | Cell::Thousands => numbers += 1,
             // Numbers that another delimiter separates.
             Cell::Text
                 if cell.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c))
@@ -127,25 +179,44 @@ fn is_row(delimiter: Delimiter, line: &str) -> bool {
     numbers >= 2
 }
 
-/// Returns the lines that could be headings, the last first, a line of units joined to its names.
-fn titles(lines: &[String], delimiter: Delimiter, fits: impl Fn(usize) -> bool) -> Vec<Titles> {
+/// Returns the lines that could be headings of as many cells as `fits` allows, the last first, a
+/// line of units joined to its names.
+pub fn titles(lines: &[String], delimiter: Delimiter, fits: RangeInclusive<usize>) -> Vec<Titles> {
+    struct Text {
+        head: usize,
+        cells: Vec<String>,
+        labelled: bool,
+        row: Option<String>,
+    }
     let texts = lines.iter().enumerate().rev().filter_map(|(i, line)| {
         let mut text = comment(line).unwrap_or(line);
+        let mut labelled = false;
         for label in ["columns:", "units:"] {
-            text = text.strip_prefix(label).map_or(text, str::trim);
+            if let Some(rest) = text.strip_prefix(label) {
+                (text, labelled) = (rest.trim(), label == "columns:");
+            }
         }
-        let cells = delimiter.split_headings(text);
+        let mut cells = delimiter.split_headings(text);
+        let row = first_row(text, delimiter, *fits.end());
+        if let Some(row) = &row {
+            cells = delimiter.split_headings(&text[..text.len() - row.len()]);
+        }
         let words = cells
             .iter()
             .filter(|cell| cell.starts_with(|c: char| c.is_alphabetic() || "[({".contains(c)))
             .count();
-        (fits(cells.len()) && words >= 2).then_some((i + 1, cells))
+        (fits.contains(&cells.len()) && words >= 2).then_some(Text {
+            head: i + 1,
+            cells,
+            labelled,
+            row,
+        })
     });
     let mut found = Vec::new();
     let mut units: Option<(usize, Vec<String>)> = None;
-    for (head, cells) in texts {
-        if units.is_none() && found.is_empty() && are_units(&cells) {
-            units = Some((head, cells));
+    for text in texts {
+        if units.is_none() && found.is_empty() && are_units(&text.cells) {
+            units = Some((text.head, text.cells));
             continue;
         }
         let unit = |i: usize| unit(units.as_ref()?.1.get(i)?);
@@ -157,11 +228,37 @@ fn titles(lines: &[String], delimiter: Delimiter, fits: impl Fn(usize) -> bool) 
             }
         };
         found.push(Titles {
-            headings: cells.iter().enumerate().map(heading).collect(),
-            head: units.as_ref().map_or(head, |(head, _)| *head),
+            headings: text.cells.iter().enumerate().map(heading).collect(),
+            head: units.as_ref().map_or(text.head, |(head, _)| *head),
+            labelled: text.labelled,
+            row: text.row,
         });
     }
     found
+}
+
+/// Returns the first row where it follows the headings on their own line: versions of afmformats
+/// have written no end of the line there.
+fn first_row(text: &str, delimiter: Delimiter, cells: usize) -> Option<String> {
+    let count = |text: &str| delimiter.split(text).count();
+    if cells < 2 || count(text) != 2 * cells - 1 {
+        return None;
+    }
+    let starts = text.char_indices().filter_map(|(at, c)| {
+        let before = text[..at].chars().next_back()?;
+        (before.is_alphabetic() || ")]}".contains(before))
+            .then_some(at)
+            .filter(|_| c.is_ascii_digit() || "+-.".contains(c))
+    });
+    let is_split = |at: &usize| {
+        let (headings, row) = text.split_at(*at);
+        count(headings) == cells
+            && count(row) == cells
+            && is_words(delimiter, headings)
+            && is_row(delimiter, row)
+    };
+    let at = starts.into_iter().find(is_split)?;
+    Some(text[at..].to_owned())
 }
 
 /// Returns true for a line of units: two cells at least are units, and no other cell is longer than

@@ -8,33 +8,54 @@
 //! `tabulate` and the Python package afmformats write. Two columns of one quantity, as in
 //! `Extend Force(nN)` and `Retract Force(nN)`, are the two directions.
 //!
-//! `lines` reads the lines, `layout` finds the rows and their headings, `cells` and `number` read a
-//! row, `heading` and `unit` read a heading, and `assignment` decides which column holds what.
-//! `segment` finds the directions.
+//! Below the first rows there may be further headings with columns of their own, as in exports of
+//! JPK, where each segment has them. What the head of a file names of the cantilever, `springConstant:
+//! 0.02`, is used where the [`Format`] leaves it open.
+//!
+//! A column of standard deviations has the heading of its quantity and `error`, `std`, `sd`, `sigma`
+//! or `uncertainty`: `radius_error [um]`, `load error [mN]`, `sigma_F`; without a unit it has that of
+//! its quantity. A heading `std`, `sd`, `sigma`, `uncertainty`, `standard error` or
+//! `standard deviation` alone is that of the ordinate. Percentages are not read.
+//!
+//! `lines` reads the lines, `head` what they tell of the cantilever, `layout` finds the rows and
+//! their headings, `cells` and `number` read a row, `heading`, `names` and `unit` read a heading,
+//! `quantity` reads a number with a unit, and `assignment` decides which column holds what, with
+//! `deviation` those of standard deviations. `segment` finds the directions, and `remedy` what a user
+//! can give where a file is not read.
 
 mod assignment;
 mod cells;
 mod column;
+mod deviation;
 mod failure;
+mod head;
 mod heading;
 mod layout;
 mod lines;
+mod names;
 mod number;
+mod quantity;
+mod remedy;
 mod rows;
 mod segment;
 mod sign;
 mod unit;
 
+use std::fmt;
 use std::fs::File;
 use std::io::{BufRead, BufReader};
 use std::path::Path;
 
 pub use assignment::{Source, roles};
 pub use column::{Column, Role};
-pub use failure::{DataError, Problem};
+pub use failure::{DataError, Found, Missing, Problem};
+pub use head::{Head, HeadValue};
+pub use quantity::{Quantity, QuantityError};
+pub use remedy::{Named, Remedy};
+pub use sign::Doubt;
 pub use unit::{Dimension, Unit, prefix};
 
-use crate::{Direction, Kind, Measurement};
+use crate::{Direction, Kind, Measurement, PointErrors};
 
 /// What is known about a file before it is read.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -43,7 +64,8 @@ pub struct Format {
     pub kind: Option<Kind>,
     /// Columns that the user names. Others are recognised.
     pub columns: Vec<Column>,
-    /// The cantilever, which turns a deflection into a force.
+    /// The cantilever, which turns a deflection into a force. What it leaves open, the head of the
+    /// file may name.
     pub cantilever: Cantilever,
     /// Where the directions come from.
     pub segments: Segments,
@@ -78,24 +100,105 @@ pub enum Segments {
 pub struct Reading {
     /// The measurement, in SI units.
     pub measurement: Measurement,
+    /// The standard deviations of the points, as far as the file has columns of them.
+    pub errors: PointErrors,
     /// How it was read.
     pub notes: Notes,
 }
 
 /// How a measurement was read.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Notes {
     /// The columns used.
     pub columns: Vec<Source>,
     /// The number of rows that were left out because their values are missing.
     pub missing: u64,
-    /// The number of rows that were left out because they belong to a pause or to the direction
-    /// that was not asked for.
+    /// The number of rows that were left out because the sphere rests in them.
+    pub pauses: u64,
+    /// The number of rows that were left out because they are of the direction that was not asked
+    /// for.
     pub other_segments: u64,
+    /// The number of times that headings with rows below them stand in the file.
+    pub blocks: u64,
     /// Whether the points were split at the largest load.
     pub split: bool,
+    /// What the head of the file tells of the cantilever.
+    pub head: Head,
+    /// The cantilever that was used: the one given, completed by the head.
+    pub cantilever: Cantilever,
     /// A doubt about a sign.
-    pub doubt: Option<String>,
+    pub doubt: Option<Doubt>,
+}
+
+impl fmt::Display for FromHead<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self {
+            quantity,
+            unit,
+            named,
+            used,
+        } = self;
+        let HeadValue { value, name, line } = named;
+        if used == value {
+            write!(f, "{quantity} {used} {unit} from line {line}, {name:?}")
+        } else {
+            write!(
+                f,
+                "{quantity} {used} {unit} as given, and line {line}, {name:?}, has {value}"
+            )
+        }
+    }
+}
+
+/// A value of the cantilever that the head of a file names, and the one that was used.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FromHead<'a> {
+    /// `stiffness` or `sensitivity`.
+    pub quantity: &'static str,
+    /// The SI unit.
+    pub unit: &'static str,
+    /// What the head names.
+    pub named: &'a HeadValue,
+    /// What was used: the same, or the value that was given.
+    pub used: f64,
+}
+
+impl Notes {
+    /// Returns the values of the head that the columns need.
+    pub fn from_head(&self) -> Vec<FromHead<'_>> {
+        let needs = |matches: fn(&Source) -> bool| self.columns.iter().any(matches);
+        let stiffness = needs(|one| matches!(one.role, Role::Deflection | Role::Height));
+        let sensitivity =
+            needs(|one| one.role == Role::Deflection && one.unit.dimension == Dimension::Voltage);
+        let (head, cantilever) = (&self.head, self.cantilever);
+        let values = [
+            (
+                stiffness,
+                "stiffness",
+                "N/m",
+                &head.stiffness,
+                cantilever.stiffness,
+            ),
+            (
+                sensitivity,
+                "sensitivity",
+                "m/V",
+                &head.sensitivity,
+                cantilever.sensitivity,
+            ),
+        ];
+        values
+            .into_iter()
+            .filter_map(|(needed, quantity, unit, named, used)| {
+                Some(FromHead {
+                    quantity,
+                    unit,
+                    named: named.as_ref().filter(|_| needed)?,
+                    used: used?,
+                })
+            })
+            .collect()
+    }
 }
 
 /// Reads a file.

@@ -15,23 +15,45 @@ enum Mark {
 pub enum Cell {
     /// A finite number.
     Number(f64),
-    /// Nothing, or NaN.
+    /// Nothing, NaN, an error of a spreadsheet, or a number that stands for a missing value.
     Missing,
     /// An infinity, or a number too large for f64.
     Infinite,
     /// A number whose decimal mark is not that of the numbers before.
     OtherMark,
+    /// A number with a separator of thousands.
+    Thousands,
     /// Neither.
     Text,
 }
+
+/// Words for a value that is missing, in lower case: of programs, spreadsheets and the C library of
+/// Windows.
+const MISSING: [&str; 17] = [
+    "", "-", "--", "nan", "+nan", "-nan", "n/a", "na", "null", "none", "#n/a", "#div/0!",
+    "#value!", "#num!", "1.#qnan", "1.#ind", "-1.#ind",
+];
+
+/// A number of this size or above stands for a missing value: programs of nanoindenters write the
+/// largest number of their type, such as 1.797e308.
+const PLACEHOLDER: f64 = 1e300;
 
 impl DecimalMark {
     /// Reads a cell.
     pub fn read(&mut self, text: &str) -> Cell {
         let text = text.trim();
-        if text.is_empty() || text.eq_ignore_ascii_case("nan") || text == "-" || text == "--" {
+        if MISSING.iter().any(|word| text.eq_ignore_ascii_case(word)) {
             return Cell::Missing;
         }
+        // The minus of typography.
+        let owned;
+        let text = match text.strip_prefix('\u{2212}') {
+            Some(rest) => {
+                owned = format!("-{rest}");
+                &owned
+            }
+            None => text,
+        };
         let (points, commas) = text.bytes().fold((0, 0), |(points, commas), byte| {
             (
                 points + usize::from(byte == b'.'),
@@ -44,19 +66,62 @@ impl DecimalMark {
             _ => (text.parse(), None),
         };
         let Ok(value): Result<f64, _> = value else {
-            return Cell::Text;
+            return if has_thousands(text) {
+                Cell::Thousands
+            } else {
+                Cell::Text
+            };
         };
         if let Some(mark) = mark
             && *self.0.get_or_insert(mark) != mark
         {
             return Cell::OtherMark;
         }
-        if value.is_finite() {
-            Cell::Number(value)
-        } else {
+        // 15 digits of the largest number are above it.
+        let is_largest = || text.to_ascii_lowercase().ends_with("308");
+        if value.is_infinite() && !is_largest() {
             Cell::Infinite
+        } else if value.abs() >= PLACEHOLDER {
+            Cell::Missing
+        } else {
+            Cell::Number(value)
         }
     }
+}
+
+/// Tells whether a text that is no number is one with a separator of thousands: `1,234.5`, `1.234,5`,
+/// `1 234`, `1'234`.
+fn has_thousands(text: &str) -> bool {
+    let digits = text.trim_start_matches(['+', '-']);
+    let whole = digits.split_once(|c: char| !c.is_ascii_digit());
+    let Some((first, rest)) = whole else {
+        return false;
+    };
+    let Some(separator) = digits[first.len()..].chars().next() else {
+        return false;
+    };
+    if !(1..=3).contains(&first.len()) || !" ,.'\u{2019}\u{a0}\u{202f}".contains(separator) {
+        return false;
+    }
+    let mut groups = rest.split(separator).peekable();
+    let is_group = |group: &str| group.len() == 3 && group.bytes().all(|b| b.is_ascii_digit());
+    while let Some(group) = groups.next() {
+        let group = if groups.peek().is_none() {
+            // Decimals after the last group.
+            let decimals = group.find(['.', ',']).unwrap_or(group.len());
+            let after = group[decimals..].trim_start_matches(['.', ',']);
+            if !after.bytes().all(|b| b.is_ascii_digit()) {
+                return false;
+            }
+            &group[..decimals]
+        } else {
+            group
+        };
+        if !is_group(group) {
+            return false;
+        }
+    }
+    true
 }
 
 #[cfg(test)]
@@ -78,15 +143,39 @@ mod tests {
     #[test]
     fn what_is_no_number_is_told_apart() {
         let read = |text| DecimalMark::default().read(text);
-        for text in ["", " ", "NaN", "nan", "-", "--"] {
+        for text in [
+            "",
+            " ",
+            "NaN",
+            "nan",
+            "-",
+            "--",
+            "#N/A",
+            "#DIV/0!",
+            "n/a",
+            "-1.#IND",
+            "1.797e308",
+            "1,1E+308",
+            "-1.7976931348623157e308",
+            "1.79769313486232E+308",
+        ] {
             assert_eq!(read(text), Cell::Missing, "{text:?}");
         }
+        for text in [
+            "1.234,5",
+            "1,234.5",
+            "1,234,567",
+            "-1 234",
+            "1'234.50",
+            "12\u{a0}345,6",
+        ] {
+            assert_eq!(read(text), Cell::Thousands, "{text:?}");
+        }
+        assert_eq!(read("\u{2212}1.5"), Cell::Number(-1.5));
         for text in ["inf", "-Infinity", "1e999"] {
             assert_eq!(read(text), Cell::Infinite, "{text:?}");
         }
-        for text in [
-            "1.234,5", "1,234,5", "1 2", "0x1", "retract", "1.2.3", "5 nm",
-        ] {
+        for text in ["1,234,5", "1 2", "0x1", "retract", "1.2.3", "5 nm"] {
             assert_eq!(read(text), Cell::Text, "{text:?}");
         }
     }

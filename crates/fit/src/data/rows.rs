@@ -3,16 +3,16 @@
 use std::io::BufRead;
 
 use super::assignment::{Assignment, Pair, Source, assign, roles};
-use super::cells::comment;
-use super::column::Role;
+use super::cells::{Delimiter, comment};
 use super::failure::Problem;
+use super::head::Head;
 use super::heading::Heading;
-use super::layout::{Layout, Search, Titles};
+use super::layout::{Layout, Search, Titles, is_words, titles};
 use super::lines::Lines;
 use super::number::{Cell, DecimalMark};
 use super::segment::{Segment, split};
 use super::{Format, Notes, Reading, Segments, sign};
-use crate::{Kind, Measurement, Point};
+use crate::{Kind, Measurement, Point, PointErrors};
 
 /// The number of lines that may stand before the rows of numbers.
 const LONGEST_HEAD: usize = 10_000;
@@ -37,7 +37,7 @@ impl From<Problem> for Failure {
 
 /// Reads all rows.
 pub fn read(source: impl BufRead, name: &str, format: &Format) -> Result<Reading, Failure> {
-    let mut lines = Lines::new(source);
+    let mut lines = Lines::new(source)?;
     let mut search = Search::default();
     while lines.number() < LONGEST_HEAD as u64 {
         let Some(line) = next(&mut lines)? else { break };
@@ -45,27 +45,48 @@ pub fn read(source: impl BufRead, name: &str, format: &Format) -> Result<Reading
             break;
         }
     }
-    let (layout, start) = search.finish().ok_or(Problem::NoRows)?;
-    let (Titles { headings, head }, assignment) = choose(&layout, format)?;
+    let (layout, start) = search.finish()?;
+    let mut head = Head::default();
+    for (number, line) in (1..).zip(&start[..layout.head]) {
+        head.read(number, line);
+    }
+    let format = Format {
+        cantilever: head.complete(format.cantilever),
+        ..format.clone()
+    };
+    let (titles, assignment) = choose(&layout, &format, head.uncalibrated)?;
     let mut rows = Rows {
-        layout: &layout,
-        headings: &headings,
-        assignment: &assignment,
-        format,
+        delimiter: layout.delimiter,
+        format: &format,
+        head,
+        columns: vec![Columns {
+            headings: titles.headings,
+            points: vec![Vec::new(); assignment.pairs.len()],
+            errors: vec![PointErrors::default(); assignment.pairs.len()],
+            assignment,
+        }],
+        waiting: Waiting::default(),
         mark: DecimalMark::default(),
         segment: None,
-        points: vec![Vec::new(); assignment.pairs.len()],
         count: 0,
         missing: 0,
+        pauses: 0,
         other_segments: 0,
     };
+    if let Some(row) = &titles.row {
+        rows.add(titles.head as u64, row)?;
+    }
     for (number, line) in (1..).zip(&start) {
-        rows.add(number, line, number > head as u64)?;
+        if number > titles.head as u64 {
+            rows.add(number, line)?;
+        } else if let Some(text) = comment(line) {
+            rows.segment = Segment::of_comment(text).or(rows.segment);
+        }
     }
     drop(start);
     while let Some(line) = next(&mut lines)? {
         let line = line.into_owned();
-        rows.add(lines.number(), &line, true)?;
+        rows.add(lines.number(), &line)?;
     }
     rows.finish(name)
 }
@@ -74,32 +95,33 @@ pub fn read(source: impl BufRead, name: &str, format: &Format) -> Result<Reading
 fn next<R: BufRead>(lines: &mut Lines<R>) -> Result<Option<std::borrow::Cow<'_, str>>, Failure> {
     let number = lines.number() + 1;
     lines.next().map_err(|problem| Failure {
-        line: (!matches!(problem, Problem::Read(_))).then_some(number),
+        line: (!matches!(problem, Problem::Read(_) | Problem::Binary(_))).then_some(number),
         ..problem.into()
     })
 }
 
 /// Chooses the line of headings: the nearest to the rows that names the columns needed. Without
 /// headings, the user may name columns by their numbers.
-fn choose(layout: &Layout, format: &Format) -> Result<(Titles, Assignment), Failure> {
+fn choose(
+    layout: &Layout,
+    format: &Format,
+    uncalibrated: Option<u64>,
+) -> Result<(Titles, Assignment), Failure> {
     let unnamed = Titles {
         headings: vec![Heading::parse(""); layout.cells],
         head: layout.head,
+        labelled: false,
+        row: None,
     };
     let has_titles = !layout.titles.is_empty();
     let numbered = !has_titles && !format.columns.is_empty();
     let candidates = layout.titles.iter().chain(numbered.then_some(&unnamed));
     let mut first = None;
     for titles in candidates {
-        match assign(&titles.headings, format) {
+        match assigned(titles, format, uncalibrated) {
             Ok(assignment) => return Ok((titles.clone(), assignment)),
-            Err((index, problem)) => {
-                let text = |index: usize| titles.headings[index].text.clone();
-                first.get_or_insert(Failure {
-                    line: None,
-                    column: index.map(|index| (index + 1, text(index))),
-                    problem,
-                });
+            Err(failure) => {
+                first.get_or_insert(failure);
             }
         }
     }
@@ -110,41 +132,167 @@ fn choose(layout: &Layout, format: &Format) -> Result<(Titles, Assignment), Fail
             column: None,
             problem: Problem::NoHeadings {
                 columns: layout.cells,
-                roles: roles(kind).map(Role::name),
+                roles: roles(kind),
             },
         }
     }))
 }
 
-/// The rows read so far.
-struct Rows<'a> {
-    layout: &'a Layout,
-    headings: &'a [Heading],
-    assignment: &'a Assignment,
-    format: &'a Format,
-    mark: DecimalMark,
-    /// The segment that a comment line has begun.
-    segment: Option<Segment>,
+/// Assigns the columns of headings.
+fn assigned(
+    titles: &Titles,
+    format: &Format,
+    uncalibrated: Option<u64>,
+) -> Result<Assignment, Failure> {
+    assign(&titles.headings, format, uncalibrated).map_err(|(index, problem)| Failure {
+        line: None,
+        column: index.map(|index| (index + 1, titles.headings[index].text.clone())),
+        problem,
+    })
+}
+
+/// The columns of the rows up to the next headings, and their points.
+struct Columns {
+    headings: Vec<Heading>,
+    assignment: Assignment,
     /// The points of each pair of columns.
     points: Vec<Vec<Point>>,
+    /// Their standard deviations.
+    errors: Vec<PointErrors>,
+}
+
+/// Lines below the first rows that may be the head of further rows.
+#[derive(Default)]
+struct Waiting {
+    lines: Vec<String>,
+    /// The number of the last line.
+    last: u64,
+    /// The failure of the first of them that is no comment.
+    failure: Option<Failure>,
+}
+
+impl Waiting {
+    fn push(&mut self, number: u64, line: &str, failure: Option<Failure>) {
+        if self.lines.len() == LONGEST_HEAD {
+            self.lines.remove(0);
+        }
+        self.lines.push(line.to_owned());
+        self.last = number;
+        if self.failure.is_none() {
+            self.failure = failure;
+        }
+    }
+}
+
+/// The rows read so far.
+struct Rows<'a> {
+    delimiter: Delimiter,
+    format: &'a Format,
+    head: Head,
+    /// One for each line of headings with rows below it.
+    columns: Vec<Columns>,
+    waiting: Waiting,
+    mark: DecimalMark,
+    /// The segment that a comment line has begun, or that of the last row that names one.
+    segment: Option<Segment>,
     count: u64,
     missing: u64,
+    pauses: u64,
     other_segments: u64,
 }
 
 impl Rows<'_> {
-    /// Adds the points of a line, or takes note of a segment that a comment begins.
-    fn add(&mut self, number: u64, line: &str, is_row: bool) -> Result<(), Failure> {
+    /// Adds the points of a line, or takes note of what a line between rows says.
+    fn add(&mut self, number: u64, line: &str) -> Result<(), Failure> {
         if let Some(text) = comment(line) {
             self.segment = Segment::of_comment(text).or(self.segment);
+            self.head.read(number, text);
+            self.waiting.push(number, line, None);
             return Ok(());
         }
-        if !is_row || line.trim().is_empty() {
+        if line.trim().is_empty() {
             return Ok(());
         }
-        self.count += 1;
-        let cells: Vec<&str> = self.layout.delimiter.split(line).collect();
-        let expected = self.headings.len();
+        let cells: Vec<&str> = self.delimiter.split(line).collect();
+        let begun = !is_words(self.delimiter, line) && self.begin(number, cells.len())?;
+        match self.row(number, &cells) {
+            Ok(()) => match self.waiting.failure.take() {
+                Some(failure) if !begun => Err(failure),
+                _ => {
+                    self.waiting.lines.clear();
+                    Ok(())
+                }
+            },
+            // It may belong to the head of further rows.
+            Err(failure) if failure.may_be_a_head(&cells) => {
+                self.head.read(number, line);
+                self.waiting.push(number, line, Some(failure));
+                Ok(())
+            }
+            Err(failure) => Err(self.waiting.failure.take().unwrap_or(failure)),
+        }
+    }
+
+    /// Takes the columns of headings among the lines that wait, if there are any for a row of this
+    /// number of cells. Returns whether there are.
+    fn begin(&mut self, number: u64, cells: usize) -> Result<bool, Failure> {
+        if self.waiting.lines.is_empty() || self.is_pause() {
+            return Ok(false);
+        }
+        let format = Format {
+            kind: Some(self.columns[0].assignment.kind),
+            cantilever: self.head.complete(self.format.cantilever),
+            ..self.format.clone()
+        };
+        for titles in titles(&self.waiting.lines, self.delimiter, cells..=cells) {
+            match assigned(&titles, &format, self.head.uncalibrated) {
+                Ok(assignment) => {
+                    self.columns.push(Columns {
+                        headings: titles.headings,
+                        points: vec![Vec::new(); assignment.pairs.len()],
+                        errors: vec![PointErrors::default(); assignment.pairs.len()],
+                        assignment,
+                    });
+                    self.waiting = Waiting::default();
+                    return Ok(true);
+                }
+                // Other comments may look like headings.
+                Err(failure) if titles.labelled => {
+                    return Err(Failure {
+                        line: Some(number),
+                        ..failure
+                    });
+                }
+                Err(_) => {}
+            }
+        }
+        Ok(false)
+    }
+
+    /// Tells whether a comment has begun a pause.
+    fn is_pause(&self) -> bool {
+        let columns = self.columns.last();
+        self.segment == Some(Segment::Pause)
+            && columns.is_none_or(|columns| columns.assignment.segment.is_none())
+    }
+
+    /// Adds the points of a row.
+    fn row(&mut self, number: u64, cells: &[&str]) -> Result<(), Failure> {
+        if self.is_pause() {
+            self.count += 1;
+            self.pauses += 1;
+            return Ok(());
+        }
+        let Columns {
+            headings,
+            assignment,
+            points,
+            errors,
+        } = self
+            .columns
+            .last_mut()
+            .expect("there are the first columns");
+        let expected = headings.len();
         let extra = cells.iter().skip(expected);
         if cells.len() < expected || !extra.clone().all(|cell| cell.is_empty()) {
             return Err(Failure {
@@ -156,47 +304,61 @@ impl Rows<'_> {
                 },
             });
         }
-        let column = self.assignment.segment;
-        let segment = match column.filter(|_| self.format.segments != Segments::Split) {
-            Some(index) => Some(Segment::parse(cells[index]).ok_or_else(|| {
-                self.failure(number, index, Problem::Segment(cells[index].to_owned()))
-            })?),
-            None => self.segment,
+        let failure = |index: usize, problem| Failure {
+            line: Some(number),
+            column: Some((index + 1, headings[index].text.clone())),
+            problem,
         };
-        let direction = match segment {
+        let index = assignment.segment;
+        if let Some(index) = index.filter(|_| self.format.segments != Segments::Split) {
+            let word = cells[index];
+            // Where the cell is empty the segment is that of the row before.
+            if !word.is_empty() {
+                let segment = Segment::parse(word);
+                let unknown = || failure(index, Problem::Segment(word.to_owned()));
+                self.segment = Some(segment.ok_or_else(unknown)?);
+            }
+        }
+        let direction = match self.segment {
             Some(Segment::Pause) => {
-                self.other_segments += 1;
+                self.count += 1;
+                self.pauses += 1;
                 return Ok(());
             }
             Some(Segment::Moving(direction)) => Some(direction),
             None => None,
         };
-        for i in 0..self.assignment.pairs.len() {
-            let pair = &self.assignment.pairs[i];
-            let values = [
-                self.value(number, &cells, &pair.abscissa)?,
-                self.value(number, &cells, &pair.ordinate)?,
-            ];
-            let [abscissa, ordinate] = match values {
+        let mut found = Vec::with_capacity(assignment.pairs.len());
+        for pair in &assignment.pairs {
+            let mut value = |source: &Source| {
+                value(&mut self.mark, cells[source.index], source)
+                    .map_err(|problem| failure(source.index, problem))
+            };
+            let [abscissa, ordinate] = match [value(&pair.abscissa)?, value(&pair.ordinate)?] {
                 [Some(abscissa), Some(ordinate)] => [abscissa, ordinate],
                 [None, None] => {
-                    self.missing += 1;
+                    found.push(None);
                     continue;
                 }
-                [None, _] => {
-                    return Err(self.failure(number, pair.abscissa.index, Problem::Missing));
-                }
-                [_, None] => {
-                    return Err(self.failure(number, pair.ordinate.index, Problem::Missing));
-                }
+                [None, _] => return Err(failure(pair.abscissa.index, Problem::MissingValue)),
+                [_, None] => return Err(failure(pair.ordinate.index, Problem::MissingValue)),
             };
-            let of_radius = matches!(
-                self.assignment.kind,
-                Kind::LoadRadius | Kind::PenetrationRadius
-            );
+            let of_radius = matches!(assignment.kind, Kind::LoadRadius | Kind::PenetrationRadius);
             if of_radius && abscissa < 0.0 {
-                let problem = Problem::Radius(abscissa);
-                return Err(self.failure(number, pair.abscissa.index, problem));
+                return Err(failure(pair.abscissa.index, Problem::Radius(abscissa)));
+            }
+            let mut deviations = [None; 2];
+            for (k, source) in pair.errors.iter().enumerate() {
+                let Some(source) = source else { continue };
+                let problem = match value(source)? {
+                    Some(own) if own > 0.0 || k == 0 && own == 0.0 => {
+                        deviations[k] = Some(own);
+                        continue;
+                    }
+                    Some(own) => Problem::Deviation(own),
+                    None => Problem::MissingValue,
+                };
+                return Err(failure(source.index, problem));
             }
             let point = Point {
                 line: number,
@@ -204,47 +366,52 @@ impl Rows<'_> {
                 ordinate,
                 direction: pair.direction.or(direction),
             };
-            self.points[i].push(point);
+            found.push(Some((point, deviations)));
+        }
+        self.count += 1;
+        for ((points, errors), point) in points.iter_mut().zip(errors).zip(found) {
+            match point {
+                Some((point, [of_abscissa, of_ordinate])) => {
+                    points.push(point);
+                    errors.abscissa.extend(of_abscissa);
+                    errors.ordinate.extend(of_ordinate);
+                }
+                None => self.missing += 1,
+            }
         }
         Ok(())
     }
 
-    /// Returns the value of a column in SI units; none if it is missing.
-    fn value(
-        &mut self,
-        line: u64,
-        cells: &[&str],
-        source: &Source,
-    ) -> Result<Option<f64>, Failure> {
-        let text = cells[source.index];
-        let problem = match self.mark.read(text) {
-            Cell::Number(value) => return Ok(Some(value * source.factor)),
-            Cell::Missing => return Ok(None),
-            Cell::Infinite => Problem::Infinite(text.to_owned()),
-            Cell::OtherMark => Problem::DecimalMark(text.to_owned()),
-            Cell::Text => Problem::NotANumber(text.to_owned()),
-        };
-        Err(self.failure(line, source.index, problem))
-    }
-
-    fn failure(&self, line: u64, index: usize, problem: Problem) -> Failure {
-        Failure {
-            line: Some(line),
-            column: Some((index + 1, self.headings[index].text.clone())),
-            problem,
-        }
-    }
-
     /// Joins the points, finds their directions and checks them.
     fn finish(mut self, name: &str) -> Result<Reading, Failure> {
-        let Assignment { kind, pairs, .. } = self.assignment;
-        let mut points = std::mem::take(&mut self.points[0]);
-        for more in &mut self.points[1..] {
+        if let Some(failure) = self.waiting.failure {
+            return Err(failure);
+        }
+        self.check_head()?;
+        let kind = self.columns[0].assignment.kind;
+        let pair = self.columns[0].assignment.pairs[0].clone();
+        let blocks = self.columns.len() as u64;
+        let mut lists = self.columns.iter_mut().flat_map(|one| &mut one.points);
+        let mut points = lists.next().map(std::mem::take).unwrap_or_default();
+        for more in lists {
             points.append(more);
+        }
+        let mut errors = PointErrors::default();
+        for more in self.columns.iter_mut().flat_map(|one| &mut one.errors) {
+            errors.abscissa.append(&mut more.abscissa);
+            errors.ordinate.append(&mut more.ordinate);
+        }
+        for (list, source) in [
+            (&errors.abscissa, &pair.abscissa),
+            (&errors.ordinate, &pair.ordinate),
+        ] {
+            if !list.is_empty() && list.len() != points.len() {
+                return Err(Problem::SomeDeviations(source.role).into());
+            }
         }
         let known = points.iter().any(|point| point.direction.is_some());
         let split_now = match self.format.segments {
-            Segments::Auto => *kind == Kind::ForceHeight && !known,
+            Segments::Auto => kind == Kind::ForceHeight && !known,
             Segments::File => false,
             Segments::Split => true,
         };
@@ -253,30 +420,90 @@ impl Rows<'_> {
         }
         if let Some(only) = self.format.only {
             let before = points.len();
+            for list in [&mut errors.abscissa, &mut errors.ordinate] {
+                let mut of_points = points.iter();
+                let is_kept = |point: &Point| point.direction == Some(only);
+                list.retain(|_| of_points.next().is_some_and(is_kept));
+            }
             points.retain(|point| point.direction == Some(only));
             self.other_segments += (before - points.len()) as u64;
         }
         if points.is_empty() {
             return Err(Problem::NoPoints(self.count).into());
         }
-        check_constant(&points, &pairs[0])?;
-        let columns = pairs
-            .iter()
-            .flat_map(|pair| [pair.abscissa.clone(), pair.ordinate.clone()]);
+        check_constant(&points, &pair)?;
+        let mut columns: Vec<Source> = Vec::new();
+        for pair in self.columns.iter().flat_map(|one| &one.assignment.pairs) {
+            let errors = pair.errors.iter().flatten();
+            for source in [&pair.abscissa, &pair.ordinate].into_iter().chain(errors) {
+                if !columns.contains(source) {
+                    columns.push(source.clone());
+                }
+            }
+        }
         let notes = Notes {
-            columns: columns.collect(),
+            columns,
             missing: self.missing,
+            pauses: self.pauses,
             other_segments: self.other_segments,
+            blocks,
             split: split_now,
-            doubt: sign::doubt(*kind, &points, &pairs[0]),
+            cantilever: self.format.cantilever,
+            head: self.head,
+            doubt: sign::doubt(kind, &points, &pair),
         };
         let measurement = Measurement {
             name: name.to_owned(),
-            kind: *kind,
+            kind,
             points,
         };
-        Ok(Reading { measurement, notes })
+        Ok(Reading {
+            measurement,
+            errors,
+            notes,
+        })
     }
+
+    /// Refuses heads that differ in a value that was used.
+    fn check_head(&self) -> Result<(), Failure> {
+        let used = self.format.cantilever;
+        match &self.head.conflict {
+            Some([first, second])
+                if [used.stiffness, used.sensitivity].contains(&Some(first.value)) =>
+            {
+                Err(Problem::TwoValues {
+                    name: first.name.clone(),
+                    values: [first.value, second.value],
+                    lines: [first.line, second.line],
+                }
+                .into())
+            }
+            _ => Ok(()),
+        }
+    }
+}
+
+impl Failure {
+    /// Tells whether the line that fails may be no row: it holds words.
+    fn may_be_a_head(&self, cells: &[&str]) -> bool {
+        let is_word = |cell: &&str| DecimalMark::default().read(cell) == Cell::Text;
+        matches!(
+            self.problem,
+            Problem::NotANumber(_) | Problem::CellCount { .. } | Problem::Segment(_)
+        ) && cells.iter().any(is_word)
+    }
+}
+
+/// Returns the value of a cell in SI units; none if it is missing.
+fn value(mark: &mut DecimalMark, text: &str, source: &Source) -> Result<Option<f64>, Problem> {
+    Err(match mark.read(text) {
+        Cell::Number(value) => return Ok(Some(value * source.factor)),
+        Cell::Missing => return Ok(None),
+        Cell::Infinite => Problem::Infinite(text.to_owned()),
+        Cell::OtherMark => Problem::DecimalMark(text.to_owned()),
+        Cell::Thousands => Problem::Thousands(text.to_owned()),
+        Cell::Text => Problem::NotANumber(text.to_owned()),
+    })
 }
 
 /// Refuses a column that holds one value only.
@@ -294,6 +521,7 @@ fn check_constant(points: &[Point], pair: &Pair) -> Result<(), Failure> {
                 line: None,
                 column: Some((source.index + 1, source.heading.clone())),
                 problem: Problem::Constant {
+                    role: source.role,
                     points: points.len(),
                     value: first,
                 },

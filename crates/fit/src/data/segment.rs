@@ -12,10 +12,18 @@ pub enum Segment {
 }
 
 impl Segment {
-    /// Reads the word or number of a segment. The Python package afmformats writes 0 or False for
-    /// approach and 1 or True for retract.
-    pub fn parse(word: &str) -> Option<Self> {
-        Some(match word.trim().to_lowercase().as_str() {
+    /// Reads the words or the number of a segment. The Python package afmformats writes 0 or False
+    /// for approach and 1 or True for retract; programs of nanoindenters write several words, `Unload
+    /// From Peak Segment`, of which the first that is known counts.
+    pub fn parse(words: &str) -> Option<Self> {
+        words
+            .to_lowercase()
+            .split(|c: char| c.is_whitespace() || "_-".contains(c))
+            .find_map(Self::of_word)
+    }
+
+    fn of_word(word: &str) -> Option<Self> {
+        Some(match word {
             "approach" | "approaching" | "extend" | "extension" | "trace" | "loading" | "load"
             | "advance" | "advancing" | "forward" | "in" | "down" | "0" | "0.0" | "false" => {
                 Self::Moving(Direction::Approach)

@@ -1,14 +1,36 @@
 //! Signs: a contact that is pressed together more must push back more.
 
-use super::assignment::Pair;
+use std::fmt;
+
+use super::assignment::{Pair, Source};
 use crate::{Kind, Point};
 
 /// The part of the range of the abscissa that is taken for the deepest.
 const DEEPEST: f64 = 0.1;
 
+/// The doubt that one of two columns counts in the opposite sense.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Doubt {
+    /// The abscissa.
+    pub abscissa: Source,
+    /// The heading of the ordinate.
+    pub ordinate: String,
+}
+
+impl fmt::Display for Doubt {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(
+            f,
+            "{:?} is smaller where {:?} says that the bodies are closer; one of them may count in \
+             the opposite sense",
+            self.ordinate, self.abscissa.heading
+        )
+    }
+}
+
 /// Returns the doubt that an axis counts in the opposite sense, if the deepest points have less
 /// load or penetration than the others on average.
-pub fn doubt(kind: Kind, points: &[Point], pair: &Pair) -> Option<String> {
+pub fn doubt(kind: Kind, points: &[Point], pair: &Pair) -> Option<Doubt> {
     // The direction in which the abscissa grows when the bodies are pressed together.
     let inwards = if kind == Kind::ForceHeight { -1.0 } else { 1.0 };
     let depth = |point: &Point| inwards * point.abscissa;
@@ -25,15 +47,8 @@ pub fn doubt(kind: Kind, points: &[Point], pair: &Pair) -> Option<String> {
     };
     let deepest = mean(&mut points.iter().filter(|point| depth(point) >= from));
     let all = mean(&mut points.iter());
-    (deepest < all).then(|| {
-        let [abscissa, ordinate] = [&pair.abscissa, &pair.ordinate];
-        format!(
-            "{:?} is smaller where {:?} says that the bodies are closer; if one of them counts in \
-             the opposite sense, write a minus: --column \"{}=-{}\"",
-            ordinate.heading,
-            abscissa.heading,
-            abscissa.role.name(),
-            abscissa.heading
-        )
+    (deepest < all).then(|| Doubt {
+        abscissa: pair.abscissa.clone(),
+        ordinate: pair.ordinate.heading.clone(),
     })
 }

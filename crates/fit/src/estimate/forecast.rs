@@ -45,14 +45,12 @@ pub fn forecast(
     let mut assigned = Vec::new();
     for experiment in experiments {
         experiment.accept_instrument()?;
-        let noise = experiment.noise.unwrap_or(f64::NAN);
-        if !(noise > 0.0 && noise.is_finite()) {
-            return Err(Error::Setting {
-                name: format!("the noise of {}", experiment.measurement.name),
-                value: noise,
-                allowed: "given, positive and finite".into(),
-            });
-        }
+        experiment.accept_errors()?;
+        let noise = experiment.usual_noise().ok_or_else(|| Error::Setting {
+            name: format!("the noise of {}", experiment.measurement.name),
+            value: f64::NAN,
+            allowed: "given, positive and finite".into(),
+        })?;
         let mut experiment = experiment.clone();
         if is_free(Parameter::WorkOfAdhesionReceding) {
             let receding = experiment.work_of_adhesion_receding;
@@ -66,6 +64,7 @@ pub fn forecast(
             branches,
             order,
             noise,
+            abscissa_parts: Vec::new(),
         });
     }
     let mut slots = slots(experiments, &free)?;
@@ -81,6 +80,7 @@ pub fn forecast(
     for (assigned, whole) in problem.assigned.iter_mut().zip(&whole) {
         *assigned = hold_back(whole);
     }
+    problem.weigh()?;
     for _ in 0..ROUNDS {
         let uncertainty = uncertainty(&problem)?;
         for (e, whole) in whole.iter().enumerate() {

@@ -3,10 +3,13 @@
 //! `solve` leads from the data to the result. `slot` lists the values to be found and their
 //! coordinates, `jkr` and `start` find where the method starts, `problem` is the least-squares
 //! problem with its `loss`, `search` leads to the minimum. `uncertainty` gives the errors there,
-//! `profile` intervals without linearisation, `without_film` the fit of JKR, `wanted` and
-//! `warnings` the doubts. `forecast` tells the errors of a planned experiment. `result` holds what
+//! `profile` intervals without linearisation, `without_film` the fit of JKR, `warnings` the doubts, with `agreement`,
+//! `wanted` and `cycle`. `fixed_values` tells what the values taken as given do. `forecast` tells the errors of a planned experiment. `result` holds what
 //! comes out.
 
+mod agreement;
+mod cycle;
+mod fixed_values;
 mod forecast;
 mod jkr;
 mod loss;
@@ -24,7 +27,8 @@ mod without_film;
 
 pub use forecast::forecast;
 pub use result::{
-    Combination, Estimate, Fit, FittedExperiment, FittedPoint, Forecast, ModulusBias, Warning,
-    WarningKind, WithoutFilm,
+    Combination, Estimate, Fit, FittedExperiment, FittedPoint, FixedValue, Forecast, ModulusBias,
+    Warning, WarningKind, WithoutFilm,
 };
 pub use solve::fit;
+pub use start::starts_from_data;

@@ -27,9 +27,22 @@ pub(crate) struct Assigned {
     pub order: Vec<usize>,
     /// The standard deviation of an ordinate, known or estimated so far.
     pub noise: f64,
+    /// What errors of the abscissae add to the deviation of each ordinate; empty where they are
+    /// exact.
+    pub abscissa_parts: Vec<f64>,
 }
 
 impl Assigned {
+    /// Returns the standard deviation of the residual of a point.
+    pub fn deviation(&self, i: usize) -> f64 {
+        let own = self.experiment.errors.ordinate.get(i);
+        let own = own.copied().unwrap_or(self.noise);
+        match self.abscissa_parts.get(i) {
+            Some(part) => own.hypot(*part),
+            None => own,
+        }
+    }
+
     /// Returns the number of points that count.
     pub fn counting(&self) -> usize {
         let counts = |branch: &&Branch| **branch != Branch::LeftOut;
@@ -168,6 +181,33 @@ impl<'a> Problem<'a> {
         Ok(contact)
     }
 
+    /// Weighs errors of the abscissae by the slopes of the present model. Returns the largest
+    /// relative change of the deviation of a point that counts.
+    pub fn weigh(&mut self) -> Result<f64, Error> {
+        let mut largest = 0.0_f64;
+        for e in 0..self.assigned.len() {
+            let own = &self.assigned[e];
+            let contact_of = |bodies: &Bodies, gradient| self.contact(bodies, gradient);
+            let parts = own
+                .experiment
+                .abscissa_parts(&contact_of, &own.branches, &own.order)?;
+            if parts.is_empty() {
+                continue;
+            }
+            let deviations = |own: &Assigned| -> Vec<f64> {
+                let counts = |i: &usize| own.branches[*i] != Branch::LeftOut;
+                let counting = (0..own.branches.len()).filter(counts);
+                counting.map(|i| own.deviation(i)).collect()
+            };
+            let before = deviations(own);
+            self.assigned[e].abscissa_parts = parts;
+            let after = deviations(&self.assigned[e]);
+            let changes = before.iter().zip(&after).map(|(b, a)| (a / b - 1.0).abs());
+            largest = changes.fold(largest, f64::max);
+        }
+        Ok(largest)
+    }
+
     /// Lists the points that count: experiment and number.
     pub fn rows(&self) -> impl Iterator<Item = (usize, usize)> {
         self.assigned.iter().enumerate().flat_map(|(e, assigned)| {
@@ -185,10 +225,9 @@ impl<'a> Problem<'a> {
         let mut residuals: Vec<f64> = self
             .rows()
             .map(|(e, i)| {
-                let Assigned {
-                    experiment, noise, ..
-                } = &self.assigned[e];
-                (predicted[e].values[i] - experiment.measurement.points[i].ordinate) / noise
+                let assigned = &self.assigned[e];
+                let ordinate = assigned.experiment.measurement.points[i].ordinate;
+                (predicted[e].values[i] - ordinate) / assigned.deviation(i)
             })
             .collect();
         residuals.extend(self.slots.iter().enumerate().filter_map(|(slot, of)| {
@@ -222,8 +261,9 @@ impl<'a> Problem<'a> {
                     continue;
                 }
                 let derivatives = &predicted.derivatives[i * slots.len()..][..slots.len()];
+                let deviation = assigned.deviation(i);
                 for (&slot, derivative) in slots.iter().zip(derivatives) {
-                    jacobian[(row, slot)] = derivative / assigned.noise;
+                    jacobian[(row, slot)] = derivative / deviation;
                 }
                 row += 1;
             }

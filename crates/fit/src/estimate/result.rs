@@ -1,6 +1,6 @@
 //! The result of a fit.
 
-use crate::{Branch, Parameter};
+use crate::{Branch, Fixed, Parameter};
 
 /// The result of a fit.
 #[derive(Clone, Debug, PartialEq)]
@@ -29,6 +29,9 @@ pub struct Fit {
     pub without_film: Option<WithoutFilm>,
     /// The combinations of parameters that the data do not determine.
     pub undetermined: Vec<Combination>,
+    /// What the values taken as given do to the result: those with a known error, and all if
+    /// [`Options::fixed_values`](crate::Options::fixed_values) asks for them.
+    pub fixed_values: Vec<FixedValue>,
     /// The doubts about the result.
     pub warnings: Vec<Warning>,
 }
@@ -56,7 +59,8 @@ pub struct Estimate {
     pub experiment: Option<usize>,
     /// The value, in SI units.
     pub value: f64,
-    /// The standard error, in SI units, from the derivatives of the model at the minimum.
+    /// The standard error, in SI units, from the derivatives of the model at the minimum, with what
+    /// the errors of [`Known`](crate::Known) values add.
     pub standard_error: f64,
     /// The interval at [`Options::profile_level`](crate::Options::profile_level), if asked for. An
     /// end is infinite, or 0 for a positive parameter, where the data set no limit within 20 times
@@ -65,6 +69,18 @@ pub struct Estimate {
 }
 
 impl Estimate {
+    /// Returns Young's modulus of the sphere from this estimate of its reduced modulus, with its
+    /// errors: `E2 = E2* (1 - nu2^2)`, with the Poisson ratio `nu2` taken as exact.
+    pub fn young_of_sphere(&self, poisson_ratio: f64) -> Self {
+        let factor = 1.0 - poisson_ratio * poisson_ratio;
+        Self {
+            value: factor * self.value,
+            standard_error: factor * self.standard_error,
+            profile: self.profile.map(|ends| ends.map(|end| factor * end)),
+            ..*self
+        }
+    }
+
     /// Returns the interval of `deviations` standard errors on both sides: `value +- z error`, or
     /// for a positive parameter the same on its logarithm, `value exp(+- z error/value)`.
     pub fn interval(&self, deviations: f64) -> [f64; 2] {
@@ -83,10 +99,13 @@ impl Estimate {
 pub struct FittedExperiment {
     /// The name of the measurement.
     pub name: String,
-    /// The standard deviation of an ordinate, in N or m.
+    /// The standard deviation of an ordinate, in N or m; the median of those given for each point.
     pub noise: f64,
     /// Whether the noise was estimated from the residuals.
     pub noise_is_estimated: bool,
+    /// The standard deviation of an abscissa, m; 0 if they are exact, and the median of those given
+    /// for each point.
+    pub abscissa_noise: f64,
     /// The points, in the order measured.
     pub points: Vec<FittedPoint>,
 }
@@ -102,13 +121,16 @@ pub struct FittedPoint {
     pub ordinate: f64,
     /// The ordinate of the fit; `None` for a point that was left out.
     pub fit: Option<f64>,
+    /// The standard deviation of the residual, in N or m: that of the ordinate, with what an error
+    /// of the abscissa adds.
+    pub deviation: f64,
     /// The contact radius of the fit (m); `None` without a contact.
     pub contact_radius: Option<f64>,
     /// The ordinate of the fit without the film; `None` where there is none.
     pub without_film: Option<f64>,
     /// The branch.
     pub branch: Branch,
-    /// Whether the residual is more than 5 times the noise.
+    /// Whether the residual is more than 5 times its standard deviation.
     pub outlier: bool,
 }
 
@@ -116,6 +138,34 @@ impl FittedPoint {
     /// Returns the ordinate measured less that of the fit.
     pub fn residual(&self) -> Option<f64> {
         self.fit.map(|fit| self.ordinate - fit)
+    }
+}
+
+/// What a value that the fit takes as given does to the values found.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FixedValue {
+    /// The value taken as given.
+    pub quantity: Fixed,
+    /// The number, in SI units: that of the first measurement, if they differ.
+    pub value: f64,
+    /// A change of it: 1 %, or 0.01 of a Poisson ratio. Where the value is at the end of what is
+    /// possible, as a Poisson ratio of 0.5, it goes to the other side.
+    pub step: f64,
+    /// The change of each estimate that follows, in SI units and in their order: to the first order
+    /// in the values found. NaN where the change leads to no contact.
+    pub changes: Vec<f64>,
+    /// The standard error of the value, if it is [`Known`](crate::Known).
+    pub error: Option<f64>,
+}
+
+impl FixedValue {
+    /// Returns the standard error of an estimate that follows from that of the value; 0 without one.
+    pub fn error_of(&self, estimate: usize) -> f64 {
+        let error = self.error.unwrap_or(0.0);
+        if error == 0.0 {
+            return 0.0;
+        }
+        (self.changes[estimate] / self.step).abs() * error
     }
 }
 
@@ -186,6 +236,10 @@ pub enum WarningKind {
     OffsetWanted,
     /// Approach and retract do not have one work of adhesion.
     MixedBranches,
+    /// A loop between loading and unloading that the model does not make.
+    Hysteresis,
+    /// A depth that remains after unloading.
+    Plasticity,
     /// Residuals whose signs follow one another by more than chance.
     StructuredResiduals,
     /// Points far from the fit.
@@ -217,6 +271,8 @@ impl WarningKind {
             Self::PoorFit => "poor-fit",
             Self::OffsetWanted => "offset-wanted",
             Self::MixedBranches => "mixed-branches",
+            Self::Hysteresis => "hysteresis",
+            Self::Plasticity => "plasticity",
             Self::StructuredResiduals => "structured-residuals",
             Self::Outliers => "outliers",
             Self::LeftOut => "left-out",

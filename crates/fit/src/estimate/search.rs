@@ -31,6 +31,11 @@ const ROUNDS: usize = 6;
 pub(super) const SHORT: f64 = 0.1;
 /// The change of an estimated noise that needs another round.
 const NOISE_CHANGE: f64 = 0.02;
+/// The relative change of the deviation of a point, by errors of the abscissae, that needs another
+/// round.
+const WEIGHTS_CHANGE: f64 = 1e-3;
+/// The bisections that find a noise beside errors of the abscissae.
+const BISECTIONS: usize = 40;
 /// The smallest noise, relative to the range of the ordinates, that an estimate can give.
 const LEAST_NOISE: f64 = 1e-12;
 /// An excess of the sum of squares, in standard deviations, at which other starts are tried.
@@ -63,13 +68,14 @@ impl Data {
         let local_noise = assignments.iter().map(|one| one.local_noise).collect();
         let assigned = experiments.iter().zip(assignments);
         let assigned = assigned.map(|(experiment, assignment)| Assigned {
-            noise: experiment.noise.unwrap_or_else(|| {
+            noise: experiment.usual_noise().unwrap_or_else(|| {
                 let least = 1e-6 * range(experiment);
                 assignment.local_noise.unwrap_or(0.0).max(least)
             }),
             experiment: experiment.clone(),
             branches: assignment.branches,
             order: assignment.order,
+            abscissa_parts: Vec::new(),
         });
         Self {
             assigned: assigned.collect(),
@@ -96,7 +102,8 @@ pub(crate) fn minimum<'a>(
 ) -> Result<Minimum<'a>, Error> {
     let few: Vec<Assigned> = data.assigned.iter().map(hold_back).map(thin).collect();
     let from = |factor: f64, free: &[Free], slots: &[Slot]| {
-        let problem = start::problem(table, &few, (free, slots), loss, factor)?;
+        let mut problem = start::problem(table, &few, (free, slots), loss, factor)?;
+        problem.weigh()?;
         Ok::<_, Error>(problem.minimise(PATIENCE, COARSE))
     };
     let mut minima = Vec::new();
@@ -220,12 +227,17 @@ fn is_bad(problem: &Problem<'_>, data: &Data) -> bool {
         let count = assigned.counting();
         let own = residuals.rows(row, count);
         row += count;
-        let noise = assigned.experiment.noise.or(data.local_noise[e]);
-        let Some(noise) = noise.filter(|&noise| noise > 0.0) else {
+        let is_known = assigned.experiment.usual_noise().is_some();
+        let local = data.local_noise[e].filter(|&noise| noise > 0.0);
+        if !is_known && local.is_none() {
             return false;
-        };
+        }
+        let counts = |i: &usize| assigned.branches[*i] != Branch::LeftOut;
+        let deviations = (0..assigned.branches.len()).filter(counts);
+        let unit = |i: usize| local.map_or(1.0, |local| assigned.deviation(i) / local);
+        let units = deviations.map(|i| if is_known { 1.0 } else { unit(i) });
         // The median bears outliers.
-        let squares = own.iter().map(|r| (r * assigned.noise / noise).powi(2));
+        let squares = own.iter().zip(units).map(|(r, unit)| (r * unit).powi(2));
         let middle = median(squares.collect()) / 0.454_94;
         excess(middle * count as f64, count as f64) > BAD
     })
@@ -259,8 +271,9 @@ fn settle<'a>(
         .collect();
     let mut round = 0;
     loop {
+        let weights = problem.weigh();
         let uncertainty = Uncertainty::of(&problem);
-        let Some(uncertainty) = uncertainty else {
+        let (Some(uncertainty), Ok(weights)) = (uncertainty, weights) else {
             return (problem, Ending::Failed, None);
         };
         let (uncertainty, noise_changed) = estimate_noise(&mut problem, uncertainty);
@@ -287,14 +300,18 @@ fn settle<'a>(
                 branches_changed = true;
             }
         }
+        let is_inexact = |assigned: &Assigned| !assigned.abscissa_parts.is_empty();
         let noise_matters = problem.assigned.len() > 1
+            || problem.assigned.iter().any(is_inexact)
             || problem.loss != Loss::Squares
             || problem.slots.iter().any(|slot| slot.prior.is_some());
         round += 1;
         // At a point where the contact changes from pinned to receding the derivatives have a step,
         // at which the method may stop too early.
         let stalled = uncertainty.short > SHORT && ending == Ending::Converged && round < 3;
-        let settled = !(branches_changed || noise_changed && noise_matters || stalled);
+        let weights_changed = weights > WEIGHTS_CHANGE;
+        let settled =
+            !(branches_changed || weights_changed || noise_changed && noise_matters || stalled);
         if settled || (round == ROUNDS && !branches_changed) {
             return (problem, ending, Some(uncertainty));
         }
@@ -321,27 +338,49 @@ fn estimate_noise(problem: &mut Problem<'_>, uncertainty: Uncertainty) -> (Uncer
     for assigned in &mut problem.assigned {
         let rows = row..row + assigned.counting();
         row = rows.end;
-        if assigned.experiment.noise.is_some() || rows.is_empty() {
+        if assigned.experiment.usual_noise().is_some() || rows.is_empty() {
             continue;
         }
         let followed: f64 = uncertainty.leverages[rows.clone()].iter().sum();
         let count = rows.len() as f64;
         let free = (count - followed).max(0.5);
+        let counts = |i: &usize| assigned.branches[*i] != Branch::LeftOut;
+        let points: Vec<usize> = (0..assigned.branches.len()).filter(counts).collect();
+        let before: Vec<f64> = points.iter().map(|&i| assigned.deviation(i)).collect();
         let own = residuals.rows(rows.start, rows.len());
-        let scale = match problem.loss {
-            Loss::Squares => (own.norm_squared() / free).sqrt(),
-            _ => {
-                let sizes = own.iter().map(|residual| residual.abs()).collect();
-                median(sizes) / 0.674_49 * (count / free).sqrt()
+        let sizes = own.iter().zip(&before);
+        let sizes: Vec<f64> = sizes.map(|(r, deviation)| (r * deviation).abs()).collect();
+        let mut weighed = assigned.clone();
+        // The residuals in units of their deviations, over what chance makes of them.
+        let mut excess = |noise: f64| {
+            weighed.noise = noise;
+            let residuals = sizes.iter().zip(&points);
+            let residuals = residuals.map(|(size, &i)| size / weighed.deviation(i));
+            match problem.loss {
+                Loss::Squares => (residuals.map(|r| r * r).sum::<f64>() / free).sqrt(),
+                _ => median(residuals.collect()) / 0.674_49 * (count / free).sqrt(),
             }
         };
         let least = LEAST_NOISE * range(&assigned.experiment);
-        let noise = (scale * assigned.noise).max(least);
-        let ratio = assigned.noise / noise;
-        changed |= ratio.ln().abs() > NOISE_CHANGE;
+        let noise = if assigned.abscissa_parts.is_empty() {
+            (excess(assigned.noise) * assigned.noise).max(least)
+        } else {
+            // What errors of the abscissae leave to explain.
+            let most = sizes.iter().copied().fold(least, f64::max) * (count / free).sqrt() * 2.0;
+            let mut ends = [least.ln(), most.ln()];
+            for _ in 0..BISECTIONS {
+                let middle = 0.5 * (ends[0] + ends[1]);
+                ends[usize::from(excess(middle.exp()) < 1.0)] = middle;
+            }
+            ends[0].exp()
+        };
+        changed |= (assigned.noise / noise).ln().abs() > NOISE_CHANGE;
         assigned.noise = noise;
-        residuals.rows_mut(rows.start, rows.len()).scale_mut(ratio);
-        jacobian.rows_mut(rows.start, rows.len()).scale_mut(ratio);
+        for ((row, &i), before) in rows.zip(&points).zip(before) {
+            let ratio = before / assigned.deviation(i);
+            residuals[row] *= ratio;
+            jacobian.row_mut(row).scale_mut(ratio);
+        }
     }
     let sizes = uncertainty.sizes;
     (

@@ -6,7 +6,7 @@ use super::problem::{Ending, Problem};
 use super::search::{Data, Minimum, minimum};
 use super::slot::{Slot, slots};
 use super::uncertainty::Uncertainty;
-use super::{loss, profile, warnings, without_film};
+use super::{fixed_values, loss, profile, warnings, without_film};
 use crate::model::Freedom;
 use crate::statistics::deviations;
 use crate::{
@@ -32,8 +32,7 @@ const OUTLIER: f64 = 5.0;
 /// threads may share the `table`.
 ///
 /// # Errors
-/// [`Error`] for points, parameters or options that cannot be used. A fit that does not converge is
-/// no error: see [`Fit::converged`].
+/// [`Error`] for points, parameters or options that cannot be used. A fit that does not converge is no error: see [`Fit::converged`].
 pub fn fit(
     table: &Table,
     experiments: &[Experiment],
@@ -54,6 +53,7 @@ pub fn fit(
             parameters: slots.len(),
         });
     }
+    fixed_values::accept(&data.assigned, &slots, &options.known)?;
     let found = minimum(table, &data, (free, &slots), options.loss)?;
     let without_film = without_film::without_film(table, &found, free, options.loss);
     Ok(result(&found, &data, options, without_film))
@@ -111,9 +111,7 @@ fn accept_numbers(experiment: &Experiment) -> Result<(), Error> {
         value,
         allowed: allowed.into(),
     };
-    if let Some(noise) = experiment.noise.filter(|n| !(*n > 0.0 && n.is_finite())) {
-        return Err(setting("the noise", noise, "positive and finite"));
-    }
+    experiment.accept_errors()?;
     for parameter in [Parameter::WorkOfAdhesion, Parameter::WorkOfAdhesionReceding] {
         let value = experiment.get(parameter);
         if let Some(value) = value.filter(|value| !(0.0..f64::INFINITY).contains(value)) {
@@ -132,6 +130,15 @@ fn accept(options: &Options) -> Result<(), Error> {
             name: "the interaction range".into(),
             value: range,
             allowed: "positive and finite".into(),
+        });
+    }
+    if options.profile_level.is_some() && !options.known.is_empty() {
+        return Err(Error::Setting {
+            name: "the number of known errors beside profile-likelihood intervals".into(),
+            value: options.known.len() as f64,
+            allowed: "0: a profile keeps the known values and holds nothing of their errors; free \
+                      them with a prior instead"
+                .into(),
         });
     }
     if let Some(level) = options
@@ -197,7 +204,7 @@ fn result(
     let all_given = problem
         .assigned
         .iter()
-        .all(|assigned| assigned.experiment.noise.is_some());
+        .all(|assigned| assigned.experiment.usual_noise().is_some());
     let (without_film, predictions) = without.map_or((None, None), |found| {
         (Some(found.result), Some(found.predictions))
     });
@@ -206,6 +213,7 @@ fn result(
         evaluations,
         estimates,
         correlation: uncertainty.map_or_else(Vec::new, Uncertainty::correlation),
+        fixed_values: Vec::new(),
         chi_squared,
         degrees_of_freedom,
         reduced_chi_squared: all_given.then(|| chi_squared / degrees_of_freedom as f64),
@@ -218,6 +226,15 @@ fn result(
         }),
         warnings: Vec::new(),
     };
+    if let Some(uncertainty) = uncertainty {
+        let Options {
+            known,
+            fixed_values: all,
+            ..
+        } = options;
+        fit.fixed_values = fixed_values::effects(problem, uncertainty, known, *all);
+        fixed_values::pass_on(&mut fit);
+    }
     fit.warnings = warnings::warnings(&fit, found, data, options);
     fit
 }
@@ -241,6 +258,7 @@ fn experiment(
             abscissa: point.abscissa,
             ordinate: point.ordinate,
             fit,
+            deviation: assigned.deviation(i),
             contact_radius: predicted
                 .map(|predicted| predicted.radii[i])
                 .filter(|&radius| radius > 0.0),
@@ -250,13 +268,15 @@ fn experiment(
             } else {
                 assigned.branches[i]
             },
-            outlier: fit.is_some_and(|fit| (point.ordinate - fit).abs() > OUTLIER * assigned.noise),
+            outlier: fit
+                .is_some_and(|fit| (point.ordinate - fit).abs() > OUTLIER * assigned.deviation(i)),
         }
     };
     FittedExperiment {
         name: measurement.name.clone(),
         noise: assigned.noise,
-        noise_is_estimated: assigned.experiment.noise.is_none(),
+        noise_is_estimated: assigned.experiment.usual_noise().is_none(),
+        abscissa_noise: assigned.experiment.usual_abscissa_noise(),
         points: measurement.points.iter().enumerate().map(point).collect(),
     }
 }

@@ -63,9 +63,7 @@ pub(crate) fn problem<'a>(
             .filter_map(|one| Some((rank(one.0)?, one.0)))
             .min()
             .map(|(_, parameter)| parameter);
-        let matched = [Parameter::SphereModulus, Parameter::FilmModulus]
-            .into_iter()
-            .find(|&parameter| is_unknown(parameter));
+        let matched = matched(is_unknown);
         // The modulus that is matched to the data is multiplied after that.
         let before = multiplied.filter(|_| multiplied != matched);
         if let Some((parameter, value)) = before.and_then(|p| Some((p, at.experiment.get(p)?))) {
@@ -97,6 +95,37 @@ pub(crate) fn problem<'a>(
         experiment: names(assigned),
         cause: Box::new(cause),
     })
+}
+
+/// Returns the modulus that is matched to the data, of those without a start: of two the sphere's.
+fn matched(is_unknown: impl Fn(Parameter) -> bool) -> Option<Parameter> {
+    [Parameter::SphereModulus, Parameter::FilmModulus]
+        .into_iter()
+        .find(|&parameter| is_unknown(parameter))
+}
+
+/// Tells whether a fit of experiments finds the start of a free parameter in the data, so that the
+/// value of the parameter in the experiments does not matter.
+///
+/// That is so for works of adhesion, zeros of the instrument, and one modulus of sphere or film:
+/// where both are free, that of the sphere. Penetrations against contact radii tell no modulus.
+pub fn starts_from_data(parameter: Parameter, experiments: &[Experiment], free: &[Free]) -> bool {
+    let is_unknown = |parameter| {
+        free.iter()
+            .any(|one| one.parameter == parameter && one.start.is_none())
+    };
+    let has_loads = |one: &Experiment| one.measurement.kind != Kind::PenetrationRadius;
+    match parameter {
+        Parameter::SphereModulus | Parameter::FilmModulus => {
+            matched(is_unknown) == Some(parameter) && experiments.iter().all(has_loads)
+        }
+        Parameter::FilmPoissonRatio
+        | Parameter::FilmThickness
+        | Parameter::Stiffness
+        | Parameter::LayerModulus(_)
+        | Parameter::LayerThickness(_) => false,
+        _ => is_unknown(parameter),
+    }
 }
 
 /// Returns the rank of a parameter among those whose start may be multiplied, the first to be

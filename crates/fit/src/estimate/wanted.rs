@@ -173,10 +173,10 @@ impl<'a> Columns<'a> {
     fn of(&self, parameter: Parameter, chosen: impl Fn(usize) -> bool) -> Option<DVector<f64>> {
         let width = self.parameters.len();
         let k = self.parameters.iter().position(|own| *own == parameter)?;
-        let noise = self.problem.assigned[self.experiment].noise;
+        let own = &self.problem.assigned[self.experiment];
         let values = self.problem.rows().map(|(e, i)| {
             if e == self.experiment && chosen(i) {
-                self.derivatives[i * width + k] / noise
+                self.derivatives[i * width + k] / own.deviation(i)
             } else {
                 0.0
             }
@@ -227,7 +227,7 @@ impl<'a> Score<'a> {
                 || problem
                     .assigned
                     .iter()
-                    .any(|assigned| assigned.experiment.noise.is_none()),
+                    .any(|assigned| assigned.experiment.usual_noise().is_none()),
             residuals,
         }
     }

@@ -6,9 +6,10 @@ use nalgebra::DVector;
 use super::problem::{Assigned, Ending, Problem};
 use super::search::{Data, Minimum, SAME, SHORT, ends};
 use super::uncertainty::{UNDETERMINED, Uncertainty};
-use super::wanted;
-use crate::statistics::{excess, missing_runs};
-use crate::{Bodies, Branch, Estimate, Fit, Loss, Options, Parameter, Warning, WarningKind};
+use super::{agreement, cycle, wanted};
+use crate::magnitude::{self, LARGEST_WORK, STIFFNESSES};
+use crate::statistics::missing_runs;
+use crate::{Bodies, Branch, Estimate, Fit, Options, Parameter, Warning, WarningKind};
 
 /// The largest excess of a sum of squares, or lack of runs, that chance explains, in standard
 /// deviations: one fit in 300,000 exceeds it.
@@ -55,6 +56,7 @@ pub(super) fn warnings(
     }
     for (e, assigned) in problem.assigned.iter().enumerate() {
         geometry(&mut warnings, problem, e, assigned, options);
+        cycle::add(&mut warnings, problem, e, data.local_noise[e]);
     }
     warnings.0
 }
@@ -104,15 +106,16 @@ fn method(warnings: &mut Warnings, fit: &Fit, found: &Minimum<'_>) {
     }
 }
 
-/// Warns of values that no experiment has.
+/// Warns of values that no experiment has, and of works of adhesion and stiffnesses that none
+/// measures.
 fn implausible(warnings: &mut Warnings, estimate: &Estimate) {
+    if let Some(found) = magnitude::of_estimate(estimate) {
+        warnings.add(WarningKind::Implausible, found.to_string());
+        return;
+    }
     let [least, most] = match estimate.parameter {
-        Parameter::SphereModulus | Parameter::FilmModulus | Parameter::LayerModulus(_) => {
-            [1.0, 1e13]
-        }
-        Parameter::WorkOfAdhesion | Parameter::WorkOfAdhesionReceding => [1e-6, 1e2],
-        Parameter::FilmThickness | Parameter::LayerThickness(_) => [1e-10, 1.0],
-        Parameter::Stiffness => [1e-6, 1e9],
+        Parameter::WorkOfAdhesion | Parameter::WorkOfAdhesionReceding => [1e-6, LARGEST_WORK],
+        Parameter::Stiffness => STIFFNESSES,
         _ => return,
     };
     let determined = estimate.standard_error < UNDETERMINED * estimate.value;
@@ -241,18 +244,7 @@ fn film_not_seen(warnings: &mut Warnings, problem: &Problem<'_>, parameter: Para
 /// Doubts from the residuals.
 fn residuals_of(warnings: &mut Warnings, fit: &Fit, found: &Minimum<'_>, residuals: &DVector<f64>) {
     let problem = &found.problem;
-    let freedom = fit.degrees_of_freedom as f64;
-    if let Some(reduced) = fit.reduced_chi_squared
-        && problem.loss == Loss::Squares
-        && excess(fit.chi_squared, freedom) > BEYOND_CHANCE
-    {
-        warnings.add(
-            WarningKind::PoorFit,
-            format!(
-                "the model does not describe the data to their noise: reduced chi^2 is {reduced:.3}"
-            ),
-        );
-    }
+    agreement::add(warnings, fit, problem, residuals);
     let mut row = 0;
     for (e, assigned) in problem.assigned.iter().enumerate() {
         let count = assigned.counting();
@@ -292,7 +284,7 @@ fn residuals_of(warnings: &mut Warnings, fit: &Fit, found: &Minimum<'_>, residua
 }
 
 /// Returns the residuals of a branch by descending imposed value.
-fn in_order(assigned: &Assigned, residuals: &[f64], branch: Branch) -> Vec<f64> {
+pub(super) fn in_order(assigned: &Assigned, residuals: &[f64], branch: Branch) -> Vec<f64> {
     let mut rows = vec![None; assigned.branches.len()];
     let counts = assigned
         .branches
@@ -366,7 +358,12 @@ fn geometry(
         .iter()
         .zip(&assigned.branches)
         .filter(|(_, branch)| **branch != Branch::LeftOut);
-    let a = counting.map(|(radius, _)| *radius).fold(0.0, f64::max);
+    let radii = counting
+        .map(|(radius, _)| *radius)
+        .filter(|radius| *radius > 0.0);
+    let [least, a] = radii.fold([f64::INFINITY, 0.0], |[least, most]: [f64; 2], radius| {
+        [least.min(radius), most.max(radius)]
+    });
     let Ok(contact) = problem.contact(&experiment.bodies, false) else {
         return;
     };
@@ -381,6 +378,9 @@ fn geometry(
                  m are smaller than atoms: check the units of the data"
             ),
         );
+    }
+    if let Some(doubt) = experiment.doubt_of_film([least, a]) {
+        warnings.add(WarningKind::Implausible, format!("{name}: {doubt}"));
     }
     let paraboloid = matches!(experiment.bodies.probe(), Probe::Paraboloid { .. });
     if paraboloid && validity.a_over_r > Validity::WARNING_A_OVER_R {

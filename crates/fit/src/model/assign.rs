@@ -94,7 +94,7 @@ impl Experiment {
                 if !noises.is_empty() {
                     local_noise = Some(noises.iter().sum::<f64>() / noises.len() as f64);
                 }
-                let noise = self.noise.or(local_noise).unwrap_or(0.0);
+                let noise = self.usual_noise().or(local_noise).unwrap_or(0.0);
                 for segment in segments {
                     let [contact_ends, baseline_begins] = self.split(&segment, noise, freedom);
                     for &i in &segment[contact_ends..baseline_begins] {
@@ -215,7 +215,7 @@ impl Experiment {
     ///
     /// Points without a direction are two segments if they come in the order of a loading and an
     /// unloading.
-    fn segments(&self) -> Vec<Vec<usize>> {
+    pub(super) fn segments(&self) -> Vec<Vec<usize>> {
         let points = &self.measurement.points;
         let sense = self.sense();
         let key = |i: usize| sense * points[i].abscissa;

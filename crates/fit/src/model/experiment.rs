@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use interp::{Contact, Elastic, HalfSpace, Probe, System, Table};
 
-use super::{Kind, Layered, Measurement, Parameter};
+use super::{Kind, Layered, Measurement, Parameter, PointErrors};
 use crate::Error;
 
 /// The bodies in contact.
@@ -154,6 +154,9 @@ pub struct Experiment {
     pub measurement: Measurement,
     /// Sphere, film and substrate.
     pub bodies: Bodies,
+    /// The Poisson ratio of the sphere, if it is known. Contacts need the reduced modulus only; a
+    /// report then tells Young's modulus of the sphere, too.
+    pub sphere_poisson_ratio: Option<f64>,
     /// The work of adhesion, J/m^2; 0 is a contact without adhesion.
     pub work_of_adhesion: f64,
     /// The work of adhesion on retract, J/m^2; `None` is that of approach. Points without a
@@ -172,15 +175,20 @@ pub struct Experiment {
     /// The standard deviation of an ordinate, in N or m; `None` if it is to be estimated from the
     /// residuals.
     pub noise: Option<f64>,
+    /// The standard deviation of an abscissa, m; 0 is exact.
+    pub abscissa_noise: f64,
+    /// Standard deviations that differ from point to point, which stand for those above.
+    pub errors: PointErrors,
 }
 
 impl Experiment {
     /// Takes a measurement on known bodies, without adhesion, with an instrument whose zeros are
-    /// right, and with unknown noise.
+    /// right, with exact abscissae, and with unknown noise of the ordinates.
     pub const fn new(measurement: Measurement, bodies: Bodies) -> Self {
         Self {
             measurement,
             bodies,
+            sphere_poisson_ratio: None,
             work_of_adhesion: 0.0,
             work_of_adhesion_receding: None,
             load_offset: 0.0,
@@ -189,6 +197,11 @@ impl Experiment {
             baseline_slope: 0.0,
             stiffness: None,
             noise: None,
+            abscissa_noise: 0.0,
+            errors: PointErrors {
+                abscissa: Vec::new(),
+                ordinate: Vec::new(),
+            },
         }
     }
 

@@ -1,15 +1,15 @@
 //! What is to be found, and how.
 
-use super::Parameter;
+use super::{Fixed, Parameter};
 
 /// A parameter to be found.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Free {
     /// The parameter.
     pub parameter: Parameter,
-    /// Where the fit starts. `None`: moduli, works of adhesion, offsets, contact points and
-    /// baselines start from the data themselves; Poisson ratio, thickness, stiffness and all of a
-    /// layer from the value of the [`Experiment`](crate::Experiment).
+    /// Where the fit starts. `None`: a modulus, works of adhesion, offsets, contact points and
+    /// baselines start from the data themselves, all else from the value of the
+    /// [`Experiment`](crate::Experiment): see [`starts_from_data`](crate::starts_from_data).
     pub start: Option<f64>,
     /// The smallest and the largest value allowed. A Poisson ratio has the bounds 0 and 0.5 unless
     /// others are given. Other parameters have none, but moduli, thickness, works of adhesion and
@@ -123,8 +123,21 @@ impl Loss {
     pub const SOFT_L1: Self = Self::SoftL1 { threshold: 1.0 };
 }
 
-/// How to fit.
+/// The standard error of a value that the fit takes as given. All measurements have this value.
+///
+/// The fit keeps the value, and its error passes on to the standard errors and the correlation of
+/// the values found: to the first order, independent of the noise and of other known values. A
+/// [`Prior`] instead frees the value and lets the data move it.
 #[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Known {
+    /// The value.
+    pub quantity: Fixed,
+    /// Its standard error.
+    pub error: f64,
+}
+
+/// How to fit.
+#[derive(Clone, Debug, PartialEq)]
 pub struct Options {
     /// The loss.
     pub loss: Loss,
@@ -133,15 +146,22 @@ pub struct Options {
     pub profile_level: Option<f64>,
     /// The range `z0` of the attraction (m), for Tabor's parameter.
     pub interaction_range: f64,
+    /// The values taken as given of which a standard error is known.
+    pub known: Vec<Known>,
+    /// Whether [`Fit::fixed_values`](crate::Fit::fixed_values) lists all values taken as given.
+    pub fixed_values: bool,
 }
 
 impl Default for Options {
-    /// Least squares, no profiles, and an attraction over 0.3 nm.
+    /// Least squares, no profiles, an attraction over 0.3 nm, given values without errors, and no
+    /// list of what they do.
     fn default() -> Self {
         Self {
             loss: Loss::Squares,
             profile_level: None,
             interaction_range: 3e-10,
+            known: Vec::new(),
+            fixed_values: false,
         }
     }
 }

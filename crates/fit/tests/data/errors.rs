@@ -11,14 +11,15 @@ fn refused(text: &str, format: &Format, words: &[&str]) {
     for word in words {
         assert!(error.contains(word), "{word:?} is not in: {error}");
     }
+    assert!(!error.contains("--"), "names a flag: {error}");
 }
 
 #[test]
 fn an_error_names_line_column_value_and_next_step() {
     let cases: [(&str, &[&str]); 29] = [
-        ("", &["no line holds two numbers"]),
-        ("contact_radius,load\n", &["no line holds two numbers"]),
-        ("one\ntwo\n3\n", &["no line holds two numbers"]),
+        ("", &["the file is empty"]),
+        ("contact_radius,load\n", &["contact_radius,load", "no row"]),
+        ("one\ntwo\n3\n", &["no line holds two numbers", "\"one\""]),
         // A wrong row above three sound ones is not taken for a line before the headings.
         (
             "contact_radius,load\n1,x\n1,2\n2,3\n3,4\n",
@@ -28,7 +29,7 @@ fn an_error_names_line_column_value_and_next_step() {
             "contact_radius,load\nx,y\n1,2\n2,3\n3,4\n",
             &["line 2", "\"x\""],
         ),
-        ("1,2\n3,4\n", &["line 1", "2 cells", "--column"]),
+        ("1,2\n3,4\n", &["line 1", "2 cells", "by their numbers"]),
         ("# lens\n\n1,2\n3,4\n", &["line 3", "headings"]),
         (
             "contact_radius,load\n1,2\n2,3\n3,x\n",
@@ -69,7 +70,7 @@ fn an_error_names_line_column_value_and_next_step() {
         ),
         (
             "contact_radius;load\n1.234,5;2\n2.234,6;2\n",
-            &["two numbers"],
+            &["line 2, column 1", "\"1.234,5\"", "thousands"],
         ),
         (
             "contact_radius,load\n1,2\n1,3\n",
@@ -81,33 +82,39 @@ fn an_error_names_line_column_value_and_next_step() {
         ),
         (
             "Radius,Load [mN]\n1,2\n2,3\n",
-            &["column 1 \"Radius\"", "no unit", "Radius [um]"],
+            &["column 1 \"Radius\"", "no unit", "contact_radius", "\"um\""],
         ),
         (
             "Radius [um],Load [mm]\n1,2\n2,3\n",
-            &["no kind", "\"Load [mm]\"", "--kind load-radius|"],
+            &[
+                "load-radius lacks load (a force)",
+                "penetration-radius lacks penetration (a length)",
+                "\"Radius [um]\" (contact_radius), \"Load [mm]\" (a length)",
+            ],
         ),
         (
             "Radius [um],Load [mN],Load [uN]\n1,2,3\n2,3,4\n",
-            &["columns 2 and 3", "load", "--column load=2"],
+            &["columns 2 and 3", "load", "number"],
         ),
         (
             "Radius [um],Load [mN],Depth [nm]\n1,2,3\n2,3,4\n",
             &[
                 "more than one kind",
-                "load-radius|penetration-radius|load-penetration",
+                "load-radius, penetration-radius, load-penetration",
             ],
         ),
-        ("x,y\n1,2\n2,3\n", &["no kind", "\"x\", \"y\"", "--column"]),
-        ("z [nm],defl [nm]\n1,2\n2,1\n", &["column 2", "--stiffness"]),
+        (
+            "x,y\n1,2\n2,3\n",
+            &[
+                "no kind",
+                "\"x\", \"y\"",
+                "force-height lacks height (a length) and load (a force)",
+            ],
+        ),
+        ("z [nm],defl [nm]\n1,2\n2,1\n", &["column 2", "stiffness"]),
         (
             "height,force,phase\n1,2,approach\n1,3,sideways\n",
-            &[
-                "line 3, column 3",
-                "sideways",
-                "approach",
-                "--segments split",
-            ],
+            &["line 3, column 3", "sideways", "approach", "split"],
         ),
         ("contact_radius,load\n,2,\n1,2\n2,3\n", &["line 2"]),
         (
@@ -123,17 +130,14 @@ fn an_error_names_line_column_value_and_next_step() {
 #[test]
 fn bytes_that_are_not_text_are_refused() {
     for (bytes, word) in [
-        (&b"\x89HDF\r\n\x1a\n\0\0"[..], "not text"),
-        (b"\xff\xfea\0,\0b\0", "UTF-16"),
-        (b"a,b\r1,2\r3,4\r", "carriage return"),
-        (&[b'1'; 70_000], "longer than"),
+        (&b"\x89HDF\r\n\x1a\n\0\0"[..], "HDF5"),
+        (b"PK\x03\x04\x14\0", "zip archive"),
+        (b"a,b\n1,\0\n", "binary data"),
+        (&[b'1'; 70_000], "line 1: the line is longer than"),
     ] {
         let error = fit::data::read_from(bytes, "file", &Format::default());
         let error = error.expect_err("refused").to_string();
-        assert!(
-            error.starts_with("file, line ") && error.contains(word),
-            "{error}"
-        );
+        assert!(error.starts_with("file") && error.contains(word), "{error}");
     }
     let error = fit::data::read("no/such/file".as_ref(), &Format::default());
     let error = error.expect_err("refused").to_string();
@@ -152,13 +156,22 @@ fn a_column_that_is_not_there_is_refused() {
         &format("load=Kraft [mN]"),
         &["Kraft", "load", "Radius [um]"],
     );
-    refused(text, &format("load=4"), &["\"4\"", "headings"]);
+    refused(text, &format("load=4"), &["\"4\"", "the columns are"]);
     refused(text, &format("load=Load"), &["columns 2 and 3"]);
     refused(
         text,
         &format("load=Radius [um]"),
-        &["Radius [um]", "a force"],
+        &["\"Radius [um]\" is named as load", "a force"],
     );
+    let format_of = |texts: &[&str]| Format {
+        columns: texts
+            .iter()
+            .map(|text| text.parse().expect("a column"))
+            .collect(),
+        ..Format::default()
+    };
+    let two = format_of(&["load=2", "load=3", "contact_radius=1"]);
+    refused(text, &two, &["columns 2 and 3 could both be load"]);
     let format = Format {
         kind: Some(fit::Kind::LoadPenetration),
         ..Format::default()
@@ -167,6 +180,9 @@ fn a_column_that_is_not_there_is_refused() {
     refused(
         text,
         &format,
-        &["penetration", "a length", "--column \"penetration="],
+        &[
+            "load-penetration lacks penetration (a length)",
+            "\"Radius [um]\" (contact_radius), \"Load [mN]\" (load)",
+        ],
     );
 }

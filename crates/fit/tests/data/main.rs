@@ -2,7 +2,10 @@
 
 #![forbid(unsafe_code)]
 
+mod afm;
 mod errors;
+mod habits;
+mod instruments;
 mod large;
 mod properties;
 mod tables;

@@ -133,7 +133,7 @@ fn segments_come_from_a_column_from_comments_from_headings_or_from_the_largest_l
         (
             directions,
             reading.notes.split,
-            reading.notes.other_segments,
+            reading.notes.pauses + reading.notes.other_segments,
         )
     };
     let [approach, retract] = [Direction::Approach, Direction::Retract].map(Some);
@@ -230,7 +230,7 @@ fn a_sign_that_counts_in_the_opposite_sense_is_doubted() {
         "contact_radius,load\n1,0\n2,-0.2\n3,-1\n",
     ] {
         let doubt = doubt(text).unwrap_or_else(|| panic!("no doubt: {text}"));
-        assert!(doubt.contains("minus"), "{doubt}");
+        assert!(doubt.to_string().contains("opposite sense"), "{doubt}");
     }
 }
 

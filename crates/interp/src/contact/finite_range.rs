@@ -23,7 +23,7 @@ use std::f64::consts::PI;
 
 use super::line_energy::LineEnergy;
 use crate::material::system::positive;
-use crate::{Contact, Control, Error, Probe};
+use crate::{Contact, Control, Error};
 
 /// A constant attraction over a finite range (Dugdale's law).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -130,21 +130,15 @@ impl Contact {
 
     /// Accepts the probes whose shape is smooth everywhere but at its tip.
     fn smooth_probe(&self) -> Result<(), Error> {
-        match self.probe() {
-            Probe::Paraboloid { .. }
-            | Probe::Sphere { .. }
-            | Probe::PowerLaw { .. }
-            | Probe::Cone { .. } => Ok(()),
-            Probe::RoundedCone { .. }
-            | Probe::FlatPunch { .. }
-            | Probe::FlatEndedCone { .. }
-            | Probe::Profile(_) => Err(Error::OtherProbe {
-                question: "an attraction of finite range",
-                probe: self.mechanics().probe(),
-                reason: "the zone of attraction must lie where the shape is smooth, and this one has \
-                         an edge or a bend; use a paraboloid, a sphere, a cone or a power law",
-            }),
+        if self.probe().is_smooth() {
+            return Ok(());
         }
+        Err(Error::OtherProbe {
+            question: "an attraction of finite range",
+            probe: self.mechanics().probe(),
+            reason: "the zone of attraction must lie where the shape is smooth, and this one has \
+                     an edge or a bend; use a paraboloid, a sphere, a cone or a power law",
+        })
     }
 }
 
@@ -235,7 +229,7 @@ pub(super) fn short(zone: f64, length: f64, what: &'static str) -> Result<(), Er
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Elastic, HalfSpace};
+    use crate::{Elastic, HalfSpace, Probe};
 
     /// Under an imposed penetration the smallest contacts, far below the zone, are unstable: the
     /// pull-off is a larger one.

@@ -4,12 +4,8 @@ use std::f64::consts::PI;
 
 use super::checks::{finite_result, work_of_adhesion};
 use super::shape::{OddPower, Pair};
-use crate::material::ROUNDING;
 use crate::material::system::positive;
-use crate::{Error, HalfSpace, Normalisation, Probe, Quantities, System};
-
-/// The contact radius (m) below which contacts of a probe without a largest radius are.
-const LARGEST: f64 = 1e3;
+use crate::{Error, HalfSpace, Normalisation, Quantities, System};
 
 /// A point of the reduced "JKR plot" of eq. 9, a straight line for a homogeneous system.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -72,9 +68,9 @@ impl Mechanics {
             Normalisation::Film => system.film.reduced(),
         };
         Ok(Self {
-            sphere_radius: tip_radius(&system.probe),
+            sphere_radius: system.probe.tip_radius(),
             probe: system.probe.name(),
-            radii: contact_radii(&system.probe),
+            radii: system.probe.contact_radii(),
             modulus,
             sphere_film_modulus: modulus * material.sphere_film_modulus(),
             sphere_substrate_modulus: modulus * material.sphere_substrate_modulus(),
@@ -90,9 +86,9 @@ impl Mechanics {
     pub fn half_space(system: &HalfSpace) -> Result<Self, Error> {
         let modulus = system.compound_modulus()?;
         Ok(Self {
-            sphere_radius: tip_radius(&system.probe),
+            sphere_radius: system.probe.tip_radius(),
             probe: system.probe.name(),
-            radii: contact_radii(&system.probe),
+            radii: system.probe.contact_radii(),
             modulus,
             sphere_film_modulus: modulus,
             sphere_substrate_modulus: modulus,
@@ -284,27 +280,5 @@ impl Mechanics {
     /// Returns the point of the reduced JKR plot for a `load` (N) at contact radius `a` (m).
     pub fn jkr_point(&self, a: f64, load: f64) -> JkrPoint {
         JkrPoint::new(a, load, self.sphere_radius)
-    }
-}
-
-/// Returns the radius of curvature at the tip of a probe, NaN without one.
-fn tip_radius(probe: &Probe) -> f64 {
-    match *probe {
-        Probe::Paraboloid { radius }
-        | Probe::Sphere { radius }
-        | Probe::RoundedCone { radius, .. } => radius,
-        _ => f64::NAN,
-    }
-}
-
-/// Returns the smallest contact radius that a shape has, and the one below which the others are.
-fn contact_radii(probe: &Probe) -> [f64; 2] {
-    match probe {
-        Probe::Paraboloid { radius } | Probe::Sphere { radius } => [0.0, *radius],
-        // The radius itself, and its rounding.
-        Probe::FlatPunch { radius } => [radius * (1.0 - ROUNDING), radius * (1.0 + ROUNDING)],
-        Probe::FlatEndedCone { radius, .. } => [*radius, LARGEST],
-        Probe::Profile(profile) => [0.0, profile.end()],
-        Probe::PowerLaw { .. } | Probe::Cone { .. } | Probe::RoundedCone { .. } => [0.0, LARGEST],
     }
 }

@@ -200,6 +200,15 @@ impl Curve {
         self.range
     }
 
+    /// Returns whether [`Curve::quantity`] answers `quantity`: the table holds it, or it follows from
+    /// `Gamma` within the tolerance of the table.
+    pub fn answers(&self, quantity: Quantity) -> bool {
+        match self.known.get(quantity as usize) {
+            Some(known) => *known,
+            None => self.cone.is_some(),
+        }
+    }
+
     /// Returns the value of `quantity` at `a_over_t`. [`Quantity::Delta1`] ends at the largest
     /// `a/t` of the nodes.
     ///

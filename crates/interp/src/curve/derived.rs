@@ -112,10 +112,16 @@ pub(crate) struct Integrals<S: Simd> {
 }
 
 impl Derivation {
+    /// Returns whether `range` contains the points at which the integrals begin, and begins with a
+    /// thick film.
+    pub(crate) fn begins(range: [f64; 2]) -> bool {
+        range[0] <= LARGEST && MULTIPLES[2] * range[0] <= range[1]
+    }
+
     /// Returns what the integrals need for the pieces of `grid` over `range`; none if the range
     /// does not contain the points at which they begin, or begins with too thin a film.
     pub(crate) fn new(grid: &Grid, range: [f64; 2]) -> Option<Self> {
-        if range[0] > LARGEST || MULTIPLES[2] * range[0] > range[1] {
+        if !Self::begins(range) {
             return None;
         }
         let mut ends: Vec<[f64; 2]> = grid.pieces(range[1]).map(|(_, ends)| ends).collect();

@@ -37,6 +37,27 @@ impl Allowance {
 }
 
 impl Resampler {
+    /// Returns whether [`Self::fitting`] may choose `2^bits[i]` pieces in octave `i` of `range`.
+    pub(crate) fn may_have(range: [f64; 2], bits: &[u32]) -> bool {
+        let [coarsest, finest] = Self::coarsest_and_finest(range);
+        let is_tried = |bits: &u32| (coarsest..=finest).contains(bits);
+        bits.len() == Grid::most_octaves(range) && bits.iter().all(is_tried)
+    }
+
+    /// Returns the binary logarithms of the smallest and the largest number of pieces in an octave
+    /// of `range`.
+    fn coarsest_and_finest(range: [f64; 2]) -> [u32; 2] {
+        // A piece is shorter than the whole range. Otherwise the samples of a piece that extends
+        // out of the range would lie closer to each other.
+        let length = (range[1] - range[0]) / range[0];
+        let coarsest = if length > 0.0 {
+            (-length.log2()).ceil().clamp(0.0, 40.0) as u32
+        } else {
+            0
+        };
+        [coarsest, coarsest.max(Self::FINEST)]
+    }
+
     /// The largest mean number of times that a curve is made for the choice of the pieces. The
     /// embedded table needs 1.8.
     pub(crate) const ROUNDS: usize = 6;
@@ -64,15 +85,7 @@ impl Resampler {
         curve: impl Fn(usize) -> Coefficients,
         error: f64,
     ) -> Self {
-        // A piece is shorter than the whole range. Otherwise the samples of a piece that extends
-        // out of the range would lie closer to each other.
-        let length = (range[1] - range[0]) / range[0];
-        let coarsest = if length > 0.0 {
-            (-length.log2()).ceil().clamp(0.0, 40.0) as u32
-        } else {
-            0
-        };
-        let finest = coarsest.max(Self::FINEST);
+        let [coarsest, finest] = Self::coarsest_and_finest(range);
         let mut bits = vec![coarsest; Grid::most_octaves(range)];
         let mut resampler = Self::new(basis, range, held, &bits);
         let fine = resampler

@@ -17,7 +17,7 @@ mod asymptotics;
 mod beyond;
 pub mod bspline;
 mod curve;
-mod derived;
+pub(crate) mod derived;
 mod even_powers;
 mod exchange;
 mod fitting;

@@ -22,6 +22,8 @@ use crate::curve::thick_film::ThickFilm;
 /// a grid, made once for a table.
 #[derive(Clone, Debug)]
 pub(crate) struct Resampler {
+    /// The binary logarithm of the number of pieces in each octave.
+    pub(crate) bits: Vec<u32>,
     /// The pieces.
     pub(crate) grid: Arc<Grid>,
     /// The B-splines on the pieces.
@@ -60,7 +62,7 @@ struct ParameterDerivatives<'a> {
 impl Resampler {
     /// Samples the B-splines of `basis` for the quantities `held` on `2^bits[i]` pieces in octave
     /// `i` of `range`.
-    pub(super) fn new(basis: &Basis, range: [f64; 2], held: &[Quantity], bits: &[u32]) -> Self {
+    pub(crate) fn new(basis: &Basis, range: [f64; 2], held: &[Quantity], bits: &[u32]) -> Self {
         let grid = Grid::over(range, bits);
         let spans = Spans::new(basis, &grid, range);
         let (cone, held): (Vec<_>, Vec<_>) = held
@@ -68,6 +70,7 @@ impl Resampler {
             .partition(|&&quantity| quantity == Quantity::Delta1);
         let derivation = (held == [Quantity::Gamma]).then(|| Derivation::new(&grid, range));
         Self {
+            bits: bits.to_vec(),
             grid: Arc::new(grid),
             spans,
             held,

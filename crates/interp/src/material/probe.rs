@@ -3,8 +3,12 @@
 use std::f64::consts::FRAC_PI_2;
 
 use crate::Error;
+use crate::material::ROUNDING;
 use crate::material::profile::Profile;
 use crate::material::system::positive;
+
+/// The contact radius (m) below which contacts of a probe without a largest radius are.
+const LARGEST: f64 = 1e3;
 
 /// The largest exponent of [`Probe::PowerLaw`].
 const LARGEST_EXPONENT: f64 = 20.0;
@@ -48,7 +52,7 @@ pub enum Probe {
         /// The radius of curvature `R`, m.
         radius: f64,
     },
-    /// The sphere itself, `f = R - sqrt(R^2 - r^2)`.
+    /// The sphere itself, `f = R - sqrt(R^2 - r^2)`. On a film contacts up to 0.55 R are computed.
     Sphere {
         /// The radius `R`, m.
         radius: f64,
@@ -116,6 +120,72 @@ impl Probe {
             Self::FlatPunch { .. } => "flat punch",
             Self::FlatEndedCone { .. } => "flat-ended cone",
             Self::Profile(_) => "profile",
+        }
+    }
+
+    /// Makes the shape of a [name](Probe::name) from its numbers, in the order of the fields; those
+    /// of a profile are radius and height in turn. `None` for another name or number of numbers.
+    ///
+    /// # Errors
+    /// Those of [`Profile::new`]; the other shapes are accepted with a system.
+    pub fn of_numbers(name: &str, numbers: &[f64]) -> Option<Result<Self, Error>> {
+        Some(Ok(match (name, numbers) {
+            ("paraboloid", &[radius]) => Self::Paraboloid { radius },
+            ("sphere", &[radius]) => Self::Sphere { radius },
+            ("power law", &[coefficient, exponent]) => Self::PowerLaw {
+                coefficient,
+                exponent,
+            },
+            ("cone", &[half_angle]) => Self::Cone { half_angle },
+            ("rounded cone", &[radius, half_angle]) => Self::RoundedCone { radius, half_angle },
+            ("flat punch", &[radius]) => Self::FlatPunch { radius },
+            ("flat-ended cone", &[radius, half_angle]) => {
+                Self::FlatEndedCone { radius, half_angle }
+            }
+            ("profile", numbers) => {
+                let (points, []) = numbers.as_chunks() else {
+                    return None;
+                };
+                return Some(Profile::new(points).map(Self::Profile));
+            }
+            _ => return None,
+        }))
+    }
+
+    /// Returns the radius of curvature at the tip, NaN without one.
+    pub(crate) const fn tip_radius(&self) -> f64 {
+        match *self {
+            Self::Paraboloid { radius }
+            | Self::Sphere { radius }
+            | Self::RoundedCone { radius, .. } => radius,
+            _ => f64::NAN,
+        }
+    }
+
+    /// Returns the smallest contact radius that the shape has, and the one below which the others
+    /// are.
+    pub(crate) fn contact_radii(&self) -> [f64; 2] {
+        match self {
+            Self::Paraboloid { radius } | Self::Sphere { radius } => [0.0, *radius],
+            // The radius itself, and its rounding.
+            Self::FlatPunch { radius } => [radius * (1.0 - ROUNDING), radius * (1.0 + ROUNDING)],
+            Self::FlatEndedCone { radius, .. } => [*radius, LARGEST],
+            Self::Profile(profile) => [0.0, profile.end()],
+            Self::PowerLaw { .. } | Self::Cone { .. } | Self::RoundedCone { .. } => [0.0, LARGEST],
+        }
+    }
+
+    /// Returns whether the shape is smooth everywhere but at its tip.
+    pub(crate) const fn is_smooth(&self) -> bool {
+        match self {
+            Self::Paraboloid { .. }
+            | Self::Sphere { .. }
+            | Self::PowerLaw { .. }
+            | Self::Cone { .. } => true,
+            Self::RoundedCone { .. }
+            | Self::FlatPunch { .. }
+            | Self::FlatEndedCone { .. }
+            | Self::Profile(_) => false,
         }
     }
 

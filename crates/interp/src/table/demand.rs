@@ -28,7 +28,7 @@ const ALWAYS_ALLOWED: [u64; 2] = [1_000_000, 100_000_000];
 /// pieces does not depend on the size of the form, and has its own limit.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Demand {
-    /// The integers, as f64, and the f64 that are kept.
+    /// The integers, and the f64 that are kept: one for each integer, and the intervals.
     numbers: u64,
     products: u64,
     integers: u64,
@@ -62,7 +62,8 @@ impl Demand {
                 };
                 let add = |sum: &mut u64, number: u64| *sum = sum.saturating_add(number);
                 add(&mut demand.integers, integers);
-                add(&mut demand.numbers, integers.saturating_add(kept));
+                add(&mut demand.numbers, integers.saturating_mul(2));
+                add(&mut demand.numbers, kept);
                 add(&mut demand.products, kept.saturating_mul(terms as u64));
                 add(&mut used, row);
             }

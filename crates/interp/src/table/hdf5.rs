@@ -17,7 +17,8 @@ impl Table {
     /// Reads an HDF5 table (feature `hdf5`). A packed table is read by [`Table::read`].
     ///
     /// # Errors
-    /// [`Error::Io`] if the file cannot be opened; [`Error::Foreign`] if it is not an HDF5 file, or
+    /// [`Error::Io`] if the file cannot be opened; [`Error::InFile`] with the path and what is wrong:
+    /// [`Error::Foreign`] if it is not an HDF5 file, or
     /// one without a table; [`Error::Version`] for another version; [`Error::Malformed`] for
     /// missing, mistyped or contradictory parts, for a layout that is never written, and for more
     /// numbers than are allowed: 64 bytes of them for each byte of the file, or 64 MB if that is
@@ -27,6 +28,11 @@ impl Table {
     /// `tests/table/hostile.rs` with forged files).
     pub fn open(path: impl AsRef<Path>) -> Result<Self, Error> {
         let path = path.as_ref();
+        Self::of_hdf5(path).map_err(|error| error.in_file(path))
+    }
+
+    /// Reads an HDF5 table. Errors of its content are without its path.
+    fn of_hdf5(path: &Path) -> Result<Self, Error> {
         let io = |source| Error::Io {
             path: path.to_owned(),
             source,

@@ -31,13 +31,39 @@ impl Lookup {
     /// The smallest error of the pieces that is asked for, whatever the table's tolerance.
     const LEAST_ERROR: f64 = 1e-11;
 
-    /// Prepares the lookup in `spline`, which holds `quantities` to a relative `tolerance`.
+    /// Prepares the lookup in `spline`, which holds `quantities` to a relative `tolerance`, with the
+    /// `pieces` of curves, if they are known.
     pub(crate) fn new(
         axes: &Axes,
         quantities: Vec<Quantity>,
         tolerance: f64,
         spline: TensorSpline,
+        pieces: Option<&[u32]>,
     ) -> Self {
+        let range = axes.ends(Parameter::AOverT);
+        let resampler = match pieces {
+            Some(pieces) => Resampler::new(&spline.a_over_t_basis, range, &quantities, pieces),
+            None => Self::fitting(axes, &quantities, tolerance, &spline),
+        };
+        Self {
+            spline,
+            resampler,
+            range,
+        }
+    }
+
+    /// Returns the binary logarithm of the number of pieces in each octave of `a/t`.
+    pub(crate) fn pieces_of_octaves(&self) -> &[u32] {
+        &self.resampler.bits
+    }
+
+    /// Chooses the pieces by the curves of materials all over the table.
+    fn fitting(
+        axes: &Axes,
+        quantities: &[Quantity],
+        tolerance: f64,
+        spline: &TensorSpline,
+    ) -> Resampler {
         let range = axes.ends(Parameter::AOverT);
         let [e1, nu1, e0] = axes.of_material().map(|parameter| {
             let [from, to] = axes
@@ -58,19 +84,14 @@ impl Lookup {
             .collect();
         let curve = |i: usize| spline.coefficients(materials[i]);
         let error = (Self::SHARE * tolerance).max(Self::LEAST_ERROR);
-        let resampler = Resampler::fitting(
+        Resampler::fitting(
             &spline.a_over_t_basis,
             range,
-            &quantities,
+            quantities,
             materials.len(),
             curve,
             error,
-        );
-        Self {
-            spline,
-            resampler,
-            range,
-        }
+        )
     }
 
     /// Makes the curve of `material`.

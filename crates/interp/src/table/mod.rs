@@ -6,7 +6,7 @@
 //! `demand` allows. `packed` and `hdf5` read it from
 //! files ([`schema`] has the names of the parts; `hdf5_source` limits what a forged file can make
 //! `hdf5` do, and `hdf5_chunks` reads the numbers; `entropy` codes the integers of packed low-rank
-//! forms), `embedded` from the program. For the first lookup
+//! forms, which `stored_tiles` keeps until they are needed), `embedded` from the program. For the first lookup
 //! it becomes a `tensor_spline`, either dense or a `tensor_train`; their sums are those of
 //! `weighted_sum` and of `mixed_precision` (with `blocks`, the rows in one precision, and
 //! `vectors`). `lookup` makes the [`Curve`](crate::Curve) of a material
@@ -33,6 +33,7 @@ mod low_rank;
 mod mixed_precision;
 mod packed;
 pub mod schema;
+mod stored_tiles;
 mod table;
 mod tensor_spline;
 mod tensor_train;

@@ -12,7 +12,8 @@
 //! The content of a dense table is its values as f64, quantity by quantity. The content of a
 //! low-rank table is a list of its tiles: their nodes, the order of the cores, the numbers of their
 //! polynomials, the weights and the step (bincode, integers of variable width), and the integers of
-//! the cores in the code of the module `entropy`.
+//! the cores in the code of the module `entropy`. The header holds the lengths of the pieces of a
+//! curve, which the first lookup would otherwise have to choose.
 //!
 //! A forged length cannot allocate much memory. The length of the header is limited. The number of
 //! values must match the number of bytes. An integer of a core has 8 bytes in memory, and a byte of
@@ -25,16 +26,17 @@ use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 
-use crate::table::entropy;
-use crate::table::low_rank::shapes;
-use crate::{Description, Error, LowRank, Parameter, Quantity, Table, Tile};
+use crate::table::stored_tiles::CodedTile;
+#[cfg(feature = "embedded")]
+use crate::table::stored_tiles::StoredTiles;
+use crate::{Description, Error, Parameter, Quantity, Table};
 
 /// The first bytes of a packed table.
 const MAGIC: [u8; 8] = *b"COATTBL\n";
 /// The first bytes of an HDF5 file.
 const HDF5_SIGNATURE: [u8; 8] = *b"\x89HDF\r\n\x1a\n";
 /// The only version of the packed form that is written and read.
-const VERSION: u32 = 3;
+const VERSION: u32 = 4;
 /// The number of bytes before the payload.
 const PREFIX: usize = 24;
 /// The largest header, many times that of any real table.
@@ -47,6 +49,8 @@ struct Header {
     axes: [(Parameter, Vec<f64>); 4],
     quantities: Vec<Quantity>,
     form: Form,
+    /// The binary logarithm of the number of pieces in each octave of `a/t`.
+    pieces: Vec<u32>,
 }
 
 /// The form of the content.
@@ -54,48 +58,6 @@ struct Header {
 enum Form {
     Dense,
     LowRank,
-}
-
-/// A tile of a low-rank table.
-#[derive(Serialize, Deserialize)]
-struct PackedTile {
-    /// The first and the last node of the film's modulus, and of the substrate's.
-    film: [usize; 2],
-    substrate: [usize; 2],
-    order: [usize; 3],
-    terms: [usize; 4],
-    weights: [Vec<i8>; 3],
-    step: f64,
-    /// The code of the integers of the cores.
-    integers: Vec<u8>,
-}
-
-impl PackedTile {
-    /// Codes a tile.
-    fn new(tile: &Tile) -> Self {
-        let form = &tile.form;
-        Self {
-            film: tile.film,
-            substrate: tile.substrate,
-            order: form.order(),
-            terms: form.terms(),
-            weights: form.exponents().clone(),
-            step: form.step(),
-            integers: entropy::encode(form.shapes(), form.integers()),
-        }
-    }
-
-    /// Decodes the tile of a table of these quantities.
-    fn tile(self, quantities: &[Quantity]) -> Result<Tile, Error> {
-        let ranks = self.weights.each_ref().map(Vec::len);
-        let cores = entropy::decode(shapes(ranks, self.terms, quantities.len()), &self.integers)?;
-        let (order, terms, weights) = (self.order, self.terms, self.weights);
-        Ok(Tile {
-            film: self.film,
-            substrate: self.substrate,
-            form: LowRank::new(quantities.to_vec(), order, terms, weights, self.step, cores)?,
-        })
-    }
 }
 
 /// The bincode configuration of the header.
@@ -120,19 +82,21 @@ impl Table {
     /// Reads a packed table from a file. An HDF5 table is read by `Table::open` (feature `hdf5`).
     ///
     /// # Errors
-    /// [`Error::Io`] if the file cannot be read; those of [`Table::from_packed`].
+    /// [`Error::Io`] if the file cannot be read; [`Error::InFile`] with the path and one of the errors
+    /// of [`Table::from_packed`].
     pub fn read(path: impl AsRef<Path>) -> Result<Self, Error> {
         let path = path.as_ref();
-        Self::from_packed(&fs::read(path).map_err(|source| Error::Io {
+        let bytes = fs::read(path).map_err(|source| Error::Io {
             path: path.to_owned(),
             source,
-        })?)
+        })?;
+        Self::from_packed(&bytes).map_err(|error| error.in_file(path))
     }
 
     /// Returns the packed form, from which [`Table::from_packed`] restores this table bit for bit.
     ///
     /// # Errors
-    /// [`Error::Malformed`] if title, scene and axes exceed a megabyte; those of [`Table::expand`].
+    /// [`Error::Malformed`] if title, scene and axes exceed a megabyte.
     pub fn to_packed(&self) -> Result<Vec<u8>, Error> {
         let form = if self.low_rank().is_some() {
             Form::LowRank
@@ -144,6 +108,7 @@ impl Table {
             axes: self.axes(),
             quantities: self.quantities(),
             form,
+            pieces: self.pieces().to_vec(),
         };
         let mut payload =
             bincode::serde::encode_to_vec(&header, configuration()).map_err(malformed)?;
@@ -154,14 +119,13 @@ impl Table {
             )));
         }
         if matches!(header.form, Form::Dense) {
-            let dense = self.expand()?;
             for quantity in header.quantities {
-                let values = dense.values(quantity).into_iter().flatten();
+                let values = self.values(quantity).into_iter().flatten();
                 payload.extend(values.flat_map(|value| value.to_le_bytes()));
             }
         }
         if let Some(tiles) = self.low_rank() {
-            let tiles: Vec<PackedTile> = tiles.iter().map(PackedTile::new).collect();
+            let tiles: Vec<CodedTile> = tiles.iter().map(CodedTile::new).collect();
             payload.extend(
                 bincode::serde::encode_to_vec(&tiles, content_configuration())
                     .map_err(malformed)?,
@@ -189,53 +153,71 @@ impl Table {
     /// one (measured at their worst by `tests/hostile/packed.rs`). [`Table::from_low_rank`] states
     /// the work.
     pub fn from_packed(bytes: &[u8]) -> Result<Self, Error> {
-        if !is_packed(bytes) {
-            let what = if bytes.starts_with(&HDF5_SIGNATURE) {
-                "it begins like an HDF5 table; pack it with `tabulate pack TABLE.h5 -o TABLE.bin`, or \
-                 open it with `Table::open` (feature `hdf5`)"
-            } else {
-                "it does not begin like a packed table; `tabulate pack TABLE.h5 -o TABLE.bin` makes \
-                 one from an HDF5 table"
-            };
-            return Err(Error::Foreign(what.into()));
-        }
-        let Some((prefix, payload)) = bytes.split_at_checked(PREFIX) else {
-            return Err(Error::Length {
-                expected: PREFIX as u64,
-                found: bytes.len() as u64,
-            });
-        };
-        let word = |at: usize| {
-            u32::from_le_bytes([prefix[at], prefix[at + 1], prefix[at + 2], prefix[at + 3]])
-        };
-        let version = word(8);
-        if version != VERSION {
-            return Err(Error::Version {
-                found: version,
-                supported: VERSION,
-            });
-        }
-        let length = u64::from(word(12)) | u64::from(word(16)) << 32;
-        if length != payload.len() as u64 {
-            return Err(Error::Length {
-                expected: length,
-                found: payload.len() as u64,
-            });
-        }
-        let (stored, found) = (word(20), crc32fast::hash(payload));
-        if stored != found {
-            return Err(Error::Checksum { stored, found });
-        }
-
-        let limited = &payload[..payload.len().min(HEADER_LIMIT)];
-        let (header, used): (Header, usize) =
-            bincode::serde::decode_from_slice(limited, configuration()).map_err(malformed)?;
-        let content = &payload[used..];
+        let (header, content) = split(bytes)?;
         match header.form {
             Form::Dense => dense(header, content),
             Form::LowRank => low_rank(header, content),
         }
     }
+
+    /// Reads a packed table in low-rank form from bytes that [`Table::from_packed`] accepts, and
+    /// decodes each tile at the first lookup in it.
+    ///
+    /// # Errors
+    /// Those of [`Table::from_packed`], except for errors in the code of the integers, which are a
+    /// panic at the first lookup.
+    #[cfg(feature = "embedded")]
+    pub(crate) fn from_sound_code(bytes: &[u8]) -> Result<Self, Error> {
+        let (header, content) = split(bytes)?;
+        let tiles = StoredTiles::of_code(header.quantities, coded_tiles(content)?);
+        Self::of_tiles(header.description, header.axes, tiles)?.with_pieces(header.pieces)
+    }
+}
+
+/// Splits a packed table into its header and its content.
+fn split(bytes: &[u8]) -> Result<(Header, &[u8]), Error> {
+    if !is_packed(bytes) {
+        let what = if bytes.starts_with(&HDF5_SIGNATURE) {
+            "it begins like an HDF5 table; pack it with `tabulate pack TABLE.h5 -o TABLE.bin`, or \
+                 open it with `Table::open` (feature `hdf5`)"
+        } else {
+            "it does not begin like a packed table; `tabulate pack TABLE.h5 -o TABLE.bin` makes \
+                 one from an HDF5 table"
+        };
+        return Err(Error::Foreign(what.into()));
+    }
+    let Some((prefix, payload)) = bytes.split_at_checked(PREFIX) else {
+        return Err(Error::Length {
+            expected: PREFIX as u64,
+            found: bytes.len() as u64,
+        });
+    };
+    let word = |at: usize| {
+        u32::from_le_bytes([prefix[at], prefix[at + 1], prefix[at + 2], prefix[at + 3]])
+    };
+    let version = word(8);
+    if version != VERSION {
+        return Err(Error::Version {
+            found: version,
+            supported: VERSION,
+        });
+    }
+    let length = u64::from(word(12)) | u64::from(word(16)) << 32;
+    if length != payload.len() as u64 {
+        return Err(Error::Length {
+            expected: length,
+            found: payload.len() as u64,
+        });
+    }
+    let (stored, found) = (word(20), crc32fast::hash(payload));
+    if stored != found {
+        return Err(Error::Checksum { stored, found });
+    }
+
+    let limited = &payload[..payload.len().min(HEADER_LIMIT)];
+    let (header, used): (Header, usize) =
+        bincode::serde::decode_from_slice(limited, configuration()).map_err(malformed)?;
+    Ok((header, &payload[used..]))
 }
 
 /// An error of bincode inside a packed table.
@@ -272,12 +254,20 @@ fn dense(header: Header, content: &[u8]) -> Result<Table, Error> {
             .map(|bytes| f64::from_le_bytes(*bytes));
         quantities[*quantity as usize] = Some(numbers.collect());
     }
-    Table::new(header.description, header.axes, quantities)
+    Table::new(header.description, header.axes, quantities)?.with_pieces(header.pieces)
 }
 
 /// Reads the content of a low-rank table.
 fn low_rank(header: Header, content: &[u8]) -> Result<Table, Error> {
-    let (tiles, used): (Vec<PackedTile>, usize) =
+    let tiles = coded_tiles(content)?.into_iter();
+    let tiles = tiles.map(|tile| tile.decode(&header.quantities));
+    let tiles = tiles.collect::<Result<_, _>>()?;
+    Table::from_low_rank(header.description, header.axes, tiles)?.with_pieces(header.pieces)
+}
+
+/// Reads the tiles of a low-rank table.
+fn coded_tiles(content: &[u8]) -> Result<Vec<CodedTile>, Error> {
+    let (tiles, used) =
         bincode::serde::decode_from_slice(content, content_configuration()).map_err(malformed)?;
     if used != content.len() {
         return Err(Error::Malformed(format!(
@@ -285,9 +275,5 @@ fn low_rank(header: Header, content: &[u8]) -> Result<Table, Error> {
             content.len()
         )));
     }
-    let tiles = tiles
-        .into_iter()
-        .map(|tile| tile.tile(&header.quantities))
-        .collect::<Result<_, _>>()?;
-    Table::from_low_rank(header.description, header.axes, tiles)
+    Ok(tiles)
 }

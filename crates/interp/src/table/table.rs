@@ -1,11 +1,14 @@
 //! The table: its axes, its values, their description, and their interpolation for one material.
 
 use std::borrow::Cow;
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
+use crate::curve::derived::Derivation;
 use crate::curve::nodes::REASONABLE;
+use crate::curve::resampler::Resampler;
 use crate::table::axes::Axes;
 use crate::table::lookup::Lookup;
+use crate::table::stored_tiles::StoredTiles;
 use crate::table::tensor_spline::TensorSpline;
 use crate::table::tiles;
 use crate::{
@@ -22,6 +25,9 @@ pub struct Table {
     description: Description,
     axes: Axes,
     content: Content,
+    /// The binary logarithm of the number of pieces of a curve in each octave of `a/t`, if it is
+    /// known before the first lookup.
+    pieces: Option<Vec<u32>>,
     /// Made at the first interpolation, because some tables are read only to be written elsewhere.
     lookup: OnceLock<Lookup>,
 }
@@ -31,7 +37,7 @@ pub struct Table {
 enum Content {
     /// Row-major over the four axes, `a_over_t` slowest.
     Dense([Option<Vec<f64>>; 5]),
-    LowRank(Vec<Tile>),
+    LowRank(Arc<StoredTiles>),
 }
 
 impl Table {
@@ -99,6 +105,7 @@ impl Table {
             description,
             axes,
             content: Content::Dense(values),
+            pieces: None,
             lookup: OnceLock::new(),
         })
     }
@@ -121,15 +128,49 @@ impl Table {
         axes: [(Parameter, Vec<f64>); 4],
         tiles: Vec<Tile>,
     ) -> Result<Self, Error> {
+        tiles::check(&Axes::new(axes.clone())?, &tiles)?;
+        Self::of_tiles(description, axes, StoredTiles::new(tiles))
+    }
+
+    /// Makes a table in low-rank form of tiles that are known to be sound.
+    pub(crate) fn of_tiles(
+        description: Description,
+        axes: [(Parameter, Vec<f64>); 4],
+        tiles: StoredTiles,
+    ) -> Result<Self, Error> {
         let axes = Axes::new(axes)?;
         description.check()?;
-        tiles::check(&axes, &tiles)?;
         Ok(Self {
             description,
             axes,
-            content: Content::LowRank(tiles),
+            content: Content::LowRank(Arc::new(tiles)),
+            pieces: None,
             lookup: OnceLock::new(),
         })
+    }
+
+    /// Gives a table the lengths of the pieces of its curves, as [`Table::pieces`] returns them.
+    ///
+    /// # Errors
+    /// [`Error::Malformed`] for lengths that no choice of pieces has.
+    pub(crate) fn with_pieces(mut self, pieces: Vec<u32>) -> Result<Self, Error> {
+        let range = self.axes.ends(Parameter::AOverT);
+        if !Resampler::may_have(range, &pieces) {
+            return Err(Error::Malformed(format!(
+                "its curves have {pieces:?} as the binary logarithms of the numbers of pieces in the \
+                 octaves of a_over_t from {:?} to {:?}, which no table has",
+                range[0], range[1]
+            )));
+        }
+        self.pieces = Some(pieces);
+        Ok(self)
+    }
+
+    /// Returns the binary logarithm of the number of pieces of a curve in each octave of `a/t`.
+    pub(crate) fn pieces(&self) -> &[u32] {
+        self.pieces
+            .as_deref()
+            .unwrap_or_else(|| self.lookup().pieces_of_octaves())
     }
 
     /// Returns the description: origin, units and accuracy.
@@ -183,7 +224,7 @@ impl Table {
     pub fn holds(&self, quantity: Quantity) -> bool {
         match &self.content {
             Content::Dense(values) => values[quantity as usize].is_some(),
-            Content::LowRank(tiles) => tiles[0].form.quantities().contains(&quantity),
+            Content::LowRank(tiles) => tiles.quantities().contains(&quantity),
         }
     }
 
@@ -193,6 +234,25 @@ impl Table {
             .into_iter()
             .filter(|&quantity| self.holds(quantity))
             .collect()
+    }
+
+    /// Returns the quantities that the curves of this table [answer](Curve::answers), in the order of
+    /// [`Quantity::TABULATED`].
+    ///
+    /// They are the quantities held and, in a table of films that holds [`Quantity::Gamma`] alone of
+    /// a sphere and begins at an `a/t` of 0.4 at most, all four of a sphere. A curve whose material
+    /// makes the others begin less accurately than the tolerance answers `Gamma` alone.
+    pub fn answers(&self) -> Vec<Quantity> {
+        let held = self.quantities();
+        let of_sphere = |quantity: &&Quantity| Quantity::ALL.contains(quantity);
+        let x = self.axis(Parameter::AOverT);
+        let derives = held.iter().filter(of_sphere).eq([&Quantity::Gamma])
+            && !self.is_of_stack()
+            && Derivation::begins([x[0], x[x.len() - 1]]);
+        let answered = |quantity: &Quantity| {
+            held.contains(quantity) || derives && Quantity::ALL.contains(quantity)
+        };
+        Quantity::TABULATED.into_iter().filter(answered).collect()
     }
 
     /// Returns the values of `quantity` at the nodes, row-major with `a_over_t` slowest.
@@ -209,7 +269,7 @@ impl Table {
     /// Returns the tiles of the low-rank form, or `None` if the table is dense.
     pub fn low_rank(&self) -> Option<&[Tile]> {
         match &self.content {
-            Content::LowRank(tiles) => Some(tiles),
+            Content::LowRank(tiles) => Some(tiles.all()),
             Content::Dense(_) => None,
         }
     }
@@ -229,7 +289,7 @@ impl Table {
     /// If `e1` is not below the number of nodes of the film's modulus.
     pub fn logarithms(&self, e1: usize) -> Vec<f64> {
         let values = match &self.content {
-            Content::LowRank(tiles) => return tiles::logarithms(&self.axes, tiles, e1),
+            Content::LowRank(tiles) => return tiles::logarithms(&self.axes, tiles.all(), e1),
             Content::Dense(values) => values,
         };
         let [n_a, n_e1, n_nu, n_e0] = self.shape();
@@ -371,7 +431,8 @@ impl Table {
                 }
                 Content::LowRank(tiles) => TensorSpline::of_low_rank(&self.axes, tiles, tolerance),
             };
-            Lookup::new(&self.axes, quantities, tolerance, spline)
+            let pieces = self.pieces.as_deref();
+            Lookup::new(&self.axes, quantities, tolerance, spline, pieces)
         })
     }
 }

@@ -2,12 +2,14 @@
 //! `ln(a/t)`.
 
 use std::array;
+use std::sync::{Arc, OnceLock};
 
 use crate::Parameter;
 use crate::curve::bspline::{Basis, LARGEST_DEGREE, Weights};
 use crate::table::axes::Axes;
+use crate::table::stored_tiles::StoredTiles;
 use crate::table::tensor_train::TensorTrain;
-use crate::table::tiles::{self, Tile};
+use crate::table::tiles;
 use crate::table::vectors::{Vectors, WeightedSum};
 use crate::table::weighted_sum::add_rows;
 
@@ -30,31 +32,40 @@ enum Form {
     /// A row for each combination of the B-splines of the material axes, `e1_over_e2` slowest: a
     /// group of the quantities held for each B-spline of `a_over_t`.
     Dense(Vec<f64>),
-    /// A train for each tile.
-    Tiles {
-        trains: Vec<TensorTrain>,
-        /// The ends of each tile in the coordinates of the moduli of film and substrate.
-        boxes: Vec<[[f64; 2]; 2]>,
-    },
+    Tiles(Trains),
+}
+
+/// A train for each tile, prepared at the first lookup in the tile.
+#[derive(Clone, Debug)]
+struct Trains {
+    tiles: Arc<StoredTiles>,
+    prepared: Vec<OnceLock<TensorTrain>>,
+    /// The ends of each tile in the coordinates of the moduli of film and substrate.
+    boxes: Vec<[[f64; 2]; 2]>,
+    /// The ends of each tile in the coordinates of all axes.
+    ends: Vec<[[f64; 2]; 4]>,
+    /// The coordinates of the nodes of `a/t`.
+    a_over_t: Vec<f64>,
+    /// The tolerance of the table.
+    tolerance: f64,
 }
 
 impl TensorSpline {
     /// Makes the spline of a low-rank form, accurate enough for `tolerance`.
-    pub(crate) fn of_low_rank(axes: &Axes, tiles: &[Tile], tolerance: f64) -> Self {
+    pub(crate) fn of_low_rank(axes: &Axes, tiles: &Arc<StoredTiles>, tolerance: f64) -> Self {
         let (bases, a_over_t_basis) = bases(axes);
-        let a_over_t: Vec<f64> = axes
-            .nodes(Parameter::AOverT)
-            .iter()
-            .map(|&value| Parameter::AOverT.coordinate(value))
-            .collect();
-        let train = |tile: &Tile| {
-            let ends = tile.ends(axes);
-            TensorTrain::new(&tile.form, ends, &a_over_t, &a_over_t_basis, tolerance)
-        };
-        let form = Form::Tiles {
-            trains: tiles.iter().map(train).collect(),
-            boxes: tiles::boxes(axes, tiles),
-        };
+        let places = tiles.places();
+        let a_over_t = axes.nodes(Parameter::AOverT).iter();
+        let form = Form::Tiles(Trains {
+            tiles: Arc::clone(tiles),
+            prepared: vec![OnceLock::new(); places.len()],
+            boxes: tiles::boxes(axes, &places),
+            ends: places.iter().map(|place| place.ends(axes)).collect(),
+            a_over_t: a_over_t
+                .map(|&value| Parameter::AOverT.coordinate(value))
+                .collect(),
+            tolerance,
+        });
         Self {
             bases,
             a_over_t_basis,
@@ -95,8 +106,9 @@ impl TensorSpline {
     /// quantities held for each B-spline.
     pub(crate) fn coefficients(&self, coordinates: [f64; 3]) -> Vec<f64> {
         match &self.form {
-            Form::Tiles { trains, boxes } => {
-                train(trains, boxes, coordinates).coefficients(coordinates)
+            Form::Tiles(trains) => {
+                let train = trains.of(coordinates, &self.a_over_t_basis);
+                train.coefficients(coordinates)
             }
             Form::Dense(rows) => {
                 let [sum] = self.sums(rows, &self.weights(coordinates), [[false; 3]]);
@@ -116,13 +128,10 @@ impl TensorSpline {
         coefficients: &mut [f64],
     ) {
         match &self.form {
-            Form::Tiles { trains, boxes } => train(trains, boxes, coordinates).sums_along(
-                coordinates,
-                axis,
-                places,
-                sums,
-                coefficients,
-            ),
+            Form::Tiles(trains) => {
+                let train = trains.of(coordinates, &self.a_over_t_basis);
+                train.sums_along(coordinates, axis, places, sums, coefficients);
+            }
             Form::Dense(_) => {
                 let mut at_places = Vectors::zeros(places.len(), coefficients.len());
                 for (i, &place) in places.iter().enumerate() {
@@ -146,8 +155,9 @@ impl TensorSpline {
     /// coordinates.
     pub(crate) fn coefficients_and_slopes(&self, coordinates: [f64; 3]) -> [Vec<f64>; 4] {
         match &self.form {
-            Form::Tiles { trains, boxes } => {
-                train(trains, boxes, coordinates).coefficients_and_slopes(coordinates)
+            Form::Tiles(trains) => {
+                let train = trains.of(coordinates, &self.a_over_t_basis);
+                train.coefficients_and_slopes(coordinates)
             }
             Form::Dense(rows) => {
                 let weights = self.weights(coordinates);
@@ -190,18 +200,20 @@ impl TensorSpline {
     }
 }
 
-/// Returns the train of the first tile that contains the material.
-fn train<'a>(
-    trains: &'a [TensorTrain],
-    boxes: &[[[f64; 2]; 2]],
-    [film, _, substrate]: [f64; 3],
-) -> &'a TensorTrain {
-    let contains = |[of_film, of_substrate]: &[[f64; 2]; 2]| {
-        let within = |u: f64, [from, to]: &[f64; 2]| (*from..=*to).contains(&u);
-        within(film, of_film) && within(substrate, of_substrate)
-    };
-    let tile = boxes.iter().position(contains);
-    &trains[tile.expect("the tiles cover all coordinates")]
+impl Trains {
+    /// Returns the train of the first tile that contains the material, with the B-splines of `a/t`.
+    fn of(&self, [film, _, substrate]: [f64; 3], basis: &Basis) -> &TensorTrain {
+        let contains = |[of_film, of_substrate]: &[[f64; 2]; 2]| {
+            let within = |u: f64, [from, to]: &[f64; 2]| (*from..=*to).contains(&u);
+            within(film, of_film) && within(substrate, of_substrate)
+        };
+        let tile = self.boxes.iter().position(contains);
+        let tile = tile.expect("the tiles cover all coordinates");
+        self.prepared[tile].get_or_init(|| {
+            let (ends, form) = (self.ends[tile], &self.tiles.tile(tile).form);
+            TensorTrain::new(form, ends, &self.a_over_t, basis, self.tolerance)
+        })
+    }
 }
 
 /// Makes the B-splines of the material axes, and those of `a_over_t`.

@@ -7,13 +7,15 @@
 //! function to a block of indices of the next bond is dropped where it is far below the table's
 //! tolerance, and stored in single precision where that is accurate enough. This leaves fewer
 //! multiplications, and more of them are done at a time. All but the first two functions vanish at
-//! the ends of an interval: dropping them makes no jump there.
+//! the ends of an interval: dropping them makes no jump there. An interval is expanded at the first
+//! lookup in it, because a program that looks one material up needs one interval of each core.
 //!
 //! A function with an argument `simd` is compiled for several instruction sets, and that of the
 //! processor is chosen at run time. It must be inlined, with its closures: only then is it compiled
 //! for these instructions.
 
 use std::f64::consts::PI;
+use std::sync::OnceLock;
 
 use fearless_simd::prelude::*;
 use fearless_simd::{Level, dispatch};
@@ -65,12 +67,20 @@ pub(crate) struct TensorTrain {
 struct Core {
     /// The number of its coordinate among those of the material.
     axis: usize,
-    /// The intervals of the axis.
-    intervals: Vec<Interval>,
-    /// The coordinates between the intervals.
-    breaks: Vec<f64>,
+    /// The normalised entries: row-major over the bond before, the polynomials, and the next bond.
+    entries: Vec<f64>,
+    /// The number of polynomials.
+    terms: usize,
+    /// The ends of the tile.
+    ends: [f64; 2],
+    /// The ends of the intervals of the axis.
+    parts: Vec<[f64; 2]>,
+    /// The intervals, each expanded at its first use.
+    intervals: Vec<OnceLock<Interval>>,
     /// One over the weights of the next bond.
     scales: Vec<f64>,
+    /// The tolerance of the table.
+    tolerance: f64,
 }
 
 /// A core over an interval: a row over the next bond for each function of the interval and each
@@ -104,40 +114,28 @@ impl TensorTrain {
         basis: &Basis,
         tolerance: f64,
     ) -> Self {
-        let (weights, entries) = form.normalised();
-        let shapes = form.shapes();
+        let (weights, [first, second, third, of_a_over_t]) = form.normalised();
+        let [.., [before, terms, quantities]] = form.shapes();
+        let mut entries = [first, second, third].into_iter();
         let cores = std::array::from_fn(|i| {
-            let dimension = form.order()[i];
-            let [before, terms, after] = shapes[i];
-            let (entries, ends) = (&entries[i], ends[dimension]);
-            let row = |b: usize, k: usize| &entries[(b * terms + k) * after..][..after];
-            let intervals: Vec<Interval> = parts(ends, intervals(terms))
-                .map(|part| {
-                    let functions = Functions {
-                        ends: part,
-                        count: terms.min(MOST_FUNCTIONS),
-                    };
-                    let transform = functions.transform(|u| polynomials(dimension, terms, ends, u));
-                    Interval::new(functions, &transform, before, row, tolerance)
-                })
-                .collect();
-            let breaks = intervals[1..]
-                .iter()
-                .map(|interval| interval.functions.ends[0])
-                .collect();
+            let (dimension, terms) = (form.order()[i], form.terms()[i]);
+            let parts: Vec<_> = parts(ends[dimension], intervals(terms)).collect();
             Core {
                 axis: dimension - 1,
-                intervals,
-                breaks,
+                entries: entries.next().expect("three cores"),
+                terms,
+                ends: ends[dimension],
+                intervals: vec![OnceLock::new(); parts.len()],
+                parts,
                 scales: weights[i].iter().map(|weight| 1.0 / weight).collect(),
+                tolerance,
             }
         });
-        let [_, _, _, [before, terms, quantities]] = shapes;
         let width = a_over_t.len() * quantities;
         let mut last = vec![0.0; before * width];
         for (node, &place) in a_over_t.iter().enumerate() {
             let polynomials = polynomials(0, terms, ends[0], place);
-            for (b, entries) in entries[3].chunks_exact(terms * quantities).enumerate() {
+            for (b, entries) in of_a_over_t.chunks_exact(terms * quantities).enumerate() {
                 let row = &mut last[b * width + node * quantities..][..quantities];
                 add_rows(row, &polynomials, entries, quantities);
             }
@@ -242,7 +240,23 @@ impl TensorTrain {
 impl Core {
     /// Returns the interval that contains the coordinate `u`.
     fn interval(&self, u: f64) -> &Interval {
-        &self.intervals[self.breaks.partition_point(|&end| end <= u)]
+        let number = self.parts[1..].partition_point(|&[from, _]| from <= u);
+        self.intervals[number].get_or_init(|| self.expand(self.parts[number]))
+    }
+
+    /// Expands the core in the functions of the interval with these ends.
+    #[cold]
+    #[inline(never)]
+    fn expand(&self, part: [f64; 2]) -> Interval {
+        let functions = Functions {
+            ends: part,
+            count: self.terms.min(MOST_FUNCTIONS),
+        };
+        let (dimension, terms, after) = (self.axis + 1, self.terms, self.scales.len());
+        let transform = functions.transform(|u| polynomials(dimension, terms, self.ends, u));
+        let row = |b: usize, k: usize| &self.entries[(b * terms + k) * after..][..after];
+        let before = self.entries.len() / (terms * after);
+        Interval::new(functions, &transform, before, row, self.tolerance)
     }
 
     /// Multiplies the vector over the bond before by the core at `u`; returns the vector over the

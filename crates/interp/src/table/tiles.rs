@@ -26,7 +26,16 @@ pub struct Tile {
     pub form: LowRank,
 }
 
-impl Tile {
+/// The nodes between which a tile lies.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Place {
+    /// The first and the last node of the film's modulus.
+    pub(crate) film: [usize; 2],
+    /// The first and the last node of the substrate's modulus.
+    pub(crate) substrate: [usize; 2],
+}
+
+impl Place {
     /// Returns the first and the last node of each axis, of an axis of `shape` nodes.
     pub(crate) fn nodes(&self, [n_a, _, n_nu, _]: [usize; 4]) -> [[usize; 2]; 4] {
         [[0, n_a - 1], self.film, [0, n_nu - 1], self.substrate]
@@ -39,6 +48,16 @@ impl Tile {
             let parameter = parameters[dimension];
             nodes[dimension].map(|node| parameter.coordinate(axes.nodes(parameter)[node]))
         })
+    }
+}
+
+impl Tile {
+    /// Returns the nodes between which the tile lies.
+    pub(crate) fn place(&self) -> Place {
+        Place {
+            film: self.film,
+            substrate: self.substrate,
+        }
     }
 
     /// Returns whether the tile contains the nodes `film` and `substrate` of the moduli.
@@ -156,9 +175,10 @@ pub(crate) fn logarithms(axes: &Axes, tiles: &[Tile], film: usize) -> Vec<f64> {
                 .map(|&value| parameter.coordinate(value))
                 .collect()
         });
-        let part = tile
-            .form
-            .logarithms(tile.ends(axes), places.each_ref().map(Vec::as_slice));
+        let part = tile.form.logarithms(
+            tile.place().ends(axes),
+            places.each_ref().map(Vec::as_slice),
+        );
         let length = (last - first + 1) * width;
         for (nu, rows) in part.chunks_exact(length).enumerate() {
             logarithms[(nu * n_substrate + first) * width..][..length].copy_from_slice(rows);
@@ -170,7 +190,7 @@ pub(crate) fn logarithms(axes: &Axes, tiles: &[Tile], film: usize) -> Vec<f64> {
 
 /// Returns the coordinates of the two moduli between which each tile lies. At the ends of the table
 /// they are infinite, because a coordinate may be beyond the end by rounding.
-pub(crate) fn boxes(axes: &Axes, tiles: &[Tile]) -> Vec<[[f64; 2]; 2]> {
+pub(crate) fn boxes(axes: &Axes, places: &[Place]) -> Vec<[[f64; 2]; 2]> {
     let [_, n_film, _, n_substrate] = axes.shape();
     let within = |[from, to]: [f64; 2], [first, last]: [usize; 2], count: usize| {
         [
@@ -178,14 +198,14 @@ pub(crate) fn boxes(axes: &Axes, tiles: &[Tile]) -> Vec<[[f64; 2]; 2]> {
             if last + 1 == count { f64::INFINITY } else { to },
         ]
     };
-    let ends = |tile: &Tile| {
-        let [_, film, _, substrate] = tile.ends(axes);
+    let ends = |place: &Place| {
+        let [_, film, _, substrate] = place.ends(axes);
         [
-            within(film, tile.film, n_film),
-            within(substrate, tile.substrate, n_substrate),
+            within(film, place.film, n_film),
+            within(substrate, place.substrate, n_substrate),
         ]
     };
-    tiles.iter().map(ends).collect()
+    places.iter().map(ends).collect()
 }
 
 #[cfg(test)]

@@ -229,7 +229,7 @@ pub const PREFIX: usize = 24;
 pub fn with_prefix(payload: &[u8]) -> Vec<u8> {
     let (length, checksum) = (payload.len() as u64, crc32fast::hash(payload));
     [
-        &b"COATTBL\n\x03\0\0\0"[..],
+        &b"COATTBL\n\x04\0\0\0"[..],
         &length.to_le_bytes(),
         &checksum.to_le_bytes(),
         payload,

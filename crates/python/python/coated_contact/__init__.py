@@ -65,6 +65,7 @@ from ._fit_results import (
     Fit,
     FitMap,
     FittedExperiment,
+    FixedValue,
     FitWarning,
     Forecast,
     WithoutFilm,
@@ -83,6 +84,7 @@ from ._probe import (
     RoundedCone,
     Sphere,
 )
+from ._read import read_experiment
 from ._results import (
     CohesiveEquilibrium,
     CohesiveState,
@@ -127,6 +129,7 @@ __all__ = [
     "FitMap",
     "FitWarning",
     "FittedExperiment",
+    "FixedValue",
     "FixedParameterError",
     "FlatEndedCone",
     "FlatPunch",
@@ -182,6 +185,7 @@ __all__ = [
     "forecast",
     "generate",
     "predict",
+    "read_experiment",
     "simulate",
     "solve",
     "solve_stack",

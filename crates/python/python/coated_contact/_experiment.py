@@ -64,7 +64,7 @@ class Experiment(Remade):
     """A measurement with what is known about it, in SI units.
 
     Each value below is fixed, or the start of the fit where the parameter is free and its
-    :class:`Free` says so. The ordinates have the noise; the abscissae are taken as exact.
+    :class:`Free` says so.
 
     Parameters
     ----------
@@ -96,10 +96,16 @@ class Experiment(Remade):
         The slope of the force that is read without a contact, N/m.
     stiffness : float, optional
         Stiffness of the cantilever, N/m, which ``"force-height"`` needs.
-    noise : float, optional
-        Standard deviation of an ordinate, N or m; None estimates it from the residuals.
+    noise : float or array_like, optional
+        Standard deviation of an ordinate, N or m, or one for each point; None estimates it from
+        the residuals.
+    abscissa_noise : float or array_like
+        Standard deviation of an abscissa, m, or one for each point; 0 is exact. It counts by the
+        slope of the model: a point has the variance ``noise**2 + (slope * abscissa_noise)**2``.
     name : str
         The name of the measurement in messages.
+    reading : str
+        How :func:`read_experiment` read the points, in one line; empty for other points.
     """
 
     kind: Kind
@@ -114,8 +120,10 @@ class Experiment(Remade):
     baseline: float = 0.0
     baseline_slope: float = 0.0
     stiffness: float | None = None
-    noise: float | None = None
+    noise: Any = None
+    abscissa_noise: Any = 0.0
     name: str = "experiment"
+    reading: str = ""
 
     def __post_init__(self) -> None:
         one_of("kind", self.kind, get_args(Kind))
@@ -147,6 +155,10 @@ class Experiment(Remade):
             value = getattr(self, name)
             if value is not None:
                 object.__setattr__(self, name, number(name, value))
+        for name in ("noise", "abscissa_noise"):
+            value = getattr(self, name)
+            if value is not None:
+                object.__setattr__(self, name, _deviation(name, value, points[0].shape))
 
     @property
     def bodies(self) -> Any:
@@ -162,8 +174,20 @@ _NUMBERS = (
     "baseline",
     "baseline_slope",
     "stiffness",
-    "noise",
 )
+
+
+def _deviation(name: str, value: Any, shape: tuple[int, ...]) -> float | NDArray[np.float64]:
+    """Return a standard deviation: a float, or one for each point."""
+    array = real(name, value)
+    if array.ndim == 0:
+        return float(array)
+    if array.shape != shape:
+        raise FitError(
+            f"{name} must be one number or one for each point, {shape}, not {array.shape}",
+            axis=name,
+        )
+    return _fixed(array)
 
 
 def _fixed(array: NDArray[Any]) -> NDArray[Any]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING, Any, Literal, get_args
 
 import numpy as np
@@ -19,6 +19,7 @@ from ._fit_results import (
     FittedExperiment,
     correlation_of,
     estimates_of,
+    fixed_values_of,
     warnings_of,
     without_film_of,
 )
@@ -28,6 +29,7 @@ if TYPE_CHECKING:
     from distributed import Client
 
 Loss = Literal["squares", "huber", "soft-l1"]
+Allowed = Literal["magnitudes"]
 
 
 def fit(
@@ -38,6 +40,9 @@ def fit(
     loss: Loss = "squares",
     profile_level: float | None = None,
     interaction_range: float = 3e-10,
+    known: Mapping[str, float] | None = None,
+    fixed_values: bool = True,
+    allow: Iterable[Allowed] = (),
 ) -> Fit:
     """Find the free parameters of one or several experiments together.
 
@@ -60,6 +65,17 @@ def fit(
         further fits for each parameter.
     interaction_range : float
         The range of the attraction, m, for the warning about Tabor's parameter.
+    known : mapping of str to float, optional
+        Standard errors of values that are not free, in SI units, such as
+        ``{"film_thickness": 1e-7}``; also ``sphere_radius``, ``substrate_modulus`` and
+        ``substrate_poisson_ratio``. The fit keeps the values, and their errors add to the standard
+        errors and the correlation: to the first order, independent of one another. A prior of a
+        :class:`Free` instead lets the data move a free value.
+    fixed_values : bool
+        Whether ``Fit.fixed_values`` tells what the values that are not free do to the result.
+    allow : iterable of {"magnitudes"}
+        Doubts with which the fit goes on: numbers, given or found, that no experiment has, such as
+        a sphere of 2 m or a film of 3000 GPa.
 
     Returns
     -------
@@ -70,7 +86,8 @@ def fit(
     Raises
     ------
     FitError
-        For points, parameters or options that cannot be used. Points are counted from 0.
+        For points, parameters or options that cannot be used, and for numbers that no experiment
+        has. Points are counted from 0.
     ContactError
         For a contact that cannot be computed.
 
@@ -87,7 +104,9 @@ def fit(
     >>> print(f"{found.params['sphere_modulus']:.2e} Pa")
     2.00e+06 Pa
     """
-    found = _native(_core.fit, experiments, free, table, loss, profile_level, interaction_range)
+    errors = [(name, number(f"known[{name!r}]", error)) for name, error in (known or {}).items()]
+    options = (loss, profile_level, interaction_range, tuple(allow))
+    found = _native(_core.fit, experiments, free, table, *options, errors, fixed_values)
     film = found["without_film"]
     return Fit(
         estimates=estimates_of(found),
@@ -101,6 +120,7 @@ def fit(
         experiments=tuple(FittedExperiment(**points) for points in found["experiments"]),
         without_film=film and without_film_of(film, len(found["experiments"])),
         undetermined=tuple(found["undetermined"]),
+        fixed_values=fixed_values_of(found),
     )
 
 
@@ -112,6 +132,7 @@ def fit_map(
     loss: Loss = "squares",
     profile_level: float | None = None,
     interaction_range: float = 3e-10,
+    allow: Iterable[Allowed] = (),
     errors: Errors = "raise",
     client: Client | None = None,
 ) -> FitMap:
@@ -124,7 +145,7 @@ def fit_map(
     ----------
     curves : iterable of Experiment
         The measurements, such as those of a force map.
-    free, table, loss, profile_level, interaction_range
+    free, table, loss, profile_level, interaction_range, allow
         As :func:`fit`.
     errors : {"raise", "nan"}
         What a curve without a result gives: the exception of the first one, or NaN and an entry in
@@ -142,7 +163,7 @@ def fit_map(
     if errors not in ("raise", "nan"):
         raise ValueError(f'errors = {errors!r} cannot be used: give "raise" or "nan"')
     free = free_of(free)
-    options = (loss, profile_level, interaction_range)
+    options = (loss, profile_level, interaction_range, tuple(allow))
     given = _batched(curves)
     done: dict[int, FitMap] = {}
     blocks: Iterator[tuple[int, FitMap]]
@@ -171,7 +192,7 @@ def fit_block(
     curves: Iterable[Experiment],
     free: list[Free],
     table: Table | None,
-    options: tuple[Loss, float | None, float],
+    options: tuple[Loss, float | None, float, tuple[Allowed, ...]],
 ) -> FitMap:
     """Fit some of the curves of a map."""
     results = _native(_core.fit_map, curves, free, table, *options)
@@ -240,13 +261,18 @@ def _native(
     loss: Loss,
     profile_level: float | None,
     interaction_range: float,
+    allow: tuple[Allowed, ...],
+    *further: Any,
 ) -> Any:
     """Check the arguments and call the native part."""
     one_of("loss", loss, get_args(Loss))
     given = experiments_of(experiments)
     level = None if profile_level is None else number("profile_level", profile_level)
-    options = (loss, level, number("interaction_range", interaction_range))
-    return function((table or Table.embedded())._native, given, free_of(free), options)
+    for one in allow:
+        one_of("allow", one, get_args(Allowed))
+    attraction = number("interaction_range", interaction_range)
+    options = (loss, level, attraction, "magnitudes" in allow)
+    return function((table or Table.embedded())._native, given, free_of(free), options, *further)
 
 
 def experiments_of(given: Experiment | Iterable[Experiment]) -> list[Experiment]:

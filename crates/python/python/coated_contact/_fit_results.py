@@ -4,15 +4,16 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from . import _html
+from ._arrays import number
 from ._columns import Array, axes
-from ._errors import ContactError
+from ._errors import ContactError, FitError
 from ._experiment import unit_of
 
 if TYPE_CHECKING:
@@ -74,10 +75,15 @@ class FittedExperiment:
         Standard deviation of an ordinate, N or m.
     noise_is_estimated : bool
         Whether the noise was estimated from the residuals.
+    abscissa_noise : float
+        Standard deviation of an abscissa, m; 0 if they are exact.
     abscissa, ordinate : numpy.ndarray
         The measured points.
     fit : numpy.ndarray
         The ordinates of the fit; NaN for a point that was left out.
+    deviation : numpy.ndarray
+        The standard deviations of the residuals: those of the ordinates, with what errors of the
+        abscissae add.
     contact_radius : numpy.ndarray
         The contact radii of the fit, m; NaN without a contact.
     without_film : numpy.ndarray
@@ -85,15 +91,17 @@ class FittedExperiment:
     branch : list of str
         ``"advancing"``, ``"receding"``, ``"pinned"``, ``"baseline"`` or ``"left-out"``.
     outlier : numpy.ndarray
-        Whether the residual is more than 4.5 times the noise.
+        Whether the residual is more than 5 times its standard deviation.
     """
 
     name: str
     noise: float
     noise_is_estimated: bool
+    abscissa_noise: float
     abscissa: Array
     ordinate: Array
     fit: Array
+    deviation: Array
     contact_radius: Array
     without_film: Array
     branch: list[str]
@@ -111,6 +119,32 @@ class FittedExperiment:
         names = ("abscissa", "ordinate", "fit", "residual", "contact_radius", "without_film")
         columns = {name: getattr(self, name) for name in names}
         return pandas.DataFrame({**columns, "branch": self.branch, "outlier": self.outlier})
+
+
+@dataclass(frozen=True, slots=True)
+class FixedValue:
+    """What a value that is not free does to the values found.
+
+    Attributes
+    ----------
+    quantity : str
+        Its name, such as ``"film_thickness"`` or ``"sphere_radius"``.
+    value : float
+        The value, in SI units.
+    step : float
+        A change of it: 1 %, or 0.01 of a Poisson ratio; to the other side at the end of what is
+        possible, such as a Poisson ratio of 0.5.
+    changes : dict of str to float
+        The changes of the values found that follow, in SI units and to the first order, by name.
+    standard_error : float or None
+        The standard error of the value, if it is known.
+    """
+
+    quantity: str
+    value: float
+    step: float
+    changes: dict[str, float]
+    standard_error: float | None
 
 
 @dataclass(frozen=True, slots=True)
@@ -169,6 +203,8 @@ class Fit:
         The same data without the film.
     undetermined : tuple of str
         The combinations of parameters that the data do not determine, in words.
+    fixed_values : tuple of FixedValue
+        What the values that are not free do to the result.
     """
 
     estimates: tuple[Estimate, ...]
@@ -182,6 +218,55 @@ class Fit:
     experiments: tuple[FittedExperiment, ...]
     without_film: WithoutFilm | None
     undetermined: tuple[str, ...]
+    fixed_values: tuple[FixedValue, ...] = ()
+
+    def young_modulus_of_sphere(self, poisson_ratio: float) -> tuple[Estimate, ...]:
+        """Return Young's modulus of the sphere, which is not the ``sphere_modulus`` of a system.
+
+        ``E2 = E2* (1 - nu2^2)``, with ``sphere_modulus`` for E2*.
+
+        Parameters
+        ----------
+        poisson_ratio : float
+            The Poisson ratio of the sphere, above -1 and up to 0.5, taken as exact.
+
+        Returns
+        -------
+        tuple of Estimate
+            One modulus with its errors, or one for each experiment that has its own.
+
+        Raises
+        ------
+        FitError
+            For a Poisson ratio outside its range, or where the sphere's modulus was not free.
+        """
+        nu2 = number("poisson_ratio", poisson_ratio)
+        if not -1 < nu2 <= 0.5:
+            raise FitError(
+                f"poisson_ratio = {nu2!r} cannot be used: give one above -1 and up to 0.5",
+                axis="poisson_ratio",
+                value=nu2,
+                range=(-1.0, 0.5),
+            )
+        factor = 1 - nu2**2
+        found = tuple(
+            replace(
+                one,
+                parameter="sphere_young_modulus",
+                value=factor * one.value,
+                standard_error=factor * one.standard_error,
+                profile=one.profile and (factor * one.profile[0], factor * one.profile[1]),
+            )
+            for one in self.estimates
+            if one.parameter == "sphere_modulus"
+        )
+        if not found:
+            raise FitError(
+                "Young's modulus of the sphere follows from its reduced modulus, which was not "
+                'free: free "sphere_modulus"',
+                axis="sphere_modulus",
+            )
+        return found
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -428,6 +513,16 @@ def name_of(estimate: Estimate, experiments: int) -> str:
     if estimate.experiment is None or experiments == 1:
         return estimate.parameter
     return f"{estimate.parameter}[{estimate.experiment}]"
+
+
+def fixed_values_of(found: Mapping[str, Any]) -> tuple[FixedValue, ...]:
+    """Return what the values that are not free do, in a native result."""
+    estimates, experiments = estimates_of(found), len(found["experiments"])
+    names = [name_of(estimate, experiments) for estimate in estimates]
+    return tuple(
+        FixedValue(quantity, value, step, dict(zip(names, changes, strict=True)), error)
+        for quantity, value, step, changes, error in found["fixed_values"]
+    )
 
 
 def without_film_of(found: Mapping[str, Any], experiments: int) -> WithoutFilm:

@@ -92,6 +92,7 @@ def generate(
         points, and that of the finished ones; if it raises, the generation ends like by Ctrl-C.
     resume : bool
         Whether to go on from the finished pieces of an interrupted generation of the same scene.
+        Without it, pieces that are kept are a :class:`GenerationError` that names their file.
     certificate_points : int, optional
         The number of points at which the accuracy is measured; by default 2500 for each axis.
     seed : int

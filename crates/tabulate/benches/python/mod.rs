@@ -1,12 +1,18 @@
 //! A Python script of this folder as a running process. It answers each line of JSON with a line of
 //! JSON.
 
+use std::env;
 use std::io::{BufRead, BufReader, Lines, Write};
 use std::path::Path;
 use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
 
 use serde::de::DeserializeOwned;
 use serde_json::Value;
+
+/// Returns whether the bench is run with `--small`.
+pub fn is_small() -> bool {
+    env::args().any(|argument| argument == "--small")
+}
 
 /// The running script.
 pub struct Python {

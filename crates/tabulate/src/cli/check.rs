@@ -1,5 +1,8 @@
 //! `tabulate check`
 
+use std::collections::BTreeMap;
+use std::fmt::Write;
+
 use anyhow::ensure;
 use clap::{ValueHint, value_parser};
 use serde::Serialize;
@@ -8,7 +11,7 @@ use super::json::{self, Errors};
 use super::print;
 use super::progress::progress_bar;
 use super::table_name::{self, TableName};
-use crate::table::{certify, points_for};
+use crate::table::{certificate, errors_by_quantity, measure, points_for};
 
 /// Compare a table with direct solves at new points
 ///
@@ -18,6 +21,9 @@ use crate::table::{certify, points_for};
 /// error must not exceed three times the certified one, or a fiftieth of the tolerance where that
 /// is larger: by chance, other points do not differ more. This second condition needs 1000 points
 /// or more, here and in the certificate.
+///
+/// The errors of each quantity that the table answers are printed, too. A table of gamma alone
+/// answers all four.
 #[derive(clap::Args)]
 #[command(after_help = super::examples!(
     "tabulate check tables/paper.h5",
@@ -36,7 +42,8 @@ pub struct Arguments {
     /// Print one JSON object
     ///
     /// The fields are measured and certified (each with the fields of the certificate, see
-    /// `tabulate info --help`), tolerance, and holds: whether the exit status is 0.
+    /// `tabulate info --help`), quantities (max_error and median_error of each that the table
+    /// answers), tolerance, and holds: whether the exit status is 0.
     #[arg(long)]
     json: bool,
 }
@@ -46,9 +53,17 @@ pub struct Arguments {
 struct CheckObject {
     measured: Errors,
     certified: Errors,
+    quantities: BTreeMap<&'static str, OfQuantity>,
     tolerance: f64,
     /// Whether the measured errors are allowed.
     holds: bool,
+}
+
+/// The errors of one quantity.
+#[derive(Serialize)]
+struct OfQuantity {
+    max_error: f64,
+    median_error: f64,
 }
 
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
@@ -61,8 +76,10 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         .points
         .map_or(points_for(&table), |points| points as usize);
     let bar = progress_bar(points, "checking");
-    let measured = certify(&table, points, seed, &|count| bar.inc(count as u64))?;
+    let samples = measure(&table, points, seed, &|count| bar.inc(count as u64))?;
     bar.finish_and_clear();
+    let measured = certificate(&samples, seed);
+    let by_quantity = errors_by_quantity(&samples).into_iter();
     let certified = &description.certificate;
     let claimed = description.tolerance.max(certified.max_error);
     // With few points, neither the largest error nor the median is comparable to that of others.
@@ -89,13 +106,22 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         json::print(&CheckObject {
             measured: Errors::new(&measured, table.parameters()),
             certified: Errors::new(certified, table.parameters()),
+            quantities: by_quantity
+                .map(|(quantity, [max_error, median_error])| {
+                    let errors = OfQuantity {
+                        max_error,
+                        median_error,
+                    };
+                    (quantity.name(), errors)
+                })
+                .collect(),
             tolerance: description.tolerance,
             holds: errors
                 .iter()
                 .all(|(_, error, allowed)| holds(*error, *allowed)),
         })?;
     } else {
-        let text = format!(
+        let mut text = format!(
             "measured  max {:.1e}, median {:.1e} ({} points, seed {seed})\ncertified max {:.1e}, median {:.1e}; tolerance {:e}\n",
             measured.max_error,
             measured.median_error,
@@ -104,6 +130,13 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
             certified.median_error,
             description.tolerance
         );
+        for (quantity, [max, median]) in by_quantity {
+            writeln!(
+                text,
+                "{:9} max {max:.1e}, median {median:.1e}",
+                quantity.name()
+            )?;
+        }
         print(text.as_bytes())?;
     }
     for (name, error, allowed) in errors {

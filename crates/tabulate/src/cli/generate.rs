@@ -1,20 +1,28 @@
 //! `tabulate generate`
 
 use std::path::{Path, PathBuf};
+#[cfg(unix)]
+use std::process::exit;
+use std::sync::Arc;
+#[cfg(unix)]
+use std::thread;
 use std::time::{Duration, Instant};
 
-use anyhow::{Context, bail, ensure};
+use anyhow::{Context, anyhow, bail, ensure};
 use clap::value_parser;
 use serde::Serialize;
 
 use super::json::{self, OfParameters, TableObject, Written};
+#[cfg(unix)]
+use super::note;
 use super::progress::Bars;
+use super::quantity::number;
 use super::table_name::hdf5_file;
 use super::{info, plan, print};
 use crate::table::Scene;
 use crate::table::default_points;
-use crate::table::{Budget, Generated, Options, generate};
-use crate::{output, printable};
+use crate::table::{Budget, Generated, Options, generate, journal_of};
+use crate::{Error, output, printable};
 
 /// The four-parameter scene that is made when no other is named.
 const DEFAULT_SCENE: &str = include_str!("default.toml");
@@ -29,7 +37,8 @@ const DEFAULT_SCENE: &str = include_str!("default.toml");
 ///
 /// Finished pieces are kept in TABLE.h5.unfinished until the table is complete: after an
 /// interruption, --resume goes on from them, with the same build of this program on the same kind
-/// of processor. A loss of power costs a megabyte of pieces at most. An existing table is not
+/// of processor. Without --resume, pieces that are kept are an error: nothing drops them but their
+/// removal by hand. A loss of power costs a megabyte of pieces at most. An existing table is not
 /// touched until then. In a scene, e1_over_e2 and e0_over_e2 are Young's moduli over the sphere's
 /// reduced modulus E2*, see `tabulate --help`.
 #[derive(clap::Args)]
@@ -47,7 +56,7 @@ pub struct Arguments {
     #[arg(short, long, value_name = "TABLE.h5", value_parser = hdf5_file())]
     output: Option<PathBuf>,
     /// Relative tolerance between the nodes, instead of the scene's
-    #[arg(long, allow_negative_numbers = true)]
+    #[arg(long, value_parser = number, allow_hyphen_values = true)]
     tolerance: Option<f64>,
     /// Number of threads [default: one per core]
     #[arg(long, value_parser = value_parser!(u16).range(1..=1024))]
@@ -59,7 +68,7 @@ pub struct Arguments {
     #[arg(long)]
     plan: bool,
     /// Stop after this time, with the pieces that are finished
-    #[arg(long, value_name = "SECONDS", allow_negative_numbers = true)]
+    #[arg(long, value_name = "SECONDS", value_parser = number, allow_hyphen_values = true)]
     budget: Option<f64>,
     /// Number of points of the certificate [default: 2500 for each axis]
     #[arg(long, value_parser = value_parser!(u32).range(1..=super::MOST_POINTS))]
@@ -126,10 +135,16 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     };
 
     let start = Instant::now();
-    let bars = Bars::new();
-    let generated = threads.install(|| generate(&scene, &path, &options, &bars));
+    let bars = Arc::new(Bars::new());
+    let journal = journal_of(&path)?;
+    tell_what_an_interruption_leaves(&bars, &journal)?;
+    let generated = threads.install(|| generate(&scene, &path, &options, &*bars));
     bars.clear();
-    let generated = generated?;
+    let generated = generated.map_err(|error| match error {
+        error @ Error::Kept { .. } => anyhow!("{error}; --resume goes on from them"),
+        error @ Error::Budget { .. } if journal.exists() => anyhow!("{error} with --resume"),
+        error => error.into(),
+    })?;
     let (all, bytes) = (start.elapsed(), std::fs::metadata(&path)?.len());
     if arguments.json {
         print_json(&generated, &path, bytes, all)?;
@@ -151,6 +166,42 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
             printable::path(&path)
         );
     }
+    Ok(())
+}
+
+/// The exit status of a process that Ctrl-C ends, as shells report it.
+#[cfg(unix)]
+const INTERRUPTED: i32 = 130;
+
+/// Lets Ctrl-C end the process at once, with a word on what is kept. The file of the pieces is whole
+/// at any moment.
+#[cfg(unix)]
+fn tell_what_an_interruption_leaves(bars: &Arc<Bars>, journal: &Path) -> anyhow::Result<()> {
+    use signal_hook::{consts::SIGINT, iterator::Signals};
+
+    let (bars, journal) = (bars.clone(), journal.to_owned());
+    let mut signals = Signals::new([SIGINT]).context("cannot listen to Ctrl-C")?;
+    thread::spawn(move || {
+        signals.forever().next();
+        bars.clear();
+        let [kept, points] = bars.kept_points();
+        if kept > 0 && journal.exists() {
+            note(&format!(
+                "interrupted with {kept} of {points} points solved; they are kept in {}, and the same command with \
+                 --resume goes on from them",
+                printable::path(&journal)
+            ));
+        } else {
+            note("interrupted; nothing was finished that could be kept");
+        }
+        exit(INTERRUPTED);
+    });
+    Ok(())
+}
+
+/// Leaves the end of the process to the system, which says nothing.
+#[cfg(not(unix))]
+fn tell_what_an_interruption_leaves(_: &Arc<Bars>, _: &Path) -> anyhow::Result<()> {
     Ok(())
 }
 

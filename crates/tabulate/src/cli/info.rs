@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use clap::ValueHint;
 use interp::Parameter;
-use interp::{Certificate, Quantity, Table};
+use interp::{Certificate, Quantity, SubstratePoissonRatio, Table};
 
 use super::json::{self, TableObject};
 use super::print;
@@ -15,7 +15,7 @@ use crate::printable;
 ///
 /// The certificate is the largest error at sampled points between the nodes, relative to direct
 /// solves. The error that 99.9 % of the points do not exceed, the median error, and the place of
-/// the largest error are part of it.
+/// the largest error are part of it. The last lines explain the rows.
 #[derive(clap::Args)]
 #[command(after_help = super::examples!(
     "tabulate info embedded",
@@ -28,7 +28,8 @@ pub struct Arguments {
     /// Print one JSON object
     ///
     /// The fields are title, scene (the TOML text), created_by, axes (from, to, nodes and scale of
-    /// each parameter; a fixed one has 1 node), nu0, quantities, normalised_by, tolerance, ranks
+    /// each parameter; a fixed one has 1 node), nu0, quantities (those held), answers (the quantities
+    /// that lookups answer: a table of gamma alone answers all four), normalised_by, tolerance, ranks
     /// (of the low-rank form, else null), certificate (max_error, p999_error, median_error, points,
     /// seed, worst_quantity, worst_point, identity_errors) and bytes (the size of the file). An
     /// infinite number is the text "inf".
@@ -42,7 +43,8 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     if arguments.json {
         return json::print(&TableObject::new(&table, bytes));
     }
-    let text = format!("{}{:15} {bytes} bytes\n", describe(&table)?, "size");
+    let mut text = format!("{}{:15} {bytes} bytes\n", describe(&table)?, "size");
+    text += &explain(&table)?;
     print(text.as_bytes())
 }
 
@@ -63,12 +65,22 @@ pub fn describe(table: &Table) -> Result<String, std::fmt::Error> {
         writeln!(text, "{:15} ranks {a}, {b}, {c}", "low rank")?;
     }
     writeln!(text, "{:15} {}", "nu0", description.nu0)?;
-    let held: Vec<&str> = table.quantities().into_iter().map(Quantity::name).collect();
+    let names = |quantities: &[Quantity]| {
+        let names: Vec<&str> = quantities.iter().map(|quantity| quantity.name()).collect();
+        names.join(", ")
+    };
+    let held = table.quantities();
+    let mut derived = table.answers();
+    derived.retain(|quantity| !held.contains(quantity));
+    let derived = match names(&derived) {
+        none if none.is_empty() => none,
+        names => format!("; {names} follow from gamma"),
+    };
     writeln!(
         text,
-        "{:15} {} (normalised by {})",
+        "{:15} {}{derived} (normalised by {})",
         "quantities",
-        held.join(", "),
+        names(&held),
         table.unit()
     )?;
     writeln!(text, "{:15} {:e}", "tolerance", description.tolerance)?;
@@ -79,6 +91,63 @@ pub fn describe(table: &Table) -> Result<String, std::fmt::Error> {
         "created by",
         printable::line(&description.created_by)
     )?;
+    Ok(text)
+}
+
+/// Explains the rows of [`describe`], one line each.
+fn explain(table: &Table) -> Result<String, std::fmt::Error> {
+    let mut text = "\nThe rows mean:\n".to_owned();
+    let mut row = |name: &str, meaning: &str| writeln!(text, "{name:15} {meaning}");
+    for parameter in table.parameters() {
+        row(parameter.name(), parameter.long_name())?;
+    }
+    if table.ranks().is_some() {
+        row(
+            "low rank",
+            "the values are compressed to tensor trains: the ranks of each, one for each tile of the range",
+        )?;
+    }
+    row(
+        "nu0",
+        match table.description().nu0 {
+            SubstratePoissonRatio::Fixed(_) => {
+                "Poisson ratio of the substrate; other substrates are replaced by their exact equivalents"
+            }
+            SubstratePoissonRatio::Paired => {
+                "Poisson ratio of the substrate; paired: every pair of nu1 and nu0 from 0 to 0.5 has an exact equivalent in the table"
+            }
+        },
+    )?;
+    for quantity in table.answers() {
+        row(
+            quantity.name(),
+            &format!("{}: {}", quantity.long_name(), quantity.equation()),
+        )?;
+    }
+    row(
+        "tolerance",
+        "the relative error for which the nodes were chosen",
+    )?;
+    row(
+        "certified error",
+        "the relative errors found at points between the nodes, of all quantities that the table answers",
+    )?;
+    row(
+        "worst",
+        "the quantity and the point with the largest of them",
+    )?;
+    if table
+        .description()
+        .certificate
+        .identity_errors
+        .iter()
+        .any(Option::is_some)
+    {
+        row(
+            "identities",
+            "the errors in exact relations between the quantities and their slopes; x = a_over_t, S: stiffness, F0: adhesionless load, a prime: d/dx or d/da",
+        )?;
+    }
     Ok(text)
 }
 

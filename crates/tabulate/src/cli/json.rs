@@ -150,6 +150,8 @@ pub struct TableObject<'a> {
     axes: OfParameters<Axis>,
     nu0: Nu0,
     quantities: Vec<&'static str>,
+    /// The quantities that lookups answer.
+    answers: Vec<&'static str>,
     normalised_by: &'static str,
     tolerance: f64,
     /// The ranks of each tile of the low-rank form, if the table has it.
@@ -170,6 +172,7 @@ impl<'a> TableObject<'a> {
             axes: axes(table.parameters(), |parameter| table.axis(parameter)),
             nu0: Nu0(description.nu0),
             quantities: table.quantities().into_iter().map(Quantity::name).collect(),
+            answers: table.answers().into_iter().map(Quantity::name).collect(),
             normalised_by: table.unit(),
             tolerance: description.tolerance,
             ranks: table.ranks(),

@@ -6,6 +6,7 @@
 //! (`stack_file`); results go to an `output`, which knows the inputs, or are printed, as text or as
 //! one object of `json`; notes go to standard error.
 
+mod allow;
 mod bodies;
 mod check;
 mod completions;
@@ -25,6 +26,7 @@ mod points;
 mod probe;
 mod progress;
 mod pull_off;
+mod quantity;
 mod query;
 mod report;
 mod simulate;
@@ -34,7 +36,7 @@ mod system;
 mod table_name;
 mod unpack;
 
-use std::io::{self, Write};
+use std::io::{self, IsTerminal, Write};
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
@@ -65,6 +67,9 @@ const NAME: &str = "tabulate";
 /// substrate. E1/E2* = 0 is a rigid sphere: then results are normalised by the film's reduced
 /// modulus E1* instead of E2*, and e0_over_e2 is read as E0/E1.
 ///
+/// Lengths, moduli, forces, stiffnesses and works of adhesion are in SI units, or have a unit behind
+/// them: 30um, 70GPa, 2uN, 0.1N/m, 40mJ/m^2. `u` stands for micro; mN and MN differ.
+///
 /// Wherever a command takes a TABLE, the word `embedded` stands for the table that is compiled into
 /// the program.
 #[derive(Parser)]
@@ -74,7 +79,7 @@ const NAME: &str = "tabulate";
     version,
     max_term_width = 120,
     after_help = examples!(
-        "tabulate curve",
+        "tabulate curve --specimen paper",
         "tabulate solve --a-over-t 65 --e1-over-e2 1.75 --nu1 0.5 --e0-over-e2 1e5",
         "tabulate query embedded --points tables/points.csv",
         "tabulate info embedded",
@@ -107,7 +112,36 @@ enum Command {
 
 /// Runs the program on the process's arguments. Exit status 0, 1 (the work failed) or 2 (usage).
 pub fn run() -> ExitCode {
-    let outcome = match Arguments::parse().command {
+    let outcome =
+        Arguments::try_parse().map_or_else(explain, |arguments| run_command(arguments.command));
+    match outcome {
+        Ok(status) => status,
+        Err(error) => {
+            note(&format!("{error:#}"));
+            ExitCode::FAILURE
+        }
+    }
+}
+
+/// Prints what clap answers instead of a command: a help text, the version, or an error of usage.
+fn explain(answer: clap::Error) -> anyhow::Result<ExitCode> {
+    if answer.use_stderr() {
+        // There is nowhere else to say that standard error is closed.
+        let _ = answer.print();
+        return Ok(ExitCode::from(2));
+    }
+    let text = if io::stdout().is_terminal() {
+        answer.render().ansi().to_string()
+    } else {
+        answer.render().to_string()
+    };
+    print(text.as_bytes())?;
+    Ok(ExitCode::SUCCESS)
+}
+
+/// Runs a subcommand.
+fn run_command(command: Command) -> anyhow::Result<ExitCode> {
+    match command {
         Command::Curve(arguments) => curve::run(&arguments),
         Command::PullOff(arguments) => pull_off::run(&arguments),
         Command::Fit(arguments) => fit::run(&arguments),
@@ -124,14 +158,8 @@ pub fn run() -> ExitCode {
         Command::Cost(arguments) => cost::run(&arguments),
         Command::Completions(arguments) => completions::run(&arguments),
         Command::Man(arguments) => man::run(&arguments),
-    };
-    match outcome {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(error) => {
-            note(&format!("{error:#}"));
-            ExitCode::FAILURE
-        }
-    }
+    }?;
+    Ok(ExitCode::SUCCESS)
 }
 
 /// Prints a text on standard output.

@@ -57,7 +57,8 @@ impl<'a> Output<'a> {
         fill: impl FnOnce(&mut dyn Write) -> anyhow::Result<()>,
     ) -> anyhow::Result<()> {
         let Some(path) = self.0 else {
-            let mut out = Watched::new(io::stdout().lock());
+            let mut out =
+                Watched::new(standard_output().context("cannot write to standard output")?);
             let outcome = fill(&mut out).and_then(|()| Ok(out.flush()?));
             return match out.failure {
                 Some(io::ErrorKind::BrokenPipe) => Ok(()),
@@ -74,6 +75,21 @@ impl<'a> Output<'a> {
         outcome?;
         Ok(unfinished.complete()?)
     }
+}
+
+/// Returns standard output as a file: the one of the standard library takes writes to a descriptor
+/// that cannot be written to for successful.
+#[cfg(unix)]
+fn standard_output() -> io::Result<impl Write> {
+    use std::os::fd::AsFd;
+    Ok(std::fs::File::from(
+        io::stdout().as_fd().try_clone_to_owned()?,
+    ))
+}
+
+#[cfg(not(unix))]
+fn standard_output() -> io::Result<impl Write> {
+    Ok(io::stdout().lock())
 }
 
 /// Returns true if standard output appends to a file.

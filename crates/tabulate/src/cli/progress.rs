@@ -19,15 +19,27 @@ pub fn progress_bar(length: usize, name: &str) -> ProgressBar {
 }
 
 /// The bar of the present stage of a longer work.
-pub struct Bars(Mutex<ProgressBar>);
+pub struct Bars {
+    bar: Mutex<ProgressBar>,
+    /// The number of points that are kept on the disk, and of all.
+    kept: Mutex<[usize; 2]>,
+}
 
 impl Bars {
     pub fn new() -> Self {
-        Self(Mutex::new(ProgressBar::hidden()))
+        Self {
+            bar: Mutex::new(ProgressBar::hidden()),
+            kept: Mutex::new([0; 2]),
+        }
     }
 
     fn bar(&self) -> MutexGuard<'_, ProgressBar> {
-        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+        self.bar.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Returns the number of points that are kept on the disk, and of all.
+    pub fn kept_points(&self) -> [usize; 2] {
+        *self.kept.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     pub fn clear(&self) {
@@ -45,6 +57,10 @@ impl Observer for Bars {
 
     fn advance(&self, points: usize) {
         self.bar().inc(points as u64);
+    }
+
+    fn kept(&self, kept: usize, points: usize) {
+        *self.kept.lock().unwrap_or_else(PoisonError::into_inner) = [kept, points];
     }
 
     fn note(&self, text: &str) {

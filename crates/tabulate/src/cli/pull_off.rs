@@ -7,6 +7,7 @@ use interp::{Contact, Control, Error, State};
 use super::bodies::{AttractingArguments, Bodies};
 use super::points::number;
 use super::print;
+use super::quantity::force_per_length;
 use super::table_name::{self, TableName};
 use crate::cohesive::CohesiveState;
 use crate::solve::{A_OVER_T, curve};
@@ -18,12 +19,15 @@ use crate::solve::{A_OVER_T, curve};
 /// contact radius. With it, a constant stress attracts the sphere wherever the gap is below the
 /// range (Dugdale's law), from DMT to JKR. Under a long range and an imposed displacement the last
 /// stable state may have no contact: its contact radius is 0.
+///
+/// Values of the bodies that are not given are those of the paper, and a comment line on standard
+/// error names them, as in `tabulate curve`.
 #[derive(clap::Args)]
 #[command(after_help = super::examples!(
-    "tabulate pull-off embedded",
-    "tabulate pull-off --sphere-radius 1e-5 --interaction-range 5e-9 --json",
-    "tabulate pull-off --control spring --stiffness 40 --film-thickness 1e-5",
-    "tabulate pull-off --stack tables/stacks/primer.toml --sphere-radius 1e-4",
+    "tabulate pull-off embedded --specimen paper",
+    "tabulate pull-off --specimen paper --sphere-radius 10um --interaction-range 5nm --json",
+    "tabulate pull-off --specimen paper --control spring --stiffness 40N/m --film-thickness 10um",
+    "tabulate pull-off --specimen paper --stack tables/stacks/primer.toml --sphere-radius 100um",
 ))]
 pub struct Arguments {
     #[arg(
@@ -40,7 +44,8 @@ pub struct Arguments {
     #[arg(
         long,
         required_if_eq("control", "spring"),
-        allow_negative_numbers = true
+        value_parser = force_per_length,
+        allow_hyphen_values = true
     )]
     stiffness: Option<f64>,
     /// Print one JSON object with load, contact_radius, outer_radius and penetration
@@ -65,9 +70,9 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         },
     };
     let attracting = &arguments.attracting;
-    let bodies = attracting.bodies.read()?;
+    let bodies = attracting.bodies.read_checked()?;
     let state = match attracting.interaction_range {
-        Some(range) => attracting.cohesive(&bodies, range)?.pull_off(control)?,
+        Some(range) => bodies.cohesive(range)?.pull_off(control)?,
         None => jkr(arguments, &bodies, control)?,
     };
     let values = [
@@ -88,12 +93,13 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
             .map(|(name, value)| format!("{name:14} = {}\n", number(value)))
             .collect()
     };
+    attracting.bodies.name_example();
     print(text.as_bytes())
 }
 
 /// Finds the pull-off of an attraction without range.
 fn jkr(arguments: &Arguments, bodies: &Bodies, control: Control) -> anyhow::Result<CohesiveState> {
-    let work_of_adhesion = arguments.attracting.bodies.system.work_of_adhesion;
+    let work_of_adhesion = bodies.work_of_adhesion;
     let state = match &arguments.table {
         Some(name) => {
             let contact = name.read()?.contact(&bodies.system)?;

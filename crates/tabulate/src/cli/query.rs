@@ -1,21 +1,25 @@
 //! `tabulate query`
 
 use std::path::PathBuf;
+use std::sync::{Mutex, PoisonError};
 
 use anyhow::ensure;
 use clap::ValueHint;
 use interp::{Parameter, Quantity, SubstratePoissonRatio, Table};
 
+use super::note;
 use super::output::Output;
 use super::points::{Answer, COLUMNS, Given, Point, Points};
 use super::table_name::{self, TableName};
-use crate::Error;
 use crate::table::{DEFAULT_NU0, StackTable};
+use crate::{Error, printable};
 
 /// Look up every point of a CSV file in a table
 ///
-/// Prints the points with the interpolated pi0, eeq, gamma and delta0. The column error is the
-/// certified relative error of the table: the largest at sampled points. A table that holds delta1,
+/// Prints the points with the interpolated pi0, eeq, gamma and delta0. A table of gamma alone, as
+/// the embedded one, answers all four. The column error is the certified relative error of the
+/// table: the largest of all quantities that it answers, at sampled points. A field is empty where
+/// the table answers no such quantity, and a note says why. A table that holds delta1,
 /// the penetration of a cone, has this column too, after the error; above the a/t of the table it
 /// is empty. At an a/t outside the
 /// table, the values and the error are those of the expansion about the limit of a thin or a thick
@@ -84,36 +88,51 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let cone = table.holds(Quantity::Delta1);
     let cone = cone.then(|| Quantity::Delta1.name().to_owned());
     let further: Vec<String> = cone.into_iter().chain(derivatives).collect();
+    let refused: Mutex<Option<(u64, interp::Error)>> = Mutex::new(None);
     points.answer("looking up", &output, &further, |point| {
-        Ok(look_up(&table, stack.as_ref(), point, arguments.gradient)?)
-    })
+        let (answer, refusal) = look_up(&table, stack.as_ref(), point, arguments.gradient)?;
+        if let Some(refusal) = refusal {
+            let mut first = refused.lock().unwrap_or_else(PoisonError::into_inner);
+            if first.as_ref().is_none_or(|(line, _)| point.line < *line) {
+                *first = Some((point.line, refusal));
+            }
+        }
+        Ok(answer)
+    })?;
+    if let Some((line, refusal)) = refused.into_inner().unwrap_or_else(PoisonError::into_inner) {
+        let path = printable::path(&arguments.points);
+        note(&format!("{path}, line {line}: fields are empty: {refusal}"));
+    }
+    Ok(())
 }
 
-/// Looks up the quantities that `table` holds at one point.
+/// Looks up the quantities that `table` answers at one point. Returns why it answers no other, too.
 fn look_up(
     table: &Table,
     stack: Option<&StackTable<'_>>,
     point: &Point,
     gradient: bool,
-) -> Result<Answer, Error> {
+) -> Result<(Answer, Option<interp::Error>), Error> {
     let x = point.a_over_t;
     let curve = match stack {
         Some(stack) => table.stack_curve(point.material.e1_over_e2(), stack.stack().shape())?,
         None if gradient => table.curve_with_gradient(&point.material)?,
         None => table.curve(&point.material)?,
     };
-    let held = |quantity| {
-        let value = table.holds(quantity).then(|| curve.quantity(quantity, x));
-        value.transpose()
-    };
-    let mut values = [None; 4];
+    let (mut values, mut refusal) = ([None; 4], None);
     for (quantity, value) in Quantity::ALL.into_iter().zip(&mut values) {
-        *value = held(quantity)?;
+        match curve.quantity(quantity, x) {
+            Err(error) if !curve.answers(quantity) => refusal = refusal.or(Some(error)),
+            found => *value = Some(found?),
+        }
     }
+    let delta1 = curve
+        .answers(Quantity::Delta1)
+        .then(|| curve.quantity(Quantity::Delta1, x));
     let mut answer = Answer {
         values,
         error: curve.error(x)?,
-        further: match held(Quantity::Delta1) {
+        further: match delta1.transpose() {
             // The others go on beyond the table.
             Err(interp::Error::OutsideTable { .. }) => vec![None],
             delta1 => delta1?.map(Some).into_iter().collect(),
@@ -132,5 +151,5 @@ fn look_up(
             .further
             .extend(Quantity::ALL.into_iter().flat_map(derivatives));
     }
-    Ok(answer)
+    Ok((answer, refusal))
 }

@@ -16,6 +16,9 @@ use crate::printable;
 /// The word for the table that is compiled into the program.
 const EMBEDDED: &str = "embedded";
 
+/// The largest number of letters in which a misspelled word differs.
+const MISSPELLED: usize = 2;
+
 /// The help of every argument that is a [`TableName`].
 pub const HELP: &str = "The table: an HDF5 or packed file, or the word `embedded` for the table that is compiled into \
                         the program (a file of that name is ./embedded)";
@@ -64,18 +67,29 @@ impl TableName {
             Self::File(path) => path,
         };
         let mut start = Vec::new();
-        let table = readable(path)
+        readable(path)
             .and_then(|()| File::open(path))
             .and_then(|file| file.take(8).read_to_end(&mut start))
-            .map_err(anyhow::Error::from)
-            .and_then(|_| {
-                Ok(if interp::is_packed(&start) {
-                    Table::read(path)
-                } else {
-                    Table::open(path)
-                }?)
-            });
-        table.map(Cow::Owned).with_context(|| printable::path(path))
+            .with_context(|| self.unreadable())?;
+        let read = if interp::is_packed(&start) {
+            Table::read
+        } else {
+            Table::open
+        };
+        Ok(Cow::Owned(read(path)?))
+    }
+
+    /// Describes a file that cannot be read. Its name may be the word for the compiled table, spelled
+    /// wrong.
+    fn unreadable(&self) -> String {
+        let name = self.to_string();
+        if strsim::damerau_levenshtein(&name, EMBEDDED) <= MISSPELLED {
+            format!(
+                "cannot read {name} (did you mean `{EMBEDDED}`, the table that is compiled into the program?)"
+            )
+        } else {
+            format!("cannot read {name}")
+        }
     }
 
     /// Returns the size of the file in bytes; of the embedded `table`, the size of its packed form.

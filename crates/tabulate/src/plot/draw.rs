@@ -31,6 +31,12 @@ impl Figure {
     /// # Errors
     /// [`Error::Picture`] if a text holds a character that the font lacks.
     pub fn picture(&self) -> Result<Picture, Error> {
+        self.drawn().map(|(picture, _)| picture)
+    }
+
+    /// Draws the figure. Returns the texts that collide with something, for want of room, too.
+    pub(super) fn drawn(&self) -> Result<(Picture, Vec<String>), Error> {
+        let mut colliding = Vec::new();
         let fine = FINE as u32;
         let mut svg = String::new();
         let root = SVGBackend::with_string(&mut svg, (fine * WIDTH, fine * self.height))
@@ -52,7 +58,7 @@ impl Figure {
                 so_far += panel.share;
                 let end = (f64::from(fine * WIDTH) * so_far / whole).round() as i32;
                 let (area, right) = rest.split_horizontally(end - rest.get_base_pixel().0);
-                draw(panel, &area, around)?;
+                colliding.extend(draw(panel, &area, around)?);
                 rest = right;
             }
         }
@@ -64,7 +70,8 @@ impl Figure {
             format!("width=\"{}\" height=\"{}\"", fine * width, fine * height),
             format!("width=\"{width}\" height=\"{height}\" stroke-linejoin=\"round\""),
         );
-        Picture::from_svg(&svg.replacen(&old, &new, 1))
+        let picture = Picture::from_svg(&svg.replacen(&old, &new, 1))?;
+        Ok((picture, colliding))
     }
 }
 
@@ -87,11 +94,12 @@ fn above_and_below(panel: &Panel) -> [f64; 2] {
     ]
 }
 
-/// Draws a panel on an area, with this space above and below its axes in pixels.
+/// Draws a panel on an area, with this space above and below its axes in pixels. Returns the texts
+/// that collide with something.
 ///
 /// # Errors
 /// [`Error::Picture`] if a text holds a character that the font lacks.
-fn draw(panel: &Panel, area: &Area<'_>, [above, below]: [f64; 2]) -> Result<(), Error> {
+fn draw(panel: &Panel, area: &Area<'_>, [above, below]: [f64; 2]) -> Result<Vec<String>, Error> {
     let [x, y] = &panel.axes;
     let widest = y
         .ticks()
@@ -125,20 +133,27 @@ fn draw(panel: &Panel, area: &Area<'_>, [above, below]: [f64; 2]) -> Result<(), 
     draw_texts(panel, area, &chart, &obstacles)
 }
 
-/// Draws the title and the labels of a panel.
+/// Draws the title and the labels of a panel. Returns those that collide with something.
 fn draw_texts(
     panel: &Panel,
     area: &Area<'_>,
     chart: &Chart<'_>,
     obstacles: &Obstacles,
-) -> Result<(), Error> {
+) -> Result<Vec<String>, Error> {
+    /// The least space beside a title, in pixels.
+    const BESIDE: f64 = 8.0;
     let (left, top) = chart.plotting_area().get_base_pixel();
     let (width_of_axes, height) = chart.plotting_area().dim_in_pixel();
     let (base, (width, _)) = (area.get_base_pixel(), area.dim_in_pixel());
     let centred = Pos::new(HPos::Center, VPos::Center);
     // Over the middle of the axes, unless the title is too long.
     let middle = left + width_of_axes as i32 / 2 - base.0;
-    let middle = middle.max(fine(0.5 * TITLE * text_width(&panel.title)? + 3.0));
+    let half = fine(0.5 * TITLE * text_width(&panel.title)? + BESIDE);
+    let middle = middle.min(width as i32 - half).max(half);
+    let mut colliding = Vec::new();
+    if middle + half > width as i32 {
+        colliding.push(panel.title.clone());
+    }
     area.draw(&Text::new(
         panel.title.as_str(),
         (middle, top - base.1 - fine(16.0)),
@@ -170,18 +185,19 @@ fn draw_texts(
     };
     let labels = panel.labels.iter().map(label);
     let labels = labels.collect::<Result<Vec<_>, Error>>()?;
-    for (name, [x, y]) in panel
-        .labels
-        .iter()
-        .zip(labels::place(&labels, &room, obstacles))
-    {
+    let placed = labels::place(&labels, &room, obstacles);
+    for (name, place) in panel.labels.iter().zip(placed) {
+        if place.collides {
+            colliding.push(name.text.clone());
+        }
+        let [x, y] = place.centre;
         area.draw(&Text::new(
             name.text.as_str(),
             (fine(x) - base.0, fine(y) - base.1),
             text(TEXT, name.colour).pos(centred),
         ))?;
     }
-    Ok(())
+    Ok(colliding)
 }
 
 impl Mark {

@@ -47,6 +47,11 @@ pub fn fixed(table: &Table) -> Option<(&'static str, f64)> {
         })
 }
 
+/// Returns whether a table has the two axes of a map.
+pub fn is_possible(table: &Table) -> bool {
+    table.parameters()[1] == Parameter::E1OverE2 && fixed(table).is_none()
+}
+
 /// Compares a table with [`POINTS`] direct solves in each cell, and calls `progress` with the
 /// number of cells done.
 ///

@@ -59,11 +59,10 @@ fn panels(kind: Kind, members: &[(usize, &FittedExperiment)], without: &str) -> 
     let y = Scale::new(ordinate, unit, points().flat_map(values));
     let mut data = Panel::new("Data and fit", x.axis(), y.axis());
 
-    let residual =
-        |one: &FittedExperiment, point: &FittedPoint| Some(point.residual()? / one.noise);
+    let residual = |point: &FittedPoint| Some(point.residual()? / point.deviation);
     let residuals = members
         .iter()
-        .flat_map(|(_, one)| one.points.iter().filter_map(|point| residual(one, point)));
+        .flat_map(|(_, one)| one.points.iter().filter_map(residual));
     let largest = residuals.fold(3.0_f64, |most, residual| most.max(residual.abs()));
     let rest = Axis::linear("residual / noise", [-1.1 * largest, 1.1 * largest]);
     let without_film = points().any(|point| point.without_film.is_some());
@@ -93,7 +92,7 @@ fn panels(kind: Kind, members: &[(usize, &FittedExperiment)], without: &str) -> 
                 shade,
                 marker,
             );
-            if let Some(residual) = residual(one, point) {
+            if let Some(residual) = residual(point) {
                 left.markers([[x.at(point.abscissa), residual]], shade, marker);
             }
         }
@@ -108,7 +107,7 @@ fn panels(kind: Kind, members: &[(usize, &FittedExperiment)], without: &str) -> 
         for curve in curves(&|point| Some(y.at(point.fit?))) {
             data.line(curve, BLACK);
         }
-        for curve in curves(&|point| Some((point.without_film? - point.fit?) / one.noise)) {
+        for curve in curves(&|point| Some((point.without_film? - point.fit?) / point.deviation)) {
             left.dashed(curve, GREY);
         }
         if members.len() > 1 && *i < MOST_NAMES {

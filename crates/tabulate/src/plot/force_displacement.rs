@@ -86,7 +86,7 @@ impl Axes {
     /// Chooses axes with a margin beyond the separations.
     fn new(films: &[Film]) -> Self {
         /// The lengths of the axes below zero over the largest values at a separation.
-        const BELOW: [f64; 2] = [1.8, 1.25];
+        const BELOW: [f64; 2] = [2.6, 1.25];
         /// The least length of the axis of penetration below zero, over that above: for labels.
         const FOR_LABELS: f64 = 0.4;
         let separations = |value: fn(&State) -> f64| {
@@ -204,7 +204,12 @@ fn panel(
         for (jump, name) in [(touch, "touch"), (separation, "separation")] {
             let (from, to) = arrow(jump, axes);
             let middle = [0, 1].map(|i| 0.5 * (from[i] + to[i]));
-            panel.label(middle, name, GREY, Side::Above);
+            let side = if from[0] == to[0] {
+                Side::Left
+            } else {
+                Side::Above
+            };
+            panel.label(middle, name, GREY, side);
         }
     }
     panel

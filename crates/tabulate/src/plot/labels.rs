@@ -97,6 +97,15 @@ pub struct Room {
     pub y: [f64; 2],
 }
 
+/// The place of a label.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Placed {
+    /// The centre of the text.
+    pub centre: [f64; 2],
+    /// Whether the text covers a line, a marker or another label, or leaves the room.
+    pub collides: bool,
+}
+
 #[derive(Clone, Copy, Debug)]
 struct Rectangle {
     centre: [f64; 2],
@@ -131,6 +140,8 @@ impl Rectangle {
 struct Candidate {
     rectangle: Rectangle,
     cost: f64,
+    /// Whether the label covers a line or a marker there, or leaves the room.
+    collides: bool,
 }
 
 /// The cost of an eighth of a turn away from the preferred side. A pixel between a label and its
@@ -168,10 +179,15 @@ impl Label {
                 for distance in DISTANCES {
                     for down in slides {
                         let rectangle = self.rectangle(anchor, side, distance, *down);
-                        let mut cost = self.cost(&rectangle, anchor, others, room, obstacles);
+                        let (mut cost, collides) =
+                            self.cost(&rectangle, anchor, others, room, obstacles);
                         cost += down.abs() + TURN * side.turns(self.side) as f64;
                         cost += if i == 0 { 0.0 } else { OTHER_ANCHOR };
-                        candidates.push(Candidate { rectangle, cost });
+                        candidates.push(Candidate {
+                            rectangle,
+                            cost,
+                            collides,
+                        });
                     }
                 }
             }
@@ -191,7 +207,7 @@ impl Label {
         Rectangle { centre, half }
     }
 
-    /// Returns the cost of a place next to a point.
+    /// Returns the cost of a place next to a point, and whether the label collides there.
     fn cost(
         &self,
         rectangle: &Rectangle,
@@ -199,7 +215,7 @@ impl Label {
         others: &[[f64; 2]],
         room: &Room,
         obstacles: &Obstacles,
-    ) -> f64 {
+    ) -> (f64, bool) {
         /// A label covers a point that is closer than this.
         const CLEAR: f64 = 2.0;
         let own = rectangle.distance(anchor);
@@ -217,12 +233,13 @@ impl Label {
             }
         }
         let outside = if rectangle.is_in(room) { 0.0 } else { OUTSIDE };
-        own + AMBIGUOUS * (own - foreign).max(0.0) + COVERED * covered + outside
+        let cost = own + AMBIGUOUS * (own - foreign).max(0.0) + COVERED * covered + outside;
+        (cost, covered + outside > 0.0)
     }
 }
 
-/// Returns the centres of the labels.
-pub fn place(labels: &[Label], room: &Room, obstacles: &Obstacles) -> Vec<[f64; 2]> {
+/// Returns the places of the labels.
+pub fn place(labels: &[Label], room: &Room, obstacles: &Obstacles) -> Vec<Placed> {
     /// More rounds than any figure takes.
     const ROUNDS: usize = 20;
     let candidates: Vec<Vec<Candidate>> = labels
@@ -233,35 +250,35 @@ pub fn place(labels: &[Label], room: &Room, obstacles: &Obstacles) -> Vec<[f64; 
             label.candidates(&others.copied().collect::<Vec<_>>(), room, obstacles)
         })
         .collect();
-    let mut placed: Vec<Option<Rectangle>> = vec![None; labels.len()];
+    let mut placed: Vec<Option<Candidate>> = vec![None; labels.len()];
     for _ in 0..ROUNDS {
-        let before: Vec<_> = centres(&placed);
+        let before: Vec<_> = places(&placed);
         for (i, candidates) in candidates.iter().enumerate() {
             placed[i] = None;
             let cost = |candidate: &Candidate| {
                 let others = placed.iter().flatten();
-                let overlaps = others.filter(|other| candidate.rectangle.overlaps(other));
+                let overlaps =
+                    others.filter(|other| candidate.rectangle.overlaps(&other.rectangle));
                 candidate.cost + OVERLAP * overlaps.count() as f64
             };
-            let best = candidates
-                .iter()
-                .min_by(|a, b| cost(a).total_cmp(&cost(b)))
-                .map(|candidate| candidate.rectangle);
-            placed[i] = best;
+            let best = candidates.iter().min_by(|a, b| cost(a).total_cmp(&cost(b)));
+            placed[i] = best.copied();
         }
-        if centres(&placed) == before {
+        if places(&placed) == before {
             break;
         }
     }
-    centres(&placed)
+    places(&placed)
 }
 
-fn centres(placed: &[Option<Rectangle>]) -> Vec<[f64; 2]> {
-    placed
-        .iter()
-        .flatten()
-        .map(|rectangle| rectangle.centre)
-        .collect()
+fn places(placed: &[Option<Candidate>]) -> Vec<Placed> {
+    let all = || placed.iter().flatten().enumerate();
+    let place = |(i, candidate): (usize, &Candidate)| Placed {
+        centre: candidate.rectangle.centre,
+        collides: candidate.collides
+            || all().any(|(k, other)| k != i && candidate.rectangle.overlaps(&other.rectangle)),
+    };
+    all().map(place).collect()
 }
 
 #[cfg(test)]
@@ -285,7 +302,7 @@ mod tests {
     }
 
     fn place_one(at: [f64; 2], side: Side, obstacles: &Obstacles) -> [f64; 2] {
-        place(&[label(at, side)], &ROOM, obstacles)[0]
+        place(&[label(at, side)], &ROOM, obstacles)[0].centre
     }
 
     #[test]
@@ -312,6 +329,8 @@ mod tests {
         let [first, second] = place(&both, &ROOM, &Obstacles::default())[..] else {
             panic!("two labels have two places");
         };
+        assert!(!first.collides && !second.collides);
+        let [first, second] = [first.centre, second.centre];
         assert!(
             (first[0] - second[0]).abs() >= 40.0 || (first[1] - second[1]).abs() >= 10.0,
             "{first:?} {second:?}"
@@ -319,6 +338,17 @@ mod tests {
 
         let [x, _] = place_one([190.0, 50.0], Side::Right, &Obstacles::default());
         assert!(x + 20.0 <= 200.0, "{x}");
+    }
+
+    #[test]
+    fn a_label_without_room_says_that_it_collides() {
+        let mut lines = Obstacles::default();
+        for x in 0..20 {
+            let x = 10.0 * f64::from(x);
+            lines.line(BLUE, [x, 0.0], [x, 100.0]);
+        }
+        let crowded = place(&[label([100.0, 50.0], Side::Right)], &ROOM, &lines);
+        assert!(crowded[0].collides);
     }
 
     #[test]
@@ -340,7 +370,7 @@ mod tests {
         }
         let mut along = label([30.0, 30.0], Side::Above);
         along.anchors.push([150.0, 30.0]);
-        let [x, y] = place(&[along], &ROOM, &lines)[0];
+        let [x, y] = place(&[along], &ROOM, &lines)[0].centre;
         assert_eq!([x, y], [150.0, 18.0]);
     }
 
@@ -350,7 +380,8 @@ mod tests {
         let labels: Vec<Label> = (0..5)
             .map(|i| label([100.0, 40.0 + 4.0 * f64::from(i)], Side::Right))
             .collect();
-        let centres = place(&labels, &ROOM, &Obstacles::default());
+        let placed = place(&labels, &ROOM, &Obstacles::default());
+        let centres: Vec<[f64; 2]> = placed.iter().map(|place| place.centre).collect();
         for (label, centre) in labels.iter().zip(&centres) {
             assert!(
                 (label.anchors[0][1] - centre[1]).abs() < 40.0,

@@ -34,7 +34,7 @@ pub fn figure(rows: &[Row]) -> Result<Figure, Error> {
         times(
             "time (ns); marks that would overlap are shifted apart",
             &in_box,
-            [0.06, 30.0],
+            [0.02, 30.0],
         ),
         errors("relative error of the load (disc: median, circle: largest)"),
     );

@@ -41,10 +41,14 @@ mod tests {
 
     use super::chart::Figure;
     use super::picture::Format;
-    use super::{effects, lookup_cost, table_cost, work_precision};
+    use super::{
+        effects, fig2, fig3, fig4, force_displacement, lookup_cost, pull_off, table_cost,
+        work_precision,
+    };
     use crate::Error;
     use crate::cost::{Measurement, read_csv};
     use crate::hostile::each_damaged;
+    use interp::Probe;
 
     /// Damages shipped measurements, reads them, and draws every 50th of those that are accepted.
     fn damage<R: Measurement>(name: &str, figure: fn(&[R]) -> Result<Figure, Error>) {
@@ -87,6 +91,42 @@ mod tests {
         });
         println!("{name}: {refused} refused, {accepted} accepted, {drawn} drawn");
         assert!(refused > 0 && drawn > 0);
+    }
+
+    /// Asserts that no text of a figure collides with a line, a marker, another text or the edge.
+    fn assert_clear(name: &str, figure: &Figure) {
+        let (_, colliding) = figure.drawn().expect("a picture");
+        assert!(colliding.is_empty(), "{name}: {colliding:?}");
+    }
+
+    /// Reads shipped measurements.
+    fn shipped<R: Measurement>(name: &str) -> Vec<R> {
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tables/figures");
+        read_csv(&folder.join(name)).expect("shipped")
+    }
+
+    #[test]
+    fn the_texts_of_the_shipped_figures_collide_with_nothing() {
+        let probe = Probe::Paraboloid { radius: 1e-3 };
+        let films = force_displacement::data(&probe).expect("within reach");
+        assert_clear(
+            "force-displacement",
+            &force_displacement::figure(&films, &probe),
+        );
+        let lookup = lookup_cost::figure(&shipped("lookup.csv")).expect("rows");
+        assert_clear("lookup-cost", &lookup);
+        let solve = work_precision::figure(&shipped("solve.csv")).expect("rows");
+        assert_clear("work-precision", &solve);
+        assert_clear("table-cost", &table_cost::figure(&shipped("table.csv")));
+        let effects = effects::figure(&shipped("effects.csv")).expect("rows");
+        assert_clear("effects", &effects);
+        assert_clear("fig2", &fig2::figure(&fig2::data().expect("within reach")));
+        assert_clear("fig3", &fig3::figure(&fig3::data().expect("within reach")));
+        assert_clear("fig4", &fig4::figure(&fig4::data().expect("within reach")));
+        assert_clear(
+            "pull-off",
+            &pull_off::figure(&pull_off::data().expect("within reach")),
+        );
     }
 
     #[test]

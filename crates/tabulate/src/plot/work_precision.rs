@@ -49,7 +49,7 @@ pub fn figure(rows: &[Row]) -> Result<Figure, Error> {
 /// Draws one contact.
 fn panel(rows: &[Row], name: &str, x: f64, leftmost: bool) -> Panel {
     /// In microseconds, with room for labels left of the fastest.
-    const TIMES: [f64; 2] = [0.1, 1e6];
+    const TIMES: [f64; 2] = [0.03, 1e6];
     /// From rounding errors, with room for labels below, to 100 %.
     const ERRORS: [f64; 2] = [1e-18, 1.0];
     let errors = Axis::logarithmic(

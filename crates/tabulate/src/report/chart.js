@@ -29,37 +29,57 @@ function ticks(low, high, count) {
     return Array.from({ length: last - first + 1 }, (_, i) => rounded((first + i) * step, 10));
 }
 
+/** The width of a digit of a chart in a wide font, in pixels. */
+const DIGIT = 9;
+/** The width of the label of the vertical axis with the space around it, in pixels. */
+const LABEL = 30;
+
+/** The number of an axis as text. */
+const numeral = (value) => String(value).replace("-", "−");
+
+/** True if the numerals at these places are clear of each other and of the right edge. */
+function clear(marks, edge) {
+    const half = ([, value]) => 0.5 * DIGIT * numeral(value).length + 4;
+    return marks.every((mark, i) => mark[0] + half(mark) <= (i + 1 < marks.length ? marks[i + 1][0] - half(marks[i + 1]) : edge));
+}
+
 /** Draws the states as a curve, dashed where they are not `stable`, and the `marks` with their labels. */
 function chart(x, y, states, stable, marks, width) {
     const height = Math.round(Math.min(Math.max(0.72 * width, 300), 400));
-    const box = { left: 58, right: width - 14, top: 10, bottom: height - 46 };
-    const axis = ({ key }, [low, high], [start, end], count) => {
+    const box = { right: width - 14, top: 10, bottom: height - 46 };
+    const axis = ({ key }, [low, high]) => {
         const values = states.map((state) => state[key]);
         const [least, most] = [Math.min(0, ...values), Math.max(0, ...values)], length = most - least;
         const range = [least === 0 ? 0 : least - low * length, most === 0 ? 0 : most + high * length];
         const { scale, prefix: sign } = prefix(Math.max(...range.map(Math.abs)) / 1.5);
-        const place = (value) => start + ((end - start) * (value - range[0])) / (range[1] - range[0]);
-        const marks = ticks(range[0] / scale, range[1] / scale, count).map((value) => [place(value * scale), value]);
-        return { place, sign, marks };
+        const numbers = (count) => ticks(range[0] / scale, range[1] / scale, count);
+        const between = ([start, end]) => {
+            const place = (value) => start + ((end - start) * (value - range[0])) / (range[1] - range[0]);
+            const marks = (count) => numbers(count).map((value) => [place(value * scale), value]);
+            return { place, sign, marks };
+        };
+        return { numbers, between };
     };
-    const horizontal = axis(x, [0.06, 0.02], [box.left, box.right], width < 420 ? 5 : 7);
-    const vertical = axis(y, [0.13, 0.04], [box.bottom, box.top], 6);
+    const rows = axis(y, [0.13, 0.04]), columns = axis(x, [0.06, 0.02]);
+    box.left = LABEL + DIGIT * Math.max(...rows.numbers(6).map((value) => numeral(value).length));
+    const vertical = rows.between([box.bottom, box.top]), horizontal = columns.between([box.left, box.right]);
+    // As many numbers as there is room for.
+    const horizontalMarks = [7, 6, 5, 4, 3, 2, 1].map(horizontal.marks).find((marks) => clear(marks, width)) ?? [];
     const at = (state) => [horizontal.place(state[x.key]), vertical.place(state[y.key])];
     const description = `${y.label} against ${x.label}`;
     const svg = element("svg", { viewBox: `0 0 ${width} ${height}`, width, height, role: "img", "aria-label": description });
-    const text = (value) => String(value).replace("-", "−");
-    for (const [place, value] of horizontal.marks) {
+    for (const [place, value] of horizontalMarks) {
         svg.append(element("line", { class: value === 0 ? "zero" : "grid", x1: place, x2: place, y1: box.top, y2: box.bottom }));
-        svg.append(element("text", { x: place, y: box.bottom + 17, "text-anchor": "middle" }, text(value)));
+        svg.append(element("text", { x: place, y: box.bottom + 17, "text-anchor": "middle" }, numeral(value)));
     }
-    for (const [place, value] of vertical.marks) {
+    for (const [place, value] of vertical.marks(6)) {
         svg.append(element("line", { class: value === 0 ? "zero" : "grid", x1: box.left, x2: box.right, y1: place, y2: place }));
-        svg.append(element("text", { x: box.left - 7, y: place + 4, "text-anchor": "end" }, text(value)));
+        svg.append(element("text", { x: box.left - 7, y: place + 4, "text-anchor": "end" }, numeral(value)));
     }
     const middle = [(box.left + box.right) / 2, (box.top + box.bottom) / 2];
     svg.append(element("text", { class: "axis", x: middle[0], y: height - 8, "text-anchor": "middle" },
         `${x.label} (${horizontal.sign}${x.unit})`));
-    svg.append(element("text", { class: "axis", "text-anchor": "middle", transform: `translate(14 ${middle[1]}) rotate(-90)` },
+    svg.append(element("text", { class: "axis", "text-anchor": "middle", transform: `translate(15 ${middle[1]}) rotate(-90)` },
         `${y.label} (${vertical.sign}${y.unit})`));
     for (const kind of [false, true]) {
         const pieces = states.slice(1).map((state, i) => {

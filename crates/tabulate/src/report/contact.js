@@ -26,7 +26,7 @@ class Contact {
     constructor(table, curve, system) {
         Object.assign(this, system, { curve });
         /** The contact radii that the table covers, up to the largest one. */
-        this.range = table.range("a_over_t").map((x) => Math.min(x * this.thickness, this.largest));
+        this.range = table.range("a_over_t").map((x) => Math.min(rounded(x * this.thickness), this.largest));
         this.sections = { load: this.sectionsOf("load"), penetration: this.sectionsOf("penetration") };
     }
 
@@ -98,8 +98,8 @@ class Contact {
         if (rest) to = Number((1.3 * rest.contact_radius).toPrecision(3));
         else if (this.workOfAdhesion === 0) to = this.extent;
         else if (this.state(last).load < 0) to = last;
-        to = Math.min(Math.max(to, 10 * first), last);
-        return [Math.max(first, 1e-6 * to), to];
+        to = Math.min(rounded(Math.max(to, 10 * first)), last);
+        return [Math.max(first, rounded(1e-6 * to)), to];
     }
 
     /** Returns the part of a drawn range of which points are printed. */

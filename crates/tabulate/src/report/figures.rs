@@ -18,14 +18,15 @@ pub struct Illustration {
 
 /// Returns the number of steps that [`figures()`] reports to its `progress`.
 pub fn steps(table: &Table) -> usize {
-    if error_map::fixed(table).is_none() {
+    if error_map::is_possible(table) {
         error_map::CELLS.iter().product()
     } else {
         0
     }
 }
 
-/// Draws the figures for a table: its error map, unless the table fixes `a_over_t` or `e1_over_e2`;
+/// Draws the figures for a table: its error map, if the table has ranges of `a_over_t` and
+/// `e1_over_e2`;
 /// Figs. 2 to 4 of the paper, if the table covers the paper's material.
 ///
 /// The figures take direct solves: 1 to 10 s for the error map. `progress` is called with the
@@ -42,7 +43,7 @@ pub fn figures(
         return Err(interp::Error::OfStack.into());
     }
     let mut figures = Vec::new();
-    if error_map::fixed(table).is_none() {
+    if error_map::is_possible(table) {
         let figure = error_map::figure(&error_map::data(table, progress)?);
         let caption = "The largest relative error of any quantity against direct solves, over a/t and E₁/E₂*. \
                        Each cell shows the worst of many random points.";

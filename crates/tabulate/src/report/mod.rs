@@ -93,9 +93,12 @@ pub fn report(
         (
             "quantities",
             table
-                .quantities()
+                .answers()
                 .into_iter()
-                .map(|q| format!("{} ({})", q.name(), q.long_name()))
+                .map(|q| match table.holds(q) {
+                    true => format!("{} ({})", q.name(), q.long_name()),
+                    false => format!("{} ({}, follows from gamma)", q.name(), q.long_name()),
+                })
                 .collect::<Vec<_>>()
                 .join(", "),
         ),
@@ -146,12 +149,11 @@ fn opening(table: &Table, probe: &Probe) -> Result<String, Error> {
             ));
         }
     };
-    let mut held = table.quantities();
-    let holds_cone = held.pop_if(|last| *last == Quantity::Delta1).is_some();
-    if name != "paraboloid" && held != Quantity::ALL && held != [Quantity::Gamma] {
+    let answered = table.answers();
+    if name != "paraboloid" && !answered.starts_with(&Quantity::ALL) {
         return Err(refused("it needs pi0, eeq, gamma and delta0"));
     }
-    if name == "cone" && !holds_cone {
+    if name == "cone" && !table.holds(Quantity::Delta1) {
         return Err(refused(
             "it needs delta1: make the table of a scene with quantities = [\"gamma\", \"delta1\"]",
         ));

@@ -14,7 +14,7 @@ const SETTINGS = {
 };
 /** The probes, by the names of the option --probe: each with its text, and the name of its radius. */
 const PROBES = {
-    paraboloid: { text: "paraboloid r²/(2R), the sphere of the model", radius: "sphere radius" },
+    paraboloid: { text: "paraboloid r²/(2R)", radius: "sphere radius" },
     sphere: { text: "sphere itself", radius: "sphere radius" },
     "flat-punch": { text: "flat punch", radius: "punch radius" },
     cone: { text: "cone" },
@@ -65,12 +65,24 @@ class Page {
         for (const key of ["substrate_modulus", "film_modulus"]) {
             if (this.sliding(key) && key !== this.unit) this.values[key] = this.within(this.values[key], this.box(key));
         }
+        this.open();
         this.usual = { ...this.values };
         this.makeControls();
         this.readAddress();
         addEventListener("hashchange", () => this.readAddress());
         new ResizeObserver(() => this.draw()).observe(byId("charts"));
         byId("download").addEventListener("click", () => this.download());
+    }
+
+    /** Chooses the thinnest film on which the curve reaches zero load before the table's a/t ends, if there is one. */
+    open() {
+        this.unknown = [];
+        const { usual, sensible: [, thickest] } = SETTINGS.film_thickness;
+        for (let i = 0; usual * 10 ** (i / 2) <= thickest; i += 1) {
+            this.values.film_thickness = rounded(usual * 10 ** (i / 2), i % 2 ? 1 : 14);
+            if (!this.wrong().length && (this.values.work_of_adhesion === 0 || this.makeContact().zeroLoad())) return;
+        }
+        this.values.film_thickness = usual;
     }
 
     /** The name of a setting. That of the radius depends on the probe. */

@@ -1,7 +1,7 @@
 // Reads a table that the crate `interp` packed (packed.rs, entropy.rs), and evaluates its polynomials and splines (chebyshev.rs, low_rank.rs, bspline.rs).
 
 /** The version of the packed form that this page reads. */
-const PACKED_VERSION = 3;
+const PACKED_VERSION = 4;
 /** The bytes before the payload: 8 of magic, the version (u32), the length (u64) and the CRC-32 (u32) of the payload. */
 const PREFIX = 24;
 /** The degree of the splines through a table's nodes, where there are enough of them. */
@@ -270,6 +270,8 @@ class Table {
         this.axes = Object.fromEntries(reader.array(4, () => [PARAMETERS[reader.u32()], list(f64)]));
         this.held = list(u32).map((variant) => QUANTITIES[variant]);
         if (reader.u32() !== 1) throw new Error("the data is not in low-rank form");
+        // The lengths of the pieces of a curve in Rust.
+        list(u32);
         const index = () => reader.variable();
         const coordinates = Object.entries(this.axes).map(([parameter, nodes]) => nodes.map((node) => coordinate(parameter, node)));
         /** The B-splines along a/t. */

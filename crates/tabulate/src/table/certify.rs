@@ -23,6 +23,9 @@ pub struct Sample {
     pub error: f64,
     /// The quantity that has it, `Delta1` also for `Pi_1`.
     pub quantity: Quantity,
+    /// The relative error of each of [`Quantity::TABULATED`], none of a quantity that the table does
+    /// not answer. That of `Delta1` is the larger of its own and that of `Pi_1`.
+    pub errors: [Option<f64>; 5],
     /// The relative errors of the interpolant in the four exact identities, see
     /// [`Certificate::identity_errors`]; none where a quantity is missing or `a/t` is fixed.
     pub identity_errors: [Option<f64>; 4],
@@ -85,6 +88,20 @@ pub fn certificate(samples: &[Sample], seed: u64) -> Certificate {
         worst_point: worst.point,
         identity_errors: [0, 1, 2, 3].map(identity),
     }
+}
+
+/// Returns the largest and the median error of each quantity that the table answers at any of the
+/// `samples`.
+pub fn errors_by_quantity(samples: &[Sample]) -> Vec<(Quantity, [f64; 2])> {
+    let of = |quantity: Quantity| {
+        let errors = samples
+            .iter()
+            .filter_map(|sample| sample.errors[quantity as usize]);
+        let mut errors: Vec<f64> = errors.collect();
+        errors.sort_by(f64::total_cmp);
+        Some((quantity, [*errors.last()?, errors[errors.len() / 2]]))
+    };
+    Quantity::TABULATED.into_iter().filter_map(of).collect()
 }
 
 /// Compares the table with direct solves at `points` points.
@@ -250,13 +267,10 @@ fn sample_of(
         None => table.curve(&material)?,
         Some(stack) => stack.curve(stack.stack().surface().young() / material.e1_over_e2())?,
     };
-    let (mut error, mut quantity) = (-1.0, Quantity::Pi0);
+    let mut errors = [None; 5];
     let mut compare = |value: f64, solved: f64, of: Quantity| {
-        let found = (value / solved - 1.0).abs();
-        // NaN counts as the largest error.
-        if found > error || found.is_nan() {
-            (error, quantity) = (found, of);
-        }
+        let (found, error) = ((value / solved - 1.0).abs(), &mut errors[of as usize]);
+        *error = Some(error.map_or(found, |other: f64| larger(found, other)));
     };
     for candidate in Quantity::TABULATED {
         if let Some(value) = answered(curve.quantity(candidate, a_over_t))? {
@@ -268,12 +282,23 @@ fn sample_of(
     {
         compare(found.pi(a_over_t)?, cone.pi, Quantity::Delta1);
     }
+    let of_quantities = errors.into_iter().zip(Quantity::TABULATED);
+    let (error, quantity) = of_quantities
+        .filter_map(|(error, quantity)| Some((error?, quantity)))
+        .max_by(|(a, _), (b, _)| a.total_cmp(b))
+        .expect("a table answers what it holds");
     Ok(Sample {
         point,
         error,
         quantity,
+        errors,
         identity_errors: identity_errors(&curve, a_over_t),
     })
+}
+
+/// Returns the larger of two errors that are not negative. NaN is the largest.
+fn larger(a: f64, b: f64) -> f64 {
+    if a.total_cmp(&b).is_gt() { a } else { b }
 }
 
 /// Returns what a curve answers; none where the table does not hold what it needs, or begins at too

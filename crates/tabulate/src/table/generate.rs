@@ -4,7 +4,7 @@
 //! plan -> sweep, a piece at a time into the journal -> certify -> refine the plan and sweep again, or write the file
 //! ```
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use interp::{Certificate, Parameter, Table};
@@ -41,6 +41,9 @@ pub trait Observer: Sync {
     fn begin(&self, what: &'static str, points: usize, finished: usize);
     /// Tells that `points` more points are finished. Called from any thread.
     fn advance(&self, points: usize);
+    /// Tells that `kept` of the `points` points of the nodes are on the disk, from where a resumed
+    /// generation goes on.
+    fn kept(&self, _kept: usize, _points: usize) {}
     /// Tells the user something in words.
     fn note(&self, text: &str);
     /// Returns whether the generation is to end with [`Error::Interrupted`], with the finished
@@ -133,7 +136,8 @@ const SUSPECTS: usize = 24;
 /// not allow another round, is written too: compare its certificate with the tolerance.
 ///
 /// # Errors
-/// [`Error::Busy`] if another process generates the same file; [`Error::OtherRun`] if the finished
+/// [`Error::Busy`] if another process generates the same file; [`Error::Kept`] if it would drop the
+/// finished pieces of an interrupted generation that is not resumed; [`Error::OtherRun`] if the finished
 /// pieces belong to another scene, build or processor, or a refined plan to another certificate;
 /// [`Error::Budget`] if the budget is spent before all is solved; [`Error::Interrupted`] if the
 /// observer ends it; [`Error::Write`] for a file that cannot be written, or an HDF5 file from a
@@ -177,8 +181,8 @@ pub fn generate_with(
     let mut journal = Journal::open(path)?;
     let outcome = run(scene, path, options, (observer, solver), &mut journal);
     match &outcome {
-        // The journal belongs to another run, or its pieces are of use to `--resume`.
-        Err(Error::OtherRun { .. }) => {}
+        // The journal belongs to another run, or its pieces are of use to a resumed one.
+        Err(Error::OtherRun { .. } | Error::Kept { .. }) => {}
         Err(_) if journal.finished() > 0 => {}
         _ => journal.remove()?,
     }
@@ -197,9 +201,7 @@ fn run(
     let (mut round, mut plan) = match resumed_plan(scene, path, options, journal)? {
         Some(resumed) => resumed,
         None => {
-            if journal.finished() > 0 {
-                observer.note("the finished pieces of an interrupted run are dropped; use --resume to go on from them");
-            }
+            refuse_to_drop(journal, path)?;
             let plan = Plan::within(scene, budget)?;
             journal.begin(header(scene, 0, &plan, options))?;
             (0, plan)
@@ -290,6 +292,29 @@ fn resumed_plan(
     Ok(Some((header.round, header.plan)))
 }
 
+/// Returns the file that keeps the finished pieces of a table until it is complete.
+///
+/// # Errors
+/// [`Error::Write`] if the table is something other than a file, or a link to nothing.
+pub fn journal_of(table: &Path) -> Result<PathBuf, Error> {
+    Ok(Journal::path(&output::behind_links(table)?))
+}
+
+/// Accepts a journal without pieces. Those of an interrupted generation may have taken days.
+fn refuse_to_drop(journal: &Journal, path: &Path) -> Result<(), Error> {
+    let what = if journal.is_unreadable() {
+        "pieces with a header that cannot be read".to_owned()
+    } else if journal.finished() > 0 {
+        format!("{} finished pieces", journal.finished())
+    } else {
+        return Ok(());
+    };
+    Err(Error::Kept {
+        journal: Journal::path(path),
+        what,
+    })
+}
+
 /// Solves the nodes of a plan and returns their table, without a certificate.
 fn table(
     scene: &Scene,
@@ -316,7 +341,9 @@ fn solve(
     budget: Option<Budget<'_>>,
 ) -> Result<(), Error> {
     let total = sweep.pieces() * sweep.points();
-    observer.begin("solving", total, journal.finished() * sweep.points());
+    let kept = journal.finished() * sweep.points();
+    observer.begin("solving", total, kept);
+    observer.kept(kept, total);
     let missing: Vec<usize> = (0..sweep.pieces())
         .filter(|&piece| !journal.holds(piece))
         .collect();
@@ -331,10 +358,11 @@ fn solve(
         journal.add(piece, solved)?;
         // After a piece, so that the smallest budget finishes one.
         let finished = journal.finished() * sweep.points();
+        observer.kept(finished, total);
         interruption(observer, finished, total)?;
         if finished < total && budget.is_some_and(|budget| budget.is_spent()) {
             let spent = format!(
-                "with {finished} of {total} points solved; they are kept, and --resume goes on from them"
+                "with {finished} of {total} points solved; they are kept, and a resumed generation goes on from them"
             );
             return Err(Error::Budget { spent });
         }
@@ -433,7 +461,7 @@ fn same_run(
     {
         let (points, seed) = (header.certificate_points, header.seed.cast_unsigned());
         format!(
-            "and refined with --certificate-points {points} --seed {seed}, and this is {} and {}",
+            "and refined with certificate_points = {points} and seed = {seed}, and these are {} and {}",
             options.certificate_points, options.seed
         )
     } else {

@@ -30,9 +30,13 @@ pub use budget::{Budget, Clock};
 pub use build::name as build_name;
 #[cfg(feature = "cli")]
 pub(crate) use certify::Axis as SampledAxis;
-pub use certify::{Sample, certificate, certify, default_points, measure, points_for, sample};
+pub use certify::{
+    Sample, certificate, certify, default_points, errors_by_quantity, measure, points_for, sample,
+};
 pub use compress::{compress, low_rank};
-pub use generate::{Generated, Here, Keep, Observer, Options, Solver, generate, generate_with};
+pub use generate::{
+    Generated, Here, Keep, Observer, Options, Solver, generate, generate_with, journal_of,
+};
 pub use lines::{lines, logarithms};
 pub use of_stack::StackTable;
 pub use placement::{EVENNESS, Placement, places};

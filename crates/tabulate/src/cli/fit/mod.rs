@@ -1,31 +1,34 @@
 //! `tabulate fit`
 //!
 //! `setting` reads settings of parameters, and `experiments` joins them with the measurements.
-//! `text`, with the numbers of `units`, `object` and `table` write the result as a report, as JSON
-//! and as CSV; `crate::plot::fit` draws it.
+//! `fit::report` writes the result as a report, `object` and `table` as JSON and as CSV;
+//! `crate::plot::fit` draws it.
 
 pub mod experiments;
 pub mod object;
+pub mod reading;
 pub mod setting;
 pub mod table;
-pub mod text;
-pub mod units;
 
 use std::path::{Path, PathBuf};
 
-use ::fit::data::{Cantilever, Column, Format, Role, Segments, read};
-use ::fit::{Direction, Kind, Loss, Measurement, Options, Parameter};
-use anyhow::{bail, ensure};
+use ::fit::data::{Cantilever, Column, Format, Quantity, Role, Segments, roles};
+use ::fit::report::{UnitOf, report};
+use ::fit::{Direction, Fit, Kind, Loss, Options, Parameter, WarningKind};
+use anyhow::{Context, anyhow, bail, ensure};
 use clap::ValueHint;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use interp::Table;
 
 use self::experiments::{FreeArguments, KnownArguments};
-use self::setting::Asked;
+use self::reading::{doubted, measured, typed};
+use self::setting::{Given, unit_of};
+use super::allow;
 use super::json;
 use super::output::Output;
 use super::plot::picture;
 use super::print;
+use super::quantity::{any, length, number, sensitivity};
 use super::table_name::{self, TableName};
 use crate::plot::fit::figure;
 use crate::plot::picture::Format as PictureFormat;
@@ -38,6 +41,11 @@ use crate::printable;
 /// recognised by headings with a unit, such as `Force [mN]`, `Radius (um)`, `height_nm`,
 /// `Piezo/nm`; --column names others. Without a unit, the names contact_radius, penetration, load,
 /// force, height, `height (measured)` and `height (piezo)` are in SI units, all others an error.
+/// A heading of one of these with error, std, sd, sigma or uncertainty, such as `load error [mN]`
+/// and `radius_std`, is the column of its standard deviations. Segments of a file may have headings
+/// of their own. The stiffness and the sensitivity of the cantilever are those that the head of the
+/// file names, unless flags give others.
+///
 /// Loads are positive in compression; heights are smaller when the cantilever is closer to the
 /// sample: contact point - height = penetration + force/stiffness.
 ///
@@ -45,18 +53,21 @@ use crate::printable;
 /// some tenths of a second, and the modulus and the thickness of its layers can be free; or it is
 /// looked up where --stack names a table of the stack.
 ///
+/// What the fit needs and nobody gives is an error that lists it. A value of the bodies is fixed
+/// unless it is free (--free). A free modulus of sphere or film and a free work of adhesion need no
+/// value: the data tell where to start.
+///
 /// Which points are in contact is read from the data: points up to the jump of pull-off are in
 /// contact, those after it are the baseline. With several files, the parameters are common to all
 /// files unless they are the file's own: a global fit of films of several thicknesses is
-/// --value film-thickness=1e-6,1e-5.
+/// --value film-thickness=1um,10um.
 ///
 /// The exit status is 0 only if the fit has converged.
 #[derive(clap::Args)]
 #[command(after_help = super::examples!(
-    "tabulate fit crates/fit/data/lens.csv --film-thickness 3e-5",
-    "tabulate fit crates/fit/data/lens.csv --film-thickness 3e-5 --free sphere-modulus,load-offset",
-    "tabulate fit crates/fit/data/primer.csv --stack tables/stacks/primer.toml --free primer.modulus",
-    "tabulate fit crates/fit/data/gel.csv --stiffness 0.1 --half-space --sphere-radius 1e-5 --json",
+    "tabulate fit crates/fit/data/lens.csv --specimen paper --film-thickness 30um",
+    "tabulate fit crates/fit/data/lens.csv --specimen paper --film-thickness 30um --noise 2uN --json",
+    "tabulate fit crates/fit/data/primer.csv --specimen paper --stack tables/stacks/primer.toml",
 ))]
 pub struct Arguments {
     /// The measurements: tables of text
@@ -66,12 +77,13 @@ pub struct Arguments {
     #[arg(long, value_parser = kinds())]
     kind: Option<Kind>,
     /// A column that is not recognised: NAME=HEADING [UNIT]. NAME is one of contact_radius, load,
-    /// penetration, height, deflection and segment. The number of the column may stand for the
-    /// heading; a minus before it turns the sign
+    /// penetration, height, deflection and segment, or with _error a column of standard deviations:
+    /// load_error. The number of the column may stand for the heading, with `extend` or `retract`
+    /// after it for one direction; a minus before it turns the sign
     #[arg(long = "column", value_name = "NAME=HEADING [UNIT]")]
     columns: Vec<Column>,
-    /// Sensitivity, m of deflection for each V, of a deflection in volts
-    #[arg(long, value_name = "m/V", allow_negative_numbers = true)]
+    /// Sensitivity, m of deflection for each V, of a deflection in volts [default: that of the file]
+    #[arg(long, value_name = "m/V", value_parser = sensitivity, allow_hyphen_values = true)]
     sensitivity: Option<f64>,
     /// Where the directions of points come from: a column segment, phase or direction, comments
     /// `segment: retract` or headings of the file (file), or the largest load (split). auto:
@@ -87,22 +99,47 @@ pub struct Arguments {
     only: Option<Direction>,
     #[command(flatten)]
     known: KnownArguments,
+    /// Poisson ratio of the sphere, which a contact does not need: the report then tells Young's
+    /// modulus of the sphere, too, E2 = E2* (1 - nu2^2)
+    #[arg(long, value_name = "NU", value_parser = poisson_ratio, allow_hyphen_values = true)]
+    sphere_poisson_ratio: Option<f64>,
     #[command(flatten)]
     free: FreeArguments,
-    /// Standard deviation of a load (N) or penetration (m), one or one for each file [default:
-    /// estimated from the residuals]
+    /// Value and standard error of a quantity that is not free, in SI units:
+    /// film-thickness=2e-6+-1e-7, also sphere-radius, substrate-modulus, substrate-poisson-ratio. Can
+    /// be given several times. The fit keeps the value, and its error adds to the standard errors:
+    /// to the first order, as one of several independent errors. --prior instead lets the data move
+    /// a free value
+    #[arg(long = "known", value_name = "NAME=VALUE+-ERROR")]
+    given: Vec<Given>,
+    /// Standard deviation of a load (N) or penetration (m), one or one for each file [default: that
+    /// of a column of standard deviations, such as `load error [mN]`, or estimated from the
+    /// residuals]
     #[arg(
         long,
         value_name = "S",
         value_delimiter = ',',
-        allow_negative_numbers = true
+        value_parser = any,
+        allow_hyphen_values = true
     )]
-    noise: Vec<f64>,
+    noise: Vec<Quantity>,
+    /// Standard deviation of a contact radius, penetration or height, m, one or one for each file
+    /// [default: that of a column such as `radius_error [um]`, or exact]. It counts by the slope of
+    /// the model: the variance of a point is that of its load plus (slope x S)^2
+    #[arg(
+        long,
+        visible_alias = "radius-noise",
+        value_name = "S",
+        value_delimiter = ',',
+        value_parser = length,
+        allow_hyphen_values = true
+    )]
+    abscissa_noise: Vec<f64>,
     /// Robust loss, for data with outliers: Huber's with the threshold 1.345, or the soft L1 loss
     #[arg(long, value_parser = one_of([("huber", Loss::HUBER), ("soft-l1", Loss::SOFT_L1)]))]
     robust: Option<Loss>,
     /// Intervals from the profile of the likelihood, at a level such as 0.95
-    #[arg(long, value_name = "LEVEL", allow_negative_numbers = true)]
+    #[arg(long, value_name = "LEVEL", value_parser = number, allow_hyphen_values = true)]
     intervals: Option<f64>,
     #[arg(
         long,
@@ -115,16 +152,19 @@ pub struct Arguments {
     #[arg(
         long,
         value_name = "NAME=UNIT,...",
+        value_parser = unit_of,
         value_delimiter = ',',
         conflicts_with = "json"
     )]
-    units: Vec<Asked>,
+    units: Vec<UnitOf>,
     /// Print a JSON object in SI units instead of the report
     ///
     /// {"converged": bool, "parameters": {"film_modulus": {"value", "stderr", "unit"}, ...},
-    /// "correlation": [[...]], "reduced_chi_squared", "noise", "without_film": {...}, "warnings":
-    /// [{"kind", "text"}]}. A parameter of which each file has its own is a list. With --intervals
-    /// each parameter has an "interval".
+    /// "sphere_young_modulus" with --sphere-poisson-ratio, "correlation": [[...]],
+    /// "reduced_chi_squared", "noise", "abscissa_noise", "without_film": {...}, "fixed_values":
+    /// [{"name", "value", "unit", "step", "changes", "error"}], "warnings": [{"kind", "text"}],
+    /// "read": [how each file was read]}. A parameter of which each file has its own is a list. With
+    /// --intervals each parameter has an "interval".
     #[arg(long)]
     json: bool,
     /// Write data, fit, residual and branch of every point here
@@ -133,6 +173,14 @@ pub struct Arguments {
     /// Draw data, fit, residuals and the curve without the film: SVG or PNG by the ending
     #[arg(long, value_name = "FILE.svg|FILE.png", value_parser = picture)]
     plot: Option<PathBuf>,
+}
+
+/// Parses the Poisson ratio of a solid.
+fn poisson_ratio(text: &str) -> Result<f64, String> {
+    let value = number(text)?;
+    let allowed = value > -1.0 && value <= 0.5;
+    let refused = || format!("{value:?} is not a Poisson ratio: give one above -1 and up to 0.5");
+    allowed.then_some(value).ok_or_else(refused)
 }
 
 /// Parses the name of a kind.
@@ -165,6 +213,48 @@ impl Arguments {
     }
 }
 
+/// Returns the standard deviation of the ordinates of a kind, in SI units.
+pub fn standard_deviation(noise: &Quantity, kind: Kind) -> anyhow::Result<f64> {
+    let value = noise
+        .of(Some(roles(kind)[1].dimension()))
+        .context("--noise")?;
+    ensure!(
+        value >= 0.0,
+        "--noise {value:?}: the standard deviation of a noise is a number of at least 0"
+    );
+    Ok(value)
+}
+
+/// Returns the warnings that may tell why a value is impossible, and what follows, a line each.
+fn further_doubts(fit: &Fit) -> String {
+    let others = fit.warnings.iter();
+    let others = others.filter(|warning| warning.kind != WarningKind::Implausible);
+    let texts: String = others
+        .map(|warning| format!("\nwarning: {}", warning.text))
+        .collect();
+    format!("{texts}\n{}", next_steps(fit))
+        .trim_end()
+        .to_owned()
+}
+
+/// Returns the flags that follow from the warnings, a line each.
+fn next_steps(fit: &Fit) -> String {
+    let steps = [
+        (
+            WarningKind::Hysteresis,
+            "loops: --free ...,work-of-adhesion-receding, or --only approach, or --only retract \
+             (points without a direction: --segments split)",
+        ),
+        (
+            WarningKind::Plasticity,
+            "what remains after unloading: keep the rows of unloading above half of the largest \
+             load, and --only retract --free film-modulus,contact-point",
+        ),
+    ];
+    let steps = steps.iter().filter(|(kind, _)| fit.warns_of(*kind));
+    steps.map(|(_, step)| format!("{step}\n")).collect()
+}
+
 /// Accepts a file to write, if one is asked for.
 fn output<'a>(path: Option<&'a Path>, inputs: &[&Path]) -> anyhow::Result<Option<Output<'a>>> {
     path.map(|_| Output::beside(path, inputs)).transpose()
@@ -185,27 +275,49 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let csv = output(arguments.csv.as_deref(), &inputs)?;
     let plot = output(arguments.plot.as_deref(), &inputs)?;
     let files = arguments.data.len();
-    let noises = arguments.noise.len();
-    ensure!(
-        noises <= 1 || noises == files,
-        "--noise: {noises} values for {files} files; give one, or one for each file"
-    );
+    for (flag, noises) in [
+        ("--noise", arguments.noise.len()),
+        ("--abscissa-noise", arguments.abscissa_noise.len()),
+    ] {
+        ensure!(
+            noises <= 1 || noises == files,
+            "{flag}: {noises} values for {files} files; give one, or one for each file"
+        );
+    }
     let format = arguments.format();
-    let (mut measurements, mut notes) = (Vec::new(), Vec::new());
+    let (mut measurements, mut errors, mut notes) = (Vec::new(), Vec::new(), Vec::new());
     for path in &arguments.data {
-        let reading = read(path, &format)?;
+        let reading = measured(path, &format)?;
         measurements.push(reading.measurement);
+        errors.push(reading.errors);
         notes.push(reading.notes);
     }
     let mut experiments = arguments.known.experiments(measurements)?;
-    for (i, experiment) in experiments.iter_mut().enumerate() {
-        let Measurement { name, kind, .. } = &experiment.measurement;
-        ensure!(
-            *kind != Kind::ForceHeight || experiment.stiffness.is_some(),
-            "{name}: heights need the stiffness of the cantilever; give it: --stiffness N/m"
-        );
-        let noise = arguments.noise.get(i).or(arguments.noise.first());
-        experiment.noise = noise.copied();
+    for ((i, experiment), errors) in experiments.iter_mut().enumerate().zip(errors) {
+        let kind = experiment.measurement.kind;
+        if kind == Kind::ForceHeight {
+            let of_file = notes[i].cantilever.stiffness;
+            experiment.stiffness = experiment.stiffness.or(of_file);
+        }
+        for Given {
+            quantity, value, ..
+        } in &arguments.given
+        {
+            let set = experiment.set_fixed(*quantity, *value);
+            set.with_context(|| format!("--known {}={value:?}", quantity.name()))?;
+        }
+        // A flag stands for a column.
+        experiment.errors = errors;
+        if let Some(noise) = arguments.noise.get(i).or(arguments.noise.first()) {
+            experiment.noise = Some(standard_deviation(noise, kind)?);
+            experiment.errors.ordinate.clear();
+        }
+        let of_file = arguments.abscissa_noise.get(i);
+        if let Some(noise) = of_file.or(arguments.abscissa_noise.first()) {
+            experiment.abscissa_noise = *noise;
+            experiment.errors.abscissa.clear();
+        }
+        experiment.sphere_poisson_ratio = arguments.sphere_poisson_ratio;
     }
     let free = arguments.free.of(&experiments, &arguments.known.values)?;
     let mut columns = notes.iter().flat_map(|notes| &notes.columns);
@@ -217,14 +329,35 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     {
         bail!("the stiffness cannot be free where it turns a deflection into a force: fix it");
     }
+    ensure!(
+        arguments.sphere_poisson_ratio.is_none()
+            || free
+                .iter()
+                .any(|free| free.parameter == Parameter::SphereModulus),
+        "--sphere-poisson-ratio: Young's modulus of the sphere follows from its reduced modulus, \
+         which is not free; free it, --free sphere-modulus, or leave the Poisson ratio out"
+    );
+    arguments.known.ask(&experiments, &free, &arguments.given)?;
+    let allowed = &arguments.known.bodies.allow;
+    for experiment in &experiments {
+        allow::magnitudes(&experiment.magnitudes(), allowed)
+            .with_context(|| experiment.measurement.name.clone())?;
+    }
     let table = arguments.table.read()?;
     let table: &Table = &table;
     let options = Options {
         loss: arguments.robust.unwrap_or(Loss::Squares),
         profile_level: arguments.intervals,
+        known: arguments.given.iter().map(Given::known).collect(),
+        fixed_values: true,
         ..Options::default()
     };
-    let fit = ::fit::fit(table, &experiments, &free, &options)?;
+    let fit =
+        ::fit::fit(table, &experiments, &free, &options).map_err(|error| doubted(error, &notes))?;
+    if fit.converged {
+        allow::magnitudes(&fit.magnitudes(), allowed)
+            .map_err(|error| anyhow!("{error}{}", further_doubts(&fit)))?;
+    }
     if let Some(csv) = csv {
         csv.write(&table::csv(&fit, &experiments)?)?;
     }
@@ -233,9 +366,13 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         plot.write(&picture.encode(PictureFormat::of(path)?)?)?;
     }
     if arguments.json {
-        json::print(&object::FitObject::new(&fit, &notes))?;
+        json::print(&object::FitObject::new(&fit, &experiments, &notes))?;
     } else {
-        let report = text::report(&fit, &experiments, &notes, &arguments.units)?;
+        let mut report = report(&fit, &experiments, &notes, &arguments.units);
+        for doubt in notes.iter().filter_map(|notes| notes.doubt.as_ref()) {
+            report += &format!("if the sign is wrong, {}\n", typed(&doubt.remedy()));
+        }
+        report += &next_steps(&fit);
         print(printable::lines(&report).as_bytes())?;
     }
     ensure!(

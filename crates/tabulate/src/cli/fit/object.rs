@@ -1,22 +1,35 @@
 //! The JSON object of a fit.
 
+use std::borrow::Cow;
+
 use ::fit::data::Notes;
-use ::fit::{Estimate, Fit, Parameter, WithoutFilm};
+use ::fit::report::reading;
+use ::fit::{
+    Estimate, Experiment, Fit, FittedExperiment, Fixed, FixedValue, Parameter, WithoutFilm,
+};
 use serde::{Serialize, Serializer};
 
+use super::reading::typed;
 use crate::cli::json::Number;
 
 /// A fit.
 #[derive(Serialize)]
 pub struct FitObject<'a> {
+    /// How each file was read, as the report says it.
+    read: Vec<String>,
     converged: bool,
     parameters: Estimates<'a>,
+    /// Young's modulus of the sphere, where its Poisson ratio is given.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    sphere_young_modulus: Option<OneOrAll<EstimateObject>>,
     /// In the order of `parameters`, the values of one parameter one after another.
     correlation: Vec<Vec<Number>>,
     /// Null where a noise was estimated from the residuals.
     reduced_chi_squared: Option<Number>,
     noise: OneOrAll<Number>,
+    abscissa_noise: OneOrAll<Number>,
     without_film: Option<WithoutFilmObject<'a>>,
+    fixed_values: Vec<FixedValueObject>,
     warnings: Vec<WarningObject<'a>>,
 }
 
@@ -27,6 +40,20 @@ struct WithoutFilmObject<'a> {
     chi_squared: Number,
     /// The modulus beside that with the film; null if no modulus is free.
     modulus: Option<ModulusObject>,
+}
+
+/// What a value taken as given does.
+#[derive(Serialize)]
+struct FixedValueObject {
+    name: String,
+    value: Number,
+    unit: &'static str,
+    /// The change of the value, and the changes of the parameters that follow, in the order of
+    /// `correlation`.
+    step: Number,
+    changes: Vec<Number>,
+    /// The standard error, if one is given.
+    error: Option<Number>,
 }
 
 #[derive(Serialize)]
@@ -40,7 +67,7 @@ struct ModulusObject {
 #[derive(Serialize)]
 struct WarningObject<'a> {
     kind: &'static str,
-    text: &'a str,
+    text: Cow<'a, str>,
 }
 
 /// The value itself if there is one, else the list.
@@ -77,14 +104,20 @@ impl Serialize for Estimates<'_> {
         }
         serializer.collect_map(parameters.into_iter().map(|parameter| {
             let of = self.0.iter().filter(|found| found.parameter == parameter);
-            let objects = of.map(|found| EstimateObject {
-                value: Number(found.value),
-                stderr: Number(found.standard_error),
-                unit: parameter.unit(),
-                interval: found.profile.map(|ends| ends.map(Number)),
-            });
+            let objects = of.map(EstimateObject::new);
             (json_name(parameter), OneOrAll(objects.collect()))
         }))
+    }
+}
+
+impl EstimateObject {
+    fn new(found: &Estimate) -> Self {
+        Self {
+            value: Number(found.value),
+            stderr: Number(found.standard_error),
+            unit: found.parameter.unit(),
+            interval: found.profile.map(|ends| ends.map(Number)),
+        }
     }
 }
 
@@ -105,29 +138,65 @@ pub fn matrix(rows: &[Vec<f64>]) -> Vec<Vec<Number>> {
 
 impl<'a> FitObject<'a> {
     /// Returns the object of a fit.
-    pub fn new(fit: &'a Fit, notes: &'a [Notes]) -> Self {
+    pub fn new(fit: &'a Fit, experiments: &[Experiment], notes: &'a [Notes]) -> Self {
+        let of_files = |value: fn(&FittedExperiment) -> f64| {
+            let values = fit.experiments.iter().map(|one| Number(value(one)));
+            OneOrAll(values.collect())
+        };
         let doubts = notes.iter().filter_map(|notes| notes.doubt.as_ref());
+        let doubts = doubts.map(|doubt| WarningObject {
+            kind: "sign",
+            text: format!("{doubt}; if so, {}", typed(&doubt.remedy())).into(),
+        });
         let warnings = fit.warnings.iter().map(|warning| WarningObject {
             kind: warning.kind.name(),
-            text: &warning.text,
+            text: warning.text.as_str().into(),
         });
+        let read = experiments.iter().zip(notes);
         Self {
+            read: read
+                .map(|(experiment, notes)| reading(&experiment.measurement, notes))
+                .collect(),
+            sphere_young_modulus: young_of_sphere(fit, experiments),
             converged: fit.converged,
             parameters: Estimates(&fit.estimates),
             correlation: matrix(&fit.correlation),
             reduced_chi_squared: fit.reduced_chi_squared.map(Number),
-            noise: OneOrAll(
-                fit.experiments
-                    .iter()
-                    .map(|one| Number(one.noise))
-                    .collect(),
-            ),
+            noise: of_files(|one| one.noise),
+            abscissa_noise: of_files(|one| one.abscissa_noise),
             without_film: fit.without_film.as_ref().map(WithoutFilmObject::new),
-            warnings: warnings
-                .chain(doubts.map(|text| WarningObject { kind: "sign", text }))
-                .collect(),
+            fixed_values: fit.fixed_values.iter().map(FixedValueObject::new).collect(),
+            warnings: warnings.chain(doubts).collect(),
         }
     }
+}
+
+impl FixedValueObject {
+    fn new(one: &FixedValue) -> Self {
+        Self {
+            name: match one.quantity {
+                Fixed::Parameter(parameter) => json_name(parameter),
+                other => other.name().replace('-', "_"),
+            },
+            value: Number(one.value),
+            unit: one.quantity.unit(),
+            step: Number(one.step),
+            changes: one.changes.iter().copied().map(Number).collect(),
+            error: one.error.map(Number),
+        }
+    }
+}
+
+/// Returns Young's modulus of the sphere, if its Poisson ratio is given and its reduced modulus was
+/// found.
+fn young_of_sphere(fit: &Fit, experiments: &[Experiment]) -> Option<OneOrAll<EstimateObject>> {
+    let poisson = experiments.first()?.sphere_poisson_ratio?;
+    let of_sphere = |found: &&Estimate| found.parameter == Parameter::SphereModulus;
+    let found = fit.estimates.iter().filter(of_sphere);
+    let objects: Vec<EstimateObject> = found
+        .map(|found| EstimateObject::new(&found.young_of_sphere(poisson)))
+        .collect();
+    (!objects.is_empty()).then_some(OneOrAll(objects))
 }
 
 impl<'a> WithoutFilmObject<'a> {

@@ -2,7 +2,11 @@
 
 use std::str::FromStr;
 
-use ::fit::Parameter;
+use ::fit::data::Dimension;
+use ::fit::report::UnitOf;
+use ::fit::{Fixed, Parameter};
+
+use crate::cli::quantity::read;
 
 /// Values of a parameter, `NAME=VALUE` or `NAME=VALUE,VALUE,...` with one for each file.
 #[derive(Clone, Debug, PartialEq)]
@@ -26,14 +30,45 @@ pub struct Known {
     pub error: f64,
 }
 
-/// A unit for the report, `NAME=UNIT`.
+/// What is known of a value that the fit takes as given, `NAME=VALUE+-ERROR`.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Asked {
-    pub parameter: Parameter,
-    /// The prefix before the SI unit.
-    pub prefix: String,
-    /// The size in SI units.
-    pub size: f64,
+pub struct Given {
+    pub quantity: Fixed,
+    pub value: f64,
+    pub error: f64,
+}
+
+impl Given {
+    /// Returns the error for a fit.
+    pub const fn known(&self) -> ::fit::Known {
+        ::fit::Known {
+            quantity: self.quantity,
+            error: self.error,
+        }
+    }
+}
+
+impl FromStr for Given {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let how = "NAME=VALUE+-ERROR, such as film-thickness=2e-6+-1e-7";
+        let (name, known) = text
+            .split_once('=')
+            .ok_or_else(|| format!("{text:?} has no =: write {how}"))?;
+        let quantity = Fixed::parse(name.trim()).ok_or_else(|| {
+            format!(
+                "{name:?} is no value of a fit: give sphere-radius, substrate-modulus, \
+                 substrate-poisson-ratio or a parameter that is not free, such as film-thickness"
+            )
+        })?;
+        let [value, error] = with_error(known.trim(), quantity.dimension(), how)?;
+        Ok(Self {
+            quantity,
+            value,
+            error,
+        })
+    }
 }
 
 impl FromStr for Values {
@@ -41,9 +76,10 @@ impl FromStr for Values {
 
     fn from_str(text: &str) -> Result<Self, String> {
         let (parameter, values) = split(text, "NAME=VALUE, such as load-offset=1e-6")?;
+        let value = |text| read(text, parameter.dimension());
         Ok(Self {
             parameter,
-            values: values.split(',').map(number).collect::<Result<_, _>>()?,
+            values: values.split(',').map(value).collect::<Result<_, _>>()?,
         })
     }
 }
@@ -58,7 +94,10 @@ impl FromStr for Bounds {
         let (least, most) = ends.ok_or_else(|| format!("{range:?} has no ..: write {how}"))?;
         Ok(Self {
             parameter,
-            range: [number(least)?, number(most)?],
+            range: [
+                read(least, parameter.dimension())?,
+                read(most, parameter.dimension())?,
+            ],
         })
     }
 }
@@ -69,33 +108,28 @@ impl FromStr for Known {
     fn from_str(text: &str) -> Result<Self, String> {
         let how = "NAME=MEAN+-ERROR, such as film-thickness=1e-6+-5e-8";
         let (parameter, known) = split(text, how)?;
-        let ends = known.split_once("+-").or_else(|| known.split_once('±'));
-        let (mean, error) = ends.ok_or_else(|| format!("{known:?} has no +-: write {how}"))?;
+        let [mean, error] = with_error(known, parameter.dimension(), how)?;
         Ok(Self {
             parameter,
-            mean: number(mean)?,
-            error: number(error)?,
+            mean,
+            error,
         })
     }
 }
 
-impl FromStr for Asked {
-    type Err = String;
+/// Reads `VALUE+-ERROR`.
+fn with_error(text: &str, dimension: Option<Dimension>, how: &str) -> Result<[f64; 2], String> {
+    let ends = text.split_once("+-").or_else(|| text.split_once('±'));
+    let (value, error) = ends.ok_or_else(|| format!("{text:?} has no +-: write {how}"))?;
+    Ok([read(value, dimension)?, read(error, dimension)?])
+}
 
-    fn from_str(text: &str) -> Result<Self, String> {
-        let (parameter, unit) = split(text, "NAME=UNIT, such as film-modulus=MPa")?;
-        let si = parameter.unit();
-        let prefix = unit.strip_suffix(si);
-        let found = prefix.and_then(|prefix| Some((prefix, ::fit::data::prefix(prefix)?)));
-        let (prefix, size) = found.ok_or_else(|| {
-            format!("{unit:?} is not {si} with a prefix of the SI, such as m{si}")
-        })?;
-        Ok(Self {
-            parameter,
-            prefix: prefix.to_owned(),
-            size,
-        })
-    }
+/// Reads a unit for the report, `NAME=UNIT`.
+pub fn unit_of(text: &str) -> Result<UnitOf, String> {
+    let (parameter, unit) = split(text, "NAME=UNIT, such as film-modulus=MPa")?;
+    let si = parameter.unit();
+    UnitOf::new(parameter, unit)
+        .ok_or_else(|| format!("{unit:?} is not {si} with a prefix of the SI, such as m{si}"))
 }
 
 /// Splits `NAME=...`.
@@ -105,12 +139,6 @@ fn split<'a>(text: &'a str, how: &str) -> Result<(Parameter, &'a str), String> {
         .ok_or_else(|| format!("{text:?} has no =: write {how}"))?;
     let parameter = name.trim().parse::<Parameter>();
     Ok((parameter.map_err(|error| error.to_string())?, rest.trim()))
-}
-
-fn number(text: &str) -> Result<f64, String> {
-    text.trim()
-        .parse()
-        .map_err(|_| format!("{text:?} is not a number"))
 }
 
 #[cfg(test)]
@@ -125,6 +153,18 @@ mod tests {
                 parameter: Parameter::FilmThickness,
                 values: vec![1e-6, 1e-5]
             })
+        );
+        assert_eq!(
+            "film-thickness=1um, 1e-5".parse(),
+            "film-thickness=1e-6,1e-5".parse::<Values>()
+        );
+        assert_eq!(
+            "film-modulus=0.1MPa..100 MPa".parse(),
+            "film-modulus=1e5..1e8".parse::<Bounds>()
+        );
+        assert_eq!(
+            "film-thickness=1um+-50nm".parse(),
+            "film-thickness=1e-6+-5e-8".parse::<Known>()
         );
         assert_eq!(
             "film-modulus = 1e5..1e8".parse(),
@@ -144,12 +184,8 @@ mod tests {
             );
         }
         assert_eq!(
-            "work-of-adhesion=mJ/m^2".parse(),
-            Ok(Asked {
-                parameter: Parameter::WorkOfAdhesion,
-                prefix: "m".into(),
-                size: 1e-3
-            })
+            unit_of("work-of-adhesion=mJ/m^2").ok(),
+            UnitOf::new(Parameter::WorkOfAdhesion, "mJ/m^2")
         );
     }
 
@@ -159,11 +195,25 @@ mod tests {
         assert!(values("load-offset").contains("load-offset=1e-6"));
         assert!(values("offset=1").contains("load-offset"));
         assert!(values("load-offset=1;2").contains("\"1;2\""));
+        assert!(values("film-thickness=3GPa").contains("a length is wanted"));
+        assert!(values("film-poisson-ratio=0.3um").contains("without a unit"));
         let bounds = "film-modulus=1e5".parse::<Bounds>().unwrap_err();
         assert!(bounds.contains("1e5..1e8"));
         let known = "film-modulus=1e5".parse::<Known>().unwrap_err();
         assert!(known.contains("+-"));
-        let unit = "film-modulus=mN".parse::<Asked>().unwrap_err();
+        let given = |text: &str| text.parse::<Given>().unwrap_err();
+        assert!(given("film-thickness=2e-6").contains("+-"));
+        assert!(given("thickness=2e-6+-1e-7").contains("film-thickness"));
+        assert!(given("sphere-radius").contains("has no ="));
+        assert_eq!(
+            "sphere-radius=1e-3+-1e-5".parse(),
+            Ok(Given {
+                quantity: Fixed::SphereRadius,
+                value: 1e-3,
+                error: 1e-5
+            })
+        );
+        let unit = unit_of("film-modulus=mN").unwrap_err();
         assert!(unit.contains("Pa"));
     }
 }

@@ -1,14 +1,23 @@
-//! The report of a fit for people.
+//! The result of a fit for people, as text.
+//!
+//! [`report`] is what `tabulate fit` prints, and what Python's `print(fit(...))` shows;
+//! [`expected`] is the same for the errors of a planned experiment. `unit` chooses units and
+//! digits, and `fixed_values` writes what the values taken as given do.
+
+mod fixed_values;
+mod unit;
 
 use std::borrow::Cow;
 use std::fmt::{self, Write};
 
-use ::fit::data::{Notes, Source};
-use ::fit::{Bodies, Combination, Estimate, Experiment, Fit, Measurement, ModulusBias, Parameter};
 use interp::Probe;
 
-use super::setting::Asked;
-use super::units::{decimals, scaled, unit, with_error};
+pub use self::unit::UnitOf;
+use self::unit::{decimals, scaled, unit, with_error};
+use crate::data::{Notes, Source};
+use crate::{
+    Bodies, Combination, Estimate, Experiment, Fit, Forecast, Measurement, ModulusBias, Parameter,
+};
 
 /// The width of the names of parameters.
 const NAME: usize = 25;
@@ -16,16 +25,43 @@ const NAME: usize = 25;
 /// The rise of chi^2 that tells a worse fit: five standard deviations.
 const WORSE: f64 = 25.0;
 
-/// Returns the report.
-pub fn report(
+/// Returns the report of a fit: how the data were read, what is fixed, what was found, whether the
+/// film matters, and the warnings.
+///
+/// `notes` are those of the `experiments`, in their order: [`Notes::default`] for points that come
+/// from no file. Parameters without a unit in `units` get a prefix with which their number is at
+/// least 1.
+pub fn report(fit: &Fit, experiments: &[Experiment], notes: &[Notes], units: &[UnitOf]) -> String {
+    write_report(fit, experiments, notes, units).expect("writing to memory does not fail")
+}
+
+/// Returns the errors expected of a planned experiment.
+pub fn expected(forecast: &Forecast, units: &[UnitOf]) -> String {
+    write_expected(forecast, units).expect("writing to memory does not fail")
+}
+
+fn write_expected(forecast: &Forecast, units: &[UnitOf]) -> Result<String, fmt::Error> {
+    let mut out = String::from("expected\n");
+    estimates(
+        &mut out,
+        &forecast.estimates,
+        &forecast.correlation,
+        &[],
+        units,
+    )?;
+    undetermined(&mut out, &forecast.undetermined)?;
+    Ok(out)
+}
+
+fn write_report(
     fit: &Fit,
     experiments: &[Experiment],
     notes: &[Notes],
-    asked: &[Asked],
+    asked: &[UnitOf],
 ) -> Result<String, fmt::Error> {
     let mut out = String::new();
     for (experiment, notes) in experiments.iter().zip(notes) {
-        writeln!(out, "{}", read(&experiment.measurement, notes))?;
+        writeln!(out, "{}", reading(&experiment.measurement, notes))?;
     }
     writeln!(out, "\nfixed")?;
     for (name, value) in fixed(fit, &experiments[0]) {
@@ -46,10 +82,14 @@ pub fn report(
         .map(|one| one.name.as_str())
         .collect();
     estimates(&mut out, &fit.estimates, &fit.correlation, &files, asked)?;
+    if let Some(young) = young_of_sphere(fit, &experiments[0], asked) {
+        writeln!(out, "\n{:<1$} {young}", "sphere", NAME + 2)?;
+    }
     writeln!(out, "\n{}", agreement(fit))?;
     if let Some(text) = film(fit, &experiments[0].bodies) {
         writeln!(out, "{text}")?;
     }
+    fixed_values::write(&mut out, fit, &files)?;
     undetermined(&mut out, &fit.undetermined)?;
     for warning in &fit.warnings {
         writeln!(out, "warning: {}", warning.text)?;
@@ -60,22 +100,31 @@ pub fn report(
     Ok(out)
 }
 
-/// Says how a file was read.
-fn read(measurement: &Measurement, notes: &Notes) -> String {
+/// Returns how a file was read, in one line.
+pub fn reading(measurement: &Measurement, notes: &Notes) -> String {
     let mut columns: Vec<String> = notes.columns.iter().map(column).collect();
     columns.dedup();
     let mut text = format!(
-        "{}: {} points, {}; {}",
+        "{}: {} points, {}",
         measurement.name,
         measurement.points.len(),
         measurement.kind.name(),
-        columns.join(", ")
     );
+    if !columns.is_empty() {
+        text += &format!("; {}", columns.join(", "));
+    }
+    if notes.blocks > 1 {
+        text += &format!("; {} times headings with rows below them", notes.blocks);
+    }
     if notes.split {
         text += "; split at the largest load";
     }
+    for value in notes.from_head() {
+        text += &format!("; {value}");
+    }
     for (count, what) in [
         (notes.missing, "without values"),
+        (notes.pauses, "of a pause"),
         (notes.other_segments, "of another segment"),
     ] {
         if count > 0 {
@@ -91,7 +140,16 @@ fn column(source: &Source) -> String {
     } else {
         ""
     };
-    format!("{} from {:?}{unit}", source.role.name(), source.heading)
+    let sign = if source.factor < 0.0 {
+        " with a minus"
+    } else {
+        ""
+    };
+    format!(
+        "{} from {:?}{unit}{sign}",
+        source.role.name(),
+        source.heading
+    )
 }
 
 /// Returns the values that are not fitted. Zeros of the instrument that are 0 are left out.
@@ -110,10 +168,11 @@ fn fixed(fit: &Fit, experiment: &Experiment) -> Vec<(Cow<'static, str>, String)>
     if let Some(radius) = probe.radius() {
         rows.push(("sphere-radius".into(), text(radius, "m")));
     }
+    let young = |value: f64| format!("{}, Young's modulus", text(value, "Pa"));
     if let Bodies::Coated(system) = &experiment.bodies {
         rows.push((
             "substrate-modulus".into(),
-            text(system.substrate.young(), "Pa"),
+            format!("{} E0", young(system.substrate.young())),
         ));
         rows.push((
             "substrate-poisson-ratio".into(),
@@ -122,7 +181,7 @@ fn fixed(fit: &Fit, experiment: &Experiment) -> Vec<(Cow<'static, str>, String)>
     }
     let mut parameters = Parameter::ALL.to_vec();
     if let Bodies::Layered(layered) = &experiment.bodies {
-        rows.push(("base-modulus".into(), text(layered.base.young(), "Pa")));
+        rows.push(("base-modulus".into(), young(layered.base.young())));
         if layered.base.young() < f64::INFINITY {
             rows.push((
                 "base-poisson-ratio".into(),
@@ -136,7 +195,7 @@ fn fixed(fit: &Fit, experiment: &Experiment) -> Vec<(Cow<'static, str>, String)>
                 None => rows.extend([
                     (
                         format!("layer-{}.modulus", i + 1).into(),
-                        text(layer.solid.young(), "Pa"),
+                        young(layer.solid.young()),
                     ),
                     (
                         format!("layer-{}.thickness", i + 1).into(),
@@ -153,30 +212,52 @@ fn fixed(fit: &Fit, experiment: &Experiment) -> Vec<(Cow<'static, str>, String)>
             && fit.estimate(parameter).is_none()
             && (value != 0.0 || parameter.is_positive())
         {
-            rows.push((parameter.name(), text(value, parameter.unit())));
+            let label = which_modulus(parameter);
+            let value = format!("{}{label}", text(value, parameter.unit()));
+            rows.push((parameter.name(), value));
         }
     }
     rows
 }
 
+/// Says which modulus a parameter is.
+const fn which_modulus(parameter: Parameter) -> &'static str {
+    match parameter {
+        Parameter::SphereModulus => ", reduced modulus E2*",
+        Parameter::FilmModulus => ", Young's modulus E1",
+        Parameter::LayerModulus(_) => ", Young's modulus",
+        _ => "",
+    }
+}
+
+/// Returns Young's modulus of the sphere, if its Poisson ratio is known and its reduced modulus
+/// was found.
+fn young_of_sphere(fit: &Fit, experiment: &Experiment, asked: &[UnitOf]) -> Option<String> {
+    let poisson = experiment.sphere_poisson_ratio?;
+    let found = fit.estimate(Parameter::SphereModulus)?;
+    let young = found.young_of_sphere(poisson);
+    Some(format!(
+        "{}, Young's modulus E2 = E2* (1 - nu2^2), nu2 = {poisson}",
+        value(&young, asked)
+    ))
+}
+
 /// Writes estimates, each with its file if it is one file's own of several, and their correlation.
-pub fn estimates(
+fn estimates(
     out: &mut String,
     estimates: &[Estimate],
     correlation: &[Vec<f64>],
     files: &[&str],
-    asked: &[Asked],
+    asked: &[UnitOf],
 ) -> fmt::Result {
-    let name = |estimate: &Estimate| match estimate.experiment {
-        Some(i) if files.len() > 1 => format!("{} ({})", estimate.parameter, files[i]),
-        _ => estimate.parameter.to_string(),
-    };
+    let name = |estimate: &Estimate| name(estimate, files);
     for estimate in estimates {
         writeln!(
             out,
-            "  {:<NAME$} {}",
+            "  {:<NAME$} {}{}",
             name(estimate),
-            value(estimate, asked)
+            value(estimate, asked),
+            which_modulus(estimate.parameter)
         )?;
     }
     if estimates.len() > 1 {
@@ -192,15 +273,23 @@ pub fn estimates(
     Ok(())
 }
 
+/// Returns the name of an estimate, with its file if it is one file's own of several.
+fn name(estimate: &Estimate, files: &[&str]) -> String {
+    match estimate.experiment {
+        Some(i) if files.len() > 1 => format!("{} ({})", estimate.parameter, files[i]),
+        _ => estimate.parameter.to_string(),
+    }
+}
+
 /// Writes the combinations that data do not determine.
-pub fn undetermined(out: &mut String, combinations: &[Combination]) -> fmt::Result {
+fn undetermined(out: &mut String, combinations: &[Combination]) -> fmt::Result {
     combinations
         .iter()
         .try_for_each(|one| writeln!(out, "the data do not determine {}", one.text))
 }
 
 /// Returns value, error and unit of an estimate, and its interval.
-fn value(estimate: &Estimate, asked: &[Asked]) -> String {
+fn value(estimate: &Estimate, asked: &[UnitOf]) -> String {
     let (unit, size) = unit(
         estimate.parameter,
         estimate.value,
@@ -229,7 +318,11 @@ fn agreement(fit: &Fit) -> String {
         } else {
             ""
         };
-        format!("{:.2e}{ordinate}", experiment.noise)
+        let abscissa = match experiment.abscissa_noise {
+            0.0 => String::new(),
+            noise => format!(", of the abscissa {noise:.2e}"),
+        };
+        format!("{:.2e}{ordinate}{abscissa}", experiment.noise)
     });
     let noise = noises.collect::<Vec<_>>().join("; ");
     let freedom = fit.degrees_of_freedom;

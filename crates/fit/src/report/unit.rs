@@ -1,15 +1,37 @@
 //! Numbers for people: a unit with a prefix, and as many digits as the error leaves.
 
-use ::fit::Parameter;
+use crate::Parameter;
+use crate::data::prefix;
 
-use super::setting::Asked;
+/// The unit in which a report shows a parameter.
+#[derive(Clone, Debug, PartialEq)]
+pub struct UnitOf {
+    /// The parameter.
+    pub parameter: Parameter,
+    /// The prefix before the SI unit.
+    prefix: String,
+    /// The size in SI units.
+    size: f64,
+}
+
+impl UnitOf {
+    /// Makes it from the parameter's SI unit with a prefix, such as `MPa`; `None` for another unit.
+    pub fn new(parameter: Parameter, unit: &str) -> Option<Self> {
+        let found = unit.strip_suffix(parameter.unit())?;
+        Some(Self {
+            parameter,
+            prefix: found.to_owned(),
+            size: prefix(found)?,
+        })
+    }
+}
 
 /// The prefixes that are chosen, the largest first.
 const PREFIXES: [&str; 8] = ["G", "M", "k", "", "m", "u", "n", "p"];
 
 /// Returns the prefix of a unit and its size: as asked for, or so that the number before it is at
 /// least 1.
-pub fn unit(parameter: Parameter, value: f64, error: f64, asked: &[Asked]) -> (String, f64) {
+pub fn unit(parameter: Parameter, value: f64, error: f64, asked: &[UnitOf]) -> (String, f64) {
     if let Some(asked) = asked.iter().rfind(|asked| asked.parameter == parameter) {
         return (format!("{}{}", asked.prefix, parameter.unit()), asked.size);
     }
@@ -19,7 +41,7 @@ pub fn unit(parameter: Parameter, value: f64, error: f64, asked: &[Asked]) -> (S
 
 /// Returns a unit with a prefix, and its size, so that the number before it is at least 1.
 pub fn scaled(unit: &str, value: f64) -> (String, f64) {
-    let sizes = PREFIXES.map(|prefix| (prefix, ::fit::data::prefix(prefix).unwrap_or(1.0)));
+    let sizes = PREFIXES.map(|prefix| (prefix, crate::data::prefix(prefix).unwrap_or(1.0)));
     let usual = || sizes.into_iter().find(|(_, size)| value.abs() >= *size);
     match unit {
         "1" => (String::new(), 1.0),
@@ -61,7 +83,7 @@ mod tests {
         assert_eq!(modulus(999.0, 123.0), "999 +- 123 Pa");
         assert_eq!(modulus(999.9e3, 1e3), "999.9 +- 1.0 kPa");
         assert_eq!(modulus(2e6, f64::INFINITY), "2.000 +- inf MPa");
-        let asked = ["film-modulus=kPa".parse().expect("a unit")];
+        let asked = [UnitOf::new(Parameter::FilmModulus, "kPa").expect("a unit")];
         let (unit_name, size) = unit(Parameter::FilmModulus, 2e6, 1e4, &asked);
         assert_eq!((unit_name.as_str(), size), ("kPa", 1e3));
         assert_eq!(scaled("m", -2.5e-7), ("nm".to_owned(), 1e-9));

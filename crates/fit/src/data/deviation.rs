@@ -1,0 +1,127 @@
+//! Columns of standard deviations.
+
+use super::assignment::{Columns, Failure, Source};
+use super::failure::Problem;
+use super::heading::Heading;
+use super::unit::Unit;
+use crate::Direction;
+
+/// The words of which one makes the heading of a quantity that of its standard deviations.
+const WORDS: [&str; 12] = [
+    "error",
+    "errors",
+    "err",
+    "std",
+    "stdev",
+    "stddev",
+    "sd",
+    "sigma",
+    "\u{3c3}",
+    "uncertainty",
+    "deviation",
+    "deviations",
+];
+/// Words that may stand beside them.
+const BESIDE: [&str; 3] = ["standard", "of", "in"];
+/// The words that are too usual in other headings to stand alone.
+const NOT_ALONE: [&str; 5] = ["error", "errors", "err", "deviation", "deviations"];
+
+impl Columns<'_> {
+    /// Returns the column of the standard deviations of a quantity: the one that the user names, or
+    /// the one that is recognised. `alone`: whether a heading without a quantity is meant.
+    pub(super) fn deviation(
+        &self,
+        of: &Source,
+        alone: bool,
+        direction: Option<Direction>,
+    ) -> Result<Option<Source>, Failure> {
+        let Some(role) = of.role.error() else {
+            return Ok(None);
+        };
+        let named = self.format.columns.iter().find(|one| one.role == role);
+        let found: Option<(usize, Option<Unit>)> = match named {
+            Some(column) => self.named(column).map(|one| Some((one.index, one.unit)))?,
+            None => {
+                let matches = |heading: &Heading| {
+                    let is_own = quantity(heading).is_some_and(|name| {
+                        of.role.headings().contains(&name.as_str()) || alone && name.is_empty()
+                    });
+                    is_own
+                        && (heading.direction.is_none() || heading.direction == direction)
+                        && heading.unit.is_none_or(|unit| role.accepts(unit))
+                };
+                let found = self.positions(matches);
+                // Of several, that of this direction.
+                let own = |index: &&usize| self.headings[**index].direction == direction;
+                let own: Vec<usize> = found.iter().filter(own).copied().collect();
+                match (&found[..], &own[..]) {
+                    ([], _) => None,
+                    ([one], _) | (_, [one]) => Some((*one, self.headings[*one].unit)),
+                    ([first, second, ..], _) => {
+                        let numbers = [first + 1, second + 1];
+                        return Err((None, Problem::Duplicate { role, numbers }));
+                    }
+                }
+            }
+        };
+        let Some((index, unit)) = found else {
+            return Ok(None);
+        };
+        if unit.is_some() {
+            return self.source(role, index, unit, false).map(Some);
+        }
+        Ok(Some(Source {
+            role,
+            index,
+            unit: of.unit,
+            factor: of.factor.abs(),
+            heading: self.headings[index].text.clone(),
+            assumed_si: of.assumed_si,
+        }))
+    }
+}
+
+/// Returns the quantity of which a heading names the standard deviations, empty if it names none;
+/// `None` if it names no deviations.
+fn quantity(heading: &Heading) -> Option<String> {
+    if heading.text.contains('%') {
+        return None;
+    }
+    let words: Vec<&str> = heading.name.split(' ').collect();
+    if !words.iter().any(|word| WORDS.contains(word)) {
+        return None;
+    }
+    let is_other = |word: &&str| !WORDS.contains(word) && !BESIDE.contains(word);
+    let rest: Vec<&str> = words
+        .iter()
+        .copied()
+        .filter(|word| is_other(word))
+        .collect();
+    let is_usual = words.len() == 1 && NOT_ALONE.contains(&words[0]);
+    (!is_usual).then(|| rest.join(" "))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn headings_of_deviations_name_their_quantity() {
+        for (text, expected) in [
+            ("radius_error", Some("radius")),
+            ("load error [mN]", Some("load")),
+            ("sigma_F", Some("f")),
+            ("standard deviation of force (nN)", Some("force")),
+            ("std", Some("")),
+            ("standard error", Some("")),
+            ("Sigma [mN]", Some("")),
+            ("error", None),
+            ("Load", None),
+            ("std (%)", None),
+            ("load error [%]", None),
+        ] {
+            let found = quantity(&Heading::parse(text));
+            assert_eq!(found.as_deref(), expected, "{text}");
+        }
+    }
+}

@@ -1,0 +1,102 @@
+//! What a user can give so that a file is read: data, which a program and a package put in the
+//! words of their users.
+
+use super::column::Role;
+use super::failure::{DataError, Found, Missing, Problem};
+use super::sign::Doubt;
+use crate::Kind;
+
+/// What helps against a [`Problem`] or a [`Doubt`].
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Remedy {
+    /// To name columns, in one of these ways.
+    Columns(Vec<Named>),
+    /// To give one of these kinds.
+    Kind(Vec<Kind>),
+    /// To give the stiffness of the cantilever, and its sensitivity, too.
+    Cantilever {
+        /// Whether the sensitivity is needed.
+        sensitivity: bool,
+    },
+    /// To split the points at the largest load.
+    Split,
+}
+
+/// Columns that a user names.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Named {
+    /// The kind to be given, if it is open.
+    pub kind: Option<Kind>,
+    /// What the columns hold, and their headings with units. A heading is `HEADING [UNIT]` where it
+    /// cannot be told, and begins with a minus where the numbers count in the opposite sense.
+    pub columns: Vec<(Role, String)>,
+}
+
+impl DataError {
+    /// Returns what helps, if that is not to mend the file.
+    pub fn remedy(&self) -> Option<Remedy> {
+        let column = |role: Role, heading: String| named(vec![(role, heading)]);
+        Some(match &*self.problem {
+            Problem::MissingColumns { kinds, columns } => {
+                // The kinds for which most columns can be told.
+                let told = |one: &Missing| one.candidates(columns).iter().flatten().count();
+                let most = kinds.iter().map(told).max()?;
+                let likely = kinds.iter().filter(|one| told(one) == most);
+                let way = |one: &Missing| {
+                    let candidates = one.candidates(columns).into_iter();
+                    let heading = |(role, found): (&Role, Option<&Found>)| {
+                        let heading = found.map(|found| found.heading.clone());
+                        (*role, heading.unwrap_or_else(|| any(*role)))
+                    };
+                    Named {
+                        kind: (kinds.len() > 1).then_some(one.kind),
+                        columns: one.roles.iter().zip(candidates).map(heading).collect(),
+                    }
+                };
+                Remedy::Columns(likely.map(way).collect())
+            }
+            Problem::UnknownHeading { role, .. }
+            | Problem::WrongUnit { role, .. }
+            | Problem::Constant { role, .. } => column(*role, any(*role)),
+            Problem::SeveralKinds { kinds, .. } => Remedy::Kind(kinds.clone()),
+            Problem::Duplicate { role, numbers } => column(*role, numbers[0].to_string()),
+            Problem::NoUnit { role, heading } => {
+                column(*role, format!("{heading} [{}]", role.example()))
+            }
+            Problem::NoHeadings { roles, .. } => {
+                let numbered = (1..).zip(roles);
+                let column =
+                    |(i, role): (usize, &Role)| (*role, format!("{i} [{}]", role.example()));
+                named(numbered.map(column).collect())
+            }
+            Problem::NoCantilever { volts, .. } => Remedy::Cantilever {
+                sensitivity: *volts,
+            },
+            Problem::TwoValues { .. } => Remedy::Cantilever { sensitivity: true },
+            Problem::Segment(_) => Remedy::Split,
+            _ => return None,
+        })
+    }
+}
+
+impl Doubt {
+    /// Returns what helps if the doubt is right.
+    pub fn remedy(&self) -> Remedy {
+        let minus = if self.abscissa.factor < 0.0 { "" } else { "-" };
+        let heading = format!("{minus}{}", self.abscissa.heading);
+        named(vec![(self.abscissa.role, heading)])
+    }
+}
+
+/// Returns the remedy of columns for a kind that is known.
+fn named(columns: Vec<(Role, String)>) -> Remedy {
+    Remedy::Columns(vec![Named {
+        kind: None,
+        columns,
+    }])
+}
+
+/// A heading that the user has to fill in.
+fn any(role: Role) -> String {
+    format!("HEADING [{}]", role.example())
+}

@@ -1,0 +1,361 @@
+//! A cycle of loading and unloading, beside the one that the fitted model makes.
+//!
+//! Against penetrations or heights the area between the two curves of load and penetration is the
+//! energy lost in the cycle. Against contact radii it is that between the two curves of the energy
+//! release rate `G` and the area of contact `pi a^2`, because a contact that moves by equilibria
+//! loses `G dA`. An elastic contact with one work of adhesion loses nothing where both curves are
+//! in contact; with two it loses their difference.
+
+use std::f64::consts::PI;
+
+use interp::{Contact, Probe};
+
+use super::problem::Problem;
+use super::warnings::{BEYOND_CHANCE, Warnings};
+use crate::model::Bodies;
+use crate::statistics::{normal_of_t, scatter_of_differences};
+use crate::{Branch, Experiment, Kind, WarningKind};
+
+/// The part of the largest penetration, or of the largest area of contact, below which curves are
+/// not compared: there a contact forms and ends.
+const NEAR_TOUCH: f64 = 0.05;
+/// The load at which the penetrations of loading and unloading are compared for what remains, over
+/// the largest load: the smallest that both reach, at least the first and at most the second.
+const LOW_LOAD: [f64; 2] = [1e-3, 0.25];
+/// That load is clear of the noise by this factor.
+const CLEAR: f64 = 4.0;
+/// The depth that remains, over the largest penetration, from which it is named.
+const REMAINS: f64 = 0.05;
+/// The tension of the unloading, over the largest load, from which the contact counts as adhesive.
+const ADHESIVE: f64 = 0.05;
+/// The fewest points of each way that are compared.
+const FEWEST: usize = 5;
+
+/// One measured point of a way.
+#[derive(Clone, Copy)]
+struct Sample {
+    /// The penetration, m, or the area of contact, m^2.
+    x: f64,
+    /// What the data exceed the model by: a load, N, or an energy release rate, J/m^2. NaN where the
+    /// model has no contact.
+    excess: f64,
+    /// The load, N.
+    load: f64,
+    /// The penetration, m.
+    penetration: f64,
+    /// What is compared at one load: the penetration or the contact radius, m.
+    position: f64,
+}
+
+/// Warns of a loop that the fitted model does not make, and of a depth that remains.
+pub(super) fn add(
+    warnings: &mut Warnings,
+    problem: &Problem<'_>,
+    e: usize,
+    local_noise: Option<f64>,
+) {
+    let experiment = &problem.assigned[e].experiment;
+    if matches!(experiment.bodies.probe(), Probe::FlatPunch { .. }) {
+        return;
+    }
+    let Some(ways) = experiment.ways() else {
+        return;
+    };
+    let Some(ways) = samples(problem, e, &ways) else {
+        return;
+    };
+    let Some(cycle) = Cycle::between(&ways) else {
+        return;
+    };
+    let name = &experiment.measurement.name;
+    let at_half = match cycle.apart {
+        Some(apart) => format!("; at half of the largest load they are {apart:.2e} m apart"),
+        None => String::new(),
+    };
+    let size = format!(
+        "{:.2e} J, {:.1} % of the work of loading{at_half}",
+        cycle.energy.abs(),
+        1e2 * cycle.energy.abs() / cycle.work
+    );
+    if cycle.energy < 0.0 {
+        warnings.add(
+            WarningKind::Hysteresis,
+            format!(
+                "{name}: unloading gives back more energy than loading took, by {size}: check the \
+                 directions of the points"
+            ),
+        );
+        return;
+    }
+    let directions = if experiment.measurement.points[0].direction.is_some() {
+        ""
+    } else {
+        "give the points their directions, then "
+    };
+    warnings.add(
+        WarningKind::Hysteresis,
+        format!(
+            "{name}: between loading and unloading lies a loop that the fitted model does not \
+             make, of {size} (hysteresis: viscous, of the adhesion, or plastic); {directions}free \
+             the work of adhesion of retract (work-of-adhesion-receding) where adhesion is the \
+             reason, or fit one direction alone"
+        ),
+    );
+    if let Some([depth, largest]) = remaining(experiment, local_noise, &ways) {
+        warnings.add(
+            WarningKind::Plasticity,
+            format!(
+                "{name}: after unloading a depth of {depth:.2e} m remains, {:.0} % of the largest \
+                 penetration: the sample has deformed plastically, or recovers more slowly than it \
+                 was unloaded, and the loading tells no elastic modulus; fit the upper part of \
+                 the unloading alone (loads above half of the largest) with a free contact point",
+                1e2 * depth / largest
+            ),
+        );
+    }
+}
+
+/// Returns the samples of loading and of unloading, by ascending `x`.
+fn samples(problem: &Problem<'_>, e: usize, ways: &[Vec<usize>; 2]) -> Option<[Vec<Sample>; 2]> {
+    let assigned = &problem.assigned[e];
+    let experiment = &assigned.experiment;
+    let points = &experiment.measurement.points;
+    let contact = problem.contact(&experiment.bodies, false).ok()?;
+    let at_radii = matches!(
+        experiment.measurement.kind,
+        Kind::LoadRadius | Kind::PenetrationRadius
+    );
+    // Points that the fit leaves out are compared, too: all above the contact point.
+    let mut branches = vec![Branch::LeftOut; points.len()];
+    for (way, branch) in ways.iter().zip([Branch::Advancing, Branch::Receding]) {
+        for &i in way {
+            let in_contact = at_radii || experiment.imposed(points[i].abscissa) > 0.0;
+            if in_contact && points[i].abscissa != 0.0 {
+                let has_direction = points[i].direction.is_some();
+                branches[i] = if has_direction {
+                    branch
+                } else {
+                    Branch::Advancing
+                };
+            }
+        }
+    }
+    let predicted = if at_radii {
+        Vec::new()
+    } else {
+        let contact_of = |bodies: &Bodies, gradient| problem.contact(bodies, gradient);
+        let order = &assigned.order;
+        let predicted = experiment.predict_with(&contact_of, &branches, order, None);
+        predicted.ok()?.values
+    };
+    let sample = |i: usize| {
+        if at_radii && branches[i] == Branch::LeftOut {
+            None
+        } else if at_radii {
+            at_radius(experiment, &contact, i, branches[i])
+        } else {
+            let point = &points[i];
+            let load = point.ordinate - experiment.baseline_at(point.abscissa);
+            let spring = match experiment.measurement.kind {
+                Kind::ForceHeight => experiment.stiffness.unwrap_or(f64::INFINITY),
+                _ => f64::INFINITY,
+            };
+            let penetration = experiment.imposed(point.abscissa) - load / spring;
+            Some(Sample {
+                x: penetration,
+                excess: if branches[i] == Branch::LeftOut {
+                    f64::NAN
+                } else {
+                    point.ordinate - predicted[i]
+                },
+                load,
+                penetration,
+                position: penetration,
+            })
+        }
+    };
+    let of_way = |way: &Vec<usize>| {
+        let mut samples: Vec<Sample> = way.iter().filter_map(|&i| sample(i)).collect();
+        samples.sort_by(|one, other| one.x.total_cmp(&other.x));
+        samples
+    };
+    let ways = [of_way(&ways[0]), of_way(&ways[1])];
+    ways.iter().all(|way| way.len() >= FEWEST).then_some(ways)
+}
+
+/// Returns the sample of a measured contact radius. The energy of a contact that grows counts
+/// negative, because what an approach gains by adhesion is not lost.
+fn at_radius(
+    experiment: &Experiment,
+    contact: &Contact,
+    i: usize,
+    branch: Branch,
+) -> Option<Sample> {
+    let point = &experiment.measurement.points[i];
+    let a = point.abscissa;
+    let (load0, penetration0) = contact.load_and_penetration(a, 0.0).ok()?;
+    let stiffness = contact.stiffness(a).ok()?;
+    let reading = point.ordinate - experiment.baseline_at(a);
+    let (load, penetration, rate) = if experiment.measurement.kind == Kind::LoadRadius {
+        let rate = contact.energy_release_rate_at_load(a, reading).ok()?;
+        (reading, penetration0 - (load0 - reading) / stiffness, rate)
+    } else {
+        let rate = contact
+            .energy_release_rate_at_penetration(a, reading)
+            .ok()?;
+        (load0 - stiffness * (penetration0 - reading), reading, rate)
+    };
+    Some(Sample {
+        x: PI * a * a,
+        excess: experiment.work_of(branch) - rate,
+        load,
+        penetration,
+        position: a,
+    })
+}
+
+/// The loop between loading and unloading, less that of the model.
+struct Cycle {
+    /// Its energy, J.
+    energy: f64,
+    /// The work of loading, J.
+    work: f64,
+    /// The distance of the two curves at half of the largest load, m.
+    apart: Option<f64>,
+}
+
+impl Cycle {
+    /// Returns the loop if it is larger than chance makes it.
+    fn between(all: &[Vec<Sample>; 2]) -> Option<Self> {
+        let in_contact = |way: &Vec<Sample>| -> Vec<Sample> {
+            let samples = way.iter().filter(|sample| sample.excess.is_finite());
+            samples.copied().collect()
+        };
+        let ways = &[in_contact(&all[0]), in_contact(&all[1])];
+        let ends = |pick: fn(&Sample) -> f64| {
+            ways.iter().map(move |way| {
+                let values = way.iter().map(pick);
+                values.fold([f64::INFINITY, f64::NEG_INFINITY], |[l, m], v| {
+                    [l.min(v), m.max(v)]
+                })
+            })
+        };
+        let largest = ends(|sample| sample.x).map(|[_, most]| most);
+        let to = largest.fold(f64::INFINITY, f64::min);
+        let smallest = ends(|sample| sample.x).map(|[least, _]| least);
+        let from = smallest.fold(NEAR_TOUCH * to, f64::max);
+        let (mut energies, mut variance, mut freedom) = ([0.0; 2], 0.0, 0.0);
+        for (way, energy) in ways.iter().zip(&mut energies) {
+            let positions: Vec<f64> = way.iter().map(|sample| sample.x).collect();
+            let weights = weights(&positions, [from, to]);
+            let parts: Vec<f64> = way
+                .iter()
+                .zip(&weights)
+                .map(|(s, w)| s.excess * w)
+                .collect();
+            *energy = parts.iter().sum();
+            let inside: Vec<(f64, f64)> = way
+                .iter()
+                .zip(&weights)
+                .filter(|(_, weight)| **weight > 0.0)
+                .map(|(sample, weight)| (sample.excess, *weight))
+                .collect();
+            if inside.len() < FEWEST {
+                return None;
+            }
+            variance += scatter_of_differences(&inside);
+            freedom += (inside.len() - 1) as f64 / 1.5;
+        }
+        let energy = energies[0] - energies[1];
+        let deviations = normal_of_t(energy.abs() / variance.sqrt(), freedom);
+        // Not `<`, which is false for NaN.
+        if !(deviations > BEYOND_CHANCE) {
+            return None;
+        }
+        let loading = &ways[0];
+        let depths: Vec<f64> = loading.iter().map(|sample| sample.penetration).collect();
+        let work = weights(&depths, [f64::NEG_INFINITY, f64::INFINITY]);
+        let work = loading
+            .iter()
+            .zip(work)
+            .map(|(s, weight)| s.load * weight)
+            .sum();
+        let load = 0.5
+            * ends(|sample| sample.load)
+                .map(|[_, most]| most)
+                .fold(f64::INFINITY, f64::min);
+        let [one, other] = [0, 1].map(|way| crossing(&ways[way], load));
+        Some(Self {
+            energy,
+            work,
+            apart: one.zip(other).map(|(one, other)| (one - other).abs()),
+        })
+    }
+}
+
+/// Returns the weights of values at ascending positions in the integral of their straight lines
+/// between two ends.
+fn weights(positions: &[f64], [from, to]: [f64; 2]) -> Vec<f64> {
+    let mut weights = vec![0.0; positions.len()];
+    for i in 1..positions.len() {
+        let [left, right] = [positions[i - 1], positions[i]];
+        let (begin, end) = (left.max(from), right.min(to));
+        if end > begin {
+            let part = (0.5 * (begin + end) - left) / (right - left);
+            weights[i - 1] += (end - begin) * (1.0 - part);
+            weights[i] += (end - begin) * part;
+        }
+    }
+    weights
+}
+
+/// Returns where the load of a way falls below a value, seen from its largest contact.
+fn crossing(way: &[Sample], load: f64) -> Option<f64> {
+    let above = way.iter().rposition(|sample| sample.load >= load)?;
+    let below = way[..above].iter().rposition(|sample| sample.load < load)?;
+    let (low, high) = (&way[below], &way[below + 1]);
+    let part = (load - low.load) / (high.load - low.load);
+    Some(low.position + part * (high.position - low.position))
+}
+
+/// Returns the depth that remains after unloading, and the largest penetration, if the depth is
+/// large: the distance of the two ways at a low load. An adhesive contact that lasts to the contact
+/// point of loading, and beyond, leaves none.
+fn remaining(
+    experiment: &Experiment,
+    local_noise: Option<f64>,
+    ways: &[Vec<Sample>; 2],
+) -> Option<[f64; 2]> {
+    if !matches!(
+        experiment.measurement.kind,
+        Kind::LoadPenetration | Kind::ForceHeight
+    ) {
+        return None;
+    }
+    let loads = |way: &[Sample]| {
+        let loads = way.iter().map(|sample| sample.load);
+        loads.fold([f64::INFINITY, f64::NEG_INFINITY], |[l, m], load| {
+            [l.min(load), m.max(load)]
+        })
+    };
+    let [[least, largest], [tension, most]] = [loads(&ways[0]), loads(&ways[1])];
+    let largest = largest.min(most);
+    let noise = experiment.usual_noise().or(local_noise).unwrap_or(0.0);
+    let low = least.max(tension).max(CLEAR * noise);
+    let low = low.max(LOW_LOAD[0] * largest) * (1.0 + 1e-9);
+    if !(largest > 0.0 && low <= LOW_LOAD[1] * largest) {
+        return None;
+    }
+    let touches = crossing(&ways[0], low)?;
+    let deepest = ways[0].last()?.penetration - touches;
+    let mut ends = crossing(&ways[1], low)?;
+    if tension < -ADHESIVE * largest {
+        // The contact ends where it pulls most.
+        let last = ways[1]
+            .iter()
+            .min_by(|one, other| one.load.total_cmp(&other.load));
+        ends = ends.min(last?.penetration);
+    }
+    let depth = ends - touches;
+    (depth > REMAINS * deepest).then_some([depth, deepest])
+}

@@ -1,0 +1,239 @@
+//! What the values that a fit takes as given do to its result.
+//!
+//! At the minimum `J^T r = 0`. A change of a given value changes the residuals by `dr`, and the
+//! values found by `-(J^T J)^-1 J^T dr`, to the first order and without the second derivatives of
+//! the model: the implicit function theorem with the matrix of Gauss and Newton. A robust loss puts
+//! the derivative of its influence between the factors.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::loss::influence;
+use super::problem::{Assigned, Problem};
+use super::slot::Slot;
+use super::uncertainty::Uncertainty;
+use crate::model::Bodies;
+use crate::{Branch, Error, Fit, Fixed, FixedValue, Known};
+
+/// The relative change of a given value, and the change of a Poisson ratio.
+const STEP: f64 = 0.01;
+/// The ratio of two singular values at which a direction does not respond.
+const SINGULAR: f64 = 1e-9;
+
+/// Accepts what is known of given values.
+pub(super) fn accept(assigned: &[Assigned], slots: &[Slot], known: &[Known]) -> Result<(), Error> {
+    for (i, Known { quantity, error }) in known.iter().enumerate() {
+        let name = quantity.name();
+        let setting = |name: String, value: f64, allowed: &str| Error::Setting {
+            name,
+            value,
+            allowed: allowed.into(),
+        };
+        if !(*error > 0.0 && error.is_finite()) {
+            let name = format!("the standard error of the known {name}");
+            return Err(setting(name, *error, "positive and finite"));
+        }
+        let mut values = assigned.iter();
+        let first = values.find_map(|one| one.experiment.value_of(*quantity));
+        let Some(first) = first else {
+            let allowed = "of a value that the measurement has: check its name and the bodies";
+            return Err(setting(format!("the known {name}"), f64::NAN, allowed));
+        };
+        let is_free = |parameter| slots.iter().any(|slot| slot.parameter == parameter);
+        if matches!(quantity, Fixed::Parameter(parameter) if is_free(*parameter)) {
+            let allowed = "of a value that is not free: give a free one a prior instead";
+            return Err(setting(format!("the known {name}"), first, allowed));
+        }
+        if known[..i].iter().any(|before| before.quantity == *quantity) {
+            let allowed = "given once";
+            return Err(setting(format!("the known {name}"), first, allowed));
+        }
+        let other = assigned
+            .iter()
+            .filter_map(|one| one.experiment.value_of(*quantity))
+            .find(|value| *value != first);
+        if let Some(other) = other {
+            let allowed = "one for all measurements: an error of several values is not taken";
+            return Err(setting(format!("the known {name}"), other, allowed));
+        }
+    }
+    Ok(())
+}
+
+/// Returns what changes of given values do: of those `known`, and of all that matter if `all` are
+/// asked for.
+pub(super) fn effects(
+    problem: &Problem<'_>,
+    uncertainty: &Uncertainty,
+    known: &[Known],
+    all: bool,
+) -> Vec<FixedValue> {
+    let free: Vec<_> = problem.slots.iter().map(|slot| slot.parameter).collect();
+    let mut quantities: Vec<Fixed> = Vec::new();
+    let given = known.iter().map(|one| one.quantity);
+    let experiments = problem.assigned.iter().map(|one| &one.experiment);
+    let listed = experiments.flat_map(|one| one.fixed(&free)).filter(|_| all);
+    for quantity in listed.chain(given) {
+        if !quantities.contains(&quantity) {
+            quantities.push(quantity);
+        }
+    }
+    let Some(response) = Response::new(problem, uncertainty) else {
+        return Vec::new();
+    };
+    let effect = |quantity: Fixed| {
+        let mut experiments = problem.assigned.iter();
+        let value = experiments.find_map(|one| one.experiment.value_of(quantity))?;
+        let error = known.iter().find(|one| one.quantity == quantity);
+        let error = error.map(|one| one.error);
+        let step = match error {
+            _ if quantity.is_poisson_ratio() => STEP,
+            Some(error) if value == 0.0 => error,
+            _ => STEP * value.abs(),
+        };
+        let moved = |by: f64| {
+            // Several measurements may have values of their own: each changes in proportion.
+            let part = if quantity.is_poisson_ratio() || value == 0.0 {
+                by
+            } else {
+                by / value
+            };
+            let is_relative = part != by;
+            residuals_with(problem, quantity, |own| {
+                own + if is_relative { part * own } else { part }
+            })
+        };
+        let here = problem.plain_residuals()?;
+        let (step, change) = match (moved(step), moved(-step)) {
+            (Some(above), Some(below)) => (step, Some(0.5 * (above - below))),
+            (None, Some(below)) => (-step, Some(below - here)),
+            (Some(above), None) => (step, Some(above - here)),
+            (None, None) => (step, None),
+        };
+        let changes = match change {
+            Some(change) => response.of(&change),
+            None => vec![f64::NAN; problem.slots.len()],
+        };
+        Some(FixedValue {
+            quantity,
+            value,
+            step,
+            changes,
+            error,
+        })
+    };
+    quantities.into_iter().filter_map(effect).collect()
+}
+
+/// Adds the errors of known values to the standard errors and the correlation.
+pub(super) fn pass_on(fit: &mut Fit) {
+    let known: Vec<&FixedValue> = fit
+        .fixed_values
+        .iter()
+        .filter(|one| one.error.is_some())
+        .collect();
+    if known.is_empty() {
+        return;
+    }
+    let before: Vec<f64> = fit.estimates.iter().map(|one| one.standard_error).collect();
+    let covariance = |i: usize, j: usize| {
+        let of_known = |one: &&FixedValue| {
+            let sign = (one.changes[i] * one.changes[j]).signum();
+            sign * one.error_of(i) * one.error_of(j)
+        };
+        fit.correlation[i][j] * before[i] * before[j] + known.iter().map(of_known).sum::<f64>()
+    };
+    let count = before.len();
+    let covariance: Vec<Vec<f64>> = (0..count)
+        .map(|i| (0..count).map(|j| covariance(i, j)).collect())
+        .collect();
+    let errors: Vec<f64> = (0..count).map(|i| covariance[i][i].sqrt()).collect();
+    for (i, (estimate, row)) in fit
+        .estimates
+        .iter_mut()
+        .zip(&mut fit.correlation)
+        .enumerate()
+    {
+        estimate.standard_error = errors[i];
+        for (j, entry) in row.iter_mut().enumerate() {
+            *entry = covariance[i][j] / (errors[i] * errors[j]);
+        }
+    }
+}
+
+/// Returns the residuals with another value of a quantity, at the same values of the slots; `None`
+/// where there is no contact.
+fn residuals_with(
+    problem: &Problem<'_>,
+    quantity: Fixed,
+    value: impl Fn(f64) -> f64,
+) -> Option<DVector<f64>> {
+    let mut residuals = problem.plain_residuals()?;
+    let mut row = 0;
+    for assigned in &problem.assigned {
+        let count = assigned.counting();
+        if let Some(own) = assigned.experiment.value_of(quantity) {
+            let mut experiment = assigned.experiment.clone();
+            experiment.replace_fixed(quantity, value(own)).ok()?;
+            let contact_of = |bodies: &Bodies, gradient| bodies.contact(problem.table, gradient);
+            let branches = &assigned.branches;
+            let predicted = experiment.predict_with(&contact_of, branches, &assigned.order, None);
+            let predicted = predicted.ok()?;
+            let counts = |i: &usize| branches[*i] != Branch::LeftOut;
+            let points = &experiment.measurement.points;
+            for (row, i) in (row..).zip((0..branches.len()).filter(counts)) {
+                residuals[row] = (predicted.values[i] - points[i].ordinate) / assigned.deviation(i);
+            }
+        }
+        row += count;
+    }
+    residuals
+        .iter()
+        .all(|residual| residual.is_finite())
+        .then_some(residuals)
+}
+
+/// How the values found follow the residuals.
+struct Response {
+    /// `(J^T P J)^-1 J^T P`, with the derivatives `P` of the influence of each residual.
+    matrix: DMatrix<f64>,
+    sizes: Vec<f64>,
+}
+
+impl Response {
+    fn new(problem: &Problem<'_>, uncertainty: &Uncertainty) -> Option<Self> {
+        let residuals = problem.plain_residuals()?;
+        let roots = residuals.map(|residual| influence(problem.loss, residual).1.max(0.0).sqrt());
+        let mut weighted = uncertainty.jacobian.clone();
+        for (mut row, root) in weighted.row_iter_mut().zip(roots.iter()) {
+            row *= *root;
+        }
+        let sizes = uncertainty.sizes.clone();
+        let mut lengths: Vec<f64> = weighted.column_iter().map(|column| column.norm()).collect();
+        for (i, slot) in problem.slots.iter().enumerate() {
+            // A value at its bound stays there.
+            if slot.coordinate.is_at_bound(problem.value(i)) || lengths[i] == 0.0 {
+                weighted.column_mut(i).fill(0.0);
+                lengths[i] = 1.0;
+            }
+            weighted.column_mut(i).unscale_mut(lengths[i]);
+        }
+        let mut matrix = weighted.pseudo_inverse(SINGULAR).ok()?;
+        for (mut column, root) in matrix.column_iter_mut().zip(roots.iter()) {
+            column *= *root;
+        }
+        for (mut row, length) in matrix.row_iter_mut().zip(&lengths) {
+            row /= *length;
+        }
+        Some(Self { matrix, sizes })
+    }
+
+    /// Returns the changes of the values found that follow a change of the residuals, in SI units.
+    fn of(&self, change: &DVector<f64>) -> Vec<f64> {
+        let changes = -&self.matrix * change;
+        changes
+            .iter()
+            .zip(&self.sizes)
+            .map(|(c, size)| c * size)
+            .collect()
+    }
+}

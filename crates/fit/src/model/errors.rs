@@ -1,0 +1,164 @@
+//! The standard deviations of measured points, in both quantities.
+//!
+//! An error of the abscissa counts as one of the ordinate, by the slope of the model there: the
+//! effective variance is `sigma_y^2 + (dy/dx)^2 sigma_x^2` (Orear, Am. J. Phys. 50, 912, 1982).
+
+use super::differences::ContactOf;
+use super::{Branch, Experiment, Kind};
+use crate::Error;
+use crate::statistics::median;
+
+/// The step of an abscissa by which the slope of the model is found, relative to a contact radius,
+/// or to the range of penetrations or heights.
+const STEP: f64 = 1e-4;
+
+/// Standard deviations that differ from point to point, in the order of the points. An empty list
+/// leaves those of the [`Experiment`].
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct PointErrors {
+    /// Those of the abscissae, m; 0 is exact.
+    pub abscissa: Vec<f64>,
+    /// Those of the ordinates, in N or m.
+    pub ordinate: Vec<f64>,
+}
+
+impl Experiment {
+    /// Returns the standard deviation of a usual ordinate, if it is known.
+    pub(crate) fn usual_noise(&self) -> Option<f64> {
+        if self.errors.ordinate.is_empty() {
+            return self.noise;
+        }
+        Some(median(self.errors.ordinate.clone()))
+    }
+
+    /// Returns the standard deviation of a usual abscissa; 0 if they are exact.
+    pub(crate) fn usual_abscissa_noise(&self) -> f64 {
+        if self.errors.abscissa.is_empty() {
+            return self.abscissa_noise;
+        }
+        median(self.errors.abscissa.clone())
+    }
+
+    /// Accepts the standard deviations.
+    pub(crate) fn accept_errors(&self) -> Result<(), Error> {
+        let name = &self.measurement.name;
+        let [abscissa, ordinate] = self.measurement.kind.names();
+        let setting = |name: String, value: f64, allowed: &str| {
+            Err(Error::Setting {
+                name,
+                value,
+                allowed: allowed.into(),
+            })
+        };
+        let is_positive = |noise: f64| noise > 0.0 && noise.is_finite();
+        let is_possible = |noise: f64| noise >= 0.0 && noise.is_finite();
+        if let Some(noise) = self.noise.filter(|noise| !is_positive(*noise)) {
+            return setting(format!("the noise of {name}"), noise, "positive and finite");
+        }
+        if !is_possible(self.abscissa_noise) {
+            let what = format!("the noise of the {abscissa} of {name}");
+            return setting(what, self.abscissa_noise, ">= 0 and finite");
+        }
+        let points = &self.measurement.points;
+        let lists = [
+            (&self.errors.abscissa, abscissa, true),
+            (&self.errors.ordinate, ordinate, false),
+        ];
+        for (list, quantity, may_be_exact) in lists {
+            if list.is_empty() {
+                continue;
+            }
+            if list.len() != points.len() {
+                return Err(Error::Setting {
+                    name: format!("the number of errors of the {quantity} of {name}"),
+                    value: list.len() as f64,
+                    allowed: format!("0, or that of the points, {}", points.len()),
+                });
+            }
+            for (&error, point) in list.iter().zip(points) {
+                if !(is_positive(error) || may_be_exact && error == 0.0) {
+                    return Err(Error::Point {
+                        measurement: name.clone(),
+                        line: point.line,
+                        name: "the error of the point",
+                        value: error,
+                        allowed: "a standard deviation: finite, positive for an ordinate, 0 or \
+                                  positive for an abscissa",
+                    });
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Returns what the errors of the abscissae add to the standard deviation of each ordinate,
+    /// `|dy/dx| sigma_x`; an empty list where the abscissae are exact.
+    ///
+    /// The slope is a central difference of the model: its points are moved, and their branches
+    /// kept.
+    pub(crate) fn abscissa_parts(
+        &self,
+        contact_of: &ContactOf<'_>,
+        branches: &[Branch],
+        order: &[usize],
+    ) -> Result<Vec<f64>, Error> {
+        if self.abscissa_noise == 0.0 && self.errors.abscissa.is_empty() {
+            return Ok(Vec::new());
+        }
+        let points = &self.measurement.points;
+        let at_radii = matches!(
+            self.measurement.kind,
+            Kind::LoadRadius | Kind::PenetrationRadius
+        );
+        let [least, most] = points
+            .iter()
+            .map(|point| point.abscissa)
+            .fold([f64::INFINITY, f64::NEG_INFINITY], |[l, m], x| {
+                [l.min(x), m.max(x)]
+            });
+        let step = |i: usize| {
+            STEP * if at_radii {
+                points[i].abscissa
+            } else {
+                most - least
+            }
+        };
+        let contact = contact_of(&self.bodies, false)?;
+        let here = || {
+            let here = self.predict(&contact, branches, order, None)?;
+            Ok::<_, Error>(here.values)
+        };
+        // The contact at the turn is that of the point of the largest imposed value, and the others
+        // do not move it. Its own slope is that of its neighbour.
+        let turn = order.first().copied().filter(|_| !at_radii);
+        let moved = |by: f64| {
+            let mut moved = self.clone();
+            for (i, point) in moved.measurement.points.iter_mut().enumerate() {
+                if Some(i) != turn {
+                    point.abscissa += by * step(i);
+                }
+            }
+            moved.predict(&contact, branches, order, None)
+        };
+        // At the end of a table one side has no contact.
+        let (above, below, steps) = match (moved(1.0), moved(-1.0)) {
+            (Ok(above), Ok(below)) => (above.values, below.values, 2.0),
+            (Ok(above), Err(_)) => (above.values, here()?, 1.0),
+            (Err(_), Ok(below)) => (here()?, below.values, 1.0),
+            (Err(error), Err(_)) => return Err(error.into()),
+        };
+        let slope = |i: usize| {
+            let neighbour = order.get(1).filter(|_| Some(i) == turn);
+            let i = neighbour.copied().unwrap_or(i);
+            let width = steps * step(i);
+            if width > 0.0 {
+                ((above[i] - below[i]) / width).abs()
+            } else {
+                0.0
+            }
+        };
+        let errors = &self.errors.abscissa;
+        let deviation = |i: usize| errors.get(i).copied().unwrap_or(self.abscissa_noise);
+        Ok((0..points.len()).map(|i| slope(i) * deviation(i)).collect())
+    }
+}

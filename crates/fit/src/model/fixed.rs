@@ -1,0 +1,238 @@
+//! The values of an experiment that a fit takes as given.
+
+use std::borrow::Cow;
+
+use interp::{Elastic, Probe};
+
+use super::{Bodies, Experiment, Parameter};
+use crate::Error;
+use crate::data::Dimension;
+
+/// A value that a fit takes as given.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Fixed {
+    /// A parameter that is not free.
+    Parameter(Parameter),
+    /// The radius of the probe, m.
+    SphereRadius,
+    /// Young's modulus of the substrate, or of the base of a stack, Pa.
+    SubstrateModulus,
+    /// The Poisson ratio of the substrate, or of the base of a stack.
+    SubstratePoissonRatio,
+    /// Young's modulus of a layer of a stack without a name, by its number from 1, from the base up.
+    LayerModulus(usize),
+    /// The thickness of such a layer, m.
+    LayerThickness(usize),
+    /// The Poisson ratio of a layer, by its number.
+    LayerPoissonRatio(usize),
+}
+
+impl Fixed {
+    /// Returns the dimension; `None` for a Poisson ratio.
+    pub const fn dimension(self) -> Option<Dimension> {
+        match self {
+            Self::Parameter(parameter) => parameter.dimension(),
+            Self::SphereRadius | Self::LayerThickness(_) => Some(Dimension::Length),
+            Self::SubstrateModulus | Self::LayerModulus(_) => Some(Dimension::Modulus),
+            Self::SubstratePoissonRatio | Self::LayerPoissonRatio(_) => None,
+        }
+    }
+
+    /// Returns the name, as on the command line.
+    pub fn name(self) -> Cow<'static, str> {
+        match self {
+            Self::Parameter(parameter) => parameter.name(),
+            Self::SphereRadius => "sphere-radius".into(),
+            Self::SubstrateModulus => "substrate-modulus".into(),
+            Self::SubstratePoissonRatio => "substrate-poisson-ratio".into(),
+            Self::LayerModulus(number) => format!("layer-{number}.modulus").into(),
+            Self::LayerThickness(number) => format!("layer-{number}.thickness").into(),
+            Self::LayerPoissonRatio(number) => format!("layer-{number}.poisson-ratio").into(),
+        }
+    }
+
+    /// Returns the quantity of a name.
+    pub fn parse(name: &str) -> Option<Self> {
+        let all = [
+            Self::SphereRadius,
+            Self::SubstrateModulus,
+            Self::SubstratePoissonRatio,
+        ];
+        let of_layer = || {
+            let (number, what) = name.strip_prefix("layer-")?.split_once('.')?;
+            let number = number.parse().ok().filter(|&number| number > 0)?;
+            match what {
+                "modulus" => Some(Self::LayerModulus(number)),
+                "thickness" => Some(Self::LayerThickness(number)),
+                "poisson-ratio" => Some(Self::LayerPoissonRatio(number)),
+                _ => None,
+            }
+        };
+        all.into_iter()
+            .find(|one| one.name() == name)
+            .or_else(of_layer)
+            .or_else(|| name.parse().ok().map(Self::Parameter))
+    }
+
+    /// Returns the SI unit; `"1"` for a Poisson ratio.
+    pub const fn unit(self) -> &'static str {
+        match self {
+            Self::Parameter(parameter) => parameter.unit(),
+            Self::SphereRadius | Self::LayerThickness(_) => "m",
+            Self::SubstrateModulus | Self::LayerModulus(_) => "Pa",
+            Self::SubstratePoissonRatio | Self::LayerPoissonRatio(_) => "1",
+        }
+    }
+
+    /// Tells whether it is a Poisson ratio.
+    pub(crate) const fn is_poisson_ratio(self) -> bool {
+        matches!(
+            self,
+            Self::SubstratePoissonRatio
+                | Self::LayerPoissonRatio(_)
+                | Self::Parameter(Parameter::FilmPoissonRatio)
+        )
+    }
+}
+
+impl Experiment {
+    /// Lists the positive values and Poisson ratios that matter to a fit of the parameters `free`
+    /// and that it takes as given.
+    pub(crate) fn fixed(&self, free: &[Parameter]) -> Vec<Fixed> {
+        let mut all = vec![
+            Fixed::SphereRadius,
+            Fixed::SubstrateModulus,
+            Fixed::SubstratePoissonRatio,
+        ];
+        let mut parameters = Parameter::ALL.to_vec();
+        if let Bodies::Layered(layered) = &self.bodies {
+            parameters.extend(layered.parameters());
+            for (i, layer) in layered.layers.iter().enumerate() {
+                if layer.name.is_none() {
+                    all.extend([Fixed::LayerModulus(i + 1), Fixed::LayerThickness(i + 1)]);
+                }
+                all.push(Fixed::LayerPoissonRatio(i + 1));
+            }
+        }
+        // The layers of a table are those of its file.
+        let in_table = matches!(
+            &self.bodies,
+            Bodies::Layered(layered) if layered.solver.why_layers_are_fixed().is_some()
+        );
+        parameters.retain(|parameter| !free.contains(parameter));
+        all.extend(parameters.into_iter().map(Fixed::Parameter));
+        let matters = |one: &Fixed| {
+            let is_kind = match one {
+                Fixed::Parameter(parameter) => {
+                    (parameter.is_positive() || one.is_poisson_ratio())
+                        && self.why_without_effect(*parameter).is_none()
+                }
+                Fixed::SphereRadius => true,
+                _ => !in_table,
+            };
+            let is_usual = |value: f64| one.is_poisson_ratio() || value > 0.0;
+            is_kind
+                && self
+                    .value_of(*one)
+                    .is_some_and(|value| value.is_finite() && is_usual(value))
+        };
+        all.retain(matters);
+        all
+    }
+
+    /// Returns a value that a fit takes as given; `None` where there is none, and for the Poisson
+    /// ratio of a rigid body.
+    pub(crate) fn value_of(&self, one: Fixed) -> Option<f64> {
+        let substrate = match &self.bodies {
+            Bodies::Coated(system) => Some(system.substrate),
+            Bodies::Layered(layered) => Some(layered.base),
+            Bodies::HalfSpace(_) => None,
+        };
+        let layer = |number: usize| match &self.bodies {
+            Bodies::Layered(layered) => layered.layers.get(number.wrapping_sub(1)),
+            _ => None,
+        };
+        let poisson = |solid: Elastic| solid.young().is_finite().then(|| solid.poisson());
+        match one {
+            Fixed::Parameter(Parameter::FilmPoissonRatio) => {
+                self.get(Parameter::FilmPoissonRatio)?;
+                poisson(self.bodies.film())
+            }
+            Fixed::Parameter(parameter) => self.get(parameter),
+            Fixed::SphereRadius => self.bodies.probe().radius(),
+            Fixed::SubstrateModulus => substrate.map(|solid| solid.young()),
+            Fixed::SubstratePoissonRatio => substrate.and_then(poisson),
+            Fixed::LayerModulus(number) => Some(layer(number)?.solid.young()),
+            Fixed::LayerThickness(number) => Some(layer(number)?.thickness),
+            Fixed::LayerPoissonRatio(number) => poisson(layer(number)?.solid),
+        }
+    }
+
+    /// Replaces a value that a fit takes as given.
+    ///
+    /// # Errors
+    /// [`Error::Setting`] for a value that the measurement does not have; [`Error::Contact`] for a
+    /// solid that is not physical.
+    pub fn set_fixed(&mut self, one: Fixed, value: f64) -> Result<(), Error> {
+        if let Fixed::Parameter(parameter) = one {
+            return self.set(parameter, value);
+        }
+        if self.value_of(one).is_none() {
+            return Err(Error::Setting {
+                name: format!("{} of {}", one.name(), self.measurement.name),
+                value,
+                allowed: "of bodies that have it: check its name".into(),
+            });
+        }
+        Ok(self.replace_fixed(one, value)?)
+    }
+
+    /// Replaces a value that is there.
+    pub(crate) fn replace_fixed(&mut self, one: Fixed, value: f64) -> Result<(), interp::Error> {
+        let solid = match one {
+            Fixed::Parameter(parameter) => return self.replace(parameter, value),
+            Fixed::SphereRadius => {
+                let probe = match &mut self.bodies {
+                    Bodies::Coated(system) => &mut system.probe,
+                    Bodies::HalfSpace(half_space) => &mut half_space.probe,
+                    Bodies::Layered(layered) => &mut layered.probe,
+                };
+                if let Probe::Paraboloid { radius }
+                | Probe::Sphere { radius }
+                | Probe::RoundedCone { radius, .. }
+                | Probe::FlatPunch { radius }
+                | Probe::FlatEndedCone { radius, .. } = probe
+                {
+                    *radius = value;
+                }
+                return Ok(());
+            }
+            Fixed::SubstrateModulus | Fixed::SubstratePoissonRatio => match &mut self.bodies {
+                Bodies::Coated(system) => &mut system.substrate,
+                Bodies::Layered(layered) => &mut layered.base,
+                Bodies::HalfSpace(_) => return Ok(()),
+            },
+            Fixed::LayerModulus(number)
+            | Fixed::LayerThickness(number)
+            | Fixed::LayerPoissonRatio(number) => {
+                let Bodies::Layered(layered) = &mut self.bodies else {
+                    return Ok(());
+                };
+                let Some(layer) = layered.layers.get_mut(number.wrapping_sub(1)) else {
+                    return Ok(());
+                };
+                if matches!(one, Fixed::LayerThickness(_)) {
+                    layer.thickness = value;
+                    return Ok(());
+                }
+                &mut layer.solid
+            }
+        };
+        *solid = if one.is_poisson_ratio() {
+            Elastic::new(solid.young(), value)?
+        } else {
+            Elastic::new(value, solid.poisson())?
+        };
+        Ok(())
+    }
+}

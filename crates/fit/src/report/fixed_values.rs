@@ -1,0 +1,87 @@
+//! What the values that a fit takes as given do to its result.
+
+use std::fmt::{self, Write};
+
+use super::unit::scaled;
+use super::{NAME, name};
+use crate::{Estimate, Fit, FixedValue};
+
+/// The smallest width of a column.
+const COLUMN: usize = 10;
+
+/// Writes a row for each given value, with the change of each estimate that follows from a change
+/// of the value, and below it the errors that known values add.
+pub fn write(out: &mut String, fit: &Fit, files: &[&str]) -> fmt::Result {
+    if fit.fixed_values.is_empty() {
+        return Ok(());
+    }
+    let names: Vec<String> = fit.estimates.iter().map(|one| name(one, files)).collect();
+    let header = names.iter().map(|name| format!("  {name:>COLUMN$}"));
+    let title = "what the fixed values do";
+    writeln!(
+        out,
+        "\n{title:<width$}{}",
+        header.collect::<String>(),
+        width = 2 * NAME
+    )?;
+    for one in &fit.fixed_values {
+        let cells = fit.estimates.iter().zip(&one.changes).zip(&names);
+        let cells = cells.map(|((estimate, change), name)| {
+            format!(
+                "  {:>width$}",
+                cell(estimate, *change),
+                width = name.len().max(COLUMN)
+            )
+        });
+        let (what, by) = (one.quantity.name(), step(one));
+        writeln!(
+            out,
+            "  {what:<NAME$} {by:<width$}{}",
+            cells.collect::<String>(),
+            width = NAME - 3
+        )?;
+    }
+    for one in fit.fixed_values.iter().filter(|one| one.error.is_some()) {
+        let (unit, size) = scaled(one.quantity.unit(), one.value);
+        let known = one.error.unwrap_or(0.0) / size;
+        let parts = names.iter().enumerate().map(|(i, name)| {
+            let (unit, size) = scaled(fit.estimates[i].parameter.unit(), one.error_of(i));
+            format!("{:.2} {unit} of {name}", one.error_of(i) / size)
+        });
+        writeln!(
+            out,
+            "the standard errors hold those of {} +- {known} {unit}: {}",
+            one.quantity.name(),
+            parts.collect::<Vec<_>>().join(", ")
+        )?;
+    }
+    Ok(())
+}
+
+/// Returns the change of a given value.
+fn step(one: &FixedValue) -> String {
+    let relative = one.step / one.value;
+    if one.quantity.is_poisson_ratio() {
+        let number = |value: f64| (value * 1e9).round() / 1e9;
+        return format!("{} -> {}", number(one.value), number(one.value + one.step));
+    }
+    if one.value == 0.0 {
+        let (unit, size) = scaled(one.quantity.unit(), one.step);
+        return format!("{:+.2} {unit}", one.step / size);
+    }
+    format!("{:+.0} %", 1e2 * relative)
+}
+
+/// Returns the change of an estimate, in per cent where it is positive.
+fn cell(estimate: &Estimate, change: f64) -> String {
+    if change.is_nan() {
+        return "not known".to_owned();
+    }
+    if estimate.parameter.is_positive() {
+        return format!("{:+.2} %", 1e2 * change / estimate.value);
+    }
+    let (unit, size) = scaled(estimate.parameter.unit(), change);
+    format!("{:+.3} {unit}", change / size)
+        .trim_end()
+        .to_owned()
+}

@@ -1,0 +1,294 @@
+//! Files in the style of instruments' programs. The numbers are invented; the headings are those of
+//! exports.
+
+use fit::data::{Cantilever, Column, Format, Segments};
+use fit::{Direction, Kind};
+
+use crate::{assert_values, read, sound, values};
+
+/// Headings, the kind that is asked for, and what one row of numbers gives in SI units.
+#[test]
+fn headings_of_instruments_are_recognised() {
+    let given = Format {
+        cantilever: Cantilever {
+            stiffness: Some(2.0),
+            sensitivity: Some(50e-9),
+        },
+        ..Format::default()
+    };
+    let cases: [(&str, Kind, [f64; 2]); 16] = [
+        // MTS, Agilent, Keysight, KLA: a line of units below the names, or units in brackets.
+        (
+            "Displacement Into Surface,Load On Sample,Time On Sample,Harmonic Contact Stiffness\nnm,mN,s,N/m\n1,2,3,4",
+            Kind::LoadPenetration,
+            [1e-9, 2e-3],
+        ),
+        (
+            "Displacement Into Surface (nm);Load On Sample (mN);Raw Load (mN);Raw Displacement (nm)\n1;2;3;4",
+            Kind::LoadPenetration,
+            [1e-9, 2e-3],
+        ),
+        (
+            "Time [s]\tDEPTH [nm]\tLOAD [mN]\n0\t1\t2",
+            Kind::LoadPenetration,
+            [1e-9, 2e-3],
+        ),
+        // Hysitron: the signals in volts are no length and no force.
+        (
+            "Depth (nm)\tLoad (µN)\tTime (s)\tDepth (V)\tLoad (V)\n1\t2\t3\t4\t5",
+            Kind::LoadPenetration,
+            [1e-9, 2e-6],
+        ),
+        // Anton Paar.
+        (
+            "Time [s];Pd [nm];Fn [mN]\n0;1;2",
+            Kind::LoadPenetration,
+            [1e-9, 2e-3],
+        ),
+        // FemtoTools and others.
+        (
+            "Force (uN),Displacement (um)\n2,1",
+            Kind::LoadPenetration,
+            [1e-6, 2e-6],
+        ),
+        // JPK.
+        (
+            "Height (measured & smoothed) [m]\tVertical deflection [N]\tHeight [m]\n1\t2\t3",
+            Kind::ForceHeight,
+            [1.0, 2.0],
+        ),
+        (
+            "strainGaugeHeight [m],vDeflection [N],height [m]\n1,2,3",
+            Kind::ForceHeight,
+            [1.0, 2.0],
+        ),
+        (
+            "smoothedCapacitiveSensorHeight_m,vDeflection_V\n1,2",
+            Kind::ForceHeight,
+            [1.0, 2e-7],
+        ),
+        // Bruker.
+        (
+            "Height_Sensor_nm_Ex\tDefl_pN_Ex\n1\t2",
+            Kind::ForceHeight,
+            [1e-9, 2e-12],
+        ),
+        (
+            "Calc_Ramp_Ex_nm Defl_nm_Ex\n1 2",
+            Kind::ForceHeight,
+            [1e-9, 4e-9],
+        ),
+        // Asylum Research and AFM Workshop: the sensor grows towards the sample.
+        ("ZSnsr_m,Defl_m\n1,2", Kind::ForceHeight, [-1.0, 4.0]),
+        (
+            "Extend Z-Sense(nm),Extend T-B(V)\n1,2",
+            Kind::ForceHeight,
+            [-1e-9, 2e-7],
+        ),
+        // Nanosurf and Park.
+        (
+            "Z-Axis Sensor [m];Deflection [N]\n1;2",
+            Kind::ForceHeight,
+            [1.0, 2.0],
+        ),
+        (
+            "Z Detector(um)\tForce(nN)\n1\t2",
+            Kind::ForceHeight,
+            [1e-6, 2e-9],
+        ),
+        // The piezo of Optics11 grows towards the sample, that of others need not.
+        (
+            "Piezo (nm)\tLoad (uN)\tCantilever (nm)\n1\t2\t3",
+            Kind::ForceHeight,
+            [-1e-9, 2e-6],
+        ),
+    ];
+    for (text, kind, expected) in cases {
+        let reading = sound(text, &given);
+        assert_eq!(reading.measurement.kind, kind, "{text}");
+        assert_values(&values(&reading), &[expected]);
+    }
+}
+
+/// Each segment has its own columns; a pause is left out, whatever its columns are.
+const JPK: &str = "# springConstant: 0.05\n#\n\
+    # segment: extend\n# columns: height vDeflection strainGaugeHeight\n\
+    # fancyNames: \"Height\" \"Vertical deflection\" \"Height (measured)\"\n\
+    # sensitivity: 5.0E-8\n# springConstant: 0.05\n# units: m N m\n#\n\
+    9 0 3\n9 1 2\n9 2 1\n\n\
+    # segment: pause\n# columns: height vDeflection strainGaugeHeight seriesTime time x\n\
+    # units: m N m s s m\n#\n9 2 1 1 1 1\n9 2 1 2 2 2\n\n\
+    # segment: retract\n# columns: vDeflection strainGaugeHeight\n# springConstant: 0.05\n\
+    # units: N m\n#\n2 1.5\n1 2.5\n";
+
+#[test]
+fn segments_may_have_columns_of_their_own() {
+    let reading = sound(JPK, &Format::default());
+    let expected = [[3.0, 0.0], [2.0, 1.0], [1.0, 2.0], [1.5, 2.0], [2.5, 1.0]];
+    assert_values(&values(&reading), &expected);
+    let [approach, retract] = [Direction::Approach, Direction::Retract].map(Some);
+    let points = reading.measurement.points.iter();
+    let directions: Vec<_> = points.map(|point| point.direction).collect();
+    assert_eq!(directions, [approach, approach, approach, retract, retract]);
+    let notes = &reading.notes;
+    assert_eq!(
+        (notes.pauses, notes.blocks, notes.other_segments),
+        (2, 2, 0)
+    );
+    // A segment whose columns cannot be read is an error, not rows under the headings before.
+    let text = JPK.replace(
+        "vDeflection strainGaugeHeight\n# spring",
+        "error time\n# spring",
+    );
+    let error = read(&text, &Format::default())
+        .expect_err("no height")
+        .to_string();
+    assert!(
+        error.contains("line 26: force-height lacks height"),
+        "{error}"
+    );
+}
+
+#[test]
+fn a_head_tells_the_cantilever_unless_it_is_given() {
+    let reading = sound(JPK, &Format::default());
+    let from_head = reading.notes.from_head();
+    assert_eq!(from_head.len(), 1, "a force needs no sensitivity");
+    let told = (from_head[0].used, from_head[0].named.line);
+    assert_eq!(told, (0.05, 1), "{from_head:?}");
+    assert!(
+        from_head[0]
+            .to_string()
+            .contains("0.05 N/m from line 1, \"springConstant\"")
+    );
+    // A deflection in volts needs both.
+    let volts = JPK
+        .replace("# units: m N m\n", "# units: m V m\n")
+        .replace("# units: N m", "# units: V m");
+    let reading = sound(&volts, &Format::default());
+    assert_values(&values(&reading)[1..3], &[[2.0, 2.5e-9], [1.0, 5e-9]]);
+    assert_eq!(reading.notes.from_head().len(), 2);
+    let given = Format {
+        cantilever: Cantilever {
+            stiffness: Some(0.1),
+            sensitivity: None,
+        },
+        ..Format::default()
+    };
+    let reading = sound(&volts, &given);
+    assert_values(&values(&reading)[1..3], &[[2.0, 5e-9], [1.0, 1e-8]]);
+    let text = reading.notes.from_head()[0].to_string();
+    assert!(
+        text.contains("0.1 N/m as given") && text.contains("0.05"),
+        "{text}"
+    );
+    // Two heads that differ.
+    let two = JPK.replace(
+        "strainGaugeHeight\n# springConstant: 0.05",
+        "strainGaugeHeight\n# springConstant: 0.06",
+    );
+    let error = read(&two, &Format::default()).expect_err("two").to_string();
+    assert!(
+        error.contains("0.05 in line 1 and 0.06 in line 23"),
+        "{error}"
+    );
+    assert!(read(&two, &given).is_ok(), "the one given holds");
+}
+
+/// The instrument writes 1 where nobody has calibrated it.
+#[test]
+fn a_cantilever_that_is_not_calibrated_is_not_used() {
+    let text = "Force-Distance Curve\nLight Lever Gain, mV/nm:\t1.000000\n\
+                Force Constant, nN/nm:\t1.000000\n\nExtend Z-Sense(nm),Extend T-B(V)\n1,2\n2,3\n";
+    let error = read(text, &Format::default())
+        .expect_err("no stiffness")
+        .to_string();
+    assert!(
+        error.contains("line 2 has 1") && error.contains("not calibrated"),
+        "{error}"
+    );
+    let text = text.replace("1.000000", "0.500000");
+    let reading = sound(&text, &Format::default());
+    assert_values(
+        &values(&reading),
+        &[[-1e-9, 2.0 * 0.5 * 2e-6], [-2e-9, 3.0 * 0.5 * 2e-6]],
+    );
+}
+
+/// One return alone among other ends of lines.
+#[test]
+fn mixed_ends_of_lines_are_read() {
+    let text =
+        "Date\t1\n\rk (N/m)\t0.019\r\nTime (s)\tLoad (uN)\tPiezo (nm)\r\n0\t1\t2\n1\t2\t3\r2\t3\t4";
+    let format = Format {
+        segments: Segments::File,
+        ..Format::default()
+    };
+    let reading = sound(text, &format);
+    assert_values(
+        &values(&reading),
+        &[[2e-9, 1e-6], [3e-9, 2e-6], [4e-9, 3e-6]],
+    );
+    assert_eq!(reading.notes.from_head()[0].used, 0.019);
+    let lines: Vec<u64> = reading.measurement.points.iter().map(|p| p.line).collect();
+    assert_eq!(lines, [5, 6, 7]);
+}
+
+/// Programs of nanoindenters name the segment where it begins only.
+#[test]
+fn segments_of_nanoindenters_are_read() {
+    let text = "Segment,Displacement Into Surface (nm),Load On Sample (mN)\n\
+                Load Segment Type,1,1\n,2,3\nHold Segment Type,2,3\n,2,3\n\
+                Unload From Peak Segment Type,1.5,2\n,1,0\n";
+    let reading = sound(text, &Format::default());
+    let [approach, retract] = [Direction::Approach, Direction::Retract].map(Some);
+    let points = reading.measurement.points.iter();
+    let directions: Vec<_> = points.map(|point| point.direction).collect();
+    assert_eq!(directions, [approach, approach, retract, retract]);
+    assert_eq!(reading.notes.pauses, 2);
+}
+
+/// Columns without headings, as those of NT-MDT: the user names the direction beside the number.
+#[test]
+fn a_column_without_a_heading_can_have_a_direction() {
+    let columns = ["height=1 [nm]", "load=2 extend [nN]", "load=3 retract [nN]"];
+    let columns = columns.map(|text| text.parse::<Column>().expect("a column"));
+    let format = Format {
+        columns: columns.to_vec(),
+        ..Format::default()
+    };
+    let reading = sound("-7,9\t1,5\t1,4\n-7,8\t1,6\t1,5\n", &format);
+    assert_values(
+        &values(&reading),
+        &[
+            [-7.9e-9, 1.5e-9],
+            [-7.8e-9, 1.6e-9],
+            [-7.9e-9, 1.4e-9],
+            [-7.8e-9, 1.5e-9],
+        ],
+    );
+    assert_eq!(
+        reading.measurement.points[2].direction,
+        Some(Direction::Retract)
+    );
+}
+
+/// A version of afmformats wrote no end of the line between headings and the first row.
+#[test]
+fn a_first_row_on_the_line_of_headings_is_read() {
+    let text = "# END METADATA\n#\n# force\theight (measured)\tsegment\ttime-1e-9\t5e-6\tFalse\t1.5\n\
+                0\t4e-6\tFalse\t1.6\n1e-9\t3e-6\tTrue\t1.7\n";
+    let reading = sound(text, &Format::default());
+    assert_values(
+        &values(&reading),
+        &[[5e-6, -1e-9], [4e-6, 0.0], [3e-6, 1e-9]],
+    );
+    let directions: Vec<_> = reading
+        .measurement
+        .points
+        .iter()
+        .map(|p| p.direction)
+        .collect();
+    assert_eq!(directions[0], Some(Direction::Approach));
+    assert_eq!(directions[2], Some(Direction::Retract));
+}

@@ -1,0 +1,154 @@
+"""Measurements from files of text."""
+
+from __future__ import annotations
+
+import os
+import warnings
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, Literal, get_args
+
+from . import _core
+from ._arrays import number
+from ._bodies import HalfSpace, System
+from ._errors import FitError
+from ._experiment import Experiment, Kind, one_of
+from ._stack import StackSystem
+
+Role = Literal[
+    "contact_radius",
+    "load",
+    "penetration",
+    "height",
+    "deflection",
+    "segment",
+    "contact_radius_error",
+    "load_error",
+    "penetration_error",
+    "height_error",
+]
+Segments = Literal["auto", "file", "split"]
+Direction = Literal["approach", "retract"]
+
+
+@dataclass(frozen=True, slots=True)
+class _Format:
+    """What is known about a file, as the native part takes it."""
+
+    kind: Kind | None
+    columns: list[tuple[str, str]]
+    stiffness: float | None
+    sensitivity: float | None
+    segments: Segments
+    only: Direction | None
+
+
+def read_experiment(
+    path: str | os.PathLike[str],
+    kind: Kind | None = None,
+    *,
+    system: System | HalfSpace | StackSystem,
+    columns: Mapping[Role, str | Sequence[str]] | None = None,
+    segments: Segments = "auto",
+    only: Direction | None = None,
+    stiffness: float | None = None,
+    sensitivity: float | None = None,
+    **known: Any,
+) -> Experiment:
+    """Read a measurement from a file of text, such as an instrument exports.
+
+    The reader is that of ``tabulate fit``: cells between tabs, semicolons, commas or spaces, a
+    decimal point or comma, UTF-8, UTF-16 or Latin-1, comment lines and other lines above the
+    headings. Columns are recognised by headings with a unit, such as ``Force [mN]``, ``Displacement
+    Into Surface (nm)`` or ``height_nm``. Segments of the file may have columns of their own;
+    pauses are left out. Numbers become SI units.
+
+    Parameters
+    ----------
+    path : str or os.PathLike
+        The file.
+    kind : {"load-radius", "penetration-radius", "load-penetration", "force-height"}, optional
+        What is measured; by default the only kind that the columns fit.
+    system : System, HalfSpace or StackSystem
+        The bodies.
+    columns : mapping, optional
+        Columns that are not recognised: the heading, with a unit if the file has none, or the
+        number from 1, for ``"contact_radius"``, ``"load"``, ``"penetration"``, ``"height"``,
+        ``"deflection"`` or ``"segment"``. A minus before it turns the sign. Where approach and
+        retract have columns of their own, give both headings.
+    segments : {"auto", "file", "split"}
+        Where the directions come from: the file, the largest load, or by default from the file, and
+        heights without a direction are split at the largest load.
+    only : {"approach", "retract"}, optional
+        The only direction that is kept.
+    stiffness : float, optional
+        Stiffness of the cantilever, N/m; by default that which the head of the file names.
+    sensitivity : float, optional
+        Sensitivity, m/V, of a deflection in volts; by default that of the head of the file.
+    **known
+        What else is known: further fields of :class:`Experiment`, such as ``work_of_adhesion`` or
+        ``noise``.
+
+    Returns
+    -------
+    Experiment
+        The measurement. Its ``reading`` says how the file was read, and where the stiffness is
+        from.
+
+    Raises
+    ------
+    FitError
+        For a file that is no such table, naming the line, the column and what to give.
+    OSError
+        For a file that cannot be opened.
+
+    Warns
+    -----
+    UserWarning
+        Where a column seems to count in the opposite sense.
+
+    Examples
+    --------
+    >>> from coated_contact import Elastic, HalfSpace
+    >>> gel = Elastic(young_modulus=5e3, poisson_ratio=0.5)
+    >>> system = HalfSpace(sphere_radius=1e-5, sphere_modulus=float("inf"), solid=gel)
+    >>> curve = read_experiment("curve.txt", "force-height", system=system)  # doctest: +SKIP
+    >>> curve.stiffness  # doctest: +SKIP
+    0.0223
+    """
+    if kind is not None:
+        one_of("kind", kind, get_args(Kind))
+    one_of("segments", segments, get_args(Segments))
+    if only is not None:
+        one_of("only", only, get_args(Direction))
+    given = _Format(
+        kind=kind,
+        columns=_columns(columns or {}),
+        stiffness=None if stiffness is None else number("stiffness", stiffness),
+        sensitivity=None if sensitivity is None else number("sensitivity", sensitivity),
+        segments=segments,
+        only=only,
+    )
+    fields, doubt = _core.read_file(os.fspath(path), given)
+    if doubt is not None:
+        warnings.warn(f"{fields['name']}: {doubt}", stacklevel=2)
+    if stiffness is not None:
+        fields["stiffness"] = stiffness
+    return Experiment(system=system, **{**fields, **known})
+
+
+def _columns(given: Mapping[Role, str | Sequence[str]]) -> list[tuple[str, str]]:
+    """Return what each column holds and its heading."""
+    found: list[tuple[str, str]] = []
+    for role, headings in given.items():
+        one_of("columns", role, get_args(Role))
+        for heading in [headings] if isinstance(headings, str) else headings:
+            if not isinstance(heading, str):
+                raise TypeError(f"columns: the heading of {role} must be a str, not {heading!r}")
+            if not heading.strip().removeprefix("-").strip():
+                raise FitError(
+                    f"columns: the heading of {role!r} is empty: give its text or its number",
+                    axis="columns",
+                )
+            found.append((role, heading))
+    return found

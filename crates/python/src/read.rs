@@ -1,0 +1,156 @@
+//! Reading measurements from files of text.
+
+use std::path::PathBuf;
+
+use fit::data::{Cantilever, Column, Format, Named, Reading, Remedy, Role, Segments, read};
+use fit::report::reading;
+use fit::{Direction, Kind};
+use numpy::PyArray1;
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::error::{Failure, OrRaise as _};
+
+/// What is known about a file, as the attributes of a Python class.
+#[derive(FromPyObject)]
+pub struct GivenFormat {
+    kind: Option<String>,
+    /// What a column holds, and its heading.
+    columns: Vec<(String, String)>,
+    stiffness: Option<f64>,
+    sensitivity: Option<f64>,
+    segments: String,
+    only: Option<String>,
+}
+
+/// Reads a file. Returns the fields of the experiment, and the doubt about a sign.
+#[pyfunction]
+pub fn read_file<'py>(
+    py: Python<'py>,
+    path: PathBuf,
+    given: GivenFormat,
+) -> PyResult<(Bound<'py, PyDict>, Option<String>)> {
+    let format = format(given)?;
+    let Reading {
+        measurement,
+        errors,
+        notes,
+    } = py.detach(|| read(&path, &format)).or_raise(py)?;
+    let points = &measurement.points;
+    let fields = PyDict::new(py);
+    fields.set_item("name", &measurement.name)?;
+    fields.set_item("kind", measurement.kind.name())?;
+    let abscissae = points.iter().map(|point| point.abscissa);
+    fields.set_item("abscissa", PyArray1::from_iter(py, abscissae))?;
+    let ordinates = points.iter().map(|point| point.ordinate);
+    fields.set_item("ordinate", PyArray1::from_iter(py, ordinates))?;
+    // Points without a direction count as those of approach.
+    if points.iter().any(|point| point.direction.is_some()) {
+        let retract = points
+            .iter()
+            .map(|point| point.direction == Some(Direction::Retract));
+        fields.set_item("retract", PyArray1::from_iter(py, retract))?;
+    }
+    for (name, list) in [
+        ("abscissa_noise", errors.abscissa),
+        ("noise", errors.ordinate),
+    ] {
+        if !list.is_empty() {
+            fields.set_item(name, PyArray1::from_vec(py, list))?;
+        }
+    }
+    if measurement.kind == Kind::ForceHeight {
+        fields.set_item("stiffness", notes.cantilever.stiffness)?;
+    }
+    fields.set_item("reading", reading(&measurement, &notes))?;
+    let doubt = notes.doubt.map(|doubt| {
+        let remedy = in_python(&doubt.remedy());
+        format!("{doubt}; if so, {remedy}")
+    });
+    Ok((fields, doubt))
+}
+
+/// Returns the format. The Python layer has checked the words.
+fn format(given: GivenFormat) -> PyResult<Format> {
+    let unknown = |what: &str| PyValueError::new_err(format!("{what} is not known"));
+    let kind = |name: String| {
+        let kind = Kind::ALL.into_iter().find(|kind| kind.name() == name);
+        kind.ok_or_else(|| unknown(&name))
+    };
+    let only = |name: String| {
+        let direction = Direction::ALL.into_iter().find(|one| one.name() == name);
+        direction.ok_or_else(|| unknown(&name))
+    };
+    let column = |(role, heading): (String, String)| {
+        format!("{role}={heading}")
+            .parse::<Column>()
+            .map_err(|_| unknown(&role))
+    };
+    Ok(Format {
+        kind: given.kind.map(kind).transpose()?,
+        columns: given
+            .columns
+            .into_iter()
+            .map(column)
+            .collect::<PyResult<_>>()?,
+        cantilever: Cantilever {
+            stiffness: given.stiffness,
+            sensitivity: given.sensitivity,
+        },
+        segments: match given.segments.as_str() {
+            "auto" => Segments::Auto,
+            "file" => Segments::File,
+            "split" => Segments::Split,
+            other => return Err(unknown(other)),
+        },
+        only: given.only.map(only).transpose()?,
+    })
+}
+
+/// Returns what to give, in the words of the package.
+pub fn in_python(remedy: &Remedy) -> String {
+    match remedy {
+        Remedy::Columns(ways) => {
+            let way = |Named { kind, columns }: &Named| {
+                let kind = kind.map(|kind| format!("kind=\"{}\", ", kind.name()));
+                let columns: Vec<String> = columns.iter().map(entry).collect();
+                let columns = columns.join(", ");
+                format!("{}columns={{{columns}}}", kind.unwrap_or_default())
+            };
+            let ways: Vec<String> = ways.iter().map(way).collect();
+            format!("give {}", ways.join(", or "))
+        }
+        Remedy::Kind(kinds) => {
+            let names: Vec<String> = kinds
+                .iter()
+                .map(|kind| format!("\"{}\"", kind.name()))
+                .collect();
+            format!("give the kind, one of {}", names.join(", "))
+        }
+        Remedy::Cantilever { sensitivity: false } => "give stiffness=, N/m".to_owned(),
+        Remedy::Cantilever { sensitivity: true } => {
+            "give stiffness=, N/m, and sensitivity=, m/V".to_owned()
+        }
+        Remedy::Split => "give segments=\"split\"".to_owned(),
+    }
+}
+
+/// Returns an entry of the argument `columns`.
+fn entry((role, heading): &(Role, String)) -> String {
+    format!("\"{}\": {heading:?}", role.name())
+}
+
+impl From<fit::data::DataError> for Failure {
+    fn from(error: fit::data::DataError) -> Self {
+        use fit::data::Problem;
+        if let Problem::Read(source) = &*error.problem {
+            return Self::new("FitError", &error).about_file(error.name.as_ref(), source);
+        }
+        let remedy = error.remedy().map(|remedy| in_python(&remedy));
+        match remedy {
+            Some(remedy) => Self::of_words("FitError", &format!("{error}; {remedy}")),
+            None => Self::new("FitError", &error),
+        }
+    }
+}

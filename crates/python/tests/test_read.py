@@ -1,0 +1,126 @@
+"""Measurements from files of text: what is read, what the head tells, and what is refused."""
+
+import numpy as np
+import pytest
+
+from coated_contact import Elastic, Experiment, FitError, HalfSpace, read_experiment
+
+GEL = HalfSpace(
+    sphere_radius=1e-5,
+    sphere_modulus=np.inf,
+    solid=Elastic(young_modulus=5e3, poisson_ratio=0.5),
+)
+
+JPK = """# springConstant: 0.05
+# sensitivity: 5.0E-8
+# segment: extend
+# columns: height vDeflection
+# units: m V
+3e-6 0
+2e-6 1
+1e-6 2
+
+# segment: pause
+# columns: height vDeflection time
+# units: m V s
+1e-6 2 0
+
+# segment: retract
+# columns: vDeflection height
+# units: V m
+1.5 1.5e-6
+"""
+
+
+@pytest.fixture
+def write(tmp_path):
+    """Write a text and return its path."""
+
+    def written(text, name="curve.txt"):
+        path = tmp_path / name
+        path.write_text(text, encoding="utf-8")
+        return path
+
+    return written
+
+
+def read(path, *args, **options):
+    return read_experiment(path, *args, system=GEL, **options)
+
+
+def test_an_export_becomes_an_experiment_with_what_its_head_tells(write):
+    path = write(JPK)
+    found = read(path, "force-height", work_of_adhesion=1e-4, noise=1e-11)
+    assert isinstance(found, Experiment)
+    assert (found.kind, found.name, found.system) == ("force-height", str(path), GEL)
+    np.testing.assert_allclose(found.abscissa, [3e-6, 2e-6, 1e-6, 1.5e-6], rtol=1e-15)
+    np.testing.assert_allclose(found.ordinate, [0, 2.5e-9, 5e-9, 3.75e-9], rtol=1e-15)
+    assert found.retract.tolist() == [False, False, False, True]
+    assert (found.stiffness, found.work_of_adhesion, found.noise) == (0.05, 1e-4, 1e-11)
+    for words in ('stiffness 0.05 N/m from line 1, "springConstant"', "1 rows of a pause left out"):
+        assert words in found.reading
+    given = read(str(path), stiffness=0.1, sensitivity=1e-8)
+    assert given.stiffness == 0.1
+    np.testing.assert_allclose(given.ordinate, [0, 1e-9, 2e-9, 1.5e-9], rtol=1e-15)
+    assert "as given" in given.reading
+
+
+def test_columns_segments_and_directions_can_be_given(write):
+    path = write("Tiefe (nm);Kraft (mN)\n1;0\n2;1\n3;-4\n1;0,5\n")
+    columns = {"penetration": "Tiefe (nm)", "load": "-Kraft (mN)"}
+    found = read(path, columns=columns)
+    assert found.kind == "load-penetration"
+    assert found.retract is None
+    np.testing.assert_allclose(found.ordinate, [0, -1e-3, 4e-3, -0.5e-3], rtol=1e-15)
+    split = read(path, columns={"penetration": "1", "load": "-2"}, segments="split")
+    assert split.retract.tolist() == [False, False, False, True]
+    only = read(path, columns=columns, segments="split", only="retract")
+    assert only.abscissa.tolist() == [1e-9]
+    bare = write("-7,9\t1,5\t1,4\n-7,8\t1,6\t1,5\n", "bare.txt")
+    both = {"height": "1 [nm]", "load": ["2 extend [nN]", "3 retract [nN]"]}
+    with pytest.warns(UserWarning, match=r'opposite sense; if so, give columns=\{"height": "-'):
+        found = read(bare, columns=both, stiffness=1.0)
+    assert found.retract.tolist() == [False, False, True, True]
+
+
+@pytest.mark.parametrize(
+    ("text", "options", "words"),
+    [
+        ("", {}, ["the file is empty"]),
+        ("Depth [nm],Kraft [mN]\n1,2\n2,3\n", {}, ["Kraft", 'columns={"load": "Kraft [mN]"}']),
+        (
+            "Depth [nm],Kraft [mN]\n1,2\n2,3\n",
+            {"kind": "load-radius"},
+            ["load-radius lacks contact_radius (a length) and load", '"load": "Kraft [mN]"'],
+        ),
+        (
+            "Depth [nm],Load [mN],Piezo [nm]\n1,2,3\n2,3,4\n",
+            {},
+            ['give the kind, one of "load-penetration", "force-height"'],
+        ),
+        ("z [nm],defl [nm]\n1,2\n2,1\n", {}, ["give stiffness=, N/m"]),
+        ("z [nm],defl [V]\n1,2\n2,1\n", {"stiffness": 1.0}, ["sensitivity=, m/V"]),
+        ("height,force,phase\n1,2,sideways\n2,3,sideways\n", {}, ['segments="split"', "sideways"]),
+        ("penetration,load\n1,2\n2,x\n", {}, ["line 3, column 2", '"x" is not a number']),
+        ("penetration,load\n1,2\n2,3\n", {"columns": {"load": "P"}}, ['no column is "P"']),
+        ("penetration,load\n1,2\n2,3\n", {"columns": {"lode": "P"}}, ["lode", "contact_radius"]),
+        ("penetration,load\n1,2\n2,3\n", {"columns": {"load": "-"}}, ["empty"]),
+        ("penetration,load\n1,2\n2,3\n", {"kind": "load"}, ["'load'", "load-penetration"]),
+        ("penetration,load\n1,2\n2,3\n", {"segments": "up"}, ["'up'", "split"]),
+        ("penetration,load\n1,2\n2,3\n", {"only": "up"}, ["'up'", "retract"]),
+    ],
+)
+def test_what_cannot_be_read_says_what_to_give_in_the_words_of_python(write, text, options, words):
+    with pytest.raises(FitError) as raised:
+        read(write(text), **options)
+    message = str(raised.value)
+    for word in words:
+        assert word in message
+    assert "--" not in message
+
+
+def test_a_file_that_is_not_there_is_an_os_error(tmp_path):
+    with pytest.raises(FileNotFoundError):
+        read(tmp_path / "none.txt")
+    with pytest.raises(TypeError, match="must be a str"):
+        read(tmp_path / "none.txt", columns={"load": [2]})

@@ -1,0 +1,237 @@
+//! Doubts and errors of `tabulate fit`: what it says, and what to type next.
+
+use acceptance::{assert_names, workdir};
+use serde_json::Value;
+
+/// Loads at penetrations of a rigid sphere of 10 um on a hard half-space, of which 60 nm remain.
+fn plastic() -> String {
+    let hertz = |modulus: f64, x: f64| 4.0 / 3.0 * modulus * 1e-5_f64.sqrt() * x.max(0.0).powf(1.5);
+    let most = hertz(8e10, 4e-8);
+    let mut text = String::from("penetration,load,segment\n");
+    for i in 0..60 {
+        let x = 1e-7 * f64::from(i) / 59.0;
+        text += &format!("{x:e},{:e},approach\n", most * (x / 1e-7).powf(1.5));
+    }
+    for i in (0..60).rev() {
+        let x = 1e-7 * f64::from(i) / 59.0;
+        text += &format!("{x:e},{:e},retract\n", hertz(8e10, x - 6e-8));
+    }
+    text
+}
+
+const HALF_SPACE: [&str; 13] = [
+    "fit",
+    "data.csv",
+    "--half-space",
+    "--sphere-radius",
+    "1e-5",
+    "--sphere-modulus",
+    "inf",
+    "--film-modulus",
+    "1e10",
+    "--film-poisson-ratio",
+    "0.3",
+    "--work-of-adhesion",
+    "0.04",
+];
+
+#[test]
+fn a_depth_that_remains_is_named_with_the_flags_that_help() {
+    let workdir = workdir!();
+    workdir.write("data.csv", plastic());
+    let of_film = [&HALF_SPACE[..], &["--free", "film-modulus"]].concat();
+    let report = workdir.run(&of_film).stdout;
+    assert_names(
+        &report,
+        &[
+            "plastically",
+            "m remains",
+            "hysteresis",
+            "--only retract",
+            "--free film-modulus,contact-point",
+        ],
+    );
+    let json = workdir.run(&[&of_film[..], &["--json"]].concat()).stdout;
+    let found: Value = serde_json::from_str(&json).expect("JSON");
+    let warnings = found["warnings"].as_array().expect("a list").iter();
+    let kinds: Vec<_> = warnings
+        .map(|one| one["kind"].as_str().expect("text"))
+        .collect();
+    for kind in ["hysteresis", "plasticity"] {
+        assert!(kinds.contains(&kind), "{kinds:?}");
+    }
+}
+
+/// Makes a JKR test of the paper's lens on a film of 30 um.
+fn lens(workdir: &acceptance::Workdir) {
+    workdir.succeed(&[
+        "simulate",
+        "--kind",
+        "load-radius",
+        "--from",
+        "4.2e-5",
+        "--to",
+        "1.3e-4",
+        "--noise",
+        "2e-6",
+        "--film-thickness",
+        "3e-5",
+        "--specimen",
+        "paper",
+        "-o",
+        "data.csv",
+    ]);
+}
+
+#[test]
+fn an_error_of_a_known_thickness_widens_the_errors() {
+    let workdir = workdir!();
+    lens(&workdir);
+    let run = |more: &[&str]| {
+        let all = [
+            &[
+                "fit",
+                "data.csv",
+                "--json",
+                "--film-thickness",
+                "3e-5",
+                "--specimen",
+                "paper",
+                "--noise",
+                "2e-6",
+            ],
+            more,
+        ];
+        let text = workdir.succeed(&all.concat());
+        serde_json::from_str::<Value>(&text).expect("JSON")
+    };
+    let known = ["--known", "film-thickness=3e-5+-3e-6"];
+    let (plain, widened) = (run(&[]), run(&known));
+    let error = |found: &Value| {
+        found["parameters"]["sphere_modulus"]["stderr"]
+            .as_f64()
+            .expect("a number")
+    };
+    assert!(error(&widened) > 2.0 * error(&plain));
+    let fixed = widened["fixed_values"].as_array().expect("a list").iter();
+    let of_film = fixed
+        .clone()
+        .find(|one| one["name"] == "film_thickness")
+        .expect("listed");
+    assert_eq!(
+        (of_film["error"].as_f64(), of_film["value"].as_f64()),
+        (Some(3e-6), Some(3e-5))
+    );
+    let expected = 10.0 * of_film["changes"][0].as_f64().expect("a number");
+    let hypot = error(&plain).hypot(expected);
+    assert!((error(&widened) / hypot - 1.0).abs() < 1e-9);
+    assert!(
+        fixed
+            .clone()
+            .any(|one| one["name"] == "sphere_radius" && one["error"].is_null())
+    );
+    let all = [
+        &[
+            "fit",
+            "data.csv",
+            "--film-thickness",
+            "3e-5",
+            "--specimen",
+            "paper",
+        ],
+        &known[..],
+    ]
+    .concat();
+    assert_names(
+        &workdir.succeed(&all),
+        &[
+            "what the fixed values do",
+            "sphere-radius",
+            "+1 %",
+            "0.5 -> 0.49",
+            "hold those of film-thickness +- 3 um",
+        ],
+    );
+    for (known, words) in [
+        ("film-thickness=3e-5", &["film-thickness=2e-6+-1e-7"][..]),
+        ("thickness=3e-5+-1e-6", &["thickness", "sphere-radius"]),
+        (
+            "sphere-modulus=2e6+-1e4",
+            &["sphere-modulus", "not free", "prior"],
+        ),
+        ("stiffness=1+-0", &["stiffness", "positive"]),
+    ] {
+        let run = workdir.run(&[
+            "fit",
+            "data.csv",
+            "--film-thickness",
+            "3e-5",
+            "--specimen",
+            "paper",
+            "--known",
+            known,
+        ]);
+        assert!(run.status != 0 && run.stdout.is_empty(), "{known}");
+        assert_names(&run.stderr, words);
+    }
+}
+
+#[test]
+fn errors_of_radii_come_from_a_flag_or_a_column() {
+    let workdir = workdir!();
+    lens(&workdir);
+    let text = String::from_utf8(workdir.read("data.csv")).expect("text");
+    let with_column: String = text
+        .lines()
+        .enumerate()
+        .map(|(i, line)| match i {
+            0 => format!("{line},radius_error [um]\n"),
+            _ => format!("{line},0.3\n"),
+        })
+        .collect();
+    workdir.write("column.csv", with_column);
+    let run = |more: &[&str]| {
+        let all = [
+            &[
+                "fit",
+                "--film-thickness",
+                "3e-5",
+                "--specimen",
+                "paper",
+                "--noise",
+                "2e-6",
+            ],
+            more,
+        ];
+        workdir.succeed(&all.concat())
+    };
+    let by_flag = run(&["data.csv", "--radius-noise", "3e-7"]);
+    let by_column = run(&["column.csv"]);
+    assert_names(&by_flag, &["of the abscissa 3.00e-7"]);
+    assert_names(
+        &by_column,
+        &[
+            "of the abscissa 3.00e-7",
+            "contact_radius_error from \"radius_error [um]\"",
+        ],
+    );
+    let found = |text: &str| text.split("\nfound\n").nth(1).expect("found").to_owned();
+    assert_eq!(found(&by_flag), found(&by_column));
+    // The flag stands for the column, and has another name for penetrations and heights.
+    let exact = run(&["column.csv", "--abscissa-noise", "0"]);
+    assert_eq!(found(&exact), found(&run(&["data.csv"])));
+    let refused = workdir.fail(
+        1,
+        &[
+            "fit",
+            "data.csv",
+            "--film-thickness",
+            "3e-5",
+            "--specimen",
+            "paper",
+            "--radius-noise",
+            "-1",
+        ],
+    );
+    assert_names(&refused, &["contact radius", "-1", ">= 0"]);
+}

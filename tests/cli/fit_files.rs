@@ -1,0 +1,299 @@
+//! `tabulate fit`: files that need a word of the user, and what heads of files tell.
+
+use acceptance::{Workdir, assert_names, workdir};
+use serde_json::Value;
+
+/// The flags of a sphere on a half-space.
+const GEL: [&str; 9] = [
+    "--half-space",
+    "--sphere-modulus",
+    "inf",
+    "--sphere-radius",
+    "1e-5",
+    "--film-modulus",
+    "5e3",
+    "--film-poisson-ratio",
+    "0.5",
+];
+
+/// The flags of a lens on a film on silicon.
+const LENS: [&str; 16] = [
+    "--film-thickness",
+    "1e-5",
+    "--sphere-radius",
+    "1e-3",
+    "--sphere-modulus",
+    "2e6",
+    "--film-modulus",
+    "3.5e6",
+    "--film-poisson-ratio",
+    "0.5",
+    "--substrate-modulus",
+    "2e11",
+    "--substrate-poisson-ratio",
+    "0.25",
+    "--work-of-adhesion",
+    "0.04",
+];
+
+fn fit<'a>(file: &'a str, more: &[&'a str]) -> Vec<&'a str> {
+    [&["fit", file], &GEL[..], more].concat()
+}
+
+/// The message says what is missing, what is there, and what to type; what it says to type works.
+#[test]
+fn a_message_says_what_is_missing_what_is_there_and_what_to_type() {
+    let workdir = workdir!();
+    workdir.write(
+        "two.csv",
+        "Tiefe (nm);Kraft (mN);t (s)\n1;0;0\n2;1;1\n3;4;2\n",
+    );
+    workdir.write("one.csv", "Depth (nm);Kraft (mN)\n1;0\n2;1\n");
+    workdir.write(
+        "both.csv",
+        "Depth [nm],Load [mN],Piezo [nm]\n1,2,3\n2,3,4\n",
+    );
+    workdir.write("bare.csv", "1,2\n2,3\n");
+    workdir.write("volts.csv", "z [nm],defl [V]\n3,0\n2,1\n");
+    workdir.write("unit.csv", "Radius,Load [mN]\n1,2\n2,3\n");
+    workdir.write(
+        "phase.csv",
+        "height,force,phase\n1,2,sideways\n2,3,sideways\n",
+    );
+    let cases: [(&str, &[&str], &[&str]); 8] = [
+        (
+            "two.csv",
+            &[],
+            &[
+                "load-radius lacks contact_radius (a length) and load (a force); ",
+                "\"Tiefe (nm)\" (a length), \"Kraft (mN)\" (a force), \"t (s)\"",
+                "type --kind load-radius --column \"contact_radius=Tiefe (nm)\" --column \"load=Kraft (mN)\", or",
+                ", or --kind load-penetration --column \"penetration=Tiefe (nm)\" --column \"load=Kraft (mN)\"",
+            ],
+        ),
+        (
+            "two.csv",
+            &["--kind", "load-penetration"],
+            &["type --column \"penetration=Tiefe (nm)\" --column \"load=Kraft (mN)\""],
+        ),
+        (
+            "one.csv",
+            &[],
+            &[
+                "load-penetration lacks load (a force)",
+                "\"Depth (nm)\" (penetration), \"Kraft (mN)\" (a force)",
+                "type --kind load-penetration --column \"load=Kraft (mN)\"",
+            ],
+        ),
+        (
+            "both.csv",
+            &[],
+            &["type --kind load-penetration|force-height"],
+        ),
+        (
+            "bare.csv",
+            &[],
+            &["type --column \"contact_radius=1 [um]\" --column \"load=2 [mN]\""],
+        ),
+        (
+            "volts.csv",
+            &[],
+            &["type --stiffness N/m --sensitivity m/V"],
+        ),
+        (
+            "unit.csv",
+            &[],
+            &["no unit", "--column \"contact_radius=Radius [um]\""],
+        ),
+        ("phase.csv", &[], &["sideways", "type --segments split"]),
+    ];
+    for (file, more, words) in cases {
+        let message = workdir.fail(1, &fit(file, more));
+        assert_eq!(message.lines().count(), 1, "{message}");
+        assert_names(&message, words);
+    }
+    let typed = [
+        "--column",
+        "penetration=Tiefe (nm)",
+        "--column",
+        "load=Kraft (mN)",
+    ];
+    let run = workdir.run(&fit(
+        "two.csv",
+        &[&typed[..], &["--kind", "load-penetration"]].concat(),
+    ));
+    assert!(!run.stderr.contains("type --"), "{run:?}");
+}
+
+/// Simulates a force curve, and writes it in the style of JPK, with a pause of more columns.
+fn export(workdir: &Workdir) {
+    let simulate = [&["simulate", "--kind", "force-height"], &GEL[..]].concat();
+    let more = [
+        "--work-of-adhesion",
+        "5e-5",
+        "--stiffness",
+        "0.05",
+        "--from",
+        "1e-6",
+        "--to=-1e-6",
+        "--noise",
+        "2e-11",
+        "--seed",
+        "1",
+    ];
+    let curve = workdir.succeed(&[&simulate[..], &more].concat());
+    let rows = |segment: &str| -> String {
+        let rows = curve.lines().filter_map(|row| row.strip_suffix(segment));
+        let rows = rows.map(|row| row.trim_end_matches(',').replace(',', " "));
+        rows.collect::<Vec<_>>().join("\n")
+    };
+    let head = "# columns: height vDeflection\n# springConstant: 0.05\n# sensitivity: 5e-8\n# units: m N\n";
+    let text = format!(
+        "# TEXT EXPORT\n# segment: extend\n{head}{}\n\n# segment: pause\n\
+         # columns: height vDeflection a b c time\n# units: m N m m m s\n1 1 1 1 1 1\n2 1 1 1 1 2\n\n\
+         # segment: retract\n{head}{}\n",
+        rows("approach"),
+        rows("retract")
+    );
+    workdir.write("jpk.txt", &text);
+}
+
+#[test]
+fn the_stiffness_of_the_head_is_used_unless_another_is_given() {
+    let workdir = workdir!();
+    export(&workdir);
+    let free = ["--free", "film-modulus,work-of-adhesion,contact-point"];
+    let report = workdir.succeed(&fit("jpk.txt", &free));
+    assert_names(
+        &report,
+        &[
+            "stiffness 0.05 N/m from line 4, \"springConstant\"",
+            "2 rows of a pause left out",
+            "2 times headings",
+        ],
+    );
+    let object = |more: &[&str]| -> Value {
+        let text = workdir.succeed(&fit("jpk.txt", &[&free[..], &["--json"], more].concat()));
+        serde_json::from_str(&text).expect("JSON")
+    };
+    let told = object(&[]);
+    let modulus = &told["parameters"]["film_modulus"];
+    let [value, error] = ["value", "stderr"].map(|key| modulus[key].as_f64().expect("a number"));
+    assert!(
+        (value - 5e3).abs() < 4.0 * error,
+        "{value} +- {error}, not 5 kPa"
+    );
+    let read = told["read"][0].as_str().expect("a line");
+    assert!(read.contains("from line 4"), "{read}");
+    let given = object(&["--stiffness", "0.05"]);
+    assert_eq!(given["parameters"], told["parameters"]);
+    let other = object(&["--stiffness", "0.06"]);
+    assert_ne!(other["parameters"], told["parameters"]);
+    let read = other["read"][0].as_str().expect("a line");
+    assert!(
+        read.contains("0.06 N/m as given, and line 4") && read.contains("0.05"),
+        "{read}"
+    );
+}
+
+/// The doubt says which flag turns the sign, whether the fit fails or not, and the flag does.
+#[test]
+fn a_doubt_about_a_sign_says_what_to_type() {
+    let workdir = workdir!();
+    let simulate = [&["simulate", "--kind", "force-height"], &GEL[..]].concat();
+    let more = [
+        "--work-of-adhesion",
+        "5e-5",
+        "--stiffness",
+        "0.1",
+        "--from",
+        "1e-6",
+        "--to=-1e-6",
+        "--noise",
+        "2e-11",
+        "--seed",
+        "1",
+    ];
+    let curve = workdir.succeed(&[&simulate[..], &more].concat());
+    // Heights that grow towards the sample.
+    let rows = curve.lines().filter_map(|row| {
+        let mut cells = row.split(',');
+        let height: f64 = cells.next()?.parse().ok()?;
+        Some(format!("{:?};{}\n", -1e9 * height, cells.next()?))
+    });
+    let text: String = rows.collect();
+    workdir.write("z.csv", &format!("Piezo (nm);Force (N)\n{text}"));
+    let stiffness = ["--stiffness", "0.1", "--work-of-adhesion", "5e-5"];
+    let run = workdir.run(&fit("z.csv", &stiffness));
+    let text = format!("{}{}", run.stdout, run.stderr);
+    assert_names(
+        &text,
+        &["opposite sense", "type --column \"height=-Piezo (nm)\""],
+    );
+    let turned = [&stiffness[..], &["--column", "height=-Piezo (nm)"]].concat();
+    let report = workdir.succeed(&fit("z.csv", &turned));
+    assert!(!report.contains("opposite sense"), "{report}");
+    assert!(
+        report.contains("height from \"Piezo (nm)\" with a minus"),
+        "{report}"
+    );
+}
+
+/// The report says which modulus each number is, and Young's modulus of the sphere on request.
+#[test]
+fn a_report_says_which_modulus_is_young_s_and_which_is_reduced() {
+    let workdir = workdir!();
+    let simulate = [
+        "simulate",
+        "--kind",
+        "load-radius",
+        "--from",
+        "4.2e-5",
+        "--to",
+        "1.3e-4",
+        "--noise",
+        "2e-6",
+        "--seed",
+        "1",
+    ];
+    let lens = workdir.succeed(&[&simulate[..], &LENS].concat());
+    workdir.write("lens.csv", &lens);
+    let fit = [&["fit", "lens.csv"], &LENS[..]].concat();
+    let with = |more: &[&'static str]| [&fit[..], more].concat();
+    let report = workdir.succeed(&with(&[]));
+    assert_names(
+        &report,
+        &[
+            "Pa, reduced modulus E2*\n",
+            "200 GPa, Young's modulus E0\n",
+            "3.5 MPa, Young's modulus E1\n",
+        ],
+    );
+    assert!(!report.contains("nu2"), "{report}");
+    let sphere = ["--sphere-poisson-ratio", "0.5"];
+    let report = workdir.succeed(&with(&sphere));
+    assert_names(
+        &report,
+        &["MPa, Young's modulus E2 = E2* (1 - nu2^2), nu2 = 0.5\n"],
+    );
+    let text = workdir.succeed(&with(&["--sphere-poisson-ratio", "0.5", "--json"]));
+    let object: Value = serde_json::from_str(&text).expect("JSON");
+    let [young, reduced] = [
+        &object["sphere_young_modulus"],
+        &object["parameters"]["sphere_modulus"],
+    ];
+    for key in ["value", "stderr"] {
+        let [young, reduced] = [young, reduced].map(|one| one[key].as_f64().expect("a number"));
+        assert!((young / (0.75 * reduced) - 1.0).abs() < 1e-14, "{key}");
+    }
+    let [value, error] = ["value", "stderr"].map(|key| young[key].as_f64().expect("a number"));
+    assert!(
+        (value - 0.75 * 2e6).abs() < 4.0 * error,
+        "{value} +- {error}"
+    );
+    let message = workdir.fail(2, &with(&["--sphere-poisson-ratio", "0.6"]));
+    assert_names(&message, &["0.6", "above -1 and up to 0.5"]);
+    let fixed = with(&["--sphere-poisson-ratio", "0.5", "--free", "film-modulus"]);
+    let message = workdir.fail(1, &fixed);
+    assert_names(&message, &["reduced modulus", "--free sphere-modulus"]);
+}

@@ -1,0 +1,255 @@
+//! Errors of the abscissae: the effective variance, and whether the intervals hold the truth.
+
+use std::f64::consts::PI;
+
+use acceptance::{Contacts, assert_names};
+use fit::data::{Format, read_from};
+use fit::{
+    Bodies, Error, Experiment, Fit, Kind, Loss, Options, Parameter, PointErrors, WarningKind, fit,
+};
+use interp::{HalfSpace, Probe, Table};
+use rayon::prelude::*;
+
+use crate::imagined::{Course, Imagined, solid};
+use crate::recovery::{SETS, assert_coverage};
+
+const LENS: [Parameter; 2] = [Parameter::SphereModulus, Parameter::WorkOfAdhesion];
+/// 0.3 um, which in these loads is more than their own noise.
+const RADIUS_NOISE: f64 = 3e-7;
+
+/// The lens of the paper on a film of 10 um; the noise of its loads is 5 uN.
+fn lens() -> Imagined {
+    Imagined::lens(Kind::LoadRadius, 10e-6, 5e-6, &LENS)
+}
+
+/// Returns an experiment whose abscissae are off by normal numbers times `noise(i)`.
+fn blurred(mut experiment: Experiment, noise: impl Fn(usize) -> f64, seed: u64) -> Experiment {
+    let mut random = Contacts::new(seed ^ 0x5eed);
+    for (i, point) in experiment.measurement.points.iter_mut().enumerate() {
+        let radius = (-2.0 * random.uniform(f64::MIN_POSITIVE, 1.0).ln()).sqrt();
+        point.abscissa += noise(i) * radius * (2.0 * PI * random.uniform(0.0, 1.0)).cos();
+    }
+    experiment
+}
+
+fn fitted(experiment: Experiment, imagined: &Imagined, loss: Loss) -> Fit {
+    let options = Options {
+        loss,
+        ..Options::default()
+    };
+    fit(Table::embedded(), &[experiment], &imagined.free, &options).expect("sound")
+}
+
+/// Asserts that the intervals of fits hold the truth as often as they say.
+fn recover(
+    name: &str,
+    imagined: &Imagined,
+    seeds: u64,
+    expected: &[WarningKind],
+    make: impl Fn(Experiment, u64) -> Experiment + Sync,
+) {
+    let exact = imagined.exact();
+    let one = |seed: u64| {
+        let experiment = make(imagined.measured(&exact, seed), seed);
+        fitted(experiment, imagined, imagined.loss)
+    };
+    let range = SETS * seeds..SETS * (seeds + 1);
+    let fits: Vec<Fit> = range.into_par_iter().map(one).collect();
+    let truth = |parameter: Parameter, _| imagined.truth.get(parameter).expect("a value");
+    assert_coverage(name, &fits, truth, expected);
+}
+
+#[test]
+fn the_truth_is_within_the_intervals_with_noise_in_the_radius() {
+    let with_noise = |mut experiment: Experiment, seed| {
+        experiment.abscissa_noise = RADIUS_NOISE;
+        blurred(experiment, |_| RADIUS_NOISE, seed)
+    };
+    recover("radius noise", &lens(), 101, &[], with_noise);
+    let robust = Imagined {
+        loss: Loss::HUBER,
+        ..lens()
+    };
+    recover("radius noise, huber", &robust, 102, &[], with_noise);
+    let unknown = Imagined {
+        noise: 2e-5,
+        noise_is_known: false,
+        ..lens()
+    };
+    recover(
+        "radius noise, noise not known",
+        &unknown,
+        103,
+        &[],
+        with_noise,
+    );
+    // Radii ten times as uncertain at one end as at the other, as columns give them.
+    let of_point = |i: usize| 1e-7 * (1.0 + 0.25 * i as f64);
+    recover(
+        "radius noise, by points",
+        &lens(),
+        104,
+        &[],
+        |mut experiment, seed| {
+            let count = experiment.measurement.points.len();
+            experiment.errors = PointErrors {
+                abscissa: (0..count).map(of_point).collect(),
+                ordinate: vec![5e-6; count],
+            };
+            experiment.noise = None;
+            blurred(experiment, of_point, seed)
+        },
+    );
+}
+
+#[test]
+fn the_truth_is_within_the_intervals_with_noise_in_the_height() {
+    let free = [Parameter::FilmModulus, Parameter::ContactPoint];
+    let probe = Imagined::probe(Course::Approach, 0.0, &free);
+    let noise = 3e-9;
+    recover("height noise", &probe, 105, &[], |mut experiment, seed| {
+        experiment.abscissa_noise = noise;
+        blurred(experiment, |_| noise, seed)
+    });
+}
+
+#[test]
+fn noise_in_the_radius_that_is_not_given_is_a_poor_fit_under_any_loss() {
+    // The noise of the loads is far below that of the radii: chi^2 is some 100.
+    let lens = Imagined::lens(Kind::LoadRadius, 10e-6, 1e-6, &LENS);
+    let exact = lens.exact();
+    let blur = |seed| blurred(lens.measured(&exact, seed), |_| RADIUS_NOISE, seed);
+    for loss in [Loss::Squares, Loss::HUBER, Loss::SOFT_L1] {
+        for seed in 0..20 {
+            let found = fitted(blur(seed), &lens, loss);
+            assert!(
+                found.warns_of(WarningKind::PoorFit),
+                "{loss:?}: {:?}",
+                found.warnings
+            );
+            let mut given = blur(seed);
+            given.abscissa_noise = RADIUS_NOISE;
+            let found = fitted(given, &lens, loss);
+            assert!(found.warnings.is_empty(), "{loss:?}: {:?}", found.warnings);
+        }
+    }
+    // One outlier in ten is what a robust loss is for, and no reason to doubt the model.
+    for loss in [Loss::HUBER, Loss::SOFT_L1] {
+        for seed in 0..20 {
+            let mut experiment = lens.measured(&exact, seed);
+            for point in experiment.measurement.points.iter_mut().skip(3).step_by(10) {
+                point.ordinate += 4e-5;
+            }
+            let found = fitted(experiment, &lens, loss);
+            assert!(
+                !found.warns_of(WarningKind::PoorFit),
+                "{:?}",
+                found.warnings
+            );
+        }
+    }
+}
+
+/// The equations of Johnson, Kendall and Roberts give the slope in closed form.
+#[test]
+fn the_effective_variance_is_that_of_the_slope() {
+    let (radius, modulus, w) = (1e-3, 2e6, 0.04);
+    let mut lens = Imagined::lens(Kind::LoadRadius, 1e-6, 5e-6, &LENS);
+    lens.truth.bodies = Bodies::HalfSpace(HalfSpace {
+        probe: Probe::Paraboloid { radius },
+        sphere_modulus: modulus,
+        solid: solid(f64::INFINITY, 0.25),
+    });
+    let mut experiment = lens.measured(&lens.exact(), 1);
+    experiment.abscissa_noise = RADIUS_NOISE;
+    let found = fitted(experiment, &lens, Loss::Squares);
+    let [modulus, w] = LENS.map(|parameter| {
+        let found = found.estimate(parameter).expect("free").value;
+        assert!((found / if parameter == LENS[0] { modulus } else { w } - 1.0).abs() < 0.3);
+        found
+    });
+    for point in &found.experiments[0].points {
+        let a = point.abscissa;
+        let slope = 4.0 * modulus * a * a / radius - 1.5 * (8.0 * PI * w * modulus * a).sqrt();
+        let expected = 5e-6_f64.hypot(slope * RADIUS_NOISE);
+        let off = point.deviation / expected - 1.0;
+        // The weights are those of the last round but one, to 1e-3.
+        assert!(off.abs() < 2e-3, "{a:e}: {off:e}");
+    }
+}
+
+#[test]
+fn columns_of_standard_deviations_are_read() {
+    let read = |text: &str| read_from(text.as_bytes(), "lens.csv", &Format::default());
+    let sound = |text: &str| read(text).expect(text);
+    let reading =
+        sound("Radius (um),Load [mN],radius_error,load std [uN]\n50,0.1,0.3,5\n60,0.2,0.4,6\n");
+    let close = |found: &[f64], expected: [f64; 2]| {
+        assert_eq!(found.len(), 2);
+        let off = found.iter().zip(expected).map(|(f, e)| (f / e - 1.0).abs());
+        assert!(off.fold(0.0, f64::max) < 1e-14, "{found:?}");
+    };
+    close(&reading.errors.abscissa, [0.3e-6, 0.4e-6]);
+    close(&reading.errors.ordinate, [5e-6, 6e-6]);
+    // A heading alone is that of the ordinate, in its unit; one in per cent is left alone.
+    let reading =
+        sound("contact_radius,load,sigma,load error [%]\n5e-5,1e-4,5e-6,1\n6e-5,2e-4,6e-6,1\n");
+    close(&reading.errors.ordinate, [5e-6, 6e-6]);
+    assert!(reading.errors.abscissa.is_empty());
+    // The points of one direction keep their own.
+    let format = Format {
+        only: Some(fit::Direction::Retract),
+        ..Format::default()
+    };
+    let text = "penetration [um],load [mN],std [uN],segment\n1,1,1,approach\n2,2,2,approach\n\
+                2,2,5,retract\n1,1,6,retract\n";
+    let reading = read_from(text.as_bytes(), "x.csv", &format).expect("sound");
+    close(&reading.errors.ordinate, [5e-6, 6e-6]);
+    // A deflection error of an AFM is a signal, not a standard deviation.
+    let reading = sound("height,force,Deflection Error [V]\n1e-6,1e-9,0\n2e-6,2e-9,0\n");
+    assert_eq!(reading.errors, PointErrors::default());
+    // Numbers that are no standard deviations, with their place.
+    for (cell, words) in [
+        ("0", ["line 3", "load std [uN]", "positive"]),
+        ("-1", ["line 3", "load std [uN]", "positive"]),
+        ("", ["line 3", "load std [uN]", "missing"]),
+    ] {
+        let text = format!("contact_radius,load,load std [uN]\n5e-5,1e-4,5\n6e-5,2e-4,{cell}\n");
+        let error = read(&text).expect_err("no deviation");
+        assert_names(&error.to_string(), &words);
+    }
+    let error =
+        read("contact_radius,load,load std [uN],sigma load\n5e-5,1e-4,5,5\n6e-5,2e-4,5,5\n");
+    assert_names(
+        &error.expect_err("two columns").to_string(),
+        &["columns 3 and 4", "load_error"],
+    );
+}
+
+#[test]
+fn what_is_no_standard_deviation_is_refused() {
+    let lens = lens();
+    let exact = lens.exact();
+    let refused = |edit: &dyn Fn(&mut Experiment)| {
+        let mut experiment = lens.measured(&exact, 1);
+        edit(&mut experiment);
+        fit(
+            Table::embedded(),
+            &[experiment],
+            &lens.free,
+            &Options::default(),
+        )
+        .expect_err("no deviation")
+        .to_string()
+    };
+    for noise in [-1e-7, f64::NAN, f64::INFINITY] {
+        let text = refused(&|experiment| experiment.abscissa_noise = noise);
+        assert_names(&text, &["contact radius", "imagined.csv", ">= 0"]);
+    }
+    let text = refused(&|experiment| experiment.errors.ordinate = vec![1e-6; 3]);
+    assert_names(&text, &["errors of the load", "3", "40"]);
+    let text = refused(&|experiment| experiment.errors.ordinate = vec![0.0; 40]);
+    assert_names(&text, &["imagined.csv", "line 2", "positive"]);
+    let error = fit::forecast(Table::embedded(), &[lens.truth.clone()], &lens.free);
+    assert!(matches!(error, Err(Error::Setting { .. })), "{error:?}");
+}

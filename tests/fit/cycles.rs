@@ -1,0 +1,312 @@
+//! Loops between loading and unloading that the model cannot make, and what remains afterwards.
+
+use std::f64::consts::PI;
+
+use acceptance::{Contacts, assert_names};
+use fit::{
+    Bodies, Direction, Experiment, Fit, Free, Kind, Measurement, Options, Parameter, Point,
+    WarningKind, fit,
+};
+use interp::{HalfSpace, Probe, Table};
+
+use crate::imagined::{Course, Imagined, measurement, solid};
+
+const RADIUS: f64 = 10e-6;
+
+fn fitted(experiment: &Experiment, free: &[Parameter]) -> Fit {
+    let free: Vec<Free> = free.iter().copied().map(Free::new).collect();
+    let options = Options::default();
+    fit(
+        Table::embedded(),
+        std::slice::from_ref(experiment),
+        &free,
+        &options,
+    )
+    .expect("sound")
+}
+
+fn text(found: &Fit, kind: WarningKind) -> &str {
+    let warning = found.warnings.iter().find(|warning| warning.kind == kind);
+    let warning = warning.unwrap_or_else(|| panic!("no {kind:?} in {:?}", found.warnings));
+    &warning.text
+}
+
+/// Returns the number before ` J` in a warning.
+fn energy(text: &str) -> f64 {
+    let before = text.split(" J").next().expect("a part");
+    let word = before.rsplit(' ').next().expect("a word");
+    word.parse()
+        .unwrap_or_else(|_| panic!("{word:?} in {text}"))
+}
+
+/// Makes loads at penetrations of both ways, on a soft half-space under a rigid sphere, with noise.
+fn pressed(
+    loading: impl Fn(f64) -> f64,
+    unloading: impl Fn(f64) -> f64,
+    [deepest, noise]: [f64; 2],
+    seed: u64,
+) -> Experiment {
+    const COUNT: usize = 100;
+    let mut random = Contacts::new(seed);
+    let mut normal = || {
+        let radius = (-2.0 * random.uniform(f64::MIN_POSITIVE, 1.0).ln()).sqrt();
+        radius * (2.0 * PI * random.uniform(0.0, 1.0)).cos()
+    };
+    let mut points = Vec::new();
+    for direction in Direction::ALL {
+        for i in 0..COUNT {
+            // A tenth of the way is before contact.
+            let part = i as f64 / (COUNT - 1) as f64;
+            let part = if direction == Direction::Approach {
+                part
+            } else {
+                1.0 - part
+            };
+            let abscissa = deepest * (1.1 * part - 0.1);
+            let load = match direction {
+                Direction::Approach => loading(abscissa),
+                Direction::Retract => unloading(abscissa),
+            };
+            points.push(Point {
+                line: points.len() as u64 + 2,
+                abscissa,
+                ordinate: load + noise * normal(),
+                direction: Some(direction),
+            });
+        }
+    }
+    let measured: Measurement = measurement(Kind::LoadPenetration, points);
+    let bodies = Bodies::HalfSpace(HalfSpace {
+        probe: Probe::Paraboloid { radius: RADIUS },
+        sphere_modulus: f64::INFINITY,
+        solid: solid(1e4, 0.5),
+    });
+    Experiment::new(measured, bodies)
+}
+
+/// Hertz's load on a half-space of a reduced modulus.
+fn hertz(modulus: f64, penetration: f64) -> f64 {
+    4.0 / 3.0 * modulus * RADIUS.sqrt() * penetration.max(0.0).powf(1.5)
+}
+
+/// The area under a curve from a fine grid.
+fn area(curve: impl Fn(f64) -> f64, [from, to]: [f64; 2]) -> f64 {
+    let count = 20_000;
+    let step = (to - from) / f64::from(count);
+    let middles = (0..count).map(|i| from + step * (f64::from(i) + 0.5));
+    middles.map(curve).sum::<f64>() * step
+}
+
+#[test]
+fn the_loop_of_a_lens_is_the_difference_of_its_works_of_adhesion_over_the_area() {
+    let free = [Parameter::SphereModulus, Parameter::WorkOfAdhesion];
+    for kind in [Kind::LoadRadius, Kind::LoadPenetration] {
+        let mut lens = Imagined::lens(kind, 10e-6, 2e-6, &free);
+        lens.course = Course::Cycle;
+        lens.radii[0] = 60e-6;
+        lens.points[0] = 80;
+        lens.truth.work_of_adhesion = 0.03;
+        lens.truth.work_of_adhesion_receding = Some(0.06);
+        let mut experiment = lens.measured(&lens.exact(), 1);
+        experiment.work_of_adhesion_receding = None;
+        let found = fitted(&experiment, &free);
+        let warning = text(&found, WarningKind::Hysteresis);
+        assert_names(
+            warning,
+            &[
+                "imagined.csv",
+                "work of loading",
+                "half of the largest load",
+                "work-of-adhesion-receding",
+            ],
+        );
+        if kind == Kind::LoadRadius {
+            // From the smallest radius of the retract on.
+            let expected = 0.03 * PI * (131e-6_f64.powi(2) - 60e-6_f64.powi(2));
+            let off = energy(warning) / expected - 1.0;
+            assert!(off.abs() < 0.03, "{off}: {warning}");
+        }
+        // Two works of adhesion make this loop: there is nothing left to name.
+        let both = [free[0], free[1], Parameter::WorkOfAdhesionReceding];
+        let found = fitted(&experiment, &both);
+        assert!(
+            !found.warns_of(WarningKind::Hysteresis),
+            "{:?}",
+            found.warnings
+        );
+        // One way has no loop.
+        let points = &mut experiment.measurement.points;
+        points.retain(|point| point.direction == Some(Direction::Retract));
+        assert!(!fitted(&experiment, &free).warns_of(WarningKind::Hysteresis));
+    }
+}
+
+#[test]
+fn an_elastic_cycle_has_no_loop_to_be_named_though_its_ends_jump() {
+    // The jumps of a soft spring, and those of an adhesive contact at imposed penetrations, lose
+    // energy, which the model loses, too.
+    let free = [
+        Parameter::FilmModulus,
+        Parameter::WorkOfAdhesion,
+        Parameter::ContactPoint,
+        Parameter::Baseline,
+    ];
+    for seed in 0..40 {
+        let mut probe = Imagined::probe(Course::Cycle, 1e-4, &free);
+        probe.noise_is_known = seed % 2 == 0;
+        let found = probe.fit(seed);
+        assert!(
+            !found.warns_of(WarningKind::Hysteresis),
+            "{:?}",
+            found.warnings
+        );
+        assert!(
+            !found.warns_of(WarningKind::Plasticity),
+            "{:?}",
+            found.warnings
+        );
+    }
+}
+
+/// A standard linear solid under a rigid sphere that comes and goes with one speed: Lee and Radok's
+/// loading, and Ting's unloading (J. Appl. Mech. 33, 845, 1966).
+#[test]
+fn the_loop_of_a_viscous_sample_is_named_with_its_energy() {
+    let (deepest, relaxation): (f64, f64) = (1e-6, 0.5);
+    let [instant, lasting] = [2e4, 8e3];
+    let modulus = |time: f64| lasting + (instant - lasting) * (-time / relaxation).exp();
+    // Time in units of the way in: penetrations t on loading, 2 - t on unloading.
+    let history = |until: f64, at: f64| {
+        let rate = |s: f64| 1.5 * deepest.powf(1.5) * s.sqrt() * modulus(at - s);
+        4.0 / 3.0 * RADIUS.sqrt() * area(rate, [0.0, until])
+    };
+    let loading = |x: f64| {
+        if x <= 0.0 {
+            0.0
+        } else {
+            history(x / deepest, x / deepest)
+        }
+    };
+    // The time at which the contact was as large on loading.
+    let unloading = |x: f64| {
+        let at = 2.0 - x / deepest;
+        let left =
+            |s: f64| area(|u| modulus(at - u), [s, 1.0]) - area(|u| modulus(at - u), [1.0, at]);
+        if left(0.0) <= 0.0 {
+            return 0.0;
+        }
+        let (mut low, mut high) = (0.0, 1.0);
+        for _ in 0..30 {
+            let middle = 0.5 * (low + high);
+            if left(middle) > 0.0 {
+                low = middle
+            } else {
+                high = middle
+            }
+        }
+        history(low, at)
+    };
+    // A grid stands for the curves, whose integrals take long.
+    let grid = |curve: &dyn Fn(f64) -> f64| -> Vec<f64> {
+        (0..=40)
+            .map(|i| curve(deepest * f64::from(i) / 40.0))
+            .collect()
+    };
+    let (up, down) = (grid(&loading), grid(&unloading));
+    let on = |values: &[f64], x: f64| {
+        let place = (40.0 * x / deepest).clamp(0.0, 40.0);
+        let i = (place as usize).min(39);
+        values[i] + (place - i as f64) * (values[i + 1] - values[i])
+    };
+    let experiment = pressed(|x| on(&up, x), |x| on(&down, x), [deepest, 2e-10], 1);
+    let found = fitted(&experiment, &[Parameter::FilmModulus]);
+    let warning = text(&found, WarningKind::Hysteresis);
+    assert_names(warning, &["viscous", "fit one direction alone"]);
+    let range = [0.05 * deepest, deepest];
+    let expected = area(|x| on(&up, x), range) - area(|x| on(&down, x), range);
+    let off = energy(warning) / expected - 1.0;
+    assert!(off.abs() < 0.03, "{off}: {warning}");
+    // Without the directions, the order in time tells them.
+    let mut unnamed = experiment.clone();
+    let points = &mut unnamed.measurement.points;
+    points.iter_mut().for_each(|point| point.direction = None);
+    let found = fitted(&unnamed, &[Parameter::FilmModulus]);
+    assert_names(
+        text(&found, WarningKind::Hysteresis),
+        &["give the points their directions"],
+    );
+    // Directions that are swapped.
+    let mut swapped = experiment;
+    for point in &mut swapped.measurement.points {
+        point.direction = match point.direction {
+            Some(Direction::Approach) => Some(Direction::Retract),
+            _ => Some(Direction::Approach),
+        };
+    }
+    let found = fitted(&swapped, &[Parameter::FilmModulus]);
+    assert_names(
+        text(&found, WarningKind::Hysteresis),
+        &["check the directions"],
+    );
+}
+
+/// Oliver and Pharr's unloading (J. Mater. Res. 7, 1564, 1992) from a depth that remains.
+#[test]
+fn a_depth_that_remains_is_named_and_the_upper_unloading_gives_the_modulus() {
+    let (deepest, remains, modulus): (f64, f64, f64) = (1e-7, 6e-8, 8e10);
+    let most = hertz(modulus, deepest - remains);
+    let loading = |x: f64| most * (x.max(0.0) / deepest).powf(1.5);
+    let unloading = |x: f64| hertz(modulus, x - remains);
+    for seed in 0..10 {
+        let mut experiment = pressed(loading, unloading, [deepest, 1e-3 * most], seed);
+        experiment.bodies = Bodies::HalfSpace(HalfSpace {
+            probe: Probe::Paraboloid { radius: RADIUS },
+            sphere_modulus: f64::INFINITY,
+            solid: solid(1e10, 0.3),
+        });
+        let found = fitted(&experiment, &[Parameter::FilmModulus]);
+        let warning = text(&found, WarningKind::Plasticity);
+        assert_names(
+            warning,
+            &[
+                "plastically",
+                "upper part of the unloading",
+                "contact point",
+            ],
+        );
+        let depth: f64 = warning
+            .split("a depth of ")
+            .nth(1)
+            .and_then(|rest| rest.split(' ').next()?.parse().ok())
+            .expect("a number");
+        assert!((depth - remains).abs() < 0.05 * deepest, "{warning}");
+        assert!(
+            found.warns_of(WarningKind::Hysteresis),
+            "{:?}",
+            found.warnings
+        );
+        // What the warning tells to do.
+        let points = &mut experiment.measurement.points;
+        points.retain(|point| {
+            point.direction == Some(Direction::Retract) && point.ordinate > 0.5 * most
+        });
+        let found = fitted(
+            &experiment,
+            &[Parameter::FilmModulus, Parameter::ContactPoint],
+        );
+        let estimate = found.estimate(Parameter::FilmModulus).expect("free");
+        let truth = modulus * (1.0 - 0.3 * 0.3);
+        let off = (estimate.value - truth) / estimate.standard_error;
+        assert!(
+            off.abs() < 4.0 && estimate.standard_error < 0.1 * truth,
+            "{estimate:?}"
+        );
+    }
+    // An elastic cycle leaves nothing.
+    for seed in 0..20 {
+        let elastic = |x: f64| hertz(1e4, x);
+        let experiment = pressed(elastic, elastic, [5e-7, 1e-3 * elastic(5e-7)], seed);
+        let found = fitted(&experiment, &[Parameter::FilmModulus]);
+        assert!(found.warnings.is_empty(), "{:?}", found.warnings);
+    }
+}

@@ -1,0 +1,300 @@
+//! What the values that a fit takes as given do to its result: against fits with other values, and
+//! against many specimens whose values are not quite the given ones.
+
+use acceptance::{Contacts, assert_names};
+use fit::{
+    Bodies, Experiment, Fit, Fixed, Free, Kind, Known, Loss, Options, Parameter, fit, simulate,
+};
+use interp::Table;
+use rayon::prelude::*;
+use std::f64::consts::PI;
+
+use crate::imagined::{Course, Imagined};
+use crate::recovery::{SETS, assert_coverage};
+
+const LENS: [Parameter; 2] = [Parameter::SphereModulus, Parameter::WorkOfAdhesion];
+const THICKNESS: Fixed = Fixed::Parameter(Parameter::FilmThickness);
+
+fn found(experiment: &Experiment, free: &[Free], options: &Options) -> Fit {
+    fit(
+        Table::embedded(),
+        std::slice::from_ref(experiment),
+        free,
+        options,
+    )
+    .expect("sound")
+}
+
+/// Asserts that every change listed is that of fits with other values.
+fn assert_as_refits(
+    name: &str,
+    experiment: &Experiment,
+    free: &[Free],
+    loss: Loss,
+    names: &[&str],
+) {
+    let options = Options {
+        loss,
+        fixed_values: true,
+        ..Options::default()
+    };
+    let here = found(experiment, free, &options);
+    let listed: Vec<_> = here
+        .fixed_values
+        .iter()
+        .map(|one| one.quantity.name())
+        .collect();
+    assert_eq!(listed, names, "{name}");
+    let plain = Options {
+        loss,
+        ..Options::default()
+    };
+    for one in &here.fixed_values {
+        let values = |value: f64| {
+            let mut changed = experiment.clone();
+            changed.set_fixed(one.quantity, value).expect("physical");
+            let found = found(&changed, free, &plain);
+            found
+                .estimates
+                .iter()
+                .map(|one| one.value)
+                .collect::<Vec<_>>()
+        };
+        let (above, is_one_sided) = (values(one.value + one.step), one.step < 0.0);
+        let other = if is_one_sided {
+            here.estimates.iter().map(|one| one.value).collect()
+        } else {
+            values(one.value - one.step)
+        };
+        let width = if is_one_sided { 1.0 } else { 2.0 };
+        for (i, estimate) in here.estimates.iter().enumerate() {
+            let (refitted, change) = ((above[i] - other[i]) / width, one.changes[i]);
+            let size = estimate.standard_error;
+            println!(
+                "{name}, {} {:+e}: {} {change:+.3e}, by fits {refitted:+.3e} ({:.2} errors)",
+                one.quantity.name(),
+                one.step,
+                estimate.parameter,
+                refitted / size
+            );
+            assert!(
+                (change - refitted).abs() < 0.03 * refitted.abs() + 0.05 * size,
+                "{name}, {}: {} changes by {change:e}, by fits {refitted:e}, error {size:e}",
+                one.quantity.name(),
+                estimate.parameter
+            );
+        }
+    }
+}
+
+#[test]
+fn changes_are_those_of_fits_with_other_values() {
+    let coated = [
+        "sphere-radius",
+        "substrate-modulus",
+        "substrate-poisson-ratio",
+        "film-modulus",
+        "film-poisson-ratio",
+        "film-thickness",
+    ];
+    let lens = Imagined::lens(Kind::LoadRadius, 30e-6, 1e-6, &LENS);
+    let experiment = lens.measured(&lens.exact(), 1);
+    for loss in [Loss::Squares, Loss::HUBER, Loss::SOFT_L1] {
+        assert_as_refits("lens", &experiment, &lens.free, loss, &coated);
+    }
+    // On an approach no point is left out for being near a jump, so that all fits have one set of
+    // points.
+    let free = [
+        Parameter::FilmModulus,
+        Parameter::ContactPoint,
+        Parameter::Baseline,
+    ];
+    let probe = Imagined::probe(Course::Approach, 0.0, &free);
+    let experiment = probe.measured(&probe.exact(), 1);
+    let names = [
+        "sphere-radius",
+        "substrate-modulus",
+        "substrate-poisson-ratio",
+        "film-poisson-ratio",
+        "film-thickness",
+        "stiffness",
+    ];
+    assert_as_refits("probe", &experiment, &probe.free, Loss::Squares, &names);
+    // A half-space: Hertz's modulus is that of (1 - nu^2) E/(1 - nu^2), so that 1 % of the radius
+    // is -0.5 % of the modulus in closed form.
+    let free = [Parameter::FilmModulus];
+    let mut hertz = Imagined::probe(Course::Approach, 0.0, &free);
+    let Bodies::Coated(system) = &hertz.truth.bodies else {
+        unreachable!("a gel on glass")
+    };
+    let half_space = interp::HalfSpace {
+        solid: system.film,
+        ..system.without_film()
+    };
+    hertz.truth.bodies = Bodies::HalfSpace(half_space);
+    hertz.truth.measurement.kind = Kind::LoadPenetration;
+    let options = Options {
+        fixed_values: true,
+        ..Options::default()
+    };
+    let experiment = hertz.measured(&hertz.exact(), 1);
+    let here = found(&experiment, &hertz.free, &options);
+    let value = here.estimates[0].value;
+    let change = |quantity: Fixed| {
+        let one = here
+            .fixed_values
+            .iter()
+            .find(|one| one.quantity == quantity);
+        one.expect("listed").changes[0] / value
+    };
+    let of_radius = change(Fixed::SphereRadius);
+    assert!((of_radius / -0.005 - 1.0).abs() < 1e-3, "{of_radius}");
+    let poisson = Fixed::Parameter(Parameter::FilmPoissonRatio);
+    let of_poisson = change(poisson);
+    let expected = -2.0 * 0.45 * 0.01 / (1.0 - 0.45 * 0.45);
+    assert!((of_poisson / expected - 1.0).abs() < 1e-3, "{of_poisson}");
+}
+
+#[test]
+fn a_poisson_ratio_at_its_end_moves_to_the_other_side() {
+    let lens = Imagined::lens(Kind::LoadRadius, 30e-6, 1e-6, &LENS);
+    let options = Options {
+        fixed_values: true,
+        ..Options::default()
+    };
+    let here = found(&lens.measured(&lens.exact(), 1), &lens.free, &options);
+    let poisson = Fixed::Parameter(Parameter::FilmPoissonRatio);
+    let one = here.fixed_values.iter().find(|one| one.quantity == poisson);
+    let one = one.expect("listed");
+    assert_eq!((one.value, one.step), (0.5, -0.01));
+    let report = fit::report::report(&here, &[lens.truth.clone()], &[], &[]);
+    assert_names(
+        &report,
+        &[
+            "what the fixed values do",
+            "0.5 -> 0.49",
+            "film-thickness",
+            "+1 %",
+        ],
+    );
+    // Nothing is computed where nobody asks.
+    let quiet = found(
+        &lens.measured(&lens.exact(), 1),
+        &lens.free,
+        &Options::default(),
+    );
+    assert!(quiet.fixed_values.is_empty());
+}
+
+/// Specimens whose films are not quite as thick as the fit takes them.
+#[test]
+fn the_truth_is_within_the_intervals_with_a_thickness_that_is_known_with_an_error() {
+    let lens = Imagined::lens(Kind::LoadRadius, 30e-6, 1e-6, &LENS);
+    let (nominal, error) = (30e-6, 1.5e-6);
+    let planned = lens.measured(&lens.exact(), 1);
+    let fits = |known: Vec<Known>| -> Vec<Fit> {
+        let options = Options {
+            known,
+            ..Options::default()
+        };
+        let one = |seed: u64| {
+            let mut random = Contacts::new(seed ^ 0xf11);
+            let radius = (-2.0 * random.uniform(f64::MIN_POSITIVE, 1.0).ln()).sqrt();
+            let normal = radius * (2.0 * PI * random.uniform(0.0, 1.0)).cos();
+            let mut specimen = planned.clone();
+            let truth = [(LENS[0], 2e6), (LENS[1], 0.04)];
+            for (parameter, value) in truth {
+                specimen.set(parameter, value).expect("physical");
+            }
+            let thickness = nominal + error * normal;
+            specimen
+                .set(Parameter::FilmThickness, thickness)
+                .expect("physical");
+            let measured =
+                simulate(Table::embedded(), &specimen, 1e-6, seed).expect("in the table");
+            let mut experiment = planned.clone();
+            experiment.measurement = measured;
+            found(&experiment, &lens.free, &options)
+        };
+        (0..SETS).into_par_iter().map(one).collect()
+    };
+    let truth = |parameter: Parameter, _| lens.truth.get(parameter).expect("a value");
+    let known = Known {
+        quantity: THICKNESS,
+        error,
+    };
+    // A film of another thickness is no doubt by itself: the fit may describe the data less well.
+    let expected = [
+        fit::WarningKind::PoorFit,
+        fit::WarningKind::Outliers,
+        fit::WarningKind::OffsetWanted,
+        fit::WarningKind::LargeStrain,
+        fit::WarningKind::StructuredResiduals,
+    ];
+    assert_coverage("known thickness", &fits(vec![known]), truth, &expected);
+    // Without its error the intervals hold the truth far less often than 68 %.
+    let bare = fits(Vec::new());
+    for (i, parameter) in LENS.into_iter().enumerate() {
+        let holds = |fit: &&Fit| {
+            let [low, high] = fit.estimates[i].interval(1.0);
+            (low..=high).contains(&truth(parameter, None))
+        };
+        let covered = bare.iter().filter(holds).count();
+        println!("{parameter} without the error: {covered} of {SETS}");
+        assert!(covered < 100, "{parameter}: {covered}");
+    }
+    // The sum of squares, by hand.
+    let [with, without] = [&fits(vec![known])[0], &bare[0]];
+    for (i, (one, other)) in with.estimates.iter().zip(&without.estimates).enumerate() {
+        assert_eq!(one.value, other.value);
+        let by_known = with.fixed_values[0].error_of(i);
+        let expected = other.standard_error.hypot(by_known);
+        assert!((one.standard_error / expected - 1.0).abs() < 1e-12);
+    }
+}
+
+#[test]
+fn an_error_that_cannot_be_known_is_refused() {
+    let lens = Imagined::lens(Kind::LoadRadius, 30e-6, 1e-6, &LENS);
+    let experiment = lens.measured(&lens.exact(), 1);
+    let refused = |known: &[(Fixed, f64)], profile_level: Option<f64>, words: &[&str]| {
+        let options = Options {
+            known: known
+                .iter()
+                .map(|&(quantity, error)| Known { quantity, error })
+                .collect(),
+            profile_level,
+            ..Options::default()
+        };
+        let error = fit(
+            Table::embedded(),
+            &[experiment.clone()],
+            &lens.free,
+            &options,
+        );
+        assert_names(&error.expect_err("no error").to_string(), words);
+    };
+    let free = Fixed::Parameter(LENS[0]);
+    refused(
+        &[(free, 1e4)],
+        None,
+        &["known sphere-modulus", "not free", "prior"],
+    );
+    refused(
+        &[(THICKNESS, 0.0)],
+        None,
+        &["known film-thickness", "0.0", "positive"],
+    );
+    refused(
+        &[(THICKNESS, f64::NAN)],
+        None,
+        &["known film-thickness", "positive"],
+    );
+    refused(&[(THICKNESS, 1e-6); 2], None, &["film-thickness", "once"]);
+    refused(
+        &[(Fixed::LayerModulus(1), 1e6)],
+        None,
+        &["layer-1.modulus", "bodies"],
+    );
+    refused(&[(THICKNESS, 1e-6)], Some(0.95), &["profile", "prior"]);
+}

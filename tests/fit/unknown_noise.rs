@@ -1,0 +1,87 @@
+//! Doubts where nobody gives the noise: it is estimated, and the same tests run.
+
+use fit::{Experiment, Fit, Free, Kind, Options, Parameter, WarningKind, fit};
+use interp::Table;
+
+use crate::imagined::{Course, Imagined};
+
+const LENS: [Parameter; 2] = [Parameter::SphereModulus, Parameter::WorkOfAdhesion];
+
+fn fitted(experiment: Experiment, free: &[Free]) -> Fit {
+    fit(Table::embedded(), &[experiment], free, &Options::default()).expect("sound")
+}
+
+/// Fits with and without the noise, and returns the kinds of warnings of both.
+fn both(experiment: &Experiment, free: &[Free], noise: f64) -> [Vec<WarningKind>; 2] {
+    [Some(noise), None].map(|noise| {
+        let mut experiment = experiment.clone();
+        experiment.noise = noise;
+        let found = fitted(experiment, free);
+        found.warnings.iter().map(|warning| warning.kind).collect()
+    })
+}
+
+#[test]
+fn an_offset_that_is_not_fitted_is_missed_without_the_noise_too() {
+    let mut missed = Vec::new();
+    for points in [10, 20, 40] {
+        let mut lens = Imagined::lens(Kind::LoadRadius, 10e-6, 5e-6, &LENS);
+        lens.points[0] = points;
+        lens.truth.load_offset = 8e-5;
+        for seed in 0..20 {
+            let mut experiment = lens.measured(&lens.exact(), seed);
+            experiment.load_offset = 0.0;
+            let [with, without] = both(&experiment, &lens.free, lens.noise);
+            println!("{points} points: {with:?}, {without:?}");
+            if with.contains(&WarningKind::OffsetWanted)
+                && !without.contains(&WarningKind::OffsetWanted)
+            {
+                missed.push(format!("{points} points, seed {seed}"));
+            }
+        }
+    }
+    let probe = Imagined::probe(Course::Retract, 1e-4, &[Parameter::FilmModulus]);
+    let exact = probe.exact();
+    for (parameter, change) in [
+        (Parameter::ContactPoint, 5e-8),
+        (Parameter::Baseline, 4e-10),
+        (Parameter::BaselineSlope, 2e-3),
+    ] {
+        for seed in 0..10 {
+            let mut experiment = probe.measured(&exact, seed);
+            let truth = experiment.get(parameter).expect("a value");
+            experiment
+                .set(parameter, truth + change)
+                .expect("any value");
+            let [with, without] = both(&experiment, &probe.free, probe.noise);
+            println!("{parameter}: {with:?}, {without:?}");
+            if with.contains(&WarningKind::OffsetWanted)
+                && !without.contains(&WarningKind::OffsetWanted)
+            {
+                missed.push(format!("{parameter}, seed {seed}"));
+            }
+        }
+    }
+    assert!(missed.is_empty(), "{missed:?}");
+}
+
+#[test]
+fn a_model_that_does_not_describe_the_data_is_doubted_without_the_noise_too() {
+    let lens = Imagined::lens(Kind::LoadRadius, 100e-6, 5e-6, &LENS);
+    let exact = lens.exact();
+    for seed in 0..20 {
+        let mut experiment = lens.measured(&exact, seed);
+        experiment
+            .set(Parameter::FilmThickness, 10e-6)
+            .expect("physical");
+        let kinds = both(&experiment, &lens.free, lens.noise);
+        for kinds in &kinds {
+            assert!(kinds.contains(&WarningKind::PoorFit), "{kinds:?}");
+        }
+        // The true film is described.
+        let known = both(&lens.measured(&exact, seed), &lens.free, lens.noise);
+        for kinds in &known {
+            assert!(!kinds.contains(&WarningKind::PoorFit), "{kinds:?}");
+        }
+    }
+}
