@@ -25,6 +25,7 @@ mod pipes;
 mod plan;
 mod plot;
 mod points;
+mod pull_off;
 mod readme;
 mod simulate;
 mod specimen;

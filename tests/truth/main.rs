@@ -17,6 +17,7 @@ mod identities;
 mod limits;
 mod paper;
 mod power_laws;
+mod pull_off;
 mod reference;
 mod regimes;
 mod short_range;

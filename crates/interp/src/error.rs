@@ -243,17 +243,16 @@ pub enum Error {
         /// The relative tolerance of the table.
         tolerance: f64,
     },
-    /// A motion of the contact line that cannot be integrated to the tolerance.
-    #[cfg(feature = "dynamics")]
+    /// A motion of the contact line that takes too many steps.
     #[error(
-        "the contact line cannot be followed beyond {time:?} s: {reason}; try another tolerance or, \
-         for a very slow ramp, `ContactLine::impose`"
+        "the contact line has been followed to {time:?} s of the ramp in {steps} steps, the most that are taken; divide the ramp \
+         into several, or give a larger tolerance"
     )]
     Motion {
         /// The time from the beginning of the ramp up to which it was followed, s.
         time: f64,
-        /// The failure of the solver.
-        reason: String,
+        /// The largest number of steps.
+        steps: usize,
     },
     /// A derivative that is unknown, in most cases because the scene of the table fixes the
     /// parameter.

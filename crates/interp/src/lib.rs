@@ -72,7 +72,7 @@
 //! * [`Contact::line`] moves the contact line by a [`CrackTip`] law, of which eq. 8 is the
 //!   simplest. Advancing and receding lines may have different energies ([`Hysteresis`]), or
 //!   energies that depend on the speed ([`RateDependent`]). The line moves slowly
-//!   ([`ContactLine::impose`]) or in time (`ContactLine::ramp`, feature `dynamics`).
+//!   ([`ContactLine::impose`]) or in time ([`ContactLine::ramp`]).
 //! * [`Contact::finite_range`] corrects for an attraction that acts over a short distance.
 //!
 //! # Outside the table
@@ -91,7 +91,6 @@
 //! |---|---|
 //! | `embedded` (default) | `Table::embedded`, 0.4 MB in the program |
 //! | `hdf5` | `Table::open`, without a C library |
-//! | `dynamics` | `ContactLine::ramp`: contact lines that move at a finite speed |
 //!
 //! Rust 1.89 or newer. The crate needs `std`, for files and for the parts of a table that are made
 //! at the first use.
@@ -105,7 +104,6 @@ mod material;
 pub mod once;
 mod table;
 
-#[cfg(feature = "dynamics")]
 pub use contact::TimedState;
 #[doc(hidden)]
 pub use contact::root;

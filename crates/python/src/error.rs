@@ -371,6 +371,7 @@ impl From<tabulate::Error> for Failure {
             } => of("DomainError")
                 .about("contact radius", contact_radius)
                 .range(0.0, reach),
+            Error::PullOffReach { .. } => of("DomainError"),
             Error::OnlyParaboloid { .. } => of("OtherProbeError"),
             Error::Read { path, source } | Error::Write { path, source } => {
                 of("OSError").about_file(&path, &source)

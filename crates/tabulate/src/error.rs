@@ -54,16 +54,22 @@ pub enum Error {
     },
     /// A contact that is too wide beside the top layer of a stack.
     #[error(
-        "a_over_t = {a_over_t:?} is out of reach of this stack of {layers} different layers: its thickness is {thickness_over_top:?} times that \
-         of its top layer, and the contact radius may be at most {} times that of the top layer; use an a_over_t up to {reach:?}, or \
+        "a_over_t = {a_over_t:?} is out of reach of this stack of {}: its thickness is {thickness_over_top:?} times that \
+         of its top layer, and the contact radius may be at most {most} times that of the top layer; use an a_over_t up to {reach:?}, or \
          leave out a top layer that is too thin to matter",
-        crate::stack::MOST_A_OVER_TOP
+        if *layers == 1 {
+            "one layer that is not like its base".to_owned()
+        } else {
+            format!("{layers} different layers")
+        }
     )]
     StackReach {
         /// The contact radius over the thickness of the stack.
         a_over_t: f64,
         /// The largest contact radius within reach, over the thickness of the stack.
         reach: f64,
+        /// The largest contact radius within reach, over the thickness of the top layer.
+        most: f64,
         /// The thickness of the stack over that of its top layer.
         thickness_over_top: f64,
         /// The number of layers, of which neighbours of one material count as one.
@@ -121,6 +127,18 @@ pub enum Error {
         contact_radius: f64,
         /// The largest outer radius, m.
         reach: f64,
+    },
+    /// A pull-off with an attraction of finite range at a contact wider than is solved.
+    #[error(
+        "at the pull-off the contact, or the attraction around it, is wider than {reach:?} m, up to which an attraction of finite range is \
+         solved on a top layer of {thickness:?} m; take a smaller sphere or a thicker layer, or leave out the range of the attraction: \
+         JKR, the limit of short ranges, is solved on thinner layers"
+    )]
+    PullOffReach {
+        /// The largest radius that is solved, m.
+        reach: f64,
+        /// The thickness of the top layer, m.
+        thickness: f64,
     },
     /// A measurement that differs from a recorded one.
     #[error("row {row}: {column} was {before} and is {now}")]

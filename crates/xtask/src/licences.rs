@@ -25,26 +25,19 @@ const TESTS: &str = "tests, benches, xtask";
 
 /// The Python package.
 const WHEEL: &str = "coated-contact-python, coated-contact-python/hdf5";
-/// Contact lines that move at a finite speed.
-const DYNAMICS: &str = "coated-contact-python, coated-contact-python/hdf5, interp/dynamics";
 /// All packages that fit.
 const FITS: &str = "coated-contact-python, coated-contact-python/hdf5, fit, tabulate/cli, tabulate/default, tabulate/fit";
-/// All packages that fit, and contact lines that move at a finite speed.
-const FITS_AND_DYNAMICS: &str = "coated-contact-python, coated-contact-python/hdf5, fit, interp/dynamics, \
-     tabulate/cli, tabulate/default, tabulate/fit";
 
 /// Crates under other licences, their licences, and the features that need them.
-const OTHERS: [(&str, &str, &str); 11] = [
-    ("approx", "Apache-2.0", FITS_AND_DYNAMICS),
+const OTHERS: [(&str, &str, &str); 9] = [
+    ("approx", "Apache-2.0", FITS),
     ("ciborium", "Apache-2.0", TESTS),
     ("ciborium-io", "Apache-2.0", TESTS),
     ("ciborium-ll", "Apache-2.0", TESTS),
-    ("differential-equations", "Apache-2.0", DYNAMICS),
-    ("differential-equations-derive", "Apache-2.0", DYNAMICS),
     // In a file of its own, that of HDF5: as BSD-3-Clause.
     ("hdf5-metno-src", "", "tabulate/hdf5-static"),
     ("nalgebra", "Apache-2.0", FITS),
-    ("simba", "Apache-2.0", FITS_AND_DYNAMICS),
+    ("simba", "Apache-2.0", FITS),
     ("spdx", "Apache-2.0", TESTS),
     // Runs in the compiler only.
     ("target-lexicon", "Apache-2.0 WITH LLVM-exception", WHEEL),

@@ -3,6 +3,7 @@
 
 mod in_time;
 mod jkr;
+mod ramps;
 mod slow;
 
 use acceptance::paper_system;

@@ -11,8 +11,7 @@ const ROUNDING: f64 = 1e-6;
 /// A contact with the position of its line, which moves by a [`CrackTip`] law.
 ///
 /// [`ContactLine::impose`] changes a load, a penetration or the position of a spring so slowly that
-/// the line is at rest all the time. `ContactLine::ramp` (feature `dynamics`) changes it in a given
-/// time.
+/// the line is at rest all the time. [`ContactLine::ramp`] changes it in a given time.
 ///
 /// ```
 /// # fn main() -> Result<(), interp::Error> {
@@ -44,10 +43,7 @@ impl Contact {
     /// are negative, infinite or in the wrong order; [`Error::MissingQuantity`] without all four
     /// quantities.
     pub fn line<L: CrackTip>(&self, law: L, a: f64) -> Result<ContactLine<'_, L>, Error> {
-        let [advancing, _] = energies_in_order(law.at_rest())?;
-        if self.is_punch() {
-            return Err(self.makes_no_sense("a contact line that moves"));
-        }
+        let [advancing, _] = self.energies_of_line(&law)?;
         self.quantities(a)?;
         let state = self.state(a, advancing)?;
         Ok(ContactLine {
@@ -67,7 +63,7 @@ impl Contact {
         law: L,
         state: Option<State>,
     ) -> Result<ContactLine<'_, L>, Error> {
-        energies_in_order(law.at_rest())?;
+        self.energies_of_line(&law)?;
         if let Some(state) = state {
             self.quantities(state.contact_radius)?;
             finite_input("load", state.load)?;
@@ -78,6 +74,15 @@ impl Contact {
             law,
             state,
         })
+    }
+
+    /// Returns the energies at rest of the law of a line, which a flat punch does not have.
+    fn energies_of_line(&self, law: &impl CrackTip) -> Result<[f64; 2], Error> {
+        let energies = energies_in_order(law.at_rest())?;
+        if self.is_punch() {
+            return Err(self.makes_no_sense("a contact line that moves"));
+        }
+        Ok(energies)
     }
 
     /// Returns the state at contact radius `a` (m) under an `imposed` value, and its energy release

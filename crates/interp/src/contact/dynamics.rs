@@ -1,36 +1,31 @@
 //! The contact line in time: `da/dt = -v(G)` under a load or penetration that changes at a constant
 //! rate.
 //!
-//! Where the line jumps, `a(t)` is nearly vertical, and where the contact separates, the speed is
-//! not bounded. So the curve `(a, t)` is followed along its length `s`,
-//! `ds^2 = (da/a1)^2 + (dt/T)^2`, with the radius `a1` at the beginning and the duration `T` as
-//! units. Neither coordinate changes faster than `s`, and the time is constant while the line moves
-//! infinitely fast. The equation is the stiffer the slower the ramp is, so the solver is implicit
-//! (Radau IIA of order 5).
-
-use std::cell::Cell;
-
-use differential_equations::interpolate::Interpolation;
-use differential_equations::linalg::Matrix;
-use differential_equations::methods::ImplicitRungeKutta;
-use differential_equations::ode::{ODE, OrdinaryNumericalMethod};
+//! With the radius `a1` at the beginning and the duration `T` as units, the equation for `x = a/a1` is
+//! the stiffer the slower the ramp is, and where the line jumps `x` is nearly vertical. Implicit steps
+//! in time (`implicit_step.rs`) take both: on a slow ramp the root of each stage is the equilibrium,
+//! whatever the stiffness, and through a jump the steps are so short that the radius changes little in
+//! each, if need be shorter than what the time can tell apart.
 
 use super::checks::finite_input;
+use super::implicit_step::{ORDER, step};
 use crate::{Contact, ContactLine, Control, CrackTip, Error, State};
 
-/// A point of the curve: radius over `a1`, and time over `T`.
+/// A point of the motion: radius over `a1`, and time over `T`.
 type Point = [f64; 2];
 const RADIUS: usize = 0;
 const TIME: usize = 1;
 
-/// The longest step. It bounds the distance of neighbouring states, so that they can be plotted and
-/// integrated.
+/// The longest step in both coordinates. It bounds the distance of neighbouring states, so that they
+/// can be plotted and integrated.
 const LONGEST_STEP: f64 = 0.01;
 /// The largest number of steps. Growth to 400 times the radius takes 40 000.
-const MOST_STEPS: usize = 50_000;
-/// The step of the difference quotients: above rounding, and short for the stiffest equations.
-const DIFFERENCE: f64 = 1e-10;
-/// The number of halvings after which a step is shorter than rounding.
+const MOST_STEPS: usize = 100_000;
+/// The part of the length with which a step is tried again whose stages have no solution.
+const SHORTER: f64 = 0.2;
+/// The smallest and the largest change of the length of a step.
+const CHANGES: [f64; 2] = [0.1, 4.0];
+/// The number of halvings after which an interval is shorter than rounding.
 const HALVINGS: usize = 60;
 
 /// The name of a law's speed in errors.
@@ -87,9 +82,8 @@ impl<L: CrackTip> ContactLine<'_, L> {
     /// [`Error::Unphysical`] for a `value` that is not finite, a stiffness outside
     /// `[1e-100, 1e100]`, or a `duration` that is not positive and finite;
     /// [`Error::InvalidArgument`] for a `tolerance` outside `[1e-10, 1e-2]`, or a law without
-    /// finite speeds; [`Error::Motion`] where the solver fails. It fails on ramps so slow that `G`
-    /// is within some 1e-6 of that at rest (1e-5 at a tolerance of 1e-4); [`ContactLine::impose`]
-    /// is as accurate for these. After an error the state is that before the call.
+    /// finite speeds; [`Error::Motion`] for a ramp of more than 100 000 steps. After an error the
+    /// state is that before the call.
     pub fn ramp(
         &mut self,
         control: Control,
@@ -135,7 +129,6 @@ impl<L: CrackTip> ContactLine<'_, L> {
             duration,
             tolerance,
             range: [least.max(tolerance * a1), most],
-            failure: Cell::new(None),
         };
         let (states, separated) = motion.follow()?;
         let last = states.last().filter(|_| !separated);
@@ -157,63 +150,107 @@ struct Motion<'a, L> {
     tolerance: f64,
     /// The radius (m) below which the contact has separated, and the largest of the curve.
     range: [f64; 2],
-    /// The error of the last direction that could not be computed.
-    failure: Cell<Option<Error>>,
 }
 
 impl<L: CrackTip> Motion<'_, L> {
     /// Returns the states of the ramp, and whether the contact has separated in the last one.
     fn follow(&self) -> Result<(Vec<TimedState>, bool), Error> {
-        let mut point = [1.0, 0.0];
+        let mut point: Point = [1.0, 0.0];
         let mut states = vec![self.timed_state(&point)?];
-        // With a first step of 0 the solver chooses one.
-        let mut solver = solver(self.tolerance, 0.0);
-        self.checked(&point, solver.init(self, 0.0, f64::MAX, &point))?;
-        let ended = |point: &Point| point[TIME] >= 1.0;
-        let separated = |point: &Point| point[RADIUS] * self.a1 < self.range[0];
-        loop {
-            let before = point;
-            self.checked(&before, solver.step(self))?;
-            if *solver.y() == before {
-                continue; // The step was rejected.
-            }
-            point = *solver.y();
-            if point[RADIUS] * self.a1 > self.range[1] {
-                return Err(self
-                    .contact
-                    .outside(self.control.name(), self.imposed_at(&point)));
-            }
-            if !ended(&point) && !separated(&point) {
-                states.push(self.timed_state(&point)?);
-                continue;
-            }
-            // Bisection finds the length within the step at which the motion ends.
-            let (from, mut within, mut length) =
-                (solver.t_prev(), 0.0, solver.t() - solver.t_prev());
-            for _ in 0..HALVINGS {
-                let middle = 0.5 * (within + length);
-                let between = solver.interpolate(from + middle).unwrap_or(point);
-                if ended(&between) || separated(&between) {
-                    (point, length) = (between, middle)
-                } else {
-                    within = middle
-                }
-            }
-            let separated = separated(&point);
-            let end = if separated {
-                (RADIUS, self.range[0] / self.a1)
+        let mut length = LONGEST_STEP;
+        for _ in 0..MOST_STEPS {
+            let slope = self.slope(point[TIME], point[RADIUS])?;
+            let next = if slope.is_infinite() {
+                Some([self.leap(&point, slope.signum())?, point[TIME]])
             } else {
-                (TIME, 1.0)
+                self.step(&point, &mut length)?
             };
-            point = self.end_point(&before, length, end)?;
-            if separated && !self.shrinks_further(&point)? {
+            let Some(next) = next else { continue };
+            point = next;
+            let a = point[RADIUS] * self.a1;
+            if a > self.range[1] {
                 return Err(self
                     .contact
                     .outside(self.control.name(), self.imposed_at(&point)));
+            }
+            if a < self.range[0] {
+                point = self.separation(&point)?;
+                if !self.shrinks_further(&point)? {
+                    return Err(self
+                        .contact
+                        .outside(self.control.name(), self.imposed_at(&point)));
+                }
+                states.push(self.timed_state(&point)?);
+                return Ok((states, true));
             }
             states.push(self.timed_state(&point)?);
-            return Ok((states, separated));
+            if point[TIME] >= 1.0 {
+                return Ok((states, false));
+            }
         }
+        Err(Error::Motion {
+            time: point[TIME] * self.duration,
+            steps: MOST_STEPS,
+        })
+    }
+
+    /// Tries a step of at most `length`, which becomes that of the next one; `None` if it is to be
+    /// tried again.
+    fn step(&self, point: &Point, length: &mut f64) -> Result<Option<Point>, Error> {
+        let rest = 1.0 - point[TIME];
+        let h = length.min(LONGEST_STEP).min(rest);
+        let slope_at = |t: f64, x: f64| self.slope(t, x);
+        let tried = step(
+            slope_at,
+            [point[TIME], point[RADIUS]],
+            h,
+            2.0 * LONGEST_STEP,
+        )?;
+        let Some(tried) = tried else {
+            *length = SHORTER * h;
+            return Ok(None);
+        };
+        let moved = (tried.value - point[RADIUS]).abs();
+        let [least, most] = CHANGES;
+        let change = (0.9 * (self.tolerance / tried.error).powf(1.0 / ORDER))
+            .min(0.9 * LONGEST_STEP / moved)
+            .clamp(least, most);
+        *length = change * h;
+        let accepted = tried.error <= self.tolerance && moved <= LONGEST_STEP;
+        if !accepted {
+            return Ok(None);
+        }
+        let time = if h == rest { 1.0 } else { point[TIME] + h };
+        Ok(Some([tried.value, time]))
+    }
+
+    /// Returns the radius to which the line leaps where its speed is infinite: the nearest one with a
+    /// finite speed, or one at the length of the longest step.
+    fn leap(&self, point: &Point, direction: f64) -> Result<f64, Error> {
+        let infinite = |x: f64| Ok::<_, Error>(self.slope(point[TIME], x)?.is_infinite());
+        let (mut near, mut far) = (point[RADIUS], point[RADIUS] + direction * LONGEST_STEP);
+        if infinite(far)? {
+            return Ok(far);
+        }
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (near + far);
+            *if infinite(middle)? {
+                &mut near
+            } else {
+                &mut far
+            } = middle;
+        }
+        Ok(far)
+    }
+
+    /// Returns the point at which the least radius was passed shortly before `point`. Below it the
+    /// speed counts as that at the least radius.
+    fn separation(&self, point: &Point) -> Result<Point, Error> {
+        let least = self.range[0] / self.a1;
+        let slope = self.slope(point[TIME], least)?;
+        let since = (point[RADIUS] - least) / slope;
+        let time = point[TIME] - if since > 0.0 { since } else { 0.0 };
+        Ok([least, time])
     }
 
     /// Tells whether a contact that has shrunk to the least radius shrinks on until it separates.
@@ -225,50 +262,6 @@ impl<L: CrackTip> Motion<'_, L> {
                 .map(|(_, rate)| rate)
         };
         Ok(rate(self.range[0])? > rate(self.range[0] * (1.0 + LONGEST_STEP))?)
-    }
-
-    /// Returns the point at a `length` of about the given one from `before`, at which one
-    /// coordinate has a given value. A step of the solver is more accurate than its interpolation.
-    fn end_point(
-        &self,
-        before: &Point,
-        length: f64,
-        (coordinate, value): (usize, f64),
-    ) -> Result<Point, Error> {
-        let mut point = *before;
-        if length > 0.0 {
-            let mut solver = solver(self.tolerance, length);
-            self.checked(before, solver.init(self, 0.0, length, before))?;
-            while solver.t() < length {
-                solver.set_h(solver.h().min(length - solver.t()));
-                self.checked(&point, solver.step(self))?;
-                point = *solver.y();
-            }
-        }
-        let direction = self.direction(&point)?;
-        let rest = (value - point[coordinate]) / direction[coordinate];
-        if rest.abs() < LONGEST_STEP {
-            point = [0, 1].map(|i| point[i] + rest * direction[i]);
-        }
-        point[coordinate] = value;
-        Ok(point)
-    }
-
-    /// Accepts a step of the solver from `point`, unless it or the direction at one of its points
-    /// failed.
-    fn checked<T, E: std::fmt::Debug>(
-        &self,
-        point: &Point,
-        step: Result<T, E>,
-    ) -> Result<(), Error> {
-        match (self.failure.take(), step) {
-            (Some(failure), _) => Err(failure),
-            (None, Ok(_)) => Ok(()),
-            (None, Err(error)) => Err(Error::Motion {
-                time: point[TIME] * self.duration,
-                reason: format!("{error:?}"),
-            }),
-        }
     }
 
     /// Returns the state at a point.
@@ -291,14 +284,13 @@ impl<L: CrackTip> Motion<'_, L> {
         from + (to - from) * point[TIME]
     }
 
-    /// Returns the unit vector along the curve.
-    fn direction(&self, point: &Point) -> Result<Point, Error> {
-        // The solver may try a radius out of range. The nearest one in range replaces it, because
-        // only the last step can end out of range.
-        let a = (point[RADIUS] * self.a1).clamp(self.range[0], self.range[1]);
-        let (_, energy_release_rate) =
-            self.contact
-                .state_under(self.control, self.imposed_at(point), a)?;
+    /// Returns `dx/dt` in the units of a point.
+    fn slope(&self, time: f64, radius: f64) -> Result<f64, Error> {
+        // A stage may try a radius out of range. The nearest one in range replaces it, because only
+        // the last step can end out of range.
+        let a = (radius * self.a1).clamp(self.range[0], self.range[1]);
+        let imposed = self.imposed_at(&[radius, time]);
+        let (_, energy_release_rate) = self.contact.state_under(self.control, imposed, a)?;
         let speed = self.law.speed(energy_release_rate);
         Error::argument(
             !speed.is_nan(),
@@ -306,53 +298,6 @@ impl<L: CrackTip> Motion<'_, L> {
             speed,
             "a number at any energy release rate",
         )?;
-        let slope = speed * (self.duration / self.a1);
-        let length = slope.hypot(1.0);
-        Ok(if length.is_finite() {
-            [-slope / length, 1.0 / length]
-        } else {
-            [-slope.signum(), 0.0]
-        })
-    }
-}
-
-/// Makes the solver for a tolerance and a first step.
-fn solver(
-    tolerance: f64,
-    first_step: f64,
-) -> impl OrdinaryNumericalMethod<f64, Point> + Interpolation<f64, Point> {
-    // Radau5 replaces a tolerance r by 0.1 r^(2/3), as Hairer's code does. It would do so twice if
-    // both coordinates shared one tolerance.
-    let tolerances = || vec![(10.0 * tolerance).powf(1.5); 2];
-    let radau = ImplicitRungeKutta::radau5()
-        .rtol(tolerances())
-        .atol(tolerances());
-    radau
-        .h0(first_step)
-        .h_max(LONGEST_STEP)
-        .max_steps(MOST_STEPS)
-}
-
-impl<L: CrackTip> ODE<f64, Point> for Motion<'_, L> {
-    fn diff(&self, _length: f64, point: &Point, derivative: &mut Point) {
-        *derivative = self.direction(point).unwrap_or_else(|failure| {
-            self.failure.set(Some(failure));
-            [0.0; 2]
-        });
-    }
-
-    /// Computes difference quotients, as the solver would, but with a step for stiff equations:
-    /// above a speed of 1 the direction is not linear over a longer one.
-    fn jacobian(&self, length: f64, point: &Point, jacobian: &mut Matrix<f64>) {
-        let (mut here, mut there) = ([0.0; 2], [0.0; 2]);
-        self.diff(length, point, &mut here);
-        for column in [RADIUS, TIME] {
-            let mut beside = *point;
-            beside[column] += DIFFERENCE;
-            self.diff(length, &beside, &mut there);
-            for row in [RADIUS, TIME] {
-                jacobian[(row, column)] = (there[row] - here[row]) / DIFFERENCE;
-            }
-        }
+        Ok(-speed * (self.duration / self.a1))
     }
 }

@@ -6,22 +6,22 @@
 //! a spring, `branch` those at many values, `radii` the contact radii among which they search.
 //! `energy_release` starts from measured values, `gradient` differentiates, `jkr_fit` fits a
 //! straight line, `validity` compares a contact with the limits of the model. `crack_tip`,
-//! `contact_line` and `dynamics` move the contact line by other laws than eq. 8. `finite_range`
-//! corrects for an attraction of short range by the `line_energy` of such a law. `checks` accepts
-//! numbers, `root` finds zeros for all of them.
+//! `contact_line` and `dynamics` move the contact line by other laws than eq. 8, the latter by the
+//! steps of `implicit_step`. `finite_range` corrects for an attraction of short range by the
+//! `line_energy` of such a law. `checks` accepts numbers, `root` finds zeros for all of them.
 
 mod branch;
 mod checks;
 mod contact;
 mod contact_line;
 mod crack_tip;
-#[cfg(feature = "dynamics")]
 mod dynamics;
 mod energy_release;
 mod equilibria;
 mod finite_range;
 mod force_displacement;
 mod gradient;
+mod implicit_step;
 mod jkr_fit;
 mod line_energy;
 mod mechanics;
@@ -34,7 +34,6 @@ pub use branch::Branch;
 pub use contact::{Contact, State};
 pub use contact_line::ContactLine;
 pub use crack_tip::{CrackTip, Hysteresis, RateDependent};
-#[cfg(feature = "dynamics")]
 pub use dynamics::TimedState;
 pub use equilibria::{Control, Equilibria, Equilibrium};
 pub use finite_range::{CohesiveEquilibrium, CohesiveState, FiniteRange, ShortRange};

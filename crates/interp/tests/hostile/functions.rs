@@ -307,7 +307,6 @@ pub const FUNCTIONS: &[Function] = &[
             })
         },
     ),
-    #[cfg(feature = "dynamics")]
     (
         "ContactLine::ramp",
         &[0.03, 0.05, 1e-6, 0.6, 6e-5, 1e-4, 1.0, 1e-4],

@@ -1,7 +1,8 @@
 //! `tabulate pull-off`
 
+use anyhow::anyhow;
 use clap::{ValueEnum, ValueHint};
-use interp::{Contact, Control};
+use interp::{Contact, Control, Error, State};
 
 use super::bodies::{AttractingArguments, Bodies};
 use super::points::number;
@@ -9,7 +10,7 @@ use super::print;
 use super::quantity::force_per_length;
 use super::table_name::{self, TableName};
 use crate::cohesive::CohesiveState;
-use crate::solve::curve;
+use crate::solve::{A_OVER_T, curve};
 
 /// Print the last stable state of a separation: load (N), contact radius (m), outer radius of the
 /// attraction (m) and penetration (m)
@@ -98,31 +99,66 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
 
 /// Finds the pull-off of an attraction without range.
 fn jkr(arguments: &Arguments, bodies: &Bodies, control: Control) -> anyhow::Result<CohesiveState> {
-    /// The range of `a/t` that is solved, and the relative tolerance.
-    const RANGE: [f64; 2] = [1e-3, 1e3];
-    const TOLERANCE: f64 = 1e-9;
-    /// The contact radius over the thickness of the top layer up to which a stack is solved. Wider
-    /// contacts take much longer.
-    const OVER_TOP: f64 = 300.0;
-    let system = &bodies.system;
-    let contact = match (&arguments.table, &bodies.stack) {
-        (Some(name), _) => name.read()?.contact(system)?,
-        (None, Some(layers)) => {
-            let stack = layers.stack();
-            let top = stack.top().thickness / stack.thickness();
-            let range = [RANGE[0], RANGE[1].min(OVER_TOP * top)];
-            Contact::new(
-                system,
-                layers.curve(system.sphere_modulus, range, TOLERANCE)?,
-            )?
+    let work_of_adhesion = bodies.work_of_adhesion;
+    let state = match &arguments.table {
+        Some(name) => {
+            let contact = name.read()?.contact(&bodies.system)?;
+            contact.pull_off(work_of_adhesion, control)?
         }
-        (None, None) => Contact::new(system, curve(&system.material()?, RANGE, TOLERANCE)?)?,
+        None => solved(bodies, work_of_adhesion, control)?,
     };
-    let state = contact.pull_off(bodies.work_of_adhesion, control)?;
     Ok(CohesiveState {
         contact_radius: state.contact_radius,
         outer_radius: state.contact_radius,
         load: state.load,
         penetration: state.penetration,
     })
+}
+
+/// Finds the pull-off of an attraction without range by direct solves, in a range of contact radii
+/// that grows until the pull-off is inside.
+fn solved(bodies: &Bodies, work_of_adhesion: f64, control: Control) -> anyhow::Result<State> {
+    /// The ranges of `a/t` that are solved, one after the other, and the relative tolerance.
+    const RANGES: [[f64; 2]; 3] = [[1e-3, 1e3], [A_OVER_T[0], 1e3], A_OVER_T];
+    const TOLERANCE: f64 = 1e-9;
+    /// The contact radius over the thickness of the top layer up to which a stack is solved. Wider
+    /// contacts take much longer.
+    const OVER_TOP: f64 = 300.0;
+    /// The smallest radius that is solved, over that of the sphere, from which on a pull-off may be
+    /// smaller.
+    const THICK: f64 = 1e-2;
+    let system = &bodies.system;
+    let mut refused = None;
+    for [from, to] in RANGES {
+        let curve = match &bodies.stack {
+            Some(layers) => {
+                let stack = layers.stack();
+                let top = stack.top().thickness / stack.thickness();
+                let range = [from.min(OVER_TOP * top * 1e-3), to.min(OVER_TOP * top)];
+                layers.curve(system.sphere_modulus, range, TOLERANCE)
+            }
+            None => curve(&system.material()?, [from, to], TOLERANCE),
+        };
+        // A wider range may be out of reach where a narrower one is not.
+        let curve = match (curve, refused) {
+            (Err(_), Some(refused)) => return Err(refused),
+            (curve, _) => curve?,
+        };
+        let least = from * system.film_thickness;
+        refused = match Contact::new(system, curve)?.pull_off(work_of_adhesion, control) {
+            Err(Error::OutsideRadii { .. } | Error::BeyondSphere { .. })
+                if least > THICK * system.probe.radius().unwrap_or(f64::INFINITY) =>
+            {
+                Some(anyhow!(
+                    "the film is so thick beside the sphere that the pull-off has a contact radius below {least:e} m, the smallest that is \
+                     solved; a film of up to {:e} times the radius of the sphere is solved, and a thicker one has the same pull-off to three \
+                     digits",
+                    THICK / from
+                ))
+            }
+            Err(error @ Error::OutsideRadii { .. }) => Some(error.into()),
+            state => return Ok(state?),
+        };
+    }
+    Err(refused.expect("there are ranges"))
 }

@@ -5,19 +5,22 @@ use crate::Error;
 /// A point and the value there.
 pub type Point = (f64, f64);
 
-/// Goes downhill from two points, in steps of their distance, until the values rise again, and
-/// returns three points with the lowest value in the middle; none if there is no minimum before
-/// `end`.
+/// Goes downhill from two points until the values rise again, and returns three points with the
+/// lowest value in the middle; none if there is no minimum before `end`. Each step is half as long
+/// again as the one before, up to a longest one.
 pub fn bracket(
     f: &mut impl FnMut(f64) -> Result<f64, Error>,
     [mut before, mut middle]: [Point; 2],
     end: f64,
 ) -> Result<Option<[Point; 3]>, Error> {
+    const GROWTH: f64 = 1.5;
+    const LONGEST: f64 = 0.35;
     if middle.1 > before.1 {
         return Ok(None);
     }
-    let step = middle.0 - before.0;
+    let mut step = middle.0 - before.0;
     while (middle.0 - end) * step < 0.0 {
+        step *= GROWTH.min(LONGEST / step.abs()).max(1.0);
         let next = (middle.0 + step, f(middle.0 + step)?);
         if next.1 > middle.1 {
             return Ok(Some([before, middle, next]));

@@ -144,14 +144,19 @@ pub fn check_reach(stack: &Stack, a_over_t: f64) -> Result<(), Error> {
     let merged = stack.merged();
     let layers = merged.layers().len();
     let thickness_over_top = stack.thickness() / merged.top().thickness;
-    let reach = MOST_A_OVER_TOP / thickness_over_top;
     // One layer is solved as a film.
-    if layers == 1 || a_over_t <= reach {
+    let most = match layers {
+        1 => A_OVER_T[1],
+        _ => MOST_A_OVER_TOP,
+    };
+    let reach = most / thickness_over_top;
+    if a_over_t <= reach {
         return Ok(());
     }
     Err(Error::StackReach {
         a_over_t,
         reach,
+        most,
         thickness_over_top,
         layers,
     })

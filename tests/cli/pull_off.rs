@@ -1,0 +1,93 @@
+//! `tabulate pull-off` where the contact is far smaller or wider than the film is thick: it chooses the
+//! radii that it solves, and its messages speak of what was given.
+
+use acceptance::{assert_names, workdir};
+
+/// Returns the value of a line `name = value`.
+fn value(text: &str, name: &str) -> f64 {
+    let line = text
+        .lines()
+        .find(|line| line.starts_with(name))
+        .expect("the line");
+    let (_, value) = line.split_once('=').expect("a value");
+    value.trim().parse().expect("a number")
+}
+
+#[test]
+fn a_film_much_thicker_than_the_sphere_is_solved() {
+    let workdir = workdir!();
+    let bodies = [
+        "--sphere-radius",
+        "1e-6",
+        "--sphere-modulus",
+        "inf",
+        "--film-modulus",
+        "2e4",
+        "--work-of-adhesion",
+        "1e-4",
+        "--film-thickness",
+    ];
+    // -1.5 pi w R on a half-space, to the film's (a/t).
+    let half_space = -1.5 * std::f64::consts::PI * 1e-10;
+    for thickness in ["1e-4", "1e-3", "1e-2"] {
+        let text = workdir.succeed(&[&["pull-off"][..], &bodies, &[thickness]].concat());
+        let error = value(&text, "load") / half_space - 1.0;
+        assert!(error.abs() < 0.05, "{thickness}: {text}");
+        let embedded =
+            workdir.succeed(&[&["pull-off", "embedded"][..], &bodies, &[thickness]].concat());
+        let error = value(&text, "load") / value(&embedded, "load") - 1.0;
+        assert!(error.abs() < 1e-5, "{thickness}: {text} {embedded}");
+    }
+    for thickness in ["0.9", "1e3"] {
+        let error = workdir.fail(1, &[&["pull-off"][..], &bodies, &[thickness]].concat());
+        assert_names(
+            &error,
+            &["the film is so thick", "1e4 times the radius of the sphere"],
+        );
+    }
+}
+
+#[test]
+fn a_short_range_on_a_thin_film_is_refused_with_the_reach() {
+    let workdir = workdir!();
+    let arguments = [
+        "pull-off",
+        "--film-thickness",
+        "1e-7",
+        "--interaction-range",
+        "1e-10",
+    ];
+    let error = workdir.fail(1, &arguments);
+    assert_names(&error, &["pull-off", "1.2e-5 m", "1e-7 m"]);
+    assert!(!error.contains("contact radius"), "{error}");
+}
+
+/// Lower layers like the base make the contact wide beside the one that is left.
+#[test]
+fn a_thin_layer_on_layers_like_the_base_is_refused_with_the_a_over_t_given() {
+    let workdir = workdir!();
+    let base = "{ young_modulus = 1e6, poisson_ratio = 0.3 }";
+    let layer = |young: &str, thickness: &str| {
+        format!(
+            "[[layers]]\nyoung_modulus = {young}\npoisson_ratio = 0.3\nthickness = {thickness}\n"
+        )
+    };
+    let text = format!(
+        "base = {base}\n{}{}",
+        layer("1e6", "1e-3"),
+        layer("5e6", "1e-9")
+    );
+    workdir.write("stack.toml", &text);
+    let arguments = [
+        "solve",
+        "--stack",
+        "stack.toml",
+        "--sphere-modulus",
+        "2e6",
+        "--a-over-t",
+    ];
+    let error = workdir.fail(1, &[&arguments[..], &["6.04"]].concat());
+    assert_names(&error, &["a_over_t = 6.04", "top layer"]);
+    assert!(!error.contains("outside the domain"), "{error}");
+    workdir.succeed(&[&arguments[..], &["0.9"]].concat());
+}

@@ -1,0 +1,371 @@
+//! Pull-offs with an attraction of finite range: in the limit of short ranges those of JKR with their
+//! correction of first order, and otherwise the lowest value of a scan of all states.
+
+use acceptance::larger;
+use interp::{Contact, Control, Elastic, FiniteRange, Probe, System};
+use rand::{RngExt, SeedableRng};
+use rand_pcg::Pcg64Mcg;
+use std::f64::consts::PI;
+use tabulate::cohesive::{Cohesive, CohesiveState};
+use tabulate::stack::{Layer, Stack};
+
+/// Bodies with an attraction, and what is imposed on them.
+struct Case {
+    system: System,
+    work_of_adhesion: f64,
+    range: f64,
+    control: Control,
+}
+
+impl Case {
+    fn imposed(&self, state: &CohesiveState) -> f64 {
+        self.control.imposed(state.load, state.penetration)
+    }
+
+    fn sphere_radius(&self) -> f64 {
+        let Probe::Paraboloid { radius } = self.system.probe else {
+            unreachable!("all probes are paraboloids")
+        };
+        radius
+    }
+
+    fn cohesive(&self) -> Cohesive {
+        Cohesive::new(&self.system, self.work_of_adhesion, self.range).expect("physical")
+    }
+
+    /// Returns the contact without range, from solves of its own.
+    fn jkr(&self) -> Contact {
+        let material = self.system.material().expect("physical");
+        let largest = 0.9 * self.sphere_radius() / self.system.film_thickness;
+        let curve =
+            tabulate::curve(&material, [1e-5, largest.min(1e3)], 1e-9).expect("within reach");
+        Contact::new(&self.system, curve).expect("its curve")
+    }
+
+    fn finite_range(&self) -> FiniteRange {
+        FiniteRange {
+            stress: self.work_of_adhesion / self.range,
+        }
+    }
+}
+
+fn solid(young: f64, poisson: f64) -> Elastic {
+    Elastic::new(young, poisson).expect("physical")
+}
+
+/// A random film and sphere, soft or stiff, confined or not, with the length `zone` of its zone over
+/// the contact radius of JKR without load on a half-space of the film.
+fn random(seed: u64, zone: [f64; 2]) -> Case {
+    let mut random = Pcg64Mcg::seed_from_u64(seed);
+    let mut uniform = |from: f64, to: f64| from + (to - from) * random.random::<f64>();
+    let mut log_uniform = |from: f64, to: f64| uniform(from.ln(), to.ln()).exp();
+    let radius = log_uniform(1e-7, 1e-2);
+    let young = log_uniform(1e5, 1e10);
+    let base = young * log_uniform(1e-2, 1e5);
+    let sphere = young * log_uniform(1e-1, 1e4);
+    let w = log_uniform(1e-3, 0.3);
+    let thin = log_uniform(3e-3, 10.0);
+    let zone = log_uniform(zone[0], zone[1]);
+    let spring = log_uniform(1e-2, 1e2);
+    let poisson = [0.5, 0.49, 0.3, 0.45, 0.0][(seed % 5) as usize];
+    let sphere = if seed % 2 == 0 { f64::INFINITY } else { sphere };
+    let film = solid(young, poisson);
+    let es = 1.0 / (1.0 / film.reduced() + 1.0 / sphere);
+    let scale = (4.5 * PI * w * radius * radius / es).cbrt();
+    // l = (pi/4) es w/sigma0^2
+    let range = w / (0.25 * PI * es * w / (zone * scale)).sqrt();
+    let control = match seed % 3 {
+        0 => Control::Load,
+        1 => Control::Displacement,
+        _ => Control::Spring {
+            stiffness: es * scale * spring,
+        },
+    };
+    Case {
+        system: System {
+            probe: Probe::Paraboloid { radius },
+            sphere_modulus: sphere,
+            film,
+            film_thickness: scale * thin,
+            substrate: solid(base, 0.25),
+        },
+        work_of_adhesion: w,
+        range: range.min(0.1 * radius),
+        control,
+    }
+}
+
+/// Soft confined films far thinner than the contact without load is wide, whose pull-off under an
+/// imposed displacement is at a radius below the thickness. The difference from JKR is of first order
+/// in the length of the zone, which is of second order in the range.
+#[test]
+fn the_pull_off_of_soft_confined_films_tends_to_that_of_jkr() {
+    let system = |radius, sphere_modulus, film, film_thickness, substrate| System {
+        probe: Probe::Paraboloid { radius },
+        sphere_modulus,
+        film,
+        film_thickness,
+        substrate,
+    };
+    let glass = solid(7e10, 0.25).reduced();
+    let cases = [
+        (
+            system(
+                9.5e-4,
+                f64::INFINITY,
+                solid(2.65e7, 0.49),
+                2.6e-8,
+                solid(5.9e10, 0.25),
+            ),
+            0.0184,
+            4.2e-10,
+        ),
+        (
+            system(
+                3.734e-3,
+                glass,
+                solid(9.9e6, 0.5),
+                1.24e-7,
+                solid(1.47e11, 0.25),
+            ),
+            0.062,
+            4e-10,
+        ),
+    ];
+    for (system, work_of_adhesion, first) in cases {
+        for control in [Control::Displacement, Control::Spring { stiffness: 1e5 }] {
+            let excess = [1.0, 0.25, 0.0625].map(|factor| {
+                let case = Case {
+                    system: system.clone(),
+                    work_of_adhesion,
+                    range: factor * first,
+                    control,
+                };
+                let jkr = case
+                    .jkr()
+                    .pull_off(work_of_adhesion, control)
+                    .expect("a pull-off");
+                let jkr = control.imposed(jkr.load, jkr.penetration);
+                let found = case
+                    .cohesive()
+                    .pull_off(control)
+                    .unwrap_or_else(|e| panic!("{e}"));
+                case.imposed(&found) / jkr - 1.0
+            });
+            println!("{control:?}: {excess:?}");
+            assert!(excess[0].abs() < 0.02, "{excess:?}");
+            let ratio = excess[1] / excess[2];
+            assert!((ratio / 16.0 - 1.0).abs() < 0.1, "{excess:?}");
+        }
+    }
+}
+
+/// Random films, spheres and controls with a short zone: the correction of first order in the zone,
+/// from curves of JKR, leaves an error of second order. Pull-offs wider than is solved, or nearly as
+/// wide as the sphere, are refused.
+#[test]
+fn pull_offs_of_short_ranges_are_those_of_the_first_order() {
+    let (mut compared, mut refused, mut opened, mut worst) = (0, 0, 0, 0.0);
+    for seed in 0..250 {
+        let case = random(seed, [1e-5, 0.1]);
+        let jkr = case.jkr();
+        let Ok(short) = jkr.finite_range(case.work_of_adhesion, case.finite_range()) else {
+            continue;
+        };
+        let Ok(short_state) = short.pull_off(case.control) else {
+            continue;
+        };
+        let found = match case.cohesive().pull_off(case.control) {
+            Ok(found) => found,
+            Err(tabulate::Error::PullOffReach { .. }) => {
+                refused += 1;
+                let wide = short_state.outer_radius / case.system.film_thickness;
+                let of_sphere = short_state.contact_radius / case.sphere_radius();
+                println!("{seed}: refused at a/t = {wide:.3}, a/R = {of_sphere:.3}");
+                assert!(
+                    wide > 80.0 || of_sphere > 0.6,
+                    "{seed}: {wide}, {of_sphere}"
+                );
+                continue;
+            }
+            // A confined film may pull harder inside than the attraction can.
+            Err(tabulate::Error::NotAContact { what, .. }) if what.contains("open there") => {
+                opened += 1;
+                continue;
+            }
+            Err(error) => panic!("{seed}: {error}"),
+        };
+        let shortest = case.system.film_thickness.min(short_state.contact_radius);
+        let zone = short.zone() / shortest;
+        let [value, expected] = [found, short_state].map(|state| case.imposed(&state));
+        let error = (value / expected - 1.0).abs();
+        worst = larger(worst, error / (zone * zone + 1e-8));
+        assert!(
+            error < zone * zone + 1e-8,
+            "{seed}: {value:e} for {expected:e}, zone {zone:.1e}"
+        );
+        compared += 1;
+    }
+    println!(
+        "{compared} compared, {refused} refused, {worst:.2} of the square of the zone at most"
+    );
+    assert!(compared > 100, "{compared}");
+}
+
+/// Of all states of a fine scan, in contact and before it, none has a lower imposed value than the
+/// pull-off, and the lowest is near it. Zones from a hundredth of the contact to ten times as long.
+#[test]
+fn no_state_is_lower_than_the_pull_off() {
+    const STEP: f64 = 0.04;
+    let mut without_contact = 0;
+    for seed in 1000..1040 {
+        let case = random(seed, [1e-2, 10.0]);
+        let cohesive = case.cohesive();
+        let Ok(found) = cohesive.pull_off(case.control) else {
+            continue;
+        };
+        let value = case.imposed(&found);
+        let middle = if found.contact_radius > 0.0 {
+            found.contact_radius
+        } else {
+            without_contact += 1;
+            found.outer_radius
+        };
+        let radii = (-60..60).map(|i| middle * (STEP * f64::from(i)).exp());
+        let contacts = radii.clone().filter_map(|a| cohesive.state(a).ok());
+        let before = radii.filter_map(|c| cohesive.without_contact(c).ok());
+        let lowest = contacts
+            .chain(before)
+            .map(|state| case.imposed(&state))
+            .fold(f64::INFINITY, f64::min);
+        println!(
+            "{seed}: {value:e}, scan {:.1e}, a {:e}",
+            lowest / value - 1.0,
+            found.contact_radius
+        );
+        assert!(
+            value <= lowest + 1e-9 * value.abs(),
+            "{seed}: {value:e}, {lowest:e}"
+        );
+        assert!(
+            lowest < value + 2e-3 * value.abs(),
+            "{seed}: {value:e}, {lowest:e}"
+        );
+    }
+    assert!(without_contact > 0);
+}
+
+/// All lengths a thousand times as large at the same moduli, and a film in two halves.
+#[test]
+fn scales_and_a_divided_film_change_nothing() {
+    for seed in 2000..2012 {
+        let case = random(seed, [1e-3, 3.0]);
+        let Ok(found) = case.cohesive().pull_off(case.control) else {
+            continue;
+        };
+        let factor = 1e3;
+        let system = System {
+            probe: Probe::Paraboloid {
+                radius: factor * case.sphere_radius(),
+            },
+            film_thickness: factor * case.system.film_thickness,
+            ..case.system.clone()
+        };
+        let control = match case.control {
+            Control::Spring { stiffness } => Control::Spring {
+                stiffness: factor * stiffness,
+            },
+            other => other,
+        };
+        let (w, range) = (factor * case.work_of_adhesion, factor * case.range);
+        let large = Cohesive::new(&system, w, range)
+            .and_then(|large| large.pull_off(control))
+            .unwrap_or_else(|e| panic!("{seed}: {e}"));
+        let scaled = control.imposed(large.load, large.penetration);
+        let expected = case.imposed(&found)
+            * match control {
+                Control::Load => factor * factor,
+                _ => factor,
+            };
+        assert!(
+            (scaled / expected - 1.0).abs() < 1e-8,
+            "{seed}: {scaled:e}, {expected:e}"
+        );
+        let half = Layer {
+            solid: case.system.film,
+            thickness: 0.5 * case.system.film_thickness,
+        };
+        let stack = Stack::new(case.system.substrate, [half, half]).expect("physical");
+        let (radius, sphere) = (case.sphere_radius(), case.system.sphere_modulus);
+        let divided = Cohesive::on_stack(&stack, radius, sphere, case.work_of_adhesion, case.range)
+            .and_then(|divided| divided.pull_off(case.control))
+            .unwrap_or_else(|e| panic!("{seed}: {e}"));
+        let divided = case.imposed(&divided) / case.imposed(&found) - 1.0;
+        assert!(divided.abs() < 1e-9, "{seed}: {divided:e}");
+    }
+}
+
+/// Two different layers, from a thick to a thin stack under one sphere.
+#[test]
+fn stacks_have_the_pull_off_of_the_first_order() {
+    let (radius, w) = (1e-4, 0.02);
+    let mut compared = 0;
+    for thickness in [2e-7, 2e-6, 2e-5] {
+        for control in [Control::Load, Control::Displacement] {
+            let layers = [(2e5, 0.5, 0.4), (2e6, 0.49, 0.6)].map(|(young, poisson, part)| Layer {
+                solid: solid(young, poisson),
+                thickness: part * thickness,
+            });
+            let stack = Stack::new(solid(1e10, 0.25), layers).expect("physical");
+            let top = 0.6 * thickness;
+            let curve =
+                tabulate::stack_curve(&stack, 1e8, [1e-3, 60.0], 1e-8).expect("within reach");
+            let jkr = Contact::new(&stack.system(radius, 1e8), curve).expect("its curve");
+            let zone = 0.01 * top.min(1e-6);
+            let es = jkr.mechanics().sphere_film_modulus();
+            let stress = (0.25 * PI * es * w / zone).sqrt();
+            let short = jkr
+                .finite_range(w, FiniteRange { stress })
+                .expect("a short zone");
+            let Ok(expected) = short.pull_off(control) else {
+                continue;
+            };
+            let found = Cohesive::on_stack(&stack, radius, 1e8, w, w / stress)
+                .and_then(|cohesive| cohesive.pull_off(control))
+                .unwrap_or_else(|e| panic!("{e}"));
+            let [found, expected] =
+                [found, expected].map(|state| control.imposed(state.load, state.penetration));
+            println!("{thickness:e} {control:?}: {:.1e}", found / expected - 1.0);
+            assert!(
+                (found / expected - 1.0).abs() < 1e-4,
+                "{found:e} {expected:e}"
+            );
+            compared += 1;
+        }
+    }
+    assert!(compared >= 4, "{compared}");
+}
+
+/// The refusal of a contact wider than is solved names lengths of the bodies, not a radius that nobody
+/// gave.
+#[test]
+fn a_pull_off_beyond_the_reach_names_the_layer() {
+    let system = System {
+        probe: Probe::Paraboloid { radius: 1e-3 },
+        sphere_modulus: 2e6,
+        film: solid(3.5e6, 0.5),
+        film_thickness: 1e-7,
+        substrate: solid(2e11, 0.25),
+    };
+    for control in [Control::Load, Control::Displacement] {
+        let cohesive = Cohesive::new(&system, 0.04, 1e-10).expect("physical");
+        let error = cohesive
+            .pull_off(control)
+            .expect_err("too wide")
+            .to_string();
+        for part in ["pull-off", "1e-7 m", "1.2e-5 m", "JKR"] {
+            assert!(error.contains(part), "{part}: {error}");
+        }
+        assert!(!error.contains("contact radius"), "{error}");
+    }
+}
