@@ -75,13 +75,13 @@ impl Points {
         // The products of the distances from the points before and after each point.
         let mut basis = self.weights;
         let (mut before, mut after) = (1.0, 1.0);
-        for i in 0..POINTS {
-            basis[i] *= before;
-            before *= t - self.at[i];
+        for (value, at) in basis.iter_mut().zip(&self.at) {
+            *value *= before;
+            before *= t - at;
         }
-        for i in (0..POINTS).rev() {
-            basis[i] *= after;
-            after *= t - self.at[i];
+        for (value, at) in basis.iter_mut().zip(&self.at).rev() {
+            *value *= after;
+            after *= t - at;
         }
         basis
     }

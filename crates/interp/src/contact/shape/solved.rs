@@ -185,11 +185,11 @@ impl Panel {
         &self,
         degree: f64,
         start: f64,
-        nodes: [[f64; 3]; POINTS],
+        nodes: &[[f64; 3]; POINTS],
     ) -> ([f64; POINTS], Polynomial, f64) {
         let points = &*CHEBYSHEV;
         let sum = |weights: &[f64; POINTS], factor: f64| {
-            let terms = weights.iter().zip(&nodes);
+            let terms = weights.iter().zip(nodes);
             terms
                 .map(|(weight, [_, speed, rate])| {
                     weight * rate * if degree > 0.0 { factor } else { *speed }
@@ -290,7 +290,7 @@ impl Solution {
             (own, panel.penetration, penetration) = panel.integrated(
                 order,
                 penetration,
-                nodes.map(|node| [node.x, node.speed, node.rate]),
+                &nodes.map(|node| [node.x, node.speed, node.rate]),
             );
             let rate = |k: usize| {
                 let Node {
