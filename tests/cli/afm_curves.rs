@@ -82,6 +82,8 @@ fn fit(workdir: &Workdir, curve: String, file: &str, stiffness: &str) -> Row {
         "--half-space",
         "--sphere-modulus",
         "inf",
+        "--film-poisson-ratio",
+        "0.5",
         "--sphere-radius",
         "2e-5",
     ];

@@ -162,7 +162,8 @@ fn a_radius_that_is_not_small_beside_the_spheres_is_warned_of_once() {
         (limit.next_up(), format!("tabulate: {LARGE_CONTACT}\n")),
         (0.999e-3, format!("tabulate: {LARGE_CONTACT}\n")),
     ] {
-        let run = workdir.run(&["curve", "embedded", "--to", &to.to_string()]);
+        let paper = ["curve", "embedded", "--specimen", "paper"];
+        let run = workdir.run(&[&paper[..], &["--to", &to.to_string()]].concat());
         assert_eq!((run.status, run.stderr), (0, warning));
         assert_eq!(Data::parse("curve", &run.stdout).cases().count(), 150);
     }

@@ -13,7 +13,7 @@ struct Case {
 }
 
 const LENS: Case = Case {
-    system: &["--film-thickness", "1e-5"],
+    system: &["--specimen", "paper", "--film-thickness", "1e-5"],
     simulate: &[
         "--kind",
         "load-radius",
@@ -40,7 +40,7 @@ const LENS: Case = Case {
 };
 
 const DEPTHS: Case = Case {
-    system: &["--film-thickness", "1e-5"],
+    system: &["--specimen", "paper", "--film-thickness", "1e-5"],
     simulate: &[
         "--kind",
         "penetration-radius",
@@ -108,8 +108,12 @@ const GEL: Case = Case {
         "2e-5",
         "--film-modulus",
         "5e3",
+        "--film-poisson-ratio",
+        "0.5",
         "--substrate-modulus",
         "7e10",
+        "--substrate-poisson-ratio",
+        "0.25",
         "--stiffness",
         "0.1",
     ],
@@ -378,7 +382,7 @@ fn films_of_two_thicknesses_are_fitted_at_once() {
         ]);
     }
     let both = Case {
-        system: &["--value", "film-thickness=1e-5,2e-6"],
+        system: &["--specimen", "paper", "--value", "film-thickness=10um,2um"],
         fit: &[
             "--free",
             "sphere-modulus,film-modulus,work-of-adhesion,load-offset",
@@ -456,6 +460,7 @@ fn a_fit_that_cannot_be_made_is_an_error_that_names_the_reason() {
     );
     workdir.write("empty.csv", "");
     workdir.write("z.csv", "height,force\n2e-6,0\n1e-6,0\n0,1e-9\n");
+    let paper = &["--specimen", "paper"];
     let cases: [(&[&str], i32, &[&str]); 14] = [
         (&[], 2, &["DATA"]),
         (&["missing.csv"], 1, &["missing.csv"]),
@@ -497,7 +502,7 @@ fn a_fit_that_cannot_be_made_is_an_error_that_names_the_reason() {
         ),
     ];
     for (more, status, words) in cases {
-        let message = workdir.fail(status, &[&["fit"], more].concat());
+        let message = workdir.fail(status, &[&["fit"], more, paper].concat());
         assert_names(&message, words);
     }
 }

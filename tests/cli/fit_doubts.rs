@@ -19,7 +19,7 @@ fn plastic() -> String {
     text
 }
 
-const HALF_SPACE: [&str; 11] = [
+const HALF_SPACE: [&str; 13] = [
     "fit",
     "data.csv",
     "--half-space",
@@ -31,6 +31,8 @@ const HALF_SPACE: [&str; 11] = [
     "1e10",
     "--film-poisson-ratio",
     "0.3",
+    "--work-of-adhesion",
+    "0.04",
 ];
 
 #[test]
@@ -74,6 +76,8 @@ fn lens(workdir: &acceptance::Workdir) {
         "2e-6",
         "--film-thickness",
         "3e-5",
+        "--specimen",
+        "paper",
         "-o",
         "data.csv",
     ]);
@@ -91,6 +95,8 @@ fn an_error_of_a_known_thickness_widens_the_errors() {
                 "--json",
                 "--film-thickness",
                 "3e-5",
+                "--specimen",
+                "paper",
                 "--noise",
                 "2e-6",
             ],
@@ -124,7 +130,18 @@ fn an_error_of_a_known_thickness_widens_the_errors() {
             .clone()
             .any(|one| one["name"] == "sphere_radius" && one["error"].is_null())
     );
-    let all = [&["fit", "data.csv", "--film-thickness", "3e-5"], &known[..]].concat();
+    let all = [
+        &[
+            "fit",
+            "data.csv",
+            "--film-thickness",
+            "3e-5",
+            "--specimen",
+            "paper",
+        ],
+        &known[..],
+    ]
+    .concat();
     assert_names(
         &workdir.succeed(&all),
         &[
@@ -149,6 +166,8 @@ fn an_error_of_a_known_thickness_widens_the_errors() {
             "data.csv",
             "--film-thickness",
             "3e-5",
+            "--specimen",
+            "paper",
             "--known",
             known,
         ]);
@@ -173,7 +192,15 @@ fn errors_of_radii_come_from_a_flag_or_a_column() {
     workdir.write("column.csv", with_column);
     let run = |more: &[&str]| {
         let all = [
-            &["fit", "--film-thickness", "3e-5", "--noise", "2e-6"],
+            &[
+                "fit",
+                "--film-thickness",
+                "3e-5",
+                "--specimen",
+                "paper",
+                "--noise",
+                "2e-6",
+            ],
             more,
         ];
         workdir.succeed(&all.concat())
@@ -200,6 +227,8 @@ fn errors_of_radii_come_from_a_flag_or_a_column() {
             "data.csv",
             "--film-thickness",
             "3e-5",
+            "--specimen",
+            "paper",
             "--radius-noise",
             "-1",
         ],

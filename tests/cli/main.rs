@@ -18,6 +18,7 @@ mod help;
 mod hostile_text;
 mod info;
 mod limits;
+mod magnitudes;
 mod outputs;
 mod pipes;
 mod plan;
@@ -25,8 +26,10 @@ mod plot;
 mod points;
 mod readme;
 mod simulate;
+mod specimen;
 mod stacks;
 mod streams;
+mod units;
 
 use std::fs;
 use std::path::Path;

@@ -81,7 +81,8 @@ fn the_expected_errors_are_those_of_a_fit() {
     let data = simulate(&workdir, &[&noise[..], &["--seed", "1"]].concat());
     workdir.write("data.csv", data);
     let fit = ["fit", "data.csv", "--film-thickness", "1e-5", "--json"];
-    let found = workdir.succeed(&[&fit[..], &free, &noise].concat());
+    let paper = ["--specimen", "paper"];
+    let found = workdir.succeed(&[&fit[..], &paper, &free, &noise].concat());
     let found: Value = serde_json::from_str(&found).expect("JSON");
     for (name, truth) in [
         ("sphere_modulus", 2e6),

@@ -222,6 +222,8 @@ fn fit_finds_the_parameters_of_layers_by_their_names() {
             "data.csv",
             "--stack",
             "stack.toml",
+            "--specimen",
+            "paper",
             "--noise",
             "2e-7",
         ];
@@ -250,7 +252,8 @@ fn the_report_lists_the_layers() {
     let workdir = workdir!();
     written(&workdir);
     workdir.write("data.csv", simulated(&workdir, "1e-6", &["--points", "15"]));
-    let report = workdir.succeed(&["fit", "data.csv", "--stack", "stack.toml"]);
+    let arguments = ["fit", "data.csv", "--stack", "stack.toml"];
+    let report = workdir.succeed(&[&arguments[..], &["--specimen", "paper"]].concat());
     for line in [
         "  base-modulus              200 GPa, Young's modulus\n",
         "  primer.modulus            500 kPa, Young's modulus\n",
@@ -277,7 +280,12 @@ fn a_mistake_about_layers_is_named_with_the_names_there_are() {
     let fit = |more: &[&str]| {
         workdir.fail(
             1,
-            &[&["fit", "data.csv", "--stack", "stack.toml"][..], more].concat(),
+            &[
+                &["fit", "data.csv", "--stack", "stack.toml"][..],
+                &["--specimen", "paper"],
+                more,
+            ]
+            .concat(),
         )
     };
     let message = fit(&["--free", "oxide.modulus"]);

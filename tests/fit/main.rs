@@ -13,6 +13,7 @@ mod imagined;
 mod intervals;
 mod layers;
 mod left_out;
+mod magnitudes;
 mod minima;
 mod planning;
 mod recovery;

@@ -51,6 +51,37 @@ fn an_expansion_is_as_accurate_as_its_estimate_and_within_the_tolerance_or_refus
     }
 }
 
+/// The slope is continuous at the last node, and at the first one up to the third order that the
+/// expansion leaves out.
+#[test]
+fn the_slope_is_continuous_at_the_ends_of_the_nodes() {
+    let embedded = Table::embedded();
+    let mut contacts = Contacts::new(313);
+    let [mut above, mut below] = [0.0; 2];
+    let mut count = 0;
+    for _ in 0..300 {
+        let (_, own) = contacts.point_of(embedded);
+        let curve = embedded.curve(&own).expect("inside");
+        let [from, to] = curve.range();
+        for quantity in Quantity::ALL {
+            let jump = |node: f64, beyond: f64| {
+                let value = curve.quantity(quantity, node).expect("a node");
+                let slope = curve.slope(quantity, node).expect("a node");
+                let outside = curve.slope(quantity, node * beyond).ok()?;
+                Some(((outside - slope) / value).abs())
+            };
+            below = larger(below, jump(from, 1.0 - 1e-11).expect("close to the node"));
+            if let Some(jump) = jump(to, 1.0 + 1e-11) {
+                above = larger(above, jump);
+                count += 1;
+            }
+        }
+    }
+    println!("largest jump above {above:.1e}, below {below:.1e}");
+    assert!(above < 1e-5 && below < 3e-5, "{above:e}, {below:e}");
+    assert!(count > 500, "{count}");
+}
+
 /// Draws a scene of one to four axes that end anywhere.
 fn random_scene(contacts: &mut Contacts) -> String {
     let tolerance = [1e-1, 1e-2, 1e-3, 1e-4][contacts.uniform(0.0, 4.0) as usize];

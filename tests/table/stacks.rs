@@ -462,7 +462,17 @@ fn a_fit_with_a_table_is_that_with_the_stack_file() {
     workdir.succeed(&flags.split_whitespace().collect::<Vec<_>>());
     let fit = |file: &str| {
         let free = "sphere-modulus,work-of-adhesion";
-        let flags = ["fit", "data.csv", "--json", "--free", free, "--stack", file];
+        let flags = [
+            "fit",
+            "data.csv",
+            "--json",
+            "--specimen",
+            "paper",
+            "--free",
+            free,
+            "--stack",
+            file,
+        ];
         let object: Value = serde_json::from_str(&workdir.succeed(&flags)).expect("JSON");
         ["sphere_modulus", "work_of_adhesion"].map(|name| {
             let parameter = &object["parameters"][name];
@@ -475,8 +485,9 @@ fn a_fit_with_a_table_is_that_with_the_stack_file() {
         println!("{errors:?}");
         assert!(errors.iter().all(|error| error.abs() <= 1e-4), "{errors:?}");
     }
-    let flags = ["fit", "data.csv", "--free", "primer.modulus", "--stack"];
-    let message = workdir.fail(1, &[&flags[..], &["scene.h5"]].concat());
+    let flags = ["--free", "primer.modulus", "--specimen", "paper"];
+    let flags = [&["fit", "data.csv", "--stack", "scene.h5"][..], &flags];
+    let message = workdir.fail(1, &flags.concat());
     assert_names(
         &message,
         &["primer.modulus cannot be found", "name a stack file"],

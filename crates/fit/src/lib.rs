@@ -63,6 +63,7 @@
 pub mod data;
 mod error;
 mod estimate;
+mod magnitude;
 mod model;
 pub mod report;
 mod statistics;
@@ -70,8 +71,9 @@ mod statistics;
 pub use error::Error;
 pub use estimate::{
     Combination, Estimate, Fit, FittedExperiment, FittedPoint, FixedValue, Forecast, LeftOut,
-    LeftOutReason, ModulusBias, Warning, WarningKind, WithoutFilm, fit, forecast,
+    LeftOutReason, ModulusBias, Warning, WarningKind, WithoutFilm, fit, forecast, starts_from_data,
 };
+pub use magnitude::Magnitude;
 pub use model::{
     Bodies, Branch, Cause, Direction, Experiment, Fixed, Free, Interruptible, Kind, Known, Layer,
     LayerName, Layered, LayeredSolver, Loss, Measurement, Options, Parameter, Point, PointErrors,

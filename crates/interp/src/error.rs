@@ -134,10 +134,9 @@ pub enum Error {
     /// A state whose contact radius is outside the range of a search:
     /// [`Contact::contact_radius_range`](crate::Contact::contact_radius_range).
     #[error(
-        "{name} = {value:?} leads to a contact radius outside {from:?} m to {to:?} m, {}; give a \
-         value that keeps the radius inside{}",
-        if *at_sphere { "which ends at the sphere's radius" } else { "the range of the table or curve" },
-        if *at_sphere { "" } else { ", or make a table with a larger range of a_over_t" }
+        "{name} = {value:?}{} needs a contact radius that {}",
+        unit(name),
+        if *at_sphere { at_the_sphere(*to) } else { of_the_table(*from, *to) }
     )]
     OutsideRadii {
         /// The name of the quantity imposed or measured.
@@ -152,7 +151,7 @@ pub enum Error {
         at_sphere: bool,
     },
     /// A load, penetration or position of the spring at which there is no contact.
-    #[error("there is no contact at {name} = {value:?}: give {least:?} or more")]
+    #[error("there is no contact at {name} = {value:?}{unit}: give {least:?}{unit} or more", unit = unit(name))]
     NoContact {
         /// The name of the quantity imposed.
         name: &'static str,
@@ -345,6 +344,40 @@ pub enum Error {
         /// The reason.
         source: io::Error,
     },
+}
+
+/// Returns the unit of an imposed quantity, with a space before it.
+fn unit(name: &str) -> &'static str {
+    match name {
+        "load" => " N",
+        "penetration" | "position of the spring" => " m",
+        _ => "",
+    }
+}
+
+/// Says that no contact reaches the sphere's radius.
+fn at_the_sphere(to: f64) -> String {
+    // The search ends just below the radius.
+    let radius = format!("{to:.6e}").parse().unwrap_or(to);
+    format!(
+        "no contact has: the search ends at the sphere's radius, {radius:?} m; give a smaller value, \
+         or check its unit and that of the radius"
+    )
+}
+
+/// Says which contact radii a table or a curve holds.
+fn of_the_table(from: f64, to: f64) -> String {
+    /// Below this radius (m) a search stands for one from 0.
+    const ZERO: f64 = 1e-50;
+    let from = if from < ZERO {
+        format!("0 (in the search {from:?} m)")
+    } else {
+        format!("{from:?} m")
+    };
+    format!(
+        "the table or curve does not hold: it holds those from {from} to {to:?} m; give another value, \
+         or make a table with a larger range of a_over_t"
+    )
 }
 
 /// Formats the range of an axis, or its only value.

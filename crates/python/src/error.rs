@@ -59,6 +59,17 @@ impl Failure {
         }
     }
 
+    /// The error of numbers that no experiment has; `None` without any.
+    pub fn magnitudes(name: &str, found: &[fit::Magnitude]) -> Option<Self> {
+        let first = found.first()?;
+        let texts: Vec<String> = found.iter().map(ToString::to_string).collect();
+        let message = format!(
+            "{name}: {}; give SI units, or if these numbers are meant, allow=(\"magnitudes\",)",
+            texts.join("; ")
+        );
+        Some(Self::of_words("FitError", &message).about(&first.what, first.value))
+    }
+
     /// Replaces the message by one in the words of this package.
     fn saying(self, message: &str) -> Self {
         Self {

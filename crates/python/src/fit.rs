@@ -5,8 +5,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use fit::{
     Bodies, Direction, Estimate, Experiment, Fit, FittedExperiment, Fixed, Free, Interruptible,
-    Kind, Known, Layer, Layered, LayeredSolver, Loss, Measurement, Options, Parameter, Point,
-    PointErrors, Reach, Scope, WithoutFilm,
+    Kind, Known, Layer, Layered, LayeredSolver, Loss, Magnitude, Measurement, Options, Parameter,
+    Point, PointErrors, Reach, Scope, WithoutFilm,
 };
 use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::exceptions::PyValueError;
@@ -79,8 +79,9 @@ pub struct GivenFree {
     own: Option<bool>,
 }
 
-/// Loss, level of profiles, range of the attraction, and whether points may be left out.
-type GivenOptions = (String, Option<f64>, f64, bool);
+/// Loss, level of profiles, range of the attraction, whether any magnitude is allowed, and whether
+/// points may be left out.
+type GivenOptions = (String, Option<f64>, f64, bool, bool);
 
 /// Fits one or several experiments together.
 #[pyfunction]
@@ -102,10 +103,11 @@ pub fn fit_together<'py>(
         })
     });
     let known: Result<Vec<Known>, fit::Error> = known.collect();
+    let (options, allow_magnitudes) = options(given_options)?;
     let options = Options {
         known: known.or_raise(py)?,
         fixed_values,
-        ..options(given_options)?
+        ..options
     };
     let table = table.get();
     let (solver, interrupted) = interruptible_solver(py, table)?;
@@ -115,9 +117,9 @@ pub fn fit_together<'py>(
     let experiments: Vec<Experiment> = experiments.collect::<PyResult<_>>()?;
     let free = frees(py, free)?;
     let found = interruptible(py, &interrupted, || {
-        fit::fit(table.get(), &experiments, &free, &options)
+        checked_fit(table.get(), &experiments, &free, &options, allow_magnitudes)
     })?
-    .or_raise(py)?;
+    .map_err(|failure| failure.raise(py))?;
     let result = summary(py, &found)?;
     let fitted = found.experiments.iter().map(|one| points(py, one));
     result.set_item("experiments", fitted.collect::<PyResult<Vec<_>>>()?)?;
@@ -151,7 +153,8 @@ pub fn fit_map<'py>(
 ) -> PyResult<Bound<'py, PyList>> {
     /// The fits whose results are in memory before they are made objects of Python.
     const BLOCK: usize = 64;
-    let (table, options) = (table.get(), options(given_options)?);
+    let (options, allow_magnitudes) = options(given_options)?;
+    let table = table.get();
     let (solver, interrupted) = interruptible_solver(py, table)?;
     let free = frees(py, free)?;
     let results = PyList::empty(py);
@@ -160,7 +163,8 @@ pub fn fit_map<'py>(
         let curves: Vec<Experiment> = curves.collect::<PyResult<_>>()?;
         let one = |curve: &Experiment| {
             let goes_on = !interrupted.load(Ordering::Relaxed);
-            goes_on.then(|| fit::fit(table.get(), std::slice::from_ref(curve), &free, &options))
+            let curve = std::slice::from_ref(curve);
+            goes_on.then(|| checked_fit(table.get(), curve, &free, &options, allow_magnitudes))
         };
         let found: Vec<_> = interruptible(py, &interrupted, || {
             curves.par_iter().map(one).while_some().collect()
@@ -168,14 +172,35 @@ pub fn fit_map<'py>(
         for (i, found) in found.into_iter().enumerate() {
             match found {
                 Ok(found) => results.append(summary(py, &found)?)?,
-                Err(error) => {
-                    let failure = Failure::from(error).at(block * BLOCK + i);
-                    results.append(failure.raise(py))?;
+                Err(failure) => {
+                    results.append(failure.at(block * BLOCK + i).raise(py))?;
                 }
             }
         }
     }
     Ok(results)
+}
+
+/// Fits, and refuses numbers that no experiment has unless they are allowed.
+fn checked_fit(
+    table: &interp::Table,
+    experiments: &[Experiment],
+    free: &[Free],
+    options: &Options,
+    allow_magnitudes: bool,
+) -> Result<Fit, Failure> {
+    let accept = |name: &str, found: &[Magnitude]| {
+        let failure = Failure::magnitudes(name, found).filter(|_| !allow_magnitudes);
+        failure.map_or(Ok(()), Err)
+    };
+    for experiment in experiments {
+        accept(&experiment.measurement.name, &experiment.magnitudes())?;
+    }
+    let found = fit::fit(table, experiments, free, options)?;
+    if found.converged {
+        accept("the fit", &found.magnitudes())?;
+    }
+    Ok(found)
 }
 
 /// Returns what makes the contacts on layers of a table until the flag beside it is set.
@@ -302,22 +327,23 @@ pub fn frees(py: Python<'_>, given: Vec<GivenFree>) -> PyResult<Vec<Free>> {
     all.or_raise(py)
 }
 
-/// Makes the options.
-fn options(given: GivenOptions) -> PyResult<Options> {
-    let (loss, profile_level, interaction_range, allow_left_out) = given;
+/// Makes the options, and tells whether any magnitude is allowed.
+fn options(given: GivenOptions) -> PyResult<(Options, bool)> {
+    let (loss, profile_level, interaction_range, allow_magnitudes, allow_left_out) = given;
     let loss = match loss.as_str() {
         "squares" => Loss::Squares,
         "huber" => Loss::HUBER,
         "soft-l1" => Loss::SOFT_L1,
         other => return Err(unknown("loss", other)),
     };
-    Ok(Options {
+    let options = Options {
         loss,
         profile_level,
         interaction_range,
         allow_left_out,
         ..Options::default()
-    })
+    };
+    Ok((options, allow_magnitudes))
 }
 
 /// Returns the value taken as given that has a name in Python. A layer keeps its name as it is.

@@ -1,6 +1,7 @@
 """Fits: JKR against linear least squares, a coated contact, maps, and what is refused."""
 
 import pickle
+from dataclasses import replace
 from math import pi, sqrt
 
 import numpy as np
@@ -14,6 +15,7 @@ from coated_contact import (
     FitMap,
     Free,
     HalfSpace,
+    Paraboloid,
     System,
     Table,
     fit,
@@ -229,6 +231,26 @@ def test_any_number_gives_a_fit_or_an_error(value):
         except ContactError:
             continue
         assert np.all(np.isfinite(list(found.params.values())))
+
+
+def test_numbers_that_no_experiment_has_are_refused_unless_they_are_allowed():
+    one = lens(seed=1)
+    large = replace(one, system=replace(one.system, probe=Paraboloid(radius=2.0)))
+    with pytest.raises(FitError, match="radius of the sphere = 2 m is above 0.1 m") as caught:
+        fit(large, WANTED)
+    assert caught.value.value == 2.0
+    assert 'allow=("magnitudes",)' in str(caught.value)
+    assert "--" not in str(caught.value)
+    assert fit(large, WANTED, allow=["magnitudes"]).converged
+    # Loads in mN: a work of adhesion that no two solids have.
+    loads = replace(one, ordinate=1e3 * one.ordinate)
+    with pytest.raises(FitError, match="mN were probably taken for N|mN or uN taken for N"):
+        fit(loads, WANTED)
+    curves = fit_map([one, loads], WANTED, errors="nan")
+    assert list(curves.failures) == [1]
+    assert np.isnan(curves.params["sphere_modulus"][1])
+    with pytest.raises(FitError, match="magnitudes"):
+        fit(one, WANTED, allow=["everything"])
 
 
 def test_young_s_modulus_of_the_sphere_follows_from_the_reduced_one():

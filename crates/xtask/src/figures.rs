@@ -37,18 +37,20 @@ const FIGURES: [(&str, Option<&str>); 10] = [
 const FITS: [(&str, &str, &str); 4] = [
     (
         "lens",
-        "--kind load-radius --film-thickness 3e-5 --from 4.2e-5 --to 1.3e-4 --noise 2e-6 \
+        "--specimen paper --kind load-radius --film-thickness 3e-5 --from 4.2e-5 --to 1.3e-4 --noise 2e-6 \
          --value load-offset=3e-5 --seed 1",
-        "--film-thickness 3e-5 --noise 2e-6 --free sphere-modulus,work-of-adhesion,load-offset",
+        "--sphere-radius 1mm --film-thickness 30um --film-modulus 3.5MPa --film-poisson-ratio 0.5 \
+         --substrate-modulus 200GPa --substrate-poisson-ratio 0.25 --noise 2uN \
+         --free sphere-modulus,work-of-adhesion,load-offset",
     ),
     (
         "gel",
-        "--kind force-height --sphere-radius 1e-5 --sphere-modulus inf --film-thickness 2e-5 \
+        "--specimen paper --kind force-height --sphere-radius 1e-5 --sphere-modulus inf --film-thickness 2e-5 \
          --film-modulus 5e3 --substrate-modulus 7e10 --work-of-adhesion 5e-5 --stiffness 0.1 \
          --from 1e-6 --to -2e-7 --points 120 --noise 5e-11 --value contact-point=2e-7 \
          --value baseline=1e-9 --seed 1",
-        "--sphere-radius 1e-5 --sphere-modulus inf --film-thickness 2e-5 --substrate-modulus 7e10 \
-         --stiffness 0.1",
+        "--sphere-radius 10um --sphere-modulus inf --film-thickness 20um --film-poisson-ratio 0.5 \
+         --substrate-modulus 70GPa --substrate-poisson-ratio 0.25 --stiffness 0.1N/m",
     ),
     (
         "coating",
@@ -62,9 +64,9 @@ const FITS: [(&str, &str, &str); 4] = [
     ),
     (
         "primer",
-        "--kind load-radius --stack crates/fit/data/primer.toml --from 2e-5 --to 1e-4 --noise 1e-6 \
+        "--specimen paper --kind load-radius --stack crates/fit/data/primer.toml --from 2e-5 --to 1e-4 --noise 1e-6 \
          --value primer.modulus=5e5 --seed 1",
-        "--stack crates/fit/data/primer.toml --noise 1e-6 \
+        "--sphere-radius 1mm --stack crates/fit/data/primer.toml --noise 1uN \
          --free sphere-modulus,primer.modulus,work-of-adhesion",
     ),
 ];

@@ -18,9 +18,10 @@
 //! `standard deviation` alone is that of the ordinate. Percentages are not read.
 //!
 //! `lines` reads the lines, `head` what they tell of the cantilever, `layout` finds the rows and
-//! their headings, `cells` and `number` read a row, `heading`, `names` and `unit` read a heading, and
-//! `assignment` decides which column holds what, with `deviation` those of standard deviations. `segment` finds the directions, and
-//! `remedy` what a user can give where a file is not read.
+//! their headings, `cells` and `number` read a row, `heading`, `names` and `unit` read a heading,
+//! `quantity` reads a number with a unit, and `assignment` decides which column holds what, with
+//! `deviation` those of standard deviations. `segment` finds the directions, and `remedy` what a user
+//! can give where a file is not read.
 
 mod assignment;
 mod cells;
@@ -33,6 +34,7 @@ mod layout;
 mod lines;
 mod names;
 mod number;
+mod quantity;
 mod remedy;
 mod rows;
 mod segment;
@@ -48,6 +50,7 @@ pub use assignment::{Source, roles};
 pub use column::{Column, Role};
 pub use failure::{DataError, Found, Missing, Problem};
 pub use head::{Head, HeadValue};
+pub use quantity::{Quantity, QuantityError};
 pub use remedy::{Named, Remedy};
 pub use sign::Doubt;
 pub use unit::{Dimension, Unit, prefix};

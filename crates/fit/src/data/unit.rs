@@ -1,4 +1,4 @@
-//! Units of lengths, forces and voltages, as columns name them.
+//! Units, as columns name them and as people write them behind a number.
 
 use std::fmt;
 
@@ -11,6 +11,39 @@ pub enum Dimension {
     Force,
     /// In volts.
     Voltage,
+    /// In pascals: a modulus.
+    Modulus,
+    /// In newtons per metre: a stiffness. One joule per square metre, the unit of a work of
+    /// adhesion, is one newton per metre.
+    ForcePerLength,
+    /// In metres per volt: the sensitivity of a deflection.
+    LengthPerVoltage,
+}
+
+impl Dimension {
+    /// Returns the SI unit.
+    pub const fn unit(self) -> &'static str {
+        match self {
+            Self::Length => "m",
+            Self::Force => "N",
+            Self::Voltage => "V",
+            Self::Modulus => "Pa",
+            Self::ForcePerLength => "N/m or J/m^2",
+            Self::LengthPerVoltage => "m/V",
+        }
+    }
+
+    /// Returns numbers with a unit, as examples.
+    pub const fn examples(self) -> &'static str {
+        match self {
+            Self::Length => "30um or 5e-7 m",
+            Self::Force => "2uN or 5e-9 N",
+            Self::Voltage => "20mV",
+            Self::Modulus => "3.5MPa or 70GPa",
+            Self::ForcePerLength => "0.1N/m or 40mJ/m^2",
+            Self::LengthPerVoltage => "30nm/V",
+        }
+    }
 }
 
 impl fmt::Display for Dimension {
@@ -19,6 +52,9 @@ impl fmt::Display for Dimension {
             Self::Length => "a length",
             Self::Force => "a force",
             Self::Voltage => "a voltage",
+            Self::Modulus => "a modulus",
+            Self::ForcePerLength => "a stiffness or a work of adhesion",
+            Self::LengthPerVoltage => "a sensitivity",
         })
     }
 }
@@ -28,7 +64,7 @@ impl fmt::Display for Dimension {
 pub struct Unit {
     /// The dimension.
     pub dimension: Dimension,
-    /// The size in metres, newtons or volts.
+    /// The size in the SI unit.
     pub size: f64,
 }
 
@@ -50,10 +86,19 @@ const PREFIXES: [(&str, &str, i32); 13] = [
 ];
 
 /// Units without a prefix: symbol, names, dimension.
-const BASES: [(&str, &[&str], Dimension); 3] = [
+const BASES: [(&str, &[&str], Dimension); 4] = [
     ("m", &["metre", "meter"], Dimension::Length),
     ("N", &["newton"], Dimension::Force),
     ("V", &["volt"], Dimension::Voltage),
+    ("Pa", &["pascal"], Dimension::Modulus),
+];
+
+/// Quotients of two symbols: numerator, denominator and its power, dimension.
+const QUOTIENTS: [(&str, &str, i32, Dimension); 4] = [
+    ("N", "m", 1, Dimension::ForcePerLength),
+    ("J", "m", 2, Dimension::ForcePerLength),
+    ("N", "m", 2, Dimension::Modulus),
+    ("m", "V", 1, Dimension::LengthPerVoltage),
 ];
 
 impl Unit {
@@ -65,35 +110,60 @@ impl Unit {
         }
     }
 
-    /// Reads a symbol, `mN`, or a name, `micrometres`. Symbols must have the case of the SI: `mN`
-    /// and `MN` differ.
+    /// Reads a symbol, `mN`, a name, `micrometres`, or a quotient of symbols, `mJ/m^2`. Symbols must
+    /// have the case of the SI: `mN` and `MN` differ.
     pub fn parse(text: &str) -> Option<Self> {
-        let text = text.trim();
-        let word = text.to_lowercase();
-        let word = word.strip_suffix('s').unwrap_or(&word);
-        let of = |dimension, exponent| {
-            let size = power(exponent);
-            Some(Self { dimension, size })
-        };
-        if matches!(text, "\u{c5}" | "\u{212b}") || word == "angstrom" {
-            return of(Dimension::Length, -10);
-        }
-        if word == "micron" {
-            return of(Dimension::Length, -6);
-        }
-        for (symbol, names, dimension) in BASES {
-            for (prefix, name, exponent) in PREFIXES {
-                let matches = text.strip_prefix(prefix) == Some(symbol)
-                    || names
-                        .iter()
-                        .any(|base| word.strip_prefix(name) == Some(base));
-                if matches {
-                    return of(dimension, exponent);
-                }
-            }
-        }
-        None
+        let (dimension, exponent) = power_of_ten(text)?;
+        let size = power(exponent);
+        Some(Self { dimension, size })
     }
+}
+
+/// Returns the dimension of a unit, and the power of ten that it is in the SI unit.
+pub(super) fn power_of_ten(text: &str) -> Option<(Dimension, i32)> {
+    let text = text.trim();
+    let word = text.to_lowercase();
+    let word = word.strip_suffix('s').unwrap_or(&word);
+    if matches!(text, "\u{c5}" | "\u{212b}") || word == "angstrom" {
+        return Some((Dimension::Length, -10));
+    }
+    if word == "micron" {
+        return Some((Dimension::Length, -6));
+    }
+    if let Some((above, below)) = text.split_once('/') {
+        return quotient(above.trim(), below.trim());
+    }
+    BASES.into_iter().find_map(|(symbol, names, dimension)| {
+        let of_name = |(_, name, exponent): &(&str, &str, i32)| {
+            let base = word.strip_prefix(name)?;
+            names.contains(&base).then_some(*exponent)
+        };
+        let exponent = prefixed(text, symbol).or_else(|| PREFIXES.iter().find_map(of_name));
+        Some((dimension, exponent?))
+    })
+}
+
+/// Returns the power of ten of the prefix before a symbol.
+fn prefixed(text: &str, symbol: &str) -> Option<i32> {
+    let prefix = text.strip_suffix(symbol)?;
+    let known = PREFIXES.iter().find(|(known, ..)| *known == prefix);
+    known.map(|(_, _, exponent)| *exponent)
+}
+
+/// Returns the dimension and the power of ten of a quotient.
+fn quotient(above: &str, below: &str) -> Option<(Dimension, i32)> {
+    let squared = ["^2", "\u{b2}", "2"]
+        .into_iter()
+        .find_map(|square| below.strip_suffix(square));
+    let (below, exponent) = squared.map_or((below, 1), |below| (below, 2));
+    QUOTIENTS
+        .into_iter()
+        .filter(|(_, _, own, _)| *own == exponent)
+        .find_map(|(numerator, denominator, _, dimension)| {
+            let above = prefixed(above, numerator)?;
+            let below = prefixed(below, denominator)?;
+            Some((dimension, above - exponent * below))
+        })
 }
 
 /// Returns the size of a prefix of the SI, by its symbol; 1 of none.
@@ -133,11 +203,21 @@ mod tests {
             ("nanonewton", Dimension::Force, 1e-9),
             ("mV", Dimension::Voltage, 1e-3),
             ("volts", Dimension::Voltage, 1.0),
+            ("GPa", Dimension::Modulus, 1e9),
+            ("kilopascals", Dimension::Modulus, 1e3),
+            ("N/mm^2", Dimension::Modulus, 1e6),
+            ("N/m", Dimension::ForcePerLength, 1.0),
+            ("pN/nm", Dimension::ForcePerLength, 1e-3),
+            ("mJ/m^2", Dimension::ForcePerLength, 1e-3),
+            ("mJ/m2", Dimension::ForcePerLength, 1e-3),
+            ("J / cm\u{b2}", Dimension::ForcePerLength, 1e4),
+            ("nm/V", Dimension::LengthPerVoltage, 1e-9),
         ] {
             assert_eq!(Unit::parse(text), Some(Unit { dimension, size }), "{text}");
         }
         for text in [
-            "", "x", "NM", "s", "N/m", "1", "measured", "a", "micro", "Pa",
+            "", "x", "NM", "s", "N/s", "1", "measured", "a", "micro", "gpa", "J", "J/m", "m/",
+            "/m", "m/V^2", "N/m/m",
         ] {
             assert_eq!(Unit::parse(text), None, "{text}");
         }

@@ -38,3 +38,4 @@ pub use result::{
     LeftOutReason, ModulusBias, Warning, WarningKind, WithoutFilm,
 };
 pub use solve::fit;
+pub use start::starts_from_data;

@@ -71,9 +71,7 @@ pub(crate) fn problem<'a>(
         };
         let multiplied =
             multiplied.filter(|(parameter, _)| own.iter().any(|one| one.0 == *parameter));
-        let matched = [Parameter::SphereModulus, Parameter::FilmModulus]
-            .into_iter()
-            .find(|&parameter| is_unknown(parameter));
+        let matched = matched(is_unknown);
         // The modulus that is matched to the data is multiplied after that.
         let before = multiplied.filter(|(parameter, _)| matched != Some(*parameter));
         if let Some((parameter, factor)) = before
@@ -117,6 +115,37 @@ pub(crate) fn problem<'a>(
         experiment: names(assigned),
         cause: Box::new(cause),
     })
+}
+
+/// Returns the modulus that is matched to the data, of those without a start: of two the sphere's.
+fn matched(is_unknown: impl Fn(Parameter) -> bool) -> Option<Parameter> {
+    [Parameter::SphereModulus, Parameter::FilmModulus]
+        .into_iter()
+        .find(|&parameter| is_unknown(parameter))
+}
+
+/// Tells whether a fit of experiments finds the start of a free parameter in the data, so that the
+/// value of the parameter in the experiments does not matter.
+///
+/// That is so for works of adhesion, zeros of the instrument, and one modulus of sphere or film:
+/// where both are free, that of the sphere. Penetrations against contact radii tell no modulus.
+pub fn starts_from_data(parameter: Parameter, experiments: &[Experiment], free: &[Free]) -> bool {
+    let is_unknown = |parameter| {
+        free.iter()
+            .any(|one| one.parameter == parameter && one.start.is_none())
+    };
+    let has_loads = |one: &Experiment| one.measurement.kind != Kind::PenetrationRadius;
+    match parameter {
+        Parameter::SphereModulus | Parameter::FilmModulus => {
+            matched(is_unknown) == Some(parameter) && experiments.iter().all(has_loads)
+        }
+        Parameter::FilmPoissonRatio
+        | Parameter::FilmThickness
+        | Parameter::Stiffness
+        | Parameter::LayerModulus(_)
+        | Parameter::LayerThickness(_) => false,
+        _ => is_unknown(parameter),
+    }
 }
 
 /// Returns the names of the measurements.

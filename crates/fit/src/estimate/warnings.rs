@@ -11,6 +11,7 @@ use super::search::{Data, SHORT};
 use super::uncertainty::{UNDETERMINED, Uncertainty};
 use super::valley::Bend;
 use super::{agreement, cycle, wanted};
+use crate::magnitude::{self, LARGEST_WORK, STIFFNESSES};
 use crate::statistics::missing_runs;
 use crate::{
     Bodies, Branch, Estimate, Fit, LeftOutReason, Options, Parameter, Warning, WarningKind,
@@ -165,15 +166,16 @@ fn bend(warnings: &mut Warnings, problem: &Problem<'_>, bend: &Bend) {
     );
 }
 
-/// Warns of values that no experiment has.
+/// Warns of values that no experiment has, and of works of adhesion and stiffnesses that none
+/// measures.
 fn implausible(warnings: &mut Warnings, estimate: &Estimate) {
+    if let Some(found) = magnitude::of_estimate(estimate) {
+        warnings.add(WarningKind::Implausible, found.to_string());
+        return;
+    }
     let [least, most] = match estimate.parameter {
-        Parameter::SphereModulus | Parameter::FilmModulus | Parameter::LayerModulus(_) => {
-            [1.0, 1e13]
-        }
-        Parameter::WorkOfAdhesion | Parameter::WorkOfAdhesionReceding => [1e-6, 1e2],
-        Parameter::FilmThickness | Parameter::LayerThickness(_) => [1e-10, 1.0],
-        Parameter::Stiffness => [1e-6, 1e9],
+        Parameter::WorkOfAdhesion | Parameter::WorkOfAdhesionReceding => [1e-6, LARGEST_WORK],
+        Parameter::Stiffness => STIFFNESSES,
         _ => return,
     };
     let determined = estimate.standard_error < UNDETERMINED * estimate.value;
@@ -399,7 +401,12 @@ fn geometry(
         .iter()
         .zip(&assigned.branches)
         .filter(|(_, branch)| **branch != Branch::LeftOut);
-    let a = counting.map(|(radius, _)| *radius).fold(0.0, f64::max);
+    let radii = counting
+        .map(|(radius, _)| *radius)
+        .filter(|radius| *radius > 0.0);
+    let [least, a] = radii.fold([f64::INFINITY, 0.0], |[least, most]: [f64; 2], radius| {
+        [least.min(radius), most.max(radius)]
+    });
     let Ok(contact) = problem.contact(&experiment.bodies, false) else {
         return;
     };
@@ -414,6 +421,9 @@ fn geometry(
                  m are smaller than atoms: check the units of the data"
             ),
         );
+    }
+    if let Some(doubt) = experiment.doubt_of_film([least, a]) {
+        warnings.add(WarningKind::Implausible, format!("{name}: {doubt}"));
     }
     let paraboloid = matches!(experiment.bodies.probe(), Probe::Paraboloid { .. });
     if paraboloid && validity.a_over_r > Validity::WARNING_A_OVER_R {

@@ -6,6 +6,7 @@ use interp::{Elastic, Probe};
 
 use super::{Bodies, Experiment, Parameter};
 use crate::Error;
+use crate::data::Dimension;
 
 /// A value that a fit takes as given.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -27,6 +28,16 @@ pub enum Fixed {
 }
 
 impl Fixed {
+    /// Returns the dimension; `None` for a Poisson ratio.
+    pub const fn dimension(self) -> Option<Dimension> {
+        match self {
+            Self::Parameter(parameter) => parameter.dimension(),
+            Self::SphereRadius | Self::LayerThickness(_) => Some(Dimension::Length),
+            Self::SubstrateModulus | Self::LayerModulus(_) => Some(Dimension::Modulus),
+            Self::SubstratePoissonRatio | Self::LayerPoissonRatio(_) => None,
+        }
+    }
+
     /// Returns the name, as on the command line.
     pub fn name(self) -> Cow<'static, str> {
         match self {

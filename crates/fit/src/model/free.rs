@@ -7,9 +7,9 @@ use super::{Fixed, Parameter};
 pub struct Free {
     /// The parameter.
     pub parameter: Parameter,
-    /// Where the fit starts. `None`: moduli, works of adhesion, offsets, contact points and
-    /// baselines start from the data themselves; Poisson ratio, thickness, stiffness and all of a
-    /// layer from the value of the [`Experiment`](crate::Experiment).
+    /// Where the fit starts. `None`: a modulus, works of adhesion, offsets, contact points and
+    /// baselines start from the data themselves, all else from the value of the
+    /// [`Experiment`](crate::Experiment): see [`starts_from_data`](crate::starts_from_data).
     pub start: Option<f64>,
     /// The smallest and the largest value allowed. A Poisson ratio has the bounds 0 and 0.5 unless
     /// others are given. Other parameters have none, but moduli, thickness, works of adhesion and

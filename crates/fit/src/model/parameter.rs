@@ -6,6 +6,7 @@ use std::str::FromStr;
 
 use super::LayerName;
 use crate::Error;
+use crate::data::Dimension;
 
 /// The ends of the names of the parameters of a layer.
 const MODULUS: &str = ".modulus";
@@ -89,6 +90,20 @@ impl Parameter {
             Self::LoadOffset | Self::Baseline => "N",
             Self::BaselineSlope | Self::Stiffness => "N/m",
         }
+    }
+
+    /// Returns the dimension; `None` for a Poisson ratio.
+    pub const fn dimension(self) -> Option<Dimension> {
+        Some(match self {
+            Self::SphereModulus | Self::FilmModulus | Self::LayerModulus(_) => Dimension::Modulus,
+            Self::FilmPoissonRatio => return None,
+            Self::FilmThickness | Self::LayerThickness(_) | Self::ContactPoint => Dimension::Length,
+            Self::LoadOffset | Self::Baseline => Dimension::Force,
+            Self::WorkOfAdhesion
+            | Self::WorkOfAdhesionReceding
+            | Self::BaselineSlope
+            | Self::Stiffness => Dimension::ForcePerLength,
+        })
     }
 
     /// Tells whether the parameter is positive. Then its logarithm is fitted.

@@ -73,11 +73,15 @@ pub struct Equilibrium {
 /// `a`, because a slightly larger contact at an unchanged `v` has `G > w`, and shrinks back.
 ///
 /// The turning points of `v` are found by the change of sign of its exact slope on a grid of
-/// `ln a`, and then refined to rounding. Two turning points within one interval of the grid, 0.05,
-/// are missed, and with them a hysteresis too small to matter.
+/// `ln a`, at most 0.05 apart, which contains the radii where the shape bends and points between
+/// them; and then refined to rounding. Where the slope comes nearer to 0 at a point of the grid than
+/// at both of its neighbours without a change of sign, its extremum is searched, too. Two turning
+/// points are missed only between two neighbouring points of the grid at which the slope does not
+/// show its extremum; their hysteresis is too small to matter.
 ///
 /// JKR has one turning point, a minimum, and so has a contact that is smaller than the curve's
-/// nodes. Films can cause more turning points, and then several stable equilibria at one `v`.
+/// nodes, under a shape that does not bend there. Films and bends can cause more turning points, and
+/// then several stable equilibria at one `v`.
 #[derive(Clone, Debug)]
 pub struct Equilibria<'a> {
     pub(super) contact: &'a Contact,
@@ -162,10 +166,10 @@ impl Contact {
         };
         let grid = self.search_grid()?;
         let (first, last) = (grid[0], grid[grid.len() - 1]);
-        let rises_at = |u: f64| slope(u).map(|slope| slope >= 0.0);
+        let slopes: Vec<f64> = grid.iter().map(|&u| slope(u)).collect::<Result<_, _>>()?;
 
         let mut sections = Vec::new();
-        let (mut start, mut rises) = ((first, imposed(first)?), rises_at(first)?);
+        let (mut start, mut rises) = ((first, imposed(first)?), slopes[0] >= 0.0);
         let mut end_section = |end: f64, rises: bool| {
             let value = imposed(end)?;
             sections.push(Section {
@@ -176,10 +180,21 @@ impl Contact {
             start = (end, value);
             Ok(())
         };
-        for pair in grid.windows(2) {
-            if rises_at(pair[1])? != rises {
-                end_section(root(slope, pair[0], pair[1])?, rises)?;
+        for k in 1..grid.len() {
+            if (slopes[k] >= 0.0) != rises {
+                end_section(root(slope, grid[k - 1], grid[k])?, rises)?;
                 rises = !rises;
+            } else if let Some(next) = slopes.get(k + 1)
+                && (*next >= 0.0) == rises
+                && slopes[k].abs() < slopes[k - 1].abs()
+                && slopes[k].abs() <= next.abs()
+                && let Some(between) = other_sign(slope, grid[k - 1], grid[k + 1], rises)?
+            {
+                // The neighbours of the point have the same sign as the point itself.
+                for [from, to] in [[grid[k - 1], between], [between, grid[k + 1]]] {
+                    end_section(root(slope, from, to)?, rises)?;
+                    rises = !rises;
+                }
             }
         }
         end_section(last, rises)?;
@@ -228,27 +243,82 @@ impl Contact {
         self.equilibria(w, Control::Load)?.unloading(0.0)
     }
 
-    /// Returns the logarithms of contact radii between which the signs of the slopes are compared:
-    /// on a film, and under a shape with an end, a grid; on a half-space without such an end, where
-    /// there is one turning point, the ends of the range.
+    /// Returns the logarithms of contact radii between which the signs of the slopes are compared: a
+    /// grid over the nodes on a film, and from below the first bend of the shape on. On a half-space
+    /// without bends, where there is one turning point, they are the ends of the range.
     fn search_grid(&self) -> Result<Vec<f64>, Error> {
         const STEP: f64 = 0.05;
+        /// The part of the smallest radius of a bend where the bend does not matter yet.
+        const BEFORE: f64 = 1e-3;
+        /// The least number of intervals.
+        const FEWEST: f64 = 16.0;
+        /// The points after a bend, over the distance to the next point. There the slope changes like
+        /// the root of the distance, or after a flat end like its inverse.
+        const AFTER: [f64; 6] = [1e-3, 4e-3, 1.6e-2, 0.0625, 0.25, 0.5625];
         let [smallest, largest] = self.search_range()?;
-        let first_node = match self.node_radii() {
-            Some([from, _]) => from.min(largest),
-            None => self.first_of_grid().unwrap_or(largest),
+        let bends = self.bends();
+        let before = bends.first().map_or(largest, |bend| BEFORE * bend);
+        let node = self.node_radii().map_or(largest, |[from, _]| from);
+        let first = node.min(before).min(largest).max(smallest);
+        let length = (largest / first).ln();
+        let intervals = if length > 0.0 {
+            (length / STEP).ceil().max(FEWEST)
+        } else {
+            1.0
+        };
+        let mut grid = vec![smallest.ln()];
+        grid.extend(
+            (0..=intervals as usize).map(|i| largest.ln() - length * (1.0 - i as f64 / intervals)),
+        );
+        // That of a flat end is the beginning of the range.
+        let bends: Vec<f64> = bends.iter().map(|bend| bend.max(smallest).ln()).collect();
+        let inside = |u: &&f64| **u > smallest.ln() && **u < largest.ln();
+        grid.extend(bends.iter().filter(inside));
+        grid.sort_by(f64::total_cmp);
+        grid.dedup();
+        let mut graded = Vec::with_capacity(grid.len() + AFTER.len() * bends.len());
+        for pair in grid.windows(2) {
+            graded.push(pair[0]);
+            if bends.contains(&pair[0]) {
+                graded.extend(AFTER.map(|part| pair[0] + part * (pair[1] - pair[0])));
+            }
         }
-        .max(smallest);
-        let length = (largest / first_node).ln();
-        let intervals = (length / STEP).ceil().max(1.0);
-        let nodes =
-            (0..=intervals as usize).map(|i| largest.ln() - length * (1.0 - i as f64 / intervals));
-        let grid = (smallest < first_node)
-            .then(|| smallest.ln())
-            .into_iter()
-            .chain(nodes);
-        Ok(grid.collect())
+        graded.extend(grid.last());
+        Ok(graded)
     }
+}
+
+/// Returns a point between `from` and `to` at which a `slope` has another sign than at both ends,
+/// where it `rises` or not, by Fibonacci's search for the extremum; `None` if there is none.
+fn other_sign(
+    slope: impl Fn(f64) -> Result<f64, Error>,
+    mut from: f64,
+    mut to: f64,
+    rises: bool,
+) -> Result<Option<f64>, Error> {
+    /// The number of steps. Each shortens the interval by the golden ratio.
+    const STEPS: usize = 30;
+    const GOLDEN: f64 = 0.618_033_988_749_894_9;
+    let size = |u: f64| slope(u).map(|slope| if rises { slope } else { -slope });
+    let is_other = |size: f64| if rises { size < 0.0 } else { size <= 0.0 };
+    let inner = |from: f64, to: f64, part: f64| from + part * (to - from);
+    let mut points = [1.0 - GOLDEN, GOLDEN].map(|part| inner(from, to, part));
+    let mut sizes = [size(points[0])?, size(points[1])?];
+    for _ in 0..STEPS {
+        if let Some(i) = (0..2).find(|&i| is_other(sizes[i])) {
+            return Ok(Some(points[i]));
+        }
+        if sizes[0] < sizes[1] {
+            to = points[1];
+            let new = inner(from, to, 1.0 - GOLDEN);
+            (points, sizes) = ([new, points[0]], [size(new)?, sizes[0]]);
+        } else {
+            from = points[0];
+            let new = inner(from, to, GOLDEN);
+            (points, sizes) = ([points[1], new], [sizes[1], size(new)?]);
+        }
+    }
+    Ok(None)
 }
 
 impl Equilibria<'_> {

@@ -23,6 +23,8 @@ pub(crate) struct Edge {
     pub(crate) a_over_t: f64,
     /// The quantities at this `a/t`. A quantity that is not known has no meaningful value.
     pub(crate) quantities: Quantities,
+    /// Their logarithmic slopes, `x dQ/dx`.
+    pub(crate) slopes: Quantities,
     /// Which quantities the curve knows, in the order of [`Quantity::ALL`].
     pub(crate) known: [bool; 4],
     /// The relative error of the quantities.
@@ -133,7 +135,8 @@ impl Edge {
     /// ```
     ///
     /// (from the Wiener-Hopf solution for a half-plane). `C` is found for each quantity, and the
-    /// second order for `Gamma`, from its own value at the edge.
+    /// second order for `Gamma`, from its own value at the edge. With `r` the `a/t` of the edge over
+    /// `x`, a last term `D (r^16 - r^17)` makes the slope continuous there; it is `D/46` at most.
     ///
     /// The error is the sum of two parts. One is measured: what the quantities at the edge and at
     /// half its `a/t` say about the second order, by the differences of their `C` and by the change
@@ -149,6 +152,8 @@ impl Edge {
         /// The most sensitive quantity, `Pi0`, changes by three times the change of `C`. The other
         /// factor allows for the logarithm.
         const MEASURED: f64 = 6.0;
+        /// The power with which the term vanishes that makes the slope continuous.
+        const SMOOTH: i32 = 16;
         /// The factor of the material's part.
         const OF_MATERIAL: f64 = 10.0;
         let (edge, at, limit) = (self.a_over_t, self.quantities, material.thin_film_limit());
@@ -176,21 +181,38 @@ impl Edge {
         let [of_edge, of_half] =
             [(edge, &at), (0.5 * edge, at_half)].map(|(x, at)| constants(x, at));
         let [pi0, eeq, gamma, delta0] = of_edge;
-        let logarithmic = |constant: f64, limit: f64, [factor, offset]: [f64; 2]| {
-            let departure = factor * (bracket(x, offset) + constant) / x;
+        let of_gamma = |x: f64| {
+            let (first, second) = (0.5 * slope / x, gamma * edge / (x * x));
             (
-                limit * (1.0 - departure),
-                limit * (departure - factor * slope / x),
+                limit.gamma * (1.0 - first - second),
+                limit.gamma * (first + 2.0 * second),
             )
         };
-        let pi0 = logarithmic(pi0, limit.pi0, PI0);
-        let eeq = logarithmic(eeq, limit.eeq, EEQ);
-        let delta0 = logarithmic(delta0, 1.0, DELTA0);
-        let (first, second) = (0.5 * slope / x, gamma * edge / (x * x));
-        let gamma = (
-            limit.gamma * (1.0 - first - second),
-            limit.gamma * (first + 2.0 * second),
-        );
+        let at_x = |x: f64| {
+            let logarithmic = |constant: f64, limit: f64, [factor, offset]: [f64; 2]| {
+                let departure = factor * (bracket(x, offset) + constant) / x;
+                (
+                    limit * (1.0 - departure),
+                    limit * (departure - factor * slope / x),
+                )
+            };
+            [
+                logarithmic(pi0, limit.pi0, PI0),
+                logarithmic(eeq, limit.eeq, EEQ),
+                of_gamma(x),
+                logarithmic(delta0, 1.0, DELTA0),
+            ]
+        };
+        let ratio = edge / x;
+        let power = ratio.powi(SMOOTH);
+        let (of_edge_slopes, at_edge) = (self.slopes.to_array(), at_x(edge));
+        let mut expanded = at_x(x);
+        for (q, (value, rate)) in expanded.iter_mut().enumerate() {
+            let missing = of_edge_slopes[q] - at_edge[q].1;
+            let order = f64::from(SMOOTH);
+            *value += missing * power * (1.0 - ratio);
+            *rate += missing * power * ((order + 1.0) * ratio - order);
+        }
 
         // The second order falls like `1/x`: what is found at half the `a/t` counts half at the
         // edge, and what changes between the two is what is left.
@@ -214,8 +236,8 @@ impl Edge {
         let share = edge / x;
         let left_out = MEASURED * measured / edge + OF_MATERIAL * of_material;
         Some(Expansion {
-            values: Quantities::from_array([pi0.0, eeq.0, gamma.0, delta0.0]),
-            slopes: Quantities::from_array([pi0.1, eeq.1, gamma.1, delta0.1]),
+            values: Quantities::from_array(expanded.map(|(value, _)| value)),
+            slopes: Quantities::from_array(expanded.map(|(_, slope)| slope)),
             error: share * (self.error + (1.0 - share) * left_out),
         })
     }

@@ -41,9 +41,11 @@ impl Curve {
             return Err(self.outside(x));
         };
         let edge = |a_over_t: f64| -> Result<Edge, Error> {
+            let (quantities, slopes) = self.values_and_slopes(a_over_t)?;
             Ok(Edge {
                 a_over_t,
-                quantities: self.values_and_slopes(a_over_t)?.0,
+                quantities,
+                slopes,
                 known: if self.is_of_other_shape() {
                     [false, true, true, false]
                 } else {

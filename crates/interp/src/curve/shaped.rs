@@ -66,6 +66,27 @@ impl Curve {
         })
     }
 
+    /// Returns the tolerance of the table that the curve was made from, if it is known.
+    pub(crate) fn tolerance(&self) -> Option<f64> {
+        self.accuracy.map(|accuracy| accuracy.tolerance)
+    }
+
+    /// Returns `Gamma` and its derivative with respect to `a_over_t`, which must be between the nodes,
+    /// on a curve that knows `Gamma`.
+    #[inline]
+    pub(crate) fn gamma_and_rate(&self, a_over_t: f64) -> [f64; 2] {
+        let position = self.grid.locate(a_over_t);
+        let piece = &self.pieces[position.piece];
+        let terms = piece.iter().rev().map(|row| row[Quantity::Gamma as usize]);
+        let [value, rate] = terms.fold([0.0; 2], |[value, rate], term| {
+            [value * position.t + term, rate * position.t + value]
+        });
+        [
+            value,
+            rate * self.grid.logarithmic_speed(a_over_t) / a_over_t,
+        ]
+    }
+
     /// Returns the derivatives, with respect to a parameter by number as in
     /// `QuantityGradient::relative`, of the logarithms of `Pi0`, `Eeq` and `Gamma` over `es`
     /// between the nodes, and of the last one also the derivative with respect to `a_over_t`.

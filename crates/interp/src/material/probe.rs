@@ -52,7 +52,7 @@ pub enum Probe {
         /// The radius of curvature `R`, m.
         radius: f64,
     },
-    /// The sphere itself, `f = R - sqrt(R^2 - r^2)`.
+    /// The sphere itself, `f = R - sqrt(R^2 - r^2)`. On a film contacts up to 0.55 R are computed.
     Sphere {
         /// The radius `R`, m.
         radius: f64,

@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from distributed import Client
 
 Loss = Literal["squares", "huber", "soft-l1"]
-Allowed = Literal["left-out"]
+Allowed = Literal["magnitudes", "left-out"]
 
 
 def fit(
@@ -73,9 +73,10 @@ def fit(
         :class:`Free` instead lets the data move a free value.
     fixed_values : bool
         Whether ``Fit.fixed_values`` tells what the values that are not free do to the result.
-    allow : iterable of str
-        What is accepted that is an error otherwise: ``"left-out"``, more than a third of the points
-        in contact does not count.
+    allow : iterable of {"magnitudes", "left-out"}
+        Doubts with which the fit goes on. ``"magnitudes"``: numbers, given or found, that no
+        experiment has, such as a sphere of 2 m or a film of 3000 GPa. ``"left-out"``: more than a
+        third of the points in contact does not count.
 
     Returns
     -------
@@ -86,9 +87,9 @@ def fit(
     Raises
     ------
     FitError
-        For points, parameters or options that cannot be used. Points are counted from 0. For
-        parameters that the data do not determine, so that no standard error is finite, and for
-        more than a third of the points in contact left out.
+        For points, parameters or options that cannot be used, and for numbers that no experiment
+        has. Points are counted from 0. For parameters that the data do not determine, so that no
+        standard error is finite, and for more than a third of the points in contact left out.
     ContactError
         For a contact that cannot be computed.
 
@@ -269,10 +270,10 @@ def _native(
     one_of("loss", loss, get_args(Loss))
     given = experiments_of(experiments)
     level = None if profile_level is None else number("profile_level", profile_level)
-    for name in allow:
-        one_of("allow", name, get_args(Allowed))
-    reach = number("interaction_range", interaction_range)
-    options = (loss, level, reach, "left-out" in allow)
+    for one in allow:
+        one_of("allow", one, get_args(Allowed))
+    attraction = number("interaction_range", interaction_range)
+    options = (loss, level, attraction, "magnitudes" in allow, "left-out" in allow)
     return function((table or Table.embedded())._native, given, free_of(free), options, *further)
 
 

@@ -6,8 +6,10 @@ use std::path::{Path, PathBuf};
 use clap::ValueHint;
 use interp::System;
 
+use super::allow::{self, Allowed};
+use super::quantity::length;
 use super::stack_file::{self, Layers};
-use super::system::SystemArguments;
+use super::system::{self, SystemArguments, Value};
 use crate::cohesive::Cohesive;
 
 /// The flags of the bodies. A command that takes them has an argument `table`.
@@ -27,6 +29,9 @@ pub struct BodiesArguments {
     stack: Option<PathBuf>,
     #[command(flatten)]
     pub system: SystemArguments,
+    /// Go on although these are doubtful
+    #[arg(long, value_enum, value_name = "NAME,...", value_delimiter = ',')]
+    pub allow: Vec<Allowed>,
 }
 
 /// The flags of the bodies, and the range of the attraction between them.
@@ -41,7 +46,8 @@ pub struct AttractingArguments {
         long,
         value_name = "M",
         conflicts_with = "table",
-        allow_negative_numbers = true
+        value_parser = length,
+        allow_hyphen_values = true
     )]
     pub interaction_range: Option<f64>,
 }
@@ -52,6 +58,10 @@ pub struct Bodies {
     pub system: System,
     /// The layers, if they are not one film.
     pub stack: Option<Layers>,
+    /// The radius of the sphere or of the end of the probe, m. Some shapes do not use it.
+    pub sphere_radius: f64,
+    /// The work of adhesion, J/m^2.
+    pub work_of_adhesion: f64,
 }
 
 impl BodiesArguments {
@@ -60,45 +70,67 @@ impl BodiesArguments {
         [self.stack.as_deref(), self.system.shape.profile.as_deref()]
     }
 
-    /// Returns the bodies. An error names the file and the body.
+    /// Lists the values that are not given and needed.
+    pub fn missing(&self, half_space: bool) -> Vec<Value> {
+        self.system.missing(self.stack.is_some(), half_space)
+    }
+
+    /// Returns the bodies, with the values of the paper where none are given, if their numbers are
+    /// those of a contact. An error names the file and the body.
+    pub fn read_checked(&self) -> anyhow::Result<Bodies> {
+        let bodies = self.read()?;
+        let touching = fit::Bodies::Coated(bodies.system.clone());
+        allow::magnitudes(&touching.magnitudes(bodies.work_of_adhesion), &self.allow)?;
+        Ok(bodies)
+    }
+
+    /// Names the values that the paper's example stands in for, in a comment line.
+    pub fn name_example(&self) {
+        if self.system.specimen.is_none() {
+            system::name_example(&self.missing(false));
+        }
+    }
+
+    /// Returns the bodies, with the values of the paper where none are given. An error names the
+    /// file and the body.
     pub fn read(&self) -> anyhow::Result<Bodies> {
-        let Some(path) = &self.stack else {
-            return Ok(Bodies {
-                system: self.system.system()?,
-                stack: None,
-            });
+        let sphere_radius = self.system.value(Value::SphereRadius)?;
+        let work_of_adhesion = self.system.value(Value::WorkOfAdhesion)?;
+        let stack = self.stack.as_deref().map(stack_file::read).transpose()?;
+        let system = match &stack {
+            Some(layers) => {
+                let sphere_modulus = self.system.value(Value::SphereModulus)?;
+                layers.stack().system(sphere_radius, sphere_modulus)
+            }
+            None => self.system.system()?,
         };
-        let layers = stack_file::read(path)?;
-        let SystemArguments {
-            sphere_radius,
-            sphere_modulus,
-            ..
-        } = self.system;
         Ok(Bodies {
-            system: layers.stack().system(sphere_radius, sphere_modulus),
-            stack: Some(layers),
+            system,
+            stack,
+            sphere_radius,
+            work_of_adhesion,
         })
     }
 }
 
-impl AttractingArguments {
+impl Bodies {
     /// Returns the attraction of a finite `range` (m) between the bodies.
-    pub fn cohesive(&self, bodies: &Bodies, range: f64) -> anyhow::Result<Cohesive> {
-        let SystemArguments {
+    pub fn cohesive(&self, range: f64) -> anyhow::Result<Cohesive> {
+        let Self {
+            ref system,
+            ref stack,
             sphere_radius,
-            sphere_modulus,
             work_of_adhesion,
-            ..
-        } = self.bodies.system;
-        Ok(match &bodies.stack {
+        } = *self;
+        Ok(match stack {
             Some(layers) => Cohesive::on_stack(
                 layers.stack(),
                 sphere_radius,
-                sphere_modulus,
+                system.sphere_modulus,
                 work_of_adhesion,
                 range,
             )?,
-            None => Cohesive::new(&bodies.system, work_of_adhesion, range)?,
+            None => Cohesive::new(system, work_of_adhesion, range)?,
         })
     }
 }

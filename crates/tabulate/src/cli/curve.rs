@@ -11,6 +11,7 @@ use super::note;
 use super::output::Output;
 use super::points::{evenly, number};
 use super::progress::progress_bar;
+use super::quantity::{self, length};
 use super::stack_file::Layers;
 use super::table_name::{self, TableName};
 use crate::cohesive::Cohesive;
@@ -29,16 +30,17 @@ use crate::solve::{curve as adaptive, solve};
 /// With --interaction-range the attraction is not that of JKR, and there is a column outer_radius (m):
 /// the radius within which it acts.
 ///
-/// Without arguments the system is that of Barthel's Tables 1 and 2: an elastomer sphere of 1 mm on
-/// an elastomer film of 1 um on silicon.
+/// Values that are not given are those of Barthel's Tables 1 and 2, an elastomer sphere of 1 mm on an
+/// elastomer film of 1 um on silicon, and a comment line on standard error names them. With
+/// --specimen paper they are meant, and not named.
 #[derive(clap::Args)]
 #[command(after_help = super::examples!(
-    "tabulate curve",
-    "tabulate curve --film-thickness 1e-5 --points 20 | cut -d, -f1-3",
-    "tabulate curve --sphere-modulus inf --film-modulus 1e9 --film-poisson-ratio 0.4",
-    "tabulate curve embedded --work-of-adhesion 0.1 -o curve.csv",
-    "tabulate curve --stack tables/stacks/primer.toml --from 1e-5 --to 1e-4 --points 20",
-    "tabulate curve --probe rounded-cone --half-angle 70 --sphere-radius 1e-6 --to 5e-6",
+    "tabulate curve --specimen paper",
+    "tabulate curve --specimen paper --film-thickness 10um --points 20 | cut -d, -f1-3",
+    "tabulate curve --specimen paper --sphere-modulus inf --film-modulus 1GPa --film-poisson-ratio 0.4",
+    "tabulate curve embedded --specimen paper --work-of-adhesion 100mJ/m^2 -o curve.csv",
+    "tabulate curve --specimen paper --stack tables/stacks/primer.toml --from 10um --to 90um --points 9",
+    "tabulate curve --specimen paper --probe rounded-cone --half-angle 70 --sphere-radius 1um --to 5um",
 ))]
 pub struct Arguments {
     #[arg(
@@ -49,17 +51,17 @@ pub struct Arguments {
     #[command(flatten)]
     attracting: AttractingArguments,
     /// Smallest contact radius, m
-    #[arg(long, default_value = "1e-6", allow_negative_numbers = true)]
+    #[arg(long, default_value = "1e-6", value_parser = length, allow_hyphen_values = true)]
     from: f64,
     /// Largest contact radius, m. It must be below the sphere's radius R. The model takes it to be
     /// small beside R: above 0.3 R there is a warning
-    #[arg(long, default_value = "1.5e-4", allow_negative_numbers = true)]
+    #[arg(long, default_value = "1.5e-4", value_parser = length, allow_hyphen_values = true)]
     to: f64,
     /// Number of contact radii, equally spaced
     #[arg(long, default_value_t = 150, value_parser = value_parser!(u32).range(2..=super::MOST_POINTS))]
     points: u32,
     /// Relative tolerance of direct solves [default: 1e-8]
-    #[arg(long, conflicts_with_all = ["table", "interaction_range"], allow_negative_numbers = true)]
+    #[arg(long, conflicts_with_all = ["table", "interaction_range"], value_parser = quantity::number, allow_hyphen_values = true)]
     tolerance: Option<f64>,
     /// Write the CSV here instead of to standard output
     #[arg(short, long, value_name = "OUT.csv")]
@@ -74,21 +76,20 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let output = Output::new(arguments.output.as_deref(), [table, stack, profile])?;
     ensure!(
         from > 0.0 && to > from && to < f64::INFINITY,
-        "the contact radii must run from > 0 to more than that: from {from} to {to}"
+        "the contact radii must run from > 0 to more than that: from {from:?} to {to:?} m"
     );
-    let bodies = given.read()?;
+    let bodies = given.read_checked()?;
     let system = &bodies.system;
-    let given = &given.system;
     let mechanics = Mechanics::new(system)?;
     let punch = matches!(system.probe, Probe::FlatPunch { .. });
     if !punch {
         // Refuses too large a radius before any work.
-        mechanics.edge_singularity(to, given.work_of_adhesion)?;
+        mechanics.edge_singularity(to, bodies.work_of_adhesion)?;
     }
     let states = States::new(arguments, &bodies)?;
     let rows: Vec<Vec<f64>> = if punch {
         // The only contact radius of a punch.
-        vec![states.row(given.sphere_radius, &mechanics)?]
+        vec![states.row(bodies.sphere_radius, &mechanics)?]
     } else {
         let bar = progress_bar(arguments.points as usize, "solving");
         let row = |i: u32| {
@@ -100,8 +101,9 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         bar.finish_and_clear();
         rows
     };
+    given.name_example();
     let paraboloid = matches!(system.probe, Probe::Paraboloid { .. });
-    if paraboloid && to > Validity::WARNING_A_OVER_R * given.sphere_radius {
+    if paraboloid && to > Validity::WARNING_A_OVER_R * bodies.sphere_radius {
         note(LARGE_CONTACT);
     }
     let mut writer = csv::Writer::from_writer(Vec::new());
@@ -154,7 +156,7 @@ impl<'a> States<'a> {
         let tolerance = arguments.tolerance.unwrap_or(TOLERANCE);
         let system = &bodies.system;
         let source = if let Some(range) = attracting.interaction_range {
-            Source::Range(Box::new(attracting.cohesive(bodies, range)?))
+            Source::Range(Box::new(bodies.cohesive(range)?))
         } else if let Some(name) = &arguments.table {
             Source::Curve(Box::new(name.read()?.contact(system)?))
         } else if let Some(layers) = &bodies.stack {
@@ -178,7 +180,7 @@ impl<'a> States<'a> {
         Ok(Self {
             source,
             system,
-            work_of_adhesion: attracting.bodies.system.work_of_adhesion,
+            work_of_adhesion: bodies.work_of_adhesion,
             tolerance,
         })
     }

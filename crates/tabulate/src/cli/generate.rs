@@ -16,6 +16,7 @@ use super::json::{self, OfParameters, TableObject, Written};
 #[cfg(unix)]
 use super::note;
 use super::progress::Bars;
+use super::quantity::number;
 use super::table_name::hdf5_file;
 use super::{info, plan, print};
 use crate::table::Scene;
@@ -55,7 +56,7 @@ pub struct Arguments {
     #[arg(short, long, value_name = "TABLE.h5", value_parser = hdf5_file())]
     output: Option<PathBuf>,
     /// Relative tolerance between the nodes, instead of the scene's
-    #[arg(long, allow_negative_numbers = true)]
+    #[arg(long, value_parser = number, allow_hyphen_values = true)]
     tolerance: Option<f64>,
     /// Number of threads [default: one per core]
     #[arg(long, value_parser = value_parser!(u16).range(1..=1024))]
@@ -67,7 +68,7 @@ pub struct Arguments {
     #[arg(long)]
     plan: bool,
     /// Stop after this time, with the pieces that are finished
-    #[arg(long, value_name = "SECONDS", allow_negative_numbers = true)]
+    #[arg(long, value_name = "SECONDS", value_parser = number, allow_hyphen_values = true)]
     budget: Option<f64>,
     /// Number of points of the certificate [default: 2500 for each axis]
     #[arg(long, value_parser = value_parser!(u32).range(1..=super::MOST_POINTS))]

@@ -6,6 +6,7 @@
 //! (`stack_file`); results go to an `output`, which knows the inputs, or are printed, as text or as
 //! one object of `json`; notes go to standard error.
 
+mod allow;
 mod bodies;
 mod check;
 mod completions;
@@ -25,6 +26,7 @@ mod points;
 mod probe;
 mod progress;
 mod pull_off;
+mod quantity;
 mod query;
 mod report;
 mod simulate;
@@ -65,6 +67,9 @@ const NAME: &str = "tabulate";
 /// substrate. E1/E2* = 0 is a rigid sphere: then results are normalised by the film's reduced
 /// modulus E1* instead of E2*, and e0_over_e2 is read as E0/E1.
 ///
+/// Lengths, moduli, forces, stiffnesses and works of adhesion are in SI units, or have a unit behind
+/// them: 30um, 70GPa, 2uN, 0.1N/m, 40mJ/m^2. `u` stands for micro; mN and MN differ.
+///
 /// Wherever a command takes a TABLE, the word `embedded` stands for the table that is compiled into
 /// the program.
 #[derive(Parser)]
@@ -74,7 +79,7 @@ const NAME: &str = "tabulate";
     version,
     max_term_width = 120,
     after_help = examples!(
-        "tabulate curve",
+        "tabulate curve --specimen paper",
         "tabulate solve --a-over-t 65 --e1-over-e2 1.75 --nu1 0.5 --e0-over-e2 1e5",
         "tabulate query embedded --points tables/points.csv",
         "tabulate info embedded",

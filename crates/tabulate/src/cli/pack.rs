@@ -9,6 +9,7 @@ use clap::{ValueHint, value_parser};
 use super::json::{self, TableObject, Written};
 use super::output::Output;
 use super::progress::Bars;
+use super::quantity::number;
 use super::table_name::{self, TableName, packed_file};
 use super::{info, print};
 use crate::printable;
@@ -36,7 +37,7 @@ pub struct Arguments {
     ///
     /// Generate the table to a third of this tolerance or less, which leaves room for the
     /// truncation. The certificate does not cover derivatives.
-    #[arg(long, allow_negative_numbers = true)]
+    #[arg(long, value_parser = number, allow_hyphen_values = true)]
     tolerance: Option<f64>,
     /// Number of points of the certificate [default: 2500 for each axis]
     #[arg(long, requires = "tolerance", value_parser = value_parser!(u32).range(1..=super::MOST_POINTS))]

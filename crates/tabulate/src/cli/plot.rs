@@ -9,6 +9,7 @@ use super::default_table;
 use super::output::Output;
 use super::probe::SizedProbeArguments;
 use super::progress::progress_bar;
+use super::system::{self, Specimen};
 use super::table_name::{self, TableName};
 use crate::Error;
 use crate::cost::{Measurement, read_csv};
@@ -23,7 +24,7 @@ use crate::plot::{
 #[derive(clap::Args)]
 #[command(after_help = super::examples!(
     "tabulate plot fig4 -o fig4.svg",
-    "tabulate plot force-displacement -o curves.png",
+    "tabulate plot force-displacement --specimen paper -o curves.png",
     "tabulate plot error-map tables/paper.h5 -o errors.svg",
     "tabulate plot table-cost --data tables/figures/table.csv -o cost.svg",
 ))]
@@ -47,12 +48,15 @@ enum Figure {
     /// Load against penetration of the paper's system for several films, with the jumps, under any
     /// probe
     #[command(after_help = super::examples!(
-        "tabulate plot force-displacement -o curves.svg",
-        "tabulate plot force-displacement --probe cone --half-angle 70 -o cone.svg",
+        "tabulate plot force-displacement --specimen paper -o curves.svg",
+        "tabulate plot force-displacement --specimen paper --probe cone --half-angle 70 -o cone.svg",
     ))]
     ForceDisplacement {
         #[command(flatten)]
         probe: SizedProbeArguments,
+        /// The specimen. Without it a comment line on standard error names the values of the paper
+        #[arg(long, value_enum)]
+        specimen: Option<Specimen>,
         #[command(flatten)]
         output: Picture,
     },
@@ -165,13 +169,18 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         Figure::Fig2(output) => output.write(None, || Ok(fig2::figure(&fig2::data()?))),
         Figure::Fig3(output) => output.write(None, || Ok(fig3::figure(&fig3::data()?))),
         Figure::Fig4(output) => output.write(None, || Ok(fig4::figure(&fig4::data()?))),
-        Figure::ForceDisplacement { probe, output } => {
-            output.write(probe.shape.profile.as_deref(), || {
-                let probe = probe.probe()?;
-                let films = force_displacement::data(&probe)?;
-                Ok(force_displacement::figure(&films, &probe))
-            })
-        }
+        Figure::ForceDisplacement {
+            probe,
+            specimen,
+            output,
+        } => output.write(probe.shape.profile.as_deref(), || {
+            if specimen.is_none() {
+                system::name_example(&probe.missing());
+            }
+            let probe = probe.probe()?;
+            let films = force_displacement::data(&probe)?;
+            Ok(force_displacement::figure(&films, &probe))
+        }),
         Figure::PullOff(output) => output.write(None, || Ok(pull_off::figure(&pull_off::data()?))),
         Figure::ErrorMap { table, output } => {
             output.write(table.as_ref().and_then(TableName::path), || {

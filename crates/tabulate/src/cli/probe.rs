@@ -8,6 +8,9 @@ use anyhow::{Context, anyhow, bail, ensure};
 use clap::{ValueEnum, ValueHint};
 use interp::{Probe, Profile};
 
+use super::quantity::{length, number};
+use super::system::Value;
+
 /// The shapes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Shape {
@@ -37,13 +40,13 @@ pub struct ProbeArguments {
     #[arg(long, value_enum, default_value = "paraboloid")]
     pub probe: Shape,
     /// Angle between the axis and the flank of a cone, in DEGREES, between 0 and 90
-    #[arg(long, value_name = "DEGREES", allow_negative_numbers = true)]
+    #[arg(long, value_name = "DEGREES", value_parser = number, allow_hyphen_values = true)]
     pub half_angle: Option<f64>,
     /// Exponent n of the power law c r^n, from 1 to 20
-    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", value_parser = number, allow_hyphen_values = true)]
     pub exponent: Option<f64>,
     /// Coefficient c of the power law c r^n, with r and c r^n in m
-    #[arg(long, value_name = "C", allow_negative_numbers = true)]
+    #[arg(long, value_name = "C", value_parser = number, allow_hyphen_values = true)]
     pub coefficient: Option<f64>,
     /// CSV of a measured shape: distance r from the axis and height z above the lowest point, in
     /// the units of the headings, such as `r [um],z [nm]`, or in m
@@ -52,6 +55,11 @@ pub struct ProbeArguments {
 }
 
 impl ProbeArguments {
+    /// Tells whether the shape has a radius.
+    pub const fn has_radius(&self) -> bool {
+        !matches!(self.probe, Shape::Cone | Shape::PowerLaw | Shape::Profile)
+    }
+
     /// Returns the shape; `radius` is --sphere-radius. A flag that the shape does not have, or that
     /// is missing, is an error.
     pub fn probe(&self, radius: f64) -> anyhow::Result<Probe> {
@@ -114,15 +122,28 @@ impl ProbeArguments {
 pub struct SizedProbeArguments {
     #[command(flatten)]
     pub shape: ProbeArguments,
-    /// Radius of the sphere, of the paraboloid, of the end of a cone or of the punch, m
-    #[arg(long, default_value = "1e-3", allow_negative_numbers = true)]
-    pub sphere_radius: f64,
+    /// Radius of the sphere, of the paraboloid, of the end of a cone or of the punch, m [default:
+    /// 1mm]
+    #[arg(long, value_parser = length, allow_hyphen_values = true)]
+    sphere_radius: Option<f64>,
 }
 
 impl SizedProbeArguments {
     /// Returns the shape.
     pub fn probe(&self) -> anyhow::Result<Probe> {
-        self.shape.probe(self.sphere_radius)
+        self.shape
+            .probe(Value::SphereRadius.or_of_paper(self.sphere_radius)?)
+    }
+
+    /// Lists the values of the paper's system that are not given.
+    pub fn missing(&self) -> Vec<Value> {
+        let is_used = |value: &Value| match value {
+            Value::SphereRadius => self.shape.has_radius() && self.sphere_radius.is_none(),
+            // The films have several thicknesses.
+            Value::FilmThickness => false,
+            _ => true,
+        };
+        Value::ALL.into_iter().filter(is_used).collect()
     }
 }
 

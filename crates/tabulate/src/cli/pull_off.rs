@@ -6,7 +6,7 @@ use interp::{Contact, Control};
 use super::bodies::{AttractingArguments, Bodies};
 use super::points::number;
 use super::print;
-use super::system::SystemArguments;
+use super::quantity::force_per_length;
 use super::table_name::{self, TableName};
 use crate::cohesive::CohesiveState;
 use crate::solve::curve;
@@ -18,12 +18,15 @@ use crate::solve::curve;
 /// contact radius. With it, a constant stress attracts the sphere wherever the gap is below the
 /// range (Dugdale's law), from DMT to JKR. Under a long range and an imposed displacement the last
 /// stable state may have no contact: its contact radius is 0.
+///
+/// Values of the bodies that are not given are those of the paper, and a comment line on standard
+/// error names them, as in `tabulate curve`.
 #[derive(clap::Args)]
 #[command(after_help = super::examples!(
-    "tabulate pull-off embedded",
-    "tabulate pull-off --sphere-radius 1e-5 --interaction-range 5e-9 --json",
-    "tabulate pull-off --control spring --stiffness 40 --film-thickness 1e-5",
-    "tabulate pull-off --stack tables/stacks/primer.toml --sphere-radius 1e-4",
+    "tabulate pull-off embedded --specimen paper",
+    "tabulate pull-off --specimen paper --sphere-radius 10um --interaction-range 5nm --json",
+    "tabulate pull-off --specimen paper --control spring --stiffness 40N/m --film-thickness 10um",
+    "tabulate pull-off --specimen paper --stack tables/stacks/primer.toml --sphere-radius 100um",
 ))]
 pub struct Arguments {
     #[arg(
@@ -40,7 +43,8 @@ pub struct Arguments {
     #[arg(
         long,
         required_if_eq("control", "spring"),
-        allow_negative_numbers = true
+        value_parser = force_per_length,
+        allow_hyphen_values = true
     )]
     stiffness: Option<f64>,
     /// Print one JSON object with load, contact_radius, outer_radius and penetration
@@ -65,9 +69,9 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         },
     };
     let attracting = &arguments.attracting;
-    let bodies = attracting.bodies.read()?;
+    let bodies = attracting.bodies.read_checked()?;
     let state = match attracting.interaction_range {
-        Some(range) => attracting.cohesive(&bodies, range)?.pull_off(control)?,
+        Some(range) => bodies.cohesive(range)?.pull_off(control)?,
         None => jkr(arguments, &bodies, control)?,
     };
     let values = [
@@ -88,6 +92,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
             .map(|(name, value)| format!("{name:14} = {}\n", number(value)))
             .collect()
     };
+    attracting.bodies.name_example();
     print(text.as_bytes())
 }
 
@@ -99,11 +104,6 @@ fn jkr(arguments: &Arguments, bodies: &Bodies, control: Control) -> anyhow::Resu
     /// The contact radius over the thickness of the top layer up to which a stack is solved. Wider
     /// contacts take much longer.
     const OVER_TOP: f64 = 300.0;
-    let SystemArguments {
-        sphere_modulus,
-        work_of_adhesion,
-        ..
-    } = arguments.attracting.bodies.system;
     let system = &bodies.system;
     let contact = match (&arguments.table, &bodies.stack) {
         (Some(name), _) => name.read()?.contact(system)?,
@@ -111,11 +111,14 @@ fn jkr(arguments: &Arguments, bodies: &Bodies, control: Control) -> anyhow::Resu
             let stack = layers.stack();
             let top = stack.top().thickness / stack.thickness();
             let range = [RANGE[0], RANGE[1].min(OVER_TOP * top)];
-            Contact::new(system, layers.curve(sphere_modulus, range, TOLERANCE)?)?
+            Contact::new(
+                system,
+                layers.curve(system.sphere_modulus, range, TOLERANCE)?,
+            )?
         }
         (None, None) => Contact::new(system, curve(&system.material()?, RANGE, TOLERANCE)?)?,
     };
-    let state = contact.pull_off(work_of_adhesion, control)?;
+    let state = contact.pull_off(bodies.work_of_adhesion, control)?;
     Ok(CohesiveState {
         contact_radius: state.contact_radius,
         outer_radius: state.contact_radius,

@@ -3,7 +3,7 @@
 use std::env;
 use std::path::PathBuf;
 
-use ::fit::data::{Role, roles};
+use ::fit::data::{Quantity, Role, roles};
 use ::fit::report::{self, UnitOf};
 use ::fit::{Direction, Experiment, Forecast, Kind, Measurement, Point, forecast, simulate};
 use anyhow::ensure;
@@ -11,13 +11,15 @@ use clap::builder::TypedValueParser;
 use clap::{ValueHint, value_parser};
 use serde::Serialize;
 
+use super::allow;
 use super::fit::experiments::{FreeArguments, KnownArguments};
 use super::fit::object::{Estimates, matrix};
 use super::fit::setting::unit_of;
-use super::fit::{kinds, one_of};
+use super::fit::{kinds, one_of, standard_deviation};
 use super::json::{self, Number};
 use super::output::Output;
 use super::points::{evenly, number};
+use super::quantity::{any, length};
 use super::table_name::{self, TableName};
 
 /// Make the data that an experiment would give, or the errors that its fit would have
@@ -28,23 +30,26 @@ use super::table_name::{self, TableName};
 /// instrument are set by --value, such as --value load-offset=1e-6; a hysteresis of adhesion is
 /// --value work-of-adhesion-receding=0.1.
 ///
+/// Values of the bodies that are not given are those of the paper, and a comment line on standard
+/// error names them, as in `tabulate curve`.
+///
 /// With --expect it prints the standard errors that a fit of these data would find, before any
 /// measurement: change --points, --from, --to and --noise until they are small enough.
 #[derive(clap::Args)]
 #[command(after_help = super::examples!(
-    "tabulate simulate --kind load-radius --from 4e-5 --to 1.3e-4 --noise 5e-6 -o lens.csv",
-    "tabulate simulate --kind load-radius --from 4e-5 --to 1.3e-4 --noise 5e-6 --expect",
-    "tabulate simulate --kind load-penetration --from -1e-6 --to 1e-6 --noise 1e-6 --seed 2",
+    "tabulate simulate --specimen paper --kind load-radius --from 40um --to 130um --noise 5uN -o a.csv",
+    "tabulate simulate --specimen paper --kind load-radius --from 40um --to 130um --noise 5uN --expect",
+    "tabulate simulate --specimen paper --kind load-penetration --from -1um --to 1um --noise 1uN",
 ))]
 pub struct Arguments {
     /// The two quantities that are measured
     #[arg(long, value_parser = kinds())]
     kind: Kind,
     /// First abscissa, m: of the contact radii, penetrations or heights
-    #[arg(long, allow_hyphen_values = true)]
+    #[arg(long, value_parser = length, allow_hyphen_values = true)]
     from: f64,
     /// Last abscissa, m, where an approach ends
-    #[arg(long, allow_hyphen_values = true)]
+    #[arg(long, value_parser = length, allow_hyphen_values = true)]
     to: f64,
     /// Number of points, equally spaced; of a cycle, on each way
     #[arg(long, default_value_t = 40, value_parser = value_parser!(u32).range(2..=10_000_000))]
@@ -54,8 +59,8 @@ pub struct Arguments {
     #[arg(long, value_parser = ways())]
     segments: Option<&'static [Option<Direction>]>,
     /// Standard deviation of a load (N) or penetration (m)
-    #[arg(long, allow_negative_numbers = true)]
-    noise: f64,
+    #[arg(long, value_parser = any, allow_hyphen_values = true)]
+    noise: Quantity,
     /// Seed of the noise
     #[arg(long, default_value_t = 0)]
     seed: u64,
@@ -115,13 +120,16 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         from.is_finite() && to.is_finite() && from != to,
         "--from {from:?} and --to {to:?} must be two different numbers"
     );
+    let noise = standard_deviation(&arguments.noise, arguments.kind)?;
     let measurement = plan(arguments);
     let mut experiments = arguments.known.experiments(vec![measurement])?;
-    experiments[0].noise = Some(arguments.noise);
+    experiments[0].noise = Some(noise);
+    allow::magnitudes(&experiments[0].magnitudes(), &arguments.known.bodies.allow)?;
     let table = arguments.table.read()?;
     if arguments.expect {
         let free = arguments.free.of(&experiments, &[])?;
         let expected = forecast(&table, &experiments, &free)?;
+        arguments.known.name_example();
         return if arguments.json {
             json::print(&ForecastObject::new(&expected))
         } else {
@@ -132,8 +140,9 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         arguments.free.is_empty(),
         "--free, --bounds, --prior, --own and --shared are for --expect; add it"
     );
-    let measurement = simulate(&table, &experiments[0], arguments.noise, arguments.seed)?;
+    let measurement = simulate(&table, &experiments[0], noise, arguments.seed)?;
     let text = csv(&measurement, &experiments[0])?;
+    arguments.known.name_example();
     output.write(&text)
 }
 

@@ -10,6 +10,7 @@ use super::json::Number;
 use super::output::Output;
 use super::points::{Answer, Given, Points, number};
 use super::print;
+use super::quantity::{modulus, number as plain};
 use super::stack_file;
 use crate::solve::{PowerLaw, Solution, solve_power_laws, solve_stack_power_laws};
 use crate::table::DEFAULT_NU0;
@@ -34,7 +35,7 @@ pub struct Arguments {
     #[arg(
         long,
         required_unless_present = "points",
-        allow_negative_numbers = true
+        value_parser = plain, allow_hyphen_values = true
     )]
     a_over_t: Option<f64>,
     /// Young's modulus of the film over the sphere's reduced modulus E2*, any positive number; 0:
@@ -42,14 +43,14 @@ pub struct Arguments {
     #[arg(
         long,
         required_unless_present_any = ["points", "stack"],
-        allow_negative_numbers = true
+        value_parser = plain, allow_hyphen_values = true
     )]
     e1_over_e2: Option<f64>,
     /// Poisson ratio of the film
     #[arg(
         long,
         required_unless_present_any = ["points", "stack"],
-        allow_negative_numbers = true
+        value_parser = plain, allow_hyphen_values = true
     )]
     nu1: Option<f64>,
     /// Young's modulus of the substrate over the sphere's reduced modulus E2*, any positive number;
@@ -57,11 +58,11 @@ pub struct Arguments {
     #[arg(
         long,
         required_unless_present_any = ["points", "stack"],
-        allow_negative_numbers = true
+        value_parser = plain, allow_hyphen_values = true
     )]
     e0_over_e2: Option<f64>,
     /// Poisson ratio of the substrate; with --points, where the CSV has no column nu0
-    #[arg(long, default_value_t = DEFAULT_NU0, allow_negative_numbers = true)]
+    #[arg(long, default_value_t = DEFAULT_NU0, value_parser = plain, allow_hyphen_values = true)]
     nu0: f64,
     /// CSV with the columns a_over_t, e1_over_e2, nu1, e0_over_e2 and perhaps nu0, in any order
     #[arg(long, value_name = "IN.csv", conflicts_with_all = ["a_over_t", "e1_over_e2", "nu1", "e0_over_e2", "json"])]
@@ -81,21 +82,22 @@ pub struct Arguments {
         long,
         value_name = "PA",
         requires = "stack",
-        allow_negative_numbers = true
+        value_parser = modulus,
+        allow_hyphen_values = true
     )]
     sphere_modulus: Option<f64>,
     /// Write the CSV here instead of to standard output
     #[arg(short, long, value_name = "OUT.csv", requires = "points", conflicts_with_all = ["a_over_t", "e1_over_e2", "nu1", "e0_over_e2", "json"])]
     output: Option<PathBuf>,
     /// Relative tolerance on every quantity
-    #[arg(long, default_value = "1e-10", allow_negative_numbers = true)]
+    #[arg(long, default_value = "1e-10", value_parser = plain, allow_hyphen_values = true)]
     tolerance: f64,
     /// Solve a probe with the profile c r^N too, N from 0.1 to 20: 1 is a cone. May be repeated
     ///
     /// Adds pi_N and delta_N, the load and the penetration without adhesion. With kappa =
     /// sqrt(pi) Gammafunction(N/2 + 1)/Gammafunction((N + 1)/2) they are delta0 = c kappa a^N delta_N
     /// and F0 = c kappa a^(N+1) (E2*/2) pi_N. Where N = 2 and c = 1/(2 R), these are delta0 and pi0.
-    #[arg(long = "exponent", value_name = "N", allow_negative_numbers = true)]
+    #[arg(long = "exponent", value_name = "N", value_parser = plain, allow_hyphen_values = true)]
     exponents: Vec<f64>,
     /// Print one JSON object
     ///

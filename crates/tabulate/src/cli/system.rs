@@ -1,52 +1,304 @@
 //! The sphere, the film and the substrate, as the command line gives them.
+//!
+//! Every value is optional. What nobody gives is taken from the paper's example, and the command
+//! decides what that means: a fit refuses it, all others name it in a comment line.
 
-use anyhow::Context;
+use std::io::{self, Write};
+
+use ::fit::{Fixed, Parameter};
+use anyhow::{Context, ensure};
+use clap::ValueEnum;
 use interp::{Elastic, System};
 
 use super::probe::ProbeArguments;
+use super::quantity::{force_per_length, length, modulus, number};
 
-/// The flags of a system, with the values of Barthel's Tables 1 and 2 as defaults.
+/// The flags of a system.
 #[derive(clap::Args, Clone)]
 #[group(skip)]
 pub struct SystemArguments {
     /// Thickness of the film, m
-    #[arg(long, default_value = "1e-6", allow_negative_numbers = true)]
-    pub film_thickness: f64,
+    #[arg(long, value_parser = length, allow_hyphen_values = true)]
+    film_thickness: Option<f64>,
     /// Young's modulus of the film, Pa
-    #[arg(long, default_value = "3.5e6", allow_negative_numbers = true)]
-    pub film_modulus: f64,
+    #[arg(long, value_parser = modulus, allow_hyphen_values = true)]
+    film_modulus: Option<f64>,
     /// Poisson ratio of the film
-    #[arg(long, default_value_t = 0.5, allow_negative_numbers = true)]
-    pub film_poisson_ratio: f64,
+    #[arg(long, value_parser = number, allow_hyphen_values = true)]
+    film_poisson_ratio: Option<f64>,
     /// Young's modulus of the substrate, Pa; inf: rigid
-    #[arg(long, default_value = "2e11", allow_negative_numbers = true)]
-    pub substrate_modulus: f64,
-    /// Poisson ratio of the substrate
-    #[arg(long, default_value_t = 0.25, allow_negative_numbers = true)]
-    pub substrate_poisson_ratio: f64,
+    #[arg(long, value_parser = modulus, allow_hyphen_values = true)]
+    substrate_modulus: Option<f64>,
+    /// Poisson ratio of the substrate. A rigid one needs none
+    #[arg(long, value_parser = number, allow_hyphen_values = true)]
+    substrate_poisson_ratio: Option<f64>,
     /// Radius of the sphere, of the paraboloid, of the end of a cone or of the punch, m
-    #[arg(long, default_value = "1e-3", allow_negative_numbers = true)]
-    pub sphere_radius: f64,
+    #[arg(long, value_parser = length, allow_hyphen_values = true)]
+    sphere_radius: Option<f64>,
     /// Reduced modulus E2* = E2/(1 - nu2^2) of the sphere or other probe, Pa; inf: rigid
-    #[arg(long, default_value = "2e6", allow_negative_numbers = true)]
-    pub sphere_modulus: f64,
+    #[arg(long, value_parser = modulus, allow_hyphen_values = true)]
+    sphere_modulus: Option<f64>,
     #[command(flatten)]
     pub shape: ProbeArguments,
-    /// Work of adhesion, J/m^2
-    #[arg(long, default_value_t = 0.04, allow_negative_numbers = true)]
-    pub work_of_adhesion: f64,
+    /// Work of adhesion, J/m^2; 0: none
+    #[arg(long, value_parser = force_per_length, allow_hyphen_values = true)]
+    work_of_adhesion: Option<f64>,
+    /// The specimen that the values not given are taken from
+    #[arg(long, value_enum)]
+    pub specimen: Option<Specimen>,
+}
+
+/// The specimens.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Specimen {
+    /// Barthel's Tables 1 and 2: an elastomer sphere of 1 mm on an elastomer film of 1 um on
+    /// silicon
+    Paper,
+}
+
+/// A value of the bodies that a person knows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Value {
+    SphereRadius,
+    SphereModulus,
+    FilmThickness,
+    FilmModulus,
+    FilmPoissonRatio,
+    SubstrateModulus,
+    SubstratePoissonRatio,
+    WorkOfAdhesion,
+}
+
+impl Value {
+    /// All values.
+    pub const ALL: [Self; 8] = [
+        Self::SphereRadius,
+        Self::SphereModulus,
+        Self::FilmThickness,
+        Self::FilmModulus,
+        Self::FilmPoissonRatio,
+        Self::SubstrateModulus,
+        Self::SubstratePoissonRatio,
+        Self::WorkOfAdhesion,
+    ];
+
+    /// Returns the flag.
+    pub const fn flag(self) -> &'static str {
+        match self {
+            Self::SphereRadius => "--sphere-radius",
+            Self::SphereModulus => "--sphere-modulus",
+            Self::FilmThickness => "--film-thickness",
+            Self::FilmModulus => "--film-modulus",
+            Self::FilmPoissonRatio => "--film-poisson-ratio",
+            Self::SubstrateModulus => "--substrate-modulus",
+            Self::SubstratePoissonRatio => "--substrate-poisson-ratio",
+            Self::WorkOfAdhesion => "--work-of-adhesion",
+        }
+    }
+
+    /// Returns the name in messages of the libraries.
+    fn name(self) -> String {
+        self.flag().trim_start_matches('-').replace('-', "_")
+    }
+
+    /// Returns the question that the value answers.
+    const fn question(self) -> &'static str {
+        match self {
+            Self::SphereRadius => {
+                "what is the radius of the sphere, or of the end of the probe? For example 1mm"
+            }
+            Self::SphereModulus => {
+                "how stiff is the sphere? Its reduced modulus E/(1 - nu^2), for example 2MPa, or inf \
+                 if it is rigid beside the sample"
+            }
+            Self::FilmThickness => "how thick is the film? For example 30um",
+            Self::FilmModulus => {
+                "what is Young's modulus of the film? For example 3.5MPa. Under a rigid sphere \
+                 (--sphere-modulus inf) the fit finds it"
+            }
+            Self::FilmPoissonRatio => {
+                "what is the Poisson ratio of the film? Some 0.5 for elastomers and gels, 0.2 to 0.4 \
+                 for other solids"
+            }
+            Self::SubstrateModulus => {
+                "what is Young's modulus of the substrate? For example 70GPa, or inf if it is rigid \
+                 beside the film"
+            }
+            Self::SubstratePoissonRatio => {
+                "what is the Poisson ratio of the substrate? Some 0.25 for glass and silicon"
+            }
+            Self::WorkOfAdhesion => {
+                "what is the work of adhesion? For example 40mJ/m^2, or 0 without adhesion"
+            }
+        }
+    }
+
+    /// Returns the value of Barthel's Tables 1 and 2, as the command line takes it.
+    const fn of_paper(self) -> (&'static str, f64) {
+        match self {
+            Self::SphereRadius => ("1mm", 1e-3),
+            Self::SphereModulus => ("2MPa", 2e6),
+            Self::FilmThickness => ("1um", 1e-6),
+            Self::FilmModulus => ("3.5MPa", 3.5e6),
+            Self::FilmPoissonRatio => ("0.5", 0.5),
+            Self::SubstrateModulus => ("200GPa", 2e11),
+            Self::SubstratePoissonRatio => ("0.25", 0.25),
+            Self::WorkOfAdhesion => ("40mJ/m^2", 0.04),
+        }
+    }
+
+    /// Returns the value given, or that of the paper without one. A negative one is refused.
+    pub fn or_of_paper(self, given: Option<f64>) -> anyhow::Result<f64> {
+        let (example, of_paper) = self.of_paper();
+        let Some(given) = given else {
+            return Ok(of_paper);
+        };
+        let (is_refused, reason) = match self {
+            Self::FilmPoissonRatio | Self::SubstratePoissonRatio => return Ok(given),
+            Self::WorkOfAdhesion => (given < 0.0, "a work of adhesion is at least 0"),
+            Self::SphereRadius | Self::FilmThickness => {
+                (given <= 0.0, "a radius or a thickness is above 0")
+            }
+            _ => (given <= 0.0, "a modulus is above 0"),
+        };
+        ensure!(
+            !is_refused,
+            "{}: {} = {given:?} is refused, because {reason}; values are in SI units, or have a \
+             unit, such as {example}",
+            self.flag(),
+            self.name()
+        );
+        Ok(given)
+    }
+
+    /// Returns the value of a fit that this is.
+    pub const fn fixed(self) -> Fixed {
+        match self {
+            Self::SphereRadius => Fixed::SphereRadius,
+            Self::SphereModulus => Fixed::Parameter(Parameter::SphereModulus),
+            Self::FilmThickness => Fixed::Parameter(Parameter::FilmThickness),
+            Self::FilmModulus => Fixed::Parameter(Parameter::FilmModulus),
+            Self::FilmPoissonRatio => Fixed::Parameter(Parameter::FilmPoissonRatio),
+            Self::SubstrateModulus => Fixed::SubstrateModulus,
+            Self::SubstratePoissonRatio => Fixed::SubstratePoissonRatio,
+            Self::WorkOfAdhesion => Fixed::Parameter(Parameter::WorkOfAdhesion),
+        }
+    }
+
+    /// Returns the parameter of a fit that is this value, if there is one.
+    pub const fn parameter(self) -> Option<Parameter> {
+        match self.fixed() {
+            Fixed::Parameter(parameter) => Some(parameter),
+            _ => None,
+        }
+    }
+
+    /// Tells whether the value is one of the film or of the substrate.
+    const fn is_of_sample(self) -> bool {
+        matches!(
+            self,
+            Self::FilmThickness
+                | Self::FilmModulus
+                | Self::FilmPoissonRatio
+                | Self::SubstrateModulus
+                | Self::SubstratePoissonRatio
+        )
+    }
 }
 
 impl SystemArguments {
-    /// Returns the system. An error names the body.
+    /// Returns a value that is given.
+    pub const fn given(&self, value: Value) -> Option<f64> {
+        match value {
+            Value::SphereRadius => self.sphere_radius,
+            Value::SphereModulus => self.sphere_modulus,
+            Value::FilmThickness => self.film_thickness,
+            Value::FilmModulus => self.film_modulus,
+            Value::FilmPoissonRatio => self.film_poisson_ratio,
+            Value::SubstrateModulus => self.substrate_modulus,
+            Value::SubstratePoissonRatio => self.substrate_poisson_ratio,
+            Value::WorkOfAdhesion => self.work_of_adhesion,
+        }
+    }
+
+    /// Returns a value, that of the paper where it is not given.
+    pub fn value(&self, value: Value) -> anyhow::Result<f64> {
+        value.or_of_paper(self.given(value))
+    }
+
+    /// Lists the values that are not given and needed: on a stack none of film and substrate, on a
+    /// half-space only the solid of the film.
+    pub fn missing(&self, on_stack: bool, half_space: bool) -> Vec<Value> {
+        let is_needed = |value: Value| match value {
+            Value::SphereRadius => self.shape.has_radius(),
+            _ if value.is_of_sample() && on_stack => false,
+            Value::FilmThickness | Value::SubstrateModulus => !half_space,
+            Value::SubstratePoissonRatio => {
+                !half_space && self.substrate_modulus != Some(f64::INFINITY)
+            }
+            _ => true,
+        };
+        let missing = |value: &Value| is_needed(*value) && self.given(*value).is_none();
+        Value::ALL.into_iter().filter(missing).collect()
+    }
+
+    /// Returns the system. An error names the flag or the body.
     pub fn system(&self) -> anyhow::Result<System> {
+        let film = [Value::FilmModulus, Value::FilmPoissonRatio];
+        let substrate = [Value::SubstrateModulus, Value::SubstratePoissonRatio];
+        let solid = |[young, poisson]: [Value; 2], name: &'static str| {
+            Elastic::new(self.value(young)?, self.value(poisson)?).context(name)
+        };
         Ok(System {
-            probe: self.shape.probe(self.sphere_radius)?,
-            sphere_modulus: self.sphere_modulus,
-            film: Elastic::new(self.film_modulus, self.film_poisson_ratio).context("film")?,
-            film_thickness: self.film_thickness,
-            substrate: Elastic::new(self.substrate_modulus, self.substrate_poisson_ratio)
-                .context("substrate")?,
+            probe: self.shape.probe(self.value(Value::SphereRadius)?)?,
+            sphere_modulus: self.value(Value::SphereModulus)?,
+            film: solid(film, "film")?,
+            film_thickness: self.value(Value::FilmThickness)?,
+            substrate: solid(substrate, "substrate")?,
         })
     }
+}
+
+/// Names the `missing` values, which the paper's example stands in for, in a comment line on
+/// standard error.
+pub fn name_example(missing: &[Value]) {
+    if missing.is_empty() {
+        return;
+    }
+    let values: Vec<String> = missing
+        .iter()
+        .map(|value| format!("{} = {}", value.name(), value.of_paper().0))
+        .collect();
+    // `eprintln` panics where standard error is closed.
+    let _ = writeln!(
+        io::stderr(),
+        "# taken from the paper's example (--specimen paper): {}",
+        values.join(", ")
+    );
+}
+
+/// Lists what is missing, with a question for each. `guessed` tells whether a guess will do, because
+/// the fit only starts from the value.
+pub fn questions(missing: &[Value], guessed: impl Fn(Value) -> bool) -> Vec<String> {
+    let question = |&value: &Value| {
+        let guess = if guessed(value) {
+            ". It is free, and the fit starts from it: a guess will do"
+        } else {
+            ""
+        };
+        format!("{} is missing: {}{guess}", value.flag(), value.question())
+    };
+    let mut lines: Vec<String> = missing.iter().map(question).collect();
+    if missing.iter().any(|value| value.is_of_sample()) {
+        lines
+            .push("without a film give --half-space, for several layers --stack STACK.toml".into());
+    }
+    if !missing.is_empty() {
+        lines.push(
+            "a value that the data are to tell is found by --free; --specimen paper takes all values \
+             that are not given from the paper's example"
+                .into(),
+        );
+    }
+    lines
 }

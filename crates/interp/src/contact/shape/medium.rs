@@ -2,16 +2,23 @@
 
 use crate::{Curve, Error, Quantity};
 
-/// The largest third-order part of the thick film at the first point of the solution.
-const THIRD_ORDER: f64 = 1e-10;
+/// The largest third-order part of the thick film at the first point of the solution, over the
+/// tolerance.
+const THIRD_ORDER: f64 = 0.01;
 /// The largest first-order part there. The polynomials follow it.
-const FIRST_ORDER: f64 = 0.3;
+const FIRST_ORDER: f64 = 1.0;
+/// The largest first point, over the first node.
+const LARGEST_FIRST: f64 = 4.0;
+/// The tolerance of a curve that does not state its own.
+const FINE: f64 = 1e-9;
 
 /// The material of a contact, or one that differs from it a little.
 #[derive(Clone, Debug)]
 pub(super) struct Medium {
     curve: Curve,
     es: f64,
+    /// The relative tolerance of the results.
+    pub tolerance: f64,
     /// A parameter by number, as in `QuantityGradient::relative`, and its change.
     change: Option<(usize, f64)>,
     /// The first node, and the numbers `alpha` and `u` of the thick film there, see the page
@@ -36,6 +43,7 @@ impl Medium {
         let mut medium = Self {
             curve: curve.clone(),
             es: curve.material().sphere_film_modulus(),
+            tolerance: curve.tolerance().unwrap_or(FINE),
             change,
             first,
             alpha: 0.0,
@@ -66,14 +74,28 @@ impl Medium {
 
     /// Returns the `x` below which the film is thick to rounding.
     pub(super) fn thick(&self) -> f64 {
-        let third = (THIRD_ORDER / self.u.abs()).cbrt();
-        self.first * (FIRST_ORDER / self.alpha.abs()).min(third).min(1.0)
+        let third = (THIRD_ORDER * self.tolerance / self.u.abs()).cbrt();
+        self.first
+            * (FIRST_ORDER / self.alpha.abs())
+                .min(third)
+                .min(LARGEST_FIRST)
     }
 
     /// Returns `es/Eeq - 1` of a thick film at `x`.
     pub(super) fn departure(&self, x: f64) -> f64 {
         let ratio = x / self.first;
         ratio * self.alpha + ratio.powi(3) * self.u
+    }
+
+    /// Returns `Gamma/es` and its logarithmic derivative at `x`.
+    #[inline]
+    pub(super) fn gamma_and_growth(&self, x: f64) -> Result<[f64; 2], Error> {
+        if x < self.first || self.change.is_some() {
+            let At { gamma, growth, .. } = self.at(x)?;
+            return Ok([gamma, growth]);
+        }
+        let [gamma, rate] = self.curve.gamma_and_rate(x);
+        Ok([gamma / self.es, rate / gamma])
     }
 
     /// Evaluates at `x`.

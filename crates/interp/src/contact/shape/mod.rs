@@ -336,18 +336,16 @@ impl Contact {
         matches!(self.shape, Shape::Punch)
     }
 
-    /// Returns the radius (m) on a half-space from which turning points are sought on a grid; `None`
-    /// for a shape without an end, under which there is one.
-    pub(super) fn first_of_grid(&self) -> Option<f64> {
-        /// The part of the smallest radius of a bend where the bend does not matter yet.
-        const BEFORE: f64 = 1e-3;
-        let Shape::HalfSpace(transform) = &self.shape else {
-            return None;
+    /// Returns the radii (m) at which the shape bends, ascending; none for a shape without bends
+    /// off its axis.
+    pub(super) fn bends(&self) -> Vec<f64> {
+        let (transform, unit) = match &self.shape {
+            Shape::HalfSpace(transform) => (transform, 1.0),
+            Shape::Solved(solved) => (solved.transform(), self.film_thickness()),
+            _ => return Vec::new(),
         };
-        let mut knots = transform.knots().iter().map(|knot| knot.radius);
-        knots
-            .find(|radius| *radius > 0.0)
-            .map(|radius| BEFORE * radius)
+        let radii = transform.knots().iter().map(|knot| unit * knot.radius);
+        radii.filter(|radius| *radius > 0.0).collect()
     }
 
     /// Returns whether the smallest contact has a positive radius, as that of a flat end.

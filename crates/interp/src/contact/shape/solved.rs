@@ -4,23 +4,30 @@
 //!
 //! ```text
 //! delta0' = (es/Gamma) [b'(a) - int_0^a b'(s) (dg1/ds)/Gamma ds]
+//!         = (es/Gamma) [b'(0) g1(0)/Gamma + int_0^a b''(s) g1/Gamma ds]
 //! ```
 //!
-//! (the form of `curve/even_powers/mod.rs`, integrated by parts). The results are stored as
+//! (the second line is the form of `curve/even_powers/mod.rs`, the first one is that integrated by
+//! parts). The first line is used where `Gamma` grows, the second one where it falls: so all terms
+//! are positive. On the first interval of the second line the integral is that of `g1` less its
+//! value where the contact begins, at the tip or at the edge of a flat end, because `b''` is
+//! infinite there. The results are stored as
 //!
 //! ```text
-//! delta0 = (es/Gamma) b + J          J' = (es/Gamma) [W b - int_0^a b' (dg1/ds)/Gamma ds]
+//! delta0 = (es/Gamma) b + J          J' = delta0' - [(es/Gamma) b]'
 //! F0 = S delta0 - 2 E* M             M' = Gamma^2/es delta0
 //! ```
 //!
 //! with `J` and `M` as polynomials on panels: both are smoother than the shape. At the radius of a
 //! knot of the shape they behave like powers of `sqrt(a - m)`. A panel that begins there is a
-//! polynomial in this root, and the following ones grow from there by doubling.
+//! polynomial in this root, and the following ones grow from there by doubling. Under a power law
+//! `b = s^n` the polynomials are those of `J/a^n` and `M/a^(n+1)`, and the powers are integrated
+//! exactly, so that a large exponent costs no accuracy.
 
 use std::sync::{Arc, OnceLock};
 
 use super::field::Field;
-use super::medium::{At, Medium};
+use super::medium::Medium;
 use super::polynomial::{CHEBYSHEV, GAUSS, POINTS, Polynomial, evaluate};
 use super::transform::Transform;
 use crate::{Curve, Error, Parameter};
@@ -29,6 +36,9 @@ use crate::{Curve, Error, Parameter};
 const BEGINS_TO_COUNT: f64 = 0.1;
 /// Intervals shorter than this part of the contact radius need fewer points.
 const SHORT: f64 = 0.02;
+/// The part of the contact radius up to which a power that is no whole number is integrated over the
+/// root of the radius.
+const TIP: f64 = 0.05;
 /// The step of the differences for derivatives. Their error is of the order of its square.
 const STEP: f64 = 1e-4;
 /// The number of derivatives: with respect to the four parameters of the material, and the size of
@@ -41,6 +51,8 @@ pub(super) const SIZE: usize = 4;
 #[derive(Clone, Debug)]
 pub(in crate::contact) struct Solved {
     own: Solution,
+    /// The factor of the shape.
+    factor: f64,
     /// The shapes or materials with a little more and a little less of a parameter, made when they
     /// are needed.
     changed: Arc<[OnceLock<[Solution; 2]>; DERIVATIVES]>,
@@ -59,8 +71,10 @@ impl Solved {
     pub(super) fn new(curve: &Curve, transform: Transform, most: f64) -> Result<Self, Error> {
         curve.accept_integrals("the contact of this probe")?;
         let field = Arc::new(Field::new(Medium::new(curve, None)?, most)?);
+        let (transform, factor) = transform.normalised();
         Ok(Self {
             own: Solution::new(field.clone(), transform, scale(&field)?)?,
+            factor,
             changed: Arc::default(),
         })
     }
@@ -70,8 +84,22 @@ impl Solved {
         self.own.field.last
     }
 
+    /// Returns the transform of the shape over its factor.
+    pub(super) const fn transform(&self) -> &Transform {
+        &self.own.transform
+    }
+
     pub(super) fn values(&self, x: f64) -> Result<Values, Error> {
-        self.own.values(x)
+        let Values {
+            penetration,
+            slope,
+            load,
+        } = self.own.values(x)?;
+        Ok(Values {
+            penetration: self.factor * penetration,
+            slope: self.factor * slope,
+            load: self.factor * load,
+        })
     }
 
     /// Returns the derivatives of penetration and load with respect to a parameter by number: those
@@ -99,9 +127,10 @@ impl Solved {
         }
         let [more, less] = cell.get().expect("it has just been made");
         let (more, less) = (more.values(x)?, less.values(x)?);
+        let factor = self.factor / (2.0 * STEP);
         Ok([
-            (more.penetration - less.penetration) / (2.0 * STEP),
-            (more.load - less.load) / (2.0 * STEP),
+            factor * (more.penetration - less.penetration),
+            factor * (more.load - less.load),
         ])
     }
 }
@@ -111,12 +140,15 @@ impl Solved {
 struct Solution {
     field: Arc<Field>,
     transform: Transform,
+    /// [`Transform::order`].
+    order: f64,
     /// The contact radius at which the film begins to count.
     scale: f64,
     panels: Vec<Panel>,
 }
 
-/// `J` and `M` on an interval of contact radii.
+/// `J/a^n` and `M/a^(n+1)` on an interval of contact radii, with the [order](Transform::order) `n`;
+/// `J` and `M` if it is 0.
 #[derive(Clone, Copy, Debug)]
 struct Panel {
     from: f64,
@@ -144,13 +176,69 @@ impl Panel {
             [self.from + length * part, 0.5 * length]
         }
     }
+
+    /// Returns the integral of `x^(degree - 1)` times a rate, from its value at the beginning: over
+    /// `x^degree` at the points, as a polynomial, and at the end. The `nodes` are the contact radius,
+    /// its derivative with respect to the position, and the rate. If the degree is 0, the rate has
+    /// no factor.
+    fn integrated(
+        &self,
+        degree: f64,
+        start: f64,
+        nodes: [[f64; 3]; POINTS],
+    ) -> ([f64; POINTS], Polynomial, f64) {
+        let points = &*CHEBYSHEV;
+        let sum = |weights: &[f64; POINTS], factor: f64| {
+            let terms = weights.iter().zip(&nodes);
+            terms
+                .map(|(weight, [_, speed, rate])| {
+                    weight * rate * if degree > 0.0 { factor } else { *speed }
+                })
+                .sum::<f64>()
+        };
+        let (values, last): ([f64; POINTS], f64);
+        if degree > 0.0 {
+            let weights = points.weighted([self.from, self.to], degree - 1.0);
+            let at = |x: f64, weights| start * (self.from / x).powf(degree) + sum(weights, 1.0 / x);
+            values = std::array::from_fn(|k| at(nodes[k][0], &weights[k]));
+            last = at(self.to, &weights[POINTS]);
+        } else {
+            values = points
+                .integrals
+                .each_ref()
+                .map(|weights| start + sum(weights, 1.0));
+            last = start + sum(&points.whole, 1.0);
+        }
+        let mut polynomial = points.through(&values);
+        if degree == 0.0 {
+            // The polynomial begins exactly with the value at the end of the last panel.
+            let [value, _] = evaluate(&polynomial, -1.0);
+            polynomial[0] += start - value;
+        }
+        (values, polynomial, last)
+    }
+}
+
+/// What is needed at a point of a panel.
+#[derive(Clone, Copy, Debug, Default)]
+struct Node {
+    /// The contact radius, and its derivative with respect to the position.
+    x: f64,
+    speed: f64,
+    /// `Gamma/es`.
+    gamma: f64,
+    /// `b/x^n`, and `J'/x^(n-1)` or `J'`.
+    b: f64,
+    rate: f64,
 }
 
 impl Solution {
     fn new(field: Arc<Field>, transform: Transform, scale: f64) -> Result<Self, Error> {
+        let order = transform.order();
         let mut solution = Self {
             field,
             transform,
+            order,
             scale,
             panels: Vec::new(),
         };
@@ -168,9 +256,14 @@ impl Solution {
         let (mut penetration, mut load) = (0.0, 0.0);
         if first <= solution.field.first() {
             let (at, thick) = (solution.field.medium.at(first)?, solution.thick(first));
-            penetration = thick.penetration - solution.transform.value(first) / at.gamma;
-            load = first * at.eeq * thick.penetration - 0.5 * thick.load;
+            let power = first.powf(order);
+            penetration = (thick.penetration - solution.transform.value(first) / at.gamma) / power;
+            load = (first * at.eeq * thick.penetration - 0.5 * thick.load) / (power * first);
+            if order == 0.0 {
+                load *= first;
+            }
         }
+        let mut breaks = Vec::new();
         for pair in ends.windows(2) {
             let mut panel = Panel {
                 from: pair[0].0,
@@ -179,40 +272,34 @@ impl Solution {
                 penetration: [0.0; POINTS],
                 load: [0.0; POINTS],
             };
-            let mut rates = [0.0; POINTS];
-            let mut points = [(
-                At {
-                    gamma: 1.0,
-                    growth: 0.0,
-                    eeq: 1.0,
-                },
-                0.0,
-                0.0,
-            ); POINTS];
-            for (k, &t) in CHEBYSHEV.at.iter().enumerate() {
+            let mut nodes = [Node::default(); POINTS];
+            for (node, &t) in nodes.iter_mut().zip(&CHEBYSHEV.at) {
                 let [x, speed] = panel.radius(t);
                 let (at, b) = (solution.field.medium.at(x)?, solution.transform.value(x));
-                rates[k] = speed * (at.growth * b - solution.integral(x)) / at.gamma;
-                points[k] = (at, b, speed);
+                let flux = solution.flux(x, &mut breaks) - solution.transform.slope(x);
+                let rate = (flux + at.growth * b) / at.gamma;
+                *node = Node {
+                    x,
+                    speed,
+                    gamma: at.gamma,
+                    b: b / x.powf(order),
+                    rate: rate / x.powf((order - 1.0).max(0.0)),
+                };
             }
-            let own = integrated(penetration, &rates);
-            panel.penetration = continued(penetration, CHEBYSHEV.through(&own));
-            let rates_of_load = std::array::from_fn(|k| {
-                let (at, b, speed) = points[k];
-                speed * at.gamma * (b + at.gamma * own[k])
-            });
-            let own = CHEBYSHEV.through(&integrated(load, &rates_of_load));
-            panel.load = continued(load, own);
-            let whole = |rates: &[f64; POINTS]| -> f64 {
-                CHEBYSHEV
-                    .whole
-                    .iter()
-                    .zip(rates)
-                    .map(|(own, rate)| own * rate)
-                    .sum()
+            let own;
+            (own, panel.penetration, penetration) = panel.integrated(
+                order,
+                penetration,
+                nodes.map(|node| [node.x, node.speed, node.rate]),
+            );
+            let rate = |k: usize| {
+                let Node {
+                    x, speed, gamma, b, ..
+                } = nodes[k];
+                [x, speed, gamma * (b + gamma * own[k])]
             };
-            penetration += whole(&rates);
-            load += whole(&rates_of_load);
+            let degree = if order > 0.0 { order + 1.0 } else { 0.0 };
+            (_, panel.load, load) = panel.integrated(degree, load, std::array::from_fn(rate));
             solution.panels.push(panel);
         }
         Ok(solution)
@@ -300,8 +387,11 @@ impl Solution {
         let [own, rate] = evaluate(&panel.penetration, t);
         let [load, _] = evaluate(&panel.load, t);
         let [_, speed] = panel.radius(t);
-        let penetration = b / at.gamma + own;
+        let power = x.powf(self.order);
         let rate = if speed > 0.0 { rate / speed } else { 0.0 };
+        let rate = power * (rate + self.order * own / x);
+        let penetration = b / at.gamma + power * own;
+        let load = if self.order > 0.0 { power * x } else { 1.0 } * load;
         Ok(Values {
             penetration,
             slope: (slope - at.growth * b) / at.gamma + rate,
@@ -309,66 +399,67 @@ impl Solution {
         })
     }
 
-    /// Returns `int_0^a b' (dg1/ds)/Gamma ds` at contact radius `a`.
-    fn integral(&self, a: f64) -> f64 {
-        let field = &self.field;
-        let blocks = field.ends();
-        // Where blocks, or the slopes of the shape, begin.
-        let mut ends = vec![0.0, a];
-        ends.extend(
-            blocks
-                .iter()
-                .map(|end| a - end)
-                .filter(|&s| s > 0.0 && s < a),
-        );
-        ends.extend(
-            blocks
-                .iter()
-                .map(|end| end - a)
-                .filter(|&s| s > 0.0 && s < a),
-        );
-        let knots: Vec<f64> = self
-            .transform
-            .knots()
-            .iter()
-            .map(|knot| knot.radius)
-            .collect();
-        ends.extend(knots.iter().copied().filter(|&knot| knot > 0.0 && knot < a));
+    /// Returns `Gamma/es delta0'` at contact radius `a`. `ends` is a place for the ends of the
+    /// intervals.
+    fn flux(&self, a: f64, ends: &mut Vec<f64>) -> f64 {
+        let Self {
+            field, transform, ..
+        } = self;
+        let knots = transform.knots();
+        let begins = knots.first().map_or(0.0, |knot| knot.radius);
+        let inside = |s: &f64| *s > begins && *s < a;
+        ends.clear();
+        ends.extend([begins, a]);
+        // Where blocks begin in `a - s` and in `a + s`, and the bends of the shape.
+        let of_blocks = field.ends().iter().flat_map(|end| [a - end, end - a]);
+        ends.extend(of_blocks.filter(inside));
+        ends.extend(knots.iter().map(|knot| knot.radius).filter(inside));
         ends.sort_by(f64::total_cmp);
-        let begins = knots.first().copied().unwrap_or(0.0);
-        let (mut sum, mut knot) = (0.0, 0.0);
+        let mut sum = if field.falls { 0.0 } else { transform.slope(a) };
+        let (mut knot, mut next_knot) = (0.0, 0);
         for pair in ends.windows(2) {
             let [mut from, to] = [pair[0], pair[1]];
-            if from < begins || to - from <= 1e-15 * a {
+            if to - from <= 1e-15 * a {
                 continue;
             }
-            let is_knot = knots.contains(&from);
-            if is_knot {
-                knot = from;
+            while next_knot < knots.len() && knots[next_knot].radius <= from {
+                knot = knots[next_knot].radius;
+                next_knot += 1;
             }
+            let graded = knot > 0.0 || !transform.is_analytic();
             while from < to {
-                let first = from == knot && knot > 0.0;
+                let root = graded && from == knot;
                 // From a knot on, the intervals grow with the distance from it.
-                let distance = if first { knot } else { from - knot };
-                let end = if knot == 0.0 && self.transform.is_analytic() {
-                    to
-                } else if from == 0.0 {
-                    // A power that is no whole number: graded towards the tip.
-                    to.min(a * 1e-6)
-                } else {
-                    to.min(from + distance)
+                let end = match (root, graded) {
+                    (_, false) => to,
+                    (true, _) if knot == 0.0 => to.min(TIP * a),
+                    (true, _) => to.min(2.0 * knot),
+                    (false, _) => to.min(2.0 * from - knot),
                 };
                 let end = if to - end <= 1e-9 * a { to } else { end };
-                let rule = &GAUSS[usize::from(first || end - from > SHORT * a)];
+                // The integrand is infinite where the contact begins unless `g1` there is taken off.
+                let mut taken = 0.0;
+                if field.falls && from == begins {
+                    taken = field.at(a, begins);
+                    sum += transform.slope(end) * taken;
+                }
+                let rule = &GAUSS[usize::from(root || end - from > SHORT * a)];
                 for &[t, weight] in rule {
                     let part = 0.5 * (t + 1.0);
                     let length = end - from;
-                    let (s, weight) = if first {
+                    let (s, weight) = if root {
                         (from + length * part * part, weight * length * part)
                     } else {
                         (from + length * part, 0.5 * weight * length)
                     };
-                    sum += weight * self.transform.slope(s) * field.slope(a, s);
+                    if field.falls {
+                        let curvature = transform.curvature(s);
+                        if curvature != 0.0 {
+                            sum += weight * curvature * (field.at(a, s) - taken);
+                        }
+                    } else {
+                        sum -= weight * transform.slope(s) * field.at(a, s);
+                    }
                 }
                 from = end;
             }
@@ -385,23 +476,4 @@ fn scale(field: &Field) -> Result<f64, Error> {
         }
     }
     Ok(field.last)
-}
-
-/// Shifts the polynomial of a panel such that it begins with the value at the end of the last one.
-fn continued(start: f64, mut polynomial: Polynomial) -> Polynomial {
-    let [value, _] = evaluate(&polynomial, -1.0);
-    polynomial[0] += start - value;
-    polynomial
-}
-
-/// Returns the integral at the points of a panel, from its value at the beginning.
-fn integrated(start: f64, rates: &[f64; POINTS]) -> [f64; POINTS] {
-    CHEBYSHEV.integrals.map(|weights| {
-        let sum: f64 = weights
-            .iter()
-            .zip(rates)
-            .map(|(own, rate)| own * rate)
-            .sum();
-        start + sum
-    })
 }

@@ -4,8 +4,8 @@
 pub(super) const MOST_TERMS: usize = 6;
 
 /// The largest ratio of contact radius and sphere radius for which the economised polynomial is
-/// accurate.
-pub(crate) const LARGEST_A_OVER_R: f64 = 0.8;
+/// accurate, to 1e-6.
+pub(crate) const LARGEST_A_OVER_R: f64 = 0.55;
 
 /// The largest `a/R` of a piece for which so many terms of the series of the sphere suffice, to
 /// 1e-10.

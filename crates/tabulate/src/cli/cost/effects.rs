@@ -7,6 +7,7 @@ use clap::value_parser;
 use super::Rows;
 use crate::cli::generate::read_scene;
 use crate::cli::progress::Bars;
+use crate::cli::quantity::number;
 use crate::cost::clock::Timing;
 use crate::cost::effects::{Row, markdown, measure};
 use crate::table::Scene;
@@ -31,7 +32,7 @@ pub struct Arguments {
     #[arg(value_name = "SCENE.toml", conflicts_with = "data")]
     scene: Option<PathBuf>,
     /// Relative tolerance of the tables, instead of the scene's
-    #[arg(long, default_value_t = TOLERANCE, allow_negative_numbers = true, conflicts_with = "data")]
+    #[arg(long, default_value_t = TOLERANCE, value_parser = number, allow_hyphen_values = true, conflicts_with = "data")]
     tolerance: f64,
     /// Number of random points at which loads are compared
     #[arg(long, default_value_t = POINTS, value_parser = value_parser!(u32).range(1..=crate::cli::MOST_POINTS), conflicts_with = "data")]

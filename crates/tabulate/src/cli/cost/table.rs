@@ -8,6 +8,7 @@ use anyhow::ensure;
 use super::{Rows, complete};
 use crate::cli::generate::{budget, read_scene};
 use crate::cli::progress::Bars;
+use crate::cli::quantity::number;
 use crate::cost::Measured;
 use crate::cost::clock::Timing;
 use crate::cost::table::{Limits, Row, TOLERANCES, markdown, measure};
@@ -37,7 +38,7 @@ pub struct Arguments {
     #[arg(
         long,
         value_name = "SECONDS",
-        allow_negative_numbers = true,
+        value_parser = number, allow_hyphen_values = true,
         conflicts_with = "data"
     )]
     budget: Option<f64>,
@@ -45,7 +46,7 @@ pub struct Arguments {
     #[arg(
         long,
         value_name = "TOLERANCE",
-        allow_negative_numbers = true,
+        value_parser = number, allow_hyphen_values = true,
         conflicts_with = "data"
     )]
     to: Option<f64>,

@@ -4,14 +4,16 @@ use std::sync::Arc;
 
 use ::fit::{
     Bodies, Experiment, Free, Kind, Layer, LayerName, Layered, LayeredSolver, Measurement,
-    Parameter, Reach, Scope,
+    Parameter, Reach, Scope, starts_from_data,
 };
 use anyhow::{Context, bail, ensure};
 use interp::HalfSpace;
 
-use super::setting::{Bounds, Known, Values};
+use super::setting::{Bounds, Given, Known, Values};
 use crate::cli::bodies::{self, BodiesArguments};
+use crate::cli::quantity::force_per_length;
 use crate::cli::stack_file::Layers;
+use crate::cli::system::{self, Value};
 use crate::stack::{self, DirectSolver};
 
 /// The flags of known values.
@@ -24,19 +26,74 @@ pub struct KnownArguments {
     #[arg(long, conflicts_with = "stack")]
     pub half_space: bool,
     /// Stiffness of the cantilever, N/m
-    #[arg(long, value_name = "N/m", allow_negative_numbers = true)]
+    #[arg(long, value_name = "N/m", value_parser = force_per_length, allow_hyphen_values = true)]
     pub stiffness: Option<f64>,
-    /// Value of a parameter in SI units: the fixed value, or where the fit starts if the parameter
-    /// is free. NAME=VALUE,VALUE,... gives each file its own. It goes before the flag of the same
+    /// Value of a parameter, in SI units or with its unit: the fixed value, or where the fit starts
+    /// if the parameter is free. NAME=VALUE,VALUE,... gives each file its own. It goes before the flag of the same
     /// name
     #[arg(long = "value", value_name = "NAME=VALUE")]
     pub values: Vec<Values>,
 }
 
 impl KnownArguments {
+    /// Lists the values of the bodies that neither a flag nor a --value gives, and that are needed.
+    fn missing(&self) -> Vec<Value> {
+        let mut missing = self.bodies.missing(self.half_space);
+        let of = |parameter| self.values.iter().rfind(|set| set.parameter == parameter);
+        missing.retain(|value| value.parameter().and_then(of).is_none());
+        missing
+    }
+
+    /// Names the values that the paper's example stands in for, in a comment line.
+    pub fn name_example(&self) {
+        if self.bodies.system.specimen.is_none() {
+            system::name_example(&self.missing());
+        }
+    }
+
+    /// Asks for all that a fit of experiments needs and nobody gives. The values of free parameters
+    /// are needed only where the data do not tell where to start.
+    pub fn ask(
+        &self,
+        experiments: &[Experiment],
+        free: &[Free],
+        given: &[Given],
+    ) -> anyhow::Result<()> {
+        let is_free = |value: Value| {
+            let free = |parameter| free.iter().any(|one| one.parameter == parameter);
+            value.parameter().is_some_and(free)
+        };
+        let is_known = |value: &Value| {
+            let starts = |parameter| starts_from_data(parameter, experiments, free);
+            self.bodies.system.specimen.is_some()
+                || value.parameter().is_some_and(starts)
+                || given.iter().any(|one| one.quantity == value.fixed())
+        };
+        let mut missing = self.missing();
+        missing.retain(|value| !is_known(value));
+        let mut lines = Vec::new();
+        let needs_stiffness = |one: &&Experiment| {
+            one.measurement.kind == Kind::ForceHeight && one.stiffness.is_none()
+        };
+        if let Some(one) = experiments.iter().find(needs_stiffness) {
+            lines.push(format!(
+                "{}: heights need the stiffness of the cantilever; give it: --stiffness N/m",
+                one.measurement.name
+            ));
+        }
+        lines.extend(system::questions(&missing, is_free));
+        ensure!(lines.is_empty(), lines.join("\n"));
+        Ok(())
+    }
+
     /// Joins measurements with what is known about them.
     pub fn experiments(&self, measurements: Vec<Measurement>) -> anyhow::Result<Vec<Experiment>> {
-        let bodies::Bodies { system, stack } = self.bodies.read()?;
+        let bodies::Bodies {
+            system,
+            stack,
+            work_of_adhesion,
+            ..
+        } = self.bodies.read()?;
         let layers = stack.as_ref().map(layers).transpose()?;
         let bodies = |measurement: &Measurement| {
             let system = system.clone();
@@ -70,7 +127,7 @@ impl KnownArguments {
         let experiment = |(i, measurement): (usize, Measurement)| {
             let bodies = bodies(&measurement);
             let mut experiment = Experiment::new(measurement, bodies);
-            experiment.work_of_adhesion = self.bodies.system.work_of_adhesion;
+            experiment.work_of_adhesion = work_of_adhesion;
             experiment.stiffness = self.stiffness;
             for Values { parameter, values } in &self.values {
                 let value = values.get(i).unwrap_or(&values[0]);
@@ -120,11 +177,11 @@ pub struct FreeArguments {
     /// baseline with heights.
     #[arg(long, value_name = "NAME,...", value_delimiter = ',')]
     pub free: Vec<Parameter>,
-    /// Smallest and largest value of a free parameter, in SI units: film-modulus=1e5..1e8
+    /// Smallest and largest value of a free parameter: film-modulus=0.1MPa..100MPa
     #[arg(long, value_name = "NAME=LEAST..MOST")]
     pub bounds: Vec<Bounds>,
-    /// Mean and standard error of a free parameter that are known from elsewhere, in SI units:
-    /// film-thickness=1e-6+-5e-8. They count as one more measured point
+    /// Mean and standard error of a free parameter that are known from elsewhere:
+    /// film-thickness=1um+-50nm. They count as one more measured point
     #[arg(long, value_name = "NAME=MEAN+-ERROR")]
     pub prior: Vec<Known>,
     /// Free parameters of which each file has its own value. Offset, contact point and baseline

@@ -12,10 +12,10 @@ pub mod table;
 
 use std::path::{Path, PathBuf};
 
-use ::fit::data::{Cantilever, Column, Format, Role, Segments};
+use ::fit::data::{Cantilever, Column, Format, Quantity, Role, Segments, roles};
 use ::fit::report::{UnitOf, report};
-use ::fit::{Direction, Fit, Kind, Loss, Measurement, Options, Parameter, WarningKind};
-use anyhow::{Context, bail, ensure};
+use ::fit::{Direction, Fit, Kind, Loss, Options, Parameter, WarningKind};
+use anyhow::{Context, anyhow, bail, ensure};
 use clap::ValueHint;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use interp::Table;
@@ -23,10 +23,12 @@ use interp::Table;
 use self::experiments::{FreeArguments, KnownArguments};
 use self::reading::{doubted, measured, typed};
 use self::setting::{Given, unit_of};
+use super::allow;
 use super::json;
 use super::output::Output;
 use super::plot::picture;
 use super::print;
+use super::quantity::{any, length, number, sensitivity};
 use super::table_name::{self, TableName};
 use crate::plot::fit::figure;
 use crate::plot::picture::Format as PictureFormat;
@@ -51,19 +53,22 @@ use crate::printable;
 /// some tenths of a second, and the modulus and the thickness of its layers can be free; or it is
 /// looked up where --stack names a table of the stack.
 ///
+/// What the fit needs and nobody gives is an error that lists it. A value of the bodies is fixed
+/// unless it is free (--free). A free modulus of sphere or film and a free work of adhesion need no
+/// value: the data tell where to start.
+///
 /// Which points are in contact is read from the data: points up to the jump of pull-off are in
 /// contact, those after it are the baseline. With several files, the parameters are common to all
 /// files unless they are the file's own: a global fit of films of several thicknesses is
-/// --value film-thickness=1e-6,1e-5.
+/// --value film-thickness=1um,10um.
 ///
 /// The exit status is 0 only if the fit has converged, all values have finite errors, and at most a
 /// third of the points in contact is left out.
 #[derive(clap::Args)]
 #[command(after_help = super::examples!(
-    "tabulate fit crates/fit/data/lens.csv --film-thickness 3e-5",
-    "tabulate fit crates/fit/data/lens.csv --film-thickness 3e-5 --free sphere-modulus,load-offset",
-    "tabulate fit crates/fit/data/primer.csv --stack tables/stacks/primer.toml --free primer.modulus",
-    "tabulate fit crates/fit/data/gel.csv --stiffness 0.1 --half-space --sphere-radius 1e-5 --json",
+    "tabulate fit crates/fit/data/lens.csv --specimen paper --film-thickness 30um",
+    "tabulate fit crates/fit/data/lens.csv --specimen paper --film-thickness 30um --noise 2uN --json",
+    "tabulate fit crates/fit/data/primer.csv --specimen paper --stack tables/stacks/primer.toml",
 ))]
 pub struct Arguments {
     /// The measurements: tables of text
@@ -79,7 +84,7 @@ pub struct Arguments {
     #[arg(long = "column", value_name = "NAME=HEADING [UNIT]")]
     columns: Vec<Column>,
     /// Sensitivity, m of deflection for each V, of a deflection in volts [default: that of the file]
-    #[arg(long, value_name = "m/V", allow_negative_numbers = true)]
+    #[arg(long, value_name = "m/V", value_parser = sensitivity, allow_hyphen_values = true)]
     sensitivity: Option<f64>,
     /// Where the directions of points come from: a column segment, phase or direction, comments
     /// `segment: retract` or headings of the file (file), or the largest load (split). auto:
@@ -97,7 +102,7 @@ pub struct Arguments {
     known: KnownArguments,
     /// Poisson ratio of the sphere, which a contact does not need: the report then tells Young's
     /// modulus of the sphere, too, E2 = E2* (1 - nu2^2)
-    #[arg(long, value_name = "NU", value_parser = poisson_ratio, allow_negative_numbers = true)]
+    #[arg(long, value_name = "NU", value_parser = poisson_ratio, allow_hyphen_values = true)]
     sphere_poisson_ratio: Option<f64>,
     #[command(flatten)]
     free: FreeArguments,
@@ -115,9 +120,10 @@ pub struct Arguments {
         long,
         value_name = "S",
         value_delimiter = ',',
-        allow_negative_numbers = true
+        value_parser = any,
+        allow_hyphen_values = true
     )]
-    noise: Vec<f64>,
+    noise: Vec<Quantity>,
     /// Standard deviation of a contact radius, penetration or height, m, one or one for each file
     /// [default: that of a column such as `radius_error [um]`, or exact]. It counts by the slope of
     /// the model: the variance of a point is that of its load plus (slope x S)^2
@@ -126,19 +132,16 @@ pub struct Arguments {
         visible_alias = "radius-noise",
         value_name = "S",
         value_delimiter = ',',
-        allow_negative_numbers = true
+        value_parser = length,
+        allow_hyphen_values = true
     )]
     abscissa_noise: Vec<f64>,
     /// Robust loss, for data with outliers: Huber's with the threshold 1.345, or the soft L1 loss
     #[arg(long, value_parser = one_of([("huber", Loss::HUBER), ("soft-l1", Loss::SOFT_L1)]))]
     robust: Option<Loss>,
     /// Intervals from the profile of the likelihood, at a level such as 0.95
-    #[arg(long, value_name = "LEVEL", allow_negative_numbers = true)]
+    #[arg(long, value_name = "LEVEL", value_parser = number, allow_hyphen_values = true)]
     intervals: Option<f64>,
-    /// Accept what is an error otherwise: left-out (more than a third of the points in contact do
-    /// not count)
-    #[arg(long, value_name = "NAME,...", value_delimiter = ',')]
-    allow: Vec<Allowed>,
     #[arg(
         long,
         default_value = "embedded",
@@ -175,18 +178,10 @@ pub struct Arguments {
 
 /// Parses the Poisson ratio of a solid.
 fn poisson_ratio(text: &str) -> Result<f64, String> {
-    let value: f64 = text
-        .parse()
-        .map_err(|_| format!("{text:?} is not a number"))?;
+    let value = number(text)?;
     let allowed = value > -1.0 && value <= 0.5;
     let refused = || format!("{value:?} is not a Poisson ratio: give one above -1 and up to 0.5");
     allowed.then_some(value).ok_or_else(refused)
-}
-
-/// What may be allowed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
-enum Allowed {
-    LeftOut,
 }
 
 /// Parses the name of a kind.
@@ -217,6 +212,30 @@ impl Arguments {
             only: self.only,
         }
     }
+}
+
+/// Returns the standard deviation of the ordinates of a kind, in SI units.
+pub fn standard_deviation(noise: &Quantity, kind: Kind) -> anyhow::Result<f64> {
+    let value = noise
+        .of(Some(roles(kind)[1].dimension()))
+        .context("--noise")?;
+    ensure!(
+        value >= 0.0,
+        "--noise {value:?}: the standard deviation of a noise is a number of at least 0"
+    );
+    Ok(value)
+}
+
+/// Returns the warnings that may tell why a value is impossible, and what follows, a line each.
+fn further_doubts(fit: &Fit) -> String {
+    let others = fit.warnings.iter();
+    let others = others.filter(|warning| warning.kind != WarningKind::Implausible);
+    let texts: String = others
+        .map(|warning| format!("\nwarning: {}", warning.text))
+        .collect();
+    format!("{texts}\n{}", next_steps(fit))
+        .trim_end()
+        .to_owned()
 }
 
 /// Returns the flags that follow from the warnings, a line each.
@@ -276,15 +295,11 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     }
     let mut experiments = arguments.known.experiments(measurements)?;
     for ((i, experiment), errors) in experiments.iter_mut().enumerate().zip(errors) {
-        let Measurement { name, kind, .. } = &experiment.measurement;
-        if *kind == Kind::ForceHeight {
+        let kind = experiment.measurement.kind;
+        if kind == Kind::ForceHeight {
             let of_file = notes[i].cantilever.stiffness;
             experiment.stiffness = experiment.stiffness.or(of_file);
         }
-        ensure!(
-            *kind != Kind::ForceHeight || experiment.stiffness.is_some(),
-            "{name}: heights need the stiffness of the cantilever; give it: --stiffness N/m"
-        );
         for Given {
             quantity, value, ..
         } in &arguments.given
@@ -294,13 +309,13 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         }
         // A flag stands for a column.
         experiment.errors = errors;
-        let of_file = |noises: &[f64]| noises.get(i).or(noises.first()).copied();
-        if let Some(noise) = of_file(&arguments.noise) {
-            experiment.noise = Some(noise);
+        if let Some(noise) = arguments.noise.get(i).or(arguments.noise.first()) {
+            experiment.noise = Some(standard_deviation(noise, kind)?);
             experiment.errors.ordinate.clear();
         }
-        if let Some(noise) = of_file(&arguments.abscissa_noise) {
-            experiment.abscissa_noise = noise;
+        let of_file = arguments.abscissa_noise.get(i);
+        if let Some(noise) = of_file.or(arguments.abscissa_noise.first()) {
+            experiment.abscissa_noise = *noise;
             experiment.errors.abscissa.clear();
         }
         experiment.sphere_poisson_ratio = arguments.sphere_poisson_ratio;
@@ -323,6 +338,12 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         "--sphere-poisson-ratio: Young's modulus of the sphere follows from its reduced modulus, \
          which is not free; free it, --free sphere-modulus, or leave the Poisson ratio out"
     );
+    arguments.known.ask(&experiments, &free, &arguments.given)?;
+    let allowed = &arguments.known.bodies.allow;
+    for experiment in &experiments {
+        allow::magnitudes(&experiment.magnitudes(), allowed)
+            .with_context(|| experiment.measurement.name.clone())?;
+    }
     let table = arguments.table.read()?;
     let table: &Table = &table;
     let options = Options {
@@ -330,11 +351,15 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         profile_level: arguments.intervals,
         known: arguments.given.iter().map(Given::known).collect(),
         fixed_values: true,
-        allow_left_out: arguments.allow.contains(&Allowed::LeftOut),
+        allow_left_out: allowed.contains(&allow::Allowed::LeftOut),
         ..Options::default()
     };
     let fit =
         ::fit::fit(table, &experiments, &free, &options).map_err(|error| doubted(error, &notes))?;
+    if fit.converged {
+        allow::magnitudes(&fit.magnitudes(), allowed)
+            .map_err(|error| anyhow!("{error}{}", further_doubts(&fit)))?;
+    }
     if let Some(csv) = csv {
         csv.write(&table::csv(&fit, &experiments)?)?;
     }

@@ -2,8 +2,11 @@
 
 use std::str::FromStr;
 
+use ::fit::data::Dimension;
 use ::fit::report::UnitOf;
 use ::fit::{Fixed, Parameter};
+
+use crate::cli::quantity::read;
 
 /// Values of a parameter, `NAME=VALUE` or `NAME=VALUE,VALUE,...` with one for each file.
 #[derive(Clone, Debug, PartialEq)]
@@ -59,7 +62,7 @@ impl FromStr for Given {
                  substrate-poisson-ratio or a parameter that is not free, such as film-thickness"
             )
         })?;
-        let [value, error] = with_error(known.trim(), how)?;
+        let [value, error] = with_error(known.trim(), quantity.dimension(), how)?;
         Ok(Self {
             quantity,
             value,
@@ -73,9 +76,10 @@ impl FromStr for Values {
 
     fn from_str(text: &str) -> Result<Self, String> {
         let (parameter, values) = split(text, "NAME=VALUE, such as load-offset=1e-6")?;
+        let value = |text| read(text, parameter.dimension());
         Ok(Self {
             parameter,
-            values: values.split(',').map(number).collect::<Result<_, _>>()?,
+            values: values.split(',').map(value).collect::<Result<_, _>>()?,
         })
     }
 }
@@ -90,7 +94,10 @@ impl FromStr for Bounds {
         let (least, most) = ends.ok_or_else(|| format!("{range:?} has no ..: write {how}"))?;
         Ok(Self {
             parameter,
-            range: [number(least)?, number(most)?],
+            range: [
+                read(least, parameter.dimension())?,
+                read(most, parameter.dimension())?,
+            ],
         })
     }
 }
@@ -101,7 +108,7 @@ impl FromStr for Known {
     fn from_str(text: &str) -> Result<Self, String> {
         let how = "NAME=MEAN+-ERROR, such as film-thickness=1e-6+-5e-8";
         let (parameter, known) = split(text, how)?;
-        let [mean, error] = with_error(known, how)?;
+        let [mean, error] = with_error(known, parameter.dimension(), how)?;
         Ok(Self {
             parameter,
             mean,
@@ -111,10 +118,10 @@ impl FromStr for Known {
 }
 
 /// Reads `VALUE+-ERROR`.
-fn with_error(text: &str, how: &str) -> Result<[f64; 2], String> {
+fn with_error(text: &str, dimension: Option<Dimension>, how: &str) -> Result<[f64; 2], String> {
     let ends = text.split_once("+-").or_else(|| text.split_once('±'));
     let (value, error) = ends.ok_or_else(|| format!("{text:?} has no +-: write {how}"))?;
-    Ok([number(value)?, number(error)?])
+    Ok([read(value, dimension)?, read(error, dimension)?])
 }
 
 /// Reads a unit for the report, `NAME=UNIT`.
@@ -134,12 +141,6 @@ fn split<'a>(text: &'a str, how: &str) -> Result<(Parameter, &'a str), String> {
     Ok((parameter.map_err(|error| error.to_string())?, rest.trim()))
 }
 
-fn number(text: &str) -> Result<f64, String> {
-    text.trim()
-        .parse()
-        .map_err(|_| format!("{text:?} is not a number"))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -152,6 +153,18 @@ mod tests {
                 parameter: Parameter::FilmThickness,
                 values: vec![1e-6, 1e-5]
             })
+        );
+        assert_eq!(
+            "film-thickness=1um, 1e-5".parse(),
+            "film-thickness=1e-6,1e-5".parse::<Values>()
+        );
+        assert_eq!(
+            "film-modulus=0.1MPa..100 MPa".parse(),
+            "film-modulus=1e5..1e8".parse::<Bounds>()
+        );
+        assert_eq!(
+            "film-thickness=1um+-50nm".parse(),
+            "film-thickness=1e-6+-5e-8".parse::<Known>()
         );
         assert_eq!(
             "film-modulus = 1e5..1e8".parse(),
@@ -182,6 +195,8 @@ mod tests {
         assert!(values("load-offset").contains("load-offset=1e-6"));
         assert!(values("offset=1").contains("load-offset"));
         assert!(values("load-offset=1;2").contains("\"1;2\""));
+        assert!(values("film-thickness=3GPa").contains("a length is wanted"));
+        assert!(values("film-poisson-ratio=0.3um").contains("without a unit"));
         let bounds = "film-modulus=1e5".parse::<Bounds>().unwrap_err();
         assert!(bounds.contains("1e5..1e8"));
         let known = "film-modulus=1e5".parse::<Known>().unwrap_err();

@@ -1,0 +1,223 @@
+//! Numbers with a unit, as people write them: `30um`, `5 mN/m`, `70GPa`.
+
+use std::str::FromStr;
+
+use super::unit::{Dimension, power_of_ten};
+
+/// The longest text that is read as a number, in bytes.
+const LONGEST: usize = 400;
+
+/// A number, in SI units, with the dimension of the unit behind it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Quantity {
+    /// The text, for messages.
+    text: String,
+    /// The value in the SI unit of its dimension.
+    pub value: f64,
+    /// The dimension; `None` without a unit.
+    pub dimension: Option<Dimension>,
+}
+
+/// A text that is not the quantity wanted.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum QuantityError {
+    /// The text does not begin with a number.
+    #[error(
+        "{text:?} is not a number{}",
+        if text.contains(',') { ": the decimal mark is a point" } else { "" }
+    )]
+    NotANumber {
+        /// The text, at most its first 400 characters.
+        text: String,
+    },
+    /// What follows the number is not a unit.
+    #[error(
+        "{unit:?} in {text:?} is not a unit that is known; case counts: mN and MN, Pa and not pa"
+    )]
+    UnknownUnit {
+        /// The whole text.
+        text: String,
+        /// What follows the number.
+        unit: String,
+    },
+    /// The unit is that of something else.
+    #[error(
+        "{text:?} is {found}, and {wanted} is wanted: write it in {}, or with a unit, such as {}",
+        wanted.unit(),
+        wanted.examples()
+    )]
+    OtherDimension {
+        /// The whole text.
+        text: String,
+        /// The dimension of the unit.
+        found: Dimension,
+        /// The dimension wanted.
+        wanted: Dimension,
+    },
+    /// A number without a dimension has a unit.
+    #[error("{text:?} is {found}, and a number without a unit is wanted")]
+    NoDimension {
+        /// The whole text.
+        text: String,
+        /// The dimension of the unit.
+        found: Dimension,
+    },
+}
+
+impl FromStr for Quantity {
+    type Err = QuantityError;
+
+    /// Reads a number with or without a unit. The value is correctly rounded: `30um` is `3e-5`.
+    fn from_str(text: &str) -> Result<Self, QuantityError> {
+        let text = text.trim();
+        let not_a_number = || QuantityError::NotANumber {
+            text: text.chars().take(LONGEST).collect(),
+        };
+        if text.len() > LONGEST {
+            return Err(not_a_number());
+        }
+        let ends = (1..=text.len())
+            .rev()
+            .filter(|&end| text.is_char_boundary(end));
+        let (value, end) = ends
+            .filter_map(|end| Some((text[..end].parse::<f64>().ok()?, end)))
+            .next()
+            .ok_or_else(not_a_number)?;
+        let (number, unit) = (&text[..end], text[end..].trim());
+        if unit.is_empty() {
+            return Ok(Self {
+                text: text.to_owned(),
+                value,
+                dimension: None,
+            });
+        }
+        if unit.starts_with(',') {
+            return Err(not_a_number());
+        }
+        let (dimension, exponent) =
+            power_of_ten(unit).ok_or_else(|| QuantityError::UnknownUnit {
+                text: text.to_owned(),
+                unit: unit.to_owned(),
+            })?;
+        Ok(Self {
+            text: text.to_owned(),
+            value: times_power_of_ten(number, exponent).unwrap_or(value),
+            dimension: Some(dimension),
+        })
+    }
+}
+
+impl Quantity {
+    /// Reads a quantity of a dimension, `None` for a plain number, and returns its value in SI
+    /// units. A number without a unit is in SI units.
+    ///
+    /// # Errors
+    /// [`QuantityError`] naming the text, and the dimension wanted.
+    ///
+    /// ```
+    /// use fit::data::{Dimension, Quantity};
+    ///
+    /// assert_eq!(Quantity::read("30um", Some(Dimension::Length)), Ok(3e-5));
+    /// assert_eq!(Quantity::read("3e-5", Some(Dimension::Length)), Ok(3e-5));
+    /// let error = Quantity::read("30GPa", Some(Dimension::Length)).unwrap_err();
+    /// assert!(error.to_string().contains("is a modulus, and a length is wanted"));
+    /// ```
+    pub fn read(text: &str, wanted: Option<Dimension>) -> Result<f64, QuantityError> {
+        text.parse::<Self>()?.of(wanted)
+    }
+
+    /// Returns the value in SI units of a quantity of a dimension, `None` for a plain number.
+    ///
+    /// # Errors
+    /// [`QuantityError`] for a unit of another dimension.
+    pub fn of(&self, wanted: Option<Dimension>) -> Result<f64, QuantityError> {
+        let text = self.text.clone();
+        match self.dimension {
+            Some(found) if Some(found) != wanted => Err(match wanted {
+                Some(wanted) => QuantityError::OtherDimension {
+                    text,
+                    found,
+                    wanted,
+                },
+                None => QuantityError::NoDimension { text, found },
+            }),
+            _ => Ok(self.value),
+        }
+    }
+}
+
+/// Returns the number of a text times a power of ten, correctly rounded; `None` for a number
+/// without digits, such as `inf`.
+fn times_power_of_ten(number: &str, exponent: i32) -> Option<f64> {
+    let (digits, own) = number.split_once(['e', 'E']).unwrap_or((number, "0"));
+    let exponent = own.parse::<i32>().ok()?.checked_add(exponent)?;
+    format!("{digits}e{exponent}").parse().ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_with_units_are_rounded_once() {
+        for (text, wanted, value) in [
+            ("30um", Dimension::Length, 3e-5),
+            ("30 \u{b5}m", Dimension::Length, 3e-5),
+            ("30\u{3bc}m", Dimension::Length, 3e-5),
+            ("1e-6 m", Dimension::Length, 1e-6),
+            ("0.35E2nm", Dimension::Length, 3.5e-8),
+            ("-5nm", Dimension::Length, -5e-9),
+            ("3e-5", Dimension::Length, 3e-5),
+            ("70GPa", Dimension::Modulus, 7e10),
+            ("inf", Dimension::Modulus, f64::INFINITY),
+            ("inf GPa", Dimension::Modulus, f64::INFINITY),
+            ("5mN/m", Dimension::ForcePerLength, 5e-3),
+            ("40mJ/m^2", Dimension::ForcePerLength, 0.04),
+            ("40mJ/m2", Dimension::ForcePerLength, 0.04),
+            ("2.5nN", Dimension::Force, 2.5e-9),
+            ("30nm/V", Dimension::LengthPerVoltage, 3e-8),
+        ] {
+            assert_eq!(Quantity::read(text, Some(wanted)), Ok(value), "{text}");
+        }
+        assert_eq!(Quantity::read("0.45", None), Ok(0.45));
+    }
+
+    #[test]
+    fn other_texts_are_named() {
+        let message = |text: &str, wanted| Quantity::read(text, wanted).unwrap_err().to_string();
+        for (text, wanted, words) in [
+            ("", Some(Dimension::Length), ["\"\"", "is not a number"]),
+            ("um", Some(Dimension::Length), ["\"um\"", "is not a number"]),
+            (
+                "0,1",
+                Some(Dimension::Length),
+                ["\"0,1\"", "mark is a point"],
+            ),
+            (
+                "5e",
+                Some(Dimension::Length),
+                ["\"e\" in \"5e\"", "case counts"],
+            ),
+            ("30UM", Some(Dimension::Length), ["\"UM\"", "case counts"]),
+            (
+                "30GPa",
+                Some(Dimension::Length),
+                ["a length is wanted", "30um"],
+            ),
+            (
+                "30um",
+                Some(Dimension::Modulus),
+                ["a modulus is wanted", "70GPa"],
+            ),
+            ("0.5um", None, ["is a length", "without a unit"]),
+        ] {
+            let message = message(text, wanted);
+            assert!(
+                words.iter().all(|word| message.contains(word)),
+                "{text}: {message}"
+            );
+        }
+        assert!("1".repeat(LONGEST + 1).parse::<Quantity>().is_err());
+    }
+}

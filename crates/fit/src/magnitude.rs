@@ -1,0 +1,337 @@
+//! Whether numbers have the magnitudes of a contact experiment.
+//!
+//! A wrong unit is wrong by a factor of a thousand or more. These checks name what no experiment has,
+//! and the likely mistake. They are wide: what may be, if seldom, is only warned of
+//! ([`WarningKind::Implausible`](crate::WarningKind::Implausible)).
+
+use std::borrow::Cow;
+use std::fmt;
+
+use interp::Probe;
+
+use crate::{Bodies, Estimate, Experiment, Fit, Kind, Parameter};
+
+/// The Young's moduli of solids, Pa: from the softest gels to beyond diamond (some 1200 GPa).
+pub const MODULI: [f64; 2] = [1.0, 2e12];
+/// The lengths of the bodies of a contact, m: from an atom to the largest lens.
+pub const LENGTHS: [f64; 2] = [1e-10, 0.1];
+/// The largest work of adhesion (J/m^2): twice the surface energy of diamond is 12 J/m^2.
+pub const LARGEST_WORK: f64 = 20.0;
+/// The stiffnesses of cantilevers and load cells, N/m.
+pub const STIFFNESSES: [f64; 2] = [1e-6, 1e9];
+/// The largest load, N.
+const LARGEST_LOAD: f64 = 1e5;
+/// The contact radius over that of the sphere from which on the sphere is no paraboloid at all.
+const WIDE: f64 = 0.5;
+/// The largest `a/t` below which the substrate hardly shows, and the one if the film is thicker than
+/// the radius of the sphere.
+const UNSEEN: [f64; 2] = [1e-2, 0.05];
+/// The smallest `a/t` above which the film hardly shows.
+const TOO_THIN: f64 = 1e3;
+
+/// The standard error over the value from which on data do not determine the value.
+const UNDETERMINED: f64 = 0.5;
+
+/// A number that a contact experiment does not have, or hardly has.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Magnitude {
+    /// What it is, in words.
+    pub what: Cow<'static, str>,
+    /// The number, in SI units.
+    pub value: f64,
+    /// The SI unit.
+    pub unit: &'static str,
+    /// What is wrong with it, and the likely mistake.
+    pub reason: Cow<'static, str>,
+}
+
+impl fmt::Display for Magnitude {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self {
+            what,
+            value,
+            unit,
+            reason,
+        } = self;
+        write!(f, "{what} = {} {unit} {reason}", short(*value))
+    }
+}
+
+impl Bodies {
+    /// Names what no contact has of the radius, the thickness and the moduli of the bodies, and of
+    /// the work of adhesion (J/m^2) between them. Infinite moduli are rigid bodies.
+    pub fn magnitudes(&self, work_of_adhesion: f64) -> Vec<Magnitude> {
+        let mut lengths = Vec::new();
+        if let Some(radius) = self.probe().radius() {
+            lengths.push(("the radius of the sphere", radius));
+        }
+        match self {
+            Self::Coated(system) => lengths.push(("the film thickness", system.film_thickness)),
+            Self::HalfSpace(_) => {}
+            Self::Layered(layered) => {
+                let layers = layered.layers.iter();
+                lengths.extend(layers.map(|layer| ("the thickness of a layer", layer.thickness)));
+            }
+        }
+        let moduli: Vec<(&'static str, f64)> = match self {
+            Self::Coated(system) => vec![
+                ("the sphere's modulus", system.sphere_modulus),
+                ("the film's modulus", system.film.young()),
+                ("the substrate's modulus", system.substrate.young()),
+            ],
+            Self::HalfSpace(half_space) => vec![
+                ("the sphere's modulus", half_space.sphere_modulus),
+                ("the half-space's modulus", half_space.solid.young()),
+            ],
+            Self::Layered(layered) => {
+                let layers = layered.layers.iter();
+                let moduli = layers.map(|layer| ("the modulus of a layer", layer.solid.young()));
+                let others = [
+                    ("the sphere's modulus", layered.sphere_modulus),
+                    ("the modulus of the base", layered.base.young()),
+                ];
+                others.into_iter().chain(moduli).collect()
+            }
+        };
+        let finite = moduli.into_iter().filter(|(_, value)| value.is_finite());
+        let lengths = lengths
+            .into_iter()
+            .filter_map(|(what, value)| length(what.into(), value));
+        lengths
+            .chain(finite.filter_map(|(what, value)| modulus(what.into(), value)))
+            .chain(work("the work of adhesion".into(), work_of_adhesion))
+            .collect()
+    }
+}
+
+impl Experiment {
+    /// Names what no experiment has: of the bodies, the work of adhesion, the stiffness of the
+    /// cantilever, and the points. [`fit`](crate::fit) does not ask for it: whoever fits the data of
+    /// people does, before the fit, and refuses what it finds.
+    pub fn magnitudes(&self) -> Vec<Magnitude> {
+        let mut found = self.bodies.magnitudes(self.work_of_adhesion);
+        let receding = self.work_of_adhesion_receding;
+        found
+            .extend(receding.and_then(|value| work("the receding work of adhesion".into(), value)));
+        let [least, most] = STIFFNESSES;
+        if let Some(value) = self.stiffness.filter(|k| !(least..=most).contains(k)) {
+            found.push(Magnitude {
+                what: "the stiffness".into(),
+                value,
+                unit: "N/m",
+                reason: format!("is outside {least:e} to {most:e} N/m: check its unit").into(),
+            });
+        }
+        self.ranges(&mut found);
+        found.extend(self.wide_contacts());
+        found
+    }
+
+    /// Checks the ranges of the points.
+    fn ranges(&self, found: &mut Vec<Magnitude>) {
+        let [abscissa, ordinate] = self.measurement.kind.names();
+        let points = &self.measurement.points;
+        let range = |value: fn(&crate::Point) -> f64| {
+            let ends = points.iter().map(value);
+            let [least, most] = ends.fold([f64::INFINITY, f64::NEG_INFINITY], |[l, m], x| {
+                [l.min(x), m.max(x)]
+            });
+            most - least
+        };
+        let abscissae = range(|point| point.abscissa);
+        let mut lengths = vec![(abscissa, abscissae)];
+        let ordinates = range(|point| point.ordinate);
+        if self.measurement.kind == Kind::PenetrationRadius {
+            lengths.push((ordinate, ordinates));
+        } else if ordinates > LARGEST_LOAD {
+            found.push(Magnitude {
+                what: format!("the range of the {ordinate}").into(),
+                value: ordinates,
+                unit: "N",
+                reason: format!(
+                    "is above {LARGEST_LOAD:e} N: mN, uN or nN were probably taken for N"
+                )
+                .into(),
+            });
+        }
+        for (name, value) in lengths {
+            let [_, most] = LENGTHS;
+            if value > most && value < 1e100 {
+                found.push(Magnitude {
+                    what: format!("the range of the {name}").into(),
+                    value,
+                    unit: "m",
+                    reason: format!("is above {most} m: mm, um or nm were probably taken for m")
+                        .into(),
+                });
+            }
+        }
+    }
+
+    /// Checks measured contact radii against the radius of the sphere.
+    fn wide_contacts(&self) -> Option<Magnitude> {
+        let at_radii = matches!(
+            self.measurement.kind,
+            Kind::LoadRadius | Kind::PenetrationRadius
+        );
+        let Probe::Paraboloid { radius } = *self.bodies.probe() else {
+            return None;
+        };
+        let points = self.measurement.points.iter().map(|point| point.abscissa);
+        let touching: Vec<f64> = points.filter(|&a| a > 0.0 && at_radii).collect();
+        // A radius above that of the sphere is an error of the point.
+        if touching.iter().any(|&a| a >= radius) {
+            return None;
+        }
+        let wide = touching.iter().filter(|&&a| a > WIDE * radius).count();
+        (2 * wide > touching.len()).then(|| Magnitude {
+            what: "the largest contact radius".into(),
+            value: touching.iter().copied().fold(0.0, f64::max),
+            unit: "m",
+            reason: format!(
+                "is one of {wide} above half the radius of the sphere, {radius:?} m, where a \
+                 paraboloid is no sphere: check the units of both, or take the sphere itself"
+            )
+            .into(),
+        })
+    }
+
+    /// Returns a doubt about the thickness of the film beside the least and the largest contact
+    /// radius, m: the data may hardly tell the film.
+    pub(crate) fn doubt_of_film(&self, [least, most]: [f64; 2]) -> Option<Magnitude> {
+        let thickness = self.bodies.thickness().filter(|_| most > 0.0)?;
+        let radius = self.bodies.probe().radius();
+        let smaller_radius = radius.filter(|&radius| thickness > radius);
+        let [below, below_thick] = UNSEEN;
+        let unseen = if smaller_radius.is_some() {
+            below_thick
+        } else {
+            below
+        };
+        let reason = if most < unseen * thickness {
+            let beside = smaller_radius.map_or_else(String::new, |radius| {
+                format!("is larger than the radius of the sphere, {radius:?} m, and ")
+            });
+            format!(
+                "{beside}is {:.0} times the largest contact radius: the data hardly tell the film from \
+                 a half-space; check the units of both",
+                thickness / most
+            )
+        } else if least > TOO_THIN * thickness {
+            format!(
+                "is 1/{:.0} of the smallest contact radius: the film hardly shows; check the units of \
+                 both",
+                least / thickness
+            )
+        } else {
+            return None;
+        };
+        Some(Magnitude {
+            what: "the thickness".into(),
+            value: thickness,
+            unit: "m",
+            reason: reason.into(),
+        })
+    }
+}
+
+impl Fit {
+    /// Names what no experiment has of the values found. Each is warned of, too.
+    pub fn magnitudes(&self) -> Vec<Magnitude> {
+        self.estimates.iter().filter_map(of_estimate).collect()
+    }
+}
+
+/// Writes a number with at most six digits.
+fn short(value: f64) -> String {
+    let value: f64 = format!("{value:.5e}").parse().unwrap_or(value);
+    if (1e-3..1e5).contains(&value.abs()) {
+        format!("{value}")
+    } else {
+        format!("{value:e}")
+    }
+}
+
+/// Checks what a fit has found.
+pub(crate) fn of_estimate(estimate: &Estimate) -> Option<Magnitude> {
+    let Estimate {
+        parameter,
+        value,
+        standard_error,
+        ..
+    } = *estimate;
+    let name = parameter.name();
+    let (found, mistake) = match parameter {
+        Parameter::SphereModulus | Parameter::FilmModulus | Parameter::LayerModulus(_) => (
+            modulus(name, value)?,
+            "; mN or uN taken for N, or mm or um for m, give such a result",
+        ),
+        Parameter::FilmThickness | Parameter::LayerThickness(_) => (length(name, value)?, ""),
+        Parameter::WorkOfAdhesion | Parameter::WorkOfAdhesionReceding => (work(name, value)?, ""),
+        _ => return None,
+    };
+    let undetermined = if standard_error < UNDETERMINED * value {
+        ""
+    } else {
+        "; the data do not determine it, either: fix it or give a prior"
+    };
+    Some(Magnitude {
+        reason: format!("{}{mistake}{undetermined}", found.reason).into(),
+        ..found
+    })
+}
+
+/// Checks a length of a body.
+fn length(what: Cow<'static, str>, value: f64) -> Option<Magnitude> {
+    let [least, most] = LENGTHS;
+    let reason = if value > most {
+        let value = short(value);
+        format!("is above {most} m: {value} mm, {value} um or {value} nm was probably meant")
+    } else if value < least && value > 0.0 {
+        format!("is below {least:?} m, the size of an atom: check its unit")
+    } else {
+        return None;
+    };
+    Some(Magnitude {
+        what,
+        value,
+        unit: "m",
+        reason: reason.into(),
+    })
+}
+
+/// Checks a modulus.
+fn modulus(what: Cow<'static, str>, value: f64) -> Option<Magnitude> {
+    let [least, most] = MODULI;
+    let side = if value > most {
+        "above"
+    } else if value < least && value > 0.0 {
+        "below"
+    } else {
+        return None;
+    };
+    Some(Magnitude {
+        what,
+        value,
+        unit: "Pa",
+        reason: format!(
+            "is {side} the moduli of all solids, {least} Pa to {} GPa: check the units",
+            most / 1e9
+        )
+        .into(),
+    })
+}
+
+/// Checks a work of adhesion.
+fn work(what: Cow<'static, str>, value: f64) -> Option<Magnitude> {
+    (value > LARGEST_WORK).then(|| Magnitude {
+        what,
+        value,
+        unit: "J/m^2",
+        reason: format!(
+            "is above {LARGEST_WORK} J/m^2, more than any two solids have: mN were probably taken \
+             for N, or mJ/m^2 for J/m^2"
+        )
+        .into(),
+    })
+}

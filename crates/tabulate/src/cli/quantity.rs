@@ -1,0 +1,50 @@
+//! Numbers with a unit, as the command line gives them: `30um`, `70GPa`, or `3e-5` in SI units.
+
+use ::fit::data::{Dimension, Quantity};
+
+/// Reads a length.
+pub fn length(text: &str) -> Result<f64, String> {
+    read(text, Some(Dimension::Length))
+}
+
+/// Reads a modulus.
+pub fn modulus(text: &str) -> Result<f64, String> {
+    read(text, Some(Dimension::Modulus))
+}
+
+/// Reads a stiffness or a work of adhesion.
+pub fn force_per_length(text: &str) -> Result<f64, String> {
+    read(text, Some(Dimension::ForcePerLength))
+}
+
+/// Reads the sensitivity of a deflection.
+pub fn sensitivity(text: &str) -> Result<f64, String> {
+    read(text, Some(Dimension::LengthPerVoltage))
+}
+
+/// Reads a number without a unit.
+pub fn number(text: &str) -> Result<f64, String> {
+    read(text, None)
+}
+
+/// Reads a quantity of a dimension that is known later.
+pub fn any(text: &str) -> Result<Quantity, String> {
+    no_flag(text)?;
+    text.parse::<Quantity>().map_err(|error| error.to_string())
+}
+
+/// Reads a quantity of a dimension, or a plain number.
+pub fn read(text: &str, wanted: Option<Dimension>) -> Result<f64, String> {
+    no_flag(text)?;
+    Quantity::read(text, wanted).map_err(|error| error.to_string())
+}
+
+/// Refuses the next flag in place of a value that is missing.
+fn no_flag(text: &str) -> Result<(), String> {
+    if text.starts_with("--") {
+        return Err(format!(
+            "{text} is a flag, and the value before it is missing"
+        ));
+    }
+    Ok(())
+}

@@ -1,0 +1,127 @@
+//! Numbers that no contact experiment has, and `--allow magnitudes`.
+
+use acceptance::{Workdir, assert_names, workdir};
+
+/// Writes the lens of the paper on a film of 30 um, with its numbers times factors.
+fn lens(workdir: &Workdir, file: &str, factors: [f64; 2]) {
+    let simulate = "simulate --specimen paper --kind load-radius --film-thickness 30um --from 42um --to 130um --noise 2uN \
+                    -o exact.csv";
+    workdir.succeed(&simulate.split_whitespace().collect::<Vec<_>>());
+    let text = String::from_utf8(workdir.read("exact.csv")).expect("UTF-8");
+    let mut scaled = String::from("contact_radius,load\n");
+    for line in text.lines().skip(3) {
+        let cells = line.split(',').zip(factors);
+        let cells = cells.map(|(cell, factor)| {
+            let number: f64 = cell.parse().expect("a number");
+            format!("{:?}", number * factor)
+        });
+        scaled += &(cells.collect::<Vec<_>>().join(",") + "\n");
+    }
+    workdir.write(file, scaled);
+}
+
+/// The flags of a fit of the lens, with some of them replaced.
+fn fit(file: &str, more: &[&str]) -> Vec<String> {
+    let mut flags: Vec<String> = ["fit", file, "--specimen", "paper", "--noise", "2uN"]
+        .map(str::to_owned)
+        .into();
+    if !more.contains(&"--film-thickness") {
+        flags.extend(["--film-thickness", "30um"].map(str::to_owned));
+    }
+    flags.extend(more.iter().map(|one| (*one).to_owned()));
+    flags
+}
+
+#[test]
+fn a_wrong_unit_does_not_pass() {
+    let workdir = workdir!();
+    lens(&workdir, "lens.csv", [1.0, 1.0]);
+    lens(&workdir, "mm.csv", [1e3, 1.0]);
+    lens(&workdir, "mn.csv", [1.0, 1e3]);
+    lens(&workdir, "nn.csv", [1.0, 1e9]);
+    let cases: [(&str, &[&str], &[&str]); 8] = [
+        (
+            "lens.csv",
+            &["--sphere-radius", "2"],
+            &["radius of the sphere = 2 m", "2 mm"],
+        ),
+        (
+            "lens.csv",
+            &["--film-thickness", "30"],
+            &["film thickness = 30 m", "30 um"],
+        ),
+        ("lens.csv", &["--substrate-modulus", "2e20"], &["2000 GPa"]),
+        (
+            "lens.csv",
+            &["--film-modulus", "0.1"],
+            &["below the moduli of all solids"],
+        ),
+        (
+            "lens.csv",
+            &["--sphere-radius", "150um"],
+            &["half the radius of the sphere"],
+        ),
+        (
+            "mm.csv",
+            &[],
+            &["contact radius", "below the radius of the sphere"],
+        ),
+        ("mn.csv", &[], &["sphere-modulus", "mN or uN taken for N"]),
+        (
+            "nn.csv",
+            &[],
+            &["range of the load", "nN were probably taken for N"],
+        ),
+    ];
+    for (file, more, words) in cases {
+        let flags = fit(file, more);
+        let flags: Vec<&str> = flags.iter().map(String::as_str).collect();
+        let message = workdir.fail(1, &flags);
+        assert_names(&message, words);
+        if file != "mm.csv" {
+            assert_names(&message, &["--allow magnitudes"]);
+        }
+    }
+    let sound = fit("lens.csv", &[]);
+    let sound: Vec<&str> = sound.iter().map(String::as_str).collect();
+    let expected = workdir.succeed(&sound);
+    let allowing = [&sound[..], &["--allow", "magnitudes"]].concat();
+    assert_eq!(workdir.succeed(&allowing), expected);
+}
+
+#[test]
+fn a_person_who_means_it_can_go_on() {
+    let workdir = workdir!();
+    let commands = [
+        "curve embedded --specimen paper --sphere-radius 2 --points 3",
+        "pull-off embedded --specimen paper --film-modulus 3e12",
+        "simulate --specimen paper --kind load-radius --from 1mm --to 2mm --noise 0 --sphere-radius 0.5 --film-thickness 1mm",
+    ];
+    for command in commands {
+        let words: Vec<&str> = command.split_whitespace().collect();
+        let message = workdir.fail(1, &words);
+        assert_names(&message, &["--allow magnitudes", "is above"]);
+        workdir.succeed(&[&words[..], &["--allow", "magnitudes"]].concat());
+    }
+    assert_names(
+        &workdir.fail(2, &["curve", "--allow", "everything"]),
+        &["everything", "magnitudes"],
+    );
+}
+
+/// A contact that would be wider than the sphere is told in the words of a person.
+#[test]
+fn a_contact_beyond_the_sphere_is_told_without_the_limits_of_the_search() {
+    let workdir = workdir!();
+    let wide = "pull-off --specimen paper --sphere-radius 100nm --control spring --stiffness 1uN/m --work-of-adhesion 10";
+    let message = workdir.fail(1, &wide.split_whitespace().collect::<Vec<_>>());
+    assert_names(
+        &message,
+        &[
+            "no contact has",
+            "the sphere's radius, 1e-7 m",
+            "smaller value",
+        ],
+    );
+    assert!(!message.contains("1e-60"), "{message}");
+}

@@ -1,0 +1,272 @@
+//! What nobody gives: a fit asks for it, other commands name the values of the paper's example.
+
+use acceptance::{Data, Workdir, assert_names, workdir};
+use serde_json::Value;
+
+/// The flags of the paper's system, and the questions that a fit asks without them.
+const PAPER: [(&str, &str, &str); 8] = [
+    ("--sphere-radius", "1mm", "radius of the sphere"),
+    ("--sphere-modulus", "2MPa", "how stiff is the sphere?"),
+    ("--film-thickness", "1um", "how thick is the film?"),
+    ("--film-modulus", "3.5MPa", "Young's modulus of the film?"),
+    ("--film-poisson-ratio", "0.5", "Poisson ratio of the film?"),
+    (
+        "--substrate-modulus",
+        "200GPa",
+        "Young's modulus of the substrate?",
+    ),
+    (
+        "--substrate-poisson-ratio",
+        "0.25",
+        "Poisson ratio of the substrate?",
+    ),
+    (
+        "--work-of-adhesion",
+        "40mJ/m^2",
+        "what is the work of adhesion?",
+    ),
+];
+
+/// Returns the flags of the paper's system without some of them.
+fn without(left_out: &[&str]) -> Vec<&'static str> {
+    let flags = PAPER.iter().filter(|(flag, ..)| !left_out.contains(flag));
+    flags.flat_map(|(flag, value, _)| [*flag, *value]).collect()
+}
+
+/// Writes a lens on a film of 30 um, a gel under a cantilever, and depths against radii.
+fn measured() -> Workdir {
+    let workdir = workdir!();
+    let all = without(&["--film-thickness"]);
+    let lens = "simulate --kind load-radius --film-thickness 30um --from 42um --to 130um --noise 2uN -o lens.csv";
+    let gel = "simulate --kind force-height --film-thickness 30um --stiffness 0.1N/m --from 1um --to -1um --noise 1uN \
+               -o gel.csv";
+    let depths = "simulate --kind penetration-radius --film-thickness 30um --from 42um --to 130um --noise 10nm -o depths.csv";
+    for command in [lens, gel, depths] {
+        let command: Vec<&str> = command.split_whitespace().collect();
+        workdir.succeed(&[&command[..], &all].concat());
+    }
+    workdir
+}
+
+#[test]
+fn a_fit_lists_all_that_is_missing_at_once_and_no_more() {
+    let workdir = measured();
+    let stack = "base = { young_modulus = inf }\n[[layers]]\nyoung_modulus = 1e6\npoisson_ratio = 0.5\n\
+                 thickness = 1e-5\nname = \"top\"\n";
+    workdir.write("stack.toml", stack);
+    let sphere = "--sphere-radius";
+    let film = ["--film-thickness", "--film-modulus", "--film-poisson-ratio"];
+    let substrate = ["--substrate-modulus", "--substrate-poisson-ratio"];
+    // By default the modulus of the sphere and the work of adhesion are free: they need no value.
+    let usual = [&[sphere], &film[..], &substrate].concat();
+    let gel_rigid = [
+        sphere,
+        film[0],
+        film[2],
+        substrate[0],
+        substrate[1],
+        "--stiffness",
+    ];
+    let cases: [(&[&str], &[&str]); 11] = [
+        (&["lens.csv"], &usual),
+        (&["gel.csv"], &[&usual[..], &["--stiffness"]].concat()),
+        // Under a rigid sphere the modulus of the film is free.
+        (&["gel.csv", "--sphere-modulus", "inf"], &gel_rigid),
+        (
+            &[
+                "gel.csv",
+                "--sphere-modulus",
+                "inf",
+                "--substrate-modulus",
+                "inf",
+                "--stiffness",
+                "1",
+            ],
+            &[sphere, film[0], film[2]],
+        ),
+        (&["lens.csv", "--half-space"], &[sphere, film[1], film[2]]),
+        (&["lens.csv", "--stack", "stack.toml"], &[sphere]),
+        (
+            &["lens.csv", "--stack", "stack.toml", "--free", "top.modulus"],
+            &[sphere, "--sphere-modulus", "--work-of-adhesion"],
+        ),
+        (
+            &[
+                "lens.csv",
+                "--probe",
+                "cone",
+                "--half-angle",
+                "70",
+                "--half-space",
+            ],
+            &[film[1], film[2]],
+        ),
+        // Of two moduli the data tell the start of one.
+        (
+            &[
+                "lens.csv",
+                "--half-space",
+                "--free",
+                "sphere-modulus,film-modulus,work-of-adhesion",
+            ],
+            &[sphere, film[1], film[2]],
+        ),
+        // Without loads they tell none.
+        (
+            &[
+                "depths.csv",
+                "--half-space",
+                "--free",
+                "sphere-modulus,contact-point",
+            ],
+            &[
+                sphere,
+                "--sphere-modulus",
+                film[1],
+                film[2],
+                "--work-of-adhesion",
+            ],
+        ),
+        // Each file has its own value.
+        (
+            &[
+                "lens.csv",
+                "lens.csv",
+                "--value",
+                "film-thickness=30um,1um",
+                "--value",
+                "film-modulus=1MPa",
+            ],
+            &[sphere, film[2], substrate[0], substrate[1]],
+        ),
+    ];
+    for (more, expected) in cases {
+        let message = workdir.fail(1, &[&["fit"], more].concat());
+        for (flag, _, question) in PAPER {
+            let asked = message.contains(&format!("{flag} is missing: "));
+            assert_eq!(
+                asked,
+                expected.contains(&flag),
+                "{more:?}: {flag}: {message}"
+            );
+            assert_eq!(message.contains(question), asked, "{more:?}: {message}");
+        }
+        let stiffness = message.contains("--stiffness");
+        assert_eq!(stiffness, expected.contains(&"--stiffness"), "{message}");
+        assert_names(&message, &["--specimen paper"]);
+    }
+    let both = [
+        "lens.csv",
+        "--half-space",
+        "--free",
+        "sphere-modulus,film-modulus",
+    ];
+    let message = workdir.fail(1, &[&["fit"], &both[..]].concat());
+    assert_names(&message, &["starts from it: a guess will do"]);
+}
+
+#[test]
+fn a_free_modulus_and_a_free_work_of_adhesion_need_no_value() {
+    let workdir = measured();
+    let fit = |more: &[&str]| -> Value {
+        let known = without(&["--sphere-modulus", "--work-of-adhesion", "--film-thickness"]);
+        let arguments = ["fit", "lens.csv", "--json", "--film-thickness", "30um"];
+        let text = workdir.succeed(&[&arguments[..], &known, more].concat());
+        serde_json::from_str(&text).expect("JSON")
+    };
+    let found = fit(&[]);
+    let modulus = found["parameters"]["sphere_modulus"]["value"].as_f64();
+    assert!(
+        (modulus.expect("a number") / 2e6 - 1.0).abs() < 0.02,
+        "{found}"
+    );
+    // A value that is given for them changes nothing.
+    for value in ["1kPa", "1GPa"] {
+        assert_eq!(
+            found,
+            fit(&["--sphere-modulus", value, "--work-of-adhesion", "1J/m^2"])
+        );
+    }
+}
+
+#[test]
+fn the_specimen_of_the_paper_stands_in_where_it_is_asked_for() {
+    let workdir = measured();
+    let fit = |known: &[&str]| {
+        let arguments = ["fit", "lens.csv", "--json", "--film-thickness", "30um"];
+        workdir.succeed(&[&arguments[..], known].concat())
+    };
+    let all = without(&["--film-thickness", "--sphere-modulus", "--work-of-adhesion"]);
+    assert_eq!(fit(&["--specimen", "paper"]), fit(&all));
+    // The stiffness is of no specimen.
+    let message = workdir.fail(1, &["fit", "gel.csv", "--specimen", "paper"]);
+    assert_names(&message, &["gel.csv", "--stiffness"]);
+}
+
+#[test]
+fn other_commands_name_the_values_of_the_example_in_a_comment_line() {
+    let workdir = workdir!();
+    let range = ["--from", "40um", "--to", "50um"];
+    let simulate = [
+        &["simulate", "--kind", "load-radius", "--noise", "0"],
+        &range[..],
+    ]
+    .concat();
+    let commands: [&[&str]; 3] = [
+        &["curve", "embedded", "--points", "2"],
+        &["pull-off", "embedded", "--json"],
+        &simulate,
+    ];
+    for command in commands {
+        let plain = workdir.run(command);
+        assert_eq!(
+            (plain.status, plain.stderr.lines().count()),
+            (0, 1),
+            "{plain:?}"
+        );
+        assert!(plain.stderr.starts_with("# "), "{plain:?}");
+        for (flag, value, _) in PAPER {
+            let name = flag.trim_start_matches('-').replace('-', "_");
+            assert_names(&plain.stderr, &[&format!("{name} = {value}")]);
+        }
+        // The data do not change, but for the command that the comment of simulated ones quotes.
+        let data = |text: &str| -> Vec<String> {
+            let lines = text.lines().filter(|line| !line.starts_with('#'));
+            lines.map(str::to_owned).collect()
+        };
+        for more in [&["--specimen", "paper"][..], &without(&[])] {
+            let run = workdir.run(&[command, more].concat());
+            assert_eq!((run.status, run.stderr.as_str()), (0, ""), "{command:?}");
+            assert_eq!(data(&run.stdout), data(&plain.stdout), "{command:?}");
+        }
+        let most = without(&["--film-modulus"]);
+        let run = workdir.run(&[command, &most].concat());
+        assert_names(&run.stderr, &["# ", ": film_modulus = 3.5MPa\n"]);
+        assert!(!run.stderr.contains(','), "{run:?}");
+    }
+    // Of a stack the specimen has the probe only, and a rigid substrate needs no Poisson ratio.
+    let stack = "base = { young_modulus = inf }\n[[layers]]\nyoung_modulus = 1e6\npoisson_ratio = 0.5\nthickness = 1e-5\n";
+    workdir.write("stack.toml", stack);
+    let run = workdir.run(&[
+        "curve",
+        "--stack",
+        "stack.toml",
+        "--to",
+        "2e-5",
+        "--points",
+        "2",
+    ]);
+    assert!(
+        !run.stderr.contains("film") && !run.stderr.contains("substrate"),
+        "{run:?}"
+    );
+    assert_names(
+        &run.stderr,
+        &["sphere_radius", "sphere_modulus", "work_of_adhesion"],
+    );
+    let rigid = ["--substrate-modulus", "inf"];
+    let known = without(&["--substrate-modulus", "--substrate-poisson-ratio"]);
+    let run = workdir.run(&[&["curve", "embedded", "--points", "2"], &rigid[..], &known].concat());
+    assert_eq!((run.status, run.stderr.as_str()), (0, ""));
+    assert_eq!(Data::parse("curve", &run.stdout).cases().count(), 2);
+}

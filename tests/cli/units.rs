@@ -1,0 +1,190 @@
+//! Quantities with a unit behind the number, negative values, and other mistakes.
+
+use acceptance::{assert_names, workdir};
+
+#[test]
+fn quantities_with_a_unit_are_those_in_si_units() {
+    let workdir = workdir!();
+    let pairs: [[&str; 2]; 4] = [
+        [
+            "curve embedded --film-thickness 1e-5 --film-modulus 3.5e6 --film-poisson-ratio 0.5 --substrate-modulus 2e11 \
+             --substrate-poisson-ratio 0.25 --sphere-radius 1e-3 --sphere-modulus 2e6 --work-of-adhesion 0.04 \
+             --from 2e-5 --to 1e-4 --points 4",
+            "curve embedded --film-thickness 10\u{b5}m --film-modulus 3.5MPa --film-poisson-ratio 0.5 \
+             --substrate-modulus 200GPa --substrate-poisson-ratio 0.25 --sphere-radius 0.1cm --sphere-modulus 2000kPa \
+             --work-of-adhesion 40mN/m --from 20um --to 0.1mm --points 4",
+        ],
+        [
+            "pull-off --specimen paper --interaction-range 5e-9 --control spring --stiffness 40 --sphere-radius 1e-5 \
+             --work-of-adhesion 0.05",
+            "pull-off --specimen paper --interaction-range 5nm --control spring --stiffness 40mN/mm --sphere-radius 10um \
+             --work-of-adhesion 50mJ/m2",
+        ],
+        [
+            "simulate --specimen paper --kind force-height --from 2e-6 --to -1e-6 --points 9 --noise 1e-9 --stiffness 0.1 \
+             --value contact-point=2e-7 --value baseline=-1e-9 --segments approach",
+            "simulate --specimen paper --kind force-height --from 2um --to -1um --points 9 --noise 1nN --stiffness 100pN/nm \
+             --value contact-point=200nm --value baseline=-1nN --segments approach",
+        ],
+        [
+            "solve --stack stack.toml --sphere-modulus 2e6 --a-over-t 6.5",
+            "solve --stack stack.toml --sphere-modulus 2MPa --a-over-t 6.5",
+        ],
+    ];
+    let stack = "base = { young_modulus = inf }\n[[layers]]\nyoung_modulus = 1e6\npoisson_ratio = 0.5\nthickness = 1e-5\n";
+    workdir.write("stack.toml", stack);
+    for pair in pairs {
+        let [si, with_units] = pair.map(|command| {
+            let words: Vec<&str> = command.split_whitespace().collect();
+            let text = workdir.succeed(&words);
+            // The comment of simulated data quotes the command.
+            let lines = text.lines().filter(|line| !line.starts_with('#'));
+            lines.map(str::to_owned).collect::<Vec<_>>()
+        });
+        assert_eq!(si, with_units, "{}", pair[1]);
+    }
+    // A space before the unit, in one argument.
+    workdir.succeed(&[
+        "curve",
+        "embedded",
+        "--points",
+        "2",
+        "--film-thickness",
+        "1e-6 m",
+    ]);
+}
+
+#[test]
+fn a_fit_takes_units_in_every_setting() {
+    let workdir = workdir!();
+    let data = "simulate --specimen paper --kind load-radius --film-thickness 30um --from 42um --to 130um --noise 2uN \
+                -o lens.csv";
+    workdir.succeed(&data.split_whitespace().collect::<Vec<_>>());
+    let fit = |settings: &str| {
+        let words: Vec<&str> = settings.split_whitespace().collect();
+        workdir.succeed(
+            &[
+                &["fit", "lens.csv", "--specimen", "paper", "--json"],
+                &words[..],
+            ]
+            .concat(),
+        )
+    };
+    let free = "--free sphere-modulus,film-thickness,work-of-adhesion";
+    let si = format!(
+        "{free} --film-thickness 3e-5 --noise 2e-6 --bounds sphere-modulus=1e5..1e8 --prior film-thickness=3e-5+-1e-6 \
+         --value load-offset=1e-7"
+    );
+    let units = format!(
+        "{free} --film-thickness 30um --noise 2uN --bounds sphere-modulus=0.1MPa..100MPa \
+         --prior film-thickness=30um+-1um --value load-offset=100nN"
+    );
+    assert_eq!(fit(&si), fit(&units));
+}
+
+#[test]
+fn a_negative_value_is_refused_with_the_reason() {
+    let workdir = workdir!();
+    for (flag, value, reason) in [
+        ("--sphere-radius", "-1e-3", "above 0"),
+        ("--film-thickness", "-30um", "above 0"),
+        ("--sphere-modulus", "-2e6", "a modulus is above 0"),
+        ("--film-modulus", "-3.5MPa", "a modulus is above 0"),
+        ("--substrate-modulus", "-1e-3", "a modulus is above 0"),
+        ("--work-of-adhesion", "-1e-2", "at least 0"),
+        ("--film-poisson-ratio", "-2e0", "Poisson ratio"),
+        ("--from", "-1e-6", "-1e-6"),
+    ] {
+        let message = workdir.fail(1, &["curve", flag, value]);
+        let name = flag.trim_start_matches('-');
+        let shown = message.replace('_', "-").to_lowercase();
+        assert!(
+            shown.contains(name.split('-').next().expect("a word")),
+            "{message}"
+        );
+        assert_names(&message, &[reason]);
+    }
+    for (command, shown) in [
+        (
+            "pull-off --control spring --stiffness -1e-3",
+            "stiffness of the spring = -0.001",
+        ),
+        (
+            "pull-off --interaction-range -1e-9",
+            "interaction range = -1e-9",
+        ),
+        ("curve --tolerance -1e-3", "tolerance = -0.001"),
+        ("curve --probe cone --half-angle -1e1", "--half-angle -10.0"),
+        (
+            "simulate --kind load-radius --from 1um --to 2um --noise -1e-6",
+            "--noise -1e-6",
+        ),
+        (
+            "solve --a-over-t -1e-3 --e1-over-e2 1 --nu1 0.5 --e0-over-e2 1",
+            "a_over_t = -0.001",
+        ),
+    ] {
+        let words: Vec<&str> = command.split_whitespace().collect();
+        assert_names(&workdir.fail(1, &words), &[shown]);
+    }
+}
+
+#[test]
+fn what_is_no_quantity_is_named_with_examples() {
+    let workdir = workdir!();
+    for (flag, value, words) in [
+        ("--sphere-radius", "30GPa", ["a length is wanted", "30um"]),
+        ("--film-modulus", "30um", ["a modulus is wanted", "70GPa"]),
+        (
+            "--work-of-adhesion",
+            "1N",
+            ["a work of adhesion is wanted", "40mJ/m^2"],
+        ),
+        (
+            "--film-poisson-ratio",
+            "0.5um",
+            ["is a length", "without a unit"],
+        ),
+        ("--film-modulus", "70gpa", ["\"gpa\"", "case counts"]),
+        (
+            "--film-thickness",
+            "1,5um",
+            ["\"1,5um\"", "mark is a point"],
+        ),
+        ("--film-thickness", "thin", ["\"thin\"", "is not a number"]),
+        (
+            "--film-thickness",
+            "--points",
+            ["--points is a flag", "is missing"],
+        ),
+        ("--from", "1N", ["a length is wanted", "30um"]),
+    ] {
+        assert_names(&workdir.fail(2, &["curve", flag, value]), &words);
+    }
+    let simulate = [
+        "simulate",
+        "--kind",
+        "load-radius",
+        "--from",
+        "1um",
+        "--to",
+        "2um",
+    ];
+    let noise = [&simulate[..], &["--noise", "1um"]].concat();
+    assert_names(
+        &workdir.fail(1, &noise),
+        &["--noise", "a force is wanted", "2uN"],
+    );
+    let value = [
+        &simulate[..],
+        &["--noise", "0", "--value", "load-offset=1nm"],
+    ]
+    .concat();
+    assert_names(&workdir.fail(2, &value), &["1nm", "a force is wanted"]);
+    let bounds = [
+        &simulate[..],
+        &["--noise", "0", "--bounds", "film-modulus=1um..2um"],
+    ]
+    .concat();
+    assert_names(&workdir.fail(2, &bounds), &["1um", "a modulus is wanted"]);
+}

@@ -1,0 +1,190 @@
+//! Numbers that no contact experiment has: a wrong unit is named before it is a result.
+
+use acceptance::assert_names;
+use fit::{Bodies, Experiment, Kind, Options, Parameter, WarningKind, fit};
+use interp::{Elastic, HalfSpace, Probe, System, Table};
+
+use crate::imagined::{Course, Imagined, solid};
+
+const LENS: [Parameter; 2] = [Parameter::SphereModulus, Parameter::WorkOfAdhesion];
+
+/// Returns what is said of a lens of 1 mm on a film of 10 um after a mistake: of the experiment, else
+/// of the fit.
+fn said(mistake: impl Fn(&mut Experiment)) -> String {
+    let lens = Imagined::lens(Kind::LoadRadius, 10e-6, 2e-6, &LENS);
+    let mut experiment = lens.measured(&lens.exact(), 1);
+    mistake(&mut experiment);
+    let mut found = experiment.magnitudes();
+    if found.is_empty() {
+        match fit(
+            Table::embedded(),
+            &[experiment],
+            &lens.free,
+            &Options::default(),
+        ) {
+            Ok(fit) => found = fit.magnitudes(),
+            Err(error) => return error.to_string(),
+        }
+    }
+    let texts: Vec<String> = found.iter().map(ToString::to_string).collect();
+    texts.join("; ")
+}
+
+/// Changes the system of an experiment.
+fn system(experiment: &mut Experiment, change: impl Fn(&mut System)) {
+    let Bodies::Coated(system) = &mut experiment.bodies else {
+        unreachable!("the lens is on a film")
+    };
+    change(system);
+}
+
+/// Multiplies the abscissae or the ordinates of all points.
+fn scale(experiment: &mut Experiment, [x, y]: [f64; 2]) {
+    for point in &mut experiment.measurement.points {
+        point.abscissa *= x;
+        point.ordinate *= y;
+    }
+}
+
+type Mistake<'a> = (&'a str, &'a dyn Fn(&mut Experiment), &'a [&'a str]);
+
+#[test]
+fn what_no_experiment_has_is_named_with_the_likely_mistake() {
+    let paraboloid = |radius| Probe::Paraboloid { radius };
+    let mistakes: [Mistake<'_>; 10] = [
+        (
+            "radius in mm",
+            &|one| system(one, |of| of.probe = paraboloid(2.0)),
+            &["radius of the sphere = 2 m", "2 mm"],
+        ),
+        (
+            "thickness in um",
+            &|one| system(one, |of| of.film_thickness = 30.0),
+            &["film thickness = 30 m", "30 um"],
+        ),
+        (
+            "thickness in m for nm",
+            &|one| system(one, |of| of.film_thickness = 1e-11),
+            &["film thickness", "an atom"],
+        ),
+        (
+            "modulus in Pa times 1e9 twice",
+            &|one| {
+                system(one, |of| {
+                    of.substrate = Elastic::new(2e20, 0.25).expect("positive");
+                });
+            },
+            &["substrate's modulus", "2000 GPa"],
+        ),
+        (
+            "modulus in GPa",
+            &|one| {
+                system(one, |of| {
+                    of.film = Elastic::new(3.5e-3, 0.5).expect("positive")
+                });
+            },
+            &[
+                "film's modulus = 0.0035 Pa",
+                "below the moduli of all solids",
+            ],
+        ),
+        (
+            "radii in mm",
+            &|one| scale(one, [1e3, 1.0]),
+            &["contact radius", "below the radius of the sphere", "units"],
+        ),
+        (
+            "a sphere of too small a radius",
+            &|one| system(one, |of| of.probe = paraboloid(1.5e-4)),
+            &["half the radius of the sphere", "check the units of both"],
+        ),
+        (
+            "loads in mN",
+            &|one| scale(one, [1.0, 1e3]),
+            &["moduli of all solids", "mN or uN taken for N"],
+        ),
+        (
+            "loads in nN",
+            &|one| scale(one, [1.0, 1e9]),
+            &["range of the load", "nN were probably taken for N"],
+        ),
+        (
+            "stiffness",
+            &|one| one.stiffness = Some(1e12),
+            &["stiffness", "check its unit"],
+        ),
+    ];
+    for (name, mistake, words) in mistakes {
+        let text = said(mistake);
+        assert_names(&text, words);
+        // The library does not know the flags of the program.
+        assert!(!text.contains("--"), "{name}: {text}");
+    }
+    assert_eq!(said(|_| {}), "");
+}
+
+#[test]
+fn a_result_that_no_solid_has_is_named_and_warned_of() {
+    // A rigid probe on a half-space of 20 kPa, with forces that are far too large.
+    const FACTOR: f64 = 5e9;
+    let mut gel = Imagined::probe(Course::Approach, 0.0, &[Parameter::FilmModulus]);
+    gel.truth.bodies = Bodies::HalfSpace(HalfSpace {
+        probe: Probe::Paraboloid { radius: 20e-6 },
+        sphere_modulus: f64::INFINITY,
+        solid: solid(2e4, 0.45),
+    });
+    let mut experiment = gel.measured(&gel.exact(), 1);
+    scale(&mut experiment, [1.0, FACTOR]);
+    experiment.noise = experiment.noise.map(|noise| noise * FACTOR);
+    experiment.stiffness = Some(1e9);
+    experiment.baseline *= FACTOR;
+    assert_eq!(experiment.magnitudes(), []);
+    let found = fit(
+        Table::embedded(),
+        &[experiment],
+        &gel.free,
+        &Options::default(),
+    )
+    .expect("a fit");
+    let modulus = found.estimate(Parameter::FilmModulus).expect("free").value;
+    assert!((modulus / 1e14 - 1.0).abs() < 0.05, "{modulus:e}");
+    let magnitudes = found.magnitudes();
+    assert_eq!(magnitudes[0].what, "film-modulus");
+    assert_names(
+        &magnitudes[0].to_string(),
+        &["film-modulus", "1 Pa to 2000 GPa", "mN or uN taken for N"],
+    );
+    assert!(found.warns_of(WarningKind::Implausible));
+}
+
+#[test]
+fn a_film_that_the_contacts_hardly_see_is_doubted_and_one_that_they_see_is_not() {
+    for (thickness, words) in [
+        (
+            3e-3,
+            Some(["larger than the radius of the sphere", "half-space"]),
+        ),
+        (3e-8, Some(["the film hardly shows", "check the units"])),
+        (30e-6, None),
+        (1e-6, None),
+    ] {
+        let lens = Imagined::lens(Kind::LoadRadius, thickness, 2e-6, &LENS);
+        let experiment = lens.measured(&lens.exact(), 1);
+        let found = fit(
+            Table::embedded(),
+            &[experiment],
+            &lens.free,
+            &Options::default(),
+        );
+        let found = found.expect("possible");
+        let of_kind = found
+            .warnings
+            .iter()
+            .filter(|one| one.kind == WarningKind::Implausible);
+        let texts: Vec<&str> = of_kind.map(|one| one.text.as_str()).collect();
+        match words {
+            Some(words) => assert_names(&texts.join("; "), &words),
+            None => assert!(texts.is_empty(), "{thickness:e}: {texts:?}"),
+        }
+    }
+}
