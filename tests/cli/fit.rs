@@ -519,7 +519,7 @@ fn viscous() -> String {
     format!("# segment: retract\nheight,force\n{rows}")
 }
 
-const VISCOUS: [&str; 17] = [
+const VISCOUS: [&str; 19] = [
     "fit",
     "viscous.csv",
     "--sphere-radius",
@@ -534,6 +534,8 @@ const VISCOUS: [&str; 17] = [
     "1e-5",
     "--substrate-modulus",
     "7e10",
+    "--substrate-poisson-ratio",
+    "0.2",
     "--stiffness",
     "0.2",
     "--free=work-of-adhesion",

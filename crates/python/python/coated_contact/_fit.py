@@ -74,8 +74,9 @@ def fit(
     fixed_values : bool
         Whether ``Fit.fixed_values`` tells what the values that are not free do to the result.
     allow : iterable of {"magnitudes", "left-out"}
-        Doubts with which the fit goes on: numbers, given or found, that no experiment has, such as
-        a sphere of 2 m or a film of 3000 GPa; more than a third of the points in contact left out.
+        Doubts with which the fit goes on. ``"magnitudes"``: numbers, given or found, that no
+        experiment has, such as a sphere of 2 m or a film of 3000 GPa. ``"left-out"``: more than a
+        third of the points in contact does not count.
 
     Returns
     -------
