@@ -294,7 +294,9 @@ def test_fixed_values_and_their_errors():
     assert radius.value == RADIUS
     assert radius.step == pytest.approx(0.01 * RADIUS)
     # The load depends on E*/R and w E*: E* goes with R, and w with 1/R.
-    assert radius.changes["sphere_modulus"] == pytest.approx(0.01 * found.params[WANTED[0]], rel=1e-3)
+    assert radius.changes["sphere_modulus"] == pytest.approx(
+        0.01 * found.params[WANTED[0]], rel=1e-3
+    )
     change = -0.01 * found.params["work_of_adhesion"]
     assert radius.changes["work_of_adhesion"] == pytest.approx(change, rel=1e-3)
     known = fit(lens(seed=1), WANTED, known={"sphere_radius": 2e-5})
