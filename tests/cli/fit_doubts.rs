@@ -183,10 +183,10 @@ fn errors_of_radii_come_from_a_flag_or_a_column() {
     let text = String::from_utf8(workdir.read("data.csv")).expect("text");
     let with_column: String = text
         .lines()
-        .enumerate()
-        .map(|(i, line)| match i {
-            0 => format!("{line},radius_error [um]\n"),
-            _ => format!("{line},0.3\n"),
+        .map(|line| match line {
+            comment if comment.starts_with('#') => format!("{comment}\n"),
+            "contact_radius,load" => format!("{line},radius_error [um]\n"),
+            row => format!("{row},0.3\n"),
         })
         .collect();
     workdir.write("column.csv", with_column);
