@@ -39,7 +39,8 @@ fn a_film_much_thicker_than_the_sphere_is_solved() {
         assert!(error.abs() < 1e-5, "{thickness}: {text} {embedded}");
     }
     for thickness in ["0.9", "1e3"] {
-        let error = workdir.fail(1, &[&["pull-off"][..], &bodies, &[thickness]].concat());
+        let allowed = ["pull-off", "--allow", "magnitudes"];
+        let error = workdir.fail(1, &[&allowed[..], &bodies, &[thickness]].concat());
         assert_names(
             &error,
             &["the film is so thick", "1e4 times the radius of the sphere"],
