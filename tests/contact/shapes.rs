@@ -642,6 +642,28 @@ fn derivatives_are_differences() {
 }
 
 #[test]
+fn slopes_at_a_bend_are_those_beside_it() {
+    let (radius, half_angle) = (1e-5, HALF_ANGLE);
+    for (film, substrate) in [
+        (solid(1e5, 0.5), solid(1e9, 0.3)),
+        (solid(1e8, 0.2), solid(1e6, 0.4)),
+    ] {
+        let probe = Probe::RoundedCone { radius, half_angle };
+        let own = system(probe, film, 2e-6, substrate);
+        let contact = Table::embedded().contact_with_gradient(&own);
+        let contact = contact.expect("in the table");
+        let slope = |a: f64| {
+            let gradient = contact.gradient(a, 0.0).expect("in range");
+            gradient.by(Input::ContactRadius).expect("known")
+        };
+        let bend = radius / half_angle.tan();
+        let (at, beside) = (slope(bend), slope(bend * (1.0 - 1e-7)));
+        assert!((at.penetration / beside.penetration - 1.0).abs() < 1e-4);
+        assert!((at.load / beside.load - 1.0).abs() < 1e-4);
+    }
+}
+
+#[test]
 fn a_flat_punch_has_one_contact_radius() {
     let (radius, film) = (5e-6, solid(1e6, 0.5));
     let punch = || Probe::FlatPunch { radius };

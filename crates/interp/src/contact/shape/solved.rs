@@ -156,6 +156,9 @@ struct Panel {
     /// Whether the polynomials are in the root of the distance from the beginning.
     root: bool,
     penetration: Polynomial,
+    /// `J'/a^(n-1)` or `J'`. The derivative of the polynomial of `J` would lose its digits where a
+    /// panel begins in a root.
+    rate: Polynomial,
     load: Polynomial,
 }
 
@@ -270,6 +273,7 @@ impl Solution {
                 to: pair[1].0,
                 root: pair[0].1,
                 penetration: [0.0; POINTS],
+                rate: [0.0; POINTS],
                 load: [0.0; POINTS],
             };
             let mut nodes = [Node::default(); POINTS];
@@ -286,6 +290,7 @@ impl Solution {
                     rate: rate / x.powf((order - 1.0).max(0.0)),
                 };
             }
+            panel.rate = CHEBYSHEV.through(&nodes.map(|node| node.rate));
             let own;
             (own, panel.penetration, penetration) = panel.integrated(
                 order,
@@ -384,12 +389,14 @@ impl Solution {
         let at = self.field.medium.at(x)?;
         let (b, slope) = (self.transform.value(x), self.transform.slope(x));
         let t = panel.position(x);
-        let [own, rate] = evaluate(&panel.penetration, t);
-        let [load, _] = evaluate(&panel.load, t);
-        let [_, speed] = panel.radius(t);
+        let [[own, _], [rate, _], [load, _]] =
+            [panel.penetration, panel.rate, panel.load].map(|of| evaluate(&of, t));
         let power = x.powf(self.order);
-        let rate = if speed > 0.0 { rate / speed } else { 0.0 };
-        let rate = power * (rate + self.order * own / x);
+        let rate = if self.order > 0.0 {
+            power / x * rate
+        } else {
+            rate
+        };
         let penetration = b / at.gamma + power * own;
         let load = if self.order > 0.0 { power * x } else { 1.0 } * load;
         Ok(Values {
