@@ -132,7 +132,7 @@ fn intervals_of_random_fits_are_nested() {
     let one = |seed: u64| {
         let mut drawn = Drawn::new(seed);
         let loss = [Loss::Squares, Loss::HUBER, Loss::SOFT_L1][seed as usize % 3];
-        if seed % 4 == 0 {
+        if seed.is_multiple_of(4) {
             drawn.experiment.noise = drawn.experiment.noise.map(|noise| 50.0 * noise);
         }
         let fits = fits(&drawn.experiment, &drawn.free, loss);

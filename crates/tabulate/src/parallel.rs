@@ -15,8 +15,11 @@ use rayon::{ThreadPool, ThreadPoolBuilder};
 /// The process that has the threads of rayon's global pool; 0 before their first use.
 static FIRST: AtomicU32 = AtomicU32::new(0);
 
-/// The threads of a child, with its process. Those of another process are never used nor dropped.
-static OF_CHILD: Mutex<Option<(u32, Arc<ThreadPool>)>> = Mutex::new(None);
+/// Threads, with the process that has them.
+type OfProcess = Option<(u32, Arc<ThreadPool>)>;
+
+/// The threads of a child. Those of another process are never used nor dropped.
+static OF_CHILD: Mutex<OfProcess> = Mutex::new(None);
 
 /// The number of times that a thread asks for the lock of [`OF_CHILD`], which is held for a copy of
 /// the `Arc` only. A lock that stays closed was held during a fork, by a thread that the child does
@@ -62,7 +65,7 @@ fn threads_of_child(own: u32) -> Arc<ThreadPool> {
 }
 
 /// Locks [`OF_CHILD`]; `None` if the lock stays closed.
-fn of_child() -> Option<MutexGuard<'static, Option<(u32, Arc<ThreadPool>)>>> {
+fn of_child() -> Option<MutexGuard<'static, OfProcess>> {
     for _ in 0..MOST_ATTEMPTS {
         match OF_CHILD.try_lock() {
             Ok(held) => return Some(held),

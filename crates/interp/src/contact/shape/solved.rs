@@ -304,7 +304,7 @@ impl Solution {
                 [x, speed, gamma * (b + gamma * own[k])]
             };
             let degree = if order > 0.0 { order + 1.0 } else { 0.0 };
-            (_, panel.load, load) = panel.integrated(degree, load, std::array::from_fn(rate));
+            (_, panel.load, load) = panel.integrated(degree, load, &std::array::from_fn(rate));
             solution.panels.push(panel);
         }
         Ok(solution)
