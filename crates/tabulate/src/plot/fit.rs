@@ -338,7 +338,12 @@ impl Scale {
         ];
         let found = PREFIXES.iter().find(|(_, size)| largest >= 2.0 * size);
         let (prefix, size) = *found.unwrap_or(&PREFIXES[PREFIXES.len() - 1]);
-        Self::of(format!("{name} ({prefix}{unit})"), size, [least, most])
+        Self::of(
+            format!("{name} ({prefix}{unit})"),
+            size,
+            [least, most],
+            0.04,
+        )
     }
 
     /// Makes the axis that shows all values, with a margin, in a power of ten of the `unit`.
@@ -352,12 +357,18 @@ impl Scale {
             let power = format!("10^{{{exponent}}} ").replace('-', "−");
             (10_f64.powf(exponent), power)
         };
-        Self::of(format!("{name}  ({power}{unit})"), size, [least, most])
+        // The curves begin and end at corners, where labels need room.
+        Self::of(
+            format!("{name}  ({power}{unit})"),
+            size,
+            [least, most],
+            0.12,
+        )
     }
 
-    /// Makes the axis of values between two, with a margin.
-    fn of(label: String, size: f64, [least, most]: [f64; 2]) -> Self {
-        let margin = 0.04 * (most - least);
+    /// Makes the axis of values between two, with a margin of a part of them on both sides.
+    fn of(label: String, size: f64, [least, most]: [f64; 2], margin: f64) -> Self {
+        let margin = margin * (most - least);
         Self {
             label,
             size,
