@@ -236,7 +236,7 @@ def test_any_number_gives_a_fit_or_an_error(value):
 def test_numbers_that_no_experiment_has_are_refused_unless_they_are_allowed():
     one = lens(seed=1)
     large = replace(one, system=replace(one.system, probe=Paraboloid(radius=2.0)))
-    with pytest.raises(FitError, match="radius of the sphere = 2 m is above 0.1 m") as caught:
+    with pytest.raises(FitError, match=r"radius of the sphere = 2 m is above 0.1 m") as caught:
         fit(large, WANTED)
     assert caught.value.value == 2.0
     assert 'allow=("magnitudes",)' in str(caught.value)
@@ -244,7 +244,7 @@ def test_numbers_that_no_experiment_has_are_refused_unless_they_are_allowed():
     assert fit(large, WANTED, allow=["magnitudes"]).converged
     # Loads in mN: a work of adhesion that no two solids have.
     loads = replace(one, ordinate=1e3 * one.ordinate)
-    with pytest.raises(FitError, match="mN were probably taken for N|mN or uN taken for N"):
+    with pytest.raises(FitError, match=r"mN were probably taken for N|mN or uN taken for N"):
         fit(loads, WANTED)
     curves = fit_map([one, loads], WANTED, errors="nan")
     assert list(curves.failures) == [1]
@@ -296,7 +296,7 @@ def test_most_points_left_out_are_an_error_unless_allowed():
     assert "left-out" in {warning.kind for warning in found.warnings}
     failed = fit_map([viscous()], ["work_of_adhesion"], errors="nan")
     assert list(failed.failures) == [0]
-    with pytest.raises(FitError, match="allow.*left-out"):
+    with pytest.raises(FitError, match=r"allow.*left-out"):
         fit(viscous(), ["work_of_adhesion"], allow=["leftout"])
 
 
