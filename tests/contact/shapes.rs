@@ -149,17 +149,26 @@ fn kappa(n: f64) -> f64 {
 }
 
 /// Returns the largest relative error of load and penetration without adhesion of a power law,
-/// against direct solves.
-fn error_of_power_law(contact: &Contact, n: f64, coefficient: f64, x: f64) -> f64 {
+/// against a direct solve to `tolerance`; `None` where the solve does not reach it, as at large
+/// exponents and radii.
+fn error_of_power_law(
+    contact: &Contact,
+    n: f64,
+    coefficient: f64,
+    (x, tolerance): (f64, f64),
+) -> Option<f64> {
     let system = contact.system().expect("a film");
     let a = x * system.film_thickness;
     let material = system.material().expect("physical");
-    let (_, truth) = solve_power_laws(x, &material, &[n], 1e-10).expect("in the domain");
+    let (_, truth) = match solve_power_laws(x, &material, &[n], tolerance) {
+        Err(tabulate::Error::NotConverged { .. }) => return None,
+        truth => truth.expect("in the domain"),
+    };
     let (load, penetration) = contact.load_and_penetration(a, 0.0).expect("in range");
     let scale = coefficient * kappa(n) * a.powf(n);
     let loads = load / (0.5 * scale * a * system.sphere_modulus) / truth[0].pi - 1.0;
     let penetrations = penetration / scale / truth[0].delta - 1.0;
-    larger(loads.abs(), penetrations.abs())
+    Some(larger(loads.abs(), penetrations.abs()))
 }
 
 /// Every exponent that is accepted, on films from a million times softer to a million times stiffer
@@ -170,7 +179,7 @@ fn power_laws_of_every_exponent_are_those_of_direct_solves() {
     let table = Table::embedded();
     let mut contacts = Contacts::new(41);
     let (t, unit) = (1e-6, 1e6);
-    let mut worst = [0.0; 2];
+    let (mut worst, mut unsolved) = ([0.0; 2], 0);
     for case in 0..60 {
         let n = match case % 4 {
             0 => 1.0,
@@ -197,7 +206,11 @@ fn power_laws_of_every_exponent_are_those_of_direct_solves() {
         };
         let x = contacts.log_uniform(1e-3, 7e2);
         let of_table = table.contact(&system).expect("in the table");
-        let error = error_of_power_law(&of_table, n, coefficient, x);
+        let place = (x, 0.1 * table.description().tolerance);
+        let Some(error) = error_of_power_law(&of_table, n, coefficient, place) else {
+            unsolved += 1;
+            continue;
+        };
         worst[0] = larger(worst[0], error);
         assert!(
             error < table.description().tolerance,
@@ -209,12 +222,19 @@ fn power_laws_of_every_exponent_are_those_of_direct_solves() {
                 continue;
             };
             let direct = Contact::new(&system, curve).expect("its material");
-            let error = error_of_power_law(&direct, n, coefficient, x);
+            let place = (x, 0.1 * CURVE);
+            let Some(error) = error_of_power_law(&direct, n, coefficient, place) else {
+                continue;
+            };
             worst[1] = larger(worst[1], error);
             assert!(error < CURVE, "r^{n} at {x}: {error:e}, {system:?}");
         }
     }
-    println!("by the table {:.1e}, directly {:.1e}", worst[0], worst[1]);
+    println!(
+        "by the table {:.1e}, directly {:.1e}; {unsolved} not solved",
+        worst[0], worst[1]
+    );
+    assert!(unsolved < 6, "{unsolved}");
     // A large exponent on a stiff film.
     let (n, coefficient) = (20.0, 1e90);
     let probe = Probe::PowerLaw {
@@ -228,8 +248,8 @@ fn power_laws_of_every_exponent_are_those_of_direct_solves() {
     let curve = tabulate::curve(&system.material().expect("physical"), [1e-2, 1e2], CURVE);
     let direct = Contact::new(&system, curve.expect("converges")).expect("its material");
     for x in [18.0, 19.0] {
-        let error = error_of_power_law(&direct, n, coefficient, x);
-        assert!(error < CURVE, "{error:e}");
+        let error = error_of_power_law(&direct, n, coefficient, (x, 0.1 * CURVE));
+        assert!(error.expect("solved") < CURVE, "{error:?}");
     }
 }
 

@@ -8,7 +8,12 @@ use crate::imagined::{Course, Imagined};
 const LENS: [Parameter; 2] = [Parameter::SphereModulus, Parameter::WorkOfAdhesion];
 
 fn fitted(experiment: Experiment, free: &[Free]) -> Fit {
-    fit(Table::embedded(), &[experiment], free, &Options::default()).expect("sound")
+    let options = Options {
+        // A zero of the instrument that is wrong puts points beyond the end of their branch.
+        allow_left_out: true,
+        ..Options::default()
+    };
+    fit(Table::embedded(), &[experiment], free, &options).expect("sound")
 }
 
 /// Fits with and without the noise, and returns the kinds of warnings of both.

@@ -80,8 +80,8 @@ pub enum Error {
     /// A fit that leaves out most of what was measured.
     #[error(
         "{experiment}: {left_out} of {in_contact} points in contact are left out, more than a third: \
-         {reasons}. The fit of the others says little about the data: check the units, the fixed \
-         values (the zeros of the instrument, too) and the model, or allow points to be left out"
+         {reasons}. Check the units, the fixed values, the zeros of the instrument and the model, or \
+         allow points to be left out"
     )]
     LeftOut {
         /// The name of the measurement.
