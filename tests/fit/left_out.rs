@@ -66,7 +66,7 @@ fn most_points_left_out_are_an_error_unless_allowed() {
             "of 101 points in contact are left out, more than a third",
             "within 4 standard errors of the end",
             "beyond the end of the fitted branch",
-            "check the units",
+            "Check the units",
         ],
     );
     assert!(!text.contains("--"), "a library names no flag: {text}");
