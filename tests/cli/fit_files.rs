@@ -222,7 +222,7 @@ fn a_doubt_about_a_sign_says_what_to_type() {
         Some(format!("{:?};{}\n", -1e9 * height, cells.next()?))
     });
     let text: String = rows.collect();
-    workdir.write("z.csv", &format!("Piezo (nm);Force (N)\n{text}"));
+    workdir.write("z.csv", format!("Piezo (nm);Force (N)\n{text}"));
     let stiffness = ["--stiffness", "0.1", "--work-of-adhesion", "5e-5"];
     let run = workdir.run(&fit("z.csv", &stiffness));
     let text = format!("{}{}", run.stdout, run.stderr);

@@ -56,7 +56,7 @@ fn markers(svg: &str, colour: &str) -> Vec<[f64; 2]> {
         .filter(|path| path.contains(&stroke))
         .map(|path| {
             let (_, outline) = path.split_once(" d=\"M ").expect("an outline");
-            let mut numbers = outline.split(' ').map(|number| number.parse::<f64>());
+            let mut numbers = outline.split(' ').map(str::parse::<f64>);
             [(); 2].map(|()| numbers.next().expect("two numbers").expect("a number"))
         })
         .collect()

@@ -68,7 +68,11 @@ fn random(seed: u64, zone: [f64; 2]) -> Case {
     let zone = log_uniform(zone[0], zone[1]);
     let spring = log_uniform(1e-2, 1e2);
     let poisson = [0.5, 0.49, 0.3, 0.45, 0.0][(seed % 5) as usize];
-    let sphere = if seed % 2 == 0 { f64::INFINITY } else { sphere };
+    let sphere = if seed.is_multiple_of(2) {
+        f64::INFINITY
+    } else {
+        sphere
+    };
     let film = solid(young, poisson);
     let es = 1.0 / (1.0 / film.reduced() + 1.0 / sphere);
     let scale = (4.5 * PI * w * radius * radius / es).cbrt();

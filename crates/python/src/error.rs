@@ -221,6 +221,12 @@ pub fn other_stack() -> Failure {
     )
 }
 
+impl From<Box<Self>> for Failure {
+    fn from(failure: Box<Self>) -> Self {
+        *failure
+    }
+}
+
 impl From<Error> for Failure {
     fn from(error: Error) -> Self {
         let failure = Self::new("ContactError", &error);

@@ -193,15 +193,16 @@ fn checked_fit(
     free: &[Free],
     options: &Options,
     allow_magnitudes: bool,
-) -> Result<Fit, Failure> {
+) -> Result<Fit, Box<Failure>> {
     let accept = |name: &str, found: &[Magnitude]| {
         let failure = Failure::magnitudes(name, found).filter(|_| !allow_magnitudes);
-        failure.map_or(Ok(()), Err)
+        failure.map_or(Ok(()), |failure| Err(Box::new(failure)))
     };
     for experiment in experiments {
         accept(&experiment.measurement.name, &experiment.magnitudes())?;
     }
-    let found = fit::fit(table, experiments, free, options)?;
+    let found = fit::fit(table, experiments, free, options);
+    let found = found.map_err(|error| Box::new(Failure::from(error)))?;
     if found.converged {
         accept("the fit", &found.magnitudes())?;
     }

@@ -54,7 +54,7 @@ impl Cohesive {
     ///
     /// # Errors
     /// [`Error::Domain`] for a radius that is not positive, beyond the one at which the contact
-    /// begins, or beyond [`REACH`]; [`Error::NotAContact`] for a result that overflows an f64.
+    /// begins, or beyond [`REACH`](crate::cohesive::REACH); [`Error::NotAContact`] for a result that overflows an f64.
     pub fn without_contact(&self, outer_radius: f64) -> Result<CohesiveState, Error> {
         let last = self.first_contact().unwrap_or_else(|| self.reach());
         Error::check(

@@ -15,7 +15,7 @@ const TOLERANCE: f64 = 1e-4;
 const STEP: f64 = 0.25;
 
 /// The largest contact radius, over the thickness of the top layer, that is solved.
-const REACH: f64 = 1000.0;
+const LARGEST_A_OVER_T: f64 = 1000.0;
 
 impl Cohesive {
     /// Returns the length of a short zone of attraction, `(pi/4) es w/sigma0^2`.
@@ -36,7 +36,7 @@ impl Cohesive {
         let scale = self.jkr_scale();
         // A softer base widens the contact at most to that on a half-space of all the compliance.
         let widest = 2.0 * scale * (1.0 + self.symbol.contrast()).cbrt();
-        let largest = widest.min(0.9 / self.curvature).min(REACH);
+        let largest = widest.min(0.9 / self.curvature).min(LARGEST_A_OVER_T);
         // Below, the contact is that of a half-space, and the value rises as the radius falls.
         let least = (0.1 * scale).min(0.05).min(0.5 * largest);
         let count = ((largest / least).ln() / STEP).ceil() as usize;
