@@ -131,8 +131,9 @@ impl Experiment {
     fn ranges(&self, found: &mut Vec<Magnitude>) {
         let [abscissa, ordinate] = self.measurement.kind.names();
         let points = &self.measurement.points;
+        // A number that is not finite is refused by its point.
         let range = |value: fn(&crate::Point) -> f64| {
-            let ends = points.iter().map(value);
+            let ends = points.iter().map(value).filter(|value| value.is_finite());
             let [least, most] = ends.fold([f64::INFINITY, f64::NEG_INFINITY], |[l, m], x| {
                 [l.min(x), m.max(x)]
             });

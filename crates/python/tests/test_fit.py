@@ -20,6 +20,7 @@ from coated_contact import (
     Table,
     fit,
     fit_map,
+    forecast,
 )
 from conftest import make_system
 
@@ -172,7 +173,7 @@ def test_what_cannot_be_used_is_named():
     a, load = one.abscissa.copy(), one.ordinate.copy()
     load[3] = np.nan
     bad = Experiment(kind="load-radius", abscissa=a, ordinate=load, system=one.system, name="lens")
-    with pytest.raises(FitError, match="lens, line 3: load") as caught:
+    with pytest.raises(FitError, match="lens, point 3: load") as caught:
         fit(bad, WANTED)
     assert caught.value.axis == "load"
     with pytest.raises(FitError, match="at least one"):
@@ -373,3 +374,13 @@ def test_fixed_values_and_their_errors():
         fit(lens(seed=1), WANTED, known={"sphere_modulus": 1e4})
     with pytest.raises(FitError, match="not a parameter"):
         fit(lens(seed=1), WANTED, known={"sphere": 1e4})
+
+
+def test_a_forecast_of_no_adhesion_is_refused_where_it_is_free():
+    plan = Experiment(
+        kind="load-radius", abscissa=np.linspace(4e-5, 1e-4, 20), system=lens(1).system, noise=1e-6
+    )
+    with pytest.raises(FitError, match=r"work-of-adhesion of .* must be positive where it is free"):
+        forecast(plan, WANTED)
+    expected = forecast(replace(plan, work_of_adhesion=0.04), WANTED)
+    assert np.isfinite(expected.stderr["work_of_adhesion"])

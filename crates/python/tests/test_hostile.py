@@ -1,6 +1,7 @@
 """Every function takes any float: it returns finite numbers or raises a ContactError."""
 
 import inspect
+import tempfile
 from dataclasses import replace
 
 import numpy as np
@@ -37,6 +38,7 @@ from coated_contact import (
     forecast,
     generate,
     predict,
+    read_experiment,
     simulate,
     solve,
     solve_stack,
@@ -104,6 +106,19 @@ def curve(equilibria, most):
 def validity(contact, a):
     found = contact.validity(a)
     return [found.a_over_r, found.shape, found.sideways, found.a_over_t, found.strain]
+
+
+def read(stiffness, sensitivity):
+    """Deflections in volts at three heights."""
+    with tempfile.NamedTemporaryFile("w", suffix=".csv") as file:
+        file.write("height [m],deflection [V]\n" + "1e-6,1\n2e-6,2\n3e-6,4\n")
+        file.flush()
+        glass = Elastic(young_modulus=64e9, poisson_ratio=0.2)
+        system = HalfSpace(sphere_radius=1e-5, sphere_modulus=np.inf, solid=glass)
+        found = read_experiment(
+            file.name, system=system, stiffness=stiffness, sensitivity=sensitivity
+        )
+    return [*found.abscissa, *found.ordinate]
 
 
 def line_of(numbers):
@@ -230,6 +245,7 @@ def under(make, *valid, a=2e-6):
 # The functions by their names, with a word where one has several entries: valid numbers, and the
 # function of them.
 FUNCTIONS = {
+    "read_experiment": ([0.1, 1e-7], lambda *n: read(*n)),
     "Contact.load": ([*BODIES, 65e-6, 0.04], lambda *n: contact_of(n[:7]).load(n[7], n[8])),
     "Contact.penetration": ([65e-6, 0.04], lambda *n: contact_of(BODIES).penetration(*n)),
     "Contact.load_and_penetration": (

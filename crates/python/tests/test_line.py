@@ -75,12 +75,17 @@ def test_a_moving_line_obeys_its_law(jkr):
     assert line.state is not None
     unloading = line.ramp("load", -1e-3, duration=20.0, tolerance=1e-8)
     assert line.state is None
-    speed = -np.gradient(unloading.contact_radius, unloading.time)
+    # States of a jump may have one time.
+    time, rises = np.unique(unloading.time, return_index=True)
+    assert len(time) > 0.5 * len(unloading.time)
+    assert np.all(np.diff(unloading.time) >= 0)
+    speed = -np.gradient(unloading.contact_radius[rises], time)
     # Not the last states, between which the speed grows by orders of magnitude.
-    middle = np.flatnonzero((speed > 1e-7) & (unloading.energy_release_rate < 1))
+    energy = unloading.energy_release_rate[rises]
+    middle = np.flatnonzero((speed > 1e-7) & (energy < 1))
     assert len(middle) > 50
     expected = [law.energy_release_rate(v) for v in speed[middle]]
-    assert unloading.energy_release_rate[middle] == pytest.approx(expected, rel=2e-2)
+    assert energy[middle] == pytest.approx(expected, rel=2e-2)
     states = zip(unloading.contact_radius, unloading.load, strict=True)
     hertz = [
         (4 * MODULUS * a**3 / (3 * RADIUS) - f) ** 2 / (8 * pi * MODULUS * a**3) for a, f in states

@@ -241,8 +241,7 @@ def test_sphere_radius_is_the_paraboloid():
     assert replace(system, probe=Sphere(radius=2e-3)).sphere_radius == 2e-3
     assert replace(system, probe=Cone(half_angle=1.0)).sphere_radius is None
     assert replace(system, probe=Cone(half_angle=1.0)).without_film().probe == Cone(half_angle=1.0)
-    with pytest.raises(TypeError, match="both given"):
-        replace(system, sphere_radius=2e-3)
+    assert replace(system, sphere_radius=2e-3).probe == Paraboloid(radius=2e-3)
     known = {"sphere_modulus": 2e6, "solid": system.film}
     with pytest.raises(TypeError, match="not nothing; sphere_radius=R is short"):
         HalfSpace(**known)

@@ -90,7 +90,7 @@ def results(measured):
         fit(measured, WANTED).experiments[0],
         fit(several, [*WANTED, "load_offset"]),
         fit_map(several, WANTED),
-        forecast(replace(measured, noise=1e-6), WANTED),
+        forecast(replace(measured, noise=1e-6, work_of_adhesion=0.04), WANTED),
         predict(measured, WANTED),
         contact.pull_off(np.linspace(0.01, 0.1, 20)),
         contact.force_displacement(0.04, most=1e-6, points=20),

@@ -21,7 +21,8 @@ const ROUNDS: usize = 2;
 /// parameters are not used; priors are.
 ///
 /// # Errors
-/// As [`fit`](crate::fit); [`Error::Setting`] without a noise.
+/// As [`fit`](crate::fit); [`Error::Setting`] without a noise, and for a free quantity such as the work of
+/// adhesion that must be positive and is planned as 0.
 pub fn forecast(
     table: &Table,
     experiments: &[Experiment],
@@ -56,6 +57,17 @@ pub fn forecast(
             let receding = experiment.work_of_adhesion_receding;
             let receding = receding.unwrap_or(experiment.work_of_adhesion);
             experiment.work_of_adhesion_receding = Some(receding);
+        }
+        let is_zero = |parameter: &Parameter| {
+            parameter.is_positive() && experiment.get(*parameter) == Some(0.0)
+        };
+        if let Some(parameter) = free.iter().map(|one| one.parameter).find(is_zero) {
+            return Err(Error::Setting {
+                name: format!("{parameter} of {}", experiment.measurement.name),
+                value: 0.0,
+                allowed: "positive where it is free: the errors are those at the planned value"
+                    .into(),
+            });
         }
         let contact = experiment.bodies.contact(table, true)?;
         let (branches, order) = experiment.branches_of_model(&contact)?;

@@ -49,6 +49,7 @@ impl<L: CrackTip> ContactLine<'_, L> {
     /// Returns the states from the beginning to the end of the ramp, or to the separation of the
     /// contact, after which [`ContactLine::state`] is `None`. Between neighbouring states the
     /// radius changes by at most 1 % of the first one, and the time by at most 1 % of the duration.
+    /// Times never fall. States of a jump have one time where an f64 cannot tell their times apart.
     /// The sphere has no inertia.
     ///
     /// `tolerance` bounds the error of the solver in one step, relative to the radius at the
