@@ -2,6 +2,7 @@
 
 import inspect
 import tempfile
+import warnings
 from dataclasses import replace
 
 import numpy as np
@@ -115,9 +116,11 @@ def read(stiffness, sensitivity):
         file.flush()
         glass = Elastic(young_modulus=64e9, poisson_ratio=0.2)
         system = HalfSpace(sphere_radius=1e-5, sphere_modulus=np.inf, solid=glass)
-        found = read_experiment(
-            file.name, system=system, stiffness=stiffness, sensitivity=sensitivity
-        )
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # A negative sensitivity turns the sense of the force.
+            found = read_experiment(
+                file.name, system=system, stiffness=stiffness, sensitivity=sensitivity
+            )
     return [*found.abscissa, *found.ordinate]
 
 
