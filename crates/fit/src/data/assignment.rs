@@ -366,7 +366,14 @@ impl Columns<'_> {
                     uncalibrated: self.uncalibrated,
                 }));
             };
+            let is_sound = stiffness > 0.0 && sensitivity != 0.0;
             factor *= stiffness * sensitivity;
+            if !is_sound || !factor.is_finite() || factor == 0.0 {
+                return Err(at(Problem::NoForce {
+                    stiffness,
+                    sensitivity: volts.then_some(sensitivity),
+                }));
+            }
         }
         Ok(Source {
             role,

@@ -118,6 +118,18 @@ pub enum Problem {
     /// There is no text.
     #[error("the file is empty")]
     Empty,
+    /// A cantilever that turns no deflection into a force.
+    #[error(
+        "a stiffness of {stiffness:?} N/m{} turns no deflection into a force; the stiffness must be \
+         positive and finite, and the sensitivity (m/V) finite and not 0",
+        .sensitivity.map_or_else(String::new, |value| format!(" with a sensitivity of {value:?} m/V"))
+    )]
+    NoForce {
+        /// The stiffness of the cantilever, N/m.
+        stiffness: f64,
+        /// The sensitivity, m/V, of a deflection in volts.
+        sensitivity: Option<f64>,
+    },
     /// There are headings, and no rows of numbers.
     #[error(
         "{headings:?} are headings, but no row of numbers follows them; save the rows of the \

@@ -1,6 +1,6 @@
 //! Tables that cannot be read: each error names the place and the next step.
 
-use fit::data::{Column, Format};
+use fit::data::{Cantilever, Column, Format};
 
 use crate::read;
 
@@ -185,4 +185,27 @@ fn a_column_that_is_not_there_is_refused() {
             "\"Radius [um]\" (contact_radius), \"Load [mN]\" (load)",
         ],
     );
+}
+
+#[test]
+fn a_cantilever_that_makes_no_force_is_named() {
+    let text = "height [m],deflection [V]\n1e-6,1\n2e-6,2\n3e-6,4\n";
+    for (stiffness, sensitivity) in [
+        (f64::NAN, 1e-7),
+        (-0.1, 1e-7),
+        (f64::INFINITY, 1e-7),
+        (0.1, 0.0),
+        (0.1, f64::NAN),
+        (1e-300, 1e-300),
+    ] {
+        let format = Format {
+            cantilever: Cantilever {
+                stiffness: Some(stiffness),
+                sensitivity: Some(sensitivity),
+            },
+            ..Format::default()
+        };
+        let words = ["turns no deflection into a force", "positive and finite"];
+        refused(text, &format, &words);
+    }
 }
