@@ -214,7 +214,7 @@ class Table:
         --------
         >>> found = Table.embedded().quantities([0.1, 1.0, 10.0], 1.75, 0.5, 1e5)
         >>> found.eeq.round(4)
-        array([0.7241, 0.8768, 0.9868])
+        array([0.7243, 0.8912, 0.9897])
         """
         if nu0 is None:
             own = self._description["nu0"]
