@@ -20,7 +20,7 @@ impl Table {
     /// [`certificate`](crate::Description::certificate) states the largest error of all four at
     /// sampled points.
     ///
-    /// The first lookup of a film as soft, or as stiff, as no film before decodes a part of the table.
+    /// The table consists of five parts, each for other moduli. The first lookup in a part decodes it.
     ///
     /// ```
     /// # fn main() -> Result<(), interp::Error> {
