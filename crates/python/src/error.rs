@@ -368,6 +368,9 @@ impl From<::solve::Error> for Failure {
             Error::NotAContact { contact_radius, .. } => {
                 of("NotAContactError").about("contact radius", contact_radius)
             }
+            Error::NarrowAnnulus { range, .. } => {
+                of("NotAContactError").about("interaction range", range)
+            }
             Error::AnnulusReach {
                 contact_radius,
                 reach,
