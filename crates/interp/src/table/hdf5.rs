@@ -42,14 +42,11 @@ impl Table {
         open()?.take(8).read_to_end(&mut start).map_err(io)?;
         if is_packed(&start) {
             return Err(Error::Foreign(
-                "it is a packed table, not an HDF5 file; read it with `Table::read`".into(),
+                "it is a packed table, not an HDF5 file; read it as a packed table".into(),
             ));
         }
         let foreign = |error: hdf5_pure::Error| {
-            Error::Foreign(format!(
-                "it cannot be read as an HDF5 file ({error}); \
-                 `tabulate generate SCENE.toml -o TABLE.h5` makes a table"
-            ))
+            Error::Foreign(format!("it cannot be read as an HDF5 file ({error})"))
         };
         let structure = Structure::new(open()?).map_err(|error| foreign(error.into()))?;
         let file = File::from_source(structure).map_err(foreign)?;
@@ -58,7 +55,7 @@ impl Table {
             Ok(FORMAT) => {}
             _ => {
                 return Err(Error::Foreign(format!(
-                    "its attribute {} is not {FORMAT:?}, as it is in the files of `tabulate generate`",
+                    "its attribute {} is not {FORMAT:?}, as it is in tables of this project",
                     attribute::FORMAT
                 )));
             }

@@ -178,11 +178,9 @@ impl Table {
 fn split(bytes: &[u8]) -> Result<(Header, &[u8]), Error> {
     if !is_packed(bytes) {
         let what = if bytes.starts_with(&HDF5_SIGNATURE) {
-            "it begins like an HDF5 table; pack it with `tabulate pack TABLE.h5 -o TABLE.bin`, or \
-                 open it with `Table::open` (feature `hdf5`)"
+            "it begins like an HDF5 table; read it as HDF5, or pack it"
         } else {
-            "it does not begin like a packed table; `tabulate pack TABLE.h5 -o TABLE.bin` makes \
-                 one from an HDF5 table"
+            "it does not begin like a packed table"
         };
         return Err(Error::Foreign(what.into()));
     }
