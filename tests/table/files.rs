@@ -52,7 +52,7 @@ fn bits_by_c_library(path: &Path) -> Vec<Option<Vec<u64>>> {
     let names = Parameter::ALL
         .map(|p| format!("axes/{}", p.name()))
         .into_iter()
-        .chain(Quantity::TABULATED.map(|q| format!("values/{}", q.name())));
+        .chain(Quantity::ALL.map(|q| format!("values/{}", q.name())));
     let bits = |name: String| {
         file.dataset(&name)
             .ok()

@@ -107,8 +107,8 @@ impl Table {
             .group(VALUES)
             .and_then(|group| group.datasets())
             .map_err(malformed)?;
-        let mut values = [const { None }; 5];
-        for quantity in Quantity::TABULATED {
+        let mut values = [const { None }; 4];
+        for quantity in Quantity::ALL {
             if held.iter().any(|name| name == quantity.name()) {
                 let path = format!("{VALUES}/{}", quantity.name());
                 values[quantity as usize] = Some(tables.dataset(&path, Some(&shape))?);
@@ -133,7 +133,7 @@ impl Table {
 /// Reads the certificate from the attributes.
 fn certificate(attributes: &Attributes) -> Result<Certificate, Error> {
     let name = attributes.text(attribute::CERTIFIED_WORST_QUANTITY)?;
-    let quantity = Quantity::TABULATED
+    let quantity = Quantity::ALL
         .into_iter()
         .find(|quantity| quantity.name() == name);
     Ok(Certificate {

@@ -238,7 +238,7 @@ fn dense(header: Header, content: &[u8]) -> Result<Table, Error> {
             expected.map_or("more than fit in memory".into(), |bytes| bytes.to_string())
         )));
     }
-    let mut quantities = [const { None }; 5];
+    let mut quantities = [const { None }; 4];
     // Without nodes there are no bytes to split, and `Table::new` names the empty axis.
     for (quantity, bytes) in header
         .quantities
