@@ -189,9 +189,8 @@ class Page {
             const title = element("span", {}, name), label = element("label", { for: key }, title, " ", element("i", {}, symbol));
             if (mayBeRigid(this.table, key)) label.append(", or rigid");
             const field = element("span", { class: "field" }, number, element("span", {}, unit));
-            const control = element("div", { class: "control" }, label, slider, field);
-            byId("controls").append(control);
-            this.rows.set(key, { slider, number, title, control });
+            byId("controls").append(element("div", { class: "control" }, label, slider, field));
+            this.rows.set(key, { slider, number, title });
         }
         byId("controls").addEventListener("submit", (event) => event.preventDefault());
     }
@@ -225,7 +224,7 @@ class Page {
     show(typing) {
         this.settle();
         if (this.choice) this.choice.value = this.probe;
-        for (const [key, { slider, number, title, control, text }] of this.rows) {
+        for (const [key, { slider, number, title, text }] of this.rows) {
             const value = this.values[key], { unit, scale } = SETTINGS[key];
             if (text) {
                 text.textContent = this.fixed(key);
