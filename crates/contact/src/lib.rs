@@ -65,6 +65,7 @@
 
 #![forbid(unsafe_code)]
 
+mod bodies;
 mod branch;
 mod contact;
 mod contact_line;
