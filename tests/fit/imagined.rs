@@ -122,10 +122,7 @@ impl Imagined {
             Bodies::Layered(layered) => {
                 let layers = layered.layers.iter();
                 let layers: Vec<_> = layers
-                    .map(|one| tabulate::stack::Layer {
-                        solid: one.solid,
-                        thickness: one.thickness,
-                    })
+                    .map(|one| tabulate::stack::Layer::bonded(one.solid, one.thickness))
                     .collect();
                 let stack = tabulate::stack::Stack::new(layered.base, layers).expect("physical");
                 let [from, to] = self.radii.map(|radius| radius / stack.thickness());

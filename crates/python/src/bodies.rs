@@ -133,10 +133,7 @@ impl NativeStack {
             let mut names = Vec::with_capacity(layers.len());
             let layer = |(given, thickness, name)| {
                 names.push(name);
-                Ok(Layer {
-                    solid: solid(given)?,
-                    thickness,
-                })
+                Ok(Layer::bonded(solid(given)?, thickness))
             };
             let layers: Result<Vec<Layer>, Error> = layers.into_iter().map(layer).collect();
             let mut stack = Stack::new(solid(base)?, layers?)?;

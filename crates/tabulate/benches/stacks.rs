@@ -22,10 +22,7 @@ fn solid(young: f64, poisson: f64) -> Elastic {
 
 /// A primer and an adhesive below the paper's film, all of one thickness.
 fn three_layers() -> Stack {
-    let layer = |young, poisson| Layer {
-        solid: solid(young, poisson),
-        thickness: 1e-6,
-    };
+    let layer = |young, poisson| Layer::bonded(solid(young, poisson), 1e-6);
     let layers = [layer(5e5, 0.5), layer(3e7, 0.4), layer(1.75e6, 0.5)];
     Stack::new(solid(1e11, 0.25), layers).expect("physical")
 }

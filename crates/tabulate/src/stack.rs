@@ -1,16 +1,16 @@
 //! Stacks of layers on an elastic or rigid base.
 //!
-//! Layers are counted from the base up: layer 1 is bonded to the base, and the last one is what the
-//! sphere touches. All layers are perfectly bonded. `a/t` of a stack is the contact radius over the
-//! sum of all thicknesses.
+//! Layers are counted from the base up: layer 1 is on the base, and the last one is what the sphere
+//! touches. Each layer is bonded to what lies below it, slides on it, or is joined to it by springs:
+//! its [`Interface`]. `a/t` of a stack is the contact radius over the sum of all thicknesses.
 //!
 //! ```
 //! # fn main() -> Result<(), tabulate::Error> {
 //! use interp::{Contact, Elastic};
-//! use tabulate::stack::{Layer, Stack};
+//! use tabulate::stack::{Interface, Layer, Stack};
 //!
-//! let primer = Layer { solid: Elastic::new(0.5e6, 0.5)?, thickness: 2.5e-6 };
-//! let elastomer = Layer { solid: Elastic::new(3.5e6, 0.5)?, thickness: 7.5e-6 };
+//! let primer = Layer::bonded(Elastic::new(0.5e6, 0.5)?, 2.5e-6);
+//! let elastomer = Layer::bonded(Elastic::new(3.5e6, 0.5)?, 7.5e-6);
 //! let stack = Stack::new(Elastic::new(2e11, 0.25)?, [primer, elastomer])?;
 //!
 //! // Sphere of reduced modulus 2 MPa; a/t of 6.5; relative tolerance 1e-8.
@@ -21,6 +21,12 @@
 //! let curve = tabulate::stack_curve(&stack, 2e6, [0.1, 10.0], 1e-8)?;
 //! let contact = Contact::new(&stack.system(1e-3, 2e6), curve)?;
 //! println!("{:.3e} N", contact.load(65e-6, 0.04)?);
+//!
+//! // The elastomer alone, on a lubricant: it slides on the base.
+//! let sliding = Layer { interface: Interface::Sliding, ..elastomer };
+//! let film = Stack::new(Elastic::new(2e11, 0.25)?, [sliding])?;
+//! let softer = tabulate::solve_stack(6.5, &film, 2e6, 1e-8)?;
+//! assert!(softer.quantities.eeq < solution.quantities.eeq);
 //! # Ok(()) }
 //! ```
 //!
@@ -43,7 +49,8 @@
 //! pull-off, energy release rates, crack-tip laws, JKR fits. `film_bias` is relative to the bare
 //! base. Three answers differ. A curve of a stack has no expansions beyond its ends and no
 //! derivatives with respect to the material: both are errors. The compressibility of `validity` is
-//! that of all layers ([`Stack::compressibility`]). `finite_range` and `pull_off_error` demand that
+//! that of all layers ([`Stack::compressibility`]), and NaN where an interface is not bonded.
+//! `finite_range` and `pull_off_error` demand that
 //! the zone of attraction be short beside the *top layer*, whose modulus it is computed with.
 //!
 //! # Reach
@@ -53,8 +60,8 @@
 //! thinner films needs to know where the zeros and poles of the compliance lie. For one film they
 //! are at least 53 degrees away from the real axis; for stacks, where they were found at 27
 //! degrees, no bound is known, and a larger `a/h` is refused. A stack that is in fact a single film
-//! (all layers of one material, or the lower ones of that of the base) is solved as a film, without
-//! this limit.
+//! (all layers of one material, or the lower ones of that of the base, bonded to each other) is
+//! solved as a film, without this limit.
 //!
 //! Measured (`tests/truth/stacks.rs`, 15 contacts up to `a/h` of 160, values by another program):
 //! the errors of the quantities are at most 8e-15 at the tolerance 1e-12 and 3.4e-11 at 1e-8.
@@ -68,12 +75,15 @@
 
 #[cfg(feature = "fit")]
 pub(crate) mod in_fits;
+mod interface;
 pub(crate) mod text;
+mod text_interface;
 
 use interp::{Elastic, Material, Probe, StackShape, System};
 
 #[cfg(feature = "fit")]
 pub use self::in_fits::DirectSolver;
+pub use self::interface::Interface;
 pub use self::text::NamedStack;
 use crate::Error;
 
@@ -84,6 +94,10 @@ pub const MOST_A_OVER_TOP: f64 = 1000.0;
 /// The largest ratio of the Young's moduli of two bodies of a stack, a rigid base left aside.
 pub const LARGEST_CONTRAST: f64 = 1e9;
 
+/// The smallest normal stiffness of an interface over Young's modulus of the stiffest layer, times
+/// the thickness of all layers.
+pub const SOFTEST_SPRINGS: f64 = 1e-12;
+
 /// One layer of a stack.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Layer {
@@ -91,6 +105,19 @@ pub struct Layer {
     pub solid: Elastic,
     /// The thickness, m.
     pub thickness: f64,
+    /// What joins it to the layer below, or to the base.
+    pub interface: Interface,
+}
+
+impl Layer {
+    /// Returns a layer of a `solid` and a `thickness` (m), bonded to what lies below it.
+    pub const fn bonded(solid: Elastic, thickness: f64) -> Self {
+        Self {
+            solid,
+            thickness,
+            interface: Interface::Bonded,
+        }
+    }
 }
 
 /// Layers on a base.
@@ -107,10 +134,14 @@ impl Stack {
     ///
     /// # Errors
     /// [`Error::NoLayers`] without a layer; [`Error::Layer`] for a thickness that is not positive
-    /// and finite, a rigid layer, or a Young's modulus more than [`LARGEST_CONTRAST`] times that of
-    /// another body.
+    /// and finite, a rigid layer, a Young's modulus more than [`LARGEST_CONTRAST`] times that of
+    /// another body, a stiffness of an interface that is negative or NaN, or a normal stiffness
+    /// that is 0 or too small ([`SOFTEST_SPRINGS`]).
     pub fn new(base: Elastic, layers: impl Into<Vec<Layer>>) -> Result<Self, Error> {
-        let layers: Vec<Layer> = layers.into();
+        let mut layers: Vec<Layer> = layers.into();
+        for layer in &mut layers {
+            layer.interface = layer.interface.plain();
+        }
         let top = layers.last().ok_or(Error::NoLayers)?;
         let surface = top.solid;
         let stack = Self {
@@ -142,9 +173,9 @@ impl Stack {
         count: usize,
         solid: impl Fn(f64) -> Elastic,
     ) -> Result<Self, Error> {
-        let layer = |i: usize| Layer {
-            solid: solid(thickness * ((i as f64 + 0.5) / count as f64)),
-            thickness: thickness / count as f64,
+        let layer = |i: usize| {
+            let middle = thickness * ((i as f64 + 0.5) / count as f64);
+            Layer::bonded(solid(middle), thickness / count as f64)
         };
         Self::new(base, (0..count).map(layer).collect::<Vec<_>>())?.with_surface(solid(thickness))
     }
@@ -224,11 +255,18 @@ impl Stack {
     /// ```
     ///
     /// (`I`: lubrication theory, with shear stress that grows with depth from the frictionless
-    /// top). It is `3/16 (1 - 2 nu)/(1 - nu)` for one film, however it is cut into layers.
+    /// top). It is `3/16 (1 - 2 nu)/(1 - nu)` for one film, however it is cut into layers. It is NaN
+    /// where an interface is not bonded: such layers yield sideways without being confined.
     pub fn compressibility(&self) -> f64 {
+        if !self.is_bonded() {
+            return f64::NAN;
+        }
         let t = self.thickness();
         let (mut series, mut once, mut twice, mut thrice) = (0.0, 0.0, 0.0, 0.0);
-        for Layer { solid, thickness } in &self.layers {
+        for Layer {
+            solid, thickness, ..
+        } in &self.layers
+        {
             let (h, nu) = (thickness / t, solid.poisson());
             // In units of that of the surface, so that nothing overflows.
             let compliance = (1.0 + nu) * (self.surface.young() / solid.young());
@@ -253,12 +291,24 @@ impl Stack {
         self.layers.last().expect("a stack has a layer")
     }
 
-    /// Returns the same body with as few layers as possible: neighbours of one material are one
-    /// layer, and the lowest layers belong to the base if they are of its material.
+    /// Tells whether all interfaces are bonded.
+    pub fn is_bonded(&self) -> bool {
+        self.layers.iter().all(|layer| layer.interface.is_bonded())
+    }
+
+    /// Tells whether there is a single layer, bonded to the base: a film.
+    pub(crate) fn is_film(&self) -> bool {
+        self.layers.len() == 1 && self.is_bonded()
+    }
+
+    /// Returns the same body with as few layers as possible: neighbours of one material that are
+    /// bonded are one layer, and the lowest layers belong to the base if they are of its material
+    /// and bonded to it.
     pub(crate) fn merged(&self) -> Self {
         let mut layers: Vec<Layer> = Vec::with_capacity(self.layers.len());
         for layer in &self.layers {
             match layers.last_mut() {
+                _ if !layer.interface.is_bonded() => layers.push(*layer),
                 Some(below) if below.solid == layer.solid => below.thickness += layer.thickness,
                 None if self.base == layer.solid => {}
                 _ => layers.push(*layer),
@@ -281,7 +331,10 @@ impl Stack {
 
     /// Accepts layers that the solver can take.
     fn check(&self) -> Result<(), Error> {
-        for (i, Layer { solid, thickness }) in self.layers.iter().enumerate() {
+        for (i, layer) in self.layers.iter().enumerate() {
+            let Layer {
+                solid, thickness, ..
+            } = layer;
             if !(*thickness > 0.0 && thickness.is_finite()) {
                 let what = format!("its thickness is {thickness:?} m, but must be > 0 and finite");
                 return Err(self.fault(i + 1, what));
@@ -311,6 +364,12 @@ impl Stack {
                 );
                 return Err(self.fault(i + 1, what));
             }
+        }
+        let stiffest = (0..self.layers.len()).map(young).fold(0.0, f64::max);
+        let least = SOFTEST_SPRINGS * stiffest / self.thickness();
+        for (i, layer) in self.layers.iter().enumerate() {
+            let check = layer.interface.check(least);
+            check.map_err(|what| self.fault(i + 1, what))?;
         }
         Ok(())
     }
@@ -349,10 +408,7 @@ mod tests {
     }
 
     fn layer(young: f64, thickness: f64) -> Layer {
-        Layer {
-            solid: solid(young),
-            thickness,
-        }
+        Layer::bonded(solid(young), thickness)
     }
 
     fn stack(base: f64, layers: &[Layer]) -> Stack {

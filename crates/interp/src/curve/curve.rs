@@ -69,7 +69,8 @@ pub struct Curve {
 pub struct StackShape {
     /// The ratio of stiffnesses of
     /// [`FilmValidity::compressibility`](crate::FilmValidity::compressibility) over `(a/t)^2`, with
-    /// the thickness `t` of all layers.
+    /// the thickness `t` of all layers; NaN if they are not all bonded to each other and to the
+    /// base.
     pub compressibility: f64,
     /// The thickness of the top layer over `t`.
     pub top: f64,

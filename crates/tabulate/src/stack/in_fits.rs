@@ -95,10 +95,7 @@ pub fn stack_of(layered: &Layered) -> Result<Stack, Cause> {
     let layers: Vec<Layer> = layered
         .layers
         .iter()
-        .map(|layer| Layer {
-            solid: layer.solid,
-            thickness: layer.thickness,
-        })
+        .map(|layer| Layer::bonded(layer.solid, layer.thickness))
         .collect();
     Stack::new(layered.base, layers).map_err(|error| named(layered, error))
 }

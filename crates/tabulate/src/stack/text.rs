@@ -6,7 +6,7 @@ use std::path::Path;
 use interp::Elastic;
 use serde::Deserialize;
 
-use crate::stack::{Layer, Stack};
+use crate::stack::{Layer, Stack, text_interface};
 use crate::{Error, input};
 
 /// The largest number of bytes of a stack file. A larger one is taken for a mistake.
@@ -38,6 +38,7 @@ struct TextLayer {
     young_modulus: f64,
     poisson_ratio: f64,
     thickness: f64,
+    interface: Option<toml::Value>,
 }
 
 /// A stack with the names of its layers, as a file or a scene gives them.
@@ -53,8 +54,10 @@ impl NamedStack {
     /// Reads a stack file: TOML in SI units.
     ///
     /// It has `base = { young_modulus = .., poisson_ratio = .. }` and, from the base up, a
-    /// `[[layers]]` with `young_modulus`, `poisson_ratio`, `thickness` and perhaps a `name` for each
-    /// layer. A base with `young_modulus = inf` is rigid and needs no Poisson ratio.
+    /// `[[layers]]` with `young_modulus`, `poisson_ratio`, `thickness` and perhaps a `name` and an
+    /// `interface` for each layer. The interface is what joins the layer to what lies below it:
+    /// `"bonded"`, which no interface means, `"sliding"`, or springs, `{ tangential_stiffness = ..,
+    /// normal_stiffness = .. }` in Pa/m, of which the latter is infinity if it is left out. A base with `young_modulus = inf` is rigid and needs no Poisson ratio.
     ///
     /// # Errors
     /// [`Error::Read`] if the file cannot be read, or has more than a megabyte;
@@ -118,10 +121,19 @@ impl Text {
         }
         .map_err(|error| format!("base: {error}"))?;
         let solids = layers.iter().enumerate().map(|(i, layer)| {
+            let solid = Elastic::new(layer.young_modulus, layer.poisson_ratio)
+                .map_err(|error| format!("{}: {error}", of_layer(i)))?;
+            let interface = layer
+                .interface
+                .as_ref()
+                .map(text_interface::read)
+                .transpose();
             Ok(Layer {
-                solid: Elastic::new(layer.young_modulus, layer.poisson_ratio)
-                    .map_err(|error| format!("{}: {error}", of_layer(i)))?,
+                solid,
                 thickness: layer.thickness,
+                interface: interface
+                    .map_err(|what| format!("{}: {what}", of_layer(i)))?
+                    .unwrap_or_default(),
             })
         });
         match Stack::new(base, solids.collect::<Result<Vec<_>, String>>()?) {
