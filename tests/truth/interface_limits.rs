@@ -5,10 +5,11 @@ use std::f64::consts::{FRAC_PI_2, LN_2, PI};
 use acceptance::{
     larger, layer, random_stack, relative_error, solid, springs, stack, with_interfaces,
 };
-use interp::{Contact, Elastic, Quantities};
-use tabulate::solve::{LayeredCompliance, Method, SurfaceCompliance};
-use tabulate::stack::{Interface, Layer, Stack};
-use tabulate::{Error, solve_stack, stack_curve};
+use contact::Contact;
+use interp::{Elastic, Quantities};
+use solve::stack::{Interface, Layer, Stack};
+use solve::{Error, solve_stack, stack_curve};
+use solve::{LayeredCompliance, Method, SurfaceCompliance};
 
 use crate::identities::with_derivatives;
 

@@ -5,9 +5,9 @@ use std::f64::consts::{FRAC_2_PI, PI};
 
 use acceptance::{Contacts, Data, larger, layer, relative_error, solid, springs, with_interfaces};
 use interp::Quantities;
-use tabulate::solve::{LayeredCompliance, SurfaceCompliance};
-use tabulate::stack::{Interface, Stack};
-use tabulate::{solve_stack, stack_curve};
+use solve::stack::{Interface, Stack};
+use solve::{LayeredCompliance, SurfaceCompliance};
+use solve::{solve_stack, stack_curve};
 
 /// Values by Love's stress function with one linear system for all layers. Measured: 1.3e-15 of
 /// `X` and 9.7e-16 of `max(X, 1)`.

@@ -1,151 +1,109 @@
-//! Interfaces: what joins the lower face of a layer to what lies below it.
+//! The key `interface` of a layer in TOML.
 
-/// What joins a layer to the layer below it, or to the base.
-///
-/// | interface | stresses | displacement of the layer minus that of the body below |
-/// |---|---|---|
-/// | [`Bonded`](Interface::Bonded) | continuous | 0 |
-/// | [`Sliding`](Interface::Sliding) | no shear stress, continuous normal stress | any sideways, 0 normal to the interface |
-/// | [`Springs`](Interface::Springs) | continuous | shear stress over `tangential` sideways, normal stress over `normal` |
-///
-/// Stiffnesses are per area, in Pa/m. A layer of glue of the thickness `d` and the shear modulus
-/// `G`, much thinner than the layers that it joins, is the springs `tangential = G/d` and `normal =
-/// 2 G (1 - nu)/((1 - 2 nu) d)`; the latter is infinity for an incompressible glue.
-///
-/// A sliding interface carries tension: a lubricated, a wetted or a van der Waals interface. A dry
-/// film that lifts off what lies below it is another contact, which is not solved.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub enum Interface {
-    /// No displacement across the interface.
-    #[default]
-    Bonded,
-    /// No friction, and no gap.
-    Sliding,
-    /// Springs.
-    Springs {
-        /// The stiffness sideways, Pa/m: from 0 to infinity.
-        tangential: f64,
-        /// The stiffness normal to the interface, Pa/m: above 0, infinity allowed.
-        normal: f64,
-    },
+use solve::stack::Interface;
+
+/// The keys of springs.
+const TANGENTIAL: &str = "tangential_stiffness";
+const NORMAL: &str = "normal_stiffness";
+
+/// Reads the value of the key. An error is a sentence with the value and what is allowed.
+pub fn read(value: &toml::Value) -> Result<Interface, String> {
+    match value {
+        toml::Value::String(word) => match word.as_str() {
+            "bonded" => Ok(Interface::Bonded),
+            "sliding" => Ok(Interface::Sliding),
+            _ => Err(format!("interface = {word:?} is none: {}", allowed())),
+        },
+        toml::Value::Table(springs) => {
+            if let Some(key) = springs
+                .keys()
+                .find(|key| ![TANGENTIAL, NORMAL].contains(&key.as_str()))
+            {
+                return Err(format!("interface: unknown key {key:?}: {}", allowed()));
+            }
+            let stiffness = |key: &str| match springs.get(key) {
+                None => Ok(None),
+                Some(toml::Value::Float(stiffness)) => Ok(Some(*stiffness)),
+                Some(toml::Value::Integer(stiffness)) => Ok(Some(*stiffness as f64)),
+                Some(other) => Err(format!(
+                    "interface: {key} = {other} is no number: give it in Pa/m, such as 2e11"
+                )),
+            };
+            let tangential = stiffness(TANGENTIAL)?.ok_or_else(|| {
+                format!(
+                    "interface: {TANGENTIAL} is missing: give it in Pa/m; it is 0 of a layer that \
+                     slides, and inf of one that does not"
+                )
+            })?;
+            Ok(Interface::Springs {
+                tangential,
+                normal: stiffness(NORMAL)?.unwrap_or(f64::INFINITY),
+            })
+        }
+        other => Err(format!("interface = {other} is none: {}", allowed())),
+    }
 }
 
-impl Interface {
-    /// Returns the plain name of springs that are no springs: two infinite stiffnesses are
-    /// [`Interface::Bonded`], and 0 sideways with infinity normal is [`Interface::Sliding`].
-    #[must_use]
-    pub fn plain(self) -> Self {
-        match self {
-            Self::Springs {
-                tangential: f64::INFINITY,
-                normal: f64::INFINITY,
-            } => Self::Bonded,
-            Self::Springs {
-                tangential: 0.0,
-                normal: f64::INFINITY,
-            } => Self::Sliding,
-            other => other,
-        }
-    }
-
-    /// Tells whether no displacement occurs across the interface.
-    pub fn is_bonded(self) -> bool {
-        self.plain() == Self::Bonded
-    }
-
-    /// Returns the stiffnesses sideways and normal to the interface, Pa/m.
-    pub const fn stiffnesses(self) -> [f64; 2] {
-        match self {
-            Self::Bonded => [f64::INFINITY; 2],
-            Self::Sliding => [0.0, f64::INFINITY],
-            Self::Springs { tangential, normal } => [tangential, normal],
-        }
-    }
-
-    /// Accepts an interface in which no normal stiffness is below `least` (Pa/m). The error is a
-    /// sentence with the value and the range.
-    pub(super) fn check(self, least: f64) -> Result<(), String> {
-        let [tangential, normal] = self.stiffnesses();
-        if !(tangential >= 0.0) {
-            return Err(format!(
-                "the tangential stiffness of its interface is {tangential:?} Pa/m, but must be 0 \
-                 (it slides) or more; inf is allowed"
-            ));
-        }
-        if normal == 0.0 {
-            return Err(
-                "the normal stiffness of its interface is 0.0 Pa/m, but must be > 0: with 0 the \
-                 layer does not touch what lies below; a layer that slides has the tangential \
-                 stiffness 0 and the normal stiffness inf"
-                    .into(),
-            );
-        }
-        if !(normal > 0.0) {
-            return Err(format!(
-                "the normal stiffness of its interface is {normal:?} Pa/m, but must be > 0; inf is \
-                 allowed"
-            ));
-        }
-        if normal < least {
-            return Err(format!(
-                "the normal stiffness of its interface is {normal:?} Pa/m, but must be at least \
-                 {least:e}: 1e-12 times Young's modulus of the stiffest layer over the thickness of \
-                 all layers"
-            ));
-        }
-        Ok(())
-    }
+/// Says what an interface may be.
+fn allowed() -> String {
+    format!(
+        "write \"bonded\", \"sliding\", or springs, {{ {TANGENTIAL} = .., {NORMAL} = .. }} in Pa/m, \
+         without {NORMAL} if it is inf"
+    )
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    const INFINITY: f64 = f64::INFINITY;
-
-    #[test]
-    fn springs_that_are_no_springs_have_plain_names() {
-        let springs = |tangential, normal| Interface::Springs { tangential, normal };
-        assert_eq!(springs(INFINITY, INFINITY).plain(), Interface::Bonded);
-        assert_eq!(springs(0.0, INFINITY).plain(), Interface::Sliding);
-        assert_eq!(springs(-0.0, INFINITY).plain(), Interface::Sliding);
-        for other in [
-            springs(0.0, 1.0),
-            springs(1.0, INFINITY),
-            springs(INFINITY, 1.0),
-        ] {
-            assert_eq!(other.plain(), other);
-            assert!(!other.is_bonded());
-        }
-        assert!(Interface::default().is_bonded() && springs(INFINITY, INFINITY).is_bonded());
+    fn parse(value: &str) -> Result<Interface, String> {
+        let table: toml::Table = format!("interface = {value}").parse().expect("TOML");
+        read(&table["interface"])
     }
 
     #[test]
-    fn stiffnesses_that_no_interface_has_are_refused_by_name() {
+    fn the_words_and_the_springs_are_read() {
+        let springs = |tangential, normal| Ok(Interface::Springs { tangential, normal });
+        assert_eq!(parse("\"bonded\""), Ok(Interface::Bonded));
+        assert_eq!(parse("\"sliding\""), Ok(Interface::Sliding));
+        let both = "{ tangential_stiffness = 2e11, normal_stiffness = 5 }";
+        assert_eq!(parse(both), springs(2e11, 5.0));
+        let infinity = f64::INFINITY;
+        assert_eq!(
+            parse("{ tangential_stiffness = 0 }"),
+            springs(0.0, infinity)
+        );
+        assert_eq!(
+            parse("{ tangential_stiffness = inf }"),
+            springs(infinity, infinity)
+        );
+    }
+
+    #[test]
+    fn what_is_no_interface_is_refused_by_name() {
         let cases = [
             (
-                -1.0,
-                INFINITY,
-                "tangential stiffness of its interface is -1.0 Pa/m",
+                "\"slidding\"",
+                "\"slidding\" is none: write \"bonded\", \"sliding\"",
             ),
+            ("\"Sliding\"", "write \"bonded\""),
+            ("2e11", "interface = 2"),
+            ("true", "interface = true is none"),
+            ("{ }", "tangential_stiffness is missing"),
             (
-                f64::NAN,
-                INFINITY,
-                "tangential stiffness of its interface is NaN",
+                "{ normal_stiffness = 1 }",
+                "tangential_stiffness is missing",
             ),
-            (1.0, 0.0, "does not touch"),
-            (1.0, -2.0, "normal stiffness of its interface is -2.0 Pa/m"),
-            (1.0, f64::NAN, "normal stiffness of its interface is NaN"),
-            (1.0, 0.9e-9, "at least 1e-9"),
+            ("{ tangential = 1 }", "unknown key \"tangential\""),
+            ("{ tangential_stiffness = \"2e11\" }", "is no number"),
+            (
+                "{ tangential_stiffness = 1, normal_stiffness = [1] }",
+                "normal_stiffness = [1] is no number",
+            ),
         ];
-        for (tangential, normal, part) in cases {
-            let interface = Interface::Springs { tangential, normal };
-            let message = interface.check(1e-9).expect_err("refused");
+        for (value, part) in cases {
+            let message = parse(value).expect_err("refused");
             assert!(message.contains(part), "{message:?} lacks {part:?}");
-        }
-        for (tangential, normal) in [(0.0, 1.0), (0.0, INFINITY), (1e300, 1e-9), (INFINITY, 1.0)] {
-            let interface = Interface::Springs { tangential, normal };
-            assert_eq!(interface.check(1e-9), Ok(()));
         }
     }
 }
