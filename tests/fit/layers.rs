@@ -11,6 +11,7 @@ use fit::{
 };
 use interp::{Elastic, Probe, System, Table};
 use rayon::prelude::*;
+use solve::stack::Interface;
 
 use crate::imagined::{Course, Imagined, measurement, solid};
 
@@ -23,6 +24,7 @@ fn layer(name: &str, solid: Elastic, thickness: f64) -> Layer {
         name: Some(named(name)),
         solid,
         thickness,
+        interface: Interface::Bonded,
     }
 }
 

@@ -83,7 +83,7 @@ fn the_ends_of_the_springs_are_bonded_and_sliding_bit_for_bit() {
     assert_eq!(solved(2.0, &bonded, 1.0), solved(2.0, &plain, 1.0));
 }
 
-/// Stiffnesses of 1e60 and 1e-60 times a modulus. Measured: 4.4e-15 and 1.3e-15.
+/// Stiffnesses of 1e60 and 1e-60 times a modulus. Measured: 1.7e-15 and 2.6e-15.
 #[test]
 fn the_ends_of_the_springs_are_limits() {
     let (mut stiff, mut soft) = (0.0, 0.0);
@@ -106,7 +106,7 @@ fn the_ends_of_the_springs_are_limits() {
 /// X = [cosh 2q - 1 + r (sinh 2q + 2q)] / [sinh 2q + 2q + r (cosh 2q - 1 - 2q^2)]
 /// ```
 ///
-/// No Poisson ratio but through `E*`. Measured: 9.1e-16.
+/// No Poisson ratio but through `E*`. Measured: 6.7e-16.
 #[test]
 fn one_sliding_film_has_its_closed_form() {
     let mut worst = 0.0;
@@ -146,8 +146,9 @@ fn one_sliding_film_has_its_closed_form() {
 /// The equal moduli that make a bonded film a half-space do not make a sliding one.
 #[test]
 fn a_sliding_film_of_the_material_of_the_base_is_no_half_space() {
+    use Interface::{Bonded, Sliding};
     let base = solid(2.0, 0.3);
-    let sliding = film(base, (2.0, 0.3), Interface::Sliding);
+    let sliding = film(base, (2.0, 0.3), Sliding);
     let solution = solve_stack(0.5, &sliding, 1.0, 1e-10).expect("within reach");
     assert_eq!(solution.method, Method::Galerkin);
     let bonded = stack(base, &[layer(2.0, 0.3, 1.0)]);
@@ -160,7 +161,6 @@ fn a_sliding_film_of_the_material_of_the_base_is_no_half_space() {
         let part = layer(2.0, 0.3, 0.25);
         with_interfaces(base, &interfaces.map(|interface| (part, interface)))
     };
-    use Interface::{Bonded, Sliding};
     let divided = cut([Bonded, Bonded, Sliding, Bonded]);
     let halves = with_interfaces(
         base,
@@ -180,7 +180,7 @@ fn a_sliding_film_of_the_material_of_the_base_is_no_half_space() {
 }
 
 /// `kappa_i = (1-2nu_i)/((1-nu_i) E_i*)` of a group of layers between sliding interfaces, shifted by
-/// a constant of the group at fixed `E_i*`. Measured: 2.9e-15.
+/// a constant of the group at fixed `E_i*`. Measured: 1.3e-15.
 #[test]
 fn each_group_between_sliding_interfaces_has_a_constant_of_dundurs() {
     let kappa = |s: Elastic| (1.0 - 2.0 * s.poisson()) / ((1.0 - s.poisson()) * s.reduced());
@@ -291,7 +291,7 @@ fn samples(base: Elastic) -> Vec<Stack> {
 }
 
 /// `X = E_N*/E_0* + k X1` on an elastic base, `X = k X1` on a rigid one: einf is the same for every
-/// interface. Measured: 1.0e-5 at most, at k = 1e-6, with the next order left out.
+/// interface. The next order, some 10 k, is left out.
 #[test]
 fn long_waves_feel_the_base_and_the_groups_of_layers() {
     for base in [solid(3.0, 0.3), solid(0.5, 0.5), rigid()] {
@@ -316,8 +316,8 @@ fn long_waves_feel_the_base_and_the_groups_of_layers() {
     }
 }
 
-/// `X = r/(1 + r q^3/6)` of a stiff film that slides on a soft base. Measured: 6.3e-4 where the
-/// film is 1e6 times as stiff, with a relative order of `q` left out.
+/// `X = r/(1 + r q^3/6)` of a film that is 1e6 times as stiff as the base it slides on, with a
+/// relative order of `q` left out.
 #[test]
 fn a_stiff_sliding_film_is_a_free_plate() {
     let r = 1e6;
@@ -333,7 +333,7 @@ fn a_stiff_sliding_film_is_a_free_plate() {
 }
 
 /// The first order of small contacts of a film that slides on a rigid base, `Eeq/es = 1 + (es/e1)
-/// 0.743302500450015 x`, at any Poisson ratio: extrapolated from two radii. Measured: 4.5e-10.
+/// 0.743302500450015 x`, at any Poisson ratio: extrapolated from two radii. Measured: 1.6e-6.
 #[test]
 fn small_contacts_of_a_sliding_film_grow_with_the_known_constant() {
     for nu in [0.5, 0.2] {
@@ -348,7 +348,7 @@ fn small_contacts_of_a_sliding_film_grow_with_the_known_constant() {
             let constant = 4.0 / 3.0 * (rate(1e-3) - 0.25 * rate(4e-3));
             let error = constant / 0.743_302_500_450_015 - 1.0;
             println!("nu = {nu}: {error:.1e}");
-            assert!(error.abs() <= 1e-4);
+            assert!(error.abs() <= 1e-5);
         }
     }
 }
@@ -403,10 +403,9 @@ fn wide_contacts_approach_the_bare_base_with_the_slope_of_the_groups() {
             let of_gamma = q.gamma / limit.gamma - 1.0 + a / (2.0 * x);
             [of_gamma, (c[0] - c[1]) / x, (c[0] - c[2]) / x].map(f64::abs)
         });
-        let [near, far] = remainders;
-        for (far, near) in far.into_iter().zip(near) {
-            assert!(far <= 0.3 * near + 1e-8, "{remainders:?}: {stack:?}");
-        }
+        // `(ln x/x)^2` falls to 0.19.
+        let [near, far] = remainders.map(|all| all.into_iter().fold(0.0, f64::max));
+        assert!(far <= 0.25 * near + 1e-8, "{remainders:?}: {stack:?}");
     }
 }
 
@@ -437,6 +436,12 @@ fn a_layer_of_glue_comes_to_springs_in_proportion_to_its_thickness() {
     }
 }
 
+/// Returns `Eeq` under a rigid sphere.
+fn stiffness(x: f64, stack: &Stack) -> f64 {
+    let solution = solve_stack(x, stack, INFINITY, 1e-8).expect("within reach");
+    solution.quantities.eeq
+}
+
 /// Bonded over sliding `Eeq` of one film under a rigid punch on a rigid base, to the digits of the
 /// table that was computed by another program.
 #[test]
@@ -450,7 +455,8 @@ fn the_effect_of_sliding_is_that_of_the_table() {
         let [bonded, sliding] =
             [Interface::Bonded, Interface::Sliding].map(|one| film(rigid(), (1.0, nu), one));
         for (x, factor) in radii.into_iter().zip(factors) {
-            let found = solved(x, &bonded, INFINITY).eeq / solved(x, &sliding, INFINITY).eeq;
+            let [bonded, sliding] = [&bonded, &sliding].map(|stack| stiffness(x, stack));
+            let found = bonded / sliding;
             let unit = if factor < 2.0 {
                 1e-3
             } else if factor < 10.0 {
@@ -467,7 +473,7 @@ fn the_effect_of_sliding_is_that_of_the_table() {
     // The way from sliding (0) to bonded (1).
     let springs_at = |kt: f64, nu: f64, x: f64| {
         let reduced = 1.0 / (1.0 - nu * nu);
-        let of = |one| solved(x, &film(rigid(), (1.0, nu), one), INFINITY).eeq;
+        let of = |one| stiffness(x, &film(rigid(), (1.0, nu), one));
         let (sliding, bonded) = (of(Interface::Sliding), of(Interface::Bonded));
         (of(springs(kt * reduced, INFINITY)) - sliding) / (bonded - sliding)
     };
@@ -487,7 +493,7 @@ fn the_effect_of_sliding_is_that_of_the_table() {
     }
 }
 
-/// As `identities.rs`. Measured: 1.3e-13 and 1.1e-13.
+/// As `identities.rs`. Measured: 2.3e-14 and 7.8e-15.
 #[test]
 fn the_identities_between_the_quantities_hold() {
     let [mut energy, mut load] = [0.0; 2];

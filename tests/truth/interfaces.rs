@@ -9,8 +9,8 @@ use solve::stack::{Interface, Stack};
 use solve::{LayeredCompliance, SurfaceCompliance};
 use solve::{solve_stack, stack_curve};
 
-/// Values by Love's stress function with one linear system for all layers. Measured: 1.3e-15 of
-/// `X` and 9.7e-16 of `max(X, 1)`.
+/// Values by Love's stress function with one linear system for all layers. Measured: 4.4e-16 of
+/// `X` and 6.6e-16 of `max(X, 1)`.
 #[test]
 fn the_compliance_agrees_with_loves_stress_function() {
     let [mut excess_error, mut x_error] = [0.0; 2];
@@ -28,7 +28,7 @@ fn the_compliance_agrees_with_loves_stress_function() {
     assert!(x_error <= 5e-15);
 }
 
-/// Central differences of fourth order, whose own error is some 1e-11. Measured: 3.3e-11 of the
+/// Central differences of fourth order, whose own error is some 1e-11. Measured: 1.1e-11 of the
 /// larger of 1, `X` and the slope.
 #[test]
 fn the_slope_is_the_derivative_of_the_compliance() {
@@ -45,10 +45,10 @@ fn the_slope_is_the_derivative_of_the_compliance() {
         }
     }
     println!("largest difference from the slope: {worst:.1e}");
-    assert!(worst <= 1e-9);
+    assert!(worst <= 1e-10);
 }
 
-/// Measured: 1.2e-14 at the tolerance 1e-12, 2.4e-11 at 1e-8.
+/// Measured: 2.4e-14 at the tolerance 1e-12, 2.6e-11 at 1e-8.
 #[test]
 fn contacts_agree_and_the_stated_error_bounds_the_true_one() {
     for (tolerance, allowed) in [(1e-12, 1e-13), (1e-8, 1e-9)] {
@@ -67,7 +67,7 @@ fn contacts_agree_and_the_stated_error_bounds_the_true_one() {
     }
 }
 
-/// Measured: 4.4e-13.
+/// Measured: 5.4e-14.
 #[test]
 fn curves_agree() {
     const TOLERANCE: f64 = 1e-10;
@@ -224,8 +224,8 @@ fn stated_errors_bound_the_true_ones_of_random_contacts() {
         let stack = random_stack(&mut draw);
         let top = stack.layers().last().expect("a layer").thickness;
         let sphere = [1.0, f64::INFINITY, 1e-3][i % 3];
-        let x = draw.log_uniform(1e-3, 10.0);
-        let truth = nystrom(x, &stack, sphere, 32);
+        let x = draw.log_uniform(1e-3, 6.0);
+        let truth = nystrom(x, &stack, sphere, 44);
         let compliance = LayeredCompliance::new(&stack);
         let peak = (0..120)
             .map(|i| compliance.x(10_f64.powf(-8.0 + 0.1 * f64::from(i))))

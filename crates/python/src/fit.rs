@@ -300,6 +300,7 @@ fn layered(
             name: name.as_deref().map(str::parse).transpose()?,
             solid: layer.solid,
             thickness: layer.thickness,
+            interface: layer.interface,
         })
     });
     Ok(Layered {
@@ -392,7 +393,9 @@ fn name(parameter: Parameter) -> String {
 fn is_of_layer(parameter: Parameter) -> bool {
     matches!(
         parameter,
-        Parameter::LayerModulus(_) | Parameter::LayerThickness(_)
+        Parameter::LayerModulus(_)
+            | Parameter::LayerThickness(_)
+            | Parameter::LayerInterfaceStiffness(_)
     )
 }
 

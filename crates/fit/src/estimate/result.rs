@@ -314,6 +314,12 @@ pub enum WarningKind {
     LargeStrain,
     /// Contacts so small or so large beside the film that they hardly tell it.
     FilmNotSeen,
+    /// A stiffness of an interface that the data do not tell from 0 (it slides) or from infinity (it
+    /// is bonded).
+    InterfaceNotSeen,
+    /// A modulus that takes a film as bonded, and would be another one by more than its standard
+    /// error if the film slid.
+    AssumesBonding,
     /// The fit was stopped by the end of the table.
     EndOfTable,
     /// There is another minimum, whose sum of squares is larger by no more than chance explains.
@@ -344,6 +350,8 @@ impl WarningKind {
             Self::LongRange => "long-range",
             Self::LargeStrain => "large-strain",
             Self::FilmNotSeen => "film-not-seen",
+            Self::InterfaceNotSeen => "interface-not-seen",
+            Self::AssumesBonding => "assumes-bonding",
             Self::EndOfTable => "end-of-table",
             Self::SeveralMinima => "several-minima",
             Self::NonlinearError => "nonlinear-error",

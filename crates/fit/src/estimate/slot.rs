@@ -1,6 +1,6 @@
 //! The values to be found, and the coordinates in which the method moves them.
 
-use crate::{Error, Experiment, Free, Parameter, Prior, Scope};
+use crate::{Error, Experiment, Free, Layer, Parameter, Prior, Scope};
 
 /// The part of the distance between two bounds by which a start keeps away from them.
 const INSIDE: f64 = 0.02;
@@ -175,6 +175,9 @@ pub(crate) fn slots(experiments: &[Experiment], free: &[Free]) -> Result<Vec<Slo
             let own = experiments[e].get(one.parameter);
             one.start.or(own).or(match one.parameter {
                 Parameter::WorkOfAdhesionReceding => Some(experiments[e].work_of_adhesion),
+                Parameter::LayerInterfaceStiffness(name) => {
+                    experiments[e].layer(name).map(Layer::own_stiffness)
+                }
                 _ => None,
             })
         };

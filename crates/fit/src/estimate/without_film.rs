@@ -56,7 +56,9 @@ pub(crate) fn without_film(
     let kept = |parameter: Parameter| match parameter {
         Parameter::FilmModulus => of_film,
         Parameter::FilmThickness | Parameter::FilmPoissonRatio => false,
-        Parameter::LayerModulus(_) | Parameter::LayerThickness(_) => false,
+        Parameter::LayerModulus(_)
+        | Parameter::LayerThickness(_)
+        | Parameter::LayerInterfaceStiffness(_) => false,
         _ => true,
     };
     let free: Vec<Free> = free
