@@ -15,11 +15,11 @@ use solve::stack::Interface;
 
 use crate::imagined::{Course, Imagined, measurement, solid};
 
-fn named(name: &str) -> LayerName {
+pub fn named(name: &str) -> LayerName {
     name.parse().expect("a name")
 }
 
-fn layer(name: &str, solid: Elastic, thickness: f64) -> Layer {
+pub fn layer(name: &str, solid: Elastic, thickness: f64) -> Layer {
     Layer {
         name: Some(named(name)),
         solid,
@@ -29,7 +29,7 @@ fn layer(name: &str, solid: Elastic, thickness: f64) -> Layer {
 }
 
 /// Puts a sphere on layers on a base.
-fn on_layers(system: &System, layers: &[Layer]) -> Bodies {
+pub fn on_layers(system: &System, layers: &[Layer]) -> Bodies {
     Bodies::Layered(Layered {
         probe: system.probe.clone(),
         sphere_modulus: system.sphere_modulus,
@@ -75,7 +75,7 @@ fn with_reach(mut experiment: Experiment) -> Experiment {
     experiment
 }
 
-fn fit_of(experiment: Experiment, imagined: &Imagined) -> Fit {
+pub fn fit_of(experiment: Experiment, imagined: &Imagined) -> Fit {
     let options = Options {
         loss: imagined.loss,
         ..Options::default()
@@ -86,7 +86,7 @@ fn fit_of(experiment: Experiment, imagined: &Imagined) -> Fit {
 
 /// Fits 50 data sets, and asserts that the intervals of 68 % and 95 % hold the truth as often as
 /// they should, that all fits converge, and that none has another warning than those expected.
-fn recover(name: &str, imagined: &Imagined, expected: &[WarningKind]) {
+pub fn recover(name: &str, imagined: &Imagined, expected: &[WarningKind]) {
     const SETS: u64 = 50;
     /// The numbers of 50 that a binomial distribution with 0.6827 and 0.95 exceeds on either side
     /// once in 20,000 times.
