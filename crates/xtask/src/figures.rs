@@ -25,6 +25,7 @@ const FIGURES: [(&str, Option<&str>); 10] = [
     ("fig4", None),
     ("force-displacement", None),
     ("pull-off", None),
+    ("interface", None),
     ("error-map", None),
     ("work-precision", Some("solve")),
     ("table-cost", Some("table")),
