@@ -13,7 +13,7 @@ use interp::{Elastic, Probe, System, Table};
 use rayon::prelude::*;
 use solve::stack::Interface;
 
-use crate::imagined::{Course, Imagined, measurement, solid};
+use crate::imagined::{Course, Imagined, doubts, measurement, solid};
 
 pub fn named(name: &str) -> LayerName {
     name.parse().expect("a name")
@@ -113,7 +113,7 @@ pub fn recover(name: &str, imagined: &Imagined, expected: &[WarningKind]) {
             );
         }
     }
-    let all = fits.iter().flat_map(|fit| &fit.warnings);
+    let all = fits.iter().flat_map(doubts);
     let unexpected: Vec<_> = all.filter(|one| !expected.contains(&one.kind)).collect();
     assert!(unexpected.is_empty(), "{name}: {unexpected:?}");
     assert!(fits.iter().all(|fit| fit.converged), "{name}");

@@ -1,4 +1,4 @@
-"""Layers that slide or are joined by springs: independent values, files, fits, and what is refused."""
+"""Layers that slide or are joined by springs: independent values, files, fits, refusals."""
 
 import pickle
 from dataclasses import replace
@@ -67,7 +67,9 @@ def test_the_ends_of_the_springs_are_bonded_and_sliding():
     springs = Springs(tangential_stiffness=0.0)
     assert springs.normal_stiffness == inf
     for ends, word in [(springs, "sliding"), (Springs(tangential_stiffness=inf), "bonded")]:
-        assert solve_stack(3.0, film(ends), 2e6) == solve_stack(3.0, film(word), 2e6)
+        assert film(ends) == film(word)
+        of_ends, of_word = (solve_stack(3.0, film(one), 2e6) for one in (ends, word))
+        assert (of_ends.pi0, of_ends.gamma) == (of_word.pi0, of_word.gamma)
     assert film("bonded") == film("bonded") != film("sliding")
     stiff = solve_stack(3.0, film("bonded"), 2e6).eeq
     assert solve_stack(3.0, film("sliding"), 2e6).eeq < 0.99 * stiff

@@ -59,7 +59,8 @@ impl NamedStack {
     /// `[[layers]]` with `young_modulus`, `poisson_ratio`, `thickness` and perhaps a `name` and an
     /// `interface` for each layer. The interface is what joins the layer to what lies below it:
     /// `"bonded"`, which no interface means, `"sliding"`, or springs, `{ tangential_stiffness = ..,
-    /// normal_stiffness = .. }` in Pa/m, of which the latter is infinity if it is left out. A base with `young_modulus = inf` is rigid and needs no Poisson ratio.
+    /// normal_stiffness = .. }` in Pa/m, of which the latter is infinity if it is left out. A base with
+    /// `young_modulus = inf` is rigid and needs no Poisson ratio.
     ///
     /// # Errors
     /// [`Error::Read`] if the file cannot be read, or has more than a megabyte;

@@ -253,7 +253,6 @@ fn undetermined(
                 | Parameter::FilmPoissonRatio
                 | Parameter::LayerModulus(_)
                 | Parameter::LayerThickness(_)
-                | Parameter::LayerInterfaceStiffness(_)
         ) {
             film_not_seen(warnings, problem, parameter);
         }

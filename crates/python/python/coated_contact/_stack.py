@@ -83,6 +83,8 @@ class Layer:
                 f'interface = {self.interface!r} is none: give "bonded", "sliding" or Springs',
                 axis="interface",
             )
+        # Springs that are no springs have a name.
+        set_field(self, "interface", _interface(*self._stiffnesses()))
 
     def _stiffnesses(self) -> tuple[float, float]:
         """Return the tangential and the normal stiffness of the interface."""
@@ -107,9 +109,10 @@ class Stack(Remade):
 
     Layers are counted from the base up: the first one is on the base, and the probe touches the
     last one. Each is bonded to what lies below it, slides on it, or is joined to it by springs
-    (``Layer.interface``). They enter through the compliance of the surface alone, and a/t of a stack is the
-    contact radius over the sum of all thicknesses. Stacks are solved directly, in milliseconds
-    (:meth:`contact`), or looked up in a table of one stack (:func:`generate`, ``Table.contact``).
+    (``Layer.interface``). They enter through the compliance of the surface alone, and a/t of a
+    stack is the contact radius over the sum of all thicknesses. Stacks are solved directly, in
+    milliseconds (:meth:`contact`), or looked up in a table of one stack (:func:`generate`,
+    ``Table.contact``).
 
     Parameters
     ----------
@@ -147,7 +150,7 @@ class Stack(Remade):
     >>> sliding = Stack(base=stack.base, layers=[film])
     >>> contact = sliding.contact(sphere_radius=1e-3, sphere_modulus=2e6, a_over_t=(0.1, 20))
     >>> print(f"{contact.load(65e-6, 0.04):.3e} N")
-    -4.684e-05 N
+    -4.810e-05 N
     """
 
     base: Elastic
@@ -224,7 +227,8 @@ class Stack(Remade):
         ``base = { young_modulus = .., poisson_ratio = .. }`` and, from the base up, ``[[layers]]``
         with ``young_modulus``, ``poisson_ratio``, ``thickness`` and perhaps a ``name`` and an
         ``interface``, in SI units. The interface is ``"bonded"``, ``"sliding"`` or
-        ``{ tangential_stiffness = .., normal_stiffness = .. }``. A base with ``young_modulus = inf`` is rigid and needs no Poisson ratio.
+        ``{ tangential_stiffness = .., normal_stiffness = .. }``. A base with
+        ``young_modulus = inf`` is rigid and needs no Poisson ratio.
 
         Raises
         ------

@@ -26,9 +26,9 @@ const fn springs(tangential: f64) -> Interface {
 /// The names, interfaces and colours of the lines, from the stiffest to the softest.
 const LINES: [(&str, Interface, Colour); 5] = [
     ("bonded", Interface::Bonded, BLACK),
-    ("springs, k_{t} t/E_{1}* = 10", springs(10.0), BLUE),
-    ("1", springs(1.0), GREEN),
-    ("0.1", springs(0.1), ORANGE),
+    ("springs, k_{t} t/E_{1}* = 1", springs(1.0), BLUE),
+    ("0.1", springs(0.1), GREEN),
+    ("0.01", springs(0.01), ORANGE),
     ("sliding", Interface::Sliding, VERMILION),
 ];
 
@@ -64,7 +64,7 @@ pub fn figure(lines: &[Vec<Point>]) -> Figure {
     let mut panel = Panel::new(
         "Incompressible film on a rigid base under a rigid sphere, without adhesion",
         Axis::logarithmic("contact radius / film thickness, a/t", A_OVER_T),
-        Axis::logarithmic("load, 2 R F/(E_{1}* a³)", [1.0, 1e4]),
+        Axis::logarithmic("load, 2 R F/(E_{1}* a³)", [1.0, 3e3]),
     );
     panel.horizontal_guide(8.0 / 3.0, "Hertz, thick film: 8/3", Side::Left);
     let places = [
