@@ -65,13 +65,17 @@
 //! solved as a film, without this limit.
 //!
 //! Measured (`tests/truth/stacks.rs`, 15 contacts up to `a/h` of 160, values by another program):
-//! the errors of the quantities are at most 8e-15 at the tolerance 1e-12 and 3.4e-11 at 1e-8.
+//! the errors of the quantities are at most 8e-15 at the tolerance 1e-12 and 3.4e-11 at 1e-8. With
+//! interfaces that slide or have springs (`tests/truth/interfaces.rs`, 33 contacts up to `a/h` of
+//! 200) they are 2.4e-14 and 2.6e-11, and 300 random contacts agree with another method of solution
+//! within the stated errors.
 //!
 //! `cargo bench -p tabulate --bench stacks` prints times, here at the tolerance 1e-8 and on one
 //! core. Three layers take 8 to 19 microseconds up to `a/h` of 10, which is 1.5 to 1.9 times the
 //! time of one film, and 60 microseconds at `a/h` of 30, where one film takes 13 by the other
 //! method. A curve of 200 layers up to `a/h` of 200 takes 9 ms: the compliance of many layers is
-//! sampled once. In the sweep of a table, a further sphere takes a seventh of the time of the first
+//! sampled once. A curve of one film that slides takes 1 ms from `a/t` of 0.01 to 10, and 8 ms from
+//! 0.1 to 100. In the sweep of a table, a further sphere takes a seventh of the time of the first
 //! one at `a/h` of 9, because the spheres share matrices.
 
 mod interface;

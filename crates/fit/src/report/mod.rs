@@ -387,9 +387,17 @@ fn film(fit: &Fit, bodies: &Bodies) -> Option<String> {
         ["film", "it"]
     };
     let Some(bias) = without.modulus else {
+        let number = |chi_squared: f64| {
+            if chi_squared < 1e7 {
+                format!("{chi_squared:.1}")
+            } else {
+                format!("{chi_squared:.1e}")
+            }
+        };
         return Some(format!(
-            "without the {what} chi^2 is {:.1} instead of {:.1}",
-            without.chi_squared, fit.chi_squared
+            "without the {what} chi^2 is {} instead of {}",
+            number(without.chi_squared),
+            number(fit.chi_squared)
         ));
     };
     let ModulusBias {
