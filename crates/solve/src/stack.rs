@@ -151,6 +151,20 @@ impl Stack {
         Ok(stack)
     }
 
+    /// Makes a stack of one layer: the film of a `system` on its substrate, with an `interface` between
+    /// them. The probe does not matter.
+    ///
+    /// # Errors
+    /// As [`Stack::new`].
+    pub fn of_film(system: &System, interface: Interface) -> Result<Self, Error> {
+        let film = Layer {
+            solid: system.film,
+            thickness: system.film_thickness,
+            interface,
+        };
+        Self::new(system.substrate, [film])
+    }
+
     /// Makes a film of a given `thickness` (m) whose material changes with the height above the
     /// `base`: `count` sublayers of equal thickness, each of the solid at its middle height (m).
     ///

@@ -227,7 +227,9 @@ mod tests {
 
     #[test]
     fn a_damaged_stack_file_is_refused_or_sound() {
-        const WORDS: [&str; 12] = [
+        const INTERFACE: &str =
+            "interface = { tangential_stiffness = 2e11, normal_stiffness = 3e12 }\n";
+        const WORDS: [&str; 13] = [
             "nan",
             "inf",
             "-inf",
@@ -237,13 +239,14 @@ mod tests {
             "1e308",
             "[[layers]]",
             "name",
+            "interface",
             "{",
             "\"",
             "\n",
         ];
         let (mut refused, mut accepted) = (0, 0);
         each_damaged(
-            SOUND.as_bytes(),
+            format!("{SOUND}{INTERFACE}").as_bytes(),
             &WORDS,
             3,
             |_, bytes| match std::str::from_utf8(bytes).map(NamedStack::parse) {

@@ -35,7 +35,7 @@ const FIGURES: [(&str, Option<&str>); 11] = [
 
 /// The measurements of `crates/fit/EXPERIMENTS.md`: the name of data and figure, the arguments of
 /// `tabulate simulate` and those of `tabulate fit`.
-const FITS: [(&str, &str, &str); 5] = [
+const FITS: [(&str, &str, &str); 4] = [
     (
         "lens",
         "--specimen paper --kind load-radius --film-thickness 3e-5 --from 4.2e-5 --to 1.3e-4 --noise 2e-6 \
@@ -69,15 +69,6 @@ const FITS: [(&str, &str, &str); 5] = [
          --value primer.modulus=5e5 --seed 1",
         "--sphere-radius 1mm --stack crates/fit/data/primer.toml --noise 1uN \
          --free sphere-modulus,primer.modulus,work-of-adhesion",
-    ),
-    (
-        "sliding",
-        "--kind load-radius --sphere-radius 2e-2 --sphere-modulus inf --film-thickness 2e-4 --film-modulus 2e4 \
-         --film-poisson-ratio 0.5 --substrate-modulus 7e10 --substrate-poisson-ratio 0.22 --work-of-adhesion 1e-3 \
-         --interface sliding --from 1e-4 --to 6e-4 --noise 1e-6 --seed 1",
-        "--sphere-radius 20mm --sphere-modulus inf --film-thickness 200um --film-modulus 10kPa \
-         --film-poisson-ratio 0.5 --substrate-modulus 70GPa --substrate-poisson-ratio 0.22 --noise 1uN \
-         --interface sliding --free film.modulus,work-of-adhesion",
     ),
 ];
 

@@ -127,10 +127,7 @@ fn assumes_bonding(warnings: &mut Warnings, found: &Minimum<'_>, uncertainty: &U
 /// Returns the top layer and the stack of bodies that are all bonded; `None` of others.
 fn layers(bodies: &Bodies) -> Option<(Layer, Stack)> {
     let stack = match bodies {
-        Bodies::Coated(system) => {
-            let film = Layer::bonded(system.film, system.film_thickness);
-            Stack::new(system.substrate, [film])
-        }
+        Bodies::Coated(system) => Stack::of_film(system, Interface::Bonded),
         Bodies::Layered(layered) => {
             let layer = |one: &crate::Layer| Layer {
                 solid: one.solid,

@@ -205,7 +205,7 @@ pub(crate) fn slots(experiments: &[Experiment], free: &[Free]) -> Result<Vec<Slo
         };
         match one.scope {
             Scope::Own if experiments.len() > 1 => {
-                for e in members {
+                for &e in &members {
                     let start = start_of(e).ok_or_else(|| missing(e))?;
                     slots.push(slot(Some(e), start));
                 }

@@ -3,7 +3,7 @@
 use ::fit::data::Dimension;
 use clap::ValueEnum;
 use interp::System;
-use solve::stack::{Interface, Layer, Stack};
+use solve::stack::{Interface, Stack};
 
 use super::quantity;
 use crate::stack::NamedStack;
@@ -108,12 +108,7 @@ impl InterfaceArguments {
 
 /// Returns the film of a system on its substrate as a stack of one layer.
 pub fn one_film(system: &System, interface: Interface) -> anyhow::Result<NamedStack> {
-    let film = Layer {
-        solid: system.film,
-        thickness: system.film_thickness,
-        interface,
-    };
-    let stack = Stack::new(system.substrate, [film]).map_err(|error| match error {
+    let stack = Stack::of_film(system, interface).map_err(|error| match error {
         solve::Error::Layer { what, .. } => anyhow::anyhow!("the film: {what}"),
         error => error.into(),
     })?;

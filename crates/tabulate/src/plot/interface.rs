@@ -63,22 +63,19 @@ pub fn data() -> Result<Vec<Vec<Point>>, Error> {
 pub fn figure(lines: &[Vec<Point>]) -> Figure {
     let mut panel = Panel::new(
         "Incompressible film on a rigid base under a rigid sphere, without adhesion",
-        Axis::logarithmic("contact radius / film thickness, a/t", A_OVER_T),
+        // Names stand to the right of the lines.
+        Axis::logarithmic(
+            "contact radius / film thickness, a/t",
+            [A_OVER_T[0], 10.0 * A_OVER_T[1]],
+        ),
         Axis::logarithmic("load, 2 R F/(E_{1}* a³)", [1.0, 3e3]),
     );
     panel.horizontal_guide(8.0 / 3.0, "Hertz, thick film: 8/3", Side::Left);
-    let places = [
-        (0.8, Side::Left),
-        (0.9, Side::Left),
-        (0.97, Side::Left),
-        (0.97, Side::Left),
-        (0.97, Side::Below),
-    ];
-    for ((points, (name, _, colour)), (place, side)) in lines.iter().zip(LINES).zip(places) {
-        let named = points[(place * (points.len() - 1) as f64) as usize];
+    for (points, (name, _, colour)) in lines.iter().zip(LINES) {
+        let last = points[points.len() - 1];
         panel
             .line(points.clone(), colour)
-            .label(named, name, colour, side);
+            .label(last, name, colour, Side::Right);
     }
     Figure::new(460, [panel])
 }

@@ -59,11 +59,7 @@ pub(super) fn time_ratio(timing: Timing) -> Result<f64, Error> {
     let systems = (0..FILMS).map(system).collect::<Result<Vec<_>, _>>()?;
     let table = Table::embedded();
     let solved = |system: &System| -> Result<Curve, Error> {
-        let film = Layer {
-            interface: Interface::Sliding,
-            ..Layer::bonded(system.film, system.film_thickness)
-        };
-        let stack = Stack::new(system.substrate, [film])?;
+        let stack = Stack::of_film(system, Interface::Sliding)?;
         Ok(stack_curve(
             &stack,
             system.sphere_modulus,
