@@ -224,6 +224,26 @@ fn a_fit_finds_the_stiffness_of_an_interface() {
     );
 }
 
+/// The data of the page about fits, by the command in their head.
+#[test]
+fn the_data_of_the_example_are_made_as_they_say() {
+    let path = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../crates/fit/data/sliding.csv"
+    );
+    let text = std::fs::read_to_string(path).expect("it is there");
+    let command = text.lines().nth(1).expect("a command");
+    let words: Vec<&str> = command.split(' ').skip(2).collect();
+    let made = workdir!().succeed(&words);
+    let [found, made] = [&text, &made].map(|text| Data::parse("sliding", text));
+    assert_eq!(found.cases().count(), 40);
+    for (found, made) in found.cases().zip(made.cases()) {
+        for column in ["contact_radius", "load"] {
+            assert!((found.get(column) - made.get(column)).abs() <= 1e-14);
+        }
+    }
+}
+
 #[test]
 fn wrong_first_calls_say_what_to_do() {
     let workdir = workdir!();

@@ -226,6 +226,14 @@ fn one_layer_gives_the_fit_of_the_film() {
                 stack.parameter
             );
         }
+        let off = |fit: &Fit| {
+            let without = fit.without_film.as_ref().expect("JKR");
+            without.modulus.map(|bias| bias.relative)
+        };
+        let [without_film, without_layer] = [&film, &stack].map(off);
+        assert_eq!(without_film.is_some(), without_layer.is_some());
+        let [a, b] = [without_film, without_layer].map(|off| off.unwrap_or(0.0));
+        assert!((a - b).abs() <= 1e-3 * (1.0 + a.abs()), "{a} {b}");
         assert_eq!(
             film.warnings.iter().map(|one| one.kind).collect::<Vec<_>>(),
             stack

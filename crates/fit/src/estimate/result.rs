@@ -232,8 +232,8 @@ impl FixedValue {
 /// The same data, fitted without the film by JKR, or by Hertz without adhesion.
 ///
 /// If the modulus of the sphere is free, the sphere is taken to touch the bare substrate.
-/// Otherwise, if the modulus of the film is free, it is taken to touch a half-space of film.
-/// Without the layers of a stack it touches the base.
+/// Otherwise, if the modulus of the film, or of the top layer of a stack, is free, it is taken to
+/// touch a half-space of film. Without the layers of a stack it touches the base in all other cases.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WithoutFilm {
     /// The parameters found.
