@@ -49,10 +49,7 @@ pub(super) fn left_out(found: &Minimum<'_>, data: &Data) -> Vec<Vec<LeftOut>> {
 fn reason(whole: &Assigned, ends: &[End], i: usize) -> LeftOutReason {
     let experiment = &whole.experiment;
     let point = &experiment.measurement.points[i];
-    let at_radii = matches!(
-        experiment.measurement.kind,
-        Kind::LoadRadius | Kind::PenetrationRadius
-    );
+    let at_radii = experiment.measurement.kind.at_radii();
     match whole.branches[i] {
         Branch::LeftOut if at_radii && point.abscissa == 0.0 => LeftOutReason::NoContact,
         Branch::LeftOut if at_radii => LeftOutReason::Turn,

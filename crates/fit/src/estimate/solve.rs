@@ -330,14 +330,16 @@ fn experiment(
     let point = |(i, point): (usize, &crate::Point)| {
         let counts = assigned.branches[i] != Branch::LeftOut;
         let predicted = predicted.filter(|_| counts);
-        let fit = predicted.map(|predicted| predicted.values[i]);
+        let of = &assigned.experiment;
+        let fit = predicted.map(|predicted| of.ordinate_of(predicted.values[i]));
+        let deviation = of.deviation_of_ordinate(i, assigned.deviation(i));
         let is_pinned = predicted.is_some_and(|predicted| predicted.pinned[i]);
         FittedPoint {
             line: point.line,
             abscissa: point.abscissa,
             ordinate: point.ordinate,
             fit,
-            deviation: assigned.deviation(i),
+            deviation,
             contact_radius: predicted
                 .map(|predicted| predicted.radii[i])
                 .filter(|&radius| radius > 0.0),
@@ -347,8 +349,7 @@ fn experiment(
             } else {
                 assigned.branches[i]
             },
-            outlier: fit
-                .is_some_and(|fit| (point.ordinate - fit).abs() > OUTLIER * assigned.deviation(i)),
+            outlier: fit.is_some_and(|fit| (point.ordinate - fit).abs() > OUTLIER * deviation),
         }
     };
     FittedExperiment {

@@ -126,7 +126,7 @@ fn predictions(fitted: &Problem<'_>) -> Vec<Vec<Option<f64>>> {
             .map(|(i, branch)| {
                 values
                     .filter(|_| counts(branch))
-                    .map(|values| values[i])
+                    .map(|values| fitted.assigned[e].experiment.ordinate_of(values[i]))
                     .filter(|value| value.is_finite())
             })
             .collect()

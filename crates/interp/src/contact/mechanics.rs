@@ -267,7 +267,7 @@ impl Mechanics {
     }
 
     /// Returns the stiffness `S = 2 a E* Eeq` (N/m), eq. 5.
-    pub(super) fn stiffness(&self, a: f64, eeq: f64) -> f64 {
+    pub fn stiffness(&self, a: f64, eeq: f64) -> f64 {
         2.0 * a * self.modulus * eeq
     }
 

@@ -4,11 +4,12 @@
 //! of eqs. 2 to 9. `shape` knows the shape of the probe, which only the contact without adhesion
 //! depends on. `equilibria` and `force_displacement` find the states under a load, a penetration or
 //! a spring, `branch` those at many values, `radii` the contact radii among which they search.
-//! `energy_release` starts from measured values, `gradient` differentiates, `jkr_fit` fits a
-//! straight line, `validity` compares a contact with the limits of the model. `crack_tip`,
-//! `contact_line` and `dynamics` move the contact line by other laws than eq. 8, the latter by the
-//! steps of `implicit_step`. `finite_range` corrects for an attraction of short range by the
-//! `line_energy` of such a law. `checks` accepts numbers, `root` finds zeros for all of them.
+//! `energy_release` starts from measured values, `moving_stiffness` is the slope of the force curve,
+//! `gradient` differentiates, `jkr_fit` fits a straight line, `validity` compares a contact with the
+//! limits of the model. `crack_tip`, `contact_line` and `dynamics` move the contact line by other
+//! laws than eq. 8, the latter by the steps of `implicit_step`. `finite_range` corrects for an
+//! attraction of short range by the `line_energy` of such a law. `checks` accepts numbers, `root`
+//! finds zeros for all of them.
 
 mod branch;
 mod checks;
@@ -25,6 +26,7 @@ mod implicit_step;
 mod jkr_fit;
 mod line_energy;
 mod mechanics;
+mod moving_stiffness;
 mod radii;
 mod root;
 mod shape;
