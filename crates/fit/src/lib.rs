@@ -76,8 +76,8 @@ pub use estimate::{
 };
 pub use magnitude::Magnitude;
 pub use model::{
-    AreaFunction, Bodies, Branch, Cause, ContactDepth, Direction, Experiment, Fixed, Free,
-    Indentation, Interruptible, Kind, Known, Layer, LayerName, Layered, LayeredSolver, Loss,
+    AreaFunction, Bodies, Branch, Cause, ContactDepth, DirectSolver, Direction, Experiment, Fixed,
+    Free, Indentation, Interruptible, Kind, Known, Layer, LayerName, Layered, LayeredSolver, Loss,
     LossAngle, MOST_COEFFICIENTS, Measurement, Options, Parameter, Point, PointErrors, Prediction,
-    Prior, Reach, Scope, simulate, simulate_experiment,
+    Prior, Reach, Scope, simulate, simulate_experiment, stack_of, system_on,
 };

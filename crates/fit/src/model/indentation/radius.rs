@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use interp::{Contact, Control};
+use contact::{Contact, Control};
 
 use super::{ContactDepth, Indentation};
 use crate::{Experiment, Kind};

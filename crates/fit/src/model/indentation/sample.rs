@@ -2,7 +2,8 @@
 
 use std::f64::consts::PI;
 
-use interp::{Contact, Error};
+use contact::Contact;
+use interp::Error;
 
 use crate::model::differences::ContactOf;
 use crate::{Bodies, Layered};
