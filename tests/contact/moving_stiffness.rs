@@ -60,8 +60,7 @@ fn a_half_space_has_the_closed_form_of_jkr() {
 /// The paper's sphere on a film of 30 um, by differences of force curves of an independent program.
 #[test]
 fn the_sphere_of_the_paper_has_the_slopes_of_independent_curves() {
-    let contact = Contact::in_table(Table::embedded(), &paper_system(3e-5))
-        .expect("in the table");
+    let contact = Contact::in_table(Table::embedded(), &paper_system(3e-5)).expect("in the table");
     for (a, expected, digits) in [
         (4e-5, -0.33, 5e-3),
         (6e-5, 0.463, 5e-4),
@@ -137,8 +136,7 @@ fn every_shape_has_the_slope_of_its_force_curve() {
 /// differences of force curves would not.
 #[test]
 fn a_vanishing_work_of_adhesion_leaves_the_pinned_stiffness() {
-    let contact = Contact::in_table(Table::embedded(), &paper_system(1e-5))
-        .expect("in the table");
+    let contact = Contact::in_table(Table::embedded(), &paper_system(1e-5)).expect("in the table");
     let a = 8e-5;
     let pinned = contact.stiffness(a).expect("in range");
     let lost = |w: f64| (pinned - contact.moving_stiffness(a, w).expect("in range")) / w.sqrt();

@@ -20,7 +20,8 @@ pub struct Heading {
 const BRACKETS: [(char, char); 3] = [('[', ']'), ('(', ')'), ('{', '}')];
 
 impl Heading {
-    /// Reads a heading: `Force [mN]`, `Radius (um)`, `height_nm`, `Piezo/nm`, `Extend Force(nN)`.
+    /// Reads a heading: `Force [mN]`, `Radius (um)`, `height_nm`, `Piezo/nm`, `Extend Force(nN)`,
+    /// `stiffness_N_per_m`.
     pub fn parse(text: &str) -> Self {
         let text = text.trim();
         let (rest, mut unit) = bracketed_unit(text);
@@ -37,6 +38,17 @@ impl Heading {
                 }
                 _ => true,
             });
+        }
+        // `stiffness_N_per_m`.
+        if unit.is_none()
+            && let [.., above, per, below] = words[..]
+            && per.eq_ignore_ascii_case("per")
+            && words.len() > 3
+        {
+            unit = Unit::parse(&format!("{above}/{below}"));
+            if unit.is_some() {
+                words.truncate(words.len() - 3);
+            }
         }
         if unit.is_none() && words.len() > 1 {
             unit = words.last().and_then(|word| Unit::parse(word));

@@ -71,6 +71,7 @@ pub fn forecast(
         }
         if experiment.measurement.kind.is_stiffness() {
             // The stiffness itself tells contact depths.
+            experiment.reach_contacts();
             experiment.make(table)?;
             experiment.accept_stiffness()?;
         }

@@ -3,7 +3,7 @@
 use super::minima::Minimum;
 use super::problem::Assigned;
 use super::search::{Data, End, ends};
-use crate::{Branch, Error, Kind, LeftOut, LeftOutReason};
+use crate::{Branch, Error, LeftOut, LeftOutReason};
 
 /// The largest part of the points in contact that may be left out unless more are allowed.
 const MOST: f64 = 1.0 / 3.0;

@@ -5,7 +5,7 @@ use super::problem::{Ending, Problem};
 use super::profile::with_fixed;
 use super::search::thin;
 use super::uncertainty::{UNDETERMINED, Uncertainty};
-use crate::{Bodies, Prior};
+use crate::{Bodies, Kind, Prior};
 
 /// The relative error of a positive value from which on its valley is looked at: below it the
 /// problem is linear as far as the data allow the value to move.

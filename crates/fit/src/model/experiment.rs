@@ -98,6 +98,15 @@ impl Bodies {
         }
     }
 
+    /// Returns the thickness of the film or of the top layer, m; `None` on a half-space.
+    pub(crate) fn top_thickness(&self) -> Option<f64> {
+        match self {
+            Self::Coated(system) => Some(system.film_thickness),
+            Self::HalfSpace(_) => None,
+            Self::Layered(layered) => layered.layers.last().map(|layer| layer.thickness),
+        }
+    }
+
     /// Tells whether the contacts of these bodies have exact derivatives.
     pub(crate) const fn has_derivatives(&self) -> bool {
         !matches!(self, Self::Layered(_))

@@ -54,6 +54,7 @@ pub fn simulate_experiment(
     experiment.accept_instrument()?;
     experiment.accept_abscissae()?;
     let mut made = experiment.clone();
+    made.reach_contacts();
     made.make(table)?;
     let mut random = Pcg64Mcg::seed_from_u64(seed);
     // The method of Box and Muller.

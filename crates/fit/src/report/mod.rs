@@ -142,6 +142,7 @@ pub fn reading(measurement: &Measurement, notes: &Notes) -> String {
         (notes.missing, "without values"),
         (notes.pauses, "of a pause"),
         (notes.other_segments, "of another segment"),
+        (notes.outside, "outside the range asked for"),
     ] {
         if count > 0 {
             text += &format!("; {count} rows {what} left out");

@@ -4,10 +4,11 @@
 //! `area` is the area function of the indenter, `radius` finds the contact radii of points,
 //! `sample` the stiffness there, also where the film is thinned, `predict` joins them with the
 //! numbers that a fit compares, `harmonic` is the phase between stiffness and oscillation,
-//! `accept` refuses wrong points and settings, and `simulate` makes points.
+//! `accept` refuses wrong points and settings, `guess` finds values to start from, and `simulate` makes points.
 
 mod accept;
 mod area;
+mod guess;
 mod harmonic;
 mod predict;
 mod radius;
