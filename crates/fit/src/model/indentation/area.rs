@@ -55,6 +55,13 @@ impl AreaFunction {
         Ok(Self { coefficients })
     }
 
+    /// Returns the coefficients `C0, C1, ..` in powers of nanometres, without those of 0 at the end.
+    pub fn coefficients(&self) -> &[f64] {
+        let is_set = |value: &f64| *value != 0.0;
+        let count = self.coefficients.iter().rposition(is_set).unwrap_or(0) + 1;
+        &self.coefficients[..count]
+    }
+
     /// Returns the contact radius `sqrt(A/pi)` (m) at a contact depth (m); NaN where there is no
     /// positive area.
     pub fn radius(&self, depth: f64) -> f64 {
