@@ -188,7 +188,8 @@ fn fixed(fit: &Fit, experiment: &Experiment) -> Vec<(Cow<'static, str>, String)>
         rows.push(("probe".into(), probe.name().to_owned()));
     }
     // Where elasticity does not tell the contact radius, the probe and the adhesion do not matter.
-    let has_shape = !kind.is_stiffness() || experiment.is_elastic_load();
+    let has_hardness = fit.estimate(Parameter::Hardness).is_some();
+    let has_shape = !kind.is_stiffness() || experiment.is_elastic_load() && !has_hardness;
     if let Some(radius) = probe.radius().filter(|_| has_shape) {
         rows.push(("sphere-radius".into(), text(radius, "m")));
     }
@@ -236,6 +237,7 @@ fn fixed(fit: &Fit, experiment: &Experiment) -> Vec<(Cow<'static, str>, String)>
             && fit.estimate(parameter).is_none()
             && (value != 0.0 || parameter.is_positive())
             && (!kind.is_stiffness() || experiment.why_without_effect(parameter).is_none())
+            && (has_shape || parameter != Parameter::WorkOfAdhesion)
         {
             let label = which_modulus(parameter);
             let value = format!("{}{label}", text(value, parameter.unit()));

@@ -15,8 +15,8 @@ const STEP: f64 = 0.25;
 /// The most steps to the loss angle, and the change (rad) at which they end.
 const MOST_STEPS: usize = 30;
 const ACCURACY: f64 = 1e-12;
-/// The largest loss tangent. Up to it the expansion is within 1 %.
-const LARGEST_TANGENT: f64 = 1.0;
+/// The largest loss tangent found. Up to 1 the expansion is within 1 %.
+const LARGEST_TANGENT: f64 = 1.01;
 
 /// The angle `phi` of the complex modulus `|E| exp(i phi)` of a film or top layer.
 #[derive(Clone, Copy, Debug, PartialEq)]
