@@ -16,6 +16,9 @@ use super::segment::{Segment, split};
 use super::{Format, Notes, Reading, Segments, sign};
 use crate::{Direction, Kind, Measurement, Point, PointErrors};
 
+/// The rounding of a number in its unit.
+const ROUNDING: f64 = 1e-12;
+
 /// The number of lines that may stand before the rows of numbers.
 const LONGEST_HEAD: usize = 10_000;
 
@@ -466,7 +469,9 @@ impl Rows<'_> {
             self.other_segments += keep(&|point| point.direction == Some(only));
         }
         let outside = self.format.between.map_or(0, |[least, most]| {
-            keep(&|point| (least..=most).contains(&point.abscissa))
+            // Numbers in another unit than those of the ends are rounded.
+            let slack = ROUNDING * least.abs().max(most.abs());
+            keep(&|point| (least - slack..=most + slack).contains(&point.abscissa))
         });
         if points.is_empty() {
             return Err(Problem::NoPoints(self.count).into());

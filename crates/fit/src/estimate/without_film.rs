@@ -43,6 +43,8 @@ pub(crate) fn without_film(
                 ..system.without_film()
             },
             Bodies::Coated(system) => system.without_film(),
+            // A bare reference sample has no film to be left out.
+            Bodies::Layered(layered) if layered.layers.is_empty() => continue,
             Bodies::Layered(layered) => HalfSpace {
                 probe: layered.probe.clone(),
                 sphere_modulus: layered.sphere_modulus,

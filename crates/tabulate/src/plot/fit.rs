@@ -70,7 +70,8 @@ pub fn jkr_figure(fit: &Fit, experiments: &[Experiment]) -> Result<Figure, ::fit
 
 /// Says without what the dashed curves are.
 fn without_what(experiments: &[Experiment]) -> &'static str {
-    let has_layers = |one: &Experiment| matches!(one.bodies, Bodies::Layered(_));
+    // A bare reference sample has no layers.
+    let has_layers = |one: &Experiment| matches!(&one.bodies, Bodies::Layered(layered) if !layered.layers.is_empty());
     if experiments.iter().any(has_layers) {
         "without layers"
     } else {
