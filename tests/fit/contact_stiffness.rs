@@ -582,9 +582,16 @@ fn what_is_no_contact_stiffness_is_refused() {
     refused(
         &|one| {
             one.measurement.kind = Kind::StiffnessLoad;
+            one.indentation.phases = vec![0.1; 8];
+        },
+        &["phases", "elasticity"],
+    );
+    refused(
+        &|one| {
+            one.measurement.kind = Kind::StiffnessLoad;
             one.measurement.points[0].direction = Some(Direction::Retract);
         },
-        &["loading", "line 1"],
+        &["unloaded", "line 1"],
     );
     refused(
         &|one| one.measurement.kind = Kind::StiffnessDepth,

@@ -105,9 +105,7 @@ def test_simulated_stiffnesses_are_found_again(
 
 
 def test_a_reference_sample_tells_tip_and_frame() -> None:
-    berkovich = Indentation(
-        beta=1.034, hardness=1e10, tip_rounding=6e-9, frame_compliance=2e-7
-    )
+    berkovich = Indentation(beta=1.034, hardness=1e10, tip_rounding=6e-9, frame_compliance=2e-7)
     depths = np.linspace(4e-8, 2.2e-7, 40)
     silicon = HalfSpace(sphere_radius=1e-5, sphere_modulus=DIAMOND, solid=SILICON)
     film = Experiment(
@@ -127,7 +125,9 @@ def test_a_reference_sample_tells_tip_and_frame() -> None:
 
 
 def test_a_stack_of_one_layer_is_a_film() -> None:
-    plan = Experiment(kind="stiffness-radius", abscissa=np.linspace(1e-7, 1e-6, 12), system=system())
+    plan = Experiment(
+        kind="stiffness-radius", abscissa=np.linspace(1e-7, 1e-6, 12), system=system()
+    )
     made = simulate(plan, noise=0.01, seed=1)
     layer = Layer(material=OXIDE, thickness=5e-7, name="oxide")
     stack = StackSystem(
@@ -143,7 +143,9 @@ def test_derivatives_are_those_of_the_stiffness() -> None:
         kind="stiffness-radius", abscissa=[2e-7, 8e-7], system=system(), ordinate=[1e5, 1e5]
     )
     found = predict(lens, ["film_modulus"])
-    assert np.allclose(found.ordinate, Table.embedded().contact(system()).stiffness([2e-7, 8e-7]), rtol=1e-9)
+    assert np.allclose(
+        found.ordinate, Table.embedded().contact(system()).stiffness([2e-7, 8e-7]), rtol=1e-9
+    )
     step = 1e7
 
     def stiffness(young: float) -> np.ndarray:
@@ -219,14 +221,14 @@ def test_files_of_nanoindenters_are_read(tmp_path: Path) -> None:
 )
 def test_wrong_indenters_are_refused(known: dict[str, object], words: str) -> None:
     kind = "stiffness-load" if "hardness" in known else "stiffness-radius"
+    measured = Experiment(
+        kind=kind,
+        abscissa=[1e-7, 2e-7, 3e-7],
+        ordinate=[4e4, 8e4, 1.2e5],
+        system=system(),
+        indentation=Indentation(**known),  # type: ignore[arg-type]
+    )
     with pytest.raises(FitError, match=words):
-        measured = Experiment(
-            kind=kind,
-            abscissa=[1e-7, 2e-7, 3e-7],
-            ordinate=[4e4, 8e4, 1.2e5],
-            system=system(),
-            indentation=Indentation(**known),  # type: ignore[arg-type]
-        )
         fit(measured, [Free(parameter="film_modulus")])
 
 

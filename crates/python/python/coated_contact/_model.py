@@ -15,6 +15,7 @@ from ._columns import Array
 from ._experiment import Experiment, Free, ParameterName, one_of, unit_of
 from ._fit import experiments_of, free_of
 from ._fit_results import Forecast, correlation_of, estimates_of, name_of
+from ._indentation import Indentation
 from ._table import Table
 from ._values import OneLine
 
@@ -184,7 +185,7 @@ def simulate(
     ordinate, loads = _core.simulate(native, experiment, number("noise", noise), whole)
     if loads.size == 0:
         return replace(experiment, ordinate=ordinate)
-    indentation = replace(experiment.indentation, loads=loads)
+    indentation = replace(experiment.indentation or Indentation(), loads=loads)
     return replace(experiment, ordinate=ordinate, indentation=indentation)
 
 

@@ -84,8 +84,8 @@ def read_experiment(
         Columns that are not recognised: the heading, with a unit if the file has none, or the
         number from 1, for ``"contact_radius"``, ``"load"``, ``"penetration"``, ``"height"``,
         ``"deflection"``, ``"segment"``, ``"contact_stiffness"``, ``"contact_area"``,
-        ``"phase_shift"`` or ``"loss_stiffness"``. A minus before it turns the sign. Where approach and
-        retract have columns of their own, give both headings.
+        ``"phase_shift"`` or ``"loss_stiffness"``. A minus before it turns the sign. Where approach
+        and retract have columns of their own, give both headings.
     segments : {"auto", "file", "split"}
         Where the directions come from: the file, the largest load, or by default from the file, and
         heights without a direction are split at the largest load.

@@ -169,7 +169,9 @@ fn panels(kind: Kind, members: &[Drawn<'_>], without: &str) -> Vec<Panel> {
     let marks = || members.iter().flat_map(|one| &one.marks);
     let x = Scale::new(abscissa, of_abscissa, marks().map(|mark| mark.x));
     let values = |mark: &Mark| [Some(mark.y), mark.fit].into_iter().flatten();
-    let y = Scale::new(ordinate, unit, marks().flat_map(values));
+    // A contact stiffness begins at 0, with the contact.
+    let origin = kind.is_stiffness().then_some(0.0);
+    let y = Scale::new(ordinate, unit, marks().flat_map(values).chain(origin));
     let data = data_panel("Data and fit", &x, &y, members, without);
 
     let residual = |mark: &Mark| Some((mark.y - mark.fit?) / mark.deviation);

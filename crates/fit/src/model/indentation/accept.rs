@@ -81,6 +81,13 @@ impl Experiment {
             let allowed = format!("0, or that of the points, {}", points.len());
             return Err(count("phases", of.phases.len(), allowed));
         }
+        if !of.phases.is_empty() && self.is_elastic_load() {
+            let allowed = "0 where elasticity tells the contact radii, which a viscous film does not \
+                           have: give a hardness, or measure the contact radius";
+            return Err(count("phases", of.phases.len(), allowed.into()));
+        }
+        self.accept_directions()?;
+        let thickness = self.bodies.top_thickness();
         let [abscissa, ordinate] = kind.names();
         for (i, point) in points.iter().enumerate() {
             let refused = |name, value: f64, allowed| {
@@ -112,12 +119,6 @@ impl Experiment {
                 let allowed = "between -1.57 and 1.57 rad: check its unit";
                 return refused("phase", phase, allowed);
             }
-            let on_retract = point.direction == Some(Direction::Retract);
-            if on_retract && kind != Kind::StiffnessRadius {
-                let allowed = "one of loading: while a sample is unloaded its load and depth do \
-                               not tell the contact radius";
-                return refused("the direction of the point", f64::NAN, allowed);
-            }
             let stiffness = 1.0 / point.ordinate - of.frame_compliance;
             if !(stiffness > 0.0) {
                 let allowed = "below the stiffness of the frame, 1/frame-compliance";
@@ -132,9 +133,35 @@ impl Experiment {
                                    check the units, or leave out the first rows";
                     return refused("contact depth", depth, allowed);
                 }
+                if thickness.is_some_and(|thickness| !(of.thinning * depth < thickness)) {
+                    let allowed = "such that something of the thinned film is left: leave out the \
+                                   deepest rows, or thin it by a smaller part";
+                    return refused("contact depth", depth, allowed);
+                }
             }
         }
         Ok(())
+    }
+
+    /// Accepts the directions of points of which a load or a depth tells the contact radius.
+    pub(super) fn accept_directions(&self) -> Result<(), Error> {
+        if self.measurement.kind == Kind::StiffnessRadius {
+            return Ok(());
+        }
+        let mut points = self.measurement.points.iter();
+        match points.find(|point| point.direction == Some(Direction::Retract)) {
+            None => Ok(()),
+            Some(point) => Err(Error::Setting {
+                name: format!(
+                    "the retract of {}, line {}",
+                    self.measurement.name, point.line
+                ),
+                value: point.abscissa,
+                allowed: "left out: while a sample is unloaded its load and its depth do not tell \
+                          the contact radius"
+                    .into(),
+            }),
+        }
     }
 
     /// Returns why a parameter has no effect on a contact stiffness, if it has none. The bodies have

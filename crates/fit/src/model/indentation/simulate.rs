@@ -15,6 +15,7 @@ impl Experiment {
     /// Gives the points the stiffness that the model has there, and those at depths the loads of the
     /// hardness.
     pub(crate) fn make_stiffness(&mut self, contact_of: &ContactOf<'_>) -> Result<(), Error> {
+        self.accept_directions()?;
         let count = self.measurement.points.len();
         let branches = vec![Branch::Advancing; count];
         if self.measurement.kind == Kind::StiffnessDepth {
