@@ -90,3 +90,29 @@ fn direction_of_heading(word: &str) -> Option<Direction> {
         _ => None,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_quotient_in_words_is_a_unit() {
+        for (text, name, unit) in [
+            ("stiffness_N_per_m", "stiffness", Unit::parse("N/m")),
+            (
+                "stiffness_sd_mN_per_nm",
+                "stiffness sd",
+                Unit::parse("mN/nm"),
+            ),
+            ("N_per_m", "n per", Unit::parse("m")),
+            ("points per frame", "points per frame", None),
+        ] {
+            let heading = Heading::parse(text);
+            assert_eq!(
+                (heading.name.as_str(), heading.unit),
+                (name, unit),
+                "{text}"
+            );
+        }
+    }
+}

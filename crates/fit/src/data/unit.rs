@@ -250,6 +250,11 @@ mod tests {
             ("mJ/m2", Dimension::ForcePerLength, 1e-3),
             ("J / cm\u{b2}", Dimension::ForcePerLength, 1e4),
             ("nm/V", Dimension::LengthPerVoltage, 1e-9),
+            ("nm/mN", Dimension::Compliance, 1e-6),
+            ("nm^2", Dimension::Area, 1e-18),
+            ("um\u{b2}", Dimension::Area, 1e-12),
+            ("deg", Dimension::Angle, std::f64::consts::PI / 180.0),
+            ("mrad", Dimension::Angle, 1e-3),
         ] {
             assert_eq!(Unit::parse(text), Some(Unit { dimension, size }), "{text}");
         }
