@@ -19,6 +19,7 @@ mod fit_shapes;
 mod help;
 mod hostile_text;
 mod info;
+mod interfaces;
 mod limits;
 mod magnitudes;
 mod outputs;

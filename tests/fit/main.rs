@@ -11,6 +11,7 @@ mod drawn;
 mod fixed_values;
 mod hostile;
 mod imagined;
+mod interfaces;
 mod intervals;
 mod layers;
 mod left_out;

@@ -24,6 +24,8 @@ pub enum Dimension {
     Area,
     /// In radians.
     Angle,
+    /// In pascals per metre: the stiffness of an interface, per area.
+    ModulusPerLength,
 }
 
 impl Dimension {
@@ -39,6 +41,7 @@ impl Dimension {
             Self::Compliance => "m/N",
             Self::Area => "m^2",
             Self::Angle => "rad",
+            Self::ModulusPerLength => "Pa/m",
         }
     }
 
@@ -54,6 +57,7 @@ impl Dimension {
             Self::Compliance => "0.2nm/mN",
             Self::Area => "2e6nm^2",
             Self::Angle => "12deg",
+            Self::ModulusPerLength => "2e14 Pa/m or 200GPa/mm",
         }
     }
 }
@@ -70,6 +74,7 @@ impl fmt::Display for Dimension {
             Self::Compliance => "a compliance",
             Self::Area => "an area",
             Self::Angle => "an angle",
+            Self::ModulusPerLength => "a stiffness per area",
         })
     }
 }
@@ -109,12 +114,14 @@ const BASES: [(&str, &[&str], Dimension); 4] = [
 ];
 
 /// Quotients of two symbols: numerator, denominator and its power, dimension.
-const QUOTIENTS: [(&str, &str, i32, Dimension); 5] = [
+const QUOTIENTS: [(&str, &str, i32, Dimension); 7] = [
     ("N", "m", 1, Dimension::ForcePerLength),
     ("J", "m", 2, Dimension::ForcePerLength),
     ("N", "m", 2, Dimension::Modulus),
     ("m", "V", 1, Dimension::LengthPerVoltage),
     ("m", "N", 1, Dimension::Compliance),
+    ("Pa", "m", 1, Dimension::ModulusPerLength),
+    ("N", "m", 3, Dimension::ModulusPerLength),
 ];
 
 impl Unit {
@@ -185,7 +192,18 @@ fn prefixed(text: &str, symbol: &str) -> Option<i32> {
 
 /// Returns the dimension and the power of ten of a quotient.
 fn quotient(above: &str, below: &str) -> Option<(Dimension, i32)> {
-    let (below, exponent) = without_square(below).map_or((below, 1), |below| (below, 2));
+    let powers = [
+        ("^2", 2),
+        ("\u{b2}", 2),
+        ("2", 2),
+        ("^3", 3),
+        ("\u{b3}", 3),
+        ("3", 3),
+    ];
+    let raised = powers
+        .into_iter()
+        .find_map(|(power, exponent)| Some((below.strip_suffix(power)?, exponent)));
+    let (below, exponent) = raised.unwrap_or((below, 1));
     QUOTIENTS
         .into_iter()
         .filter(|(_, _, own, _)| *own == exponent)
@@ -255,6 +273,8 @@ mod tests {
             ("um\u{b2}", Dimension::Area, 1e-12),
             ("deg", Dimension::Angle, std::f64::consts::PI / 180.0),
             ("mrad", Dimension::Angle, 1e-3),
+            ("GPa/um", Dimension::ModulusPerLength, 1e15),
+            ("N/mm^3", Dimension::ModulusPerLength, 1e9),
         ] {
             assert_eq!(Unit::parse(text), Some(Unit { dimension, size }), "{text}");
         }

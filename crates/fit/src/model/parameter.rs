@@ -11,6 +11,7 @@ use crate::data::Dimension;
 /// The ends of the names of the parameters of a layer.
 const MODULUS: &str = ".modulus";
 const THICKNESS: &str = ".thickness";
+const INTERFACE: &str = ".interface-stiffness";
 
 /// A number that can be fitted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -48,6 +49,8 @@ pub enum Parameter {
     LayerModulus(LayerName),
     /// The thickness of a layer of a stack, m.
     LayerThickness(LayerName),
+    /// The tangential stiffness of the interface below a layer of a stack, Pa/m.
+    LayerInterfaceStiffness(LayerName),
 }
 
 impl Parameter {
@@ -70,7 +73,7 @@ impl Parameter {
     ];
 
     /// Returns the name, as on the command line: that of a layer begins with the name of the layer,
-    /// `oxide.modulus` or `oxide.thickness`.
+    /// `oxide.modulus`, `oxide.thickness` or `oxide.interface-stiffness`.
     pub fn name(self) -> Cow<'static, str> {
         Cow::Borrowed(match self {
             Self::SphereModulus => "sphere-modulus",
@@ -89,6 +92,7 @@ impl Parameter {
             Self::FrameCompliance => "frame-compliance",
             Self::LayerModulus(layer) => return format!("{layer}{MODULUS}").into(),
             Self::LayerThickness(layer) => return format!("{layer}{THICKNESS}").into(),
+            Self::LayerInterfaceStiffness(layer) => return format!("{layer}{INTERFACE}").into(),
         })
     }
 
@@ -104,6 +108,7 @@ impl Parameter {
             | Self::ContactPoint
             | Self::TipRounding => "m",
             Self::WorkOfAdhesion | Self::WorkOfAdhesionReceding => "J/m^2",
+            Self::LayerInterfaceStiffness(_) => "Pa/m",
             Self::LoadOffset | Self::Baseline => "N",
             Self::BaselineSlope | Self::Stiffness => "N/m",
             Self::FrameCompliance => "m/N",
@@ -122,6 +127,7 @@ impl Parameter {
             | Self::ContactPoint
             | Self::TipRounding => Dimension::Length,
             Self::FrameCompliance => Dimension::Compliance,
+            Self::LayerInterfaceStiffness(_) => Dimension::ModulusPerLength,
             Self::LoadOffset | Self::Baseline => Dimension::Force,
             Self::WorkOfAdhesion
             | Self::WorkOfAdhesionReceding
@@ -143,6 +149,7 @@ impl Parameter {
                 | Self::Hardness
                 | Self::LayerModulus(_)
                 | Self::LayerThickness(_)
+                | Self::LayerInterfaceStiffness(_)
         )
     }
 
@@ -157,6 +164,7 @@ impl Parameter {
                 | Self::FilmThickness
                 | Self::LayerModulus(_)
                 | Self::LayerThickness(_)
+                | Self::LayerInterfaceStiffness(_)
         )
     }
 }
@@ -182,9 +190,14 @@ impl FromStr for Parameter {
             let thickness = name.strip_suffix(THICKNESS)?.parse().ok();
             Some(Self::LayerThickness(thickness?))
         };
+        let or_interface = || {
+            let interface = name.strip_suffix(INTERFACE)?.parse().ok();
+            Some(Self::LayerInterfaceStiffness(interface?))
+        };
         found
             .or_else(of_layer)
             .or_else(or_thickness)
+            .or_else(or_interface)
             .ok_or_else(|| Error::UnknownParameter(name.to_owned()))
     }
 }

@@ -17,6 +17,7 @@ mod default_table;
 mod fit;
 mod generate;
 mod info;
+mod interface;
 mod json;
 mod man;
 mod output;

@@ -16,8 +16,8 @@ use crate::cost::{Measurement, read_csv};
 use crate::plot::chart;
 use crate::plot::picture::Format;
 use crate::plot::{
-    contact_stiffness, effects, error_map, fig2, fig3, fig4, force_displacement, lookup_cost,
-    pull_off, table_cost, work_precision,
+    contact_stiffness, effects, error_map, fig2, fig3, fig4, force_displacement, interface,
+    lookup_cost, pull_off, table_cost, work_precision,
 };
 
 /// Draw a figure as SVG or PNG
@@ -69,6 +69,10 @@ enum Figure {
         "tabulate plot contact-stiffness -o contact-stiffness.svg",
     ))]
     ContactStiffness(Picture),
+    /// Load against a/t of an incompressible film on a rigid base that is bonded, joined by springs,
+    /// or slides
+    #[command(after_help = super::examples!("tabulate plot interface -o interface.svg"))]
+    Interface(Picture),
     /// Largest difference of a table from direct solves, over a/t and E1/E2*, at the worst nu1 and
     /// E0/E2*
     #[command(after_help = super::examples!("tabulate plot error-map tables/paper.h5 -o errors.svg"))]
@@ -191,6 +195,9 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         Figure::ContactStiffness(output) => output.write(None, || {
             Ok(contact_stiffness::figure(&contact_stiffness::data()?))
         }),
+        Figure::Interface(output) => {
+            output.write(None, || Ok(interface::figure(&interface::data()?)))
+        }
         Figure::ErrorMap { table, output } => {
             output.write(table.as_ref().and_then(TableName::path), || {
                 let table = default_table::read_or_make(table.as_ref())?;
