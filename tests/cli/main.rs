@@ -3,6 +3,7 @@
 #![forbid(unsafe_code)]
 
 mod afm_curves;
+mod contact_stiffness;
 mod cost;
 mod cost_effects;
 mod cost_lookup;

@@ -71,6 +71,7 @@ from ._fit_results import (
     WithoutFilm,
 )
 from ._generate import generate
+from ._indentation import Indentation
 from ._line import ContactLine, Hysteresis, RateDependent, TimedStates
 from ._model import Prediction, branches, forecast, predict, simulate
 from ._probe import (
@@ -140,6 +141,7 @@ __all__ = [
     "Gradient",
     "HalfSpace",
     "Hysteresis",
+    "Indentation",
     "InvalidArgumentError",
     "Jump",
     "Layer",

@@ -185,6 +185,45 @@ class Contact(Remade):
         (stiffness,) = evaluate(self._native.stiffness, errors, contact_radius=a)
         return scalar_or_array(stiffness)
 
+    @overload
+    def moving_stiffness(self, a: float, w: float, *, errors: Errors = "raise") -> float: ...
+    @overload
+    def moving_stiffness(
+        self, a: ArrayLike, w: ArrayLike, *, errors: Errors = "raise"
+    ) -> float | Array: ...
+    def moving_stiffness(
+        self, a: ArrayLike, w: ArrayLike, *, errors: Errors = "raise"
+    ) -> float | Array:
+        """Return the slope K = dF/d delta of the force curve, where the contact line moves.
+
+        It is the stiffness of slow loading, in equilibrium at a work of adhesion. A small fast
+        oscillation, under which the line stays, measures :meth:`stiffness`. Without adhesion both
+        are equal. K is 0 at the pull-off under a load, and negative below it.
+
+        Parameters
+        ----------
+        a : array_like
+            Contact radius, m.
+        w : array_like
+            Work of adhesion, J/m^2.
+        errors : {"raise", "nan"}
+            What a point with an error gives.
+
+        Returns
+        -------
+        float or numpy.ndarray
+            Stiffness, N/m.
+
+        Raises
+        ------
+        OtherProbeError
+            For a flat punch, whose contact line cannot move.
+        """
+        (stiffness,) = evaluate(
+            self._native.moving_stiffness, errors, contact_radius=a, work_of_adhesion=w
+        )
+        return scalar_or_array(stiffness)
+
     def gradient(self, a: ArrayLike, w: ArrayLike, *, errors: Errors = "raise") -> Gradient:
         """Return load and penetration with their exact derivatives by every input.
 

@@ -8,6 +8,7 @@
 pub mod axis;
 pub mod chart;
 mod clip;
+pub mod contact_stiffness;
 mod draw;
 pub mod effects;
 pub mod error_map;
