@@ -55,6 +55,7 @@ mod slab;
 mod slope;
 mod solution;
 mod stacked;
+pub mod stick;
 pub(crate) mod surface;
 pub(crate) mod symbol;
 pub(crate) mod tabulated;
