@@ -26,7 +26,7 @@
 //! };
 //!
 //! // The material is looked up once. Everything after this is arithmetic.
-//! let contact = Table::embedded().contact(&system)?;
+//! let contact = Contact::in_table(Table::embedded(), &system)?;
 //! let w = 0.040; // work of adhesion, J/m^2
 //! for a in [40e-6, 65e-6, 90e-6] {
 //!     let (load, penetration) = contact.load_and_penetration(a, w)?;
@@ -97,26 +97,24 @@
 
 #![forbid(unsafe_code)]
 
-mod contact;
+pub mod check;
 mod curve;
 mod error;
+mod force_curve;
 mod material;
+mod mechanics;
 pub mod once;
 mod table;
 
-pub use contact::TimedState;
-#[doc(hidden)]
-pub use contact::root;
-pub use contact::{AdhesionRange, FilmValidity, Neglected, Validity};
-pub use contact::{Branch, Control, Equilibria, Equilibrium, ForceDisplacement, Jump};
-pub use contact::{CohesiveEquilibrium, CohesiveState, FiniteRange, ShortRange};
-pub use contact::{Contact, ContactGradient, Derivatives, Input, State};
-pub use contact::{ContactLine, CrackTip, Hysteresis, RateDependent};
-pub use contact::{FilmBias, JkrFit, JkrPoint, Mechanics};
-pub use curve::{Curve, OddPowerCurve, QuantityGradient, StackShape, bspline};
+pub use curve::{
+    Curve, EvenShape, LARGEST_A_OVER_R, OddPowerCurve, QuantityGradient, StackShape, bspline,
+    over_pi0,
+};
 pub use error::Error;
+pub use force_curve::ForceCurve;
 pub use material::{
     Elastic, HalfSpace, Material, Normalisation, Parameter, Probe, Profile, Quantities, Quantity,
     SubstratePoissonRatio, System,
 };
+pub use mechanics::{LoadAndPenetration, Mechanics};
 pub use table::{Certificate, Description, LowRank, Table, Tile, chebyshev, is_packed, schema};

@@ -2,7 +2,8 @@
 //!
 //! Run it by `cargo run --release -p tabulate --no-default-features --example curve`.
 
-use interp::{Contact, Elastic, Probe, System};
+use contact::Contact;
+use interp::{Elastic, Probe, System};
 
 fn main() -> Result<(), tabulate::Error> {
     let system = System {
@@ -13,7 +14,7 @@ fn main() -> Result<(), tabulate::Error> {
         substrate: Elastic::new(2e11, 0.25)?,      // Young's modulus (Pa), Poisson ratio
     };
     // The curve of the material for a/t from 1e-3 to 1e3, with a relative tolerance of 1e-8.
-    let curve = tabulate::curve(&system.material()?, [1e-3, 1e3], 1e-8)?;
+    let curve = solve::curve(&system.material()?, [1e-3, 1e3], 1e-8)?;
     // Contact radius (m), work of adhesion (J/m^2).
     let load = Contact::new(&system, curve)?.load(65e-6, 0.040)?;
     println!("{load:.3e} N");

@@ -34,7 +34,6 @@
 
 #[cfg(feature = "cli")]
 pub mod cli;
-pub mod cohesive;
 #[cfg(feature = "cli")]
 pub mod cost;
 mod error;
@@ -42,16 +41,13 @@ mod error;
 mod hostile;
 mod input;
 mod output;
-pub mod parallel;
 #[cfg(feature = "cli")]
 pub mod plot;
 mod printable;
 #[cfg(feature = "cli")]
 pub mod report;
-pub mod solve;
 pub mod stack;
 pub mod table;
 
 pub use error::Error;
-pub use solve::{curve, solve, solve_stack, stack_curve};
 pub use table::generate;

@@ -127,13 +127,13 @@ impl OddPowerCurve {
 
     /// Returns the curve that holds `Delta_n` and `Pi_n` times [`over_pi0`] in the places of
     /// `Delta0` and `Pi0`.
-    pub(crate) const fn curve(&self) -> &Curve {
+    pub const fn curve(&self) -> &Curve {
         &self.curve
     }
 }
 
 /// Returns the ratio of `Pi0` and `Pi_n` on a half-space, `2 (n + 1)/(3 n)`.
-pub(crate) fn over_pi0(exponent: u32) -> f64 {
+pub fn over_pi0(exponent: u32) -> f64 {
     let n = f64::from(exponent);
     2.0 * (n + 1.0) / (3.0 * n)
 }

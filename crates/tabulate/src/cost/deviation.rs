@@ -3,8 +3,7 @@
 use interp::{Material, Quantities};
 
 use super::clock::median;
-use crate::Error;
-use crate::solve::{Solution, larger, solve};
+use solve::{Error, Solution, larger, solve};
 
 /// Returns the solve at the tightest tolerance from 1e-13 to 1e-9 that is not refused.
 ///

@@ -22,7 +22,7 @@ use faer::linalg::solvers::Solve;
 use faer::{Accum, Mat, Par};
 use interp::{Material, Quantities};
 
-use crate::solve::{Compliance, GaussLegendre, Panels};
+use solve::{Compliance, GaussLegendre, Panels};
 
 /// Gauss-Legendre abscissae and weights on `[0, 1]`, with the edge as one more abscissa. They serve
 /// every contact.

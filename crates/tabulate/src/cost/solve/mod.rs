@@ -17,9 +17,8 @@ use serde::{Deserialize, Serialize};
 use super::clock::Timing;
 use super::deviation::deviation;
 use super::nystrom::Nystrom;
-use crate::Error;
 use crate::cost::rows::{ERROR, Measurement, TIME, TOLERANCE};
-use crate::solve::solve;
+use solve::solve;
 
 /// A contact and its four quantities, computed independently.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
@@ -211,7 +210,7 @@ fn row(contact: &Contact, tolerance: f64) -> Row {
             error: Some(deviation(&solution.quantities, &contact.truth())),
             ..row(solution.method.name())
         },
-        Err(Error::NotConverged { reached, .. }) => Row {
+        Err(solve::Error::NotConverged { reached, .. }) => Row {
             error_estimated: Some(reached),
             ..row(REFUSED)
         },
