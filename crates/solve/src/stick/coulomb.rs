@@ -45,7 +45,7 @@ pub struct Coulomb {
     steps: Vec<Step>,
     /// `s+_n sqrt(2n+1) c0 R_1 .. R_n/2`.
     scale: Vec<f64>,
-    /// `arg Gamma(1 + i eps)`.
+    /// `arg Gamma(1 + i |eps|)`.
     phase: f64,
 }
 
@@ -117,7 +117,7 @@ impl Coulomb {
             orders,
             steps,
             scale: (0..orders).map(scale).collect(),
-            phase: phase_of_gamma(eps),
+            phase: phase_of_gamma(eps.abs()),
         }
     }
 

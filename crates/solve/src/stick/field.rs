@@ -17,6 +17,8 @@
 //! Gamma_t = -es       f (2/pi) int [ (X22-1) q^ + (X12-b) p^ ] sin z dz
 //! ```
 
+use std::cmp::Ordering;
+
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::llt::factor::{
     LltRegularization, cholesky_in_place, cholesky_in_place_scratch,
@@ -28,11 +30,14 @@ use faer::{Mat, Par, Spec};
 
 use crate::abscissae::Abscissae;
 
+use crate::estimate::larger;
+use crate::operator::{ROUNDING, TRUNCATION_SAFETY, quadrature_errors};
 use crate::quadrature::Panels;
+use crate::surface::SurfaceCompliance;
 use crate::slope::dot;
 use crate::stick::bodies::Bodies;
 use crate::stick::compliances::{Samples, Three, sample_all};
-use crate::stick::coulomb::{Coulomb, LANES, Target};
+use crate::stick::coulomb::{Coulomb, LANES, Target, column};
 use crate::stick::products::add_lower;
 
 /// The bodies at the wave numbers of the integrals, for punches up to some radius.
@@ -47,8 +52,12 @@ pub struct Waves<'a> {
     pub excess: Three<Vec<f64>>,
     /// `f q` times their derivatives.
     slope: Three<Vec<f64>>,
-    /// The error of the integrals, relative to the squares of the fields' edge values.
-    pub quadrature: f64,
+    /// The error of `f (2/pi) int X dq` where the panels do not resolve the compliances.
+    resolution: f64,
+    /// The relative error of products of two transforms that the panels do not resolve.
+    design: f64,
+    /// The rounding error of sums, relative to the sum of absolute values.
+    rounding: f64,
 }
 
 /// The field of the flat punch of one radius, in units of `es`.
@@ -65,10 +74,21 @@ pub struct Field {
     pub normal: Vec<f64>,
     /// What the punch answers to the edge of the contact, if asked for.
     pub answer: Option<Vec<f64>>,
-    /// The contribution to `Eeq_s/es` of the modes left out.
-    pub missing: f64,
-    /// The number of modes.
-    pub modes: usize,
+    /// The estimated relative error of all these numbers from the finite number of modes; that of
+    /// `Gamma_t` is relative to `Gamma_eff`.
+    pub truncation: f64,
+    pub parts_error: f64,
+    /// The same from the integrals.
+    pub quadrature: f64,
+    /// The same from rounding.
+    pub rounding: f64,
+}
+
+impl Field {
+    /// Returns the estimated relative error from all sources.
+    pub fn error(&self) -> f64 {
+        self.truncation + self.parts_error + self.quadrature + self.rounding
+    }
 }
 
 impl<'a> Waves<'a> {
@@ -87,13 +107,19 @@ impl<'a> Waves<'a> {
                 values.fill(0.0);
             }
         }
+        let resolution = slope
+            .iter()
+            .map(|slope| quadrature_errors(&abscissae, slope)[0])
+            .sum();
         Self {
             bodies,
+            resolution,
+            design: abscissae.panels.design_error,
+            rounding: ROUNDING * (1.0 - 0.05 * bodies.surface.smallest_scale().ln()),
             q: abscissae.q,
             weights: abscissae.weights,
             excess,
             slope,
-            quadrature: abscissae.panels.design_error,
         }
     }
 
@@ -147,10 +173,17 @@ impl<'a> Waves<'a> {
         let mut matrix = Mat::<f64>::zeros(modes, modes);
         add_lower(&mut matrix, 0, &p, &beside_p, rows);
         add_lower(&mut matrix, first_q, &q, &beside_q, rows);
+        // In the order of the modes, the tail of the forward substitution is that of `Eeq_s`.
         let diagonal = 1.0 / self.bodies.cosh();
-        for n in 0..modes {
-            matrix[(n, n)] += diagonal;
-        }
+        let place = |n: usize| column(n, modes);
+        let mut matrix = Mat::from_fn(modes, modes, |m, n| match m.cmp(&n) {
+            Ordering::Less => 0.0,
+            Ordering::Equal => diagonal + matrix[(place(n), place(n))],
+            Ordering::Greater => {
+                let (m, n) = (place(m), place(n));
+                matrix[(m.max(n), m.min(n))]
+            }
+        });
         let mut memory = MemBuffer::new(cholesky_in_place_scratch::<f64>(
             modes,
             Par::Seq,
@@ -172,19 +205,24 @@ impl<'a> Waves<'a> {
         solutions[(0, 0)] = c0;
         if with_answer {
             for n in 0..modes {
-                solutions[(n, 1)] = dot(&beside_p[n * rows..][..rows], &cosines);
+                solutions[(n, 1)] = dot(&beside_p[place(n) * rows..][..rows], &cosines);
             }
         }
         solve_lower_triangular_in_place(matrix.as_ref(), solutions.as_mut(), Par::Seq);
         let half = solutions.col_as_slice(0);
-        let ne = modes / 2;
-        let missing = missing_modes(&half[..ne]) + missing_modes(&half[ne..]);
+        let missing = missing_modes(half);
         solve_upper_triangular_in_place(matrix.transpose(), solutions.as_mut(), Par::Seq);
 
         let transform = |solution: &[f64]| {
             let mut hats = [vec![0.0; rows], vec![0.0; rows]];
             for (hat, (values, first)) in hats.iter_mut().zip([(&p, 0), (&q, first_q)]) {
-                for (values, c) in values.chunks_exact(rows).zip(&solution[first..]) {
+                for (n, c) in solution.iter().enumerate() {
+                    let Some(values) = place(n)
+                        .checked_sub(first)
+                        .and_then(|place| values.get(place * rows..)?.get(..rows))
+                    else {
+                        continue;
+                    };
                     for (sum, value) in hat.iter_mut().zip(values) {
                         *sum += c * value;
                     }
@@ -195,23 +233,37 @@ impl<'a> Waves<'a> {
         let c = solutions.col_as_slice(0);
         let [p_hat, q_hat] = transform(c);
         let eeq = c0 * c[0];
-        let mut edge = eeq;
+        let squares: f64 = c.iter().map(|c| c * c).sum();
+        let (mut edge, mut terms) = (eeq, eeq + squares);
         let [s11, s12, s22] = &self.slope;
         for k in 0..rows {
             let (p, q) = (p_hat[k], q_hat[k]);
-            edge += weights[k] * (s11[k] * p * p + 2.0 * s12[k] * p * q + s22[k] * q * q);
+            let parts = [s11[k] * p * p, 2.0 * s12[k] * p * q, s22[k] * q * q];
+            edge += weights[k] * parts.iter().sum::<f64>();
+            terms += weights[k] * parts.iter().map(|part| part.abs()).sum::<f64>();
         }
+        if !(eeq > 0.0 && edge > 0.0) {
+            return None;
+        }
+        let mut size = larger((eeq + 2.0 * squares) / eeq, terms / edge);
         let [y11, y12, y22] = &self.excess;
         let normal: Vec<f64> = (0..rows)
             .map(|k| y11[k] * p_hat[k] + y12[k] * q_hat[k])
             .collect();
         let parts = (self.bodies.eps == 0.0).then(|| {
-            let (mut of_normal, mut of_shear) = (0.0, 0.0);
+            let (mut of_normal, mut of_shear, mut terms) = (0.0, 0.0, 1.0);
             for k in 0..rows {
+                let shear = y22[k] * q_hat[k] + y12[k] * p_hat[k];
                 of_normal += weights[k] * normal[k] * cosines[k];
-                of_shear += weights[k] * (y22[k] * q_hat[k] + y12[k] * p_hat[k]) * sines[k];
+                of_shear += weights[k] * shear * sines[k];
+                terms += weights[k] * (normal[k].abs() + shear.abs());
             }
+            size += terms / edge.sqrt();
             [1.0 - of_normal, -of_shear]
+        });
+        // Both ways to the edge must agree.
+        let parts_error = parts.map_or(0.0, |[normal, shear]| {
+            (normal * normal + shear * shear - edge).abs() / edge
         });
         let answer = with_answer.then(|| {
             let [p_hat, q_hat] = transform(solutions.col_as_slice(1));
@@ -226,8 +278,10 @@ impl<'a> Waves<'a> {
             parts,
             normal,
             answer,
-            missing,
-            modes,
+            truncation: TRUNCATION_SAFETY * missing * larger(1.0 / eeq, 1.0 / edge) ,
+            parts_error,
+            quadrature: x * self.resolution * larger(eeq, eeq * eeq / edge) + self.design,
+            rounding: self.rounding * size,
         })
     }
 
@@ -243,16 +297,18 @@ impl<'a> Waves<'a> {
     }
 }
 
-/// Extrapolates `sum_{i >= n} y_i^2`, the contribution of the modes left out, from the sums over
-/// the last two stretches of the `n` modes in `y`.
+
+/// Extrapolates `sum_{i >= n} y_i^2`, the contribution to `Eeq_s` of the modes left out.
+///
+/// The envelope of the last `y_i^2` is continued with the rate at which the sums over two
+/// neighbouring stretches fall. A stretch spans the beats that the `y_i` show at large `a/t`.
 fn missing_modes(y: &[f64]) -> f64 {
     let n = y.len();
     let stretch = (2 + n / 8).min(n / 2);
+    let (before, last) = y[n - 2 * stretch..].split_at(stretch);
     let sum = |y: &[f64]| y.iter().map(|y| y * y).sum::<f64>();
-    let (before, last) = (
-        sum(&y[n - 2 * stretch..n - stretch]),
-        sum(&y[n - stretch..]),
-    );
-    let ratio = (last / before.max(f64::MIN_POSITIVE)).clamp(0.1, 0.9);
-    last * ratio / (1.0 - ratio)
+    let ratio = sum(last) / sum(before).max(f64::MIN_POSITIVE);
+    let rate = ratio.powf(1.0 / stretch as f64).clamp(0.1, 0.95);
+    let envelope = last.iter().rev().enumerate().map(|(i, y)| y * y * rate.powi(i as i32));
+    envelope.fold(0.0, larger) * rate / (1.0 - rate)
 }

@@ -23,6 +23,7 @@ use faer::linalg::solvers::Solve;
 use faer::{Mat, Par};
 
 use crate::estimate::larger;
+use crate::parallel::try_map;
 use crate::stick::field::{Field, Waves};
 use crate::stick::integration::Points;
 
@@ -60,11 +61,11 @@ pub fn grow(
     modes: impl Fn(f64) -> usize + Sync,
 ) -> Option<Growth> {
     let points = Points::new(count, largest.sqrt());
-    let fields: Vec<Field> = points
-        .at
-        .iter()
-        .map(|tau| waves.field(tau * tau, modes(tau * tau), true))
-        .collect::<Option<_>>()?;
+    let fields: Vec<Field> = try_map(&points.at, |tau| {
+        let x = tau * tau;
+        waves.field(x, modes(x), true).ok_or(())
+    })
+    .ok()?;
     let es = waves.bodies.modulus;
     let rows = waves.q.len();
     let columns =
@@ -120,7 +121,7 @@ pub fn grow(
     let at_points = (0..count)
         .map(|i| {
             let field = &fields[i];
-            error_of_punches = larger(error_of_punches, field.missing / field.eeq);
+            error_of_punches = larger(error_of_punches, field.error());
             let eeq = |j: usize| es * fields[j].eeq;
             let [gamma_s, gamma_t] = field.parts.expect("no coupling");
             let gamma_g = -1.0 / sum(&of_edge[i], &|j| edge[(j, 0)]);
@@ -148,6 +149,24 @@ pub fn grow(
 }
 
 impl Growth {
+    /// Returns the largest relative difference from a contact solved with more points.
+    pub fn difference(&self, finer: &Self) -> f64 {
+        let mut largest = 0.0;
+        for coarse in &self.at_points {
+            let fine = finer.at(coarse.a_over_t);
+            let pairs = [
+                (coarse.pi_s, fine.pi_s),
+                (coarse.delta_s, fine.delta_s),
+                (coarse.gamma_g, fine.gamma_g),
+                (coarse.eeq_g, fine.eeq_g),
+            ];
+            for (a, b) in pairs {
+                largest = larger(largest, (a / b - 1.0).abs());
+            }
+        }
+        largest
+    }
+
     /// Returns the contact at a radius up to the largest.
     pub fn at(&self, a_over_t: f64) -> Grown {
         let weights = self.points.interpolation(a_over_t.sqrt());
