@@ -135,3 +135,88 @@ fn functionals<S: Simd>(top: &Slab, y: Minors<S>) -> Three<[S::f64s; 4]> {
     }
     functionals
 }
+
+#[cfg(test)]
+mod tests {
+    use interp::Material;
+
+    use super::*;
+    use crate::estimate::larger;
+    use crate::layered::tests::random_stack;
+
+    /// An incompressible film on a rigid base at `q = 0.7`, by another program in 20 digits, and in
+    /// closed form elsewhere.
+    #[test]
+    fn the_test_values_are_met() {
+        let film = Material::new(0.0, 0.5, f64::INFINITY, 0.0).expect("physical");
+        let film = LayeredCompliance::of_film(&film);
+        let samples = sample_all(&film, &[0.7]);
+        let expected = [
+            0.122_080_342_975_348_18 - 1.0,
+            -0.237_236_525_712_266,
+            0.799_898_989_537_667_9 - 1.0,
+        ];
+        for (found, expected) in samples.excess.iter().zip(expected) {
+            assert!(
+                (found[0] - expected).abs() <= 3e-16,
+                "{}, not {expected}",
+                found[0]
+            );
+        }
+        let q: Vec<f64> = (1..200).map(|i| 0.06 * f64::from(i)).collect();
+        let samples = sample_all(&film, &q);
+        for (i, q) in q.iter().enumerate() {
+            let d = (2.0 * q).cosh() + 1.0 + 2.0 * q * q;
+            let exact = [
+                ((2.0 * q).sinh() - 2.0 * q) / d - 1.0,
+                -2.0 * q * q / d,
+                ((2.0 * q).sinh() + 2.0 * q) / d - 1.0,
+            ];
+            for (found, exact) in samples.excess.iter().zip(exact) {
+                assert!(
+                    (found[i] - exact).abs() <= 3e-15,
+                    "{q}: {}, not {exact}",
+                    found[i]
+                );
+            }
+        }
+    }
+
+    /// The normal compliance is that of the contact without friction, the slopes are the derivatives
+    /// of the values, and the matrix of the compliances is positive.
+    #[test]
+    fn stacks_have_compliances_with_their_slopes() {
+        let (mut of_normal, mut of_slopes) = (0.0, 0.0);
+        for seed in 0..60 {
+            let surface = LayeredCompliance::new(&random_stack(seed));
+            for i in 0..40 {
+                let q = 10_f64.powf(-3.0 + 0.11 * f64::from(i));
+                let step = 1e-4;
+                let samples = sample_all(&surface, &[q * (1.0 - step), q, q * (1.0 + step)]);
+                let known = crate::surface::SurfaceCompliance::sample(&surface, q);
+                let unit = larger(1.0, (1.0 + known.excess).abs());
+                of_normal = larger(
+                    of_normal,
+                    (samples.excess[0][1] - known.excess).abs() / unit,
+                );
+                let b = surface.top().b;
+                let [x11, x12, x22] = [
+                    1.0 + samples.excess[0][1],
+                    b + samples.excess[1][1],
+                    1.0 + samples.excess[2][1],
+                ];
+                assert!(
+                    x11 > 0.0 && x22 > 0.0 && x12 * x12 < x11 * x22,
+                    "{seed}, {q}"
+                );
+                for (excess, slope) in samples.excess.iter().zip(&samples.slope) {
+                    let difference = (excess[2] - excess[0]) / (2.0 * step);
+                    let unit = larger(unit, x22);
+                    of_slopes = larger(of_slopes, (difference - slope[1]).abs() / unit);
+                }
+            }
+        }
+        println!("normal {of_normal:.1e}, slopes {of_slopes:.1e}");
+        assert!(of_normal <= 1e-14 && of_slopes <= 1e-6);
+    }
+}

@@ -283,3 +283,96 @@ fn top(z: f64) -> usize {
     }
     (z + 15.0 * (0.5 * z).cbrt() + 12.0).ceil() as usize
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::estimate::larger;
+
+    /// Returns `p_n` and `q_n` of all orders at one argument.
+    fn values(eps: f64, orders: usize, z: f64) -> [Vec<f64>; 2] {
+        let coulomb = Coulomb::new(eps, orders, z);
+        let [of_p, of_q] = coulomb.columns();
+        let (mut p, mut q) = (vec![0.0; of_p * LANES], vec![0.0; of_q * LANES]);
+        let mut target = Target {
+            p: &mut p,
+            q: &mut q,
+            stride: LANES,
+            at: 0,
+        };
+        coulomb.fill(&[z; LANES], &mut target);
+        let first = orders - of_q;
+        let at = |values: &[f64], place: Option<usize>| {
+            place
+                .and_then(|place| values.get(place * LANES))
+                .copied()
+                .unwrap_or(0.0)
+        };
+        [
+            (0..orders)
+                .map(|n| at(&p, Some(column(n, orders))))
+                .collect(),
+            (0..orders)
+                .map(|n| at(&q, column(n, orders).checked_sub(first)))
+                .collect(),
+        ]
+    }
+
+    /// Legendre polynomials: `p_n` and `q_n` are spherical Bessel functions of even and odd order.
+    #[test]
+    fn without_coupling_they_are_spherical_bessel_functions() {
+        for z in [1e-30, 1e-4, 0.3, 3.0_f64, 30.0, 80.0, 300.0] {
+            let [p, q] = values(0.0, 20, z);
+            let j1 = if z < 0.1 {
+                z / 3.0 * (1.0 - z * z / 10.0)
+            } else {
+                (z.sin() / z - z.cos()) / z
+            };
+            let size = 1.0 / z.max(1.0);
+            assert!((p[0] - z.sin() / z).abs() <= 1e-14 * size, "{z}");
+            assert!((q[1] - 3_f64.sqrt() * j1).abs() <= 2e-14 * size, "{z}");
+            assert_eq!([p[1], q[0]], [0.0; 2]);
+        }
+    }
+
+    /// The upward recurrence from the asymptotic series meets the downward one, and the two signs of
+    /// `eps` exchange `P+` and `P-` but for a factor.
+    #[test]
+    fn both_directions_of_the_recurrence_agree() {
+        let mut worst = 0.0;
+        for eps in [-0.3, -0.1, 0.0, 0.02, 0.175, 0.3] {
+            for z in [45.0, 61.3, 120.0, 400.0] {
+                // With more orders the same arguments are below the switch.
+                let few = values(eps, 20, z);
+                let many = values(eps, 2 * z as usize, z);
+                for (few, many) in few.iter().zip(&many) {
+                    for (few, many) in few.iter().zip(many) {
+                        worst = larger(worst, z * (few - many).abs());
+                    }
+                }
+            }
+        }
+        println!("directions agree to {worst:.1e}");
+        assert!(worst <= 2e-13);
+    }
+
+    /// `sum |P_n|^2`, the square of a wave of unit modulus in an orthonormal basis: with
+    /// `e^{-izs}` on `[-1, 1]`, `sum (p_n^2 + q_n^2) cosh(pi eps) = 1`.
+    #[test]
+    fn the_transforms_are_those_of_an_orthogonal_basis() {
+        let mut worst = 0.0;
+        for eps in [-0.3_f64, 0.0, 0.1, 0.3] {
+            for z in [0.5, 5.0, 25.0] {
+                let [p, q] = values(eps, 80, z);
+                let sum: f64 = p.iter().chain(&q).map(|value| value * value).sum();
+                worst = larger(worst, (sum * normalisation(eps) - 1.0).abs());
+            }
+        }
+        println!("Parseval to {worst:.1e}");
+        assert!(worst <= 1e-12);
+    }
+
+    fn normalisation(eps: f64) -> f64 {
+        1.0 / (PI * eps).cosh()
+    }
+}

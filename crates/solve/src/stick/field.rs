@@ -33,12 +33,12 @@ use crate::abscissae::Abscissae;
 use crate::estimate::larger;
 use crate::operator::{ROUNDING, TRUNCATION_SAFETY, quadrature_errors};
 use crate::quadrature::Panels;
-use crate::surface::SurfaceCompliance;
 use crate::slope::dot;
 use crate::stick::bodies::Bodies;
 use crate::stick::compliances::{Samples, Three, sample_all};
 use crate::stick::coulomb::{Coulomb, LANES, Target, column};
 use crate::stick::products::add_lower;
+use crate::surface::SurfaceCompliance;
 
 /// The bodies at the wave numbers of the integrals, for punches up to some radius.
 pub struct Waves<'a> {
@@ -278,7 +278,7 @@ impl<'a> Waves<'a> {
             parts,
             normal,
             answer,
-            truncation: TRUNCATION_SAFETY * missing * larger(1.0 / eeq, 1.0 / edge) ,
+            truncation: TRUNCATION_SAFETY * missing * larger(1.0 / eeq, 1.0 / edge),
             parts_error,
             quadrature: x * self.resolution * larger(eeq, eeq * eeq / edge) + self.design,
             rounding: self.rounding * size,
@@ -297,7 +297,6 @@ impl<'a> Waves<'a> {
     }
 }
 
-
 /// Extrapolates `sum_{i >= n} y_i^2`, the contribution to `Eeq_s` of the modes left out.
 ///
 /// The envelope of the last `y_i^2` is continued with the rate at which the sums over two
@@ -309,6 +308,10 @@ fn missing_modes(y: &[f64]) -> f64 {
     let sum = |y: &[f64]| y.iter().map(|y| y * y).sum::<f64>();
     let ratio = sum(last) / sum(before).max(f64::MIN_POSITIVE);
     let rate = ratio.powf(1.0 / stretch as f64).clamp(0.1, 0.95);
-    let envelope = last.iter().rev().enumerate().map(|(i, y)| y * y * rate.powi(i as i32));
+    let envelope = last
+        .iter()
+        .rev()
+        .enumerate()
+        .map(|(i, y)| y * y * rate.powi(i as i32));
     envelope.fold(0.0, larger) * rate / (1.0 - rate)
 }

@@ -112,3 +112,32 @@ fn moments(m: f64, count: usize) -> Vec<f64> {
         })
         .collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::estimate::larger;
+
+    /// Powers with whole and broken exponents, times a smooth function.
+    #[test]
+    fn integrals_keep_their_relative_accuracy() {
+        let points = Points::new(24, 2.0);
+        let values: Vec<f64> = points
+            .at
+            .iter()
+            .map(|tau| tau.powi(3) - 2.0 * tau)
+            .collect();
+        let powers = [0.0, 2.0, 3.0, 1.6];
+        let integrals = points.integrals(powers);
+        let mut worst = 0.0;
+        for (power, rows) in powers.into_iter().zip(&integrals) {
+            for (tau, row) in points.at.iter().zip(rows) {
+                let found: f64 = row.iter().zip(&values).map(|(w, v)| w * v).sum();
+                let exact = tau.powi(3) / (power + 4.0) - 2.0 * tau / (power + 2.0);
+                worst = larger(worst, (found / exact - 1.0).abs());
+            }
+        }
+        println!("integrals: {worst:.1e}");
+        assert!(worst <= 1e-10, "{worst:e}");
+    }
+}

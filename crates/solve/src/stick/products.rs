@@ -11,6 +11,10 @@ use crate::stick::coulomb::LANES;
 /// The number of columns from which on the products of a matrix library are faster.
 const LIBRARY: usize = 24;
 
+/// The number of wave numbers that a matrix library sums at once. The elements of the contact of a
+/// thin film nearly cancel the unit matrix, and sums of fewer terms have smaller rounding errors.
+const BLOCK: usize = 64;
+
 /// Adds `left^T right` to the rows `first..` of the lower triangle of `target`. Both matrices are
 /// given by their columns of `rows` values; `rows` is a multiple of [`LANES`]. `right` has at least
 /// as many columns as `target`.
@@ -20,27 +24,37 @@ pub fn add_lower(target: &mut Mat<f64>, first: usize, left: &[f64], right: &[f64
         dispatch!(Level::new(), simd => add_small(simd, target, first, left, right, rows));
         return;
     }
-    let left = MatRef::from_column_major_slice(left, rows, count).transpose();
-    let columns = |range: std::ops::Range<usize>| {
-        let slice = &right[range.start * rows..range.end * rows];
-        MatRef::from_column_major_slice(slice, rows, range.len())
-    };
+    let left = MatRef::from_column_major_slice(left, rows, count);
+    let right = &right[..(first + count) * rows];
+    let right = MatRef::from_column_major_slice(right, rows, first + count);
     let mut part = target.as_mut().subrows_mut(first, count);
-    if first > 0 {
-        let target = part.as_mut().subcols_mut(0, first);
-        matmul(target, Accum::Add, left, columns(0..first), 1.0, Par::Seq);
+    for from in (0..rows).step_by(BLOCK) {
+        let length = BLOCK.min(rows - from);
+        let left = left.subrows(from, length).transpose();
+        let right = right.subrows(from, length);
+        if first > 0 {
+            let target = part.as_mut().subcols_mut(0, first);
+            matmul(
+                target,
+                Accum::Add,
+                left,
+                right.subcols(0, first),
+                1.0,
+                Par::Seq,
+            );
+        }
+        triangular::matmul(
+            part.as_mut().subcols_mut(first, count),
+            BlockStructure::TriangularLower,
+            Accum::Add,
+            left,
+            BlockStructure::Rectangular,
+            right.subcols(first, count),
+            BlockStructure::Rectangular,
+            1.0,
+            Par::Seq,
+        );
     }
-    triangular::matmul(
-        part.subcols_mut(first, count),
-        BlockStructure::TriangularLower,
-        Accum::Add,
-        left,
-        BlockStructure::Rectangular,
-        columns(first..first + count),
-        BlockStructure::Rectangular,
-        1.0,
-        Par::Seq,
-    );
 }
 
 /// [`add_lower`] for few columns.

@@ -1,7 +1,7 @@
 //! A sphere that sticks to a film or to a stack of layers: the flat punch and the growing contact,
 //! each to a tolerance.
 
-use interp::{Material, Quantities};
+use interp::{Curve, Material, Quantities, StackShape};
 
 use crate::Error;
 use crate::domain;
@@ -14,7 +14,7 @@ use crate::stack::Stack;
 use crate::stacked::factors;
 use crate::stick::bodies::Bodies;
 use crate::stick::field::{Field, Waves};
-use crate::stick::growth::{Growth, Grown, grow};
+use crate::stick::growth::{Grown, Growth, grow};
 
 /// The largest contact radius over the thickness of the top layer for which the flat punch with
 /// stick is solved.
@@ -47,6 +47,8 @@ pub struct Sticking {
     factors: Quantities,
     material: Material,
     nu2: f64,
+    /// What a curve of a stack holds beside its quantities.
+    stack: Option<StackShape>,
 }
 
 /// The flat punch with stick, in the unit of the material's quantities.
@@ -82,6 +84,7 @@ impl Sticking {
             factors: Quantities::from_array([1.0; 4]),
             material: *material,
             nu2,
+            stack: None,
         })
     }
 
@@ -102,6 +105,7 @@ impl Sticking {
             factors: factors(&of_top, &material, stack),
             material,
             nu2,
+            stack: Some(stack.shape()),
         })
     }
 
@@ -123,6 +127,25 @@ impl Sticking {
     /// Returns the material of the surface and the base.
     pub fn material(&self) -> &Material {
         &self.material
+    }
+
+    /// Marks a curve of a stack as such.
+    pub(super) fn mark(&self, curve: Curve) -> Curve {
+        match self.stack {
+            Some(shape) => curve.of_stack(shape),
+            None => curve,
+        }
+    }
+
+    /// Returns the load with stick over that without, of a flat punch of radius `a_over_t` at equal
+    /// penetration: the factor by which a model without friction overestimates the stiffness.
+    ///
+    /// # Errors
+    /// As [`Sticking::punch`].
+    pub fn stiffening(&self, a_over_t: f64, tolerance: f64) -> Result<f64, Error> {
+        let sticks = self.punch(a_over_t, tolerance)?;
+        let slides = self.clone().without_friction().punch(a_over_t, tolerance)?;
+        Ok(sticks.eeq_s / slides.eeq_s)
     }
 
     /// Solves the flat punch of radius `a_over_t` to the relative `tolerance`.
@@ -202,7 +225,12 @@ impl Sticking {
     /// [`Error::Domain`] for an argument outside the domain; [`Error::Coupled`] where Dundurs' beta
     /// of sphere and top layer is not 0; [`Error::StickNotConverged`] where double precision does
     /// not allow the tolerance.
-    pub fn grown(&self, a_over_t: f64, exponent: f64, tolerance: f64) -> Result<GrownContact, Error> {
+    pub fn grown(
+        &self,
+        a_over_t: f64,
+        exponent: f64,
+        tolerance: f64,
+    ) -> Result<GrownContact, Error> {
         Error::check("tolerance", tolerance, TIP_TOLERANCE)?;
         Error::check("exponent", exponent, TIP_EXPONENTS)?;
         let most = MOST_OF_TIP / self.thickness_over_top;
@@ -235,7 +263,9 @@ impl Sticking {
             count += 2 + 7 * count / 20;
             let fine = grow(count)?;
             let ratio = fine.points.at.len() as f64 / coarse.points.at.len() as f64;
-            let error = EXTRAPOLATION * coarse.difference(&fine).powf(ratio) + fine.error_of_punches;
+            let change = coarse.difference(&fine);
+            let extrapolated = EXTRAPOLATION * change.powf(ratio);
+            let error = larger(extrapolated, LEAST_SHARE * change) + fine.error_of_punches;
             if error <= tolerance {
                 return Ok(GrownContact {
                     growth: fine,
@@ -308,6 +338,9 @@ const MOST_POINTS: usize = 500;
 
 /// The factor that brings the extrapolated error of a growing contact above the true one.
 const EXTRAPOLATION: f64 = 10.0;
+
+/// The part of the change by the last refinement that the error is taken to be at least.
+const LEAST_SHARE: f64 = 0.1;
 
 /// Returns the number of modes for a punch of radius `x`: twice that of the contact without
 /// friction.
