@@ -154,7 +154,7 @@ mod tests {
         let expected = [
             0.122_080_342_975_348_18 - 1.0,
             -0.237_236_525_712_266,
-            0.799_898_989_537_667_9 - 1.0,
+            0.799_898_987_867_536_8 - 1.0,
         ];
         for (found, expected) in samples.excess.iter().zip(expected) {
             assert!(

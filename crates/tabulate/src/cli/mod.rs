@@ -14,6 +14,7 @@ mod cost;
 mod curve;
 mod default_table;
 mod fit;
+mod friction;
 mod generate;
 mod info;
 mod json;
