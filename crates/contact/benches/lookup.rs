@@ -1,5 +1,5 @@
 //! Measures the time to make a curve and to evaluate it. Only ratios within one run are meaningful:
-//! `cargo bench -p interp`.
+//! `cargo bench -p contact`.
 
 use std::env;
 use std::hint::black_box;

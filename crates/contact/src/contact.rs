@@ -11,6 +11,29 @@ use interp::{Curve, Error, HalfSpace, Mechanics, Quantities, Quantity, System, T
 ///
 /// On a coated substrate it holds the system and the curve of its material, from a table or from a
 /// solve. A half-space needs no curve. Each function is arithmetic with the values of the curve.
+///
+/// ```
+/// # fn main() -> Result<(), interp::Error> {
+/// use contact::{Contact, Control};
+/// use interp::{Elastic, Probe, System, Table};
+///
+/// let system = |probe| {
+///     Ok::<_, interp::Error>(System {
+///         probe,
+///         sphere_modulus: f64::INFINITY, // rigid
+///         film: Elastic::new(2e4, 0.5)?,
+///         film_thickness: 1e-5,
+///         substrate: Elastic::new(5e10, 0.2)?,
+///     })
+/// };
+/// let sphere = Contact::in_table(Table::embedded(), &system(Probe::Sphere { radius: 5e-6 })?)?;
+/// let cone = Contact::in_table(Table::embedded(), &system(Probe::Cone { half_angle: 1.2 })?)?;
+/// for contact in [sphere, cone] {
+///     let pull_off = contact.pull_off(1e-4, Control::Displacement)?;
+///     println!("{:e} N at {:e} m", pull_off.load, pull_off.penetration);
+/// }
+/// # Ok(()) }
+/// ```
 #[derive(Clone, Debug)]
 pub struct Contact {
     pub(crate) mechanics: Mechanics,

@@ -141,7 +141,7 @@ pub enum Error {
         tolerance: f64,
     },
     /// A state whose contact radius is outside the range of a search:
-    /// [`Contact::contact_radius_range`](crate::Contact::contact_radius_range).
+    /// `Contact::contact_radius_range` of the crate `contact`.
     #[error(
         "{name} = {value:?}{} needs a contact radius that {}",
         unit(name),

@@ -27,8 +27,8 @@
 //!
 //! # What changes, and what does not
 //!
-//! The layers enter through the surface compliance `X(kt)` alone (the page `solve/layered.rs` of
-//! the source derives it). With `X` relative to the top layer, Barthel's equations hold as they
+//! The layers enter through the surface compliance `X(kt)` alone (the page `layered.rs` of the source
+//! derives it). With `X` relative to the top layer, Barthel's equations hold as they
 //! stand, and so do the definitions of the four quantities. `E1*` is the reduced modulus of the top
 //! layer and `E0*` that of the base:
 //!

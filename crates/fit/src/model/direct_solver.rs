@@ -19,7 +19,7 @@ const BEGIN: f64 = 1e-4;
 /// earlier. Wider contacts take much longer.
 const OVER_TOP: f64 = 300.0;
 
-/// Makes the contact of a probe on layers from direct solves: a `solver` of [`fit::Layered`].
+/// Makes the contact of a probe on layers from direct solves: a `solver` of [`Layered`].
 ///
 /// The quantities are within 1e-8, from contact radii of 1e-4 of the thickness of the top layer to
 /// the expected reach of the contacts, or to 300 times the thickness of the top layer where that is

@@ -70,7 +70,7 @@ pub struct Curve {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StackShape {
     /// The ratio of stiffnesses of
-    /// [`FilmValidity::compressibility`](crate::FilmValidity::compressibility) over `(a/t)^2`, with
+    /// `FilmValidity::compressibility` of the crate `contact` over `(a/t)^2`, with
     /// the thickness `t` of all layers.
     pub compressibility: f64,
     /// The thickness of the top layer over `t`.

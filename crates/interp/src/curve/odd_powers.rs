@@ -1,7 +1,7 @@
 //! Odd powers of the radius from `Gamma`, `Eeq` and `Delta1` of a curve: the cone, `r^3` and `r^5`.
 //!
 //! The flat punch at all smaller radii determines the contact of every shape, but for a cone only
-//! by its field (see the page `contact/shape/field.rs` of the source): the identity that gives even
+//! by its field (see the page `shape/field.rs` of the crate `contact`, of the source): the identity that gives even
 //! powers from `Gamma` alone needs the field's value on the axis for a cone. A table that holds
 //! `Delta1` saves that work. In the notation of the page `curve/even_powers/mod.rs`,
 //!

@@ -17,33 +17,8 @@ const LARGEST_EXPONENT: f64 = 20.0;
 /// distance `r` from its axis.
 ///
 /// Only the contact without adhesion depends on the shape: the load `F0(a)` and the penetration
-/// `delta0(a)` of [`Contact`](crate::Contact). A film, a substrate and the elasticity of the probe
+/// `delta0(a)`, which the crate `contact` computes. A film, a substrate and the elasticity of the probe
 /// enter as for a sphere. The shape is convex, so that the contact is one disc.
-///
-/// ```
-/// # #[cfg(feature = "embedded")]
-/// # fn main() -> Result<(), interp::Error> {
-/// use interp::{Control, Elastic, Probe, System, Table};
-///
-/// let system = |probe| {
-///     Ok::<_, interp::Error>(System {
-///         probe,
-///         sphere_modulus: f64::INFINITY, // rigid
-///         film: Elastic::new(2e4, 0.5)?,
-///         film_thickness: 1e-5,
-///         substrate: Elastic::new(5e10, 0.2)?,
-///     })
-/// };
-/// let sphere = Contact::in_table(Table::embedded(), &system(Probe::Sphere { radius: 5e-6 })?)?;
-/// let cone = Contact::in_table(Table::embedded(), &system(Probe::Cone { half_angle: 1.2 })?)?;
-/// for contact in [sphere, cone] {
-///     let pull_off = contact.pull_off(1e-4, Control::Displacement)?;
-///     println!("{:e} N at {:e} m", pull_off.load, pull_off.penetration);
-/// }
-/// # Ok(()) }
-/// # #[cfg(not(feature = "embedded"))]
-/// # fn main() {}
-/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub enum Probe {
     /// The paraboloid `f = r^2/(2R)`, which JKR and Barthel's model put in place of a sphere.

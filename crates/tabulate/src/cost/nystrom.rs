@@ -1,6 +1,6 @@
 //! A plain dense solver by Nyström's method, to measure the solve beside it.
 //!
-//! The equation of `solve/galerkin.rs` on Gauss-Legendre abscissae `s_j` with weights `w_j`. The
+//! The equation of `galerkin.rs` on Gauss-Legendre abscissae `s_j` with weights `w_j`. The
 //! kernel is a sum over wave numbers `q`,
 //!
 //! ```text

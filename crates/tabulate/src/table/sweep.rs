@@ -85,7 +85,7 @@ pub type Values = [Option<Vec<f64>>; 5];
 /// result does not depend on the number of threads.
 ///
 /// # Errors
-/// [`Error::NotConverged`] with the point where double precision does not allow the tolerance.
+/// [`solve::Error::NotConverged`] with the point where double precision does not allow the tolerance.
 pub fn sweep(
     scene: &Scene,
     axes: &[(Parameter, Vec<f64>); 4],

@@ -96,7 +96,7 @@ pub struct Row {
     pub e0_over_e2: f64,
     /// The substrate's Poisson ratio.
     pub nu0: f64,
-    /// The method that [`solve`] chose, [`REFUSED`], or [`NYSTROM`].
+    /// The method that [`solve()`] chose, [`REFUSED`], or [`NYSTROM`].
     pub method: String,
     /// The relative tolerance of the solve; for Nyström's method, that of its kernel.
     pub tolerance: f64,
@@ -195,7 +195,7 @@ fn seconds(timing: Timing, contact: &Contact, row: &Row) -> f64 {
     }
 }
 
-/// Returns the row of [`solve`] at a tolerance, without its time.
+/// Returns the row of [`solve()`] at a tolerance, without its time.
 fn row(contact: &Contact, tolerance: f64) -> Row {
     let (x, material) = (contact.a_over_t, contact.material());
     let row = |method: &str| Row {

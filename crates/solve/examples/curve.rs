@@ -1,11 +1,11 @@
 //! Prints the load of one contact from direct solves, without a table.
 //!
-//! Run it by `cargo run --release -p tabulate --no-default-features --example curve`.
+//! Run it by `cargo run --release -p solve --example curve`.
 
 use contact::Contact;
 use interp::{Elastic, Probe, System};
 
-fn main() -> Result<(), tabulate::Error> {
+fn main() -> Result<(), solve::Error> {
     let system = System {
         probe: Probe::Paraboloid { radius: 1e-3 }, // m
         sphere_modulus: 2e6,                       // reduced modulus E2*, Pa
