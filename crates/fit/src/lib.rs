@@ -77,5 +77,5 @@ pub use magnitude::Magnitude;
 pub use model::{
     Bodies, Branch, Cause, DirectSolver, Direction, Experiment, Fixed, Free, Interruptible, Kind,
     Known, Layer, LayerName, Layered, LayeredSolver, Loss, Measurement, Options, Parameter, Point,
-    PointErrors, Prediction, Prior, Reach, Scope, simulate, stack_of, system_on,
+    PointErrors, Prediction, Prior, Reach, Scope, StickSolver, simulate, stack_of, system_on,
 };

@@ -14,6 +14,7 @@ mod agreement;
 mod cycle;
 mod fixed_values;
 mod forecast;
+mod friction;
 mod jkr;
 mod left_out;
 mod loss;

@@ -312,6 +312,8 @@ pub enum WarningKind {
     LongRange,
     /// A penetration that is large beside the thickness of the film.
     LargeStrain,
+    /// Friction, which may change the modulus by more than its standard error.
+    Friction,
     /// Contacts so small or so large beside the film that they hardly tell it.
     FilmNotSeen,
     /// The fit was stopped by the end of the table.
@@ -343,6 +345,7 @@ impl WarningKind {
             Self::LargeContact => "large-contact",
             Self::LongRange => "long-range",
             Self::LargeStrain => "large-strain",
+            Self::Friction => "friction",
             Self::FilmNotSeen => "film-not-seen",
             Self::EndOfTable => "end-of-table",
             Self::SeveralMinima => "several-minima",

@@ -11,7 +11,7 @@ use super::profile::End;
 use super::search::{Data, SHORT};
 use super::uncertainty::{UNDETERMINED, Uncertainty};
 use super::valley::Bend;
-use super::{agreement, cycle, wanted};
+use super::{agreement, cycle, friction, wanted};
 use crate::magnitude::{self, LARGEST_WORK, STIFFNESSES};
 use crate::statistics::missing_runs;
 use crate::{
@@ -65,7 +65,7 @@ pub(super) fn warnings(
         }
     }
     for (e, assigned) in problem.assigned.iter().enumerate() {
-        geometry(&mut warnings, problem, e, assigned, options);
+        geometry(&mut warnings, problem, e, assigned, options, &fit.estimates);
         cycle::add(&mut warnings, problem, e, data.local_noise[e]);
     }
     warnings.0
@@ -391,6 +391,7 @@ fn geometry(
     e: usize,
     assigned: &Assigned,
     options: &Options,
+    estimates: &[Estimate],
 ) {
     let experiment = &assigned.experiment;
     let name = &experiment.measurement.name;
@@ -454,6 +455,16 @@ fn geometry(
             ),
         );
     }
+    let nu2 = experiment.sphere_poisson_ratio;
+    friction::add(
+        warnings,
+        name,
+        &experiment.bodies,
+        nu2,
+        &contact,
+        a,
+        estimates,
+    );
     for parameter in [Parameter::WorkOfAdhesion, Parameter::WorkOfAdhesionReceding] {
         let Some(w) = experiment.get(parameter).filter(|&w| w > 0.0) else {
             continue;

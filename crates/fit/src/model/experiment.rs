@@ -219,7 +219,15 @@ impl Experiment {
             Parameter::FilmModulus | Parameter::FilmPoissonRatio | Parameter::FilmThickness
                 if matches!(self.bodies, Bodies::Layered(_)) =>
             {
-                return None;
+                let Bodies::Layered(layered) = &self.bodies else {
+                    return None;
+                };
+                let film = layered.film()?;
+                match parameter {
+                    Parameter::FilmModulus => film.solid.young(),
+                    Parameter::FilmPoissonRatio => film.solid.poisson(),
+                    _ => film.thickness,
+                }
             }
             Parameter::LayerModulus(name) | Parameter::LayerThickness(name) => {
                 let Bodies::Layered(layered) = &self.bodies else {
@@ -290,6 +298,14 @@ impl Experiment {
         };
         match (&self.bodies, parameter) {
             (Bodies::HalfSpace(_), FilmThickness) => Some("a half-space has no thickness".into()),
+            (Bodies::Layered(layered), FilmModulus | FilmPoissonRatio | FilmThickness)
+                if layered.film().is_some() =>
+            {
+                None
+            }
+            (Bodies::Layered(layered), Parameter::WorkOfAdhesionReceding) => {
+                layered.solver.why_not_receding().map(Into::into)
+            }
             (Bodies::Layered(layered), FilmModulus | FilmPoissonRatio | FilmThickness) => {
                 Some(format!("it has layers instead of one film; {}", names(layered)).into())
             }

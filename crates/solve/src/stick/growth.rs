@@ -32,15 +32,21 @@ use crate::stick::integration::Points;
 pub struct Grown {
     /// `a/t`.
     pub a_over_t: f64,
-    /// The flat punch with stick: `Eeq_s`, `Gamma_s`, `Gamma_t`.
+    /// The stiffness of the flat punch with stick, `S_s = 2 a E* Eeq_s`.
     pub eeq_s: f64,
+    /// The singularity of the normal stress at the edge of this punch.
     pub gamma_s: f64,
+    /// The singularity of the shear stress at the edge of this punch.
     pub gamma_t: f64,
-    /// The contact without adhesion.
+    /// The load without adhesion, `F = a^3 E* Pi_s/(2R)` under a sphere; in general as
+    /// [`PowerLaw::pi`](crate::PowerLaw::pi).
     pub pi_s: f64,
+    /// The penetration without adhesion, `delta = a^2 Delta_s/R` under a sphere; in general as
+    /// [`PowerLaw::delta`](crate::PowerLaw::delta).
     pub delta_s: f64,
-    /// The part that the work of adhesion drives.
+    /// The penetration that the work of adhesion takes off, `(2 pi a w Es*)^{1/2}/(E* Gamma_g)`.
     pub gamma_g: f64,
+    /// The load that it takes off, `2 a E* Eeq_g` times this penetration.
     pub eeq_g: f64,
 }
 

@@ -28,11 +28,13 @@ pub enum Effect {
     Shape,
     /// The range of the attraction. Without it the contact is JKR's. It needs no other table.
     FiniteRange,
+    /// Full friction. Without it the surfaces slide freely, as in the table. It is solved directly.
+    Friction,
 }
 
 impl Effect {
     /// All effects.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 9] = [
         Self::Film,
         Self::SphereCompliance,
         Self::SubstrateCompliance,
@@ -41,6 +43,7 @@ impl Effect {
         Self::Penetration,
         Self::Shape,
         Self::FiniteRange,
+        Self::Friction,
     ];
 
     /// Returns the name in words.
@@ -54,6 +57,7 @@ impl Effect {
             Self::Penetration => "penetration",
             Self::Shape => "shape",
             Self::FiniteRange => "finite range",
+            Self::Friction => "friction",
         }
     }
 
@@ -68,6 +72,7 @@ impl Effect {
             Self::Penetration => "no delta0",
             Self::Shape => "paraboloid for the sphere, a = 0.3 R",
             Self::FiniteRange => "JKR at a Tabor parameter of 5",
+            Self::Friction => "no friction, in place of full friction",
         }
     }
 
@@ -86,13 +91,14 @@ impl Effect {
             Self::Penetration => held(Quantity::Delta0),
             // The curve of a shape needs all quantities.
             Self::Shape => Quantity::ALL.into_iter().all(held),
+            Self::Friction => true,
         }
     }
 
     /// Whether a contact with the effect takes the same table. The effect costs time at each lookup
     /// instead.
     pub const fn needs_no_table(self) -> bool {
-        matches!(self, Self::Shape | Self::FiniteRange)
+        matches!(self, Self::Shape | Self::FiniteRange | Self::Friction)
     }
 
     /// Returns the scene without the effect; none if a closed form replaces the table.
@@ -120,7 +126,7 @@ impl Effect {
             Self::Penetration => variant
                 .quantities
                 .retain(|quantity| !matches!(quantity, Quantity::Delta0 | Quantity::Delta1)),
-            Self::Shape | Self::FiniteRange => {}
+            Self::Shape | Self::FiniteRange | Self::Friction => {}
         }
         Some(variant)
     }

@@ -4,6 +4,7 @@ use interp::{Material, Normalisation};
 
 use super::Effect;
 use super::finite_range::error_of_jkr;
+use super::friction::error_without;
 use super::shape::error_of_paraboloid;
 use crate::Error;
 use solve::solve;
@@ -25,7 +26,8 @@ pub const STRENGTHS: [f64; 2] = [0.01, 2.0];
 /// For [`Effect::Shape`], `F` and `F0` are those under the sphere itself at `a` =
 /// [`A_OVER_R`](super::A_OVER_R) `R`. For [`Effect::FiniteRange`] the error is that of JKR's pull-off
 /// load, relative to itself, under a sphere that pulls off at this contact radius, at Tabor's
-/// parameter [`TABOR`](super::TABOR).
+/// parameter [`TABOR`](super::TABOR). For [`Effect::Friction`] `F` is the load of a flat punch with
+/// full friction, at the same penetration.
 ///
 /// # Errors
 /// Those of the solve.
@@ -40,6 +42,7 @@ pub fn errors(
         match effect {
             Effect::Shape => return error_of_paraboloid(a_over_t, material, Load::TOLERANCE),
             Effect::FiniteRange => return error_of_jkr(a_over_t, material, Load::TOLERANCE),
+            Effect::Friction => return error_without(a_over_t, material),
             _ => {}
         }
         let without = truth.without(effect, a_over_t, material)?;
@@ -101,7 +104,9 @@ impl Load {
                 adhesion: 0.0,
                 ..self
             }),
-            Effect::Penetration | Effect::Shape | Effect::FiniteRange => Ok(self),
+            Effect::Penetration | Effect::Shape | Effect::FiniteRange | Effect::Friction => {
+                Ok(self)
+            }
         }
     }
 }
