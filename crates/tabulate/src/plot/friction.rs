@@ -46,7 +46,8 @@ pub fn data() -> Result<Vec<Vec<Point>>, Error> {
     let curves = [sticks.receding(1.0)?, curve(&soft, A_OVER_T, TOLERANCE)?];
     let [from, to] = THICKNESS;
     let thickness = |i: usize| from * (to / from).powf(i as f64 / (POINTS - 1) as f64);
-    let rows = try_map((0..POINTS).map(thickness), |t| {
+    let rows = try_map(0..POINTS, |i| {
+        let t = thickness(i);
         let x = RADIUS / t;
         let narrow = x <= A_OVER_T[1];
         let of_rigid = narrow.then(|| rigid_film.stiffening(x, 1e-6)).transpose()?;
