@@ -41,6 +41,7 @@ from ._errors import (
     ExtrapolationError,
     FitError,
     FixedParameterError,
+    FrictionError,
     GenerationError,
     InvalidArgumentError,
     LongZoneError,
@@ -100,6 +101,7 @@ from ._results import (
 from ._short_range import ShortRange
 from ._solve import Solution, solve, solve_stack
 from ._stack import Layer, Stack, StackSystem
+from ._stick import StickPunch, solve_stick_punch
 from ._table import Table
 from ._validity import AdhesionRange, Validity
 
@@ -130,6 +132,7 @@ __all__ = [
     "FitWarning",
     "FittedExperiment",
     "FixedParameterError",
+    "FrictionError",
     "FixedValue",
     "FlatEndedCone",
     "FlatPunch",
@@ -171,6 +174,7 @@ __all__ = [
     "StackSystem",
     "State",
     "States",
+    "StickPunch",
     "System",
     "Table",
     "TableError",
@@ -189,4 +193,5 @@ __all__ = [
     "simulate",
     "solve",
     "solve_stack",
+    "solve_stick_punch",
 ]
