@@ -14,9 +14,16 @@ fn stick(criterion: &mut Criterion) {
     for a_over_t in [1.0, 10.0, 30.0] {
         for (name, material) in [("0.5", incompressible), ("0.3", compressible)] {
             let sticking = Sticking::on_film(&material, 0.5).expect("physical");
-            criterion.bench_function(&format!("punch, stick, nu1 = {name}, a/t = {a_over_t}"), |b| {
-                b.iter(|| sticking.punch(black_box(a_over_t), 1e-10).expect("converges"));
-            });
+            criterion.bench_function(
+                &format!("punch, stick, nu1 = {name}, a/t = {a_over_t}"),
+                |b| {
+                    b.iter(|| {
+                        sticking
+                            .punch(black_box(a_over_t), 1e-10)
+                            .expect("converges")
+                    });
+                },
+            );
             criterion.bench_function(
                 &format!("contact, no friction, nu1 = {name}, a/t = {a_over_t}"),
                 |b| b.iter(|| solve(black_box(a_over_t), &material, 1e-10).expect("converges")),

@@ -442,7 +442,7 @@ fn geometry(
     }
     if let Some(strain) = strain(&contact, &experiment.bodies, a).filter(|s| *s > SMALL_STRAIN) {
         let what = match experiment.bodies {
-            Bodies::Layered(_) => "stack of layers",
+            Bodies::Layered(ref layered) if layered.film().is_none() => "stack of layers",
             _ => "film",
         };
         warnings.add(

@@ -85,7 +85,7 @@ fn load_at_equal_penetration([stick, slide]: &[Curve; 2], x: f64) -> Result<f64,
 }
 
 /// Returns the pull-off load with stick over that without friction, of a film of thickness `t`;
-/// `None` where the contact is too wide.
+/// `None` where the contact is too wide, and where friction does not lower the load.
 fn pull_off_at(curves: &[Curve; 2], t: f64) -> Result<Option<f64>, Error> {
     let mut loads = [0.0; 2];
     for (load, curve) in loads.iter_mut().zip(curves) {
@@ -96,7 +96,7 @@ fn pull_off_at(curves: &[Curve; 2], t: f64) -> Result<Option<f64>, Error> {
             Err(error) => return Err(error.into()),
         }
     }
-    Ok(Some(loads[0] / loads[1]))
+    Ok(Some(loads[0] / loads[1]).filter(|ratio| *ratio < 1.0))
 }
 
 /// Draws the lines.
@@ -106,7 +106,7 @@ pub fn figure(lines: &[Vec<Point>]) -> Figure {
         Axis::logarithmic("film thickness, μm", THICKNESS.map(|t| 1e6 * t)),
         Axis::logarithmic("change by full friction, %", [1e-3, 1e2]),
     );
-    panel.horizontal_guide(10.0, "deviation of the measured modulus", Side::Left);
+    panel.horizontal_guide(10.0, "measured: modulus of thin films too low", Side::Left);
     for (((name, points), colour), (place, side)) in LINES
         .iter()
         .zip(lines)
