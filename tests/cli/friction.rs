@@ -79,7 +79,7 @@ fn solve_prints_the_numbers_of_stick() {
 
     // The Poisson ratio of the sphere, and points of a file with empty cells.
     let of_sphere = |nu2: &str| {
-        let text = workdir.succeed(&[
+        let run = workdir.run(&[
             "solve",
             "--a-over-t",
             "0.5",
@@ -94,7 +94,7 @@ fn solve_prints_the_numbers_of_stick() {
             "--nu2",
             nu2,
         ]);
-        value(&text, "eeq_s")
+        value(&run.stdout, "eeq_s")
     };
     assert!((of_sphere("0.4") / 0.781_982_900_326_427_8 - 1.0).abs() < 1e-10);
     assert!((of_sphere("0.4") - of_sphere("0.5")).abs() > 1e-6);

@@ -60,9 +60,9 @@ fn punches_agree_and_the_stated_error_bounds_the_true_one() {
         worst[wide] = larger(worst[wide], error);
         rows[wide] += 1;
     }
-    println!("largest errors of {rows:?} punches: {worst:.1e?}");
+    println!("largest errors of {rows:?} punches: {worst:?}");
     assert!(rows[0] >= 44 && rows[1] <= 1, "{rows:?}");
-    assert!(worst[0] <= 1e-10 && worst[1] <= 5e-10, "{worst:e?}");
+    assert!(worst[0] <= 1e-10 && worst[1] <= 5e-10, "{worst:?}");
 }
 
 /// Sphere, cone and fourth power, and the part that the work of adhesion drives. Measured: 1.0e-9
@@ -240,7 +240,7 @@ fn the_energy_release_rate_is_that_of_the_compliance() {
         "by differences {:.1e}, at the edge {:.1e}",
         worst[0], worst[1]
     );
-    assert!(worst[0] <= 1e-10 && worst[1] <= 1e-11, "{worst:e?}");
+    assert!(worst[0] <= 1e-10 && worst[1] <= 1e-11, "{worst:?}");
 }
 
 /// `3 Pi_s + x Pi_s' = 4 Eeq_s (2 Delta_s + x Delta_s')` (`dF = S_s d delta`), and
@@ -278,7 +278,7 @@ fn growing_contacts_obey_their_identities() {
         }
     }
     println!("load {:.1e}, work of adhesion {:.1e}", worst[0], worst[1]);
-    assert!(worst[0] <= 1e-8 && worst[1] <= 1e-7, "{worst:e?}");
+    assert!(worst[0] <= 1e-8 && worst[1] <= 1e-7, "{worst:?}");
 }
 
 /// `artanh(beta)/beta`.
@@ -346,11 +346,9 @@ fn wide_contacts_approach_the_base() {
         let beta0 = (1.0 - 2.0 * nu0) / (2.0 * (1.0 - nu0));
         let limit = of.sphere_substrate_modulus() * factor(beta0);
         let distance = |x: f64| sticking.punch(x, 1e-7).expect("converges").eeq_s / limit - 1.0;
-        let [near, far] = [40.0, 160.0].map(|x: f64| distance(x) * x / x.ln());
-        println!("{nu1}, {nu0}: {:.1e} at 160", distance(160.0));
-        assert!(distance(160.0).abs() < 0.03);
-        // A quarter of the distance, but for the logarithm and a constant beside it.
-        assert!((far / near - 1.0).abs() < 0.4, "{near}, {far}");
+        let [near, far] = [30.0, 200.0].map(distance);
+        println!("{nu1}, {nu0}: {near:.1e} at 30, {far:.1e} at 200");
+        assert!(far.abs() < 0.01 && far.abs() < 0.5 * near.abs());
     }
 }
 
@@ -389,7 +387,7 @@ fn without_friction_the_numbers_are_those_of_the_frictionless_solver() {
             .without_friction();
         for x in [0.1, 1.0, 3.0] {
             let punch = film.punch(x, 1e-12).expect("converges");
-            let (known, laws) = solve_power_laws(x, &of, &[4.0], 1e-13).expect("converges");
+            let (known, laws) = solve_power_laws(x, &of, &[4.0], 1e-12).expect("converges");
             let known = known.quantities;
             of_punches = larger(of_punches, relative(punch.eeq_s, known.eeq));
             of_punches = larger(of_punches, relative(punch.gamma_eff, known.gamma));
@@ -523,7 +521,7 @@ fn pull_offs_of_three_histories_agree() {
 }
 
 /// Load with stick over load without at equal penetration, without attraction, and the ratio of the
-/// stiffnesses of the punch. By another program.
+/// stiffnesses of the punch, at the `a/t` of the contact with stick. By another program.
 const RATIOS: [[f64; 3]; 6] = [
     [0.3, 1.0008, 1.0015],
     [1.0, 1.058, 1.086],
@@ -542,23 +540,19 @@ fn the_size_of_friction_agrees() {
         let ratio = film.stiffening(x, 1e-6).expect("converges");
         assert!((ratio / of_punch - 1.0).abs() < 5e-4, "{x}: {ratio}");
         // The contact without friction that is as deep.
-        let deep = x * x * solve(x, &of, 1e-8).expect("converges").quantities.delta0;
-        let (mut low, mut high) = (0.5 * x, 1.2 * x);
-        for _ in 0..60 {
+        let at = curves.at(x);
+        let without = |x: f64| solve(x, &of, 1e-9).expect("converges").quantities;
+        let (mut low, mut high) = (0.8 * x, 2.0 * x);
+        for _ in 0..50 {
             let middle = 0.5 * (low + high);
-            if middle * middle * curves.at(middle).delta_s < deep {
+            if middle * middle * without(middle).delta0 < x * x * at.delta_s {
                 low = middle;
             } else {
                 high = middle;
             }
         }
-        let with = low.powi(3) * curves.at(low).pi_s;
-        let without = x.powi(3) * solve(x, &of, 1e-8).expect("converges").quantities.pi0;
-        assert!(
-            (with / without / of_load - 1.0).abs() < 5e-4,
-            "{x}: {}",
-            with / without
-        );
+        let ratio = x.powi(3) * at.pi_s / (low.powi(3) * without(low).pi0);
+        assert!((ratio / of_load - 1.0).abs() < 5e-4, "{x}: {ratio}");
     }
 }
 
@@ -601,9 +595,9 @@ fn what_is_not_solved_is_refused() {
         panic!("{error}");
     };
     assert!((beta - 2.0 / 7.0).abs() < 1e-15);
-    assert!((factor - 1.0281).abs() < 1e-4, "{factor}");
+    assert!((factor - 1.0286).abs() < 1e-4, "{factor}");
     assert!(
-        error.to_string().contains("artanh(beta)/beta = 1.028"),
+        error.to_string().contains("artanh(beta)/beta = 1.0286"),
         "{error}"
     );
     // A film that is nearly incompressible is not taken for an incompressible one.

@@ -233,8 +233,6 @@ impl Sticking {
     ) -> Result<GrownContact, Error> {
         Error::check("tolerance", tolerance, TIP_TOLERANCE)?;
         Error::check("exponent", exponent, TIP_EXPONENTS)?;
-        let most = MOST_OF_TIP / self.thickness_over_top;
-        Error::check("a_over_t", a_over_t, [LEAST_A_OVER_T, most])?;
         if self.bodies.beta != 0.0 {
             return Err(Error::Coupled {
                 beta: self.bodies.beta,
@@ -243,20 +241,23 @@ impl Sticking {
                 nu2: self.nu2,
             });
         }
+        let most = MOST_OF_TIP / self.thickness_over_top;
+        Error::check("a_over_t", a_over_t, [LEAST_A_OVER_T, most])?;
         let x = a_over_t * self.thickness_over_top;
         let not_converged = |reached| Error::StickNotConverged {
             a_over_t,
             tolerance,
             reached,
         };
-        let of_punches = 0.1 * tolerance;
+        // Errors of the punches grow where the equation differentiates them.
+        let of_punches = (SHARE_OF_PUNCHES * tolerance).max(FINEST);
         let waves = Waves::new(&self.bodies, self.panels(x, 0.1 * of_punches));
         let grow = |count: usize| {
             grow(&waves, x, exponent, count, |x| modes(x, of_punches))
                 .ok_or_else(|| not_converged(f64::INFINITY))
         };
         let digits = -tolerance.log10();
-        let mut count = ((12.0 + 5.0 * x) * (0.35 + 0.07 * digits)).ceil() as usize;
+        let mut count = ((12.0 + 5.0 * x) * (0.4 + 0.09 * digits)).ceil() as usize;
         let mut coarse = grow(count)?;
         let mut reached = f64::INFINITY;
         while count < MOST_POINTS {
@@ -274,10 +275,12 @@ impl Sticking {
                     error,
                 });
             }
-            reached = larger(0.0, error).min(reached);
-            if fine.error_of_punches > tolerance {
+            // Where only rounding is left, more points do not help.
+            if fine.error_of_punches > tolerance || error > STALLED * reached {
+                reached = reached.min(error);
                 break;
             }
+            reached = larger(0.0, error);
             coarse = fine;
         }
         Err(not_converged(reached))
@@ -340,7 +343,13 @@ const MOST_POINTS: usize = 500;
 const EXTRAPOLATION: f64 = 10.0;
 
 /// The part of the change by the last refinement that the error is taken to be at least.
-const LEAST_SHARE: f64 = 0.1;
+const LEAST_SHARE: f64 = 0.5;
+
+/// The share of the tolerance of a growing contact for its punches.
+const SHARE_OF_PUNCHES: f64 = 3e-3;
+
+/// The part of the error of the round before above which a refinement has not helped.
+const STALLED: f64 = 0.7;
 
 /// Returns the number of modes for a punch of radius `x`: twice that of the contact without
 /// friction.
