@@ -2,7 +2,7 @@
 //! laws of friction.
 
 use contact::Contact;
-use solve::stack::{Layer, Stack};
+use solve::stack::{Interface, Layer, Stack};
 use solve::stick::{MOST_OF_PUNCH, Sticking};
 
 use super::warnings::Warnings;
@@ -76,6 +76,7 @@ fn stiffening(bodies: &Bodies, nu2: f64, a: f64) -> Option<f64> {
             let film = Layer {
                 solid: system.film,
                 thickness: system.film_thickness,
+                interface: Interface::Bonded,
             };
             (system.substrate, system.sphere_modulus, vec![film])
         }
@@ -83,6 +84,7 @@ fn stiffening(bodies: &Bodies, nu2: f64, a: f64) -> Option<f64> {
             let layers = layered.layers.iter().map(|layer| Layer {
                 solid: layer.solid,
                 thickness: layer.thickness,
+                interface: layer.interface,
             });
             (layered.base, layered.sphere_modulus, layers.collect())
         }

@@ -15,6 +15,7 @@ mod cycle;
 mod fixed_values;
 mod forecast;
 mod friction;
+mod interfaces;
 mod jkr;
 mod left_out;
 mod loss;

@@ -57,6 +57,7 @@ fn extend<S: Simd>(simd: S, surface: &LayeredCompliance, q: &[f64], samples: &mu
         // The last group is filled up with its last wave number.
         let mut wave_numbers = S::f64s::splat(simd, group[group.len() - 1]);
         wave_numbers.as_mut_slice()[..group.len()].copy_from_slice(group);
+        let wave_numbers = wave_numbers + surface.least();
         let [y, z] = surface.below_top(simd, wave_numbers);
         let [excess, slope] = at_top(simd, surface.top(), wave_numbers, y, z);
         for i in 0..3 {

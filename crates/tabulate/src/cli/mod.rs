@@ -18,6 +18,7 @@ mod fit;
 mod friction;
 mod generate;
 mod info;
+mod interface;
 mod json;
 mod man;
 mod output;

@@ -4,9 +4,10 @@ use std::path::{Path, PathBuf};
 
 use anyhow::ensure;
 use clap::ValueHint;
-use interp::Material;
+use interp::{Elastic, Material, Normalisation, Probe, System};
 
 use super::friction::{self, FrictionArguments};
+use super::interface::{self, Word};
 use super::json::Number;
 use super::output::Output;
 use super::points::{Answer, Given, Points, number};
@@ -14,6 +15,7 @@ use super::quantity::{modulus, number as plain};
 use super::stack_file;
 use super::{note, print};
 use crate::table::DEFAULT_NU0;
+use solve::stack::{Interface, Stack};
 use solve::stick::Sticking;
 use solve::{PowerLaw, Solution, solve_power_laws, solve_stack_power_laws};
 
@@ -35,6 +37,7 @@ const TOLERANCE: f64 = 1e-10;
     "tabulate solve --a-over-t 1 --e1-over-e2 0 --nu1 0.3 --e0-over-e2 inf --json",
     "tabulate solve --points tables/points.csv -o solved.csv",
     "tabulate solve --points tables/points.csv --exponent 1 --exponent 4",
+    "tabulate solve --a-over-t 1 --e1-over-e2 1.75 --nu1 0.5 --e0-over-e2 inf --interface sliding",
     "tabulate solve --stack tables/stacks/primer.toml --sphere-modulus 2e6 --a-over-t 6.5",
     "tabulate solve --a-over-t 2 --e1-over-e2 0 --nu1 0.5 --e0-over-e2 inf --friction stick",
 ))]
@@ -75,6 +78,22 @@ pub struct Arguments {
     /// CSV with the columns a_over_t, e1_over_e2, nu1, e0_over_e2 and perhaps nu0, in any order
     #[arg(long, value_name = "IN.csv", conflicts_with_all = ["a_over_t", "e1_over_e2", "nu1", "e0_over_e2", "json"])]
     points: Option<PathBuf>,
+    /// What joins the film to the substrate [default: bonded]
+    ///
+    /// A film that slides has no friction on its substrate, as on a lubricant. It is held by
+    /// tension where it would rise: a dry film that lifts off is not modelled.
+    #[arg(long, value_enum, conflicts_with_all = ["stack", "interface_stiffness"])]
+    interface: Option<Word>,
+    /// Springs between film and substrate, in units of E2*/t, under a rigid sphere of E1/t: the
+    /// tangential stiffness, and perhaps the normal one [default: inf]. 0 slides, inf is bonded
+    #[arg(
+        long,
+        value_name = "KT[,KN]",
+        conflicts_with = "stack",
+        value_parser = springs,
+        allow_hyphen_values = true
+    )]
+    interface_stiffness: Option<[f64; 2]>,
     #[arg(
         long,
         value_name = "STACK.toml",
@@ -111,8 +130,10 @@ pub struct Arguments {
     exponents: Vec<f64>,
     /// Print one JSON object
     ///
-    /// The fields are a_over_t, e1_over_e2, nu1, e0_over_e2, nu0, pi0, eeq, gamma, delta0, error,
-    /// pi_N and delta_N of each exponent, the numbers of --friction stick, normalised_by, modes and method (of the solve). With
+    /// The fields are a_over_t, e1_over_e2, nu1, e0_over_e2, nu0, with an interface
+    /// interface_stiffness (tangential and normal), pi0, eeq, gamma, delta0, error,
+    /// pi_N and delta_N of each exponent, the numbers of --friction stick, normalised_by, modes and method
+    /// (of the solve). With
     /// --stack, sphere_modulus, thickness and layers (their number) stand in place of e1_over_e2 to
     /// nu0. An infinite number is the text "inf".
     #[arg(long)]
@@ -140,14 +161,17 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         given(arguments.e0_over_e2),
     );
     let material = Material::new(e1, nu1, e0, arguments.nu0)?;
-    let tolerance = arguments.tolerance.unwrap_or(TOLERANCE);
-    let solution = solve_power_laws(a_over_t, &material, exponents, tolerance)?;
+    let solution = solve_film(arguments, a_over_t, &material)?;
     let sticking = arguments.friction.sticks();
-    let sticking = sticking.map(|nu2| Sticking::on_film(&material, nu2));
+    let sticking = sticking.map(|nu2| sticking_film(arguments, &material, nu2));
     let stick = stick(arguments, a_over_t, sticking)?;
-    let contact = serde_json::json!({
+    let mut contact = serde_json::json!({
         "a_over_t": a_over_t, "e1_over_e2": e1, "nu1": nu1, "e0_over_e2": Number(e0), "nu0": arguments.nu0,
     });
+    if arguments.interface.is_some() || arguments.interface_stiffness.is_some() {
+        contact["interface_stiffness"] =
+            serde_json::json!(arguments.interface().stiffnesses().map(Number));
+    }
     print_solution(arguments, contact, &solution, stick, &material)
 }
 
@@ -155,7 +179,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
 fn stick(
     arguments: &Arguments,
     a_over_t: f64,
-    sticking: Option<Result<Sticking, solve::Error>>,
+    sticking: Option<anyhow::Result<Sticking>>,
 ) -> anyhow::Result<Option<[Option<f64>; 9]>> {
     let Some(sticking) = sticking else {
         return Ok(None);
@@ -179,7 +203,8 @@ fn solve_layers(arguments: &Arguments, path: &Path) -> anyhow::Result<()> {
         arguments.tolerance.unwrap_or(TOLERANCE),
     )?;
     let sticking = arguments.friction.sticks();
-    let sticking = sticking.map(|nu2| Sticking::on_stack(stack, sphere_modulus, nu2));
+    let sticking =
+        sticking.map(|nu2| Ok(Sticking::on_stack(stack, sphere_modulus, nu2)?));
     let stick = stick(arguments, a_over_t, sticking)?;
     let contact = serde_json::json!({
         "a_over_t": a_over_t, "sphere_modulus": Number(sphere_modulus), "thickness": stack.thickness(),
@@ -192,6 +217,62 @@ fn solve_layers(arguments: &Arguments, path: &Path) -> anyhow::Result<()> {
         stick,
         &stack.material(sphere_modulus)?,
     )
+}
+
+/// Solves one film on its substrate, with the interface that is asked for.
+fn solve_film(
+    arguments: &Arguments,
+    a_over_t: f64,
+    material: &Material,
+) -> anyhow::Result<(Solution, Vec<PowerLaw>)> {
+    let exponents = &arguments.exponents;
+    let tolerance = arguments.tolerance.unwrap_or(TOLERANCE);
+    Ok(match joined_film(arguments, material)? {
+        None => solve_power_laws(a_over_t, material, exponents, tolerance)?,
+        Some((stack, sphere)) => {
+            solve_stack_power_laws(a_over_t, &stack, sphere, exponents, tolerance)?
+        }
+    })
+}
+
+/// Puts a sphere that sticks on one film, with the interface that is asked for.
+fn sticking_film(arguments: &Arguments, material: &Material, nu2: f64) -> anyhow::Result<Sticking> {
+    Ok(match joined_film(arguments, material)? {
+        None => Sticking::on_film(material, nu2)?,
+        Some((stack, sphere)) => Sticking::on_stack(&stack, sphere, nu2)?,
+    })
+}
+
+/// Returns a film that is not bonded as a stack, with the modulus of the sphere, in the units of the
+/// flags: E2* or E1, and the thickness of the film. Returns `None` for a bonded film.
+fn joined_film(arguments: &Arguments, material: &Material) -> anyhow::Result<Option<(Stack, f64)>> {
+    let interface = arguments.interface();
+    if interface.is_bonded() {
+        return Ok(None);
+    }
+    let rigid = material.normalisation() == Normalisation::Film;
+    let e1 = if rigid { 1.0 } else { material.e1_over_e2() };
+    let system = System {
+        probe: Probe::Paraboloid { radius: 1.0 },
+        sphere_modulus: if rigid { f64::INFINITY } else { 1.0 },
+        film: Elastic::new(e1, material.nu1())?,
+        film_thickness: 1.0,
+        substrate: Elastic::new(material.e0_over_e2(), material.nu0())?,
+    };
+    let stack = interface::one_film(&system, interface)?.stack;
+    Ok(Some((stack, system.sphere_modulus)))
+}
+
+/// Reads stiffnesses without a unit.
+fn springs(text: &str) -> Result<[f64; 2], String> {
+    interface::pair(text, None)
+}
+
+impl Arguments {
+    /// Returns the interface between film and substrate.
+    fn interface(&self) -> Interface {
+        interface::interface(self.interface, self.interface_stiffness)
+    }
 }
 
 /// Returns the value of an argument that clap requires.
@@ -252,19 +333,34 @@ fn print_solution(
 fn solve_file(arguments: &Arguments, path: &Path) -> anyhow::Result<()> {
     let output = Output::new(arguments.output.as_deref(), [Some(path)])?;
     let points = Points::open(path, Given::Films { nu0: arguments.nu0 })?;
-    let tolerance = arguments.tolerance.unwrap_or(TOLERANCE);
-    points.answer("solving", &output, &further_columns(arguments), |point| {
-        let (solution, power_laws) = solve_power_laws(
-            point.a_over_t,
-            &point.material,
-            &arguments.exponents,
-            tolerance,
-        )?;
-        let mut further: Vec<Option<f64>> = numbers(&power_laws).map(Some).collect();
-        if let Some(nu2) = arguments.friction.sticks() {
-            let sticking = Sticking::on_film(&point.material, nu2)?;
-            further.extend(friction::numbers(&sticking, point.a_over_t, arguments.tolerance)?.0);
-        }
+    let solution = solve_film(arguments, a_over_t, &material)?;
+    let sticking = arguments.friction.sticks();
+    let sticking = sticking.map(|nu2| sticking_film(arguments, &material, nu2));
+    let stick = stick(arguments, a_over_t, sticking)?;
+    let mut contact = serde_json::json!({
+        "a_over_t": a_over_t, "e1_over_e2": e1, "nu1": nu1, "e0_over_e2": Number(e0), "nu0": arguments.nu0,
+    });
+    if arguments.interface.is_some() || arguments.interface_stiffness.is_some() {
+        contact["interface_stiffness"] =
+            serde_json::json!(arguments.interface().stiffnesses().map(Number));
+    }
+    print_solution(arguments, contact, &solution, stick, &material)
+}
+
+/// Solves the numbers of friction, if they are asked for, and tells in a note why some are missing.
+fn stick(
+    arguments: &Arguments,
+    a_over_t: f64,
+    sticking: Option<anyhow::Result<Sticking>>,
+) -> anyhow::Result<Option<[Option<f64>; 9]>> {
+    let Some(sticking) = sticking else {
+        return Ok(None);
+    };
+    let (numbers, missing) = friction::numbers(&sticking?, a_over_t, arguments.tolerance)?;
+    if let Some(reason) = missing {
+        note(&format!("the numbers of a sphere are left out: {reason}"));
+    }
+    Ok(Some(numbers))
         Ok(Answer {
             values: solution.quantities.to_array().map(Some),
             error: solution.error,

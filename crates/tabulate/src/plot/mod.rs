@@ -17,6 +17,7 @@ pub mod fig4;
 pub mod fit;
 pub mod force_displacement;
 pub mod friction;
+pub mod interface;
 mod labels;
 pub mod lookup_cost;
 pub mod paper;
@@ -43,8 +44,8 @@ mod tests {
     use super::chart::Figure;
     use super::picture::Format;
     use super::{
-        effects, fig2, fig3, fig4, force_displacement, friction, lookup_cost, pull_off, table_cost,
-        work_precision,
+        effects, fig2, fig3, fig4, force_displacement, friction, interface, lookup_cost, pull_off,
+        table_cost, work_precision,
     };
     use crate::Error;
     use crate::cost::{Measurement, read_csv};
@@ -131,6 +132,10 @@ mod tests {
         assert_clear(
             "pull-off",
             &pull_off::figure(&pull_off::data().expect("within reach")),
+        );
+        assert_clear(
+            "interface",
+            &interface::figure(&interface::data().expect("within reach")),
         );
     }
 

@@ -28,13 +28,16 @@ pub enum Effect {
     Shape,
     /// The range of the attraction. Without it the contact is JKR's. It needs no other table.
     FiniteRange,
+    /// The interface between film and substrate: the film slides. Without it the film is bonded. It
+    /// needs no table.
+    Interface,
     /// Full friction. Without it the surfaces slide freely, as in the table. It is solved directly.
     Friction,
 }
 
 impl Effect {
     /// All effects.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 10] = [
         Self::Film,
         Self::SphereCompliance,
         Self::SubstrateCompliance,
@@ -43,6 +46,7 @@ impl Effect {
         Self::Penetration,
         Self::Shape,
         Self::FiniteRange,
+        Self::Interface,
         Self::Friction,
     ];
 
@@ -57,6 +61,7 @@ impl Effect {
             Self::Penetration => "penetration",
             Self::Shape => "shape",
             Self::FiniteRange => "finite range",
+            Self::Interface => "interface",
             Self::Friction => "friction",
         }
     }
@@ -72,6 +77,7 @@ impl Effect {
             Self::Penetration => "no delta0",
             Self::Shape => "paraboloid for the sphere, a = 0.3 R",
             Self::FiniteRange => "JKR at a Tabor parameter of 5",
+            Self::Interface => "bonded film where it slides",
             Self::Friction => "no friction, in place of full friction",
         }
     }
@@ -91,6 +97,7 @@ impl Effect {
             Self::Penetration => held(Quantity::Delta0),
             // The curve of a shape needs all quantities.
             Self::Shape => Quantity::ALL.into_iter().all(held),
+            Self::Interface => true,
             Self::Friction => true,
         }
     }
@@ -98,7 +105,10 @@ impl Effect {
     /// Whether a contact with the effect takes the same table. The effect costs time at each lookup
     /// instead.
     pub const fn needs_no_table(self) -> bool {
-        matches!(self, Self::Shape | Self::FiniteRange | Self::Friction)
+        matches!(
+            self,
+            Self::Shape | Self::FiniteRange | Self::Interface | Self::Friction
+        )
     }
 
     /// Returns the scene without the effect; none if a closed form replaces the table.
@@ -126,7 +136,7 @@ impl Effect {
             Self::Penetration => variant
                 .quantities
                 .retain(|&quantity| quantity != Quantity::Delta0),
-            Self::Shape | Self::FiniteRange | Self::Friction => {}
+            Self::Shape | Self::FiniteRange | Self::Interface | Self::Friction => {}
         }
         Some(variant)
     }

@@ -2,12 +2,13 @@
 //!
 //! `effect` names the effects and makes the scene without one, `load` computes the error of the
 //! load, `shape` that of the paraboloid and the time that the sphere itself takes, `finite_range` that
-//! of JKR's pull-off and the time of its correction, `friction` those of full friction, `summary`
-//! prints the rows.
+//! of JKR's pull-off and the time of its correction, `interface` a film that slides, `friction` full
+//! friction, `summary` prints the rows.
 
 mod effect;
 mod finite_range;
 mod friction;
+mod interface;
 mod load;
 mod shape;
 mod summary;
@@ -63,8 +64,8 @@ pub struct Row {
     /// Largest error of the load over the scene.
     pub worst_error: f64,
     /// Time of what the effect slows down, with it over without it: to make the contact of a new
-    /// material for the shape, to find a pull-off for the finite range, to solve a curve for friction. None for the effects that
-    /// make the table larger instead.
+    /// material for the shape and the interface, to find a pull-off for the finite range, to solve a
+    /// curve for friction. None for the effects that make the table larger instead.
     #[serde(default)]
     pub time_ratio: Option<f64>,
 }
@@ -128,6 +129,7 @@ pub fn measure(
         Ok(match without {
             Some(Effect::Shape) => Some(shape::time_ratio(timing)?),
             Some(Effect::FiniteRange) => Some(finite_range::time_ratio(timing)?),
+            Some(Effect::Interface) => Some(interface::time_ratio(timing)?),
             Some(Effect::Friction) => Some(friction::time_ratio(timing)?),
             _ => None,
         })
