@@ -16,8 +16,8 @@ use crate::cost::{Measurement, read_csv};
 use crate::plot::chart;
 use crate::plot::picture::Format;
 use crate::plot::{
-    effects, error_map, fig2, fig3, fig4, force_displacement, friction, interface, lookup_cost, pull_off,
-    table_cost, work_precision,
+    effects, error_map, fig2, fig3, fig4, force_displacement, friction, interface, lookup_cost,
+    pull_off, table_cost, work_precision,
 };
 
 /// Draw a figure as SVG or PNG

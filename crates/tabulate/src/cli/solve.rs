@@ -203,8 +203,7 @@ fn solve_layers(arguments: &Arguments, path: &Path) -> anyhow::Result<()> {
         arguments.tolerance.unwrap_or(TOLERANCE),
     )?;
     let sticking = arguments.friction.sticks();
-    let sticking =
-        sticking.map(|nu2| Ok(Sticking::on_stack(stack, sphere_modulus, nu2)?));
+    let sticking = sticking.map(|nu2| Ok(Sticking::on_stack(stack, sphere_modulus, nu2)?));
     let stick = stick(arguments, a_over_t, sticking)?;
     let contact = serde_json::json!({
         "a_over_t": a_over_t, "sphere_modulus": Number(sphere_modulus), "thickness": stack.thickness(),
@@ -333,34 +332,13 @@ fn print_solution(
 fn solve_file(arguments: &Arguments, path: &Path) -> anyhow::Result<()> {
     let output = Output::new(arguments.output.as_deref(), [Some(path)])?;
     let points = Points::open(path, Given::Films { nu0: arguments.nu0 })?;
-    let solution = solve_film(arguments, a_over_t, &material)?;
-    let sticking = arguments.friction.sticks();
-    let sticking = sticking.map(|nu2| sticking_film(arguments, &material, nu2));
-    let stick = stick(arguments, a_over_t, sticking)?;
-    let mut contact = serde_json::json!({
-        "a_over_t": a_over_t, "e1_over_e2": e1, "nu1": nu1, "e0_over_e2": Number(e0), "nu0": arguments.nu0,
-    });
-    if arguments.interface.is_some() || arguments.interface_stiffness.is_some() {
-        contact["interface_stiffness"] =
-            serde_json::json!(arguments.interface().stiffnesses().map(Number));
-    }
-    print_solution(arguments, contact, &solution, stick, &material)
-}
-
-/// Solves the numbers of friction, if they are asked for, and tells in a note why some are missing.
-fn stick(
-    arguments: &Arguments,
-    a_over_t: f64,
-    sticking: Option<anyhow::Result<Sticking>>,
-) -> anyhow::Result<Option<[Option<f64>; 9]>> {
-    let Some(sticking) = sticking else {
-        return Ok(None);
-    };
-    let (numbers, missing) = friction::numbers(&sticking?, a_over_t, arguments.tolerance)?;
-    if let Some(reason) = missing {
-        note(&format!("the numbers of a sphere are left out: {reason}"));
-    }
-    Ok(Some(numbers))
+    points.answer("solving", &output, &further_columns(arguments), |point| {
+        let (solution, power_laws) = solve_film(arguments, point.a_over_t, &point.material)?;
+        let mut further: Vec<Option<f64>> = numbers(&power_laws).map(Some).collect();
+        if let Some(nu2) = arguments.friction.sticks() {
+            let sticking = sticking_film(arguments, &point.material, nu2)?;
+            further.extend(friction::numbers(&sticking, point.a_over_t, arguments.tolerance)?.0);
+        }
         Ok(Answer {
             values: solution.quantities.to_array().map(Some),
             error: solution.error,

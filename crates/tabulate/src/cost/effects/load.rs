@@ -124,9 +124,7 @@ impl Load {
             | Effect::Shape
             | Effect::FiniteRange
             | Effect::Interface
-            | Effect::Friction => {
-                Ok(self)
-            }
+            | Effect::Friction => Ok(self),
         }
     }
 }
