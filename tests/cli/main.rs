@@ -16,6 +16,7 @@ mod fit_doubts;
 mod fit_files;
 mod fit_plots;
 mod fit_shapes;
+mod friction;
 mod help;
 mod hostile_text;
 mod info;

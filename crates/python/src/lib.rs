@@ -56,7 +56,7 @@ mod _core {
         short_range_equilibria, short_range_pull_off, short_range_states, short_range_zone,
     };
     #[pymodule_export]
-    use super::solve::{solve, solve_stack};
+    use super::solve::{solve, solve_stack, solve_stick_punch};
     #[pymodule_export]
     use super::table::Table;
 

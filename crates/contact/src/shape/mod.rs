@@ -83,6 +83,18 @@ impl Shape {
             let curve = Some(curve.of_even_shape(shape)?);
             Ok(Self::Paraboloid { radius, curve })
         };
+        let paraboloid = match *probe {
+            Probe::Paraboloid { .. } => true,
+            Probe::PowerLaw { exponent, .. } => exponent == 2.0,
+            _ => false,
+        };
+        if curve.stick().is_some() && !paraboloid {
+            return Err(Error::Sticks {
+                question: "the contact of another probe than a paraboloid",
+                reason: "other shapes follow from the flat punch without friction only; take the \
+                         paraboloid with the radius of the tip, or a curve without friction",
+            });
+        }
         let t = system.film_thickness;
         match *probe {
             Probe::Paraboloid { radius } => Ok(Self::paraboloid(radius)),

@@ -15,6 +15,7 @@ mod cycle;
 mod fixed_values;
 mod forecast;
 mod indentation;
+mod friction;
 mod interfaces;
 mod jkr;
 mod left_out;

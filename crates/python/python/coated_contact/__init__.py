@@ -41,6 +41,7 @@ from ._errors import (
     ExtrapolationError,
     FitError,
     FixedParameterError,
+    FrictionError,
     GenerationError,
     InvalidArgumentError,
     LongZoneError,
@@ -101,6 +102,7 @@ from ._results import (
 from ._short_range import ShortRange
 from ._solve import Solution, solve, solve_stack
 from ._stack import Layer, Springs, Stack, StackSystem
+from ._stick import StickPunch, solve_stick_punch
 from ._table import Table
 from ._validity import AdhesionRange, Validity
 
@@ -131,6 +133,7 @@ __all__ = [
     "FitWarning",
     "FittedExperiment",
     "FixedParameterError",
+    "FrictionError",
     "FixedValue",
     "FlatEndedCone",
     "FlatPunch",
@@ -174,6 +177,7 @@ __all__ = [
     "StackSystem",
     "State",
     "States",
+    "StickPunch",
     "System",
     "Table",
     "TableError",
@@ -192,4 +196,5 @@ __all__ = [
     "simulate",
     "solve",
     "solve_stack",
+    "solve_stick_punch",
 ]

@@ -16,8 +16,7 @@ use crate::cost::{Measurement, read_csv};
 use crate::plot::chart;
 use crate::plot::picture::Format;
 use crate::plot::{
-    contact_stiffness, effects, error_map, fig2, fig3, fig4, force_displacement, interface,
-    lookup_cost, pull_off, table_cost, work_precision,
+    contact_stiffness, effects, error_map, fig2, fig3, fig4, force_displacement, friction, interface, lookup_cost, pull_off, table_cost, work_precision,
 };
 
 /// Draw a figure as SVG or PNG
@@ -69,6 +68,10 @@ enum Figure {
         "tabulate plot contact-stiffness -o contact-stiffness.svg",
     ))]
     ContactStiffness(Picture),
+    /// Change of stiffness, load and pull-off load by full friction in the paper's system, against
+    /// the film's thickness
+    #[command(after_help = super::examples!("tabulate plot friction -o friction.svg"))]
+    Friction(Picture),
     /// Load against a/t of an incompressible film on a rigid base that is bonded, joined by springs,
     /// or slides
     #[command(after_help = super::examples!("tabulate plot interface -o interface.svg"))]
@@ -195,6 +198,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         Figure::ContactStiffness(output) => output.write(None, || {
             Ok(contact_stiffness::figure(&contact_stiffness::data()?))
         }),
+        Figure::Friction(output) => output.write(None, || Ok(friction::figure(&friction::data()?))),
         Figure::Interface(output) => {
             output.write(None, || Ok(interface::figure(&interface::data()?)))
         }
