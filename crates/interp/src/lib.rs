@@ -112,6 +112,7 @@ pub use contact::{Branch, Control, Equilibria, Equilibrium, ForceDisplacement, J
 pub use contact::{CohesiveEquilibrium, CohesiveState, FiniteRange, ShortRange};
 pub use contact::{Contact, ContactGradient, Derivatives, Input, State};
 pub use contact::{ContactLine, CrackTip, Hysteresis, RateDependent};
+pub use contact::{Course, History, HistoryError, Phase, Relaxation, TimedContact};
 pub use contact::{FilmBias, JkrFit, JkrPoint, Mechanics};
 pub use curve::{Curve, OddPowerCurve, QuantityGradient, StackShape, bspline};
 pub use error::Error;
