@@ -4,11 +4,12 @@
 use std::f64::consts::PI;
 
 use acceptance::{Contacts, Workdir, assert_names, material, workdir};
-use interp::{Contact, Elastic, HalfSpace, Material, Probe};
+use contact::Contact;
+use interp::{Elastic, HalfSpace, Material, Probe};
+use solve::solve;
 use tabulate::cost::clock::{Times, Timing};
 use tabulate::cost::effects::{A_OVER_R, Effect, Row, STRENGTHS, TABOR, errors, markdown, measure};
 use tabulate::cost::{read_csv, to_csv};
-use tabulate::solve;
 use tabulate::table::{Observer, Scene};
 
 /// Radius of the sphere (m), and its modulus (Pa).

@@ -1,14 +1,15 @@
 //! `tabulate cost lookup`: its errors against errors of loads in newtons, and its files.
 
+use contact::Contact;
 use std::f64::consts::PI;
 use std::sync::LazyLock;
 
 use acceptance::{assert_names, low_rank, shipped, table, workdir};
 use interp::{Elastic, Probe, System, Table};
+use solve::solve;
 use tabulate::cost::clock::Timing;
 use tabulate::cost::lookup::{POINTS, Row, markdown, measure, random_points};
 use tabulate::cost::{read_csv, to_csv};
-use tabulate::solve;
 
 /// The rows of the paper's table, which is dense.
 static ROWS: LazyLock<Vec<Row>> = LazyLock::new(|| measured(&paper(), COUNT));
@@ -61,7 +62,7 @@ fn errors_are_those_of_loads_in_newtons() {
             film_thickness: t,
             substrate: solid(material.e0_over_e2(), material.nu0()),
         };
-        let contact = table.contact(&system).expect("inside");
+        let contact = Contact::in_table(&table, &system).expect("inside");
         let a = x * t;
         let q = solve(x, &material, 1e-12)
             .expect("a benign contact")

@@ -1,9 +1,10 @@
 //! `tabulate curve`
 
 use acceptance::{Data, assert_names, larger, paper_system, workdir};
-use interp::{Control, Mechanics, Probe, System, Table, Validity};
+use contact::{Contact, Control, JkrPoint, Validity};
+use interp::{Mechanics, Probe, System, Table};
 use serde_json::Value;
-use tabulate::cohesive::Cohesive;
+use solve::cohesive::Cohesive;
 use tabulate::report::LARGE_CONTACT;
 
 use crate::{paper_table, solved};
@@ -39,7 +40,7 @@ fn curve_is_the_papers_by_default_and_the_same_from_the_table() {
         system.material().expect("physical"),
     );
     let table = Table::read(&table_path).expect("a sound table");
-    let contact = table.contact(&system).expect("the table is the paper's");
+    let contact = Contact::in_table(&table, &system).expect("the table is the paper's");
     let certified = table.description().certificate.max_error;
     let mut worst = 0.0;
     for (i, (direct, looked_up)) in direct.cases().zip(looked_up.cases()).enumerate() {
@@ -56,7 +57,7 @@ fn curve_is_the_papers_by_default_and_the_same_from_the_table() {
             from_table
         );
         for (case, load) in [(&direct, expected.0), (&looked_up, from_table.0)] {
-            let jkr = mechanics.jkr_point(a, load);
+            let jkr = JkrPoint::new(a, load, mechanics.sphere_radius());
             assert_eq!(
                 (case.get("jkr_abscissa"), case.get("jkr_ordinate")),
                 (jkr.abscissa, jkr.ordinate)
@@ -199,7 +200,7 @@ fn curve_and_pull_off_take_the_range_of_the_attraction() {
             Control::Spring { stiffness: 40.0 },
         ),
     ];
-    let table = Table::embedded().contact(&system).expect("inside");
+    let table = Contact::in_table(Table::embedded(), &system).expect("inside");
     for (flags, control) in controls {
         let state = cohesive.pull_off(control).expect("a pull-off");
         let text = workdir.succeed(&[&["pull-off"][..], &bodies, flags, &["--json"]].concat());

@@ -38,7 +38,7 @@ use std::path::Path;
 
 use acceptance::{Workdir, shipped};
 use interp::Material;
-use tabulate::solve::{Solution, solve};
+use solve::{Solution, solve};
 
 /// A small scene with two of the four quantities.
 const TWO_QUANTITIES: &str = "

@@ -3,7 +3,8 @@
 use std::f64::consts::PI;
 
 use acceptance::{assert_names, ends, error_at, material, shipped, workdir};
-use interp::{ForceDisplacement, Jump, Parameter, Probe, State, Table};
+use contact::{ForceDisplacement, Jump, State};
+use interp::{Parameter, Probe, Table};
 use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg::{Node, Options, Tree};
 use tabulate::plot::{error_map, fig2, fig3, fig4, force_displacement, paper};

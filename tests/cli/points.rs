@@ -4,7 +4,7 @@ use acceptance::{Contacts, Data, assert_names, material, table, workdir};
 use interp::Parameter;
 use interp::Table;
 use serde_json::Value;
-use tabulate::solve::solve_power_laws;
+use solve::solve_power_laws;
 
 use crate::{TWO_QUANTITIES, solved};
 

@@ -14,14 +14,12 @@ fn read(path: &str) -> String {
 fn shows_the_examples() {
     for (path, readme) in [
         ("crates/interp/examples/force.rs", "README.md"),
+        ("crates/interp/examples/force.rs", "crates/interp/README.md"),
         (
-            "crates/interp/examples/contact.rs",
-            "crates/interp/README.md",
+            "crates/contact/examples/contact.rs",
+            "crates/contact/README.md",
         ),
-        (
-            "crates/tabulate/examples/curve.rs",
-            "crates/tabulate/README.md",
-        ),
+        ("crates/solve/examples/curve.rs", "crates/solve/README.md"),
         ("crates/fit/examples/file.rs", "crates/fit/EXPERIMENTS.md"),
     ] {
         let example = read(path);

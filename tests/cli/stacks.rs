@@ -1,10 +1,10 @@
 //! Stacks of layers: `--stack` of `tabulate solve`, `curve`, `fit` and `simulate`.
 
 use acceptance::{Data, Workdir, assert_names, layer, solid, stack, workdir};
-use interp::Contact;
+use contact::Contact;
 use serde_json::Value;
-use tabulate::stack::Stack;
-use tabulate::{solve_stack, stack_curve};
+use solve::stack::Stack;
+use solve::{solve_stack, stack_curve};
 
 const TEXT: &str = "base = { young_modulus = 2e11, poisson_ratio = 0.25 }\n\
     [[layers]]\nname = \"primer\"\nyoung_modulus = 5e5\npoisson_ratio = 0.5\nthickness = 2.5e-6\n\

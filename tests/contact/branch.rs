@@ -3,10 +3,8 @@
 use std::f64::consts::PI;
 
 use acceptance::{Contacts, assert_names, paper_system};
-use interp::{
-    Branch, Contact, Control, Derivatives, Elastic, Error, HalfSpace, Input, Probe, State, System,
-    Table,
-};
+use contact::{Branch, Contact, Control, Derivatives, Input, State};
+use interp::{Elastic, Error, HalfSpace, Probe, System, Table};
 
 const NONE: Derivatives = Derivatives {
     load: 0.0,
@@ -46,7 +44,7 @@ fn systems() -> Vec<System> {
 #[test]
 fn a_branch_holds_the_states_found_one_by_one() {
     for system in systems() {
-        let contact = Table::embedded().contact(&system).expect("in the table");
+        let contact = Contact::in_table(Table::embedded(), &system).expect("in the table");
         for (control, w) in [
             (Control::Load, 0.04),
             (Control::Displacement, 0.04),
@@ -154,14 +152,13 @@ fn derivatives_on_a_film_are_those_of_direct_solves() {
     let solved = |system: &System| {
         let material = system.material().expect("physical");
         let range = [1e-5 / system.film_thickness, 2e-4 / system.film_thickness];
-        let curve = tabulate::curve(&material, range, 1e-10).expect("within reach");
+        let curve = solve::curve(&material, range, 1e-10).expect("within reach");
         Contact::new(system, curve).expect("its own curve")
     };
     let w = 0.04;
     for system in [paper_system(1e-5), paper_system(3e-4)] {
-        let contact = Table::embedded()
-            .contact_with_gradient(&system)
-            .expect("in the table");
+        let contact =
+            Contact::in_table_with_gradient(Table::embedded(), &system).expect("in the table");
         let inputs = [
             Input::SphereModulus,
             Input::FilmModulus,
@@ -237,9 +234,8 @@ fn derivatives_on_a_film_are_those_of_direct_solves() {
 #[test]
 fn values_without_a_contact_and_wrong_lengths_are_refused() {
     let system = paper_system(1e-5);
-    let contact = Table::embedded()
-        .contact_with_gradient(&system)
-        .expect("in the table");
+    let contact =
+        Contact::in_table_with_gradient(Table::embedded(), &system).expect("in the table");
     let equilibria = contact
         .equilibria(0.04, Control::Displacement)
         .expect("in range");

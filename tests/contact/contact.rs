@@ -4,10 +4,9 @@
 use std::f64::consts::PI;
 
 use acceptance::{Contacts, larger, paper_system};
-use interp::{
-    Contact, Elastic, Error, HalfSpace, JkrFit, JkrPoint, Material, Mechanics, Probe, System, Table,
-};
-use tabulate::solve;
+use contact::{Contact, JkrFit, JkrPoint};
+use interp::{Elastic, Error, HalfSpace, Material, Mechanics, Probe, System, Table};
+use solve::solve;
 
 pub fn bare() -> HalfSpace {
     paper_system(1e-6).without_film()
@@ -18,9 +17,7 @@ pub fn half_space() -> Contact {
 }
 
 pub fn coated(film_thickness: f64) -> Contact {
-    Table::embedded()
-        .contact(&paper_system(film_thickness))
-        .expect("in the table")
+    Contact::in_table(Table::embedded(), &paper_system(film_thickness)).expect("in the table")
 }
 
 #[test]
@@ -333,7 +330,7 @@ fn validity_says_how_large_thin_and_short_ranged_a_contact_is() {
         probe: Probe::Paraboloid { radius: 0.1 },
         ..paper_system(1e-5)
     };
-    let wide = Table::embedded().contact(&wide).expect("in the table");
+    let wide = Contact::in_table(Table::embedded(), &wide).expect("in the table");
     let validity = wide.validity(0.011).expect("physical");
     assert!(validity.is_large_contact() && !validity.film.expect("coated").in_range);
     assert!(
@@ -348,7 +345,7 @@ fn validity_says_how_large_thin_and_short_ranged_a_contact_is() {
         film: Elastic::new(3.5e6, 0.3).expect("physical"),
         ..paper_system(1e-5)
     };
-    let compressible = Table::embedded().contact(&system).expect("in the table");
+    let compressible = Contact::in_table(Table::embedded(), &system).expect("in the table");
     let film = compressible
         .validity(1e-4)
         .expect("physical")
@@ -373,9 +370,7 @@ fn validity_says_how_large_thin_and_short_ranged_a_contact_is() {
 
 #[test]
 fn many_loads_are_those_of_one_after_the_other() {
-    let contact = Table::embedded()
-        .contact(&paper_system(1e-5))
-        .expect("inside");
+    let contact = Contact::in_table(Table::embedded(), &paper_system(1e-5)).expect("inside");
     let radii: Vec<f64> = (1..=100).map(|i| 1e-6 * f64::from(i)).collect();
     let mut loads = vec![0.0; radii.len()];
     contact

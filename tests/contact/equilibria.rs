@@ -3,11 +3,9 @@
 use std::f64::consts::PI;
 
 use acceptance::{Contacts, larger, paper_system, table};
-use interp::{
-    Contact, Control, Curve, Elastic, Error, ForceDisplacement, Probe, Quantities, State, System,
-    Table,
-};
-use tabulate::solve::curve;
+use contact::{Contact, Control, ForceDisplacement, State};
+use interp::{Curve, Elastic, Error, Probe, Quantities, System, Table};
+use solve::curve;
 
 const CONTROLS: [Control; 3] = [
     Control::Load,
@@ -37,13 +35,15 @@ fn coated(seed: u64, count: usize) -> impl Iterator<Item = (Contact, f64)> {
         .expect("physical");
         let substrate =
             Elastic::new(modulus * contacts.log_uniform(1.0, 1e6), 0.25).expect("physical");
-        let contact = Table::embedded()
-            .contact(&System {
+        let contact = Contact::in_table(
+            Table::embedded(),
+            &System {
                 film,
                 substrate,
                 ..paper_system(1e-6)
-            })
-            .expect("in the table");
+            },
+        )
+        .expect("in the table");
         let w = with_pull_off_near(&contact, 1e-6 * contacts.log_uniform(1e-2, 1e2));
         (contact, w)
     };
@@ -134,7 +134,7 @@ fn a_film_of_the_substrates_material_is_jkr_within_the_tables_error() {
             substrate: solid,
             ..paper_system(1e-6)
         };
-        let coated = table.contact(&system).expect("in the table");
+        let coated = Contact::in_table(table, &system).expect("in the table");
         let bare = Contact::half_space(&system.without_film()).expect("physical");
         let (e, r) = (
             bare.mechanics().sphere_film_modulus(),
@@ -423,7 +423,7 @@ fn on_thick_films_states_are_those_of_direct_solves() {
     let (w, mut worst, mut worst_radius) = (0.04, 0.0, 0.0);
     for t in [5e-2, 0.2, 1.0, 10.0] {
         let system = paper_system(t);
-        let contact = Table::embedded().contact(&system).expect("in the table");
+        let contact = Contact::in_table(Table::embedded(), &system).expect("in the table");
         let direct =
             curve(&system.material().expect("physical"), [1e-6, 1.0], 1e-9).expect("converges");
         let direct = Contact::new(&system, direct).expect("its own curve");
@@ -464,11 +464,8 @@ fn on_thick_films_states_are_those_of_direct_solves() {
 
 #[test]
 fn a_state_out_of_range_is_an_error_with_the_radii() {
-    let contact_on = |t: f64| {
-        Table::embedded()
-            .contact(&paper_system(t))
-            .expect("in the table")
-    };
+    let contact_on =
+        |t: f64| Contact::in_table(Table::embedded(), &paper_system(t)).expect("in the table");
     let w = 0.04;
     // A film so thin that the table ends before the pull-off radius; one so thick that a table
     // begins beyond it, and with too large an a/t for the expansion.
@@ -488,7 +485,7 @@ fn a_state_out_of_range_is_an_error_with_the_radii() {
     };
     for contact in [
         contact_on(1e-9),
-        thick.contact(&wide).expect("in the table"),
+        Contact::in_table(&thick, &wide).expect("in the table"),
     ] {
         let [from, to] = contact.contact_radius_range();
         let smallest = if from == 0.0 { 1e-60 } else { from };
@@ -571,10 +568,8 @@ fn without_adhesion_a_table_needs_no_stiffness() {
         e0_over_e2 = 1e5
     ",
     );
-    let contact = table.contact(&paper_system(1e-5)).expect("in the table");
-    let embedded = Table::embedded()
-        .contact(&paper_system(1e-5))
-        .expect("in the table");
+    let contact = Contact::in_table(&table, &paper_system(1e-5)).expect("in the table");
+    let embedded = Contact::in_table(Table::embedded(), &paper_system(1e-5)).expect("in the table");
     let mut worst = 0.0;
     for control in CONTROLS {
         let (load, penetration) = embedded.load_and_penetration(2e-5, 0.0).expect("in range");

@@ -3,7 +3,8 @@
 use std::f64::consts::PI;
 
 use acceptance::{Contacts, larger};
-use interp::{Contact, Control, Elastic, HalfSpace, Probe, State};
+use contact::{Contact, Control, State};
+use interp::{Elastic, HalfSpace, Probe};
 
 /// Largest relative error of everything.
 const EXACT: f64 = 1e-12;

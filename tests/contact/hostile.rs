@@ -1,7 +1,8 @@
 //! Contacts asked with hostile arguments.
 
 use acceptance::paper_system;
-use interp::{Contact, Control, Elastic, Error, HalfSpace, Probe, Quantity, System, Table};
+use contact::{Contact, Control};
+use interp::{Elastic, Error, HalfSpace, Probe, Quantity, System, Table};
 
 use crate::contact::{bare, coated, half_space};
 
@@ -50,7 +51,7 @@ fn every_function_answers_any_number_with_a_finite_result_or_an_error() {
             probe: Probe::Paraboloid { radius: r },
             ..paper_system(e)
         };
-        systems.extend(Table::embedded().contact(&system));
+        systems.extend(Contact::in_table(Table::embedded(), &system));
     }
     println!("{} systems", systems.len());
     let mut answered = 0;

@@ -3,8 +3,9 @@
 
 use std::f64::consts::PI;
 
-use interp::{Control, Elastic, Probe, System, Table};
-use tabulate::solve::Compliance;
+use contact::{Contact, Control};
+use interp::{Elastic, Probe, System, Table};
+use solve::Compliance;
 
 /// The number of rings.
 const RINGS: usize = 160;
@@ -181,7 +182,7 @@ fn loads_are_those_of_rings_of_pressure() {
                 film_thickness: t,
                 substrate,
             };
-            let contact = Table::embedded().contact(&system).expect("in the table");
+            let contact = Contact::in_table(Table::embedded(), &system).expect("in the table");
             let (_, penetration) = contact.load_and_penetration(1.0, 0.0).expect("in range");
             let equilibria = contact.equilibria(0.0, Control::Displacement);
             let expected = equilibria.and_then(|all| all.unloading(penetration));

@@ -3,11 +3,9 @@
 use std::f64::consts::PI;
 
 use acceptance::{Contacts, Data, larger};
-use interp::{
-    Branch, Contact, Control, Derivatives, Elastic, Error, HalfSpace, Input, Neglected, Probe,
-    Profile, State, System, Table,
-};
-use tabulate::solve::solve_power_laws;
+use contact::{Branch, Contact, Control, Derivatives, Input, Neglected, State};
+use interp::{Elastic, Error, HalfSpace, Probe, Profile, System, Table};
+use solve::solve_power_laws;
 
 /// Work of adhesion, J/m^2.
 const W: f64 = 0.04;
@@ -30,7 +28,7 @@ fn system(probe: Probe, film: Elastic, film_thickness: f64, substrate: Elastic) 
 
 fn contact(probe: Probe, film: Elastic, film_thickness: f64, substrate: Elastic) -> Contact {
     let system = system(probe, film, film_thickness, substrate);
-    Table::embedded().contact(&system).expect("in the table")
+    Contact::in_table(Table::embedded(), &system).expect("in the table")
 }
 
 fn half_space(probe: Probe, solid: Elastic) -> Contact {
@@ -111,7 +109,7 @@ fn power_laws_are_those_of_the_reference_to_the_accuracy_of_the_table() {
             sphere_modulus: unit,
             ..system(probe, film, t, substrate)
         };
-        let contact = table.contact(&system).expect("in the table");
+        let contact = Contact::in_table(table, &system).expect("in the table");
         let a = x * t;
         let (load, penetration) = contact.load_and_penetration(a, 0.0).expect("in range");
         let scale = coefficient * kappa(n) * a.powf(n);
@@ -161,7 +159,7 @@ fn error_of_power_law(
     let a = x * system.film_thickness;
     let material = system.material().expect("physical");
     let (_, truth) = match solve_power_laws(x, &material, &[n], tolerance) {
-        Err(tabulate::Error::NotConverged { .. }) => return None,
+        Err(solve::Error::NotConverged { .. }) => return None,
         truth => truth.expect("in the domain"),
     };
     let (load, penetration) = contact.load_and_penetration(a, 0.0).expect("in range");
@@ -205,7 +203,7 @@ fn power_laws_of_every_exponent_are_those_of_direct_solves() {
             ..system(probe, film, t, substrate)
         };
         let x = contacts.log_uniform(1e-3, 7e2);
-        let of_table = table.contact(&system).expect("in the table");
+        let of_table = Contact::in_table(table, &system).expect("in the table");
         let place = (x, 0.1 * table.description().tolerance);
         let Some(error) = error_of_power_law(&of_table, n, coefficient, place) else {
             unsolved += 1;
@@ -218,7 +216,7 @@ fn power_laws_of_every_exponent_are_those_of_direct_solves() {
         );
         if case % 6 == 1 {
             let material = system.material().expect("physical");
-            let Ok(curve) = tabulate::curve(&material, [1e-3, 1e3], CURVE) else {
+            let Ok(curve) = solve::curve(&material, [1e-3, 1e3], CURVE) else {
                 continue;
             };
             let direct = Contact::new(&system, curve).expect("its material");
@@ -245,7 +243,7 @@ fn power_laws_of_every_exponent_are_those_of_direct_solves() {
         sphere_modulus: 1e20,
         ..system(probe, solid(7.33e7, 0.248), t, solid(4.086e5, 0.323))
     };
-    let curve = tabulate::curve(&system.material().expect("physical"), [1e-2, 1e2], CURVE);
+    let curve = solve::curve(&system.material().expect("physical"), [1e-2, 1e2], CURVE);
     let direct = Contact::new(&system, curve.expect("converges")).expect("its material");
     for x in [18.0, 19.0] {
         let error = error_of_power_law(&direct, n, coefficient, (x, 0.1 * CURVE));
@@ -273,7 +271,7 @@ fn the_sphere_is_the_sum_of_its_powers_up_to_the_largest_contact() {
             sphere_modulus: unit,
             ..system(Probe::Sphere { radius: r }, film, t, substrate)
         };
-        let contact = table.contact(&system).expect("in the table");
+        let contact = Contact::in_table(table, &system).expect("in the table");
         let a = alpha * r;
         let (load, penetration) = contact.load_and_penetration(a, 0.0).expect("in range");
         let material = system.material().expect("physical");
@@ -606,7 +604,7 @@ fn derivatives_are_differences() {
             sphere_modulus: 2e6,
             ..system(probe.clone(), solid(3.5e6, 0.4), 1e-5, solid(2e8, 0.25))
         };
-        let contact = table.contact_with_gradient(&own).expect("in the table");
+        let contact = Contact::in_table_with_gradient(table, &own).expect("in the table");
         let a = 1.2e-5;
         let gradient = contact.gradient(a, W).expect("in range");
         let with = |input: Input, factor: f64| {
@@ -628,7 +626,7 @@ fn derivatives_are_differences() {
             } else {
                 a
             };
-            let contact = table.contact(&other).expect("in the table");
+            let contact = Contact::in_table(table, &other).expect("in the table");
             contact.load_and_penetration(a, W).expect("in range")
         };
         let units = [
@@ -670,7 +668,7 @@ fn slopes_at_a_bend_are_those_beside_it() {
     ] {
         let probe = Probe::RoundedCone { radius, half_angle };
         let own = system(probe, film, 2e-6, substrate);
-        let contact = Table::embedded().contact_with_gradient(&own);
+        let contact = Contact::in_table_with_gradient(Table::embedded(), &own);
         let contact = contact.expect("in the table");
         let slope = |a: f64| {
             let gradient = contact.gradient(a, 0.0).expect("in range");
@@ -848,7 +846,10 @@ fn impossible_shapes_are_errors() {
     let film = solid(1e6, 0.4);
     let refused = |probe: Probe| {
         let own = system(probe.clone(), film, 1e-6, film);
-        assert!(Table::embedded().contact(&own).is_err(), "{probe:?}");
+        assert!(
+            Contact::in_table(Table::embedded(), &own).is_err(),
+            "{probe:?}"
+        );
         let bare = HalfSpace {
             probe: probe.clone(),
             sphere_modulus: 1e6,
@@ -910,7 +911,7 @@ fn impossible_shapes_are_errors() {
         },
     ] {
         let own = system(probe.clone(), film, 1e-6, solid(1e9, 0.3));
-        let Ok(contact) = Table::embedded().contact(&own) else {
+        let Ok(contact) = Contact::in_table(Table::embedded(), &own) else {
             continue;
         };
         for a in [1e-320, 1e-300, 1e-9, 1e-6, 1e-3, 1e30, f64::NAN] {
@@ -940,7 +941,7 @@ fn neglected_effects_that_are_larger_than_the_shape_are_named() {
         sphere_modulus: 1e6,
         ..system(sphere(), solid(1e6, 0.5), 1e-3, solid(1e9, 0.3))
     };
-    let elastic = Table::embedded().contact(&elastic).expect("in the table");
+    let elastic = Contact::in_table(Table::embedded(), &elastic).expect("in the table");
     assert_eq!(neglected(&elastic, 3e-5), [Neglected::ElasticProbe]);
     assert_eq!(neglected(&elastic, 5e-6), []);
     // At equal penetration the load of the exact sphere is smaller by about delta/(10 R).

@@ -3,7 +3,8 @@
 use std::f64::consts::PI;
 
 use acceptance::{larger, paper_system, table};
-use interp::{Contact, Control, Elastic, Error, HalfSpace, Probe, State, System, Table};
+use contact::{Contact, Control, State};
+use interp::{Elastic, Error, HalfSpace, Probe, System, Table};
 
 const CONTROLS: [Control; 3] = [
     Control::Load,
@@ -15,7 +16,7 @@ const R: f64 = 1e-3;
 
 fn coated() -> Contact {
     // The nodes reach 10 R.
-    let contact = Table::embedded().contact_with_gradient(&paper_system(1e-5));
+    let contact = Contact::in_table_with_gradient(Table::embedded(), &paper_system(1e-5));
     contact.expect("in the table")
 }
 
@@ -136,7 +137,7 @@ fn searches_find_every_radius_up_to_the_spheres_and_say_where_they_end() {
 #[test]
 fn the_range_on_a_film_ends_at_the_sphere_or_at_the_last_node() {
     let at_most = |film_thickness| {
-        let contact = Table::embedded().contact(&paper_system(film_thickness));
+        let contact = Contact::in_table(Table::embedded(), &paper_system(film_thickness));
         contact.expect("in the table").contact_radius_range()[1]
     };
     assert!((at_most(1e-7) / 1e-4 - 1.0).abs() < 1e-15);
@@ -176,7 +177,7 @@ fn a_sphere_smaller_than_the_first_node_is_that_on_a_half_space_of_film() {
         probe: Probe::Paraboloid { radius: 1e-6 },
         ..paper_system(1e-2)
     };
-    let coated = Table::embedded().contact(&system).expect("in the table");
+    let coated = Contact::in_table(Table::embedded(), &system).expect("in the table");
     let bare = Contact::half_space(&HalfSpace {
         probe: Probe::Paraboloid { radius: 1e-6 },
         sphere_modulus: system.sphere_modulus,
@@ -205,7 +206,7 @@ fn a_curve_without_a_radius_below_the_spheres_has_no_contacts() {
         e0_over_e2 = 1e5
     ",
     );
-    let contact = thin_films.contact(&paper_system(1e-2));
+    let contact = Contact::in_table(&thin_films, &paper_system(1e-2));
     let contact = contact.expect("in the table");
     let [from, to] = contact.contact_radius_range();
     assert!(from > to);

@@ -2,9 +2,10 @@
 //! all layers.
 
 use acceptance::{larger, layer, paper_system, solid, stack};
-use interp::{Contact, Control, Error, Quantity};
-use tabulate::stack::Stack;
-use tabulate::{curve, stack_curve};
+use contact::{Contact, Control};
+use interp::{Error, Quantity};
+use solve::stack::Stack;
+use solve::{curve, stack_curve};
 
 const RADIUS: f64 = 1e-3;
 const SPHERE: f64 = 2e6;

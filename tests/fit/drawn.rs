@@ -1,6 +1,7 @@
 //! Experiments with random bodies, kinds, free parameters, courses and noise, made by the model
 //! itself.
 
+use contact::Contact;
 use std::f64::consts::PI;
 
 use acceptance::Contacts;
@@ -47,7 +48,7 @@ fn draw(random: &mut Contacts, seed: u64) -> Option<Drawn> {
         substrate: Elastic::new(film * random.log_uniform(1e-2, 1e5), 0.25).ok()?,
     };
     let bodies = Bodies::Coated(system.clone());
-    let contact = Table::embedded().contact(&system).ok()?;
+    let contact = Contact::in_table(Table::embedded(), &system).ok()?;
     let hertz = contact.load(largest, 0.0).ok()?;
     let adhesive = kind == Kind::PenetrationRadius || random.uniform(0.0, 1.0) < 0.75;
     let w = if adhesive {
@@ -76,8 +77,8 @@ fn draw(random: &mut Contacts, seed: u64) -> Option<Drawn> {
         let spring = truth.stiffness.unwrap_or(f64::INFINITY);
         let control = truth
             .stiffness
-            .map_or(interp::Control::Displacement, |stiffness| {
-                interp::Control::Spring { stiffness }
+            .map_or(contact::Control::Displacement, |stiffness| {
+                contact::Control::Spring { stiffness }
             });
         let most = penetration + load / spring;
         let least = if w > 0.0 {

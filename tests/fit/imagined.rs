@@ -4,10 +4,11 @@
 use std::f64::consts::PI;
 
 use acceptance::{Contacts, paper_system};
+use contact::Contact;
 use fit::{
     Bodies, Direction, Experiment, Fit, Free, Kind, Loss, Measurement, Options, Parameter, Point,
 };
-use interp::{Contact, Elastic, HalfSpace, Probe, System, Table};
+use interp::{Elastic, HalfSpace, Probe, System, Table};
 
 /// How an imagined experiment brings sphere and sample together.
 #[derive(Clone, Copy, Debug)]
@@ -115,22 +116,22 @@ impl Imagined {
                 let range = self.radii.map(|radius| radius / system.film_thickness);
                 let material = system.material().expect("physical");
                 let range = [0.3 * range[0], 1.1 * range[1]];
-                let curve = tabulate::curve(&material, range, 1e-9).expect("within reach");
+                let curve = solve::curve(&material, range, 1e-9).expect("within reach");
                 let contact = Contact::new(&system, curve).expect("its own curve");
                 Box::new(move |a, w| contact.load_and_penetration(a, w).expect("in range"))
             }
             Bodies::Layered(layered) => {
                 let layers = layered.layers.iter();
                 let layers: Vec<_> = layers
-                    .map(|one| tabulate::stack::Layer {
+                    .map(|one| solve::stack::Layer {
                         solid: one.solid,
                         thickness: one.thickness,
                     })
                     .collect();
-                let stack = tabulate::stack::Stack::new(layered.base, layers).expect("physical");
+                let stack = solve::stack::Stack::new(layered.base, layers).expect("physical");
                 let [from, to] = self.radii.map(|radius| radius / stack.thickness());
                 let modulus = layered.sphere_modulus;
-                let curve = tabulate::stack_curve(&stack, modulus, [0.3 * from, 1.1 * to], 1e-10);
+                let curve = solve::stack_curve(&stack, modulus, [0.3 * from, 1.1 * to], 1e-10);
                 let radius = layered.probe.radius().expect("a paraboloid");
                 let contact =
                     Contact::new(&stack.system(radius, modulus), curve.expect("within reach"))

@@ -4,11 +4,12 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 use acceptance::{assert_names, larger};
+use contact::Contact;
 use fit::{
     Bodies, Cause, Experiment, Fit, Free, Interruptible, Kind, Layer, LayerName, Layered,
     LayeredSolver, Loss, Options, Parameter, Reach, WarningKind,
 };
-use interp::{Contact, Elastic, Probe, System, Table};
+use interp::{Elastic, Probe, System, Table};
 use rayon::prelude::*;
 
 use crate::imagined::{Course, Imagined, measurement, solid};
@@ -36,7 +37,7 @@ fn on_layers(system: &System, layers: &[Layer]) -> Bodies {
             needed: 0.0,
             expected: 0.0,
         },
-        solver: Arc::new(tabulate::stack::DirectSolver),
+        solver: Arc::new(fit::DirectSolver),
     })
 }
 
@@ -539,7 +540,7 @@ impl LayeredSolver for Counted {
         if self.made.fetch_add(1, Ordering::Relaxed) + 1 == self.last {
             self.interrupted.store(true, Ordering::Relaxed);
         }
-        tabulate::stack::DirectSolver.contact(bodies)
+        fit::DirectSolver.contact(bodies)
     }
 }
 

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use fit::{Bodies, Direction, Kind, Measurement, Parameter, Point};
 use interp::{HalfSpace, Probe, System};
-use tabulate::solve::{PowerLaw, solve_power_laws};
+use solve::{PowerLaw, solve_power_laws};
 
 use crate::imagined::{Imagined, measurement, solid};
 

@@ -1,6 +1,7 @@
 //! The settings of a page: its address, and the contact that they describe.
 
-use interp::{Contact, Elastic, Probe, Quantity, SubstratePoissonRatio, System, Table};
+use contact::Contact;
+use interp::{Elastic, Probe, Quantity, SubstratePoissonRatio, System, Table};
 
 /// The settings of a page, in SI units. `film` and `substrate` are Young's modulus and Poisson
 /// ratio.
@@ -92,6 +93,6 @@ impl Setting {
             film_thickness: self.thickness,
             substrate: solid(self.substrate),
         };
-        table.contact(&system).expect("in the table")
+        Contact::in_table(table, &system).expect("in the table")
     }
 }

@@ -3,7 +3,8 @@
 use std::collections::HashMap;
 
 use acceptance::{Data, Workdir, ends};
-use interp::{Contact, Control, Error, Parameter, Quantity, Table};
+use contact::{Contact, Control};
+use interp::{Error, Parameter, Quantity, Table};
 use serde_json::Value;
 use tabulate::report::report;
 
@@ -128,7 +129,7 @@ pub fn assert_shows(
                 &what,
             );
         }
-        let mut states: HashMap<&str, Result<interp::State, Error>> = HashMap::new();
+        let mut states: HashMap<&str, Result<contact::State, Error>> = HashMap::new();
         if setting.adhesion > 0.0 && penetrates {
             states.insert(
                 "pull-off-load",
@@ -147,7 +148,7 @@ pub fn assert_shows(
         for (id, state) in states {
             let row = &look["states"][id];
             // The library goes on beyond the table's a/t where an expansion is accurate.
-            let shown = |state: &interp::State| {
+            let shown = |state: &contact::State| {
                 let (from, to) = ends(table, Parameter::AOverT);
                 (from..=to).contains(&(state.contact_radius / setting.thickness))
             };

@@ -1,7 +1,7 @@
 //! Measures of error, and comparison bit by bit.
 
 use interp::{Material, Quantities, Quantity, Table};
-use tabulate::solve;
+use solve::solve;
 
 /// The tolerance of the direct solves that tables are compared with.
 pub const TRUTH: f64 = 1e-11;

@@ -1,7 +1,7 @@
 //! Stacks of layers: as the reference files write them, and at random.
 
 use interp::Elastic;
-use tabulate::stack::{Layer, Stack};
+use solve::stack::{Layer, Stack};
 
 use crate::Case;
 

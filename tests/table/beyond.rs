@@ -3,7 +3,7 @@
 
 use acceptance::{Contacts, ends, larger, material, relative_error, table};
 use interp::{Error, Parameter, Quantity, Table};
-use tabulate::solve;
+use solve::solve;
 
 /// Draws points from the ends of the table to the ends of the domain.
 #[test]

@@ -1,7 +1,8 @@
 //! Tables that hold `delta1`: the contact of a cone and of other odd powers of the radius.
 
 use acceptance::{Data, all_bits, assert_names, larger, low_rank, table, workdir};
-use interp::{Control, Elastic, Error, Input, Material, Parameter, Probe, Quantity, System, Table};
+use contact::{Contact, Control, Input};
+use interp::{Elastic, Error, Material, Parameter, Probe, Quantity, System, Table};
 use tabulate::table::{Scene, certify};
 
 /// The table of one material.
@@ -109,9 +110,9 @@ fn contacts_are_those_of_a_table_without_delta1() {
     assert!(with.description().certificate.max_error <= 1e-6);
     let mut worst = 0.0;
     for system in systems() {
-        let by_field = without.contact(&system).expect("in the table");
+        let by_field = Contact::in_table(&without, &system).expect("in the table");
         for table in [&with, &compressed] {
-            let contact = table.contact(&system).expect("in the table");
+            let contact = Contact::in_table(table, &system).expect("in the table");
             for i in 0..60 {
                 // From below the table to close to its end.
                 let a = 1e-8 * 1.17_f64.powi(i);
@@ -146,14 +147,14 @@ fn contacts_are_those_of_a_table_without_delta1() {
 fn gradients_are_differences() {
     let table = table(BOX);
     let at = |system: &System, a: f64| {
-        let contact = table.contact(system).expect("in the table");
+        let contact = Contact::in_table(&table, system).expect("in the table");
         contact.load_and_penetration(a, 0.04).expect("in range")
     };
     let mut worst = 0.0;
     for system in systems() {
         for x in [2e-3, 0.05, 1.0, 20.0] {
             let a = x * system.film_thickness;
-            let contact = table.contact_with_gradient(&system).expect("in the table");
+            let contact = Contact::in_table_with_gradient(&table, &system).expect("in the table");
             let gradient = contact.gradient(a, 0.04).expect("in range");
             let film = |young: f64, poisson: f64| System {
                 film: Elastic::new(young, poisson).expect("physical"),

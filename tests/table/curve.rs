@@ -1,10 +1,11 @@
 //! Curves made without a table, from solves or from samples.
 
 use acceptance::{Contacts, larger, material, paper_system, relative_error, shipped};
-use interp::{Contact, Curve, Elastic, Material, Probe, Quantities, System, Table};
-use tabulate::Error;
-use tabulate::solve::{A_OVER_T, solve};
-use tabulate::solve::{CURVE_TOLERANCE as TOLERANCE, curve};
+use contact::Contact;
+use interp::{Curve, Elastic, Material, Probe, Quantities, System, Table};
+use solve::Error;
+use solve::{A_OVER_T, solve};
+use solve::{CURVE_TOLERANCE as TOLERANCE, curve};
 
 const RANGE: [f64; 2] = [1e-3, 1e3];
 const PAPER: [f64; 4] = [1.75, 0.5, 1e5, 0.25];
@@ -52,7 +53,7 @@ fn a_curve_keeps_its_tolerance_between_its_ends() {
         for tolerance in [1e-6, 1e-8, 1e-10] {
             match curve(&material, RANGE, tolerance) {
                 Ok(curve) => {
-                    let error = |(x, truth): &(f64, tabulate::solve::Solution)| {
+                    let error = |(x, truth): &(f64, solve::Solution)| {
                         relative_error(&curve.quantities(*x).expect("in range"), &truth.quantities)
                             / (tolerance + truth.error)
                     };

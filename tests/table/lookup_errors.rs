@@ -1,5 +1,6 @@
 //! Errors of lookups: each names the value and the allowed range.
 
+use contact::Contact;
 use std::sync::LazyLock;
 
 use acceptance::{assert_names, ends, material, paper_system, table, workdir};
@@ -246,7 +247,7 @@ fn a_rigid_sphere_needs_a_table_of_its_own() {
         } else {
             "the sphere is compliant"
         };
-        match table.contact(&system(sphere)) {
+        match Contact::in_table(table, &system(sphere)) {
             Err(error @ Error::Normalisation { table, query }) => {
                 assert_eq!((table, query), (holds, asked));
                 assert_names(&error.to_string(), &[holds, kind, "e1_over_e2", "embedded"]);
@@ -258,7 +259,10 @@ fn a_rigid_sphere_needs_a_table_of_its_own() {
         substrate: Elastic::new(f64::INFINITY, 0.25).expect("rigid"),
         ..system(f64::INFINITY)
     };
-    assert!(rigid.contact(&solid).is_ok(), "its own rigid sphere");
+    assert!(
+        Contact::in_table(&rigid, &solid).is_ok(),
+        "its own rigid sphere"
+    );
 }
 
 #[test]
@@ -325,7 +329,7 @@ fn the_work_of_adhesion_is_finite_and_not_negative() {
         substrate: Elastic::new(6e7, 0.25).expect("physical"),
         ..paper_system(1e-6)
     };
-    let contact = TABLE.contact(&system).expect("inside");
+    let contact = Contact::in_table(&TABLE, &system).expect("inside");
     assert!(contact.load(1e-6, 0.0).expect("no adhesion") > 0.0);
     for w in [-1e-300, -0.04, f64::NEG_INFINITY, f64::INFINITY, f64::NAN] {
         assert_unphysical(contact.load(1e-6, w), "work of adhesion", w);
@@ -401,7 +405,7 @@ fn an_unphysical_solid_or_system_is_an_error_that_names_it() {
     for (name, value, system) in broken {
         assert_unphysical(system.material(), name, value);
         assert_unphysical(Mechanics::new(&system), name, value);
-        assert_unphysical(TABLE.contact(&system), name, value);
+        assert_unphysical(Contact::in_table(&TABLE, &system), name, value);
     }
 }
 

@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use acceptance::{assert_names, larger, material, shipped};
 use interp::{Parameter, Quantity};
-use tabulate::solve;
+use solve::solve;
 use tabulate::table::{Extent, Plan, Scene, Values, sweep};
 
 const FULL: &str = "\

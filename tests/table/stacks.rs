@@ -6,9 +6,9 @@ use acceptance::{
 };
 use interp::{Error, Material, Parameter, Quantity, Table};
 use serde_json::Value;
-use tabulate::stack::Stack;
+use solve::stack::Stack;
+use solve::{solve_stack, stack_curve};
 use tabulate::table::{Scene, StackTable, certify};
-use tabulate::{solve_stack, stack_curve};
 
 const AXES: &str = "\
 title = 'Layers'
@@ -92,7 +92,7 @@ fn a_contact_is_that_of_the_curve_of_the_stack() {
         let contact = found.contact(1e-3, sphere_modulus).expect("inside");
         let curve = stack_curve(&stack, sphere_modulus, [0.03, 30.0], 1e-9).expect("in reach");
         let system = stack.system(1e-3, sphere_modulus);
-        let solved = interp::Contact::new(&system, curve).expect("its curve");
+        let solved = contact::Contact::new(&system, curve).expect("its curve");
         for radius in [5e-6, 2e-5, 1e-4] {
             let [found, solved] = [&contact, &solved]
                 .map(|contact| contact.load_and_penetration(radius, 0.0).expect("inside"));
@@ -116,7 +116,7 @@ fn one_layer_is_the_film() {
     for [x, sphere] in places(50) {
         let (a_over_t, e1) = (0.03 * 1000_f64.powf(x), 1e-2 * 1e4_f64.powf(sphere));
         let material = Material::new(e1, 0.4, 50.0 * e1, 0.3).expect("physical");
-        let truth = tabulate::solve(a_over_t, &material, 1e-11).expect("in reach");
+        let truth = solve::solve(a_over_t, &material, 1e-11).expect("in reach");
         let table = StackTable::new(&dense).expect("a stack");
         let curve = table.curve(2e6 / e1).expect("inside");
         let found = curve.quantities(a_over_t).expect("inside");

@@ -1,12 +1,13 @@
 //! Tables of scenes: their nodes, stored values, certificates and lookups.
 
+use contact::Contact;
 use std::sync::LazyLock;
 use std::thread;
 use std::time::{Duration, SystemTime};
 
 use acceptance::{Contacts, TRUTH, all_bits, error_at, larger, material, shipped, table, workdir};
 use interp::{Error, Parameter, Quantities, Quantity, Table};
-use tabulate::solve;
+use solve::solve;
 use tabulate::table::certify;
 use tabulate::table::solve_tolerance;
 
@@ -243,9 +244,8 @@ fn only_the_quantities_of_the_scene_are_held_and_another_is_an_error_that_names_
             other => panic!("{quantity:?}: {other:?}"),
         }
     }
-    let contact = table
-        .contact(&acceptance::paper_system(1e-6))
-        .expect("the scene's material");
+    let contact =
+        Contact::in_table(&table, &acceptance::paper_system(1e-6)).expect("the scene's material");
     assert!(contact.stiffness(1e-6).is_ok(), "eeq is all that it needs");
     let missing = |name| {
         move |error: Error| {

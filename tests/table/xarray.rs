@@ -8,7 +8,7 @@ use std::process::Command;
 use acceptance::{BOX, Contacts, TRUTH, bits, larger, shipped, start, table};
 use interp::{Material, Parameter, Quantity, Table};
 use serde_json::{Value, json};
-use tabulate::solve;
+use solve::solve;
 use tabulate::table::archive;
 
 /// A scene of one axis and two quantities.

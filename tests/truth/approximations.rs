@@ -5,11 +5,11 @@ use std::f64::consts::PI;
 
 use acceptance::{assert_names, larger, material};
 use interp::{Material, Quantities};
+use solve::Compliance;
+use solve::solve;
 use tabulate::cost::approximations::{
     bulk_jkr, dimitriadis, dimitriadis_incompressible, film_jkr, gao, garcia, hay_crawford,
 };
-use tabulate::solve;
-use tabulate::solve::Compliance;
 
 const MATERIALS: [[f64; 4]; 5] = [
     [1.75, 0.5, 1e5, 0.25],
@@ -259,7 +259,7 @@ fn hertz_is_exact_at_first_and_the_next_term_as_far_as_it_was_fitted() {
     }
     // Garcia's second coefficient is the exact function of the first, 7/6 of its square. In the
     // series of Dimitriadis the factor is 1, as for a flat punch.
-    let second = |form: fn(f64) -> Result<f64, tabulate::Error>| {
+    let second = |form: fn(f64) -> Result<f64, solve::Error>| {
         let [c1, c2, ..] = coefficients(|chi| form(chi).expect("in the domain"));
         c2 / (c1 * c1)
     };

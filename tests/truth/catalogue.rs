@@ -2,6 +2,7 @@
 //! from independent direct solves, in `tests/data/systems.csv`.
 
 use acceptance::Data;
+use contact::Contact;
 use interp::{Elastic, Probe, System, Table};
 
 /// Errors are relative to the sums of the sizes of the two terms of eq. 9, which may cancel. The
@@ -27,8 +28,7 @@ fn every_system_of_the_catalogue_is_answered() {
             substrate: elastic("substrate"),
         };
         let (a, w) = (case.get("contact_radius"), case.get("work_of_adhesion"));
-        let (load, penetration) = Table::embedded()
-            .contact(&system)
+        let (load, penetration) = Contact::in_table(Table::embedded(), &system)
             .and_then(|contact| contact.load_and_penetration(a, w))
             .unwrap_or_else(|error| panic!("{system:?} at {a}: {error}"));
         let error = |found: f64, name: &str| {

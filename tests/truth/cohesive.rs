@@ -2,10 +2,11 @@
 //! energy balance and the limits of long and of short ranges.
 
 use acceptance::{Case, Data, larger};
-use interp::{Contact, Control, Elastic, Probe, System};
+use contact::{Contact, Control};
+use interp::{Elastic, Probe, System};
+use solve::cohesive::{Cohesive, CohesiveState, REACH};
+use solve::stack::{Layer, Stack};
 use std::f64::consts::PI;
-use tabulate::cohesive::{Cohesive, CohesiveState, REACH};
-use tabulate::stack::{Layer, Stack};
 
 /// The thickness of the films, m, and the modulus of the sphere, Pa: units of the file.
 pub const THICKNESS: f64 = 1e-6;
@@ -356,7 +357,7 @@ fn a_short_range_is_the_limit_of_jkr() {
         substrate: Elastic::new(1e5 * MODULUS, 0.25).expect("physical"),
     };
     let material = system.material().expect("physical");
-    let curve = tabulate::curve(&material, [1e-2, 1e2], 1e-10).expect("within reach");
+    let curve = solve::curve(&material, [1e-2, 1e2], 1e-10).expect("within reach");
     let contact = Contact::new(&system, curve).expect("its curve");
     let excess = [20.0, 40.0].map(|lambda| {
         let (cohesive, _, w) = on_film(lambda, false);

@@ -2,7 +2,7 @@
 //! `q = 1`.
 
 use acceptance::{Data, larger};
-use tabulate::solve::Compliance;
+use solve::Compliance;
 
 /// Largest relative error of `x`. Measured: 2.0 rounding units.
 const X: f64 = 6.0 * f64::EPSILON;

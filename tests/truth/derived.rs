@@ -1,8 +1,9 @@
 //! Curves from `Gamma` alone: the other three quantities are integrals of it over `a/t`.
 
 use acceptance::{Data, larger, material, paper_system, relative_error, table};
+use contact::Contact;
 use interp::{Curve, Description, Elastic, Error, Parameter, Quantity, System, Table};
-use tabulate::solve;
+use solve::solve;
 
 /// The tolerance of the tables of one material.
 const TOLERANCE: f64 = 1e-8;
@@ -329,7 +330,7 @@ fn contacts_and_gradients_are_those_of_direct_solves() {
         substrate: Elastic::new(40.0 * 2e6, 0.25).expect("physical"),
         ..system
     };
-    let contact = table.contact_with_gradient(&system).expect("inside");
+    let contact = Contact::in_table_with_gradient(&table, &system).expect("inside");
     for a in [1e-6, 2e-5, 9e-5] {
         let solved = direct(a / 1e-5, [1.75, 0.5, 40.0, 0.25]);
         let load = a.powi(3) * 2e6 * solved.pi0 / 2e-3;

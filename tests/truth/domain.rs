@@ -5,8 +5,8 @@ use std::f64::consts::PI;
 
 use acceptance::{larger, material, relative_error};
 use interp::{Material, Quantities};
-use tabulate::Error;
-use tabulate::solve::{A_OVER_T, Solution, TOLERANCE, solve};
+use solve::Error;
+use solve::{A_OVER_T, Solution, TOLERANCE, solve};
 
 /// The smallest positive double.
 const DENORMAL: f64 = 5e-324;

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use acceptance::{Contacts, larger, material, relative_error};
 use interp::{Error, Material, SubstratePoissonRatio};
-use tabulate::solve;
+use solve::solve;
 
 /// Largest relative difference of equivalent materials' quantities. Measured: 6.2e-15; 2.0e-15
 /// under a rigid sphere.

@@ -4,9 +4,9 @@
 
 use acceptance::{Contacts, Data, larger, material, relative_error};
 use interp::{Material, Quantities};
-use tabulate::Error;
-use tabulate::solve::Compliance;
-use tabulate::solve::{A_OVER_T, Solution, solve};
+use solve::Compliance;
+use solve::Error;
+use solve::{A_OVER_T, Solution, solve};
 
 const INF: f64 = f64::INFINITY;
 /// A Poisson ratio just below 0.5.

@@ -1,7 +1,7 @@
 //! The rigid sphere on a layer bonded to a rigid base against the table of Hayes et al. (1972).
 
 use acceptance::{Data, larger, material, relative_error};
-use tabulate::solve;
+use solve::solve;
 
 /// Largest relative difference from the printed values, which lose accuracy as `a/t` grows.
 /// Measured: 8.8e-3 at `a/t = 2`.

@@ -15,7 +15,7 @@
 use std::f64::consts::PI;
 
 use acceptance::{Contacts, larger};
-use tabulate::solve;
+use solve::solve;
 
 /// Tolerance of the solves.
 const TOLERANCE: f64 = 1e-12;

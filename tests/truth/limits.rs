@@ -6,8 +6,8 @@ use std::f64::consts::PI;
 
 use acceptance::{Contacts, larger, material, relative_error, relative_errors};
 use interp::{Material, Quantities};
-use tabulate::solve;
-use tabulate::solve::Compliance;
+use solve::Compliance;
+use solve::solve;
 
 /// The film and the substrate of Barthel's figures.
 const PAPER: [f64; 4] = [1.75, 0.5, 1e5, 0.25];

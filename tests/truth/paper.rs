@@ -4,8 +4,9 @@ use std::f64::consts::PI;
 use std::sync::LazyLock;
 
 use acceptance::{Contacts, larger, paper_system, shipped};
-use interp::{Contact, Control, Elastic, Mechanics, Probe, Quantities, System, Table};
-use tabulate::solve;
+use contact::{Contact, Control, JkrPoint};
+use interp::{Elastic, Mechanics, Probe, Quantities, System, Table};
+use solve::solve;
 
 /// Work of adhesion of the paper's Table 1, J/m^2.
 const W: f64 = 0.04;
@@ -14,9 +15,7 @@ static TABLE: LazyLock<Table> =
     LazyLock::new(|| Table::read(shipped("paper.bin")).expect("a sound table"));
 
 fn contact(film_thickness: f64) -> Contact {
-    TABLE
-        .contact(&paper_system(film_thickness))
-        .expect("the table is the paper's")
+    Contact::in_table(&TABLE, &paper_system(film_thickness)).expect("the table is the paper's")
 }
 
 /// Returns the root of an increasing function, to rounding.
@@ -258,7 +257,7 @@ fn a_homogeneous_system_is_jkr() {
                 (penetration - (hertz - punch)).abs() / hertz.max(punch),
             );
             // Eq. 1.
-            let point = mechanics.jkr_point(a, load);
+            let point = JkrPoint::new(a, load, mechanics.sphere_radius());
             let (slope, intercept) = (4.0 * e / (3.0 * 6.0_f64.sqrt()), (4.0 * w * e / 3.0).sqrt());
             assert!((point.abscissa / (a.powf(1.5) / (PI.sqrt() * r)) - 1.0).abs() <= EXACT);
             let line = slope * point.abscissa - intercept;
@@ -296,12 +295,14 @@ fn the_load_is_eq_9_in_its_reduced_form() {
             film,
             ..paper_system(contacts.log_uniform(1e-7, 5e-6))
         };
-        let contact = TABLE.contact(&system).expect("inside");
+        let contact = Contact::in_table(&TABLE, &system).expect("inside");
         let a = contacts.log_uniform(1e-2, 1e2) * system.film_thickness;
         let w = contacts.log_uniform(1e-3, 1.0);
-        let point = contact
-            .mechanics()
-            .jkr_point(a, contact.load(a, w).expect("inside"));
+        let point = JkrPoint::new(
+            a,
+            contact.load(a, w).expect("inside"),
+            contact.mechanics().sphere_radius(),
+        );
         let [pi0, eeq, gamma, _] = contact.quantities(a).expect("inside").to_array();
         let e = system.sphere_modulus;
         let es = 1.0 / (1.0 / e + 0.75 / film.young());
@@ -343,9 +344,9 @@ fn answers(
     (system, a, w): (System, f64, f64),
     [length, force]: [f64; 2],
 ) -> [f64; 5] {
-    let contact = table.contact(&system).expect("inside");
+    let contact = Contact::in_table(table, &system).expect("inside");
     let (load, penetration) = contact.load_and_penetration(a, w).expect("inside");
-    let jkr = contact.mechanics().jkr_point(a, load);
+    let jkr = JkrPoint::new(a, load, contact.mechanics().sphere_radius());
     let stiffness = contact.stiffness(a).expect("inside") * force / length;
     [
         load * force,

@@ -2,7 +2,7 @@
 
 use acceptance::{Contacts, Data, larger, material};
 use interp::Material;
-use tabulate::solve::{PowerLaw, solve_power_laws};
+use solve::{PowerLaw, solve_power_laws};
 
 /// Returns the largest relative difference of load and penetration.
 fn error(power_law: PowerLaw, pi: f64, delta: f64) -> f64 {

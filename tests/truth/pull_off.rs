@@ -2,12 +2,13 @@
 //! correction of first order, and otherwise the lowest value of a scan of all states.
 
 use acceptance::larger;
-use interp::{Contact, Control, Elastic, FiniteRange, Probe, System};
+use contact::{Contact, Control, FiniteRange};
+use interp::{Elastic, Probe, System};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
+use solve::cohesive::{Cohesive, CohesiveState};
+use solve::stack::{Layer, Stack};
 use std::f64::consts::PI;
-use tabulate::cohesive::{Cohesive, CohesiveState};
-use tabulate::stack::{Layer, Stack};
 
 /// Bodies with an attraction, and what is imposed on them.
 struct Case {
@@ -37,8 +38,7 @@ impl Case {
     fn jkr(&self) -> Contact {
         let material = self.system.material().expect("physical");
         let largest = 0.9 * self.sphere_radius() / self.system.film_thickness;
-        let curve =
-            tabulate::curve(&material, [1e-5, largest.min(1e3)], 1e-9).expect("within reach");
+        let curve = solve::curve(&material, [1e-5, largest.min(1e3)], 1e-9).expect("within reach");
         Contact::new(&self.system, curve).expect("its curve")
     }
 
@@ -181,7 +181,7 @@ fn pull_offs_of_short_ranges_are_those_of_the_first_order() {
         };
         let found = match case.cohesive().pull_off(case.control) {
             Ok(found) => found,
-            Err(tabulate::Error::PullOffReach { .. }) => {
+            Err(solve::Error::PullOffReach { .. }) => {
                 refused += 1;
                 let wide = short_state.outer_radius / case.system.film_thickness;
                 let of_sphere = short_state.contact_radius / case.sphere_radius();
@@ -193,7 +193,7 @@ fn pull_offs_of_short_ranges_are_those_of_the_first_order() {
                 continue;
             }
             // A confined film may pull harder inside than the attraction can.
-            Err(tabulate::Error::NotAContact { what, .. }) if what.contains("open there") => {
+            Err(solve::Error::NotAContact { what, .. }) if what.contains("open there") => {
                 opened += 1;
                 continue;
             }
@@ -322,8 +322,7 @@ fn stacks_have_the_pull_off_of_the_first_order() {
             });
             let stack = Stack::new(solid(1e10, 0.25), layers).expect("physical");
             let top = 0.6 * thickness;
-            let curve =
-                tabulate::stack_curve(&stack, 1e8, [1e-3, 60.0], 1e-8).expect("within reach");
+            let curve = solve::stack_curve(&stack, 1e8, [1e-3, 60.0], 1e-8).expect("within reach");
             let jkr = Contact::new(&stack.system(radius, 1e8), curve).expect("its curve");
             let zone = 0.01 * top.min(1e-6);
             let es = jkr.mechanics().sphere_film_modulus();

@@ -1,7 +1,7 @@
 //! The solve against double-double values. `data/barthel_reference.csv` states their origin.
 
 use acceptance::{Case, Contacts, Data, larger, relative_error};
-use tabulate::solve;
+use solve::solve;
 
 /// Largest relative error at tolerance 1e-10. Measured: 1.5e-12 where `e1_over_e2 >= 1e-2`, 2.6e-12
 /// for softer films.

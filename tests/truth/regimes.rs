@@ -5,7 +5,7 @@ use std::sync::LazyLock;
 
 use acceptance::{larger, material, relative_error};
 use interp::Material;
-use tabulate::solve::{Method, Solution, solve};
+use solve::{Method, Solution, solve};
 
 /// Materials, each with two tolerances. They switch between all methods and for all reasons: cost,
 /// reach and rounding.

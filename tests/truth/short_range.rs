@@ -2,10 +2,11 @@
 //! under several probes, values by two other programs, and solves of the whole annulus on films.
 
 use acceptance::{Data, larger};
-use interp::{CohesiveEquilibrium, Contact, Control, Elastic, FiniteRange, HalfSpace, Probe, root};
+use contact::{CohesiveEquilibrium, Contact, Control, FiniteRange, root};
+use interp::{Elastic, HalfSpace, Probe};
+use solve::cohesive::Cohesive;
+use solve::stack::{Layer, Stack};
 use std::f64::consts::PI;
-use tabulate::cohesive::Cohesive;
-use tabulate::stack::{Layer, Stack};
 
 use super::cohesive::{Bodies, THICKNESS};
 
@@ -117,7 +118,7 @@ fn the_remainder_is_of_second_order_under_every_smooth_probe() {
 
 /// The contact of a stack, with a curve of its own.
 fn contact_of(stack: &Stack, sphere_radius: f64, sphere_modulus: f64) -> Contact {
-    let curve = tabulate::stack_curve(stack, sphere_modulus, [1e-2, 45.0], 1e-8);
+    let curve = solve::stack_curve(stack, sphere_modulus, [1e-2, 45.0], 1e-8);
     let curve = curve.unwrap_or_else(|e| panic!("{e}"));
     Contact::new(&stack.system(sphere_radius, sphere_modulus), curve).expect("its curve")
 }

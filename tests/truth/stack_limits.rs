@@ -4,9 +4,10 @@ use std::f64::consts::{LN_2, PI};
 
 use acceptance::{larger, layer, random_stack, relative_error, solid, stack};
 use interp::{Elastic, Material, Quantities};
-use tabulate::solve::{Compliance, LayeredCompliance, Method, SurfaceCompliance};
-use tabulate::stack::{Layer, Stack};
-use tabulate::{Error, solve, solve_stack};
+use solve::Error;
+use solve::stack::{Layer, Stack};
+use solve::{Compliance, LayeredCompliance, Method, SurfaceCompliance};
+use solve::{solve, solve_stack};
 
 use crate::identities::with_derivatives;
 
@@ -416,12 +417,12 @@ fn a_contact_that_is_too_wide_beside_the_top_layer_is_refused_with_the_reach() {
     for part in ["250.1", "4.0 times", "up to 250.0"] {
         assert!(error.to_string().contains(part), "{error}");
     }
-    assert!(tabulate::stack_curve(&stack, 1.0, [1.0, 250.1], 1e-6).is_err());
+    assert!(solve::stack_curve(&stack, 1.0, [1.0, 250.1], 1e-6).is_err());
     let layers = [layer(1.0, 0.3, 1.0), layer(2.0, 0.4, 1e-300)];
     let thinnest = Stack::new(solid(1e3, 0.3), layers).expect("physical");
     for error in [
         solve_stack(1.0, &thinnest, 1.0, 1e-6).map(drop),
-        tabulate::stack_curve(&thinnest, 1.0, [0.1, 1.0], 1e-6).map(drop),
+        solve::stack_curve(&thinnest, 1.0, [0.1, 1.0], 1e-6).map(drop),
     ] {
         assert!(matches!(error, Err(Error::StackReach { .. })), "{error:?}");
     }

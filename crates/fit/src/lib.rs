@@ -75,7 +75,7 @@ pub use estimate::{
 };
 pub use magnitude::Magnitude;
 pub use model::{
-    Bodies, Branch, Cause, Direction, Experiment, Fixed, Free, Interruptible, Kind, Known, Layer,
-    LayerName, Layered, LayeredSolver, Loss, Measurement, Options, Parameter, Point, PointErrors,
-    Prediction, Prior, Reach, Scope, simulate,
+    Bodies, Branch, Cause, DirectSolver, Direction, Experiment, Fixed, Free, Interruptible, Kind,
+    Known, Layer, LayerName, Layered, LayeredSolver, Loss, Measurement, Options, Parameter, Point,
+    PointErrors, Prediction, Prior, Reach, Scope, simulate, stack_of, system_on,
 };

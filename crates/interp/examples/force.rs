@@ -1,6 +1,6 @@
 //! Prints the load of a sphere of 1 mm on a film of 1 um at one contact radius, from the embedded
 //! table: `cargo run --release -p interp --example force`.
-use interp::{Elastic, Probe, System, Table};
+use interp::{Elastic, ForceCurve, Probe, System, Table};
 
 fn main() -> Result<(), interp::Error> {
     let system = System {
@@ -10,7 +10,7 @@ fn main() -> Result<(), interp::Error> {
         film_thickness: 1e-6,
         substrate: Elastic::new(2e11, 0.25)?,
     };
-    let contact = Table::embedded().contact(&system)?;
-    println!("{:.3e} N", contact.load(65e-6, 0.040)?); // contact radius, work of adhesion
+    let curve = ForceCurve::in_table(Table::embedded(), &system)?;
+    println!("{:.3e} N", curve.load(65e-6, 0.040)?); // contact radius, work of adhesion
     Ok(())
 }

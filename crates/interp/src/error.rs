@@ -69,10 +69,9 @@ pub enum Error {
     },
     /// A zone of attraction that is not short.
     #[error(
-        "the zone of attraction is {zone:?} m long, more than {} times the {what}, {length:?} m, and \
+        "the zone of attraction is {zone:?} m long, more than {most} times the {what}, {length:?} m, and \
          the correction for a short zone does not hold: give a larger stress of the attraction, or solve \
-         a zone of any length with `tabulate pull-off --interaction-range`",
-        crate::FiniteRange::LONGEST
+         a zone of any length by a direct solve"
     )]
     LongZone {
         /// The length of the zone, m.
@@ -81,6 +80,8 @@ pub enum Error {
         what: &'static str,
         /// The radius or thickness, m.
         length: f64,
+        /// The largest length of the zone over this length.
+        most: f64,
     },
     /// The curve of a stack of layers under a probe that is no paraboloid.
     #[error(
@@ -132,7 +133,7 @@ pub enum Error {
         tolerance: f64,
     },
     /// A state whose contact radius is outside the range of a search:
-    /// [`Contact::contact_radius_range`](crate::Contact::contact_radius_range).
+    /// `Contact::contact_radius_range` of the crate `contact`.
     #[error(
         "{name} = {value:?}{} needs a contact radius that {}",
         unit(name),
@@ -435,7 +436,7 @@ impl Error {
 
     /// Returns [`Error::Unphysical`] unless `holds`. A condition that compares with NaN must be
     /// false.
-    pub(crate) const fn unless(
+    pub const fn unless(
         holds: bool,
         name: &'static str,
         value: f64,
@@ -453,7 +454,7 @@ impl Error {
     }
 
     /// Returns [`Error::InvalidArgument`] unless `holds`.
-    pub(crate) const fn argument(
+    pub const fn argument(
         holds: bool,
         name: &'static str,
         value: f64,
@@ -471,7 +472,7 @@ impl Error {
     }
 
     /// Returns [`Error::InvalidArgument`] unless there are as many values to write as points.
-    pub(crate) fn same_length<P, V>(points: &[P], values: &[V]) -> Result<(), Self> {
+    pub fn same_length<P, V>(points: &[P], values: &[V]) -> Result<(), Self> {
         if points.len() == values.len() {
             return Ok(());
         }

@@ -4,11 +4,12 @@
 
 use std::path::PathBuf;
 
+use ::solve::stack::{Layer, Stack};
 use interp::{Elastic, Error, HalfSpace, Probe, System};
 use numpy::PyReadonlyArray1;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
-use tabulate::stack::{Layer, NamedStack, Stack};
+use tabulate::stack::NamedStack;
 
 use crate::error::OrRaise as _;
 

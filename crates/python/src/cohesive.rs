@@ -1,9 +1,11 @@
 //! An attraction of finite range: states at contact radii, fields in one contact, and the pull-off.
 
-use interp::{CohesiveState, Probe};
+use ::contact::CohesiveState;
+use ::solve::Error;
+use ::solve::cohesive;
+use interp::Probe;
 use numpy::PyArray1;
 use pyo3::prelude::*;
-use tabulate::{Error, cohesive};
 
 use crate::arrays::{Input, Output, Points};
 use crate::bodies::{NativeStackSystem, NativeSystem};

@@ -2,9 +2,8 @@
 
 use std::sync::OnceLock;
 
-use interp::{
-    Branch, Control, Curve, Error, ForceDisplacement, Input as Parameter, Neglected, State, System,
-};
+use ::contact::{Branch, Control, ForceDisplacement, Input as Parameter, Neglected, State};
+use interp::{Curve, Error, System};
 use numpy::PyArray1;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -17,9 +16,9 @@ use crate::table::Table;
 /// A contact, with the table that makes its derivatives when they are first asked for.
 #[pyclass(frozen, module = "coated_contact._core")]
 pub struct Contact {
-    pub contact: interp::Contact,
+    pub contact: ::contact::Contact,
     origin: Option<(Table, System)>,
-    with_gradient: OnceLock<interp::Contact>,
+    with_gradient: OnceLock<::contact::Contact>,
 }
 
 /// What is imposed: `load`, `displacement` or `spring`, and the stiffness of the spring, N/m.
@@ -37,7 +36,7 @@ type CurveNumbers<'py> = (
 
 impl Contact {
     /// Takes the contact of a system on a table.
-    pub fn coated(table: Table, system: System, contact: interp::Contact) -> Self {
+    pub fn coated(table: Table, system: System, contact: ::contact::Contact) -> Self {
         Self {
             contact,
             origin: Some((table, system)),
@@ -46,7 +45,7 @@ impl Contact {
     }
 
     /// Takes a contact that no table can make again.
-    fn alone(contact: interp::Contact) -> Self {
+    fn alone(contact: ::contact::Contact) -> Self {
         Self {
             contact,
             origin: None,
@@ -60,20 +59,20 @@ impl Contact {
         system: &System,
         curve: impl FnOnce() -> Result<Curve, tabulate::Error> + Send,
     ) -> PyResult<Self> {
-        py.detach(|| Ok::<_, tabulate::Error>(interp::Contact::new(system, curve()?)?))
+        py.detach(|| Ok::<_, tabulate::Error>(::contact::Contact::new(system, curve()?)?))
             .map(Self::alone)
             .or_raise(py)
     }
 
     /// Returns the contact with derivatives, made at the first call.
-    fn gradient_contact(&self) -> Result<&interp::Contact, Error> {
+    fn gradient_contact(&self) -> Result<&::contact::Contact, Error> {
         let Some((table, system)) = &self.origin else {
             return Ok(&self.contact);
         };
         if let Some(made) = self.with_gradient.get() {
             return Ok(made);
         }
-        let made = table.get().contact_with_gradient(system)?;
+        let made = ::contact::Contact::in_table_with_gradient(table.get(), system)?;
         Ok(self.with_gradient.get_or_init(|| made))
     }
 }
@@ -111,7 +110,7 @@ fn arrays<'py>(py: Python<'py>, states: &[State]) -> StateArrays<'py> {
 impl Contact {
     #[staticmethod]
     fn half_space(py: Python<'_>, system: &Bound<'_, NativeHalfSpace>) -> PyResult<Self> {
-        interp::Contact::half_space(&system.get().0)
+        ::contact::Contact::half_space(&system.get().0)
             .map(Self::alone)
             .or_raise(py)
     }
@@ -126,7 +125,7 @@ impl Contact {
     ) -> PyResult<Self> {
         let system = &system.get().0;
         Self::of_curve(py, system, || {
-            tabulate::curve(&system.material()?, a_over_t, tolerance)
+            Ok(::solve::curve(&system.material()?, a_over_t, tolerance)?)
         })
     }
 
@@ -140,7 +139,13 @@ impl Contact {
     ) -> PyResult<Self> {
         let NativeStackSystem { named, system } = system.get();
         Self::of_curve(py, system, || {
-            tabulate::stack_curve(&named.stack, system.sphere_modulus, a_over_t, tolerance)
+            let sphere_modulus = system.sphere_modulus;
+            Ok(::solve::stack_curve(
+                &named.stack,
+                sphere_modulus,
+                a_over_t,
+                tolerance,
+            )?)
         })
     }
 
@@ -255,7 +260,7 @@ impl Contact {
     }
 
     /// Returns load and penetration, and then the derivatives of both with respect to each of
-    /// `interp::Input::ALL`; NaN where one is not known.
+    /// `::contact::Input::ALL`; NaN where one is not known.
     fn gradient<'py>(
         &self,
         py: Python<'py>,

@@ -6,7 +6,7 @@
 use std::io;
 use std::path::Path;
 
-use interp::{Error, FiniteRange};
+use interp::Error;
 use pyo3::exceptions::PyOSError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -259,14 +259,13 @@ impl From<Error> for Failure {
                 .about("contact radius", contact_radius)
                 .allowed(&format!("{allowed} {limit:?} m")),
             Error::OtherProbe { .. } | Error::StackProbe => of("OtherProbeError"),
-            Error::LongZone { zone, what, length } => of("LongZoneError")
+            Error::LongZone { zone, what, length, most } => of("LongZoneError")
                 .about("zone", zone)
-                .range(0.0, FiniteRange::LONGEST * length)
+                .range(0.0, most * length)
                 .saying(&format!(
-                    "the zone of attraction is {zone:?} m long, more than {} times the {what}, \
+                    "the zone of attraction is {zone:?} m long, more than {most} times the {what}, \
                      {length:?} m, and the correction for a short zone does not hold: give a larger \
-                     stress of the attraction, or solve a zone of any length with `Cohesive`",
-                    FiniteRange::LONGEST
+                     stress of the attraction, or solve a zone of any length with `Cohesive`"
                 )),
             Error::Profile { row, .. } => of("ProfileError").about("row", row as f64),
             Error::OutsideTable {
@@ -336,14 +335,13 @@ impl From<Error> for Failure {
     }
 }
 
-impl From<tabulate::Error> for Failure {
-    fn from(error: tabulate::Error) -> Self {
-        use tabulate::Error;
+impl From<::solve::Error> for Failure {
+    fn from(error: ::solve::Error) -> Self {
+        use ::solve::Error;
         let failure = Self::new("ContactError", &error);
-        let words = failure.message.clone();
         let of = |class| Self { class, ..failure };
         match error {
-            Error::Table(error) => error.into(),
+            Error::Contact(error) => error.into(),
             Error::Domain {
                 name,
                 value,
@@ -366,7 +364,6 @@ impl From<tabulate::Error> for Failure {
                 .about("a_over_t", a_over_t)
                 .range(0.0, reach),
             Error::NoLayers => of("StackError"),
-            Error::StackFile { .. } => of("StackError"),
             Error::Layer { layer, .. } => of("StackError").about("layer", layer as f64),
             Error::NotAContact { contact_radius, .. } => {
                 of("NotAContactError").about("contact radius", contact_radius)
@@ -379,6 +376,21 @@ impl From<tabulate::Error> for Failure {
                 .range(0.0, reach),
             Error::PullOffReach { .. } => of("DomainError"),
             Error::OnlyParaboloid { .. } => of("OtherProbeError"),
+            _ => of("ContactError"),
+        }
+    }
+}
+
+impl From<tabulate::Error> for Failure {
+    fn from(error: tabulate::Error) -> Self {
+        use tabulate::Error;
+        let failure = Self::new("ContactError", &error);
+        let words = failure.message.clone();
+        let of = |class| Self { class, ..failure };
+        match error {
+            Error::Table(error) => error.into(),
+            Error::Solve(error) => error.into(),
+            Error::StackFile { .. } => of("StackError"),
             Error::Read { path, source } | Error::Write { path, source } => {
                 of("OSError").about_file(&path, &source)
             }
@@ -433,9 +445,9 @@ impl From<fit::Error> for Failure {
 }
 
 impl From<fit::Cause> for Failure {
-    /// The error of `tabulate::stack::DirectSolver`, which tells the layer by its name.
+    /// The error of `fit::DirectSolver`, which tells the layer by its name.
     fn from(cause: fit::Cause) -> Self {
-        let cause = match cause.downcast::<tabulate::Error>() {
+        let cause = match cause.downcast::<::solve::Error>() {
             Ok(error) => return (*error).into(),
             Err(cause) => cause,
         };
@@ -449,7 +461,7 @@ impl From<fit::Cause> for Failure {
 /// Returns the exception of a derivative that is not known.
 #[pyfunction]
 pub fn no_derivative(py: Python<'_>, input: usize) -> PyErr {
-    let name = interp::Input::ALL
+    let name = ::contact::Input::ALL
         .get(input)
         .map_or("an unknown input", |input| input.name());
     Failure::from(Error::FixedParameter(name)).raise(py)

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
+use ::solve::parallel;
 use fit::data::Notes;
 use fit::report::{JkrPlotPoint, jkr_plot, report};
 use fit::{
@@ -14,7 +15,6 @@ use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList, PyString, PyTuple};
-use tabulate::parallel;
 
 use crate::bodies::{NativeHalfSpace, NativeStackSystem, NativeSystem};
 use crate::error::{Failure, OrRaise as _};

@@ -64,7 +64,7 @@ mod _core {
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
         module.add("__version__", env!("CARGO_PKG_VERSION"))?;
-        module.add("LONGEST_ZONE", interp::FiniteRange::LONGEST)?;
+        module.add("LONGEST_ZONE", ::contact::FiniteRange::LONGEST)?;
         module.add("writes_hdf5", tabulate::table::archive::WRITES_HDF5)
     }
 }

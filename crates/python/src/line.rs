@@ -3,7 +3,8 @@
 //! A line in Python holds its contact, its law and its state; each call of this module makes it
 //! again from these.
 
-use interp::{CrackTip, Error, Hysteresis, RateDependent, State};
+use ::contact::{CrackTip, Hysteresis, RateDependent, State};
+use interp::Error;
 use numpy::PyArray1;
 use pyo3::prelude::*;
 

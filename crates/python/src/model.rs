@@ -3,11 +3,11 @@
 
 use std::sync::Arc;
 
+use fit::DirectSolver;
 use fit::{Branch, Error, Experiment, LayeredSolver};
 use numpy::{PyArray1, PyArrayMethods as _};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use tabulate::stack::DirectSolver;
 
 use crate::arrays::Output;
 use crate::error::OrRaise as _;

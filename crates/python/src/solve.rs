@@ -1,8 +1,8 @@
 //! Direct solves on all cores.
 
+use ::solve::Solution;
 use interp::Material;
 use pyo3::prelude::*;
-use tabulate::solve::Solution;
 
 use crate::arrays::{Input, Output, Points};
 use crate::bodies::NativeStack;
@@ -18,7 +18,7 @@ pub fn solve<'py>(
 ) -> PyResult<[Output<'py>; 5]> {
     let one = |[a_over_t, e1_over_e2, nu1, e0_over_e2, nu0, tolerance]: [f64; 6]| {
         let material = Material::new(e1_over_e2, nu1, e0_over_e2, nu0)?;
-        tabulate::solve(a_over_t, &material, tolerance).map(numbers)
+        ::solve::solve(a_over_t, &material, tolerance).map(numbers)
     };
     points.evaluate_on_all_cores(py, inputs.each_ref(), one)
 }
@@ -36,7 +36,7 @@ pub fn solve_stack<'py>(
 ) -> PyResult<[Output<'py>; 5]> {
     let stack = &stack.get().0.stack;
     let one = |[a_over_t, sphere_modulus, tolerance]: [f64; 3]| {
-        tabulate::solve_stack(a_over_t, stack, sphere_modulus, tolerance).map(numbers)
+        ::solve::solve_stack(a_over_t, stack, sphere_modulus, tolerance).map(numbers)
     };
     points.evaluate_on_all_cores(py, [&a_over_t, &sphere_modulus, &tolerance], one)
 }

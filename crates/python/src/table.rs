@@ -3,12 +3,12 @@
 use std::path::PathBuf;
 use std::sync::{Arc, Mutex, PoisonError};
 
+use fit::DirectSolver;
 use fit::LayeredSolver;
 use interp::{Curve, Error, Material, SubstratePoissonRatio};
 use numpy::{PyArray1, PyArrayMethods as _};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
-use tabulate::stack::DirectSolver;
 use tabulate::table::StackTable;
 
 use crate::arrays::{Input, Output, Points};
@@ -180,7 +180,7 @@ impl Table {
     /// Makes the contact of a system.
     fn contact(&self, py: Python<'_>, system: &Bound<'_, NativeSystem>) -> PyResult<Contact> {
         let system = &system.get().0;
-        py.detach(|| self.get().contact(system))
+        py.detach(|| ::contact::Contact::in_table(self.get(), system))
             .map(|contact| Contact::coated(self.clone(), system.clone(), contact))
             .or_raise(py)
     }

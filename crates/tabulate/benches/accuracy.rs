@@ -5,8 +5,8 @@ use std::hint::black_box;
 use std::time::Instant;
 
 use interp::Material;
+use solve::solve;
 use tabulate::cost::clock::{human, median};
-use tabulate::solve;
 use tabulate::table::{Plan, Scene, sweep};
 
 fn main() {

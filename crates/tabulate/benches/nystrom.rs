@@ -15,9 +15,9 @@ use interp::{Material, Quantities};
 use python::Python;
 use serde::Deserialize;
 use serde_json::json;
+use solve::solve;
 use tabulate::cost::clock::{self, human, median};
 use tabulate::cost::deviation::{deviation, tightest};
-use tabulate::solve;
 
 const A_OVER_T: [f64; 6] = [0.01, 1.0, 10.0, 30.0, 100.0, 300.0];
 const TOLERANCES: [f64; 2] = [1e-6, 1e-10];

@@ -24,10 +24,10 @@ use interpn::{MultiBsplineRectilinear, MulticubicRectilinear};
 use python::Python;
 use serde::Deserialize;
 use serde_json::json;
+use solve::solve;
 use tabulate::cost::clock::{self, human, median};
 use tabulate::cost::deviation::{deviation, tightest};
 use tabulate::cost::lookup::{Point, random_points};
-use tabulate::solve;
 use tabulate::table::{Plan, Scene, compress, sweep};
 
 /// What sets how long the comparison takes.

@@ -6,9 +6,9 @@ use std::hint::black_box;
 
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 use interp::{Certificate, Description, Elastic, Material, Table};
-use tabulate::stack::{Layer, Stack};
+use solve::stack::{Layer, Stack};
+use solve::{solve, solve_stack, stack_curve};
 use tabulate::table::{Plan, Scene, StackTable, sweep};
-use tabulate::{solve, solve_stack, stack_curve};
 
 /// The tolerance of the solves.
 const TOLERANCE: f64 = 1e-8;

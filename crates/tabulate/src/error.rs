@@ -1,113 +1,15 @@
-//! The errors of solving, of scenes and of files. Each holds the numbers that explain it.
+//! The errors of scenes, of the generation of tables and of files. Each holds the numbers that
+//! explain it.
 
 use std::io;
 use std::path::PathBuf;
 
-use interp::Material;
-
 use crate::printable;
 
-/// Any failure of the solve, of a scene, or of a file.
+/// Any failure of a scene, of the generation of a table, or of a file.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
-    /// A parameter outside the domain of the solve.
-    #[error("{name} = {value:?} is outside the domain of the solve, {from:?} to {to:?}")]
-    Domain {
-        /// The parameter's name.
-        name: &'static str,
-        /// The value given.
-        value: f64,
-        /// The smallest value allowed.
-        from: f64,
-        /// The largest value allowed.
-        to: f64,
-    },
-    /// A tolerance that the solve has not reached.
-    #[error(
-        "tolerance {tolerance:.1e} is not reached at a_over_t = {a_over_t:?}, e1_over_e2 = {:?}, nu1 = {:?}, e0_over_e2 = {:?}, nu0 = {:?}: \
-         the estimated error is {reached:.1e}; ask for a larger tolerance",
-        material.e1_over_e2(), material.nu1(), material.e0_over_e2(), material.nu0()
-    )]
-    NotConverged {
-        /// The contact radius over the film thickness.
-        a_over_t: f64,
-        /// The material.
-        material: Material,
-        /// The tolerance.
-        tolerance: f64,
-        /// The estimated relative error that was reached; infinite where every method failed.
-        reached: f64,
-    },
-    /// A tolerance that the solve of a stack of layers has not reached.
-    #[error(
-        "tolerance {tolerance:.1e} is not reached at a_over_t = {a_over_t:?} of this stack of layers: the estimated error is {reached:.1e}; \
-         ask for a larger tolerance"
-    )]
-    StackNotConverged {
-        /// The contact radius over the thickness of the stack.
-        a_over_t: f64,
-        /// The tolerance.
-        tolerance: f64,
-        /// The estimated relative error that was reached; infinite where the method failed.
-        reached: f64,
-    },
-    /// A contact that is too wide beside the top layer of a stack.
-    #[error(
-        "a_over_t = {a_over_t:?} is out of reach of this stack of {}: its thickness is {thickness_over_top:?} times that \
-         of its top layer, and the contact radius may be at most {most} times that of the top layer; use an a_over_t up to {reach:?}, or \
-         leave out a top layer that is too thin to matter",
-        if *layers == 1 {
-            "one layer that is not like its base".to_owned()
-        } else {
-            format!("{layers} different layers")
-        }
-    )]
-    StackReach {
-        /// The contact radius over the thickness of the stack.
-        a_over_t: f64,
-        /// The largest contact radius within reach, over the thickness of the stack.
-        reach: f64,
-        /// The largest contact radius within reach, over the thickness of the top layer.
-        most: f64,
-        /// The thickness of the stack over that of its top layer.
-        thickness_over_top: f64,
-        /// The number of layers, of which neighbours of one material count as one.
-        layers: usize,
-    },
-    /// A stack without layers.
-    #[error(
-        "a stack needs at least one layer on its base; a sphere on the bare base is `interp::HalfSpace`"
-    )]
-    NoLayers,
-    /// A layer that a stack cannot have.
-    #[error("layer {layer} of {layers}, counted from the base: {what}")]
-    Layer {
-        /// The number of the layer, from 1 at the base.
-        layer: usize,
-        /// The number of all layers.
-        layers: usize,
-        /// A sentence with the value and the allowed range.
-        what: String,
-    },
-    /// An attraction of finite range that has no solution at a contact radius.
-    #[error(
-        "there is no contact of radius {contact_radius:?} m with this attraction: {what}; take a larger contact radius or a shorter interaction range"
-    )]
-    NotAContact {
-        /// The contact radius, m.
-        contact_radius: f64,
-        /// The condition that is not fulfilled.
-        what: &'static str,
-    },
-    /// An attraction of finite range under a probe that is no paraboloid.
-    #[error(
-        "an attraction of finite range is solved for a paraboloid only, not for a {probe}; use the paraboloid with the radius of curvature of the tip, or no interaction range"
-    )]
-    OnlyParaboloid {
-        /// The name of the shape.
-        probe: &'static str,
-    },
     /// A probe whose force curve the page of a table does not compute.
     #[error(
         "the page of this table computes no {probe}: {reason}; `tabulate curve` prints the force curve of every probe"
@@ -117,28 +19,6 @@ pub enum Error {
         probe: &'static str,
         /// What the page computes, or what the table lacks.
         reason: &'static str,
-    },
-    /// An attraction that reaches farther than is solved.
-    #[error(
-        "at the contact radius {contact_radius:?} m the attraction acts beyond the radius {reach:?} m, up to which it is solved; take a smaller contact radius or a shorter interaction range"
-    )]
-    AnnulusReach {
-        /// The contact radius, m.
-        contact_radius: f64,
-        /// The largest outer radius, m.
-        reach: f64,
-    },
-    /// A pull-off with an attraction of finite range at a contact wider than is solved.
-    #[error(
-        "at the pull-off the contact, or the attraction around it, is wider than {reach:?} m, up to which an attraction of finite range is \
-         solved on a top layer of {thickness:?} m; take a smaller sphere or a thicker layer, or leave out the range of the attraction: \
-         JKR, the limit of short ranges, is solved on thinner layers"
-    )]
-    PullOffReach {
-        /// The largest radius that is solved, m.
-        reach: f64,
-        /// The thickness of the top layer, m.
-        thickness: f64,
     },
     /// A measurement that differs from a recorded one.
     #[error("row {row}: {column} was {before} and is {now}")]
@@ -335,23 +215,19 @@ pub enum Error {
     /// A picture that cannot be drawn.
     #[error("cannot draw: {0}")]
     Picture(String),
+    /// An error of a solve.
+    #[error(transparent)]
+    Solve(solve::Error),
     /// An error of a table or of its parameters.
     #[error(transparent)]
     Table(#[from] interp::Error),
 }
 
-impl Error {
-    /// Accepts a value in `[from, to]`.
-    pub(crate) fn check(name: &'static str, value: f64, [from, to]: [f64; 2]) -> Result<(), Self> {
-        if value >= from && value <= to {
-            Ok(())
-        } else {
-            Err(Self::Domain {
-                name,
-                value,
-                from,
-                to,
-            })
+impl From<solve::Error> for Error {
+    fn from(error: solve::Error) -> Self {
+        match error {
+            solve::Error::Contact(error) => Self::Table(error),
+            error => Self::Solve(error),
         }
     }
 }

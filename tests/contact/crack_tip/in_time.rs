@@ -3,7 +3,8 @@
 use std::f64::consts::PI;
 
 use acceptance::larger;
-use interp::{Contact, Control, CrackTip, Error, Hysteresis, RateDependent, State, TimedState};
+use contact::{Contact, Control, CrackTip, Hysteresis, RateDependent, State, TimedState};
+use interp::Error;
 
 use crate::crack_tip::jkr::{Jkr, R, W, half_space};
 use crate::crack_tip::{film, impose, integral, rate_dependent, steps};

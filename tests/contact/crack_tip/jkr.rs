@@ -2,7 +2,8 @@
 
 use std::f64::consts::PI;
 
-use interp::{Contact, Elastic, HalfSpace, Probe, State};
+use contact::{Contact, State};
+use interp::{Elastic, HalfSpace, Probe};
 
 /// Work of adhesion, J/m^2.
 pub const W: f64 = 0.04;

@@ -7,14 +7,13 @@ mod ramps;
 mod slow;
 
 use acceptance::paper_system;
-use interp::{Contact, Control, CrackTip, Error, Hysteresis, RateDependent, State, Table};
+use contact::{Contact, Control, CrackTip, Hysteresis, RateDependent, State};
+use interp::{Error, Table};
 
 use jkr::{W, half_space};
 
 fn film(thickness: f64) -> Contact {
-    Table::embedded()
-        .contact(&paper_system(thickness))
-        .expect("in the table")
+    Contact::in_table(Table::embedded(), &paper_system(thickness)).expect("in the table")
 }
 
 fn rate_dependent(v0: f64, n: f64) -> RateDependent {
@@ -22,7 +21,7 @@ fn rate_dependent(v0: f64, n: f64) -> RateDependent {
 }
 
 fn impose<L: CrackTip>(
-    line: &mut interp::ContactLine<'_, L>,
+    line: &mut contact::ContactLine<'_, L>,
     control: Control,
     value: f64,
 ) -> State {

@@ -1,7 +1,8 @@
 //! Ramps of every speed: times rise, slow ramps are the slow motion, and nothing ends in a failure of
 //! the integration.
 
-use interp::{Control, Error, Hysteresis, Probe, RateDependent, State, System, TimedState};
+use contact::{Contact, Control, Hysteresis, RateDependent, State, TimedState};
+use interp::{Error, Probe, System, Table};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
@@ -63,7 +64,7 @@ fn times_rise_at_every_tolerance() {
 fn every_ramp_ends() {
     let mut random = Pcg64Mcg::seed_from_u64(31);
     let mut log_uniform = |from: f64, to: f64| random.random_range(from.ln()..to.ln()).exp();
-    let table = interp::Table::embedded();
+    let table = Table::embedded();
     let (mut ended, mut outside) = (0, 0);
     for i in 0..600 {
         let radius = log_uniform(1e-5, 1e-2);
@@ -73,7 +74,7 @@ fn every_ramp_ends() {
             film_thickness: radius * log_uniform(1e-4, 1e-1),
             ..paper_system(1e-6)
         };
-        let Ok(contact) = table.contact(&system) else {
+        let Ok(contact) = Contact::in_table(table, &system) else {
             continue;
         };
         let w = log_uniform(1e-3, 1.0);
@@ -167,9 +168,7 @@ fn a_flat_punch_has_no_line() {
         probe: Probe::FlatPunch { radius: 1e-5 },
         ..paper_system(1e-6)
     };
-    let contact = interp::Table::embedded()
-        .contact(&system)
-        .expect("in the table");
+    let contact = Contact::in_table(Table::embedded(), &system).expect("in the table");
     let made = contact.line(W, 1e-5).expect_err("a punch").to_string();
     let state = State {
         contact_radius: 1e-5,

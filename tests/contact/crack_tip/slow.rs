@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use acceptance::larger;
-use interp::{Control, Hysteresis};
+use contact::{Control, Hysteresis};
 
 use crate::crack_tip::jkr::{Jkr, R, W, half_space};
 use crate::crack_tip::{film, impose, integral, steps};

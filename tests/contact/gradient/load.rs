@@ -1,10 +1,9 @@
 //! Load and penetration as functions of every input in SI units.
 
 use acceptance::{larger, paper_system, shipped};
-use interp::{
-    Contact, Elastic, Error, HalfSpace, Input, Mechanics, Parameter, Probe, System, Table,
-};
-use tabulate::solve;
+use contact::{Contact, Input};
+use interp::{Elastic, Error, HalfSpace, Mechanics, Parameter, Probe, System, Table};
+use solve::solve;
 
 use super::{SHARES, derivatives};
 
@@ -87,7 +86,7 @@ fn derivatives_of_load_and_penetration_are_those_of_direct_solves() {
         (&rigid_sphere_table, rigid_sphere),
     ];
     for (table, system) in cases {
-        let contact = table.contact_with_gradient(&system).expect("inside");
+        let contact = Contact::in_table_with_gradient(table, &system).expect("inside");
         let mut worst = 0.0;
         for (a, w) in [(4e-5, 0.04), (6.5e-5, 0.04), (9e-5, 0.1), (6.5e-5, 0.0)] {
             let gradient = contact.gradient(a, w).expect("inside");
@@ -157,9 +156,7 @@ fn derivatives_of_load_and_penetration_are_those_of_direct_solves() {
 #[test]
 fn what_is_not_known_is_an_error_that_names_it() {
     let paper = Table::read(shipped("paper.bin")).expect("a sound table");
-    let contact = paper
-        .contact_with_gradient(&paper_system(1e-6))
-        .expect("inside");
+    let contact = Contact::in_table_with_gradient(&paper, &paper_system(1e-6)).expect("inside");
     let gradient = contact.gradient(65e-6, 0.04).expect("inside");
     // The table fixes nu1 and E0/E2*. Therefore it has no derivative with respect to E2* either.
     for input in [
@@ -206,7 +203,7 @@ fn what_is_not_known_is_an_error_that_names_it() {
         })
     ));
 
-    let plain = paper.contact(&paper_system(1e-6)).expect("inside");
+    let plain = Contact::in_table(&paper, &paper_system(1e-6)).expect("inside");
     assert!(matches!(
         plain.gradient(65e-6, 0.04),
         Err(Error::NoGradient)

@@ -6,7 +6,7 @@ mod quantities;
 
 use acceptance::material;
 use interp::Quantities;
-use tabulate::solve;
+use solve::solve;
 
 /// The largest error of a derivative of the logarithm of a quantity, in tolerances of the table, in
 /// the order `a/t`, `E1`, `nu1`, `E0`, `nu0`. The derivatives are with respect to the logarithm of

@@ -8,7 +8,8 @@
 
 use std::f64::consts::PI;
 
-use interp::{Contact, Probe};
+use contact::Contact;
+use interp::Probe;
 
 use super::problem::Problem;
 use super::warnings::{BEYOND_CHANCE, Warnings};

@@ -1,6 +1,7 @@
 //! Where the method starts.
 
-use interp::{Control, Table};
+use contact::Control;
+use interp::Table;
 
 use super::jkr::{Homogeneous, Unknown, homogeneous, radius_of};
 use super::problem::{Assigned, Problem};

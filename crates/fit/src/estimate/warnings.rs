@@ -1,6 +1,7 @@
 //! The doubts about a result.
 
-use interp::{AdhesionRange, Probe, Validity};
+use contact::{AdhesionRange, Validity};
+use interp::Probe;
 use nalgebra::DVector;
 
 use super::left_out::{in_contact, text};
@@ -494,7 +495,7 @@ fn error_of_jkr(range: &AdhesionRange<'_>) -> String {
 
 /// Estimates the compression of the film over its thickness at contact radius `a`: the part of the
 /// adhesionless penetration that the bare substrate would not have at the same load.
-fn strain(contact: &interp::Contact, bodies: &Bodies, a: f64) -> Option<f64> {
+fn strain(contact: &contact::Contact, bodies: &Bodies, a: f64) -> Option<f64> {
     let thickness = bodies.thickness()?;
     let (_, penetration) = contact.load_and_penetration(a, 0.0).ok()?;
     let bare = 2.0 * a * contact.mechanics().sphere_substrate_modulus();

@@ -6,7 +6,7 @@
 //! smaller. Measured on one layer, against the exact derivatives of the film: at most 6.3e-6 of the
 //! largest (`tests/fit/layers.rs`).
 
-use interp::Contact;
+use contact::Contact;
 
 use super::predict::{BranchEnd, Predicted};
 use super::{Bodies, Branch, Experiment, Parameter};

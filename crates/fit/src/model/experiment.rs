@@ -2,7 +2,8 @@
 
 use std::borrow::Cow;
 
-use interp::{Contact, Elastic, HalfSpace, Probe, System, Table};
+use contact::Contact;
+use interp::{Elastic, HalfSpace, Probe, System, Table};
 
 use super::{Kind, Layered, Measurement, Parameter, PointErrors};
 use crate::Error;
@@ -136,8 +137,8 @@ impl Bodies {
     /// none.
     pub(crate) fn contact(&self, table: &Table, gradient: bool) -> Result<Contact, Error> {
         Ok(match self {
-            Self::Coated(system) if gradient => table.contact_with_gradient(system)?,
-            Self::Coated(system) => table.contact(system)?,
+            Self::Coated(system) if gradient => Contact::in_table_with_gradient(table, system)?,
+            Self::Coated(system) => Contact::in_table(table, system)?,
             Self::HalfSpace(half_space) => Contact::half_space(half_space)?,
             Self::Layered(layered) => layered.solver.contact(layered).map_err(Error::Layers)?,
         })

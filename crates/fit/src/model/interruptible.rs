@@ -3,7 +3,7 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use interp::Contact;
+use contact::Contact;
 
 use super::layered::{Cause, Layered, LayeredSolver};
 

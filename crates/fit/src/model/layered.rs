@@ -5,7 +5,8 @@ use std::str::FromStr;
 use std::sync::Arc;
 
 use arrayvec::ArrayString;
-use interp::{Contact, Elastic, Probe};
+use contact::Contact;
+use interp::{Elastic, Probe};
 
 use super::{Kind, Measurement, Parameter};
 use crate::Error;
@@ -115,7 +116,7 @@ impl Reach {
 /// Why a contact on layers cannot be computed.
 pub type Cause = Box<dyn std::error::Error + Send + Sync>;
 
-/// Makes contacts on layers, which this crate cannot: `tabulate::stack::DirectSolver` by solves,
+/// Makes contacts on layers, which this crate cannot: `fit::DirectSolver` by solves,
 /// `tabulate::table::StackTable` by lookups.
 pub trait LayeredSolver: fmt::Debug + Send + Sync {
     /// Makes the contact of a probe on layers. It needs no derivatives, because those of a fit are

@@ -5,13 +5,13 @@
 //! to be found and how, `fixed` what is taken as given. `assign` reads the `branch` of each point
 //! from the data, and `ways` finds loading and unloading. `predict` compares the points with the
 //! contact of `interp`, through `readings` and, under adhesion hysteresis, `turn`; `layered` is a
-//! stack of layers, for which another crate computes contacts (`interruptible` lets them be
-//! stopped), and `differences` the derivatives on it. `simulate` makes synthetic points,
+//! stack of layers, `direct_solver` makes its contacts (`interruptible` lets them be stopped), and `differences` the derivatives on it. `simulate` makes synthetic points,
 //! `prediction` evaluates the model for other methods of fitting.
 
 mod assign;
 mod branch;
 mod differences;
+mod direct_solver;
 mod errors;
 mod experiment;
 mod fixed;
@@ -29,6 +29,7 @@ mod ways;
 
 pub(crate) use assign::{Assignment, Freedom};
 pub use branch::Branch;
+pub use direct_solver::{DirectSolver, stack_of, system_on};
 pub use errors::PointErrors;
 pub use experiment::{Bodies, Experiment};
 pub use fixed::Fixed;

@@ -1,7 +1,8 @@
 //! The ordinates that the contact model predicts for the points of an experiment, and their
 //! derivatives with respect to parameters.
 
-use interp::{Contact, Derivatives, Equilibria, Input, Probe, State};
+use contact::{Contact, Derivatives, Equilibria, Input, State};
+use interp::Probe;
 
 use super::readings::imposed;
 use super::turn::Turn;
@@ -176,8 +177,8 @@ impl Experiment {
             });
         let (loading, unloading) = within.split_at(split);
         for (indices, course) in [
-            (loading, interp::Branch::Loading),
-            (unloading, interp::Branch::Unloading),
+            (loading, contact::Branch::Loading),
+            (unloading, contact::Branch::Unloading),
         ] {
             self.follow(
                 &equilibria,
@@ -212,7 +213,7 @@ impl Experiment {
     fn follow(
         &self,
         equilibria: &Equilibria<'_>,
-        (branch, course): (Branch, interp::Branch),
+        (branch, course): (Branch, contact::Branch),
         indices: &[usize],
         parameters: Option<&[Parameter]>,
         predicted: &mut Predicted,

@@ -1,6 +1,6 @@
 //! How imposed values and readings follow from the state of a contact, and their derivatives.
 
-use interp::{Control, Input};
+use contact::{Control, Input};
 
 use super::{Bodies, Branch, Experiment, Kind, Parameter};
 

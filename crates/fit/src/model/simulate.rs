@@ -58,7 +58,7 @@ impl Experiment {
     /// value.
     pub(crate) fn branches_of_model(
         &self,
-        contact: &interp::Contact,
+        contact: &contact::Contact,
     ) -> Result<(Vec<Branch>, Vec<usize>), Error> {
         let points = &self.measurement.points;
         let sense = self.sense();

@@ -1,6 +1,6 @@
 //! The turn from approach to retract under adhesion hysteresis.
 
-use interp::{Contact, Derivatives, Input, State};
+use contact::{Contact, Derivatives, Input, State};
 
 use super::predict::Predicted;
 use super::readings::imposed;

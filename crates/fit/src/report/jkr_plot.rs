@@ -1,6 +1,7 @@
 //! The reduced JKR plot of a fit.
 
-use interp::{JkrPoint, Probe};
+use contact::JkrPoint;
+use interp::Probe;
 
 use crate::{Error, Estimate, Experiment, Fit, Kind, Parameter};
 

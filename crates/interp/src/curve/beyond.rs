@@ -26,7 +26,7 @@ impl Curve {
 
     /// Returns whether the curve continues to `a/t` of 0: whether the expansion below the nodes is
     /// accurate enough next to them, where it is least accurate.
-    pub(crate) fn goes_on_to_zero(&self) -> bool {
+    pub fn goes_on_to_zero(&self) -> bool {
         self.expanded(self.range[0] * (1.0 - 2.0 * ROUNDING))
             .is_ok()
     }

@@ -68,7 +68,7 @@ pub struct Curve {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StackShape {
     /// The ratio of stiffnesses of
-    /// [`FilmValidity::compressibility`](crate::FilmValidity::compressibility) over `(a/t)^2`, with
+    /// `FilmValidity::compressibility` of the crate `contact` over `(a/t)^2`, with
     /// the thickness `t` of all layers.
     pub compressibility: f64,
     /// The thickness of the top layer over `t`.
@@ -318,7 +318,7 @@ impl Curve {
 
     /// Returns `Pi0` and `Delta0` with their [slopes](Curve::slope). The other two are known or
     /// not.
-    pub(crate) fn adhesionless_and_slopes(
+    pub fn adhesionless_and_slopes(
         &self,
         a_over_t: f64,
     ) -> Result<(Quantities, Quantities), Error> {
@@ -365,14 +365,14 @@ impl Curve {
     ///
     /// # Errors
     /// [`Error::NoGradient`] on a curve that was made without derivatives.
-    pub(crate) fn differentiated_for(&self) -> Result<&Material, Error> {
+    pub fn differentiated_for(&self) -> Result<&Material, Error> {
         let sensitivities = self.sensitivities.as_ref().ok_or(Error::NoGradient)?;
         Ok(sensitivities.material())
     }
 
     /// Returns `Pi0` and `Eeq/Gamma`, the factors of the load in eq. 9.
     #[inline]
-    pub(crate) fn load_factors(&self, a_over_t: f64) -> Result<(f64, f64), Error> {
+    pub fn load_factors(&self, a_over_t: f64) -> Result<(f64, f64), Error> {
         [Quantity::Pi0, Quantity::Eeq, Quantity::Gamma]
             .into_iter()
             .try_for_each(|quantity| self.require(quantity))?;

@@ -36,7 +36,6 @@ mod thick_film;
 mod through;
 
 pub use curve::{Curve, StackShape};
-pub(crate) use even_powers::{EvenShape, LARGEST_A_OVER_R};
-pub use odd_powers::OddPowerCurve;
-pub(crate) use odd_powers::over_pi0;
+pub use even_powers::{EvenShape, LARGEST_A_OVER_R};
+pub use odd_powers::{OddPowerCurve, over_pi0};
 pub use sensitivity::QuantityGradient;

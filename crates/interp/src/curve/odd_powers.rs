@@ -1,7 +1,7 @@
 //! Odd powers of the radius from `Gamma`, `Eeq` and `Delta1` of a curve: the cone, `r^3` and `r^5`.
 //!
 //! The flat punch at all smaller radii determines the contact of every shape, but for a cone only
-//! by its field (see the page `contact/shape/field.rs` of the source): the identity that gives even
+//! by its field (see the page `shape/field.rs` of the crate `contact`, of the source): the identity that gives even
 //! powers from `Gamma` alone needs the field's value on the axis for a cone. A table that holds
 //! `Delta1` saves that work. In the notation of the page `curve/even_powers/mod.rs`,
 //!
@@ -127,13 +127,13 @@ impl OddPowerCurve {
 
     /// Returns the curve that holds `Delta_n` and `Pi_n` times [`over_pi0`] in the places of
     /// `Delta0` and `Pi0`.
-    pub(crate) const fn curve(&self) -> &Curve {
+    pub const fn curve(&self) -> &Curve {
         &self.curve
     }
 }
 
 /// Returns the ratio of `Pi0` and `Pi_n` on a half-space, `2 (n + 1)/(3 n)`.
-pub(crate) fn over_pi0(exponent: u32) -> f64 {
+pub fn over_pi0(exponent: u32) -> f64 {
     let n = f64::from(exponent);
     2.0 * (n + 1.0) / (3.0 * n)
 }

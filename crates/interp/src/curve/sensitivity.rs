@@ -56,7 +56,7 @@ impl Sensitivities {
     }
 
     /// Returns the material asked for.
-    pub(crate) const fn material(&self) -> &Material {
+    pub const fn material(&self) -> &Material {
         &self.material
     }
 
@@ -236,18 +236,18 @@ impl QuantityGradient {
 
     /// Returns the derivatives of the logarithms of the quantities, if they are known, with respect
     /// to a parameter by number: `ln e1_over_e2`, `nu1`, `ln e0_over_e2`, `nu0`.
-    pub(crate) fn relative(&self, parameter: usize) -> Option<[f64; 4]> {
+    pub fn relative(&self, parameter: usize) -> Option<[f64; 4]> {
         self.known[parameter].then_some(self.relative[parameter])
     }
 
     /// Returns the derivative of `ln es` with respect to a parameter, numbered as in
     /// [`Self::relative`].
-    pub(crate) const fn scale(&self, parameter: usize) -> f64 {
+    pub const fn scale(&self, parameter: usize) -> f64 {
         self.scale[parameter]
     }
 
     /// Returns the material with respect to whose parameters these derivatives are.
-    pub(crate) const fn material(&self) -> &Material {
+    pub const fn material(&self) -> &Material {
         &self.material
     }
 

@@ -17,7 +17,7 @@ impl Curve {
     /// # Errors
     /// [`Error::MissingQuantity`] unless the curve knows all quantities; [`Error::BeginsTooLate`]
     /// if it begins at so large an `a/t` that the contact is not that of a thick film there.
-    pub(crate) fn of_even_shape(&self, shape: EvenShape) -> Result<Self, Error> {
+    pub fn of_even_shape(&self, shape: EvenShape) -> Result<Self, Error> {
         self.accept_integrals("the contact of this probe")?;
         let source = self.source();
         let (pieces, even) = source.of_shape(shape);
@@ -38,7 +38,7 @@ impl Curve {
 
     /// Accepts a curve on which integrals over `a/t` can begin at the first node. `name` is what
     /// they give. On a stack of layers the expansion before the first node is not known.
-    pub(crate) fn accept_integrals(&self, name: &'static str) -> Result<(), Error> {
+    pub fn accept_integrals(&self, name: &'static str) -> Result<(), Error> {
         /// The accuracy that is asked of a curve that does not state its own.
         const TOLERANCE: f64 = 1e-6;
         self.require_all()?;
@@ -67,14 +67,14 @@ impl Curve {
     }
 
     /// Returns the tolerance of the table that the curve was made from, if it is known.
-    pub(crate) fn tolerance(&self) -> Option<f64> {
+    pub fn tolerance(&self) -> Option<f64> {
         self.accuracy.map(|accuracy| accuracy.tolerance)
     }
 
     /// Returns `Gamma` and its derivative with respect to `a_over_t`, which must be between the nodes,
     /// on a curve that knows `Gamma`.
     #[inline]
-    pub(crate) fn gamma_and_rate(&self, a_over_t: f64) -> [f64; 2] {
+    pub fn gamma_and_rate(&self, a_over_t: f64) -> [f64; 2] {
         let position = self.grid.locate(a_over_t);
         let piece = &self.pieces[position.piece];
         let terms = piece.iter().rev().map(|row| row[Quantity::Gamma as usize]);
@@ -90,7 +90,7 @@ impl Curve {
     /// Returns the derivatives, with respect to a parameter by number as in
     /// `QuantityGradient::relative`, of the logarithms of `Pi0`, `Eeq` and `Gamma` over `es`
     /// between the nodes, and of the last one also the derivative with respect to `a_over_t`.
-    pub(crate) fn over_es_by(&self, parameter: usize, a_over_t: f64) -> Result<[f64; 4], Error> {
+    pub fn over_es_by(&self, parameter: usize, a_over_t: f64) -> Result<[f64; 4], Error> {
         let sensitivities = self.sensitivities.as_ref().ok_or(Error::NoGradient)?;
         let x = self
             .inside(a_over_t)
@@ -102,7 +102,7 @@ impl Curve {
 
     /// Returns the derivatives of the logarithms of load and penetration without adhesion with
     /// respect to that of all lengths of the shape, on a curve of [`Self::of_even_shape`].
-    pub(crate) fn by_size(&self, a_over_t: f64) -> Result<[f64; 2], Error> {
+    pub fn by_size(&self, a_over_t: f64) -> Result<[f64; 2], Error> {
         let even = self.even.as_ref().ok_or(Error::NoGradient)?;
         let position = self.inside(a_over_t).map(|x| self.grid.locate(x));
         even.by_size(a_over_t, position)
@@ -134,7 +134,7 @@ impl Curve {
     }
 
     /// Returns whether the curve holds `Delta1`, from which [`Curve::odd_power`] follows.
-    pub(crate) const fn holds_cone(&self) -> bool {
+    pub const fn holds_cone(&self) -> bool {
         self.cone.is_some()
     }
 

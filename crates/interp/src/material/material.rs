@@ -79,12 +79,12 @@ impl Material {
     }
 
     /// Returns the four ratios in the order of the arguments of [`Material::new`].
-    pub(crate) const fn to_array(self) -> [f64; 4] {
+    pub const fn to_array(self) -> [f64; 4] {
         [self.e1_over_e2, self.nu1, self.e0_over_e2, self.nu0]
     }
 
     /// Returns whether two materials differ by no more than the rounding of ratios of SI values.
-    pub(crate) fn is_close_to(&self, other: &Self) -> bool {
+    pub fn is_close_to(&self, other: &Self) -> bool {
         let close = |a: f64, b: f64, size: f64| a == b || (a - b).abs() <= ROUNDING * size;
         close(self.e1_over_e2, other.e1_over_e2, other.e1_over_e2)
             && close(self.nu1, other.nu1, 1.0)
@@ -94,7 +94,7 @@ impl Material {
 
     /// Returns whether two materials make the same contact, except for the rounding of ratios of SI
     /// values.
-    pub(crate) fn is_equivalent_to(&self, other: &Self) -> bool {
+    pub fn is_equivalent_to(&self, other: &Self) -> bool {
         Invariants::of(self).are_close(&Invariants::of(other))
     }
 

@@ -3,9 +3,9 @@
 use std::f64::consts::FRAC_PI_2;
 
 use crate::Error;
+use crate::check::positive;
 use crate::material::ROUNDING;
 use crate::material::profile::Profile;
-use crate::material::system::positive;
 
 /// The contact radius (m) below which contacts of a probe without a largest radius are.
 const LARGEST: f64 = 1e3;
@@ -17,35 +17,9 @@ const LARGEST_EXPONENT: f64 = 20.0;
 /// distance `r` from its axis.
 ///
 /// Only the contact without adhesion depends on the shape: the load `F0(a)` and the penetration
-/// `delta0(a)` of [`Contact`](crate::Contact). A film, a substrate and the elasticity of the probe
+/// `delta0(a)`, which the crate `contact` computes. A film, a substrate and the elasticity of the probe
 /// enter as for a sphere. The shape is convex, so that the contact is one disc.
-///
-/// ```
-/// # #[cfg(feature = "embedded")]
-/// # fn main() -> Result<(), interp::Error> {
-/// use interp::{Control, Elastic, Probe, System, Table};
-///
-/// let system = |probe| {
-///     Ok::<_, interp::Error>(System {
-///         probe,
-///         sphere_modulus: f64::INFINITY, // rigid
-///         film: Elastic::new(2e4, 0.5)?,
-///         film_thickness: 1e-5,
-///         substrate: Elastic::new(5e10, 0.2)?,
-///     })
-/// };
-/// let sphere = Table::embedded().contact(&system(Probe::Sphere { radius: 5e-6 })?)?;
-/// let cone = Table::embedded().contact(&system(Probe::Cone { half_angle: 1.2 })?)?;
-/// for contact in [sphere, cone] {
-///     let pull_off = contact.pull_off(1e-4, Control::Displacement)?;
-///     println!("{:e} N at {:e} m", pull_off.load, pull_off.penetration);
-/// }
-/// # Ok(()) }
-/// # #[cfg(not(feature = "embedded"))]
-/// # fn main() {}
-/// ```
 #[derive(Clone, Debug, PartialEq)]
-#[non_exhaustive]
 pub enum Probe {
     /// The paraboloid `f = r^2/(2R)`, which JKR and Barthel's model put in place of a sphere.
     Paraboloid {
@@ -153,7 +127,7 @@ impl Probe {
     }
 
     /// Returns the radius of curvature at the tip, NaN without one.
-    pub(crate) const fn tip_radius(&self) -> f64 {
+    pub const fn tip_radius(&self) -> f64 {
         match *self {
             Self::Paraboloid { radius }
             | Self::Sphere { radius }
@@ -164,7 +138,7 @@ impl Probe {
 
     /// Returns the smallest contact radius that the shape has, and the one below which the others
     /// are.
-    pub(crate) fn contact_radii(&self) -> [f64; 2] {
+    pub fn contact_radii(&self) -> [f64; 2] {
         match self {
             Self::Paraboloid { radius } | Self::Sphere { radius } => [0.0, *radius],
             // The radius itself, and its rounding.
@@ -176,7 +150,7 @@ impl Probe {
     }
 
     /// Returns whether the shape is smooth everywhere but at its tip.
-    pub(crate) const fn is_smooth(&self) -> bool {
+    pub const fn is_smooth(&self) -> bool {
         match self {
             Self::Paraboloid { .. }
             | Self::Sphere { .. }
@@ -190,7 +164,7 @@ impl Probe {
     }
 
     /// Returns the slope `f'(a)` of the shape at a radius, that of the paraboloid for a sphere.
-    pub(crate) fn slope(&self, a: f64) -> f64 {
+    pub fn slope(&self, a: f64) -> f64 {
         match *self {
             Self::Paraboloid { radius } | Self::Sphere { radius } => a / radius,
             Self::PowerLaw {
@@ -207,7 +181,7 @@ impl Probe {
     }
 
     /// Accepts a shape with positive lengths and possible angles.
-    pub(crate) fn check(&self) -> Result<(), Error> {
+    pub fn check(&self) -> Result<(), Error> {
         let angle = |half_angle: f64| {
             Error::unless(
                 half_angle > 0.0 && half_angle < FRAC_PI_2,

@@ -89,7 +89,7 @@ impl Profile {
     }
 
     /// Returns the slope at a radius (m).
-    pub(crate) fn slope(&self, r: f64) -> f64 {
+    pub fn slope(&self, r: f64) -> f64 {
         let last = self.slopes.len() - 1;
         let i = self
             .slopes
@@ -100,7 +100,7 @@ impl Profile {
     }
 
     /// Returns the radii (m) at which the slope bends, ascending from 0, and the slopes there.
-    pub(crate) fn slopes(&self) -> &[[f64; 2]] {
+    pub fn slopes(&self) -> &[[f64; 2]] {
         &self.slopes
     }
 }

@@ -1,5 +1,6 @@
 //! The bodies in contact, in SI units.
 
+use crate::check::positive;
 use crate::material::{one_minus_square, poisson_ratio};
 use crate::{Error, Material, Probe};
 
@@ -123,16 +124,6 @@ impl HalfSpace {
         )?;
         Ok(softer / (1.0 + softer / sphere.max(solid)))
     }
-}
-
-/// Accepts a positive finite value.
-pub(crate) fn positive(name: &'static str, value: f64) -> Result<(), Error> {
-    Error::unless(
-        value > 0.0 && value.is_finite(),
-        name,
-        value,
-        "> 0 and finite",
-    )
 }
 
 /// Accepts a positive modulus, infinity included.

@@ -10,7 +10,7 @@ use super::allow::{self, Allowed};
 use super::quantity::length;
 use super::stack_file::{self, Layers};
 use super::system::{self, SystemArguments, Value};
-use crate::cohesive::Cohesive;
+use solve::cohesive::Cohesive;
 
 /// The flags of the bodies. A command that takes them has an argument `table`.
 #[derive(clap::Args)]
@@ -54,7 +54,7 @@ pub struct AttractingArguments {
 
 /// A probe on a film or on a stack.
 pub struct Bodies {
-    /// The probe on the film; of a stack, [`Stack::system`](crate::stack::Stack::system).
+    /// The probe on the film; of a stack, [`Stack::system`](solve::stack::Stack::system).
     pub system: System,
     /// The layers, if they are not one film.
     pub stack: Option<Layers>,

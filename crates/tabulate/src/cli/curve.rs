@@ -4,7 +4,8 @@ use std::path::PathBuf;
 
 use anyhow::ensure;
 use clap::{ValueHint, value_parser};
-use interp::{Contact, Mechanics, Probe, System, Validity};
+use contact::{Contact, JkrPoint, Validity};
+use interp::{Mechanics, Probe, System};
 
 use super::bodies::{AttractingArguments, Bodies};
 use super::note;
@@ -14,10 +15,10 @@ use super::progress::progress_bar;
 use super::quantity::{self, length};
 use super::stack_file::Layers;
 use super::table_name::{self, TableName};
-use crate::cohesive::Cohesive;
-use crate::parallel::try_map;
 use crate::report::LARGE_CONTACT;
-use crate::solve::{curve as adaptive, solve};
+use solve::cohesive::Cohesive;
+use solve::parallel::try_map;
+use solve::{curve as adaptive, solve};
 
 /// Print the force curve of one system as CSV, in SI units
 ///
@@ -158,7 +159,7 @@ impl<'a> States<'a> {
         let source = if let Some(range) = attracting.interaction_range {
             Source::Range(Box::new(bodies.cohesive(range)?))
         } else if let Some(name) = &arguments.table {
-            Source::Curve(Box::new(name.read()?.contact(system)?))
+            Source::Curve(Box::new(Contact::in_table(name.read()?.as_ref(), system)?))
         } else if let Some(layers) = &bodies.stack {
             ensure!(
                 arguments.tolerance.is_none() || matches!(layers, Layers::Text(_)),
@@ -202,7 +203,7 @@ impl<'a> States<'a> {
                 mechanics.load_and_penetration(a, edge, &solution.quantities)
             }
         };
-        let jkr = mechanics.jkr_point(a, load);
+        let jkr = JkrPoint::new(a, load, mechanics.sphere_radius());
         let row = [a, load, penetration, jkr.abscissa, jkr.ordinate];
         Ok(row.into_iter().chain(outer_radius).collect())
     }

@@ -10,8 +10,8 @@ use interp::{Material, Quantity};
 use super::output::Output;
 use super::progress::progress_bar;
 use crate::input::{self, Limited, Room};
-use crate::parallel::try_map;
 use crate::printable;
+use solve::parallel::try_map;
 
 /// One point to solve or look up.
 #[derive(Clone, Copy)]

@@ -2,15 +2,16 @@
 
 use anyhow::anyhow;
 use clap::{ValueEnum, ValueHint};
-use interp::{Contact, Control, Error, State};
+use contact::{Contact, Control, State};
+use interp::Error;
 
 use super::bodies::{AttractingArguments, Bodies};
 use super::points::number;
 use super::print;
 use super::quantity::force_per_length;
 use super::table_name::{self, TableName};
-use crate::cohesive::CohesiveState;
-use crate::solve::{A_OVER_T, curve};
+use solve::cohesive::CohesiveState;
+use solve::{A_OVER_T, curve};
 
 /// Print the last stable state of a separation: load (N), contact radius (m), outer radius of the
 /// attraction (m) and penetration (m)
@@ -102,7 +103,7 @@ fn jkr(arguments: &Arguments, bodies: &Bodies, control: Control) -> anyhow::Resu
     let work_of_adhesion = bodies.work_of_adhesion;
     let state = match &arguments.table {
         Some(name) => {
-            let contact = name.read()?.contact(&bodies.system)?;
+            let contact = Contact::in_table(name.read()?.as_ref(), &bodies.system)?;
             contact.pull_off(work_of_adhesion, control)?
         }
         None => solved(bodies, work_of_adhesion, control)?,
@@ -137,7 +138,7 @@ fn solved(bodies: &Bodies, work_of_adhesion: f64, control: Control) -> anyhow::R
                 let range = [from.min(OVER_TOP * top * 1e-3), to.min(OVER_TOP * top)];
                 layers.curve(system.sphere_modulus, range, TOLERANCE)
             }
-            None => curve(&system.material()?, [from, to], TOLERANCE),
+            None => curve(&system.material()?, [from, to], TOLERANCE).map_err(Into::into),
         };
         // A wider range may be out of reach where a narrower one is not.
         let curve = match (curve, refused) {

@@ -12,8 +12,8 @@ use super::points::{Answer, Given, Points, number};
 use super::print;
 use super::quantity::{modulus, number as plain};
 use super::stack_file;
-use crate::solve::{PowerLaw, Solution, solve_power_laws, solve_stack_power_laws};
 use crate::table::DEFAULT_NU0;
+use solve::{PowerLaw, Solution, solve_power_laws, solve_stack_power_laws};
 
 /// Solve the contact directly, at one point, at every point of a CSV file, or of a stack of layers
 ///

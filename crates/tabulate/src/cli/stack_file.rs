@@ -9,10 +9,11 @@ use anyhow::Context;
 use interp::Curve;
 
 use super::table_name::TableName;
-use crate::solve::stack_curve;
-use crate::stack::{NamedStack, Stack};
+use crate::stack::NamedStack;
 use crate::table::StackTable;
 use crate::{Error, printable};
+use solve::stack::Stack;
+use solve::stack_curve;
 
 /// The help of an argument that names a stack file. Clap shows it as it stands.
 pub const HELP: &str = "Stack of layers, as a TOML file in SI units: base = { young_modulus = .., poisson_ratio = .. } and, \
@@ -54,7 +55,7 @@ impl Layers {
         tolerance: f64,
     ) -> Result<Curve, Error> {
         match self {
-            Self::Text(named) => stack_curve(&named.stack, sphere_modulus, range, tolerance),
+            Self::Text(named) => Ok(stack_curve(&named.stack, sphere_modulus, range, tolerance)?),
             Self::Table(table) => table.curve(sphere_modulus),
         }
     }

@@ -15,8 +15,7 @@ use std::f64::consts::PI;
 
 use interp::Material;
 
-use crate::Error;
-use crate::solve::A_OVER_T;
+use solve::{A_OVER_T, Error};
 
 /// Returns the modulus of the sphere on the bare substrate, without the film: `E = 1/(1 + 1/e0)`
 /// (Johnson, Kendall and Roberts, Proc. R. Soc. Lond. A 324, 301, 1971).

@@ -3,13 +3,12 @@
 use interp::{Material, Quantities};
 
 use super::clock::median;
-use crate::Error;
-use crate::solve::{Solution, larger, solve};
+use solve::{Error, Solution, larger, solve};
 
 /// Returns the solve at the tightest tolerance from 1e-13 to 1e-9 that is not refused.
 ///
 /// # Errors
-/// The error of [`solve`] at 1e-9, if that is refused, too.
+/// The error of [`solve()`] at 1e-9, if that is refused, too.
 pub fn tightest(a_over_t: f64, material: &Material) -> Result<Solution, Error> {
     let tolerances = [1e-13, 1e-12, 1e-11, 1e-10];
     tolerances

@@ -1,6 +1,6 @@
 //! A plain dense solver by Nyström's method, to measure the solve beside it.
 //!
-//! The equation of `solve/galerkin.rs` on Gauss-Legendre abscissae `s_j` with weights `w_j`. The
+//! The equation of `galerkin.rs` on Gauss-Legendre abscissae `s_j` with weights `w_j`. The
 //! kernel is a sum over wave numbers `q`,
 //!
 //! ```text
@@ -22,7 +22,7 @@ use faer::linalg::solvers::Solve;
 use faer::{Accum, Mat, Par};
 use interp::{Material, Quantities};
 
-use crate::solve::{Compliance, GaussLegendre, Panels};
+use solve::{Compliance, GaussLegendre, Panels};
 
 /// Gauss-Legendre abscissae and weights on `[0, 1]`, with the edge as one more abscissa. They serve
 /// every contact.

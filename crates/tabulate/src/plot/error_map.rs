@@ -9,9 +9,9 @@ use super::axis::Axis;
 use super::chart::{BLACK, Colour, Figure, Panel, Side};
 use super::picture::legible;
 use crate::Error;
-use crate::parallel::try_map;
-use crate::solve::larger;
 use crate::table::{SampledAxis, sample};
+use solve::larger;
+use solve::parallel::try_map;
 
 /// The numbers of cells along `a/t` and `E1/E2*`.
 pub const CELLS: [usize; 2] = [72, 42];

@@ -20,7 +20,7 @@ pub struct Data {
 /// Computes the data from direct solves.
 ///
 /// # Errors
-/// Those of [`crate::solve::curve`].
+/// Those of [`solve::curve`].
 pub fn data() -> Result<Data, Error> {
     let curve = paper::quantities()?;
     let point = |a_over_t| Ok([a_over_t, curve.quantity(Quantity::Pi0, a_over_t)?]);

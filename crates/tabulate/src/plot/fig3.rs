@@ -23,7 +23,7 @@ pub struct Data {
 /// Computes the data from direct solves.
 ///
 /// # Errors
-/// Those of [`crate::solve::curve`].
+/// Those of [`solve::curve`].
 pub fn data() -> Result<Data, Error> {
     let curve = paper::quantities()?;
     let line = |quantity| {

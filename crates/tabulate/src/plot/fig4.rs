@@ -1,7 +1,8 @@
 //! Fig. 4 of the paper: reduced JKR plots (eq. 9) for several film thicknesses, with the lines of
 //! the JKR model without a film and without a substrate.
 
-use interp::{Contact, HalfSpace};
+use contact::{Contact, JkrPoint};
+use interp::HalfSpace;
 
 use super::axis::Axis;
 use super::chart::{BLACK, BLUE, Figure, GREEN, ORANGE, PURPLE, Panel, Point, Side, VERMILION};
@@ -30,7 +31,7 @@ pub struct Data {
 /// Computes the data from direct solves.
 ///
 /// # Errors
-/// Those of [`crate::solve::curve`].
+/// Those of [`solve::curve`].
 pub fn data() -> Result<Data, Error> {
     let system = paper::system(THICKNESSES[0])?;
     let half_space = |solid| {
@@ -54,9 +55,8 @@ fn jkr_plot(contact: &Contact) -> Result<Vec<Point>, Error> {
     const POINTS: u32 = 300;
     let point = |i: u32| {
         let a = LARGEST_RADIUS * (f64::from(i) / f64::from(POINTS)).powf(2.0 / 3.0);
-        let jkr = contact
-            .mechanics()
-            .jkr_point(a, contact.load(a, WORK_OF_ADHESION)?);
+        let radius = contact.mechanics().sphere_radius();
+        let jkr = JkrPoint::new(a, contact.load(a, WORK_OF_ADHESION)?, radius);
         Ok([jkr.abscissa, jkr.ordinate])
     };
     (1..=POINTS).map(point).collect()

@@ -2,7 +2,8 @@
 //! penetration and with imposed load, under any probe. Arrows are the jumps at the ends of
 //! stability.
 
-use interp::{Contact, Control, ForceDisplacement, Jump, Probe, State};
+use contact::{Contact, Control, ForceDisplacement, Jump, State};
+use interp::Probe;
 
 use super::axis::Axis;
 use super::chart::{BLUE, Figure, GREEN, GREY, Panel, Point, Side, VERMILION};
@@ -34,8 +35,8 @@ pub struct Film {
 /// largest penetration under it.
 ///
 /// # Errors
-/// Those of [`crate::solve::curve`], of [`Contact::new`] and of
-/// [`interp::Equilibria::force_displacement`].
+/// Those of [`solve::curve`], of [`Contact::new`] and of
+/// [`contact::Equilibria::force_displacement`].
 pub fn data(probe: &Probe) -> Result<Vec<Film>, Error> {
     let contacts: Vec<Contact> = THICKNESSES
         .iter()

@@ -1,10 +1,11 @@
 //! The system of Tables 1 and 2 of Barthel, *Adhesive contact of a compliant sphere to an elastic
 //! coated substrate: the thin film limit*: an elastomer lens on an incompressible film on silicon.
 
-use interp::{Contact, Curve, Elastic, Probe, System};
+use contact::Contact;
+use interp::{Curve, Elastic, Probe, System};
 
 use crate::Error;
-use crate::solve::curve;
+use solve::curve;
 
 /// The work of adhesion, J/m^2 (Table 2).
 pub const WORK_OF_ADHESION: f64 = 0.04;
@@ -41,7 +42,7 @@ pub fn system(film_thickness: f64) -> Result<System, Error> {
 /// # Errors
 /// Those of [`curve`].
 pub fn quantities() -> Result<Curve, Error> {
-    curve(&system(1e-6)?.material()?, A_OVER_T, TOLERANCE)
+    Ok(curve(&system(1e-6)?.material()?, A_OVER_T, TOLERANCE)?)
 }
 
 /// Computes the contact of a `probe` with a film of `film_thickness` (m), from direct solves.

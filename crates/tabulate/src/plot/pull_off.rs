@@ -3,14 +3,15 @@
 
 use std::f64::consts::PI;
 
-use interp::{Control, Elastic};
+use contact::Control;
+use interp::Elastic;
 
 use super::axis::Axis;
 use super::chart::{BLUE, Figure, GREEN, Panel, Point, Side, VERMILION};
 use crate::Error;
-use crate::cohesive::Cohesive;
-use crate::parallel::try_map;
-use crate::stack::{Layer, Stack};
+use solve::cohesive::Cohesive;
+use solve::parallel::try_map;
+use solve::stack::{Layer, Stack};
 
 /// The ends of Tabor's parameter, and the number of points on each line.
 const TABOR: [f64; 2] = [0.05, 10.0];

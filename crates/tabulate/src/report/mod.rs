@@ -13,7 +13,8 @@ use std::fmt::Write;
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
-use interp::{Description, Parameter, Probe, Quantity, SubstratePoissonRatio, Table, Validity};
+use contact::Validity;
+use interp::{Description, Parameter, Probe, Quantity, SubstratePoissonRatio, Table};
 
 pub use figures::{Illustration, figures, steps};
 

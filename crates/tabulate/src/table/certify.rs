@@ -6,11 +6,11 @@ use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
 use crate::Error;
-use crate::parallel::try_map;
-use crate::solve::tabulated::Tabulated;
 use crate::table::of_stack::StackTable;
 use crate::table::scene::material;
 use crate::table::sweep::solve_for_table;
+use solve::Tabulated;
+use solve::parallel::try_map;
 
 /// The error of a table at one point, measured against a direct solve.
 #[derive(Clone, Copy, Debug)]

@@ -9,8 +9,6 @@ use std::time::{Duration, Instant};
 
 use interp::{Certificate, Parameter, Table};
 
-use crate::parallel::try_map;
-use crate::solve::larger;
 use crate::table::budget::Budget;
 use crate::table::build;
 use crate::table::certify::{Sample, certificate, measure, sample};
@@ -20,6 +18,8 @@ use crate::table::plan::Plan;
 use crate::table::scene::{Scene, created_by};
 use crate::table::sweep::Sweep;
 use crate::{Error, output};
+use solve::larger;
+use solve::parallel::try_map;
 
 /// The settings of a generation.
 #[derive(Clone, Copy)]

@@ -11,14 +11,14 @@ use rand_pcg::Pcg64Mcg;
 use rayon::prelude::*;
 
 use crate::Error;
-use crate::parallel::{on_all_cores, try_map};
-use crate::solve::larger;
-use crate::solve::tabulated::Tabulated;
 use crate::stack::NamedStack;
 use crate::table::budget::Budget;
 use crate::table::placement::{EVENNESS, places};
 use crate::table::scene::{Extent, Scene};
 use crate::table::sweep::{solve_for_table, solve_stack_for_table};
+use solve::Tabulated;
+use solve::larger;
+use solve::parallel::{on_all_cores, try_map};
 
 /// The logarithms that a table splines, solved on lines along one of its axes.
 pub(super) struct Lines {

@@ -2,15 +2,15 @@
 
 use std::borrow::Cow;
 
+use contact::Contact;
 #[cfg(feature = "fit")]
 use fit::{Cause, Layered, LayeredSolver};
-use interp::{Contact, Curve, Parameter, SubstratePoissonRatio, System, Table};
+use interp::{Curve, Parameter, SubstratePoissonRatio, System, Table};
 
 use crate::Error;
-#[cfg(feature = "fit")]
-use crate::stack::in_fits;
-use crate::stack::{NamedStack, Stack};
+use crate::stack::NamedStack;
 use crate::table::scene::{Scene, TOLERANCE};
+use solve::stack::Stack;
 
 /// A table of one stack of layers under spheres of any modulus, with the stack, which is in the
 /// scene of the table.
@@ -93,7 +93,7 @@ impl<'a> StackTable<'a> {
     }
 
     /// Looks up the curve of the stack under a sphere of reduced modulus `sphere_modulus` (Pa;
-    /// infinity is rigid): what [`stack_curve`](crate::stack_curve) solves for.
+    /// infinity is rigid): what [`stack_curve`](solve::stack_curve) solves for.
     ///
     /// # Errors
     /// Those of [`Stack::material`] and [`Table::stack_curve`].
@@ -116,7 +116,7 @@ impl<'a> StackTable<'a> {
 /// Why the layers of a fit cannot vary.
 #[cfg(feature = "fit")]
 const ONE_STACK: &str = "its table is of one stack. To vary a layer, do without the table: name a stack \
-    file on the command line, leave out `table` in Python, take `tabulate::stack::DirectSolver` in Rust";
+    file on the command line, leave out `table` in Python, take `fit::DirectSolver` in Rust";
 
 #[cfg(feature = "fit")]
 impl LayeredSolver for StackTable<'static> {
@@ -126,10 +126,10 @@ impl LayeredSolver for StackTable<'static> {
     /// A sentence for other layers than those of the table; the errors of [`StackTable::curve`] and
     /// of [`Contact::new`].
     fn contact(&self, layered: &Layered) -> Result<Contact, Cause> {
-        if in_fits::stack_of(layered)? != self.named.stack {
+        if fit::stack_of(layered)? != self.named.stack {
             return Err(format!("the layers are not those of the table: {ONE_STACK}").into());
         }
-        let system = in_fits::system(layered, &self.named.stack);
+        let system = fit::system_on(layered, &self.named.stack);
         Ok(Contact::new(&system, self.curve(layered.sphere_modulus)?)?)
     }
 

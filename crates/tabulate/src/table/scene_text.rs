@@ -6,9 +6,9 @@ use interp::{Parameter, Quantity, SubstratePoissonRatio};
 use serde::de::{Error as _, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer};
 
-use crate::solve::A_OVER_T;
-use crate::stack::text;
+use crate::stack;
 use crate::table::scene::{DEFAULT_NU0, Extent, MOST_NODES};
+use solve::A_OVER_T;
 
 /// The ratios of moduli of a table, besides 0 and infinity.
 const MODULI: [f64; 2] = [1e-30, 1e30];
@@ -29,7 +29,7 @@ pub(super) struct Text {
     pub(super) e0_over_e2: Option<Values>,
     pub(super) e0s_over_e2s: Option<Values>,
     pub(super) nu0: Option<Nu0>,
-    pub(super) stack: Option<text::Text>,
+    pub(super) stack: Option<stack::Text>,
 }
 
 fn default_tolerance() -> f64 {

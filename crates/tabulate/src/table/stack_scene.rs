@@ -2,13 +2,14 @@
 
 use interp::{Parameter, Quantity, SubstratePoissonRatio};
 
-use crate::solve::check_reach;
-use crate::stack::{Stack, text};
+use crate::stack;
 use crate::table::scene::{Bounds, Extent};
 use crate::table::scene_text::{Text, checked};
+use solve::check_reach;
+use solve::stack::Stack;
 
 /// Returns the box of a stack of layers.
-pub(super) fn bounds(scene: &Text, stack: text::Text) -> Result<Bounds, String> {
+pub(super) fn bounds(scene: &Text, stack: stack::Text) -> Result<Bounds, String> {
     let settled = [
         ("nu1", scene.nu1.is_some()),
         ("nu0", scene.nu0.is_some()),

@@ -3,13 +3,12 @@
 use interp::{Material, Parameter, Quantity};
 
 use crate::Error;
-use crate::solve::batch::Batch;
-use crate::solve::tabulated::Tabulated;
-use crate::solve::{
-    TOLERANCE, solve_power_laws, solve_stack_power_laws, solve_stack_under_spheres,
-};
-use crate::stack::{NamedStack, Stack};
+use crate::stack::NamedStack;
 use crate::table::scene::Scene;
+use solve::Batch;
+use solve::Tabulated;
+use solve::stack::Stack;
+use solve::{TOLERANCE, solve_power_laws, solve_stack_power_laws, solve_stack_under_spheres};
 
 /// Returns the relative tolerance of the solves for a table: a hundredth of the table's own, within
 /// the range of the solve and 1e-6 at most.
@@ -29,7 +28,7 @@ pub(crate) fn solve_for_table(
     stack: Option<&Stack>,
     exponents: &'static [f64],
     table_tolerance: f64,
-) -> Result<Tabulated, Error> {
+) -> Result<Tabulated, solve::Error> {
     let solve = |tolerance| match stack {
         None => solve_power_laws(a_over_t, material, exponents, tolerance),
         Some(stack) => {
@@ -53,7 +52,7 @@ pub(crate) fn solve_stack_for_table(
     materials: &[Material],
     stack: &Stack,
     table_tolerance: f64,
-) -> Result<Vec<Tabulated>, Error> {
+) -> Result<Vec<Tabulated>, solve::Error> {
     let modulus = |material| sphere_modulus(stack, material);
     let moduli: Vec<f64> = materials.iter().map(modulus).collect();
     let solved = solve_stack_under_spheres(
@@ -86,7 +85,7 @@ pub type Values = [Option<Vec<f64>>; 5];
 /// result does not depend on the number of threads.
 ///
 /// # Errors
-/// [`Error::NotConverged`] with the point where double precision does not allow the tolerance.
+/// [`solve::Error::NotConverged`] with the point where double precision does not allow the tolerance.
 pub fn sweep(
     scene: &Scene,
     axes: &[(Parameter, Vec<f64>); 4],

@@ -59,7 +59,7 @@ use crate::curve::piecewise::{VALUE, Values, evaluate_all};
 use crate::curve::series::{LANES, economised, product, quotient};
 use crate::{Error, Quantities, Quantity};
 
-pub(crate) use self::weights::{EvenShape, LARGEST_A_OVER_R};
+pub use self::weights::{EvenShape, LARGEST_A_OVER_R};
 
 /// What a curve of even powers has besides its pieces.
 #[derive(Clone, Debug)]
@@ -123,7 +123,7 @@ impl EvenPowers {
 
     /// Returns the derivatives of the logarithms of load and penetration with respect to that of all
     /// lengths of the shape, at a fixed contact radius.
-    pub(crate) fn by_size(&self, x: f64, position: Option<Position>) -> Result<[f64; 2], Error> {
+    pub fn by_size(&self, x: f64, position: Option<Position>) -> Result<[f64; 2], Error> {
         let pieces = self.by_size.as_ref().ok_or(Error::NoGradient)?;
         if let Some(position) = position {
             let [load, _, _, penetration] = evaluate_all(&pieces[position.piece], position);

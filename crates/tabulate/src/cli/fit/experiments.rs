@@ -14,7 +14,8 @@ use crate::cli::bodies::{self, BodiesArguments};
 use crate::cli::quantity::force_per_length;
 use crate::cli::stack_file::Layers;
 use crate::cli::system::{self, Value};
-use crate::stack::{self, DirectSolver};
+use fit::DirectSolver;
+use solve::stack;
 
 /// The flags of known values.
 #[derive(clap::Args)]

@@ -2,14 +2,12 @@
 
 use std::f64::consts::PI;
 
-use interp::{
-    AdhesionRange, Contact, Control, Elastic, FiniteRange, Material, Probe, Quantities, System,
-    Table,
-};
+use contact::{AdhesionRange, Contact, Control, FiniteRange};
+use interp::{Elastic, Material, Probe, Quantities, System, Table};
 
 use crate::Error;
 use crate::cost::clock::{Times, Timing};
-use crate::solve::{A_OVER_T, solve};
+use solve::{A_OVER_T, solve};
 
 /// Tabor's parameter at which the range is judged: the smallest at which a contact counts as JKR's.
 pub const TABOR: f64 = AdhesionRange::JKR;
@@ -74,7 +72,7 @@ pub(super) fn time_ratio(timing: Timing) -> Result<f64, Error> {
             film_thickness: 1e-6,
             substrate: Elastic::new(7e10, 0.22)?,
         };
-        Ok(Table::embedded().contact(&system)?)
+        Ok(Contact::in_table(Table::embedded(), &system)?)
     };
     let contacts = (0..FILMS)
         .map(contact)

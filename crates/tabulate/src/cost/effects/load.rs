@@ -6,7 +6,7 @@ use super::Effect;
 use super::finite_range::error_of_jkr;
 use super::shape::error_of_paraboloid;
 use crate::Error;
-use crate::solve::solve;
+use solve::solve;
 
 /// The smallest and the largest strength of adhesion at which errors are measured.
 ///

@@ -27,8 +27,8 @@ use super::deviation::median_and_largest;
 use super::table::Made;
 use crate::Error;
 use crate::cost::rows::{COUNT, ERROR, Measurement, TOLERANCE};
-use crate::parallel::try_map;
 use crate::table::{Observer, Scene};
+use solve::parallel::try_map;
 
 /// The table of a scene without one effect, the cost that this saves, and the error of the load.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

@@ -1,11 +1,12 @@
 //! The shape of the probe: the error of the paraboloid beside the sphere itself, and the cost of the
 //! sphere.
 
-use interp::{Contact, Elastic, Material, Probe, System, Table, Validity};
+use contact::{Contact, Validity};
+use interp::{Elastic, Material, Probe, System, Table};
 
 use crate::Error;
 use crate::cost::clock::{Times, Timing};
-use crate::solve::solve_power_laws;
+use solve::solve_power_laws;
 
 /// The contact radius over that of the sphere at which the shape is judged: the one above which
 /// [`Validity`] warns.
@@ -52,7 +53,7 @@ pub(super) fn error_of_paraboloid(
 /// itself, over that under a paraboloid.
 ///
 /// # Errors
-/// Those of [`Table::contact`]; none for these films.
+/// Those of [`Contact::in_table`]; none for these films.
 pub(super) fn time_ratio(timing: Timing) -> Result<f64, Error> {
     const FILMS: i32 = 64;
     let radius = 1e-5;
@@ -75,13 +76,13 @@ pub(super) fn time_ratio(timing: Timing) -> Result<f64, Error> {
         systems(Probe::Paraboloid { radius })?,
     ];
     for system in probes.iter().flatten() {
-        table.contact(system)?;
+        Contact::in_table(table, system)?;
     }
     let mut times = [Times::default(), Times::default()];
     for _ in 0..timing.rounds(ROUNDS) {
         for (systems, times) in probes.iter().zip(&mut times) {
             let mut next = systems.iter().cycle();
-            let contact = || -> Option<Contact> { table.contact(next.next()?).ok() };
+            let contact = || -> Option<Contact> { Contact::in_table(table, next.next()?).ok() };
             times.add(timing.seconds(SECONDS, contact));
         }
     }

@@ -1,9 +1,9 @@
 //! The forms that hold in the whole box of a table: tables, direct solves, and half-spaces of some
 //! modulus.
 
+use contact::Contact;
 use interp::{
-    Contact, Curve, Elastic, Material, Normalisation, Parameter, Probe, Quantities, Quantity,
-    System, Table,
+    Curve, Elastic, Material, Normalisation, Parameter, Probe, Quantities, Quantity, System, Table,
 };
 
 use super::linear::{Linear, Multilinear};
@@ -15,8 +15,8 @@ use crate::cost::Measured;
 use crate::cost::approximations::{bulk_jkr, film_jkr, gao, hay_crawford};
 use crate::cost::clock::Timing;
 use crate::cost::deviation::tightest;
-use crate::parallel::try_map;
-use crate::solve::solve;
+use solve::parallel::try_map;
+use solve::solve;
 
 /// The tolerances of the direct solves.
 const TOLERANCES: [f64; 4] = [1e-2, 1e-4, 1e-6, 1e-9];
@@ -37,7 +37,7 @@ pub fn measure(
     progress: &(dyn Fn(usize) + Sync),
 ) -> Result<Measured<Row>, Error> {
     let truth = solve_all(points, progress, |(x, material)| {
-        tightest(*x, material).map(|solution| solution.quantities)
+        Ok(tightest(*x, material)?.quantities)
     })?;
     let scene = Scene {
         scope: scope(table),
@@ -252,9 +252,7 @@ impl Scene<'_> {
     /// Measures solves to a tolerance.
     fn solve(&self, tolerance: f64, progress: &(dyn Fn(usize) + Sync)) -> Result<Row, Error> {
         let points = &self.points[..self.points.len().min(SOLVED)];
-        let solve = |(x, material): &Point| {
-            solve(*x, material, tolerance).map(|solution| solution.quantities)
-        };
+        let solve = |(x, material): &Point| Ok(solve(*x, material, tolerance)?.quantities);
         let found = solve_all(points, progress, solve)?;
         let errors = Errors::of_loads(&loads(points, &found), &self.truth[..points.len()]);
         let form = format!("direct solve to {tolerance:e}");
@@ -264,7 +262,10 @@ impl Scene<'_> {
 
     /// Measures half-spaces of some modulus.
     fn closed_forms(&self, rows: &mut Vec<Row>, left_out: &mut Vec<String>) -> Result<(), Error> {
-        type Form = (&'static str, fn(f64, &Material) -> Result<f64, Error>);
+        type Form = (
+            &'static str,
+            fn(f64, &Material) -> Result<f64, solve::Error>,
+        );
         const FORMS: [Form; 4] = [
             ("bulk JKR, film ignored", |_, material| {
                 Ok(bulk_jkr(material))

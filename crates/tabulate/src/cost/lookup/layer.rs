@@ -12,7 +12,7 @@ use crate::Error;
 use crate::cost::approximations::{dimitriadis, dimitriadis_incompressible, garcia};
 use crate::cost::clock::Timing;
 use crate::cost::deviation::tightest;
-use crate::parallel::try_map;
+use solve::parallel::try_map;
 
 /// The load of a layer at a penetration.
 struct Layer {
@@ -25,7 +25,7 @@ struct Layer {
 }
 
 /// A form: its name, and its factor on Hertz's load at `chi` and a Poisson ratio.
-type Form = (&'static str, fn(f64, f64) -> Result<f64, Error>);
+type Form = (&'static str, fn(f64, f64) -> Result<f64, solve::Error>);
 
 const HERTZ: Form = ("Hertz on the film alone", |_, _| Ok(1.0));
 const DIMITRIADIS: Form = ("Dimitriadis 2002, eq. 12", |chi, _| {

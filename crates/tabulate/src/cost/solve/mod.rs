@@ -17,9 +17,8 @@ use serde::{Deserialize, Serialize};
 use super::clock::Timing;
 use super::deviation::deviation;
 use super::nystrom::Nystrom;
-use crate::Error;
 use crate::cost::rows::{ERROR, Measurement, TIME, TOLERANCE};
-use crate::solve::solve;
+use solve::solve;
 
 /// A contact and its four quantities, computed independently.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
@@ -97,7 +96,7 @@ pub struct Row {
     pub e0_over_e2: f64,
     /// The substrate's Poisson ratio.
     pub nu0: f64,
-    /// The method that [`solve`] chose, [`REFUSED`], or [`NYSTROM`].
+    /// The method that [`solve()`] chose, [`REFUSED`], or [`NYSTROM`].
     pub method: String,
     /// The relative tolerance of the solve; for Nyström's method, that of its kernel.
     pub tolerance: f64,
@@ -196,7 +195,7 @@ fn seconds(timing: Timing, contact: &Contact, row: &Row) -> f64 {
     }
 }
 
-/// Returns the row of [`solve`] at a tolerance, without its time.
+/// Returns the row of [`solve()`] at a tolerance, without its time.
 fn row(contact: &Contact, tolerance: f64) -> Row {
     let (x, material) = (contact.a_over_t, contact.material());
     let row = |method: &str| Row {
@@ -211,7 +210,7 @@ fn row(contact: &Contact, tolerance: f64) -> Row {
             error: Some(deviation(&solution.quantities, &contact.truth())),
             ..row(solution.method.name())
         },
-        Err(Error::NotConverged { reached, .. }) => Row {
+        Err(solve::Error::NotConverged { reached, .. }) => Row {
             error_estimated: Some(reached),
             ..row(REFUSED)
         },

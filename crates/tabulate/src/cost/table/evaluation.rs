@@ -6,8 +6,8 @@ use interp::{Curve, Material, Quantities, Quantity, Table};
 
 use crate::Error;
 use crate::cost::clock::Timing;
-use crate::solve::solve;
 use crate::table::Scene;
+use solve::solve;
 
 /// The number of random points of the scene at which evaluations are timed.
 pub const POINTS: usize = 300;

@@ -66,13 +66,13 @@ pub fn points(scene: &Scene, nodes: u64) -> f64 {
 
 /// Whether an error says that a tolerance is out of reach, rather than that something is broken.
 pub const fn is_limit(error: &Error) -> bool {
-    use Error::{Budget, NoRoom, NotConverged, Packed, TooLarge, Truncation, Unresolved};
+    use Error::{Budget, NoRoom, Packed, Solve, TooLarge, Truncation, Unresolved};
     matches!(
         error,
         Budget { .. }
             | NoRoom { .. }
-            | NotConverged { .. }
             | Packed { .. }
+            | Solve(solve::Error::NotConverged { .. })
             | TooLarge { .. }
             | Truncation { .. }
             | Unresolved { .. }

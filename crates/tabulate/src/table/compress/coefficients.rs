@@ -8,8 +8,8 @@ use faer::{Mat, MatRef};
 use interp::bspline::Basis;
 use interp::chebyshev::{points, transform};
 
-use crate::solve::larger;
 use crate::table::compress::matrices::{row_major, singular_vectors};
+use solve::larger;
 
 /// The first number of points for each node of a tile, and the number of further ones.
 const POINTS: [f64; 2] = [1.25, 12.0];

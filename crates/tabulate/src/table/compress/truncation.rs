@@ -16,11 +16,11 @@ use interp::{LowRank, Quantity, Table};
 use rayon::prelude::*;
 
 use crate::Error;
-use crate::parallel::{on_all_cores, try_map};
-use crate::solve::larger;
 use crate::table::compress::coefficients::{Axis, Coefficients};
 use crate::table::compress::matrices::{rank, row_major, singular_vectors};
 use crate::table::compress::tiles::axes;
+use solve::larger;
+use solve::parallel::{on_all_cores, try_map};
 
 /// The step, over the largest error allowed anywhere: the bounds of the search. For the embedded
 /// table it ends between a hundredth and a thousandth.

@@ -1,0 +1,175 @@
+//! Derivatives of load and penetration with respect to all their inputs.
+//!
+//! `terms` holds the terms of load and penetration and their derivatives, `logarithms` the
+//! derivatives of the factors of which the terms are products.
+
+mod logarithms;
+mod terms;
+
+use super::contact::Bodies;
+use crate::Contact;
+use interp::Error;
+use interp::check::finite_result;
+
+/// An input on which the load and the penetration of a contact depend, in SI units.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Input {
+    /// Contact radius `a`, m.
+    ContactRadius,
+    /// Work of adhesion `w`, J/m^2.
+    WorkOfAdhesion,
+    /// Radius `R` of the probe, m: of the sphere or paraboloid, of the end of a cone, or of the
+    /// punch.
+    SphereRadius,
+    /// Reduced modulus `E2*` of the sphere, Pa.
+    SphereModulus,
+    /// Thickness `t` of the film, m.
+    FilmThickness,
+    /// Young's modulus `E1` of the film, Pa.
+    FilmModulus,
+    /// Poisson ratio `nu1` of the film.
+    FilmPoisson,
+    /// Young's modulus `E0` of the substrate, Pa.
+    SubstrateModulus,
+    /// Poisson ratio `nu0` of the substrate.
+    SubstratePoisson,
+}
+
+impl Input {
+    /// All nine inputs.
+    pub const ALL: [Self; 9] = [
+        Self::ContactRadius,
+        Self::WorkOfAdhesion,
+        Self::SphereRadius,
+        Self::SphereModulus,
+        Self::FilmThickness,
+        Self::FilmModulus,
+        Self::FilmPoisson,
+        Self::SubstrateModulus,
+        Self::SubstratePoisson,
+    ];
+
+    /// Returns the name in words.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::ContactRadius => "contact radius",
+            Self::WorkOfAdhesion => "work of adhesion",
+            Self::SphereRadius => "sphere radius",
+            Self::SphereModulus => "sphere modulus",
+            Self::FilmThickness => "film thickness",
+            Self::FilmModulus => "film modulus",
+            Self::FilmPoisson => "film Poisson ratio",
+            Self::SubstrateModulus => "substrate modulus",
+            Self::SubstratePoisson => "substrate Poisson ratio",
+        }
+    }
+}
+
+/// The derivatives of load and penetration with respect to one [`Input`] at fixed other inputs, in
+/// N and m per unit of the input.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Derivatives {
+    /// The derivative of the load `F`.
+    pub load: f64,
+    /// The derivative of the penetration `delta`.
+    pub penetration: f64,
+}
+
+/// Load and penetration at one contact radius and work of adhesion, with their derivatives.
+#[derive(Clone, Copy, Debug)]
+pub struct ContactGradient {
+    load: f64,
+    penetration: f64,
+    /// The derivatives in the order of [`Input::ALL`]; `None` where one is not known.
+    derivatives: [Option<Derivatives>; 9],
+}
+
+impl ContactGradient {
+    /// Returns the load `F`, N.
+    pub const fn load(&self) -> f64 {
+        self.load
+    }
+
+    /// Returns the penetration `delta`, m.
+    pub const fn penetration(&self) -> f64 {
+        self.penetration
+    }
+
+    /// Returns the derivatives with respect to one `input`.
+    ///
+    /// They are 0 with respect to the modulus and the Poisson ratio of a rigid body.
+    ///
+    /// # Errors
+    /// [`Error::FixedParameter`] for an input whose derivative needs a parameter of the material
+    /// that the table fixes; for an input of the film on a half-space; for the radius of a probe
+    /// that has none, and the contact radius of a flat punch, which is that of the punch; and for
+    /// the work of adhesion if it is below 2.3e-308 J/m^2, because the load falls like its square root.
+    pub fn by(&self, input: Input) -> Result<Derivatives, Error> {
+        self.derivatives[input as usize].ok_or(Error::FixedParameter(input.name()))
+    }
+}
+
+impl Contact {
+    /// Computes load and penetration at contact radius `a` (m) and work of adhesion `w` (J/m^2),
+    /// and their derivatives with respect to every [`Input`].
+    ///
+    /// Load and penetration are those of [`Contact::load_and_penetration`]. The derivatives follow
+    /// by the chain rule through eqs. 2 and 4 to 8 and from the derivatives of the table's splines.
+    ///
+    /// ```
+    /// # #[cfg(feature = "embedded")]
+    /// # fn main() -> Result<(), interp::Error> {
+    /// # use interp::{Elastic, Probe, System, Table};
+    /// # use contact::Input;
+    /// # let (film, substrate) = (Elastic::new(3.5e6, 0.5)?, Elastic::new(2e11, 0.25)?);
+    /// # let system = System { probe: Probe::Paraboloid { radius: 1e-3 }, sphere_modulus: 2e6, film, film_thickness: 1e-6, substrate };
+    /// let contact = Contact::in_table_with_gradient(Table::embedded(), &system)?;
+    /// let gradient = contact.gradient(65e-6, 0.04)?;
+    /// let [film, sphere] = [(Input::FilmModulus, 3.5e6), (Input::SphereModulus, 2e6)].map(|(input, modulus)| {
+    ///     gradient.by(input).map(|derivatives| derivatives.load * modulus)
+    /// });
+    /// assert!(film?.abs() < 0.05 * sphere?.abs()); // a thin film is hardly seen
+    /// # Ok(()) }
+    /// # #[cfg(not(feature = "embedded"))]
+    /// # fn main() {}
+    /// ```
+    ///
+    /// # Errors
+    /// As [`Contact::load_and_penetration`], but always [`Error::OutsideTable`] above the nodes in
+    /// `a/t`; [`Error::NoGradient`] on a curve made without derivatives; [`Error::Unphysical`] for
+    /// a derivative that overflows an f64; [`Error::OtherMaterial`] on a curve whose derivatives
+    /// are those of an equivalent material on another substrate.
+    pub fn gradient(&self, a: f64, w: f64) -> Result<ContactGradient, Error> {
+        self.same_material()?;
+        let terms = self.terms(a, w)?;
+        let derivatives = Input::ALL.map(|input| terms.by(input));
+        let numbers = derivatives
+            .iter()
+            .flatten()
+            .flat_map(|by| [by.load, by.penetration]);
+        numbers
+            .chain([terms.load, terms.penetration])
+            .try_for_each(|number| finite_result(a, number).map(drop))?;
+        Ok(ContactGradient {
+            load: terms.load,
+            penetration: terms.penetration,
+            derivatives,
+        })
+    }
+
+    /// Accepts a curve whose derivatives are those of the material of the system itself.
+    pub(super) fn same_material(&self) -> Result<(), Error> {
+        let Bodies::Coated { system, curve } = &self.bodies else {
+            return Ok(());
+        };
+        let (made_for, material) = (curve.differentiated_for()?, system.material()?);
+        if material.is_close_to(made_for) {
+            Ok(())
+        } else {
+            Err(Error::OtherMaterial {
+                curve: made_for.to_array(),
+                system: material.to_array(),
+            })
+        }
+    }
+}

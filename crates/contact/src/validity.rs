@@ -1,0 +1,281 @@
+//! Numbers that compare a contact with the assumptions of the model, and thresholds for them.
+
+use std::f64::consts::PI;
+
+use super::finite_range::short;
+use crate::{Contact, Control};
+use interp::Error;
+#[cfg(doc)]
+use interp::Probe;
+use interp::check::finite_result;
+use interp::check::positive;
+
+/// The geometry of a contact, compared with the assumptions of the model.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Validity {
+    /// Contact radius over sphere radius, `a/R`; for a shape without a radius of curvature the slope
+    /// of the shape at the edge, which under a paraboloid is `a/R`, and 0 under a flat punch. Of a
+    /// paraboloid in place of a sphere, the adhesionless penetration is too small by the part
+    /// `(a/R)^2/3` and more (Sneddon, Int. J. Eng. Sci. 3, 47, 1965: `(a/2) ln((R+a)/(R-a))` on a
+    /// half-space).
+    pub a_over_r: f64,
+    /// The part by which the load at a given penetration falls if a sphere stands for its
+    /// paraboloid, about `delta0/(10 R)` on a half-space and on films; 0 without a radius of
+    /// curvature. It is the effect that [`Probe::Sphere`] adds.
+    pub shape: f64,
+    /// The part by which the load at a given penetration rises because the surface moves sideways
+    /// under the sloping probe, which the model neglects: `(3/4 pi) (1 - 2 nu)/(1 - nu) a/R`, with
+    /// the Poisson ratio of the film or half-space.
+    ///
+    /// It follows from the displacement `u_r` of Hertz's contact on a half-space, which meets the
+    /// shape at `r + u_r`. On a thin film it is an order of magnitude only. Under cones the effect
+    /// is known since Hay, Bolshakov and Pharr, J. Mater. Res. 14, 2296 (1999).
+    pub sideways: f64,
+    /// The share of the probe in the compliance of probe and film, or half-space: `Es*/E2*`. The
+    /// model takes an elastic probe for a half-space, to first order in `a/R`.
+    pub probe_share: f64,
+    /// The numbers of the film; `None` on a half-space.
+    pub film: Option<FilmValidity>,
+}
+
+/// The numbers of [`Validity`] that depend on the film.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FilmValidity {
+    /// Contact radius over film thickness, `a/t`, the degree of confinement (Shull, Mater. Sci.
+    /// Eng. R 36, 1, 2002).
+    pub a_over_t: f64,
+    /// The compressibility of the film in this contact, `(3/16) (1 - 2 nu1)/(1 - nu1) (a/t)^2`.
+    ///
+    /// It is the ratio of two stiffnesses of a thin film under a flat frictionless punch. In the
+    /// first the volume of the film is fixed, so that it flows sideways as in a squeeze film:
+    /// `3 pi G1 a^4/(8 t^3)` on a rigid base. In the second the film cannot move sideways:
+    /// `2 pi G1 a^2 (1 - nu1)/((1 - 2 nu1) t)`. Above 1, a thin film deforms by a change of its
+    /// volume. Below 1, it behaves as incompressible, and its stress reaches deep into the contact.
+    /// Near 1, every digit of `1/2 - nu1` counts (Johnson, *Contact Mechanics*, 5.8).
+    ///
+    /// For a stack of layers it is the same ratio, of all layers together
+    /// ([`Curve::of_stack`](interp::Curve::of_stack)), and `a/t` is with their whole thickness.
+    pub compressibility: f64,
+    /// The penetration without adhesion over the thickness of the film, `delta0/t`: the size of its
+    /// strain. The model is linear. Where the curve does not cover `a/t`, the penetration is that
+    /// on a half-space.
+    pub strain: f64,
+    /// Whether `a/t` is between the first and the last node of the table or curve. Beyond them an
+    /// expansion is used, or there is an error.
+    pub in_range: bool,
+}
+
+impl Validity {
+    /// The `a/R` at which the paraboloid begins to matter, by 0.3 % of the penetration.
+    pub const LARGE_A_OVER_R: f64 = 0.1;
+
+    /// The `a/R` above which the command line and the page of a table warn: the paraboloid changes
+    /// the penetration by 3 % there.
+    pub const WARNING_A_OVER_R: f64 = 0.3;
+
+    /// The share of the probe in the compliance, and the strain of the film, that count as small: a
+    /// judgement, not a measured limit.
+    pub const SMALL: f64 = 0.1;
+
+    /// Returns the neglected effects that are larger than the difference between a sphere and its
+    /// paraboloid, in the order of [`Neglected`]. While there is one, the exact shape gains nothing
+    /// for loads at given penetrations.
+    ///
+    /// The displacement sideways is compared with [`Validity::shape`] itself. An elastic probe
+    /// counts above an `a/R` of 0.1 if its share of the compliance is above 0.1, and the strain of
+    /// the film counts above 0.1: at a large `a/t` it leaves small strains before `a/R` matters.
+    pub fn neglected(&self) -> Vec<Neglected> {
+        let mut all = Vec::new();
+        if self.sideways > self.shape {
+            all.push(Neglected::Sideways);
+        }
+        if self.is_large_contact() && self.probe_share > Self::SMALL {
+            all.push(Neglected::ElasticProbe);
+        }
+        if self.film.is_some_and(|film| film.strain > Self::SMALL) {
+            all.push(Neglected::Strain);
+        }
+        all
+    }
+
+    /// Tells whether `a/R` is above [`Validity::LARGE_A_OVER_R`].
+    pub fn is_large_contact(&self) -> bool {
+        self.a_over_r > Self::LARGE_A_OVER_R
+    }
+}
+
+/// An effect that the model neglects, which [`Validity::neglected`] compares with that of the shape.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Neglected {
+    /// The surface of a compressible film moves sideways under the probe.
+    Sideways,
+    /// An elastic probe is no half-space.
+    ElasticProbe,
+    /// The strain of the film is not small.
+    Strain,
+}
+
+impl FilmValidity {
+    /// The `a/t` above which a film is confined.
+    pub const CONFINED_A_OVER_T: f64 = 1.0;
+
+    /// Tells whether the film is thin beside the contact and can only yield sideways: `a/t` above
+    /// [`FilmValidity::CONFINED_A_OVER_T`] and [`FilmValidity::compressibility`] below 1.
+    ///
+    /// Under tension a soft film of this kind may cavitate or finger instead of separating at a
+    /// round edge. The model does not describe that.
+    pub fn is_confined(&self) -> bool {
+        self.a_over_t > Self::CONFINED_A_OVER_T && self.compressibility < 1.0
+    }
+}
+
+/// The range of the attraction, compared with the JKR limit, in which it is zero. The model assumes
+/// this limit.
+#[derive(Clone, Copy, Debug)]
+pub struct AdhesionRange<'a> {
+    /// Tabor's parameter `mu = (R w^2 / (Es*^2 z0^3))^{1/3}`, with the compound modulus `Es*` of
+    /// sphere and film. The attraction acts at the edge: if its zone is small beside the film
+    /// thickness, it deforms the sphere and the film alone.
+    pub tabor: f64,
+    /// The length (m) of the zone outside the contact in which the attraction acts,
+    /// `(pi/4) Es* z0^2/w`, for Dugdale's constant stress `w/z0` (Maugis, J. Colloid Interface Sci.
+    /// 150, 243, 1992). Eq. 8 assumes that it is small beside contact radius and film thickness.
+    pub cohesive_zone: f64,
+    contact: &'a Contact,
+    work_of_adhesion: f64,
+}
+
+impl AdhesionRange<'_> {
+    /// The value of Tabor's parameter from which JKR holds (Johnson and Greenwood, J. Colloid
+    /// Interface Sci. 192, 326, 1997).
+    pub const JKR: f64 = 5.0;
+
+    /// The largest part of a contact radius or film thickness that counts as small.
+    pub const SMALL_ZONE: f64 = 0.1;
+
+    /// Tells whether Tabor's parameter is at least [`AdhesionRange::JKR`].
+    pub fn is_jkr(&self) -> bool {
+        self.tabor >= Self::JKR
+    }
+
+    /// Tells whether the zone of attraction is at most [`AdhesionRange::SMALL_ZONE`] of a `length`
+    /// (m), such as contact radius or film thickness.
+    pub fn is_short_beside(&self, length: f64) -> bool {
+        self.cohesive_zone <= Self::SMALL_ZONE * length
+    }
+
+    /// Returns the part by which the pull-off load of JKR is too small, for Dugdale's law and to
+    /// first order in the length `l` of the zone of attraction:
+    ///
+    /// ```text
+    /// F/F_JKR - 1 = (S |delta_fp|/(2 |F_JKR|)) l/(6 a)        0.0859/mu^2 on a half-space
+    /// ```
+    ///
+    /// `F_JKR`, `a` and the term `S |delta_fp|` of eq. 9 belong to the pull-off of
+    /// [`Contact::pull_off`] under an imposed load. The load is stationary there, so that to first
+    /// order it feels only the energy `w (1 + l/(6 a))` of the line ([`Contact::finite_range`]).
+    /// `z0` is the distance at which Dugdale's traction ends.
+    ///
+    /// Measured (`tests/truth/short_range.rs`): 6 % of itself too large at most where `l` is a
+    /// twentieth of the shorter of contact radius and film thickness, and 22 % where it is a fifth.
+    ///
+    /// # Errors
+    /// As [`Contact::pull_off`] and [`Contact::finite_range`]: [`Error::LongZone`] for a zone that
+    /// is not short.
+    pub fn pull_off_error(&self) -> Result<f64, Error> {
+        let (contact, w, zone) = (self.contact, self.work_of_adhesion, self.cohesive_zone);
+        contact.with_zone(w, zone)?;
+        let pull_off = contact.pull_off(w, Control::Load)?;
+        let a = pull_off.contact_radius;
+        short(zone, a, "contact radius")?;
+        let lowered_by = contact.adhesionless_load(a)? - pull_off.load;
+        Ok(0.5 * lowered_by / pull_off.load.abs() * zone / (6.0 * a))
+    }
+}
+
+impl Contact {
+    /// Compares a contact of radius `a` (m) with the assumptions of the model.
+    ///
+    /// # Errors
+    /// [`Error::BeyondSphere`] for an `a` that is not below the radius of the sphere;
+    /// [`Error::Unphysical`] for an `a` that is not positive and finite, or so large beside `t`
+    /// that a result overflows an f64.
+    pub fn validity(&self, a: f64) -> Result<Validity, Error> {
+        self.mechanics().check_radius(a)?;
+        let a_over_r = self.probe().slope(a);
+        // Where the curve does not cover `a/t`, the size is that of a paraboloid on a half-space.
+        let without = self.adhesionless_penetration(a).unwrap_or(a * a_over_r);
+        let film = match self.system().zip(self.curve()) {
+            Some((system, curve)) => {
+                let (a_over_t, nu1) = (a / system.film_thickness, system.film.poisson());
+                let factor = curve
+                    .stack()
+                    .map_or(3.0 / 16.0 * (1.0 - 2.0 * nu1) / (1.0 - nu1), |stack| {
+                        stack.compressibility
+                    });
+                let compressibility = finite_result(a, factor * a_over_t * a_over_t)?;
+                let strain = finite_result(a, without / system.film_thickness)?;
+                let [from, to] = curve.range();
+                let in_range = (from..=to).contains(&a_over_t);
+                Some(FilmValidity {
+                    a_over_t,
+                    compressibility,
+                    strain,
+                    in_range,
+                })
+            }
+            None => None,
+        };
+        let (solid, sphere_modulus) = self.touched();
+        let compressible = (1.0 - 2.0 * solid.poisson()) / (1.0 - solid.poisson());
+        let radius = self.mechanics().sphere_radius();
+        Ok(Validity {
+            a_over_r,
+            shape: if radius.is_finite() {
+                0.1 * without / radius
+            } else {
+                0.0
+            },
+            sideways: 0.75 / PI * compressible * a_over_r,
+            probe_share: self.mechanics().sphere_film_modulus() / sphere_modulus,
+            film,
+        })
+    }
+
+    /// Compares an attraction of work of adhesion `w` (J/m^2) and range `interaction_range`, `z0`
+    /// (m), with the JKR limit.
+    ///
+    /// `z0` is the distance at which the attraction is largest, or at which it ends. For van der
+    /// Waals forces it is of the order of the diameter of an atom.
+    ///
+    /// # Errors
+    /// [`Error::Unphysical`] unless `w` and `interaction_range` are positive and finite, and for a
+    /// result that overflows an f64.
+    pub fn adhesion_range(
+        &self,
+        w: f64,
+        interaction_range: f64,
+    ) -> Result<AdhesionRange<'_>, Error> {
+        positive("work of adhesion", w)?;
+        positive("interaction range", interaction_range)?;
+        let radius = self.with_radius_of_curvature("Tabor's parameter")?;
+        let modulus = self.mechanics().sphere_film_modulus();
+        // The displacement w/Es* of the solids by the attraction, over z0.
+        let stretch = w / modulus / interaction_range;
+        let tabor = (radius / interaction_range * stretch * stretch).cbrt();
+        let cohesive_zone = 0.25 * PI * interaction_range / stretch;
+        let finite = tabor.is_finite() && cohesive_zone.is_finite();
+        Error::unless(
+            finite,
+            "interaction range",
+            interaction_range,
+            "such that Tabor's parameter and the length of the zone do not overflow an f64",
+        )?;
+        Ok(AdhesionRange {
+            tabor,
+            cohesive_zone,
+            contact: self,
+            work_of_adhesion: w,
+        })
+    }
+}

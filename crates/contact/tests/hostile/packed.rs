@@ -1,0 +1,394 @@
+//! Any packed bytes give an error or a table that can be looked up, and reading them takes memory
+//! of at most a small multiple of their length.
+
+use allocation_counter::measure;
+use contact::Contact;
+use interp::{Elastic, Error, Probe, Quantity, System, Table, Tile};
+
+use crate::tables::{self, PREFIX, look_up, with_prefix};
+
+/// The largest memory that reading may take: bytes for each byte of the input, and a constant
+/// number of bytes. The first is that of six integers of eight bytes for each byte, and of the
+/// bytes themselves. The second is the megabyte that a forged length can claim under the header's
+/// limit.
+const READING: (usize, usize) = (52, 1_060_000);
+
+/// The largest memory that the first look-up of a curve with gradients may take: bytes for each
+/// byte of the packed table, and a constant number of bytes. Measured: 48.4 for a low-rank table of
+/// many nodes, of which the header's limit allows 130,000, and 2.5e7 for noise on 60 decades of
+/// `a/t`, which needs the finest pieces.
+const LOOKING_UP: (usize, usize) = (50, 27_000_000);
+
+/// The same for forms that need as much as is accepted: 16 numbers of 8 bytes for each integer, of
+/// which a byte holds six, or 8 MB; a list of numbers takes up to three times its size while it
+/// grows. Measured: 834 for each byte of the table.
+const DEMANDING: (usize, usize) = (850, 37_000_000);
+
+/// Reads packed bytes, and asserts that this takes little memory.
+fn read(bytes: &[u8]) -> Result<Table, Error> {
+    let mut result = None;
+    let most = measure(|| result = Some(Table::from_packed(bytes))).bytes_max as usize;
+    assert_little(most, READING, bytes.len());
+    result.expect("measured")
+}
+
+/// Asserts that memory is at most the given multiple of a number of bytes, plus the constant.
+fn assert_little(memory: usize, (multiple, constant): (usize, usize), bytes: usize) {
+    assert!(
+        memory <= multiple * bytes + constant,
+        "{memory} bytes of memory for {bytes} bytes"
+    );
+}
+
+/// Reads a payload after a valid prefix.
+fn read_payload(payload: &[u8]) -> Result<Table, Error> {
+    read(&with_prefix(payload))
+}
+
+/// Asserts that a payload is malformed.
+fn assert_malformed(case: &str, payload: &[u8]) {
+    let result = read_payload(payload);
+    assert!(
+        matches!(result, Err(Error::Malformed(_))),
+        "{case}: {result:?}"
+    );
+}
+
+/// Asserts that a forged payload is malformed, or a table whose look-up gives numbers or finds that
+/// it is malformed. Only every 31st forgery is looked up, because that is slow.
+fn assert_harmless(case: &str, number: usize, payload: &[u8]) {
+    let look_up = |table: Table| {
+        if number.is_multiple_of(31) {
+            look_up(&table)
+        } else {
+            Ok(())
+        }
+    };
+    if let Err(error) = read_payload(payload).and_then(look_up) {
+        assert!(matches!(error, Error::Malformed(_)), "{case}: {error}");
+    }
+}
+
+/// Returns a packed table of each form.
+fn packed() -> [(&'static str, Vec<u8>); 2] {
+    [("dense", tables::dense()), ("low rank", tables::low_rank())]
+        .map(|(form, table)| (form, table.to_packed().expect("small")))
+}
+
+/// Returns pseudorandom bytes from a fixed seed (xorshift).
+fn noise(count: usize) -> Vec<u8> {
+    let mut state = 0x9e37_79b9_7f4a_7c15_u64;
+    let mut next = || {
+        state ^= state << 13;
+        state ^= state >> 7;
+        state ^= state << 17;
+        state.to_le_bytes()
+    };
+    (0..count.div_ceil(8))
+        .flat_map(|_| next())
+        .take(count)
+        .collect()
+}
+
+#[test]
+fn the_prefix_is_that_of_the_format() {
+    for (form, bytes) in packed() {
+        assert_eq!(with_prefix(&bytes[PREFIX..]), bytes, "{form}");
+        look_up(&read(&bytes).expect("valid")).expect("valid");
+    }
+}
+
+#[test]
+fn truncated_bytes_are_an_error_at_every_length() {
+    for (form, bytes) in packed() {
+        for length in 0..bytes.len() {
+            let result = read(&bytes[..length]);
+            assert!(
+                matches!(result, Err(Error::Foreign(_) | Error::Length { .. })),
+                "{form}, {length} bytes: {result:?}"
+            );
+        }
+        for length in PREFIX..bytes.len() {
+            assert_malformed(
+                &format!("{form}, {length} bytes, valid checksum"),
+                &bytes[PREFIX..length],
+            );
+        }
+    }
+}
+
+#[test]
+fn every_flipped_bit_is_an_error_and_with_a_valid_checksum_harmless() {
+    for (form, bytes) in packed() {
+        let mut flipped = bytes.clone();
+        for bit in 0..8 * bytes.len() {
+            flipped[bit / 8] ^= 1 << (bit % 8);
+            assert!(read(&flipped).is_err(), "{form}, bit {bit}");
+            assert_harmless(&format!("{form}, bit {bit}"), bit, &flipped[PREFIX..]);
+            flipped[bit / 8] ^= 1 << (bit % 8);
+        }
+    }
+}
+
+/// Lengths are forged at every place, in the fixed width of the header and in the variable width of
+/// the content.
+#[test]
+fn forged_lengths_are_harmless() {
+    for (form, bytes) in packed() {
+        let payload = &bytes[PREFIX..];
+        for length in [
+            3_u64,
+            1 << 16,
+            1 << 20,
+            1 << 27,
+            1 << 32,
+            1 << 60,
+            u64::MAX / 8,
+            u64::MAX,
+        ] {
+            for at in 0..payload.len() {
+                let case = format!("{form}, {length} at {at}");
+                let rest = |size: usize| &payload[payload.len().min(at + size)..];
+                assert_harmless(
+                    &case,
+                    at,
+                    &[&payload[..at], &length.to_le_bytes(), rest(8)].concat(),
+                );
+                assert_harmless(
+                    &case,
+                    at,
+                    &[&payload[..at], &[253], &length.to_le_bytes(), rest(1)].concat(),
+                );
+            }
+        }
+        // The length of the payload.
+        for length in [
+            0,
+            1,
+            payload.len() as u64 - 1,
+            payload.len() as u64 + 1,
+            1 << 40,
+            u64::MAX,
+        ] {
+            let forged = [&bytes[..12], &length.to_le_bytes(), &bytes[20..]].concat();
+            assert!(
+                matches!(read(&forged), Err(Error::Length { .. })),
+                "{form}, {length}"
+            );
+        }
+    }
+}
+
+/// Zeros are the numbers of the fewest bytes.
+#[test]
+fn a_long_list_of_zeros_takes_little_memory_wherever_it_is() {
+    let zeros = vec![0; (1 << 20) + 1];
+    let length = (zeros.len() as u64).to_le_bytes();
+    for ((form, bytes), length) in packed()
+        .iter()
+        .zip([length.to_vec(), [&[253], &length[..]].concat()])
+    {
+        for at in PREFIX..bytes.len() {
+            assert_malformed(
+                &format!("{form}, zeros behind {at} bytes"),
+                &[&bytes[PREFIX..at], &length, &zeros].concat(),
+            );
+        }
+    }
+}
+
+#[test]
+fn looking_up_takes_little_memory() {
+    let material = tables::material();
+    let assert_modest = |table: &Table| {
+        // The packing of a copy, because it prepares the lookup.
+        let packed = table.clone().to_packed();
+        let bytes = packed.expect("not too large").len();
+        let most = measure(|| drop(table.curve_with_gradient(&material))).bytes_max as usize;
+        assert_little(most, LOOKING_UP, bytes);
+    };
+    for shape in [
+        [2, 1, 1, 1],
+        [2; 4],
+        [1000, 1, 1, 1],
+        [10_000, 2, 2, 2],
+        [2, 5000, 2, 2],
+        [2, 2, 5000, 2],
+        [2, 2, 2, 5000],
+        [20; 4],
+    ] {
+        for a_over_t in [[0.5, 2.0], [1e-30, 1e30]] {
+            tables::of_shape(shape, a_over_t)
+                .iter()
+                .for_each(assert_modest);
+        }
+    }
+    for a_over_t in [[1e-3, 1e3], [1e-30, 1e30]] {
+        assert_modest(&tables::of_nodes(120_000, a_over_t));
+    }
+}
+
+/// A form may need a multiple of its size, whichever core makes it large.
+#[test]
+fn the_first_lookup_of_the_most_demanding_forms_takes_memory_in_proportion() {
+    // Of each family the largest number that is accepted: nodes of `a/t`, or terms of a core.
+    type Family = (&'static str, fn(usize) -> Result<Table, Error>);
+    let families: [Family; 5] = [
+        ("radii", |n_a| {
+            tables::demanding([1, 1, 600, 1], [1, 1, 600], n_a)
+        }),
+        ("radii after few terms", |n_a| {
+            tables::demanding([9, 9, 9, 9], [9, 81, 400], n_a)
+        }),
+        // With six columns of sixteen, the padding is as large as is accepted.
+        ("film moduli", |terms| {
+            tables::demanding([400, terms, 1, 1], [400, 6, 1], 2)
+        }),
+        ("Poisson ratios", |terms| {
+            tables::demanding([1, 400, terms, 1], [1, 400, 6], 2)
+        }),
+        ("substrate moduli", |terms| {
+            tables::demanding([terms, 1, 1, 1], [terms, 1, 1], 2)
+        }),
+    ];
+    let material = tables::material();
+    for (family, make) in families {
+        let (mut accepted, mut refused) = (100_usize, 20_000);
+        while refused - accepted > 1 {
+            let middle = accepted.midpoint(refused);
+            match make(middle) {
+                Ok(_) => accepted = middle,
+                Err(Error::LowRankTooLarge { needed, most, .. }) => {
+                    assert!(needed > most);
+                    refused = middle;
+                }
+                Err(other) => panic!("{family}: {other}"),
+            }
+        }
+        let table = make(accepted).expect("accepted");
+        let bytes = table.clone().to_packed().expect("accepted");
+        let mut again = None;
+        let read = measure(|| again = Some(Table::from_packed(&bytes))).bytes_max as usize;
+        again.expect("measured").expect("it was packed");
+        assert_little(read, READING, bytes.len());
+        // The table that was not read from a file must choose its pieces, too.
+        let most = measure(|| drop(table.curve(&material))).bytes_max as usize;
+        let [reading, multiple] = [(read, READING), (most, DEMANDING)]
+            .map(|(most, (_, constant))| most.saturating_sub(constant) as f64 / bytes.len() as f64);
+        println!(
+            "{family}: {accepted}, {} bytes, {multiple:.0} bytes of memory for each, {reading:.1} to read",
+            bytes.len()
+        );
+        assert_little(most, DEMANDING, bytes.len());
+    }
+}
+
+/// The ranks of a table made to a small tolerance, with terms in proportion to those of the
+/// embedded table.
+#[test]
+fn a_form_of_large_ranks_is_accepted() {
+    let ranks = [25, 215, 137];
+    let table = tables::demanding([25, 46, 24, 56], ranks, 130).expect("not too large");
+    assert_eq!(table.ranks(), Some(vec![ranks]));
+}
+
+/// Sound forms of 320 and 61 kilobytes, whose first lookup would keep 1.6 and 0.4 GB.
+#[test]
+fn a_small_form_that_needs_gigabytes_is_refused_with_what_to_do() {
+    for [n_a, c] in [[36_000, 1380], [20_000, 600]] {
+        let error = tables::demanding([1, 1, c, 1], [1, 1, c], n_a).expect_err("too large");
+        assert!(matches!(error, Error::LowRankTooLarge { .. }), "{error}");
+        let message = error.to_string();
+        for word in [
+            &format!("[1, 1, {c}]"),
+            "at most",
+            "tolerance",
+            "smaller box",
+            "HDF5",
+        ] {
+            assert!(message.contains(word), "{message}");
+        }
+    }
+}
+
+/// Each form alone is accepted because forms of any size may need a megabyte of numbers.
+#[test]
+fn tiles_that_need_too_much_together_are_refused() {
+    let form = tables::form(&[Quantity::Gamma], [96, 96, 1, 1], [96, 1, 1], 1e-3, |i| {
+        i % 7
+    });
+    let mut axes = tables::axes();
+    axes[1].1 = (0..12).map(|i| 1.5 + f64::from(i)).collect();
+    axes[2].1.truncate(1);
+    let tiles = |count: usize| {
+        let tile = |i: usize| Tile {
+            film: [11 * i / count, 11 * (i + 1) / count],
+            substrate: [0, 1],
+            form: form.clone(),
+        };
+        let tiles = (0..count).map(tile).collect();
+        Table::from_low_rank(tables::description(), axes.clone(), tiles)
+    };
+    assert!(tiles(1).is_ok());
+    for count in [2, 8] {
+        let result = tiles(count);
+        assert!(
+            matches!(result, Err(Error::LowRankTooLarge { needed, most, .. }) if needed > most)
+        );
+    }
+}
+
+/// Fitting code calls these functions in its innermost loop.
+#[test]
+fn evaluating_a_contact_does_not_allocate() {
+    let substrate = Elastic::new(2e11, 0.25).expect("physical");
+    let film = Elastic::new(3.5e6, 0.5).expect("physical");
+    let system = System {
+        probe: Probe::Paraboloid { radius: 1e-3 },
+        sphere_modulus: 2e6,
+        film,
+        film_thickness: 1e-5,
+        substrate,
+    };
+    let contact = Contact::in_table_with_gradient(Table::embedded(), &system).expect("inside");
+    let curve = contact.curve().expect("on a film");
+    let (radii, mut loads) = ([4e-5, 6.5e-5], [0.0; 2]);
+    let allocated = measure(|| {
+        curve.quantities_and_slopes(6.5).expect("inside");
+        curve
+            .quantity_at_all(Quantity::Eeq, &[1.0, 1e-5], &mut [0.0; 2])
+            .expect("inside or beyond");
+        contact.load_and_penetration(6.5e-5, 0.04).expect("inside");
+        contact
+            .load_at_all(&radii, 0.04, &mut loads)
+            .expect("inside");
+        contact.gradient(6.5e-5, 0.04).expect("inside");
+        contact
+            .energy_release_rate_at_load(6.5e-5, 0.0)
+            .expect("inside");
+    });
+    assert_eq!(allocated.count_total, 0);
+}
+
+#[test]
+fn ten_megabytes_of_noise_are_an_error() {
+    let noise = noise(10_000_000);
+    let uniform = [0x00, 0x01, 0x80, 0xfb, 0xfd, 0xff].map(|byte| vec![byte; noise.len()]);
+    for content in uniform.iter().chain([&noise]) {
+        assert!(matches!(read(content), Err(Error::Foreign(_))));
+        assert!(matches!(
+            read(&[b"COATTBL\n", content.as_slice()].concat()),
+            Err(Error::Version { .. })
+        ));
+        assert_malformed("noise alone", content);
+        // The noise follows a part of a valid payload, or all of it.
+        for (form, bytes) in packed() {
+            for kept in (PREFIX..bytes.len()).step_by(101).chain([bytes.len()]) {
+                assert_malformed(
+                    &format!("{form}, noise behind {kept} bytes"),
+                    &[&bytes[PREFIX..kept], content].concat(),
+                );
+            }
+        }
+    }
+}

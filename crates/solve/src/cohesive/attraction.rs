@@ -1,0 +1,138 @@
+//! The bodies and the attraction between them, in the units of the solve.
+
+use interp::{Normalisation, Probe, System};
+
+use crate::Error;
+use crate::cohesive::annulus::Annulus;
+use crate::cohesive::fixed_radius::Part;
+use crate::cohesive::surface::Surface;
+use crate::cohesive::{CohesiveState, REACH};
+use crate::compliance::Compliance;
+use crate::layered::LayeredCompliance;
+use crate::stack::Stack;
+use crate::symbol::Symbol;
+
+/// A sphere on a coated substrate with an attraction of finite range.
+#[derive(Clone, Debug)]
+pub struct Cohesive {
+    pub(super) symbol: Symbol<Surface>,
+    pub(super) sphere_radius: f64,
+    /// The thickness of the top layer, m: the unit of length.
+    pub(super) thickness: f64,
+    /// The modulus that normalises, Pa: the unit of moduli.
+    pub(super) modulus: f64,
+    /// `1/R`.
+    pub(super) curvature: f64,
+    /// `tau = 2 sigma0`.
+    pub(super) traction: f64,
+    /// `h0`.
+    pub(super) range: f64,
+}
+
+impl Cohesive {
+    /// Takes a film on a substrate, the work of adhesion `w` (J/m^2) and the range `h0` (m) of the
+    /// attraction, whose traction is `sigma0 = w/h0`. The probe is a paraboloid.
+    ///
+    /// # Errors
+    /// As [`System::material`]; [`Error::Domain`] unless `w` and `h0` are positive, and for a range
+    /// that is not below the radius of the sphere; [`Error::OnlyParaboloid`] for another probe.
+    pub fn new(system: &System, work_of_adhesion: f64, range: f64) -> Result<Self, Error> {
+        let surface = Surface::Film(Compliance::new(&system.material()?));
+        Self::of_surface(surface, system, work_of_adhesion, range)
+    }
+
+    /// Takes a stack of layers under a sphere of the radius `sphere_radius` (m) and the reduced
+    /// modulus `sphere_modulus` (Pa; infinity is rigid).
+    ///
+    /// # Errors
+    /// As [`Cohesive::new`].
+    pub fn on_stack(
+        stack: &Stack,
+        sphere_radius: f64,
+        sphere_modulus: f64,
+        work_of_adhesion: f64,
+        range: f64,
+    ) -> Result<Self, Error> {
+        let merged = stack.merged().of_top_layer();
+        let system = System {
+            film_thickness: merged.top().thickness,
+            ..merged.system(sphere_radius, sphere_modulus)
+        };
+        let surface = match merged.layers() {
+            [_] => Surface::Film(Compliance::new(&system.material()?)),
+            _ => Surface::Layers(LayeredCompliance::new(&merged)),
+        };
+        Self::of_surface(surface, &system, work_of_adhesion, range)
+    }
+
+    /// Takes the surface of a system whose film is the top layer.
+    fn of_surface(
+        surface: Surface,
+        system: &System,
+        work_of_adhesion: f64,
+        range: f64,
+    ) -> Result<Self, Error> {
+        let material = system.material()?;
+        let modulus = match material.normalisation() {
+            Normalisation::Sphere => system.sphere_modulus,
+            Normalisation::Film => system.film.reduced(),
+        };
+        let Probe::Paraboloid {
+            radius: sphere_radius,
+        } = system.probe
+        else {
+            return Err(Error::OnlyParaboloid {
+                probe: system.probe.name(),
+            });
+        };
+        let thickness = system.film_thickness;
+        let positive = [f64::MIN_POSITIVE, f64::MAX];
+        Error::check("work of adhesion", work_of_adhesion, positive)?;
+        Error::check(
+            "interaction range",
+            range,
+            [f64::MIN_POSITIVE, sphere_radius],
+        )?;
+        Ok(Self {
+            symbol: Symbol::with_compliance(surface, &material),
+            sphere_radius,
+            thickness,
+            modulus,
+            curvature: thickness / sphere_radius,
+            traction: 2.0 * (work_of_adhesion / range) / modulus,
+            range: range / thickness,
+        })
+    }
+
+    /// Returns the largest radius of an attraction that is solved.
+    pub(super) fn reach(&self) -> f64 {
+        if self.symbol.contrast() == 0.0 {
+            self.sphere_radius / self.thickness
+        } else {
+            REACH
+        }
+    }
+
+    /// Returns a state in SI units.
+    pub(super) fn in_si(&self, annulus: &Annulus, part: &Part) -> CohesiveState {
+        CohesiveState {
+            contact_radius: annulus.inner * self.thickness,
+            outer_radius: annulus.outer * self.thickness,
+            load: self.load_in_si(part.load),
+            penetration: part.penetration * self.thickness,
+        }
+    }
+
+    /// Returns a load in N.
+    pub(super) fn load_in_si(&self, load: f64) -> f64 {
+        load * self.modulus * self.thickness * self.thickness
+    }
+
+    /// Makes the error of a radius at which there is no solution.
+    pub(super) fn no_contact(&self, radius: f64, what: &'static str) -> Error {
+        Error::NotAContact {
+            contact_radius: radius * self.thickness,
+            what,
+        }
+    }
+}

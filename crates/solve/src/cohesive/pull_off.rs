@@ -1,0 +1,133 @@
+//! The pull-off: the lowest imposed value of the branch of states, from large contacts to the first
+//! attraction across a gap.
+//!
+//! The imposed value has a minimum along the branch where a separation becomes unstable. Under a short
+//! range it is near that of JKR, from which the search starts; under a long one it may lie before the
+//! contact, whose surface the attraction holds up after the contact has closed. Where there are
+//! several minima, a separation jumps from each to the next lower one, and ends at the lowest.
+
+use contact::Control;
+
+use crate::Error;
+use crate::cohesive::fixed_radius::FixedRadius;
+use crate::cohesive::search::{self, Point};
+use crate::cohesive::{Cohesive, CohesiveState, REACH};
+
+/// The first step of `ln a` in a search from a minimum of JKR under a short range, and under a long
+/// one.
+const SHORT_STEP: f64 = 0.1;
+const LONG_STEP: f64 = 0.25;
+
+/// The contact radius over that of the attraction below which the states are as good as those before
+/// the contact.
+const CLOSED: f64 = 0.01;
+
+impl Cohesive {
+    /// Returns the last stable state of a separation: that of the lowest imposed value on the branch
+    /// from large contacts to the attraction across a gap.
+    ///
+    /// Under an imposed displacement or a soft spring it may be a state before the contact, of radius
+    /// 0: a long range holds the surface up after the contact has closed.
+    ///
+    /// # Errors
+    /// As [`Cohesive::state`] at the pull-off; [`Error::PullOffReach`] for a pull-off beyond
+    /// [`REACH`]; [`Error::Domain`] for a spring that is not positive.
+    pub fn pull_off(&self, control: Control) -> Result<CohesiveState, Error> {
+        if let Control::Spring { stiffness } = control {
+            Error::check("stiffness of the spring", stiffness, [1e-100, 1e100])?;
+        }
+        let (minima, ends) = self.jkr_minima(control);
+        let largest = (0.9 * REACH).min(0.9 / self.curvature);
+        let first = self.first_contact();
+        let last = first.unwrap_or_else(|| self.reach());
+        let smallest = CLOSED * last;
+        let mut lowest: Option<Point> = None;
+        for (log, _) in minima {
+            let found = if log.exp() > largest {
+                Err(self.beyond())
+            } else {
+                self.lowest_contact(control, log, [smallest.ln(), largest.ln()], last)
+            };
+            let found = match found {
+                // The minima of JKR ascend: this one is higher than one that was found.
+                Err(Error::PullOffReach { .. }) if lowest.is_some() => None,
+                found => found?,
+            };
+            let lower = found.filter(|found| lowest.is_none_or(|lowest| found.1 < lowest.1));
+            lowest = lower.or(lowest);
+        }
+        if !ends {
+            return Err(self.beyond());
+        }
+        let before = self.lowest_before_contact(control, last)?;
+        match lowest {
+            Some((log, value)) if value < before.1 => self.state(log.exp() * self.thickness),
+            _ if first.is_none() && before.0 >= last.ln() => Err(self.beyond()),
+            _ => Ok(self.before_contact(before.0.exp()).0),
+        }
+    }
+
+    /// Finds the minimum of the imposed value near that of JKR at a radius of the given logarithm,
+    /// between the logarithms `smallest` and `largest`; `None` where the value falls down to the
+    /// smallest radius. `closed` is the radius of the attraction when the contact begins.
+    fn lowest_contact(
+        &self,
+        control: Control,
+        jkr: f64,
+        [smallest, largest]: [f64; 2],
+        closed: f64,
+    ) -> Result<Option<Point>, Error> {
+        // The width of the last annulus, near which the next one is sought.
+        let mut width = None;
+        let mut value = |log: f64| {
+            let radius = log.exp();
+            let mut contact = FixedRadius::new(radius, &self.symbol)
+                .ok_or_else(|| self.no_contact(radius, "rounding has left no digits"))?;
+            let solution = self
+                .solution(&mut contact, radius * self.thickness, width)
+                .map_err(|error| match error {
+                    Error::AnnulusReach { .. } => self.beyond(),
+                    error => error,
+                })?;
+            width = Some(solution.annulus.outer - solution.annulus.inner);
+            let state = self.in_si(&solution.annulus, &solution.part);
+            Ok(control.imposed(state.load, state.penetration))
+        };
+        // The tip of JKR is two thirds into a short zone. Under a long one the search begins at a
+        // contact as wide as the attraction is when it closes.
+        let (zone, radius) = (self.zone(), jkr.exp());
+        let (start, step) = if zone < 0.25 * radius.min(1.0) {
+            ((radius - 2.0 / 3.0 * zone).ln(), SHORT_STEP)
+        } else {
+            (radius.max(closed).ln(), LONG_STEP)
+        };
+        if start <= smallest {
+            return Ok(None);
+        }
+        let mut start = start.min(largest - step);
+        let (here, above) = loop {
+            let mut point = |log: f64| value(log).map(|value| (log, value));
+            match point(start).and_then(|here| Ok((here, point(start + step)?))) {
+                Err(Error::PullOffReach { .. }) if start - step > smallest => start -= step,
+                pair => break pair?,
+            }
+        };
+        let bracket = if above.1 >= here.1 {
+            search::bracket(&mut value, [above, here], smallest)?
+        } else {
+            let bracket = search::bracket(&mut value, [here, above], largest)?;
+            Some(bracket.ok_or_else(|| self.beyond())?)
+        };
+        bracket
+            .map(|bracket| search::minimum(&mut value, bracket))
+            .transpose()
+    }
+
+    /// Makes the error of a pull-off beyond the reach.
+    fn beyond(&self) -> Error {
+        Error::PullOffReach {
+            reach: self.reach() * self.thickness,
+            thickness: self.thickness,
+        }
+    }
+}

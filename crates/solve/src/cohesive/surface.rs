@@ -1,0 +1,56 @@
+//! The surface of a film on its substrate, or of a stack of layers, as one type.
+
+use crate::compliance::Compliance;
+use crate::layered::LayeredCompliance;
+use crate::surface::{AllSamples, Sample, SurfaceCompliance};
+
+/// The compliance of a film or of a stack.
+#[derive(Clone, Debug)]
+pub enum Surface {
+    /// One film on its substrate.
+    Film(Compliance),
+    /// A stack of layers on its base.
+    Layers(LayeredCompliance),
+}
+
+impl Surface {
+    /// Returns `X(q) - 1` at all `q`.
+    pub fn excesses(&self, q: &[f64]) -> Vec<f64> {
+        self.sample_all(q).excess
+    }
+}
+
+impl SurfaceCompliance for Surface {
+    /// The number for layers serves films, too.
+    fn points(tolerance: f64, oscillates: bool) -> usize {
+        LayeredCompliance::points(tolerance, oscillates)
+    }
+
+    fn sample(&self, q: f64) -> Sample {
+        match self {
+            Self::Film(film) => film.sample(q),
+            Self::Layers(layers) => layers.sample(q),
+        }
+    }
+
+    fn sample_all(&self, q: &[f64]) -> AllSamples {
+        match self {
+            Self::Film(film) => film.sample_all(q),
+            Self::Layers(layers) => layers.sample_all(q),
+        }
+    }
+
+    fn smallest_scale(&self) -> f64 {
+        match self {
+            Self::Film(film) => film.smallest_scale(),
+            Self::Layers(layers) => layers.smallest_scale(),
+        }
+    }
+
+    fn largest_excess(&self) -> f64 {
+        match self {
+            Self::Film(film) => film.largest_excess(),
+            Self::Layers(layers) => layers.largest_excess(),
+        }
+    }
+}

@@ -1,0 +1,412 @@
+//! Quadrature for the Wiener-Hopf method: nodes, weights and matrices that depend neither on the
+//! material nor on `a/t`.
+//!
+//! In the variable `zeta = q a/t` the integrals of [`wiener_hopf`](crate::wiener_hopf)
+//! differ between contacts only by the values of the symbol `S`. One solve is therefore a few
+//! products with the matrices stored here.
+//!
+//! Integrals run from 0 to infinity along a line through the origin. With `|zeta| = e^l` and the
+//! map
+//!
+//! ```text
+//! l(u) = ln knee + u - c s(-u)^2,      s(y) = ln(1 + e^y)
+//! ```
+//!
+//! the trapezoidal rule in `u` converges exponentially. Above the knee its nodes are equally spaced
+//! in `ln |zeta|`. Below, the integrands are smooth but for logarithms and powers of `zeta` and
+//! count in proportion to `|zeta|`: there the nodes thin out. For an error of `e^{-digits}` the
+//! step is `2 pi strip / digits`, where `strip` is the angle between the line and the nearest
+//! singularity. `digits` sets both ends of the line as well.
+
+use std::f64::consts::PI;
+
+use interp::once::Once;
+use num_complex::Complex64;
+
+use crate::compliance::FLAT;
+use crate::domain::A_OVER_T;
+use crate::matrix::Matrix;
+use crate::turned_line::TurnedLine;
+
+/// The lines that the edges' coupling is integrated along.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Path {
+    /// The imaginary axis, where all unknowns are real. It leaves out the zeros of `S` off the
+    /// axis.
+    Axis,
+    /// A ray and its mirror image below all zeros and poles of `S`. It leaves out nothing.
+    Ray,
+}
+
+/// The rule that divides a line into nodes.
+struct Rule {
+    /// The angle to the nearest singularity, which sets the step.
+    strip: f64,
+    /// The constant `c` of the map, by which nodes thin out below the knee.
+    thinning: f64,
+}
+
+impl Path {
+    /// Returns the direction of the right half. It is exactly `i` for the axis, as parts that must
+    /// cancel would remain in a direction that is off by 6e-17.
+    fn direction(self) -> Complex64 {
+        match self {
+            Self::Axis => Complex64::I,
+            Self::Ray => Complex64::from_polar(1.0, RAY),
+        }
+    }
+
+    /// Returns the units of the parts of a node's strength `y`. On the imaginary axis its real part
+    /// has no influence.
+    pub(super) fn units(self) -> &'static [Complex64] {
+        match self {
+            Self::Axis => &[Complex64::I],
+            Self::Ray => &[Complex64::ONE, Complex64::I],
+        }
+    }
+
+    /// Returns the rule for the nodes.
+    ///
+    /// Beyond the strip, `e^{2 i zeta}` grows towards the real axis and `S` has zeros towards the
+    /// imaginary one. Strip and thinning were determined with the contacts of
+    /// `tests/data/contacts.csv`: larger values would begin to cost digits.
+    fn rule(self) -> Rule {
+        match self {
+            Self::Axis => Rule {
+                strip: 1.3,
+                thinning: 0.35,
+            },
+            Self::Ray => Rule {
+                strip: 0.45,
+                thinning: 0.18,
+            },
+        }
+    }
+}
+
+/// The angle of the ray, in radians: 32 degrees. The zeros and poles of `S` lie above 53 degrees
+/// ([`SINE_OF_FREE_ANGLE`](crate::compliance::SINE_OF_FREE_ANGLE)).
+pub(super) const RAY: f64 = 0.55;
+
+/// The rule for the integrals of `ln S`, which is smooth up to the zeros and poles of `S`.
+const LOGARITHM: Rule = Rule {
+    strip: 0.8,
+    thinning: 0.3,
+};
+
+/// The accuracies (`digits`) for which contours are made, ascending. The errors of neighbours
+/// differ by a factor of at least 150.
+pub const LEVELS: [f64; 7] = [11.0, 16.0, 21.0, 26.0, 31.0, 37.0, 43.0];
+
+/// The distance of neighbouring knees in `ln |zeta|`.
+const KNEE_STEP: f64 = 3.0;
+/// The number of knees. Features below the last one do not count in double precision.
+const KNEES: usize = 13;
+
+/// The number of abscissae `z` at which the two functions of the edge are read out. The functions
+/// are entire in `z^2` and grow like `cos z`; this number gives 15 digits.
+pub const READOUTS: usize = 15;
+
+/// One path, divided into nodes for one accuracy and one knee.
+#[derive(Debug)]
+pub struct Contour {
+    /// The path.
+    pub path: Path,
+    /// The nodes `zeta`.
+    pub nodes: Vec<Complex64>,
+    /// `e^{2 i zeta} d zeta / (2 pi i)`.
+    pub weights: Vec<Complex64>,
+    /// The matrix from the strengths `y` of the nodes to `V` at the nodes,
+    /// `y/(q + zeta) - conj(y)/(q - conj(zeta))`. Both sides have the length [`Self::unknowns`].
+    pub kernel: Matrix,
+    /// The abscissae of the readouts.
+    pub readouts: Readouts,
+    /// The matrix from the strengths to `V` at the readouts: one element for each unknown.
+    pub readout: Vec<[Complex64; READOUTS]>,
+    /// The matrix from `ln S` at the abscissae to `ln S_+`, with [`Self::rows`] rows.
+    pub factor: Matrix,
+    /// The factor from `ln S` at a point to `ln S_+` at that point: nodes, then readouts.
+    pub own: Vec<Complex64>,
+    /// The abscissae and steps of the whole integral of `ln S`.
+    logarithm: Logarithm,
+    /// The line for profiles that are not even powers of the radius, made when it is needed.
+    turned_line: Once<TurnedLine>,
+}
+
+/// The readouts `z`, and the polynomial in `z^2` through the values of an even function there.
+#[derive(Debug)]
+pub struct Readouts {
+    /// The readouts, ascending.
+    pub z: [f64; READOUTS],
+    /// Row `i` holds the weights of the values in the coefficient of `z^{2i}`.
+    pub coefficients: [[f64; READOUTS]; READOUTS],
+}
+
+impl Readouts {
+    /// Chooses Chebyshev points of `z^2` and moves them away from `abscissae`, which ascend.
+    ///
+    /// The interval is a compromise: where `S` is small, rounding counts as `z^-3` close to 0, and
+    /// it is extrapolated further from a shorter interval.
+    fn between(abscissae: &[f64]) -> Self {
+        const FROM: f64 = 0.1;
+        const TO: f64 = 40.0;
+        let z: [f64; READOUTS] = std::array::from_fn(|i| {
+            let chebyshev = (PI * (i as f64 + 0.5) / READOUTS as f64).cos();
+            let z = (0.5 * (FROM + TO) - 0.5 * (TO - FROM) * chebyshev).sqrt();
+            let above = abscissae.partition_point(|&t| t <= z);
+            let [below, above] = [abscissae[above - 1], abscissae[above]];
+            below + (above - below) * (0.25 + 0.5 * (z - below) / (above - below))
+        });
+        let square = z.map(|z| z * z);
+        let mut coefficients = [[0.0; READOUTS]; READOUTS];
+        for (m, &own) in square.iter().enumerate() {
+            // Lagrange's polynomial of readout m: the product of (1 - u/u_j)/(1 - u_m/u_j). Its
+            // coefficients alternate in sign, and no sum of this loop cancels.
+            let mut product = [0.0; READOUTS];
+            product[0] = 1.0;
+            for other in (0..READOUTS).filter(|&j| j != m).map(|j| square[j]) {
+                let scale = other / (other - own);
+                for i in (1..READOUTS).rev() {
+                    product[i] = scale * (product[i] - product[i - 1] / other);
+                }
+                product[0] *= scale;
+            }
+            for (row, value) in coefficients.iter_mut().zip(product) {
+                row[m] = value;
+            }
+            // The slope with fewer rounding errors.
+            let others = (0..READOUTS).filter(|&j| j != m).map(|j| square[j]);
+            coefficients[1][m] = -product[0] * others.map(|other| 1.0 / other).sum::<f64>();
+        }
+        Self { z, coefficients }
+    }
+}
+
+impl Contour {
+    /// Returns the contour of accuracy `LEVELS[level]` with a knee at or a little below `knee`.
+    ///
+    /// Each contour is made once and kept. An ordinary table needs a few megabytes of contours. All
+    /// contours, for every corner of the domain, would take half a gigabyte.
+    pub fn get(path: Path, level: usize, knee: f64) -> &'static Self {
+        static CONTOURS: [[[Once<Contour>; KNEES]; LEVELS.len()]; 2] =
+            [const { [const { [const { Once::new() }; KNEES] }; LEVELS.len()] }; 2];
+        let n = ((-knee.ln() / KNEE_STEP).ceil().max(0.0) as usize).min(KNEES - 1);
+        CONTOURS[path as usize][level][n]
+            .get_or_init(|| Self::new(path, LEVELS[level], (-KNEE_STEP * n as f64).exp()))
+    }
+
+    /// Divides `path` for an error of `e^{-digits}`.
+    fn new(path: Path, digits: f64, knee: f64) -> Self {
+        let direction = path.direction();
+        let decayed = 0.5 * digits / direction.im;
+        let (radii, steps) = path.rule().nodes(digits, knee, decayed);
+        let nodes: Vec<Complex64> = radii.iter().map(|radius| direction * radius).collect();
+        let weight = |(zeta, step): (&Complex64, &f64)| {
+            (2.0 * Complex64::I * zeta).exp() * direction * step / (2.0 * PI * Complex64::I)
+        };
+        let weights = nodes.iter().zip(&steps).map(weight).collect();
+
+        let logarithm = Logarithm::new(digits, knee);
+        let readouts = Readouts::between(&logarithm.abscissae);
+        let z = readouts.z.map(Complex64::from);
+        let points: Vec<Complex64> = nodes.iter().copied().chain(z).collect();
+        let own = points.iter().map(|&q| logarithm.own(q)).collect();
+        let mut factor = Vec::new();
+        for i in 0..logarithm.kept {
+            factor.extend(nodes.iter().map(|&q| logarithm.share(q, i).re));
+            if path == Path::Ray {
+                factor.extend(nodes.iter().map(|&q| logarithm.share(q, i).im));
+            }
+            factor.extend(z.iter().map(|&q| logarithm.share(q, i).im));
+        }
+
+        let (mut kernel, mut readout) = (Vec::new(), Vec::new());
+        for unit in path.units() {
+            for &zeta in &nodes {
+                let influence = |q: Complex64| influence(*unit, zeta, q);
+                kernel.extend(nodes.iter().map(|&q| influence(q).re));
+                if path == Path::Ray {
+                    kernel.extend(nodes.iter().map(|&q| influence(q).im));
+                }
+                readout.push(z.map(influence));
+            }
+        }
+        let unknowns = nodes.len() * path.units().len();
+        Self {
+            path,
+            nodes,
+            weights,
+            kernel: Matrix::from_columns(unknowns, &kernel),
+            readouts,
+            readout,
+            factor: Matrix::from_columns(unknowns + READOUTS, &factor),
+            own,
+            logarithm,
+            turned_line: Once::new(),
+        }
+    }
+
+    /// Returns the abscissae `t` at which `ln S` is needed, ascending.
+    pub fn abscissae(&self) -> &[f64] {
+        &self.logarithm.abscissae[..self.logarithm.kept]
+    }
+
+    /// Returns the line on which `S Y` is needed for profiles that are not even powers of the
+    /// radius.
+    pub fn turned_line(&self) -> &TurnedLine {
+        self.turned_line
+            .get_or_init(|| TurnedLine::new(self.path, &self.nodes, &self.logarithm))
+    }
+
+    /// Returns the number of real unknowns. `V` is real on the imaginary axis; elsewhere it has two
+    /// parts, all real parts first.
+    pub fn unknowns(&self) -> usize {
+        self.nodes.len() * self.path.units().len()
+    }
+
+    /// Returns the number of values of `ln S_+`: first at the nodes, in the layout of the unknowns,
+    /// then the phases at the readouts.
+    pub fn rows(&self) -> usize {
+        self.unknowns() + READOUTS
+    }
+}
+
+/// Returns the share of a strength `unit` at the node `zeta`, and of its mirror image, in `V(q)`.
+pub(super) fn influence(unit: Complex64, zeta: Complex64, q: Complex64) -> Complex64 {
+    unit / (q + zeta) - unit.conj() / (q - zeta.conj())
+}
+
+/// The trapezoidal rule for `ln S_+`.
+#[derive(Debug)]
+pub(super) struct Logarithm {
+    /// The abscissae `t` of `ln S`, ascending.
+    abscissae: Vec<f64>,
+    /// The length that each one represents.
+    steps: Vec<f64>,
+    /// The number of abscissae at which `S` may differ from 1.
+    pub(super) kept: usize,
+    /// `e^{-digits}` is the error of the rule.
+    pub(super) digits: f64,
+}
+
+impl Logarithm {
+    fn new(digits: f64, knee: f64) -> Self {
+        // The far end of the integral of 1 beyond the last abscissa of `ln S` is not zero.
+        let last = FLAT * A_OVER_T[1];
+        let (mut abscissae, mut steps) = LOGARITHM.nodes(digits, knee, last * digits.exp());
+        abscissae.reverse();
+        steps.reverse();
+        let kept = abscissae.partition_point(|&t| t <= last);
+        Self {
+            abscissae,
+            steps,
+            kept,
+            digits,
+        }
+    }
+
+    /// Returns the factor of `ln S` at abscissa `i` in `ln S_+(q)`.
+    pub(super) fn share(&self, q: Complex64, i: usize) -> Complex64 {
+        let (t, step) = (self.abscissae[i], self.steps[i]);
+        q / (PI * Complex64::I) * step / (t * t - q * q)
+    }
+
+    /// Returns the factor of `ln S(q)` in `ln S_+(q)`, which removes the pole at `t = q` from the
+    /// integrand.
+    pub(super) fn own(&self, q: Complex64) -> Complex64 {
+        let sum: Complex64 = (0..self.abscissae.len()).map(|i| self.share(q, i)).sum();
+        0.5 - sum
+    }
+}
+
+impl Rule {
+    /// Returns the nodes, descending from `end`, and the length that each one represents.
+    fn nodes(&self, digits: f64, knee: f64, end: f64) -> (Vec<f64>, Vec<f64>) {
+        let h = 2.0 * PI * self.strip / digits;
+        let mut nodes = (Vec::new(), Vec::new());
+        let mut u = (end / knee).ln();
+        loop {
+            let bend = if u > -30.0 { (-u).exp().ln_1p() } else { -u };
+            let log = u - self.thinning * bend * bend;
+            if log < -digits {
+                return nodes;
+            }
+            let radius = knee * log.exp();
+            nodes.0.push(radius);
+            nodes
+                .1
+                .push(radius * h * (1.0 + 2.0 * self.thinning * bend / (1.0 + u.exp())));
+            u -= h;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::estimate::larger;
+
+    /// The readouts of film = substrate: `a = cos z` and `b/z = sin z/z`, on every contour.
+    #[test]
+    fn readouts_extrapolate_entire_functions() {
+        let mut worst: f64 = 0.0;
+        for path in [Path::Axis, Path::Ray] {
+            for level in 0..LEVELS.len() {
+                let Readouts { z, coefficients } = &Contour::get(path, level, 1.0).readouts;
+                let [value, slope] = [0, 1].map(|i| coefficients[i]);
+                let sum = |weights: &[f64; READOUTS], f: fn(f64) -> f64| -> f64 {
+                    weights.iter().zip(z).map(|(w, &z)| w * f(z)).sum()
+                };
+                let cosine = [
+                    sum(&value, f64::cos) - 1.0,
+                    sum(&slope, f64::cos) + 1.0 / 2.0,
+                ];
+                let sine = [
+                    sum(&value, |z| z.sin() / z) - 1.0,
+                    sum(&slope, |z| z.sin() / z) + 1.0 / 6.0,
+                ];
+                worst = cosine
+                    .into_iter()
+                    .chain(sine)
+                    .map(f64::abs)
+                    .fold(worst, larger);
+            }
+        }
+        println!("readouts: {worst:.1e}");
+        // Measured: 3.2e-14.
+        assert!(worst < 1e-13);
+    }
+
+    /// `ln S_+` of `S = (t^2 + 4)/(t^2 + 1)`, whose factor is `(q + 2i)/(q + i)`, at the nodes and
+    /// at the readouts.
+    #[test]
+    fn logarithms_of_factors_are_exact() {
+        let mut worst: f64 = 0.0;
+        for path in [Path::Axis, Path::Ray] {
+            let contour = Contour::get(path, LEVELS.len() - 1, 1.0);
+            let log = |t: Complex64| ((t * t + 4.0) / (t * t + 1.0)).ln();
+            let mut sums = vec![0.0; contour.rows()];
+            let logs = contour.abscissae().iter();
+            let logs: Vec<f64> = logs.map(|&t| log(Complex64::from(t)).re).collect();
+            contour.factor.multiply(&logs, &mut sums);
+            let exact = |q: Complex64| ((q + 2.0 * Complex64::I) / (q + Complex64::I)).ln();
+            let n = contour.nodes.len();
+            for (j, &q) in contour.nodes.iter().enumerate() {
+                let factor = match path {
+                    Path::Axis => Complex64::from(sums[j]),
+                    Path::Ray => Complex64::new(sums[j], sums[n + j]) + contour.own[j] * log(q),
+                };
+                // The error counts in proportion to the weight of the node.
+                worst = larger(worst, (factor - exact(q)).norm() * q.norm().min(1.0));
+            }
+            for (m, &z) in contour.readouts.z.iter().enumerate() {
+                let q = Complex64::from(z);
+                let phase = sums[contour.unknowns() + m] + contour.own[n + m].im * log(q).re;
+                worst = larger(worst, (phase - exact(q).im).abs());
+            }
+        }
+        println!("ln S_+: {worst:.1e}");
+        // Measured: 7.4e-15.
+        assert!(worst < 3e-14);
+    }
+}

@@ -1,0 +1,189 @@
+//! Minimal residuals for `(1 - M) v = b` and `(1 + M) v = b` at once.
+//!
+//! Both systems have one Krylov space, spanned by `b, M b, M^2 b, ...`: one Arnoldi process serves
+//! both.
+
+use crate::estimate::larger;
+
+/// Solves `(1 - M) v = b` and `(1 + M) v = b`, and returns both `v` in this order.
+///
+/// `apply(v, out)` overwrites `out` with `M v`. The iteration ends when both residuals are below
+/// `tolerance` times `|b|`, or after one step for each unknown.
+pub fn solve(
+    b: &[f64],
+    tolerance: f64,
+    mut apply: impl FnMut(&[f64], &mut [f64]),
+) -> [Vec<f64>; 2] {
+    let n = b.len();
+    let norm = dot(b, b).sqrt();
+    let mut basis: Vec<f64> = b.iter().map(|b| b / norm).collect();
+    let mut problems = [LeastSquares::new(-1.0), LeastSquares::new(1.0)];
+    let mut steps = 0;
+    let mut next = vec![0.0; n];
+    loop {
+        apply(&basis[steps * n..], &mut next);
+        steps += 1;
+        let mut projections = vec![0.0; steps + 1];
+        // Twice is enough: the basis is then orthogonal to rounding.
+        for _ in 0..2 {
+            for (vector, projection) in basis.chunks_exact(n).zip(&mut projections) {
+                let part = dot(vector, &next);
+                *projection += part;
+                next.iter_mut()
+                    .zip(vector)
+                    .for_each(|(next, v)| *next -= part * v);
+            }
+        }
+        let length = dot(&next, &next).sqrt();
+        projections[steps] = length;
+        let residual = problems
+            .iter_mut()
+            .map(|problem| problem.add(&projections))
+            .fold(0.0, larger);
+        if residual <= tolerance || residual.is_nan() || steps == n || length == 0.0 {
+            break;
+        }
+        basis.extend(next.iter().map(|next| next / length));
+    }
+    problems.map(|problem| {
+        let mut solution = vec![0.0; n];
+        for (vector, factor) in basis.chunks_exact(n).zip(problem.coefficients()) {
+            solution
+                .iter_mut()
+                .zip(vector)
+                .for_each(|(s, v)| *s += norm * factor * v);
+        }
+        solution
+    })
+}
+
+/// Returns `a.b`.
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    // Four sums: the processor need not wait for one addition before the next.
+    let mut sums = [0.0; 4];
+    let (a4, b4) = (a.chunks_exact(4), b.chunks_exact(4));
+    let rest: f64 = a4
+        .remainder()
+        .iter()
+        .zip(b4.remainder())
+        .map(|(a, b)| a * b)
+        .sum();
+    for (a, b) in a4.zip(b4) {
+        for i in 0..4 {
+            sums[i] += a[i] * b[i];
+        }
+    }
+    rest + (sums[0] + sums[1]) + (sums[2] + sums[3])
+}
+
+/// The least-squares problem `|e_0 - (1 + sign H) y|` over a growing Hessenberg matrix `H`, reduced
+/// by Givens rotations.
+struct LeastSquares {
+    /// The sign of `H`, 1 or -1.
+    sign: f64,
+    /// The columns of the triangle, one after the other.
+    triangle: Vec<f64>,
+    /// The cosine and sine of each rotation.
+    rotations: Vec<[f64; 2]>,
+    /// The rotated right-hand side; its last element is the residual.
+    right: Vec<f64>,
+}
+
+impl LeastSquares {
+    /// Begins with an empty matrix.
+    fn new(sign: f64) -> Self {
+        Self {
+            sign,
+            triangle: Vec::new(),
+            rotations: Vec::new(),
+            right: vec![1.0],
+        }
+    }
+
+    /// Adds a column of `H` and returns the residual.
+    fn add(&mut self, column: &[f64]) -> f64 {
+        let last = column.len() - 2;
+        let mut column: Vec<f64> = column.iter().map(|h| self.sign * h).collect();
+        column[last] += 1.0;
+        for (i, [c, s]) in self.rotations.iter().enumerate() {
+            (column[i], column[i + 1]) = (
+                c * column[i] + s * column[i + 1],
+                c * column[i + 1] - s * column[i],
+            );
+        }
+        let length = column[last].hypot(column[last + 1]);
+        let [c, s] = if length > 0.0 {
+            [column[last] / length, column[last + 1] / length]
+        } else {
+            [1.0, 0.0]
+        };
+        column[last] = length;
+        self.rotations.push([c, s]);
+        self.triangle.extend(&column[..=last]);
+        let right = self.right[last];
+        self.right[last] = c * right;
+        self.right.push(-s * right);
+        (s * right).abs()
+    }
+
+    /// Returns the solution `y` by back substitution.
+    fn coefficients(&self) -> Vec<f64> {
+        let n = self.rotations.len();
+        let mut y = self.right[..n].to_vec();
+        for j in (0..n).rev() {
+            let column = &self.triangle[j * (j + 1) / 2..][..=j];
+            y[j] /= column[j];
+            let y_j = y[j];
+            y[..j]
+                .iter_mut()
+                .zip(column)
+                .for_each(|(y, t)| *y -= t * y_j);
+        }
+        y
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use rand::{RngExt, SeedableRng};
+    use rand_pcg::Pcg64Mcg;
+
+    use super::*;
+
+    #[test]
+    fn both_systems_are_solved() {
+        const N: usize = 23;
+        let mut random = Pcg64Mcg::seed_from_u64(3);
+        let matrix: Vec<f64> = (0..N * N).map(|_| random.random_range(-0.5..0.5)).collect();
+        let b: Vec<f64> = (0..N).map(|_| random.random_range(-1.0..1.0)).collect();
+        let apply = |v: &[f64], out: &mut [f64]| {
+            for (out, row) in out.iter_mut().zip(matrix.chunks_exact(N)) {
+                *out = dot(row, v);
+            }
+        };
+        let mut worst: f64 = 0.0;
+        for (v, sign) in solve(&b, 1e-15, apply).into_iter().zip([-1.0, 1.0]) {
+            let mut product = vec![0.0; N];
+            apply(&v, &mut product);
+            for i in 0..N {
+                worst = larger(worst, (v[i] + sign * product[i] - b[i]).abs());
+            }
+        }
+        println!("residual {worst:.1e}");
+        assert!(worst < 1e-13);
+    }
+
+    /// A matrix of rank one is done after two steps, and an exact start ends at once.
+    #[test]
+    fn a_small_krylov_space_ends_the_process() {
+        let mut calls = 0;
+        let [minus, plus] = solve(&[1.0, 1.0], 1e-15, |v, out| {
+            calls += 1;
+            out.copy_from_slice(&[0.5 * v[0], 0.5 * v[1]]);
+        });
+        assert_eq!(calls, 1);
+        for (v, expected) in [(minus, 2.0), (plus, 2.0 / 3.0)] {
+            assert!(v.iter().all(|v| (v - expected).abs() < 1e-14), "{v:?}");
+        }
+    }
+}

@@ -1,0 +1,194 @@
+//! The methods of solution, and which of them solves a contact at the least cost.
+
+use interp::Quantities;
+
+use crate::contour::Path;
+use crate::estimate::Estimate;
+use crate::power_law::PowerLaw;
+use crate::surface::SurfaceCompliance;
+use crate::symbol::Symbol;
+use crate::{galerkin, wiener_hopf};
+
+/// The methods of solution, one for each regime.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Method {
+    /// Hertz and the flat punch, for film = substrate and every `a/t`.
+    ClosedForm,
+    /// Galerkin's method in even Legendre polynomials (`galerkin.rs`), for a film that is thicker
+    /// than the contact is wide, or not much thinner.
+    Galerkin,
+    /// The Wiener-Hopf method along the imaginary axis (`wiener_hopf.rs`), for thin films where no
+    /// zero of the symbol is in the way.
+    Axis,
+    /// The Wiener-Hopf method along a ray, for thin films of all other materials.
+    Ray,
+}
+
+/// The `a/t` from which on the Wiener-Hopf method is as fast as Galerkin's.
+const THIN: f64 = 10.0;
+
+/// The `a/t` beyond which Galerkin's method is neither faster nor more accurate than the ray for
+/// any material but the stiffest films.
+const GALERKIN_REACH: f64 = 300.0;
+
+/// The `a/t` up to which Galerkin's method solves the stiffest films on the softest bases. It takes
+/// some 50 ms there.
+const GALERKIN_REACH_OF_PLATES: f64 = 1000.0;
+
+/// The compliance `S(0)` of long waves, over `S(t/a)`, of a film so stiff that the Wiener-Hopf
+/// method loses digits to the motion of the contact as a whole.
+const PLATE: f64 = 1e5;
+
+impl Method {
+    /// Returns the name, as `tabulate solve --json` prints it.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::ClosedForm => "closed form",
+            Self::Galerkin => "Galerkin",
+            Self::Axis => "Wiener-Hopf, axis",
+            Self::Ray => "Wiener-Hopf, ray",
+        }
+    }
+
+    /// Returns the methods that may reach `tolerance` at `x = a/t`, the cheapest one first.
+    pub(crate) fn candidates(
+        x: f64,
+        symbol: &Symbol,
+        tolerance: f64,
+    ) -> impl Iterator<Item = Self> {
+        let galerkin_first =
+            galerkin::cost(x, tolerance) < wiener_hopf::ray_cost(x, symbol, tolerance);
+        let galerkin_applies = x <= GALERKIN_REACH
+            || x <= GALERKIN_REACH_OF_PLATES && symbol.at(0.0) > PLATE * symbol.at(1.0 / x);
+        let candidates = [
+            (Self::ClosedForm, has_closed_form(symbol, tolerance)),
+            (Self::Axis, prefers_axis(x, symbol, tolerance)),
+            (Self::Galerkin, galerkin_applies && galerkin_first),
+            (Self::Ray, x >= THIN),
+            (Self::Galerkin, galerkin_applies && !galerkin_first),
+        ];
+        candidates
+            .into_iter()
+            .filter_map(|(method, applies)| applies.then_some(method))
+    }
+
+    /// Solves the contact at `x = a/t`, and those of the power laws with the `exponents`, to
+    /// `tolerance`, or as accurately as this method can.
+    pub(crate) fn solve(
+        self,
+        x: f64,
+        symbol: &Symbol,
+        exponents: &[f64],
+        tolerance: f64,
+    ) -> Estimate {
+        match self {
+            Self::ClosedForm => closed_form(symbol, exponents),
+            Self::Galerkin => galerkin::solve(x, symbol, exponents, tolerance),
+            Self::Axis => wiener_hopf::solve(x, symbol, exponents, Path::Axis, tolerance),
+            Self::Ray => wiener_hopf::solve(x, symbol, exponents, Path::Ray, tolerance),
+        }
+    }
+}
+
+/// Returns whether the Wiener-Hopf method along the imaginary axis is the fastest.
+fn prefers_axis(x: f64, symbol: &Symbol, tolerance: f64) -> bool {
+    /// The share of the tolerance that the zeros left out may use up.
+    const SHARE: f64 = 0.05;
+    x >= THIN && wiener_hopf::left_out(x, symbol) <= SHARE * tolerance
+}
+
+/// The share of the tolerance that the closed form may use up where it is a limit.
+const CLOSED_FORM: f64 = 0.01;
+
+/// Returns whether the closed form is accurate enough.
+pub(crate) fn has_closed_form<C: SurfaceCompliance>(symbol: &Symbol<C>, tolerance: f64) -> bool {
+    symbol.contrast() == 0.0 || closed_form_error(symbol) <= CLOSED_FORM * tolerance
+}
+
+/// Returns the relative error of the closed form: rounding, and the departure of the symbol from 1.
+fn closed_form_error<C: SurfaceCompliance>(symbol: &Symbol<C>) -> f64 {
+    4.0 * f64::EPSILON + 10.0 * symbol.contrast()
+}
+
+/// Returns the quantities of Hertz's contact and the flat punch, and Sneddon's power laws: for film
+/// = substrate, and the limit under a sphere that is much softer than both.
+pub(crate) fn closed_form<C: SurfaceCompliance>(symbol: &Symbol<C>, exponents: &[f64]) -> Estimate {
+    let power_law = |&exponent: &f64| PowerLaw::homogeneous(exponent, symbol.modulus());
+    Estimate {
+        quantities: Quantities::homogeneous(symbol.modulus()),
+        power_laws: exponents.iter().map(power_law).collect(),
+        error: closed_form_error(symbol),
+        modes: 0,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use interp::Material;
+    use rand::{RngExt, SeedableRng};
+    use rand_pcg::Pcg64Mcg;
+
+    use super::*;
+    use crate::estimate::larger;
+
+    /// Solves random contacts with both methods between `a/t = 10` and 300, over `E1*/E2*` from 1e-12
+    /// to 1e14, and 0, and `E0*/E1*` from 1e-14 to 1e14, and infinity. The methods share the compliance
+    /// only.
+    ///
+    /// Returns the number of contacts, those whose stated errors are below 1e-6 together, and their
+    /// largest difference over the stated errors.
+    fn compare(exponents: &[f64]) -> (usize, usize, f64) {
+        const COUNT: usize = 300;
+        const TOLERANCE: f64 = 1e-9;
+        let mut random = Pcg64Mcg::seed_from_u64(4);
+        let (mut compared, mut worst): (usize, f64) = (0, 0.0);
+        for _ in 0..COUNT {
+            let mut log_uniform =
+                |from: f64, to: f64| random.random_range(from.ln()..to.ln()).exp();
+            let x = log_uniform(10.0, 300.0);
+            let (mut e1, r) = (log_uniform(1e-12, 1e14), log_uniform(1e-14, 1e14));
+            let mut e0 = e1 * r;
+            match random.random_range(0..6) {
+                0 => (e1, e0) = (0.0, r),
+                1 => e0 = f64::INFINITY,
+                _ => {}
+            }
+            let mut nu = || [0.5, random.random_range(0.0..0.5)][random.random_range(0..2)];
+            let material = Material::new(e1, nu(), e0, nu()).expect("physical");
+            let symbol = Symbol::new(&material);
+            let [galerkin, ray] = [Method::Galerkin, Method::Ray]
+                .map(|method| method.solve(x, &symbol, exponents, TOLERANCE));
+            if galerkin.error + ray.error < 1e-6 {
+                compared += 1;
+                let share = galerkin.difference(&ray) / (galerkin.error + ray.error);
+                worst = larger(worst, share);
+            }
+        }
+        (COUNT, compared, worst)
+    }
+
+    #[test]
+    fn two_methods_agree_within_their_stated_errors_over_all_contrasts() {
+        let (count, compared, worst) = compare(&[]);
+        println!("{compared} of {count} contacts: at most {worst:.2} of the stated errors");
+        assert!(
+            compared >= count * 9 / 10 && worst <= 1.0,
+            "{compared}, {worst}"
+        );
+    }
+
+    /// A cone, even and odd powers, and two exponents that are no integers.
+    #[test]
+    fn two_methods_agree_on_power_laws_too() {
+        for exponent in [1.0, 3.0, 4.0, 6.0, 0.5, 2.7] {
+            let (count, compared, worst) = compare(&[exponent]);
+            println!(
+                "n = {exponent}: {compared} of {count} contacts, at most {worst:.2} of the stated errors"
+            );
+            assert!(
+                compared >= count * 8 / 10 && worst <= 1.0,
+                "{compared}, {worst}"
+            );
+        }
+    }
+}

@@ -1,0 +1,378 @@
+//! A stack of layers under a sphere: solves it as a film where it is one, by Galerkin's method
+//! otherwise.
+
+use std::sync::OnceLock;
+
+use interp::{Curve, Material, Normalisation, Quantities};
+
+use crate::Error;
+use crate::adaptive_curve::{check_range, curve_of};
+use crate::domain::{A_OVER_T, TOLERANCE};
+use crate::galerkin;
+use crate::layered::LayeredCompliance;
+use crate::method::{Method, closed_form, has_closed_form};
+use crate::operator::Operator;
+use crate::parallel::try_map;
+use crate::power_law::{self, PowerLaw};
+use crate::sampled::SampledCompliance;
+use crate::solution::{Solution, solve_power_laws};
+use crate::stack::{MOST_A_OVER_TOP, Stack};
+use crate::surface::SurfaceCompliance;
+use crate::symbol::Symbol;
+
+/// The number of layers from which on a curve samples the compliance instead of evaluating it at
+/// every wave number of every solve.
+const MANY_LAYERS: usize = 4;
+
+/// Solves the contact of a sphere of reduced modulus `sphere_modulus` (Pa; infinity is rigid) with
+/// a stack, at `a_over_t` (contact radius over the thickness of the whole stack), to the relative
+/// `tolerance`.
+///
+/// The quantities are in units of `E2*`, under a rigid sphere in units of `E1*` of what the sphere
+/// touches.
+///
+/// # Errors
+/// [`Error::Domain`] for an `a_over_t`, a `tolerance` or a ratio of moduli outside the domain of
+/// [`solve`](crate::solve()); [`Error::StackReach`] where the contact is too wide beside the top layer
+/// ([`MOST_A_OVER_TOP`]); [`Error::StackNotConverged`] where double precision does not allow the
+/// tolerance.
+pub fn solve_stack(
+    a_over_t: f64,
+    stack: &Stack,
+    sphere_modulus: f64,
+    tolerance: f64,
+) -> Result<Solution, Error> {
+    solve_stack_power_laws(a_over_t, stack, sphere_modulus, &[], tolerance)
+        .map(|(solution, _)| solution)
+}
+
+/// Solves the contact of a sphere with a stack, as [`solve_stack`], and those of probes with the
+/// profiles `c r^n`, as [`solve_power_laws`].
+///
+/// # Errors
+/// As [`solve_stack`] and [`solve_power_laws`].
+pub fn solve_stack_power_laws(
+    a_over_t: f64,
+    stack: &Stack,
+    sphere_modulus: f64,
+    exponents: &[f64],
+    tolerance: f64,
+) -> Result<(Solution, Vec<PowerLaw>), Error> {
+    power_law::check(exponents)?;
+    Layers::new(stack, a_over_t, Evaluation::Direct)?
+        .under(sphere_modulus)?
+        .solve(a_over_t, exponents, tolerance)
+}
+
+/// Solves the contacts of spheres of the reduced moduli `sphere_moduli` with one stack at one
+/// `a_over_t`, on all cores, and returns the quantities in the order of the moduli.
+///
+/// The spheres share their matrices where these reach `tolerance`; every other contact is solved
+/// with `solve_one(i)`, whose argument is the index of its modulus.
+///
+/// # Errors
+/// Those of [`solve_stack`] and `solve_one`; of several, the error of the first modulus.
+pub fn solve_stack_under_spheres(
+    a_over_t: f64,
+    stack: &Stack,
+    sphere_moduli: &[f64],
+    tolerance: f64,
+    solve_one: &(dyn Fn(usize) -> Result<Quantities, Error> + Sync),
+) -> Result<Vec<Quantities>, Error> {
+    let layers = Layers::new(stack, a_over_t, Evaluation::Direct)?;
+    let (Form::Layers(compliance), 2..) = (&layers.form, sphere_moduli.len()) else {
+        return try_map(0..sphere_moduli.len(), solve_one);
+    };
+    let x = a_over_t * layers.thickness_over_top;
+    let operator = OnceLock::new();
+    let assemble = || {
+        let abscissae = galerkin::shared_abscissae(x, [compliance], &[], tolerance);
+        Operator::for_many_spheres(compliance, &abscissae, &abscissae.bessel_values())
+    };
+    try_map(0..sphere_moduli.len(), |i| {
+        let contact = layers.under(sphere_moduli[i])?;
+        let symbol = Symbol::with_compliance(compliance, &contact.of_top);
+        if has_closed_form(&symbol, tolerance) {
+            return solve_one(i);
+        }
+        let operator = operator.get_or_init(assemble);
+        match operator.solve_to(&symbol, &[], tolerance) {
+            Some(solved) => Ok(contact.at_surface(solved.quantities)),
+            None => solve_one(i),
+        }
+    })
+}
+
+/// Solves a stack along `a/t` and returns the four quantities as a curve, as
+/// [`curve`](crate::curve) does for one film.
+///
+/// `a_over_t` holds the two ends of the curve. The curve is made for [`Stack::material`]; it has no
+/// expansions beyond its ends.
+///
+/// The compliance of many layers is sampled once.
+///
+/// # Errors
+/// As [`curve`](crate::curve) and [`solve_stack`].
+pub fn stack_curve(
+    stack: &Stack,
+    sphere_modulus: f64,
+    a_over_t: [f64; 2],
+    tolerance: f64,
+) -> Result<Curve, Error> {
+    check_range(a_over_t, tolerance)?;
+    let layers = Layers::new(stack, a_over_t[1], Evaluation::Sampled)?;
+    let contact = layers.under(sphere_modulus)?;
+    let curve = curve_of(
+        &contact.material,
+        a_over_t,
+        tolerance,
+        |x, tolerance| Ok(contact.solve(x, &[], tolerance)?.0.quantities),
+        |reached, a_over_t| Error::StackNotConverged {
+            a_over_t,
+            tolerance,
+            reached,
+        },
+    )?;
+    Ok(curve.of_stack(stack.shape()))
+}
+
+/// Accepts contacts with a stack up to `a_over_t`, which are not too wide beside its top layer.
+///
+/// # Errors
+/// [`Error::StackReach`]
+pub fn check_reach(stack: &Stack, a_over_t: f64) -> Result<(), Error> {
+    let merged = stack.merged();
+    let layers = merged.layers().len();
+    let thickness_over_top = stack.thickness() / merged.top().thickness;
+    // One layer is solved as a film.
+    let most = match layers {
+        1 => A_OVER_T[1],
+        _ => MOST_A_OVER_TOP,
+    };
+    let reach = most / thickness_over_top;
+    if a_over_t <= reach {
+        return Ok(());
+    }
+    Err(Error::StackReach {
+        a_over_t,
+        reach,
+        most,
+        thickness_over_top,
+        layers,
+    })
+}
+
+/// The way in which the compliance of a stack is evaluated.
+#[derive(Clone, Copy, PartialEq)]
+enum Evaluation {
+    /// At every wave number anew.
+    Direct,
+    /// From samples, if there are many layers.
+    Sampled,
+}
+
+/// A stack, ready for contacts up to some `a/t` with any sphere.
+struct Layers<'a> {
+    stack: &'a Stack,
+    /// With as few layers as possible, and the solid of the top layer at its surface.
+    merged: Stack,
+    /// The thickness of the stack over that of the top layer.
+    thickness_over_top: f64,
+    form: Form,
+}
+
+/// What a stack turns out to be.
+enum Form {
+    /// One film on the base.
+    Film,
+    /// Several layers.
+    Layers(LayeredCompliance),
+    /// Many layers, sampled.
+    Sampled(SampledCompliance),
+}
+
+impl<'a> Layers<'a> {
+    /// Prepares a stack for contacts up to `a_over_t`. Refuses one that is too wide beside the top
+    /// layer, before any work with layers too thin for it.
+    fn new(stack: &'a Stack, a_over_t: f64, evaluation: Evaluation) -> Result<Self, Error> {
+        Error::check("a_over_t", a_over_t, A_OVER_T)?;
+        check_reach(stack, a_over_t)?;
+        let merged = stack.merged().of_top_layer();
+        let count = merged.layers().len();
+        let form = if count == 1 {
+            Form::Film
+        } else {
+            let compliance = LayeredCompliance::new(&merged);
+            if evaluation == Evaluation::Sampled && count >= MANY_LAYERS {
+                Form::Sampled(SampledCompliance::new(compliance))
+            } else {
+                Form::Layers(compliance)
+            }
+        };
+        Ok(Self {
+            stack,
+            thickness_over_top: stack.thickness() / merged.top().thickness,
+            merged,
+            form,
+        })
+    }
+
+    /// Puts the stack under a sphere.
+    fn under(&self, sphere_modulus: f64) -> Result<StackContact<'_>, Error> {
+        let material = self.stack.material(sphere_modulus)?;
+        let of_top = self.merged.material(sphere_modulus)?;
+        if of_top.normalisation() == Normalisation::Sphere {
+            Error::check(
+                "E1*/E2*",
+                of_top.film_modulus(),
+                [f64::MIN_POSITIVE, f64::MAX],
+            )?;
+        }
+        Ok(StackContact {
+            layers: self,
+            material,
+            of_top,
+            factors: factors(&of_top, &material, self.stack),
+        })
+    }
+}
+
+/// A stack under a sphere.
+struct StackContact<'a> {
+    layers: &'a Layers<'a>,
+    /// The surface of the stack and its base.
+    material: Material,
+    /// The top layer and the base.
+    of_top: Material,
+    /// The factors of the quantities of the top layer that give those of the surface.
+    factors: Quantities,
+}
+
+impl StackContact<'_> {
+    /// Solves the contact at `a_over_t`, and those of the power laws with the `exponents`.
+    fn solve(
+        &self,
+        a_over_t: f64,
+        exponents: &[f64],
+        tolerance: f64,
+    ) -> Result<(Solution, Vec<PowerLaw>), Error> {
+        Error::check("tolerance", tolerance, TOLERANCE)?;
+        let x = a_over_t * self.layers.thickness_over_top;
+        let not_converged = |reached| Error::StackNotConverged {
+            a_over_t,
+            tolerance,
+            reached,
+        };
+        let of_top = &self.of_top;
+        let (mut solution, mut power_laws) = match &self.layers.form {
+            Form::Film => match solve_power_laws(x, of_top, exponents, tolerance) {
+                Err(Error::NotConverged { reached, .. }) => Err(not_converged(reached)),
+                solution => solution,
+            }?,
+            Form::Layers(compliance) => {
+                let symbol = Symbol::with_compliance(compliance, of_top);
+                layered(x, &symbol, exponents, tolerance).map_err(not_converged)?
+            }
+            Form::Sampled(compliance) => {
+                let symbol = Symbol::with_compliance(compliance, of_top);
+                layered(x, &symbol, exponents, tolerance).map_err(not_converged)?
+            }
+        };
+        solution.quantities = self.at_surface(solution.quantities);
+        for power_law in &mut power_laws {
+            power_law.pi *= self.factors.pi0;
+        }
+        Ok((solution, power_laws))
+    }
+
+    /// Changes the quantities of the top layer into those of the surface.
+    fn at_surface(&self, of_top: Quantities) -> Quantities {
+        let (factors, values) = (self.factors.to_array(), of_top.to_array());
+        Quantities::from_array(std::array::from_fn(|i| values[i] * factors[i]))
+    }
+}
+
+/// Solves several layers at `x`, the contact radius over the thickness of the top layer. The error
+/// is the estimated error that is reached, where that is more than `tolerance`.
+fn layered<C: SurfaceCompliance>(
+    x: f64,
+    symbol: &Symbol<C>,
+    exponents: &[f64],
+    tolerance: f64,
+) -> Result<(Solution, Vec<PowerLaw>), f64> {
+    let (method, estimate) = if has_closed_form(symbol, tolerance) {
+        (Method::ClosedForm, closed_form(symbol, exponents))
+    } else {
+        (
+            Method::Galerkin,
+            galerkin::solve(x, symbol, exponents, tolerance),
+        )
+    };
+    estimate.accept(method, tolerance)
+}
+
+/// Returns the factors that make the quantities of the `top` layer those of the `surface` of the
+/// stack; all 1 but for graded films.
+///
+/// `Gamma` is proportional to the root of the modulus `es` of the crack tip, and under a rigid
+/// sphere the modulus of the surface is the unit.
+fn factors(top: &Material, surface: &Material, stack: &Stack) -> Quantities {
+    let unit = match top.normalisation() {
+        Normalisation::Sphere => 1.0,
+        Normalisation::Film => stack.top().solid.reduced() / stack.surface().reduced(),
+    };
+    let tip = surface.sphere_film_modulus() / (unit * top.sphere_film_modulus());
+    Quantities {
+        pi0: unit,
+        eeq: unit,
+        gamma: unit * tip.sqrt(),
+        delta0: 1.0,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::atomic::{AtomicUsize, Ordering};
+
+    use interp::Elastic;
+
+    use super::*;
+    use crate::estimate::{difference, larger};
+    use crate::layered::tests::random_stack;
+
+    /// Rigid, stiff, soft and very soft spheres on layers of moduli over nine decades, half of
+    /// which have another solid at the surface than that of the top layer. Measured: 3.6e-11; the
+    /// very soft sphere is the only one that is solved alone, in closed form.
+    #[test]
+    fn shared_matrices_give_the_quantities_of_single_solves() {
+        const TOLERANCE: f64 = 1e-9;
+        let spheres = [f64::INFINITY, 1e12, 1e6, 1e3, 1.0, 1e-30];
+        let (mut worst, mut contacts, alone) = (0.0, 0, AtomicUsize::new(0));
+        for seed in 0..40 {
+            let mut stack = random_stack(seed);
+            if seed % 2 == 0 {
+                let surface = Elastic::new(1e4, 0.3).expect("physical");
+                stack = stack.with_surface(surface).expect("not rigid");
+            }
+            let x = [0.01, 1.0, 20.0][seed as usize % 3];
+            let a_over_t = x * stack.top().thickness / stack.thickness();
+            let solve_one = |i: usize| {
+                alone.fetch_add(1, Ordering::Relaxed);
+                Ok(solve_stack(a_over_t, &stack, spheres[i], TOLERANCE)?.quantities)
+            };
+            let shared =
+                solve_stack_under_spheres(a_over_t, &stack, &spheres, TOLERANCE, &solve_one)
+                    .expect("within reach");
+            for (&sphere, shared) in spheres.iter().zip(&shared) {
+                let single =
+                    solve_stack(a_over_t, &stack, sphere, TOLERANCE).expect("within reach");
+                worst = larger(worst, difference(shared, &single.quantities));
+                contacts += 1;
+            }
+        }
+        let alone = alone.into_inner();
+        println!("{worst:.1e}; {alone} of {contacts} contacts solved alone");
+        assert!(worst <= 2.0 * TOLERANCE);
+        assert_eq!(alone, contacts / spheres.len());
+    }
+}

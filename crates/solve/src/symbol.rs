@@ -1,0 +1,100 @@
+//! The symbol of the contact's integral equation: the compliances of sphere and coated substrate
+//! together, over their value at short waves.
+//!
+//! ```text
+//! S(q) = sphere + film X(q),      sphere = es/E2* = A/(1 + A),      film = es/E1* = 1/(1 + A),      A = E1*/E2*
+//! ```
+//!
+//! `S(inf) = 1` and `S(0) = es/einf`. The shares of sphere and film depend on `A` alone and neither
+//! overflow nor cancel for any `A` from 0 (a rigid sphere) to infinity. All quantities but `Delta0`
+//! are proportional to `es`, which multiplies them last. Like `X`, `S` is a function of `|q|` on
+//! the real line and is continued from the right into `Re q >= 0`.
+
+use interp::Material;
+
+use crate::compliance::{Compliance, WaveNumber};
+use crate::surface::SurfaceCompliance;
+
+/// `S(q)`, with `S(inf) = 1`, of one contact: of a film on its substrate, or of any other
+/// [`SurfaceCompliance`] `C`.
+#[derive(Clone, Copy, Debug)]
+pub struct Symbol<C = Compliance> {
+    compliance: C,
+    /// The share of the sphere in the compliance at short waves.
+    sphere: f64,
+    /// The share of the film, `1 - sphere`.
+    film: f64,
+    /// The compound modulus `es`.
+    modulus: f64,
+}
+
+impl<C: SurfaceCompliance> Symbol<C> {
+    /// Returns the symbol of `material`, the compliance of whose film and substrate is known. Of a
+    /// stack of layers, `material` holds the top layer and the base.
+    pub fn with_compliance(compliance: C, material: &Material) -> Self {
+        let ratio = material.sphere_compliance() * material.film_modulus();
+        Self {
+            compliance,
+            sphere: 1.0 / (1.0 + 1.0 / ratio),
+            film: 1.0 / (1.0 + ratio),
+            modulus: material.sphere_film_modulus(),
+        }
+    }
+
+    /// Returns the compliance of film and substrate, without the sphere.
+    pub fn compliance(&self) -> &C {
+        &self.compliance
+    }
+
+    /// Returns the share of the film in the compliance at short waves, `es/E1*`.
+    pub fn film(&self) -> f64 {
+        self.film
+    }
+
+    /// Returns a bound of `|S - 1|`: 0 where film and substrate are one material in the sense of
+    /// Dundurs, and tiny under a sphere that is much softer than both.
+    pub fn contrast(&self) -> f64 {
+        self.film * self.compliance.largest_excess()
+    }
+
+    /// Returns the compound modulus `es`.
+    pub fn modulus(&self) -> f64 {
+        self.modulus
+    }
+}
+
+impl Symbol {
+    /// Returns the symbol of `material`.
+    pub fn new(material: &Material) -> Self {
+        Self::with_compliance(Compliance::new(material), material)
+    }
+
+    /// Returns the symbol of this film and substrate under a softer sphere, which adds `share` of
+    /// `S(inf)` to every compliance.
+    pub fn softened(self, share: f64) -> Self {
+        let whole = 1.0 + share;
+        Self {
+            sphere: (self.sphere + share) / whole,
+            film: self.film / whole,
+            modulus: self.modulus / whole,
+            ..self
+        }
+    }
+
+    /// Returns `S(q)` for `Re q >= 0`, to 14 digits wherever it is not close to a zero.
+    pub fn at<T: WaveNumber>(&self, q: T) -> T {
+        self.compliance.x(q) * self.film + self.sphere
+    }
+
+    /// Returns a wave number, at most 1, below which `S` hardly varies. Needs `S(0) > 0`.
+    pub fn smallest_scale(&self) -> f64 {
+        self.compliance
+            .smallest_scale_of_sum(self.sphere, self.film)
+    }
+
+    /// Returns a radius, at most 1, such that `S` has no zero but 0 in the quarter disc within it;
+    /// 0 if the radius would be tiny.
+    pub fn zero_free_radius(&self) -> f64 {
+        self.compliance.zero_free_radius(self.sphere, self.film)
+    }
+}

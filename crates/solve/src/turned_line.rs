@@ -1,0 +1,123 @@
+//! The fields of the two edges on a line that leaves the real axis, for profiles whose transform is
+//! not a Taylor coefficient.
+//!
+//! The moments of [`moment`](crate::moment) integrate `a(z)` and `b(z)` along the real axis
+//! to infinity, where they oscillate. From [`CORNER`] on the integral is turned into the upper half
+//! plane: `a = Re E_even` and `b = Im E_odd` with `E = e^{iz} S_+ V/S`, and
+//!
+//! ```text
+//! int_c^inf a z^{-p} dz = Re int_line E_even z^{-p} dz,      line: z = c + r e^{i angle}
+//! ```
+//!
+//! along a line parallel to the ray of [`Path::Ray`], below which `S` has no zeros: none of them is
+//! left out. There `E` falls like `e^{-Im z}`. Gauss-Legendre panels grow in proportion to `|z|`, as
+//! the zeros of `S` lie at angles of 53 degrees and more, up to a length that resolves `e^{iz}`.
+
+use num_complex::Complex64;
+
+use crate::contour::{Logarithm, Path, RAY, influence};
+use crate::matrix::Matrix;
+use crate::quadrature::GaussLegendre;
+use crate::symbol::Symbol;
+
+/// The place at which the line leaves the real axis. The polynomial through the readouts serves up
+/// to there: its coefficients would cancel further out, and the integrands vary faster closer to 0.
+pub const CORNER: f64 = 1.0;
+
+/// The abscissae of a panel.
+const POINTS: usize = 20;
+/// The longest panel, which resolves `e^{iz}`.
+const LONGEST: f64 = 14.0;
+
+/// One line, divided into nodes for one accuracy and one knee.
+#[derive(Debug)]
+pub struct TurnedLine {
+    /// The nodes `z`.
+    pub nodes: Vec<Complex64>,
+    /// `e^{iz} dz`.
+    weights: Vec<Complex64>,
+    /// The matrix from `ln S` at the abscissae of the contour to `ln S_+` at the nodes: real parts,
+    /// then imaginary parts.
+    factor: Matrix,
+    /// The factor from `ln S` at a node to `ln S_+` there.
+    own: Vec<Complex64>,
+    /// The matrix from the strengths of the contour's nodes to `V` here, in the same layout.
+    readout: Matrix,
+}
+
+/// The fields on the line times their weights: `int E z^{-p} dz = sum E_j z_j^{-p}`.
+pub struct LineFields {
+    /// `E_even` at the nodes.
+    pub even: Vec<Complex64>,
+    /// `E_odd`.
+    pub odd: Vec<Complex64>,
+}
+
+impl TurnedLine {
+    /// Divides the line for the contour that has the nodes `zeta` and the rule for `ln S_+`.
+    pub(super) fn new(path: Path, zeta: &[Complex64], logarithm: &Logarithm) -> Self {
+        let direction = Complex64::from_polar(1.0, RAY);
+        let end = CORNER + logarithm.digits / direction.im;
+        let rule = GaussLegendre::new(POINTS);
+        let (mut nodes, mut weights) = (Vec::new(), Vec::new());
+        let mut from = CORNER;
+        while from < end {
+            let half = 0.5 * from.min(LONGEST);
+            for (abscissa, weight) in rule.abscissae.iter().zip(&rule.weights) {
+                let z = CORNER + direction * (from - CORNER + half * (1.0 + abscissa));
+                nodes.push(z);
+                weights.push((Complex64::I * z).exp() * direction * (half * weight));
+            }
+            from += 2.0 * half;
+        }
+        let mut factor = Vec::new();
+        for i in 0..logarithm.kept {
+            factor.extend(nodes.iter().map(|&z| logarithm.share(z, i).re));
+            factor.extend(nodes.iter().map(|&z| logarithm.share(z, i).im));
+        }
+        let mut readout = Vec::new();
+        for &unit in path.units() {
+            for &zeta in zeta {
+                readout.extend(nodes.iter().map(|&z| influence(unit, zeta, z).re));
+                readout.extend(nodes.iter().map(|&z| influence(unit, zeta, z).im));
+            }
+        }
+        let rows = 2 * nodes.len();
+        Self {
+            own: nodes.iter().map(|&z| logarithm.own(z)).collect(),
+            nodes,
+            weights,
+            factor: Matrix::from_columns(rows, &factor),
+            readout: Matrix::from_columns(rows, &readout),
+        }
+    }
+
+    /// Returns the fields from `ln S` at the abscissae of the contour, and from the strengths of its
+    /// nodes for the even and for the odd fields.
+    pub fn fields(
+        &self,
+        x: f64,
+        symbol: &Symbol,
+        logs: &[f64],
+        strengths: &[Vec<f64>; 2],
+    ) -> LineFields {
+        let n = self.nodes.len();
+        let mut log_factors = vec![0.0; 2 * n];
+        self.factor.multiply(logs, &mut log_factors);
+        let waves: Vec<Complex64> = (0..n)
+            .map(|j| {
+                let s = symbol.at(self.nodes[j] / x);
+                let log_factor =
+                    Complex64::new(log_factors[j], log_factors[n + j]) + self.own[j] * s.ln();
+                self.weights[j] * log_factor.exp() / s
+            })
+            .collect();
+        let [even, odd] = [(&strengths[0], 1.0), (&strengths[1], -1.0)].map(|(strengths, sign)| {
+            let mut v = vec![0.0; 2 * n];
+            self.readout.multiply(strengths, &mut v);
+            let field = |j: usize| waves[j] * (1.0 + sign * Complex64::new(v[j], v[n + j]));
+            (0..n).map(field).collect()
+        });
+        LineFields { even, odd }
+    }
+}

@@ -1,0 +1,276 @@
+//! The Wiener-Hopf method on the finite interval. Its cost does not grow with `a/t`.
+//!
+//! # The equation on the two edges
+//!
+//! Let `rho` run over `[-1, 1]`, `z = q a/t` be the wave number in units of `1/a`, and `S(q)` the
+//! [`Symbol`] with `S(inf) = 1`. Consider fields that are a delta function at each edge plus a
+//! regular function inside, even (`s = +1`) or odd (`s = -1`) in `rho`, on which the operator with
+//! symbol `S` gives zero inside. Their transforms `Y(z)` are entire, and with `Phi` analytic in the
+//! upper half plane
+//!
+//! ```text
+//! S Y = e^{iz} Phi(z) + s e^{-iz} Phi(-z),      Y -> e^{iz} + s e^{-iz},      Phi -> 1 as z -> i inf
+//! ```
+//!
+//! With the factors `S(z) = S_+(z) S_+(-z)`, `S_+` analytic and free of zeros in the upper half
+//! plane,
+//!
+//! ```text
+//! ln S_+(q) = q/(pi i) int_0^inf ln S(t)/(t^2 - q^2) dt                                              (1)
+//! ```
+//!
+//! and `Phi = S_+ V`, the usual splitting into half planes leaves one equation of the second kind
+//! for the edges' coupling,
+//!
+//! ```text
+//! V(z) = 1 + s/(2 pi i) int e^{2 i zeta} S_+(zeta)^2/S(zeta) V(zeta)/(zeta + z) d zeta              (2)
+//! ```
+//!
+//! along any line from `-inf` to `inf` in the upper half plane that passes below the zeros of `S`;
+//! there `S` is continued from the right for `Re zeta > 0` and from the left for `Re zeta < 0`. The
+//! kernel decays like `e^{-2 Im zeta}`: only wave numbers of order `1/a` couple the edges, however
+//! thin the film. Two lines are in use ([`Path`]):
+//!
+//! * **A ray at 32 degrees and its mirror image.** All zeros and poles lie higher.
+//!   `V(-conj zeta) = conj V(zeta)`, and a constant may be subtracted from `1/S`, as its integrals
+//!   cancel: `1/S(0)` leaves a kernel that is weak where `a/t` is large.
+//! * **The imaginary axis**, both sides of it. There `V` is real and `1/S` leaves
+//!   `2 i Im 1/S(i p + 0)`: a quarter of the work. Zeros at a height `eta` are left out with an
+//!   error like `e^{-2 eta a/t}`, so that `a/t` must be large enough ([`left_out`]).
+//!
+//! Nodes, weights and all factors of values of `S` are stored in a [`Contour`]. Equation (2) is
+//! solved for both parities at once by minimal residuals ([`krylov`]), in a few steps as its kernel
+//! is compact.
+//!
+//! # The quantities
+//!
+//! On the real axis `S_+ = sqrt(S) e^{i theta}`, and the two entire functions are
+//!
+//! ```text
+//! a(z) = Re[e^{iz} S_+ V_even]/S = a0 + a1 z^2 + ...,      b(z) = Im[e^{iz} S_+ V_odd]/S,      z b(z) = b1 z^2 + b2 z^4 + ...
+//! ```
+//!
+//! The inverse `A^-1` of the contact's operator commutes with differentiation but for the edges.
+//! Its double transform is therefore
+//!
+//! ```text
+//! int int cos(k rho) A^-1 cos(z rho') = 2 es [k b(k) a(z) - z b(z) a(k)]/(k^2 - z^2)
+//! ```
+//!
+//! and the edge value of `A^-1 cos(k rho)` is `es a(k)`. Expanding in `k^2` and `z^2` gives the
+//! right-hand sides 1 and `rho^2` at once:
+//!
+//! ```text
+//! Gamma = es a0      Eeq = es a0 b1      Delta0 = -2 a1/a0      Pi0 = 8 es (a0 b2 - a1 b1)
+//! ```
+//!
+//! For film = substrate `a = cos z` and `b = sin z`, which gives 8/3, 1, 1, 1. `a` and `b/z` are
+//! entire functions of `z^2` of slow growth; their values at fifteen `z^2` between 0.1 and 40
+//! extrapolate to 0. Other powers of `rho` need other functionals of the same two functions
+//! ([`moment`](crate::moment)).
+//!
+//! # Accuracy
+//!
+//! Contours of neighbouring [`LEVELS`] differ by a factor of about 150 in their error. Two of them,
+//! and the rounding of the sums that are read out, give the stated error; `tests/truth/contacts.rs`
+//! measures it. The rounding of `Pi0` sets the limit: some 1e-13, and up to 1e-10 for a soft
+//! incompressible film between rigid bodies, where `S(t/a)` and with it `V` are small.
+
+use num_complex::Complex64;
+
+use crate::compliance::{FLAT, SINE_OF_FREE_ANGLE};
+use crate::contour::{Contour, LEVELS, Path};
+use crate::estimate::Estimate;
+use crate::krylov;
+use crate::read_out::Fields;
+use crate::symbol::Symbol;
+
+/// Returns the relative error of the imaginary axis from the zeros of `S` that it leaves out.
+///
+/// A zero at the height `eta` leaves an error of some `e^{-2 eta x}`. Measured over 4900 materials,
+/// the factor is at most 6.
+pub fn left_out(x: f64, symbol: &Symbol) -> f64 {
+    10.0 * (-2.0 * SINE_OF_FREE_ANGLE * symbol.zero_free_radius() * x).exp()
+}
+
+/// Estimates the time of the ray for one contact roughly, in microseconds, to choose between
+/// methods: a fit to the bench `accuracy`.
+pub fn ray_cost(x: f64, symbol: &Symbol, tolerance: f64) -> f64 {
+    let scales = 11.0 - 0.7 * (x * symbol.smallest_scale()).min(1.0).ln();
+    let unknowns = scales * (8.0 - tolerance.ln());
+    0.005 * unknowns * unknowns
+}
+
+/// Solves the contact at `x = a/t` with contours of growing accuracy, until two agree to
+/// `tolerance` or there are no better ones.
+///
+/// Where the compliance of long waves, `S(0)`, is negligible against `S` at the contact's own wave
+/// numbers, as between rigid bodies, (2) is ill-conditioned: values at `|zeta| << 1` enter it only
+/// in proportion to `S(0)`. The quantities are analytic in the sphere's compliance, so that two
+/// slightly softer spheres extrapolate to the given one: `2 f(h) - f(2h)` differs from `f(0)` by
+/// `h^2 f''`. As `f` is a sum of `c/(l + h)` with `l` above `S(t/a)` or so, this is less than twice
+/// the square of `h/S(t/a)`. Measured: 1.5 times.
+pub fn solve(x: f64, symbol: &Symbol, exponents: &[f64], path: Path, tolerance: f64) -> Estimate {
+    /// The added compliance over `S(t/a)`. The error is about its square.
+    const SOFTENING: f64 = 1e-6;
+    const WEIGHTS: [f64; 2] = [2.0, -1.0];
+    let softening = SOFTENING * symbol.at(1.0 / x);
+    if symbol.at(0.0) > softening {
+        return converge(x, symbol, exponents, path, tolerance);
+    }
+    let [mut extrapolated, softer] = [1.0, 2.0].map(|multiple| {
+        let symbol = symbol.softened(multiple * softening);
+        converge(x, &symbol, exponents, path, tolerance / 3.0)
+    });
+    let mut others = softer.numbers();
+    extrapolated.change(|number| {
+        let other = others.next().expect("both hold the same numbers");
+        WEIGHTS[0] * number + WEIGHTS[1] * other
+    });
+    extrapolated.error = WEIGHTS[0].abs() * extrapolated.error
+        + WEIGHTS[1].abs() * softer.error
+        + 2.0 * SOFTENING.powi(2);
+    extrapolated
+}
+
+/// The largest error of a contour over its difference from the contour before. Most often it is a
+/// hundredth.
+const GAIN: f64 = 0.3;
+
+/// A difference of two contours below which it may come from rounding, in which both have their
+/// part.
+const NOISE: f64 = 3e-11;
+
+/// Solves with contours of growing accuracy until two agree.
+fn converge(x: f64, symbol: &Symbol, exponents: &[f64], path: Path, tolerance: f64) -> Estimate {
+    let left_out = if path == Path::Axis {
+        left_out(x, symbol)
+    } else {
+        0.0
+    };
+    let first = LEVELS
+        .iter()
+        .position(|&digits| digits > -tolerance.ln())
+        .unwrap_or(LEVELS.len())
+        .clamp(1, LEVELS.len() - 1);
+    let mut best = Estimate {
+        error: f64::INFINITY,
+        ..on_contour(x, symbol, exponents, path, first - 1)
+    };
+    for level in first..LEVELS.len() {
+        let next = on_contour(x, symbol, exponents, path, level);
+        let difference = next.difference(&best);
+        let error = GAIN * difference + 2.0 * difference.min(NOISE) + next.error + left_out;
+        best = Estimate { error, ..next };
+        if error <= tolerance {
+            break;
+        }
+    }
+    best
+}
+
+/// Solves with one contour. The error of the estimate is that of rounding only.
+fn on_contour(x: f64, symbol: &Symbol, exponents: &[f64], path: Path, level: usize) -> Estimate {
+    /// The knee over the smallest scale.
+    const BELOW: f64 = 0.3;
+    let contour = Contour::get(path, level, BELOW * x * symbol.smallest_scale());
+    let logs = logarithms(x, symbol, contour);
+    let log_factors = log_factors(&logs, contour);
+    let couplings = couplings(x, symbol, contour, &log_factors);
+    let strengths = solve_coupling(contour, &couplings, (-LEVELS[level]).exp());
+    let fields = Fields {
+        x,
+        symbol,
+        contour,
+        logs: &logs,
+        phases: &log_factors[contour.unknowns()..],
+        strengths: &strengths,
+    };
+    fields.read_out(exponents)
+}
+
+/// Returns `ln S` at the abscissae of the contour.
+fn logarithms(x: f64, symbol: &Symbol, contour: &Contour) -> Vec<f64> {
+    contour
+        .abscissae()
+        .iter()
+        .take_while(|t| **t <= FLAT * x)
+        .map(|t| symbol.at(t / x).ln())
+        .collect()
+}
+
+/// Returns `ln S_+` at the nodes and its phase at the readouts, by (1), without the contribution of
+/// `ln S` at the same point ([`Contour::own`]).
+fn log_factors(logs: &[f64], contour: &Contour) -> Vec<f64> {
+    let mut sums = vec![0.0; contour.rows()];
+    contour.factor.multiply(logs, &mut sums);
+    sums
+}
+
+/// Returns the factors of `V` at the nodes in (2): `e^{2 i zeta} S_+^2/S d zeta/(2 pi i)`.
+fn couplings(x: f64, symbol: &Symbol, contour: &Contour, log_factors: &[f64]) -> Vec<Complex64> {
+    /// The `S(0)` up to which no constant is subtracted: it would add more than it removes.
+    const SMALL: f64 = 0.3;
+    let long_waves = symbol.at(0.0);
+    let constant = if long_waves > SMALL {
+        1.0 / long_waves
+    } else {
+        0.0
+    };
+    let coupling = |(j, (&zeta, weight)): (usize, (&Complex64, &Complex64))| {
+        let s = symbol.at(zeta / x);
+        let square = match contour.path {
+            Path::Axis => Complex64::from((2.0 * log_factors[j]).exp()),
+            Path::Ray => {
+                let log_factor =
+                    Complex64::new(log_factors[j], log_factors[contour.nodes.len() + j])
+                        + contour.own[j] * s.ln();
+                (2.0 * log_factor).exp()
+            }
+        };
+        weight * square * (1.0 / s - constant)
+    };
+    contour
+        .nodes
+        .iter()
+        .zip(&contour.weights)
+        .enumerate()
+        .map(coupling)
+        .collect()
+}
+
+/// Overwrites `strengths` with the strengths of the nodes, the values `v` of `V` there times
+/// `couplings`, in the layout of the unknowns.
+fn strengths(path: Path, couplings: &[Complex64], v: &[f64], strengths: &mut Vec<f64>) {
+    strengths.clear();
+    match path {
+        Path::Axis => {
+            strengths.extend(v.iter().zip(couplings).map(|(v, coupling)| v * coupling.im))
+        }
+        Path::Ray => {
+            let (re, im) = v.split_at(couplings.len());
+            let parts = || couplings.iter().zip(re.iter().zip(im));
+            strengths.extend(parts().map(|(c, (re, im))| c.re * re - c.im * im));
+            strengths.extend(parts().map(|(c, (re, im))| c.re * im + c.im * re));
+        }
+    }
+}
+
+/// Solves (2) and returns the strengths of the nodes, for the even and for the odd fields.
+fn solve_coupling(contour: &Contour, couplings: &[Complex64], accuracy: f64) -> [Vec<f64>; 2] {
+    /// The residual over the accuracy of the contour, as far as rounding allows.
+    const SHARE: f64 = 0.01;
+    let unknowns = contour.unknowns();
+    let mut one = vec![1.0; contour.nodes.len()];
+    one.resize(unknowns, 0.0);
+    let mut work = Vec::with_capacity(unknowns);
+    let solutions = krylov::solve(&one, (SHARE * accuracy).max(f64::EPSILON), |v, out| {
+        strengths(contour.path, couplings, v, &mut work);
+        contour.kernel.multiply(&work, out);
+    });
+    solutions.map(|v| {
+        let mut result = Vec::with_capacity(unknowns);
+        strengths(contour.path, couplings, &v, &mut result);
+        result
+    })
+}
