@@ -6,6 +6,8 @@
 //! of the penetration, and the pieces grow with the distance from there. A piece is halved until a
 //! contact within it agrees with the polynomial.
 
+use std::convert::Infallible;
+
 use super::HistoryError;
 use crate::{Contact, root};
 use interp::check::finite_result;
@@ -41,12 +43,20 @@ pub(super) struct ElasticCurve {
 
 /// The part of the tolerance that the load of the smallest contact may have.
 const FIRST: f64 = 0.1;
+/// The error of the load on the first piece, on which it is taken to be a cubic polynomial, over the
+/// load at its end, at most: 0.04 for a power of 3/2.
+const BEND: f64 = 0.1;
 /// The most halvings of a piece.
 const DEPTH: u32 = 40;
 /// The error in the middle of a piece over the largest one, at least.
 const MIDDLE: f64 = 0.5;
 /// A piece whose radii have a larger ratio is halved at the geometric mean.
 const WIDE: f64 = 2.5;
+
+/// The most steps of Newton's method on a piece, and the change of the place on it after which the
+/// next one would be below rounding.
+const NEWTON: usize = 8;
+const CONVERGED: f64 = 1e-9;
 
 /// Returns the value at `x` in `[0, 1]` of the cubic polynomial with values and slopes at the ends.
 pub(super) fn hermite([f0, f1]: [f64; 2], [d0, d1]: [f64; 2], x: f64) -> f64 {
@@ -93,11 +103,11 @@ impl ElasticCurve {
         };
         if !flat {
             let mut second = last;
-            while second.load > FIRST * tolerance * last.load && second.radius > least {
+            while BEND * second.load > FIRST * tolerance * last.load && second.radius > least {
                 second = node(contact, (0.25 * second.radius).max(least))?;
             }
             own.inverted.push(true);
-            own.load_error = second.load / last.load;
+            own.load_error = BEND * second.load / last.load;
             own.nodes.push(second);
         }
         own.refine(contact, last, &last, tolerance, DEPTH)?;
@@ -206,7 +216,7 @@ impl ElasticCurve {
             let power = nodes[1].load / (nodes[1].stiffness * nodes[1].penetration);
             return nodes[1].penetration * (load / nodes[1].load).powf(power);
         }
-        let f = |x: f64| Ok::<_, std::convert::Infallible>(load_on(&nodes, x).0 - load);
+        let f = |x: f64| Ok::<_, Infallible>(load_on(&nodes, x).0 - load);
         let Ok(found) = root(f, nodes[0].penetration, nodes[1].penetration);
         found
     }
@@ -238,7 +248,15 @@ fn radius_on([begin, end]: &[Node; 2], inverted: bool, penetration: f64) -> f64 
         );
     }
     let slopes = [begin.slope * length, end.slope * length];
-    let f = |x: f64| Ok::<_, std::convert::Infallible>(hermite(values, slopes, x) - penetration);
+    let mut x = (penetration - values[0]) / (values[1] - values[0]);
+    for _ in 0..NEWTON {
+        let change = (hermite(values, slopes, x) - penetration) / hermite_slope(values, slopes, x);
+        x -= change;
+        if change.abs() < CONVERGED {
+            return begin.radius + x * length;
+        }
+    }
+    let f = |x: f64| Ok::<_, Infallible>(hermite(values, slopes, x) - penetration);
     let Ok(x) = root(f, 0.0, 1.0);
     begin.radius + x * length
 }
@@ -293,9 +311,24 @@ pub(super) fn evenly(
         stiffness,
         slope: 0.0,
     });
+    let smallest = if flat { begin } else { least };
     for i in 1..=intervals {
         let radius = begin + (most - begin) * (i as f64 / intervals as f64);
-        nodes.push(node(contact, radius.min(most))?);
+        if radius >= smallest {
+            nodes.push(node(contact, radius.min(most))?);
+            continue;
+        }
+        // Contacts smaller than those of the curve follow a power law.
+        let first = node(contact, smallest)?;
+        let x = radius / smallest;
+        let power = first.slope * first.radius / first.penetration;
+        let penetration = first.penetration * x.powf(power);
+        nodes.push(Node {
+            radius,
+            penetration,
+            stiffness: first.stiffness * x,
+            ..first
+        });
     }
     Ok(nodes)
 }

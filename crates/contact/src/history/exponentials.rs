@@ -164,19 +164,20 @@ impl Exponentials {
         if impulse > 0.0 && !rates.is_empty() {
             push(Some(rates.len() - 1), None);
         }
-        let (end, flow) = if constant > 0.0 {
-            (1.0 / constant, 0.0)
+        let terms = || weights.iter().zip(rates);
+        let flow = if constant > 0.0 {
+            0.0
         } else {
-            // 1/h = 1/(p g), g = sum weight/(p+rate) + impulse
-            let terms = || weights.iter().zip(rates);
-            let g = impulse + terms().map(|(weight, rate)| weight / rate).sum::<f64>();
-            let slope = -terms()
-                .map(|(weight, rate)| weight / (rate * rate))
-                .sum::<f64>();
-            (-slope / (g * g), 1.0 / g)
+            1.0 / (impulse + terms().map(|(weight, rate)| weight / rate).sum::<f64>())
+        };
+        // An impulse is infinitely stiff at first.
+        let instantaneous = if impulse > 0.0 {
+            0.0
+        } else {
+            1.0 / (constant + weights.iter().sum::<f64>())
         };
         Creep {
-            end,
+            instantaneous,
             flow,
             amplitudes,
             rates: retardations,
@@ -312,10 +313,10 @@ impl Density<'_> {
     }
 }
 
-/// The creep compliance `end + flow t - sum amplitude exp(-rate t)`.
+/// The creep compliance `instantaneous + flow t + sum amplitude (1 - exp(-rate t))`.
 #[derive(Clone, Debug)]
 pub(super) struct Creep {
-    pub end: f64,
+    pub instantaneous: f64,
     pub flow: f64,
     pub amplitudes: Vec<f64>,
     pub rates: Vec<f64>,
@@ -324,10 +325,8 @@ pub(super) struct Creep {
 impl Creep {
     pub fn value(&self, t: f64) -> f64 {
         let terms = self.amplitudes.iter().zip(&self.rates);
-        let falling: f64 = terms
-            .map(|(amplitude, rate)| amplitude * (-rate * t).exp())
-            .sum();
-        self.end + self.flow * t - falling
+        let grown = terms.map(|(amplitude, rate)| -amplitude * (-rate * t).exp_m1());
+        self.instantaneous + self.flow * t + grown.sum::<f64>()
     }
 }
 

@@ -3,7 +3,7 @@
 
 use super::elastic::ElasticCurve;
 use super::exponentials::Creep;
-use super::moments::mean;
+use super::moments::one_less_mean;
 use super::program::Program;
 use super::{Phase, TimedContact};
 use crate::State;
@@ -17,21 +17,24 @@ pub(super) fn grows(program: &Program) -> bool {
 /// those asked for.
 pub(super) fn elastic_loads(creep: &Creep, program: &Program, asked: &[f64]) -> Vec<(f64, f64)> {
     let all = program.with(asked);
+    // int (1 - exp(-rate (t-t'))) dF of each term, which loses no digits at short times.
     let mut memories = vec![0.0; creep.rates.len()];
     let mut flowed = 0.0;
     let mut loads = vec![(all[0].time, 0.0)];
     for pair in all.windows(2) {
-        let (from, at) = (&pair[0], &pair[1]);
-        let (h, rise) = (at.time - from.time, at.value.max(0.0) - from.value.max(0.0));
-        flowed += h * 0.5 * (at.value.max(0.0) + from.value.max(0.0));
-        let mut load = creep.end * at.value.max(0.0) + creep.flow * flowed;
+        let [before, after] = [pair[0].value.max(0.0), pair[1].value.max(0.0)];
+        let (h, rise) = (pair[1].time - pair[0].time, after - before);
+        flowed += 0.5 * h * (before + after);
+        let mut load = creep.instantaneous * after + creep.flow * flowed;
         for ((memory, amplitude), rate) in
             memories.iter_mut().zip(&creep.amplitudes).zip(&creep.rates)
         {
-            *memory = (-rate * h).exp() * *memory + rise * mean(rate * h);
-            load -= amplitude * *memory;
+            let z = rate * h;
+            let grown = -(-z).exp_m1();
+            *memory += grown * (before - *memory) + rise * one_less_mean(z);
+            load += amplitude * *memory;
         }
-        loads.push((at.time, load));
+        loads.push((pair[1].time, load));
     }
     loads
 }

@@ -16,8 +16,8 @@
 
 use super::elastic::ElasticCurve;
 use super::exponentials::Exponentials;
-use super::moments::{mean, moments};
-use super::program::Program;
+use super::moments::moments;
+use super::program::{Instant, Program};
 use super::{HistoryError, Phase, TimedContact};
 use crate::{Contact, State};
 
@@ -25,6 +25,10 @@ use crate::{Contact, State};
 const FORGOTTEN: f64 = 45.0;
 /// The part of the length of a step by which `t1` may rise from rounding.
 const ROUNDING: f64 = 1e-9;
+/// Steps whose lengths differ by less, relatively, are of one length: the rounding of times.
+const SAME: f64 = 1e-11;
+/// The change of `t1`, in parts of a step, after which the next one would be below rounding.
+const CONVERGED: f64 = 1e-8;
 /// The most steps of Newton's method; halvings of the interval are among them.
 const NEWTON: usize = 80;
 
@@ -83,7 +87,7 @@ impl Step {
 
     /// Changes the length of the step if it differs by more than rounding.
     fn set(&mut self, h: f64, law: &Exponentials) {
-        if (h - self.h).abs() > 1e-13 * h {
+        if (h - self.h).abs() > SAME * h {
             self.h = h;
             self.factors.clear();
             self.factors
@@ -159,12 +163,7 @@ impl OneTurn<'_> {
 
     /// Goes on to the next point of the program, with points between where the penetration passes
     /// from one piece of the elastic curve to the next one. Returns the speed.
-    fn approach(
-        &mut self,
-        from: &super::program::Instant,
-        to: &super::program::Instant,
-        step: &mut Step,
-    ) -> f64 {
+    fn approach(&mut self, from: &Instant, to: &Instant, step: &mut Step) -> f64 {
         let speed = (to.value - from.value) / (to.time - from.time);
         let mut penetration = from.value;
         let nodes = &self.curve.nodes;
@@ -251,7 +250,7 @@ impl OneTurn<'_> {
     /// Follows the retract. Returns false if the contact grows again.
     fn retract(
         &self,
-        all: &[super::program::Instant],
+        all: &[Instant],
         grown: usize,
         wanted: &mut std::iter::Peekable<impl Iterator<Item = f64>>,
         adhesion: Option<Adhesion<'_>>,
@@ -264,7 +263,11 @@ impl OneTurn<'_> {
         let mut bracket = grown;
         let mut last_time = self.times[grown];
         let mut separated = self.penetrations[grown] <= 0.0;
-        let d = |radius: f64| adhesion.map_or(Ok(0.0), |adhesion| adhesion.lowers(radius));
+        // By how much the adhesion lowers the contact of a point.
+        let lowered = |penetration: f64| match adhesion {
+            Some(adhesion) => adhesion.lowers(self.curve.radius(penetration)),
+            None => Ok(0.0),
+        };
         for pair in all.windows(2) {
             let (from, at) = (&pair[0], &pair[1]);
             let h = at.time - from.time;
@@ -273,57 +276,57 @@ impl OneTurn<'_> {
             for (length, (e, [i0, ..])) in lengths.iter_mut().zip(&step.factors) {
                 *length = e * *length + rise * i0;
             }
-            let now = Now {
-                time: at.time,
-                penetration: at.value,
-                lengths: &lengths,
-                speed: rise / h,
-                law: self.law,
+            let now = Now::new(at, rise / h, &lengths, self.law);
+            let residual = |point: usize| -> Result<f64, HistoryError> {
+                Ok(now.since(self, point) + lowered(self.penetrations[point])?)
             };
-            let state = if separated {
+            let line = if separated {
                 if now.since(self, self.touch) > self.tolerable() {
                     return Ok(false);
                 }
                 None
             } else {
-                let radius = self.curve.radius(self.penetrations[bracket]);
-                let here = now.since(self, bracket) + d(radius)?;
-                if bracket == grown && here >= 0.0 {
-                    // The line rests.
-                    Some((self.times[grown], grown))
+                let mut above = residual(bracket)?;
+                if bracket == grown && above >= 0.0 {
+                    Some(Line::Resting)
+                } else if above > self.tolerable() {
+                    return Ok(false);
                 } else {
-                    if here > self.tolerable() {
-                        return Ok(false);
-                    }
+                    let mut below = f64::NEG_INFINITY;
                     let mut low = bracket;
                     while low > self.touch {
                         low -= 1;
-                        if self.penetrations[low] < self.penetrations[low + 1]
-                            && now.since(self, low) + d(self.curve.radius(self.penetrations[low]))?
-                                >= 0.0
-                        {
-                            break;
+                        if self.penetrations[low] < self.penetrations[low + 1] {
+                            below = residual(low)?;
+                            if below >= 0.0 {
+                                break;
+                            }
+                            above = below;
                         }
                     }
                     bracket = low + 1;
-                    self.turn(&now, low, &d)?.map(|t1| (t1, low))
+                    if below >= 0.0 {
+                        Some(Line::Receding {
+                            low,
+                            t1: self.turn(&now, low, [below, above], &lowered)?,
+                        })
+                    } else {
+                        None
+                    }
                 }
             };
-            if let Some((t1, _)) = state {
+            if let Some(Line::Receding { t1, .. }) = line {
                 let slack = ROUNDING * (self.times[grown] - self.times[self.touch]);
                 if t1 > last_time + slack {
                     return Ok(false);
                 }
                 last_time = last_time.min(t1);
             }
-            separated = state.is_none();
+            separated = line.is_none();
             while wanted.next_if_eq(&at.time).is_some() {
-                states.push(match state {
+                states.push(match line {
                     None => TimedContact::separated(at.time, at.value),
-                    Some((t1, _)) if t1 == self.times[grown] => {
-                        self.receding(&now, grown, t1, true)
-                    }
-                    Some((t1, low)) => self.receding(&now, low, t1, false),
+                    Some(line) => self.after_turn(&now, line, grown, adhesion)?,
                 });
             }
         }
@@ -335,75 +338,92 @@ impl OneTurn<'_> {
         ROUNDING * self.curve.last().penetration
     }
 
-    /// Returns the time `t1` after the point `low`; `None` if the contact has separated.
+    /// Returns the time `t1` after the point `low`. The residuals `[below, above]` at this point and
+    /// at the next one have different signs.
     fn turn(
         &self,
         now: &Now<'_>,
         low: usize,
-        d: &dyn Fn(f64) -> Result<f64, HistoryError>,
-    ) -> Result<Option<f64>, HistoryError> {
+        [below, above]: [f64; 2],
+        lowered: &dyn Fn(f64) -> Result<f64, HistoryError>,
+    ) -> Result<f64, HistoryError> {
         let [t0, t2] = [self.times[low], self.times[low + 1]];
-        let [p0, p2] = [self.penetrations[low], self.penetrations[low + 1]];
-        let speed = (p2 - p0) / (t2 - t0);
-        let f = |t: f64| -> Result<(f64, f64), HistoryError> {
-            let penetration = p0 + speed * (t - t0);
-            let (value, slope) = now.since_between(self, low, t, penetration, speed);
-            let radius = self.curve.radius(penetration);
-            let lowered = d(radius)?;
-            // The adhesion changes slowly with the radius, like its root.
-            Ok((
-                value + lowered,
-                slope + 0.25 * lowered * speed / penetration.max(f64::MIN_POSITIVE),
-            ))
-        };
+        let speed = (self.penetrations[low + 1] - self.penetrations[low]) / (t2 - t0);
+        let between = now.between(self, low, speed);
         let (mut low_t, mut high_t) = (t0, t2);
-        let first = f(t0)?;
-        if first.0 < 0.0 {
-            return Ok(None);
-        }
-        let end = now.since(self, low + 1) + d(self.curve.radius(p2))?;
-        let mut t = t0 + (t2 - t0) * first.0 / (first.0 - end);
+        let mut t = t0 + (t2 - t0) * below / (below - above);
         for _ in 0..NEWTON {
-            let (value, slope) = f(t)?;
+            let (value, slope) = between.since(t);
+            let penetration = self.penetrations[low] + speed * (t - t0);
+            let adhesion = lowered(penetration)?;
+            // The adhesion changes slowly with the radius, like its root.
+            let slope = slope + 0.25 * adhesion * speed / penetration.max(f64::MIN_POSITIVE);
+            let value = value + adhesion;
             *if value >= 0.0 {
                 &mut low_t
             } else {
                 &mut high_t
             } = t;
-            let next = t - value / slope;
-            let next = if next > low_t && next < high_t {
-                next
+            let newton = t - value / slope;
+            let next = if newton > low_t && newton < high_t {
+                newton
             } else {
                 0.5 * (low_t + high_t)
             };
             let change = (next - t).abs();
             t = next;
-            if change <= 4.0 * f64::EPSILON * t.abs()
+            if change <= CONVERGED * (t2 - t0) && (next == newton || adhesion == 0.0)
                 || high_t - low_t <= 4.0 * f64::EPSILON * t.abs()
             {
                 break;
             }
         }
-        Ok(Some(t))
+        Ok(t)
     }
 
-    /// Returns the state of a contact that has the radius which the approach had at `t1`, after the
-    /// point `low`.
-    fn receding(&self, now: &Now<'_>, low: usize, t1: f64, rests: bool) -> TimedContact {
+    /// Returns the state of a contact whose line rests or recedes after the turn.
+    fn after_turn(
+        &self,
+        now: &Now<'_>,
+        line: Line,
+        grown: usize,
+        adhesion: Option<Adhesion<'_>>,
+    ) -> Result<TimedContact, HistoryError> {
         let m = self.law.len();
-        let (penetration, memories) = if rests {
-            (self.penetrations[low], self.loads[low * m..][..m].to_vec())
-        } else {
-            self.between(low, t1)
+        let (phase, t1, penetration, memories, piece, since) = match line {
+            Line::Resting => {
+                let memories = self.loads[grown * m..][..m].to_vec();
+                let since = now.since(self, grown);
+                (
+                    Phase::Resting,
+                    self.times[grown],
+                    self.penetrations[grown],
+                    memories,
+                    self.pieces[grown],
+                    since,
+                )
+            }
+            Line::Receding { low, t1 } => {
+                let (penetration, memories) = self.between(low, t1);
+                let speed = (self.penetrations[low + 1] - self.penetrations[low])
+                    / (self.times[low + 1] - self.times[low]);
+                let since = if adhesion.is_some() {
+                    now.between(self, low, speed).since(t1).0
+                } else {
+                    0.0
+                };
+                (
+                    Phase::Receding,
+                    t1,
+                    penetration,
+                    memories,
+                    self.curve.piece(self.penetrations[low].max(0.0)),
+                    since,
+                )
+            }
         };
         let lag = now.time - t1;
-        let piece = if rests {
-            self.pieces[low]
-        } else {
-            self.curve.piece(self.penetrations[low].max(0.0))
-        };
-        let (elastic, stiffness) = self.curve.load(piece, penetration);
-        let mut load = self.law.constant * elastic;
+        let mut load = self.law.constant * self.curve.load(piece, penetration).0;
         for ((weight, rate), memory) in self.law.weights.iter().zip(&self.law.rates).zip(&memories)
         {
             if rate * lag > FORGOTTEN {
@@ -411,28 +431,21 @@ impl OneTurn<'_> {
             }
             load += weight * (-rate * lag).exp() * memory;
         }
-        let speed = if rests { 0.0 } else { 1.0 };
-        let since = if rests {
-            now.since(self, low)
-        } else {
-            now.since_between(self, low, t1, penetration, speed).0
+        let contact_radius = self.curve.radius(penetration);
+        if let Some(adhesion) = adhesion {
+            // The slope of the elastic curve has fewer digits than its stiffness.
+            load += adhesion.contact.stiffness(contact_radius)? * since;
+        }
+        let state = State {
+            contact_radius,
+            load,
+            penetration: now.penetration,
         };
-        load += stiffness * since;
-        let phase = if rests {
-            Phase::Resting
-        } else {
-            Phase::Receding
-        };
-        let radius = self.curve.radius(penetration);
-        TimedContact {
+        Ok(TimedContact {
             time: now.time,
             phase,
-            state: State {
-                contact_radius: radius,
-                load,
-                penetration: now.penetration,
-            },
-        }
+            state,
+        })
     }
 
     /// Returns penetration and the load's memories at a time after the point `low`.
@@ -460,61 +473,118 @@ impl OneTurn<'_> {
     }
 }
 
+/// Where the line is after the turn.
+#[derive(Clone, Copy)]
+enum Line {
+    /// At its largest radius.
+    Resting,
+    /// At the radius that the approach had at `t1`, after the point `low`.
+    Receding { low: usize, t1: f64 },
+}
+
 /// The present time of the retract.
 struct Now<'a> {
     time: f64,
     penetration: f64,
-    lengths: &'a [f64],
-    /// The speed of the penetration, m/s.
-    speed: f64,
+    /// `int_0^t phi(t-t') d delta` up to terms that depend on the time `t1`.
+    whole: f64,
     law: &'a Exponentials,
 }
 
-impl Now<'_> {
+impl<'a> Now<'a> {
+    fn new(at: &Instant, speed: f64, lengths: &[f64], law: &'a Exponentials) -> Self {
+        let terms = law.weights.iter().zip(lengths);
+        let memory: f64 = terms.map(|(weight, length)| weight * length).sum();
+        let whole = law.constant * at.value + law.impulse * speed + memory;
+        Self {
+            time: at.time,
+            penetration: at.value,
+            whole,
+            law,
+        }
+    }
+
+    /// Returns the number of exponentials that have not died out after a lag.
+    fn alive(&self, lag: f64) -> usize {
+        self.law
+            .rates
+            .partition_point(|rate| rate * lag <= FORGOTTEN)
+    }
+
     /// Returns `D(t1, t)` for the time of a point of the approach.
     fn since(&self, own: &OneTurn<'_>, point: usize) -> f64 {
         let m = self.law.len();
         let lag = self.time - own.times[point];
-        let old = &own.lengths[point * m..][..m];
-        let mut sum = self.law.constant * (self.penetration - own.penetrations[point])
-            + self.law.impulse * self.speed;
-        for (k, (weight, rate)) in self.law.weights.iter().zip(&self.law.rates).enumerate() {
-            let left = if rate * lag > FORGOTTEN {
-                0.0
-            } else {
-                (-rate * lag).exp() * old[k]
-            };
-            sum += weight * (self.lengths[k] - left);
+        let old = &own.lengths[point * m..][..self.alive(lag)];
+        let mut sum = self.whole - self.law.constant * own.penetrations[point];
+        for ((weight, rate), old) in self.law.weights.iter().zip(&self.law.rates).zip(old) {
+            sum -= weight * (-rate * lag).exp() * old;
         }
         sum
     }
 
-    /// Returns `D(t1, t)` for a time after the point `low`, and its slope `-phi(t-t1) speed`.
-    fn since_between(
-        &self,
-        own: &OneTurn<'_>,
-        low: usize,
-        t1: f64,
-        penetration: f64,
-        speed: f64,
-    ) -> (f64, f64) {
+    /// Prepares `D(t1, t)` for times after the point `low`.
+    fn between(&'a self, own: &OneTurn<'_>, low: usize, speed: f64) -> Between<'a> {
         let m = self.law.len();
-        let (lag, h) = (self.time - t1, t1 - own.times[low]);
-        let rise = penetration - own.penetrations[low];
-        let old = &own.lengths[low * m..][..m];
-        let mut sum =
-            self.law.constant * (self.penetration - penetration) + self.law.impulse * self.speed;
-        let mut modulus = self.law.constant;
-        for (k, (weight, rate)) in self.law.weights.iter().zip(&self.law.rates).enumerate() {
-            let left = if rate * lag > FORGOTTEN {
-                0.0
-            } else {
-                let e = (-rate * lag).exp();
-                modulus += weight * e;
-                e * ((-rate * h).exp() * old[k] + rise * mean(rate * h))
-            };
-            sum += weight * (self.lengths[k] - left);
+        let (begin, penetration) = (own.times[low], own.penetrations[low]);
+        let lag = self.time - begin;
+        let old = &own.lengths[low * m..][..self.alive(lag)];
+        let terms = self.law.weights.iter().zip(&self.law.rates).zip(old);
+        let mut whole = self.whole;
+        let factors = terms.map(|((weight, rate), old)| {
+            let e = (-rate * lag).exp();
+            whole -= weight * e * old;
+            e
+        });
+        let factors = factors.collect();
+        Between {
+            now: self,
+            begin,
+            penetration,
+            speed,
+            whole,
+            factors,
         }
-        (sum, -modulus * speed)
+    }
+}
+
+/// `D(t1, t)` for times `t1` on one step of the approach.
+struct Between<'a> {
+    now: &'a Now<'a>,
+    begin: f64,
+    penetration: f64,
+    speed: f64,
+    /// The part that does not depend on `t1`.
+    whole: f64,
+    /// `exp(-rate (t - begin))`; 0 for the rates that are left out.
+    factors: Vec<f64>,
+}
+
+impl Between<'_> {
+    /// Returns `D(t1, t)` and its slope `-phi(t-t1) speed`.
+    fn since(&self, t1: f64) -> (f64, f64) {
+        /// Below this exponent the difference of two exponentials has fewer digits than its series.
+        const SERIES: f64 = 1e-5;
+        let law = self.now.law;
+        let (lag, h) = (self.now.time - t1, t1 - self.begin);
+        let mut sum = self.whole - law.constant * (self.penetration + self.speed * h);
+        let mut modulus = law.constant;
+        for (k, (weight, rate)) in law.weights.iter().zip(&law.rates).enumerate() {
+            let exponent = rate * lag;
+            if exponent > FORGOTTEN {
+                break;
+            }
+            let e = (-exponent).exp();
+            let z = rate * h;
+            let old = self.factors.get(k).copied().unwrap_or(0.0);
+            let length = if z < SERIES {
+                e * h * (1.0 - 0.5 * z)
+            } else {
+                (e - old) / rate
+            };
+            modulus += weight * e;
+            sum -= weight * self.speed * length;
+        }
+        (sum, -modulus * self.speed)
     }
 }
