@@ -27,6 +27,9 @@ use self::one_turn::Adhesion;
 use self::program::Program;
 use crate::{Contact, Control, CrackTip, State};
 
+/// The tolerances where none is given: of the integrals, and of elements.
+const DIGITS: f64 = 1e-8;
+const BY_ELEMENTS: f64 = 1e-5;
 /// The part of the tolerance for each of the sources of error.
 const PART: f64 = 0.25;
 /// The number of elements and the longest step, in parts of the duration, of the first run.
@@ -119,7 +122,7 @@ pub struct Course {
 /// let contact = Contact::half_space(&system)?;
 /// let law = Relaxation::PowerLaw { exponent: 0.2, time: 1.0 };
 /// let program = [(0.0, 0.0), (1.0, 1e-6), (2.0, 0.0)];
-/// let course = contact.history(&law)?.at(Control::Displacement, &program, &[0.5, 1.0, 1.5], 1e-8)?;
+/// let course = contact.history(&law)?.at(Control::Displacement, &program, &[0.5, 1.0, 1.5], None)?;
 /// assert!(course.states[2].state.load < course.states[0].state.load); // hysteresis
 /// # Ok(()) }
 /// ```
@@ -219,7 +222,7 @@ impl<'a, L: CrackTip> History<'a, L> {
         &self,
         control: Control,
         program: &[(f64, f64)],
-        tolerance: f64,
+        tolerance: Option<f64>,
     ) -> Result<Course, HistoryError> {
         let times: Vec<f64> = program.iter().map(|point| point.0).collect();
         self.at(control, program, &times, tolerance)
@@ -232,7 +235,8 @@ impl<'a, L: CrackTip> History<'a, L> {
     /// integrals with many digits; every other program is followed by elements, whose steps are
     /// refined until two refinements agree.
     ///
-    /// `tolerance` is that of loads, radii and penetrations, relative to the largest one of each.
+    /// `tolerance` is that of loads, radii and penetrations, relative to the largest one of each, from
+    /// 1e-10 to 1e-2. Without one it is 1e-8 for the integrals, and 1e-5 for elements.
     ///
     /// # Errors
     /// [`HistoryError`] says which number of the program is wrong; [`HistoryError::BeginsInContact`] unless
@@ -245,11 +249,11 @@ impl<'a, L: CrackTip> History<'a, L> {
         control: Control,
         program: &[(f64, f64)],
         times: &[f64],
-        tolerance: f64,
+        tolerance: Option<f64>,
     ) -> Result<Course, HistoryError> {
         control.check()?;
-        if !(1e-10..=1e-2).contains(&tolerance) {
-            return Err(HistoryError::Tolerance { value: tolerance });
+        if let Some(value) = tolerance.filter(|value| !(1e-10..=1e-2).contains(value)) {
+            return Err(HistoryError::Tolerance { value });
         }
         if let Some(i) = times.windows(2).position(|pair| pair[1] < pair[0]) {
             return Err(HistoryError::Order {
@@ -296,7 +300,8 @@ impl<'a, L: CrackTip> History<'a, L> {
             Ok(contact.load(a, 0.0)?)
         };
         let chi = load(rigid)? / load(self.contact)? - 1.0;
-        let first = program.times[1] - program.times[0];
+        // Of a program with few points the first step of a simulation would be shorter.
+        let first = (program.times[1] - program.times[0]).min(1e-3 * program.duration());
         let falls =
             1.0 - self.relaxation.modulus(program.duration())? / self.relaxation.modulus(first)?;
         let bound = chi.max(0.0) * falls;
@@ -313,7 +318,7 @@ struct Run<'a, L> {
     control: Control,
     program: &'a Program,
     times: &'a [f64],
-    tolerance: f64,
+    tolerance: Option<f64>,
 }
 
 impl<L: CrackTip> Run<'_, L> {
@@ -335,7 +340,7 @@ impl<L: CrackTip> Run<'_, L> {
                 unlike_bodies: 0.0,
             });
         }
-        let tolerance = PART * self.tolerance;
+        let tolerance = PART * self.tolerance.unwrap_or(DIGITS);
         match self.control {
             Control::Displacement => {
                 let curve = ElasticCurve::to_penetration(contact, largest, tolerance)?;
@@ -427,7 +432,8 @@ impl<L: CrackTip> Run<'_, L> {
     /// Follows the program by elements up to a contact radius (m).
     fn elements(&self, most: f64) -> Result<Course, HistoryError> {
         let contact = self.history.contact;
-        let law = self.exponentials(PART * self.tolerance);
+        let law = self.exponentials(PART * self.tolerance.unwrap_or(BY_ELEMENTS));
+        let tolerance = self.tolerance.unwrap_or(BY_ELEMENTS);
         let mut most = most;
         let mut earlier: Option<Vec<TimedContact>> = None;
         let mut extrapolated: Option<Vec<TimedContact>> = None;
@@ -459,7 +465,7 @@ impl<L: CrackTip> Run<'_, L> {
                 change = difference(better, before);
             }
             reached = change + law.error;
-            if change <= self.tolerance * (1.0 - PART) {
+            if change <= tolerance * (1.0 - PART) {
                 let states = better.expect("there were two runs");
                 return Ok(Course {
                     states,
@@ -470,10 +476,7 @@ impl<L: CrackTip> Run<'_, L> {
             earlier = Some(states);
             extrapolated = better;
         }
-        Err(HistoryError::Unreached {
-            tolerance: self.tolerance,
-            reached,
-        })
+        Err(HistoryError::Unreached { tolerance, reached })
     }
 }
 

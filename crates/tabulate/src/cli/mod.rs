@@ -15,6 +15,7 @@ mod curve;
 mod default_table;
 mod fit;
 mod generate;
+mod history;
 mod info;
 mod json;
 mod man;
@@ -94,6 +95,7 @@ struct Arguments {
 enum Command {
     Curve(curve::Arguments),
     PullOff(pull_off::Arguments),
+    History(Box<history::Arguments>),
     Fit(Box<fit::Arguments>),
     Simulate(Box<simulate::Arguments>),
     Solve(solve::Arguments),
@@ -144,6 +146,7 @@ fn run_command(command: Command) -> anyhow::Result<ExitCode> {
     match command {
         Command::Curve(arguments) => curve::run(&arguments),
         Command::PullOff(arguments) => pull_off::run(&arguments),
+        Command::History(arguments) => history::run(&arguments),
         Command::Fit(arguments) => fit::run(&arguments),
         Command::Simulate(arguments) => simulate::run(&arguments),
         Command::Solve(arguments) => solve::run(&arguments),
