@@ -16,6 +16,7 @@ mod fit_files;
 mod fit_plots;
 mod fit_shapes;
 mod help;
+mod history;
 mod hostile_text;
 mod info;
 mod limits;

@@ -23,3 +23,4 @@ mod regimes;
 mod short_range;
 mod stack_limits;
 mod stacks;
+mod viscoelastic;

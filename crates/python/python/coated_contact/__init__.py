@@ -71,6 +71,7 @@ from ._fit_results import (
     WithoutFilm,
 )
 from ._generate import generate
+from ._history import HistoryStates, Relaxation
 from ._line import ContactLine, Hysteresis, RateDependent, TimedStates
 from ._model import Prediction, branches, forecast, predict, simulate
 from ._probe import (
@@ -139,6 +140,7 @@ __all__ = [
     "GenerationError",
     "Gradient",
     "HalfSpace",
+    "HistoryStates",
     "Hysteresis",
     "InvalidArgumentError",
     "Jump",
@@ -160,6 +162,7 @@ __all__ = [
     "Profile",
     "ProfileError",
     "RateDependent",
+    "Relaxation",
     "RoundedCone",
     "ShortRange",
     "Solution",

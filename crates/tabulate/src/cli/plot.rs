@@ -16,8 +16,8 @@ use crate::cost::{Measurement, read_csv};
 use crate::plot::chart;
 use crate::plot::picture::Format;
 use crate::plot::{
-    effects, error_map, fig2, fig3, fig4, force_displacement, lookup_cost, pull_off, table_cost,
-    work_precision,
+    effects, error_map, fig2, fig3, fig4, force_displacement, lookup_cost, pull_off, relaxation,
+    table_cost, work_precision,
 };
 
 /// Draw a figure as SVG or PNG
@@ -63,6 +63,10 @@ enum Figure {
     /// Pull-off load against Tabor's parameter, from DMT to JKR, on a half-space and on two films
     #[command(after_help = super::examples!("tabulate plot pull-off -o pull-off.svg"))]
     PullOff(Picture),
+    /// Load in time on gels of three thicknesses that relax, with the load on a half-space times the
+    /// elastic effect of the thickness (`tabulate history`)
+    #[command(after_help = super::examples!("tabulate plot relaxation -o relaxation.svg"))]
+    Relaxation(Picture),
     /// Largest difference of a table from direct solves, over a/t and E1/E2*, at the worst nu1 and
     /// E0/E2*
     #[command(after_help = super::examples!("tabulate plot error-map tables/paper.h5 -o errors.svg"))]
@@ -182,6 +186,9 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
             Ok(force_displacement::figure(&films, &probe))
         }),
         Figure::PullOff(output) => output.write(None, || Ok(pull_off::figure(&pull_off::data()?))),
+        Figure::Relaxation(output) => {
+            output.write(None, || Ok(relaxation::figure(&relaxation::data()?)))
+        }
         Figure::ErrorMap { table, output } => {
             output.write(table.as_ref().and_then(TableName::path), || {
                 let table = default_table::read_or_make(table.as_ref())?;

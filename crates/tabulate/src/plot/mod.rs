@@ -21,6 +21,7 @@ pub mod lookup_cost;
 pub mod paper;
 pub mod picture;
 pub mod pull_off;
+pub mod relaxation;
 pub mod table_cost;
 pub mod work_precision;
 
@@ -42,8 +43,8 @@ mod tests {
     use super::chart::Figure;
     use super::picture::Format;
     use super::{
-        effects, fig2, fig3, fig4, force_displacement, lookup_cost, pull_off, table_cost,
-        work_precision,
+        effects, fig2, fig3, fig4, force_displacement, lookup_cost, pull_off, relaxation,
+        table_cost, work_precision,
     };
     use crate::Error;
     use crate::cost::{Measurement, read_csv};
@@ -127,6 +128,8 @@ mod tests {
             "pull-off",
             &pull_off::figure(&pull_off::data().expect("within reach")),
         );
+        let films = relaxation::data().expect("within reach");
+        assert_clear("relaxation", &relaxation::figure(&films));
     }
 
     #[test]
