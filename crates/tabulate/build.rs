@@ -6,10 +6,17 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::{env, fs};
 
-/// The sources of this crate and of `interp`, and the lock file, as they lie in the workspace and
-/// in a package. One of the two places does not exist. The version of a package stands for the
-/// sources of its dependencies.
-const SOURCES: [&str; 4] = ["src", "../interp/src", "../../Cargo.lock", "Cargo.lock"];
+/// The sources of this crate, of those that it solves and interpolates with, and the lock file, as
+/// they lie in the workspace and in a package. One of the two places does not exist. The version of
+/// a package stands for the sources of its dependencies.
+const SOURCES: [&str; 6] = [
+    "src",
+    "../solve/src",
+    "../contact/src",
+    "../interp/src",
+    "../../Cargo.lock",
+    "Cargo.lock",
+];
 /// The settings of the compiler.
 const SETTINGS: [&str; 5] = [
     "TARGET",

@@ -6,7 +6,7 @@ use serde_json::Value;
 
 use crate::setting::{FORCE_MICROSCOPE, PAPER, Setting};
 use crate::shown::{assert_load, assert_shows, number, sliders};
-use crate::{CONES, FOUR_AXES, GAMMA_ALONE, RIGID_SPHERE, embedded_universal};
+use crate::{FOUR_AXES, GAMMA_ALONE, RIGID_SPHERE, embedded_universal};
 
 /// A rigid sphere with adhesion, without `delta0`: enough for load against contact radius.
 const NO_PENETRATION: &str = "
@@ -220,55 +220,6 @@ fn a_page_of_gamma_alone_shows_every_kind_of_contact() {
         "work_of_adhesion",
     ];
     assert_eq!(sliders(&seen), expected);
-}
-
-#[test]
-fn a_page_of_a_table_with_delta1_has_a_cone() {
-    let all = CONES.replace(
-        "['gamma', 'delta1']",
-        "['pi0', 'eeq', 'gamma', 'delta0', 'delta1']",
-    );
-    for scene in [CONES, &all] {
-        let (workdir, table) = (workdir!(), table(scene));
-        workdir.write("cones.bin", table.to_packed().expect("packed"));
-        let cone = Setting {
-            probe: "cone",
-            half_angle: 60.0,
-            substrate: [1e9, 0.2],
-            ..PAPER
-        };
-        let settings = [
-            cone,
-            Setting {
-                half_angle: 45.0,
-                film: [6e6, 0.48],
-                ..cone
-            },
-            Setting {
-                half_angle: 85.0,
-                thickness: 3e-6,
-                ..cone
-            },
-            // Up to a contact as wide as the film is thick.
-            Setting {
-                adhesion: 0.0,
-                ..cone
-            },
-            Setting {
-                probe: "sphere",
-                radius: 1e-5,
-                ..cone
-            },
-            Setting {
-                probe: "paraboloid",
-                ..cone
-            },
-        ];
-        let seen = assert_shows(&workdir, "cones.bin", &table, &settings);
-        let Some(seen) = seen else { return };
-        assert!(sliders(&seen).contains(&"sphere_radius"));
-        assert!(!sliders(&seen).contains(&"half_angle"));
-    }
 }
 
 #[test]

@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 use tabulate::report::{LARGE_CONTACT, report};
 
 use crate::browser::{browse, choose, fill};
-use crate::{CONES, FOUR_AXES, GAMMA_ALONE, RIGID_SPHERE, SPHERE};
+use crate::{FOUR_AXES, GAMMA_ALONE, RIGID_SPHERE, SPHERE};
 
 fn page(scene: &str) -> String {
     report(&table(scene), &[], &SPHERE).expect("a report")
@@ -217,32 +217,6 @@ fn a_page_opens_with_the_probe_that_was_asked_for() {
     assert_eq!(seen["sliders"][0]["back"], true);
 }
 
-/// A cone has an angle in the place of a radius.
-#[test]
-fn a_page_opens_with_a_cone() {
-    let half_angle = 35_f64.to_radians();
-    let page = report(&table(CONES), &[], &Probe::Cone { half_angle }).expect("a report");
-    let addresses = ["", "half_angle=90", "half_angle=steep", "half_angle=80"];
-    let Some(seen) = browse(&page, &addresses.map(str::to_owned)) else {
-        return;
-    };
-    let looks = &seen["looks"];
-    let command = looks[0]["command"].as_str().expect("a command");
-    assert_names(command, &["--probe cone", "--half-angle 35 "]);
-    assert!(!command.contains("--sphere-radius"), "{command}");
-    for wrong in [&looks[1], &looks[2]] {
-        assert_eq!(wrong["hidden"], true);
-        assert_eq!(
-            wrong["messages"],
-            "The half angle of the cone must be a number between 0 and 90."
-        );
-    }
-    assert_eq!(looks[3]["hidden"], false);
-    let names = seen["sliders"].as_array().expect("sliders");
-    let has = |name: &str| names.iter().any(|slider| slider["id"] == name);
-    assert!(has("half_angle") && !has("sphere_radius"));
-}
-
 #[test]
 fn a_page_with_a_probe_that_it_does_not_compute_is_refused() {
     let [all, two] = [table(FOUR_AXES), table(RIGID_SPHERE)];
@@ -250,7 +224,7 @@ fn a_page_with_a_probe_that_it_does_not_compute_is_refused() {
     let cone = refused(&all, Probe::Cone { half_angle: 1.0 });
     assert_names(
         &cone,
-        &["no cone", "\"gamma\", \"delta1\"", "`tabulate curve`"],
+        &["no cone", "paraboloid", "flat punch", "`tabulate curve`"],
     );
     let half_angle = 1.0;
     let rounded = Probe::RoundedCone {
@@ -259,7 +233,7 @@ fn a_page_with_a_probe_that_it_does_not_compute_is_refused() {
     };
     assert_names(
         &refused(&all, rounded),
-        &["no rounded cone", "paraboloid", "flat punch and the cone"],
+        &["no rounded cone", "paraboloid", "flat punch"],
     );
     let sphere = refused(&two, Probe::Sphere { radius: 1e-3 });
     assert_names(&sphere, &["no sphere", "eeq, gamma", "`tabulate curve`"]);

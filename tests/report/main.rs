@@ -50,17 +50,6 @@ const GAMMA_ALONE: &str = "
     e0s_over_e2s   = { from = 0, to = inf, nodes = 18 }
     nu0            = 'paired'
 ";
-/// A table for cones, too.
-const CONES: &str = "
-    title      = 'Cones'
-    tolerance  = 1e-6
-    quantities = ['gamma', 'delta1']
-    a_over_t   = { from = 1e-2, to = 1e2 }
-    e1_over_e2 = { from = 0.3, to = 3 }
-    nu1        = { from = 0.45, to = 0.5 }
-    e0_over_e2 = { from = 100, to = 1000 }
-    nu0        = 0.2
-";
 /// A rigid sphere without adhesion.
 const RIGID_SPHERE: &str = "
     title      = 'Rigid sphere, no adhesion'

@@ -13,8 +13,6 @@ pub struct Setting {
     pub film: [f64; 2],
     pub substrate: [f64; 2],
     pub radius: f64,
-    /// That of a cone, degrees.
-    pub half_angle: f64,
     pub sphere: f64,
     pub adhesion: f64,
 }
@@ -37,7 +35,6 @@ pub const PAPER: Setting = Setting {
     film: [3.5e6, 0.5],
     substrate: [2e11, 0.25],
     radius: 1e-3,
-    half_angle: 70.0,
     sphere: 2e6,
     adhesion: 0.04,
 };
@@ -58,8 +55,7 @@ impl Setting {
                 "substrate_poisson_ratio",
                 self.substrate[1],
             ),
-            (self.probe != "cone", "sphere_radius", self.radius),
-            (self.probe == "cone", "half_angle", self.half_angle),
+            (true, "sphere_radius", self.radius),
             (!rigid_sphere, "sphere_modulus", self.sphere),
             (
                 table.answers().contains(&Quantity::Gamma),
@@ -83,9 +79,6 @@ impl Setting {
                 "paraboloid" => Probe::Paraboloid { radius },
                 "sphere" => Probe::Sphere { radius },
                 "flat-punch" => Probe::FlatPunch { radius },
-                "cone" => Probe::Cone {
-                    half_angle: self.half_angle.to_radians(),
-                },
                 other => panic!("{other}"),
             },
             sphere_modulus: self.sphere,

@@ -60,6 +60,6 @@ pub fn bits(values: &[f64]) -> Vec<u64> {
 pub fn all_bits(table: &Table) -> Vec<Option<Vec<u64>>> {
     let axes = table.axes().map(|(_, nodes)| Some(bits(&nodes)));
     axes.into_iter()
-        .chain(Quantity::TABULATED.map(|quantity| table.values(quantity).map(bits)))
+        .chain(Quantity::ALL.map(|quantity| table.values(quantity).map(bits)))
         .collect()
 }

@@ -20,3 +20,9 @@ pub use material::{material, paper_system};
 pub use stacks::{layer, random_stack, solid, stack};
 pub use tables::{BOX, RIGID_SPHERE, ends, low_rank, shipped, table};
 pub use workdir::{Run, Workdir, assert_names, nothing_starts, start};
+
+/// Returns the number of random cases of a search: `default`, or that of the environment variable
+/// `SEARCH_CASES`.
+pub fn cases(default: u64) -> u64 {
+    std::env::var("SEARCH_CASES").map_or(default, |text| text.parse().expect("a number"))
+}

@@ -40,7 +40,7 @@ fn of_known_samples_the_worst_the_median_and_what_999_of_1000_keep_are_right() {
             } else {
                 Quantity::Pi0
             },
-            errors: [None, None, Some(1e-9 * f64::from(i)), None, None],
+            errors: [None, None, Some(1e-9 * f64::from(i)), None],
             identity_errors: [(i < 1500).then_some(f64::from(i)), None, None, Some(1.0)],
         })
         .collect();

@@ -4,7 +4,6 @@
 
 mod beyond;
 mod certificate;
-mod cone;
 mod curve;
 mod files;
 mod forged_forms;

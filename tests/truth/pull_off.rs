@@ -1,7 +1,7 @@
 //! Pull-offs with an attraction of finite range: in the limit of short ranges those of JKR with their
 //! correction of first order, and otherwise the lowest value of a scan of all states.
 
-use acceptance::larger;
+use acceptance::{cases, larger};
 use contact::{Contact, Control, FiniteRange};
 use interp::{Elastic, Probe, System};
 use rand::{RngExt, SeedableRng};
@@ -170,7 +170,7 @@ fn the_pull_off_of_soft_confined_films_tends_to_that_of_jkr() {
 #[test]
 fn pull_offs_of_short_ranges_are_those_of_the_first_order() {
     let (mut compared, mut refused, mut opened, mut worst) = (0, 0, 0, 0.0);
-    for seed in 0..250 {
+    for seed in 0..cases(250) {
         let case = random(seed, [1e-5, 0.1]);
         let jkr = case.jkr();
         let Ok(short) = jkr.finite_range(case.work_of_adhesion, case.finite_range()) else {
@@ -222,7 +222,7 @@ fn pull_offs_of_short_ranges_are_those_of_the_first_order() {
 fn no_state_is_lower_than_the_pull_off() {
     const STEP: f64 = 0.04;
     let mut without_contact = 0;
-    for seed in 1000..1040 {
+    for seed in 1000..1000 + cases(40) {
         let case = random(seed, [1e-2, 10.0]);
         let cohesive = case.cohesive();
         let Ok(found) = cohesive.pull_off(case.control) else {

@@ -316,7 +316,7 @@ fn long_zones_and_shapes_with_edges_are_refused() {
     assert!(short.state(4.01e-6).is_ok());
     let long = short.state(3.99e-6).expect_err("a long zone").to_string();
     assert!(
-        long.contains("contact radius, 3.99") && long.contains("--interaction-range"),
+        long.contains("contact radius, 3.99") && long.contains("direct solve"),
         "{long}"
     );
     let (_, stack, radius, sphere_modulus, w) = systems()[2].clone();

@@ -86,7 +86,7 @@ pub enum Error {
     /// The curve of a stack of layers under a probe that is no paraboloid.
     #[error(
         "the curve of a stack of layers serves a paraboloid or a flat punch only, because its expansion \
-         for small contacts is not known: use `Probe::Paraboloid`"
+         for small contacts is not known: use one of these"
     )]
     StackProbe,
     /// Points of a measured probe that are no convex shape.
@@ -99,9 +99,8 @@ pub enum Error {
     },
     /// A query outside the box of the table or outside the `a/t` of the curve.
     #[error(
-        "{axis} = {value:?} is outside the table or curve, which {}; ask for a value inside, or make \
-         a table that covers it: change {axis} in the scene and run `tabulate generate`; \
-         `tabulate solve` answers for a single contact without a table",
+        "{axis} = {value:?} is outside the table or curve, which {}; ask for a value inside, make a \
+         table whose scene covers it, or solve the contact without a table",
         extent(*from, *to)
     )]
     OutsideTable {
@@ -119,8 +118,7 @@ pub enum Error {
     #[error(
         "a_over_t = {value:?} is beyond the table, which ends at {edge:?}: the expansion about the \
          limit is accurate to {estimate:.1e} there, and the table to {tolerance:.1e}; make a table \
-         whose scene extends a_over_t to this value with `tabulate generate`, or solve this contact \
-         with `tabulate solve`"
+         whose scene extends a_over_t to this value, or solve the contact without a table"
     )]
     Extrapolation {
         /// The `a/t` asked for.
@@ -165,8 +163,8 @@ pub enum Error {
     /// not exist or is outside the table.
     #[error(
         "nu1 = {nu1:?} with nu0 = {nu0:?} has no equivalent in a table made for nu0 = {table_nu0}; \
-         make a table with nu0 = {nu0:?} in its scene with `tabulate generate`, which needs no \
-         equivalent, or solve this contact with `tabulate solve`; the cause: {cause}"
+         make a table with nu0 = {nu0:?} in its scene, which needs no equivalent, or solve the contact \
+         without a table; the cause: {cause}"
     )]
     Equivalent {
         /// The Poisson ratio of the film.
@@ -181,7 +179,7 @@ pub enum Error {
     },
     /// A rigid sphere in a table for compliant spheres, or the other way round.
     #[error(
-        "the sphere is {}, and the table is made for {} spheres, in units of {table}: use `Table::embedded`, \
+        "the sphere is {}, and the table is made for {} spheres, in units of {table}: use the embedded table, \
          which holds both, or a table with {} in its scene",
         sphere(query),
         sphere(table),
@@ -196,21 +194,19 @@ pub enum Error {
     /// A lookup of one film in a table of one stack of layers.
     #[error(
         "the table is of one stack of layers under spheres of any modulus, and the question is about one \
-         film on a substrate: give the table to `tabulate curve`, `pull-off` or `fit` as --stack, look \
-         points up with `tabulate query`, or use `tabulate::table::StackTable` in Rust; for a film use \
-         a table of films, such as the embedded one"
+         film on a substrate: look it up as the table of a stack, or use a table of films, such as the \
+         embedded one"
     )]
     OfStack,
     /// A lookup of a stack of layers in a table of films.
     #[error(
         "the table is of films on substrates, and the question is about a stack of layers: make the \
-         table of a scene with a [stack] by `tabulate generate`, or solve the stack with \
-         `tabulate solve --stack`"
+         table of a scene with a [stack], or solve the stack without a table"
     )]
     NotOfStack,
     /// A curve made for another material than the system's.
     #[error(
-        "the curve was made for {}, the system has {}: make the curve for `System::material`",
+        "the curve was made for {}, the system has {}: make the curve for the material of the system",
         material(curve),
         material(system)
     )]
@@ -265,8 +261,8 @@ pub enum Error {
     FixedParameter(&'static str),
     /// The gradient of a curve that was made without one.
     #[error(
-        "the curve has no derivatives with respect to the material: make it with \
-         `Table::curve_with_gradient`, or the contact with `Table::contact_with_gradient`"
+        "the curve has no derivatives with respect to the material: make it, \
+         or the contact, with its gradient"
     )]
     NoGradient,
     /// Bytes that are no table of this project, or a table in another form than the one read.
@@ -275,8 +271,7 @@ pub enum Error {
     /// A table in another version of the format.
     #[error(
         "the table has format version {found}, this program reads version {supported}: make the \
-         table again (`tabulate generate`), or convert it, by `tabulate unpack` or `tabulate pack` of \
-         the program that made it, and `tabulate pack` or `tabulate unpack` of this one"
+         table again, or convert it to the other form by the program that made it and back by this one"
     )]
     Version {
         /// The version in the file.

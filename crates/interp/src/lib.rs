@@ -78,10 +78,7 @@ mod mechanics;
 pub mod once;
 mod table;
 
-pub use curve::{
-    Curve, EvenShape, LARGEST_A_OVER_R, OddPowerCurve, QuantityGradient, StackShape, bspline,
-    over_pi0,
-};
+pub use curve::{Curve, EvenShape, LARGEST_A_OVER_R, QuantityGradient, StackShape, bspline};
 pub use error::Error;
 pub use force_curve::ForceCurve;
 pub use material::{

@@ -170,7 +170,7 @@ where
 }
 
 /// Returns a message whose code, between backticks, is that of this package: `Contact.pull_off` for
-/// `Contact::pull_off`, and `generate` for `tabulate generate`.
+/// `Contact::pull_off`.
 fn in_python(message: &str) -> String {
     let message = message.replace(" (feature `hdf5`)", "");
     let parts = message.split('`').enumerate();
@@ -184,14 +184,8 @@ fn in_python(message: &str) -> String {
     parts.collect::<Vec<_>>().join("`")
 }
 
-/// Returns a name of a Rust crate or a command of the program, as this package calls it.
+/// Returns a name of a Rust crate as this package calls it.
 fn code(name: &str) -> String {
-    match name {
-        "tabulate generate" => return "generate".to_owned(),
-        "tabulate solve" => return "solve".to_owned(),
-        "tabulate pack TABLE.h5 -o TABLE.bin" => return "tabulate pack".to_owned(),
-        _ => {}
-    }
     // The modules of Rust, and the enum of the shapes, are no names here.
     let is_here = |part: &&str| part.starts_with(|c: char| c.is_uppercase()) && *part != "Probe";
     match name.rsplit_once("::") {
@@ -227,9 +221,26 @@ impl From<Box<Self>> for Failure {
     }
 }
 
+/// Returns the functions that help after an error, if there are some.
+fn advice(error: &Error) -> Option<&'static str> {
+    match error {
+        Error::OutsideTable { .. } | Error::Extrapolation { .. } | Error::Equivalent { .. } => {
+            Some("`generate` makes tables, and `solve` needs none")
+        }
+        Error::Normalisation { .. } => Some("the embedded table is `Table.embedded`"),
+        Error::StackProbe => Some("they are `Paraboloid` and `FlatPunch`"),
+        Error::Foreign(_) => Some("`Table.open` reads HDF5, and `Table.read` packed tables"),
+        Error::Version { .. } => Some("`generate` makes tables"),
+        _ => None,
+    }
+}
+
 impl From<Error> for Failure {
     fn from(error: Error) -> Self {
-        let failure = Self::new("ContactError", &error);
+        let mut failure = Self::new("ContactError", &error);
+        if let Some(advice) = advice(&error) {
+            failure.message = format!("{}; {advice}", failure.message);
+        }
         let of = |class| Self { class, ..failure };
         match error {
             Error::Unphysical {
@@ -367,6 +378,9 @@ impl From<::solve::Error> for Failure {
             Error::Layer { layer, .. } => of("StackError").about("layer", layer as f64),
             Error::NotAContact { contact_radius, .. } => {
                 of("NotAContactError").about("contact radius", contact_radius)
+            }
+            Error::NarrowAnnulus { range, .. } => {
+                of("NotAContactError").about("interaction range", range)
             }
             Error::AnnulusReach {
                 contact_radius,

@@ -66,6 +66,7 @@ mod _core {
 
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
+        ::solve::parallel::prepare_for_forks();
         module.add("__version__", env!("CARGO_PKG_VERSION"))?;
         module.add("LONGEST_ZONE", ::contact::FiniteRange::LONGEST)?;
         module.add("writes_hdf5", tabulate::table::archive::WRITES_HDF5)

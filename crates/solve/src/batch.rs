@@ -19,7 +19,6 @@ use crate::operator::Operator;
 use crate::parallel::{on_all_cores, try_map};
 use crate::surface::SurfaceCompliance;
 use crate::symbol::Symbol;
-use crate::tabulated::Tabulated;
 
 /// Materials, grouped by film and substrate.
 pub struct Batch {
@@ -85,8 +84,8 @@ impl Batch {
         &self.materials
     }
 
-    /// Solves every material at `x = a/t`, on all cores, and returns the quantities, and the power
-    /// laws with the `exponents` of [`Tabulated`], in the order of the materials.
+    /// Solves every material at `x = a/t`, on all cores, and returns the quantities in the order of
+    /// the materials.
     ///
     /// Galerkin's method on shared abscissae is used where it is fast and reaches `tolerance`; every
     /// other material is solved with `solve_one`. `progress` is called with the number of materials
@@ -98,19 +97,18 @@ impl Batch {
     pub fn solve(
         &self,
         x: f64,
-        exponents: &'static [f64],
         tolerance: f64,
-        solve_one: &(dyn Fn(&Material) -> Result<Tabulated, Error> + Sync),
+        solve_one: &(dyn Fn(&Material) -> Result<Quantities, Error> + Sync),
         progress: &(dyn Fn(usize) + Sync),
-    ) -> Result<Vec<Tabulated>, Error> {
-        let shared = Shared::new(x, exponents, &self.groups, tolerance);
+    ) -> Result<Vec<Quantities>, Error> {
+        let shared = Shared::new(x, &self.groups, tolerance);
         let solve_group = |group: &Group| -> Result<_, Error> {
             let solved = shared.solve(group, &self.materials, solve_one)?;
             progress(solved.len());
             Ok(solved)
         };
         let solved = try_map(&self.groups, solve_group)?;
-        let missing = Tabulated::new(Quantities::from_array([f64::NAN; 4]), &[]);
+        let missing = Quantities::from_array([f64::NAN; 4]);
         let mut all = vec![missing; self.materials.len()];
         for (group, solved) in self.groups.iter().zip(solved) {
             for (&member, solved) in group.members.iter().zip(solved) {
@@ -124,7 +122,6 @@ impl Batch {
 /// The values that materials share at one `a/t`.
 struct Shared {
     x: f64,
-    exponents: &'static [f64],
     tolerance: f64,
     /// The abscissae and Bessel values of Galerkin's method for the groups that prefer it, by their
     /// [scales](Group::scale).
@@ -133,7 +130,7 @@ struct Shared {
 
 impl Shared {
     /// Evaluates the Bessel functions at `x = a/t`, on panels that serve every group of one scale.
-    fn new(x: f64, exponents: &'static [f64], groups: &[Group], tolerance: f64) -> Self {
+    fn new(x: f64, groups: &[Group], tolerance: f64) -> Self {
         let mut scales: BTreeMap<i32, Vec<&Compliance>> = BTreeMap::new();
         for group in groups {
             if group.prefers_galerkin(x, tolerance) {
@@ -142,13 +139,12 @@ impl Shared {
             }
         }
         let prepare = |(scale, compliances): (i32, Vec<&Compliance>)| {
-            let abscissae = galerkin::shared_abscissae(x, compliances, exponents, tolerance);
+            let abscissae = galerkin::shared_abscissae(x, compliances, &[], tolerance);
             let bessel = abscissae.bessel_values();
             (scale, (abscissae, bessel))
         };
         Self {
             x,
-            exponents,
             tolerance,
             galerkin: on_all_cores(|| scales.into_par_iter().map(prepare).collect()),
         }
@@ -159,8 +155,8 @@ impl Shared {
         &self,
         group: &Group,
         materials: &[Material],
-        solve_one: &(dyn Fn(&Material) -> Result<Tabulated, Error> + Sync),
-    ) -> Result<Vec<Tabulated>, Error> {
+        solve_one: &(dyn Fn(&Material) -> Result<Quantities, Error> + Sync),
+    ) -> Result<Vec<Quantities>, Error> {
         let members = group.members.iter().map(|&member| &materials[member]);
         let prefers_galerkin = group.prefers_galerkin(self.x, self.tolerance);
         let galerkin = prefers_galerkin.then(|| &self.galerkin[&group.scale()]);
@@ -175,8 +171,8 @@ impl Shared {
                 && !has_closed_form(&symbol, self.tolerance)
             {
                 let operator = operator.get_or_insert_with(|| assemble(abscissae, bessel));
-                if let Some(solved) = operator.solve_to(&symbol, self.exponents, self.tolerance) {
-                    return Ok(Tabulated::new(solved.quantities, &solved.power_laws));
+                if let Some(solved) = operator.solve_to(&symbol, &[], self.tolerance) {
+                    return Ok(solved.quantities);
                 }
             }
             // Thin films, and the rare material that needs more modes or panels of its own.
@@ -188,11 +184,9 @@ impl Shared {
 
 #[cfg(test)]
 mod tests {
-    use interp::Quantity;
-
     use super::*;
     use crate::estimate::{difference, larger};
-    use crate::solve_power_laws;
+    use crate::solve;
 
     /// Every sphere on films and substrates of which some differ by `nu0` alone, and films on
     /// substrates under one sphere each.
@@ -212,30 +206,18 @@ mod tests {
             let e0 = 10_f64.powi(digits);
             materials.push(Material::new(1.0, 0.3, e0, 0.2).expect("physical"));
         }
-        let alone = |x, exponents| {
-            move |material: &Material| {
-                let (solved, cones) = solve_power_laws(x, material, exponents, TOLERANCE)?;
-                Ok(Tabulated::new(solved.quantities, &cones))
-            }
-        };
+        let alone = |x| move |material: &Material| Ok(solve(x, material, TOLERANCE)?.quantities);
         let batch = Batch::new(materials);
         assert_eq!(batch.groups.len(), 4 * 4 + 23);
         let mut worst = 0.0;
-        let sphere = Tabulated::exponents(&[Quantity::Gamma]);
-        let cone = Tabulated::exponents(&[Quantity::Gamma, Quantity::Delta1]);
-        for (x, exponents) in [(1e-3, cone), (1.0, cone), (30.0, cone), (1.0, sphere)] {
+        for x in [1e-3, 1.0, 30.0] {
             let solved = batch
-                .solve(x, exponents, TOLERANCE, &alone(x, exponents), &|_| ())
+                .solve(x, TOLERANCE, &alone(x), &|_| ())
                 .expect("within reach");
             for (material, solved) in batch.materials().iter().zip(&solved) {
-                let single: Result<_, Error> = alone(x, exponents)(material);
+                let single: Result<_, Error> = alone(x)(material);
                 let single = single.expect("within reach");
-                worst = larger(worst, difference(&solved.quantities, &single.quantities));
-                assert_eq!(solved.cone.is_some(), exponents == cone);
-                if let (Some(solved), Some(single)) = (solved.cone, single.cone) {
-                    worst = larger(worst, (solved.delta / single.delta - 1.0).abs());
-                    worst = larger(worst, (solved.pi / single.pi - 1.0).abs());
-                }
+                worst = larger(worst, difference(solved, &single));
             }
         }
         println!("shared matrices: {worst:.1e}");

@@ -113,6 +113,18 @@ pub enum Error {
         /// The largest outer radius, m.
         reach: f64,
     },
+    /// An attraction whose range is so short that rounding leaves no digits of the annulus in which it
+    /// acts.
+    #[error(
+        "at the contact radius {contact_radius:?} m an attraction over {range:?} m acts in an annulus so narrow that rounding leaves no \
+         digits of it; take a longer range, or none: JKR is the limit of short ranges"
+    )]
+    NarrowAnnulus {
+        /// The contact radius, m.
+        contact_radius: f64,
+        /// The range of the attraction, m.
+        range: f64,
+    },
     /// A pull-off with an attraction of finite range at a contact wider than is solved.
     #[error(
         "at the pull-off the contact, or the attraction around it, is wider than {reach:?} m, up to which an attraction of finite range is \

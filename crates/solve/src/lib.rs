@@ -7,8 +7,8 @@
 //! (with `contour`, `matrix`, `krylov` and `read_out`) for thin ones. Both return an `estimate`.
 //! `stacked` does so for a stack, under one sphere or many. A probe with the profile `r^n`
 //! (`power_law`) is one more column of Galerkin's method, and one more functional of the result
-//! (`moment`, `turned_line`) of the Wiener-Hopf method. `batch` solves many materials at one `a/t` for the
-//! numbers of a table (`tabulated`), `adaptive_curve` one material along `a/t`.
+//! (`moment`, `turned_line`) of the Wiener-Hopf method. `batch` solves many materials at one `a/t`,
+//! `adaptive_curve` one material along `a/t`.
 //!
 //! # The face of what the sphere touches
 //!
@@ -63,7 +63,6 @@ pub mod stack;
 mod stacked;
 mod surface;
 mod symbol;
-mod tabulated;
 mod turned_line;
 mod wiener_hopf;
 
@@ -81,4 +80,3 @@ pub use solution::{Solution, solve, solve_power_laws};
 pub use stacked::{check_reach, solve_stack_under_spheres};
 pub use stacked::{solve_stack, solve_stack_power_laws, stack_curve};
 pub use surface::{Sample, SurfaceCompliance};
-pub use tabulated::Tabulated;

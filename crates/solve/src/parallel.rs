@@ -26,6 +26,18 @@ static OF_CHILD: Mutex<OfProcess> = Mutex::new(None);
 /// not have.
 const MOST_ATTEMPTS: usize = 1000;
 
+/// Makes what the crates below make once in cells of the standard library, before any thread can
+/// be making it: the detection of the processor's vector instructions, and the collector of rayon's
+/// queues.
+///
+/// A child of fork whose parent was just making one of them would wait for it for ever. A host whose
+/// processes may fork at any time, as Python's, calls this when it loads the library. It starts no
+/// thread.
+pub fn prepare_for_forks() {
+    let _ = fearless_simd::Level::new();
+    drop(crossbeam_epoch::pin());
+}
+
 /// Runs `work`, whose parallel iterators of rayon then have threads in this process: those of the
 /// caller's pool, those of rayon's global pool, or in the child of a fork its own.
 ///

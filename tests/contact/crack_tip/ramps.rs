@@ -6,7 +6,7 @@ use interp::{Error, Probe, System, Table};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
-use acceptance::{larger, paper_system};
+use acceptance::{cases, larger, paper_system};
 
 use super::{W, film, impose, rate_dependent};
 
@@ -66,7 +66,7 @@ fn every_ramp_ends() {
     let mut log_uniform = |from: f64, to: f64| random.random_range(from.ln()..to.ln()).exp();
     let table = Table::embedded();
     let (mut ended, mut outside) = (0, 0);
-    for i in 0..600 {
+    for i in 0..cases(600) as usize {
         let radius = log_uniform(1e-5, 1e-2);
         let system = System {
             probe: Probe::Paraboloid { radius },

@@ -26,7 +26,6 @@ impl Contact {
                 self.mechanics
                     .adhesionless(a, *radius, values.pi0, values.delta0)
             }
-            Shape::OddPower(power) => power.pair(a, self.mechanics.modulus(), &values),
             _ => self.adhesionless(a)?,
         };
         let lowered = self.mechanics.lowered_by(a, edge, values.eeq, values.gamma);
@@ -135,15 +134,6 @@ impl Terms<'_> {
                     load: load * (3.0 * by.contact_radius + by.modulus + pi0 - by.sphere_radius),
                     penetration: penetration
                         * (2.0 * by.contact_radius + delta0 - by.sphere_radius),
-                })
-            }
-            // Its size, an angle or a coefficient, is none of the inputs.
-            Shape::OddPower(power) => {
-                let [pi0, _, _, delta0] = by.quantities;
-                let n = power.exponent();
-                Some(LoadAndPenetration {
-                    load: load * ((n + 1.0) * by.contact_radius + by.modulus + pi0),
-                    penetration: penetration * (n * by.contact_radius + delta0),
                 })
             }
             Shape::HalfSpace(transform) => Some(match input {

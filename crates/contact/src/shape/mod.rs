@@ -5,21 +5,18 @@
 //! is needed on a half-space.
 //!
 //! On a film, even powers of the radius and the sphere follow from the curve of the material by
-//! integrals, see the page `curve/even_powers/mod.rs` of the source. So do a cone and odd powers
-//! (`odd_power`) if the table holds `Delta1`. For all other shapes `field`
+//! integrals, see the page `curve/even_powers/mod.rs` of the source. For all other shapes `field`
 //! computes the stress of the flat punch at all smaller radii from the `Gamma` of a `medium`, and
 //! `solved` integrates the shape over it; `polynomial` serves both.
 
 mod field;
 mod medium;
-mod odd_power;
 mod polynomial;
 mod solved;
 pub(super) mod transform;
 
 use std::sync::Arc;
 
-pub(crate) use self::odd_power::OddPower;
 use self::solved::{SIZE, Solved};
 use self::transform::{Transform, kappa};
 use crate::Contact;
@@ -39,8 +36,6 @@ pub(super) enum Shape {
         /// of the material.
         curve: Option<Curve>,
     },
-    /// From `Pi_n` and `Delta_n` of a curve that holds `Delta1`.
-    OddPower(OddPower),
     /// From the field of the flat punch, on a film.
     Solved(Arc<Solved>),
     /// In closed form, on a half-space.
@@ -77,7 +72,6 @@ impl Shape {
     pub(super) const fn curve(&self) -> Option<&Curve> {
         match self {
             Self::Paraboloid { curve, .. } => curve.as_ref(),
-            Self::OddPower(power) => Some(power.curve()),
             _ => None,
         }
     }
@@ -106,9 +100,6 @@ impl Shape {
                 even(EvenShape::Power { factor, k }, t)
             }
             _ => {
-                if let Some(power) = OddPower::new(probe, curve)? {
-                    return Ok(Self::OddPower(power));
-                }
                 let Some(transform) = Transform::of(probe) else {
                     return Ok(Self::Punch);
                 };
@@ -141,10 +132,6 @@ impl Contact {
                 let pi0 = self.quantity(Quantity::Pi0, a)?;
                 let delta0 = self.quantity(Quantity::Delta0, a)?;
                 Ok(self.mechanics.adhesionless(a, *radius, pi0, delta0))
-            }
-            Shape::OddPower(power) => {
-                let values = self.evaluate(a, Curve::quantities, HOMOGENEOUS)?;
-                Ok(power.pair(a, self.mechanics.modulus(), &values))
             }
             Shape::HalfSpace(transform) => Ok(self.on_half_space(transform, a)),
             Shape::Solved(solved) => Ok(self.on_film(solved, a)?.0),
@@ -195,7 +182,6 @@ impl Contact {
                 self.mechanics
                     .adhesionless(a, *radius, values.pi0, values.delta0)
             }
-            Shape::OddPower(power) => power.pair(a, self.mechanics.modulus(), &values),
             _ => self.adhesionless(a)?,
         };
         Ok((without, values))
@@ -207,7 +193,7 @@ impl Contact {
         &self,
         a: f64,
     ) -> Result<(LoadAndPenetration, LoadAndPenetration), Error> {
-        if let Shape::Paraboloid { .. } | Shape::OddPower(_) = self.shape {
+        if let Shape::Paraboloid { .. } = self.shape {
             let homogeneous = (HOMOGENEOUS, Quantities::from_array([0.0; 4]));
             let (values, slopes) = self.evaluate(a, Curve::adhesionless_and_slopes, homogeneous)?;
             return self.with_slopes(a, &values, &slopes);
@@ -239,8 +225,7 @@ impl Contact {
     }
 
     /// Returns load and penetration without adhesion and their derivatives with respect to `ln a`
-    /// from the quantities and their slopes. Of these, a paraboloid and an odd power need `Pi0` and
-    /// `Delta0`, and every other shape `Eeq`, because `F0' = S delta0'`.
+    /// from the quantities and their slopes. Of these, a paraboloid needs `Pi0` and `Delta0`, and every other shape `Eeq`, because `F0' = S delta0'`.
     fn with_slopes(
         &self,
         a: f64,
@@ -257,10 +242,6 @@ impl Contact {
                     penetration: value.penetration * (2.0 + slopes.delta0 / values.delta0),
                 };
                 return Ok((value, by_radius));
-            }
-            Shape::OddPower(power) => {
-                let value = power.pair(a, self.mechanics.modulus(), values);
-                return Ok((value, power.by_radius(value, values, slopes)));
             }
             Shape::HalfSpace(transform) => {
                 (self.on_half_space(transform, a), a * transform.slope(a))

@@ -50,17 +50,6 @@ pub const FUNCTIONS: &[Function] = &[
     ("Table::curve", &[1.75, 0.5, 1e5, 0.25, 2.0], |x| {
         quantities(&Table::embedded().curve(&material(x)?)?, x[4])
     }),
-    ("Curve::odd_power", &[1.0, 2.0], |x| {
-        let curve = tables::of_cones().curve(&tables::material())?;
-        let cone = curve.odd_power(x[0] as u32)?;
-        let values = vec![
-            cone.pi(x[1])?,
-            cone.delta(x[1])?,
-            curve.quantity(Quantity::Delta1, x[1])?,
-        ];
-        assert!(values.iter().all(|&value| value > 0.0), "{values:?}");
-        Ok([values, vec![curve.slope(Quantity::Delta1, x[1])?]].concat())
-    }),
     (
         "Table::contact",
         &[1e-3, 2e6, 3.5e6, 0.5, 1e-6, 2e11, 0.25, 6e-5, 0.04],

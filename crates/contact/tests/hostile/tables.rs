@@ -143,21 +143,6 @@ pub fn of_nodes(count: usize, [from, to]: [f64; 2]) -> Table {
     .expect("valid")
 }
 
-/// Makes a low-rank table of one material with `Gamma`, and with a `Delta1` that does not belong to
-/// it.
-pub fn of_cones() -> Table {
-    let node = |i: i32| 10_f64.powf(-3.0 + 0.2 * f64::from(i));
-    let axes = [
-        (Parameter::AOverT, (0..31).map(node).collect()),
-        (Parameter::E1OverE2, vec![1.75]),
-        (Parameter::Nu1, vec![0.3]),
-        (Parameter::E0OverE2, vec![300.0]),
-    ];
-    let quantities = [Quantity::Gamma, Quantity::Delta1];
-    let form = form(&quantities, [1, 1, 1, 9], [1; 3], 0.04, |i| 3 + i % 4);
-    Table::from_low_rank(description(), axes, whole(form, [31, 1, 1, 1])).expect("valid")
-}
-
 /// Makes a low-rank table with these numbers of terms along the substrate's modulus, the film's,
 /// its Poisson ratio and `a/t`, these ranks, and `n_a` nodes of `a/t`.
 pub fn demanding(terms: [usize; 4], ranks: [usize; 3], n_a: usize) -> Result<Table, Error> {

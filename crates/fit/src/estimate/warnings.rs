@@ -432,8 +432,8 @@ fn geometry(
             WarningKind::LargeContact,
             format!(
                 "{name}: a/R reaches {:.2}, above {}: the model takes the sphere for a paraboloid, \
-                 which changes the penetration by 3 % and more; fit the sphere itself, \
-                 `Probe::Sphere` or --probe sphere",
+                 which changes the penetration by 3 % and more; fit the exact sphere, \
+                 which is a probe of its own",
                 validity.a_over_r,
                 Validity::WARNING_A_OVER_R
             ),
@@ -482,8 +482,8 @@ fn geometry(
 fn error_of_jkr(range: &AdhesionRange<'_>) -> String {
     match range.pull_off_error() {
         Ok(error) => format!(
-            "The pull-off load of the model is too small by {:.1} %; `tabulate pull-off \
-             --interaction-range` computes it with the range",
+            "The pull-off load of the model is too small by {:.1} %; a direct solve \
+             computes it with the range",
             1e2 * error
         ),
         Err(error @ interp::Error::LongZone { .. }) => {

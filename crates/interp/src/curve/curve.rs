@@ -8,10 +8,8 @@ use crate::curve::asymptotics::Expansion;
 use crate::curve::even_powers::EvenPowers;
 use crate::curve::grid::Grid;
 use crate::curve::nodes::REASONABLE;
-use crate::curve::odd_powers::Cone;
 use crate::curve::piecewise::{
-    LOGARITHM, Values, evaluate, evaluate_all, evaluate_derivatives, evaluate_fused,
-    first_piece_outside,
+    Values, evaluate, evaluate_all, evaluate_derivatives, evaluate_fused, first_piece_outside,
 };
 use crate::curve::resampler::{Pieces, Resampler};
 use crate::curve::sensitivity::{QuantityGradient, Sensitivities};
@@ -33,9 +31,6 @@ use crate::{Error, Material, Parameter, Quantities, Quantity};
 /// `Eeq`, `Delta0` and `Pi0`. The table must begin at a small `a/t` (0.01 for a tolerance of 1e-8,
 /// 0.03 for 1e-6); otherwise the others are an [`Error::BeginsTooLate`].
 ///
-/// A curve of a table that holds `delta1` also has [`Quantity::Delta1`], from which
-/// [`Curve::odd_power`] makes the contact of a cone.
-///
 /// A curve of a table continues beyond the `a/t` of its nodes by the first terms of the expansions
 /// about the exact limits, as far as their estimated error ([`Curve::error`]) is within the table's
 /// tolerance. This needs a table that begins at an `a/t` of 1 at most, or ends at 2 at least and
@@ -54,10 +49,6 @@ pub struct Curve {
     /// The estimated error with which the quantities derived from `Gamma` begin, if any are.
     pub(super) start_error: Option<f64>,
     pub(super) sensitivities: Option<Arc<Sensitivities>>,
-    /// `Delta1`, if it is held.
-    pub(super) cone: Option<Arc<Cone>>,
-    /// Whether `Pi0` and `Delta0` are those of an odd power of the radius.
-    pub(super) of_odd_power: bool,
     /// What belongs to the shape, if `Pi0` and `Delta0` are those of another one than a paraboloid.
     pub(super) even: Option<Arc<EvenPowers>>,
     pub(super) accuracy: Option<Accuracy>,
@@ -106,7 +97,6 @@ impl Curve {
     ) -> Self {
         let Pieces {
             values,
-            cone,
             start_error,
         } = pieces;
         let known = Quantity::ALL.map(|quantity| resampler.held.contains(&quantity));
@@ -118,8 +108,6 @@ impl Curve {
             known,
             start_error: start_error.map(|error| error + fifth_order(&material, range[0])),
             sensitivities: None,
-            cone: cone.map(|pieces| Arc::new(Cone::new(pieces))),
-            of_odd_power: false,
             even: None,
             accuracy: None,
             stack: None,
@@ -130,10 +118,7 @@ impl Curve {
     /// middle of that piece.
     pub(crate) fn unreasonable(&self) -> Option<(Quantity, f64)> {
         let outside = first_piece_outside(&REASONABLE, &self.pieces, self.known);
-        let cone = || self.cone.as_ref()?.first_outside(&REASONABLE);
-        outside
-            .map(|(piece, quantity)| (quantity, piece[0][quantity as usize]))
-            .or_else(|| Some((Quantity::Delta1, cone()?)))
+        outside.map(|(piece, quantity)| (quantity, piece[0][quantity as usize]))
     }
 
     /// Adds the derivatives with respect to the material.
@@ -142,17 +127,6 @@ impl Curve {
             sensitivities: Some(Arc::new(sensitivities)),
             ..self
         }
-    }
-
-    /// Adds the derivatives of `ln Delta1` with respect to three parameters of the table.
-    pub(crate) fn with_derivatives_of_cone(
-        mut self,
-        by_table: Option<[Arc<[[f64; LOGARITHM]]>; 3]>,
-    ) -> Self {
-        if let Some(cone) = &mut self.cone {
-            Arc::make_mut(cone).by_table = by_table;
-        }
-        self
     }
 
     /// Adds the expansions beyond the nodes. `error` is the largest error of the table's
@@ -203,14 +177,10 @@ impl Curve {
     /// Returns whether [`Curve::quantity`] answers `quantity`: the table holds it, or it follows from
     /// `Gamma` within the tolerance of the table.
     pub fn answers(&self, quantity: Quantity) -> bool {
-        match self.known.get(quantity as usize) {
-            Some(known) => *known,
-            None => self.cone.is_some(),
-        }
+        self.known[quantity as usize]
     }
 
-    /// Returns the value of `quantity` at `a_over_t`. [`Quantity::Delta1`] ends at the largest
-    /// `a/t` of the nodes.
+    /// Returns the value of `quantity` at `a_over_t`.
     ///
     /// # Errors
     /// [`Error::OutsideTable`] for an `a_over_t` outside the curve, NaN included;
@@ -219,9 +189,6 @@ impl Curve {
     /// if it holds `gamma` alone and begins at too large an `a/t`.
     #[inline]
     pub fn quantity(&self, quantity: Quantity, a_over_t: f64) -> Result<f64, Error> {
-        if quantity == Quantity::Delta1 {
-            return Ok(self.value_and_slope_of_cone(a_over_t)?[0]);
-        }
         self.require(quantity)?;
         match self.inside(a_over_t) {
             Some(x) => {
@@ -250,12 +217,6 @@ impl Curve {
         values: &mut [f64],
     ) -> Result<(), Error> {
         Error::same_length(a_over_t, values)?;
-        if quantity == Quantity::Delta1 {
-            for (value, &x) in values.iter_mut().zip(a_over_t) {
-                *value = self.quantity(quantity, x)?;
-            }
-            return Ok(());
-        }
         self.require(quantity)?;
         let (grid, pieces, [from, to]) = (&*self.grid, &*self.pieces, self.range);
         dispatch!(Level::new(), simd => {
@@ -281,9 +242,6 @@ impl Curve {
     /// # Errors
     /// As [`Curve::quantity`].
     pub fn slope(&self, quantity: Quantity, a_over_t: f64) -> Result<f64, Error> {
-        if quantity == Quantity::Delta1 {
-            return Ok(self.value_and_slope_of_cone(a_over_t)?[1]);
-        }
         self.require(quantity)?;
         Ok(self.values_and_slopes(a_over_t)?.1.get(quantity))
     }

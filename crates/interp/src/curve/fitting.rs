@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::curve::bspline::Basis;
 use crate::curve::derived::Derivation;
 use crate::curve::grid::{Grid, Position};
-use crate::curve::piecewise::{Polynomial, Values, evaluate, evaluate_all, evaluate_one};
+use crate::curve::piecewise::{Values, evaluate, evaluate_all};
 use crate::curve::resampler::{Pieces, Resampler};
 use crate::curve::spans::chebyshev_points;
 use crate::{Parameter, Quantity};
@@ -119,8 +119,7 @@ impl Resampler {
                 let mut too_long = vec![false; bits.len()];
                 for (piece, (octave, ends)) in resampler.grid.pieces(range[1]).enumerate() {
                     if bits[octave] < finest && !too_long[octave] {
-                        let cone = pieces.cone.as_ref().map(|cone| &cone[piece]);
-                        let found = (&pieces.values[piece], cone);
+                        let found = &pieces.values[piece];
                         too_long[octave] =
                             target.error(&resampler.grid, piece, ends, found) > error;
                     }
@@ -201,21 +200,13 @@ impl<'a> Target<'a> {
         let beginnings: Vec<[f64; 3]> = beginnings.collect();
         Pieces {
             values: resampler.derived_from(derivation, self.coefficients, &beginnings),
-            cone: resampler.cone(self.coefficients),
             start_error: None,
         }
     }
 
-    /// Returns the largest relative difference between the polynomials on a piece, those of the
-    /// quantities of a sphere and that of `Delta1`, and the target, midway between the samples and,
+    /// Returns the largest relative difference between the polynomials on a piece and the target, midway between the samples and,
     /// if quantities are derived, at the ends; infinity if a difference is NaN.
-    fn error(
-        &self,
-        grid: &Grid,
-        piece: usize,
-        ends: [f64; 2],
-        (values, cone): (&Values, Option<&Polynomial>),
-    ) -> f64 {
+    fn error(&self, grid: &Grid, piece: usize, ends: [f64; 2], values: &Values) -> f64 {
         let [from, to] = self.range;
         let samples = chebyshev_points(ends, [from, to].map(|x| x * grid.factor));
         let middles = samples
@@ -234,11 +225,7 @@ impl<'a> Target<'a> {
         let points = middles.chain(ends);
         let errors = points.flat_map(|(x, position)| {
             let difference = move |(quantity, expected): (Quantity, f64)| {
-                let found = match (quantity, cone) {
-                    (Quantity::Delta1, Some(cone)) => evaluate_one(cone, position.t),
-                    _ => evaluate(values, position, quantity as usize),
-                };
-                (found / expected - 1.0).abs()
+                (evaluate(values, position, quantity as usize) / expected - 1.0).abs()
             };
             self.of_splines(x).chain(self.of_derived(x)).map(difference)
         });

@@ -8,8 +8,7 @@
 //! the pieces; `through` makes one from values at nodes, and `exchange` converts one for the crate
 //! `splines`.
 //!
-//! `even_powers` turns the curve into that of a sphere or of an even power of the radius, and
-//! `odd_powers` one with `Delta1` into that of a cone or of another odd power; `shaped` holds the
+//! `even_powers` turns the curve into that of a sphere or of an even power of the radius; `shaped` holds the
 //! functions of [`Curve`] for that. `asymptotics` continues a curve `beyond` its nodes;
 //! `sensitivity` holds its derivatives with respect to the material.
 
@@ -23,7 +22,6 @@ mod exchange;
 mod fitting;
 mod grid;
 pub(crate) mod nodes;
-mod odd_powers;
 mod piecewise;
 pub(crate) mod resampler;
 pub(crate) mod sensitivity;
@@ -37,5 +35,4 @@ mod through;
 
 pub use curve::{Curve, StackShape};
 pub use even_powers::{EvenShape, LARGEST_A_OVER_R};
-pub use odd_powers::{OddPowerCurve, over_pi0};
 pub use sensitivity::QuantityGradient;

@@ -22,7 +22,7 @@ pub(crate) const VALUE: usize = 10;
 pub(crate) type Logarithms = [[f64; 4]; LOGARITHM];
 /// The polynomials of the quantities on one piece.
 pub(crate) type Values = [[f64; 4]; VALUE];
-/// The polynomial of `Delta1` on one piece.
+/// The polynomial of one quantity on one piece.
 pub(crate) type Polynomial = [f64; VALUE];
 
 /// Evaluates the polynomial of one quantity.
@@ -57,15 +57,6 @@ pub(crate) fn evaluate_fused<S: Simd, const N: usize>(
         sum = sum.mul_add(square, pair(2 * k));
     }
     sum[0]
-}
-
-/// Evaluates a single polynomial.
-#[inline]
-pub(crate) fn evaluate_one<const N: usize>(polynomial: &[f64; N], t: f64) -> f64 {
-    polynomial
-        .iter()
-        .rev()
-        .fold(0.0, |sum, term| sum * t + term)
 }
 
 /// Evaluates the polynomials of all four quantities.

@@ -13,8 +13,8 @@ use crate::Quantity;
 use crate::curve::bspline::Basis;
 use crate::curve::derived::{Constants, Derivation};
 use crate::curve::grid::{Grid, Position};
-use crate::curve::piecewise::{LOGARITHM, Logarithms, Polynomial, VALUE, Values};
-use crate::curve::series::{LANES, Lanes, Series, exp, exponential};
+use crate::curve::piecewise::{LOGARITHM, Logarithms, VALUE, Values};
+use crate::curve::series::{LANES, exponential};
 use crate::curve::spans::Spans;
 use crate::curve::thick_film::ThickFilm;
 
@@ -28,11 +28,9 @@ pub(crate) struct Resampler {
     pub(crate) grid: Arc<Grid>,
     /// The B-splines on the pieces.
     spans: Spans,
-    /// The quantities of a sphere whose splines are given.
+    /// The quantities whose splines are given.
     pub(crate) held: Vec<Quantity>,
-    /// Whether the spline of `Delta1` is given after them.
-    holds_cone: bool,
-    /// What follows from `Gamma`, if it is the only quantity of a sphere that is held.
+    /// What follows from `Gamma`, if it is the only quantity that is held.
     pub(super) derivation: Option<Derivation>,
 }
 
@@ -40,8 +38,6 @@ pub(crate) struct Resampler {
 #[derive(Clone, Debug)]
 pub(crate) struct Pieces {
     pub(crate) values: Arc<[Values]>,
-    /// The polynomials of `Delta1`, if it is held.
-    pub(crate) cone: Option<Arc<[Polynomial]>>,
     /// The estimated relative error that the quantities derived from `Gamma` have where their
     /// integrals begin; none if no quantity is derived.
     pub(crate) start_error: Option<f64>,
@@ -65,16 +61,12 @@ impl Resampler {
     pub(crate) fn new(basis: &Basis, range: [f64; 2], held: &[Quantity], bits: &[u32]) -> Self {
         let grid = Grid::over(range, bits);
         let spans = Spans::new(basis, &grid, range);
-        let (cone, held): (Vec<_>, Vec<_>) = held
-            .iter()
-            .partition(|&&quantity| quantity == Quantity::Delta1);
         let derivation = (held == [Quantity::Gamma]).then(|| Derivation::new(&grid, range));
         Self {
             bits: bits.to_vec(),
             grid: Arc::new(grid),
             spans,
-            held,
-            holds_cone: !cone.is_empty(),
+            held: held.to_vec(),
             derivation: derivation.flatten(),
         }
     }
@@ -82,19 +74,6 @@ impl Resampler {
     /// Returns the number of pieces.
     pub(super) fn pieces(&self) -> usize {
         self.spans.pieces()
-    }
-
-    /// Splits coefficients into those of the quantities of a sphere and, if it is held, those of
-    /// `Delta1`.
-    fn split<'a>(&self, coefficients: &'a [f64]) -> (Cow<'a, [f64]>, Option<Vec<f64>>) {
-        if !self.holds_cone {
-            return (Cow::Borrowed(coefficients), None);
-        }
-        let count = self.held.len();
-        let groups = coefficients.chunks_exact(count + 1);
-        let cone = groups.clone().map(|group| group[count]).collect();
-        let sphere = groups.flat_map(|group| &group[..count]).copied().collect();
-        (sphere, Some(cone))
     }
 
     /// Returns the values of the spline of a single quantity where the integrals of the derived
@@ -116,43 +95,6 @@ impl Resampler {
         values
     }
 
-    /// Returns the polynomials of the derivatives of `ln Delta1` with respect to three parameters,
-    /// from the derivatives of the coefficients; none if it is not held.
-    pub(crate) fn derivatives_of_cone(
-        &self,
-        derivatives: [&[f64]; 3],
-    ) -> Option<[Arc<[[f64; LOGARITHM]]>; 3]> {
-        self.holds_cone.then(|| {
-            derivatives.map(|coefficients| {
-                let cone = self.split(coefficients).1.unwrap_or_default();
-                let mut pieces = Vec::with_capacity(LANES * self.spans.groups());
-                dispatch!(Level::new(), simd => {
-                    for group in 0..self.spans.groups() {
-                        pieces.extend(by_lane(self.spans.logarithms_on_group(simd, group, &cone)));
-                    }
-                });
-                pieces.truncate(self.pieces());
-                pieces.into()
-            })
-        })
-    }
-
-    /// Returns the polynomials of `Delta1`; none if it is not held.
-    pub(super) fn cone(&self, coefficients: &[f64]) -> Option<Arc<[Polynomial]>> {
-        let (_, cone) = self.split(coefficients);
-        let cone = cone?;
-        let mut pieces = Vec::with_capacity(LANES * self.spans.groups());
-        dispatch!(Level::new(), simd => {
-            for group in 0..self.spans.groups() {
-                let logarithms = self.spans.logarithms_on_group(simd, group, &cone);
-                let middle = exp(simd, logarithms[0]);
-                pieces.extend(by_lane(exponential(simd, middle, 1.0, &logarithms)));
-            }
-        });
-        pieces.truncate(self.pieces());
-        Some(pieces.into())
-    }
-
     /// Returns the polynomials of the quantities themselves; `es` is the sphere-film modulus of
     /// their [scales](Quantity::scale).
     pub(crate) fn values(&self, coefficients: &[f64], es: f64) -> Pieces {
@@ -168,20 +110,16 @@ impl Resampler {
         derivatives: [&[f64]; N],
         es: f64,
     ) -> (Pieces, [Arc<[Logarithms]>; N]) {
-        let cone = self.cone(coefficients);
-        let (coefficients, _) = self.split(coefficients);
-        let derivatives = derivatives.map(|coefficients| self.split(coefficients).0);
         let mut of_derivatives = [(); N].map(|()| zeros(self.pieces()));
         let (values, start_error) = if let Some(derivation) = &self.derivation {
-            let derivatives = derivatives.each_ref().map(|coefficients| &**coefficients);
             let of_derivatives = of_derivatives.each_mut().map(Arc::make_mut);
             dispatch!(Level::new(), simd => {
                 let (values, error) =
-                    self.derive(simd, derivation, &coefficients, derivatives, es, of_derivatives);
+                    self.derive(simd, derivation, coefficients, derivatives, es, of_derivatives);
                 (values, Some(error))
             })
         } else {
-            for (coefficients, pieces) in derivatives.iter().zip(&mut of_derivatives) {
+            for (coefficients, pieces) in derivatives.into_iter().zip(&mut of_derivatives) {
                 let rows = rows_of_four(coefficients, &self.held);
                 dispatch!(Level::new(), simd => {
                     for (i, piece) in Arc::make_mut(pieces).iter_mut().enumerate() {
@@ -194,11 +132,10 @@ impl Resampler {
             }
             let begins_nowhere = self.held == [Quantity::Gamma];
             let start_error = begins_nowhere.then_some(f64::INFINITY);
-            (self.exponentials_on_pieces(&coefficients, es), start_error)
+            (self.exponentials_on_pieces(coefficients, es), start_error)
         };
         let pieces = Pieces {
             values,
-            cone,
             start_error,
         };
         (pieces, of_derivatives)
@@ -303,10 +240,9 @@ impl Resampler {
         coefficients: &[f64],
         beginnings: &[[f64; 3]],
     ) -> Arc<[Values]> {
-        let (coefficients, _) = self.split(coefficients);
         dispatch!(Level::new(), simd => {
             let constants = Constants::Given(beginnings);
-            self.derived(simd, derivation, &coefficients, 1.0, constants, &mut [])
+            self.derived(simd, derivation, coefficients, 1.0, constants, &mut [])
         })
     }
 }
@@ -342,18 +278,6 @@ fn exponentials<S: Simd>(
     for (value, term) in values.iter_mut().zip(terms) {
         term.store_slice(value);
     }
-}
-
-/// Returns the coefficients of a series on several pieces, piece by piece.
-#[inline(always)]
-fn by_lane<S: Simd, const N: usize>(series: Series<Lanes<S>, N>) -> [[f64; N]; LANES] {
-    let mut pieces = [[0.0; N]; LANES];
-    for (k, term) in series.iter().enumerate() {
-        for (piece, value) in pieces.iter_mut().zip(term.as_array()) {
-            piece[k] = *value;
-        }
-    }
-    pieces
 }
 
 /// Returns polynomials of zero on `pieces` pieces.

@@ -1,12 +1,10 @@
 //! The curve under other probes than a paraboloid: load and penetration of shapes of even powers,
-//! `Delta1` of a cone, and what the integrals over `a/t` of every shape need.
+//! and what the integrals over `a/t` of every shape need.
 
 use std::sync::Arc;
 
 use crate::curve::asymptotics::Expansion;
 use crate::curve::even_powers::{EvenShape, Source};
-use crate::curve::piecewise::Values;
-use crate::curve::sensitivity::Sensitivities;
 use crate::curve::thick_film::{LARGEST, fifth_order};
 use crate::{Curve, Error, Quantity};
 
@@ -108,21 +106,6 @@ impl Curve {
         even.by_size(a_over_t, position)
     }
 
-    /// Returns this curve with the pieces and the derivatives of an odd power of the radius.
-    pub(super) fn with_odd_power(
-        &self,
-        pieces: Arc<[Values]>,
-        sensitivities: Option<Arc<Sensitivities>>,
-    ) -> Self {
-        Self {
-            pieces,
-            sensitivities,
-            cone: None,
-            of_odd_power: true,
-            ..self.clone()
-        }
-    }
-
     /// Returns the pieces, from which those of other shapes follow.
     pub(super) fn source(&self) -> Source<'_> {
         Source {
@@ -133,35 +116,9 @@ impl Curve {
         }
     }
 
-    /// Returns whether the curve holds `Delta1`, from which [`Curve::odd_power`] follows.
-    pub const fn holds_cone(&self) -> bool {
-        self.cone.is_some()
-    }
-
-    /// Returns `Delta1` and its slope, below the nodes by the expansion for thick films.
-    #[cold]
-    pub(super) fn value_and_slope_of_cone(&self, a_over_t: f64) -> Result<[f64; 2], Error> {
-        let Some(cone) = &self.cone else {
-            return Err(Error::MissingQuantity(Quantity::Delta1.name()));
-        };
-        if let Some(x) = self.inside(a_over_t) {
-            let [value, rate] = cone.at(self.grid.locate(x));
-            return Ok([value, self.grid.logarithmic_speed(x) * rate]);
-        }
-        let first = self.range[0];
-        if a_over_t > first {
-            return Err(self.outside(a_over_t));
-        }
-        // It departs from 1 like `Delta0`, and its error of the third order is smaller.
-        self.expanded(a_over_t)?;
-        let [at_first, _] = cone.at(self.grid.locate(first));
-        let departure = a_over_t / first * (at_first - 1.0);
-        Ok([1.0 + departure, departure])
-    }
-
     /// Returns whether `Pi0` and `Delta0` are those of another shape than a paraboloid.
     pub(super) fn is_of_other_shape(&self) -> bool {
-        self.of_odd_power || self.even.is_some()
+        self.even.is_some()
     }
 
     /// Returns an expansion below the nodes with `Pi0` and `Delta0` of the shape.

@@ -115,11 +115,6 @@ impl Spans {
         self.pieces
     }
 
-    /// Returns the number of groups of pieces.
-    pub(super) fn groups(&self) -> usize {
-        self.spans.len()
-    }
-
     /// Returns the polynomials of the B-splines on a piece, from the first one on.
     #[inline(always)]
     fn weights_on(&self, piece: usize) -> impl Iterator<Item = &[f64; LOGARITHM]> {

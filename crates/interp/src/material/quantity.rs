@@ -1,4 +1,4 @@
-//! The quantities that a table holds: four of a sphere, and one of a cone.
+//! The four quantities that a table holds.
 
 use serde::{Deserialize, Serialize};
 
@@ -18,25 +18,11 @@ pub enum Quantity {
     Gamma,
     /// Adhesionless penetration, `delta0 = a^2 Delta0 / R`.
     Delta0,
-    /// Adhesionless penetration of a cone `f = c r`, `delta0 = (pi/2) c a Delta1`. A table holds it
-    /// if its scene asks for it. The load of a cone follows from it, see
-    /// [`Curve::odd_power`](crate::Curve::odd_power).
-    Delta1,
 }
 
 impl Quantity {
-    /// The four quantities of a sphere, in their fixed order: those of [`Quantities`].
+    /// All quantities, in their fixed order: that of [`Quantities`].
     pub const ALL: [Self; 4] = [Self::Pi0, Self::Eeq, Self::Gamma, Self::Delta0];
-
-    /// The quantities that a table can hold, in their fixed order: those of a sphere, then that of
-    /// a cone.
-    pub const TABULATED: [Self; 5] = [
-        Self::Pi0,
-        Self::Eeq,
-        Self::Gamma,
-        Self::Delta0,
-        Self::Delta1,
-    ];
 
     /// Returns the name used in the API, on the command line, in CSV, TOML and HDF5.
     pub const fn name(self) -> &'static str {
@@ -45,7 +31,6 @@ impl Quantity {
             Self::Eeq => "eeq",
             Self::Gamma => "gamma",
             Self::Delta0 => "delta0",
-            Self::Delta1 => "delta1",
         }
     }
 
@@ -56,7 +41,6 @@ impl Quantity {
             Self::Eeq => "contact stiffness",
             Self::Gamma => "edge singularity per flat-punch penetration",
             Self::Delta0 => "adhesionless penetration",
-            Self::Delta1 => "adhesionless penetration of a cone",
         }
     }
 
@@ -68,7 +52,6 @@ impl Quantity {
             Self::Eeq => "S = 2 a E* eeq, Barthel eq. 5",
             Self::Gamma => "g(a) = delta_fp E* gamma / 2, Barthel eq. 6",
             Self::Delta0 => "penetration = a^2 delta0 / R",
-            Self::Delta1 => "penetration = (pi/2) c a delta1 for a cone c r",
         }
     }
 
@@ -77,7 +60,7 @@ impl Quantity {
     pub const fn scale(self, es: f64) -> f64 {
         match self {
             Self::Pi0 | Self::Eeq | Self::Gamma => es,
-            Self::Delta0 | Self::Delta1 => 1.0,
+            Self::Delta0 => 1.0,
         }
     }
 
@@ -88,7 +71,7 @@ impl Quantity {
     }
 }
 
-/// The values of the four quantities of a sphere at one point, dimensionless.
+/// The values of the four quantities at one point, dimensionless.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Quantities {
     /// See [`Quantity::Pi0`].
@@ -117,14 +100,13 @@ impl Quantities {
         }
     }
 
-    /// Returns the value of `quantity`; NaN for [`Quantity::Delta1`], which is not one of these.
+    /// Returns the value of `quantity`.
     pub const fn get(&self, quantity: Quantity) -> f64 {
         match quantity {
             Quantity::Pi0 => self.pi0,
             Quantity::Eeq => self.eeq,
             Quantity::Gamma => self.gamma,
             Quantity::Delta0 => self.delta0,
-            Quantity::Delta1 => f64::NAN,
         }
     }
 

@@ -7,8 +7,7 @@ use crate::{Error, Quantity};
 /// The certificate of a table: the largest error at sampled points, with its statistics.
 ///
 /// The errors are those of the interpolated quantities at points off the nodes, relative to direct
-/// solves. In a table that holds `Delta1`, the `Pi_1` of a cone that follows from it
-/// ([`Curve::odd_power`](crate::Curve::odd_power)) is among them.
+/// solves.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Certificate {
     /// The largest relative error of all quantities at all points.
@@ -21,7 +20,7 @@ pub struct Certificate {
     pub points: u64,
     /// The seed of the random points.
     pub seed: u64,
-    /// The quantity with the largest error; `Delta1` also for what follows from it.
+    /// The quantity with the largest error.
     pub worst_quantity: Quantity,
     /// The point with the largest error: `a_over_t`, `e1_over_e2`, `nu1`, `e0_over_e2`.
     pub worst_point: [f64; 4],

@@ -42,14 +42,11 @@ impl Table {
         open()?.take(8).read_to_end(&mut start).map_err(io)?;
         if is_packed(&start) {
             return Err(Error::Foreign(
-                "it is a packed table, not an HDF5 file; read it with `Table::read`".into(),
+                "it is a packed table, not an HDF5 file; read it as a packed table".into(),
             ));
         }
         let foreign = |error: hdf5_pure::Error| {
-            Error::Foreign(format!(
-                "it cannot be read as an HDF5 file ({error}); \
-                 `tabulate generate SCENE.toml -o TABLE.h5` makes a table"
-            ))
+            Error::Foreign(format!("it cannot be read as an HDF5 file ({error})"))
         };
         let structure = Structure::new(open()?).map_err(|error| foreign(error.into()))?;
         let file = File::from_source(structure).map_err(foreign)?;
@@ -58,7 +55,7 @@ impl Table {
             Ok(FORMAT) => {}
             _ => {
                 return Err(Error::Foreign(format!(
-                    "its attribute {} is not {FORMAT:?}, as it is in the files of `tabulate generate`",
+                    "its attribute {} is not {FORMAT:?}, as it is in tables of this project",
                     attribute::FORMAT
                 )));
             }
@@ -110,8 +107,8 @@ impl Table {
             .group(VALUES)
             .and_then(|group| group.datasets())
             .map_err(malformed)?;
-        let mut values = [const { None }; 5];
-        for quantity in Quantity::TABULATED {
+        let mut values = [const { None }; 4];
+        for quantity in Quantity::ALL {
             if held.iter().any(|name| name == quantity.name()) {
                 let path = format!("{VALUES}/{}", quantity.name());
                 values[quantity as usize] = Some(tables.dataset(&path, Some(&shape))?);
@@ -136,7 +133,7 @@ impl Table {
 /// Reads the certificate from the attributes.
 fn certificate(attributes: &Attributes) -> Result<Certificate, Error> {
     let name = attributes.text(attribute::CERTIFIED_WORST_QUANTITY)?;
-    let quantity = Quantity::TABULATED
+    let quantity = Quantity::ALL
         .into_iter()
         .find(|quantity| quantity.name() == name);
     Ok(Certificate {

@@ -161,14 +161,12 @@ impl Lookup {
         let slopes = slopes.each_ref().map(Vec::as_slice);
         let es = equivalent.sphere_film_modulus();
         let (pieces, derivatives) = self.resampler.values_and_derivatives(&values, slopes, es);
-        let of_cone = self.resampler.derivatives_of_cone(slopes);
         let known = parameters.map(|parameter| !axes.fixes(parameter));
         let jacobian = equivalence.jacobian(parameters);
         let sensitivities = Sensitivities::new(derivatives, known, *material, jacobian);
         Ok(self
             .of_pieces(description, pieces, equivalent, None)?
-            .with_sensitivities(sensitivities)
-            .with_derivatives_of_cone(of_cone))
+            .with_sensitivities(sensitivities))
     }
 
     /// Returns the polynomials of `material` from its coefficients over `ln(a/t)`.

@@ -14,7 +14,7 @@ const LARGEST_WEIGHT: u8 = 99;
 /// The logarithms of a table's quantities in a box of its parameters, as a tensor train (I. V.
 /// Oseledets, SIAM J. Sci. Comput. 33 (2011) 2295) of polynomials.
 ///
-/// With the scale `s = es`, or 1 for `Delta0` and `Delta1`, and at the coordinates `y`, `u1`, `u2`,
+/// With the scale `s = es`, or 1 for `Delta0`, and at the coordinates `y`, `u1`, `u2`,
 /// `u3` of `a/t` and of the parameters of the material, in an order of their own,
 ///
 /// ```text
@@ -153,7 +153,7 @@ impl LowRank {
         })
     }
 
-    /// Returns the quantities held, in the order of [`Quantity::TABULATED`].
+    /// Returns the quantities held, in the order of [`Quantity::ALL`].
     pub fn quantities(&self) -> &[Quantity] {
         &self.quantities
     }

@@ -178,11 +178,9 @@ impl Table {
 fn split(bytes: &[u8]) -> Result<(Header, &[u8]), Error> {
     if !is_packed(bytes) {
         let what = if bytes.starts_with(&HDF5_SIGNATURE) {
-            "it begins like an HDF5 table; pack it with `tabulate pack TABLE.h5 -o TABLE.bin`, or \
-                 open it with `Table::open` (feature `hdf5`)"
+            "it begins like an HDF5 table; read it as HDF5, or pack it"
         } else {
-            "it does not begin like a packed table; `tabulate pack TABLE.h5 -o TABLE.bin` makes \
-                 one from an HDF5 table"
+            "it does not begin like a packed table"
         };
         return Err(Error::Foreign(what.into()));
     }
@@ -240,7 +238,7 @@ fn dense(header: Header, content: &[u8]) -> Result<Table, Error> {
             expected.map_or("more than fit in memory".into(), |bytes| bytes.to_string())
         )));
     }
-    let mut quantities = [const { None }; 5];
+    let mut quantities = [const { None }; 4];
     // Without nodes there are no bytes to split, and `Table::new` names the empty axis.
     for (quantity, bytes) in header
         .quantities

@@ -101,7 +101,7 @@ pub fn checksum(table: &Table) -> u32 {
     for parameter in parameters {
         add(table.axis(parameter));
     }
-    let mut quantities = Quantity::TABULATED;
+    let mut quantities = Quantity::ALL;
     quantities.sort_unstable_by_key(|quantity| quantity.name());
     for quantity in quantities {
         add(table.values(quantity).unwrap_or_default());

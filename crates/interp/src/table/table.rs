@@ -37,7 +37,7 @@ pub struct Table {
 #[derive(Clone, Debug)]
 enum Content {
     /// Row-major over the four axes, `a_over_t` slowest.
-    Dense([Option<Vec<f64>>; 5]),
+    Dense([Option<Vec<f64>>; 4]),
     LowRank(Arc<StoredTiles>),
 }
 
@@ -46,7 +46,7 @@ impl Table {
     ///
     /// `axes` holds the nodes of each of [`Parameter::ALL`], [`Parameter::REDUCED`] or
     /// [`Parameter::STACK`], in their order. `values[quantity]`, in the order of
-    /// [`Quantity::TABULATED`], is row-major over the four axes, `a_over_t` slowest, or `None` if
+    /// [`Quantity::ALL`], is row-major over the four axes, `a_over_t` slowest, or `None` if
     /// the scene does not ask for the quantity. The last entries may be left out.
     ///
     /// # Errors
@@ -59,7 +59,7 @@ impl Table {
     ///   end at 0 and infinity; `nu1` and `e0_over_e1`, which may be infinite, have one node in a
     ///   table of one stack;
     /// * if the number of values is not the product of the numbers of nodes, if all of
-    ///   [`Quantity::ALL`] are `None`, or if there are more than five entries;
+    ///   [`Quantity::ALL`] are `None`, or if there are more than four entries;
     /// * if the tolerance is not in `(0, 1]`, or the certificate has errors that are negative,
     ///   infinite, not in order, or NaN in other than [`Certificate::UNMEASURED`].
     pub fn new<const N: usize>(
@@ -70,16 +70,16 @@ impl Table {
         let axes = Axes::new(axes)?;
         description.check()?;
         let malformed = |what: String| Err(Error::Malformed(what));
-        if N > Quantity::TABULATED.len() {
-            return malformed(format!("it has {N} quantities, at most 5 are known"));
+        if N > Quantity::ALL.len() {
+            return malformed(format!("it has {N} quantities, at most 4 are known"));
         }
         let mut values = values.into_iter();
-        let values = Quantity::TABULATED.map(|_| values.next().flatten());
+        let values = Quantity::ALL.map(|_| values.next().flatten());
         let count = axes
             .shape()
             .into_iter()
             .try_fold(1_usize, usize::checked_mul);
-        for (quantity, values) in Quantity::TABULATED.into_iter().zip(&values) {
+        for (quantity, values) in Quantity::ALL.into_iter().zip(&values) {
             let Some(values) = values else { continue };
             if Some(values.len()) != count {
                 return malformed(format!(
@@ -98,8 +98,7 @@ impl Table {
         }
         if Quantity::ALL.iter().all(|&q| values[q as usize].is_none()) {
             return malformed(
-                "it holds no quantity of a sphere, it must hold one at least: pi0, eeq, gamma or delta0"
-                    .into(),
+                "it holds no quantity, it must hold one at least: pi0, eeq, gamma or delta0".into(),
             );
         }
         Ok(Self {
@@ -221,7 +220,7 @@ impl Table {
     /// Returns whether the table holds `quantity`, which depends on its scene.
     ///
     /// A table that holds [`Quantity::Gamma`] alone answers all four quantities, because the others
-    /// are integrals of it, see [`Curve`]; [`Quantity::Delta1`] beside it makes no difference.
+    /// are integrals of it, see [`Curve`].
     pub fn holds(&self, quantity: Quantity) -> bool {
         match &self.content {
             Content::Dense(values) => values[quantity as usize].is_some(),
@@ -229,16 +228,16 @@ impl Table {
         }
     }
 
-    /// Returns the quantities held, in the order of [`Quantity::TABULATED`].
+    /// Returns the quantities held, in the order of [`Quantity::ALL`].
     pub fn quantities(&self) -> Vec<Quantity> {
-        Quantity::TABULATED
+        Quantity::ALL
             .into_iter()
             .filter(|&quantity| self.holds(quantity))
             .collect()
     }
 
     /// Returns the quantities that the curves of this table [answer](Curve::answers), in the order of
-    /// [`Quantity::TABULATED`].
+    /// [`Quantity::ALL`].
     ///
     /// They are the quantities held and, in a table of films that holds [`Quantity::Gamma`] alone of
     /// a sphere and begins at an `a/t` of 0.4 at most, all four of a sphere. A curve whose material
@@ -253,7 +252,7 @@ impl Table {
         let answered = |quantity: &Quantity| {
             held.contains(quantity) || derives && Quantity::ALL.contains(quantity)
         };
-        Quantity::TABULATED.into_iter().filter(answered).collect()
+        Quantity::ALL.into_iter().filter(answered).collect()
     }
 
     /// Returns the values of `quantity` at the nodes, row-major with `a_over_t` slowest.
@@ -281,7 +280,7 @@ impl Table {
         Some(tiles.iter().map(|tile| tile.form.ranks()).collect())
     }
 
-    /// Returns the logarithms that the splines interpolate, `ln(Q/es)` (`ln Delta0`, `ln Delta1`),
+    /// Returns the logarithms that the splines interpolate, `ln(Q/es)` (`ln Delta0`),
     /// at all nodes with node `e1` of the film's modulus.
     ///
     /// They are row-major over `nu1`, `e0_over_e2`, `a_over_t` and the quantities held.
@@ -330,7 +329,7 @@ impl Table {
         }
         let [n_a, n_e1, n_nu, n_e0] = self.shape();
         let held = self.quantities();
-        let mut values = [const { None }; 5];
+        let mut values = [const { None }; 4];
         for &quantity in &held {
             values[quantity as usize] = Some(vec![0.0; n_a * n_e1 * n_nu * n_e0]);
         }

@@ -16,7 +16,7 @@ use crate::table::weighted_sum::add_rows;
 
 /// The tensor B-spline of a table.
 ///
-/// It interpolates `ln(Pi0/es)`, `ln(Eeq/es)`, `ln(Gamma/es)`, `ln Delta0` and `ln Delta1` over the
+/// It interpolates `ln(Pi0/es)`, `ln(Eeq/es)`, `ln(Gamma/es)` and `ln Delta0` over the
 /// [coordinates](Parameter::coordinate) of the axes.
 #[derive(Clone, Debug)]
 pub(crate) struct TensorSpline {

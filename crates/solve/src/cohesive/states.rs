@@ -150,8 +150,10 @@ impl Cohesive {
             value = excess(low);
         }
         if low < f64::MIN_POSITIVE {
-            let what = "its annulus is so narrow that rounding has left no digits";
-            return Err(self.no_contact(radius, what));
+            return Err(Error::NarrowAnnulus {
+                contact_radius,
+                range: self.range * self.thickness,
+            });
         }
         let high = loop {
             if let Some(high) = high {

@@ -6,6 +6,7 @@
 //! (`stack_file`); results go to an `output`, which knows the inputs, or are printed, as text or as
 //! one object of `json`; notes go to standard error.
 
+mod advice;
 mod allow;
 mod bodies;
 mod check;
@@ -119,7 +120,10 @@ pub fn run() -> ExitCode {
     match outcome {
         Ok(status) => status,
         Err(error) => {
-            note(&format!("{error:#}"));
+            match advice::advice(&error) {
+                Some(advice) => note(&format!("{error:#}; {advice}")),
+                None => note(&format!("{error:#}")),
+            }
             ExitCode::FAILURE
         }
     }

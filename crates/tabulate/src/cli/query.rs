@@ -19,9 +19,7 @@ use crate::{Error, printable};
 /// Prints the points with the interpolated pi0, eeq, gamma and delta0. A table of gamma alone, as
 /// the embedded one, answers all four. The column error is the certified relative error of the
 /// table: the largest of all quantities that it answers, at sampled points. A field is empty where
-/// the table answers no such quantity, and a note says why. A table that holds delta1,
-/// the penetration of a cone, has this column too, after the error; above the a/t of the table it
-/// is empty. At an a/t outside the
+/// the table answers no such quantity, and a note says why. At an a/t outside the
 /// table, the values and the error are those of the expansion about the limit of a thin or a thick
 /// film, where that keeps the tolerance of the table. Any other point outside the table is an
 /// error. Points are answered in batches: at an error, those before the batch are printed already,
@@ -85,9 +83,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         .iter()
         .flat_map(|quantity| COLUMNS.map(|column| format!("d_{}_d_{column}", quantity.name())))
         .filter(|_| arguments.gradient);
-    let cone = table.holds(Quantity::Delta1);
-    let cone = cone.then(|| Quantity::Delta1.name().to_owned());
-    let further: Vec<String> = cone.into_iter().chain(derivatives).collect();
+    let further: Vec<String> = derivatives.collect();
     let refused: Mutex<Option<(u64, interp::Error)>> = Mutex::new(None);
     points.answer("looking up", &output, &further, |point| {
         let (answer, refusal) = look_up(&table, stack.as_ref(), point, arguments.gradient)?;
@@ -126,17 +122,10 @@ fn look_up(
             found => *value = Some(found?),
         }
     }
-    let delta1 = curve
-        .answers(Quantity::Delta1)
-        .then(|| curve.quantity(Quantity::Delta1, x));
     let mut answer = Answer {
         values,
         error: curve.error(x)?,
-        further: match delta1.transpose() {
-            // The others go on beyond the table.
-            Err(interp::Error::OutsideTable { .. }) => vec![None],
-            delta1 => delta1?.map(Some).into_iter().collect(),
-        },
+        further: Vec::new(),
     };
     if gradient {
         let gradient = curve.gradient(x)?;

@@ -17,8 +17,7 @@ use crate::report::{figures, report, steps};
 /// of any system in the table, which is computed in the page. It is one file, which fetches
 /// nothing.
 ///
-/// The page opens with --probe: the paraboloid, the sphere or the flat punch, or the cone if the
-/// table holds delta1.
+/// The page opens with --probe: the paraboloid, the sphere or the flat punch.
 #[derive(clap::Args)]
 #[command(after_help = super::examples!(
     "tabulate report tables/paper.h5 -o paper.html",

@@ -16,7 +16,7 @@ function root(f, low, high) {
     return 0.5 * (low + high);
 }
 
-/** The contact of a sphere, of its paraboloid or of a cone with a film on a substrate, with a work of adhesion. */
+/** The contact of a sphere, or of its paraboloid, with a film on a substrate, with a work of adhesion. */
 class Contact {
     /**
      * `curve` holds the quantities; `system` thickness, workOfAdhesion, modulus: Es*, the unit of the quantities, order and

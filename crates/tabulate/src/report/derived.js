@@ -77,13 +77,12 @@ class DerivedCurve {
         const [from, to] = this.ends, u = Math.min(Math.max(Math.log(x), from), to), place = Math.exp(u);
         const i = Math.min(Math.floor((u - from) / this.step), this.integrals.length - 1), start = from + i * this.step;
         const [stiffness, penetration, load] = this.advance(this.integrals[i], start, u - start);
-        const { gamma, delta1 } = this.curve.at(place), square = gamma.value ** 2;
+        const { gamma } = this.curve.at(place), square = gamma.value ** 2;
         return {
             pi0: { value: load / place ** 3, slope: (8 * place * stiffness ** 2) / (square * load) - 3 },
             eeq: { value: stiffness / place, slope: (place * square) / stiffness - 1 },
             gamma,
             delta0: { value: penetration / place ** 2, slope: (2 * place * stiffness) / (square * penetration) - 2 },
-            delta1,
         };
     }
 }

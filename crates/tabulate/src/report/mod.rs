@@ -4,7 +4,7 @@
 //! largest error at sampled points), the figures of [`figures()`], and the packed low-rank form of
 //! the table. In the browser `table.js` reads this form and evaluates its splines, `derived.js`
 //! integrates the other quantities from `Gamma` alone, `material.js` finds the place of a material
-//! in the table, `contact.js` computes eqs. 2 to 9, `shape.js` the sphere itself, the cone and the
+//! in the table, `contact.js` computes eqs. 2 to 9, `shape.js` the sphere itself and the
 //! flat punch, `chart.js` draws, and `page.js` connects the sliders and fields with them.
 
 mod figures;
@@ -36,16 +36,12 @@ const TRUNCATION: f64 = 2e-7;
 const COMPARED: usize = 2000;
 /// The seed of these points.
 const SEED: u64 = 1;
-/// The radius, m, and the half angle, degrees, that a page shows first of a probe with which it
-/// does not open.
-const RADIUS: f64 = 1e-3;
-const HALF_ANGLE: f64 = 70.0;
 
 /// Returns the HTML page of a table: its range, its certificate, force curves that the page
 /// computes, and the `illustrations`, which are those of [`figures()`].
 ///
 /// The page opens with the `probe`, a paraboloid, a sphere or a flat punch, between which its user
-/// chooses if the table answers all quantities, or a cone if it holds `delta1`, too.
+/// chooses if the table answers all quantities.
 ///
 /// A dense table is embedded in low-rank form. Its quantities differ from those of the table by at
 /// most 1e-6, relative (`tests/report` measures it). The page states the largest difference at
@@ -139,31 +135,21 @@ fn opening(table: &Table, probe: &Probe) -> Result<String, Error> {
         probe: probe.name(),
         reason,
     };
-    let (name, radius, half_angle) = match *probe {
-        Probe::Paraboloid { radius } => ("paraboloid", radius, HALF_ANGLE),
-        Probe::Sphere { radius } => ("sphere", radius, HALF_ANGLE),
-        Probe::FlatPunch { radius } => ("flat-punch", radius, HALF_ANGLE),
-        Probe::Cone { half_angle } => ("cone", RADIUS, half_angle.to_degrees()),
+    let (name, radius) = match *probe {
+        Probe::Paraboloid { radius } => ("paraboloid", radius),
+        Probe::Sphere { radius } => ("sphere", radius),
+        Probe::FlatPunch { radius } => ("flat-punch", radius),
         _ => {
             return Err(refused(
-                "it has the paraboloid, the sphere, the flat punch and the cone",
+                "it has the paraboloid, the sphere and the flat punch",
             ));
         }
     };
     let answered = table.answers();
-    if name != "paraboloid" && !answered.starts_with(&Quantity::ALL) {
+    if name != "paraboloid" && answered != Quantity::ALL {
         return Err(refused("it needs pi0, eeq, gamma and delta0"));
     }
-    if name == "cone" && !table.holds(Quantity::Delta1) {
-        return Err(refused(
-            "it needs delta1: make the table of a scene with quantities = [\"gamma\", \"delta1\"]",
-        ));
-    }
-    // Without the rounding of an angle in degrees that was converted to radians.
-    let half_angle = (1e9 * half_angle).round() / 1e9;
-    Ok(format!(
-        "{{ probe: {name:?}, radius: {radius:?}, half_angle: {half_angle:?} }}"
-    ))
+    Ok(format!("{{ probe: {name:?}, radius: {radius:?} }}"))
 }
 
 /// Returns the low-rank form that goes into the page.
@@ -185,7 +171,7 @@ fn largest_difference(table: &Table, other: &Table) -> Result<f64, Error> {
     let mut largest = 0.0_f64;
     for (x, material) in random_points(table, COMPARED, SEED) {
         let curves = [table.curve(&material)?, other.curve(&material)?];
-        for quantity in Quantity::TABULATED {
+        for quantity in Quantity::ALL {
             if let [Ok(value), Ok(other)] =
                 curves.each_ref().map(|curve| curve.quantity(quantity, x))
             {

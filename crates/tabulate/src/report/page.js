@@ -9,7 +9,6 @@ const SETTINGS = {
     substrate_poisson_ratio: { name: "substrate Poisson ratio", symbol: "ν₀", unit: "", scale: 1, usual: 0.25 },
     sphere_modulus: { name: "sphere reduced modulus", symbol: "E₂*", unit: "MPa", scale: 1e6, usual: 2e6, sensible: [1e3, 1e12] },
     sphere_radius: { name: "sphere radius", symbol: "R", unit: "µm", scale: 1e-6, usual: 1e-3, sensible: [1e-8, 0.1] },
-    half_angle: { name: "half angle of the cone", symbol: "β", unit: "°", scale: 1, usual: 70, sensible: [10, 89] },
     work_of_adhesion: { name: "work of adhesion", symbol: "w", unit: "mJ/m²", scale: 1e-3, usual: 0.04, sensible: [1e-4, 10] },
 };
 /** The probes, by the names of the option --probe: each with its text, and the name of its radius. */
@@ -17,7 +16,6 @@ const PROBES = {
     paraboloid: { text: "paraboloid r²/(2R)", radius: "sphere radius" },
     sphere: { text: "sphere itself", radius: "sphere radius" },
     "flat-punch": { text: "flat punch", radius: "punch radius" },
-    cone: { text: "cone" },
 };
 /** The number of steps of a slider. */
 const STEPS = 1000;
@@ -47,17 +45,16 @@ class Page {
         this.table = table;
         this.adhesive = ["eeq", "gamma"].every((quantity) => table.answers(quantity));
         this.penetrates = table.answers("delta0");
-        /** The probes other than the paraboloid need all quantities, the cone its own. */
-        const computed = (probe) => probe === "paraboloid"
-            || (this.adhesive && this.penetrates && (probe !== "cone" || table.answers("delta1")));
+        /** The probes other than the paraboloid need all quantities. */
+        const computed = (probe) => probe === "paraboloid" || (this.adhesive && this.penetrates);
         this.probes = Object.keys(PROBES).filter(computed);
-        this.keys = Object.keys(SETTINGS).filter((key) => key !== "half_angle" || this.probes.includes("cone"));
+        this.keys = Object.keys(SETTINGS);
         this.probe = OPENING.probe;
         /** A film and a substrate are replaced by their equivalent with paired Poisson ratios. */
         this.paired = table.nu0 === null && !table.fixes("nu1");
         this.unit = table.rigidSphere ? "film_modulus" : "sphere_modulus";
         this.values = Object.fromEntries(Object.entries(SETTINGS).map(([key, setting]) => [key, setting.usual]));
-        [this.values.sphere_radius, this.values.half_angle] = [OPENING.radius, OPENING.half_angle];
+        this.values.sphere_radius = OPENING.radius;
         this.rows = new Map();
         this.settle();
         // The paper's system, or the nearest one in the box.
@@ -88,11 +85,6 @@ class Page {
     /** The name of a setting. That of the radius depends on the probe. */
     name(key) {
         return (key === "sphere_radius" && PROBES[this.probe].radius) || SETTINGS[key].name;
-    }
-
-    /** True if a setting is one of the present probe: a cone has an angle, the others have a radius. */
-    belongs(key) {
-        return key !== (this.probe === "cone" ? "sphere_radius" : "half_angle");
     }
 
     within(value, [from, to]) {
@@ -153,7 +145,6 @@ class Page {
         switch (key) {
             case "film_poisson_ratio": return { ends: this.poissonRatios(), logarithmic: false };
             case "substrate_poisson_ratio": return { ends: POISSON_RATIOS, logarithmic: false };
-            case "half_angle": return { ends: SETTINGS[key].sensible, logarithmic: false };
             case "film_modulus": case "substrate_modulus": {
                 const { sensible } = SETTINGS[key], box = key === this.unit ? sensible : this.box(key);
                 // Ratios of reduced moduli may reach from 0 to infinity.
@@ -198,9 +189,8 @@ class Page {
             const title = element("span", {}, name), label = element("label", { for: key }, title, " ", element("i", {}, symbol));
             if (mayBeRigid(this.table, key)) label.append(", or rigid");
             const field = element("span", { class: "field" }, number, element("span", {}, unit));
-            const control = element("div", { class: "control" }, label, slider, field);
-            byId("controls").append(control);
-            this.rows.set(key, { slider, number, title, control });
+            byId("controls").append(element("div", { class: "control" }, label, slider, field));
+            this.rows.set(key, { slider, number, title });
         }
         byId("controls").addEventListener("submit", (event) => event.preventDefault());
     }
@@ -224,7 +214,7 @@ class Page {
     }
 
     writeAddress() {
-        const free = this.keys.filter((key) => this.belongs(key) && this.sliding(key)).map((key) => `${key}=${this.values[key]}`);
+        const free = this.keys.filter((key) => this.sliding(key)).map((key) => `${key}=${this.values[key]}`);
         if (this.probe !== OPENING.probe) free.unshift(`probe=${this.probe}`);
         this.unknown = [];
         history.replaceState(null, "", `#${free.join("&")}`);
@@ -234,8 +224,7 @@ class Page {
     show(typing) {
         this.settle();
         if (this.choice) this.choice.value = this.probe;
-        for (const [key, { slider, number, title, control, text }] of this.rows) {
-            if (control) control.hidden = !this.belongs(key);
+        for (const [key, { slider, number, title, text }] of this.rows) {
             const value = this.values[key], { unit, scale } = SETTINGS[key];
             if (text) {
                 text.textContent = this.fixed(key);
@@ -284,13 +273,11 @@ class Page {
         const unknown = (key) => ({ text: `The address sets “${key}”, which is not a setting of this table.`, keys: [] });
         const wrong = this.unknown.map(unknown);
         for (const key of this.keys) {
-            if (!this.sliding(key) || !this.belongs(key)) continue;
+            if (!this.sliding(key)) continue;
             const name = this.name(key), value = this.values[key], zero = key === "work_of_adhesion", rigid = mayBeRigid(this.table, key);
             if (key.endsWith("poisson_ratio")) {
                 const [from, to] = POISSON_RATIOS, text = `The ${name} must be a number from ${from} to ${to}.`;
                 if (this.paired && !(value >= from && value <= to)) wrong.push({ text, keys: [key] });
-            } else if (key === "half_angle") {
-                if (!(value > 0 && value < 90)) wrong.push({ text: `The ${name} must be a number between 0 and 90.`, keys: [key] });
             } else if (!(value > 0 || (zero && value === 0)) || (value === Infinity && !rigid)) {
                 const text = `The ${name} must be a number ${zero ? "that is 0 or larger" : "above 0"}${rigid ? ", or “rigid”" : ""}.`;
                 wrong.push({ text, keys: [key] });
@@ -332,7 +319,7 @@ class Page {
         this.curve = this.table.curve(material);
         // The fifth order of a thick film (thick_film.rs).
         const thick = first <= LARGEST_FIRST ? (4 * first ** 5 * sphereFilmModulus(this.values)) / reducedModuli(this.values).film : Infinity;
-        if (this.curve.error > this.table.tolerance || (["sphere", "cone"].includes(this.probe) && thick > this.table.tolerance)) {
+        if (this.curve.error > this.table.tolerance || (this.probe === "sphere" && thick > this.table.tolerance)) {
             const text = `At a/t = ${first}, where the table begins, this film is not thick enough for the start of the integrals that give load and penetration. Change the film modulus.`;
             wrong.push({ text, keys: ["film_modulus"] });
         }
@@ -341,27 +328,21 @@ class Page {
 
     /** The largest contact radius of the probe. */
     largest() {
-        if (this.probe === "cone") return Infinity;
         return this.values.sphere_radius * (this.probe === "sphere" ? LARGEST_UNDER_SPHERE : BELOW_SPHERE);
     }
 
     /** The radius of curvature at the tip; NaN without one. */
     curvature() {
-        return ["flat-punch", "cone"].includes(this.probe) ? NaN : this.values.sphere_radius;
+        return this.probe === "flat-punch" ? NaN : this.values.sphere_radius;
     }
 
     makeContact() {
         const { table, values, probe } = this;
         const { sphere_radius: radius, film_thickness: thickness, work_of_adhesion: workOfAdhesion } = values;
         const system = { thickness, workOfAdhesion, modulus: sphereFilmModulus(values), largest: this.largest() };
-        const range = table.range("a_over_t");
         if (probe === "flat-punch") return new Punch(this.curve, { ...system, radius });
-        if (probe === "cone") {
-            const factor = (0.5 * Math.PI) / Math.tan((values.half_angle * Math.PI) / 180);
-            return new Contact(table, new ConeCurve(this.curve, range), { ...system, order: 1, factor, extent: thickness });
-        }
         Object.assign(system, { order: 2, factor: 1 / radius, extent: 0.1 * radius });
-        const curve = probe === "sphere" ? new SphereCurve(this.curve, range, radius / thickness) : this.curve;
+        const curve = probe === "sphere" ? new SphereCurve(this.curve, table.range("a_over_t"), radius / thickness) : this.curve;
         return new Contact(table, curve, system);
     }
 
@@ -422,8 +403,7 @@ class Page {
     command() {
         const [from, to] = this.contact.printed(this.drawn);
         const other = this.probe === "paraboloid" ? {} : { probe: this.probe };
-        const values = Object.entries(this.values).filter(([key]) => this.belongs(key));
-        const settings = { ...other, ...Object.fromEntries(values), ...(this.probe === "flat-punch" ? {} : { from, to, points: 150 }) };
+        const settings = { ...other, ...this.values, ...(this.probe === "flat-punch" ? {} : { from, to, points: 150 }) };
         const number = (value) => (value === Infinity ? "inf" : value);
         const options = Object.entries(settings).map(([key, value]) => `--${key.replaceAll("_", "-")} ${number(value)}`);
         return ["tabulate curve TABLE", ...options].join(" ");

@@ -1,4 +1,4 @@
-// Other probes than the paraboloid: the sphere itself (even_powers/mod.rs), the cone (odd_powers.rs), and the flat punch.
+// Other probes than the paraboloid: the sphere itself (even_powers/mod.rs) and the flat punch.
 
 /** The largest contact radius under the sphere itself that is computed, over the radius of the sphere. */
 const LARGEST_UNDER_SPHERE = 0.8;
@@ -109,42 +109,6 @@ class SphereCurve {
             return { value: Math.exp(logarithm), slope };
         };
         return { ...this.curve.at(x), pi0: between("pi0"), delta0: between("delta0") };
-    }
-}
-
-/**
- * The quantities of one material, with pi_1 and delta_1 of a cone in the places of pi0 and delta0. In units of Es*, with x = a/t
- * and a prime for d/dx:
- *
- *     (x² mu_1)' = x gamma² delta_1     pi_1 = 4 (delta_1 eeq - mu_1)     (x² pi_1)' = 4 x eeq (x delta_1)'
- */
-class ConeCurve {
-    constructor(curve, [first, last]) {
-        this.curve = curve;
-        this.ends = [first, last].map(Math.log);
-        const [from, to] = this.ends, count = Math.ceil((to - from) / SPHERE_STEP);
-        this.step = (to - from) / count;
-        /** x² mu_1 at the beginning of each step. */
-        this.moments = [first ** 2 * thickFilm(curve.at(first)).moment(1)];
-        for (let i = 1; i < count; i += 1) this.moments.push(this.advance(this.moments[i - 1], from + (i - 1) * this.step, this.step));
-    }
-
-    /** Returns the moment at ln x = `from + step`, from that at `from`. */
-    advance(moment, from, step) {
-        const rates = GAUSS.points.map((point) => {
-            const x = Math.exp(from + point * step), { gamma, delta1 } = this.curve.at(x);
-            return step * x * x * gamma.value ** 2 * delta1.value;
-        });
-        return moment + weighted(GAUSS.whole, rates);
-    }
-
-    /** Returns the value of each quantity and its logarithmic slope d ln Q / d ln(a/t). */
-    at(x) {
-        const [from, to] = this.ends, u = Math.min(Math.max(Math.log(x), from), to), place = Math.exp(u);
-        const i = Math.min(Math.floor((u - from) / this.step), this.moments.length - 1), start = from + i * this.step;
-        const moment = this.advance(this.moments[i], start, u - start) / place ** 2, own = this.curve.at(place);
-        const { eeq, delta1 } = own, pi = 4 * (delta1.value * eeq.value - moment);
-        return { ...own, pi0: { value: pi, slope: (4 * eeq.value * delta1.value * (1 + delta1.slope)) / pi - 2 }, delta0: delta1 };
     }
 }
 

@@ -9,7 +9,7 @@ const DEGREE = 9;
 /** The largest relative rounding error of a ratio of moduli. */
 const ROUNDING = 1e-12;
 
-const QUANTITIES = ["pi0", "eeq", "gamma", "delta0", "delta1"];
+const QUANTITIES = ["pi0", "eeq", "gamma", "delta0"];
 /** All parameters of axes: in files, an axis has the number of its parameter here. */
 const PARAMETERS = ["a_over_t", "e1_over_e2", "nu1", "e0_over_e2", "e1s_over_einfs", "e0s_over_e2s"];
 /** For each dimension (a/t, film's modulus, film's Poisson ratio, substrate's modulus) the degree from which the factors of the polynomials fall. */
@@ -291,7 +291,7 @@ class Table {
         });
         if (reader.at !== bytes.length) throw new Error("the data is damaged");
         /** True if all quantities of a sphere follow from gamma, the only one of them that is held. */
-        this.derives = this.held.filter((quantity) => quantity !== "delta1").join() === "gamma" && derivable(this.range("a_over_t"));
+        this.derives = this.held.join() === "gamma" && derivable(this.range("a_over_t"));
     }
 
     /** The parameters of a material, in the order of the dimensions: modulus and Poisson ratio of the film, modulus of the substrate. */
@@ -311,7 +311,7 @@ class Table {
 
     /** True if the table holds a quantity, or derives it. */
     answers(quantity) {
-        return this.held.includes(quantity) || (this.derives && quantity !== "delta1");
+        return this.held.includes(quantity) || this.derives;
     }
 
     /** The first and the last node of a parameter. */
@@ -373,7 +373,7 @@ class Table {
     }
 }
 
-/** The quantities of one material as functions of a/t. The splines are of ln(Pi0/es), ln(Eeq/es), ln(Gamma/es), ln Delta0, ln Delta1. */
+/** The quantities of one material as functions of a/t. The splines are of ln(Pi0/es), ln(Eeq/es), ln(Gamma/es), ln Delta0. */
 class Curve {
     constructor(table, basis, coefficients) {
         Object.assign(this, { table, basis, coefficients });

@@ -9,7 +9,6 @@ use crate::Error;
 use crate::table::of_stack::StackTable;
 use crate::table::scene::material;
 use crate::table::sweep::solve_for_table;
-use solve::Tabulated;
 use solve::parallel::try_map;
 
 /// The error of a table at one point, measured against a direct solve.
@@ -18,14 +17,13 @@ pub struct Sample {
     /// The values of the table's parameters.
     pub point: [f64; 4],
     /// The largest relative error of the quantities that the table answers: those that it holds, or
-    /// all four of a sphere if it holds `Gamma` alone of them and begins at a small `a/t`. With
-    /// `Delta1`, the `Pi_1` of a cone that follows from it is among them.
+    /// all four if it holds `Gamma` alone and begins at a small `a/t`.
     pub error: f64,
-    /// The quantity that has it, `Delta1` also for `Pi_1`.
+    /// The quantity that has it.
     pub quantity: Quantity,
-    /// The relative error of each of [`Quantity::TABULATED`], none of a quantity that the table does
-    /// not answer. That of `Delta1` is the larger of its own and that of `Pi_1`.
-    pub errors: [Option<f64>; 5],
+    /// The relative error of each of [`Quantity::ALL`], none of a quantity that the table does
+    /// not answer.
+    pub errors: [Option<f64>; 4],
     /// The relative errors of the interpolant in the four exact identities, see
     /// [`Certificate::identity_errors`]; none where a quantity is missing or `a/t` is fixed.
     pub identity_errors: [Option<f64>; 4],
@@ -101,7 +99,7 @@ pub fn errors_by_quantity(samples: &[Sample]) -> Vec<(Quantity, [f64; 2])> {
         errors.sort_by(f64::total_cmp);
         Some((quantity, [*errors.last()?, errors[errors.len() / 2]]))
     };
-    Quantity::TABULATED.into_iter().filter_map(of).collect()
+    Quantity::ALL.into_iter().filter_map(of).collect()
 }
 
 /// Compares the table with direct solves at `points` points.
@@ -260,29 +258,19 @@ fn sample_of(
     let description = table.description();
     let material = material(table.parameters(), description.nu0, values)?;
     let layers = stack.map(StackTable::stack);
-    let exponents = Tabulated::exponents(&table.quantities());
     let tolerance = description.tolerance;
-    let solved = solve_for_table(a_over_t, &material, layers, exponents, tolerance)?;
+    let solved = solve_for_table(a_over_t, &material, layers, tolerance)?;
     let curve = match stack {
         None => table.curve(&material)?,
         Some(stack) => stack.curve(stack.stack().surface().young() / material.e1_over_e2())?,
     };
-    let mut errors = [None; 5];
-    let mut compare = |value: f64, solved: f64, of: Quantity| {
-        let (found, error) = ((value / solved - 1.0).abs(), &mut errors[of as usize]);
-        *error = Some(error.map_or(found, |other: f64| larger(found, other)));
-    };
-    for candidate in Quantity::TABULATED {
+    let mut errors = [None; 4];
+    for candidate in Quantity::ALL {
         if let Some(value) = answered(curve.quantity(candidate, a_over_t))? {
-            compare(value, solved.get(candidate), candidate);
+            errors[candidate as usize] = Some((value / solved.get(candidate) - 1.0).abs());
         }
     }
-    if let Some(cone) = solved.cone
-        && let Some(found) = answered(curve.odd_power(1))?
-    {
-        compare(found.pi(a_over_t)?, cone.pi, Quantity::Delta1);
-    }
-    let of_quantities = errors.into_iter().zip(Quantity::TABULATED);
+    let of_quantities = errors.into_iter().zip(Quantity::ALL);
     let (error, quantity) = of_quantities
         .filter_map(|(error, quantity)| Some((error?, quantity)))
         .max_by(|(a, _), (b, _)| a.total_cmp(b))
@@ -294,11 +282,6 @@ fn sample_of(
         errors,
         identity_errors: identity_errors(&curve, a_over_t),
     })
-}
-
-/// Returns the larger of two errors that are not negative. NaN is the largest.
-fn larger(a: f64, b: f64) -> f64 {
-    if a.total_cmp(&b).is_gt() { a } else { b }
 }
 
 /// Returns what a curve answers; none where the table does not hold what it needs, or begins at too

@@ -5,7 +5,7 @@
 //! everywhere.
 
 use interp::bspline::Basis;
-use interp::{Material, Parameter};
+use interp::{Material, Parameter, Quantities};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 use rayon::prelude::*;
@@ -16,7 +16,6 @@ use crate::table::budget::Budget;
 use crate::table::placement::{EVENNESS, places};
 use crate::table::scene::{Extent, Scene};
 use crate::table::sweep::{solve_for_table, solve_stack_for_table};
-use solve::Tabulated;
 use solve::larger;
 use solve::parallel::{on_all_cores, try_map};
 
@@ -289,14 +288,13 @@ fn logarithms_of_all(scene: &Scene, points: &[[f64; 4]]) -> Result<Vec<f64>, Err
 /// Those of the solve.
 pub fn logarithms(scene: &Scene, [a_over_t, values @ ..]: [f64; 4]) -> Result<Vec<f64>, Error> {
     let material = scene.material(values)?;
-    let exponents = Tabulated::exponents(&scene.quantities);
     let stack = scene.stack.as_ref().map(|named| &named.stack);
-    let solved = solve_for_table(a_over_t, &material, stack, exponents, scene.tolerance)?;
+    let solved = solve_for_table(a_over_t, &material, stack, scene.tolerance)?;
     Ok(logarithms_of(scene, &material, &solved))
 }
 
 /// Returns the logarithms of the quantities of a scene.
-fn logarithms_of(scene: &Scene, material: &Material, solved: &Tabulated) -> Vec<f64> {
+fn logarithms_of(scene: &Scene, material: &Material, solved: &Quantities) -> Vec<f64> {
     let es = material.sphere_film_modulus();
     scene
         .quantities

@@ -57,7 +57,7 @@ pub struct Scene {
     pub title: String,
     /// The largest relative error that is allowed between the nodes of the table.
     pub tolerance: f64,
-    /// The quantities of the table, in the order of [`Quantity::TABULATED`].
+    /// The quantities of the table, in the order of [`Quantity::ALL`].
     pub quantities: Vec<Quantity>,
     /// The parameters of the table: [`Parameter::ALL`], [`Parameter::REDUCED`] or
     /// [`Parameter::STACK`].
@@ -170,16 +170,8 @@ impl Scene {
         if quantities.is_empty() || quantities.windows(2).any(|pair| pair[0] == pair[1]) {
             return Err(format!(
                 "quantities must name one or more of {}, each once",
-                Quantity::TABULATED.map(Quantity::name).join(", ")
+                Quantity::ALL.map(Quantity::name).join(", ")
             ));
-        }
-        let of_sphere = quantities.strip_suffix(&[Quantity::Delta1]);
-        if of_sphere.is_some_and(|held| held != [Quantity::Gamma] && held != Quantity::ALL) {
-            return Err(
-                "quantities: delta1 goes with gamma alone, or with pi0, eeq, gamma and delta0, \
-                 because the load of a cone needs eeq and gamma: name these, too"
-                    .into(),
-            );
         }
         let Bounds {
             parameters,

@@ -1,6 +1,6 @@
 //! Scenes of one stack of layers: the table `[stack]` of a scene, and what goes with it.
 
-use interp::{Parameter, Quantity, SubstratePoissonRatio};
+use interp::{Parameter, SubstratePoissonRatio};
 
 use crate::stack;
 use crate::table::scene::{Bounds, Extent};
@@ -22,14 +22,6 @@ pub(super) fn bounds(scene: &Text, stack: stack::Text) -> Result<Bounds, String>
             "{key} does not go with [stack], whose layers and base have their moduli and Poisson \
              ratios: leave it out"
         ));
-    }
-    if scene.quantities.contains(&Quantity::Delta1) {
-        return Err(
-            "quantities: delta1 does not go with [stack], because the load of a cone on layers is \
-             not known at small a_over_t: leave delta1 out, and solve cones on a stack with \
-             `tabulate solve --stack STACK.toml --exponent 1`"
-                .into(),
-        );
     }
     let Some(spheres) = &scene.e1_over_e2 else {
         return Err(

@@ -1,14 +1,13 @@
 //! The solves of all nodes of a scene, on all cores, one `a_over_t` at a time.
 
-use interp::{Material, Parameter, Quantity};
+use interp::{Material, Parameter, Quantities, Quantity};
 
 use crate::Error;
 use crate::stack::NamedStack;
 use crate::table::scene::Scene;
 use solve::Batch;
-use solve::Tabulated;
 use solve::stack::Stack;
-use solve::{TOLERANCE, solve_power_laws, solve_stack_power_laws, solve_stack_under_spheres};
+use solve::{TOLERANCE, solve, solve_stack, solve_stack_under_spheres};
 
 /// Returns the relative tolerance of the solves for a table: a hundredth of the table's own, within
 /// the range of the solve and 1e-6 at most.
@@ -16,29 +15,25 @@ pub fn solve_tolerance(table_tolerance: f64) -> f64 {
     (0.01 * table_tolerance).clamp(TOLERANCE[0], 1e-6)
 }
 
-/// Solves one contact of a film, or of the `stack` under the sphere of the `material`, with the
-/// power laws of the [`exponents`](Tabulated::exponents), to [`solve_tolerance`]; to a fifth of the
-/// table's tolerance in the corners where double precision does not allow more.
+/// Solves one contact of a film, or of the `stack` under the sphere of the `material`, to
+/// [`solve_tolerance`]; to a fifth of the table's tolerance in the corners where double precision
+/// does not allow more.
 ///
 /// # Errors
-/// Those of [`solve_power_laws`] and [`solve_stack_power_laws`].
+/// Those of [`solve()`] and [`solve_stack`].
 pub(crate) fn solve_for_table(
     a_over_t: f64,
     material: &Material,
     stack: Option<&Stack>,
-    exponents: &'static [f64],
     table_tolerance: f64,
-) -> Result<Tabulated, solve::Error> {
-    let solve = |tolerance| match stack {
-        None => solve_power_laws(a_over_t, material, exponents, tolerance),
-        Some(stack) => {
-            let modulus = sphere_modulus(stack, material);
-            solve_stack_power_laws(a_over_t, stack, modulus, exponents, tolerance)
-        }
+) -> Result<Quantities, solve::Error> {
+    let solved = |tolerance| match stack {
+        None => solve(a_over_t, material, tolerance),
+        Some(stack) => solve_stack(a_over_t, stack, sphere_modulus(stack, material), tolerance),
     };
-    let (solution, cones) = solve(solve_tolerance(table_tolerance))
-        .or_else(|_| solve((0.2 * table_tolerance).min(TOLERANCE[1])))?;
-    Ok(Tabulated::new(solution.quantities, &cones))
+    let solution = solved(solve_tolerance(table_tolerance))
+        .or_else(|_| solved((0.2 * table_tolerance).min(TOLERANCE[1])))?;
+    Ok(solution.quantities)
 }
 
 /// Solves the contacts of a `stack` at one `a_over_t` under the spheres of the `materials`, each as
@@ -46,28 +41,22 @@ pub(crate) fn solve_for_table(
 /// of the materials.
 ///
 /// # Errors
-/// Those of [`solve_stack_power_laws`].
+/// Those of [`solve_stack`].
 pub(crate) fn solve_stack_for_table(
     a_over_t: f64,
     materials: &[Material],
     stack: &Stack,
     table_tolerance: f64,
-) -> Result<Vec<Tabulated>, solve::Error> {
+) -> Result<Vec<Quantities>, solve::Error> {
     let modulus = |material| sphere_modulus(stack, material);
     let moduli: Vec<f64> = materials.iter().map(modulus).collect();
-    let solved = solve_stack_under_spheres(
+    solve_stack_under_spheres(
         a_over_t,
         stack,
         &moduli,
         solve_tolerance(table_tolerance),
-        &|i| {
-            let alone =
-                solve_for_table(a_over_t, &materials[i], Some(stack), &[], table_tolerance)?;
-            Ok(alone.quantities)
-        },
-    )?;
-    let tabulated = |quantities| Tabulated::new(quantities, &[]);
-    Ok(solved.into_iter().map(tabulated).collect())
+        &|i| solve_for_table(a_over_t, &materials[i], Some(stack), table_tolerance),
+    )
 }
 
 /// Returns the reduced modulus of the sphere of a `material` on a `stack`, Pa.
@@ -75,9 +64,9 @@ fn sphere_modulus(stack: &Stack, material: &Material) -> f64 {
     stack.surface().young() / material.e1_over_e2()
 }
 
-/// The values of each of [`Quantity::TABULATED`], row-major, with `a_over_t` the slowest index;
+/// The values of each of [`Quantity::ALL`], row-major, with `a_over_t` the slowest index;
 /// none for those that the scene does not ask for.
-pub type Values = [Option<Vec<f64>>; 5];
+pub type Values = [Option<Vec<f64>>; 4];
 
 /// Solves every node of the scene on the given axes.
 ///
@@ -154,7 +143,7 @@ impl<'a> Sweep<'a> {
 
     /// Returns room for the values of the whole table.
     pub fn blank(&self) -> Values {
-        let mut values = [const { None }; 5];
+        let mut values = [const { None }; 4];
         for &quantity in &self.scene.quantities {
             values[quantity as usize] = Some(vec![0.0; self.pieces() * self.points()]);
         }
@@ -187,13 +176,9 @@ impl<'a> Sweep<'a> {
             progress(materials.len());
             solved
         } else {
-            let exponents = Tabulated::exponents(&self.scene.quantities);
-            let alone = |material: &Material| {
-                solve_for_table(a_over_t, material, None, exponents, tolerance)
-            };
+            let alone = |material: &Material| solve_for_table(a_over_t, material, None, tolerance);
             let tolerance = solve_tolerance(tolerance);
-            self.batch
-                .solve(a_over_t, exponents, tolerance, &alone, progress)?
+            self.batch.solve(a_over_t, tolerance, &alone, progress)?
         };
         let of = |quantity: Quantity| {
             solved.iter().zip(materials).map(move |(solved, material)| {

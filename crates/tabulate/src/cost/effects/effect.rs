@@ -119,7 +119,7 @@ impl Effect {
                 .retain(|quantity| matches!(quantity, Quantity::Pi0 | Quantity::Delta0)),
             Self::Penetration => variant
                 .quantities
-                .retain(|quantity| !matches!(quantity, Quantity::Delta0 | Quantity::Delta1)),
+                .retain(|&quantity| quantity != Quantity::Delta0),
             Self::Shape | Self::FiniteRange => {}
         }
         Some(variant)

@@ -108,7 +108,7 @@ pub(super) fn fill(table: &Table, path: &Path) -> hdf5::Result<()> {
     let values = create_group(&file, VALUES)?;
     let shape = table.shape();
     let chunk = chunk(shape);
-    for quantity in Quantity::TABULATED {
+    for quantity in Quantity::ALL {
         let Some(data) = table.values(quantity) else {
             continue;
         };

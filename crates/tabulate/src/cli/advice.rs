@@ -1,0 +1,45 @@
+//! The next step of a user of the program after an error of a library, which knows no commands.
+
+use interp::Error;
+
+/// Returns the commands that help after an error, if there are some.
+pub fn advice(error: &anyhow::Error) -> Option<&'static str> {
+    error.chain().find_map(|cause| {
+        let own = cause.downcast_ref::<Error>();
+        let of_table = cause.downcast_ref().and_then(|error| match error {
+            crate::Error::Table(error) => Some(error),
+            _ => None,
+        });
+        let of_solve = cause.downcast_ref().and_then(|error| match error {
+            ::solve::Error::Contact(error) => Some(error),
+            _ => None,
+        });
+        let of_fit = cause.downcast_ref().and_then(|error| match error {
+            ::fit::Error::Contact(error) => Some(error),
+            _ => None,
+        });
+        own.or(of_table).or(of_solve).or(of_fit).and_then(commands)
+    })
+}
+
+/// Returns the commands that help after an error of a table or of a contact.
+fn commands(error: &Error) -> Option<&'static str> {
+    match error {
+        Error::OutsideTable { .. } | Error::Extrapolation { .. } | Error::Equivalent { .. } => {
+            Some("`tabulate generate` makes tables, and `tabulate solve` solves without a table")
+        }
+        Error::OfStack => Some(
+            "give the table to `tabulate curve`, `pull-off` or `fit` as --stack, and look points up with `tabulate query`",
+        ),
+        Error::NotOfStack => Some(
+            "`tabulate generate` makes the table of a scene with a [stack], and `tabulate solve --stack` needs none",
+        ),
+        Error::Version { .. } => Some("the commands are `tabulate generate`, `unpack` and `pack`"),
+        Error::Foreign(_) => Some(
+            "`tabulate pack TABLE.h5 -o TABLE.bin` packs a table, and `tabulate generate SCENE.toml -o TABLE.h5` makes one",
+        ),
+        Error::LongZone { .. } => Some("`tabulate pull-off --interaction-range` solves it"),
+        Error::InFile { error, .. } => commands(error),
+        _ => None,
+    }
+}
