@@ -46,6 +46,8 @@ const FIRST: f64 = 0.1;
 /// The error of the load on the first piece, on which it is taken to be a cubic polynomial, over the
 /// load at its end, at most: 0.04 for a power of 3/2.
 const BEND: f64 = 0.1;
+/// The smallest largest load (N) that is followed: the loads of smaller contacts do not underflow.
+const SMALLEST_LOAD: f64 = 1e-200;
 /// The most halvings of a piece.
 const DEPTH: u32 = 40;
 /// The error in the middle of a piece over the largest one, at least.
@@ -75,6 +77,9 @@ impl ElasticCurve {
     /// the largest load and radius.
     pub fn up_to(contact: &Contact, most: f64, tolerance: f64) -> Result<Self, HistoryError> {
         let last = node(contact, most)?;
+        if !(last.load > SMALLEST_LOAD) {
+            return Err(contact.outside("penetration", last.penetration).into());
+        }
         let [least, _] = contact.search_range()?;
         let flat = contact.has_flat_end();
         let first = if flat {

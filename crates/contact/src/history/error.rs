@@ -63,6 +63,14 @@ pub enum HistoryError {
         /// The time of the point before it, s.
         before: f64,
     },
+    /// A program that is too short or too long.
+    #[error(
+        "the program takes {value:?} s, and programs from 1e-50 to 1e50 s are followed: give its times in seconds"
+    )]
+    Duration {
+        /// The duration, s.
+        value: f64,
+    },
     /// A time that is asked for and lies before the program.
     #[error("the state at {time:?} s is not known: the program begins at {begin:?} s")]
     BeforeProgram {

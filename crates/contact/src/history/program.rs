@@ -1,6 +1,11 @@
 //! What is imposed in time: points joined by straight lines.
 
+use std::ops::RangeInclusive;
+
 use super::HistoryError;
+
+/// The durations that are followed, s: their inverse squares do not overflow.
+const DURATIONS: RangeInclusive<f64> = 1e-50..=1e50;
 
 /// Points `(time, value)` joined by straight lines, long enough for all times asked for.
 #[derive(Clone, Debug)]
@@ -56,6 +61,10 @@ impl Program {
         if latest > end {
             own.times.push(latest);
             own.values.push(own.values[own.values.len() - 1]);
+        }
+        let value = own.duration();
+        if !DURATIONS.contains(&value) {
+            return Err(HistoryError::Duration { value });
         }
         Ok(own)
     }

@@ -32,7 +32,7 @@ pub enum Relaxation {
     },
     /// `phi = (t/time)^-exponent`.
     PowerLaw {
-        /// The exponent, above 0 and below 1.
+        /// The exponent, from 1e-9 to below 1.
         exponent: f64,
         /// The time (s) at which the modulus is `E_ref`.
         time: f64,
@@ -41,7 +41,7 @@ pub enum Relaxation {
     ModifiedPowerLaw {
         /// The part of the modulus that is left in the end, from 0 to 1.
         relaxed: f64,
-        /// The exponent, above 0 and below 1.
+        /// The exponent, from 1e-9 to below 1.
         exponent: f64,
         /// The time at which the modulus begins to fall, s.
         time: f64,
@@ -51,7 +51,7 @@ pub enum Relaxation {
     FractionalZener {
         /// The part of the modulus that is left in the end, from 0 to 1.
         relaxed: f64,
-        /// The exponent, from 0.001 to below 1.
+        /// The exponent, from 0.001 to 0.99.
         exponent: f64,
         /// The relaxation time, s.
         time: f64,
@@ -79,10 +79,10 @@ impl Relaxation {
         };
         let positive = |name, value: f64| {
             unless(
-                value > 0.0 && value.is_finite(),
+                (1e-50..=1e50).contains(&value),
                 name,
                 value,
-                "> 0 and finite",
+                "from 1e-50 to 1e50",
             )
         };
         let (relaxed, exponent, time) = match self {
@@ -111,8 +111,13 @@ impl Relaxation {
                 exponent,
                 time,
             } => {
-                let allowed = "from 0.001 to below 1";
-                unless(*exponent >= 1e-3, "relaxation exponent", *exponent, allowed)?;
+                let allowed = "from 0.001 to 0.99";
+                unless(
+                    (1e-3..=0.99).contains(exponent),
+                    "relaxation exponent",
+                    *exponent,
+                    allowed,
+                )?;
                 (*relaxed, *exponent, *time)
             }
         };
@@ -122,9 +127,9 @@ impl Relaxation {
             relaxed,
             "from 0 to 1",
         )?;
-        let allowed = "above 0 and below 1: a larger exponent is that of no solid, and its contact line would jump at every turn";
+        let allowed = "from 1e-9 to below 1: a larger exponent is that of no solid, and its contact line would jump at every turn";
         unless(
-            exponent > 0.0 && exponent < 1.0,
+            (1e-9..1.0).contains(&exponent),
             "relaxation exponent",
             exponent,
             allowed,
