@@ -69,7 +69,11 @@ impl Elements<'_> {
         for pair in all.windows(2) {
             let (from, at) = (&pair[0], &pair[1]);
             let whole = at.time - from.time;
-            let parts = (whole / (longest * program.duration())).ceil().max(1.0) as usize * refined;
+            // A whole number of steps is one in other units, too.
+            let parts = (whole / (longest * program.duration()) - 1e-9)
+                .ceil()
+                .max(1.0) as usize
+                * refined;
             let h = whole / parts as f64;
             let factors: Vec<[f64; 2]> = self
                 .law

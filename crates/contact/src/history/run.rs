@@ -11,6 +11,10 @@ use crate::{Control, CrackTip, State};
 /// The tolerances where none is given: of the integrals, and of elements.
 const DIGITS: f64 = 1e-8;
 const BY_ELEMENTS: f64 = 1e-5;
+/// The part of the duration in which the elastic load has an error that counts.
+const LATEST: f64 = 0.01;
+/// The largest factor of that error: a fluid forgets the rest.
+const MOST_RAISED: f64 = 1e3;
 /// The part of the tolerance for each of the sources of error.
 const PART: f64 = 0.25;
 /// The number of elements and the longest step, in parts of the duration, of the first run.
@@ -54,8 +58,11 @@ impl<L: CrackTip> Run<'_, L> {
         let tolerance = PART * self.tolerance.unwrap_or(DIGITS);
         match self.control {
             Control::Displacement => {
-                let curve = ElasticCurve::to_penetration(contact, largest, tolerance)?;
                 let law = self.exponentials(tolerance);
+                // An error of the elastic load counts more where the modulus has been higher.
+                let duration = self.program.duration();
+                let raised = (law.value(LATEST * duration) / law.value(duration)).min(MOST_RAISED);
+                let curve = ElasticCurve::to_penetration(contact, largest, tolerance / raised)?;
                 let receding = self.history.receding.as_ref();
                 let adhesion = receding.map(|law| Adhesion {
                     contact,
@@ -63,7 +70,7 @@ impl<L: CrackTip> Run<'_, L> {
                 });
                 let found = one_turn::follow(&curve, &law, self.program, self.times, adhesion)?;
                 if let Some(states) = found {
-                    let error = curve.load_error.max(curve.radius_error) + law.error;
+                    let error = raised * curve.load_error.max(curve.radius_error) + law.error;
                     return Ok(Course {
                         states,
                         error,

@@ -3,6 +3,7 @@
 mod program;
 mod relaxation;
 
+use std::io::{self, Write};
 use std::path::PathBuf;
 
 use anyhow::{Context, anyhow, bail, ensure};
@@ -32,18 +33,21 @@ use super::table_name::{self, TableName};
 /// (--work-of-adhesion-receding), after one approach.
 ///
 /// Sphere and substrate do not relax. Where they deform noticeably beside the film, the error of
-/// that is estimated, and above 2 % refused; --all-bodies-relax takes them to relax like the film.
+/// that is estimated, and above 2 % refused; --all-relax takes them to relax like the film.
 ///
 /// A gel also relaxes by flow of its solvent, and that is no law of the material: its time grows like
 /// the square of the contact radius, or of the thickness of a thin film. Measure at two radii: a
 /// material has the same relaxation times at both.
 ///
+/// The loads, radii and penetrations are within the tolerance, each of the largest one, to which the
+/// error of the elastic curve adds. Without --tolerance a comment line on standard error tells an
+/// estimated error above 1e-8.
+///
 /// Values that are not given are those of the paper, and a comment line on standard error names
 /// them, as in `tabulate curve`; the work of adhesion is 0.
 #[derive(clap::Args)]
 #[command(after_help = super::examples!(
-    "tabulate history --sphere-radius 10um --sphere-modulus inf --film-modulus 1kPa --film-thickness 5um --substrate-modulus inf --relaxation power-law --relaxation-exponent 0.2 --program 'penetration 0:0 1:1um 2:0'",
-    "tabulate history embedded --specimen paper --relaxation prony --relaxed-fraction 0.3 --relaxation-time 0.5 --all-bodies-relax --program 'load 0:0 1:1mN' --at 1,10",
+    "tabulate history --specimen paper --all-relax --relaxation power-law -n 0.2 -p 'load 0:0 1:1uN'",
 ))]
 pub struct Arguments {
     #[arg(
@@ -59,7 +63,7 @@ pub struct Arguments {
     /// lines, for example "penetration 0:0 1:1um 2:0"; or a CSV file with the columns time and one of
     /// these. Times are in seconds. The height is the distance by which the base of the cantilever has
     /// moved towards the sample since the first touch: penetration + load/stiffness
-    #[arg(long, value_name = "TEXT|FILE")]
+    #[arg(short, long, value_name = "TEXT|FILE")]
     program: String,
     /// Stiffness of the cantilever, N/m, for a program of heights
     #[arg(long, value_parser = force_per_length, allow_hyphen_values = true)]
@@ -76,7 +80,7 @@ pub struct Arguments {
     work_of_adhesion_receding: Option<f64>,
     /// Take sphere and substrate to relax like the film
     #[arg(long)]
-    all_bodies_relax: bool,
+    all_relax: bool,
     /// Tolerance of loads, radii and penetrations, relative to the largest of each [default: 1e-8; 1e-5
     /// where the contact grows again after a retract, under a load that falls, and for heights]
     #[arg(long, value_parser = quantity::number, allow_hyphen_values = true)]
@@ -86,6 +90,8 @@ pub struct Arguments {
     output: Option<PathBuf>,
 }
 
+/// The estimated error above which it is told where no tolerance is given.
+const TOLD: f64 = 1e-8;
 /// The error by bodies that do not relax above which there is a warning.
 const UNLIKE: f64 = 1e-3;
 /// The penetration over the thickness of the film above which there is a warning.
@@ -247,12 +253,12 @@ impl Arguments {
         let system = &bodies.system;
         let deforms =
             system.sphere_modulus < f64::INFINITY || system.substrate.young() < f64::INFINITY;
-        if self.all_bodies_relax || !deforms {
+        if self.all_relax || !deforms {
             return Ok(None);
         }
         ensure!(
             bodies.stack.is_none(),
-            "the layers of a stack relax all by one law, and so must the sphere and the base: give --all-bodies-relax, or \
+            "the layers of a stack relax all by one law, and so must the sphere and the base: give --all-relax, or \
              use one film"
         );
         Ok(Some(System {
@@ -264,10 +270,14 @@ impl Arguments {
 
     /// Says what is doubtful, and how exact the numbers are.
     fn warn(&self, system: &System, course: &Course) {
-        note(&format!(
-            "estimated error: {:.1e} of the largest load, contact radius and penetration, and that of the elastic curve",
-            course.error
-        ));
+        if course.error > self.tolerance.unwrap_or(TOLD) {
+            // `eprintln` panics where standard error is closed.
+            let _ = writeln!(
+                io::stderr(),
+                "# estimated error: {:.1e} of the largest load, contact radius and penetration",
+                course.error
+            );
+        }
         if course.unlike_bodies > UNLIKE {
             note(&format!(
                 "warning: sphere or substrate deform beside the film and do not relax: the loads may be wrong by {:.1e} of the largest load",
@@ -282,7 +292,7 @@ impl Arguments {
                  depend on the strain holds up to some {STRAIN}"
             ));
         }
-        if self.all_bodies_relax && system.film.young() > STIFF_FILM * system.substrate.young() {
+        if self.all_relax && system.film.young() > STIFF_FILM * system.substrate.young() {
             note(
                 "warning: a film more than 3 times as stiff as a substrate that relaxes with it may pull at the probe inside \
                  the contact, which is not modelled",

@@ -14,7 +14,7 @@ pub struct RelaxationArguments {
     #[arg(long, value_enum, value_name = "LAW")]
     relaxation: Law,
     /// Exponent of a power law or of the fractional Zener solid, above 0 and below 1
-    #[arg(long, value_parser = number, allow_hyphen_values = true)]
+    #[arg(short = 'n', long, value_parser = number, allow_hyphen_values = true)]
     relaxation_exponent: Option<f64>,
     /// Time at which the modulus of a power law is that of the film, s [default: 1]
     #[arg(long, value_name = "S", value_parser = number, allow_hyphen_values = true)]
