@@ -3,10 +3,13 @@
 
 use std::f64::consts::PI;
 
-use acceptance::{Contacts, Workdir, assert_names, material, workdir};
+use acceptance::{
+    Contacts, Workdir, assert_names, layer, material, solid, with_interfaces, workdir,
+};
 use contact::Contact;
 use interp::{Elastic, HalfSpace, Material, Probe};
-use solve::solve;
+use solve::stack::Interface;
+use solve::{solve, solve_stack};
 use tabulate::cost::clock::{Times, Timing};
 use tabulate::cost::effects::{A_OVER_R, Effect, Row, STRENGTHS, TABOR, errors, markdown, measure};
 use tabulate::cost::{read_csv, to_csv};
@@ -117,6 +120,28 @@ fn errors_under_a_rigid_sphere_are_the_limit_of_those_under_a_stiff_one() {
                 "{effect:?} at {a_over_t}: {stiff:e}, {rigid:e}"
             );
         }
+    }
+}
+
+#[test]
+fn the_error_of_a_bonded_film_is_that_of_the_loads_of_both() {
+    let (bonded, strength) = (material([1.75, 0.5, 1e5, 0.25]), 0.5);
+    for a_over_t in [0.1, 1.0, 10.0] {
+        let sliding = with_interfaces(
+            solid(1e5, 0.25),
+            &[(layer(1.75, 0.5, 1.0), Interface::Sliding)],
+        );
+        let slid = solve_stack(a_over_t, &sliding, 1.0, 1e-9).expect("within reach");
+        let stuck = solve(a_over_t, &bonded, 1e-9).expect("within reach");
+        let [slid, stuck] = [slid, stuck].map(|solution| solution.quantities);
+        let pressed = stuck.pi0 / slid.pi0 - 1.0;
+        let adhesion = stuck.eeq / stuck.gamma / (slid.eeq / slid.gamma) - 1.0;
+        let expected = (pressed - strength * adhesion).abs();
+        let found = errors(&[Effect::Interface], a_over_t, &bonded, strength).expect("solved")[0];
+        assert!(
+            (found - expected).abs() <= 1e-4 * expected,
+            "{found} {expected}"
+        );
     }
 }
 
@@ -306,6 +331,14 @@ fn rows_say_what_generate_says_of_the_scene_without_an_effect() {
     assert!(rows[..7].iter().all(|row| row.time_ratio.is_none()));
     // So does the finite range, with each pull-off.
     let range = &rows[8];
+    // So does the interface: a film that slides is solved.
+    let interface = &rows[9];
+    assert_eq!((interface.saved_solves, interface.saved_bytes), (0, 0));
+    assert!(interface.time_ratio.is_some_and(|ratio| ratio > 1.0));
+    assert!(
+        (0.01..1.0).contains(&interface.median_error) && interface.worst_error < 20.0,
+        "{interface:?}"
+    );
     assert_eq!((range.saved_solves, range.saved_bytes), (0, 0));
     assert!(range.time_ratio.is_some_and(|ratio| ratio > 0.0));
     assert!(

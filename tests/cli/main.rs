@@ -19,6 +19,7 @@ mod help;
 mod history;
 mod hostile_text;
 mod info;
+mod interfaces;
 mod limits;
 mod magnitudes;
 mod outputs;

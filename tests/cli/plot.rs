@@ -7,7 +7,7 @@ use contact::{ForceDisplacement, Jump, State};
 use interp::{Parameter, Probe, Table};
 use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg::{Node, Options, Tree};
-use tabulate::plot::{error_map, fig2, fig3, fig4, force_displacement, paper};
+use tabulate::plot::{error_map, fig2, fig3, fig4, force_displacement, interface, paper};
 
 /// The width of every figure in pixels.
 const WIDTH: u32 = 840;
@@ -42,6 +42,22 @@ fn fig2_goes_from_one_published_limit_to_the_other() {
         data.pi0.is_sorted_by(|a, b| a[0] < b[0] && a[1] < b[1]),
         "it does not rise throughout"
     );
+}
+
+/// From Hertz on a thick film to springs of the stiffness `E1*/t` under one that slides, `(pi/2) (x +
+/// 2 c)` with `c = 0.3543`.
+#[test]
+fn the_interface_matters_between_hertz_and_the_springs_of_a_sliding_film() {
+    let lines = interface::data().unwrap();
+    assert_eq!(lines.len(), 5);
+    for line in &lines {
+        close(line[0][1], 8.0 / 3.0, 0.05, "thick film");
+        assert!(line.is_sorted_by(|a, b| a[0] < b[0] && a[1] < b[1]));
+    }
+    let last: Vec<_> = lines.iter().map(|line| line[line.len() - 1]).collect();
+    assert!(last.is_sorted_by(|a, b| a[1] > 1.2 * b[1]), "{last:?}");
+    let [x, sliding] = last[4];
+    close(sliding, PI / 2.0 * (x + 2.0 * 0.3543), 1e-3, "sliding film");
 }
 
 #[test]

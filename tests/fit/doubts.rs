@@ -4,7 +4,7 @@ use acceptance::{assert_names, table};
 use fit::{Bodies, Direction, Fit, Free, Kind, Options, Parameter, WarningKind, fit};
 use interp::{HalfSpace, Probe, Table};
 
-use crate::imagined::{Course, Imagined, solid};
+use crate::imagined::{Course, Imagined, doubts, solid};
 
 /// The parameters of a JKR test.
 const LENS: [Parameter; 2] = [Parameter::SphereModulus, Parameter::WorkOfAdhesion];
@@ -50,7 +50,7 @@ fn an_offset_that_is_not_fitted_is_missed() {
     );
     lens.free.push(Free::new(Parameter::LoadOffset));
     let found = fit(Table::embedded(), &[experiment], &lens.free, &options).expect("sound");
-    assert!(found.warnings.is_empty(), "{:?}", found.warnings);
+    assert!(doubts(&found).is_empty(), "{:?}", found.warnings);
     // A contact point and a baseline are missed, too.
     let probe = Imagined::probe(Course::Retract, 1e-4, &[Parameter::FilmModulus]);
     let exact = probe.exact();
@@ -139,7 +139,7 @@ fn what_the_data_do_not_tell_is_named() {
         );
         // If the film's modulus is known, there is no doubt.
         let known = Imagined::lens(kind, 1e-6, 5e-6, &LENS).fit(1);
-        assert!(known.warnings.is_empty(), "{:?}", known.warnings);
+        assert!(doubts(&known).is_empty(), "{:?}", known.warnings);
     }
     // Penetrations at contact radii on a half-space tell w/E* alone.
     let mut lens = Imagined::lens(Kind::PenetrationRadius, 1e-6, 5e-9, &LENS);
@@ -167,7 +167,7 @@ fn what_the_data_do_not_tell_is_named() {
     // A prior on one of them decides.
     lens.free[0] = lens.free[0].with_prior(2e6, 2e4);
     let found = lens.fit(1);
-    assert!(found.warnings.is_empty(), "{:?}", found.warnings);
+    assert!(doubts(&found).is_empty(), "{:?}", found.warnings);
     let error = found.estimate(LENS[0]).expect("free").standard_error;
     assert!((error / 2e4 - 1.0).abs() < 0.01, "{error}");
 }
@@ -292,7 +292,7 @@ fn contacts_outside_the_model_are_warned_of() {
     );
     // The lens is soft and in the limit of JKR.
     let lens = Imagined::lens(Kind::LoadRadius, 10e-6, 5e-6, &LENS).fit(1);
-    assert!(lens.warnings.is_empty(), "{:?}", lens.warnings);
+    assert!(doubts(&lens).is_empty(), "{:?}", lens.warnings);
 }
 
 #[test]
@@ -427,7 +427,7 @@ fn directions_without_hysteresis_are_no_reason_for_doubt() {
     lens.course = Course::Cycle;
     for seed in 0..20 {
         let found = lens.fit(seed);
-        assert!(found.warnings.is_empty(), "{:?}", found.warnings);
+        assert!(doubts(&found).is_empty(), "{:?}", found.warnings);
         let retracts = found.experiments[0].points.iter();
         let retracts = retracts.filter(|point| point.branch == fit::Branch::Receding);
         assert_eq!(retracts.count(), 40);

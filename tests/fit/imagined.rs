@@ -7,6 +7,7 @@ use acceptance::{Contacts, paper_system};
 use contact::Contact;
 use fit::{
     Bodies, Direction, Experiment, Fit, Free, Kind, Loss, Measurement, Options, Parameter, Point,
+    Warning, WarningKind,
 };
 use interp::{Elastic, HalfSpace, Probe, System, Table};
 
@@ -51,6 +52,14 @@ pub fn measurement(kind: Kind, points: Vec<Point>) -> Measurement {
         kind,
         points,
     }
+}
+
+/// Returns the warnings of a fit but that it takes its film as bonded, which is the truth.
+pub fn doubts(found: &Fit) -> Vec<&Warning> {
+    let warnings = found.warnings.iter();
+    warnings
+        .filter(|one| one.kind != WarningKind::AssumesBonding)
+        .collect()
 }
 
 /// Makes a solid.
@@ -126,6 +135,7 @@ impl Imagined {
                     .map(|one| solve::stack::Layer {
                         solid: one.solid,
                         thickness: one.thickness,
+                        interface: one.interface,
                     })
                     .collect();
                 let stack = solve::stack::Stack::new(layered.base, layers).expect("physical");

@@ -11,23 +11,25 @@ use fit::{
 };
 use interp::{Elastic, Probe, System, Table};
 use rayon::prelude::*;
+use solve::stack::Interface;
 
-use crate::imagined::{Course, Imagined, measurement, solid};
+use crate::imagined::{Course, Imagined, doubts, measurement, solid};
 
-fn named(name: &str) -> LayerName {
+pub fn named(name: &str) -> LayerName {
     name.parse().expect("a name")
 }
 
-fn layer(name: &str, solid: Elastic, thickness: f64) -> Layer {
+pub fn layer(name: &str, solid: Elastic, thickness: f64) -> Layer {
     Layer {
         name: Some(named(name)),
         solid,
         thickness,
+        interface: Interface::Bonded,
     }
 }
 
 /// Puts a sphere on layers on a base.
-fn on_layers(system: &System, layers: &[Layer]) -> Bodies {
+pub fn on_layers(system: &System, layers: &[Layer]) -> Bodies {
     Bodies::Layered(Layered {
         probe: system.probe.clone(),
         sphere_modulus: system.sphere_modulus,
@@ -73,7 +75,7 @@ fn with_reach(mut experiment: Experiment) -> Experiment {
     experiment
 }
 
-fn fit_of(experiment: Experiment, imagined: &Imagined) -> Fit {
+pub fn fit_of(experiment: Experiment, imagined: &Imagined) -> Fit {
     let options = Options {
         loss: imagined.loss,
         ..Options::default()
@@ -84,7 +86,7 @@ fn fit_of(experiment: Experiment, imagined: &Imagined) -> Fit {
 
 /// Fits 50 data sets, and asserts that the intervals of 68 % and 95 % hold the truth as often as
 /// they should, that all fits converge, and that none has another warning than those expected.
-fn recover(name: &str, imagined: &Imagined, expected: &[WarningKind]) {
+pub fn recover(name: &str, imagined: &Imagined, expected: &[WarningKind]) {
     const SETS: u64 = 50;
     /// The numbers of 50 that a binomial distribution with 0.6827 and 0.95 exceeds on either side
     /// once in 20,000 times.
@@ -111,7 +113,7 @@ fn recover(name: &str, imagined: &Imagined, expected: &[WarningKind]) {
             );
         }
     }
-    let all = fits.iter().flat_map(|fit| &fit.warnings);
+    let all = fits.iter().flat_map(doubts);
     let unexpected: Vec<_> = all.filter(|one| !expected.contains(&one.kind)).collect();
     assert!(unexpected.is_empty(), "{name}: {unexpected:?}");
     assert!(fits.iter().all(|fit| fit.converged), "{name}");
@@ -224,6 +226,14 @@ fn one_layer_gives_the_fit_of_the_film() {
                 stack.parameter
             );
         }
+        let off = |fit: &Fit| {
+            let without = fit.without_film.as_ref().expect("JKR");
+            without.modulus.map(|bias| bias.relative)
+        };
+        let [without_film, without_layer] = [&film, &stack].map(off);
+        assert_eq!(without_film.is_some(), without_layer.is_some());
+        let [a, b] = [without_film, without_layer].map(|off| off.unwrap_or(0.0));
+        assert!((a - b).abs() <= 1e-3 * (1.0 + a.abs()), "{a} {b}");
         assert_eq!(
             film.warnings.iter().map(|one| one.kind).collect::<Vec<_>>(),
             stack

@@ -10,6 +10,7 @@ mod drawn;
 mod fixed_values;
 mod hostile;
 mod imagined;
+mod interfaces;
 mod intervals;
 mod layers;
 mod left_out;

@@ -5,7 +5,7 @@ use fit::{Bodies, Experiment, Fit, Free, Kind, Loss, Options, Parameter, Warning
 use interp::{HalfSpace, Probe, System, Table};
 use rayon::prelude::*;
 
-use crate::imagined::{Course, Imagined, solid};
+use crate::imagined::{Course, Imagined, doubts, solid};
 
 /// The number of data sets of each kind.
 pub const SETS: u64 = 200;
@@ -48,7 +48,7 @@ pub fn assert_coverage(
     }
     let unexpected: Vec<_> = fits
         .iter()
-        .flat_map(|fit| &fit.warnings)
+        .flat_map(doubts)
         .filter(|warning| !expected.contains(&warning.kind))
         .collect();
     // Each of some ten tests for doubts in a fit has a chance of 7e-6 of a false alarm.

@@ -17,7 +17,7 @@ pub use data::{Case, Data};
 pub use error::{TRUTH, all_bits, bits, error_at, larger, relative_error, relative_errors};
 pub use forgery::{Checked, PREFIX, checksum, with_payload};
 pub use material::{material, paper_system};
-pub use stacks::{layer, random_stack, solid, stack};
+pub use stacks::{layer, random_stack, solid, springs, stack, with_interfaces};
 pub use tables::{BOX, RIGID_SPHERE, ends, low_rank, shipped, table};
 pub use workdir::{Run, Workdir, assert_names, nothing_starts, start};
 

@@ -1,7 +1,7 @@
 //! Stacks of layers: as the reference files write them, and at random.
 
 use interp::Elastic;
-use solve::stack::{Layer, Stack};
+use solve::stack::{Interface, Layer, Stack};
 
 use crate::Case;
 
@@ -18,10 +18,7 @@ pub fn solid(young: f64, poisson: f64) -> Elastic {
 /// # Panics
 /// If its solid is not physical.
 pub fn layer(young: f64, poisson: f64, thickness: f64) -> Layer {
-    Layer {
-        solid: solid(young, poisson),
-        thickness,
-    }
+    Layer::bonded(solid(young, poisson), thickness)
 }
 
 /// Returns the stack of a `base` and `layers` from the base up.
@@ -32,7 +29,49 @@ pub fn stack(base: Elastic, layers: &[Layer]) -> Stack {
     Stack::new(base, layers).unwrap_or_else(|e| panic!("{e}"))
 }
 
+/// Returns springs of the stiffnesses `tangential` and `normal` (Pa/m).
+pub const fn springs(tangential: f64, normal: f64) -> Interface {
+    Interface::Springs { tangential, normal }
+}
+
+/// Returns the stack of a `base` and `layers` from the base up, each with the interface below it.
+///
+/// # Panics
+/// If it is refused.
+pub fn with_interfaces(base: Elastic, layers: &[(Layer, Interface)]) -> Stack {
+    let layers: Vec<Layer> = layers
+        .iter()
+        .map(|&(layer, interface)| Layer { interface, ..layer })
+        .collect();
+    stack(base, &layers)
+}
+
 impl Case<'_> {
+    /// Returns the stack in the columns `layers`, `base` and `interfaces` (`bonded`, `sliding` or
+    /// `kt:kn`, below each layer, from the base up).
+    ///
+    /// # Panics
+    /// If it is not physical.
+    pub fn stack_with_interfaces(&self) -> Stack {
+        let bonded = self.stack();
+        let number = |text: &str| text.parse().unwrap_or_else(|e| panic!("{text}: {e}"));
+        let interfaces = self.text("interfaces").split('|').map(|text| match text {
+            "bonded" => Interface::Bonded,
+            "sliding" => Interface::Sliding,
+            _ => match text.split_once(':') {
+                Some((tangential, normal)) => springs(number(tangential), number(normal)),
+                None => panic!("{text} is no interface"),
+            },
+        });
+        let layers: Vec<_> = bonded.layers().iter().copied().zip(interfaces).collect();
+        assert_eq!(
+            layers.len(),
+            bonded.layers().len(),
+            "an interface for each layer"
+        );
+        with_interfaces(bonded.base(), &layers)
+    }
+
     /// Returns the stack in the columns `layers` (`E:nu:h|E:nu:h...` from the base up) and `base`
     /// (`rigid` or `E:nu`).
     ///

@@ -2,11 +2,12 @@
 //! form of the file, and lookups of films are refused.
 
 use acceptance::{
-    Workdir, assert_names, larger, layer, relative_error, solid, stack, table, workdir,
+    Workdir, assert_names, larger, layer, relative_error, solid, stack, table, with_interfaces,
+    workdir,
 };
 use interp::{Error, Material, Parameter, Quantity, Table};
 use serde_json::Value;
-use solve::stack::Stack;
+use solve::stack::{Interface, Stack};
 use solve::{solve_stack, stack_curve};
 use tabulate::table::{Scene, StackTable, certify};
 
@@ -124,6 +125,34 @@ fn one_layer_is_the_film() {
     }
     println!("one layer: {worst:.1e}");
     assert!(worst <= 1e-6);
+}
+
+/// One layer that slides is no film: the table holds the interface, in every form of its file.
+#[test]
+fn a_layer_that_slides_is_looked_up_as_it_is_solved() {
+    let text = "[stack]\nbase = { young_modulus = 1e8, poisson_ratio = 0.3 }\n[[stack.layers]]\n\
+        young_modulus = 2e6\npoisson_ratio = 0.4\nthickness = 1e-6\ninterface = 'sliding'\n";
+    let sliding = with_interfaces(
+        solid(1e8, 0.3),
+        &[(layer(2e6, 0.4, 1e-6), Interface::Sliding)],
+    );
+    let dense = table(&format!("{AXES}{text}"));
+    let packed = Table::from_packed(&dense.to_packed().expect("small")).expect("sound");
+    for table in [&dense, &packed] {
+        let table = StackTable::new(table).expect("a stack");
+        assert_eq!(table.stack(), &sliding);
+        let mut worst = 0.0;
+        for [x, sphere] in places(50) {
+            let a_over_t = 0.03 * 1000_f64.powf(x);
+            let modulus = 2e6 / (1e-2 * 1e4_f64.powf(sphere));
+            let truth = solve_stack(a_over_t, &sliding, modulus, 1e-11).expect("in reach");
+            let curve = table.curve(modulus).expect("inside");
+            let found = curve.quantities(a_over_t).expect("inside");
+            worst = larger(worst, relative_error(&found, &truth.quantities));
+        }
+        println!("one layer that slides: {worst:.1e}");
+        assert!(worst <= 1e-6);
+    }
 }
 
 /// Limits: a rigid sphere, and a rigid base, which needs no Poisson ratio.

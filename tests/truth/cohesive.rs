@@ -41,10 +41,10 @@ impl Bodies {
             .split('|')
             .map(|layer| {
                 let (body, thickness) = layer.rsplit_once(':').expect("E:nu:h");
-                Layer {
-                    solid: solid(body),
-                    thickness: thickness.parse::<f64>().expect("a thickness") * THICKNESS,
-                }
+                Layer::bonded(
+                    solid(body),
+                    thickness.parse::<f64>().expect("a thickness") * THICKNESS,
+                )
             })
             .collect();
         let rigid = case.text("sphere") == "rigid";
@@ -134,10 +134,7 @@ fn half_space(lambda: f64) -> (Cohesive, f64, f64) {
     const RADIUS: f64 = 1e-3;
     const WORK: f64 = 1e-6 * MODULUS * RADIUS;
     let solid = Elastic::new(MODULUS, 0.0).expect("physical");
-    let layer = Layer {
-        solid,
-        thickness: RADIUS,
-    };
+    let layer = Layer::bonded(solid, RADIUS);
     let stack = Stack::new(solid, [layer]).expect("physical");
     let k = 4.0 / 3.0 * MODULUS;
     let stress = 0.5 * lambda / (RADIUS / (PI * WORK * k * k)).cbrt();
@@ -196,10 +193,7 @@ fn on_film(lambda: f64, confined: bool) -> (Cohesive, f64, f64) {
     };
     let film = Elastic::new(young * MODULUS, 0.5).expect("physical");
     let base = Elastic::new(base * MODULUS, 0.25).expect("physical");
-    let layer = Layer {
-        solid: film,
-        thickness: THICKNESS,
-    };
+    let layer = Layer::bonded(film, THICKNESS);
     let stack = Stack::new(base, [layer]).expect("physical");
     let (radius, w) = (100.0 * THICKNESS, 2e-3 * MODULUS * THICKNESS);
     let cohesive = Cohesive::on_stack(
@@ -412,10 +406,7 @@ fn values_outside_the_domain_are_named() {
     }
     let stack = |w: f64, range: f64| {
         let film = Elastic::new(MODULUS, 0.5).expect("physical");
-        let layer = Layer {
-            solid: film,
-            thickness: THICKNESS,
-        };
+        let layer = Layer::bonded(film, THICKNESS);
         let stack = Stack::new(film, [layer]).expect("physical");
         Cohesive::on_stack(&stack, radius, MODULUS, w, range)
     };
@@ -436,10 +427,7 @@ fn values_outside_the_domain_are_named() {
 fn an_attraction_beyond_the_reach_is_refused() {
     let film = Elastic::new(MODULUS, 0.5).expect("physical");
     let base = Elastic::new(1e5 * MODULUS, 0.25).expect("physical");
-    let layer = Layer {
-        solid: film,
-        thickness: THICKNESS,
-    };
+    let layer = Layer::bonded(film, THICKNESS);
     let stack = Stack::new(base, [layer]).expect("physical");
     let reach = REACH * THICKNESS;
     for radius in [1.0, 1e30] {

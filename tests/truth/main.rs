@@ -14,6 +14,8 @@ mod equivalence;
 mod hard_cases;
 mod hayes;
 mod identities;
+mod interface_limits;
+mod interfaces;
 mod limits;
 mod paper;
 mod power_laws;

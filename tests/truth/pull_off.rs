@@ -295,10 +295,7 @@ fn scales_and_a_divided_film_change_nothing() {
             (scaled / expected - 1.0).abs() < 1e-8,
             "{seed}: {scaled:e}, {expected:e}"
         );
-        let half = Layer {
-            solid: case.system.film,
-            thickness: 0.5 * case.system.film_thickness,
-        };
+        let half = Layer::bonded(case.system.film, 0.5 * case.system.film_thickness);
         let stack = Stack::new(case.system.substrate, [half, half]).expect("physical");
         let (radius, sphere) = (case.sphere_radius(), case.system.sphere_modulus);
         let divided = Cohesive::on_stack(&stack, radius, sphere, case.work_of_adhesion, case.range)
@@ -316,9 +313,8 @@ fn stacks_have_the_pull_off_of_the_first_order() {
     let mut compared = 0;
     for thickness in [2e-7, 2e-6, 2e-5] {
         for control in [Control::Load, Control::Displacement] {
-            let layers = [(2e5, 0.5, 0.4), (2e6, 0.49, 0.6)].map(|(young, poisson, part)| Layer {
-                solid: solid(young, poisson),
-                thickness: part * thickness,
+            let layers = [(2e5, 0.5, 0.4), (2e6, 0.49, 0.6)].map(|(young, poisson, part)| {
+                Layer::bonded(solid(young, poisson), part * thickness)
             });
             let stack = Stack::new(solid(1e10, 0.25), layers).expect("physical");
             let top = 0.6 * thickness;

@@ -169,10 +169,8 @@ fn short_ranges_agree_with_reference_values() {
 fn systems() -> [(&'static str, Stack, f64, f64, f64); 5] {
     let solid = |young: f64, poisson| Elastic::new(young * MODULUS, poisson).expect("physical");
     let stack = |base, layers: &[(Elastic, f64)]| {
-        let layer = |&(solid, thickness): &(Elastic, f64)| Layer {
-            solid,
-            thickness: thickness * THICKNESS,
-        };
+        let layer =
+            |&(solid, thickness): &(Elastic, f64)| Layer::bonded(solid, thickness * THICKNESS);
         Stack::new(base, layers.iter().map(layer).collect::<Vec<_>>()).expect("physical")
     };
     let wafer = solid(1e5, 0.25);

@@ -82,10 +82,7 @@ fn a_film_in_parts_has_the_compliance_of_the_film() {
             let material = Material::new(0.0, film.poisson(), young, poisson).expect("physical");
             let compliance = Compliance::new(&material);
             for parts in [1, 2, 7, 200] {
-                let part = Layer {
-                    solid: film,
-                    thickness: 1.0 / parts as f64,
-                };
+                let part = Layer::bonded(film, 1.0 / parts as f64);
                 let cut = stack(base, &vec![part; parts]);
                 let whole = |k: f64| compliance.sample(k).excess;
                 worst = larger(worst, apart(&excess(&cut), &whole));
@@ -149,10 +146,7 @@ fn stacks_that_are_equivalent_in_the_sense_of_dundurs_have_one_compliance() {
         let layers: Vec<Layer> = given
             .layers()
             .iter()
-            .map(|l| Layer {
-                solid: shifted(l.solid),
-                thickness: l.thickness,
-            })
+            .map(|l| Layer::bonded(shifted(l.solid), l.thickness))
             .collect();
         let other = stack(shifted(given.base()), &layers);
         worst = larger(worst, apart(&excess(&given), &excess(&other)));
@@ -237,7 +231,10 @@ fn long_waves_on_a_rigid_base_feel_springs_in_series_or_squeeze_flow() {
         ],
     );
     let [mut once, mut twice, mut thrice] = [0.0; 3];
-    for Layer { solid, thickness } in flow.layers() {
+    for Layer {
+        solid, thickness, ..
+    } in flow.layers()
+    {
         let ([compliance, ..], h) = (numbers(solid), *thickness);
         thrice += twice * h + 0.5 * once * h * h + compliance * h.powi(3) / 6.0;
         twice += once * h + 0.5 * compliance * h * h;
@@ -381,10 +378,7 @@ fn wide_contacts_approach_the_bare_base_like_the_first_order_expansion() {
 fn a_stack_that_is_one_film_is_solved_as_the_film() {
     let (base, film) = (solid(2e5, 0.25), solid(3.5, 0.5));
     let material = Material::new(1.75, 0.5, 1e5, 0.25).expect("physical");
-    let part = Layer {
-        solid: film,
-        thickness: 1.0 / 256.0,
-    };
+    let part = Layer::bonded(film, 1.0 / 256.0);
     for x in [1e-3, 1.0, 30.0, 1e4] {
         let truth = solve(x, &material, 1e-10).expect("within reach");
         for cut in [

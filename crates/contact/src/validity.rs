@@ -54,7 +54,9 @@ pub struct FilmValidity {
     /// Near 1, every digit of `1/2 - nu1` counts (Johnson, *Contact Mechanics*, 5.8).
     ///
     /// For a stack of layers it is the same ratio, of all layers together
-    /// ([`Curve::of_stack`](interp::Curve::of_stack)), and `a/t` is with their whole thickness.
+    /// ([`Curve::of_stack`](interp::Curve::of_stack)), and `a/t` is with their whole thickness. It is
+    /// NaN if a layer slides on what lies below, or is joined to it by springs: such layers yield
+    /// sideways without being confined.
     pub compressibility: f64,
     /// The penetration without adhesion over the thickness of the film, `delta0/t`: the size of its
     /// strain. The model is linear. Where the curve does not cover `a/t`, the penetration is that
@@ -213,7 +215,11 @@ impl Contact {
                     .map_or(3.0 / 16.0 * (1.0 - 2.0 * nu1) / (1.0 - nu1), |stack| {
                         stack.compressibility
                     });
-                let compressibility = finite_result(a, factor * a_over_t * a_over_t)?;
+                let compressibility = if factor.is_nan() {
+                    factor
+                } else {
+                    finite_result(a, factor * a_over_t * a_over_t)?
+                };
                 let strain = finite_result(a, without / system.film_thickness)?;
                 let [from, to] = curve.range();
                 let in_range = (from..=to).contains(&a_over_t);

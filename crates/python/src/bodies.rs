@@ -4,7 +4,7 @@
 
 use std::path::PathBuf;
 
-use ::solve::stack::{Layer, Stack};
+use ::solve::stack::{Interface, Layer, Stack};
 use interp::{Elastic, Error, HalfSpace, Probe, System};
 use numpy::PyReadonlyArray1;
 use pyo3::exceptions::PyValueError;
@@ -15,8 +15,9 @@ use crate::error::OrRaise as _;
 
 /// Young's modulus and Poisson ratio.
 pub type Solid = (f64, f64);
-/// A layer: its solid, its thickness, and its name if it has one.
-pub type GivenLayer = (Solid, f64, Option<String>);
+/// A layer: its solid, its thickness, its name if it has one, and the tangential and the normal
+/// stiffness of the interface below.
+pub type GivenLayer = (Solid, f64, Option<String>, (f64, f64));
 
 /// The shape of a probe.
 #[pyclass(frozen, module = "coated_contact._core", name = "Probe")]
@@ -132,11 +133,12 @@ impl NativeStack {
     ) -> PyResult<Self> {
         let make = || {
             let mut names = Vec::with_capacity(layers.len());
-            let layer = |(given, thickness, name)| {
+            let layer = |(given, thickness, name, (tangential, normal))| {
                 names.push(name);
                 Ok(Layer {
                     solid: solid(given)?,
                     thickness,
+                    interface: Interface::Springs { tangential, normal },
                 })
             };
             let layers: Result<Vec<Layer>, Error> = layers.into_iter().map(layer).collect();
@@ -182,7 +184,15 @@ impl NativeStackSystem {
 pub fn parts(NamedStack { stack, names }: &NamedStack) -> (Solid, Vec<GivenLayer>) {
     let solid = |solid: Elastic| (solid.young(), solid.poisson());
     let layers = stack.layers().iter().zip(names);
-    let layers = layers.map(|(layer, name)| (solid(layer.solid), layer.thickness, name.clone()));
+    let layers = layers.map(|(layer, name)| {
+        let stiffnesses = layer.interface.stiffnesses().into();
+        (
+            solid(layer.solid),
+            layer.thickness,
+            name.clone(),
+            stiffnesses,
+        )
+    });
     (solid(stack.base()), layers.collect())
 }
 

@@ -300,6 +300,7 @@ fn layered(
             name: name.as_deref().map(str::parse).transpose()?,
             solid: layer.solid,
             thickness: layer.thickness,
+            interface: layer.interface,
         })
     });
     Ok(Layered {
@@ -371,28 +372,37 @@ pub fn unknown(name: &str, word: &str) -> PyErr {
     PyValueError::new_err(format!("{word:?} is not a {name}"))
 }
 
+/// The end of the name of the stiffness of an interface in Python.
+const INTERFACE: &str = ".interface_stiffness";
+
 /// Returns the parameter of a name in Python. That of a layer has the name of the layer as it is.
 pub fn parameter(name: &str) -> Result<Parameter, fit::Error> {
     let plain = name.replace('_', "-").parse();
     if matches!(plain, Ok(parameter) if !is_of_layer(parameter)) {
         return plain;
     }
-    name.parse()
+    match name.strip_suffix(INTERFACE) {
+        Some(layer) => Ok(Parameter::LayerInterfaceStiffness(layer.parse()?)),
+        None => name.parse(),
+    }
 }
 
 /// Returns the name of a parameter in Python.
 fn name(parameter: Parameter) -> String {
-    if is_of_layer(parameter) {
-        return parameter.name().into_owned();
+    match parameter {
+        Parameter::LayerInterfaceStiffness(layer) => format!("{layer}{INTERFACE}"),
+        _ if is_of_layer(parameter) => parameter.name().into_owned(),
+        _ => parameter.name().replace('-', "_"),
     }
-    parameter.name().replace('-', "_")
 }
 
 /// Tells whether a parameter is that of a layer of a stack.
 fn is_of_layer(parameter: Parameter) -> bool {
     matches!(
         parameter,
-        Parameter::LayerModulus(_) | Parameter::LayerThickness(_)
+        Parameter::LayerModulus(_)
+            | Parameter::LayerThickness(_)
+            | Parameter::LayerInterfaceStiffness(_)
     )
 }
 

@@ -65,6 +65,7 @@ use fearless_simd::prelude::*;
 
 use crate::compliance::hyperbolic_rests;
 use crate::exponential::exponential;
+use crate::joint::Joint;
 
 /// The largest `q` of a layer for which the power series of (1) are used; (2) is used beyond.
 const SWITCH: f64 = 1.0;
@@ -79,6 +80,8 @@ pub struct Slab {
     pub thickness: f64,
     /// The shear modulus over that of the body below; 1 on a rigid base, whose minors have no unit.
     contrast: f64,
+    /// The interface below.
+    pub joint: Joint,
     b: f64,
     l: f64,
     /// `2/(1 - nu)`, the reduced modulus over half the shear modulus.
@@ -97,10 +100,11 @@ pub struct Samples<V> {
 
 impl Slab {
     /// Takes the numbers of a layer of Poisson ratio `nu`.
-    pub fn new(nu: f64, thickness: f64, contrast: f64) -> Self {
+    pub fn new(nu: f64, thickness: f64, contrast: f64, joint: Joint) -> Self {
         Self {
             thickness,
             contrast,
+            joint,
             b: (1.0 - 2.0 * nu) / (2.0 * (1.0 - nu)),
             l: nu / (1.0 - nu),
             e: 2.0 / (1.0 - nu),
@@ -109,9 +113,23 @@ impl Slab {
 
     /// Changes minors in the unit of the body below into the unit of this layer.
     #[inline(always)]
-    pub fn enter<S: Simd>(&self, [d, c11, c12, c22, det]: Minors<S>) -> Minors<S> {
+    pub fn in_unit<S: Simd>(&self, [d, c11, c12, c22, det]: Minors<S>) -> Minors<S> {
         let m = self.contrast;
         [d, c11 * m, c12 * m, c22 * m, det * (m * m)]
+    }
+
+    /// Carries minors `y` and `z = k dy/dk`, in the unit of the body below, through the interface
+    /// into this layer, at wave numbers `k`.
+    #[inline(always)]
+    pub fn enter<S: Simd>(
+        &self,
+        simd: S,
+        k: S::f64s,
+        y: Minors<S>,
+        z: Minors<S>,
+    ) -> [Minors<S>; 2] {
+        let [y, z] = [y, z].map(|minors| self.in_unit::<S>(minors));
+        self.joint.pass(simd, k, y, z)
     }
 
     /// Returns `N y`.

@@ -144,10 +144,11 @@ pub fn check_reach(stack: &Stack, a_over_t: f64) -> Result<(), Error> {
     let merged = stack.merged();
     let layers = merged.layers().len();
     let thickness_over_top = stack.thickness() / merged.top().thickness;
-    // One layer is solved as a film.
-    let most = match layers {
-        1 => A_OVER_T[1],
-        _ => MOST_A_OVER_TOP,
+    // A film is solved by the methods for films.
+    let most = if merged.is_film() {
+        A_OVER_T[1]
+    } else {
+        MOST_A_OVER_TOP
     };
     let reach = most / thickness_over_top;
     if a_over_t <= reach {
@@ -183,7 +184,7 @@ struct Layers<'a> {
 
 /// What a stack turns out to be.
 enum Form {
-    /// One film on the base.
+    /// One film, bonded to the base.
     Film,
     /// Several layers.
     Layers(LayeredCompliance),
@@ -199,7 +200,7 @@ impl<'a> Layers<'a> {
         check_reach(stack, a_over_t)?;
         let merged = stack.merged().of_top_layer();
         let count = merged.layers().len();
-        let form = if count == 1 {
+        let form = if merged.is_film() {
             Form::Film
         } else {
             let compliance = LayeredCompliance::new(&merged);

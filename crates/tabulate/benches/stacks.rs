@@ -6,7 +6,7 @@ use std::hint::black_box;
 
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 use interp::{Certificate, Description, Elastic, Material, Table};
-use solve::stack::{Layer, Stack};
+use solve::stack::{Interface, Layer, Stack};
 use solve::{solve, solve_stack, stack_curve};
 use tabulate::table::{Plan, Scene, StackTable, sweep};
 
@@ -22,10 +22,7 @@ fn solid(young: f64, poisson: f64) -> Elastic {
 
 /// A primer and an adhesive below the paper's film, all of one thickness.
 fn three_layers() -> Stack {
-    let layer = |young, poisson| Layer {
-        solid: solid(young, poisson),
-        thickness: 1e-6,
-    };
+    let layer = |young, poisson| Layer::bonded(solid(young, poisson), 1e-6);
     let layers = [layer(5e5, 0.5), layer(3e7, 0.4), layer(1.75e6, 0.5)];
     Stack::new(solid(1e11, 0.25), layers).expect("physical")
 }
@@ -53,6 +50,17 @@ fn curves(criterion: &mut Criterion) {
     criterion.bench_function("curve of 200 layers, a/h up to 200", |b| {
         b.iter(|| stack_curve(black_box(&stack), 1e6, [1e-2, 1.0], TOLERANCE))
     });
+    let film = Layer {
+        interface: Interface::Sliding,
+        ..Layer::bonded(solid(1.75e6, 0.5), 1e-6)
+    };
+    let film = Stack::new(solid(1e11, 0.25), [film]).expect("physical");
+    for to in [10.0, 100.0] {
+        let name = format!("curve of a film that slides, three decades of a/t up to {to}");
+        criterion.bench_function(&name, |b| {
+            b.iter(|| stack_curve(black_box(&film), 1e6, [1e-3 * to, to], TOLERANCE))
+        });
+    }
 }
 
 /// The nodes of one `a/t` under one sphere and under 29.

@@ -1,5 +1,7 @@
 //! Stacks of layers as TOML gives them: a file of a stack, or the table `[stack]` of a scene.
 
+mod interface;
+
 use std::io::Read;
 use std::path::Path;
 
@@ -38,6 +40,7 @@ struct TextLayer {
     young_modulus: f64,
     poisson_ratio: f64,
     thickness: f64,
+    interface: Option<toml::Value>,
 }
 
 /// A stack with the names of its layers, as a file or a scene gives them.
@@ -53,8 +56,11 @@ impl NamedStack {
     /// Reads a stack file: TOML in SI units.
     ///
     /// It has `base = { young_modulus = .., poisson_ratio = .. }` and, from the base up, a
-    /// `[[layers]]` with `young_modulus`, `poisson_ratio`, `thickness` and perhaps a `name` for each
-    /// layer. A base with `young_modulus = inf` is rigid and needs no Poisson ratio.
+    /// `[[layers]]` with `young_modulus`, `poisson_ratio`, `thickness` and perhaps a `name` and an
+    /// `interface` for each layer. The interface is what joins the layer to what lies below it:
+    /// `"bonded"`, which no interface means, `"sliding"`, or springs, `{ tangential_stiffness = ..,
+    /// normal_stiffness = .. }` in Pa/m, of which the latter is infinity if it is left out. A base with
+    /// `young_modulus = inf` is rigid and needs no Poisson ratio.
     ///
     /// # Errors
     /// [`Error::Read`] if the file cannot be read, or has more than a megabyte;
@@ -118,10 +124,15 @@ impl Text {
         }
         .map_err(|error| format!("base: {error}"))?;
         let solids = layers.iter().enumerate().map(|(i, layer)| {
+            let solid = Elastic::new(layer.young_modulus, layer.poisson_ratio)
+                .map_err(|error| format!("{}: {error}", of_layer(i)))?;
+            let interface = layer.interface.as_ref().map(interface::read).transpose();
             Ok(Layer {
-                solid: Elastic::new(layer.young_modulus, layer.poisson_ratio)
-                    .map_err(|error| format!("{}: {error}", of_layer(i)))?,
+                solid,
                 thickness: layer.thickness,
+                interface: interface
+                    .map_err(|what| format!("{}: {what}", of_layer(i)))?
+                    .unwrap_or_default(),
             })
         });
         match Stack::new(base, solids.collect::<Result<Vec<_>, String>>()?) {
@@ -216,7 +227,9 @@ mod tests {
 
     #[test]
     fn a_damaged_stack_file_is_refused_or_sound() {
-        const WORDS: [&str; 12] = [
+        const INTERFACE: &str =
+            "interface = { tangential_stiffness = 2e11, normal_stiffness = 3e12 }\n";
+        const WORDS: [&str; 13] = [
             "nan",
             "inf",
             "-inf",
@@ -226,13 +239,14 @@ mod tests {
             "1e308",
             "[[layers]]",
             "name",
+            "interface",
             "{",
             "\"",
             "\n",
         ];
         let (mut refused, mut accepted) = (0, 0);
         each_damaged(
-            SOUND.as_bytes(),
+            format!("{SOUND}{INTERFACE}").as_bytes(),
             &WORDS,
             3,
             |_, bytes| match std::str::from_utf8(bytes).map(NamedStack::parse) {

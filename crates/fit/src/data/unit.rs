@@ -18,6 +18,8 @@ pub enum Dimension {
     ForcePerLength,
     /// In metres per volt: the sensitivity of a deflection.
     LengthPerVoltage,
+    /// In pascals per metre: the stiffness of an interface, per area.
+    ModulusPerLength,
 }
 
 impl Dimension {
@@ -30,6 +32,7 @@ impl Dimension {
             Self::Modulus => "Pa",
             Self::ForcePerLength => "N/m or J/m^2",
             Self::LengthPerVoltage => "m/V",
+            Self::ModulusPerLength => "Pa/m",
         }
     }
 
@@ -42,6 +45,7 @@ impl Dimension {
             Self::Modulus => "3.5MPa or 70GPa",
             Self::ForcePerLength => "0.1N/m or 40mJ/m^2",
             Self::LengthPerVoltage => "30nm/V",
+            Self::ModulusPerLength => "2e14 Pa/m or 200GPa/mm",
         }
     }
 }
@@ -55,6 +59,7 @@ impl fmt::Display for Dimension {
             Self::Modulus => "a modulus",
             Self::ForcePerLength => "a stiffness or a work of adhesion",
             Self::LengthPerVoltage => "a sensitivity",
+            Self::ModulusPerLength => "a stiffness per area",
         })
     }
 }
@@ -94,11 +99,13 @@ const BASES: [(&str, &[&str], Dimension); 4] = [
 ];
 
 /// Quotients of two symbols: numerator, denominator and its power, dimension.
-const QUOTIENTS: [(&str, &str, i32, Dimension); 4] = [
+const QUOTIENTS: [(&str, &str, i32, Dimension); 6] = [
     ("N", "m", 1, Dimension::ForcePerLength),
     ("J", "m", 2, Dimension::ForcePerLength),
     ("N", "m", 2, Dimension::Modulus),
     ("m", "V", 1, Dimension::LengthPerVoltage),
+    ("Pa", "m", 1, Dimension::ModulusPerLength),
+    ("N", "m", 3, Dimension::ModulusPerLength),
 ];
 
 impl Unit {
@@ -152,10 +159,18 @@ fn prefixed(text: &str, symbol: &str) -> Option<i32> {
 
 /// Returns the dimension and the power of ten of a quotient.
 fn quotient(above: &str, below: &str) -> Option<(Dimension, i32)> {
-    let squared = ["^2", "\u{b2}", "2"]
+    let powers = [
+        ("^2", 2),
+        ("\u{b2}", 2),
+        ("2", 2),
+        ("^3", 3),
+        ("\u{b3}", 3),
+        ("3", 3),
+    ];
+    let raised = powers
         .into_iter()
-        .find_map(|square| below.strip_suffix(square));
-    let (below, exponent) = squared.map_or((below, 1), |below| (below, 2));
+        .find_map(|(power, exponent)| Some((below.strip_suffix(power)?, exponent)));
+    let (below, exponent) = raised.unwrap_or((below, 1));
     QUOTIENTS
         .into_iter()
         .filter(|(_, _, own, _)| *own == exponent)
@@ -212,6 +227,8 @@ mod tests {
             ("mJ/m2", Dimension::ForcePerLength, 1e-3),
             ("J / cm\u{b2}", Dimension::ForcePerLength, 1e4),
             ("nm/V", Dimension::LengthPerVoltage, 1e-9),
+            ("GPa/um", Dimension::ModulusPerLength, 1e15),
+            ("N/mm^3", Dimension::ModulusPerLength, 1e9),
         ] {
             assert_eq!(Unit::parse(text), Some(Unit { dimension, size }), "{text}");
         }

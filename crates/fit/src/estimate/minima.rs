@@ -174,7 +174,8 @@ const fn rank(parameter: Parameter) -> Option<usize> {
         Parameter::FilmThickness => 1,
         Parameter::LayerModulus(_) => 2,
         Parameter::LayerThickness(_) => 3,
-        Parameter::SphereModulus => 4,
+        Parameter::LayerInterfaceStiffness(_) => 4,
+        Parameter::SphereModulus => 5,
         _ => return None,
     })
 }

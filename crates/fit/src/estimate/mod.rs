@@ -14,6 +14,7 @@ mod agreement;
 mod cycle;
 mod fixed_values;
 mod forecast;
+mod interfaces;
 mod jkr;
 mod left_out;
 mod loss;

@@ -232,8 +232,8 @@ impl FixedValue {
 /// The same data, fitted without the film by JKR, or by Hertz without adhesion.
 ///
 /// If the modulus of the sphere is free, the sphere is taken to touch the bare substrate.
-/// Otherwise, if the modulus of the film is free, it is taken to touch a half-space of film.
-/// Without the layers of a stack it touches the base.
+/// Otherwise, if the modulus of the film, or of the top layer of a stack, is free, it is taken to
+/// touch a half-space of film. Without the layers of a stack it touches the base in all other cases.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WithoutFilm {
     /// The parameters found.
@@ -314,6 +314,12 @@ pub enum WarningKind {
     LargeStrain,
     /// Contacts so small or so large beside the film that they hardly tell it.
     FilmNotSeen,
+    /// A stiffness of an interface that the data do not tell from 0 (it slides) or from infinity (it
+    /// is bonded).
+    InterfaceNotSeen,
+    /// A modulus that takes a film as bonded, and would be another one by more than its standard
+    /// error if the film slid.
+    AssumesBonding,
     /// The fit was stopped by the end of the table.
     EndOfTable,
     /// There is another minimum, whose sum of squares is larger by no more than chance explains.
@@ -344,6 +350,8 @@ impl WarningKind {
             Self::LongRange => "long-range",
             Self::LargeStrain => "large-strain",
             Self::FilmNotSeen => "film-not-seen",
+            Self::InterfaceNotSeen => "interface-not-seen",
+            Self::AssumesBonding => "assumes-bonding",
             Self::EndOfTable => "end-of-table",
             Self::SeveralMinima => "several-minima",
             Self::NonlinearError => "nonlinear-error",

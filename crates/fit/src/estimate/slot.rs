@@ -1,6 +1,6 @@
 //! The values to be found, and the coordinates in which the method moves them.
 
-use crate::{Error, Experiment, Free, Parameter, Prior, Scope};
+use crate::{Error, Experiment, Free, Layer, Parameter, Prior, Scope};
 
 /// The part of the distance between two bounds by which a start keeps away from them.
 const INSIDE: f64 = 0.02;
@@ -175,6 +175,9 @@ pub(crate) fn slots(experiments: &[Experiment], free: &[Free]) -> Result<Vec<Slo
             let own = experiments[e].get(one.parameter);
             one.start.or(own).or(match one.parameter {
                 Parameter::WorkOfAdhesionReceding => Some(experiments[e].work_of_adhesion),
+                Parameter::LayerInterfaceStiffness(name) => {
+                    experiments[e].layer(name).map(Layer::own_stiffness)
+                }
                 _ => None,
             })
         };
@@ -186,12 +189,13 @@ pub(crate) fn slots(experiments: &[Experiment], free: &[Free]) -> Result<Vec<Slo
                 one.parameter.is_positive(),
                 start,
                 1.0,
-                one.bounds
-                    .or(if one.parameter == Parameter::FilmPoissonRatio {
-                        Some([0.0, 0.5])
-                    } else {
-                        None
-                    }),
+                one.bounds.or(match one.parameter {
+                    Parameter::FilmPoissonRatio => Some([0.0, 0.5]),
+                    Parameter::LayerInterfaceStiffness(name) => experiments[members[0]]
+                        .layer(name)
+                        .map(|layer| interface_bounds(layer, start)),
+                    _ => None,
+                }),
             ),
         };
         let missing = |e: usize| Error::NotApplicable {
@@ -201,7 +205,7 @@ pub(crate) fn slots(experiments: &[Experiment], free: &[Free]) -> Result<Vec<Slo
         };
         match one.scope {
             Scope::Own if experiments.len() > 1 => {
-                for e in members {
+                for &e in &members {
                     let start = start_of(e).ok_or_else(|| missing(e))?;
                     slots.push(slot(Some(e), start));
                 }
@@ -231,6 +235,19 @@ pub(crate) fn slots(experiments: &[Experiment], free: &[Free]) -> Result<Vec<Slo
         }
     }
     Ok(slots)
+}
+
+/// Returns the bounds of the stiffness of an interface that has none of its own. Beyond them the layer
+/// slides, or is bonded, to all that data tell, and the way to 0 or to infinity would not end.
+fn interface_bounds(layer: &Layer, start: f64) -> [f64; 2] {
+    /// The bounds over the stiffness of the layer itself, and the least distance from the start.
+    const REACH: f64 = 1e5;
+    const ROOM: f64 = 10.0;
+    let own = layer.own_stiffness();
+    [
+        (own / REACH).min(start / ROOM),
+        (own * REACH).max(start * ROOM),
+    ]
 }
 
 /// Accepts the start, bounds and prior of a free parameter.

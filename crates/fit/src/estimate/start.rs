@@ -145,6 +145,8 @@ pub fn starts_from_data(parameter: Parameter, experiments: &[Experiment], free: 
         | Parameter::Stiffness
         | Parameter::LayerModulus(_)
         | Parameter::LayerThickness(_) => false,
+        // Without springs, the start is as stiff as the layer.
+        Parameter::LayerInterfaceStiffness(_) => true,
         _ => is_unknown(parameter),
     }
 }

@@ -11,7 +11,7 @@ use super::profile::End;
 use super::search::{Data, SHORT};
 use super::uncertainty::{UNDETERMINED, Uncertainty};
 use super::valley::Bend;
-use super::{agreement, cycle, wanted};
+use super::{agreement, cycle, interfaces, wanted};
 use crate::magnitude::{self, LARGEST_WORK, STIFFNESSES};
 use crate::statistics::missing_runs;
 use crate::{
@@ -58,6 +58,7 @@ pub(super) fn warnings(
             );
         }
         undetermined(&mut warnings, fit, problem, uncertainty);
+        interfaces::add(&mut warnings, found, uncertainty);
         left_out(&mut warnings, fit, data);
         if let Some(residuals) = problem.plain_residuals() {
             residuals_of(&mut warnings, fit, found, &residuals);

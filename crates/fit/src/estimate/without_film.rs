@@ -3,7 +3,8 @@
 use interp::{HalfSpace, Table};
 
 use super::minima::Minimum;
-use super::problem::{Ending, Problem};
+use super::problem::{Assigned, Ending, Problem};
+use super::slot::Slot;
 use super::solve::estimates;
 use super::start::{self, Variation};
 use super::uncertainty::Uncertainty;
@@ -30,15 +31,19 @@ pub(crate) fn without_film(
     loss: Loss,
 ) -> Option<Found> {
     let is_free = |parameter| free.iter().any(|one| one.parameter == parameter);
-    let modulus = [Parameter::SphereModulus, Parameter::FilmModulus]
-        .into_iter()
-        .find(|&parameter| is_free(parameter));
-    let of_film = modulus == Some(Parameter::FilmModulus);
     let problem = &with_film.problem;
+    let moduli = [Parameter::SphereModulus, Parameter::FilmModulus];
+    let of_tops = problem.assigned.iter().filter_map(modulus_of_top);
+    let modulus = moduli
+        .into_iter()
+        .chain(of_tops)
+        .find(|&parameter| is_free(parameter));
+    // The modulus of the film, or of the top layer, is then that of the half-space.
+    let of_film = modulus.filter(|&parameter| parameter != Parameter::SphereModulus);
     let mut assigned = problem.assigned.clone();
     for one in &mut assigned {
         let half_space = match &one.experiment.bodies {
-            Bodies::Coated(system) if of_film => HalfSpace {
+            Bodies::Coated(system) if of_film.is_some() => HalfSpace {
                 solid: system.film,
                 ..system.without_film()
             },
@@ -46,7 +51,11 @@ pub(crate) fn without_film(
             Bodies::Layered(layered) => HalfSpace {
                 probe: layered.probe.clone(),
                 sphere_modulus: layered.sphere_modulus,
-                solid: layered.base,
+                solid: if of_film.is_some() {
+                    layered.surface()
+                } else {
+                    layered.base
+                },
             },
             Bodies::HalfSpace(_) => return None,
         };
@@ -54,10 +63,20 @@ pub(crate) fn without_film(
         one.experiment.bodies = Bodies::HalfSpace(half_space);
     }
     let kept = |parameter: Parameter| match parameter {
-        Parameter::FilmModulus => of_film,
+        _ if Some(parameter) == of_film => true,
+        Parameter::FilmModulus => false,
         Parameter::FilmThickness | Parameter::FilmPoissonRatio => false,
-        Parameter::LayerModulus(_) | Parameter::LayerThickness(_) => false,
+        Parameter::LayerModulus(_)
+        | Parameter::LayerThickness(_)
+        | Parameter::LayerInterfaceStiffness(_) => false,
         _ => true,
+    };
+    let renamed = |parameter: Parameter| {
+        if Some(parameter) == of_film {
+            Parameter::FilmModulus
+        } else {
+            parameter
+        }
     };
     let free: Vec<Free> = free
         .iter()
@@ -67,6 +86,7 @@ pub(crate) fn without_film(
             bounds: None,
             prior: None,
             start: None,
+            parameter: renamed(one.parameter),
             ..*one
         })
         .collect();
@@ -75,7 +95,10 @@ pub(crate) fn without_film(
         .iter()
         .enumerate()
         .filter(|(_, slot)| kept(slot.parameter))
-        .map(|(i, slot)| slot.without_limits(problem.value(i)))
+        .map(|(i, slot)| Slot {
+            parameter: renamed(slot.parameter),
+            ..slot.without_limits(problem.value(i))
+        })
         .collect();
     if slots.is_empty() {
         return None;
@@ -98,7 +121,7 @@ pub(crate) fn without_film(
         let error = uncertainty.relative_error(with) * uncertainty.sizes[with];
         let without = estimates
             .iter()
-            .find(|one| one.parameter == parameter)?
+            .find(|one| one.parameter == renamed(parameter))?
             .value;
         Some(ModulusBias {
             parameter,
@@ -114,6 +137,15 @@ pub(crate) fn without_film(
             modulus,
         },
     })
+}
+
+/// Returns the modulus of the top layer, if it has a name.
+fn modulus_of_top(assigned: &Assigned) -> Option<Parameter> {
+    let Bodies::Layered(layered) = &assigned.experiment.bodies else {
+        return None;
+    };
+    let name = layered.layers.last()?.name?;
+    Some(Parameter::LayerModulus(name))
 }
 
 /// Returns the ordinates at the points that count.

@@ -31,6 +31,7 @@ const OVER_TOP: f64 = 300.0;
 ///
 /// use fit::{Bodies, Experiment, Free, Kind, Layer, Layered, Measurement, Parameter, Point, Reach};
 /// use interp::{Elastic, Probe, Table};
+/// use solve::stack::Interface;
 ///
 /// // Radii (m) of a contact, and loads (N) that are to be fitted.
 /// let radii = [5e-5, 7e-5, 9e-5, 1.1e-4, 1.3e-4];
@@ -43,7 +44,7 @@ const OVER_TOP: f64 = 300.0;
 /// };
 /// let layer = |name: &str, modulus: f64, thickness: f64| {
 ///     let solid = Elastic::new(modulus, 0.5)?;
-///     Ok::<_, fit::Error>(Layer { name: Some(name.parse()?), solid, thickness })
+///     Ok::<_, fit::Error>(Layer { name: Some(name.parse()?), solid, thickness, interface: Interface::Bonded })
 /// };
 /// let probe = Probe::Paraboloid { radius: 1e-3 };
 /// let bodies = Bodies::Layered(Layered {
@@ -98,6 +99,7 @@ pub fn stack_of(layered: &Layered) -> Result<Stack, Cause> {
         .map(|layer| Layer {
             solid: layer.solid,
             thickness: layer.thickness,
+            interface: layer.interface,
         })
         .collect();
     Stack::new(layered.base, layers).map_err(|error| named(layered, error))

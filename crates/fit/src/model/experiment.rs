@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use contact::Contact;
 use interp::{Elastic, HalfSpace, Probe, System, Table};
 
-use super::{Kind, Layered, Measurement, Parameter, PointErrors};
+use super::{Kind, Layer, LayerName, Layered, Measurement, Parameter, PointErrors};
 use crate::Error;
 
 /// The bodies in contact.
@@ -221,15 +221,10 @@ impl Experiment {
             {
                 return None;
             }
-            Parameter::LayerModulus(name) | Parameter::LayerThickness(name) => {
-                let Bodies::Layered(layered) = &self.bodies else {
-                    return None;
-                };
-                let layer = layered.layer(name)?;
-                match parameter {
-                    Parameter::LayerModulus(_) => layer.solid.young(),
-                    _ => layer.thickness,
-                }
+            Parameter::LayerModulus(name) => self.layer(name)?.solid.young(),
+            Parameter::LayerThickness(name) => self.layer(name)?.thickness,
+            Parameter::LayerInterfaceStiffness(name) => {
+                return self.layer(name)?.interface_stiffness();
             }
             Parameter::FilmModulus => self.bodies.film().young(),
             Parameter::FilmPoissonRatio => self.bodies.film().poisson(),
@@ -245,6 +240,14 @@ impl Experiment {
             Parameter::BaselineSlope => self.baseline_slope,
             Parameter::Stiffness => return self.stiffness,
         })
+    }
+
+    /// Returns the layer with a name.
+    pub(crate) fn layer(&self, name: LayerName) -> Option<&Layer> {
+        match &self.bodies {
+            Bodies::Layered(layered) => layered.layer(name),
+            _ => None,
+        }
     }
 
     /// Replaces the value of a parameter.
@@ -286,18 +289,22 @@ impl Experiment {
     /// Returns why these bodies do not have a parameter, if they do not have it.
     fn why_not_there(&self, parameter: Parameter) -> Option<Cow<'static, str>> {
         use Parameter::{
-            FilmModulus, FilmPoissonRatio, FilmThickness, LayerModulus, LayerThickness,
+            FilmModulus, FilmPoissonRatio, FilmThickness, LayerInterfaceStiffness, LayerModulus,
+            LayerThickness,
         };
         match (&self.bodies, parameter) {
             (Bodies::HalfSpace(_), FilmThickness) => Some("a half-space has no thickness".into()),
             (Bodies::Layered(layered), FilmModulus | FilmPoissonRatio | FilmThickness) => {
                 Some(format!("it has layers instead of one film; {}", names(layered)).into())
             }
-            (Bodies::Layered(layered), LayerModulus(name) | LayerThickness(name)) => {
+            (
+                Bodies::Layered(layered),
+                LayerModulus(name) | LayerThickness(name) | LayerInterfaceStiffness(name),
+            ) => {
                 let is_there = layered.layer(name).is_some();
                 (!is_there).then(|| format!("there is no such layer; {}", names(layered)).into())
             }
-            (_, LayerModulus(_) | LayerThickness(_)) => Some(
+            (_, LayerModulus(_) | LayerThickness(_) | LayerInterfaceStiffness(_)) => Some(
                 "it has no stack of layers; give one, or free the parameters of the film".into(),
             ),
             _ => None,
@@ -329,7 +336,9 @@ impl Experiment {
             Parameter::Stiffness if kind != Kind::ForceHeight => {
                 "no height of a cantilever is measured"
             }
-            Parameter::LayerModulus(_) | Parameter::LayerThickness(_) => {
+            Parameter::LayerModulus(_)
+            | Parameter::LayerThickness(_)
+            | Parameter::LayerInterfaceStiffness(_) => {
                 let Bodies::Layered(layered) = &self.bodies else {
                     return None;
                 };

@@ -7,6 +7,7 @@ use std::sync::Arc;
 use arrayvec::ArrayString;
 use contact::Contact;
 use interp::{Elastic, Probe};
+use solve::stack::Interface;
 
 use super::{Kind, Measurement, Parameter};
 use crate::Error;
@@ -72,6 +73,23 @@ pub struct Layer {
     pub solid: Elastic,
     /// The thickness, m.
     pub thickness: f64,
+    /// What joins it to the layer below, or to the base.
+    pub interface: Interface,
+}
+
+impl Layer {
+    /// Returns the tangential stiffness (Pa/m) of the springs below; `None` where there are none: the
+    /// layer is bonded or slides.
+    pub(crate) fn interface_stiffness(&self) -> Option<f64> {
+        let [tangential, _] = self.interface.stiffnesses();
+        (tangential > 0.0 && tangential.is_finite()).then_some(tangential)
+    }
+
+    /// Returns the tangential stiffness (Pa/m) of an interface as stiff as the layer itself, at which
+    /// the data are most likely to tell how stiff it is.
+    pub(crate) fn own_stiffness(&self) -> f64 {
+        self.solid.reduced() / self.thickness
+    }
 }
 
 /// Up to which contact radii the contacts on layers are needed, m.
@@ -177,6 +195,7 @@ impl Layered {
                 [
                     Parameter::LayerModulus(name),
                     Parameter::LayerThickness(name),
+                    Parameter::LayerInterfaceStiffness(name),
                 ]
             })
             .collect()
@@ -202,6 +221,13 @@ impl Layered {
                     layer.thickness = value;
                 }
             }
+            Parameter::LayerInterfaceStiffness(name) => {
+                for layer in self.layers.iter_mut().filter(of(name)) {
+                    let [_, normal] = layer.interface.stiffnesses();
+                    let tangential = value;
+                    layer.interface = Interface::Springs { tangential, normal };
+                }
+            }
             _ => {}
         }
         Ok(())
@@ -225,6 +251,7 @@ mod tests {
             for parameter in [
                 Parameter::LayerModulus(layer),
                 Parameter::LayerThickness(layer),
+                Parameter::LayerInterfaceStiffness(layer),
             ] {
                 assert_eq!(
                     parameter.name().parse::<Parameter>().expect("its name"),

@@ -11,6 +11,7 @@ use crate::data::Dimension;
 /// The ends of the names of the parameters of a layer.
 const MODULUS: &str = ".modulus";
 const THICKNESS: &str = ".thickness";
+const INTERFACE: &str = ".interface-stiffness";
 
 /// A number that can be fitted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -42,6 +43,8 @@ pub enum Parameter {
     LayerModulus(LayerName),
     /// The thickness of a layer of a stack, m.
     LayerThickness(LayerName),
+    /// The tangential stiffness of the interface below a layer of a stack, Pa/m.
+    LayerInterfaceStiffness(LayerName),
 }
 
 impl Parameter {
@@ -61,7 +64,7 @@ impl Parameter {
     ];
 
     /// Returns the name, as on the command line: that of a layer begins with the name of the layer,
-    /// `oxide.modulus` or `oxide.thickness`.
+    /// `oxide.modulus`, `oxide.thickness` or `oxide.interface-stiffness`.
     pub fn name(self) -> Cow<'static, str> {
         Cow::Borrowed(match self {
             Self::SphereModulus => "sphere-modulus",
@@ -77,6 +80,7 @@ impl Parameter {
             Self::Stiffness => "stiffness",
             Self::LayerModulus(layer) => return format!("{layer}{MODULUS}").into(),
             Self::LayerThickness(layer) => return format!("{layer}{THICKNESS}").into(),
+            Self::LayerInterfaceStiffness(layer) => return format!("{layer}{INTERFACE}").into(),
         })
     }
 
@@ -87,6 +91,7 @@ impl Parameter {
             Self::FilmPoissonRatio => "1",
             Self::FilmThickness | Self::LayerThickness(_) | Self::ContactPoint => "m",
             Self::WorkOfAdhesion | Self::WorkOfAdhesionReceding => "J/m^2",
+            Self::LayerInterfaceStiffness(_) => "Pa/m",
             Self::LoadOffset | Self::Baseline => "N",
             Self::BaselineSlope | Self::Stiffness => "N/m",
         }
@@ -98,6 +103,7 @@ impl Parameter {
             Self::SphereModulus | Self::FilmModulus | Self::LayerModulus(_) => Dimension::Modulus,
             Self::FilmPoissonRatio => return None,
             Self::FilmThickness | Self::LayerThickness(_) | Self::ContactPoint => Dimension::Length,
+            Self::LayerInterfaceStiffness(_) => Dimension::ModulusPerLength,
             Self::LoadOffset | Self::Baseline => Dimension::Force,
             Self::WorkOfAdhesion
             | Self::WorkOfAdhesionReceding
@@ -118,6 +124,7 @@ impl Parameter {
                 | Self::Stiffness
                 | Self::LayerModulus(_)
                 | Self::LayerThickness(_)
+                | Self::LayerInterfaceStiffness(_)
         )
     }
 
@@ -132,6 +139,7 @@ impl Parameter {
                 | Self::FilmThickness
                 | Self::LayerModulus(_)
                 | Self::LayerThickness(_)
+                | Self::LayerInterfaceStiffness(_)
         )
     }
 }
@@ -157,9 +165,14 @@ impl FromStr for Parameter {
             let thickness = name.strip_suffix(THICKNESS)?.parse().ok();
             Some(Self::LayerThickness(thickness?))
         };
+        let or_interface = || {
+            let interface = name.strip_suffix(INTERFACE)?.parse().ok();
+            Some(Self::LayerInterfaceStiffness(interface?))
+        };
         found
             .or_else(of_layer)
             .or_else(or_thickness)
+            .or_else(or_interface)
             .ok_or_else(|| Error::UnknownParameter(name.to_owned()))
     }
 }

@@ -20,7 +20,8 @@ use self::unit::{decimals, scaled, unit, with_error};
 use crate::data::{Notes, Source};
 use crate::estimate::left_out_text;
 use crate::{
-    Bodies, Combination, Estimate, Experiment, Fit, Forecast, Measurement, ModulusBias, Parameter,
+    Bodies, Combination, Estimate, Experiment, Fit, Forecast, Layer, Measurement, ModulusBias,
+    Parameter,
 };
 
 /// The width of the names of parameters.
@@ -220,6 +221,11 @@ fn fixed(fit: &Fit, experiment: &Experiment) -> Vec<(Cow<'static, str>, String)>
                     (format!("layer-{}.poisson-ratio", i + 1).into(), poisson),
                 ]),
             }
+            if let Some(interface) = interface(layer, |stiffness| text(stiffness, "Pa/m")) {
+                let name = layer.name.map(|name| name.to_string());
+                let name = name.unwrap_or_else(|| format!("layer-{}", i + 1));
+                rows.push((format!("{name}.interface").into(), interface));
+            }
         }
         parameters.extend(layered.parameters());
     }
@@ -234,6 +240,25 @@ fn fixed(fit: &Fit, experiment: &Experiment) -> Vec<(Cow<'static, str>, String)>
         }
     }
     rows
+}
+
+/// Says what joins a layer to what lies below it, as far as its `interface-stiffness` does not; `None`
+/// if it is bonded.
+fn interface(layer: &Layer, text: impl Fn(f64) -> String) -> Option<String> {
+    let [tangential, normal] = layer.interface.stiffnesses();
+    let sideways = match layer.interface_stiffness() {
+        _ if layer.interface.is_bonded() => return None,
+        None if tangential == 0.0 => Some("sliding".to_owned()),
+        Some(stiffness) if layer.name.is_none() => {
+            Some(format!("tangential stiffness {}", text(stiffness)))
+        }
+        _ => None,
+    };
+    let normal = normal
+        .is_finite()
+        .then(|| format!("normal stiffness {}", text(normal)));
+    let parts: Vec<String> = sideways.into_iter().chain(normal).collect();
+    (!parts.is_empty()).then(|| parts.join(", "))
 }
 
 /// Says which modulus a parameter is.
@@ -362,9 +387,17 @@ fn film(fit: &Fit, bodies: &Bodies) -> Option<String> {
         ["film", "it"]
     };
     let Some(bias) = without.modulus else {
+        let number = |chi_squared: f64| {
+            if chi_squared < 1e7 {
+                format!("{chi_squared:.1}")
+            } else {
+                format!("{chi_squared:.1e}")
+            }
+        };
         return Some(format!(
-            "without the {what} chi^2 is {:.1} instead of {:.1}",
-            without.chi_squared, fit.chi_squared
+            "without the {what} chi^2 is {} instead of {}",
+            number(without.chi_squared),
+            number(fit.chi_squared)
         ));
     };
     let ModulusBias {

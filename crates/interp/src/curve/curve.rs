@@ -59,8 +59,8 @@ pub struct Curve {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StackShape {
     /// The ratio of stiffnesses of
-    /// `FilmValidity::compressibility` of the crate `contact` over `(a/t)^2`, with
-    /// the thickness `t` of all layers.
+    /// `FilmValidity::compressibility` of the crate `contact` over `(a/t)^2`, with the thickness `t` of
+    /// all layers; NaN if they are not all bonded to each other and to the base.
     pub compressibility: f64,
     /// The thickness of the top layer over `t`.
     pub top: f64,

@@ -100,7 +100,7 @@ from ._results import (
 )
 from ._short_range import ShortRange
 from ._solve import Solution, solve, solve_stack
-from ._stack import Layer, Stack, StackSystem
+from ._stack import Layer, Springs, Stack, StackSystem
 from ._table import Table
 from ._validity import AdhesionRange, Validity
 
@@ -169,6 +169,7 @@ __all__ = [
     "SolvedCurve",
     "Sphere",
     "Spring",
+    "Springs",
     "Stack",
     "StackError",
     "StackSystem",

@@ -15,8 +15,8 @@ from ._stack import StackSystem
 from ._values import OneLine, Remade
 
 Kind = Literal["load-radius", "penetration-radius", "load-penetration", "force-height"]
-# The name of a parameter: one of UNITS_OF, or LAYER.modulus or LAYER.thickness of the layer of a
-# stack that has the name LAYER.
+# The name of a parameter: one of UNITS_OF, or LAYER.modulus, LAYER.thickness or
+# LAYER.interface_stiffness of the layer of a stack that has the name LAYER.
 ParameterName = str
 
 UNITS_OF: dict[str, str] = {
@@ -34,7 +34,7 @@ UNITS_OF: dict[str, str] = {
 }
 
 
-UNITS_OF_LAYERS = {"modulus": "Pa", "thickness": "m"}
+UNITS_OF_LAYERS = {"modulus": "Pa", "thickness": "m", "interface_stiffness": "Pa/m"}
 
 
 def unit_of(parameter: object) -> str:
@@ -47,7 +47,7 @@ def unit_of(parameter: object) -> str:
     words = ", ".join(f'"{word}"' for word in UNITS_OF)
     raise FitError(
         f"parameter = {parameter!r} cannot be used: give one of {words}, or with a stack "
-        '"LAYER.modulus" or "LAYER.thickness" of a layer by its name',
+        '"LAYER.modulus", "LAYER.thickness" or "LAYER.interface_stiffness" of a layer by its name',
         axis="parameter",
     )
 
@@ -214,8 +214,9 @@ class Free:
     Parameters
     ----------
     parameter : str
-        Its name, such as ``"film_modulus"``, or with a stack ``"LAYER.modulus"`` or
-        ``"LAYER.thickness"`` of a layer by its name, such as ``"primer.modulus"``.
+        Its name, such as ``"film_modulus"``, or with a stack ``"LAYER.modulus"``,
+        ``"LAYER.thickness"`` or ``"LAYER.interface_stiffness"`` (tangential, of the interface below
+        the layer) of a layer by its name, such as ``"primer.modulus"``.
     start : float, optional
         Where the fit starts. By default moduli, works of adhesion, offsets, contact points and
         baselines start from the data themselves; Poisson ratio, thicknesses, stiffness and the

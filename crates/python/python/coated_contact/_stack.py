@@ -6,7 +6,8 @@ import operator
 import os
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, final
+from math import inf
+from typing import TYPE_CHECKING, Any, Literal, final
 
 from . import _core
 from ._bodies import Elastic, UnderProbe, check_solid
@@ -16,6 +17,35 @@ from ._values import Remade, set_field, set_numbers
 
 if TYPE_CHECKING:
     from ._contact import Contact
+
+
+@final
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Springs:
+    """Springs between a layer and what lies below it, per area.
+
+    A layer of glue of the thickness d and the shear modulus G, much thinner than the layers that it
+    joins, is the springs G/d and 2 G (1 - nu)/((1 - 2 nu) d).
+
+    Parameters
+    ----------
+    tangential_stiffness : float
+        Shear stress over the displacement sideways, Pa/m, 0 or more; infinity is allowed.
+    normal_stiffness : float
+        Normal stress over the displacement normal to the interface, Pa/m, above 0.
+    """
+
+    tangential_stiffness: float
+    normal_stiffness: float = inf
+
+    def __post_init__(self) -> None:
+        set_numbers(self, "tangential_stiffness", "normal_stiffness")
+
+
+Interface = Literal["bonded", "sliding"] | Springs
+
+# The stiffnesses of the interfaces that have a name.
+_NAMED: dict[str, tuple[float, float]] = {"bonded": (inf, inf), "sliding": (0.0, inf)}
 
 
 @final
@@ -30,30 +60,59 @@ class Layer:
     thickness : float
         The thickness, m.
     name : str, optional
-        A name for messages and for the parameters of fits, ``"NAME.modulus"`` and
-        ``"NAME.thickness"``.
+        A name for messages and for the parameters of fits, ``"NAME.modulus"``,
+        ``"NAME.thickness"`` and ``"NAME.interface_stiffness"`` (tangential, Pa/m).
+    interface : {"bonded", "sliding"} or Springs
+        What joins the layer to the layer below it, or to the base. A layer that slides has no
+        friction there, as on a lubricant. It is held by tension where it would rise: a dry layer
+        that lifts off is not modelled.
     """
 
     material: Elastic
     thickness: float
     name: str | None = None
+    interface: Interface = "bonded"
 
     def __post_init__(self) -> None:
         check_solid("material", self.material)
         set_numbers(self, "thickness")
         if self.name is not None and not isinstance(self.name, str):
             raise TypeError(f"name must be a str, not {type(self.name).__name__}")
+        if not isinstance(self.interface, Springs) and self.interface not in _NAMED:
+            raise StackError(
+                f'interface = {self.interface!r} is none: give "bonded", "sliding" or Springs',
+                axis="interface",
+            )
+        # Springs that are no springs have a name.
+        set_field(self, "interface", _interface(*self._stiffnesses()))
+
+    def _stiffnesses(self) -> tuple[float, float]:
+        """Return the tangential and the normal stiffness of the interface."""
+        if isinstance(self.interface, Springs):
+            return (self.interface.tangential_stiffness, self.interface.normal_stiffness)
+        return _NAMED[self.interface]
+
+
+def _interface(tangential: float, normal: float) -> Interface:
+    """Return the interface of two stiffnesses, by its name if it has one."""
+    if normal == inf and tangential == inf:
+        return "bonded"
+    if normal == inf and tangential == 0:
+        return "sliding"
+    return Springs(tangential_stiffness=tangential, normal_stiffness=normal)
 
 
 @final
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Stack(Remade):
-    """Layers on a base, perfectly bonded.
+    """Layers on a base.
 
-    Layers are counted from the base up: the first one is bonded to the base, and the probe touches
-    the last one. They enter through the compliance of the surface alone, and a/t of a stack is the
-    contact radius over the sum of all thicknesses. Stacks are solved directly, in milliseconds
-    (:meth:`contact`), or looked up in a table of one stack (:func:`generate`, ``Table.contact``).
+    Layers are counted from the base up: the first one is on the base, and the probe touches the
+    last one. Each is bonded to what lies below it, slides on it, or is joined to it by springs
+    (``Layer.interface``). They enter through the compliance of the surface alone, and a/t of a
+    stack is the contact radius over the sum of all thicknesses. Stacks are solved directly, in
+    milliseconds (:meth:`contact`), or looked up in a table of one stack (:func:`generate`,
+    ``Table.contact``).
 
     Parameters
     ----------
@@ -69,7 +128,8 @@ class Stack(Remade):
     ------
     StackError
         Without a layer; for a thickness that is not positive and finite, a rigid layer, or a
-        Young's modulus more than 1e9 times that of another body.
+        Young's modulus more than 1e9 times that of another body; for a stiffness of an interface
+        that is negative or NaN, and a normal one that is 0 or too small.
 
     Examples
     --------
@@ -83,6 +143,14 @@ class Stack(Remade):
     >>> contact = stack.contact(sphere_radius=1e-3, sphere_modulus=2e6, a_over_t=(0.1, 20))
     >>> print(f"{contact.load(65e-6, 0.04):.3e} N, {contact.pull_off(0.04).load:.3e} N")
     -4.684e-05 N, -1.955e-04 N
+
+    The same elastomer on a lubricated base:
+
+    >>> film = Layer(material=elastomer, thickness=7.5e-6, interface="sliding")
+    >>> sliding = Stack(base=stack.base, layers=[film])
+    >>> contact = sliding.contact(sphere_radius=1e-3, sphere_modulus=2e6, a_over_t=(0.1, 20))
+    >>> print(f"{contact.load(65e-6, 0.04):.3e} N")
+    -4.810e-05 N
     """
 
     base: Elastic
@@ -104,7 +172,10 @@ class Stack(Remade):
             check_solid("surface", self.surface)
         native = _core.Stack(
             self.base._numbers(),
-            [(one.material._numbers(), one.thickness, one.name) for one in self.layers],
+            [
+                (one.material._numbers(), one.thickness, one.name, one._stiffnesses())
+                for one in self.layers
+            ],
             None if self.surface is None else self.surface._numbers(),
         )
         set_field(self, "_native", native)
@@ -154,8 +225,10 @@ class Stack(Remade):
         """Read a stack from a TOML file, by the reader of ``tabulate solve --stack``.
 
         ``base = { young_modulus = .., poisson_ratio = .. }`` and, from the base up, ``[[layers]]``
-        with ``young_modulus``, ``poisson_ratio``, ``thickness`` and perhaps a ``name``, in SI
-        units. A base with ``young_modulus = inf`` is rigid and needs no Poisson ratio.
+        with ``young_modulus``, ``poisson_ratio``, ``thickness`` and perhaps a ``name`` and an
+        ``interface``, in SI units. The interface is ``"bonded"``, ``"sliding"`` or
+        ``{ tangential_stiffness = .., normal_stiffness = .. }``. A base with
+        ``young_modulus = inf`` is rigid and needs no Poisson ratio.
 
         Raises
         ------
@@ -170,7 +243,7 @@ class Stack(Remade):
     def _of_parts(
         cls,
         base: tuple[float, float],
-        layers: Iterable[tuple[tuple[float, float], float, str | None]],
+        layers: Iterable[tuple[tuple[float, float], float, str | None, tuple[float, float]]],
     ) -> Stack:
         """Make a stack of what the native part returns."""
 
@@ -178,8 +251,13 @@ class Stack(Remade):
             return Elastic(young_modulus=young, poisson_ratio=poisson)
 
         made = (
-            Layer(material=solid(*material), thickness=thickness, name=name)
-            for material, thickness, name in layers
+            Layer(
+                material=solid(*material),
+                thickness=thickness,
+                name=name,
+                interface=_interface(*stiffnesses),
+            )
+            for material, thickness, name, stiffnesses in layers
         )
         return cls(base=solid(*base), layers=tuple(made))
 
@@ -199,6 +277,7 @@ class Stack(Remade):
             ({} if one.name is None else {"name": one.name})
             | solid(one.material)
             | {"thickness": one.thickness}
+            | _interface_key(one.interface)
             for one in self.layers
         ]
         return {"base": solid(self.base), "layers": layers}
@@ -213,7 +292,7 @@ class Stack(Remade):
         """The compressibility of the layers in a wide contact, over (a/t)^2.
 
         ``Validity.compressibility`` is this number times (a/t)^2. It is 3/16 (1 - 2 nu)/(1 - nu)
-        for one film, however it is cut into layers.
+        for one film, however it is cut into layers, and NaN where an interface is not bonded.
         """
         return self._native.compressibility()
 
@@ -260,6 +339,20 @@ class Stack(Remade):
             stack=self, probe=probe, sphere_radius=sphere_radius, sphere_modulus=sphere_modulus
         )
         return SolvedCurve(a_over_t=a_over_t, tolerance=tolerance).contact(system)
+
+
+def _interface_key(interface: Interface) -> dict[str, Any]:
+    """Return the key of an interface in a stack file."""
+    if interface == "bonded":
+        return {}
+    if isinstance(interface, Springs):
+        return {
+            "interface": {
+                "tangential_stiffness": interface.tangential_stiffness,
+                "normal_stiffness": interface.normal_stiffness,
+            }
+        }
+    return {"interface": interface}
 
 
 @final

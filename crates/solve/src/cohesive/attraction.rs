@@ -58,9 +58,10 @@ impl Cohesive {
             film_thickness: merged.top().thickness,
             ..merged.system(sphere_radius, sphere_modulus)
         };
-        let surface = match merged.layers() {
-            [_] => Surface::Film(Compliance::new(&system.material()?)),
-            _ => Surface::Layers(LayeredCompliance::new(&merged)),
+        let surface = if merged.is_film() {
+            Surface::Film(Compliance::new(&system.material()?))
+        } else {
+            Surface::Layers(LayeredCompliance::new(&merged))
         };
         Self::of_surface(surface, &system, work_of_adhesion, range)
     }

@@ -7,6 +7,7 @@ use clap::ValueHint;
 use interp::System;
 
 use super::allow::{self, Allowed};
+use super::interface::InterfaceArguments;
 use super::quantity::length;
 use super::stack_file::{self, Layers};
 use super::system::{self, SystemArguments, Value};
@@ -29,6 +30,8 @@ pub struct BodiesArguments {
     stack: Option<PathBuf>,
     #[command(flatten)]
     pub system: SystemArguments,
+    #[command(flatten)]
+    interface: InterfaceArguments,
     /// Go on although these are doubtful
     #[arg(long, value_enum, value_name = "NAME,...", value_delimiter = ',')]
     pub allow: Vec<Allowed>,
@@ -56,7 +59,7 @@ pub struct AttractingArguments {
 pub struct Bodies {
     /// The probe on the film; of a stack, [`Stack::system`](solve::stack::Stack::system).
     pub system: System,
-    /// The layers, if they are not one film.
+    /// The layers, if they are not one film that is bonded to its substrate.
     pub stack: Option<Layers>,
     /// The radius of the sphere or of the end of the probe, m. Some shapes do not use it.
     pub sphere_radius: f64,
@@ -96,13 +99,18 @@ impl BodiesArguments {
     pub fn read(&self) -> anyhow::Result<Bodies> {
         let sphere_radius = self.system.value(Value::SphereRadius)?;
         let work_of_adhesion = self.system.value(Value::WorkOfAdhesion)?;
-        let stack = self.stack.as_deref().map(stack_file::read).transpose()?;
-        let system = match &stack {
-            Some(layers) => {
+        let (system, stack) = match &self.stack {
+            Some(path) => {
+                let layers = stack_file::read(path)?;
                 let sphere_modulus = self.system.value(Value::SphereModulus)?;
-                layers.stack().system(sphere_radius, sphere_modulus)
+                let system = layers.stack().system(sphere_radius, sphere_modulus);
+                (system, Some(layers))
             }
-            None => self.system.system()?,
+            None => {
+                let system = self.system.system()?;
+                let stack = self.interface.stack(&system)?;
+                (system, stack.map(Layers::Text))
+            }
         };
         Ok(Bodies {
             system,

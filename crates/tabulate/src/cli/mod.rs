@@ -18,6 +18,7 @@ mod fit;
 mod generate;
 mod history;
 mod info;
+mod interface;
 mod json;
 mod man;
 mod output;

@@ -16,8 +16,8 @@ use crate::cost::{Measurement, read_csv};
 use crate::plot::chart;
 use crate::plot::picture::Format;
 use crate::plot::{
-    effects, error_map, fig2, fig3, fig4, force_displacement, lookup_cost, pull_off, relaxation,
-    table_cost, work_precision,
+    effects, error_map, fig2, fig3, fig4, force_displacement, interface, lookup_cost, pull_off,
+    relaxation, table_cost, work_precision,
 };
 
 /// Draw a figure as SVG or PNG
@@ -67,6 +67,10 @@ enum Figure {
     /// elastic effect of the thickness (`tabulate history`)
     #[command(after_help = super::examples!("tabulate plot relaxation -o relaxation.svg"))]
     Relaxation(Picture),
+    /// Load against a/t of an incompressible film on a rigid base that is bonded, joined by springs,
+    /// or slides
+    #[command(after_help = super::examples!("tabulate plot interface -o interface.svg"))]
+    Interface(Picture),
     /// Largest difference of a table from direct solves, over a/t and E1/E2*, at the worst nu1 and
     /// E0/E2*
     #[command(after_help = super::examples!("tabulate plot error-map tables/paper.h5 -o errors.svg"))]
@@ -188,6 +192,9 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         Figure::PullOff(output) => output.write(None, || Ok(pull_off::figure(&pull_off::data()?))),
         Figure::Relaxation(output) => {
             output.write(None, || Ok(relaxation::figure(&relaxation::data()?)))
+        }
+        Figure::Interface(output) => {
+            output.write(None, || Ok(interface::figure(&interface::data()?)))
         }
         Figure::ErrorMap { table, output } => {
             output.write(table.as_ref().and_then(TableName::path), || {

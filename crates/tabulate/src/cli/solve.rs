@@ -4,8 +4,9 @@ use std::path::{Path, PathBuf};
 
 use anyhow::ensure;
 use clap::ValueHint;
-use interp::Material;
+use interp::{Elastic, Material, Normalisation, Probe, System};
 
+use super::interface::{self, Word};
 use super::json::Number;
 use super::output::Output;
 use super::points::{Answer, Given, Points, number};
@@ -13,6 +14,7 @@ use super::print;
 use super::quantity::{modulus, number as plain};
 use super::stack_file;
 use crate::table::DEFAULT_NU0;
+use solve::stack::Interface;
 use solve::{PowerLaw, Solution, solve_power_laws, solve_stack_power_laws};
 
 /// Solve the contact directly, at one point, at every point of a CSV file, or of a stack of layers
@@ -28,6 +30,7 @@ use solve::{PowerLaw, Solution, solve_power_laws, solve_stack_power_laws};
     "tabulate solve --a-over-t 1 --e1-over-e2 0 --nu1 0.3 --e0-over-e2 inf --json",
     "tabulate solve --points tables/points.csv -o solved.csv",
     "tabulate solve --points tables/points.csv --exponent 1 --exponent 4",
+    "tabulate solve --a-over-t 1 --e1-over-e2 1.75 --nu1 0.5 --e0-over-e2 inf --interface sliding",
     "tabulate solve --stack tables/stacks/primer.toml --sphere-modulus 2e6 --a-over-t 6.5",
 ))]
 pub struct Arguments {
@@ -67,6 +70,22 @@ pub struct Arguments {
     /// CSV with the columns a_over_t, e1_over_e2, nu1, e0_over_e2 and perhaps nu0, in any order
     #[arg(long, value_name = "IN.csv", conflicts_with_all = ["a_over_t", "e1_over_e2", "nu1", "e0_over_e2", "json"])]
     points: Option<PathBuf>,
+    /// What joins the film to the substrate [default: bonded]
+    ///
+    /// A film that slides has no friction on its substrate, as on a lubricant. It is held by
+    /// tension where it would rise: a dry film that lifts off is not modelled.
+    #[arg(long, value_enum, conflicts_with_all = ["stack", "interface_stiffness"])]
+    interface: Option<Word>,
+    /// Springs between film and substrate, in units of E2*/t, under a rigid sphere of E1/t: the
+    /// tangential stiffness, and perhaps the normal one [default: inf]. 0 slides, inf is bonded
+    #[arg(
+        long,
+        value_name = "KT[,KN]",
+        conflicts_with = "stack",
+        value_parser = springs,
+        allow_hyphen_values = true
+    )]
+    interface_stiffness: Option<[f64; 2]>,
     #[arg(
         long,
         value_name = "STACK.toml",
@@ -101,7 +120,8 @@ pub struct Arguments {
     exponents: Vec<f64>,
     /// Print one JSON object
     ///
-    /// The fields are a_over_t, e1_over_e2, nu1, e0_over_e2, nu0, pi0, eeq, gamma, delta0, error,
+    /// The fields are a_over_t, e1_over_e2, nu1, e0_over_e2, nu0, with an interface
+    /// interface_stiffness (tangential and normal), pi0, eeq, gamma, delta0, error,
     /// pi_N and delta_N of each exponent, normalised_by, modes and method (of the solve). With
     /// --stack, sphere_modulus, thickness and layers (their number) stand in place of e1_over_e2 to
     /// nu0. An infinite number is the text "inf".
@@ -130,10 +150,14 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         given(arguments.e0_over_e2),
     );
     let material = Material::new(e1, nu1, e0, arguments.nu0)?;
-    let solution = solve_power_laws(a_over_t, &material, exponents, arguments.tolerance)?;
-    let contact = serde_json::json!({
+    let solution = solve_film(arguments, a_over_t, &material)?;
+    let mut contact = serde_json::json!({
         "a_over_t": a_over_t, "e1_over_e2": e1, "nu1": nu1, "e0_over_e2": Number(e0), "nu0": arguments.nu0,
     });
+    if arguments.interface.is_some() || arguments.interface_stiffness.is_some() {
+        contact["interface_stiffness"] =
+            serde_json::json!(arguments.interface().stiffnesses().map(Number));
+    }
     print_solution(arguments, contact, &solution, &material)
 }
 
@@ -158,6 +182,46 @@ fn solve_layers(arguments: &Arguments, path: &Path) -> anyhow::Result<()> {
         &solution,
         &stack.material(sphere_modulus)?,
     )
+}
+
+/// Solves one film on its substrate, with the interface that is asked for.
+fn solve_film(
+    arguments: &Arguments,
+    a_over_t: f64,
+    material: &Material,
+) -> anyhow::Result<(Solution, Vec<PowerLaw>)> {
+    let (exponents, tolerance) = (&arguments.exponents, arguments.tolerance);
+    let interface = arguments.interface();
+    if interface.is_bonded() {
+        return Ok(solve_power_laws(a_over_t, material, exponents, tolerance)?);
+    }
+    // In the units of the flags: E2* or E1, and the thickness of the film.
+    let rigid = material.normalisation() == Normalisation::Film;
+    let e1 = if rigid { 1.0 } else { material.e1_over_e2() };
+    let system = System {
+        probe: Probe::Paraboloid { radius: 1.0 },
+        sphere_modulus: if rigid { f64::INFINITY } else { 1.0 },
+        film: Elastic::new(e1, material.nu1())?,
+        film_thickness: 1.0,
+        substrate: Elastic::new(material.e0_over_e2(), material.nu0())?,
+    };
+    let stack = interface::one_film(&system, interface)?.stack;
+    let sphere = system.sphere_modulus;
+    Ok(solve_stack_power_laws(
+        a_over_t, &stack, sphere, exponents, tolerance,
+    )?)
+}
+
+/// Reads stiffnesses without a unit.
+fn springs(text: &str) -> Result<[f64; 2], String> {
+    interface::pair(text, None)
+}
+
+impl Arguments {
+    /// Returns the interface between film and substrate.
+    fn interface(&self) -> Interface {
+        interface::interface(self.interface, self.interface_stiffness)
+    }
 }
 
 /// Returns the value of an argument that clap requires.
@@ -214,12 +278,7 @@ fn solve_file(arguments: &Arguments, path: &Path) -> anyhow::Result<()> {
     let points = Points::open(path, Given::Films { nu0: arguments.nu0 })?;
     let exponents = &arguments.exponents;
     points.answer("solving", &output, &further_columns(exponents), |point| {
-        let (solution, power_laws) = solve_power_laws(
-            point.a_over_t,
-            &point.material,
-            exponents,
-            arguments.tolerance,
-        )?;
+        let (solution, power_laws) = solve_film(arguments, point.a_over_t, &point.material)?;
         Ok(Answer {
             values: solution.quantities.to_array().map(Some),
             error: solution.error,

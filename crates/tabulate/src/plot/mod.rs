@@ -16,6 +16,7 @@ pub mod fig3;
 pub mod fig4;
 pub mod fit;
 pub mod force_displacement;
+pub mod interface;
 mod labels;
 pub mod lookup_cost;
 pub mod paper;
@@ -43,8 +44,8 @@ mod tests {
     use super::chart::Figure;
     use super::picture::Format;
     use super::{
-        effects, fig2, fig3, fig4, force_displacement, lookup_cost, pull_off, relaxation,
-        table_cost, work_precision,
+        effects, fig2, fig3, fig4, force_displacement, interface, lookup_cost, pull_off,
+        relaxation, table_cost, work_precision,
     };
     use crate::Error;
     use crate::cost::{Measurement, read_csv};
@@ -130,6 +131,10 @@ mod tests {
         );
         let films = relaxation::data().expect("within reach");
         assert_clear("relaxation", &relaxation::figure(&films));
+        assert_clear(
+            "interface",
+            &interface::figure(&interface::data().expect("within reach")),
+        );
     }
 
     #[test]

@@ -88,10 +88,7 @@ impl Bodies {
     fn point(&self, tabor: f64) -> Result<Point, Error> {
         let film = Elastic::new(self.young * MODULUS, self.poisson)?;
         let base = Elastic::new(self.base * MODULUS, self.poisson)?;
-        let layer = Layer {
-            solid: film,
-            thickness: LENGTH,
-        };
+        let layer = Layer::bonded(film, LENGTH);
         let stack = Stack::new(base, [layer])?;
         let sphere = self.sphere * MODULUS;
         let (radius, w) = (

@@ -24,7 +24,7 @@ pub struct KnownArguments {
     pub bodies: BodiesArguments,
     /// No film and no substrate: the sphere touches a half-space with the modulus and the Poisson
     /// ratio of the film
-    #[arg(long, conflicts_with = "stack")]
+    #[arg(long, conflicts_with_all = ["stack", "interface", "interface_stiffness"])]
     pub half_space: bool,
     /// Stiffness of the cantilever, N/m
     #[arg(long, value_name = "N/m", value_parser = force_per_length, allow_hyphen_values = true)]
@@ -158,6 +158,7 @@ fn layers(layers: &Layers) -> anyhow::Result<(Vec<Layer>, Arc<dyn LayeredSolver>
             name: name.context("--stack")?,
             solid: layer.solid,
             thickness: layer.thickness,
+            interface: layer.interface,
         })
     };
     let named = layers.named();
@@ -170,8 +171,10 @@ fn layers(layers: &Layers) -> anyhow::Result<(Vec<Layer>, Arc<dyn LayeredSolver>
 pub struct FreeArguments {
     /// The parameters to be found: sphere-modulus (reduced, E2*), film-modulus (Young's, E1),
     /// film-poisson-ratio, film-thickness, work-of-adhesion, work-of-adhesion-receding, load-offset,
-    /// contact-point, baseline, baseline-slope, stiffness; with --stack, LAYER.modulus (Young's) and
-    /// LAYER.thickness of a layer by its name in the file take the place of those of the film
+    /// contact-point, baseline, baseline-slope, stiffness; with --stack, LAYER.modulus (Young's),
+    /// LAYER.thickness and LAYER.interface-stiffness (tangential, of the interface below, Pa/m) of a
+    /// layer by its name in the file take the place of those of the film; with --interface the film is
+    /// the layer `film`
     ///
     /// Default: the work of adhesion; the modulus of the sphere, or of the film or top layer under
     /// a rigid sphere, if loads are measured; the contact point with penetrations or heights; the

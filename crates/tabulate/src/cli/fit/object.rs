@@ -133,7 +133,9 @@ impl EstimateObject {
 /// Returns the key of a parameter: its name with underscores, but that of a layer as it stands.
 fn json_name(parameter: Parameter) -> String {
     match parameter {
-        Parameter::LayerModulus(_) | Parameter::LayerThickness(_) => parameter.name().into(),
+        Parameter::LayerModulus(_)
+        | Parameter::LayerThickness(_)
+        | Parameter::LayerInterfaceStiffness(_) => parameter.name().into(),
         _ => parameter.name().replace('-', "_"),
     }
 }

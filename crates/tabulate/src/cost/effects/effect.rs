@@ -28,11 +28,14 @@ pub enum Effect {
     Shape,
     /// The range of the attraction. Without it the contact is JKR's. It needs no other table.
     FiniteRange,
+    /// The interface between film and substrate: the film slides. Without it the film is bonded. It
+    /// needs no table.
+    Interface,
 }
 
 impl Effect {
     /// All effects.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 9] = [
         Self::Film,
         Self::SphereCompliance,
         Self::SubstrateCompliance,
@@ -41,6 +44,7 @@ impl Effect {
         Self::Penetration,
         Self::Shape,
         Self::FiniteRange,
+        Self::Interface,
     ];
 
     /// Returns the name in words.
@@ -54,6 +58,7 @@ impl Effect {
             Self::Penetration => "penetration",
             Self::Shape => "shape",
             Self::FiniteRange => "finite range",
+            Self::Interface => "interface",
         }
     }
 
@@ -68,6 +73,7 @@ impl Effect {
             Self::Penetration => "no delta0",
             Self::Shape => "paraboloid for the sphere, a = 0.3 R",
             Self::FiniteRange => "JKR at a Tabor parameter of 5",
+            Self::Interface => "bonded film where it slides",
         }
     }
 
@@ -86,13 +92,14 @@ impl Effect {
             Self::Penetration => held(Quantity::Delta0),
             // The curve of a shape needs all quantities.
             Self::Shape => Quantity::ALL.into_iter().all(held),
+            Self::Interface => true,
         }
     }
 
     /// Whether a contact with the effect takes the same table. The effect costs time at each lookup
     /// instead.
     pub const fn needs_no_table(self) -> bool {
-        matches!(self, Self::Shape | Self::FiniteRange)
+        matches!(self, Self::Shape | Self::FiniteRange | Self::Interface)
     }
 
     /// Returns the scene without the effect; none if a closed form replaces the table.
@@ -120,7 +127,7 @@ impl Effect {
             Self::Penetration => variant
                 .quantities
                 .retain(|&quantity| quantity != Quantity::Delta0),
-            Self::Shape | Self::FiniteRange => {}
+            Self::Shape | Self::FiniteRange | Self::Interface => {}
         }
         Some(variant)
     }

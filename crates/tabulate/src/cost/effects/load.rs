@@ -1,9 +1,10 @@
 //! The error of the load without an effect.
 
-use interp::{Material, Normalisation};
+use interp::{Material, Normalisation, Quantities};
 
 use super::Effect;
 use super::finite_range::error_of_jkr;
+use super::interface::sliding;
 use super::shape::error_of_paraboloid;
 use crate::Error;
 use solve::solve;
@@ -25,7 +26,8 @@ pub const STRENGTHS: [f64; 2] = [0.01, 2.0];
 /// For [`Effect::Shape`], `F` and `F0` are those under the sphere itself at `a` =
 /// [`A_OVER_R`](super::A_OVER_R) `R`. For [`Effect::FiniteRange`] the error is that of JKR's pull-off
 /// load, relative to itself, under a sphere that pulls off at this contact radius, at Tabor's
-/// parameter [`TABOR`](super::TABOR).
+/// parameter [`TABOR`](super::TABOR). For [`Effect::Interface`] it is that of the load of the bonded
+/// film where the film slides, up to `a/t` of 1000.
 ///
 /// # Errors
 /// Those of the solve.
@@ -40,14 +42,16 @@ pub fn errors(
         match effect {
             Effect::Shape => return error_of_paraboloid(a_over_t, material, Load::TOLERANCE),
             Effect::FiniteRange => return error_of_jkr(a_over_t, material, Load::TOLERANCE),
+            Effect::Interface => {
+                // The film of the scene is what is left without the effect.
+                let quantities = sliding(a_over_t, material, Load::TOLERANCE_OF_SLIDING)?;
+                let slid = Load::of(&quantities, material, film_modulus(material));
+                return Ok(truth.error_beside(slid, strength));
+            }
             _ => {}
         }
         let without = truth.without(effect, a_over_t, material)?;
-        let (pressed, adhesion) = (
-            without.pressed / truth.pressed - 1.0,
-            without.adhesion / truth.adhesion - 1.0,
-        );
-        Ok((pressed - strength * adhesion).abs())
+        Ok(without.error_beside(truth, strength))
     };
     effects.iter().map(error).collect()
 }
@@ -64,18 +68,30 @@ struct Load {
 }
 
 impl Load {
-    /// Relative tolerance of the solves.
+    /// Relative tolerance of the solves, and of those of films that slide, which take longer.
     const TOLERANCE: f64 = 1e-8;
+    const TOLERANCE_OF_SLIDING: f64 = 1e-5;
 
     fn new(a_over_t: f64, material: &Material, film_modulus: f64) -> Result<Self, Error> {
         let quantities = solve(a_over_t, material, Self::TOLERANCE)?.quantities;
+        Ok(Self::of(&quantities, material, film_modulus))
+    }
+
+    /// Returns the load of the quantities of a contact.
+    fn of(quantities: &Quantities, material: &Material, film_modulus: f64) -> Self {
         let unit = unit(material, film_modulus);
-        let adhesion =
-            (unit * material.sphere_film_modulus()).sqrt() * quantities.eeq / quantities.gamma;
-        Ok(Self {
+        Self {
             pressed: unit * quantities.pi0,
-            adhesion,
-        })
+            adhesion: (unit * material.sphere_film_modulus()).sqrt() * quantities.eeq
+                / quantities.gamma,
+        }
+    }
+
+    /// Returns the error of this load in place of the true one, over the true one without adhesion.
+    fn error_beside(self, truth: Self, strength: f64) -> f64 {
+        let pressed = self.pressed / truth.pressed - 1.0;
+        let adhesion = self.adhesion / truth.adhesion - 1.0;
+        (pressed - strength * adhesion).abs()
     }
 
     /// Returns the load without an effect. `self` is the load of the material with all effects.
@@ -101,7 +117,9 @@ impl Load {
                 adhesion: 0.0,
                 ..self
             }),
-            Effect::Penetration | Effect::Shape | Effect::FiniteRange => Ok(self),
+            Effect::Penetration | Effect::Shape | Effect::FiniteRange | Effect::Interface => {
+                Ok(self)
+            }
         }
     }
 }

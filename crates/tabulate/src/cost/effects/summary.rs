@@ -116,6 +116,14 @@ pub fn markdown(rows: &[Row]) -> String {
              is that of a pull-off load with the correction for the range.\n"
         );
     }
+    if rows
+        .iter()
+        .any(|row| row.without == Some(Effect::Interface))
+    {
+        text += "The interface needs no table. Its errors are those of the load of a bonded film where the film slides on its \
+             substrate, up to a/t of 1000. Its time is that of the curve of a new film that slides, by direct solves to 1e-8 \
+             over three decades of a/t, over that in which the embedded table makes the contact of a bonded one.\n";
+    }
     let missing: Vec<&str> = Effect::ALL
         .into_iter()
         .filter(|&effect| rows.iter().all(|row| row.without != Some(effect)))

@@ -1,0 +1,140 @@
+"""Layers that slide or are joined by springs: independent values, files, fits, refusals."""
+
+import pickle
+from dataclasses import replace
+from math import inf, isnan, nan
+
+import numpy as np
+import pytest
+
+from coated_contact import (
+    Elastic,
+    Experiment,
+    Free,
+    Layer,
+    Springs,
+    Stack,
+    StackError,
+    StackSystem,
+    fit,
+    generate,
+    solve_stack,
+)
+from conftest import rows
+
+RUBBER = Elastic(young_modulus=3.5e6, poisson_ratio=0.5)
+SILICON = Elastic(young_modulus=2e11, poisson_ratio=0.25)
+
+
+def interface_of(text):
+    """Read ``bonded``, ``sliding`` or ``kt:kn``."""
+    if ":" not in text:
+        return text
+    tangential, normal = map(float, text.split(":"))
+    return Springs(tangential_stiffness=tangential, normal_stiffness=normal)
+
+
+def stack_of(row):
+    """The stack of a row of reference values, in its own units."""
+    young, poisson = ("inf", "0.25") if row["base"] == "rigid" else row["base"].split(":")
+    layers = []
+    for text, interface in zip(row["layers"].split("|"), row["interfaces"].split("|"), strict=True):
+        modulus, ratio, thickness = map(float, text.split(":"))
+        solid = Elastic(young_modulus=modulus, poisson_ratio=ratio)
+        layer = Layer(material=solid, thickness=thickness, interface=interface_of(interface))
+        layers.append(layer)
+    base = Elastic(young_modulus=float(young), poisson_ratio=float(poisson))
+    return Stack(base=base, layers=layers)
+
+
+def film(interface, **changes):
+    """A film of rubber on silicon, named for fits."""
+    layer = Layer(material=RUBBER, thickness=1e-5, name="film", interface=interface)
+    return Stack(base=SILICON, layers=[replace(layer, **changes)])
+
+
+def test_solves_agree_with_independent_values():
+    checked = 0
+    for row in rows("interfaces_contacts"):
+        solution = solve_stack(float(row["a_over_t"]), stack_of(row), 1.0, 1e-12)
+        for name in ("pi0", "eeq", "gamma", "delta0"):
+            assert getattr(solution, name) == pytest.approx(float(row[name]), rel=1e-12)
+        checked += 1
+    assert checked > 30
+
+
+def test_the_ends_of_the_springs_are_bonded_and_sliding():
+    springs = Springs(tangential_stiffness=0.0)
+    assert springs.normal_stiffness == inf
+    for ends, word in [(springs, "sliding"), (Springs(tangential_stiffness=inf), "bonded")]:
+        assert film(ends) == film(word)
+        of_ends, of_word = (solve_stack(3.0, film(one), 2e6) for one in (ends, word))
+        assert (of_ends.pi0, of_ends.gamma) == (of_word.pi0, of_word.gamma)
+    assert film("bonded") == film("bonded") != film("sliding")
+    stiff = solve_stack(3.0, film("bonded"), 2e6).eeq
+    assert solve_stack(3.0, film("sliding"), 2e6).eeq < 0.99 * stiff
+    assert isnan(film("sliding").compressibility)
+    again = pickle.loads(pickle.dumps(film(springs)))
+    assert again == film(springs)
+
+
+def test_files_and_tables_hold_the_interface(tmp_path):
+    path = tmp_path / "film.toml"
+    text = (
+        "base = { young_modulus = 2e11, poisson_ratio = 0.25 }\n[[layers]]\nname = 'film'\n"
+        "young_modulus = 3.5e6\npoisson_ratio = 0.5\nthickness = 1e-5\ninterface = "
+    )
+    both = "{ tangential_stiffness = 2e11, normal_stiffness = 3e12 }"
+    springs = Springs(tangential_stiffness=2e11, normal_stiffness=3e12)
+    for written, expected in [('"sliding"', "sliding"), ('"bonded"', "bonded"), (both, springs)]:
+        path.write_text(text + written)
+        assert Stack.read(path) == film(expected)
+    scene = {
+        "title": "A film on springs",
+        "tolerance": 1e-3,
+        "a_over_t": {"from": 0.1, "to": 10},
+        "e1_over_e2": 1.75,
+        "stack": film(springs),
+    }
+    table = generate(scene)
+    assert table.stack == film(springs)
+    known = {"sphere_radius": 1e-3, "sphere_modulus": 2e6}
+    found = table.contact(StackSystem(stack=film(springs), **known)).load(5e-5, 0.04)
+    solved = film(springs).contact(**known, a_over_t=(0.1, 10)).load(5e-5, 0.04)
+    assert found == pytest.approx(solved, rel=1e-2)
+
+
+def test_a_fit_finds_the_stiffness():
+    truth, w = 3e11, 0.04
+    radii = np.linspace(5e-6, 6e-5, 30)
+    known = {"sphere_radius": 1e-3, "sphere_modulus": 2e6}
+    springs = film(Springs(tangential_stiffness=truth))
+    loads = springs.contact(**known, a_over_t=(0.1, 10)).load(radii, w)
+    noise = 5e-8 * np.random.default_rng(1).standard_normal(len(radii))
+    start = film(Springs(tangential_stiffness=1e12))
+    experiment = Experiment(
+        kind="load-radius",
+        abscissa=radii,
+        ordinate=loads + noise,
+        system=StackSystem(stack=start, **known),
+        work_of_adhesion=w,
+    )
+    found = fit(experiment, [Free(parameter="film.interface_stiffness"), "work_of_adhesion"])
+    (estimate, _) = found.estimates
+    assert estimate.parameter == "film.interface_stiffness"
+    assert abs(estimate.value - truth) < 4 * estimate.standard_error < 0.2 * truth
+
+
+@pytest.mark.parametrize(
+    ("interface", "words"),
+    [
+        ("slippery", "slippery.*bonded.*sliding"),
+        (Springs(tangential_stiffness=-1.0), r"tangential.*-1\.0"),
+        (Springs(tangential_stiffness=nan), "tangential.*NaN"),
+        (Springs(tangential_stiffness=1.0, normal_stiffness=0.0), "normal.*does not touch"),
+        (Springs(tangential_stiffness=1.0, normal_stiffness=-2.0), r"normal.*-2\.0"),
+    ],
+)
+def test_what_is_no_interface_is_refused(interface, words):
+    with pytest.raises(StackError, match=words):
+        film(interface)

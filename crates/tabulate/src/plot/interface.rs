@@ -1,0 +1,81 @@
+//! The load of a film that is bonded to a rigid base, joined to it by springs, or slides on it,
+//! against `a/t`: an incompressible film under a rigid sphere, where the interface matters most.
+
+use interp::{Elastic, Quantity};
+
+use super::axis::Axis;
+use super::chart::{BLACK, BLUE, Colour, Figure, GREEN, ORANGE, Panel, Point, Side, VERMILION};
+use crate::Error;
+use solve::parallel::try_map;
+use solve::stack::{Interface, Layer, Stack};
+use solve::stack_curve;
+
+/// The ends of `a/t`, the number of points on each line, and the relative tolerance.
+const A_OVER_T: [f64; 2] = [0.03, 30.0];
+const POINTS: u32 = 121;
+const TOLERANCE: f64 = 1e-6;
+
+/// Springs of a tangential stiffness in units of `E1*/t`.
+const fn springs(tangential: f64) -> Interface {
+    Interface::Springs {
+        tangential,
+        normal: f64::INFINITY,
+    }
+}
+
+/// The names, interfaces and colours of the lines, from the stiffest to the softest.
+const LINES: [(&str, Interface, Colour); 5] = [
+    ("bonded", Interface::Bonded, BLACK),
+    ("springs, k_{t} t/E_{1}* = 1", springs(1.0), BLUE),
+    ("0.1", springs(0.1), GREEN),
+    ("0.01", springs(0.01), ORANGE),
+    ("sliding", Interface::Sliding, VERMILION),
+];
+
+/// Computes `a/t` and `Pi0` of each line, from the bonded film to the sliding one.
+///
+/// # Errors
+/// Those of [`stack_curve`]; none for these films.
+pub fn data() -> Result<Vec<Vec<Point>>, Error> {
+    // A film of `E1* = 1` and thickness 1.
+    let film = Elastic::new(0.75, 0.5)?;
+    let base = Elastic::new(f64::INFINITY, 0.0)?;
+    try_map(LINES, |(_, interface, _)| {
+        let layer = Layer {
+            interface,
+            ..Layer::bonded(film, 1.0)
+        };
+        let stack = Stack::new(base, [layer])?;
+        let curve = stack_curve(&stack, f64::INFINITY, A_OVER_T, TOLERANCE)?;
+        let [from, to] = A_OVER_T;
+        let point = |i: u32| {
+            let part = f64::from(i) / f64::from(POINTS - 1);
+            let x = (from * (to / from).powf(part)).clamp(from, to);
+            Ok([x, curve.quantity(Quantity::Pi0, x)?])
+        };
+        (0..POINTS)
+            .map(point)
+            .collect::<Result<Vec<Point>, Error>>()
+    })
+}
+
+/// Draws the lines.
+pub fn figure(lines: &[Vec<Point>]) -> Figure {
+    let mut panel = Panel::new(
+        "Incompressible film on a rigid base under a rigid sphere, without adhesion",
+        // Names stand to the right of the lines.
+        Axis::logarithmic(
+            "contact radius / film thickness, a/t",
+            [A_OVER_T[0], 10.0 * A_OVER_T[1]],
+        ),
+        Axis::logarithmic("load, 2 R F/(E_{1}* a³)", [1.0, 3e3]),
+    );
+    panel.horizontal_guide(8.0 / 3.0, "Hertz, thick film: 8/3", Side::Left);
+    for (points, (name, _, colour)) in lines.iter().zip(LINES) {
+        let last = points[points.len() - 1];
+        panel
+            .line(points.clone(), colour)
+            .label(last, name, colour, Side::Right);
+    }
+    Figure::new(460, [panel])
+}

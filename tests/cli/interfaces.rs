@@ -1,0 +1,406 @@
+//! Films that slide or are joined by springs: `--interface` and `--interface-stiffness` of one film,
+//! and the key `interface` of a stack file.
+
+use acceptance::{
+    Data, Workdir, assert_names, layer, relative_error, solid, springs, with_interfaces, workdir,
+};
+use contact::{Contact, Control};
+use interp::Quantities;
+use serde_json::Value;
+use solve::stack::{Interface, Stack};
+use solve::{solve_stack, stack_curve};
+
+/// A film of 10 um on silicon, under the paper's sphere.
+const FILM: [&str; 4] = ["--specimen", "paper", "--film-thickness", "10um"];
+
+/// The film as a stack of one layer.
+fn film(interface: Interface) -> Stack {
+    with_interfaces(solid(2e11, 0.25), &[(layer(3.5e6, 0.5, 1e-5), interface)])
+}
+
+fn json(text: &str) -> Value {
+    serde_json::from_str(text).expect("JSON")
+}
+
+fn quantities(object: &Value) -> Quantities {
+    let number = |name: &str| object[name].as_f64().expect("a number");
+    Quantities::from_array(["pi0", "eeq", "gamma", "delta0"].map(number))
+}
+
+/// The rows of one film of the reference values: stiffnesses are in units of `E2*/t`.
+#[test]
+fn solve_takes_the_interface_of_one_film() {
+    let workdir = workdir!();
+    let mut solved = 0;
+    for case in Data::read("interfaces_contacts").cases() {
+        let Ok([young, nu]) = <[f64; 2]>::try_from(
+            case.text("layers")
+                .split(':')
+                .take(2)
+                .map(|number| number.parse().expect("a number"))
+                .collect::<Vec<f64>>(),
+        ) else {
+            continue;
+        };
+        if case.text("layers").contains('|') {
+            continue;
+        }
+        let base = case.text("base").replace("rigid", "inf:0.25");
+        let (e0, nu0) = base.split_once(':').expect("two numbers");
+        let interface = match case.text("interfaces") {
+            "sliding" => "--interface=sliding".to_owned(),
+            text => format!("--interface-stiffness={}", text.replace(':', ",")),
+        };
+        let text = workdir.succeed(&[
+            "solve",
+            "--json",
+            &format!("--a-over-t={}", case.text("a_over_t")),
+            &format!("--e1-over-e2={young}"),
+            &format!("--nu1={nu}"),
+            &format!("--e0-over-e2={e0}"),
+            &format!("--nu0={nu0}"),
+            &interface,
+        ]);
+        let object = json(&text);
+        assert!(relative_error(&quantities(&object), &case.quantities()) <= 1e-10);
+        assert!(
+            object["interface_stiffness"][0].is_number()
+                || object["interface_stiffness"][0] == "inf"
+        );
+        solved += 1;
+    }
+    assert!(solved >= 20);
+}
+
+/// Under a rigid sphere the unit is `E1/t`; the points of a file have one interface.
+#[test]
+fn solve_takes_rigid_spheres_and_files_of_points() {
+    let workdir = workdir!();
+    let rigid = [
+        "solve",
+        "--e1-over-e2=0",
+        "--nu1=0.3",
+        "--e0-over-e2=inf",
+        "--a-over-t=2",
+    ];
+    let of = |flags: &[&str]| json(&workdir.succeed(&[&rigid[..], flags, &["--json"]].concat()));
+    let stack = with_interfaces(
+        solid(f64::INFINITY, 0.25),
+        &[(layer(1.0, 0.3, 1.0), springs(0.5, 3.0))],
+    );
+    let truth = solve_stack(2.0, &stack, f64::INFINITY, 1e-11).expect("within reach");
+    let found = of(&["--interface-stiffness=0.5,3"]);
+    assert!(relative_error(&quantities(&found), &truth.quantities) <= 1e-10);
+    assert_eq!(found["normalised_by"], "E1*");
+    // What is bonded is the film as ever, and 0 is what slides.
+    let plain = quantities(&of(&[]));
+    assert_eq!(quantities(&of(&["--interface=bonded"])), plain);
+    assert_eq!(quantities(&of(&["--interface-stiffness=inf"])), plain);
+    let sliding = quantities(&of(&["--interface=sliding"]));
+    assert_eq!(quantities(&of(&["--interface-stiffness=0"])), sliding);
+    assert!(sliding.eeq < 0.9 * plain.eeq);
+
+    workdir.write(
+        "points.csv",
+        "a_over_t,e1_over_e2,nu1,e0_over_e2\n2,0,0.3,inf\n",
+    );
+    let text = workdir.succeed(&["solve", "--points=points.csv", "--interface=sliding"]);
+    let rows = Data::parse("points", &text);
+    let row = rows.cases().next().expect("a row");
+    assert!(relative_error(&row.quantities(), &sliding) <= 1e-14);
+}
+
+#[test]
+fn curve_and_pull_off_are_those_of_a_stack_of_one_layer() {
+    let workdir = workdir!();
+    for (flags, interface) in [
+        (&["--interface", "sliding"][..], Interface::Sliding),
+        (
+            &["--interface-stiffness", "2e11Pa/m"],
+            springs(2e11, f64::INFINITY),
+        ),
+        (
+            &["--interface-stiffness", "200GPa/m,3e12"],
+            springs(2e11, 3e12),
+        ),
+    ] {
+        let stack = film(interface);
+        let ends = ["--from=1e-5", "--to=1e-4", "--points=5"];
+        let text = workdir.succeed(&[&["curve"][..], &FILM, &ends, flags].concat());
+        let curve = stack_curve(&stack, 2e6, [1.0, 10.0], 1e-8).expect("within reach");
+        let contact = Contact::new(&stack.system(1e-3, 2e6), curve).expect("its curve");
+        let rows = Data::parse("curve", &text);
+        assert_eq!(rows.cases().count(), 5);
+        for row in rows.cases() {
+            let (load, penetration) = contact
+                .load_and_penetration(row.get("contact_radius"), 0.04)
+                .expect("in range");
+            assert!((row.get("load") / load - 1.0).abs() <= 1e-7);
+            assert!((row.get("penetration") / penetration - 1.0).abs() <= 1e-7);
+        }
+        let text = workdir.succeed(&[&["pull-off", "--json"][..], &FILM, flags].concat());
+        let wide = stack_curve(&stack, 2e6, [1e-3, 50.0], 1e-9).expect("within reach");
+        let contact = Contact::new(&stack.system(1e-3, 2e6), wide).expect("its curve");
+        let expected = contact.pull_off(0.04, Control::Load).expect("it parts");
+        let load = json(&text)["load"].as_f64().expect("a number");
+        assert!((load / expected.load - 1.0).abs() <= 1e-7);
+    }
+    // Bonded, and springs without end, are the film as ever.
+    let ends = ["--from=1e-5", "--to=1e-4", "--points=5"];
+    let plain = workdir.succeed(&[&["curve"][..], &FILM, &ends].concat());
+    for flags in [["--interface", "bonded"], ["--interface-stiffness", "inf"]] {
+        let found = workdir.succeed(&[&["curve"][..], &FILM, &ends, &flags].concat());
+        assert_eq!(found, plain);
+    }
+}
+
+/// A contact with an attraction of finite range, whose pull-off comes to that without range.
+#[test]
+fn an_attraction_of_finite_range_feels_the_interface() {
+    let workdir = workdir!();
+    let load = |flags: &[&str]| {
+        let text = workdir.succeed(&[&["pull-off", "--json"][..], &FILM, flags].concat());
+        json(&text)["load"].as_f64().expect("a number")
+    };
+    let jkr = load(&["--interface=sliding"]);
+    let short = load(&["--interface=sliding", "--interaction-range=10nm"]);
+    assert!((short / jkr - 1.0).abs() <= 1e-3, "{short} {jkr}");
+    let bonded = load(&["--interaction-range=10nm"]);
+    assert!((short / bonded - 1.0).abs() > 4e-3, "{short} {bonded}");
+}
+
+/// Data of a film on springs, and the fits that assume springs, sliding and bonding.
+#[test]
+fn a_fit_finds_the_stiffness_of_an_interface() {
+    let workdir = workdir!();
+    let known = [
+        "--kind=load-radius",
+        "--from=5um",
+        "--to=60um",
+        "--points=30",
+    ];
+    let made = [
+        "--interface-stiffness=3e11",
+        "--noise=0.05uN",
+        "-o",
+        "film.csv",
+    ];
+    workdir.succeed(&[&["simulate"][..], &FILM, &known, &made].concat());
+    let fit = |flags: &[&str]| {
+        let run = workdir.run(&[&["fit", "film.csv", "--json"][..], &FILM, flags].concat());
+        json(&run.stdout)
+    };
+    let free = "--free=film.interface-stiffness,work-of-adhesion";
+    let found = fit(&["--interface-stiffness=1e12", free]);
+    let estimate = &found["parameters"]["film.interface-stiffness"];
+    let (value, error) = (
+        estimate["value"].as_f64().expect("a number"),
+        estimate["stderr"].as_f64().expect("a number"),
+    );
+    assert_eq!(estimate["unit"], "Pa/m");
+    assert!(
+        (value - 3e11).abs() <= 4.0 * error && error < 0.2 * value,
+        "{estimate}"
+    );
+    // Without a start, the layer's own stiffness is one.
+    let again = fit(&["--interface=sliding", free]);
+    let other = again["parameters"]["film.interface-stiffness"]["value"].as_f64();
+    assert!((other.expect("a number") / value - 1.0).abs() <= 1e-3);
+    // A fit that assumes bonding says what sliding would change.
+    let bonded = fit(&["--free=film-modulus,work-of-adhesion"]);
+    let kinds = |found: &Value| -> Vec<String> {
+        let warnings = found["warnings"].as_array().expect("a list").iter();
+        warnings
+            .map(|one| one["kind"].as_str().expect("a name").to_owned())
+            .collect()
+    };
+    assert!(
+        kinds(&bonded).contains(&"assumes-bonding".to_owned()),
+        "{bonded}"
+    );
+    assert!(
+        !kinds(&found).contains(&"assumes-bonding".to_owned()),
+        "{found}"
+    );
+}
+
+/// The data of the page about fits, by the command in their head.
+#[test]
+fn the_data_of_the_example_are_made_as_they_say() {
+    let path = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../crates/fit/data/sliding.csv"
+    );
+    let text = std::fs::read_to_string(path).expect("it is there");
+    let command = text.lines().nth(1).expect("a command");
+    let words: Vec<&str> = command.split(' ').skip(2).collect();
+    let made = workdir!().succeed(&words);
+    let [found, made] = [&text, &made].map(|text| Data::parse("sliding", text));
+    assert_eq!(found.cases().count(), 40);
+    for (found, made) in found.cases().zip(made.cases()) {
+        for column in ["contact_radius", "load"] {
+            assert!((found.get(column) - made.get(column)).abs() <= 1e-14);
+        }
+    }
+}
+
+#[test]
+fn wrong_first_calls_say_what_to_do() {
+    let workdir = workdir!();
+    let curve =
+        |flags: &[&str], code: i32| workdir.fail(code, &[&["curve"][..], &FILM, flags].concat());
+    let message = curve(&["--interface", "slipping"], 2);
+    assert_names(&message, &["slipping", "bonded", "sliding"]);
+    let message = curve(&["--interface", "2e11"], 2);
+    assert_names(&message, &["2e11", "bonded", "sliding"]);
+    let message = curve(&["--interface-stiffness", "sliding"], 2);
+    assert_names(&message, &["sliding", "is not a number"]);
+    let message = curve(&["--interface-stiffness", "2GPa"], 2);
+    assert_names(
+        &message,
+        &["2GPa", "is a modulus", "a stiffness per area", "Pa/m"],
+    );
+    let message = curve(&["--interface-stiffness", "1,2,3"], 2);
+    assert_names(&message, &["more than two", "KT,KN"]);
+    let message = curve(&["--interface-stiffness", "-1"], 1);
+    assert_names(&message, &["the film", "tangential", "-1.0 Pa/m", "0"]);
+    let message = curve(&["--interface-stiffness", "1e12,0"], 1);
+    assert_names(
+        &message,
+        &["normal", "0.0 Pa/m", "does not touch", "slides"],
+    );
+    let message = curve(&["--interface-stiffness", "nan"], 1);
+    assert_names(&message, &["tangential", "NaN"]);
+    let both = ["--interface", "sliding", "--interface-stiffness", "1"];
+    assert_names(&curve(&both, 2), &["--interface", "--interface-stiffness"]);
+    let shape = [
+        "--interface",
+        "sliding",
+        "--probe",
+        "cone",
+        "--half-angle",
+        "70",
+    ];
+    assert_names(&curve(&shape, 2), &["--interface", "--probe"]);
+    let message = workdir.fail(
+        2,
+        &[
+            &["curve", "embedded"][..],
+            &FILM,
+            &["--interface", "sliding"],
+        ]
+        .concat(),
+    );
+    assert_names(&message, &["--interface", "[TABLE]"]);
+    workdir.write("stack.toml", STACK);
+    let stack = [
+        "--specimen",
+        "paper",
+        "--stack",
+        "stack.toml",
+        "--interface",
+        "sliding",
+    ];
+    let message = workdir.fail(2, &[&["curve"][..], &stack].concat());
+    assert_names(&message, &["--interface", "--stack"]);
+    // Beyond the reach of stacks.
+    let message = curve(&["--interface", "sliding", "--film-thickness", "0.1um"], 2);
+    assert_names(&message, &["--film-thickness"]);
+    let thin = [
+        "--specimen",
+        "paper",
+        "--film-thickness",
+        "0.1um",
+        "--interface",
+        "sliding",
+    ];
+    let message = workdir.fail(1, &[&["curve"][..], &thin].concat());
+    assert_names(&message, &["1500", "one layer", "1000"]);
+}
+
+const STACK: &str = "base = { young_modulus = 2e11, poisson_ratio = 0.25 }\n\
+    [[layers]]\nname = \"primer\"\nyoung_modulus = 5e5\npoisson_ratio = 0.5\nthickness = 2.5e-6\n\
+    interface = { tangential_stiffness = 2e11, normal_stiffness = inf }\n\
+    [[layers]]\nyoung_modulus = 3.5e6\npoisson_ratio = 0.5\nthickness = 7.5e-6\n\
+    interface = \"sliding\"\n";
+
+fn solve_file(workdir: &Workdir, text: &str) -> Result<Value, String> {
+    workdir.write("stack.toml", text);
+    let flags = [
+        "solve",
+        "--stack=stack.toml",
+        "--sphere-modulus=2e6",
+        "--a-over-t=3",
+        "--json",
+    ];
+    let run = workdir.run(&flags);
+    if run.status == 0 {
+        Ok(json(&run.stdout))
+    } else {
+        Err(run.stderr)
+    }
+}
+
+#[test]
+fn a_stack_file_has_the_interfaces_of_its_layers() {
+    let workdir = workdir!();
+    let found = solve_file(&workdir, STACK).expect("sound");
+    let stack = with_interfaces(
+        solid(2e11, 0.25),
+        &[
+            (layer(5e5, 0.5, 2.5e-6), springs(2e11, f64::INFINITY)),
+            (layer(3.5e6, 0.5, 7.5e-6), Interface::Sliding),
+        ],
+    );
+    let truth = solve_stack(3.0, &stack, 2e6, 1e-10).expect("within reach");
+    assert!(relative_error(&quantities(&found), &truth.quantities) <= 1e-14);
+    for (from, to, parts) in [
+        (
+            "\"sliding\"",
+            "\"slide\"",
+            ["layer 2 of 2", "\"slide\" is none", "\"sliding\""],
+        ),
+        (
+            "\"sliding\"",
+            "0.5",
+            [
+                "layer 2 of 2",
+                "interface = 0.5 is none",
+                "tangential_stiffness",
+            ],
+        ),
+        (
+            "normal_stiffness = inf",
+            "normal_stiffness = 0",
+            ["primer", "0.0 Pa/m", "does not touch"],
+        ),
+        (
+            "= 2e11, normal",
+            "= -1, normal",
+            ["primer", "tangential", "-1.0 Pa/m"],
+        ),
+        (
+            "= 2e11, normal",
+            "= nan, normal",
+            ["primer", "tangential", "NaN"],
+        ),
+        (
+            "normal_stiffness = inf",
+            "normal = inf",
+            ["primer", "unknown key \"normal\"", "normal_stiffness"],
+        ),
+        (
+            "tangential_stiffness = 2e11, ",
+            "",
+            ["primer", "tangential_stiffness is missing", "Pa/m"],
+        ),
+        (
+            "interface = \"sliding\"",
+            "joint = \"sliding\"",
+            ["stack.toml", "joint", "interface"],
+        ),
+    ] {
+        let message = solve_file(&workdir, &STACK.replacen(from, to, 1)).expect_err("refused");
+        assert_names(&message, &parts);
+    }
+}

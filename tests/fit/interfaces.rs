@@ -1,0 +1,164 @@
+//! Fits of films that slide or are joined by springs, and what fits say about interfaces.
+
+use acceptance::{assert_names, springs};
+use fit::{Bodies, Fit, Kind, Layer, Parameter, WarningKind};
+use interp::System;
+use solve::solve_stack;
+use solve::stack::{self, Interface, Stack};
+
+use crate::imagined::{Imagined, solid};
+use crate::layers::{fit_of, layer, named, on_layers, recover};
+
+const INFINITY: f64 = f64::INFINITY;
+
+fn stiffness() -> Parameter {
+    Parameter::LayerInterfaceStiffness(named("film"))
+}
+
+fn modulus() -> Parameter {
+    Parameter::LayerModulus(named("film"))
+}
+
+/// A lens on an elastomer of 10 um on silicon, with an interface between them.
+fn lens(interface: Interface, free: &[Parameter]) -> Imagined {
+    let mut lens = Imagined::lens(Kind::LoadRadius, 10e-6, 1e-6, free);
+    set(&mut lens, interface, |_| {});
+    lens
+}
+
+/// Puts the film of an imagined experiment on its substrate with an interface.
+fn set(imagined: &mut Imagined, interface: Interface, change: impl Fn(&mut System)) {
+    let mut system = match &imagined.truth.bodies {
+        Bodies::Coated(system) => system.clone(),
+        Bodies::Layered(layered) => System {
+            probe: layered.probe.clone(),
+            sphere_modulus: layered.sphere_modulus,
+            film: layered.surface(),
+            film_thickness: layered.thickness(),
+            substrate: layered.base,
+        },
+        Bodies::HalfSpace(_) => unreachable!("a lens is on a film"),
+    };
+    change(&mut system);
+    let film = Layer {
+        interface,
+        ..layer("film", system.film, system.film_thickness)
+    };
+    imagined.truth.bodies = on_layers(&system, &[film]);
+}
+
+/// Returns the texts of one kind of warning.
+fn texts(found: &Fit, kind: WarningKind) -> Vec<&str> {
+    let warnings = found.warnings.iter().filter(|one| one.kind == kind);
+    warnings.map(|one| one.text.as_str()).collect()
+}
+
+#[test]
+fn the_stiffness_of_an_interface_is_found() {
+    recover(
+        "lens, interface's stiffness",
+        &lens(
+            springs(3e11, INFINITY),
+            &[stiffness(), Parameter::WorkOfAdhesion],
+        ),
+        &[WarningKind::LargeStrain],
+    );
+}
+
+#[test]
+fn the_modulus_of_a_sliding_film_is_found() {
+    recover(
+        "lens, modulus of a sliding film",
+        &lens(Interface::Sliding, &[modulus(), Parameter::WorkOfAdhesion]),
+        &[WarningKind::LargeStrain],
+    );
+}
+
+/// Data of a film that slides tell no lower bound of the stiffness, data of a bonded one no upper
+/// bound, and data of a film far thicker than the contact neither.
+#[test]
+fn data_that_do_not_tell_the_interface_are_named() {
+    // As good as sliding and bonded, by springs whose stiffness can be free.
+    let [slides, bonded] = [1.0, 1e22].map(|stiffness| springs(stiffness, INFINITY));
+    let cases = [
+        (slides, 10e-6, ["no lower bound", "sliding"]),
+        (bonded, 10e-6, ["no upper bound", "bonded"]),
+        (slides, 5e-3, ["not told by these data", "wider"]),
+    ];
+    for (truth, thickness, parts) in cases {
+        let mut of_truth = lens(truth, &[stiffness(), Parameter::WorkOfAdhesion]);
+        set(&mut of_truth, truth, |system| {
+            system.film_thickness = thickness
+        });
+        let exact = of_truth.exact();
+        for seed in 0..5 {
+            let found = fit_of(of_truth.measured(&exact, seed), &of_truth);
+            let told = texts(&found, WarningKind::InterfaceNotSeen);
+            assert_eq!(told.len(), 1, "{truth:?}: {:?}", found.warnings);
+            assert_names(told[0], &parts);
+        }
+    }
+    // Where the stiffness is found, nothing is open.
+    let told = lens(
+        springs(3e11, INFINITY),
+        &[stiffness(), Parameter::WorkOfAdhesion],
+    );
+    let found = fit_of(told.measured(&told.exact(), 0), &told);
+    assert!(texts(&found, WarningKind::InterfaceNotSeen).is_empty());
+}
+
+/// Under a rigid sphere on a rigid base, the load is proportional to the modulus: the
+/// factor is the ratio of the stiffnesses of the widest contact.
+#[test]
+fn a_fit_that_assumes_bonding_says_what_sliding_would_change() {
+    let mut bonded = lens(Interface::Bonded, &[modulus(), Parameter::WorkOfAdhesion]);
+    set(&mut bonded, Interface::Bonded, |system| {
+        system.sphere_modulus = INFINITY;
+        system.substrate = solid(INFINITY, 0.25);
+    });
+    let found = fit_of(bonded.measured(&bonded.exact(), 0), &bonded);
+    let Bodies::Layered(layered) = &bonded.truth.bodies else {
+        unreachable!("it has layers")
+    };
+    let widest = bonded.radii[1] / layered.thickness();
+    let eeq = |interface| {
+        let film = stack::Layer {
+            solid: layered.surface(),
+            thickness: layered.thickness(),
+            interface,
+        };
+        let stack = Stack::new(layered.base, [film]).expect("physical");
+        let solution = solve_stack(widest, &stack, INFINITY, 1e-8).expect("within reach");
+        solution.quantities.eeq
+    };
+    let factor = eeq(Interface::Bonded) / eeq(Interface::Sliding);
+    let told = texts(&found, WarningKind::AssumesBonding);
+    assert_eq!(told.len(), 1, "{:?}", found.warnings);
+    assert_names(told[0], &["film.modulus", "bonded", "slid"]);
+    let printed = told[0]
+        .split(" times as large")
+        .next()
+        .and_then(|before| before.rsplit(' ').next())
+        .and_then(|number| number.parse::<f64>().ok())
+        .expect("a factor");
+    println!("the factor is {printed}, and the ratio of stiffnesses {factor}");
+    assert!((printed / factor - 1.0).abs() <= 2e-3);
+
+    // A film that slides, or is on springs, assumes nothing.
+    for interface in [Interface::Sliding, springs(3e11, INFINITY)] {
+        let other = lens(interface, &[modulus(), Parameter::WorkOfAdhesion]);
+        let found = fit_of(other.measured(&other.exact(), 0), &other);
+        assert!(texts(&found, WarningKind::AssumesBonding).is_empty());
+    }
+    // Contacts that are small beside the film do not feel its interface.
+    let mut thick = lens(Interface::Bonded, &[modulus(), Parameter::WorkOfAdhesion]);
+    set(&mut thick, Interface::Bonded, |system| {
+        system.film_thickness = 0.1;
+    });
+    let found = fit_of(thick.measured(&thick.exact(), 0), &thick);
+    assert!(
+        texts(&found, WarningKind::AssumesBonding).is_empty(),
+        "{:?}",
+        found.warnings
+    );
+}
