@@ -18,6 +18,7 @@ mod fit_plots;
 mod fit_shapes;
 mod friction;
 mod help;
+mod history;
 mod hostile_text;
 mod info;
 mod interfaces;

@@ -27,6 +27,7 @@ const FIGURES: [(&str, Option<&str>); 12] = [
     ("pull-off", None),
     ("contact-stiffness", None),
     ("interface", None),
+    ("relaxation", None),
     ("error-map", None),
     ("work-precision", Some("solve")),
     ("table-cost", Some("table")),
