@@ -116,7 +116,8 @@ fn all_ways_to_ask_agree() {
     let held = loads(&["--program", "penetration 0:0 1:1um", "--at=1.5,0.5,1"]);
     close(&held, &[solved[3], solved[1], solved[2]], 1e-8);
     // Under the loads of a creep test the penetration grows.
-    let text = workdir.succeed(
+    let crept = rows(
+        &workdir,
         &[
             &GEL[..],
             &["--program", "load 0:0 0.5:10nN", "--at=0.5,1,10"],
@@ -129,7 +130,7 @@ fn all_ways_to_ask_agree() {
     let heights = [
         "--program",
         "height 0:0 1:1um 2:1um 3:0",
-        "--stiffness=1kN/m",
+        "--stiffness=100kN/m",
         "--points=7",
     ];
     close(&solved, &loads(&heights), 2e-5);

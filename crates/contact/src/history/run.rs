@@ -106,13 +106,16 @@ impl<L: CrackTip> Run<'_, L> {
                 self.refuse_adhesion("here the position of a spring is imposed")?;
                 let law = self.exponentials(tolerance);
                 let most = largest * stiffness * law.creep().value(self.program.duration());
-                let [_, to] = contact.contact_radius_range();
-                let [a, b] = [
-                    elastic::radius_of(contact, "load", most, |node| node.load).unwrap_or(to),
-                    elastic::radius_of(contact, "penetration", largest, |node| node.penetration)
-                        .unwrap_or(to),
-                ];
-                self.elements(a.min(b))
+                // Both bound the contact radius, and one may be out of range where the other is not.
+                let by_load = elastic::radius_of(contact, "load", most, |node| node.load);
+                let name = self.control.name();
+                let by_depth = elastic::radius_of(contact, name, largest, |node| node.penetration);
+                let radius = match (by_load, by_depth) {
+                    (Ok(a), Ok(b)) => a.min(b),
+                    (Ok(a), Err(_)) => a,
+                    (Err(_), by_depth) => by_depth?,
+                };
+                self.elements(radius)
             }
         }
     }

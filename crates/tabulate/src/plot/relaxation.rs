@@ -105,21 +105,20 @@ pub fn figure(films: &[Film]) -> Figure {
             let mut panel = Panel::new(
                 format!("gel of {} µm", 1e6 * film.thickness),
                 Axis::linear("time (s)", [0.0, end]),
-                Axis::linear("load (nN)", [0.0, 1.15 * largest]),
+                Axis::linear("load (nN)", [0.0, 1.4 * largest]),
             );
             panel
                 .dashed(film.short_cut.clone(), VERMILION)
                 .line(film.exact.clone(), BLUE);
-            let at =
-                |points: &[Point], time: f64| points[(time / end * f64::from(POINTS - 1)) as usize];
+            // Above the lines, where the texts meet none of them.
             panel
-                .label(at(&film.exact, 1.2), "exact", BLUE, Side::AboveRight)
                 .label(
-                    at(&film.short_cut, 0.7),
+                    [0.7, 1.25 * largest],
                     "half-space × factor",
                     VERMILION,
                     Side::Right,
-                );
+                )
+                .label([1.1, 1.05 * largest], "exact", BLUE, Side::Right);
             panel
         })
         .collect();
