@@ -5,7 +5,7 @@ use contact::{Contact, Control, JkrPoint, Validity};
 use interp::{Mechanics, Probe, System, Table};
 use serde_json::Value;
 use solve::cohesive::Cohesive;
-use tabulate::report::LARGE_CONTACT;
+use tabulate::large_contact::LARGE_CONTACT;
 
 use crate::{paper_table, solved};
 

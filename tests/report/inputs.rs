@@ -3,7 +3,8 @@
 use acceptance::{assert_names, table};
 use interp::Probe;
 use serde_json::{Value, json};
-use tabulate::report::{LARGE_CONTACT, report};
+use tabulate::large_contact::LARGE_CONTACT;
+use tabulate::report::report;
 
 use crate::browser::{browse, choose, fill};
 use crate::{FOUR_AXES, GAMMA_ALONE, RIGID_SPHERE, SPHERE};

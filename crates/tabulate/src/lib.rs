@@ -20,23 +20,26 @@
 //! | [`report`] | the interactive page |
 //! | [`cli`] | the program `tabulate` |
 //!
-//! The last four are behind the feature `cli`, which is on by default.
+//! The program is behind the feature `cli`, and `cost`, `plot` and `report` are behind the feature
+//! `figures`; both are on by default.
 
 #![deny(unsafe_code)]
 
 #[cfg(feature = "cli")]
 pub mod cli;
-#[cfg(feature = "cli")]
+#[cfg(feature = "figures")]
 pub mod cost;
 mod error;
 #[cfg(test)]
 mod hostile;
 mod input;
-mod output;
 #[cfg(feature = "cli")]
+pub mod large_contact;
+mod output;
+#[cfg(feature = "figures")]
 pub mod plot;
 mod printable;
-#[cfg(feature = "cli")]
+#[cfg(feature = "figures")]
 pub mod report;
 pub mod stack;
 pub mod table;

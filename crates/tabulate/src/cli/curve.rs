@@ -16,7 +16,7 @@ use super::progress::progress_bar;
 use super::quantity::{self, length};
 use super::stack_file::Layers;
 use super::table_name::{self, TableName};
-use crate::report::LARGE_CONTACT;
+use crate::large_contact::LARGE_CONTACT;
 use solve::cohesive::Cohesive;
 use solve::parallel::try_map;
 use solve::{curve as adaptive, solve};

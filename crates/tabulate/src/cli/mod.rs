@@ -11,8 +11,10 @@ mod allow;
 mod bodies;
 mod check;
 mod completions;
+#[cfg(feature = "figures")]
 mod cost;
 mod curve;
+#[cfg(feature = "figures")]
 mod default_table;
 mod fit;
 mod friction;
@@ -25,6 +27,7 @@ mod man;
 mod output;
 mod pack;
 mod plan;
+#[cfg(feature = "figures")]
 mod plot;
 mod points;
 mod probe;
@@ -32,6 +35,7 @@ mod progress;
 mod pull_off;
 mod quantity;
 mod query;
+#[cfg(feature = "figures")]
 mod report;
 mod simulate;
 mod solve;
@@ -106,10 +110,13 @@ enum Command {
     Generate(generate::Arguments),
     Info(info::Arguments),
     Check(check::Arguments),
+    #[cfg(feature = "figures")]
     Report(report::Arguments),
     Pack(pack::Arguments),
     Unpack(unpack::Arguments),
+    #[cfg(feature = "figures")]
     Plot(plot::Arguments),
+    #[cfg(feature = "figures")]
     Cost(cost::Arguments),
     Completions(completions::Arguments),
     Man(man::Arguments),
@@ -160,10 +167,13 @@ fn run_command(command: Command) -> anyhow::Result<ExitCode> {
         Command::Generate(arguments) => generate::run(&arguments),
         Command::Info(arguments) => info::run(&arguments),
         Command::Check(arguments) => check::run(&arguments),
+        #[cfg(feature = "figures")]
         Command::Report(arguments) => report::run(&arguments),
         Command::Pack(arguments) => pack::run(&arguments),
         Command::Unpack(arguments) => unpack::run(&arguments),
+        #[cfg(feature = "figures")]
         Command::Plot(arguments) => plot::run(&arguments),
+        #[cfg(feature = "figures")]
         Command::Cost(arguments) => cost::run(&arguments),
         Command::Completions(arguments) => completions::run(&arguments),
         Command::Man(arguments) => man::run(&arguments),

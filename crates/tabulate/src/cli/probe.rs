@@ -128,6 +128,7 @@ pub struct SizedProbeArguments {
     sphere_radius: Option<f64>,
 }
 
+#[cfg(feature = "figures")]
 impl SizedProbeArguments {
     /// Returns the shape.
     pub fn probe(&self) -> anyhow::Result<Probe> {

@@ -74,7 +74,7 @@ impl TableName {
         let read = if interp::is_packed(&start) {
             Table::read
         } else {
-            Table::open
+            open_hdf5
         };
         Ok(Cow::Owned(read(path)?))
     }
@@ -147,4 +147,17 @@ fn refuse(path: PathBuf, endings: &[&str], why: &'static str) -> Result<PathBuf,
     } else {
         Ok(path)
     }
+}
+
+/// Reads an HDF5 table.
+#[cfg(feature = "read-hdf5")]
+fn open_hdf5(path: &Path) -> Result<Table, interp::Error> {
+    Table::open(path)
+}
+
+/// Refuses an HDF5 table.
+#[cfg(not(feature = "read-hdf5"))]
+fn open_hdf5(_: &Path) -> Result<Table, interp::Error> {
+    let what = "it is no packed table, and this program was built without HDF5";
+    Err(interp::Error::Foreign(what.into()))
 }

@@ -20,14 +20,11 @@ pub use figures::{Illustration, figures, steps};
 
 use crate::Error;
 use crate::cost::random_points;
+use crate::large_contact::LARGE_CONTACT;
 use crate::plot::picture::Format;
 use crate::printable;
 use crate::table::compress;
 
-/// What the page and the command line say of a contact radius above
-/// [`Validity::WARNING_A_OVER_R`] times that of the sphere.
-pub const LARGE_CONTACT: &str =
-    "The contact radius is not small compared with R, as the model assumes.";
 /// The largest relative difference, at the nodes, between the quantities of the form in a page and
 /// those of its table. Between the nodes the difference is larger: 1.4 times in a table of many
 /// nodes, 2.4 to 4.3 times in tables of few. It stays below 1e-6.

@@ -29,6 +29,7 @@ mod sweep;
 pub use budget::{Budget, Clock};
 pub use build::name as build_name;
 #[cfg(feature = "cli")]
+#[cfg(feature = "figures")]
 pub(crate) use certify::Axis as SampledAxis;
 pub use certify::{
     Sample, certificate, certify, default_points, errors_by_quantity, measure, points_for, sample,
@@ -43,5 +44,6 @@ pub use placement::{EVENNESS, Placement, places};
 pub use plan::Plan;
 pub use scene::{DEFAULT_NU0, Extent, Scene};
 #[cfg(feature = "cli")]
+#[cfg(feature = "figures")]
 pub(crate) use scene::{material, random_points};
 pub use sweep::{Sweep, Values, solve_tolerance, sweep};

@@ -2,11 +2,16 @@
 //!
 //! `setting` reads settings of parameters, and `experiments` joins them with the measurements.
 //! `fit::report` writes the result as a report, `object` and `table` as JSON and as CSV;
-//! `crate::plot::fit` draws it.
+//! `picture` draws it.
 
 pub mod experiments;
 pub mod indentation;
 pub mod object;
+#[cfg(feature = "figures")]
+mod picture;
+#[cfg(not(feature = "figures"))]
+#[path = "no_picture.rs"]
+mod picture;
 pub mod reading;
 pub mod setting;
 pub mod table;
@@ -23,17 +28,15 @@ use interp::Table;
 
 use self::experiments::{FreeArguments, KnownArguments};
 use self::indentation::{Noise, Range, ReferenceArguments};
+use self::picture::PictureArguments;
 use self::reading::{doubted, measured, typed};
 use self::setting::{Given, unit_of};
 use super::allow::{self, Allowed};
 use super::json;
 use super::output::Output;
-use super::plot::picture;
 use super::print;
 use super::quantity::{length, number, sensitivity};
 use super::table_name::{self, TableName};
-use crate::plot::fit::{figure, jkr_figure};
-use crate::plot::picture::Format as PictureFormat;
 use crate::printable;
 
 /// Find moduli and work of adhesion from measured contacts, with their errors
@@ -183,24 +186,8 @@ pub struct Arguments {
     /// Write data, fit, residual and branch of every point here
     #[arg(long, value_name = "FILE.csv")]
     csv: Option<PathBuf>,
-    /// Draw data, fit, residuals and the curve without the film: SVG or PNG by the ending
-    #[arg(long, value_name = "FILE.svg|FILE.png", value_parser = picture)]
-    plot: Option<PathBuf>,
-    /// What --plot draws: the data as they were measured with their residuals, or the reduced JKR
-    /// plot of loads at contact radii, load/(sqrt(6 pi) a^(3/2)) against a^(3/2)/(sqrt(pi) R), in
-    /// which a contact without a film is a straight line
-    #[arg(long, value_name = "KIND", default_value = "data", requires = "plot", value_parser = one_of([
-        ("data", PlotKind::Data),
-        ("jkr", PlotKind::Jkr),
-    ]))]
-    plot_kind: PlotKind,
-}
-
-/// What a picture of a fit shows.
-#[derive(Clone, Copy, Debug)]
-enum PlotKind {
-    Data,
-    Jkr,
+    #[command(flatten)]
+    picture: PictureArguments,
 }
 
 /// Parses the Poisson ratio of a solid.
@@ -288,11 +275,11 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         .chain(arguments.reference.reference.as_deref())
         .collect();
     ensure!(
-        arguments.csv.is_none() || arguments.csv != arguments.plot,
+        arguments.csv.is_none() || arguments.csv.as_deref() != arguments.picture.path(),
         "--csv and --plot name the same file; choose two names"
     );
     let csv = output(arguments.csv.as_deref(), &inputs)?;
-    let plot = output(arguments.plot.as_deref(), &inputs)?;
+    let plot = output(arguments.picture.path(), &inputs)?;
     let files = arguments.data.len() + usize::from(arguments.reference.reference.is_some());
     for (flag, noises) in [
         ("--noise", arguments.noise.len()),
@@ -392,15 +379,12 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
             .map_err(|error| anyhow!("{error}{}", further_doubts(&fit)))?;
     }
     // A picture that cannot be drawn is told before anything is written.
-    let drawn = match arguments.plot_kind {
-        PlotKind::Data => figure(&fit, &experiments),
-        PlotKind::Jkr => jkr_figure(&fit, &experiments).context("--plot-kind jkr")?,
-    };
+    let drawn = arguments.picture.drawn(&fit, &experiments)?;
     if let Some(csv) = csv {
         csv.write(&table::csv(&fit, &experiments)?)?;
     }
-    if let (Some(plot), Some(path)) = (plot, &arguments.plot) {
-        plot.write(&drawn.picture()?.encode(PictureFormat::of(path)?)?)?;
+    if let (Some(plot), Some(drawn)) = (plot, drawn) {
+        plot.write(&drawn)?;
     }
     if arguments.json {
         json::print(&object::FitObject::new(&fit, &experiments, &notes))?;
