@@ -28,7 +28,6 @@ mod sweep;
 
 pub use budget::{Budget, Clock};
 pub use build::name as build_name;
-#[cfg(feature = "cli")]
 #[cfg(feature = "figures")]
 pub(crate) use certify::Axis as SampledAxis;
 pub use certify::{
@@ -43,7 +42,6 @@ pub use of_stack::StackTable;
 pub use placement::{EVENNESS, Placement, places};
 pub use plan::Plan;
 pub use scene::{DEFAULT_NU0, Extent, Scene};
-#[cfg(feature = "cli")]
 #[cfg(feature = "figures")]
 pub(crate) use scene::{material, random_points};
 pub use sweep::{Sweep, Values, solve_tolerance, sweep};
