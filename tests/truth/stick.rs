@@ -348,7 +348,7 @@ fn wide_contacts_approach_the_base() {
         let distance = |x: f64| sticking.punch(x, 1e-7).expect("converges").eeq_s / limit - 1.0;
         let [near, far] = [30.0, 200.0].map(distance);
         println!("{nu1}, {nu0}: {near:.1e} at 30, {far:.1e} at 200");
-        assert!(far.abs() < 0.01 && far.abs() < 0.5 * near.abs());
+        assert!(far.abs() < 0.02 && far.abs() < 0.4 * near.abs());
     }
 }
 
@@ -464,10 +464,10 @@ fn layers_of_one_material_are_one_film_and_dundurs_shift_changes_nothing() {
     assert!(relative(plain.gamma_eff, moved.gamma_eff) <= 1e-12);
 }
 
-/// A film that slides on its base: without friction on top it is that of the other solver, with
-/// stick it is stiffer; springs that are stiff enough bond it. Measured: 4e-13 and 2e-7.
+/// A film on springs: without friction on top it is that of the other solver, with stick it is
+/// stiffer; springs that are stiff enough bond it. A film that slides freely is refused.
 #[test]
-fn films_that_slide_below_may_stick_on_top() {
+fn films_on_springs_may_stick_on_top() {
     let solid = |young: f64, nu: f64| Elastic::new(young, nu).expect("physical");
     let stack = |interface: Interface| {
         let film = Layer {
@@ -484,11 +484,15 @@ fn films_that_slide_below_may_stick_on_top() {
         tangential: 1e8,
         normal: f64::INFINITY,
     };
+    let soft = Interface::Springs {
+        tangential: 1.0,
+        normal: 50.0,
+    };
     for x in [0.5, 3.0] {
-        let punch = on(Interface::Sliding).punch(x, 1e-10).expect("converges");
-        let slides = on(Interface::Sliding).without_friction();
+        let punch = on(soft).punch(x, 1e-10).expect("converges");
+        let slides = on(soft).without_friction();
         let slides = slides.punch(x, 1e-10).expect("converges");
-        let known = solve_stack(x, &stack(Interface::Sliding), 1.0, 1e-11).expect("converges");
+        let known = solve_stack(x, &stack(soft), 1.0, 1e-11).expect("converges");
         assert!(relative(slides.eeq_s, known.quantities.eeq) <= 1e-10);
         assert!(punch.eeq_s > slides.eeq_s, "{x}");
         let sprung = on(stiff).tip(x, 2.0, 1e-8).expect("converges").0;
@@ -496,6 +500,8 @@ fn films_that_slide_below_may_stick_on_top() {
         assert!(relative(sprung.eeq_s, glued.eeq_s) <= 1e-6);
         assert!(relative(sprung.pi_s, glued.pi_s) <= 1e-6);
     }
+    let error = Sticking::on_stack(&stack(Interface::Sliding), 1.0, 0.5).expect_err("refused");
+    assert!(error.to_string().contains("slides freely"), "{error}");
 }
 
 /// The system of the pull-offs: a rigid sphere on an incompressible film on a rigid base.
