@@ -26,3 +26,4 @@ mod short_range;
 mod stack_limits;
 mod stacks;
 mod stick;
+mod viscoelastic;

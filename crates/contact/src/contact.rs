@@ -2,6 +2,7 @@
 //! contact radius.
 
 use super::line_energy::LineEnergy;
+use crate::bodies::Bodies;
 use crate::shape::Shape;
 use interp::LoadAndPenetration;
 use interp::check::finite_result;
@@ -39,15 +40,6 @@ pub struct Contact {
     pub(crate) mechanics: Mechanics,
     pub(crate) bodies: Bodies,
     pub(crate) shape: Shape,
-}
-
-/// The bodies in contact.
-#[derive(Clone, Debug)]
-pub(crate) enum Bodies {
-    /// A probe on a homogeneous half-space.
-    HalfSpace(HalfSpace),
-    /// A probe on a coated substrate, with the curve of its material.
-    Coated { system: System, curve: Curve },
 }
 
 /// A state of a contact: its radius, its load and its penetration.

@@ -216,6 +216,20 @@ impl Contact {
         })
     }
 
+    fn moving_stiffness<'py>(
+        &self,
+        py: Python<'py>,
+        points: Points,
+        a: Input<'_>,
+        w: Input<'_>,
+    ) -> PyResult<[Output<'py>; 1]> {
+        points.evaluate(py, [&a, &w], |[a, w]| {
+            self.contact
+                .moving_stiffness(a, w)
+                .map(|stiffness| [stiffness])
+        })
+    }
+
     fn stiffness<'py>(
         &self,
         py: Python<'py>,

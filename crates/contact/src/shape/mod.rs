@@ -24,7 +24,7 @@ use interp::LoadAndPenetration;
 use interp::{Curve, Elastic, Error, Probe, Quantities, Quantity, System};
 use interp::{EvenShape, LARGEST_A_OVER_R};
 
-use super::contact::Bodies;
+use crate::bodies::Bodies;
 
 /// How load and penetration without adhesion are found.
 #[derive(Clone, Debug)]

@@ -15,6 +15,7 @@ mod cycle;
 mod fixed_values;
 mod forecast;
 mod friction;
+mod indentation;
 mod interfaces;
 mod jkr;
 mod left_out;

@@ -11,7 +11,7 @@ use super::profile::End;
 use super::search::{Data, SHORT};
 use super::uncertainty::{UNDETERMINED, Uncertainty};
 use super::valley::Bend;
-use super::{agreement, cycle, friction, interfaces, wanted};
+use super::{agreement, cycle, friction, indentation, interfaces, wanted};
 use crate::magnitude::{self, LARGEST_WORK, STIFFNESSES};
 use crate::statistics::missing_runs;
 use crate::{
@@ -68,6 +68,9 @@ pub(super) fn warnings(
     for (e, assigned) in problem.assigned.iter().enumerate() {
         geometry(&mut warnings, problem, e, assigned, options, &fit.estimates);
         cycle::add(&mut warnings, problem, e, data.local_noise[e]);
+    }
+    if fit.converged {
+        indentation::add(&mut warnings, fit, problem);
     }
     warnings.0
 }
@@ -410,6 +413,10 @@ fn geometry(
     let [least, a] = radii.fold([f64::INFINITY, 0.0], |[least, most]: [f64; 2], radius| {
         [least.min(radius), most.max(radius)]
     });
+    // Where elasticity does not tell the contact radii, the shape of the probe does not matter.
+    if experiment.measurement.kind.is_stiffness() && !experiment.is_elastic_load() {
+        return;
+    }
     let Ok(contact) = problem.contact(&experiment.bodies, false) else {
         return;
     };

@@ -122,7 +122,12 @@ impl Reach {
         });
         let largest = probe.radius().unwrap_or(f64::INFINITY);
         match measurement.kind {
-            Kind::LoadRadius | Kind::PenetrationRadius => up_to((MARGIN * most).min(largest)),
+            Kind::LoadRadius | Kind::PenetrationRadius | Kind::StiffnessRadius => {
+                up_to((MARGIN * most).min(largest))
+            }
+            // What they need depends on the hardness and the area function: see
+            // `Experiment::reach_of_stiffness`.
+            Kind::StiffnessLoad | Kind::StiffnessDepth => up_to(0.0),
             Kind::LoadPenetration | Kind::ForceHeight => Self {
                 needed: 0.0,
                 expected: (WIDEST * (largest * (most - least)).sqrt()).min(largest),

@@ -72,6 +72,8 @@ from ._fit_results import (
     WithoutFilm,
 )
 from ._generate import generate
+from ._history import HistoryStates, Relaxation
+from ._indentation import Indentation
 from ._line import ContactLine, Hysteresis, RateDependent, TimedStates
 from ._model import Prediction, branches, forecast, predict, simulate
 from ._probe import (
@@ -142,7 +144,9 @@ __all__ = [
     "GenerationError",
     "Gradient",
     "HalfSpace",
+    "HistoryStates",
     "Hysteresis",
+    "Indentation",
     "InvalidArgumentError",
     "Jump",
     "Layer",
@@ -163,6 +167,7 @@ __all__ = [
     "Profile",
     "ProfileError",
     "RateDependent",
+    "Relaxation",
     "RoundedCone",
     "ShortRange",
     "Solution",

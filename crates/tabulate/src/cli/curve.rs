@@ -29,8 +29,13 @@ use solve::{curve as adaptive, solve};
 /// negative load an equilibrium may be unstable. Under a probe without a radius of curvature the
 /// coordinates of the plot are NaN; a flat punch has one row.
 ///
-/// With --interaction-range the attraction is not that of JKR, and there is a column outer_radius (m):
-/// the radius within which it acts.
+/// Two columns are slopes dF/d delta (N/m): contact_stiffness where the contact line stays, which a
+/// small fast oscillation measures, and moving_stiffness where it moves in equilibrium, which the
+/// force curve itself has. Without adhesion they are equal; under a flat punch, whose line cannot
+/// move, the second is NaN.
+///
+/// With --interaction-range the attraction is not that of JKR, and in place of the two slopes there
+/// is a column outer_radius (m): the radius within which it acts.
 ///
 /// With --friction stick, surfaces that have touched never slide: the rows are those of a contact that
 /// has grown from radius 0 with --work-of-adhesion, and with --work-of-adhesion-receding those of its
@@ -123,11 +128,11 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         "jkr_abscissa",
         "jkr_ordinate",
     ];
-    let outer_radius = arguments
-        .attracting
-        .interaction_range
-        .map(|_| "outer_radius");
-    writer.write_record(columns.into_iter().chain(outer_radius))?;
+    let further: &[&str] = match states.source {
+        Source::Range(_) => &["outer_radius"],
+        _ => &["contact_stiffness", "moving_stiffness"],
+    };
+    writer.write_record(columns.iter().chain(further))?;
     for row in rows {
         writer.write_record(row.into_iter().map(number))?;
     }
@@ -136,8 +141,8 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
 
 /// What answers for the state at a contact radius.
 enum Source {
-    /// A solve for each radius.
-    Solves,
+    /// A solve for each radius; with adhesion a curve tells the slopes of the quantities.
+    Solves(Option<Box<Contact>>),
     /// A curve, from a table or from solves of one material.
     Curve(Box<Contact>),
     /// Solves with an attraction of finite range.
@@ -192,7 +197,11 @@ impl<'a> States<'a> {
             Source::Curve(Box::new(Contact::new(system, curve)?))
         } else {
             match system.probe {
-                Probe::Paraboloid { .. } => Source::Solves,
+                Probe::Paraboloid { .. } => {
+                    let slopes = (bodies.work_of_adhesion > 0.0)
+                        .then(|| of_slopes(system, [from, to], tolerance));
+                    Source::Solves(slopes.transpose()?.map(Box::new))
+                }
                 Probe::FlatPunch { radius } => {
                     Source::Curve(Box::new(of_shape(system, radius, tolerance)?))
                 }
@@ -209,25 +218,47 @@ impl<'a> States<'a> {
 
     /// Computes the row of a contact radius.
     fn row(&self, a: f64, mechanics: &Mechanics) -> anyhow::Result<Vec<f64>> {
-        let mut outer_radius = None;
-        let (load, penetration) = match &self.source {
+        let w = self.work_of_adhesion;
+        let (load, penetration, further) = match &self.source {
             Source::Range(cohesive) => {
                 let state = cohesive.state(a)?;
-                outer_radius = Some(state.outer_radius);
-                (state.load, state.penetration)
+                (state.load, state.penetration, vec![state.outer_radius])
             }
-            Source::Curve(contact) => contact.load_and_penetration(a, self.work_of_adhesion)?,
-            Source::Solves => {
-                let edge = mechanics.edge_singularity(a, self.work_of_adhesion)?;
+            Source::Curve(contact) => {
+                let (load, penetration) = contact.load_and_penetration(a, w)?;
+                let moving = match self.system.probe {
+                    Probe::FlatPunch { .. } => f64::NAN,
+                    _ => contact.moving_stiffness(a, w)?,
+                };
+                (load, penetration, vec![contact.stiffness(a)?, moving])
+            }
+            Source::Solves(slopes) => {
+                let edge = mechanics.edge_singularity(a, w)?;
                 let material = self.system.material()?;
                 let solution = solve(a / self.system.film_thickness, &material, self.tolerance)?;
-                mechanics.load_and_penetration(a, edge, &solution.quantities)
+                let (load, penetration) =
+                    mechanics.load_and_penetration(a, edge, &solution.quantities);
+                let pinned = mechanics.stiffness(a, solution.quantities.eeq);
+                let moving = match slopes {
+                    Some(contact) => contact.moving_stiffness(a, w)?,
+                    None => pinned,
+                };
+                (load, penetration, vec![pinned, moving])
             }
         };
         let jkr = JkrPoint::new(a, load, mechanics.sphere_radius());
         let row = [a, load, penetration, jkr.abscissa, jkr.ordinate];
-        Ok(row.into_iter().chain(outer_radius).collect())
+        Ok(row.into_iter().chain(further).collect())
     }
+}
+
+/// Makes the contact whose curve tells the slopes of the quantities between two contact radii.
+fn of_slopes(system: &System, radii: [f64; 2], tolerance: f64) -> anyhow::Result<Contact> {
+    /// The smallest relative tolerance of the curve. Slopes lose digits to it.
+    const LEAST: f64 = 1e-10;
+    let range = radii.map(|a| a / system.film_thickness);
+    let curve = adaptive(&system.material()?, range, tolerance.max(LEAST))?;
+    Ok(Contact::new(system, curve)?)
 }
 
 /// Makes the contact of any shape up to contact radius `most` from solves of its material alone.

@@ -8,6 +8,7 @@
 pub mod axis;
 pub mod chart;
 mod clip;
+pub mod contact_stiffness;
 mod draw;
 pub mod effects;
 pub mod error_map;
@@ -23,6 +24,7 @@ pub mod lookup_cost;
 pub mod paper;
 pub mod picture;
 pub mod pull_off;
+pub mod relaxation;
 pub mod table_cost;
 pub mod work_precision;
 
@@ -45,7 +47,7 @@ mod tests {
     use super::picture::Format;
     use super::{
         effects, fig2, fig3, fig4, force_displacement, friction, interface, lookup_cost, pull_off,
-        table_cost, work_precision,
+        relaxation, table_cost, work_precision,
     };
     use crate::Error;
     use crate::cost::{Measurement, read_csv};
@@ -133,6 +135,8 @@ mod tests {
             "pull-off",
             &pull_off::figure(&pull_off::data().expect("within reach")),
         );
+        let films = relaxation::data().expect("within reach");
+        assert_clear("relaxation", &relaxation::figure(&films));
         assert_clear(
             "interface",
             &interface::figure(&interface::data().expect("within reach")),
