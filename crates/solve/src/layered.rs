@@ -109,7 +109,9 @@ impl LayeredCompliance {
         };
         // Below 1e-40 lies nothing of the integral of `X`, which is at most some 1e9.
         let nearest_pole = dispatch!(Level::new(), simd => compliance.nearest_pole(simd));
-        let share = if stack.is_bonded() { 1.0 } else { OF_POLE };
+        let mut slabs = compliance.buried.iter().chain([&compliance.top]);
+        let bonded = slabs.all(|slab| matches!(slab.joint, Joint::Bonded));
+        let share = if bonded { 1.0 } else { OF_POLE };
         compliance.smallest_scale = (share * nearest_pole).clamp(1e-40, 1.0);
         compliance
     }
