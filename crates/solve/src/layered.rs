@@ -99,6 +99,9 @@ impl LayeredCompliance {
     fn with_slabs(base: [f64; 5], buried: Vec<Slab>, top: Slab, largest_excess: f64) -> Self {
         let least = buried.iter().chain([&top]).map(|slab| slab.joint.least());
         let least = least.fold(0.0, f64::max);
+        let is_bonded = |slab: &Slab| matches!(slab.joint, Joint::Bonded);
+        let bonded = buried.iter().all(is_bonded) && is_bonded(&top);
+        let share = if bonded { 1.0 } else { OF_POLE };
         let mut compliance = Self {
             base,
             buried,
@@ -109,9 +112,6 @@ impl LayeredCompliance {
         };
         // Below 1e-40 lies nothing of the integral of `X`, which is at most some 1e9.
         let nearest_pole = dispatch!(Level::new(), simd => compliance.nearest_pole(simd));
-        let mut slabs = compliance.buried.iter().chain([&compliance.top]);
-        let bonded = slabs.all(|slab| matches!(slab.joint, Joint::Bonded));
-        let share = if bonded { 1.0 } else { OF_POLE };
         compliance.smallest_scale = (share * nearest_pole).clamp(1e-40, 1.0);
         compliance
     }
